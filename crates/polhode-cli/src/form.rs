@@ -31,6 +31,12 @@ impl Form {
         if report.has_failed() { Err(Failure::Findings) } else { Ok(()) }
     }
 
+    /// Returns the option that chooses the form, if one does.
+    pub(crate) fn option(self) -> Option<&'static str> {
+        let all = [("--json", self.json), ("--markdown", self.markdown), ("--html", self.html)];
+        all.into_iter().find_map(|(option, is_given)| is_given.then_some(option))
+    }
+
     /// Returns a report as it is printed.
     pub(crate) fn text(self, report: &dyn Report) -> String {
         if self.json {

@@ -1,29 +1,13 @@
 //! `polhode identify`
 
-mod simple;
-
-use std::path::{Path, PathBuf};
-
 use clap::Args;
-use polhode_document::json::pretty;
-use polhode_identify::IdentifyError;
-use polhode_identify::read as identify;
-use polhode_identify::read::{Measurement, Plan};
-use polhode_identify::report::{BodySize, IdentifyReport};
+use polhode_document::Report as _;
+use polhode_identify::{GivenPlan, Request};
 use polhode_source::files::Disk;
-use polhode_source::given::{positive, quantity};
-use polhode_source::shown;
-use polhode_source::unit::Dimension;
 
 use crate::failure::Failure;
-use crate::stdout::{columns, print};
-use simple::{Asked, Simple};
-
-/// What a plan is called that is made of flags.
-const FLAGS: &str = "the flags";
-
-/// What is printed instead of a body: without naming them `requires` would let these pass.
-const PRINTED: [&str; 3] = ["json", "markdown", "html"];
+use crate::form::Form;
+use crate::stdout::print;
 
 /// Find a body's mass properties from measurements of its motion.
 ///
@@ -46,114 +30,48 @@ Examples:
   polhode identify examples/identify/payload.toml
   polhode identify examples/identify/payload.toml --body > payload-body.toml")]
 pub(crate) struct Identify {
-    /// A plan; or logs of a gyro: CSV, Parquet or JSON lines.
-    #[arg(value_name = "FILE")]
-    files: Vec<PathBuf>,
     #[command(flatten)]
-    simple: Simple,
-    /// Print JSON.
-    #[arg(long, group = "form")]
-    json: bool,
-    /// Print Markdown.
-    #[arg(long, group = "form")]
-    markdown: bool,
-    /// Print one HTML page with plots, which needs nothing else.
-    #[arg(long, group = "form")]
-    html: bool,
-    /// Print the body as a part of a scenario file. Of a tumble also its first flight; what free motion does not show has to be said.
-    #[arg(long, group = "form")]
-    body: bool,
-    /// The greatest principal moment of a body of which tumbles show only ratios, for --body.
-    #[arg(long, value_name = "MOMENT", requires = "body", conflicts_with_all = PRINTED, value_parser = moment)]
-    greatest_moment: Option<f64>,
-    /// Exit with status 1 if what is left is more than noise.
+    request: Request,
+    /// Print the plan that all this stands for, and find nothing.
     #[arg(long)]
-    strict: bool,
+    print_plan: bool,
+    #[command(flatten)]
+    form: Form,
 }
 
 impl Identify {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        if let (true, Some(flag)) = (self.strict, self.simple.swings_flag(self.body)) {
-            let message = format!("--strict tests what is left, and of the one test of {flag} nothing is");
-            return Err(Failure::usage(
-                message,
-                "leave --strict out, or write a plan with more than it takes",
-            ));
+        if self.print_plan {
+            return self.print_plan();
         }
-        let plan = match self.simple.asked(&self.files, self.body)? {
-            Asked::File(plan) => identify::read(&Disk, &plan)?,
-            Asked::Text(text) if self.simple.prints_plan() => return self.print_plan(&text),
-            Asked::Text(text) => identify::from_text(&Disk, Path::new(FLAGS), &text)?,
-        };
-        let report = self.report(&plan)?;
-        print(&if self.body {
-            self.scenario(&report)?
-        } else if self.json {
-            pretty(&report.to_json()) + "\n"
-        } else if self.markdown {
-            report.to_document().to_markdown()
-        } else if self.html {
-            report.to_document().to_html()
-        } else {
-            report.to_document().to_text(columns().unwrap_or(polhode_document::layout::WIDTH))
-        })?;
-        if self.strict && report.has_model_error() { Err(Failure::Findings) } else { Ok(()) }
-    }
-
-    fn print_plan(&self, text: &str) -> Result<(), Failure> {
-        let forms = [("--json", self.json), ("--markdown", self.markdown), ("--html", self.html)];
-        let moment = ("--greatest-moment", self.greatest_moment.is_some());
-        let others = [moment, ("--body", self.body), ("--strict", self.strict)];
-        if let Some((other, _)) = forms.into_iter().chain(others).find(|(_, is_given)| *is_given) {
-            let message =
-                format!("--print-plan prints a plan and finds nothing: there is nothing for {other}");
-            return Err(Failure::usage(message, "leave one of them out"));
-        }
-        print(text)
-    }
-
-    /// What failures name.
-    fn place(&self) -> &Path {
-        self.files.first().map_or(Path::new(FLAGS), PathBuf::as_path)
-    }
-
-    fn report(&self, plan: &Plan) -> Result<IdentifyReport, Failure> {
-        let (title, sources) = (plan.title.as_deref(), plan.sources(&|path| shown(path)));
-        let report = match &plan.measurement {
-            Measurement::Tumble(plan) => {
-                IdentifyReport::of_flights(title, sources, &plan.flights, &plan.options)
+        let found = polhode_identify::run(&self.request, &Disk)?;
+        match &found.body {
+            None => self.form.print(&found),
+            Some(body) => {
+                print(body)?;
+                if found.has_failed() { Err(Failure::Findings) } else { Ok(()) }
             }
-            Measurement::Payload(plan) => IdentifyReport::of_payload(title, sources, &plan.log),
-            Measurement::Swing(plan) => IdentifyReport::of_swings(title, sources, plan),
-            _ => {
-                return Err(Failure::usage(
-                    "this plan is of a kind that is not known",
-                    "use a newer polhode",
-                ));
+        }
+    }
+
+    fn print_plan(&self) -> Result<(), Failure> {
+        let text = match self.request.plan()? {
+            GivenPlan::Text(text) => text,
+            GivenPlan::File(plan) => {
+                let message = "--print-plan prints what flags stand for, and this is a plan already";
+                return Err(Failure::usage(message, "leave --print-plan out").about(&plan));
             }
         };
-        report.map_err(|error| self.refused(error))
-    }
-
-    /// The body as a part of a scenario.
-    fn scenario(&self, report: &IdentifyReport) -> Result<String, Failure> {
-        // Without a file it is the mass of what was swung, which is found.
-        let mass = if self.files.is_empty() { None } else { self.simple.thrown_mass()? };
-        let size = BodySize { mass, greatest_moment: self.greatest_moment };
-        report
-            .to_scenario(&size)
-            .map_err(|why| Failure::usage(why.to_string(), why.hint()).about(self.place()))
-    }
-
-    fn refused(&self, error: IdentifyError) -> Failure {
-        let hint = error.hint().unwrap_or_default();
-        match error {
-            IdentifyError::Motion(error) => Failure::motion(shown(self.place()), error),
-            error => Failure::usage(error.to_string(), hint).about(self.place()),
+        let request = &self.request;
+        let moment = ("--greatest-moment", request.greatest_moment.is_some());
+        let others = [moment, ("--body", request.body), ("--strict", request.strict)];
+        let other = others.into_iter().find_map(|(other, is_given)| is_given.then_some(other));
+        match self.form.option().or(other) {
+            Some(other) => Err(Failure::usage(
+                format!("--print-plan prints a plan and finds nothing: there is nothing for {other}"),
+                "leave one of them out",
+            )),
+            None => print(&text),
         }
     }
-}
-
-fn moment(text: &str) -> Result<f64, String> {
-    positive(quantity(text, Dimension::INERTIA)?)
 }

@@ -3,11 +3,9 @@
 mod cluster;
 mod progress;
 
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::thread::available_parallelism;
 
 use clap::Args;
 use polhode::body::Severity;
@@ -15,7 +13,7 @@ use polhode_document::json::pretty;
 use polhode_document::layout::printable;
 use polhode_source::files::Disk;
 use polhode_source::shown;
-use polhode_sweep::{Dataset, Plan, SweepError};
+use polhode_sweep::{Dataset, Plan, Request, SweepError};
 
 use crate::failure::Failure;
 use crate::stderr::tell;
@@ -39,8 +37,8 @@ Examples:
   polhode sweep plan.toml --json | jq .outcomes.period_s
   polhode sweep plan.toml --on ray://127.0.0.1:10001")]
 pub(crate) struct Sweep {
-    /// The plan, a TOML file with a [sweep] and a [run] section.
-    plan: PathBuf,
+    #[command(flatten)]
+    request: Request,
     /// The folder to write [default: the plan's name, here].
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
@@ -50,9 +48,6 @@ pub(crate) struct Sweep {
     /// Throw away the results of an earlier sweep.
     #[arg(long, conflicts_with = "resume")]
     force: bool,
-    /// How many threads compute [default: all].
-    #[arg(long, value_name = "N")]
-    threads: Option<NonZeroUsize>,
     /// Print the summary as JSON.
     #[arg(long)]
     json: bool,
@@ -63,11 +58,11 @@ pub(crate) struct Sweep {
 
 impl Sweep {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let target = self.output.clone().unwrap_or_else(|| default_folder(&self.plan));
+        let target = self.output.clone().unwrap_or_else(|| default_folder(&self.request.plan));
         if let Some(url) = &self.on {
             return cluster::hand_over(&self, url, &target);
         }
-        let plan = Plan::read(&Disk, &self.plan)?;
+        let plan = Plan::read(&Disk, &self.request.plan)?;
         warn(&plan);
         let dataset = match (self.resume, self.force) {
             (true, _) => Dataset::resume(&target, &plan),
@@ -75,7 +70,7 @@ impl Sweep {
             _ => Dataset::create(&target, &plan),
         }?;
         let (stop, status) = stop_on_signals();
-        let threads = self.threads.or_else(|| available_parallelism().ok()).map_or(1, NonZeroUsize::get);
+        let threads = self.request.threads();
         let progress = SweepProgress::new();
         let reached = dataset.compute(&plan, threads, &stop, &|reached| progress.reached(reached))?;
         drop(progress);
@@ -103,7 +98,7 @@ impl Sweep {
             done: format!("{done} of {members} members are in {}", shown(target)),
             hint: format!(
                 "polhode sweep {} -o {} --resume goes on from here",
-                shown(&self.plan),
+                shown(&self.request.plan),
                 shown(target)
             ),
             status,
@@ -139,6 +134,6 @@ fn default_folder(plan: &Path) -> PathBuf {
 
 impl From<SweepError> for Failure {
     fn from(error: SweepError) -> Self {
-        Self::usage(error.to_string(), error.hint().unwrap_or_default())
+        Self::Request(error.into())
     }
 }

@@ -12,5 +12,5 @@ mod runs;
 pub mod suite;
 
 pub use report::{Card, CardCase, CardRun, JudgeReport, JudgedRun, judge_hint};
-pub use request::{Axes, AxesOfRun, Order, ReadAs, Request, Sense};
-pub use run::{Judged, run};
+pub use request::{Axes, AxesOfRun, Order, REQUEST_SCHEMA, ReadAs, Request, Sense};
+pub use run::{Judged, REPORT_SCHEMA, run};

@@ -8,6 +8,9 @@ use polhode_source::given::{Angle, Given, Positive, Time};
 use polhode_table::log::Columns;
 use serde::{Deserialize, Serialize};
 
+/// JSON schema of a [`Request`].
+pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
+
 /// Logs of other programs to judge, and what the user says of them.
 ///
 /// ```

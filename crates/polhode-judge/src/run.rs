@@ -22,6 +22,9 @@ pub fn run(request: &Request, files: &dyn Files) -> Result<Judged, Failure> {
     }
 }
 
+/// JSON schema of the data of [`Judged`].
+pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");
+
 /// Result of a [`Request`].
 #[derive(Debug)]
 pub enum Judged {

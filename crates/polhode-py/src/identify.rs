@@ -1,18 +1,17 @@
 //! What a body is, by measurements of its motion.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use polhode::math::{Acceleration, AngularAcceleration, AngularVelocity, Attitude, Direction, Force, Torque};
 use polhode::motion::torque::DragLaw;
 use polhode::motion::{Motor, Wheel};
-use polhode_document::layout::{WIDTH, printable};
+use polhode_document::layout::WIDTH;
 use polhode_identify::IdentifyError;
 use polhode_identify::payload::{
     EdgeKind, MotionNoise, PayloadLog, PayloadRow, WrenchNoise, WrenchSense, gravity_along,
 };
 use polhode_identify::read as identify;
-use polhode_identify::read::{Measurement, Plan};
 use polhode_identify::report::IdentifyReport;
 use polhode_identify::tumble::{
     AttitudeReading, Flight, FlightSearch, GyroErrors, GyroReading, TumbleOptions,
@@ -65,21 +64,9 @@ pub(crate) fn identify_plan<'py>(
             true => error.raise(),
             false => refused(error.message(), error.hint().as_deref()),
         })?;
-        found(&plan).map_err(Raise::raise)
+        IdentifyReport::of(&plan).map_err(Raise::raise)
     })?;
     identified(py, found)
-}
-
-/// As `polhode identify` does it.
-fn found(plan: &Plan) -> Result<IdentifyReport, IdentifyError> {
-    let shown = |path: &Path| printable(&path.to_string_lossy());
-    let (title, sources) = (plan.title.as_deref(), plan.sources(&shown));
-    match &plan.measurement {
-        Measurement::Tumble(plan) => IdentifyReport::of_flights(title, sources, &plan.flights, &plan.options),
-        Measurement::Payload(plan) => IdentifyReport::of_payload(title, sources, &plan.log),
-        Measurement::Swing(plan) => IdentifyReport::of_swings(title, sources, plan),
-        _ => Err(IdentifyError::Missing { what: "what this kind of measurement is" }),
-    }
 }
 
 fn identified(py: Python<'_>, report: IdentifyReport) -> PyResult<Identified<'_>> {

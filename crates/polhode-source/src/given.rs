@@ -104,6 +104,7 @@ macro_rules! quantities {
 quantities! {
     Angle: ANGLE, "Angle, rad.";
     Density: DENSITY, "Density, kg/m³.";
+    Inertia: INERTIA, "Moment of inertia, kg m².";
     Length: LENGTH, "Length, m.";
     Mass: MASS, "Mass, kg.";
     Number: NONE, "Number without a unit.";

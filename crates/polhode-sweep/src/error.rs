@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use polhode_document::layout::printable;
+use polhode_source::{Failure, shown};
 
 use crate::batch::BatchError;
 
@@ -152,7 +152,8 @@ impl From<BatchError> for SweepError {
     }
 }
 
-/// A path within a message: on one line, whatever is in it.
-fn shown(path: &Path) -> String {
-    printable(&path.to_string_lossy())
+impl From<SweepError> for Failure {
+    fn from(error: SweepError) -> Self {
+        Self::usage(error.to_string(), error.hint().unwrap_or_default())
+    }
 }

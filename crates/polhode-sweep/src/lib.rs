@@ -4,6 +4,7 @@
 //! - [`Batch`]: rows of members, column by column
 //! - [`inputs`] and [`simulate`]: from members to rows, and from rows to rows with what becomes of them
 //! - [`Dataset`]: all rows in a folder, whoever computes them and however often they are interrupted
+//! - [`run`] answers a [`Request`] in memory: the plan, all members, and what they come to
 
 mod batch;
 mod dataset;
@@ -13,7 +14,9 @@ mod outcome;
 mod parquet;
 mod plan;
 mod report;
+mod request;
 mod rows;
+mod run;
 mod sampling;
 mod statistics;
 
@@ -26,4 +29,6 @@ pub use report::{
     SweepAttitude, SweepCorrelation, SweepHistogram, SweepIntervals, SweepQuantile, SweepQuestion,
     SweepSample, SweepShare, SweepStatistic, SweepStep, SweepSummary,
 };
+pub use request::{REQUEST_SCHEMA, Request};
 pub use rows::{inputs, simulate, trajectories};
+pub use run::{REPORT_SCHEMA, Swept, run};

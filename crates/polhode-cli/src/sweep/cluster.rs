@@ -73,13 +73,13 @@ pub(super) fn hand_over(sweep: &Sweep, url: &str, target: &Path) -> Result<(), F
         return Err(Failure::usage(message, install(&packages)));
     }
     let mut command = Command::new("python3");
-    command.args(["-m", "polhode.sweep"]).arg(&sweep.plan).arg("-o").arg(target).args(["--on", url]);
+    command.args(["-m", "polhode.sweep"]).arg(&sweep.request.plan).arg("-o").arg(target).args(["--on", url]);
     for (wanted, flag) in [(sweep.resume, "--resume"), (sweep.force, "--force"), (sweep.json, "--json")] {
         if wanted {
             command.arg(flag);
         }
     }
-    if let Some(threads) = sweep.threads {
+    if let Some(threads) = sweep.request.threads {
         command.arg("--threads").arg(threads.to_string());
     }
     let status = command.status().map_err(|error| cannot(&error))?;

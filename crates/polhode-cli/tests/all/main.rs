@@ -44,6 +44,7 @@ mod resources;
 mod robot;
 #[path = "../../../polhode-robot/tests/all/common/schema.rs"]
 mod schema;
+mod schemas;
 mod spin;
 mod stability;
 mod stability_ground;

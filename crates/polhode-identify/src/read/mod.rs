@@ -50,9 +50,9 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// What was read of logs, line by line; `shown` writes a path.
-    pub fn sources(&self, shown: &dyn Fn(&Path) -> String) -> Vec<String> {
-        let lines = |logs: &[ReadLog]| logs.iter().flat_map(|log| log.lines(shown)).collect();
+    /// Returns what was read of logs, line by line.
+    pub fn sources(&self) -> Vec<String> {
+        let lines = |logs: &[ReadLog]| logs.iter().flat_map(ReadLog::lines).collect();
         match &self.measurement {
             Measurement::Tumble(plan) => {
                 let mut all: Vec<String> = lines(&plan.logs);

@@ -1,6 +1,8 @@
 //! What was read of a log.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
+
+use polhode_source::shown;
 
 /// A log that was read, and what of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,8 +16,8 @@ pub struct ReadLog {
 }
 
 impl ReadLog {
-    /// What was read of it, line by line; `shown` writes its path.
-    pub fn lines(&self, shown: &dyn Fn(&Path) -> String) -> impl Iterator<Item = String> {
+    /// Returns what was read of it, line by line.
+    pub fn lines(&self) -> impl Iterator<Item = String> + use<> {
         let path = shown(&self.path);
         let read = format!("{path}: {}", self.read.join("; "));
         let ignored =

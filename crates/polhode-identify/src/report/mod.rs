@@ -17,7 +17,8 @@ use serde_json::Value;
 
 use crate::IdentifyError;
 use crate::payload::{PayloadLog, identify_payload, next_motion};
-use crate::swing::{SwingPlan, identify_swings, next_swing};
+use crate::read::{Measurement, Plan};
+use crate::swing::{identify_swings, next_swing};
 use crate::tumble::{Flight, TumbleOptions, identify_tumbles, next_flight};
 
 pub use payload::PayloadReport;
@@ -38,6 +39,23 @@ pub enum IdentifyReport {
 }
 
 impl IdentifyReport {
+    /// Identifies the body that a plan measures, and says which further experiment would help most.
+    ///
+    /// # Errors
+    /// [`IdentifyError`] if the measurements are no body's motion, or too few.
+    pub fn of(plan: &Plan) -> Result<Self, IdentifyError> {
+        let (title, sources) = (plan.title.as_deref(), plan.sources());
+        match &plan.measurement {
+            Measurement::Tumble(plan) => Self::of_flights(title, sources, &plan.flights, &plan.options),
+            Measurement::Payload(plan) => Self::of_payload(title, sources, &plan.log),
+            Measurement::Swing(plan) => {
+                let found = identify_swings(plan)?;
+                let next = next_swing(plan, &found)?;
+                Ok(Self::Swing(SwingReport::new(title, sources, found).with_next(next)))
+            }
+        }
+    }
+
     /// Identifies a body by its flights, and says which further one would help most; `sources` say what was read.
     ///
     /// # Errors
@@ -66,20 +84,6 @@ impl IdentifyReport {
         let next = next_motion(log, &found)?;
         let times = log.rows().iter().map(|row| row.time).collect();
         Ok(Self::Payload(PayloadReport::new(title, sources, times, found).with_next(next)))
-    }
-
-    /// Identifies a body by its swings, and says which further test would help most.
-    ///
-    /// # Errors
-    /// As [`identify_swings`].
-    pub fn of_swings(
-        title: Option<&str>,
-        sources: Vec<String>,
-        plan: &SwingPlan,
-    ) -> Result<Self, IdentifyError> {
-        let found = identify_swings(plan)?;
-        let next = next_swing(plan, &found)?;
-        Ok(Self::Swing(SwingReport::new(title, sources, found).with_next(next)))
     }
 
     /// The body, where all of it is known.

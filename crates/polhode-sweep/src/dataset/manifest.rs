@@ -12,7 +12,7 @@ use crate::sampling;
 
 /// What was asked for, and how it is divided.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Manifest {
+pub(crate) struct Manifest {
     digest: String,
     members: u64,
     sampling: &'static str,
@@ -23,7 +23,7 @@ pub(super) struct Manifest {
 
 impl Manifest {
     /// That of a plan.
-    pub(super) fn of(plan: &Plan) -> Result<Self, SweepError> {
+    pub(crate) fn of(plan: &Plan) -> Result<Self, SweepError> {
         let nominal = plan.nominal();
         let samples = nominal.run().ok_or(SweepError::NoRun)?.times.len();
         let trajectories = plan.wants_trajectories();
@@ -69,12 +69,12 @@ impl Manifest {
     }
 
     /// How many parts there are.
-    pub(super) const fn parts(&self) -> u64 {
+    pub(crate) const fn parts(&self) -> u64 {
         self.members.div_ceil(self.rows_per_part)
     }
 
     /// The members of a part; none if there is no such part.
-    pub(super) fn rows(&self, part: u64) -> Range<u64> {
+    pub(crate) fn rows(&self, part: u64) -> Range<u64> {
         let first = part.saturating_mul(self.rows_per_part).min(self.members);
         first..first.saturating_add(self.rows_per_part).min(self.members)
     }

@@ -37,11 +37,13 @@ use crate::statistics;
 use folder::{
     Folder, HISTOGRAMS, MANIFEST, MEMBERS, PAIRS, PLAN, QUESTIONS, SUMMARY, TRAJECTORIES, part_name,
 };
-use manifest::Manifest;
+
+pub(crate) use manifest::Manifest;
 
 /// The results of a sweep in a folder, which nobody else writes to while this lives.
 ///
 /// ```
+/// use polhode_source::files::Disk;
 /// use polhode_sweep::{Dataset, Plan, inputs, simulate};
 /// let text = r#"
 /// [[body.part]]

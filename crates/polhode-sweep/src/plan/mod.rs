@@ -35,6 +35,7 @@ pub(crate) use question::Condition;
 /// A scenario, and what differs from member to member.
 ///
 /// ```
+/// use polhode_source::files::Disk;
 /// use polhode_sweep::Plan;
 /// let text = r#"
 /// [[body.part]]

@@ -3,6 +3,8 @@
 mod summary;
 mod text;
 
+use polhode::body::Finding;
+use polhode_document::Document;
 use serde_json::Value;
 
 /// What a sweep comes to.
@@ -199,6 +201,11 @@ impl SweepSummary {
     /// One screen for people.
     pub fn to_text(&self) -> String {
         text::write(self)
+    }
+
+    /// The same as a document, with what was noticed about the plan.
+    pub fn to_document(&self, findings: Vec<Finding>) -> Document {
+        text::document(self, findings)
     }
 
     /// The content of `summary.json`.

@@ -1,7 +1,9 @@
-//! A sweep on one screen.
+//! A sweep on one screen, and as a document.
 
+use polhode::body::Finding;
 use polhode_document::layout::{columns, labelled, plain_spaces, printable};
 use polhode_document::number::{count, error, number, ungrouped};
+use polhode_document::{Document, Section};
 
 use super::{SweepIntervals, SweepQuestion, SweepShare, SweepStatistic, SweepSummary};
 
@@ -13,8 +15,51 @@ const MOST_CORRELATIONS: usize = 6;
 const DRIFT: [&str; 2] = ["energy_drift", "momentum_drift"];
 const ERROR: [&str; 2] = ["error_attitude_rad", "error_omega"];
 
+/// What stands above the columns of a table, after its name.
+const HEAD: [&str; 7] = ["mean", "", "least", "5 %", "median", "95 %", "largest"];
+
+/// A line with a label; one without goes on from the line before.
+type Labelled = (String, String);
+
+/// Returns the screen.
 pub(crate) fn write(summary: &SweepSummary) -> String {
-    let title = printable(summary.title.as_deref().unwrap_or("sweep"));
+    let lines = |lines: Vec<Labelled>| -> String {
+        lines.iter().map(|(label, line)| labelled(label, line)).collect()
+    };
+    let mut text = format!("{}   {}\n{}", title(summary), drawn(summary), lines(answers(summary)));
+    for Table { name, rows, same } in tables(summary) {
+        if !rows.is_empty() {
+            let head = std::iter::once(name).chain(HEAD).map(str::to_owned).collect();
+            let rows: Vec<Vec<String>> = std::iter::once(head).chain(rows).collect();
+            text.push_str(&(columns(&rows).join("\n") + "\n"));
+        }
+        if !same.is_empty() {
+            text.push_str(&labelled(SAME, &same));
+        }
+    }
+    text.push_str(&lines(notes(summary)));
+    plain_spaces(&text)
+}
+
+/// Returns the same as a document.
+pub(crate) fn document(summary: &SweepSummary, findings: Vec<Finding>) -> Document {
+    let joined = |(label, line): Labelled| {
+        if label.is_empty() { line } else { format!("{label}: {line}") }
+    };
+    let answer = std::iter::once(drawn(summary)).chain(answers(summary).into_iter().map(joined)).collect();
+    let mut sections: Vec<Section> = (1..).zip(tables(summary)).map(|(k, table)| table.section(k)).collect();
+    let mut last = Section::new(3, "Errors and dependencies");
+    notes(summary).into_iter().map(joined).for_each(|line| last.line(line));
+    sections.push(last);
+    Document { title: title(summary), answer, sections, findings }
+}
+
+fn title(summary: &SweepSummary) -> String {
+    printable(summary.title.as_deref().unwrap_or("sweep"))
+}
+
+/// `1,000 members drawn independently, seed 7`
+fn drawn(summary: &SweepSummary) -> String {
     let noun = if summary.members == 1 { "member" } else { "members" };
     let drawn = match summary.sampling {
         "grid" => "on a grid",
@@ -23,39 +68,47 @@ pub(crate) fn write(summary: &SweepSummary) -> String {
         _ => "at Sobol points",
     };
     let seed = summary.seed.map_or_else(String::new, |seed| format!(", seed {seed}"));
-    let mut text = format!("{title}   {} {noun} {drawn}{seed}\n", count(summary.members));
-    text.push_str(&labelled("status", &shares(&summary.statuses, summary.members)));
-    for (member, cause) in &summary.failures {
-        text.push_str(&labelled("", &format!("member {member}: {}", printable(cause))));
-    }
-    for question in &summary.questions {
-        text.push_str(&labelled(&printable(&question.name), &answer(question, summary.members)));
-    }
+    format!("{} {noun} {drawn}{seed}", count(summary.members))
+}
+
+/// How the members ended, the answers to questions, and the kinds of motion.
+fn answers(summary: &SweepSummary) -> Vec<Labelled> {
+    let shares = |shares: &[SweepShare]| shares_of(shares, summary.members);
+    let mut lines = vec![("status".to_owned(), shares(&summary.statuses))];
+    let failed = |(member, cause): &(u64, String)| format!("member {member}: {}", printable(cause));
+    lines.extend(summary.failures.iter().map(|failure| (String::new(), failed(failure))));
+    let answered = |question: &SweepQuestion| (printable(&question.name), answer(question, summary.members));
+    lines.extend(summary.questions.iter().map(answered));
     if !summary.regimes.is_empty() {
-        text.push_str(&labelled("free motion", &shares(&summary.regimes, summary.members)));
+        lines.push(("free motion".to_owned(), shares(&summary.regimes)));
     }
     if !summary.end_regimes.is_empty() && summary.end_regimes != summary.regimes {
-        text.push_str(&labelled("at the end", &shares(&summary.end_regimes, summary.members)));
+        lines.push(("at the end".to_owned(), shares(&summary.end_regimes)));
     }
-    text.push_str(&table(summary));
+    lines
+}
+
+/// The worst errors, the strongest dependencies, and what intervals mean.
+fn notes(summary: &SweepSummary) -> Vec<Labelled> {
+    let mut lines = Vec::new();
+    let mut say = |label: &str, line: String| lines.push((label.to_owned(), line));
     let worst = |name: &str| summary.outcomes.iter().find(|s| s.name == name).and_then(|s| s.max);
     if let [Some(energy), Some(momentum)] = DRIFT.map(worst) {
         let line =
             format!("energy {}   momentum {}   (relative, worst member)", error(energy), error(momentum));
-        text.push_str(&labelled("drift", &line.replace("   ", "\u{a0}\u{a0} ")));
+        say("drift", line.replace("   ", "\u{a0}\u{a0} "));
     }
     if let [Some(attitude), omega] = ERROR.map(worst) {
         let omega = omega.map_or_else(String::new, |omega| format!("   ω {} of itself", error(omega)));
         let line =
             format!("attitude {} rad{omega}   (estimate, at the end of the worst member)", error(attitude));
-        text.push_str(&labelled("error", &line.replace("   ", "\u{a0}\u{a0} ")));
+        say("error", line.replace("   ", "\u{a0}\u{a0} "));
     }
     let strong = summary.correlations.iter().filter(|c| c.value.abs() >= LEAST_CORRELATION);
     for (k, pair) in strong.take(MOST_CORRELATIONS).enumerate() {
-        let line =
-            format!("{:+.2}  {} with {}", pair.value, printable(&pair.outcome), printable(&pair.input));
-        let label = if k == 0 { "rank correlation" } else { "" };
-        text.push_str(&labelled(label, &line.replacen("  ", "\u{a0} ", 1)));
+        let (outcome, input) = (printable(&pair.outcome), printable(&pair.input));
+        let line = format!("{:+.2}  {outcome} with {input}", pair.value).replacen("  ", "\u{a0} ", 1);
+        say(if k == 0 { "rank correlation" } else { "" }, line);
     }
     let note = match summary.intervals {
         SweepIntervals::Given { confidence } => format!(
@@ -68,8 +121,8 @@ pub(crate) fn write(summary: &SweepSummary) -> String {
         ),
         SweepIntervals::None { why } => format!("none: {why}"),
     };
-    text.push_str(&labelled("intervals", &note));
-    plain_spaces(&text)
+    say("intervals", note);
+    lines
 }
 
 /// `12.3 % (10.9 … 13.8 %) have largest_angle > 90 deg: 123 of 1,000`
@@ -89,7 +142,7 @@ fn answer(question: &SweepQuestion, members: u64) -> String {
 }
 
 /// `complete 998 (99.8 %, 99.3 … 99.9 %), failed 2 (0.2 %)`
-fn shares(shares: &[SweepShare], members: u64) -> String {
+fn shares_of(shares: &[SweepShare], members: u64) -> String {
     let one = |share: &SweepShare| {
         let percent = |x: f64| number(100.0 * x, 5);
         let part = percent(share.count as f64 / members.max(1) as f64);
@@ -101,28 +154,44 @@ fn shares(shares: &[SweepShare], members: u64) -> String {
     shares.iter().map(one).collect::<Vec<_>>().join("; ")
 }
 
-/// A line for each column; those that do not vary in one.
-fn table(summary: &SweepSummary) -> String {
-    let head = ["mean", "", "least", "5 %", "median", "95 %", "largest"];
-    let mut text = String::new();
-    for (title, statistics) in [("inputs", &summary.inputs), ("outcomes", &summary.outcomes)] {
+/// The statistics of inputs, or of outcomes.
+struct Table {
+    name: &'static str,
+    /// A row for each column that varies.
+    rows: Vec<Vec<String>>,
+    /// Those that do not vary.
+    same: String,
+}
+
+/// Label of the columns that do not vary.
+const SAME: &str = "the same for all";
+
+impl Table {
+    fn section(self, number: u8) -> Section {
+        let title = if number == 1 { "Inputs" } else { "Outcomes" };
+        let mut section = Section::new(number, title);
+        let rows: Vec<Vec<String>> =
+            self.rows.iter().map(|row| row.iter().map(|cell| cell.trim().to_owned()).collect()).collect();
+        if !rows.is_empty() {
+            section.table(&[&[self.name][..], &HEAD].concat(), rows);
+        }
+        if !self.same.is_empty() {
+            section.line(format!("{SAME}: {}", self.same));
+        }
+        section
+    }
+}
+
+fn tables(summary: &SweepSummary) -> [Table; 2] {
+    [("inputs", &summary.inputs), ("outcomes", &summary.outcomes)].map(|(name, statistics)| {
         let (varying, same): (Vec<_>, Vec<_>) = statistics
             .iter()
             .filter(|s| s.count > 0 && !DRIFT.contains(&s.name.as_str()))
             .partition(|s| s.varies());
-        let mut rows: Vec<Vec<String>> =
-            vec![std::iter::once(title).chain(head).map(str::to_owned).collect()];
-        rows.extend(varying.into_iter().map(|statistic| row(statistic, summary.members)));
-        if rows.len() > 1 {
-            text.push_str(&(columns(&rows).join("\n") + "\n"));
-        }
+        let rows = varying.into_iter().map(|statistic| row(statistic, summary.members)).collect();
         let one = |s: &&SweepStatistic| Some(format!("{}\u{a0}{}", printable(&s.name), number(s.min?, 6)));
-        let same: Vec<String> = same.iter().filter_map(one).collect();
-        if !same.is_empty() {
-            text.push_str(&labelled("the same for all", &same.join(", ")));
-        }
-    }
-    text
+        Table { name, rows, same: same.iter().filter_map(one).collect::<Vec<_>>().join(", ") }
+    })
 }
 
 fn row(statistic: &SweepStatistic, members: u64) -> Vec<String> {

@@ -86,6 +86,20 @@ impl Design {
     }
 }
 
+/// Returns the rows of so many parts.
+pub(crate) fn each(
+    parts: u64,
+    threads: usize,
+    read: &(dyn Fn(u64) -> Result<Batch, SweepError> + Sync),
+) -> Result<Vec<Batch>, SweepError> {
+    let merge = |mut all: Vec<Batch>, more| {
+        all.extend(more);
+        all
+    };
+    let parts = Parts { count: parts, threads, read };
+    Ok(parts.in_order(|part| Ok(vec![read(part)?]), merge)?.unwrap_or_default())
+}
+
 /// What the rows of so many parts come to, and some of their members.
 pub(crate) fn of(
     plan: &Plan,

@@ -9,6 +9,7 @@ use serde_json::Value;
 
 pub mod figures;
 pub mod recipe;
+pub mod schema;
 
 /// A folder of a test's own, removed when it is done.
 pub struct Scratch(pub PathBuf);
@@ -66,8 +67,11 @@ pub fn stdout(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).unwrap()
 }
 
+/// What a run prints, which fits its schema if it has one.
 pub fn json(output: &Output) -> Value {
-    serde_json::from_str(&stdout(output)).unwrap()
+    let value = serde_json::from_str(&stdout(output)).unwrap();
+    schema::check(&value);
+    value
 }
 
 /// What stands on standard error of a run that must fail with `code` and print no data.

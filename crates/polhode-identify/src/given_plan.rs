@@ -1,154 +1,88 @@
-//! Measurements that need no plan: a gyro's log, the swings about one axis. What is said on the command line is written as a plan, and read as one.
+//! The plan of a request: its file, or the text that its options stand for, which is read as a plan.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
-use polhode_source::given::{positive, quantity};
-use polhode_source::unit::Dimension;
+use polhode_source::Failure;
 use serde_json::Value;
 
-use crate::failure::Failure;
-
-/// What is said without a plan.
-#[derive(Debug, Args)]
-pub(super) struct Simple {
-    /// Which columns of the log are what: "time ms = t, omega deg/s = gx gy gz".
-    #[arg(long, value_name = "COLUMNS", help_heading = "Logs of a gyro")]
-    columns: Option<String>,
-    /// The whole log is one flight; else flights are found in it.
-    #[arg(long, help_heading = "Logs of a gyro")]
-    whole: bool,
-    /// Find the drag of the air too: "linear" or "quadratic".
-    #[arg(long, value_name = "LAW", help_heading = "Logs of a gyro")]
-    drag: Option<String>,
-    /// Two parallel wires of one length hold the body, its centre in the middle between them: moment about the vertical.
-    #[arg(long, help_heading = SWINGS)]
-    bifilar: bool,
-    /// Three parallel wires of one length hold the body, its centre in the middle: moment about the vertical.
-    #[arg(long, help_heading = SWINGS)]
-    trifilar: bool,
-    /// The body swings about a level axis: moment about the parallel axis through its centre of mass.
-    #[arg(long, help_heading = SWINGS)]
-    pendulum: bool,
-    /// The body's mass; with --body, that of a body that was thrown.
-    #[arg(long, value_name = "MASS", help_heading = SWINGS)]
-    mass: Option<String>,
-    /// From one wire to another of --bifilar or --trifilar; from the axis of --pendulum to the centre of mass.
-    #[arg(long, value_name = "LENGTH", help_heading = SWINGS)]
-    distance: Option<String>,
-    /// Of the wires.
-    #[arg(long, value_name = "LENGTH", help_heading = SWINGS)]
-    length: Option<String>,
-    /// How many whole periods were counted.
-    #[arg(long, value_name = "COUNT", help_heading = SWINGS)]
-    swings: Option<String>,
-    /// The time of all of them, with its standard deviation: "31.4 s ± 0.1 s".
-    #[arg(long, value_name = "TIME", help_heading = SWINGS)]
-    time: Option<String>,
-    /// The amplitude about the middle of the time, "10 deg ± 1 deg"; or at its beginning and end, "12 deg, 9 deg ± 1 deg".
-    #[arg(long, value_name = "ANGLES", help_heading = SWINGS)]
-    amplitude: Option<String>,
-    /// Gravity, if it is not 9.80665 m/s^2.
-    #[arg(long, value_name = "ACCELERATION", help_heading = SWINGS)]
-    gravity: Option<String>,
-    /// Print the plan that all this stands for, and find nothing.
-    #[arg(long)]
-    print_plan: bool,
-}
-
-const SWINGS: &str = "Swings about one axis (\"±\" or \"+-\" before a standard deviation)";
+use crate::request::Request;
 
 /// Extensions of logs; every other file is a plan.
 const LOGS: [&str; 8] = ["csv", "tsv", "txt", "dat", "parquet", "json", "jsonl", "ndjson"];
 
-/// Where a plan is.
-pub(super) enum Asked {
+/// Plan of measurements that a request gives.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum GivenPlan {
+    /// A file with a plan.
     File(PathBuf),
-    /// Its text.
+    /// The text of the plan that the options stand for.
     Text(String),
 }
 
-impl Simple {
-    pub(super) const fn prints_plan(&self) -> bool {
-        self.print_plan
-    }
-
-    /// The plan: the file that is given, or what the flags say.
-    pub(super) fn asked(&self, files: &[PathBuf], is_body: bool) -> Result<Asked, Failure> {
-        let (gyro, swings) = (first(self.of_gyro()), self.swings_flag(is_body));
-        let is_log = |file: &Path| {
-            let extension = file.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
-            extension.is_some_and(|extension| LOGS.contains(&&*extension))
-        };
-        match files {
-            [] => match gyro {
-                Some(flag) => Err(Failure::usage(
-                    format!("{flag} says something of a log, and there is none"),
-                    "name the log",
-                )),
-                None => self.swing_plan().map(Asked::Text),
-            },
-            [file, ..] if swings.is_some() => {
-                let flag = swings.unwrap_or_default();
-                let message = format!("{flag} says something of counted swings, which are in no file");
-                let hint = match flag {
+impl Request {
+    /// Returns the plan: the file that is given, or the text that the options stand for.
+    ///
+    /// # Errors
+    /// [`Failure`] for options that are missing, contradict each other, or say something of another kind of measurement.
+    pub fn plan(&self) -> Result<GivenPlan, Failure> {
+        let (gyro, swings) = (first(self.of_gyro()), self.swings_option());
+        if let (true, Some(option)) = (self.strict, swings) {
+            let message = format!("--strict tests what is left, and of the one test of {option} nothing is");
+            return Err(Failure::usage(
+                message,
+                "leave --strict out, or write a plan with more than it takes",
+            ));
+        }
+        let ends = || format!("logs end in {}", LOGS.join(", "));
+        match (&self.files[..], gyro, swings) {
+            ([], Some(option), _) => Err(Failure::usage(
+                format!("{option} says something of a log, and there is none"),
+                "name the log",
+            )),
+            ([], None, _) => self.swing_plan().map(GivenPlan::Text),
+            ([file, ..], _, Some(option)) => {
+                let message = format!("{option} says something of counted swings, which are in no file");
+                let hint = match option {
                     "--mass" => "leave it out; or print the body with --body, of which it is the mass",
                     _ => "leave the file out, or write a plan",
                 };
                 Err(Failure::usage(message, hint).about(file))
             }
-            [plan] if !is_log(plan) => match (gyro, self.print_plan) {
-                (Some(flag), _) => Err(Failure::usage(
-                    format!("{flag} says something of a log, and this file is read as a plan"),
-                    format!("logs end in {}; in a plan, write it there", LOGS.join(", ")),
+            ([plan], gyro, None) if !is_log(plan) => match gyro {
+                Some(option) => Err(Failure::usage(
+                    format!("{option} says something of a log, and this file is read as a plan"),
+                    ends() + "; in a plan, write it there",
                 )
                 .about(plan)),
-                (None, true) => Err(Failure::usage(
-                    "--print-plan prints what flags stand for, and this is a plan already",
-                    "leave --print-plan out",
-                )
-                .about(plan)),
-                (None, false) => Ok(Asked::File(plan.clone())),
+                None => Ok(GivenPlan::File(plan.clone())),
             },
-            all => match all.iter().find(|file| !is_log(file)) {
-                Some(plan) => Err(Failure::usage(
-                    "a plan stands alone, and its logs are in it",
-                    format!("logs end in {}", LOGS.join(", ")),
-                )
-                .about(plan)),
-                None => Ok(Asked::Text(self.tumble_plan(all))),
+            (all, _, None) => match all.iter().find(|file| !is_log(file)) {
+                Some(plan) => {
+                    Err(Failure::usage("a plan stands alone, and its logs are in it", ends()).about(plan))
+                }
+                None => Ok(GivenPlan::Text(self.tumble_plan())),
             },
         }
     }
 
-    /// A flag of swings that is given; the mass is also one of --body.
-    pub(super) fn swings_flag(&self, is_body: bool) -> Option<&'static str> {
-        let is_of_swings = |name| !(is_body && name == "--mass");
-        let named = self.named().map(|(name, value)| (name, value.is_some() && is_of_swings(name)));
-        first(self.rigs().into_iter().chain(named))
-    }
-
-    /// The mass of a body that was thrown, kg.
-    pub(super) fn thrown_mass(&self) -> Result<Option<f64>, Failure> {
-        let Some(text) = &self.mass else { return Ok(None) };
-        let (value, sd) = parts("--mass", text)?;
-        if sd.is_some() {
-            let message = "--mass has a standard deviation, for which a scenario has no place";
-            return Err(Failure::usage(message, "as in --mass \"350 g\""));
-        }
-        let refused = |why: String| Failure::usage(format!("--mass: {why}"), "as in --mass \"350 g\"");
-        quantity(&value, Dimension::MASS).and_then(positive).map(Some).map_err(refused)
+    /// Returns the first option of swings that is given; with --body the mass is that of any body.
+    fn swings_option(&self) -> Option<&'static str> {
+        let named = self.named().map(|(name, value)| (name, value.is_some()));
+        let mut all = self.rigs().into_iter().chain(named).filter(|(_, is_given)| *is_given);
+        all.find(|(name, _)| !(self.body && *name == "--mass")).map(|(name, _)| name)
     }
 
     const fn of_gyro(&self) -> [(&'static str, bool); 3] {
         [("--columns", self.columns.is_some()), ("--whole", self.whole), ("--drag", self.drag.is_some())]
     }
 
+    /// Options that name a rig, and whether they are given.
     const fn rigs(&self) -> [(&'static str, bool); 3] {
         [("--bifilar", self.bifilar), ("--trifilar", self.trifilar), ("--pendulum", self.pendulum)]
     }
 
+    /// Options of swings that have a value.
     const fn named(&self) -> [(&'static str, &Option<String>); 7] {
         [
             ("--mass", &self.mass),
@@ -161,8 +95,8 @@ impl Simple {
         ]
     }
 
-    fn tumble_plan(&self, logs: &[PathBuf]) -> String {
-        let logs: Vec<String> = logs.iter().map(|log| quoted(&log.to_string_lossy())).collect();
+    fn tumble_plan(&self) -> String {
+        let logs: Vec<String> = self.files.iter().map(|log| quoted(&log.to_string_lossy())).collect();
         let log = if let [log] = &logs[..] { log.clone() } else { format!("[{}]", logs.join(", ")) };
         let mut plan = format!("[tumble]\nlog = {log}\n");
         let flights = if self.whole { "whole" } else { "find" };
@@ -277,9 +211,14 @@ impl Simple {
     }
 }
 
-/// The first flag that is given.
-fn first(flags: impl IntoIterator<Item = (&'static str, bool)>) -> Option<&'static str> {
-    flags.into_iter().find(|(_, is_given)| *is_given).map(|(name, _)| name)
+fn is_log(file: &Path) -> bool {
+    let extension = file.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+    extension.is_some_and(|extension| LOGS.contains(&&*extension))
+}
+
+/// The first option that is given.
+fn first(options: impl IntoIterator<Item = (&'static str, bool)>) -> Option<&'static str> {
+    options.into_iter().find(|(_, is_given)| *is_given).map(|(name, _)| name)
 }
 
 /// A TOML string.
@@ -296,7 +235,7 @@ fn measured(name: &str, text: &str) -> Result<String, Failure> {
 }
 
 /// A value, and its standard deviation, if it has one.
-fn parts(name: &str, text: &str) -> Result<(String, Option<String>), Failure> {
+pub(crate) fn parts(name: &str, text: &str) -> Result<(String, Option<String>), Failure> {
     let Some((sign, at)) = ["±", "+-", "+/-"].iter().find_map(|sign| Some((sign, text.find(sign)?))) else {
         return Ok((text.trim().to_owned(), None));
     };

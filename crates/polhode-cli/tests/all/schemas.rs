@@ -1,0 +1,121 @@
+//! The JSON schemas of requests and reports: what the command prints and takes fits them.
+
+use polhode_document::Report as _;
+use polhode_judge::suite::CASES;
+use polhode_source::files::Disk;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_json::{Value, json};
+
+use crate::common::schema::misfit;
+use crate::common::{Scratch, example, json};
+
+/// Every object of a schema forbids other keys, and every number says what it is.
+fn require_strict(schema: &Value, at: &str) {
+    if let Some(words) = schema.as_object() {
+        let types = schema["type"].to_string();
+        if types.contains("number") || types.contains("integer") {
+            assert!(words.contains_key("description"), "{at}");
+        }
+        assert!(!types.contains("object") || words.contains_key("additionalProperties"), "{at}");
+        words.iter().for_each(|(word, inner)| require_strict(inner, &format!("{at}/{word}")));
+    }
+    let items = schema.as_array().into_iter().flatten().enumerate();
+    items.for_each(|(k, inner)| require_strict(inner, &format!("{at}/{k}")));
+}
+
+#[test]
+fn schemas_are_strict() {
+    for schema in [
+        polhode_identify::REQUEST_SCHEMA,
+        polhode_identify::REPORT_SCHEMA,
+        polhode_judge::REQUEST_SCHEMA,
+        polhode_judge::REPORT_SCHEMA,
+        polhode_sweep::REQUEST_SCHEMA,
+        polhode_sweep::REPORT_SCHEMA,
+    ] {
+        let schema = serde_json::from_str(schema).unwrap();
+        require_strict(&schema, "");
+        assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+    }
+}
+
+/// The default and a full request fit, are read back as they were, and have the keys of the schema.
+fn check_request<R: Default + PartialEq + std::fmt::Debug + Serialize + DeserializeOwned>(
+    schema: &str,
+    full: &Value,
+) {
+    let empty = serde_json::to_value(R::default()).unwrap();
+    let read = R::deserialize(full).unwrap();
+    assert_eq!(&serde_json::to_value(&read).unwrap(), full);
+    for request in [&json!({}), &empty, full] {
+        assert_eq!(misfit(schema, request), None);
+    }
+    let known: Value = serde_json::from_str(schema).unwrap();
+    let keys = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
+    let (mut of_schema, mut of_request) = (keys(&known["properties"]), keys(&empty));
+    (of_schema.sort(), of_request.sort());
+    assert_eq!(of_schema, of_request);
+    let more = json!({ "zzz": 1 });
+    assert!(misfit(schema, &more).is_some() && R::deserialize(more).is_err());
+}
+
+#[test]
+fn requests_fit() {
+    let full = json!({
+        "files": ["gyro.csv"], "columns": "time ms = t, omega deg/s = gx gy gz", "whole": true, "drag": "linear", "bifilar": false,
+        "trifilar": false, "pendulum": true, "mass": "742 g", "distance": "8.2 cm ± 0.5 mm", "length": "1.2 m", "swings": "50",
+        "time": "41.2 s ± 0.1 s", "amplitude": "8 deg ± 1 deg", "gravity": "9.81 m/s^2", "body": true,
+        "greatest-moment": "0.0166 kg m^2", "strict": true,
+    });
+    check_request::<polhode_identify::Request>(polhode_identify::REQUEST_SCHEMA, &full);
+    let full = json!({
+        "files": ["a.toml", "run.csv"], "columns": "time=t, quaternion xyzw=qx qy qz qw", "quaternion": "xyzw",
+        "sense": "space-to-body", "omega": "body", "axes": "x,z,-y", "time-origin": "2 s", "step": "2 ms", "root": ["logs"],
+        "limit": "0.1 deg", "suite": "suite",
+    });
+    check_request::<polhode_judge::Request>(polhode_judge::REQUEST_SCHEMA, &full);
+    let full = json!({ "plan": "plan.toml", "threads": 4 });
+    check_request::<polhode_sweep::Request>(polhode_sweep::REQUEST_SCHEMA, &full);
+}
+
+/// Reports of the examples fit, as `json` checks, and changed ones do not.
+#[test]
+fn reports_of_examples_fit() {
+    let scratch = Scratch::new("schemas");
+    for name in ["bifilar", "payload", "racket-like", "rod-logs"] {
+        let report = json(&scratch.run(&["identify", &example(&format!("identify/{name}.toml")), "--json"]));
+        require_refused(polhode_identify::REPORT_SCHEMA, &report);
+    }
+    let [scenario, mujoco, pybullet, rapier] =
+        ["tumbling.toml", "mujoco-rk4.csv", "pybullet-default.csv", "rapier-default.csv"]
+            .map(|name| example(&format!("judge/{name}")));
+    for runs in [[&scenario, &mujoco], [&scenario, &pybullet], [&scenario, &rapier], [&mujoco, &pybullet]] {
+        let output = scratch.run(&["judge", runs[0], runs[1], "--json"]);
+        let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(misfit(polhode_judge::REPORT_SCHEMA, &report), None);
+        require_refused(polhode_judge::REPORT_SCHEMA, &report);
+    }
+    let plan = example("sweeps/sleeping-threshold.toml");
+    let report = json(&scratch.run(&["sweep", &plan, "--json"]));
+    require_refused(polhode_sweep::REPORT_SCHEMA, &report);
+    // In memory as in a folder.
+    let request = polhode_sweep::Request { plan: plan.into(), ..Default::default() };
+    assert_eq!(polhode_sweep::run(&request, &Disk).unwrap().to_json(), report);
+    std::fs::create_dir(scratch.0.join("suite")).unwrap();
+    let lines: Vec<String> = CASES.iter().map(|case| format!("{}: not here", case.name)).collect();
+    scratch.write("suite/not-run.txt", &lines.join("\n"));
+    json(&scratch.run(&["judge", "--suite", "suite", "--json"]));
+}
+
+/// A report that lacks a key, or has one more, does not fit.
+fn require_refused(schema: &str, report: &Value) {
+    for key in report.as_object().unwrap().keys() {
+        let mut changed = report.clone();
+        changed.as_object_mut().unwrap().remove(key);
+        assert!(misfit(schema, &changed).is_some(), "{key}");
+    }
+    let mut changed = report.clone();
+    changed["zzz"] = 1.into();
+    assert!(misfit(schema, &changed).is_some());
+}

@@ -1,0 +1,91 @@
+//! A request answered.
+
+use std::path::{Path, PathBuf};
+
+use polhode_document::{Document, Report};
+use polhode_source::files::Files;
+use polhode_source::given::{Mass, Positive};
+use polhode_source::{Failure, shown};
+use serde_json::Value;
+
+use crate::IdentifyError;
+use crate::given_plan::{GivenPlan, parts};
+use crate::read;
+use crate::report::{BodySize, IdentifyReport};
+use crate::request::Request;
+
+/// Name of a plan that is made of options.
+const OPTIONS: &str = "the flags";
+
+/// Finds the body that was measured.
+///
+/// # Errors
+/// [`Failure`] for files that cannot be read, measurements that are no body's motion, and a body that is requested and not all known.
+pub fn run(request: &Request, files: &dyn Files) -> Result<Identified, Failure> {
+    let plan = match request.plan()? {
+        GivenPlan::File(plan) => read::read(files, &plan)?,
+        GivenPlan::Text(text) => read::from_text(files, Path::new(OPTIONS), &text)?,
+    };
+    let place = request.files.first().map_or(Path::new(OPTIONS), PathBuf::as_path);
+    let report = IdentifyReport::of(&plan).map_err(|error| refused(place, error))?;
+    let body = || {
+        let body = report.to_scenario(&size(request)?);
+        body.map_err(|why| Failure::usage(why.to_string(), why.hint()).about(place))
+    };
+    let body = request.body.then(body).transpose()?;
+    Ok(Identified { report, body, is_strict: request.strict })
+}
+
+/// JSON schema of the data of [`Identified`].
+pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");
+
+/// Result of a [`Request`].
+#[derive(Clone, Debug)]
+pub struct Identified {
+    /// What was found.
+    pub report: IdentifyReport,
+    /// The body as a part of a scenario file, if it was requested.
+    pub body: Option<String>,
+    /// True if residuals that are more than noise are a failure.
+    pub is_strict: bool,
+}
+
+impl Report for Identified {
+    fn to_json(&self) -> Value {
+        self.report.to_json()
+    }
+
+    fn to_document(&self) -> Document {
+        self.report.to_document()
+    }
+
+    fn has_failed(&self) -> bool {
+        self.is_strict && self.report.has_model_error()
+    }
+}
+
+/// What the request says of the body in addition to what is found.
+fn size(request: &Request) -> Result<BodySize, Failure> {
+    const HINT: &str = "as in --mass \"350 g\"";
+    let mass = |text: &String| {
+        let (value, sd) = parts("--mass", text)?;
+        if sd.is_some() {
+            let message = "--mass has a standard deviation, for which a scenario has no place";
+            return Err(Failure::usage(message, HINT));
+        }
+        let mass: Result<Positive<Mass>, String> = value.parse();
+        mass.map(|mass| mass.0.0).map_err(|why| Failure::usage(format!("--mass: {why}"), HINT))
+    };
+    // Without a file it is the mass of what was swung, which is found.
+    let given = request.mass.as_ref().filter(|_| !request.files.is_empty());
+    let greatest_moment = request.greatest_moment.as_ref().map(|moment| moment.value.0.0);
+    Ok(BodySize { mass: given.map(mass).transpose()?, greatest_moment })
+}
+
+fn refused(place: &Path, error: IdentifyError) -> Failure {
+    let hint = error.hint().unwrap_or_default();
+    match error {
+        IdentifyError::Motion(error) => Failure::Motion { path: shown(place), error },
+        error => Failure::usage(error.to_string(), hint).about(place),
+    }
+}

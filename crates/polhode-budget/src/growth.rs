@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use serde::{Deserialize, Serialize};
+
 use crate::error::BudgetError;
 
 /// Allowances by maturity code, as the list gives them: fractions of the basic mass, 0.15 for 15 %.
@@ -22,12 +24,15 @@ pub enum Growth {
     Fraction(f64),
 }
 
-/// Which mass of a part counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Which masses of parts count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
 pub enum Basis {
-    /// As it is known today.
+    /// As they are known today.
     Basic,
-    /// With its growth allowance: a part grows without changing its form, so its tensor and the errors of both grow with it.
+    // A part grows without changing its form, so its tensor and the errors of both grow with it.
+    /// With the growth allowance.
     Predicted,
 }
 

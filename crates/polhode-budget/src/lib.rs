@@ -29,6 +29,8 @@
 //! # Ok::<(), polhode_budget::BudgetError>(())
 //! ```
 //!
+//! A [`Request`] with files gives a report of all that: [`run`].
+//!
 //! | asked | answered by |
 //! |---|---|
 //! | basic, predicted and allowable mass | [`Budget::mass_statements`] |
@@ -56,8 +58,10 @@ mod list;
 mod principal;
 pub mod read;
 pub mod report;
+mod request;
 mod row;
 mod rows;
+mod run;
 mod sensitivity;
 mod sequence;
 mod sequence_error;
@@ -85,8 +89,10 @@ pub use limit::{
 };
 pub use list::PartsList;
 pub use principal::{PrincipalUncertainty, Tilt};
+pub use request::{MadeFile, Output, Request};
 pub use row::{CopyErrors, GivenPart, Place, Quantity, Row, Subtotal};
 pub use rows::Rows;
+pub use run::{Budgeted, run, run_watched};
 pub use sensitivity::{Sensitivities, Sensitivity, Source};
 pub use sequence::{Burn, Change, Sequence, SequenceRow};
 pub use sequence_error::SequenceError;
@@ -96,3 +102,9 @@ pub use tank::{
 };
 pub use tensor::{GivenTensor, ProductSign, TensorPoint};
 pub use uncertainty::{ErrorKind, PartUncertainty, Spread, Uncertainty};
+
+/// JSON schema of a [`Request`].
+pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
+
+/// JSON schema of a report: [`Report::to_json`](polhode_document::Report::to_json) of [`Budgeted`].
+pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");

@@ -12,13 +12,13 @@ use crate::stdout::{columns, print};
 pub(crate) struct Form {
     /// Print JSON.
     #[arg(long, group = "form")]
-    json: bool,
+    pub(crate) json: bool,
     /// Print Markdown.
     #[arg(long, group = "form")]
-    markdown: bool,
+    pub(crate) markdown: bool,
     /// Print one HTML page with plots, which needs nothing else.
     #[arg(long, group = "form")]
-    html: bool,
+    pub(crate) html: bool,
 }
 
 impl Form {

@@ -11,10 +11,6 @@ mod args;
 mod browser;
 #[cfg(feature = "budget")]
 mod budget;
-#[cfg(feature = "budget")]
-mod budget_history;
-#[cfg(feature = "budget")]
-mod budget_statements;
 #[cfg(feature = "robot")]
 mod check;
 mod explain;

@@ -71,19 +71,17 @@ impl Progress {
 /// Progress of the draws of a parts list.
 #[derive(Debug)]
 pub(crate) struct DrawProgress {
-    count: usize,
     line: Line,
 }
 
 impl DrawProgress {
-    /// The progress of `count` draws of each configuration.
-    pub(crate) fn new(count: usize) -> Self {
-        Self { count, line: Line::new(true) }
+    /// The progress of the draws of each configuration.
+    pub(crate) fn new() -> Self {
+        Self { line: Line::new(true) }
     }
 
-    /// `drawn` bodies have been drawn.
-    pub(crate) fn reached(&mut self, drawn: usize) {
-        let count = self.count;
+    /// `drawn` of `count` bodies have been drawn.
+    pub(crate) fn reached(&mut self, drawn: usize, count: usize) {
         self.line.show(PATIENCE, || format!("{:3} %   {drawn} of {count} draws", 100 * drawn / count.max(1)));
     }
 }

@@ -1,14 +1,14 @@
 //! What a parts list comes to.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use numpy::PyArray2;
 use polhode::math::{Body, Part, Position, Rotation};
+use polhode_budget::Basis;
 use polhode_budget::read as budget;
-use polhode_budget::read::BudgetFile;
-use polhode_budget::report::{BudgetOptions, BudgetReport, NoConfiguration};
-use polhode_budget::{Basis, LimitError};
-use polhode_document::layout::{WIDTH, printable};
+use polhode_budget::read::{BudgetFile, Questions};
+use polhode_budget::report::{BudgetReport, NoConfiguration, Scope};
+use polhode_document::layout::WIDTH;
 use polhode_source::FormatError;
 use pyo3::prelude::*;
 
@@ -78,48 +78,25 @@ pub(crate) fn budget_list(
 }
 
 fn report(file: BudgetFile, asked: &Asked, axes: Option<Rotation<Body, Part>>) -> PyResult<BudgetReport> {
-    let sources = file.sources(&|path: &Path| printable(&path.to_string_lossy()));
-    let BudgetFile { title, configurations, questions, limits, ballast, prescribed, .. } = file;
-    let mut all: Vec<_> = configurations.into_iter().map(|one| (one.name, one.budget)).collect();
-    if let Some(wanted) = &asked.configuration {
-        let names = all.iter().filter_map(|(name, _)| name.clone()).collect();
-        all.retain(|(name, _)| name.as_ref() == Some(wanted));
-        if all.is_empty() {
-            return Err(no_configuration(&NoConfiguration { asked: Some(wanted.clone()), names }));
-        }
-    }
-    let rows = all.iter().map(|(_, budget)| budget.rows().len()).max().unwrap_or(0);
     let basis = asked.is_basic.map(|is_basic| if is_basic { Basis::Basic } else { Basis::Predicted });
-    let options = BudgetOptions {
-        basis: basis.unwrap_or(questions.basis),
-        about: asked.about.map(Position::from_array).or(questions.about),
-        along: axes.or(questions.axes),
-        draws: asked.draws.or(questions.draws).unwrap_or_else(|| BudgetReport::affordable_draws(rows)),
-        seed: asked.seed.unwrap_or(questions.seed),
+    let questions = Questions {
+        basis: basis.unwrap_or(file.questions.basis),
+        about: asked.about.map(Position::from_array).or(file.questions.about),
+        axes: axes.or(file.questions.axes),
+        draws: asked.draws.or(file.questions.draws),
+        seed: asked.seed.unwrap_or(file.questions.seed),
     };
-    if options.draws > budget::MOST_DRAWS {
-        let rule = format!("draws = {} must be at most {}", options.draws, budget::MOST_DRAWS);
+    if let Some(draws) = questions.draws.filter(|draws| *draws > budget::MOST_DRAWS) {
+        let rule = format!("draws = {draws} must be at most {}", budget::MOST_DRAWS);
         return Err(refused(rule, None));
     }
-    if options.draws == 0 && !limits.is_empty() {
+    if questions.draws == Some(0) && !file.limits.is_empty() {
         let hint = "leave draws out";
         return Err(refused("the list has limits, which are tried by draws, and draws is 0", Some(hint)));
     }
-    let basis = options.basis;
-    let report = BudgetReport::new(title.as_deref(), sources, all, limits, options);
-    let mut report = report.map_err(Raise::raise)?;
-    for name in report.names() {
-        let Some(prescribed) = &prescribed else { break };
-        let Some(sequence) = prescribed.sequence(name.as_deref(), basis) else { continue };
-        let until =
-            prescribed.over_time.as_ref().filter(|all| all.configuration == name).map(|all| all.until);
-        let changing = report.with_sequence(name.as_deref(), &sequence, until);
-        report = changing.map_err(|error| refused(&error, error.hint()))?;
-    }
-    match ballast {
-        None => Ok(report),
-        Some(ballast) => report.with_ballast(ballast).map_err(|error| refused(&error, None)),
-    }
+    let configuration = asked.configuration.as_deref();
+    BudgetReport::of_file(file, &questions, configuration, Scope::Full, &mut |_, _| ())
+        .map_err(|failure| refused(failure.message(), failure.hint().as_deref()))
 }
 
 /// Of a dataframe the row is said, from 0, and not a place in the text that it became.
@@ -134,10 +111,4 @@ fn of_table(error: &FormatError, head: usize) -> PyErr {
 
 fn no_configuration(why: &NoConfiguration) -> PyErr {
     refused(why, Some(&why.hint()))
-}
-
-impl Raise for LimitError {
-    fn raise(self) -> PyErr {
-        refused(&self, self.hint())
-    }
 }

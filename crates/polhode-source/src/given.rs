@@ -125,6 +125,30 @@ impl<T: FromStr<Err = String> + Into<f64> + Copy> FromStr for Positive<T> {
     }
 }
 
+/// Point of a body: x,y,z from its origin, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point(pub Position<Body>);
+
+impl FromStr for Point {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        point(text).map(Self)
+    }
+}
+
+/// Rotation as a quaternion, scalar first, of any length but zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn<A: Frame, B: Frame>(pub Rotation<A, B>);
+
+impl<A: Frame, B: Frame> FromStr for Turn<A, B> {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        rotation(text).map(Self)
+    }
+}
+
 /// A number, with its unit or in SI.
 pub fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
     unit::parse(text, dimension).map_err(|error| match error.hint() {

@@ -50,7 +50,7 @@ use polhode_source::files::Files;
 use polhode_source::toml::reader::Table;
 use polhode_source::toml::source::Source;
 use polhode_source::toml::{list_units, tree};
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind, ContentPlace, shown};
 
 use crate::{Ballast, Basis, Budget, Limit};
 pub use access::Access;
@@ -111,6 +111,9 @@ impl Default for Questions {
     }
 }
 
+/// Least number of draws, other than 0.
+pub(crate) const LEAST_DRAWS: usize = 10;
+
 /// The most bodies that can be asked for: they take 800 MB.
 pub const MOST_DRAWS: usize = 10_000_000;
 
@@ -124,8 +127,8 @@ pub struct ReadParts {
 }
 
 impl BudgetFile {
-    /// What was read and taken as given, line by line; `shown` writes a path.
-    pub fn sources(&self, shown: &dyn Fn(&Path) -> String) -> Vec<String> {
+    /// What was read and taken as given, line by line.
+    pub fn sources(&self) -> Vec<String> {
         let of = |read: &ReadParts| -> Vec<String> {
             read.lines.iter().map(|line| format!("{}: {line}", shown(&read.path))).collect()
         };

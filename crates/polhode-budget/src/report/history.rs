@@ -1,60 +1,88 @@
 //! A body over time, as a scenario and the table that it names.
 
 use core::fmt::Write as _;
+use std::path::Path;
 
-use polhode::math::{AngularVelocity, Body, Direction};
+use polhode::math::Direction;
 use polhode::motion::{Exit, Outflow};
+use polhode_source::Failure;
 use polhode_source::toml::BodyPart;
 
 use super::states::history;
 use super::table::to_csv;
-use crate::{Sequence, SequenceError};
+use crate::read::{BudgetFile, OverTime};
+use crate::request::MadeFile;
+use crate::{Basis, Sequence, SequenceError};
 
 /// Between corners a history has so many cubics.
 const PIECES: usize = 16;
 /// Samples of a run.
 const SAMPLES: f64 = 600.0;
 
-/// What a scenario of a body over time has besides the body.
-#[derive(Clone, Debug)]
-pub struct HistoryOptions<'a> {
-    /// What it is of.
-    pub title: &'a str,
-    /// To when, from 0 on, s.
-    pub until: f64,
-    /// What the body has at first; it is at rest without.
-    pub spin: Option<AngularVelocity<Body>>,
-    /// Where mass leaves.
-    pub outflow: &'a Outflow,
-    /// The file of the table, as the scenario names it.
-    pub table: &'a str,
+/// The failure of a list without a sequence.
+pub(crate) fn nothing() -> Failure {
+    Failure::usage(
+        "nothing happens in it over time",
+        "add [sequence] with until, and [[burn]], [[drop]] or [[deploy]]; --body has the body as it is",
+    )
 }
 
-/// A scenario that `simulate` runs, and the table that it names, CSV.
-///
-/// # Errors
-/// As [`Sequence::history`].
-pub fn history_files(
+/// The table of a body over time, and the scenario that names it and that `simulate` runs.
+pub(crate) fn files(file: &BudgetFile, basis: Basis, target: &Path) -> Result<[MadeFile; 2], Failure> {
+    let over_time = file.prescribed.as_ref().and_then(|all| Some((all, all.over_time.as_ref()?)));
+    let (prescribed, over_time) = over_time.ok_or_else(nothing)?;
+    if target.extension().is_none_or(|extension| extension != "toml") {
+        let hint = "name a file that ends in .toml: the table beside it ends in .csv";
+        return Err(Failure::usage("a scenario is a TOML file", hint).about(target));
+    }
+    let sequence = prescribed.sequence(over_time.configuration.as_deref(), basis);
+    let sequence = sequence.ok_or_else(|| Failure::usage("the configuration is not there", ""))?;
+    let beside = target.with_extension("csv");
+    let table = beside.file_name().unwrap_or_default().to_string_lossy();
+    let title = file.title.as_deref().unwrap_or("a parts list");
+    let texts = texts(&sequence, over_time, title, &table).map_err(|error| no_history(&error, over_time))?;
+    let [scenario, rows] = texts.map(String::into_bytes);
+    Ok([(beside, rows), (target.to_owned(), scenario)])
+}
+
+/// Why there is no motion: most often nothing says where mass leaves.
+fn no_history(error: &SequenceError, over_time: &OverTime) -> Failure {
+    let hint = match (error, &over_time.outflow) {
+        (SequenceError::Motion(_), Outflow::None) if !over_time.burns().is_empty() => {
+            "say where what leaves goes: [[exit]] with position, or in_place = true under [sequence]"
+        }
+        (SequenceError::Motion(_), Outflow::InPlace) => {
+            "say where what leaves goes: [[exit]] with position, and no in_place"
+        }
+        _ => error.hint().unwrap_or_default(),
+    };
+    Failure::usage(error.to_string(), hint)
+}
+
+/// The scenario and its table.
+fn texts(
     sequence: &Sequence<'_>,
-    options: &HistoryOptions<'_>,
+    over_time: &OverTime,
+    title: &str,
+    table: &str,
 ) -> Result<[String; 2], SequenceError> {
-    let span = [0.0, options.until];
-    sequence.history(span, PIECES, options.outflow.clone())?;
+    let span = [0.0, over_time.until];
+    sequence.history(span, PIECES, over_time.outflow.clone())?;
     let rows = sequence.rows(span, PIECES)?;
     let first = rows.first().ok_or(SequenceError::Nothing { time: 0.0 })?;
-    let comment = format!("{}: the whole at t = 0, with what is in its tanks", options.title);
+    let comment = format!("{title}: the whole at t = 0, with what is in its tanks");
     let mut toml = BodyPart::of_body(comment, "whole", &first.properties).to_toml();
-    let _ = write!(toml, "\n[mass_history]\ntable = {}\n", quoted(options.table));
-    match options.outflow {
+    let _ = write!(toml, "\n[mass_history]\ntable = {}\n", quoted(table));
+    match &over_time.outflow {
         Outflow::None => {}
         Outflow::InPlace => toml += "in_place = true\n",
         Outflow::Exits(exits) => exits.iter().for_each(|exit| toml += &of_exit(exit)),
     }
-    if let Some(spin) = options.spin {
+    if let Some(spin) = over_time.spin {
         let [x, y, z] = spin.to_array();
         let _ = write!(toml, "\n[start]\nspin = {{ body = [{x:?}, {y:?}, {z:?}] }}\n");
     }
-    let (until, every) = (options.until, options.until / SAMPLES);
+    let (until, every) = (over_time.until, over_time.until / SAMPLES);
     let _ = write!(toml, "\n[run]\nduration = {until:?}\nevery = {every:?}\n");
     Ok([toml, to_csv(&history(&rows))])
 }

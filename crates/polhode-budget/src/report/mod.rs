@@ -7,19 +7,20 @@ mod changing;
 mod compared;
 mod diff;
 mod found;
-mod history;
+pub(crate) mod history;
 mod influence;
 mod json;
 mod limits;
 mod masses;
 mod numbers;
+mod of_file;
 mod parts;
 mod principal;
 mod side_by_side;
-mod statements;
 mod states;
 mod table;
 mod whole;
+pub mod workbook;
 
 use polhode::body::{Finding, Severity};
 use polhode::math::{Body, Part, Position, Rotation};
@@ -27,6 +28,7 @@ use polhode_document::layout::printable;
 use polhode_document::number::{GROUP, count, number, with_error};
 use polhode_document::{Document, Section};
 
+use crate::read::Prescribed;
 use crate::{
     Ballast, BallastError, Basis, Budget, BudgetError, Limit, LimitError, RowName, Sequence, SequenceError,
 };
@@ -36,9 +38,7 @@ use found::Found;
 
 pub use body::{NoConfiguration, NoPlan, PlanOptions};
 pub use diff::BudgetDiff;
-pub use history::{HistoryOptions, history_files};
-pub use statements::{BudgetStatements, StatedChange, StatedSequence, StatedTank};
-pub use table::{Cell, Sheet};
+pub use of_file::Scope;
 
 /// What is asked of a parts list.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,6 +55,15 @@ pub struct BudgetOptions {
     pub seed: u64,
 }
 
+/// What a parts list says besides its rows and its limits.
+#[derive(Clone, Debug, Default)]
+struct Statements {
+    /// How many bodies it asks to be drawn.
+    draws: Option<usize>,
+    ballast: Option<Ballast>,
+    prescribed: Option<Prescribed>,
+}
+
 /// A mass budget: one of each configuration, ready to be read.
 #[derive(Clone, Debug)]
 pub struct BudgetReport {
@@ -65,7 +74,7 @@ pub struct BudgetReport {
     limits: Vec<Limit>,
     ballast: Option<Ballast>,
     /// What it says besides, for differences.
-    stated: BudgetStatements,
+    stated: Statements,
     cases: Vec<Case>,
 }
 
@@ -111,7 +120,7 @@ impl BudgetReport {
             options,
             limits,
             ballast: None,
-            stated: BudgetStatements::default(),
+            stated: Statements::default(),
             cases,
         })
     }
@@ -142,10 +151,9 @@ impl BudgetReport {
     }
 
     /// With what the list says besides its rows and its limits, of which nothing is computed: differences are of that too.
-    #[must_use]
-    pub fn with_statements(mut self, statements: BudgetStatements) -> Self {
-        for (name, dry) in &statements.dry {
-            let cases = self.cases.iter_mut().filter(|case| case.name == *name);
+    fn with_statements(mut self, statements: Statements) -> Self {
+        for (name, dry, _) in statements.prescribed.iter().flat_map(Prescribed::dry) {
+            let cases = self.cases.iter_mut().filter(|case| case.name.as_deref() == name);
             cases.for_each(|case| case.dry = Some(dry.clone()));
         }
         self.stated = statements;

@@ -5,7 +5,8 @@ use polhode::motion::MassRow;
 use super::BudgetReport;
 use super::changing::Changing;
 use super::numbers::{rates, ten};
-use super::table::{Cell, to_csv};
+use super::table::to_csv;
+use super::workbook::Cell;
 use crate::SequenceRow;
 
 /// What a kilogram more in the tank makes of all but the mass.

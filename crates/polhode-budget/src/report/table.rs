@@ -6,19 +6,9 @@ use polhode_document::csv_name;
 use polhode_document::number::exact;
 
 use super::case::{Case, ten};
+use super::workbook::{Cell, Sheet};
 use super::{BudgetReport, basis_name};
 use crate::{Basis, BudgetError, NUMBERS};
-
-/// What stands in a cell.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Cell {
-    /// Nothing.
-    Empty,
-    /// Words.
-    Text(String),
-    /// A number.
-    Number(f64),
-}
 
 /// What stands above the columns.
 const COLUMNS: [&str; 19] = [
@@ -43,34 +33,12 @@ const COLUMNS: [&str; 19] = [
     "iyz_kg_m2",
 ];
 
-/// A sheet of a workbook.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sheet {
-    /// What stands on its tab.
-    pub name: &'static str,
-    /// The first row has headings.
-    pub rows: Vec<Vec<Cell>>,
-}
-
 impl BudgetReport {
-    /// CSV with a row for each row of each configuration: its masses, all copies counted, and the mass properties of one copy with all in it, along the axes of the body, the
+    /// Writes CSV with a row for each row of each configuration: its masses, all copies counted, and the mass properties of one copy with all in it, along the axes of the body, the
     /// tensor about its own centre of mass with Ixy = −∫ x y dm.
     ///
     /// # Errors
-    /// As [`crate::Budget::subtrees`].
-    pub fn to_csv(&self) -> Result<String, BudgetError> {
-        let mut text = line(&headings(&COLUMNS));
-        let written = self.each_row(&mut |row| {
-            text.push_str(&line(&row));
-            Ok(())
-        })?;
-        written.map_or_else(|_| Ok(String::new()), |()| Ok(text)) // a text takes all that is written
-    }
-
-    /// Writes [`BudgetReport::to_csv`] line by line.
-    ///
-    /// # Errors
-    /// As [`BudgetReport::to_csv`]; inside those of `out`.
+    /// As [`crate::Budget::subtrees`]; inside those of `out`.
     pub fn write_csv(&self, out: &mut dyn io::Write) -> Result<io::Result<()>, BudgetError> {
         if let Err(error) = out.write_all(line(&headings(&COLUMNS)).as_bytes()) {
             return Ok(Err(error));
@@ -78,11 +46,11 @@ impl BudgetReport {
         self.each_row(&mut |row| out.write_all(line(&row).as_bytes()))
     }
 
-    /// The same as a workbook, and besides it the ten numbers of each configuration with their errors, and their covariance; and the body over time and by what is in its tanks, as far as
+    /// Returns the same as sheets of a workbook, and besides it the ten numbers of each configuration with their errors, and their covariance; and the body over time and by what is in its tanks, as far as
     /// these are known.
     ///
     /// # Errors
-    /// As [`BudgetReport::to_csv`].
+    /// As [`crate::Budget::subtrees`].
     pub fn to_sheets(&self) -> Result<Vec<Sheet>, BudgetError> {
         let mut parts = vec![headings(&COLUMNS)];
         let written = self.each_row(&mut |row| {

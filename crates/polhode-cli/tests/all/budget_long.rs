@@ -7,8 +7,7 @@ use std::process::Stdio;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use polhode_table::output::workbook;
-use polhode_table::output::workbook::{Cell, Sheet};
+use polhode_budget::report::workbook::{self, Cell, Sheet};
 
 use crate::common::{Scratch, json, refused};
 
@@ -74,10 +73,9 @@ impl Parts {
 
     fn write_workbook(&self, file: File) {
         let head = Self::HEAD.map(|name| Cell::Text(name.to_owned())).to_vec();
-        let parts =
-            Sheet { name: "parts".to_owned(), rows: [head].into_iter().chain(self.cells()).collect() };
+        let parts = Sheet { name: "parts", rows: [head].into_iter().chain(self.cells()).collect() };
         let plan = vec![Cell::Text("about".to_owned()), Cell::Text("center".to_owned())];
-        workbook::write(&[parts, Sheet { name: "plan".to_owned(), rows: vec![plan] }], file).unwrap();
+        workbook::write(&[parts, Sheet { name: "plan", rows: vec![plan] }], file).unwrap();
     }
 }
 

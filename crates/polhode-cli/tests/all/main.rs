@@ -5,6 +5,7 @@ mod budget;
 mod budget_diff;
 mod budget_history;
 mod budget_long;
+mod budget_request;
 mod budget_sweep;
 mod check;
 mod check_forms;

@@ -9,7 +9,6 @@ pub mod curve;
 mod gimbals;
 pub mod parquet;
 pub mod required;
-pub mod workbook;
 
 use std::borrow::Cow;
 

@@ -7,10 +7,9 @@ use polhode_source::toml::rotation;
 use polhode_source::unit::Dimension;
 
 use crate::Basis;
-use crate::read::{MOST_DRAWS, Questions};
+use crate::read::{LEAST_DRAWS, MOST_DRAWS, Questions};
 
 /// Fewer draws determine no standard deviation.
-const LEAST_DRAWS: usize = 10;
 
 /// Reads `[result]`.
 pub(crate) fn questions(table: &Table<'_>) -> Result<Questions, FormatError> {

@@ -5,17 +5,17 @@ use polhode_document::number::{number, vector};
 
 use super::item::Item;
 use super::words::{direction, names, point};
-use crate::report::statements::{StatedChange, StatedSequence};
+use crate::read::{OverTime, PlannedChange};
 
 /// What is said of a sequence, item by item.
-pub(crate) fn items(sequence: &StatedSequence, digits: usize) -> Vec<Item> {
+pub(crate) fn items(sequence: &OverTime, digits: usize) -> Vec<Item> {
     let seconds = |time: f64| format!("{} s", number(time, digits));
     let mut all = vec![Item::new("sequence, until", seconds(sequence.until))];
     let configuration = sequence.configuration.iter();
     all.extend(configuration.map(|name| Item::new("sequence, configuration", name)));
     let spin = sequence.spin.map(|spin| format!("{} rad/s", vector(spin.to_array(), digits)));
     all.extend(spin.map(|spin| Item::new("sequence, spin", spin)));
-    all.extend(in_time(&sequence.burns, |burn| burn.from).map(|burn| {
+    all.extend(in_time(sequence.burns(), |burn| burn.from).map(|burn| {
         let words = format!(
             "{} kg/s from {} until {}",
             number(burn.flow, digits),
@@ -24,11 +24,11 @@ pub(crate) fn items(sequence: &StatedSequence, digits: usize) -> Vec<Item> {
         );
         Item::of_several("burn", format!(" of the tank {}", burn.tank), words)
     }));
-    all.extend(in_time(&sequence.changes, StatedChange::time).map(|change| match change {
-        StatedChange::Drop { time, rows } => {
+    all.extend(in_time(sequence.changes(), PlannedChange::time).map(|change| match change {
+        PlannedChange::Drop { time, rows } => {
             Item::of_several("drop", format!(" of {}", names(rows)), seconds(*time))
         }
-        StatedChange::Deploy { time, configuration } => {
+        PlannedChange::Deploy { time, configuration } => {
             Item::of_several("deployment", format!(" to {configuration}"), seconds(*time))
         }
     }));

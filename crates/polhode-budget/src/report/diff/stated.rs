@@ -50,8 +50,10 @@ fn of_report(report: &BudgetReport, digits: usize) -> Vec<Item> {
         all.extend(most.map(|most| Item::new("ballast, most", most)));
         all.push(Item::new("ballast, deviations", number(ballast.deviations, digits)));
     }
-    all.extend(stated.tanks.iter().flat_map(|one| tank::items(one, digits)));
-    all.extend(stated.sequence.iter().flat_map(|one| happening::items(one, digits)));
+    if let Some(prescribed) = &stated.prescribed {
+        all.extend(tank::items(prescribed, digits));
+        all.extend(prescribed.over_time.iter().flat_map(|one| happening::items(one, digits)));
+    }
     let options = &report.options;
     all.extend(options.about.map(|at| Item::new("result, about", point(at.to_array(), digits))));
     all.extend(options.along.map(|axes| {

@@ -6,15 +6,31 @@ use polhode_document::number::{number, vector};
 
 use super::item::Item;
 use super::words::{names, point};
-use crate::report::statements::StatedTank;
+use crate::read::{FilledTank, Prescribed};
 use crate::{Down, Liquid, LiquidTable, Measured, TankShape, Vessel};
 
+/// What is said of the tanks of all configurations.
+pub(crate) fn items(prescribed: &Prescribed, digits: usize) -> Vec<Item> {
+    let mut all: Vec<(&FilledTank, Vec<String>)> = Vec::new();
+    for (name, _, tanks) in prescribed.dry() {
+        for tank in tanks {
+            let known = all.iter().position(|(other, _)| other.tank.name == tank.tank.name);
+            let k = known.unwrap_or(all.len());
+            if known.is_none() {
+                all.push((tank, Vec::new()));
+            }
+            all[k].1.extend(name.map(str::to_owned));
+        }
+    }
+    all.iter().flat_map(|(tank, configurations)| of_tank(tank, configurations, digits)).collect()
+}
+
 /// What is said of a tank, item by item: what it is, and each row of its table. How much is in it, and how well that is known, shows in its row of the list.
-pub(crate) fn items(tank: &StatedTank, digits: usize) -> Vec<Item> {
+fn of_tank(tank: &FilledTank, configurations: &[String], digits: usize) -> Vec<Item> {
     let name = &tank.tank.name;
     let mut words = vec![format!("frame {}", tank.tank.frame)];
-    if !tank.configurations.is_empty() {
-        words.push(format!("configuration {}", names(&tank.configurations)));
+    if !configurations.is_empty() {
+        words.push(format!("configuration {}", names(configurations)));
     }
     let mut rows = Vec::new();
     match &tank.tank.liquid {

@@ -58,7 +58,7 @@ fn liquids_count_and_go() {
     assert!((over_time.spin.unwrap().z - std::f64::consts::PI).abs() < 1e-15);
     assert!(matches!(&over_time.outflow, Outflow::Exits(exits) if exits[0].position.z == -1.0));
     assert!(prescribed.sequence(Some("deployed"), Basis::Basic).unwrap().burns.is_empty());
-    let said = file.sources(&|_| String::new()).join("\n");
+    let said = file.sources().join("\n");
     assert!(said.contains("8 kg in \"grain\", exactly") && said.contains("does not grow"), "{said}");
 }
 

@@ -89,7 +89,7 @@ fn what_is_hidden_is_read_and_said() {
         .sheet("plan", &[&["ignore", "[\"remarks\"]"]])
         .sheet("remarks", &[&["anything"]]);
     let file = folder.read("hidden.xlsx", book.bytes()).unwrap();
-    let lines = file.sources(&|_| String::new()).join("\n");
+    let lines = file.sources().join("\n");
     for said in [
         "hidden: the sheet _list",
         "hidden: columns B to C",

@@ -6,6 +6,7 @@ use serde_json::Value;
 pub fn check(report: &Value) {
     let has = |key: &str| report.get(key).is_some();
     let schema = match report {
+        _ if matches!(report["kind"].as_str(), Some("budget" | "budget diff")) => polhode_budget::REPORT_SCHEMA,
         _ if has("estimate") => polhode_identify::REPORT_SCHEMA,
         _ if has("order_of_accuracy") || has("suite") => polhode_judge::REPORT_SCHEMA,
         _ if has("sampling") && has("outcomes") => polhode_sweep::REPORT_SCHEMA,

@@ -10,7 +10,7 @@ use zip::write::SimpleFileOptions;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
     /// What stands on its tab: up to 31 letters.
-    pub name: String,
+    pub name: &'static str,
     /// From above, each from the left.
     pub rows: Vec<Vec<Cell>>,
 }
@@ -63,7 +63,7 @@ pub fn write(sheets: &[Sheet], out: impl Write + Seek) -> io::Result<()> {
         ),
     )?;
     let tabs = each(&|k, sheet| {
-        format!("<sheet name=\"{}\" sheetId=\"{k}\" r:id=\"rId{k}\"/>", escaped(&sheet.name))
+        format!("<sheet name=\"{}\" sheetId=\"{k}\" r:id=\"rId{k}\"/>", escaped(sheet.name))
     });
     file(
         "xl/workbook.xml",

@@ -1,0 +1,85 @@
+//! The report of a file.
+
+use polhode_source::Failure;
+
+use super::{BudgetOptions, BudgetReport, NoConfiguration, Statements};
+use crate::read::{BudgetFile, Questions};
+
+/// Extent of a report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scope {
+    /// Everything: draws, limits, ballast, the whole over time and by how full its tanks are.
+    Full,
+    /// The list as it is given, without ballast.
+    Given {
+        /// Limits are tried by draws.
+        is_drawn: bool,
+        /// The whole over time and by how full its tanks are is computed.
+        has_states: bool,
+    },
+    /// The list as it is given, and all that it states, for a difference.
+    Diff,
+}
+
+impl BudgetReport {
+    /// Computes the report of a file, or of one of its configurations; `reached` is called with the number of bodies that are drawn, and how many are to be.
+    ///
+    /// # Errors
+    /// [`Failure`] without a file, for a configuration that is not there, and as [`BudgetReport::new`], [`BudgetReport::with_sequence`] and [`BudgetReport::with_ballast`].
+    pub fn of_file(
+        file: BudgetFile,
+        questions: &Questions,
+        configuration: Option<&str>,
+        scope: Scope,
+        reached: &mut dyn FnMut(usize, usize),
+    ) -> Result<Self, Failure> {
+        let (is_drawn, has_states) = match scope {
+            Scope::Full => (true, true),
+            Scope::Given { is_drawn, has_states } => (is_drawn, has_states),
+            Scope::Diff => (false, false),
+        };
+        let sources = file.sources();
+        let stated = file.questions.draws.unwrap_or(Self::DRAWS);
+        let BudgetFile { title, configurations, limits, ballast, prescribed, .. } = file;
+        let mut all: Vec<_> = configurations.into_iter().map(|one| (one.name, one.budget)).collect();
+        if let Some(wanted) = configuration {
+            let names = all.iter().filter_map(|(name, _)| name.clone()).collect();
+            all.retain(|(name, _)| name.as_deref() == Some(wanted));
+            if all.is_empty() {
+                let why = NoConfiguration { asked: Some(wanted.to_owned()), names };
+                return Err(Failure::usage(why.to_string(), why.hint()));
+            }
+        }
+        let rows = all.iter().map(|(_, budget)| budget.rows().len()).max().unwrap_or(0);
+        let draws = || questions.draws.unwrap_or_else(|| Self::affordable_draws(rows));
+        let options = BudgetOptions {
+            basis: questions.basis,
+            about: questions.about,
+            along: questions.axes,
+            draws: if is_drawn { draws() } else { 0 },
+            seed: questions.seed,
+        };
+        let (basis, count) = (options.basis, options.draws);
+        let mut drawn = |drawn| reached(drawn, count);
+        let mut report = Self::watched(title.as_deref(), sources, all, limits, options, &mut drawn)
+            .map_err(|error| Failure::usage(error.to_string(), error.hint().unwrap_or_default()))?;
+        if scope == Scope::Diff {
+            return Ok(report.with_statements(Statements { draws: Some(stated), ballast, prescribed }));
+        }
+        for name in report.names() {
+            let Some(prescribed) = prescribed.as_ref().filter(|_| has_states) else { break };
+            let Some(sequence) = prescribed.sequence(name.as_deref(), basis) else { continue };
+            let over_time = prescribed.over_time.as_ref().filter(|all| all.configuration == name);
+            report = report
+                .with_sequence(name.as_deref(), &sequence, over_time.map(|all| all.until))
+                .map_err(|error| Failure::usage(error.to_string(), error.hint().unwrap_or_default()))?;
+        }
+        match ballast.filter(|_| scope == Scope::Full) {
+            None => Ok(report),
+            Some(ballast) => report.with_ballast(ballast).map_err(|error| {
+                let hint = "leave [[site]] out to see what the limits come to without ballast";
+                Failure::usage(error.to_string(), hint)
+            }),
+        }
+    }
+}

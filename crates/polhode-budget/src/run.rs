@@ -1,0 +1,249 @@
+//! A request answered.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use polhode_document::layout::printable;
+use polhode_document::{Document, Report};
+use polhode_source::files::Files;
+use polhode_source::{Failure, shown};
+use serde_json::Value;
+
+use crate::LimitError;
+use crate::read::{Access, BudgetFile, OverTime, Questions, read_in};
+use crate::report::{BudgetDiff, BudgetReport, PlanOptions, Scope, history, workbook};
+use crate::request::{MadeFile, Output, Request};
+
+/// Computes what a parts list comes to, or what changed since another, and the files that the request names.
+///
+/// # Errors
+/// [`Failure`] for lists that cannot be read or make no possible body, and for what the request asks and the list does not have.
+pub fn run(request: &Request, files: &dyn Files) -> Result<Budgeted, Failure> {
+    run_watched(request, files, &mut |_, _| ())
+}
+
+/// As [`run`]; `reached` is called with the number of bodies that are drawn, and how many are to be.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_watched(
+    request: &Request,
+    files: &dyn Files,
+    reached: &mut dyn FnMut(usize, usize),
+) -> Result<Budgeted, Failure> {
+    request.check()?;
+    let access = Access { files, roots: &request.roots };
+    let mut read = Vec::new();
+    let mut open = |list: &Path| -> Result<BudgetFile, Failure> {
+        let file = read_in(access, list)?;
+        read.push(list.to_owned());
+        read.extend(file.read.iter().map(|parts| parts.path.clone()));
+        Ok(file)
+    };
+    let list = &request.file;
+    let file = open(list)?;
+    let (answer, made) = match &request.diff {
+        Some(other) => {
+            let after = compared(request, list, file, false)?;
+            let before = compared(request, other, open(other)?, true)?;
+            (Answer::Diff(Box::new([before, after])), Vec::new())
+        }
+        None => {
+            let (report, made) = answered(request, file, reached).map_err(|failure| failure.about(list))?;
+            (Answer::List(Box::new(report)), made)
+        }
+    };
+    Ok(Budgeted { answer, made, output: request.output.clone(), read, is_strict: request.strict })
+}
+
+/// One side of a difference.
+fn compared(
+    request: &Request,
+    list: &Path,
+    file: BudgetFile,
+    is_other: bool,
+) -> Result<BudgetReport, Failure> {
+    let questions = request.questions(&file.questions);
+    // A list without configurations is the same in each.
+    let is_in_each = is_other && file.configurations.iter().all(|one| one.name.is_none());
+    let configuration = request.configuration.as_deref().filter(|_| !is_in_each);
+    let report = BudgetReport::of_file(file, &questions, configuration, Scope::Diff, &mut |_, _| ());
+    report.map_err(|failure| failure.about(list))
+}
+
+/// The report of a list, and the files that are made of it; tables of all rows are not among these.
+fn answered(
+    request: &Request,
+    file: BudgetFile,
+    reached: &mut dyn FnMut(usize, usize),
+) -> Result<(BudgetReport, Vec<MadeFile>), Failure> {
+    if request.draws == Some(0) && !file.limits.is_empty() {
+        let message = "the file has limits, which are tried by draws, and --draws is 0";
+        return Err(Failure::usage(message, "leave --draws out"));
+    }
+    let questions = request.questions(&file.questions);
+    let configuration = request.configuration.as_deref();
+    let over_time = file.prescribed.as_ref().and_then(|all| all.over_time.clone());
+    let begun = over_time
+        .as_ref()
+        .filter(|all| configuration.is_none() || all.configuration == request.configuration);
+    let mut made = Vec::new();
+    if let Some(Output::Scenario(target)) = &request.output {
+        made.extend(history::files(&file, questions.basis, target)?);
+    }
+    let plan = match &request.output {
+        Some(Output::Plan(target)) => Some((target, plan_options(&questions, begun)?)),
+        _ => None,
+    };
+    let scope = match &request.output {
+        None => Scope::Full,
+        Some(output) => Scope::Given {
+            is_drawn: request.strict && !file.limits.is_empty(),
+            has_states: matches!(output, Output::Time | Output::Fill | Output::Workbook(_)),
+        },
+    };
+    let report = BudgetReport::of_file(file, &questions, configuration, scope, reached)?;
+    let changes = begun.is_some_and(OverTime::has_changes);
+    if let Some((target, options)) = plan {
+        let plan = report.to_plan(configuration, &options);
+        let plan = plan.map_err(|why| Failure::usage(why.to_string(), why.hint()))?;
+        if changes {
+            let message = "the list has [[burn]], [[drop]] or [[deploy]], and the members of a plan have bodies that do not change";
+            let hint = "--scenario writes what happens to the body as it is listed; without these sections the plan is of the body at first";
+            return Err(Failure::usage(message, hint));
+        }
+        made.push((target.clone(), plan.into_bytes()));
+    }
+    let text = match &request.output {
+        Some(Output::Body) => {
+            let body = report.to_scenario(configuration);
+            let body = body.map_err(|why| Failure::usage(why.to_string(), why.hint()))?;
+            Some(("body.toml", if changes { AT_FIRST.to_owned() + &body } else { body }))
+        }
+        Some(Output::Time) => {
+            let table = report.to_time_csv().ok_or_else(|| nothing_happens(over_time.as_ref()));
+            Some(("over-time.csv", table?))
+        }
+        Some(Output::Fill) => {
+            let none = || Failure::usage("there is no tank in it", "add [[tank]] with what is in it");
+            Some(("by-fill.csv", report.to_fill_csv().ok_or_else(none)?))
+        }
+        _ => None,
+    };
+    made.extend(text.map(|(name, text)| (name.into(), text.into_bytes())));
+    Ok((report, made))
+}
+
+/// First line of the body of a list to which something happens.
+const AT_FIRST: &str = "# As it is at first: polhode budget --scenario writes what happens to it\n";
+
+/// Options of the members of a plan: their number and seed are those of the draws.
+fn plan_options(questions: &Questions, begun: Option<&OverTime>) -> Result<PlanOptions, Failure> {
+    /// s
+    const DURATION: f64 = 60.0;
+    match questions.draws.unwrap_or(BudgetReport::DRAWS) {
+        0 => Err(Failure::usage("a plan has members, and --draws is 0", "leave --draws out")),
+        members => Ok(PlanOptions {
+            members,
+            seed: questions.seed,
+            spin: begun.and_then(|all| all.spin),
+            duration: begun.map_or(DURATION, |all| all.until),
+        }),
+    }
+}
+
+fn nothing_happens(over_time: Option<&OverTime>) -> Failure {
+    match over_time.and_then(|all| all.configuration.as_ref()) {
+        None => history::nothing(),
+        Some(name) => Failure::usage(
+            format!("nothing happens in this configuration: the sequence begins as \"{}\"", printable(name)),
+            "leave --configuration out",
+        ),
+    }
+}
+
+/// Result of a [`Request`].
+#[derive(Debug)]
+pub struct Budgeted {
+    answer: Answer,
+    made: Vec<MadeFile>,
+    output: Option<Output>,
+    read: Vec<PathBuf>,
+    is_strict: bool,
+}
+
+#[derive(Debug)]
+enum Answer {
+    List(Box<BudgetReport>),
+    /// Before and after.
+    Diff(Box<[BudgetReport; 2]>),
+}
+
+impl Budgeted {
+    /// Returns the report of a list; none of a difference.
+    pub fn report(&self) -> Option<&BudgetReport> {
+        match &self.answer {
+            Answer::List(report) => Some(report),
+            Answer::Diff(_) => None,
+        }
+    }
+
+    /// Returns the paths of the files that were read, so that none is written over.
+    pub fn read(&self) -> &[PathBuf] {
+        &self.read
+    }
+
+    /// Returns the files of [`Request::output`], in the order in which they are to be written.
+    ///
+    /// # Errors
+    /// As [`Budgeted::write_parts`].
+    pub fn files(&self) -> Result<Vec<MadeFile>, Failure> {
+        let mut bytes = Vec::new();
+        let (name, written) = match (&self.output, self.report()) {
+            (Some(Output::Parts), _) => (Path::new("parts.csv"), self.write_parts(&mut bytes)?),
+            (Some(Output::Workbook(name)), Some(report)) => {
+                let sheets = report.to_sheets().map_err(|error| self.refused(&error.into()))?;
+                let mut out = io::Cursor::new(&mut bytes);
+                (&**name, workbook::write(&sheets, &mut out))
+            }
+            _ => return Ok(self.made.clone()),
+        };
+        let failed = |error| Failure::usage(format!("cannot write {}: {error}", shown(name)), "");
+        written.map_err(failed)?;
+        Ok(vec![(name.to_owned(), bytes)])
+    }
+
+    /// Writes the table of [`Output::Parts`] row by row, to save memory; nothing of a difference.
+    ///
+    /// # Errors
+    /// [`Failure`] if the mass properties of a row are no numbers; inside those of `out`.
+    pub fn write_parts(&self, out: &mut dyn io::Write) -> Result<io::Result<()>, Failure> {
+        let written = self.report().map_or(Ok(Ok(())), |report| report.write_csv(out));
+        written.map_err(|error| self.refused(&error.into()))
+    }
+
+    fn refused(&self, error: &LimitError) -> Failure {
+        let failure = Failure::usage(error.to_string(), error.hint().unwrap_or_default());
+        self.read.iter().take(1).fold(failure, |failure, list| failure.about(list))
+    }
+}
+
+impl Report for Budgeted {
+    fn to_json(&self) -> Value {
+        match &self.answer {
+            Answer::List(report) => report.to_json(),
+            Answer::Diff(reports) => BudgetDiff::new(&reports[0], &reports[1]).to_json(),
+        }
+    }
+
+    fn to_document(&self) -> Document {
+        match &self.answer {
+            Answer::List(report) => report.to_document(),
+            Answer::Diff(reports) => BudgetDiff::new(&reports[0], &reports[1]).to_document(),
+        }
+    }
+
+    fn has_failed(&self) -> bool {
+        self.is_strict && self.report().is_some_and(BudgetReport::is_beyond)
+    }
+}

@@ -19,6 +19,7 @@ use crate::judge::Judge;
 #[cfg(feature = "live")]
 use crate::live::Live;
 use crate::new::New;
+use crate::schema::Schema;
 use crate::shell::{Completions, Man};
 use crate::simulate::Simulate;
 use crate::spin::Spin;
@@ -78,6 +79,7 @@ pub(crate) enum Command {
     Budget(Box<BudgetCommand>),
     #[cfg(feature = "live")]
     Live(Live),
+    Schema(Schema),
     Completions(Completions),
     Man(Man),
 }
@@ -104,6 +106,7 @@ impl Command {
             Self::Budget(command) => command.run(),
             #[cfg(feature = "live")]
             Self::Live(command) => command.run(),
+            Self::Schema(command) => command.run(),
             Self::Completions(command) => command.run(Polhode::command()),
             Self::Man(command) => command.run(Polhode::command()),
         }

@@ -30,6 +30,7 @@ mod partial;
 mod plot;
 mod progress;
 mod same_file;
+mod schema;
 mod shell;
 mod simulate;
 mod spin;

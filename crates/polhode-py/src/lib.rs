@@ -111,7 +111,7 @@ mod _native {
     #[pymodule_export]
     use crate::rotation::quaternions_of_matrices;
     #[pymodule_export]
-    use crate::scenario::{check_scenario, scenario_keys, scenario_tables};
+    use crate::scenario::{check_scenario, scenario_tables};
     #[pymodule_export]
     use crate::shape::shape;
     #[pymodule_export]

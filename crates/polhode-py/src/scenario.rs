@@ -7,8 +7,9 @@ use numpy::{PyArray1, PyReadonlyArray2};
 use polhode::math::{Body, Space, Torque};
 use polhode::motion::torque::{MemberState, TorqueModel};
 use polhode::motion::{ActingTorque, Event, EventFunction, Measure, Method, Rotor, Run, Scenario, State};
-use polhode_scenario::read::{Draft, ScenarioFile};
+
 use polhode_source::files::Disk;
+use polhode_scenario::read::ScenarioFile;
 use pyo3::prelude::*;
 
 use crate::arrays::{rows, table};
@@ -29,12 +30,6 @@ pub(crate) fn scenario_tables(py: Python<'_>, path: PathBuf, text: Option<String
 pub(crate) fn check_scenario(py: Python<'_>, path: PathBuf, text: String) -> PyResult<Vec<Remark>> {
     let file = py.detach(|| read(path, Some(text))).map_err(Raise::raise)?;
     Ok(remarks(file.scenario.findings()))
-}
-
-/// The tables of a text as messages call them, each with the keys that it may have.
-#[pyfunction]
-pub(crate) fn scenario_keys(text: &str) -> Vec<(String, Vec<&'static str>)> {
-    Draft::new("scenario.toml".as_ref(), []).keys(text)
 }
 
 /// A scenario's file, or its text.

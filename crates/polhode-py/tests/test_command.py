@@ -62,6 +62,7 @@ def run(command: list[str], *arguments: str, **options: object) -> tuple[int, by
         (0, ["simulate", "t-handle.toml", "-o", "out", "--json"]),
         (0, ["completions", "zsh"]),
         (0, ["man"]),
+        (0, ["schema", "scenario"]),
         (1, ["check", "robots/bad-arm.urdf"]),
         (2, []),
         (2, ["spin", "--moments", "1,2,-3", "--omega", "1,2,3"]),

@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
+import inspect
+import json
 import pickle
-from collections import defaultdict
-from dataclasses import fields
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import MISSING, fields
 from pathlib import Path
+from typing import Any
 
+import jsonschema
 import numpy as np
 import polhode
 import pytest
 from polhode import _native, scenario
+from polhode._scenario import _ONE, _SEVERAL
 from polhode._section import Section, key_of
+from polhode.batch import Plan, Vary
 from polhode.scenario import (
     ConstantTorque,
     Contact,
@@ -32,75 +40,90 @@ from polhode.scenario import (
 )
 
 BALL = '[[body.part]]\nname = "ball"\nshape = "sphere"\nradius = 0.02\nmass = 0.5\n'
-RUN = "[run]\nduration = 1\n"
-TENSOR = '[[body.part]]\nshape = "tensor"\nmass = 1\nmoments = [1, 2, 2.5]\n'
-TORQUE = '[[torque]]\nmodel = "{}"\n'
-CONSTANT = TORQUE.format("constant") + 'axes = "body"\ntorque = [0, 0, 1]\n'
 
-#: Texts that between them have every table in all of its forms.
-TEXTS = [
-    BALL + "[start]\nspin = { body = [0, 0, 1] }\n" + RUN,
-    BALL + CONSTANT + "pulses = { width = 1, period = 2 }\n",
-    *(TENSOR + TORQUE.format(model) for model in ("gravity", "drag", "torsion", "thruster", "energy_sink", "formula", "table")),
-    BALL + "[orbit]\nradius = 7e6\n" + TORQUE.format("gravity_gradient"),
-    TENSOR + TORQUE.format("magnetic"),
-    BALL + "[[wheel]]\naxis = [0, 0, 1]\nmomentum = 1\n",
-    *(BALL + RUN + f'[[event]]\nmeasure = "{measure}"\n' for measure in ("omega", "angle", "formula")),
-    BALL + '[[pointing]]\nname = "a"\n',
-    *(BALL + f'[contact]\nlaw = "rolling"\nsurface = {{ shape = "{shape}" }}\n' for shape in ("sphere", "ellipsoid", "rim", "cylinder")),
-    *(
-        BALL + f'[contact]\nlaw = "rolling"\nsurface = {{ shape = "sphere", radius = 0.02 }}\nground = {{ shape = "{shape}" }}\n'
-        for shape in ("plane", "sphere", "cylinder")
-    ),
-    BALL + "[gimbals]\nouter_axis = [0, 0, 1]\ninner_axis = [1, 0, 0]\nouter = { moments = [1, 1, 1] }\nrotor = { rate = 1 }\nbase = { latitude = 1 }\n",
-    BALL + '[[mass_history.burn]]\npart = "ball"\nuntil = 1\nleft = 0.4\n[[mass_history.exit]]\nposition = [0, 0, 0]\n',
-    BALL + '[[mass_history.drop]]\npart = "ball"\ntime = 1\n',
-    *(BALL + f"[prescribed]\n{form}\n" + RUN for form in ("axis = [0, 0, 1]", "euler313 = [0, 1, 0]", "angles = [0, 1, 0]", "quaternion = [1, 0, 0, 0]", "omega = {}", 'table = "a"')),
-    BALL + "[shaft]\naxis = [0, 0, 1]\nbearings = [0, 1]\nrate = 1\nbalance = {}\n",
-    TENSOR + TORQUE.format("gravity") + "pivot = [0, 0, 1]\n[pendulum]\n",
-]
-
-#: What messages call the tables of a class.
-NAMES: dict[type[Section], tuple[str, ...]] = {
-    Start: ("[start]",),
-    Run: ("[run]",),
-    Pulses: ("pulses",),
-    Orbit: ("[orbit]",),
-    Wheel: ("[[wheel]]",),
-    Event: ("[[event]]",),
-    scenario.Pointing: ("[[pointing]]",),
-    Contact: ("[contact]",),
-    Surface: tuple(f'a surface of shape "{shape}"' for shape in ("sphere", "ellipsoid", "rim", "cylinder")),
-    scenario.Ground: tuple(f'a ground of shape "{shape}"' for shape in ("plane", "sphere", "cylinder")),
-    scenario.Gimbals: ("[gimbals]",),
-    scenario.GimbalAxis: ("outer",),
-    scenario.GimbalBase: ("base",),
-    scenario.MassHistory: ("mass_history",),
-    scenario.Burn: ("[[mass_history.burn]]",),
-    scenario.Drop: ("[[mass_history.drop]]",),
-    scenario.Exit: ("[[mass_history.exit]]",),
-    scenario.Prescribed: ("[prescribed]",),
-    scenario.Shaft: ("[shaft]",),
-    scenario.Balance: ("balance",),
-    scenario.Pendulum: ("[pendulum]",),
-    **{kind: (f'[[torque]] of model "{kind.model}"',) for kind in scenario.Torque.__subclasses__() if kind is not FunctionTorque},
+#: Where files have the table of a class, with dots between the keys.
+PLACES: dict[type[Section], str] = {
+    Start: "start",
+    Run: "run",
+    Pulses: "torque.pulses",
+    Orbit: "orbit",
+    Wheel: "wheel",
+    Event: "event",
+    scenario.Pointing: "pointing",
+    Contact: "contact",
+    Surface: "contact.surface",
+    scenario.Ground: "contact.ground",
+    scenario.Gimbals: "gimbals",
+    scenario.GimbalAxis: "gimbals.outer",
+    scenario.GimbalBase: "gimbals.base",
+    scenario.MassHistory: "mass_history",
+    scenario.Burn: "mass_history.burn",
+    scenario.Drop: "mass_history.drop",
+    scenario.Exit: "mass_history.exit",
+    scenario.Prescribed: "prescribed",
+    scenario.Shaft: "shaft",
+    scenario.Balance: "shaft.balance",
+    scenario.Pendulum: "pendulum",
+    Vary: "sweep.vary",
+    **{kind: f"torque {kind.model}" for kind in scenario.Torque.__subclasses__() if kind is not FunctionTorque},
 }
 
 
-def test_the_classes_have_the_keys_of_the_reader() -> None:
-    asked: dict[str, set[str]] = defaultdict(set)
-    for text in TEXTS:
-        for name, keys in _native.scenario_keys(text):
-            asked[name] |= set(keys)
+@pytest.fixture(scope="module")
+def schema() -> dict[str, Any]:
+    """What ``polhode schema scenario`` prints."""
+    printed = subprocess.run([sys.executable, "-m", "polhode", "schema", "scenario"], check=True, capture_output=True, timeout=100)
+    return dict(json.loads(printed.stdout))
+
+
+def tables(schema: dict[str, Any], value: dict[str, Any], place: str = "") -> Iterator[tuple[str, set[str], set[str]]]:
+    """The tables of a schema: place, keys, and keys that are required; of a torque the place has its model."""
+    if "$ref" in value:
+        value = schema["$defs"][value["$ref"].rsplit("/", 1)[1]]
+    if keys := value.get("properties"):
+        model = f"{place} {keys['model']['enum'][0]}" if place == "torque" else place
+        yield model, set(keys), set(value.get("required", ()))
+        for key, inner in keys.items():
+            yield from tables(schema, inner, f"{place}.{key}".lstrip("."))
+    for inner in (*value.get("anyOf", ()), *value.get("oneOf", ()), *([value["items"]] if "items" in value else ())):
+        yield from tables(schema, inner, place)
+
+
+def test_the_classes_have_the_keys_of_the_reader(schema: dict[str, Any]) -> None:
+    keys: dict[str, set[str]] = {}
+    required: dict[str, set[str]] = {}
+    for place, known, needed in tables(schema, schema):
+        keys[place] = keys.get(place, set()) | known
+        required[place] = required.get(place, needed) & needed
     public = {getattr(scenario, name) for name in scenario.__all__}
     kinds = {kind for kind in public if isinstance(kind, type) and issubclass(kind, Section)}
-    assert kinds - {scenario.Torque, FunctionTorque, Part} == set(NAMES)
-    for kind, names in NAMES.items():
-        keys = set().union(*(asked[name] for name in names)) - {"model"}
+    assert kinds - {scenario.Torque, FunctionTorque, Part} == set(PLACES) - {Vary}
+    for kind, place in PLACES.items():
+        known = keys[place] - {"model"}
         if kind is Start:
             spin = {key: name for name, key in Start._SPIN.items()}
-            keys = keys - {"spin"} | {spin[key] for key in asked["spin"]}
-        assert keys == {key_of(field) for field in fields(kind)}, kind
+            known = known - {"spin"} | {spin[key] for key in keys["start.spin"]}
+        assert known == {key_of(field) for field in fields(kind)}, kind
+        # A function of an event has a value unless one is given.
+        needed = required[place] - ({"model", "value"} if kind is Event else {"model"})
+        assert needed == {key_of(field) for field in fields(kind) if field.default is MISSING}, kind
+    assert keys["gimbals.rotor"] < keys["gimbals.outer"] == keys["gimbals.inner"]
+    assert keys[""] == {"title", "body", "sweep", *(key for key, _ in (*_ONE.values(), *_SEVERAL.values()))}
+    assert keys["body"] == {"part", "pivot"}
+    plan = set(inspect.signature(Plan).parameters) - {"source"}
+    assert keys["sweep"] == plan
+
+
+def test_files_fit_the_schema(schema: dict[str, Any], examples: Path) -> None:
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validator = jsonschema.Draft202012Validator(schema)
+    files = [*examples.glob("*.toml"), *examples.glob("notes/*.toml"), *examples.glob("sweeps/*.toml")]
+    assert len(files) > 50
+    for path in files:
+        written = json.loads(_native.scenario_tables(path, None))
+        assert not (found := list(validator.iter_errors(written))), (path, found)
+        written["body"]["part"][0]["zzz"] = 1
+        assert not validator.is_valid(written), path
 
 
 @pytest.mark.parametrize("name", sorted(path.name for path in (Path(__file__).resolve().parents[3] / "examples").glob("*.toml")))
@@ -193,8 +216,9 @@ def test_what_is_refused_is_named_as_an_argument(generic: polhode.MassProperties
     assert _message(lambda: torque(lambda t: [t, 0, 1e400])).startswith("a number of a law = inf")
     assert refused(torques="drag").startswith("torques must be a list of Torque, not str")
     assert refused(torques=[Run(duration=1)]).startswith("torques[0] must be a polhode.scenario.Torque, not Run")
-    assert "exactly one of altitude, radius" in _message(lambda: Orbit(mu=1.0))
-    assert "exactly one of field and dipole" in _message(lambda: scenario.Magnetic(moment=[0, 0, 1]))
+    assert refused(orbit=Orbit(mu=1.0)).startswith("orbit: ")
+    assert refused(orbit=Orbit(altitude=5e5, radius=7e6)).startswith("orbit.")
+    assert refused(torques=[scenario.Magnetic(moment=[0, 0, 1])]).startswith("torques[0]: ")
     assert "must be finite" in _message(lambda: Start(omega=[0, np.nan, 0]))
     assert "[sweep]" in _message(lambda: polhode.Scenario.from_toml(BALL + '[sweep]\nmembers = 2\nsampling = "monte carlo"\nvary = [{ key = "body.part[0].mass", uniform = { from = 1, to = 2 } }]\n'))
     with pytest.raises(FileNotFoundError):

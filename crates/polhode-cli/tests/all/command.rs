@@ -325,6 +325,9 @@ fn every_command_explains_itself() {
         let help = stdout(&scratch.run(&[command, "--help"]));
         assert!(help.contains("Examples:") && help.contains("--json"), "{help}");
     }
+    let schema = json(&scratch.run(&["schema", "scenario"]));
+    assert_eq!(schema["properties"]["run"]["required"], serde_json::json!(["duration"]));
+    assert!(refused(&scratch.run(&["schema", "scene"]), 2).contains("scenario"));
     assert!(stdout(&scratch.run(&["completions", "bash"])).contains("simulate"));
     assert!(stdout(&scratch.run(&["man"])).contains(".TH polhode 1"));
     assert!(stdout(&scratch.run(&["man", "spin"])).contains(".TH polhode-spin 1"));
@@ -396,6 +399,7 @@ fn what_cannot_be_written_is_a_failure() {
         &["help", "sweep"],
         &["man"],
         &["completions", "bash"],
+        &["schema", "scenario"],
         &["inertia", "ball.toml"],
         &["inertia", "ball.toml", "--json"],
         &["inertia", "ball.toml", "--csv"],

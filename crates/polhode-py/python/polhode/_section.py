@@ -9,7 +9,6 @@ from typing import Any, ClassVar, Iterable, Iterator, Mapping, TypeVar
 import numpy as np
 
 from . import _arrays
-from ._error import PolhodeError
 from ._toml import pair
 from ._units import has_units
 
@@ -106,14 +105,6 @@ def section(name: str, value: object, kind: type[_Section]) -> _Section:
     if not isinstance(value, kind):
         raise TypeError(f"{name} must be a polhode.scenario.{kind.__name__}, not {type(value).__name__}")
     return value
-
-
-def exactly_one(what: str, given: Mapping[str, object]) -> None:
-    """Refuses several and none."""
-    found = [name for name, value in given.items() if value is not None]
-    if len(found) != 1:
-        names = f"{', '.join(list(given)[:-1])} and {list(given)[-1]}"
-        raise PolhodeError(f"{what} takes exactly one of {names}, not {' and '.join(found) if found else 'none'}")
 
 
 def lines(tables: Mapping[str, Any]) -> Iterator[tuple[str, str]]:

@@ -15,7 +15,7 @@ from ._arrays import Floats
 from ._error import PolhodeError
 from ._knob import key_of_argument
 from ._scenario import Scenario
-from ._section import Quantity, Section, exactly_one
+from ._section import Quantity, Section
 from ._toml import pair
 
 #: What a distribution's numbers are called, where they are given in order.
@@ -25,9 +25,6 @@ _IN_ORDER: dict[str, tuple[str, ...]] = {
     "log_uniform": ("from", "to"),
     "triangular": ("from", "mode", "to"),
 }
-
-#: The ways in which something varies, of which a table has one.
-_LAWS = (*_IN_ORDER, "relative", "log_normal", "list_", "grid", "direction", "random", "dispersion", "correlated")
 
 #: What the elements of a matrix may be off by rounding, as correlations.
 ROUNDING = 1e-13
@@ -99,7 +96,6 @@ class Vary(Section):
         keys = self.key if isinstance(self.key, tuple) else (self.key,)
         for k, key in enumerate(keys):
             _arrays.text(f"vary.key[{k}]" if isinstance(self.key, tuple) else "vary.key", key)
-        exactly_one("Vary", {name: getattr(self, name) for name in _LAWS})
         for name, words in _IN_ORDER.items():
             given = getattr(self, name)
             if isinstance(given, tuple):

@@ -26,7 +26,7 @@ import numpy.typing as npt
 from . import _arrays
 from ._error import PolhodeError
 from ._law import asked, formula_torque, where
-from ._section import Quantity, Section, exactly_one, plain, written
+from ._section import Quantity, Section, plain, written
 
 __all__ = [
     "Balance",
@@ -369,10 +369,6 @@ class Magnetic(Torque):
     field: Vector | None = None
     dipole: Vector | None = None
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        exactly_one("Magnetic", {"field": self.field, "dipole": self.dipole})
-
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class EnergySink(Torque):
@@ -658,11 +654,6 @@ class Orbit(Section):
     periapsis: Quantity | None = None
     mean_anomaly: Quantity | None = None
     true_anomaly: Quantity | None = None
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        forms = ("altitude", "radius", "rate", "position", "semi_major_axis")
-        exactly_one("Orbit", {name: getattr(self, name) for name in forms})
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)

@@ -164,7 +164,16 @@ impl Line<'_> {
                 let units = unit::units_of(*dimension);
                 (!units.is_empty()).then(|| units.iter().map(one).collect())
             }
-            What::Keys(..) => None,
+            What::Keys(..)
+            | What::Number
+            | What::Count
+            | What::Text
+            | What::Truth
+            | What::Array(_)
+            | What::PerhapsArray
+            | What::Table
+            | What::AnyKeys
+            | What::Required(_) => None,
         })?;
         Some(Completion { place, suggested })
     }

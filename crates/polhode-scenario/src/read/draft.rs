@@ -11,7 +11,7 @@ use polhode_source::files::{Disk, Files, Listed, Memory};
 use polhode_source::toml::source::{Source, Watch};
 use polhode_source::toml::tree;
 use polhode_source::toml::tree::{Entries, Kind};
-use polhode_source::toml::{Asked, Question, What};
+use polhode_source::toml::{Asked, Question};
 
 use super::completion::{self, Completion};
 use super::known_mesh::KnownMesh;
@@ -137,17 +137,6 @@ impl Draft {
     /// What may stand at a place of a text, in bytes: keys, names and units that the reader asks for there.
     pub fn complete(&self, text: &str, at: usize) -> Option<Completion> {
         completion::complete(text, at, |text| self.asked(text))
-    }
-
-    /// The tables of a text as messages call them, each with the keys that the reader takes in it, in the order in which they are read; those before the
-    /// first error, if there is one.
-    pub fn keys(&self, text: &str) -> Vec<(String, Vec<&'static str>)> {
-        let asked = self.asked(text).unwrap_or_default().into_iter();
-        let keys = |question: Question| match question.what {
-            What::Keys(table, keys) => Some((table, keys)),
-            What::Choice(_) | What::Quantity(_) => None,
-        };
-        asked.filter_map(keys).collect()
     }
 
     /// What the reader asks a text for; nothing if it is no TOML.

@@ -20,16 +20,16 @@ pub(crate) fn molecule(
     findings: &mut Vec<Finding>,
 ) -> Result<BodyPart, FormatError> {
     let file = table.require("file", "file = \"water.xyz\"")?;
-    let path = file.path()?;
-    let Some(format) = MoleculeFormat::of_path(&path) else {
-        return Err(file.invalid("a molecule's file").with_hint("they end in .xyz, .mol, .sdf and .pdb"));
-    };
     let isotopes = match table.get("isotopes") {
         Some(choice) => match choice.choice(&["abundant", "average"])? {
             "average" => Isotopes::Average,
             _ => Isotopes::Abundant,
         },
         None => Isotopes::default(),
+    };
+    let path = file.path()?;
+    let Some(format) = MoleculeFormat::of_path(&path) else {
+        return Err(file.invalid("a molecule's file").with_hint("they end in .xyz, .mol, .sdf and .pdb"));
     };
     let read = || {
         let molecules = molecule::read(file.files(), &path, format).map_err(|error| match error.kind() {

@@ -167,6 +167,9 @@ impl<'a> MeshFile<'a> {
                 .with_hint("write file = \"part.stl\", relative to the scenario"));
         }
         let unit = table.get("unit").map(|value| length_unit(&value)).transpose()?;
+        let length = |key, example| table.get(key).map(|value| beside_mesh(&value, example)).transpose();
+        let weld = length("weld", "weld = \"0.01 mm\", or weld = 1e-6 of its size")?;
+        let fill = length("fill", "fill = \"2 mm\", or fill = 0.01 of its size")?;
         let path = value.path()?;
         let Some(format) = MeshFormat::of_path(&path) else {
             let hint = match BrepFormat::of(value.files(), &path) {
@@ -178,9 +181,6 @@ impl<'a> MeshFile<'a> {
             };
             return Err(value.invalid("a mesh file").with_hint(hint));
         };
-        let length = |key, example| table.get(key).map(|value| beside_mesh(&value, example)).transpose();
-        let weld = length("weld", "weld = \"0.01 mm\", or weld = 1e-6 of its size")?;
-        let fill = length("fill", "fill = \"2 mm\", or fill = 0.01 of its size")?;
         Ok(Self { value, written, path, format, unit, weld, fill })
     }
 

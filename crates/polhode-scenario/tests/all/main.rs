@@ -25,6 +25,7 @@ mod page_gimbals;
 mod page_scene;
 mod prescribed;
 mod scenario;
+mod schema;
 mod tables;
 mod torque_formula;
 mod torque_table;

@@ -1,5 +1,5 @@
-//! What the reader asks a text for: the keys of each table, the names that a value may have, the dimension of a quantity. Completions come from
-//! it, so that they are what the reader takes.
+//! Requests of the reader: the keys of each table, and the type, names or dimension of each value.
+//! Completions and the schema come from them, so that they state what the reader accepts.
 
 use std::cell::RefCell;
 use std::ops::Range;
@@ -28,27 +28,33 @@ pub enum What {
     Choice(Vec<&'static str>),
     /// A quantity of this dimension.
     Quantity(Dimension),
+    /// A number without a unit.
+    Number,
+    /// A whole number.
+    Count,
+    /// A string of any content.
+    Text,
+    /// `true` or `false`.
+    Truth,
+    /// An array, of this many elements where the reader requires a certain number.
+    Array(Option<usize>),
+    /// An array is read in another way than other values, or refused with advice.
+    PerhapsArray,
+    /// A table with or without a header.
+    Table,
+    /// A table with keys of the user's choice.
+    AnyKeys,
+    /// A key that the table must have.
+    Required(&'static str),
 }
 
 impl Asked {
-    pub(crate) fn keys(&self, span: &Range<usize>, table: &str, known: &[&'static str]) {
-        self.put(span, What::Keys(table.to_owned(), known.to_vec()));
-    }
-
-    pub(crate) fn choice(&self, span: &Range<usize>, names: &[&'static str]) {
-        self.put(span, What::Choice(names.to_vec()));
-    }
-
-    pub(crate) fn quantity(&self, span: &Range<usize>, dimension: Dimension) {
-        self.put(span, What::Quantity(dimension));
-    }
-
     /// Returns the recorded requests in the order in which the reader made them.
     pub fn all(self) -> Vec<Question> {
         self.0.into_inner()
     }
 
-    fn put(&self, span: &Range<usize>, what: What) {
+    pub(crate) fn put(&self, span: &Range<usize>, what: What) {
         self.0.borrow_mut().push(Question { span: span.clone(), what });
     }
 }

@@ -9,6 +9,7 @@ use polhode::body::BodyError;
 use polhode::math::RotationError;
 use polhode::motion::MotionError;
 
+use super::asked::What;
 use super::meant;
 use super::source::{Rest, Source};
 use super::tree::{Entries, Kind, Known, Node, Replacement};
@@ -56,7 +57,7 @@ impl<'a> Table<'a> {
 
     /// Refuses the first key that is none of `known`.
     pub fn allow(&self, known: &[&'static str]) -> Result<(), FormatError> {
-        self.source.asked.into_iter().for_each(|asked| asked.keys(&self.span, &self.name, known));
+        self.asks(|| What::Keys(self.name.clone(), known.to_vec()));
         let unknown = self.entries.iter().filter(|(key, _)| !known.contains(&key.as_ref()));
         let Some((key, entry)) = unknown.min_by_key(|(_, entry)| entry.key.start) else { return Ok(()) };
         let key = key.to_string();
@@ -94,11 +95,20 @@ impl<'a> Table<'a> {
 
     /// The value of a key that has to be there.
     pub fn require(&self, key: &'static str, example: &'static str) -> Result<Value<'a>, FormatError> {
+        self.asks(|| What::Required(key));
         self.get(key).ok_or_else(|| self.missing(key, example))
+    }
+
+    /// Records what the reader accepts here, if the source keeps a record.
+    fn asks(&self, what: impl FnOnce() -> What) {
+        if let Some(asked) = self.source.asked {
+            asked.put(&self.span, what());
+        }
     }
 
     /// Every key with its value, in the file's order, and what to call them.
     pub fn each(&self, called: &'static str) -> impl Iterator<Item = (&'a str, Value<'a>)> {
+        self.asks(|| What::AnyKeys);
         let source = self.source;
         let mut all: Vec<_> = self.entries.iter().collect();
         all.sort_by_key(|(_, entry)| entry.node.span.start);
@@ -227,11 +237,13 @@ impl<'a> Value<'a> {
 
     /// Returns true for an array, also for an array of tables.
     pub fn is_array(&self) -> bool {
+        self.asks(|| What::PerhapsArray);
         matches!(self.value.kind, Kind::List(_))
     }
 
     /// Returns the value as a table; a value of another type is an error.
     pub fn table(&self) -> Result<Table<'a>, FormatError> {
+        self.asks(|| What::Table);
         match &self.value.kind {
             Kind::Table(entries) => {
                 // `[start]` is called so; `{ body = … }` by its key.
@@ -277,6 +289,11 @@ impl<'a> Value<'a> {
 
     /// All elements of an array.
     pub fn elements(&self, expected: &str) -> Result<Vec<Self>, FormatError> {
+        self.asks(|| What::Array(None));
+        self.written_elements(expected)
+    }
+
+    fn written_elements(&self, expected: &str) -> Result<Vec<Self>, FormatError> {
         match &self.value.kind {
             Kind::List(elements) => {
                 Ok(elements.iter().map(|value| Self { value, is_element: true, ..*self }).collect())
@@ -287,8 +304,9 @@ impl<'a> Value<'a> {
 
     /// The elements of an array of N.
     pub fn fixed<const N: usize>(&self, of: &str) -> Result<[Self; N], FormatError> {
+        self.asks(|| What::Array(Some(N)));
         let expected = format!("an array of {N} {of}");
-        let elements = self.elements(&expected)?;
+        let elements = self.written_elements(&expected)?;
         let found = elements.len();
         let hint = || self.write(&format!("[{}]", ["..."; N].join(", ")));
         elements
@@ -298,6 +316,11 @@ impl<'a> Value<'a> {
 
     /// Returns the value as a string; a value of another type is an error.
     pub fn string(&self) -> Result<&'a str, FormatError> {
+        self.asks(|| What::Text);
+        self.written_string()
+    }
+
+    fn written_string(&self) -> Result<&'a str, FormatError> {
         match &self.value.kind {
             Kind::Text(text) => Ok(text),
             _ => Err(self.wrong_type("a string", "put it in quotes")),
@@ -306,6 +329,7 @@ impl<'a> Value<'a> {
 
     /// Returns the value as a boolean; a value of another type is an error.
     pub fn boolean(&self) -> Result<bool, FormatError> {
+        self.asks(|| What::Truth);
         match &self.value.kind {
             Kind::Truth(value) => Ok(*value),
             _ => Err(self.wrong_type("true or false", &self.write("true"))),
@@ -314,8 +338,8 @@ impl<'a> Value<'a> {
 
     /// One of several names.
     pub fn choice(&self, names: &[&'static str]) -> Result<&'static str, FormatError> {
-        self.source.asked.into_iter().for_each(|asked| asked.choice(&self.value.span, names));
-        let text = self.string()?;
+        self.asks(|| What::Choice(names.to_vec()));
+        let text = self.written_string()?;
         match names.iter().find(|name| **name == text) {
             Some(name) => Ok(name),
             None => {
@@ -335,6 +359,7 @@ impl<'a> Value<'a> {
 
     /// A whole number.
     pub fn count(&self) -> Result<u64, FormatError> {
+        self.asks(|| What::Count);
         match &self.value.kind {
             Kind::Whole { digits, radix } => u64::from_str_radix(digits, *radix)
                 .map_err(|_| self.invalid("a whole number, not negative, below 2^64"))
@@ -345,6 +370,7 @@ impl<'a> Value<'a> {
 
     /// A plain number, finite.
     pub fn number(&self) -> Result<f64, FormatError> {
+        self.asks(|| What::Number);
         self.varying(Dimension::NONE, || self.written_number())
     }
 
@@ -364,6 +390,7 @@ impl<'a> Value<'a> {
 
     /// A number in SI, or a string with a unit.
     pub fn quantity(&self, dimension: Dimension) -> Result<f64, FormatError> {
+        self.asks(|| What::Quantity(dimension));
         self.varying(dimension, || self.written_quantity(dimension))
     }
 
@@ -386,7 +413,6 @@ impl<'a> Value<'a> {
         dimension: Dimension,
         written: impl FnOnce() -> Result<f64, FormatError>,
     ) -> Result<f64, FormatError> {
-        self.source.asked.into_iter().for_each(|asked| asked.quantity(&self.value.span, dimension));
         if let Some(Replacement::Number(value)) = self.replacement() {
             return Ok(*value);
         }
@@ -447,7 +473,7 @@ impl<'a> Value<'a> {
 
     /// An error in a string that is a formula, at its place there; of a string with escapes, at the string.
     pub fn formula(&self, error: ExpressionError) -> FormatError {
-        self.source.formula(self.span(), self.string().unwrap_or_default(), error)
+        self.source.formula(self.span(), self.written_string().unwrap_or_default(), error)
     }
 
     /// Creates an error about mass properties at the place of the value.
@@ -469,6 +495,13 @@ impl<'a> Value<'a> {
     pub fn invalid(&self, rule: impl Into<String>) -> FormatError {
         let value = cut(&self.source.current(self.value)).chars().map(visible).collect();
         self.error(FormatErrorKind::Value { key: self.key.to_owned(), value, rule: rule.into() })
+    }
+
+    /// Records what the reader accepts here, if the source keeps a record.
+    fn asks(&self, what: impl FnOnce() -> What) {
+        if let Some(asked) = self.source.asked {
+            asked.put(&self.value.span, what());
+        }
     }
 
     /// The advice to write something in the place of the value.

@@ -2,6 +2,7 @@
 #![allow(dead_code, unreachable_pub, reason = "each test file uses some of them")]
 
 pub mod ground;
+pub mod page;
 
 use std::sync::OnceLock;
 

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use numpy::{PyArray1, PyReadonlyArray1};
-use polhode::motion::gimbal::GimbalSample;
+use polhode::motion::channel;
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{
     Ending, ErrorEffort, Event, Measure, MotionError, Run, Scenario, Trajectory, TrajectoryDerivatives,
@@ -290,11 +290,8 @@ impl PyMotion {
 
     /// Of the torque since the start, at each sample, J.
     fn work(&self) -> Vec<f64> {
-        match (self.trajectory.contact(), self.trajectory.gimbals()) {
-            (Some(contact), _) => contact.samples().iter().map(|s| s.friction_work + s.ground_work).collect(),
-            (None, Some(gimbals)) => gimbals.samples().iter().map(GimbalSample::work).collect(),
-            (None, None) => self.trajectory.samples().iter().map(|sample| sample.work).collect(),
-        }
+        let energy = self.trajectory.channel(channel::ENERGY);
+        energy.map_or_else(Vec::new, |energy| energy.iter().map(|energy| energy.work).collect())
     }
 
     fn report(&self) -> MotionReport<'_> {

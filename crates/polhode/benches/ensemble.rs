@@ -12,9 +12,7 @@ use polhode::math::formula::{Binary, Formula, FormulaError, Instruction, Unary};
 use polhode::motion::torque::{
     Attracted, Drag, DragLaw, FormulaTorque, GravityGradient, Magnetic, MagneticField, Torsion,
 };
-use polhode::motion::{
-    Ensemble, FreeMotions, MU_EARTH, Member, MemberFailure, Orbit, Solution, StateVariables,
-};
+use polhode::motion::{Ensemble, FreeMotions, MU_EARTH, Member, MemberFailure, Orbit, StateVariables};
 use polhode::prelude::*;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -152,9 +150,7 @@ fn taylor(rotor: &Rotor, torques: &[TorqueModel]) -> Result<[f64; 2], Box<dyn Er
     let mut steps = 0;
     for member in all.members() {
         let run = Trajectory::compute(rotor, torques, member.start, &times, Method::Taylor, tolerance)?;
-        if let Solution::Integrated { statistics, .. } = run.solution() {
-            steps += statistics.accepted;
-        }
+        steps += run.solution().statistics().map_or(0, |statistics| statistics.accepted);
     }
     let mut states = vec![start(0); bodies];
     let seconds = least(|| {
@@ -163,21 +159,8 @@ fn taylor(rotor: &Rotor, torques: &[TorqueModel]) -> Result<[f64; 2], Box<dyn Er
     });
     let one = least(|| {
         for member in all.members().iter().take(8) {
-            let (switched_off, events, start) = (&[], &[], member.start);
-            let (times, method) = (&times, Method::Taylor);
-            let run = Simulation {
-                rotor,
-                history: None,
-                torques,
-                switched_off,
-                start,
-                events,
-                event_sides: &[],
-                times,
-                method,
-                tolerance,
-            }
-            .states();
+            let simulation = Simulation::new(rotor, torques, member.start, &times);
+            let run = simulation.method(Method::Taylor).tolerance(tolerance).states();
             black_box(run.is_ok());
         }
     });

@@ -11,7 +11,7 @@ use std::num::NonZero;
 use std::time::Instant;
 
 use polhode::motion::torque::{Attracted, GravityGradient};
-use polhode::motion::{Ensemble, Member, Orbit, Solution};
+use polhode::motion::{Ensemble, Member, Orbit};
 use polhode::prelude::*;
 
 /// Moments about the point that the bodies turn about, kg·m².
@@ -31,9 +31,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         for tolerance in TOLERANCES {
             let mut steps = 0;
             for member in ensemble.members() {
-                if let Solution::Integrated { statistics, .. } = alone(member, tolerance).run()?.solution() {
-                    steps += statistics.accepted;
-                }
+                let run = alone(member, tolerance).run()?;
+                steps += run.solution().statistics().map_or(0, |statistics| statistics.accepted);
             }
             let mut states = vec![start(0); count];
             let together = least(|| {
@@ -87,18 +86,8 @@ fn start(k: usize) -> State {
 }
 
 fn alone(member: &Member, tolerance: f64) -> Simulation<'_> {
-    Simulation {
-        rotor: &member.rotor,
-        history: None,
-        torques: &member.torques,
-        switched_off: &[],
-        start: member.start,
-        events: &[],
-        event_sides: &[],
-        times: &[END],
-        method: Method::Taylor,
-        tolerance,
-    }
+    let simulation = Simulation::new(&member.rotor, &member.torques, member.start, &[END]);
+    simulation.method(Method::Taylor).tolerance(tolerance)
 }
 
 /// The least time of many runs, ns.

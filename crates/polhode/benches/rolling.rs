@@ -5,7 +5,9 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use polhode::math::Rotation;
-use polhode::motion::contact::{BodySurface, Contact, ContactSimulation, ContactStart, SurfaceShape};
+use polhode::motion::Energy;
+use polhode::motion::channel::ENERGY;
+use polhode::motion::contact::{BodySurface, Contact, ContactStart, SurfaceShape};
 use polhode::prelude::*;
 
 /// The least time of many runs, s.
@@ -33,18 +35,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("a rattleback of 20 s\tms\tsteps\trounds\tenergy drift");
     for (samples, tolerance) in [(1, 1e-10), (1, 1e-13), (1, 1e-15), (2001, 1e-13)] {
         let times: Vec<f64> = (1..=samples).map(|k| 20.0 * f64::from(k) / f64::from(samples)).collect();
-        let simulation = ContactSimulation::new(&body, &contact, start, &times).tolerance(tolerance);
+        let simulation = Simulation::on_ground(&body, &contact, start, &times).tolerance(tolerance);
         let run = simulation.run()?;
-        let energy = |sample: &polhode::motion::contact::ContactSample| {
-            sample.kinetic_energy + sample.potential_energy
-        };
-        let drift = run.samples().last().map_or(f64::NAN, |last| energy(last) / energy(run.start()) - 1.0);
+        let energies = run.channel(ENERGY).ok_or("every system has energy")?;
+        let total = |energy: Energy| energy.kinetic + energy.potential.unwrap_or_default();
+        let drift = energies.last().map_or(f64::NAN, |last| total(last) / total(energies.start()) - 1.0);
+        let statistics = run.solution().statistics().unwrap_or_default();
         let time = least(|| drop(black_box(simulation.run().ok())));
         println!(
             "{samples} samples, {tolerance:.0e}\t{:.2}\t{}\t{}\t{drift:.1e}",
             time * 1e3,
-            run.statistics().accepted,
-            run.statistics().evaluations / 16
+            statistics.accepted,
+            statistics.evaluations / 16
         );
     }
     Ok(())

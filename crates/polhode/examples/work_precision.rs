@@ -8,7 +8,7 @@ use std::error::Error;
 use std::time::{Duration, Instant};
 
 use polhode::motion::torque::{Attracted, Drag, DragLaw, GravityGradient};
-use polhode::motion::{Orbit, Solution, SplittingOrder, TIGHTEST_TOLERANCE};
+use polhode::motion::{Orbit, SplittingOrder, TIGHTEST_TOLERANCE};
 use polhode::prelude::*;
 
 /// For how long each run is repeated.
@@ -115,18 +115,8 @@ fn start(omega: [f64; 3]) -> State {
 fn run(problem: &Problem, name: &str, size: f64, method: Method) -> Result<(), MotionError> {
     let Problem { rotor, torques, start, end, .. } = problem;
     let tolerance = if size > 0.0 { size } else { TIGHTEST_TOLERANCE };
-    let simulation = Simulation {
-        rotor,
-        history: None,
-        torques,
-        switched_off: &[],
-        start: *start,
-        events: &[],
-        event_sides: &[],
-        times: &[*end],
-        method,
-        tolerance,
-    };
+    let times = [*end];
+    let simulation = Simulation::new(rotor, torques, *start, &times).method(method).tolerance(tolerance);
     let motion = simulation.run()?;
     let (mut least, begin) = (f64::INFINITY, Instant::now());
     while begin.elapsed() < PATIENCE {
@@ -136,10 +126,7 @@ fn run(problem: &Problem, name: &str, size: f64, method: Method) -> Result<(), M
         least = least.min(once.elapsed().as_secs_f64());
         std::hint::black_box(again);
     }
-    let steps = match motion.solution() {
-        Solution::Integrated { statistics, .. } => statistics.accepted,
-        _ => 0,
-    };
+    let steps = motion.solution().statistics().map_or(0, |statistics| statistics.accepted);
     for sample in motion.samples() {
         let [w, x, y, z] = sample.state.attitude.quaternion();
         println!("{}\t{name}\t{size:e}\t{least:e}\t{steps}\t{w:?} {x:?} {y:?} {z:?}", problem.name);

@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use polhode::math::{Body, Direction, Space};
-use polhode::motion::contact::{ContactChange, ContactSample, ContactTrajectory};
-use polhode::motion::{GroundContact, Scenario};
+use polhode::motion::channel::CONTACT;
+use polhode::motion::contact::{ContactChange, ContactEvent, ContactState};
+use polhode::motion::{GroundContact, Scenario, Trajectory};
 use polhode::observe::{BallOnPlane, CirclingDisk, Place, SpinningEgg, SteadyOnGround, SteadyPath, TippeTop};
 use polhode_scenario::read as scenario;
 
@@ -12,12 +13,39 @@ use crate::lessons::{Lesson, Step};
 
 const UP: Direction<Space> = Direction::new(0.0, 0.0, 1.0);
 
-fn motion(scenario: &Scenario) -> ContactTrajectory {
-    scenario.simulate().unwrap().unwrap().contact().unwrap().clone()
+/// A motion on the ground, with its contact at each sample.
+struct OnGround {
+    motion: Trajectory,
+    start: ContactState,
+    samples: Vec<ContactState>,
+}
+
+impl OnGround {
+    fn of(motion: Trajectory) -> Self {
+        let states = motion.channel(CONTACT).unwrap();
+        let (start, samples) = (states.start(), states.iter().collect());
+        Self { motion, start, samples }
+    }
+
+    fn start(&self) -> &ContactState {
+        &self.start
+    }
+
+    fn samples(&self) -> &[ContactState] {
+        &self.samples
+    }
+
+    fn changes(&self) -> &[ContactEvent] {
+        self.motion.changes()
+    }
+}
+
+fn motion(scenario: &Scenario) -> OnGround {
+    OnGround::of(scenario.simulate().unwrap().unwrap())
 }
 
 /// The motion of a step.
-fn moves(step: &Step<'_>) -> ContactTrajectory {
+fn moves(step: &Step<'_>) -> OnGround {
     motion(&step.scenario())
 }
 
@@ -32,29 +60,29 @@ fn ground(scenario: &Scenario) -> &GroundContact {
     scenario.ground().unwrap()
 }
 
-fn change(motion: &ContactTrajectory, which: ContactChange) -> f64 {
+fn change(motion: &OnGround, which: ContactChange) -> f64 {
     motion.changes().iter().find(|event| event.change == which).unwrap().time
 }
 
 /// Of z to the vertical, degrees.
-fn tilt(sample: &ContactSample) -> f64 {
+fn tilt(sample: &ContactState) -> f64 {
     (sample.state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0)).angle_to(UP).to_degrees()
 }
 
-fn about_vertical(sample: &ContactSample) -> f64 {
+fn about_vertical(sample: &ContactState) -> f64 {
     UP.dot(sample.state.attitude * sample.state.omega)
 }
 
-fn energy(sample: &ContactSample) -> f64 {
+fn energy(sample: &ContactState) -> f64 {
     sample.kinetic_energy + sample.potential_energy
 }
 
-fn last(motion: &ContactTrajectory) -> &ContactSample {
+fn last(motion: &OnGround) -> &ContactState {
     motion.samples().last().unwrap()
 }
 
 /// When the turning about the vertical changes its sense first, for good.
-fn turns_back(motion: &ContactTrajectory) -> Option<f64> {
+fn turns_back(motion: &OnGround) -> Option<f64> {
     let pair =
         motion.samples().windows(2).find(|pair| about_vertical(&pair[0]) * about_vertical(&pair[1]) < 0.0)?;
     let [a, b] = [&pair[0], &pair[1]].map(about_vertical);
@@ -105,8 +133,8 @@ fn euler_disk() {
     lesson.step(1).says("8 times", rate(25.0) / std::f64::consts::TAU);
     // The rates at 5°, by how far the axis has gone round, and the body about the vertical.
     let near = run.samples().windows(2).find(|pair| tilt(&pair[1]) < 5.0).unwrap();
-    let axis = |s: &ContactSample| s.state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
-    let azimuth = |s: &ContactSample| axis(s).y.atan2(axis(s).x);
+    let axis = |s: &ContactState| s.state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
+    let azimuth = |s: &ContactState| axis(s).y.atan2(axis(s).x);
     let turned = (azimuth(&near[1]) - azimuth(&near[0])).rem_euclid(std::f64::consts::TAU);
     let round = turned / (near[1].state.time - near[0].state.time);
     lesson.step(1).right("88 rad/s", round);
@@ -143,7 +171,7 @@ fn tippe_top() {
     lesson.step(2).says("−93 rad/s", e.dot(gripped.state.omega));
     let between = run.samples().windows(2).find(|pair| e.dot(pair[1].state.omega) < 0.0).unwrap();
     assert!((tilt(&between[0]) - 90.0).abs() < 3.0, "{}", tilt(&between[0]));
-    let height = |s: &ContactSample| s.center.z;
+    let height = |s: &ContactState| s.center.z;
     lesson.step(3).says("7.7 mm", (height(gripped) - height(run.start())) * 1e3);
     lesson.step(3).says("1.1 mJ", (gripped.potential_energy - run.start().potential_energy) * 1e3);
     lesson.step(3).right("97 rad/s", about_vertical(gripped));

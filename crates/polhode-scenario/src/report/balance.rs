@@ -1,6 +1,6 @@
 //! What a computed motion should keep, by name: the lines of its drift.
 
-use polhode::motion::{Sample, Scenario, Solution, Trajectory};
+use polhode::motion::{Mechanism, MethodReason, Sample, Scenario, Solution, Trajectory};
 use polhode::observe::Drift;
 
 /// What turns a body.
@@ -19,8 +19,7 @@ impl Driven {
         Self {
             by_torques: scenario.prescribed().is_some()
                 || !scenario.torques().is_empty()
-                || scenario.ground().is_some()
-                || scenario.gimbals().is_some(),
+                || scenario.mechanism() != Mechanism::Rotor,
             by_wheels: !scenario.wheels().is_empty(),
             by_mass: scenario.history().is_some(),
         }
@@ -59,15 +58,18 @@ pub(crate) fn balances(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> 
     kept(trajectory, driven).into_iter().chain(error).collect()
 }
 
-fn kept(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> {
-    if let Some(contact) = trajectory.contact() {
-        return vec![Balance { name: "T + U − works of the contact", values: contact.energy_departures() }];
+/// The balance of energy of a body on the ground or in gimbals, by name; `None` of any other motion.
+pub(crate) fn energy_balance(trajectory: &Trajectory) -> Option<&'static str> {
+    match trajectory.reason() {
+        MethodReason::Contact => Some("T + U − works of the contact"),
+        MethodReason::Gimbals => Some("T + U − works of the axes and the base"),
+        _ => None,
     }
-    if let Some(motion) = trajectory.gimbals() {
-        return vec![Balance {
-            name: "T + U − works of the axes and the base",
-            values: motion.energy_departures(),
-        }];
+}
+
+fn kept(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> {
+    if let Some(name) = energy_balance(trajectory) {
+        return vec![Balance { name, values: trajectory.energy_departures() }];
     }
     let Some(drift) = Drift::along(trajectory) else { return Vec::new() };
     let one = |name: &'static str, value: fn(&Drift) -> f64| Balance {
@@ -84,7 +86,7 @@ fn kept(trajectory: &Trajectory, driven: Driven) -> Vec<Balance> {
     let has_potential = drift.iter().all(|d| d.total_energy.is_some());
     let total = has_potential.then(|| one("T + U", |d| d.total_energy.unwrap_or_default()));
     // Work and impulse of a closed form are what T and L have gained.
-    if let (Solution::Exact(_), Some(total)) = (trajectory.solution(), &total) {
+    if let (Solution::ClosedForm(_), Some(total)) = (trajectory.solution(), &total) {
         return vec![total.clone()];
     }
     let impulse = if driven.by_torques || driven.by_mass { "L − impulse" } else { "L in space" };

@@ -1,8 +1,8 @@
 //! A body on the ground, in text and JSON.
 
+use polhode::motion::channel::CONTACT;
 use polhode::motion::contact::{
-    BodySurface, ContactEvent, ContactSample, ContactTrajectory, Friction, Grip, Ground, GroundShape,
-    GroundSide, SurfaceShape,
+    BodySurface, ContactEvent, ContactState, Friction, Grip, Ground, GroundShape, GroundSide, SurfaceShape,
 };
 use polhode::motion::{GroundContact, Scenario, Trajectory};
 use polhode_document::json::vector;
@@ -27,17 +27,15 @@ pub(crate) fn how(ground: &GroundContact) -> String {
 
 /// What touches what, how, what changed about that, and where the body went; `None` of any other motion.
 pub(crate) fn facts(scenario: &Scenario, trajectory: &Trajectory) -> Option<Vec<(&'static str, String)>> {
-    let (ground, motion) = (scenario.ground()?, trajectory.contact()?);
+    let (ground, contact) = (scenario.ground()?, trajectory.channel(CONTACT)?);
     let mut facts = given(ground);
-    facts.push(("at the start", motion.start().phase.name().to_owned()));
+    facts.push(("at the start", contact.start().phase.name().to_owned()));
     let change =
         |event: &ContactEvent| ("change", format!("t = {} s: {}", number(event.time, DIGITS), event.change));
-    facts.extend(motion.changes().iter().take(MOST).map(change));
-    if motion.changes().len() > MOST {
-        facts.push((
-            "changes",
-            format!("{} in all: summary.json has them", count(motion.changes().len() as u64)),
-        ));
+    let changes = trajectory.changes();
+    facts.extend(changes.iter().take(MOST).map(change));
+    if changes.len() > MOST {
+        facts.push(("changes", format!("{} in all: summary.json has them", count(changes.len() as u64))));
     }
     Some(facts)
 }
@@ -55,20 +53,19 @@ fn given(ground: &GroundContact) -> Vec<(&'static str, String)> {
 
 /// The same on the screen, with the balance of energy, where the centre of mass went, and what became of the energy.
 pub(crate) fn to_text(scenario: &Scenario, trajectory: &Trajectory) -> String {
-    let (Some(ground), Some(motion)) = (scenario.ground(), trajectory.contact()) else {
+    let (Some(ground), Some(contact)) = (scenario.ground(), trajectory.channel(CONTACT)) else {
         return String::new();
     };
     let mut text: String = given(ground).iter().map(|(label, fact)| labelled(label, fact)).collect();
-    text.push_str(&changes(motion));
-    let drift = error(motion.energy_drift());
+    text.push_str(&changes(&contact.start(), trajectory.changes()));
+    let drift = error(trajectory.energy_drift());
     let line = format!("T + U less the work of friction and of the ground {drift} (relative, worst sample)");
     text + &labelled("drift", &line)
 }
 
 /// The phase at the start, and what changed about the contact.
-fn changes(motion: &ContactTrajectory) -> String {
-    let phase = motion.start().phase.name();
-    let all = motion.changes();
+fn changes(start: &ContactState, all: &[ContactEvent]) -> String {
+    let phase = start.phase.name();
     if all.is_empty() {
         return labelled("contact", &format!("{phase} throughout"));
     }
@@ -84,13 +81,12 @@ fn changes(motion: &ContactTrajectory) -> String {
     text
 }
 
-/// Where the centre of mass went, and what became of the energy.
-pub(crate) fn ends(motion: &ContactTrajectory) -> String {
-    let (Some(first), Some(last)) = (motion.samples().first(), motion.samples().last()) else {
-        return String::new();
-    };
+/// Path of the centre of mass, forces and energy at both ends; `None` of any other motion.
+pub(crate) fn ends(trajectory: &Trajectory) -> Option<String> {
+    let contact = trajectory.channel(CONTACT)?;
+    let (first, last) = (contact.first()?, contact.last()?);
     let [from, to] = [first, last].map(|s| triple(s.center.to_array(), 6));
-    let pair = |of: fn(&ContactSample) -> f64| format!("{} → {}", number(of(first), 6), number(of(last), 6));
+    let pair = |of: fn(&ContactState) -> f64| format!("{} → {}", number(of(&first), 6), number(of(&last), 6));
     let mut energy = format!("T {} J, U {} J", pair(|s| s.kinetic_energy), pair(|s| s.potential_energy));
     for (work, of) in [(last.friction_work, "friction"), (last.ground_work, "the moving ground")] {
         if work != 0.0 {
@@ -98,9 +94,11 @@ pub(crate) fn ends(motion: &ContactTrajectory) -> String {
         }
     }
     let slip = format!("N {} N, slip {} m/s", pair(|s| s.normal_force), pair(|s| s.slip.norm()));
-    labelled("centre of mass", &format!("{from} → {to} m"))
-        + &labelled("contact", &slip)
-        + &labelled("energy", &energy)
+    Some(
+        labelled("centre of mass", &format!("{from} → {to} m"))
+            + &labelled("contact", &slip)
+            + &labelled("energy", &energy),
+    )
 }
 
 /// `ellipsoid, semi-axes (200, 30, 20) mm, centred at (0, 0, 10) mm`
@@ -189,7 +187,9 @@ fn law(ground: &GroundContact) -> String {
 
 /// What touches what, what changed about it, energies, the state of the contact at both ends.
 pub(crate) fn to_json(scenario: &Scenario, trajectory: &Trajectory) -> Value {
-    let (Some(ground), Some(motion)) = (scenario.ground(), trajectory.contact()) else { return Value::Null };
+    let (Some(ground), Some(states)) = (scenario.ground(), trajectory.channel(CONTACT)) else {
+        return Value::Null;
+    };
     let contact = &ground.contact;
     let change = |event: &ContactEvent| json!({ "time_s": event.time, "change": event.change.name(), "what": event.change.to_string() });
     json!({
@@ -197,10 +197,10 @@ pub(crate) fn to_json(scenario: &Scenario, trajectory: &Trajectory) -> Value {
         "ground": ground_json(&contact.ground),
         "law": law_json(ground),
         "gravity_m_s2": vector(contact.gravity),
-        "changes": motion.changes().iter().map(change).collect::<Value>(),
-        "energy_drift": motion.energy_drift(),
-        "start": sample(motion.start()),
-        "final": motion.samples().last().map_or(Value::Null, sample),
+        "changes": trajectory.changes().iter().map(change).collect::<Value>(),
+        "energy_drift": trajectory.energy_drift(),
+        "start": state(&states.start()),
+        "final": states.last().as_ref().map_or(Value::Null, state),
     })
 }
 
@@ -266,7 +266,7 @@ fn with<const N: usize>(mut object: Value, more: [(&str, Value); N]) -> Value {
     object
 }
 
-fn sample(s: &ContactSample) -> Value {
+fn state(s: &ContactState) -> Value {
     json!({
         "time_s": s.state.time,
         "phase": s.phase.name(),

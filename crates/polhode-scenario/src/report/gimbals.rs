@@ -1,7 +1,8 @@
 //! A rotor in gimbals, in text and JSON.
 
-use polhode::motion::gimbal::{Axis, Gimbal, GimbalSample, GimbalTrajectory, Gimbals, Hold};
-use polhode::motion::{Scenario, Trajectory};
+use polhode::motion::channel::GIMBALS;
+use polhode::motion::gimbal::{Axis, Gimbal, GimbalState, Gimbals, Hold};
+use polhode::motion::{Mechanism, Scenario, Trajectory};
 use polhode_document::json::{matrix, numbers, vector};
 use polhode_document::layout::labelled;
 use polhode_document::number::{error, number, vector as triple};
@@ -29,7 +30,7 @@ pub(crate) fn facts(gimbals: &Gimbals) -> Vec<(&'static str, String)> {
         _ => format!("turns at {} rad/s", triple(gimbals.base().angular_velocity().to_array(), DIGITS)),
     };
     let [outer, inner] = [gimbals.outer_axis(), gimbals.inner_axis()].map(|axis| triple(axis.to_array(), 6));
-    let [outer_mass, inner_mass] = gimbals.gimbals().map(|gimbal| mass(&gimbal));
+    let [outer_mass, inner_mass] = gimbals.masses().map(|gimbal| mass(&gimbal));
     let [of_outer, of_inner, of_rotor] = gimbals.axes().map(|axis| held(&axis));
     vec![
         ("base", format!("{base}; g = {gravity} m/s²")),
@@ -74,21 +75,18 @@ fn mass(gimbal: &Gimbal) -> String {
 
 /// The same on the screen, with the balance of energy.
 pub(crate) fn to_text(scenario: &Scenario, trajectory: &Trajectory) -> String {
-    let (Some(gimbals), Some(motion)) = (scenario.gimbals(), trajectory.gimbals()) else {
-        return String::new();
-    };
+    let Mechanism::Gimbals(gimbals) = scenario.mechanism() else { return String::new() };
     let mut text: String = facts(gimbals).iter().map(|(label, fact)| labelled(label, fact)).collect();
-    let drift = error(motion.energy_drift());
+    let drift = error(trajectory.energy_drift());
     let line = format!("T + U less the work of axes and base {drift} (relative, worst sample)");
     text.push_str(&labelled("drift", &line));
     text
 }
 
-/// Where the axes went, what held them, and what became of the energy.
-pub(crate) fn ends(motion: &GimbalTrajectory) -> String {
-    let (Some(first), Some(last)) = (motion.samples().first(), motion.samples().last()) else {
-        return String::new();
-    };
+/// Axes and energy at both ends; `None` of any other motion.
+pub(crate) fn ends(trajectory: &Trajectory) -> Option<String> {
+    let states = trajectory.channel(GIMBALS)?;
+    let (first, last) = (states.first()?, states.last()?);
     let axis = |k: usize| {
         let holding = match last.holding[k] {
             0.0 => String::new(),
@@ -98,7 +96,7 @@ pub(crate) fn ends(motion: &GimbalTrajectory) -> String {
         let line = format!("{from} → {to} at {}{holding}", rate(last.rates[k]));
         labelled(&format!("{} axis", NAMES[k]), &line)
     };
-    let pair = |of: fn(&GimbalSample) -> f64| format!("{} → {}", number(of(first), 6), number(of(last), 6));
+    let pair = |of: fn(&GimbalState) -> f64| format!("{} → {}", number(of(&first), 6), number(of(&last), 6));
     let mut energy =
         format!("T {} J, U {} J", pair(|s| s.kinetic_energy), pair(|s| s.potential_energy + s.spring_energy));
     let works = [
@@ -113,15 +111,16 @@ pub(crate) fn ends(motion: &GimbalTrajectory) -> String {
         }
     }
     let axes: String = (0..3).map(axis).collect();
-    axes + &labelled("energy", &energy)
+    Some(axes + &labelled("energy", &energy))
 }
 
 /// The suspension, and the state of it at both ends.
 pub(crate) fn to_json(scenario: &Scenario, trajectory: &Trajectory) -> Value {
-    let (Some(gimbals), Some(motion)) = (scenario.gimbals(), trajectory.gimbals()) else {
+    let (Mechanism::Gimbals(gimbals), Some(states)) = (scenario.mechanism(), trajectory.channel(GIMBALS))
+    else {
         return Value::Null;
     };
-    let [outer, inner] = gimbals.gimbals().map(|gimbal| {
+    let [outer, inner] = gimbals.masses().map(|gimbal| {
         json!({ "inertia_about_crossing": matrix(gimbal.inertia()), "moment_kg_m": numbers(&gimbal.moment()) })
     });
     let axes = gimbals.axes().map(|axis| axis_json(&axis));
@@ -135,9 +134,9 @@ pub(crate) fn to_json(scenario: &Scenario, trajectory: &Trajectory) -> Value {
         "outer_gimbal": outer,
         "inner_gimbal": inner,
         "axes": axes,
-        "energy_drift": motion.energy_drift(),
-        "start": sample(motion.start()),
-        "final": motion.samples().last().map_or(Value::Null, sample),
+        "energy_drift": trajectory.energy_drift(),
+        "start": state(&states.start()),
+        "final": states.last().as_ref().map_or(Value::Null, state),
     })
 }
 
@@ -158,7 +157,7 @@ fn axis_json(axis: &Axis) -> Value {
     })
 }
 
-fn sample(s: &GimbalSample) -> Value {
+fn state(s: &GimbalState) -> Value {
     json!({
         "time_s": s.state.time,
         "angles_rad": numbers(&s.angles),

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use polhode::motion::Mechanism;
 use polhode_document::{Document, Report};
 use polhode_source::files::Files;
 use polhode_source::{Failure, shown};
@@ -53,7 +54,7 @@ pub fn run(request: &Request, files: &dyn Files) -> Result<Stability, Failure> {
             hint,
         ));
     }
-    if scenario.gimbals().is_some() {
+    if matches!(scenario.mechanism(), Mechanism::Gimbals(_)) {
         return Err(Failure::usage(
             format!("{name} hangs its body in gimbals: which of its steady motions last is not known here"),
             "polhode simulate computes its motion: start a little off the steady one",

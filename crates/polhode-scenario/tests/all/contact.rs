@@ -2,12 +2,15 @@
 
 use polhode::math::Rotation;
 use polhode::motion::GroundContact;
+use polhode::motion::channel::CONTACT;
 use polhode::motion::contact::{
     ContactPhase, Friction, Grip, GroundShape, GroundSide, StartVelocity, SurfaceShape,
 };
 use polhode::prelude::*;
 use polhode_scenario::read as scenario;
 use polhode_source::FormatError;
+
+use crate::common::held::Held;
 
 const BODY: &str = "[[body.part]]\nshape = 'tensor'\nmass = '1.3 kg'\n\
     inertia = [[0.011, 0.0004, -0.0003], [0.0004, 0.012, 0.0002], [-0.0003, 0.0002, 0.013]]\n";
@@ -93,7 +96,7 @@ fn the_motion_is_that_of_the_core() {
     ))
     .unwrap();
     let motion = scenario.simulate().unwrap().unwrap();
-    let contact = motion.contact().unwrap();
+    let contact = Held::of(motion.clone(), CONTACT);
     assert_eq!(contact.samples().len(), motion.samples().len());
     assert_eq!(contact.start().phase, ContactPhase::Sliding);
     assert!(contact.energy_drift() < 1e-13, "{:e}", contact.energy_drift());
@@ -127,7 +130,7 @@ fn a_velocity_on_a_slope_is_completed_along_the_normal_or_refused() {
             fits.trim_matches(['[', ']']).split(", ").map(|number| number.parse().unwrap()).collect();
         let scenario = start(fits).unwrap_or_else(|error| panic!("{fits}: {error}"));
         let motion = scenario.simulate().unwrap().unwrap();
-        let contact = motion.contact().unwrap();
+        let contact = Held::of(motion.clone(), CONTACT);
         let normal = scenario.ground().unwrap().contact.ground.normal_at(Position::ZERO).unwrap();
         let along = polhode::math::Velocity::new(along[0], along[1], along[2]);
         assert!(along.dot(normal).abs() < 1e-15 && along.norm() > 0.3);

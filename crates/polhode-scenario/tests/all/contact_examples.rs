@@ -4,9 +4,12 @@ use std::path::Path;
 
 use polhode::math::{Body, Direction, Space};
 use polhode::motion::Run;
-use polhode::motion::contact::{ContactPhase, ContactSample, ContactTrajectory};
+use polhode::motion::channel::CONTACT;
+use polhode::motion::contact::{ContactPhase, ContactState};
 use polhode::prelude::*;
 use polhode_scenario::read as scenario;
+
+use crate::common::held::Held;
 
 fn read(name: &str) -> Scenario {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
@@ -14,25 +17,25 @@ fn read(name: &str) -> Scenario {
 }
 
 /// The motion, with energy in balance, and nothing noticed about the scenario.
-fn motion(scenario: &Scenario) -> ContactTrajectory {
+fn motion(scenario: &Scenario) -> Held<ContactState> {
     let motion = scenario.simulate().unwrap().unwrap();
-    let contact = motion.contact().unwrap().clone();
+    let contact = Held::of(motion, CONTACT);
     assert!(contact.energy_drift() < 1e-12, "{:e}", contact.energy_drift());
     assert!(scenario.findings().is_empty(), "{:?}", scenario.findings());
     contact
 }
 
-fn spin(s: &ContactSample) -> f64 {
+fn spin(s: &ContactState) -> f64 {
     s.state.omega_space().z
 }
 
 /// Of the body's z axis from the vertical, degrees.
-fn tilt(s: &ContactSample) -> f64 {
+fn tilt(s: &ContactState) -> f64 {
     let axis: Direction<Space> = s.state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
     axis.z.clamp(-1.0, 1.0).acos().to_degrees()
 }
 
-fn at(motion: &ContactTrajectory, time: f64) -> &ContactSample {
+fn at(motion: &Held<ContactState>, time: f64) -> &ContactState {
     motion.samples().iter().find(|s| s.state.time >= time - 1e-9).unwrap()
 }
 
@@ -54,8 +57,7 @@ fn the_rattleback_turns_back() {
         std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/rattleback.toml"));
     let straight = text.unwrap().replace("\"-2e-5 kg m^2\"", "0");
     let straight = scenario::parse(&straight, "straight.toml".as_ref()).unwrap();
-    let straight = straight.simulate().unwrap().unwrap();
-    let contact = straight.contact().unwrap();
+    let contact = Held::of(straight.simulate().unwrap().unwrap(), CONTACT);
     assert!(contact.samples().iter().all(|s| spin(s) < -4.5));
 }
 
@@ -66,13 +68,13 @@ fn eulers_disk_whirls_ever_faster() {
     // The rate of the point of contact about the middle, between 40 samples of 5 ms.
     let whirl = |time: f64| {
         let k = motion.samples().iter().position(|s| s.state.time >= time - 1e-9).unwrap();
-        let angle = |s: &ContactSample| {
+        let angle = |s: &ContactState| {
             let arm = s.contact - s.center;
             arm.y.atan2(arm.x)
         };
         let steps = motion.samples()[k..=k + 40].windows(2);
         let turn =
-            |pair: &[ContactSample]| (angle(&pair[1]) - angle(&pair[0])).rem_euclid(std::f64::consts::TAU);
+            |pair: &[ContactState]| (angle(&pair[1]) - angle(&pair[0])).rem_euclid(std::f64::consts::TAU);
         steps.map(turn).sum::<f64>() / 0.2
     };
     close(whirl(0.0), 50.5, 0.5);
@@ -83,7 +85,7 @@ fn eulers_disk_whirls_ever_faster() {
     // To its end.
     let long = scenario.sampled(Run { times: vec![0.0, 20.0], method: Method::Auto, tolerance: 1e-13 });
     let long = long.simulate().unwrap().unwrap();
-    let [change] = long.contact().unwrap().changes() else { panic!("{:?}", long.ending()) };
+    let [change] = long.changes() else { panic!("{:?}", long.ending()) };
     close(change.time, 15.10, 0.01);
     assert_eq!(change.change.name(), "lies flat");
 }
@@ -101,7 +103,7 @@ fn the_tippe_top_turns_over() {
     close(last.center.z - motion.start().center.z, 0.0077, 0.0001);
     assert_eq!([motion.start().phase, last.phase], [ContactPhase::Sliding, ContactPhase::Rolling]);
     let jellett =
-        |s: &ContactSample| -scenario.rotor().angular_momentum_space(&s.state).dot(s.contact - s.center);
+        |s: &ContactState| -scenario.rotor().angular_momentum_space(&s.state).dot(s.contact - s.center);
     for s in motion.samples() {
         close(jellett(s) / jellett(motion.start()), 1.0, 1e-11);
     }
@@ -132,11 +134,11 @@ fn the_coin_spirals_and_falls() {
         .map(|line| format!("{line}\n"))
         .collect();
     let circle = scenario::parse(&circle, "circle.toml".as_ref()).unwrap();
-    let circle = circle.simulate().unwrap().unwrap();
-    let tilts = circle.contact().unwrap().samples().iter().map(tilt);
+    let circle = Held::of(circle.simulate().unwrap().unwrap(), CONTACT);
+    let tilts = circle.samples().iter().map(tilt);
     let [least, most] = tilts.fold([f64::MAX, f64::MIN], |[a, b], x| [a.min(x), b.max(x)]);
     assert!(least > 74.9 && most < 75.1, "{least} {most}");
-    let points: Vec<f64> = circle.contact().unwrap().samples().iter().map(|s| s.contact.y).collect();
+    let points: Vec<f64> = circle.samples().iter().map(|s| s.contact.y).collect();
     let [low, high] = points.iter().fold([f64::MAX, f64::MIN], |[a, b], &x| [a.min(x), b.max(x)]);
     close(0.5 * (high - low), 0.197, 0.001);
 }

@@ -3,9 +3,13 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use polhode::motion::gimbal::{Base, Gimbal, GimbalSample, GimbalSimulation, GimbalTrajectory};
+use polhode::motion::Mechanism;
+use polhode::motion::channel::GIMBALS;
+use polhode::motion::gimbal::{Base, Gimbal, GimbalState};
 use polhode::prelude::*;
 use polhode_scenario::read as scenario;
+
+use crate::common::held::Held;
 
 fn read(name: &str) -> Scenario {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
@@ -13,9 +17,9 @@ fn read(name: &str) -> Scenario {
 }
 
 /// The motion, with energy in balance, and nothing noticed about the scenario.
-fn motion(scenario: &Scenario) -> GimbalTrajectory {
+fn motion(scenario: &Scenario) -> Held<GimbalState> {
     let motion = scenario.simulate().unwrap().unwrap();
-    let gimbals = motion.gimbals().unwrap().clone();
+    let gimbals = Held::of(motion, GIMBALS);
     assert!(gimbals.energy_drift() < 1e-13, "{:e}", gimbals.energy_drift());
     assert!(scenario.findings().is_empty(), "{:?}", scenario.findings());
     gimbals
@@ -48,10 +52,10 @@ fn the_gyrocompass_finds_north() {
 fn heavy_gimbals_creep_round() {
     let scenario = read("gimbals.toml");
     // From the first second to the last, in each of which the nutation is averaged out.
-    let mean = |motion: &GimbalTrajectory| {
+    let mean = |motion: &Held<GimbalState>| {
         let samples = motion.samples();
         let average =
-            |part: &[GimbalSample]| part.iter().map(|s| s.angles[0].to_degrees()).sum::<f64>() / 1000.0;
+            |part: &[GimbalState]| part.iter().map(|s| s.angles[0].to_degrees()).sum::<f64>() / 1000.0;
         (average(&samples[3000..4000]) - average(&samples[..1000])) / 3.0
     };
     let heavy = motion(&scenario);
@@ -69,8 +73,10 @@ fn heavy_gimbals_creep_round() {
     assert!((said + 14.0).abs() < 0.5, "{said}");
     assert!((mean(&heavy) / said - 1.0).abs() < 0.03, "{} {said}", mean(&heavy));
     // Without mass it nutates alone.
-    let light = scenario.gimbals().unwrap().with_mass(Gimbal::MASSLESS, Gimbal::MASSLESS);
+    let Mechanism::Gimbals(light) = scenario.mechanism() else { panic!("no gimbals") };
+    let light = light.with_mass(Gimbal::MASSLESS, Gimbal::MASSLESS);
     let times = &scenario.run().unwrap().times;
-    let light = GimbalSimulation::new(scenario.body(), &light, 0.0, times).run().unwrap();
+    let light = Simulation::in_gimbals(scenario.body(), &light, 0.0, times).run().unwrap();
+    let light = Held::of(light, GIMBALS);
     assert!(mean(&light).abs() < 0.1, "{}", mean(&light));
 }

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use polhode::math::{Acceleration, Direction};
+use polhode::motion::Mechanism;
 use polhode::motion::gimbal::{Base, Gimbals, Hold, Spring};
 use polhode::prelude::*;
 use polhode_scenario::read as scenario;
@@ -22,7 +23,9 @@ fn text(keys: &str) -> String {
 }
 
 fn gimbals(keys: &str) -> Gimbals {
-    *parse(&text(keys)).unwrap_or_else(|e| panic!("{e}")).gimbals().unwrap()
+    let scenario = parse(&text(keys)).unwrap_or_else(|e| panic!("{e}"));
+    let Mechanism::Gimbals(gimbals) = scenario.mechanism() else { panic!("no gimbals") };
+    *gimbals
 }
 
 #[track_caller]
@@ -57,7 +60,7 @@ fn gimbals_are_what_their_keys_say() {
     assert_eq!(given.gravity(), Acceleration::new(0.0, 0.1, -9.81));
     let turning = given.base().angular_velocity();
     assert!((turning - AngularVelocity::new(0.1, 0.0, 6_f64.to_radians())).norm() < 1e-16);
-    let [of_outer, of_inner] = given.gimbals();
+    let [of_outer, of_inner] = given.masses();
     assert_eq!(of_outer.inertia(), [[0.01, 0.0, 0.0], [0.0, 0.02, 0.0], [0.0, 0.0, 0.015]]);
     assert_eq!(of_outer.moment(), [0.0; 3]);
     // About the crossing, by Steiner.
@@ -73,7 +76,7 @@ fn what_is_not_said_is_usual() {
     assert_eq!(given.crossing(), Position::new(0.01, -0.02, 0.03), "the centre of mass");
     assert_eq!(given.gravity(), Acceleration::new(0.0, 0.0, -9.80665));
     assert_eq!((*given.base(), given.rotor_axis()), (Base::FIXED, Direction::new(0.0, 0.0, 1.0)));
-    assert!(given.gimbals().iter().all(|gimbal| gimbal.inertia() == [[0.0; 3]; 3]));
+    assert!(given.masses().iter().all(|gimbal| gimbal.inertia() == [[0.0; 3]; 3]));
     let earth = gimbals("base = { latitude = '-30 deg' }").base().angular_velocity();
     let south = Base::on_earth((-30_f64).to_radians()).unwrap().angular_velocity();
     assert!((earth - south).norm() < 1e-19, "{earth:?}");

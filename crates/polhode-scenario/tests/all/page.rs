@@ -2,7 +2,7 @@
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use polhode::body::shape::{Cone, Tetrahedron};
-use polhode::motion::{ClosedForm, EventAction, Measure, Pointing, Reference, Sense, Solution};
+use polhode::motion::{ClosedForm, EventAction, Measure, Mechanism, Pointing, Reference, Sense, Solution};
 use polhode::prelude::*;
 use polhode_document::Document;
 use polhode_scenario::report::{PageInput, PageSubject, explain_motion, page, page_rows};
@@ -12,7 +12,7 @@ const OPEN: &str = "<script id=\"polhode-data\" type=\"application/json\">";
 
 pub(crate) fn html_of(scenario: &Scenario, trajectory: &Trajectory, text: &str) -> String {
     // A motion on the ground or in gimbals has no worked solution.
-    let is_held = scenario.ground().is_some() || scenario.gimbals().is_some();
+    let is_held = scenario.mechanism() != Mechanism::Rotor;
     let explanation = (!is_held).then(|| explain_motion(scenario, trajectory).unwrap());
     page(&input(scenario, trajectory, text, explanation.as_ref()))
 }
@@ -126,7 +126,7 @@ fn the_rows_are_the_trajectory_bit_for_bit() {
         // Of a closed form under torque the impulse is what L has gained: it says nothing.
         match (scenario.torques().is_empty(), trajectory.solution()) {
             (true, _) => assert_eq!(worst("L in space"), drift.momentum),
-            (false, Solution::Exact(_)) => assert_eq!(worst("T + U"), drift.total_energy.unwrap()),
+            (false, Solution::ClosedForm(_)) => assert_eq!(worst("T + U"), drift.total_energy.unwrap()),
             (false, _) => assert_eq!(worst("L − impulse"), drift.momentum),
         }
         assert!(motion["wheels"].as_array().unwrap().is_empty() && motion["complete"] == true);
@@ -319,7 +319,7 @@ fn every_scenario_has_a_page_without_a_hole() {
 #[test]
 fn the_geometry_is_that_of_the_motion() {
     let (data, trajectory) = page_of(&crate::common::t_handle());
-    let Solution::Exact(ClosedForm::Free(motion)) = trajectory.solution() else { panic!("not exact") };
+    let Solution::ClosedForm(ClosedForm::Free(motion)) = trajectory.solution() else { panic!("not exact") };
     let free = &data["free"];
     let l = motion.momentum().norm();
     assert_eq!(number(&free["momentum"]), l);

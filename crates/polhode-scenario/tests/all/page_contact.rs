@@ -2,12 +2,14 @@
 
 use polhode::body::shape::Ellipsoid;
 use polhode::motion::GroundContact;
+use polhode::motion::channel::CONTACT;
 use polhode::motion::contact::{
     BodySurface, Contact, ContactLaw, Friction, Ground, GroundShape, StartVelocity, SurfaceShape,
 };
 use polhode::prelude::*;
 use serde_json::Value;
 
+use crate::common::held::Held;
 use crate::page::{number, page_of};
 
 /// An egg of lead that spins, slips and then rolls on a slope that turns; its surface is that of its part only if `is_shown`.
@@ -48,7 +50,7 @@ fn row(value: &Value) -> Vec<f64> {
 fn the_point_of_contact_is_where_the_body_and_the_ground_have_it() {
     let (data, trajectory) = page_of(&on_slope(false));
     let contact = &data["motion"]["contact"];
-    let motion = trajectory.contact().unwrap();
+    let motion = Held::of(trajectory, CONTACT);
     let three = |rows: &[f64], k: usize| -> [f64; 3] { std::array::from_fn(|c| rows[3 * k + c]) };
     let (center, point) = (row(&contact["center"]), row(&contact["point"]));
     let scalars =
@@ -74,7 +76,7 @@ fn the_point_of_contact_is_where_the_body_and_the_ground_have_it() {
 #[test]
 fn phases_are_those_of_the_samples_and_changes_are_events() {
     let (data, trajectory) = page_of(&on_slope(true));
-    let motion = trajectory.contact().unwrap();
+    let motion = Held::of(trajectory, CONTACT);
     assert!(!motion.changes().is_empty());
     let phases = data["motion"]["contact"]["phases"].as_array().unwrap();
     for sample in motion.samples() {

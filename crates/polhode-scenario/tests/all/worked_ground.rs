@@ -1,8 +1,7 @@
 //! The worked solutions of bodies on the ground: what is printed, read back, and held against the motion.
 
-use polhode::motion::contact::{
-    ContactLaw, ContactSample, ContactTrajectory, Friction, GroundSide, StartVelocity,
-};
+use polhode::motion::channel::CONTACT;
+use polhode::motion::contact::{ContactLaw, ContactState, Friction, GroundSide, StartVelocity};
 use polhode::prelude::*;
 use polhode_document::Block;
 use polhode_scenario::report::explain;
@@ -11,6 +10,7 @@ use crate::common::Solution;
 use crate::common::ground::{
     self, G, Setting, UP, ball, disk, dry, egg, leaning, marble, rattleback, slope, tippe_top,
 };
+use crate::common::held::Held;
 
 /// The text of one step, each block on lines of its own.
 fn step(scenario: &Scenario, number: usize) -> String {
@@ -50,12 +50,12 @@ fn near(got: f64, want: f64, tolerance: f64) {
     assert!((got - want).abs() <= tolerance * want.abs().max(1e-300), "{got} is not {want}");
 }
 
-fn motion(scenario: &Scenario) -> ContactTrajectory {
-    scenario.simulate().unwrap().unwrap().contact().unwrap().clone()
+fn motion(scenario: &Scenario) -> Held<ContactState> {
+    Held::of(scenario.simulate().unwrap().unwrap(), CONTACT)
 }
 
 /// The angle of z to the vertical.
-fn tilt(sample: &ContactSample) -> f64 {
+fn tilt(sample: &ContactState) -> f64 {
     (sample.state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0)).angle_to(UP)
 }
 
@@ -208,11 +208,11 @@ fn the_tippe_tops_numbers_are_those_of_its_motion() {
         (last.kinetic_energy + last.potential_energy - first.kinetic_energy - first.potential_energy) / short;
     near(number(&text, "F · u = "), power, 1e-3);
     // d(L · n)/dt, d(L · e)/dt
-    let momentum = |s: &ContactSample| {
+    let momentum = |s: &ContactState| {
         let l = s.state.omega.to_array();
         Direction::<Body>::new(1.93e-6 * l[0], 1.93e-6 * l[1], 2.04e-6 * l[2])
     };
-    let vertical = |s: &ContactSample| (s.state.attitude * momentum(s)).z;
+    let vertical = |s: &ContactState| (s.state.attitude * momentum(s)).z;
     let line = numbers(&text, "(r × F) · n = -");
     near(-line[0], (vertical(last) - vertical(first)) / short, 1e-3);
     near(line[1], (momentum(last).z - momentum(first).z) / short, 1e-3);
@@ -283,12 +283,12 @@ fn the_marble_turns_between_its_bounds() {
     let period = number(&text, "period 2 K(k)/λ = ");
     let bounds = numbers(&text, "from the lowest point:\n\n    ");
     let samples = motion(&setting.scenario("Rolls", period, 4001)).samples().to_vec();
-    let angle = |s: &ContactSample| s.normal.angle_to(UP).to_degrees();
+    let angle = |s: &ContactState| s.normal.angle_to(UP).to_degrees();
     near(samples.iter().map(angle).fold(f64::INFINITY, f64::min), bounds[0], 1e-4);
     near(samples.iter().map(angle).fold(0.0, f64::max), bounds[1], 1e-4);
     near(angle(&samples[4000]), angle(&samples[0]), 1e-4);
     let turned = number(&text, "goes round by ");
-    let azimuth = |s: &ContactSample| s.contact.y.atan2(s.contact.x).to_degrees();
+    let azimuth = |s: &ContactState| s.contact.y.atan2(s.contact.x).to_degrees();
     let gone = samples.windows(2).map(|pair| (azimuth(&pair[1]) - azimuth(&pair[0]) + 540.0) % 360.0 - 180.0);
     near(gone.sum::<f64>(), turned, 1e-4);
 }

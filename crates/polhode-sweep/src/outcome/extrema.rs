@@ -32,7 +32,8 @@ impl Extrema {
             let angle = |s: &Sample| angle(axis, s.state.attitude.inverse() * s.momentum);
             range(samples().filter_map(angle)).filter(|_| is_determined(principal.symmetry(), k))
         };
-        let exact = matches!(trajectory.solution(), Solution::Exact(polhode::motion::ClosedForm::Free(_)));
+        let exact =
+            matches!(trajectory.solution(), Solution::ClosedForm(polhode::motion::ClosedForm::Free(_)));
         Self {
             omega: range(samples().map(|s| s.state.omega.norm())),
             from_least: from(0),

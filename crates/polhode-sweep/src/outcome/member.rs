@@ -1,8 +1,8 @@
 //! What becomes of one member.
 
 use polhode::motion::{
-    Ending, ErrorEffort, Event, FreeMotion, GlobalError, MotionError, Pointing, Regime, Rotor, Sample,
-    Scenario, Solution, State, StateError, StepStatistics, Trajectory,
+    Ending, ErrorEffort, Event, FreeMotion, GlobalError, Mechanism, MotionError, Pointing, Regime, Rotor,
+    Sample, Scenario, State, StateError, StepStatistics, Trajectory,
 };
 use polhode::observe::{Drift, FreeRegime};
 use polhode_scenario::report::Periods;
@@ -111,8 +111,7 @@ impl Outcome {
         let (first, last) = (trajectory.start(), trajectory.samples().last());
         let can_be_free = scenario.prescribed().is_none()
             && scenario.wheels().is_empty()
-            && scenario.ground().is_none()
-            && scenario.gimbals().is_none();
+            && scenario.mechanism() == Mechanism::Rotor;
         let free = |state: &State| if can_be_free { FreeMotion::of(rotor, *state).ok() } else { None };
         let at_start = free(&first.state);
         let start = Self {
@@ -126,10 +125,7 @@ impl Outcome {
         };
         let happened = Self {
             events: scenario.events().iter().enumerate().map(|(k, _)| happened(k, trajectory)).collect(),
-            steps: match trajectory.solution() {
-                Solution::Integrated { statistics, .. } => Some(*statistics),
-                _ => None,
-            },
+            steps: trajectory.solution().statistics(),
             ..start
         };
         let status = match trajectory.ending() {

@@ -3,18 +3,14 @@
 //! The columns are defined here, once; each format has a file of its own. SI units, named in the column's name
 //! where it has one; attitudes are R_space_body as unit quaternions (w, x, y, z).
 
-mod contact;
 pub mod csv;
 pub mod curve;
-mod gimbals;
 pub mod parquet;
 pub mod required;
 
 use std::borrow::Cow;
 
-use polhode::motion::contact::ContactSample;
-use polhode::motion::gimbal::GimbalSample;
-use polhode::motion::{Orbit, Pointing, Sample, Scenario, State, StateError, Trajectory, Wheel};
+use polhode::motion::{Channel, Orbit, Pointing, Sample, Scenario, State, StateError, Trajectory, Wheel};
 
 /// What a table has to know beside the trajectory: wheels inside the body, its orbit, and the angles that are of interest.
 #[derive(Clone, Debug, Default)]
@@ -53,8 +49,7 @@ pub struct Column {
 #[derive(Clone, Debug)]
 enum Source {
     Sample(fn(&Sample) -> f64),
-    Contact(fn(&ContactSample) -> f64),
-    Gimbals(fn(&GimbalSample) -> f64),
+    Channel(Channel<f64>),
     Error(fn(&StateError) -> f64),
     WheelMomentum(Wheel),
     WheelSpeed(Wheel),
@@ -69,11 +64,8 @@ impl Column {
         let state = &sample.state;
         match &self.source {
             Source::Sample(value) => value(sample),
-            Source::Contact(value) => {
-                trajectory.contact().and_then(|contact| contact.samples().get(row)).map_or(f64::NAN, value)
-            }
-            Source::Gimbals(value) => {
-                trajectory.gimbals().and_then(|motion| motion.samples().get(row)).map_or(f64::NAN, value)
+            Source::Channel(channel) => {
+                trajectory.channel(*channel).and_then(|series| series.get(row)).unwrap_or(f64::NAN)
             }
             Source::Error(value) => {
                 trajectory.error().and_then(|error| error.computation().get(row)).map_or(f64::NAN, value)
@@ -98,22 +90,12 @@ pub fn columns(trajectory: &Trajectory, surroundings: &Surroundings) -> Vec<Colu
             s.potential_energy.unwrap_or(f64::NAN)
         }));
     }
-    if trajectory.contact().is_some() {
-        columns.extend(contact::COLUMNS.map(|(name, unit, description, value)| Column {
-            name: Cow::Borrowed(name),
-            unit,
-            description,
-            source: Source::Contact(value),
-        }));
-    }
-    if trajectory.gimbals().is_some() {
-        columns.extend(gimbals::COLUMNS.map(|(name, unit, description, value)| Column {
-            name: Cow::Borrowed(name),
-            unit,
-            description,
-            source: Source::Gimbals(value),
-        }));
-    }
+    columns.extend(trajectory.channels().iter().map(|channel| Column {
+        name: Cow::Borrowed(channel.name()),
+        unit: channel.unit(),
+        description: channel.description(),
+        source: Source::Channel(*channel),
+    }));
     if trajectory.error().is_some() {
         columns.extend(ERRORS);
     }

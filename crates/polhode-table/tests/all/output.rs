@@ -70,22 +70,10 @@ fn the_columns_have_the_agreed_names_in_the_agreed_order() {
 fn estimated_errors_are_columns_of_their_own() {
     let inertia = InertiaTensor::diagonal([1.3, 2.1, 2.9]).unwrap();
     let rotor = Rotor::free(&MassProperties::new(1.7, Position::ZERO, inertia).unwrap());
-    let simulation = Simulation {
-        rotor: &rotor,
-        history: None,
-        torques: &[],
-        switched_off: &[],
-        start: State {
-            time: 0.0,
-            attitude: Attitude::identity(),
-            omega: AngularVelocity::new(0.4, 1.1, -0.7),
-        },
-        events: &[],
-        event_sides: &[],
-        times: &[0.0, 5.0, 9.0],
-        method: Method::Taylor,
-        tolerance: 1e-9,
-    };
+    let omega = AngularVelocity::new(0.4, 1.1, -0.7);
+    let start = State { time: 0.0, attitude: Attitude::identity(), omega };
+    let simulation =
+        Simulation::new(&rotor, &[], start, &[0.0, 5.0, 9.0]).method(Method::Taylor).tolerance(1e-9);
     let motion = simulation.run_with_error(ErrorEffort::Cheap, &mut |_| true).unwrap();
     let columns = columns(&motion, &Surroundings::default());
     let [.., attitude, omega] = columns.as_slice() else { unreachable!() };

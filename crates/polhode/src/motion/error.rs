@@ -177,6 +177,13 @@ pub enum MotionError {
         /// When, s.
         time: f64,
     },
+    /// A change of the contact with the ground after which the motion is not known, where all of it was asked for.
+    ContactChanged {
+        /// The change, in a sentence.
+        what: &'static str,
+        /// Time of the change, s.
+        time: f64,
+    },
     /// Gimbals without inertia lock: the rotor's axis has come to lie along the outer one, and what both turn by is not known apart.
     GimbalLock {
         /// When, s.
@@ -252,6 +259,7 @@ impl MotionError {
                 | Self::TooManyEvents { .. }
                 | Self::Painleve { .. }
                 | Self::Undecided { .. }
+                | Self::ContactChanged { .. }
                 | Self::GimbalLock { .. }
                 | Self::RunAway { .. }
                 | Self::HalfTurn { .. }
@@ -338,6 +346,7 @@ impl MotionError {
             | Self::NoMotionDerivatives { .. }
             | Self::NotContinued { .. }
             | Self::Exclusive { .. }
+            | Self::ContactChanged { .. }
             | Self::Stopped { .. }
             | Self::Cancelled { .. } => None,
         }
@@ -442,6 +451,7 @@ impl fmt::Display for MotionError {
                     "at t = {time} s it cannot be decided how the body goes on: whether it lifts off, or whether, and in which direction, it slips"
                 )
             }
+            Self::ContactChanged { what, time } => write!(f, "at t = {time} s the motion ends: {what}"),
             Self::GimbalLock { time, angle } => write!(
                 f,
                 "at t = {time} s the gimbals lock: with the inner one at {angle} rad the rotor's axis lies along the outer one, and gimbals without inertia are not \

@@ -18,7 +18,8 @@
 //! ([`ParticleForce`]). A [`Shaft`] is a motion about a fixed axis with the reactions of its bearings; a [`Pendulum`] swings about one.
 //!
 //! # Bodies that something holds
-//! [`contact`] has bodies that roll and slide on the ground, [`gimbal`] rotors in a Cardan suspension.
+//! [`contact`] has bodies that roll and slide on the ground, [`gimbal`] rotors in a Cardan suspension. The
+//! same [`Simulation`] computes them; [`channel`]s of their trajectories have forces, angles and energies.
 //!
 //! # A body and its motion in one value
 //! A [`Scenario`] is what a scenario file describes.
@@ -35,6 +36,7 @@ pub(crate) mod task;
 pub use error::MotionError;
 pub use inverse::prescribed::{AttitudeTable, Prescribed, RateAxes, Turning, Uncertainty};
 pub use inverse::required::{ParticleForce, Required};
+pub use model::energy::Energy;
 pub use model::event::{Crossing, Event, EventAction, Measure, Sense};
 pub use model::event_detection::EventSide;
 pub use model::event_function::EventFunction;
@@ -51,6 +53,8 @@ pub use model::state_derivatives::StateDerivatives;
 pub use model::state_variables::StateVariables;
 pub use model::torque;
 pub use model::wheel::{Motor, Wheel};
+pub use run::channel::{Channel, Series};
+pub use run::channels as channel;
 pub use run::derivative_log::CrossingDerivatives;
 pub use run::derivatives::TrajectoryDerivatives;
 pub use run::ending::{Ending, MethodReason};
@@ -61,7 +65,7 @@ pub use run::estimated_error::GlobalError;
 pub use run::global_error::ErrorEffort;
 pub use run::sample::Sample;
 pub use run::simulation::Simulation;
-pub use run::solution::Solution;
+pub use run::solution::{Solution, Steps};
 pub use run::trajectory::Trajectory;
 pub use solve::closed_form::ClosedForm;
 pub use solve::free::{FreeMotion, FreeMotionDerivatives, FreeMotions, PermanentAxis, Regime};
@@ -71,9 +75,8 @@ pub use solve::method::Method;
 pub use solve::pendulum_motion::PendulumMotion;
 pub use solve::propagate::splitting::SplittingOrder;
 pub use solve::propagate::step_statistics::StepStatistics;
-pub use solve::solver::Solver;
 pub use solve::swinging_body::SwingingBody;
-pub use task::asked::{ActingTorque, Forward, GroundContact, Suspension, Task};
+pub use task::asked::{ActingTorque, Forward, GroundContact, Mechanism, Suspension, Task};
 pub use task::mounted_shaft::MountedShaft;
 pub use task::pendulum::{Pendulum, Swing};
 pub use task::run::Run;

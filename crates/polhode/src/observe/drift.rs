@@ -29,9 +29,7 @@ pub struct Drift {
 
 impl Drift {
     /// The drift of a trajectory since its start; `None` if it has no samples, or was prescribed and so cannot drift, or is that of a body on the
-    /// ground or in gimbals, whose energy is in balance with what these do
-    /// ([`ContactTrajectory::energy_drift`](crate::motion::contact::ContactTrajectory::energy_drift),
-    /// [`GimbalTrajectory::energy_drift`](crate::motion::gimbal::GimbalTrajectory::energy_drift)).
+    /// ground or in gimbals, whose energy is in balance with what these do ([`Trajectory::energy_drift`]).
     pub fn of(trajectory: &Trajectory) -> Option<Self> {
         let scale = Scale::of(trajectory)?;
         trajectory.samples().iter().map(|sample| scale.departure(sample)).reduce(Self::worse)
@@ -69,7 +67,7 @@ impl<'a> Scale<'a> {
     fn of(trajectory: &'a Trajectory) -> Option<Self> {
         let (first, samples) = (trajectory.start(), trajectory.samples());
         let is_given = matches!(trajectory.solution(), Solution::Prescribed(_));
-        let is_held = trajectory.contact().is_some() || trajectory.gimbals().is_some();
+        let is_held = !trajectory.channels().is_empty();
         if samples.is_empty() || is_given || is_held {
             return None;
         }

@@ -71,8 +71,10 @@ pub struct SteadyMode {
 
 /// A steady motion of a body on level ground, and what becomes of small departures from it.
 ///
-/// The equations are those that [`crate::motion::contact::ContactSimulation`] integrates, in the upward vertical n along the body's axes, ω, and with viscous friction
-/// the velocity; their derivatives are exact. Of the rates that are zero, each belongs to a way from one steady motion to another one.
+/// The equations are those that [`Simulation::on_ground`](crate::motion::Simulation::on_ground) integrates,
+/// in the upward vertical n along the body's axes, ω, and with viscous friction the velocity; their
+/// derivatives are exact. Of the rates that are zero, each belongs to a way from one steady motion to
+/// another one.
 ///
 /// ```
 /// use polhode::motion::contact::{BodySurface, Contact, ContactStart, SurfaceShape};

@@ -8,10 +8,11 @@ mod refusals;
 mod truth;
 
 use polhode::math::Rotation;
-use polhode::motion::contact::{
-    BodySurface, Contact, ContactSimulation, ContactStart, ContactTrajectory, SurfaceShape,
-};
+use polhode::motion::channel::CONTACT;
+use polhode::motion::contact::{BodySurface, Contact, ContactStart, ContactState, SurfaceShape};
 use polhode::prelude::*;
+
+use crate::common::held::Held;
 
 /// Standard gravity, m/s².
 const G: f64 = 9.80665;
@@ -39,8 +40,8 @@ fn run(
     contact: &Contact,
     start: ContactStart,
     times: &[f64],
-) -> ContactTrajectory {
-    ContactSimulation::new(body, contact, start, times).run().unwrap()
+) -> Held<ContactState> {
+    Held::of(Simulation::on_ground(body, contact, start, times).run().unwrap(), CONTACT)
 }
 
 fn state(attitude: Attitude, omega: [f64; 3]) -> State {

@@ -304,18 +304,9 @@ fn other_members_have_the_bits_of_a_simulation() {
         let member = Member::new(rotor, torques, start(11));
         for method in [Method::Auto, Method::Taylor, Method::Dop853] {
             let found = ensemble(std::slice::from_ref(&member)).at(&times, method, 1e-11, ONE).unwrap();
-            let simulation = Simulation {
-                rotor: &member.rotor,
-                history: None,
-                torques: &member.torques,
-                switched_off: &[],
-                start: member.start,
-                events: &[],
-                event_sides: &[],
-                times: &times,
-                method,
-                tolerance: 1e-11,
-            };
+            let simulation = Simulation::new(&member.rotor, &member.torques, member.start, &times)
+                .method(method)
+                .tolerance(1e-11);
             assert_eq!(bits(&found.states), bits(&simulation.states().unwrap()), "{name} {method:?}");
         }
     }

@@ -69,7 +69,7 @@ fn the_phase_of_a_symmetric_body_passes_at_its_times() {
         let events = [event(x, value, Sense::Rising, EventAction::Record)];
         for method in [Method::Auto, Method::Taylor, Method::Dop853] {
             let ends = [start, end];
-            let motion = run(Simulation { events: &events, method, ..simulation(&rotor, &[], omega, &ends) });
+            let motion = run(simulation(&rotor, &[], omega, &ends).events(&events).method(method));
             close(&times(&motion), &wanted, 3e-13);
             assert!(motion.events().iter().all(|crossing| crossing.rising && crossing.name == "it"));
             for crossing in motion.events() {
@@ -92,7 +92,7 @@ fn a_near_miss_is_none_and_a_near_touch_is_two() {
         let events = [event(x, part * amplitude, Sense::Either, EventAction::Record)];
         for method in METHODS {
             let ends = [0.7, 60.7];
-            let motion = run(Simulation { events: &events, method, ..simulation(&rotor, &[], omega, &ends) });
+            let motion = run(simulation(&rotor, &[], omega, &ends).events(&events).method(method));
             let crests = (60.0 * rate / TAU) as usize;
             let count = motion.events().len();
             assert!(count >= each * crests && count <= each * (crests + 1), "{method:?} {part}: {count}");
@@ -109,8 +109,7 @@ fn what_is_passed_twice_in_a_step_happens_once_where_it_stops() {
     let x = Measure::OmegaBody(Direction::new(1.0, 0.0, 0.0));
     let events = [event(x, 0.99 * omega[0].hypot(omega[1]), Sense::Either, EventAction::Stop)];
     for method in METHODS {
-        let motion =
-            run(Simulation { events: &events, method, ..simulation(&rotor, &[], omega, &[0.7, 60.7]) });
+        let motion = run(simulation(&rotor, &[], omega, &[0.7, 60.7]).events(&events).method(method));
         let [crossing] = motion.events() else { panic!("{method:?}: {:?}", motion.events()) };
         assert_eq!(*motion.ending(), Ending::Stopped { event: 0, time: crossing.state.time });
     }
@@ -127,8 +126,7 @@ fn a_spin_up_stops_at_its_rate() {
     let events = [event(Measure::OmegaBody(axis * 3.0), rate, Sense::Rising, EventAction::Stop)];
     for method in METHODS {
         let ends = [0.0, 10.0, 1e3];
-        let motion =
-            run(Simulation { events: &events, method, ..simulation(&rotor, &push, [0.0; 3], &ends) });
+        let motion = run(simulation(&rotor, &push, [0.0; 3], &ends).events(&events).method(method));
         let wanted = moment * rate / torque;
         let Ending::Stopped { event: 0, time } = *motion.ending() else { panic!("{:?}", motion.ending()) };
         assert!((time / wanted - 1.0).abs() < 1e-14, "{method:?}: {time} is not {wanted}");
@@ -161,9 +159,11 @@ fn a_pendulum_is_upright_at_quarters_of_its_period() {
     ];
     for method in METHODS {
         let ends = [0.0, 3.0 * period];
-        let simulation = simulation(&rotor, &weight, [0.0; 3], &ends);
-        let start = State { attitude, ..simulation.start };
-        let motion = run(Simulation { events: &events, method, start, ..simulation });
+        let start = State { time: 0.0, attitude, omega: AngularVelocity::ZERO };
+        let motion = run(Simulation::new(&rotor, &weight, start, &ends)
+            .tolerance(1e-14)
+            .events(&events)
+            .method(method));
         let at = |k: usize| times_of(&motion, k);
         let quarter = |k: u32| period * f64::from(2 * k + 1) / 4.0;
         close(&at(0), &(0..6).map(quarter).collect::<Vec<_>>(), 1e-13);
@@ -202,12 +202,8 @@ fn a_relay_swings_between_its_rates() {
         .collect();
     let sampled: Vec<f64> = (0..=400).map(|k| f64::from(k) * 0.1).collect();
     for method in METHODS {
-        let motion = run(Simulation {
-            events: &events,
-            switched_off: &[1],
-            method,
-            ..simulation(&rotor, &torques, [0.0; 3], &sampled)
-        });
+        let problem = simulation(&rotor, &torques, [0.0; 3], &sampled);
+        let motion = run(problem.events(&events).switched_off(&[1]).method(method));
         close(&times(&motion), &wanted, 2e-13);
         assert_eq!(motion.samples().len(), 401);
         for sample in motion.samples() {
@@ -267,8 +263,7 @@ fn a_generic_motion_is_cut_and_goes_on_the_same() {
             event(measure.clone(), value, Sense::Falling, EventAction::Record),
         ];
         for method in METHODS {
-            let motion =
-                run(Simulation { events: &events, method, ..simulation(&rotor, &torques, omega, &ends) });
+            let motion = run(simulation(&rotor, &torques, omega, &ends).events(&events).method(method));
             let [all, cut, up, down] = [0, 1, 2, 3].map(|k| times_of(&motion, k));
             assert!(all.iter().any(|t| (t - 1.234).abs() < 1e-11), "{measure:?}: {all:?}");
             close(&cut, &all, 1e-12);
@@ -311,11 +306,8 @@ fn a_start_at_the_value_is_no_event() {
         let events = [event(z, value, Sense::Either, EventAction::Record)];
         for method in METHODS {
             let ends = [0.0, 5.0];
-            let motion = run(Simulation {
-                events: &events,
-                method,
-                ..simulation(&rotor, &push, [0.0, 0.0, 0.3], &ends)
-            });
+            let motion =
+                run(simulation(&rotor, &push, [0.0, 0.0, 0.3], &ends).events(&events).method(method));
             assert_eq!(motion.events().len(), wanted);
         }
     }
@@ -324,8 +316,7 @@ fn a_start_at_the_value_is_no_event() {
     let events = [at(1.0), at(3.3), at(7.0)];
     let ends = [1.0, 5.0];
     for method in [Method::Auto, Method::Taylor] {
-        let motion =
-            run(Simulation { events: &events, method, ..simulation(&rotor, &[], [0.1, 0.2, 3.0], &ends) });
+        let motion = run(simulation(&rotor, &[], [0.1, 0.2, 3.0], &ends).events(&events).method(method));
         assert_eq!(times(&motion), [3.3]);
     }
 }
@@ -341,9 +332,7 @@ fn events_that_cannot_be_are_refused() {
     let rotor = free_body([2.0, 3.5, 5.0]);
     let ends = [0.0, 5.0];
     let refused = |torques: &[TorqueModel], event: Event| {
-        Simulation { events: &[event], ..simulation(&rotor, torques, [0.1, 0.2, 3.0], &ends) }
-            .run()
-            .unwrap_err()
+        simulation(&rotor, torques, [0.1, 0.2, 3.0], &ends).events(&[event]).run().unwrap_err()
     };
     let switch = event(Measure::Time, 1.0, Sense::Either, EventAction::Switch { torque: 1, on: false });
     assert!(matches!(refused(&[body_torque([1.0; 3])], switch), MotionError::ParameterOutOfRange { .. }));
@@ -358,7 +347,7 @@ fn what_cannot_go_on_keeps_what_is_good() {
     let push = [body_torque([1e-3, 2e-3, -1e-3])];
     for method in METHODS {
         let ends = [0.0, 1.0, 1e15];
-        let motion = run(Simulation { method, ..simulation(&rotor, &push, [0.1, 0.2, 3.0], &ends) });
+        let motion = run(simulation(&rotor, &push, [0.1, 0.2, 3.0], &ends).method(method));
         let Ending::Failed { time, cause: MotionError::TooManySteps { .. } } = *motion.ending() else {
             panic!("{:?}", motion.ending())
         };
@@ -371,7 +360,7 @@ fn what_cannot_go_on_keeps_what_is_good() {
     let push = [body_torque([1e300, 2e300, -1e300])];
     for method in METHODS {
         let ends = [0.0, 1e10];
-        let motion = run(Simulation { method, ..simulation(&rotor, &push, [0.1, 0.2, 3.0], &ends) });
+        let motion = run(simulation(&rotor, &push, [0.1, 0.2, 3.0], &ends).method(method));
         assert!(matches!(motion.ending(), Ending::Failed { .. }), "{:?}", motion.ending());
         assert!(motion.samples().iter().all(|sample| sample.kinetic_energy.is_finite()));
         assert!(!motion.samples().is_empty());
@@ -384,7 +373,7 @@ fn a_method_says_why_it_is_used() {
     let push = [body_torque([1e-3, 2e-3, -1e-3])];
     let ends = [0.0, 1.0];
     let why = |torques: &[TorqueModel], method| {
-        let motion = run(Simulation { method, ..simulation(&rotor, torques, [0.1, 0.2, 3.0], &ends) });
+        let motion = run(simulation(&rotor, torques, [0.1, 0.2, 3.0], &ends).method(method));
         (motion.solution().name(), *motion.reason())
     };
     assert_eq!(
@@ -420,7 +409,7 @@ fn a_motion_that_runs_away_ends_where_it_is_still_right() {
     // However long the run would be, with its end next to t₁ or far beyond: steps shrink to nothing before ω is infinite.
     for (method, end) in METHODS.into_iter().flat_map(|method| [17.9, 50.0, 1e6].map(|end| (method, end))) {
         let sampled = [0.0, 5.0, 15.0, end];
-        let motion = run(Simulation { method, ..simulation(&rotor, &push, [0.0, 0.0, spin], &sampled) });
+        let motion = run(simulation(&rotor, &push, [0.0, 0.0, spin], &sampled).method(method));
         let Ending::Failed { time, cause: MotionError::RunAway { rate, most, time: at, .. } } =
             *motion.ending()
         else {
@@ -454,7 +443,7 @@ fn what_grows_by_much_and_not_without_bound_does_not_run_away() {
     ];
     for method in METHODS {
         let push = [formula_torque(&bell)];
-        let motion = run(Simulation { method, ..simulation(&rotor, &push, [0.0; 3], &[0.0, 10.0]) });
+        let motion = run(simulation(&rotor, &push, [0.0; 3], &[0.0, 10.0]).method(method));
         assert_eq!(*motion.ending(), Ending::Complete, "{method:?}");
         // ∫ N dt = 2000 √π, but for the bell's tails.
         let omega = 2e3 * std::f64::consts::PI.sqrt() / 5.0;
@@ -470,7 +459,7 @@ fn a_formula_that_is_no_number_ends_the_motion() {
     let push = [formula_torque(&[Instruction::Constant(1.0), variable("t"), subtract, root])];
     for method in METHODS {
         let ends = [0.0, 0.5, 10.0];
-        let motion = run(Simulation { method, ..simulation(&rotor, &push, [0.3, 0.2, 1.0], &ends) });
+        let motion = run(simulation(&rotor, &push, [0.3, 0.2, 1.0], &ends).method(method));
         let Ending::Failed { time, .. } = *motion.ending() else { panic!("{:?}", motion.ending()) };
         assert!(time > 1.0 - 1e-3 && time <= 1.0 + 1e-9, "{method:?}: {time}");
         let last = motion.samples().last().unwrap();
@@ -487,7 +476,7 @@ fn what_has_corners_is_integrated_by_dop853() {
     let rotor = free_body([2.0, 3.5, 5.0]);
     let push = [body_torque([0.1; 3]), formula_torque(&[variable("wx"), Instruction::Unary(Unary::Abs)])];
     let ends = [0.0, 1.0];
-    let at = |method| Simulation { method, ..simulation(&rotor, &push, [0.3, 0.2, 1.0], &ends) };
+    let at = |method| simulation(&rotor, &push, [0.3, 0.2, 1.0], &ends).method(method);
     let motion = run(at(Method::Auto));
     let rough = MethodReason::Rough {
         no_closed_form: "a torque other than uniform gravity acts on the body",
@@ -516,7 +505,7 @@ fn splitting_has_events_too() {
     let ends = [0.0, 4.0];
     let splitting = Method::Splitting { order: SplittingOrder::Six, step: 1e-2 };
     let [a, b] = [Method::Taylor, splitting].map(|method| {
-        run(Simulation { events: &events, method, ..simulation(&rotor, &torques, [1.3, -0.8, 2.1], &ends) })
+        run(simulation(&rotor, &torques, [1.3, -0.8, 2.1], &ends).events(&events).method(method))
     });
     assert!(a.events().len() > 2);
     close(&times(&b), &times(&a), 1e-8);

@@ -104,18 +104,8 @@ fn beyond_reach_nothing_is_said() {
         assert!(is_unknown(&motion.at(time)));
         let all = FreeMotions::of(&[motion; 11]).at(time);
         assert!(all.len() == 11 && all.iter().all(is_unknown));
-        let simulation = Simulation {
-            rotor: &rotor,
-            history: None,
-            torques: &[],
-            switched_off: &[],
-            start,
-            events: &[],
-            event_sides: &[],
-            times: &[time.abs()],
-            method: Method::Auto,
-            tolerance: 1e-13,
-        };
+        let after = time.abs();
+        let simulation = Simulation::new(&rotor, &[], start, std::slice::from_ref(&after));
         if time.is_finite() {
             assert!(matches!(simulation.states(), Err(MotionError::BeyondReach { .. })));
             assert!(matches!(simulation.run(), Err(MotionError::BeyondReach { .. })));

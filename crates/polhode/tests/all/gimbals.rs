@@ -7,8 +7,11 @@ mod scenario;
 mod truth;
 
 use polhode::math::{Acceleration, Direction, Part};
-use polhode::motion::gimbal::{Axis, Gimbal, GimbalSimulation, GimbalTrajectory, Gimbals};
+use polhode::motion::channel::GIMBALS;
+use polhode::motion::gimbal::{Axis, Gimbal, GimbalState, Gimbals};
 use polhode::prelude::*;
+
+use crate::common::held::Held;
 
 /// Three moments, three products, 1.7 kg, its centre of mass off the origin.
 fn generic_rotor() -> MassProperties<Body> {
@@ -38,8 +41,8 @@ fn free(angles: [f64; 3], rates: [f64; 3]) -> [Axis; 3] {
 
 const GRAVITY: Acceleration<Space> = Acceleration::new(0.0, 0.0, -9.80665);
 
-fn run(rotor: &MassProperties<Body>, gimbals: &Gimbals, times: &[f64]) -> GimbalTrajectory {
-    GimbalSimulation::new(rotor, gimbals, 0.0, times).run().unwrap()
+fn run(rotor: &MassProperties<Body>, gimbals: &Gimbals, times: &[f64]) -> Held<GimbalState> {
+    Held::of(Simulation::in_gimbals(rotor, gimbals, 0.0, times).run().unwrap(), GIMBALS)
 }
 
 #[track_caller]

@@ -273,18 +273,7 @@ fn an_estimate_of_the_error_tells_that_it_is_made() {
     let start =
         State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, -0.5, 0.9) };
     for method in METHODS {
-        let simulation = Simulation {
-            rotor: &rotor,
-            history: None,
-            torques: &[],
-            switched_off: &[],
-            start,
-            events: &[],
-            event_sides: &[],
-            times: &[4.0, 30.0],
-            method,
-            tolerance: 1e-13,
-        };
+        let simulation = Simulation::new(&rotor, &[], start, &[4.0, 30.0]).method(method);
         let (mut steps, mut told) = (0, Vec::new());
         let motion = simulation
             .run_watched(&mut |_| {

@@ -3,7 +3,7 @@
 use crate::common::*;
 use polhode::math::formula::{Binary, Formula, Instruction};
 use polhode::motion::torque::{FormulaTorque, Schedule, Scheduled, Thruster};
-use polhode::motion::{Ensemble, Member, Motor, Solution, StateVariables};
+use polhode::motion::{Ensemble, Member, Motor, StateVariables};
 use polhode::prelude::*;
 
 const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];
@@ -22,10 +22,7 @@ fn start(omega: [f64; 3]) -> State {
 }
 
 fn steps(motion: &Trajectory) -> u64 {
-    match motion.solution() {
-        Solution::Integrated { statistics, .. } => statistics.accepted,
-        other => panic!("{other:?}"),
-    }
+    motion.solution().statistics().unwrap().accepted
 }
 
 /// ω about the axis against N t_on/I, relative to the largest.
@@ -203,18 +200,8 @@ fn more_pulses_than_steps_are_refused_before_the_first() {
     ] {
         let torques: Vec<_> = schedules.into_iter().map(at_times).collect();
         let (start, times) = (start([0.3, -0.2, 0.9]), [0.5, 3.0]);
-        let simulation = |switched_off| Simulation {
-            rotor: &rotor,
-            history: None,
-            torques: &torques,
-            switched_off,
-            start,
-            events: &[],
-            event_sides: &[],
-            times: &times,
-            method: Method::Auto,
-            tolerance: 1e-13,
-        };
+        let simulation =
+            |switched_off| Simulation::new(&rotor, &torques, start, &times).switched_off(switched_off);
         let found = |error: MotionError| match error {
             MotionError::TooManyPulses { torque, count, most: 100_000_000 } if count > 1e20 => torque,
             other => panic!("{other}"),

@@ -1,7 +1,7 @@
 //! Step 5 with torque, or with the motion given.
 
 use polhode::body::Symmetry;
-use polhode::motion::{Sample, Solution, Solver, Trajectory};
+use polhode::motion::{Sample, Solution, Trajectory};
 use polhode_document::Section;
 use polhode_document::number::{tidy_beside, ungrouped, without_noise};
 
@@ -24,7 +24,7 @@ pub(crate) fn integrate(w: &Working<'_>, s: &mut Section) {
         return;
     }
     // A closed form has been told.
-    if !matches!(w.trajectory.as_deref().map(Trajectory::solution), Some(Solution::Exact(_))) {
+    if !matches!(w.trajectory.as_deref().map(Trajectory::solution), Some(Solution::ClosedForm(_))) {
         s.say("What is integrated:");
         s.formula(
             "dω/dt = {I}⁻¹ (N − ω × {I} ω)",
@@ -54,17 +54,17 @@ pub(crate) fn integrate(w: &Working<'_>, s: &mut Section) {
 /// How the numbers were found, in words that follow `ω(t)`.
 pub(crate) fn how(w: &Working<'_>) -> Option<String> {
     Some(match w.trajectory.as_ref()?.solution() {
-        Solution::Exact(_) => "in closed form".to_owned(),
+        Solution::ClosedForm(_) => "in closed form".to_owned(),
         Solution::Prescribed(_) => "as given".to_owned(),
-        Solution::Integrated { solver, tolerance, .. } => {
-            let error = match (solver, tolerance) {
-                (Solver::Splitting { order, step }, _) => {
+        solution => {
+            let error = match (solution, solution.tolerance()) {
+                (Solution::Splitting { order, step, .. }, _) => {
                     format!("order {}, steps of {} s", order.number(), ungrouped(*step, 3))
                 }
-                (_, Some(tolerance)) => format!("error of each step below {}", ungrouped(*tolerance, 3)),
+                (_, Some(tolerance)) => format!("error of each step below {}", ungrouped(tolerance, 3)),
                 (_, None) => String::new(),
             };
-            format!("by numerical integration ({}, {error})", solver.title())
+            format!("by numerical integration ({}, {error})", solution.title())
         }
     })
 }

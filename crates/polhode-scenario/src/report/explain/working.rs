@@ -7,11 +7,12 @@ use polhode::body::{Finding, MassProperties, Particle};
 use polhode::math::{
     AngularAcceleration, AngularVelocity, Body, Direction, Position, Space, Torque, Velocity,
 };
-use polhode::motion::contact::{ContactSample, ContactSimulation, ContactStart};
+use polhode::motion::channel::CONTACT;
+use polhode::motion::contact::{ContactStart, ContactState};
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{
-    Ending, ErrorEffort, GlobalError, MotionError, MovingParticle, Pendulum, Required, Rotor, Scenario,
-    State, StateError, Swing, Trajectory, rigid_velocity,
+    Ending, ErrorEffort, GlobalError, Mechanism, MotionError, MovingParticle, Pendulum, Required, Rotor,
+    Scenario, Simulation, State, StateError, Swing, Trajectory, rigid_velocity,
 };
 use polhode_document::number::{alike, number, tidy_beside};
 
@@ -34,7 +35,7 @@ pub(crate) struct Working<'a> {
     /// The free motion that the start would have without torque.
     pub at_start: Option<FreeFacts>,
     /// At t0, of a body on the ground.
-    pub contact: Option<ContactSample>,
+    pub contact: Option<ContactState>,
     /// `None` without a run.
     pub trajectory: Option<Cow<'a, Trajectory>>,
     /// Rows of the table of step 5: none without a run, or on the ground.
@@ -51,7 +52,7 @@ impl<'a> Working<'a> {
     }
 
     pub(crate) fn of(scenario: &'a Scenario) -> Result<Self, MotionError> {
-        if scenario.gimbals().is_some() {
+        if matches!(scenario.mechanism(), Mechanism::Gimbals(_)) {
             return Self::with(scenario, None);
         }
         let trajectory = match scenario.simulate_with_error(ErrorEffort::Auto, &mut |_| true) {
@@ -80,7 +81,7 @@ impl<'a> Working<'a> {
             );
             return Err(MotionError::MassHistory { time, why });
         }
-        if scenario.gimbals().is_some() {
+        if matches!(scenario.mechanism(), Mechanism::Gimbals(_)) {
             let why = "the steps of a worked solution are those of a body that is free or held at a point";
             return Err(MotionError::InGimbals { why });
         }
@@ -217,14 +218,14 @@ fn period(scenario: &Scenario, pendulum: Option<&Pendulum>, at_start: Option<&Fr
 fn touching(
     scenario: &Scenario,
     trajectory: Option<&Trajectory>,
-) -> Result<Option<ContactSample>, MotionError> {
+) -> Result<Option<ContactState>, MotionError> {
     let Some(ground) = scenario.ground() else { return Ok(None) };
-    if let Some(motion) = trajectory.and_then(Trajectory::contact) {
-        return Ok(Some(*motion.start()));
+    if let Some(contact) = trajectory.and_then(|trajectory| trajectory.channel(CONTACT)) {
+        return Ok(Some(contact.start()));
     }
     let start = ContactStart { state: scenario.start(), at: ground.at, velocity: ground.velocity };
-    let motion = ContactSimulation::new(scenario.body(), &ground.contact, start, &[]).run()?;
-    Ok(Some(*motion.start()))
+    let motion = Simulation::on_ground(scenario.body(), &ground.contact, start, &[]).run()?;
+    Ok(motion.channel(CONTACT).map(|contact| contact.start()))
 }
 
 /// Significant digits of a worked solution.

@@ -1,9 +1,9 @@
 //! `summary.json`.
 
-use polhode::motion::gimbal::GimbalSample;
+use polhode::motion::channel::ENERGY;
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{
-    Method, ParticleForce, Pendulum, Sample, Scenario, Solution, Solver, State, Swing, Trajectory, Wheel,
+    Mechanism, Method, ParticleForce, Pendulum, Sample, Scenario, Solution, State, Swing, Trajectory, Wheel,
 };
 use polhode::observe::Drift;
 use polhode_document::finding;
@@ -86,24 +86,20 @@ fn run(report: &MotionReport<'_>) -> Value {
         (Some(first), Some(last)) => last.state.time - first.state.time,
         _ => 0.0,
     };
-    let (splitting, tolerance, steps) = match report.trajectory.solution() {
-        Solution::Integrated { solver, tolerance, statistics } => (
-            splitting(*solver),
-            *tolerance,
-            json!({
-                "accepted": statistics.accepted,
-                "rejected": statistics.rejected,
-                "evaluations": statistics.evaluations,
-            }),
-        ),
-        Solution::Exact(_) | Solution::Prescribed(_) => (Value::Null, None, Value::Null),
-    };
+    let solution = report.trajectory.solution();
+    let steps = solution.statistics().map(|statistics| {
+        json!({
+            "accepted": statistics.accepted,
+            "rejected": statistics.rejected,
+            "evaluations": statistics.evaluations,
+        })
+    });
     json!({
         "method": report.scenario.run().map(|run| run.method).map(Method::name),
-        "method_used": report.trajectory.solution().name(),
+        "method_used": solution.name(),
         "method_reason": report.trajectory.reason().to_string(),
-        "tolerance": tolerance,
-        "splitting": splitting,
+        "tolerance": solution.tolerance(),
+        "splitting": splitting(solution),
         "samples": samples.len(),
         "duration_s": duration,
         "steps": steps,
@@ -111,9 +107,9 @@ fn run(report: &MotionReport<'_>) -> Value {
 }
 
 /// Of splitting its order and its step, which are to it what a tolerance is to others.
-fn splitting(solver: Solver) -> Value {
-    match solver {
-        Solver::Splitting { order, step } => json!({ "order": order.number(), "step_s": step }),
+fn splitting(solution: &Solution) -> Value {
+    match solution {
+        Solution::Splitting { order, step, .. } => json!({ "order": order.number(), "step_s": step }),
         _ => Value::Null,
     }
 }
@@ -125,10 +121,8 @@ fn motion(facts: &Facts<'_>, scenario: &Scenario) -> Value {
     let momentum = facts.rotor.angular_momentum_space(&facts.start);
     let of_free = |number: fn(&FreeFacts) -> Option<f64>| free.and_then(number);
     let name = |facts: &FreeFacts| facts.regime.regime.name();
-    let has_regime = facts.needed.is_none()
-        && facts.rotor.wheels().is_empty()
-        && scenario.ground().is_none()
-        && scenario.gimbals().is_none();
+    let has_regime =
+        facts.needed.is_none() && facts.rotor.wheels().is_empty() && scenario.mechanism() == Mechanism::Rotor;
     json!({
         "regime": free.map(name),
         "regime_at_start": facts.at_start.as_ref().filter(|_| has_regime).map(name),
@@ -152,35 +146,14 @@ fn symmetric_top(top: &Top) -> Value {
 
 /// Of a body on the ground with that of its centre of mass, and the work of friction and of the ground; of a rotor in gimbals with them.
 fn energy(trajectory: &Trajectory) -> Value {
-    if let Some(motion) = trajectory.contact() {
-        let (first, last) = (motion.samples().first(), motion.samples().last());
-        return json!({
-            "kinetic_start_j": first.map(|s| s.kinetic_energy),
-            "kinetic_end_j": last.map(|s| s.kinetic_energy),
-            "potential_start_j": first.map(|s| s.potential_energy),
-            "potential_end_j": last.map(|s| s.potential_energy),
-            "work_j": last.map(|s| s.friction_work + s.ground_work),
-        });
-    }
-    if let Some(motion) = trajectory.gimbals() {
-        let (first, last) = (motion.samples().first(), motion.samples().last());
-        let potential = |s: &GimbalSample| s.potential_energy + s.spring_energy;
-        return json!({
-            "kinetic_start_j": first.map(|s| s.kinetic_energy),
-            "kinetic_end_j": last.map(|s| s.kinetic_energy),
-            "potential_start_j": first.map(potential),
-            "potential_end_j": last.map(potential),
-            "work_j": last.map(GimbalSample::work),
-        });
-    }
-    let samples = trajectory.samples();
-    let (first, last) = (samples.first(), samples.last());
+    let energy = trajectory.channel(ENERGY);
+    let (first, last) = (energy.and_then(|energy| energy.first()), energy.and_then(|energy| energy.last()));
     json!({
-        "kinetic_start_j": first.map(|s| s.kinetic_energy),
-        "kinetic_end_j": last.map(|s| s.kinetic_energy),
-        "potential_start_j": first.and_then(|s| s.potential_energy),
-        "potential_end_j": last.and_then(|s| s.potential_energy),
-        "work_j": last.map(|s| s.work),
+        "kinetic_start_j": first.map(|e| e.kinetic),
+        "kinetic_end_j": last.map(|e| e.kinetic),
+        "potential_start_j": first.and_then(|e| e.potential),
+        "potential_end_j": last.and_then(|e| e.potential),
+        "work_j": last.map(|e| e.work),
     })
 }
 

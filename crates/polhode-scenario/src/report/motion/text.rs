@@ -1,6 +1,6 @@
 //! The motion on one screen.
 
-use polhode::motion::{Pendulum, Sample, Scenario, Solution, Solver, State, Swing, Wheel};
+use polhode::motion::{MethodReason, Pendulum, Sample, Scenario, Solution, State, Swing, Wheel};
 use polhode::observe::FreeRegime;
 use polhode_document::finding;
 use polhode_document::layout::{WIDTH, broken, columns, labelled, plain_spaces, printable};
@@ -50,12 +50,13 @@ pub(crate) fn write(report: &MotionReport<'_>, picture: usize) -> String {
     text.push_str(&curve(&facts, samples, picture));
     text.push_str(&ends(report, &facts));
     text.extend(report.at.iter().map(|sample| state_at(report, sample)));
-    if let Solution::Integrated { solver, tolerance, statistics } = report.trajectory.solution() {
-        let by = match (solver, tolerance) {
-            (Solver::Splitting { order, step }, _) => {
+    let solution = report.trajectory.solution();
+    if let Some(statistics) = solution.statistics() {
+        let by = match (solution, solution.tolerance()) {
+            (Solution::Splitting { order, step, .. }, _) => {
                 format!("order {}, {} s each", order.number(), ungrouped(*step, 3))
             }
-            (_, Some(tolerance)) => format!("tolerance {} a step", ungrouped(*tolerance, 3)),
+            (_, Some(tolerance)) => format!("tolerance {} a step", ungrouped(tolerance, 3)),
             (_, None) => String::new(),
         };
         let line = format!(
@@ -74,10 +75,10 @@ pub(crate) fn write(report: &MotionReport<'_>, picture: usize) -> String {
 fn heading(report: &MotionReport<'_>, samples: &[Sample]) -> String {
     let title = printable(report.scenario.title().unwrap_or(&report.source.path));
     let how = match report.trajectory.solution() {
-        Solution::Exact(_) => "closed form",
+        Solution::ClosedForm(_) => "closed form",
         Solution::Prescribed(_) => "prescribed motion",
-        Solution::Integrated { .. } if report.trajectory.contact().is_some() => "integrated phase by phase",
-        Solution::Integrated { solver, .. } => &format!("integrated by {}", solver.title()),
+        _ if *report.trajectory.reason() == MethodReason::Contact => "integrated phase by phase",
+        solution => &format!("integrated by {}", solution.title()),
     };
     let (Some(first), Some(last)) = (samples.first(), samples.last()) else {
         return format!("{title}   no samples, {how}\n");
@@ -238,7 +239,7 @@ fn evidence(report: &MotionReport<'_>, facts: &Facts<'_>) -> String {
         format!("T - work {}   L - impulse {}{total}", error(drift.work_energy), error(drift.momentum))
     };
     let note = match report.trajectory.solution() {
-        Solution::Exact(_) => "(relative, worst sample: rounding)",
+        Solution::ClosedForm(_) => "(relative, worst sample: rounding)",
         _ => "(relative, worst sample)",
     };
     labelled("drift", &format!("{}   {note}", line).replace("   ", "\u{a0}\u{a0} "))
@@ -281,10 +282,9 @@ fn ends(report: &MotionReport<'_>, facts: &Facts<'_>) -> String {
                 false => "no digit of the attitude is right (estimate)".to_owned(),
             },
         ));
-        if let Some(motion) = report.trajectory.contact() {
-            text.push_str(&contact::ends(motion));
-        } else if let Some(motion) = report.trajectory.gimbals() {
-            text.push_str(&gimbals::ends(motion));
+        let held = contact::ends(report.trajectory).or_else(|| gimbals::ends(report.trajectory));
+        if let Some(ends) = held {
+            text.push_str(&ends);
         } else if !facts.is_free {
             // T goes with the square of ω.
             let omega_error = report.trajectory.error().map_or(0.0, |estimate| estimate.end().omega);

@@ -1,7 +1,7 @@
 //! A line on each picture: what is seen, and why, with its numbers.
 
 use polhode::motion::torque::TorqueModel;
-use polhode::motion::{FreeMotion, HeavyTop, Regime, Scenario, Solution, TopPath, Trajectory};
+use polhode::motion::{FreeMotion, HeavyTop, Mechanism, Regime, Scenario, Solution, TopPath, Trajectory};
 use polhode_document::layout::printable;
 use polhode_document::number::{number, typeset};
 use polhode_document::unit::time;
@@ -94,7 +94,7 @@ fn driven(scenario: &Scenario, trajectory: &Trajectory) -> String {
             capitalised(&contact::how(ground))
         );
     }
-    if let Some(gimbals) = scenario.gimbals() {
+    if let Mechanism::Gimbals(gimbals) = scenario.mechanism() {
         return format!(
             "{}. N: torque about the crossing of the axes, of gimbals and weight.",
             capitalised(&gimbals::how(gimbals))

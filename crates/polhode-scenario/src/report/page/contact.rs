@@ -1,9 +1,8 @@
 //! A body on the ground: the ground, where the body touches it, the forces there, and its phases.
 
 use polhode::math::{Direction, Space};
-use polhode::motion::contact::{
-    ContactChange, ContactSample, ContactTrajectory, Ground, GroundShape, GroundSide,
-};
+use polhode::motion::channel::CONTACT;
+use polhode::motion::contact::{ContactChange, ContactState, Ground, GroundShape, GroundSide};
 use polhode::motion::{Scenario, Trajectory};
 use polhode_document::json::{finite, numbers};
 use serde_json::{Value, json};
@@ -20,11 +19,11 @@ pub(crate) fn json(
     shown: &Shown<'_>,
     rows: &mut Rows,
 ) -> Value {
-    let (PageSubject::Scenario(scenario), Some(motion)) = (subject, trajectory.contact()) else {
+    let (PageSubject::Scenario(scenario), Some(states)) = (subject, trajectory.channel(CONTACT)) else {
         return Value::Null;
     };
     let Some(ground) = scenario.ground() else { return Value::Null };
-    let mut row = |of: &dyn Fn(&ContactSample) -> f64| rows.put(shown.contact.iter().map(|s| finite(of(s))));
+    let mut row = |of: &dyn Fn(&ContactState) -> f64| rows.put(shown.contact.iter().map(|s| finite(of(s))));
     let [normal_force, slip, friction] =
         [row(&|s| s.normal_force), row(&|s| s.slip.norm()), row(&|s| s.friction.norm())];
     let [friction_work, ground_work] = [row(&|s| s.friction_work), row(&|s| s.ground_work)];
@@ -40,7 +39,7 @@ pub(crate) fn json(
         "slip": slip,
         "frictionWork": friction_work,
         "groundWork": ground_work,
-        "phases": phases(motion),
+        "phases": phases(&states.start(), trajectory),
     })
 }
 
@@ -68,10 +67,10 @@ fn surface_beside(scenario: &Scenario) -> Option<Value> {
 }
 
 /// The phases one after the other, each from when to when.
-fn phases(motion: &ContactTrajectory) -> Value {
-    let end = motion.samples().last().unwrap_or(motion.start()).state.time;
-    let mut all: Vec<(&str, f64)> = vec![(motion.start().phase.name(), motion.start().state.time)];
-    for event in motion.changes() {
+fn phases(start: &ContactState, trajectory: &Trajectory) -> Value {
+    let end = trajectory.samples().last().unwrap_or(trajectory.start()).state.time;
+    let mut all: Vec<(&str, f64)> = vec![(start.phase.name(), start.state.time)];
+    for event in trajectory.changes() {
         let begins = match event.change {
             ContactChange::Slips | ContactChange::SlipsAnew => "sliding",
             ContactChange::Grips => "rolling",

@@ -1,7 +1,9 @@
 //! The numbers beside the picture, ready to read.
 
 use polhode::motion::torque::TorqueModel;
-use polhode::motion::{Crossing, FreeMotion, Regime, Scenario, Solution, Swing, Wheel};
+use polhode::motion::{
+    Crossing, FreeMotion, Mechanism, MethodReason, Regime, Scenario, Solution, Swing, Wheel,
+};
 use polhode::observe::{Cones, Drift, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, SymmetricTop};
 use polhode_document::layout::printable;
 use polhode_document::number::{count, error, number, tidy, tidy_matrix, typeset, vector};
@@ -14,6 +16,7 @@ use super::motion::Shown;
 use super::sizes::{self, Sized};
 use super::turning::Turning;
 use super::{PageInput, PageSubject};
+use crate::report::balance::energy_balance;
 use crate::report::contact;
 use crate::report::event;
 use crate::report::free_facts::FreeFacts;
@@ -91,7 +94,10 @@ pub(crate) fn json(
         ),
         (
             "Gimbals",
-            scenario.and_then(Scenario::gimbals).map_or_else(Vec::new, |of| given(gimbals::facts(of))),
+            match scenario.map(Scenario::mechanism) {
+                Some(Mechanism::Gimbals(of)) => given(gimbals::facts(of)),
+                _ => Vec::new(),
+            },
         ),
         ("Events", events(input)),
         ("Cones", free.and_then(|free| free.top.as_ref()).map_or_else(Vec::new, cones)),
@@ -158,10 +164,10 @@ fn given(facts: Vec<(&'static str, String)>) -> Vec<Row> {
 
 fn motion(input: &PageInput<'_>, free: Option<&FreeFacts>, shown: &Shown<'_>) -> Vec<Row> {
     let how = match input.trajectory.solution() {
-        Solution::Exact(_) => "in closed form",
+        Solution::ClosedForm(_) => "in closed form",
         Solution::Prescribed(_) => "prescribed",
-        Solution::Integrated { .. } if input.trajectory.contact().is_some() => "integrated phase by phase",
-        Solution::Integrated { solver, .. } => &format!("integrated by {}", solver.title()),
+        _ if *input.trajectory.reason() == MethodReason::Contact => "integrated phase by phase",
+        solution => &format!("integrated by {}", solution.title()),
     };
     let mut rows = Vec::new();
     if let (Some(first), Some(last)) = (shown.samples.first(), shown.samples.last()) {
@@ -173,12 +179,10 @@ fn motion(input: &PageInput<'_>, free: Option<&FreeFacts>, shown: &Shown<'_>) ->
         rows.push(Row::with("ω at the start", sizes::rates(tidy(omega.to_array()))).note("body axes"));
         rows.push(Row::with("|ω| at the start", sizes::rate(omega.norm())));
         rows.push(Row::of("|L| at the start", first.momentum.norm(), "kg·m²/s"));
-        let of = if input.trajectory.contact().is_some() {
-            "of the rotation alone"
-        } else if input.trajectory.gimbals().is_some() {
-            "of the rotor alone"
-        } else {
-            ""
+        let of = match input.trajectory.reason() {
+            MethodReason::Contact => "of the rotation alone",
+            MethodReason::Gimbals => "of the rotor alone",
+            _ => "",
         };
         rows.push(Row::with("T at the start", sizes::energy(first.kinetic_energy)).note(of));
     }
@@ -360,11 +364,8 @@ fn evidence(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
 /// What stays the same, and how well.
 fn balance(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
     let row = |label, value: f64| Row::new(label, error(value), "").note("relative, worst sample");
-    if let Some(contact) = input.trajectory.contact() {
-        return vec![row("T + U − works of the contact", contact.energy_drift())];
-    }
-    if let Some(motion) = input.trajectory.gimbals() {
-        return vec![row("T + U − works of the axes and the base", motion.energy_drift())];
+    if let Some(name) = energy_balance(input.trajectory) {
+        return vec![row(name, input.trajectory.energy_drift())];
     }
     let Some(drift) = Drift::of(input.trajectory) else { return Vec::new() };
     let mut rows = if is_free {
@@ -382,10 +383,10 @@ fn balance(input: &PageInput<'_>, is_free: bool) -> Vec<Row> {
 
 /// The tolerance and the steps of what was integrated.
 fn cost(input: &PageInput<'_>) -> Vec<Row> {
-    let Solution::Integrated { tolerance, statistics, .. } = input.trajectory.solution() else {
-        return Vec::new();
-    };
-    let tolerance = tolerance.map(|tolerance| Row::new("tolerance", error(tolerance), "").note("of a step"));
+    let solution = input.trajectory.solution();
+    let Some(statistics) = solution.statistics() else { return Vec::new() };
+    let tolerance =
+        solution.tolerance().map(|tolerance| Row::new("tolerance", error(tolerance), "").note("of a step"));
     tolerance.into_iter().chain([Row::new("steps", count(statistics.accepted), "")]).collect()
 }
 

@@ -26,8 +26,10 @@ const MOST_POINTS: usize = 4_000;
 /// The free motion that is shown; `None` if a torque acts or wheels spin, if the motion is given, or at rest.
 pub(crate) fn facts(input: &PageInput<'_>) -> Option<FreeFacts> {
     let motion = match (input.trajectory.solution(), input.subject) {
-        (Solution::Exact(ClosedForm::Free(motion)), _) => **motion,
-        (Solution::Integrated { .. }, PageSubject::Scenario(scenario)) if scenario.is_free() => {
+        (Solution::ClosedForm(ClosedForm::Free(motion)), _) => **motion,
+        (solution, PageSubject::Scenario(scenario))
+            if solution.statistics().is_some() && scenario.is_free() =>
+        {
             FreeMotion::of(scenario.rotor(), input.trajectory.start().state).ok()?
         }
         _ => return None,

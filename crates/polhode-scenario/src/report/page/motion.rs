@@ -1,6 +1,7 @@
 //! The motion as rows of numbers.
 
-use polhode::motion::contact::{ContactSample, ContactTrajectory};
+use polhode::motion::channel::CONTACT;
+use polhode::motion::contact::ContactState;
 use polhode::motion::{Crossing, Pointing, Sample, Trajectory, Wheel};
 use polhode_document::json::finite;
 use polhode_document::layout::printable;
@@ -20,7 +21,7 @@ const MOST: usize = 2_001;
 pub(crate) struct Shown<'a> {
     pub samples: Vec<&'a Sample>,
     /// What they are on the ground; none of any other body.
-    pub contact: Vec<&'a ContactSample>,
+    pub contact: Vec<ContactState>,
     /// How many there are.
     pub of: usize,
     driven: Driven,
@@ -44,12 +45,12 @@ impl<'a> Shown<'a> {
         };
         let mut drift = balances(trajectory, driven);
         let mut samples = vec![trajectory.start()];
-        let mut contact: Vec<_> = trajectory.contact().map(ContactTrajectory::start).into_iter().collect();
+        let on_ground = trajectory.channel(CONTACT);
+        let mut contact: Vec<_> = on_ground.map(|contact| contact.start()).into_iter().collect();
         if !all.is_empty() {
             let chosen = chosen(all.len());
             samples = chosen.iter().filter_map(|&k| all.get(k)).collect();
-            let on_ground = trajectory.contact().map_or(&[][..], ContactTrajectory::samples);
-            contact = chosen.iter().filter_map(|&k| on_ground.get(k)).collect();
+            contact = chosen.iter().filter_map(|&k| on_ground?.get(k)).collect();
             for balance in &mut drift {
                 balance.values = chosen.iter().filter_map(|&k| balance.values.get(k)).copied().collect();
             }
@@ -145,8 +146,7 @@ impl<'a> Shown<'a> {
 fn events(trajectory: &Trajectory) -> Vec<(f64, String)> {
     let one = |crossing: &Crossing| (crossing.state.time, printable(&crossing.name));
     let mut all: Vec<_> = trajectory.events().iter().map(one).collect();
-    let changes = trajectory.contact().map_or(&[][..], ContactTrajectory::changes);
-    all.extend(changes.iter().map(|event| (event.time, event.change.name().to_owned())));
+    all.extend(trajectory.changes().iter().map(|event| (event.time, event.change.name().to_owned())));
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
     all
 }

@@ -1,6 +1,6 @@
 //! The figures of a motion: which there are, and each on a sheet.
 
-use polhode::motion::{FreeMotion, Regime, Scenario, Trajectory};
+use polhode::motion::{FreeMotion, MethodReason, Regime, Scenario, Trajectory};
 use polhode_document::Picture;
 use polhode_document::figure::axes::Area;
 use polhode_document::figure::legend::{Key, heading};
@@ -252,15 +252,11 @@ impl<'a> MotionFigures<'a> {
             (Figure::Polhodes | Figure::Herpolhode, None) if self.motion.is_prescribed() => {
                 Some("the motion is prescribed, not free: it has no polhode")
             }
-            (Figure::Polhodes | Figure::Herpolhode, None) if self.motion.trajectory.contact().is_some() => {
-                Some("the ground holds the body: it has no polhode")
-            }
-            (Figure::Polhodes | Figure::Herpolhode, None) if self.motion.trajectory.gimbals().is_some() => {
-                Some("gimbals hold the body: it has no polhode")
-            }
-            (Figure::Polhodes | Figure::Herpolhode, None) => {
-                Some("a torque acts on the body: it has no polhode")
-            }
+            (Figure::Polhodes | Figure::Herpolhode, None) => Some(match self.motion.trajectory.reason() {
+                MethodReason::Contact => "the ground holds the body: it has no polhode",
+                MethodReason::Gimbals => "gimbals hold the body: it has no polhode",
+                _ => "a torque acts on the body: it has no polhode",
+            }),
             (Figure::Polhodes | Figure::Herpolhode, Some(motion)) => match motion.regime() {
                 Regime::AtRest => Some("the body is at rest"),
                 Regime::Permanent(_) if figure == Figure::Herpolhode => {

@@ -2,16 +2,14 @@
 
 use polhode::body::Symmetry;
 use polhode::math::{Direction, Principal, Vector};
-use polhode::motion::contact::ContactSample;
-use polhode::motion::gimbal::GimbalSample;
-use polhode::motion::{Pointing, Reference, Sample, Scenario};
+use polhode::motion::channel::ENERGY;
+use polhode::motion::{Energy, Pointing, Reference, Sample, Scenario, Series};
 use polhode_document::figure::sheet::{Colour, Pen, Point};
 
 use super::chart::Quantity;
 use super::curve::Curve;
 use super::figure::Figure;
 use super::plotted::PlottedMotion;
-use crate::report::balance::has_potential;
 
 /// The curves of ω, an energy, L, a torque or angles.
 pub(crate) fn quantity(motion: &PlottedMotion<'_>, figure: Figure) -> Quantity {
@@ -96,34 +94,18 @@ fn energy(motion: &PlottedMotion<'_>) -> Vec<Curve> {
         return curves;
     }
     let bold = |k: usize| Pen::axis(k);
-    if let Some(contact) = motion.trajectory.contact() {
-        let of = |pen, name: &str, value: fn(&ContactSample) -> f64| {
-            let points = contact.samples().iter().map(|s| [s.state.time, value(s)]).collect();
-            Curve { pen, name: name.to_owned(), symbol: name.to_owned(), pieces: vec![points] }
+    let energies: Vec<Energy> =
+        motion.trajectory.channel(ENERGY).into_iter().flat_map(Series::iter).collect();
+    let has_potential = energies.iter().all(|energy| energy.potential.is_some_and(f64::is_finite));
+    if has_potential {
+        let of = |pen, name: &str, value: fn(&Energy) -> f64| {
+            let points = motion.samples().iter().zip(&energies).map(|(s, e)| [s.state.time, value(e)]);
+            Curve { pen, name: name.to_owned(), symbol: name.to_owned(), pieces: vec![points.collect()] }
         };
         return vec![
-            of(bold(1), "T", |s| s.kinetic_energy),
-            of(bold(0), "U", |s| s.potential_energy),
-            of(thin, "T + U", |s| s.kinetic_energy + s.potential_energy),
-        ];
-    }
-    if let Some(gimbals) = motion.trajectory.gimbals() {
-        let of = |pen, name: &str, value: fn(&GimbalSample) -> f64| {
-            let points = gimbals.samples().iter().map(|s| [s.state.time, value(s)]).collect();
-            Curve { pen, name: name.to_owned(), symbol: name.to_owned(), pieces: vec![points] }
-        };
-        return vec![
-            of(bold(1), "T", |s| s.kinetic_energy),
-            of(bold(0), "U", |s| s.potential_energy + s.spring_energy),
-            of(thin, "T + U", |s| s.kinetic_energy + s.potential_energy + s.spring_energy),
-        ];
-    }
-    if has_potential(motion.samples()) {
-        let potential = |s: &Sample| s.potential_energy.unwrap_or_default();
-        return vec![
-            kinetic(bold(1)),
-            one(motion, bold(0), "U", potential),
-            one(motion, thin, "T + U", move |s| s.kinetic_energy + potential(s)),
+            of(bold(1), "T", |e| e.kinetic),
+            of(bold(0), "U", |e| e.potential.unwrap_or_default()),
+            of(thin, "T + U", |e| e.kinetic + e.potential.unwrap_or_default()),
         ];
     }
     vec![kinetic(bold(1)), one(motion, bold(0), motion.driven.work(), |s| s.work)]

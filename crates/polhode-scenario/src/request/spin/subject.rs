@@ -4,7 +4,7 @@ use std::path::Path;
 
 use polhode::body::{BodyError, Finding, InertiaTensor, MassProperties, PrincipalFrame, Symmetry};
 use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Body, Position};
-use polhode::motion::{FreeMotion, Rotor, Scenario, State};
+use polhode::motion::{FreeMotion, Mechanism, Rotor, Scenario, State};
 use polhode_document::SourceInfo;
 use polhode_source::files::Files;
 use polhode_source::{Failure, shown};
@@ -37,7 +37,7 @@ impl Subject {
             "the mass properties change"
         } else if scenario.ground().is_some() {
             "the body is on the ground"
-        } else if scenario.gimbals().is_some() {
+        } else if matches!(scenario.mechanism(), Mechanism::Gimbals(_)) {
             "the body hangs in gimbals"
         } else if scenario.pivot().is_some() {
             "the body is held at a pivot"

@@ -2,7 +2,7 @@
 
 use polhode::motion::GroundContact;
 use polhode::motion::contact::{
-    BodySurface, Contact, ContactLaw, ContactSample, Friction, Ground, GroundShape, GroundSide, Resistance,
+    BodySurface, Contact, ContactLaw, ContactState, Friction, Ground, GroundShape, GroundSide, Resistance,
     StartVelocity, SurfaceShape,
 };
 use polhode::prelude::*;
@@ -61,7 +61,7 @@ impl Setting {
     }
 
     /// The same from a sample of its motion on.
-    pub fn from(&self, sample: &ContactSample) -> Self {
+    pub fn from(&self, sample: &ContactState) -> Self {
         Self {
             attitude: sample.state.attitude,
             omega: sample.state.omega.to_array(),

@@ -3,6 +3,7 @@
 
 pub mod ground;
 pub mod page;
+pub mod held;
 
 use std::sync::OnceLock;
 

@@ -61,7 +61,7 @@ fn measured(cases: &[Case], effort: ErrorEffort) -> [BTreeMap<String, Ratios>; 3
             })
             .collect();
         let method = match trajectory.solution() {
-            Solution::Exact(_) => "closed forms".to_owned(),
+            Solution::ClosedForm(_) => "closed forms".to_owned(),
             other => format!("`{}`", other.name()),
         };
         let names = [case.kind.replace('_', " "), method, "all".to_owned()];

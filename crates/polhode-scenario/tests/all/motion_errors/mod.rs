@@ -154,7 +154,7 @@ fn every_motion_is_near_its_true_one() {
             _ => run.tolerance,
         };
         let turned = fastest * run.times.last().unwrap();
-        let exact = matches!(trajectory.solution(), Solution::Exact(_));
+        let exact = matches!(trajectory.solution(), Solution::ClosedForm(_));
         let growth = case.growth.unwrap_or(1.0 + turned);
         let limit = if exact { 1e-12 } else { 4.0 * growth * step * (1.0 + turned) };
         for (off, truth) in case.off(&trajectory).iter().zip(&case.truth) {

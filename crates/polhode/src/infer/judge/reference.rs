@@ -7,7 +7,7 @@ use crate::motion::run::global_error::ErrorEffort;
 use crate::motion::run::simulation::Simulation;
 use crate::motion::run::trajectory::Trajectory;
 use crate::motion::solve::method::Method;
-use crate::motion::task::asked::Task;
+use crate::motion::task::asked::{Mechanism, Task};
 use crate::motion::task::run::Run;
 use crate::motion::task::scenario::Scenario;
 
@@ -73,11 +73,10 @@ pub(super) fn require_judged(scenario: &Scenario) -> Result<(), JudgeError> {
     if scenario.history().is_some() {
         return Err(JudgeError::Changing);
     }
-    if scenario.ground().is_some() {
-        return Err(JudgeError::OnGround);
-    }
-    if scenario.gimbals().is_some() {
-        return Err(JudgeError::InGimbals);
+    match scenario.mechanism() {
+        Mechanism::Ground(_) => return Err(JudgeError::OnGround),
+        Mechanism::Gimbals(_) => return Err(JudgeError::InGimbals),
+        Mechanism::Rotor => {}
     }
     if !matches!(scenario.task(), Task::Forward(_)) {
         return Err(JudgeError::NoMotion);

@@ -1,5 +1,6 @@
 //! What changes about a contact.
 
+use core::convert::Infallible;
 use core::fmt;
 
 /// How a body moves on the ground, or that it has left it.
@@ -88,9 +89,22 @@ impl ContactChange {
     }
 }
 
+impl From<Infallible> for ContactChange {
+    fn from(never: Infallible) -> Self {
+        match never {}
+    }
+}
+
 impl fmt::Display for ContactChange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+        f.write_str(self.description())
+    }
+}
+
+impl ContactChange {
+    /// The change, in a sentence.
+    pub const fn description(self) -> &'static str {
+        match self {
             Self::Slips => "friction is too small to hold the point of contact: it slips",
             Self::Grips => "the point of contact has come to rest, and friction holds it",
             Self::SlipsAnew => "slipping stops, and goes on in another direction",
@@ -98,14 +112,16 @@ impl fmt::Display for ContactChange {
             Self::Lands => "the body comes back to the ground; what an impact does is not known",
             Self::PivotingStops => "friction has stopped the pivoting about the normal",
             Self::Pivots => "friction is too small to hold the body from pivoting",
-            Self::RollingStops => "the rolling has come to rest; whether rolling friction holds it, or it rolls back, is not known here",
+            Self::RollingStops => {
+                "the rolling has come to rest; whether rolling friction holds it, or it rolls back, is not known here"
+            }
             Self::OtherRim => {
                 "the disk stands on both of its rims; what the impact of the other one does is not known here"
             }
             Self::LiesFlat => "the disk lies flat, and touches with all of its rim",
             Self::TipsOver => "the cylinder tips over: it would have to be held beyond its ends",
             Self::Osculates => "the body fits the ground so closely that it touches in more than a point",
-        })
+        }
     }
 }
 

@@ -8,7 +8,6 @@ use crate::math::root::vanishing;
 use crate::motion::solve::collocation::{Collocation, ROOM, StepWork, Wanted};
 use crate::motion::solve::limits::TIGHTEST_TOLERANCE;
 use crate::motion::solve::series::{Expansion, System};
-use crate::motion::solve::solver::Solver;
 
 /// The first step of a phase, times a rate of its motion.
 const FIRST_STEP: f64 = 0.1;
@@ -79,15 +78,8 @@ impl Phase {
         }
     }
 
-    pub(super) const fn solver(&self) -> Solver {
-        match self.solution {
-            Solution::Collocation(_) => Solver::Collocation,
-            Solution::Series(_) => Solver::Taylor,
-        }
-    }
-
-    /// True if the end of a step has more digits than what is within it.
-    pub(super) const fn is_best_at_its_end(&self) -> bool {
+    /// True of collocation: the end of a step has more digits than what is within it.
+    pub(super) const fn is_collocation(&self) -> bool {
         matches!(self.solution, Solution::Collocation(_))
     }
 

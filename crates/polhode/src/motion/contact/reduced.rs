@@ -10,12 +10,12 @@
 //!
 //! f′ is exact: f is evaluated over numbers with their derivatives.
 
+use super::arrangement::Contact;
 use super::dual::Dual;
 use super::equations::{AXES, OMEGA, PLACE, Pivot, Regime, VELOCITY};
 use super::ground::GroundShape;
 use super::law::Grip;
 use super::model::{Model, SurfaceForm};
-use super::simulation::Contact;
 use super::surface::SurfaceShape;
 use crate::body::mass_properties::MassProperties;
 use crate::math::algebra::{Components, Field};

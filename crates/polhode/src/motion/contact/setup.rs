@@ -4,19 +4,18 @@ use super::equations::{Pivot, Regime};
 use super::ground::{GroundShape, GroundSide};
 use super::law::Grip;
 use super::model::{GroundForm, Model};
-use super::simulation::ContactSimulation;
+use super::problem::ContactProblem;
 use super::start::StartVelocity;
 use super::stepper::Stepper;
 use super::surface::SurfaceShape;
 use super::watch::Kind;
 use crate::math::algebra::Components;
 use crate::motion::error::MotionError;
-use crate::motion::model::event::{Event, EventAction, Measure};
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 
 /// The stepper at the start, before it is asked whether friction can hold it.
-pub(super) fn started(of: &ContactSimulation<'_>) -> Result<Stepper, MotionError> {
+pub(super) fn started(of: &ContactProblem<'_>) -> Result<Stepper, MotionError> {
     let (body, contact, start) = (of.body, of.contact, &of.start);
     for (what, value) in [
         ("the start's time", start.state.time),
@@ -36,9 +35,6 @@ pub(super) fn started(of: &ContactSimulation<'_>) -> Result<Stepper, MotionError
     )?;
     require_inside(of)?;
     require_fit(of)?;
-    for event in of.events {
-        event_is_possible(event)?;
-    }
     // The rim that is lower: that at z = −½ thickness where the normal has a component along z.
     let normal = contact.ground.normal_at(start.at).ok_or(MotionError::NoDirection {
         parameter: "the point of contact from the axis of the ground",
@@ -76,7 +72,7 @@ pub(super) fn started(of: &ContactSimulation<'_>) -> Result<Stepper, MotionError
 
 /// # Errors
 /// A parameter's error where the centre of mass lies outside the surface.
-fn require_inside(of: &ContactSimulation<'_>) -> Result<(), MotionError> {
+fn require_inside(of: &ContactProblem<'_>) -> Result<(), MotionError> {
     let (surface, center) = (&of.contact.surface, of.body.center_of_mass());
     let rule =
         "inside the surface: no body that a convex surface bounds has its centre of mass outside of it";
@@ -91,7 +87,7 @@ fn require_inside(of: &ContactSimulation<'_>) -> Result<(), MotionError> {
 
 /// # Errors
 /// A parameter's error where a body may touch the ground that it is in at more than one point.
-fn require_fit(of: &ContactSimulation<'_>) -> Result<(), MotionError> {
+fn require_fit(of: &ContactProblem<'_>) -> Result<(), MotionError> {
     let (GroundShape::Sphere { radius, side } | GroundShape::Cylinder { radius, side }) =
         *of.contact.ground.shape()
     else {
@@ -113,22 +109,11 @@ fn require_fit(of: &ContactSimulation<'_>) -> Result<(), MotionError> {
     require::that("the radius of the ground", radius, flattest < radius, rule)
 }
 
-/// # Errors
-/// [`MotionError::Exclusive`] of an event that switches a torque, or asks for an energy that is not known of a body on the ground.
-fn event_is_possible(event: &Event) -> Result<(), MotionError> {
-    let why = match (event.action(), event.measure()) {
-        (EventAction::Switch { .. }, _) => "no torque but those of the contact acts on a body on the ground",
-        (_, Measure::TotalEnergy) => "the energy of a body on the ground includes that of its centre of mass",
-        _ => return Ok(()),
-    };
-    Err(MotionError::Exclusive { parts: ["contact", "event"], why })
-}
-
 /// The variables of a start, and whether the body slides.
 ///
 /// # Errors
 /// A parameter's error where the start violates the contact.
-fn variables(of: &ContactSimulation<'_>, stepper: &Stepper) -> Result<(Kind, Vec<f64>), MotionError> {
+fn variables(of: &ContactProblem<'_>, stepper: &Stepper) -> Result<(Kind, Vec<f64>), MotionError> {
     let (model, start) = (&stepper.model, &of.start);
     let size = stepper.size();
     let height = of.contact.ground.height_of(start.at);
@@ -192,7 +177,7 @@ fn variables(of: &ContactSimulation<'_>, stepper: &Stepper) -> Result<(Kind, Vec
 
 /// # Errors
 /// A parameter's error where a cylinder that lies would not keep the direction of its axis.
-fn require_cylinder(of: &ContactSimulation<'_>, stepper: &Stepper) -> Result<(), MotionError> {
+fn require_cylinder(of: &ContactProblem<'_>, stepper: &Stepper) -> Result<(), MotionError> {
     let model = &stepper.model;
     let [[_, _, xz], [_, _, yz], [_, _, zz]] = model.inertia;
     let product = xz.hypot(yz);

@@ -10,7 +10,6 @@ use crate::math::algebra::Components;
 use crate::math::sum::two_sum;
 use crate::motion::solve::collocation::{StepWork, Wanted};
 use crate::motion::solve::propagate::noise::{Random, StepNoise};
-use crate::motion::solve::solver::Solver;
 
 /// A body on its way.
 #[derive(Clone, Debug)]
@@ -125,9 +124,9 @@ impl Stepper {
         self.phases[self.current].kind
     }
 
-    /// The solver of the phase.
-    pub(super) fn solver(&self) -> Solver {
-        self.phases[self.current].solver()
+    /// True if the phase is computed by collocation, false if by Taylor series.
+    pub(super) fn is_collocation(&self) -> bool {
+        self.phases[self.current].is_collocation()
     }
 
     pub(super) const fn size(&self) -> f64 {
@@ -213,12 +212,12 @@ impl Stepper {
 
     /// How long the step is once it has within it what the tolerance asks for; nothing if it has that.
     pub(super) fn refined(&mut self, end: f64) -> Option<f64> {
-        self.phases[self.current].is_best_at_its_end().then(|| self.expand(end, self.time))
+        self.phases[self.current].is_collocation().then(|| self.expand(end, self.time))
     }
 
     /// Ends the step earlier, and returns when, as a step is as good as it can be at its end: then, or before if that takes more than one step.
     pub(super) fn shorten(&mut self, to: f64, first_look: f64) -> f64 {
-        if !self.phases[self.current].is_best_at_its_end() || !(to > self.time) {
+        if !self.phases[self.current].is_collocation() || !(to > self.time) {
             return to;
         }
         let reached = self.time + self.expand(to, first_look);

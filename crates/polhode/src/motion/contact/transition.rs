@@ -3,9 +3,8 @@
 use super::change::{ContactChange, ContactEvent};
 use super::equations::{AXES, Kinetics, OMEGA, PLACE, Pivot, Regime, VELOCITY};
 use super::flight;
-use super::run::Run;
 use super::stepper::Stepper;
-use super::trajectory::ContactEnding;
+use super::system::OnGround;
 use super::watch::{Kind, Watch};
 use crate::math::algebra::Components;
 use crate::math::root::root;
@@ -20,16 +19,16 @@ const TRIAL: f64 = 1e-8;
 /// Slip with which it begins to slip.
 const BEGINNING: f64 = 2e-13;
 
-impl Run<'_> {
+impl OnGround<'_> {
     /// What holds at the start, of a body that might be held by friction.
     ///
     /// # Errors
-    /// As [`Run::pass`].
-    pub(super) fn settle_start(&mut self) -> Result<ContactEnding, MotionError> {
+    /// As [`OnGround::pass`].
+    pub(super) fn settle_start(&mut self) -> Result<Option<ContactChange>, MotionError> {
         let stepper = &mut self.stepper;
         let y = stepper.variables().to_vec();
         let (Some(at), Kind::Touching(regime, _)) = (stepper.kinetics(&y), stepper.kind()) else {
-            return Ok(ContactEnding::Complete);
+            return Ok(None);
         };
         // Pivoting friction that holds a body from the start.
         if stepper.model.pivoting != 0.0 {
@@ -48,13 +47,13 @@ impl Run<'_> {
     }
 
     /// Looks whether the phase that begins can last.
-    fn settle(&mut self) -> Result<ContactEnding, MotionError> {
+    fn settle(&mut self) -> Result<Option<ContactChange>, MotionError> {
         const STRICT: [Watch; 6] =
             [Watch::Inertance, Watch::NormalForce, Watch::Grip, Watch::Holding, Watch::Ends, Watch::Fit];
         let broken = |watch: &&Watch| self.stepper.watched(**watch).is_some_and(|value| value < 0.0);
         match STRICT.iter().find(broken) {
             Some(watch) => self.pass(*watch),
-            None => Ok(ContactEnding::Complete),
+            None => Ok(None),
         }
     }
 
@@ -62,7 +61,7 @@ impl Run<'_> {
     ///
     /// # Errors
     /// [`MotionError::Painleve`]; [`MotionError::Undecided`] where changes do not end.
-    pub(super) fn pass(&mut self, watch: Watch) -> Result<ContactEnding, MotionError> {
+    pub(super) fn pass(&mut self, watch: Watch) -> Result<Option<ContactChange>, MotionError> {
         /// The most changes at one time.
         const MOST: usize = 32;
         let y = self.stepper.variables().to_vec();
@@ -117,15 +116,15 @@ impl Run<'_> {
         self.changes.push(ContactEvent { time: self.stepper.time(), change });
     }
 
-    fn end(&mut self, change: ContactChange) -> ContactEnding {
+    fn end(&mut self, change: ContactChange) -> Option<ContactChange> {
         self.note(change);
-        ContactEnding::Changed { change, time: self.stepper.time() }
+        Some(change)
     }
 
     /// Leaves the ground.
-    fn leave(&mut self, y: &[f64]) -> Result<ContactEnding, MotionError> {
+    fn leave(&mut self, y: &[f64]) -> Result<Option<ContactChange>, MotionError> {
         let model = &self.stepper.model;
-        let Some(at) = self.stepper.kinetics(y) else { return Ok(ContactEnding::Complete) };
+        let Some(at) = self.stepper.kinetics(y) else { return Ok(None) };
         if !model.may_fly() {
             return Ok(self.end(ContactChange::LiftsOff));
         }
@@ -146,7 +145,7 @@ impl Run<'_> {
             return Err(MotionError::Undecided { time });
         }
         self.note(ContactChange::LiftsOff);
-        Ok(ContactEnding::Complete)
+        Ok(None)
     }
 
     /// Begins to slip from where it does not.

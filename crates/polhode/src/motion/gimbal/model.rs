@@ -76,7 +76,7 @@ impl Model {
         let along = |v: [f64; 3]| of_base.map(|axis| dot(axis.to_array(), v));
         let of_gimbal =
             |gimbal: &Gimbal| Form::along(of_base.map(Vector::to_array), gimbal.inertia(), gimbal.moment());
-        let [outer, inner] = gimbals.gimbals();
+        let [outer, inner] = gimbals.masses();
         let arm = (body.center_of_mass() - gimbals.crossing()).to_array();
         let about = body.inertia_about(gimbals.crossing()).matrix();
         let rotor = Form::along(of_body.map(Vector::to_array), about, arm.map(|x| body.mass() * x));

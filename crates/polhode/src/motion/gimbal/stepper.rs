@@ -87,8 +87,11 @@ impl Stepper {
         Variables { high: self.high, low: self.low }
     }
 
-    /// The variables within the last step.
+    /// The variables within the step that has begun, or at the end of the last one.
     pub(super) fn variables_at(&self, time: f64) -> Variables {
+        if time == self.time {
+            return self.variables();
+        }
         let (mut high, mut low) = (self.high, self.low);
         for k in CARRIED {
             (high[k], low[k]) = two_sum(high[k], low[k] + self.expansion.change(time - self.begun, k));

@@ -150,8 +150,8 @@ impl Gimbals {
         self.crossing
     }
 
-    /// The outer gimbal and the inner one.
-    pub const fn gimbals(&self) -> &[Gimbal; 2] {
+    /// Mass properties of the outer gimbal and of the inner one.
+    pub const fn masses(&self) -> &[Gimbal; 2] {
         &self.gimbals
     }
 

@@ -109,6 +109,11 @@ impl<'a> EventDetector<'a> {
         }
     }
 
+    /// The events that are detected.
+    pub(crate) const fn events(&self) -> &'a [Event] {
+        self.events
+    }
+
     /// The side of each value on which the motion is.
     pub(crate) fn sides(&self) -> Vec<EventSide> {
         self.sides.clone()

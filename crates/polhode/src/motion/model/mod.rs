@@ -1,5 +1,6 @@
 //! What turns and what turns it: the state, the body with its pivot and wheels, Euler's equations, torques, orbits, events.
 
+pub(crate) mod energy;
 pub(crate) mod euler;
 pub(crate) mod event;
 pub(crate) mod event_detection;

@@ -2,8 +2,10 @@
 
 use super::derivative_log::{CrossingDerivatives, DerivativeLog};
 use super::ending::Ending;
-use super::integration::Integration;
-use super::simulation::Simulation;
+use super::march::March;
+use super::rotor_problem::RotorProblem;
+use super::simulation::{Problem, Simulation};
+use super::turning::Turning;
 use crate::motion::error::MotionError;
 use crate::motion::model::event::Event;
 use crate::motion::model::state_derivatives::StateDerivatives;
@@ -64,9 +66,31 @@ impl Simulation<'_> {
         parameters: &[TorqueParameter],
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Result<TrajectoryDerivatives, MotionError> {
-        let Self { rotor, torques, switched_off, start, events, times, tolerance, method, history, .. } =
-            *self;
-        self.require_possible()?;
+        let time = self.begins();
+        let problem = match self.problem()? {
+            Problem::Rotor(problem) => problem,
+            Problem::Ground(_) => {
+                let why = "it is that of a body on the ground";
+                return Err(MotionError::NoMotionDerivatives { why, time });
+            }
+            Problem::Gimbals(_) => {
+                let why = "it is that of a rotor in gimbals";
+                return Err(MotionError::NoMotionDerivatives { why, time });
+            }
+        };
+        let RotorProblem {
+            rotor,
+            torques,
+            switched_off,
+            start,
+            events,
+            times,
+            tolerance,
+            method,
+            history,
+            ..
+        } = problem;
+        problem.require_possible()?;
         let why_not = |why| Err(MotionError::NoMotionDerivatives { why, time: start.time });
         if history.is_some() {
             return why_not("the mass properties change with time");
@@ -90,13 +114,15 @@ impl Simulation<'_> {
         let stepper =
             Stepper::new(Rule::Taylor, (rotor, None), torques, switched_off, start, tolerance, false)?;
         let stepper = stepper.differentiated(parameters);
-        let mut integration =
-            Integration::new(stepper, self.watched_events(), start, times).with_derivatives();
-        let (_, ending) = integration.run(start, progress)?;
+        let turning = Turning::new(stepper, events).with_derivatives();
+        let first = turning.first(start)?;
+        let mut march = March::new(turning, problem.detector(), times);
+        let ending = march.run(first, None, progress)?;
         if let Ending::Failed { cause: cause @ MotionError::NoMotionDerivatives { .. }, .. } = ending {
             return Err(cause);
         }
-        let DerivativeLog { states, by_parameters, events, .. } = integration.derivatives.unwrap_or_default();
+        let DerivativeLog { states, by_parameters, events, .. } =
+            march.system.derivatives.unwrap_or_default();
         Ok(TrajectoryDerivatives { states, by_parameters, events, ending })
     }
 }

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::motion::contact::{ContactChange, ContactEnding};
+use crate::motion::contact::ContactChange;
 use crate::motion::error::MotionError;
 
 /// How a trajectory ended.
@@ -34,22 +34,13 @@ pub enum Ending {
 }
 
 impl Ending {
-    /// At a time: by an event, by a cause, or by neither.
-    pub(crate) fn of(ended: Result<Option<usize>, MotionError>, time: f64) -> Self {
+    /// The ending at a time: by an event, a change of the contact, a cause, or by none of them.
+    pub(crate) fn of(ended: Result<Option<Halt>, MotionError>, time: f64) -> Self {
         match ended {
             Ok(None) => Self::Complete,
-            Ok(Some(event)) => Self::Stopped { event, time },
+            Ok(Some(Halt::Event(event))) => Self::Stopped { event, time },
+            Ok(Some(Halt::Change(change))) => Self::Contact { change, time },
             Err(cause) => Self::Failed { time, cause },
-        }
-    }
-
-    /// Of a motion on the ground.
-    pub(crate) fn of_contact(ending: &ContactEnding) -> Self {
-        match ending {
-            ContactEnding::Complete => Self::Complete,
-            ContactEnding::Stopped { event, time } => Self::Stopped { event: *event, time: *time },
-            ContactEnding::Changed { change, time } => Self::Contact { change: *change, time: *time },
-            ContactEnding::Failed { cause, time } => Self::Failed { time: *time, cause: cause.clone() },
         }
     }
 
@@ -57,6 +48,15 @@ impl Ending {
     pub const fn is_complete(&self) -> bool {
         !matches!(self, Self::Failed { .. })
     }
+}
+
+/// Reason why a motion does not go on, though its computation could.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Halt {
+    /// An event that stops it, by its number from 0.
+    Event(usize),
+    /// A change of the contact after which it is not known.
+    Change(ContactChange),
 }
 
 /// Why a motion was computed by its method.

@@ -20,18 +20,8 @@ use crate::motion::model::state::StateError;
 /// let rotor = Rotor::free(&body);
 /// let orbit = Orbit::circular_at_rate(1.0, 0.5, Direction::new(1.0, 0.0, 0.0), Direction::new(0.0, 1.0, 0.0))?;
 /// let torques = [TorqueModel::GravityGradient(Box::new(GravityGradient { orbit, attracted: Attracted::Tensor }))];
-/// let simulation = Simulation {
-///     rotor: &rotor,
-///     history: None,
-///     torques: &torques,
-///     switched_off: &[],
-///     start: State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) },
-///     events: &[],
-///     event_sides: &[],
-///     times: &[50.0, 100.0],
-///     method: Method::Auto,
-///     tolerance: 1e-13,
-/// };
+/// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.3, 0.5, 0.9) };
+/// let simulation = Simulation::new(&rotor, &torques, start, &[50.0, 100.0]);
 /// let motion = simulation.run()?;
 /// let error = simulation.global_error(&motion, ErrorEffort::Cheap).ok_or("it is computed")?;
 /// assert!(error.end().attitude > 1e-9);

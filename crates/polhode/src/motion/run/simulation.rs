@@ -1,27 +1,26 @@
 //! Simulations: from a start to a trajectory, by the best method there is.
 
-use super::ending::{Ending, MethodReason};
-use super::integration::{Integration, MOST_EVENTS, look_ahead};
-use super::solution::Solution;
+use super::ending::Ending;
+use super::rotor_problem::RotorProblem;
 use super::trajectory::Trajectory;
+use super::{in_gimbals, on_ground};
+use crate::body::mass_properties::MassProperties;
 use crate::math::frame::Body;
-use crate::math::vector::Position;
+use crate::motion::contact::problem::ContactProblem;
+use crate::motion::contact::{Contact, ContactStart};
 use crate::motion::error::MotionError;
-use crate::motion::model::event::{Crossing, Event, EventAction};
-use crate::motion::model::event_detection::{EventDetector, EventSide, Found, Watched};
+use crate::motion::gimbal::Gimbals;
+use crate::motion::gimbal::problem::GimbalProblem;
+use crate::motion::model::event::{Event, Measure};
+use crate::motion::model::event_detection::EventSide;
 use crate::motion::model::mass_history::MassHistory;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
-use crate::motion::solve::closed_form::ClosedForm;
-use crate::motion::solve::limits::MOST_STEPS;
 use crate::motion::solve::method::Method;
-use crate::motion::solve::propagate::bound::PATIENCE;
-use crate::motion::solve::propagate::stepper::{Rule, Stepper};
-use crate::motion::solve::solver::Solver;
-use crate::motion::solve::start::{require_ascending, require_few_pulses, require_finite};
 
-/// An initial value problem: a body, the torques on it, the events to detect, and the method.
+/// An initial value problem: a free or pivoted rotor under torques, a body on the ground or a rotor in
+/// gimbals, the events to detect, and the method.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -40,56 +39,120 @@ use crate::motion::solve::start::{require_ascending, require_few_pulses, require
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Simulation<'a> {
-    /// The body and the point that it turns about.
-    pub rotor: &'a Rotor,
-    /// Its mass properties over time, if they change: those of `rotor` are its mass properties at the start then.
-    pub history: Option<&'a MassHistory>,
-    /// What turns it.
-    pub torques: &'a [TorqueModel],
-    /// Which of the torques, from 0, are switched off until an event switches them on.
-    pub switched_off: &'a [usize],
-    /// Where it starts.
-    pub start: State,
-    /// The events to detect.
-    pub events: &'a [Event],
-    /// On which side of each event's value the start is, of a motion that goes on; empty otherwise, when the start says it.
-    pub event_sides: &'a [EventSide],
-    /// When to sample it, s: ascending, none before the start.
-    pub times: &'a [f64],
-    /// How to compute it.
-    pub method: Method,
-    /// Bound on the error of each integration step, attitude in rad and ω relative; closed forms and splitting ignore it.
-    pub tolerance: f64,
+    subject: Subject<'a>,
+    history: Option<&'a MassHistory>,
+    switched_off: &'a [usize],
+    events: &'a [Event],
+    event_sides: &'a [EventSide],
+    times: &'a [f64],
+    method: Method,
+    tolerance: f64,
+}
+
+/// The system that moves, and its start.
+#[derive(Clone, Copy, Debug)]
+enum Subject<'a> {
+    Rotor { rotor: &'a Rotor, torques: &'a [TorqueModel], start: State },
+    Ground { body: &'a MassProperties<Body>, contact: &'a Contact, start: ContactStart },
+    Gimbals { body: &'a MassProperties<Body>, gimbals: &'a Gimbals, start: f64 },
+}
+
+/// A simulation as the problem of its system.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Problem<'a> {
+    Rotor(RotorProblem<'a>),
+    Ground(ContactProblem<'a>),
+    Gimbals(GimbalProblem<'a>),
 }
 
 impl<'a> Simulation<'a> {
-    /// A body under torques, all of which act, from a start to times: by the best method at a tolerance of 1e-13, without events.
+    /// A rotor under torques, all of which act, from a start to times (s, ascending, none before the
+    /// start): by the best method at a tolerance of 1e-13, without events.
     pub const fn new(rotor: &'a Rotor, torques: &'a [TorqueModel], start: State, times: &'a [f64]) -> Self {
-        let (switched_off, events, event_sides, method, tolerance) = (&[], &[], &[], Method::Auto, 1e-13);
-        Self {
-            rotor,
-            history: None,
-            torques,
-            switched_off,
-            start,
-            events,
-            event_sides,
-            times,
-            method,
-            tolerance,
-        }
+        Self::of(Subject::Rotor { rotor, torques, start }, times, 1e-13)
     }
 
-    /// Of a body whose mass properties are these over time.
+    /// A body on the ground, from a start to times (s, ascending, none before the start): by collocation
+    /// or Taylor series at a tolerance of 1e-15, without events. A looser tolerance than 1e-12 counts as
+    /// 1e-12, as the next phase of a contact depends on signs.
+    ///
+    /// ```
+    /// use polhode::motion::channel;
+    /// use polhode::motion::contact::{BodySurface, Contact, ContactStart, SurfaceShape};
+    /// use polhode::prelude::*;
+    /// // A homogeneous ball, which rolls as it would without a ground that holds it: with constant velocity a ω.
+    /// let ball = MassProperties::new(2.0, Position::ZERO, InertiaTensor::diagonal([0.008; 3])?)?;
+    /// let surface = BodySurface::new(SurfaceShape::Sphere { radius: 0.1 }, Position::ZERO, Rotation::identity())?;
+    /// let omega = AngularVelocity::new(0.0, 3.0, 0.0);
+    /// let start = ContactStart::rolling(State { time: 0.0, attitude: Attitude::identity(), omega });
+    /// let motion = Simulation::on_ground(&ball, &Contact::rolling(surface), start, &[2.0]).run()?;
+    /// let end = motion.channel(channel::CONTACT).and_then(|contact| contact.last()).ok_or("it has a sample")?;
+    /// assert!((end.contact.x - 0.6).abs() < 1e-14 && (end.normal_force - 2.0 * 9.80665).abs() < 1e-13);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub const fn on_ground(
+        body: &'a MassProperties<Body>,
+        contact: &'a Contact,
+        start: ContactStart,
+        times: &'a [f64],
+    ) -> Self {
+        Self::of(Subject::Ground { body, contact, start }, times, 1e-15)
+    }
+
+    /// A body as the rotor of two gimbals, whose axes state where they start, from the time `start`, s,
+    /// to times (s, ascending, none before the start): by Taylor series at a tolerance of 1e-15, without
+    /// events.
+    ///
+    /// # Accuracy
+    /// Motions of some seconds agree with those of `fixtures/gimbals.py`, another formulation in 36 digits, to 1e-13.
+    ///
+    /// ```
+    /// use polhode::motion::channel;
+    /// use polhode::motion::gimbal::{Axis, Base, Gimbals};
+    /// use polhode::prelude::*;
+    /// // A gyrocompass: its axis is kept level, and swings about north, T = 2π √(A/(C ν ω_E cos λ)).
+    /// let (a, c, spin, latitude) = (0.012, 0.02, 1500.0, 0.9_f64);
+    /// let rotor = MassProperties::new(3.0, Position::ZERO, InertiaTensor::diagonal([a, a, c])?)?;
+    /// let period = std::f64::consts::TAU * (a / (c * spin * Base::EARTH_RATE * latitude.cos())).sqrt();
+    /// // The outer axis up, the inner one east, so that the rotor's, up × east, is north.
+    /// let axes = [Axis::free(1e-3, 0.0)?, Axis::locked(0.0)?, Axis::driven(0.0, spin)?];
+    /// let gimbals = Gimbals::new(Direction::new(0.0, 0.0, 1.0), Direction::new(1.0, 0.0, 0.0), axes)?;
+    /// let gimbals = gimbals.on(Base::on_earth(latitude)?);
+    /// let motion = Simulation::in_gimbals(&rotor, &gimbals, 0.0, &[period]).run()?;
+    /// let angles = motion.channel(channel::AXIS_ANGLES).and_then(|angles| angles.last()).ok_or("it has a sample")?;
+    /// assert!((angles[0] - 1e-3).abs() < 1e-9 && motion.energy_drift() < 1e-13);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub const fn in_gimbals(
+        body: &'a MassProperties<Body>,
+        gimbals: &'a Gimbals,
+        start: f64,
+        times: &'a [f64],
+    ) -> Self {
+        Self::of(Subject::Gimbals { body, gimbals, start }, times, 1e-15)
+    }
+
+    const fn of(subject: Subject<'a>, times: &'a [f64], tolerance: f64) -> Self {
+        let (history, switched_off, events, event_sides, method) = (None, &[], &[], &[], Method::Auto);
+        Self { subject, history, switched_off, events, event_sides, times, method, tolerance }
+    }
+
+    /// A rotor whose mass properties are these over time: those of the rotor are its mass properties at the start.
     #[must_use]
     pub const fn changing(self, history: Option<&'a MassHistory>) -> Self {
         Self { history, ..self }
     }
 
-    /// Detects these events.
+    /// Detects these events. On the ground and in gimbals they may stop the motion, and switch nothing.
     #[must_use]
     pub const fn events(self, events: &'a [Event]) -> Self {
         Self { events, ..self }
+    }
+
+    /// Starts on these sides of the events' values, where another motion goes on.
+    #[must_use]
+    pub const fn event_sides(self, event_sides: &'a [EventSide]) -> Self {
+        Self { event_sides, ..self }
     }
 
     /// Leaves these torques, from 0, switched off until an event switches them on.
@@ -98,13 +161,14 @@ impl<'a> Simulation<'a> {
         Self { switched_off, ..self }
     }
 
-    /// By this method.
+    /// Requests this method. On the ground and in gimbals it is [`Method::Auto`] or [`Method::Taylor`].
     #[must_use]
     pub const fn method(self, method: Method) -> Self {
         Self { method, ..self }
     }
 
-    /// With this bound on the error of each step.
+    /// Bounds the error of each step: of a rotor the attitude in rad and ω relative, elsewhere relative to
+    /// the sizes of the variables. Closed forms and splitting ignore it.
     #[must_use]
     pub const fn tolerance(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }
@@ -118,35 +182,23 @@ impl<'a> Simulation<'a> {
         self.run_watched(&mut |_| true)
     }
 
-    /// The motion at each of the times, as far as it goes: [`Trajectory::ending`] says where and why it ended. An event that stops it,
-    /// and a computation that cannot go on, end it with a sample of their own. `progress` is told the time (s) after each step;
-    /// `false` ends the work.
+    /// The motion at each of the times, as far as it goes: [`Trajectory::ending`] states where and why it
+    /// ended. An event that stops it, a change of the contact after which it is not known, and a
+    /// computation that cannot go on, end it with a sample of their own. `progress` receives the time (s)
+    /// after each step; `false` ends the work.
     ///
     /// # Errors
     /// [`MotionError`] for what is wrong before the motion begins: times out of order, a start or a torque that is not finite, an
     /// event that cannot be measured, no closed form for [`Method::Exact`], a torque without a power series for
-    /// [`Method::Taylor`], a body that cannot spin. [`MotionError::Stopped`] if `progress` said so.
+    /// [`Method::Taylor`], a body that cannot spin; a start that violates the contact, [`MotionError::Painleve`] and
+    /// [`MotionError::Undecided`] where it is not known how a motion on the ground begins; gimbals that lock at the start;
+    /// [`MotionError::Exclusive`] of what a system does not have. [`MotionError::Stopped`] if `progress` said so.
     pub fn run_watched(&self, progress: &mut dyn FnMut(f64) -> bool) -> Result<Trajectory, MotionError> {
-        self.require_possible()?;
-        match self.choose()? {
-            (Way::Closed(motion), reason) => self.exact(motion, reason),
-            (Way::Steps(rule), reason) => self.integrate(rule, reason, progress),
+        match self.problem()? {
+            Problem::Rotor(problem) => problem.run(progress),
+            Problem::Ground(problem) => on_ground::run(&problem, progress),
+            Problem::Gimbals(problem) => in_gimbals::run(&problem, progress),
         }
-    }
-
-    /// # Errors
-    /// What is wrong before the motion begins, but for the method.
-    pub(super) fn require_possible(&self) -> Result<(), MotionError> {
-        let Self { rotor, torques, switched_off, start, events, times, .. } = *self;
-        require_ascending(start.time, times)?;
-        require_finite(rotor, torques, switched_off, &start)?;
-        events.iter().try_for_each(|event| event.require_possible(rotor, torques, events, &start))?;
-        self.require_changing()?;
-        let stays_off = |k: &usize| {
-            let wakes = EventAction::Switch { torque: *k, on: true };
-            switched_off.contains(k) && !events.iter().any(|event| event.action() == wakes)
-        };
-        require_few_pulses(rotor, torques, &stays_off, [start.time, self.end()])
     }
 
     /// The states at each of the times and nothing else: no events, no samples, no evidence of the error. What an inner loop wants.
@@ -173,239 +225,130 @@ impl<'a> Simulation<'a> {
 
     /// As [`Simulation::states`], after the states that are there already: after an error those before it are left.
     pub(super) fn fill(&self, states: &mut Vec<State>) -> Result<(), MotionError> {
-        let Self { rotor, torques, start, times, switched_off, tolerance, .. } = *self;
-        require_ascending(start.time, times)?;
-        require_finite(rotor, torques, switched_off, &start)?;
-        require_few_pulses(rotor, torques, &|k| switched_off.contains(k), [start.time, self.end()])?;
-        self.require_changing()?;
-        let rule = match self.choose()? {
-            (Way::Closed(motion), _) => {
-                motion.require(times)?;
-                states.extend(motion.at_times(times));
-                return Ok(());
+        let motion = match self.problem()? {
+            Problem::Rotor(problem) => return problem.fill(states),
+            Problem::Ground(problem) => {
+                on_ground::run(&ContactProblem { events: &[], event_sides: &[], ..problem }, &mut |_| true)?
             }
-            (Way::Steps(rule), _) => rule,
+            Problem::Gimbals(problem) => {
+                in_gimbals::run(&GimbalProblem { events: &[], event_sides: &[], ..problem }, &mut |_| true)?
+            }
         };
-        let mut stepper =
-            Stepper::new(rule, (rotor, self.history), torques, switched_off, start, tolerance, false)?;
-        let end = times.last().copied().unwrap_or(start.time);
-        for &time in times {
-            while stepper.time() < time {
-                stepper.step(end)?;
-                look_ahead(&mut stepper, end)?;
+        states.extend(motion.samples().iter().map(|sample| sample.state));
+        match motion.ending() {
+            Ending::Complete | Ending::Stopped { .. } => Ok(()),
+            Ending::Contact { change, time } => {
+                Err(MotionError::ContactChanged { what: change.description(), time: *time })
             }
-            let there = if time == stepper.time() { stepper.now() } else { stepper.at(time) };
-            states.push(there.state);
+            Ending::Failed { cause, .. } => Err(cause.clone()),
         }
-        Ok(())
     }
 
+    /// Time of the start, s.
+    pub(super) const fn begins(&self) -> f64 {
+        match &self.subject {
+            Subject::Rotor { start, .. } => start.time,
+            Subject::Ground { start, .. } => start.state.time,
+            Subject::Gimbals { start, .. } => *start,
+        }
+    }
+
+    /// Last of the times, s.
+    pub(super) fn ends(&self) -> f64 {
+        self.times.last().copied().unwrap_or_else(|| self.begins())
+    }
+
+    /// The problem of its system.
+    ///
     /// # Errors
-    /// What is not known of bodies whose mass properties change, if they do.
-    fn require_changing(&self) -> Result<(), MotionError> {
-        let Self { rotor, history, torques, events, start, method, .. } = *self;
-        let Some(history) = history else { return Ok(()) };
-        let why = |why| Err(MotionError::MassHistory { time: start.time, why });
-        let own = history.rotor(start.time, self.pivot())?;
-        let differs = |a: f64, b: f64| !((a - b).abs() <= 1e-9 * b.abs());
-        let (given, known) = (rotor.inertia().symmetric(), own.inertia().symmetric());
-        if differs(rotor.mass(), own.mass()) || (*given - *known).max_abs() > 1e-9 * known.max_abs() {
-            return why("is not that of the body at the start");
-        }
-        if !rotor.wheels().is_empty() {
-            return why("cannot go with wheels: what is left of the body beside them is not known");
-        }
-        if matches!(method, Method::Splitting { .. }) {
-            return why("cannot go with splitting, which needs a body that stays as it is");
-        }
-        if events.iter().any(Event::needs_inertia) {
-            return why(
-                "cannot go with an event that measures energy, angular momentum or a function of the body",
-            );
-        }
-        if torques.iter().any(TorqueModel::needs_constant_mass) {
-            return why("cannot go with an energy sink or with gravity on single mass points");
-        }
-        Ok(())
-    }
-
-    /// The point that is held.
-    fn pivot(&self) -> Option<Position<Body>> {
-        self.rotor.is_pivoted().then(|| self.rotor.point())
-    }
-
-    /// The last of the times, s.
-    fn end(&self) -> f64 {
-        self.times.last().copied().unwrap_or(self.start.time)
-    }
-
-    /// The first torque without a power series, and why it has none.
-    pub(super) fn rough_torque(&self) -> Option<(usize, &'static str)> {
-        let body = self.history.map(|history| (history.body(self.start.time, self.pivot()), history));
-        let roughness = |torque: &TorqueModel| {
-            let of_changing =
-                || body.as_ref().and_then(|(body, history)| body.roughness(torque, history.ball()));
-            torque.model().roughness().or_else(of_changing)
-        };
-        self.torques.iter().enumerate().find_map(|(k, torque)| Some((k, roughness(torque)?)))
-    }
-
-    /// The requested method, or the best.
-    fn choose(&self) -> Result<(Way, MethodReason), MotionError> {
-        let rough = self.rough_torque();
-        let steps = |rule| Ok((Way::Steps(rule), MethodReason::Asked));
-        match self.method {
-            Method::Exact => Ok((Way::Closed(self.closed_form()?), MethodReason::Asked)),
-            Method::Taylor => match rough {
-                Some((torque, why)) => Err(MotionError::NotSmooth { torque, why }),
-                None => steps(Rule::Taylor),
-            },
-            Method::Dop853 => steps(Rule::Dop853),
-            Method::Splitting { order, step } => steps(Rule::Splitting { order, step }),
-            Method::Auto => match (self.closed_form(), rough) {
-                (Ok(motion), _) => {
-                    let title = motion.title();
-                    Ok((Way::Closed(motion), MethodReason::ClosedForm { title }))
-                }
-                (Err(MotionError::NoClosedForm { why: no_closed_form }), Some((torque, why))) => {
-                    Ok((Way::Steps(Rule::Dop853), MethodReason::Rough { no_closed_form, torque, why }))
-                }
-                (Err(MotionError::NoClosedForm { why: no_closed_form }), None) => {
-                    Ok((Way::Steps(Rule::Taylor), MethodReason::Smooth { no_closed_form }))
-                }
-                (Err(why), _) => Err(why),
-            },
+    /// [`MotionError::Exclusive`] of what the system does not have.
+    pub(super) fn problem(&self) -> Result<Problem<'a>, MotionError> {
+        let Self { history, switched_off, events, event_sides, times, method, tolerance, .. } = *self;
+        match self.subject {
+            Subject::Rotor { rotor, torques, start } => Ok(Problem::Rotor(RotorProblem {
+                rotor,
+                history,
+                torques,
+                switched_off,
+                start,
+                events,
+                event_sides,
+                times,
+                method,
+                tolerance,
+            })),
+            Subject::Ground { body, contact, start } => {
+                self.require_held(&ON_GROUND)?;
+                let noise = None;
+                Ok(Problem::Ground(ContactProblem {
+                    body,
+                    contact,
+                    start,
+                    times,
+                    events,
+                    event_sides,
+                    tolerance,
+                    noise,
+                }))
+            }
+            Subject::Gimbals { body, gimbals, start } => {
+                self.require_held(&IN_GIMBALS)?;
+                let noise = None;
+                Ok(Problem::Gimbals(GimbalProblem {
+                    body,
+                    gimbals,
+                    start,
+                    times,
+                    events,
+                    event_sides,
+                    tolerance,
+                    noise,
+                }))
+            }
         }
     }
 
     /// # Errors
-    /// [`MotionError::NoClosedForm`], or what makes the motion undetermined.
-    fn closed_form(&self) -> Result<ClosedForm, MotionError> {
-        if self.history.is_some() {
-            return Err(MotionError::NoClosedForm { why: "the mass properties change with time" });
+    /// [`MotionError::Exclusive`] of what rotors alone have.
+    fn require_held(&self, held: &Held) -> Result<(), MotionError> {
+        let is_method = matches!(self.method, Method::Auto | Method::Taylor);
+        let measures = |event: &Event| matches!(event.measure(), Measure::TotalEnergy);
+        let rules = [
+            ("method", is_method, held.method),
+            ("mass_history", self.history.is_none(), "its mass properties stay as they are"),
+            ("torque", self.switched_off.is_empty(), held.torque),
+            ("event", !self.events.iter().any(Event::switches), held.torque),
+            ("event", !self.events.iter().any(measures), held.energy),
+        ];
+        match rules.into_iter().find(|(_, holds, _)| !holds) {
+            Some((part, _, why)) => Err(MotionError::Exclusive { parts: [held.part, part], why }),
+            None => Ok(()),
         }
-        if self.switched_off.is_empty() && !self.events.iter().any(Event::switches) {
-            return ClosedForm::of(self.rotor, self.torques, self.start);
-        }
-        Err(MotionError::NoClosedForm { why: "torques are switched on and off" })
-    }
-
-    fn integrate(
-        &self,
-        rule: Rule,
-        reason: MethodReason,
-        progress: &mut dyn FnMut(f64) -> bool,
-    ) -> Result<Trajectory, MotionError> {
-        let stepper = Stepper::new(
-            rule,
-            (self.rotor, self.history),
-            self.torques,
-            self.switched_off,
-            self.start,
-            self.tolerance,
-            true,
-        )?;
-        let mut integration = Integration::new(stepper, self.watched_events(), self.start, self.times);
-        let (start, ending) = integration.run(self.start, progress)?;
-        let stepper = integration.stepper();
-        let solver = match stepper.rule() {
-            Rule::Taylor => Solver::Taylor,
-            Rule::Dop853 => Solver::Dop853,
-            Rule::Splitting { order, step } => Solver::Splitting { order, step },
-        };
-        let (tolerance, statistics) = (stepper.tolerance(), stepper.statistics());
-        let solution = Solution::Integrated { solver, tolerance, statistics };
-        let sides = integration.event_sides();
-        Ok(Trajectory::assembled(start, integration.samples, solution)
-            .because(reason)
-            .with_events(integration.crossings, ending)
-            .leaving_events(sides))
-    }
-
-    /// The events, and on which side of each value the start is, if that is known.
-    pub(super) const fn watched_events(&self) -> (&'a [Event], &'a [EventSide]) {
-        (self.events, self.event_sides)
-    }
-
-    /// The closed form, which has no steps: it is looked at turn by turn.
-    fn exact(&self, motion: ClosedForm, reason: MethodReason) -> Result<Trajectory, MotionError> {
-        /// The turn of a stretch, rad: it counts as so many steps.
-        const STRETCH: u64 = 16;
-        const MOST_LOOKS: u64 = MOST_STEPS / STRETCH;
-        let end = self.end();
-        // Only an event that stops the motion can make the end come nearer.
-        let stops = self.events.iter().any(|event| event.action() == EventAction::Stop);
-        let mut watch = EventDetector::new(self.rotor, self.torques, self.watched_events(), &self.start);
-        // A body let go at rest is measured by how fast the torque makes it.
-        let torque: f64 = self.torques.iter().map(|torque| torque.scale(self.rotor, &self.start)).sum();
-        let [_, moment, _] = self.rotor.principal().moments();
-        let torque_rate = (torque / moment).sqrt();
-        let (mut time, mut looks, mut far) = (self.start.time, 0, 0);
-        let (mut crossings, mut ending) = (Vec::new(), Ending::Complete);
-        while !self.events.is_empty() && time < end && ending == Ending::Complete {
-            let step = STRETCH as f64 / (motion.at(time).omega.norm() + torque_rate);
-            let next = if time + step < end { time + step } else { end };
-            looks += 1;
-            let is_far = !stops && looks as f64 + (end - time) / step > MOST_LOOKS as f64;
-            far = if is_far { far + 1 } else { 0 };
-            if !(next > time) {
-                ending = Ending::Failed { time, cause: MotionError::StepTooSmall { time, step } };
-            } else if looks == MOST_LOOKS || far > PATIENCE {
-                let step = step / STRETCH as f64;
-                let cause = MotionError::TooManySteps { time, step, most: MOST_STEPS };
-                ending = Ending::Failed { time, cause };
-            } else {
-                let look = watch.look([time, next], &Watched { state: &|t| motion.at(t), rates: &|_| None });
-                let mut found = match look {
-                    Ok(found) => found,
-                    Err(cause) => {
-                        ending = Ending::Failed { time, cause };
-                        break;
-                    }
-                };
-                let is_stop = |found: &Found| {
-                    self.events.get(found.event).is_some_and(|event| event.action() == EventAction::Stop)
-                };
-                if let Some(k) = found.iter().position(is_stop)
-                    && let Some(&Found { event, time, .. }) = found.get(k)
-                {
-                    let due = watch.due(found.get(k..).unwrap_or_default(), &|t| motion.at(t));
-                    watch.cut(&motion.at(time), &due);
-                    found.truncate(k);
-                    found.extend(due.iter().map(|due| Found { time, ..*due }));
-                    ending = Ending::Stopped { event, time };
-                }
-                for Found { event, time, rising, .. } in found {
-                    if crossings.len() == MOST_EVENTS {
-                        let cause = MotionError::TooManyEvents { time, most: MOST_EVENTS };
-                        ending = Ending::Failed { time, cause };
-                        break;
-                    }
-                    let name = self.events.get(event).map_or("", Event::name).to_owned();
-                    crossings.push(Crossing { event, name, state: motion.at(time), rising });
-                }
-                time = next;
-            }
-        }
-        let times = match ending {
-            Ending::Complete => self.times.to_vec(),
-            Ending::Stopped { time, .. } | Ending::Contact { time, .. } | Ending::Failed { time, .. } => {
-                let before = self.times.iter().copied().filter(|t| *t < time);
-                before.chain([time]).collect()
-            }
-        };
-        Ok(Trajectory::of_closed_form(motion, self.rotor, self.torques, &times)?
-            .because(reason)
-            .with_events(crossings, ending)
-            .leaving_events(watch.sides()))
     }
 }
 
-/// How to go about it.
-enum Way {
-    Closed(ClosedForm),
-    Steps(Rule),
+/// Reasons why what rotors have does not go with a body that something holds.
+struct Held {
+    /// The part of a scenario that holds it.
+    part: &'static str,
+    method: &'static str,
+    torque: &'static str,
+    energy: &'static str,
 }
+
+const ON_GROUND: Held = Held {
+    part: "contact",
+    method: "a body on the ground is computed by collocation or Taylor series, method \"auto\" or \"taylor\"",
+    torque: "no torque but those of the contact acts on a body on the ground",
+    energy: "the energy of a body on the ground includes that of its centre of mass",
+};
+
+const IN_GIMBALS: Held = Held {
+    part: "gimbals",
+    method: "a rotor in gimbals is computed by Taylor series, method \"auto\" or \"taylor\"",
+    torque: "no torque but those of the axes acts on a rotor in gimbals",
+    energy: "the energy of a rotor in gimbals includes that of the gimbals",
+};
 
 impl Trajectory {
     /// The motion from `start` at each of `times` (ascending, s, none before the start).

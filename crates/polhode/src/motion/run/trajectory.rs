@@ -1,12 +1,13 @@
 //! Trajectories: the motion at given times, by the best method there is.
 
+use super::channel::{Channel, Reading, Row, Series};
+use super::channels;
 use super::ending::{Ending, MethodReason};
 use super::estimated_error::GlobalError;
 use super::sample::{Sample, continuous};
 use super::solution::Solution;
-use crate::motion::contact::{ContactSample, ContactTrajectory};
+use crate::motion::contact::ContactEvent;
 use crate::motion::error::MotionError;
-use crate::motion::gimbal::{GimbalSample, GimbalTrajectory};
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::model::event::Crossing;
 use crate::motion::model::event_detection::EventSide;
@@ -16,7 +17,6 @@ use crate::motion::model::torque::{TorqueModel, total_potential};
 use crate::motion::solve::closed_form::ClosedForm;
 use crate::motion::solve::free::FreeMotion;
 use crate::motion::solve::propagate::balanced::Balanced;
-use crate::motion::solve::solver::Solver;
 use crate::motion::solve::start::require_ascending;
 
 /// The motion of a body at given times, with the evidence of its own error.
@@ -30,64 +30,94 @@ pub struct Trajectory {
     ending: Ending,
     event_sides: Vec<EventSide>,
     error: Option<GlobalError>,
-    contact: Option<Box<ContactTrajectory>>,
-    gimbals: Option<Box<GimbalTrajectory>>,
+    changes: Vec<ContactEvent>,
+    /// State of what holds the body at the start, and at each sample; of a rotor none.
+    start_reading: Option<Reading>,
+    readings: Vec<Reading>,
+}
+
+/// A motion on the ground or in gimbals, as its system has computed it.
+pub(in crate::motion) struct HeldMotion {
+    pub(in crate::motion) start: Reading,
+    pub(in crate::motion) readings: Vec<Reading>,
+    pub(in crate::motion) changes: Vec<ContactEvent>,
+    pub(in crate::motion) crossings: Vec<Crossing>,
+    pub(in crate::motion) event_sides: Vec<EventSide>,
+    pub(in crate::motion) ending: Ending,
+    pub(in crate::motion) reason: MethodReason,
+    pub(in crate::motion) solution: Solution,
 }
 
 impl Trajectory {
-    /// A motion on the ground. Of each sample the work and the impulse are by the theorems themselves: what is integrated is in
-    /// [`Trajectory::contact`].
+    /// A motion on the ground or in gimbals, of a rotor about its centre of mass or the crossing of
+    /// the axes. Work and impulse of each sample are by the theorems themselves; the works that were
+    /// integrated are in [`channel::ENERGY`](crate::motion::channel::ENERGY).
     ///
     /// # Errors
     /// [`MotionError::NotFinite`] where energy or momentum leave the range of f64.
-    pub(crate) fn of_contact(
-        rotor: &Rotor,
-        motion: ContactTrajectory,
-        tolerance: f64,
-    ) -> Result<Self, MotionError> {
-        let of = |s: &ContactSample, first| Sample::held(rotor, s.state, s.torque, first);
-        let first = of(motion.start(), None)?;
-        let samples = motion.samples().iter().map(|sample| of(sample, Some(&first)));
+    pub(in crate::motion) fn held(rotor: &Rotor, motion: HeldMotion) -> Result<Self, MotionError> {
+        let of = |reading: &Reading, first| Sample::held(rotor, reading.state(), reading.torque(), first);
+        let first = of(&motion.start, None)?;
+        let samples = motion.readings.iter().map(|reading| of(reading, Some(&first)));
         let samples = samples.collect::<Result<_, _>>()?;
-        let statistics = motion.statistics();
-        let (solver, tolerance) = (motion.solver(), Some(tolerance));
-        let solution = Solution::Integrated { solver, tolerance, statistics };
-        let (events, ending) = (motion.events().to_vec(), Ending::of_contact(motion.ending()));
-        let trajectory = Self::assembled(first, samples, solution).because(MethodReason::Contact);
-        Ok(Self { contact: Some(Box::new(motion)), ..trajectory.with_events(events, ending) })
+        let assembled = Self::assembled(first, samples, motion.solution)
+            .because(motion.reason)
+            .with_events(motion.crossings, motion.ending)
+            .leaving_events(motion.event_sides);
+        let mut readings = motion.readings;
+        for (reading, sample) in readings.iter_mut().zip(&assembled.samples) {
+            reading.put_state(sample.state);
+        }
+        Ok(Self { changes: motion.changes, start_reading: Some(motion.start), readings, ..assembled })
     }
 
-    /// The contact with the ground at each sample, of a body that has one.
-    pub fn contact(&self) -> Option<&ContactTrajectory> {
-        self.contact.as_deref()
+    /// Values of a channel at the start and at each sample; `None` if the system does not have it.
+    pub fn channel<T: Copy>(&self, channel: Channel<T>) -> Option<Series<'_, T>> {
+        Series::of(channel, self.start_row(), &self.samples, &self.readings)
     }
 
-    /// A motion in gimbals, of the rotor about the crossing of their axes. Of each sample the work and the impulse are by the theorems themselves: what is
-    /// integrated is in [`Trajectory::gimbals`].
-    ///
-    /// # Errors
-    /// [`MotionError::NotFinite`] where energy or momentum leave the range of f64.
-    pub(crate) fn of_gimbals(
-        rotor: &Rotor,
-        motion: GimbalTrajectory,
-        tolerance: f64,
-    ) -> Result<Self, MotionError> {
-        let of = |s: &GimbalSample, first| Sample::held(rotor, s.state, s.torque, first);
-        let first = of(motion.start(), None)?;
-        let samples = motion.samples().iter().map(|sample| of(sample, Some(&first)));
-        let samples = samples.collect::<Result<_, _>>()?;
-        let statistics = motion.statistics();
-        let solution =
-            Solution::Integrated { solver: Solver::Taylor, tolerance: Some(tolerance), statistics };
-        let failed = |(time, cause): (f64, &MotionError)| Ending::Failed { time, cause: cause.clone() };
-        let ending = motion.failure().map_or(Ending::Complete, failed);
-        let trajectory = Self::assembled(first, samples, solution).because(MethodReason::Gimbals);
-        Ok(Self { gimbals: Some(Box::new(motion)), ending, ..trajectory })
+    /// The scalar channels that a body on the ground or a rotor in gimbals has, in the order of tables; of a free or
+    /// pivoted rotor none, as all of it is in [`Trajectory::samples`].
+    pub const fn channels(&self) -> &'static [Channel<f64>] {
+        match self.start_reading {
+            None => &[],
+            Some(Reading::Contact(_)) => &channels::ground::SCALARS,
+            Some(Reading::Gimbals(_)) => &channels::gimbals::SCALARS,
+        }
     }
 
-    /// The gimbals at each sample, of a rotor that hangs in them.
-    pub fn gimbals(&self) -> Option<&GimbalTrajectory> {
-        self.gimbals.as_deref()
+    /// The changes of the contact with the ground, in the order of time; of other systems none.
+    pub fn changes(&self) -> &[ContactEvent] {
+        &self.changes
+    }
+
+    /// Change of energy less work at each sample, relative to the largest of all energies and works
+    /// together: T less the work of all torques; of a body on the ground T + U less the work of
+    /// friction and of the ground; of a rotor in gimbals T + U with that of springs less the work of
+    /// damping, motors, constant torques and the base.
+    pub fn energy_departures(&self) -> Vec<f64> {
+        let [first, size] = self.start_row().balance();
+        let balances: Vec<[f64; 2]> = self.rows().map(Row::balance).collect();
+        let scale = balances.iter().map(|[_, size]| *size).fold(size, f64::max);
+        let departure = |[balance, _]: &[f64; 2]| match (balance - first).abs() {
+            0.0 => 0.0,
+            change => change / scale,
+        };
+        balances.iter().map(departure).collect()
+    }
+
+    /// Largest of [`Trajectory::energy_departures`].
+    pub fn energy_drift(&self) -> f64 {
+        self.energy_departures().into_iter().fold(0.0, f64::max)
+    }
+
+    const fn start_row(&self) -> Row<'_> {
+        Row { sample: &self.start, reading: self.start_reading.as_ref() }
+    }
+
+    fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+        let row = |(k, sample)| Row { sample, reading: self.readings.get(k) };
+        self.samples.iter().enumerate().map(row)
     }
 
     /// A prescribed motion at each of `times` (ascending, s), with the torque that it needs.
@@ -154,7 +184,7 @@ impl Trajectory {
         let samples = motion.at_times(times).into_iter().map(|state| Sample::of_free(&motion, state));
         let samples = samples.collect::<Result<_, _>>()?;
         let start = Sample::of_free(&motion, motion.start())?;
-        Ok(Self::assembled(start, samples, Solution::Exact(ClosedForm::Free(Box::new(motion)))))
+        Ok(Self::assembled(start, samples, Solution::ClosedForm(ClosedForm::Free(Box::new(motion)))))
     }
 
     /// A motion in closed form at each of `times`. Its work is the potential energy lost and its impulse the momentum gained: so
@@ -182,7 +212,7 @@ impl Trajectory {
         for state in motion.at_times(times) {
             samples.push(sample(state)?);
         }
-        Ok(Self::assembled(sample(start)?, samples, Solution::Exact(motion)))
+        Ok(Self::assembled(sample(start)?, samples, Solution::ClosedForm(motion)))
     }
 
     /// A trajectory of samples, whichever way they were found.
@@ -196,8 +226,9 @@ impl Trajectory {
             ending: Ending::Complete,
             event_sides: Vec::new(),
             error: None,
-            contact: None,
-            gimbals: None,
+            changes: Vec::new(),
+            start_reading: None,
+            readings: Vec::new(),
         }
     }
 

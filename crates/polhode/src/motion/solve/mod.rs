@@ -12,7 +12,7 @@ mod phase;
 pub(crate) mod propagate;
 pub(crate) mod reach;
 pub(in crate::motion) mod series;
-pub(crate) mod solver;
 pub(crate) mod start;
 pub(crate) mod swinging_body;
+pub(crate) mod system;
 mod theta;

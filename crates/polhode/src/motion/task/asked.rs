@@ -4,6 +4,7 @@ use super::mounted_shaft::MountedShaft;
 use crate::math::frame::{Body, Space};
 use crate::math::vector::{Direction, Position};
 use crate::motion::contact::{Contact, StartVelocity};
+use crate::motion::gimbal::Gimbals;
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::model::event::Event;
 use crate::motion::model::event_detection::EventSide;
@@ -59,6 +60,17 @@ pub struct GroundContact {
     pub at: Position<Space>,
     /// The velocity of the centre of mass at the start.
     pub velocity: StartVelocity,
+}
+
+/// The support of a body while it moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mechanism<'a> {
+    /// A rotor that is free or held at a pivot.
+    Rotor,
+    /// A body on the ground.
+    Ground(&'a GroundContact),
+    /// A rotor in gimbals.
+    Gimbals(&'a Gimbals),
 }
 
 /// The fixed axis of a pendulum.

@@ -1,10 +1,11 @@
 //! What can be seen of a scenario before it runs.
 
+use super::asked::Mechanism;
 use super::scenario::Scenario;
 use crate::body::finding::{Finding, Severity};
 use crate::math::frame::Body;
 use crate::math::vector::Position;
-use crate::motion::contact::ContactSimulation;
+use crate::motion::contact::problem::LOOSEST;
 use crate::motion::model::event::EventAction;
 use crate::motion::model::torque::{MagneticField, TorqueModel};
 use crate::motion::model::wheel::Wheel;
@@ -26,8 +27,7 @@ impl Scenario {
         }
         let is_still = self.start().omega.norm() == 0.0
             && self.torques().is_empty()
-            && self.ground().is_none()
-            && self.gimbals().is_none()
+            && self.mechanism() == Mechanism::Rotor
             && self.prescribed().is_none()
             && !self.wheels().iter().any(Wheel::is_driven);
         if is_still && self.run().is_some() {
@@ -35,12 +35,11 @@ impl Scenario {
             found.push(finding("start.rest", Severity::Warning, message.to_owned()));
         }
         if let (Some(_), Some(run)) = (self.ground(), self.run())
-            && run.tolerance > ContactSimulation::LOOSEST
+            && run.tolerance > LOOSEST
         {
             let message = format!(
                 "the tolerance is {:e} a step, not {:e}: what a contact does next depends on signs",
-                ContactSimulation::LOOSEST,
-                run.tolerance
+                LOOSEST, run.tolerance
             );
             found.push(finding("run.tolerance", Severity::Info, message));
         }

@@ -1,5 +1,6 @@
 //! Motions that go on from the end of others.
 
+use super::asked::Mechanism;
 use super::run::Run;
 use super::scenario::Scenario;
 use crate::motion::error::MotionError;
@@ -29,11 +30,16 @@ impl Scenario {
     /// [`MassHistory::at`](crate::motion::MassHistory::at).
     pub fn after(&self, motion: &Trajectory, times: Vec<f64>) -> Result<Self, MotionError> {
         let none = |why| Err(MotionError::NotContinued { why });
-        if self.ground().is_some() {
-            return none("it is that of a body on the ground, whose state is more than its attitude and ω");
-        }
-        if self.gimbals().is_some() {
-            return none("it is that of a rotor in gimbals, whose state is more than its attitude and ω");
+        match self.mechanism() {
+            Mechanism::Ground(_) => {
+                return none(
+                    "it is that of a body on the ground, whose state is more than its attitude and ω",
+                );
+            }
+            Mechanism::Gimbals(_) => {
+                return none("it is that of a rotor in gimbals, whose state is more than its attitude and ω");
+            }
+            Mechanism::Rotor => {}
         }
         if matches!(motion.ending(), Ending::Failed { .. } | Ending::Contact { .. }) {
             return none("it could not be computed further");

@@ -1,6 +1,6 @@
 //! A scenario: one body, one motion.
 
-use super::asked::{ActingTorque, Forward, GroundContact, Suspension, Task};
+use super::asked::{ActingTorque, Forward, GroundContact, Mechanism, Suspension, Task};
 use super::mounted_shaft::MountedShaft;
 use super::run::Run;
 use crate::body::assembly::BodyPart;
@@ -10,9 +10,9 @@ use crate::body::particles::Particle;
 use crate::math::frame::{Body, Space};
 use crate::math::rotation::Rotation;
 use crate::math::vector::{AngularVelocity, Position, Velocity};
-use crate::motion::contact::{ContactSimulation, ContactStart};
+use crate::motion::contact::ContactStart;
 use crate::motion::error::MotionError;
-use crate::motion::gimbal::{GimbalSimulation, Gimbals};
+use crate::motion::gimbal::Gimbals;
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::model::event::Event;
 use crate::motion::model::event_detection::EventSide;
@@ -24,6 +24,8 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 use crate::motion::model::wheel::Wheel;
+use crate::motion::run::channels::CONTACT;
+use crate::motion::run::simulation::Simulation;
 
 /// One body and one motion, as a scenario file describes them: what exists can be computed.
 ///
@@ -189,7 +191,7 @@ impl Scenario {
     ///
     /// # Errors
     /// [`MotionError::Exclusive`] of a body that is held at a pivot, and of all that a body on the ground does not have; as
-    /// [`ContactSimulation::run`].
+    /// [`Simulation::run`].
     pub fn on_ground(self, ground: GroundContact) -> Result<Self, MotionError> {
         self.require_compatible("contact", true)?;
         if self.pivot.is_some() {
@@ -197,8 +199,8 @@ impl Scenario {
         }
         let start = ContactStart { state: self.start, at: ground.at, velocity: ground.velocity };
         let motion =
-            ContactSimulation::new(&self.body, &ground.contact, start, &[]).events(self.events()).run()?;
-        let velocity = motion.start().velocity;
+            Simulation::on_ground(&self.body, &ground.contact, start, &[]).events(self.events()).run()?;
+        let velocity = motion.channel(CONTACT).map_or(self.velocity, |at| at.start().velocity);
         Ok(Self { velocity, contact: Some(Box::new(ground)), ..self })
     }
 
@@ -206,7 +208,7 @@ impl Scenario {
     ///
     /// # Errors
     /// [`MotionError::Exclusive`] of a body that is held at a pivot or moves, and of all that a rotor in gimbals does not have; as
-    /// [`GimbalSimulation::run`].
+    /// [`Simulation::run`].
     pub fn in_gimbals(self, gimbals: Gimbals) -> Result<Self, MotionError> {
         self.require_compatible("gimbals", true)?;
         if self.pivot.is_some() && self.gimbals.is_none() {
@@ -215,7 +217,7 @@ impl Scenario {
         if self.velocity != Velocity::ZERO {
             return Err(exclusive("gimbals", "velocity", "the crossing of the axes does not move"));
         }
-        let motion = GimbalSimulation::new(&self.body, &gimbals, self.start.time, &[]).run()?;
+        let motion = Simulation::in_gimbals(&self.body, &gimbals, self.start.time, &[]).run()?;
         let (start, point) = (motion.start().state, gimbals.crossing());
         let rotor = Rotor::pivoted(&self.body, point);
         Ok(Self { start, rotor, pivot: Some(point), gimbals: Some(Box::new(gimbals)), ..self })
@@ -460,14 +462,18 @@ impl Scenario {
         self.history.as_ref()
     }
 
+    /// The support of the body while it moves.
+    pub fn mechanism(&self) -> Mechanism<'_> {
+        match (&self.contact, &self.gimbals) {
+            (Some(ground), _) => Mechanism::Ground(ground),
+            (None, Some(gimbals)) => Mechanism::Gimbals(gimbals),
+            (None, None) => Mechanism::Rotor,
+        }
+    }
+
     /// How it is on the ground, if it is.
     pub fn ground(&self) -> Option<&GroundContact> {
         self.contact.as_deref()
-    }
-
-    /// The gimbals that it hangs in, if it does.
-    pub fn gimbals(&self) -> Option<&Gimbals> {
-        self.gimbals.as_deref()
     }
 
     /// True if nothing but its inertia, which stays as it is, decides its motion.

@@ -1,22 +1,17 @@
 //! What becomes of a scenario: its motion, the derivatives of that, its pendulum.
 
+use super::asked::Mechanism;
 use super::pendulum::Pendulum;
 use super::run::Run;
 use super::scenario::Scenario;
-use crate::motion::contact::{ContactSimulation, ContactStart};
+use crate::motion::contact::ContactStart;
 use crate::motion::error::MotionError;
-use crate::motion::gimbal::GimbalSimulation;
 use crate::motion::model::torque::{TorqueModel, TorqueParameter};
 use crate::motion::run::derivatives::TrajectoryDerivatives;
 use crate::motion::run::ensemble::Member;
-use crate::motion::run::estimated_error::GlobalError;
-use crate::motion::run::global_error::{ErrorEffort, in_gimbals, on_ground};
+use crate::motion::run::global_error::ErrorEffort;
 use crate::motion::run::simulation::Simulation;
 use crate::motion::run::trajectory::Trajectory;
-use crate::motion::solve::method::Method;
-
-/// What estimates the error of a trajectory.
-type EstimateBy<'a> = dyn Fn(ErrorEffort, &Trajectory, &mut dyn FnMut(f64) -> bool) -> GlobalError + 'a;
 
 impl Scenario {
     /// The motion at the times of the run; `None` without a run.
@@ -35,9 +30,6 @@ impl Scenario {
         &self,
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Option<Result<Trajectory, MotionError>> {
-        if let Some(motion) = self.held_watched(None, progress) {
-            return Some(motion);
-        }
         self.trajectory(|simulation| simulation.run_watched(progress))
     }
 
@@ -50,9 +42,6 @@ impl Scenario {
         effort: ErrorEffort,
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Option<Result<Trajectory, MotionError>> {
-        if let Some(motion) = self.held_watched(Some(effort), progress) {
-            return Some(motion);
-        }
         self.trajectory(|simulation| simulation.run_with_error(effort, progress))
     }
 
@@ -70,90 +59,7 @@ impl Scenario {
             let why = "it is prescribed, whatever the body is";
             return Some(Err(MotionError::NoMotionDerivatives { why, time: self.start().time }));
         }
-        if self.ground().is_some() {
-            let why = "it is that of a body on the ground";
-            return Some(Err(MotionError::NoMotionDerivatives { why, time: self.start().time }));
-        }
-        if self.gimbals().is_some() {
-            let why = "it is that of a rotor in gimbals";
-            return Some(Err(MotionError::NoMotionDerivatives { why, time: self.start().time }));
-        }
         Some(self.simulation(run).run_with_derivatives_watched(parameters, progress))
-    }
-
-    /// The motion of a body on the ground or in gimbals, with the estimate of its error if one is wanted; `None` of any other.
-    fn held_watched(
-        &self,
-        effort: Option<ErrorEffort>,
-        progress: &mut dyn FnMut(f64) -> bool,
-    ) -> Option<Result<Trajectory, MotionError>> {
-        let run = self.run()?;
-        let motion = self.on_ground_watched(run, effort, progress);
-        motion.or_else(|| self.in_gimbals_watched(run, effort, progress))
-    }
-
-    fn on_ground_watched(
-        &self,
-        run: &Run,
-        effort: Option<ErrorEffort>,
-        progress: &mut dyn FnMut(f64) -> bool,
-    ) -> Option<Result<Trajectory, MotionError>> {
-        let ground = self.ground()?;
-        if !matches!(run.method, Method::Auto | Method::Taylor) {
-            let why = "a body on the ground is computed by collocation or Taylor series, method \"auto\" or \"taylor\"";
-            return Some(Err(MotionError::Exclusive { parts: ["contact", "method"], why }));
-        }
-        let start = ContactStart { state: self.start(), at: ground.at, velocity: ground.velocity };
-        let simulation = ContactSimulation::new(self.body(), &ground.contact, start, &run.times)
-            .events(self.events())
-            .tolerance(run.tolerance);
-        let motion = simulation.run_watched(progress);
-        let trajectory =
-            motion.and_then(|motion| Trajectory::of_contact(self.rotor(), motion, simulation.bound()));
-        let error = |effort: ErrorEffort, trajectory: &Trajectory, progress: &mut dyn FnMut(f64) -> bool| {
-            on_ground::of_contact(&simulation, trajectory, effort, progress)
-        };
-        Some(trajectory.and_then(|trajectory| self.estimated(trajectory, effort, &error, progress)))
-    }
-
-    fn in_gimbals_watched(
-        &self,
-        run: &Run,
-        effort: Option<ErrorEffort>,
-        progress: &mut dyn FnMut(f64) -> bool,
-    ) -> Option<Result<Trajectory, MotionError>> {
-        let gimbals = self.gimbals()?;
-        if !matches!(run.method, Method::Auto | Method::Taylor) {
-            let why = "a rotor in gimbals is computed by Taylor series, method \"auto\" or \"taylor\"";
-            return Some(Err(MotionError::Exclusive { parts: ["gimbals", "method"], why }));
-        }
-        let simulation = GimbalSimulation::new(self.body(), gimbals, self.start().time, &run.times)
-            .tolerance(run.tolerance);
-        let motion = simulation.run_watched(progress);
-        let trajectory =
-            motion.and_then(|motion| Trajectory::of_gimbals(self.rotor(), motion, simulation.bound()));
-        let error = |effort: ErrorEffort, trajectory: &Trajectory, progress: &mut dyn FnMut(f64) -> bool| {
-            in_gimbals::of_gimbals(&simulation, trajectory, effort, progress)
-        };
-        Some(trajectory.and_then(|trajectory| self.estimated(trajectory, effort, &error, progress)))
-    }
-
-    /// A trajectory with the estimate of its error, if one is wanted.
-    fn estimated(
-        &self,
-        trajectory: Trajectory,
-        effort: Option<ErrorEffort>,
-        estimate: &EstimateBy<'_>,
-        progress: &mut dyn FnMut(f64) -> bool,
-    ) -> Result<Trajectory, MotionError> {
-        let Some(effort) = effort else { return Ok(trajectory) };
-        let end = self.run().and_then(|run| run.times.last().copied()).unwrap_or(self.start().time);
-        let mut goes_on = true;
-        let error = estimate(effort, &trajectory, &mut |_| {
-            goes_on = progress(end);
-            goes_on
-        });
-        if goes_on { Ok(trajectory.with_error(Some(error))) } else { Err(MotionError::Stopped { time: end }) }
     }
 
     fn trajectory(
@@ -168,11 +74,21 @@ impl Scenario {
     }
 
     fn simulation<'a>(&'a self, run: &'a Run) -> Simulation<'a> {
-        let event_sides = self.event_sides();
-        Simulation { event_sides, ..Simulation::new(self.rotor(), self.torques(), self.start(), &run.times) }
+        let simulation = match self.mechanism() {
+            Mechanism::Rotor => Simulation::new(self.rotor(), self.torques(), self.start(), &run.times),
+            Mechanism::Ground(ground) => {
+                let start = ContactStart { state: self.start(), at: ground.at, velocity: ground.velocity };
+                Simulation::on_ground(self.body(), &ground.contact, start, &run.times)
+            }
+            Mechanism::Gimbals(gimbals) => {
+                Simulation::in_gimbals(self.body(), gimbals, self.start().time, &run.times)
+            }
+        };
+        simulation
             .changing(self.history())
             .switched_off(self.switched_off())
             .events(self.events())
+            .event_sides(self.event_sides())
             .method(run.method)
             .tolerance(run.tolerance)
     }
@@ -199,8 +115,16 @@ impl Scenario {
     /// one whose motion is prescribed.
     pub fn member(&self) -> Result<Member, MotionError> {
         let is_there = [
-            ("contact", self.ground().is_some(), "its members are free, or held at a point"),
-            ("gimbals", self.gimbals().is_some(), "its members are free, or held at a point"),
+            (
+                "contact",
+                matches!(self.mechanism(), Mechanism::Ground(_)),
+                "its members are free, or held at a point",
+            ),
+            (
+                "gimbals",
+                matches!(self.mechanism(), Mechanism::Gimbals(_)),
+                "its members are free, or held at a point",
+            ),
             ("shaft", self.shaft().is_some(), "its members turn freely"),
             ("prescribed", self.prescribed().is_some(), "what its members do is computed"),
             ("mass_history", self.history().is_some(), "the mass properties of its members stay as they are"),

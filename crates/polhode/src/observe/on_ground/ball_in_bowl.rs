@@ -6,7 +6,7 @@ use crate::body::mass_properties::MassProperties;
 use crate::math::frame::{Body, Space};
 use crate::math::rotation::Rotation;
 use crate::math::vector::{Acceleration, AngularVelocity, Direction, Position};
-use crate::motion::contact::{Contact, ContactSample, GroundShape, GroundSide};
+use crate::motion::contact::{Contact, ContactState, GroundShape, GroundSide};
 use crate::motion::error::MotionError;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
@@ -69,7 +69,7 @@ impl BallInBowl {
     ///
     /// # Errors
     /// As [`HeavyTop::of`].
-    pub fn top(&self, sample: &ContactSample) -> Result<HeavyTop, MotionError> {
+    pub fn top(&self, sample: &ContactState) -> Result<HeavyTop, MotionError> {
         let size = self.distance;
         let axis: Direction<Space> =
             sample.center.direction().ok_or(MotionError::NotFinite { time: sample.state.time })?;

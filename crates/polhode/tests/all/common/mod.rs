@@ -1,6 +1,7 @@
 //! Reading the reference tables in fixtures/. A table that is missing fails its test.
 #![allow(dead_code, reason = "each test file uses some of it")]
 
+pub(crate) mod held;
 pub(crate) mod scenario;
 
 use polhode::prelude::*;

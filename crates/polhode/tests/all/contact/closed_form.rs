@@ -3,9 +3,10 @@
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 use polhode::math::{Direction, Rotation, Velocity};
+use polhode::motion::Ending;
 use polhode::motion::contact::{
-    Contact, ContactChange, ContactEnding, ContactLaw, ContactPhase, ContactStart, Friction, Ground,
-    GroundShape, GroundSide, StartVelocity, SurfaceShape,
+    Contact, ContactChange, ContactLaw, ContactPhase, ContactStart, Friction, Ground, GroundShape,
+    GroundSide, StartVelocity, SurfaceShape,
 };
 use polhode::prelude::*;
 
@@ -277,8 +278,7 @@ fn a_cylinder_rolls_about_its_axis_alone() {
     for (shape, tips) in [(shape, false), (short, true)] {
         let contact = Contact { ground, ..Contact::rolling(surface(shape, [0.0; 3])) };
         let motion = run(&body, &contact, ContactStart::rolling(state(turned, [0.0; 3])), &[0.5]);
-        let tipped =
-            matches!(motion.ending(), ContactEnding::Changed { change: ContactChange::TipsOver, .. });
+        let tipped = matches!(motion.ending(), Ending::Contact { change: ContactChange::TipsOver, .. });
         assert_eq!(tipped, tips, "{:?}", motion.ending());
     }
 }

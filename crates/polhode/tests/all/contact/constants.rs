@@ -2,9 +2,11 @@
 
 use polhode::math::{Direction, Rotation, Velocity};
 use polhode::motion::contact::{
-    Contact, ContactLaw, ContactStart, ContactTrajectory, Friction, Resistance, StartVelocity, SurfaceShape,
+    Contact, ContactLaw, ContactStart, ContactState, Friction, Resistance, StartVelocity, SurfaceShape,
 };
 use polhode::prelude::*;
+
+use crate::common::held::Held;
 
 use super::{generic_body, near, run, state, surface};
 
@@ -13,7 +15,7 @@ fn attitude() -> Attitude {
 }
 
 /// L about the point of contact, space axes.
-fn momentum_about_contact(body: &MassProperties<Body>, motion: &ContactTrajectory, k: usize) -> [f64; 3] {
+fn momentum_about_contact(body: &MassProperties<Body>, motion: &Held<ContactState>, k: usize) -> [f64; 3] {
     let s = motion.samples()[k];
     let own = Rotor::free(body).angular_momentum_space(&s.state);
     let arm = s.center - s.contact;

@@ -1,19 +1,21 @@
 //! What ends a motion or one of its phases, against what is known of it.
 
 use polhode::math::{Direction, Rotation, Space, Torque};
-use polhode::motion::MotionError;
 use polhode::motion::contact::{
-    Contact, ContactChange, ContactEnding, ContactLaw, ContactSimulation, ContactStart, ContactTrajectory,
-    Friction, Ground, GroundShape, GroundSide, Resistance, SurfaceShape,
+    Contact, ContactChange, ContactLaw, ContactStart, ContactState, Friction, Ground, GroundShape,
+    GroundSide, Resistance, SurfaceShape,
 };
+use polhode::motion::{Ending, MotionError};
 use polhode::prelude::*;
+
+use crate::common::held::Held;
 
 use super::{G, ball, generic_body, near, run, state, surface};
 
 /// What ended a motion, if a change of its contact did.
-fn ended_by(motion: &ContactTrajectory) -> Option<ContactChange> {
+fn ended_by(motion: &Held<ContactState>) -> Option<ContactChange> {
     match motion.ending() {
-        ContactEnding::Changed { change, .. } => Some(*change),
+        Ending::Contact { change, .. } => Some(*change),
         _ => None,
     }
 }
@@ -80,10 +82,10 @@ fn a_cylinder_that_would_not_keep_its_axis_is_refused() {
         MassProperties::new(2.0, Position::ZERO, InertiaTensor::diagonal([0.06, 0.06, 0.09]).unwrap())
             .unwrap();
     let refused = |body: &MassProperties<Body>, contact: Contact| {
-        let error: MotionError = ContactSimulation::new(body, &contact, start, &[1.0]).run().unwrap_err();
+        let error: MotionError = Simulation::on_ground(body, &contact, start, &[1.0]).run().unwrap_err();
         error.to_string()
     };
-    assert!(ContactSimulation::new(&symmetric, &rolling, start, &[1.0]).run().is_ok());
+    assert!(Simulation::on_ground(&symmetric, &rolling, start, &[1.0]).run().is_ok());
     assert!(refused(&generic_body(), rolling).contains("principal axis"));
     let ground = Ground::LEVEL.turning_at(1.0).unwrap();
     assert!(refused(&symmetric, Contact { ground, ..rolling }).contains("direction of its axis"));
@@ -224,9 +226,31 @@ fn what_friction_held_down_does_not_lift_off() {
     let start = ContactStart::rolling(state(Rotation::identity(), [3.0, 30.0, 5.0]));
     let motion = run(&body, &Contact::rolling(sphere), start, &[0.0, 0.04, 1.0]);
     assert!(
-        matches!(motion.ending(), ContactEnding::Failed { cause: MotionError::Undecided { .. }, .. }),
+        matches!(motion.ending(), Ending::Failed { cause: MotionError::Undecided { .. }, .. }),
         "{:?}",
         motion.ending()
     );
     assert_eq!(motion.changes(), []);
+}
+
+/// `states` has the states of a run as far as that is known, and refuses one that ends before.
+#[test]
+fn states_end_where_the_contact_does() {
+    let (radius, mass, a) = (0.2, 1.7, 0.0313);
+    let body =
+        MassProperties::new(mass, Position::ZERO, InertiaTensor::diagonal([a, a, 0.0507]).unwrap()).unwrap();
+    let rim = surface(SurfaceShape::Rim { radius, tube: 0.0, thickness: 0.0 }, [0.0; 3]);
+    let contact = Contact::rolling(rim);
+    let attitude = Rotation::about(Direction::new(0.6, 0.8, 0.0), 1.2).unwrap();
+    let start = ContactStart::rolling(state(attitude, [0.0; 3]));
+    let times = [0.0, 0.1, 0.2];
+    let simulation = Simulation::on_ground(&body, &contact, start, &times);
+    let states: Vec<State> = simulation.run().unwrap().samples().iter().map(|s| s.state).collect();
+    assert_eq!(simulation.states().unwrap(), states);
+    let error = Simulation::on_ground(&body, &contact, start, &[10.0]).states().unwrap_err();
+    assert!(matches!(error, MotionError::ContactChanged { .. }), "{error}");
+    assert!(error.is_numerical() && error.to_string().contains("the disk lies flat"), "{error}");
+    for refused in [simulation.switched_off(&[0]), simulation.method(Method::Dop853)] {
+        assert!(matches!(refused.run(), Err(MotionError::Exclusive { .. })));
+    }
 }

@@ -4,8 +4,8 @@ use core::f64::consts::FRAC_PI_2;
 
 use polhode::math::{Direction, Rotation, Velocity};
 use polhode::motion::contact::{
-    BodySurface, Contact, ContactLaw, ContactSimulation, ContactStart, Friction, Ground, GroundShape,
-    GroundSide, Resistance, StartVelocity, SurfaceShape,
+    BodySurface, Contact, ContactLaw, ContactStart, Friction, Ground, GroundShape, GroundSide, Resistance,
+    StartVelocity, SurfaceShape,
 };
 use polhode::motion::{Event, EventAction, GroundContact, Measure, MotionError, Sense};
 use polhode::prelude::*;
@@ -13,7 +13,7 @@ use polhode::prelude::*;
 use super::{ball, generic_body, state, surface};
 
 fn error(body: &MassProperties<Body>, contact: Contact, start: ContactStart) -> MotionError {
-    ContactSimulation::new(body, &contact, start, &[1.0]).run().unwrap_err()
+    Simulation::on_ground(body, &contact, start, &[1.0]).run().unwrap_err()
 }
 
 /// The parameter that is refused.
@@ -38,7 +38,7 @@ fn what_violates_the_contact_is_refused() {
     let slips = ContactStart { velocity: StartVelocity::Along(Velocity::new(0.5, 0.0, 0.0)), ..start };
     assert!(refused(&ball(0.3), contact, slips).contains("slip at the start"));
     let rolls = ContactStart { velocity: StartVelocity::Along(Velocity::new(0.3, 0.0, 0.0)), ..start };
-    assert!(ContactSimulation::new(&ball(0.3), &contact, rolls, &[1.0]).run().is_ok());
+    assert!(Simulation::on_ground(&ball(0.3), &contact, rolls, &[1.0]).run().is_ok());
     let law = ContactLaw::with_friction(Friction { sticking: 0.3, kinetic: 0.3, viscous: 0.0 }).unwrap();
     let leaves = ContactStart { velocity: StartVelocity::Along(Velocity::new(0.5, 0.0, 0.2)), ..start };
     assert!(refused(&ball(0.3), Contact { law, ..contact }, leaves).contains("along the normal"));
@@ -120,7 +120,7 @@ fn painleves_paradox_is_named() {
         ..ContactStart::rolling(state(attitude, [0.0; 3]))
     };
     // Drawn behind its upper end it slides.
-    let found = [1.0, -1.0].map(|v| ContactSimulation::new(&body, &contact, start(v), &[0.01]).run());
+    let found = [1.0, -1.0].map(|v| Simulation::on_ground(&body, &contact, start(v), &[0.01]).run());
     let paradox = |r: &Result<_, _>| matches!(r, Err(MotionError::Painleve { .. }));
     assert_eq!(found.each_ref().map(paradox), [false, true], "{found:?}");
 }

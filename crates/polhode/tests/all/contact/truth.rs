@@ -2,7 +2,7 @@
 
 use polhode::math::{Acceleration, Direction, Rotation, Velocity};
 use polhode::motion::contact::{
-    BodySurface, Contact, ContactChange, ContactLaw, ContactPhase, ContactSample, ContactStart, Friction,
+    BodySurface, Contact, ContactChange, ContactLaw, ContactPhase, ContactStart, ContactState, Friction,
     Ground, GroundShape, GroundSide, Resistance, StartVelocity, SurfaceShape,
 };
 use polhode::prelude::*;
@@ -107,7 +107,7 @@ fn error_of(case: &Table) -> f64 {
 }
 
 /// Each number relative to the largest of its kind.
-fn error_of_sample(sample: &ContactSample, row: &Table, body: &MassProperties<Body>) -> f64 {
+fn error_of_sample(sample: &ContactState, row: &Table, body: &MassProperties<Body>) -> f64 {
     let wanted = |key: &str| numbers::<3>(&row[key]);
     let phase = match row["phase"].as_str().unwrap() {
         "rolling" => ContactPhase::Rolling,

@@ -3,8 +3,8 @@
 use core::f64::consts::FRAC_PI_2;
 
 use polhode::math::{Direction, Part};
-use polhode::motion::MotionError;
 use polhode::motion::gimbal::{Axis, Base, Gimbal, Gimbals, Spring};
+use polhode::motion::{Ending, EventAction, Measure, MotionError, Sense};
 use polhode::prelude::*;
 
 use super::{GRAVITY, balanced, free, generic_rotor, near, run, symmetric_rotor, upright};
@@ -91,11 +91,11 @@ fn massless_gimbals_lock_and_end_the_motion() {
     let rotor = symmetric_rotor(0.012, 0.02, 1.0, 0.0);
     let gimbals = upright(free([0.2, 0.3, 0.0], [0.0, 0.8, 0.0]));
     let motion = run(&rotor, &gimbals, &[1.0, 2.0]);
-    let (time, cause) = motion.failure().unwrap();
-    near(time, (FRAC_PI_2 - 0.3) / 0.8, 1e-4);
+    let Ending::Failed { time, cause } = motion.ending() else { panic!("{:?}", motion.ending()) };
+    near(*time, (FRAC_PI_2 - 0.3) / 0.8, 1e-4);
     assert!(matches!(cause, MotionError::GimbalLock { angle, .. } if (angle - FRAC_PI_2).abs() < 1e-4));
     assert!(cause.is_numerical() && cause.to_string().contains("the gimbals lock"), "{cause}");
-    assert_eq!(motion.samples().last().unwrap().state.time, time);
+    assert_eq!(motion.samples().last().unwrap().state.time, *time);
     assert_eq!(motion.samples().len(), 2);
     let heavy = gimbals.with_mass(balanced([0.001, 0.001, 0.001], [0.0; 3]), Gimbal::MASSLESS);
     let motion = run(&rotor, &heavy, &[1.0, 2.0]);
@@ -114,4 +114,32 @@ fn turned_zeros_of_the_angles_are_the_same_motion() {
     let [a, b] = [first, second].map(|gimbals| run(&rotor, &gimbals, &[1.5]).samples()[0]);
     assert!(a.state.attitude.angle_to(b.state.attitude) < 1e-13);
     near(a.angles[0], b.angles[0] + 0.3, 1e-13);
+}
+
+/// The outer axis turns at 2 rad/s, and the rotor's away from where it was.
+#[test]
+fn an_event_stops_a_motion_in_gimbals() {
+    let axes = [Axis::driven(0.0, 2.0), Axis::locked(0.0), Axis::locked(0.0)].map(Result::unwrap);
+    let (rotor, gimbals) = (generic_rotor(), upright(axes));
+    let tilt =
+        |space: Direction<Space>| Measure::Tilt { body: Direction::new(0.0, 0.0, 1.0), space: space.into() };
+    // The rotor's axis is that of y at first.
+    let event = |name, value, action| {
+        Event::new(name, tilt(Direction::new(0.0, 1.0, 0.0)), value, Sense::Rising, action).unwrap()
+    };
+    let events = [event("seen", 0.5, EventAction::Record), event("far", 0.7, EventAction::Stop)];
+    let simulation = Simulation::in_gimbals(&rotor, &gimbals, 0.0, &[0.0, 0.3, 1.0]).events(&events);
+    let motion = simulation.run().unwrap();
+    let times: Vec<f64> = motion.events().iter().map(|crossing| crossing.state.time).collect();
+    let Ending::Stopped { event: 1, time } = *motion.ending() else { panic!("{:?}", motion.ending()) };
+    near(times[0], 0.25, 1e-14);
+    near(time, 0.35, 1e-14);
+    assert_eq!((times.len(), times[1]), (2, time));
+    assert_eq!(motion.samples().last().unwrap().state.time, time);
+    let switch = [event("on", 0.5, EventAction::Switch { torque: 0, on: true })];
+    assert!(matches!(simulation.events(&switch).run(), Err(MotionError::Exclusive { .. })));
+    // Without events all times are there.
+    let states: Vec<State> =
+        simulation.events(&[]).run().unwrap().samples().iter().map(|s| s.state).collect();
+    assert_eq!(simulation.states().unwrap(), states);
 }

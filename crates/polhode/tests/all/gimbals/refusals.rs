@@ -4,7 +4,7 @@ use core::f64::consts::FRAC_PI_2;
 
 use polhode::math::{Acceleration, Direction};
 use polhode::motion::MotionError;
-use polhode::motion::gimbal::{Axis, Base, GimbalSimulation, Gimbals, Spring};
+use polhode::motion::gimbal::{Axis, Base, Gimbals, Spring};
 use polhode::prelude::*;
 
 use super::{free, generic_rotor, symmetric_rotor, upright};
@@ -38,8 +38,11 @@ fn numbers_out_of_range_are_refused() {
     );
     refused(gimbals.under(Acceleration::new(0.0, f64::NAN, 0.0)), "gravity");
     let rotor = generic_rotor();
-    refused(GimbalSimulation::new(&rotor, &gimbals, 1.0, &[0.5]).run(), "");
-    refused(GimbalSimulation::new(&rotor, &gimbals, 0.0, &[1.0]).tolerance(0.1).run(), "the tolerance = 0.1");
+    refused(Simulation::in_gimbals(&rotor, &gimbals, 1.0, &[0.5]).run(), "");
+    refused(
+        Simulation::in_gimbals(&rotor, &gimbals, 0.0, &[1.0]).tolerance(0.1).run(),
+        "the tolerance = 0.1",
+    );
 }
 
 #[test]
@@ -48,15 +51,15 @@ fn axes_that_nothing_holds_apart_are_refused() {
     for angle in [FRAC_PI_2, -FRAC_PI_2, 3.0 * FRAC_PI_2] {
         let gimbals = upright(free([0.1, angle, 0.2], [0.0; 3]));
         let message = "off ±90 deg";
-        refused(GimbalSimulation::new(&rotor, &gimbals, 0.0, &[1.0]).run(), message);
+        refused(Simulation::in_gimbals(&rotor, &gimbals, 0.0, &[1.0]).run(), message);
     }
     // A needle has no inertia about itself.
     let needle = symmetric_rotor(0.01, 0.0, 1.0, 0.0);
     let gimbals = upright(free([0.1, 0.2, 0.3], [0.0; 3]));
     let message = "the moment of inertia about the rotor's axis = 0 must be positive";
-    refused(GimbalSimulation::new(&needle, &gimbals, 0.0, &[1.0]).run(), message);
+    refused(Simulation::in_gimbals(&needle, &gimbals, 0.0, &[1.0]).run(), message);
     // With its axis driven that is no matter, and neither are ±90°.
     let axes =
         [Axis::free(0.1, 0.0), Axis::free(FRAC_PI_2 - 0.5, 0.2), Axis::driven(0.0, 3.0)].map(Result::unwrap);
-    assert!(GimbalSimulation::new(&needle, &upright(axes), 0.0, &[1.0]).run().is_ok());
+    assert!(Simulation::in_gimbals(&needle, &upright(axes), 0.0, &[1.0]).run().is_ok());
 }

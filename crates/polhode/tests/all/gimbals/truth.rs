@@ -2,7 +2,7 @@
 
 use polhode::body::InertiaAbout;
 use polhode::math::{Acceleration, Direction, Part};
-use polhode::motion::gimbal::{Axis, Base, Gimbal, GimbalSample, Gimbals, Spring};
+use polhode::motion::gimbal::{Axis, Base, Gimbal, GimbalState, Gimbals, Spring};
 use polhode::prelude::*;
 use toml::Table;
 
@@ -51,7 +51,7 @@ fn error_of(case: &Table) -> f64 {
     let rows = cases(case, "row");
     let times: Vec<f64> = rows.iter().map(|row| number(&row["t"])).collect();
     let motion = run(&rotor, &gimbals, &times);
-    assert_eq!(motion.samples().len(), rows.len(), "{:?}", motion.failure());
+    assert_eq!(motion.samples().len(), rows.len(), "{:?}", motion.ending());
     assert!(motion.energy_drift() < 1e-13, "{}: {:.1e}", case["name"], motion.energy_drift());
     let compared = motion.samples().iter().zip(&rows);
     compared.map(|(sample, row)| error_of_sample(sample, row)).fold(0.0, worse)
@@ -70,7 +70,7 @@ fn gimbal(case: &Table, name: &str) -> Gimbal {
 }
 
 /// Each number relative to the largest of its kind.
-fn error_of_sample(sample: &GimbalSample, row: &Table) -> f64 {
+fn error_of_sample(sample: &GimbalState, row: &Table) -> f64 {
     let mut worst = attitude(&row["attitude"]).angle_to(sample.state.attitude);
     let mut compare = |got: [f64; 3], key: &str, least: f64| {
         let wanted = numbers::<3>(&row[key]);

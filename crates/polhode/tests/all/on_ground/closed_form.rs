@@ -3,12 +3,15 @@
 use core::f64::consts::TAU;
 
 use polhode::math::{Direction, Rotation, Velocity};
+use polhode::motion::channel::CONTACT;
 use polhode::motion::contact::{
-    Contact, ContactChange, ContactLaw, ContactSimulation, ContactStart, ContactTrajectory, Footing,
-    Friction, Ground, GroundShape, GroundSide, Resistance, StartVelocity, SurfaceShape,
+    Contact, ContactChange, ContactLaw, ContactStart, ContactState, Footing, Friction, Ground, GroundShape,
+    GroundSide, Resistance, StartVelocity, SurfaceShape,
 };
 use polhode::observe::{BallInBowl, BallOnPlane, CirclingDisk, SlipEnd};
 use polhode::prelude::*;
+
+use crate::common::held::Held;
 
 use super::{body, contact, leaning, start};
 
@@ -22,8 +25,8 @@ fn run(
     contact: &Contact,
     start: ContactStart,
     times: &[f64],
-) -> ContactTrajectory {
-    ContactSimulation::new(mass, contact, start, times).run().unwrap()
+) -> Held<ContactState> {
+    Held::of(Simulation::on_ground(mass, contact, start, times).run().unwrap(), CONTACT)
 }
 
 #[track_caller]
@@ -141,9 +144,8 @@ fn disks_run_in_steady_circles() {
                 let times = [0.0, 0.23 / rate.abs(), 2.1 / rate.abs()];
                 let motion = run(&mass, &contact, start, &times);
                 let [first, second, third] = motion.samples() else { panic!("{:?}", motion.ending()) };
-                let lean = |s: &polhode::motion::contact::ContactSample| {
-                    (s.state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0)).z.acos()
-                };
+                let lean =
+                    |s: &ContactState| (s.state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0)).z.acos();
                 near(lean(third), tilt, 1e-9);
                 near(first.center.z, disk.height(tilt), 1e-12);
                 near(first.kinetic_energy + first.potential_energy, disk.energy(tilt, spin, rate), 1e-12);

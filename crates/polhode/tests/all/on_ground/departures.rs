@@ -3,11 +3,12 @@
 use core::f64::consts::FRAC_PI_2;
 
 use polhode::math::Velocity;
-use polhode::motion::contact::{
-    Contact, ContactLaw, ContactSimulation, Footing, StartVelocity, SurfaceShape,
-};
+use polhode::motion::channel::CONTACT;
+use polhode::motion::contact::{Contact, ContactLaw, Footing, StartVelocity, SurfaceShape};
 use polhode::observe::SteadyPath;
 use polhode::prelude::*;
+
+use crate::common::held::Held;
 
 use super::{FOOTINGS, body, contact, leaning, start, steady, turned};
 
@@ -31,7 +32,7 @@ fn growth(
     if contact.law != ContactLaw::ROLLING && !is_level {
         from.velocity = StartVelocity::Along(Velocity::ZERO);
     }
-    let motion = ContactSimulation::new(body, contact, from, &times).run().unwrap();
+    let motion = Held::of(Simulation::on_ground(body, contact, from, &times).run().unwrap(), CONTACT);
     let departure = |k: usize| {
         let up: Direction<Body> =
             motion.samples()[k].state.attitude.inverse() * Direction::new(0.0, 0.0, 1.0);

@@ -1,11 +1,14 @@
 //! Where sliding friction leads a tippe top.
 
 use polhode::math::Velocity;
+use polhode::motion::channel::CONTACT;
 use polhode::motion::contact::{
-    Contact, ContactLaw, ContactSimulation, ContactStart, Footing, Friction, StartVelocity, SurfaceShape,
+    Contact, ContactLaw, ContactStart, Footing, Friction, StartVelocity, SurfaceShape,
 };
 use polhode::observe::{Place, SteadyOnGround, SteadyPath, TippeTop};
 use polhode::prelude::*;
+
+use crate::common::held::Held;
 
 use super::{body, contact, leaning, start};
 
@@ -124,7 +127,7 @@ fn friction_leads_to_the_minimum() {
         let steady = SteadyOnGround::near(&body, &contact, &start).unwrap();
         let [end] = steady.tippe_top.unwrap().minima(steady.jellett.unwrap())[..] else { panic!("one end") };
         assert_eq!(end.place, place);
-        let motion = ContactSimulation::new(&body, &contact, start, &[80.0]).run().unwrap();
+        let motion = Held::of(Simulation::on_ground(&body, &contact, start, &[80.0]).run().unwrap(), CONTACT);
         let axis = motion.samples()[0].state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
         // What is left of its swings after 80 s.
         assert!((axis.z - end.cosine).abs() < 5e-4, "{} {end:?}", axis.z);

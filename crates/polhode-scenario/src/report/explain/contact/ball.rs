@@ -225,7 +225,7 @@ pub(crate) fn rolls(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -
 
 /// The equation of what rolls on a plane at rest.
 fn rolling_on(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
-    let resistance = g.contact().law.resistance();
+    let resistance = g.contact.law.resistance();
     let gained = ball.rolling_acceleration();
     s.say("Rolling, u = 0 stays, so F = −σ m g_t, and 1 − σ of g_t is left:");
     s.formula(
@@ -261,7 +261,7 @@ fn rolling_on(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> Stri
     let needed = ball.friction_to_roll();
     s.say("That takes friction of σ tan α of the normal force:");
     let have = g.friction().sticking;
-    let verdict = if !matches!(g.contact().law.grip(), Grip::Friction(_)) {
+    let verdict = if !matches!(g.contact.law.grip(), Grip::Friction(_)) {
         String::new()
     } else if have >= needed {
         format!(", and µs = {} suffices", n(have))

@@ -14,13 +14,13 @@ use super::OnGround;
 /// True of a sphere about the centre of mass with three equal moments.
 pub(crate) fn is_even_ball(g: &OnGround<'_, '_>) -> bool {
     let body = g.w.body();
-    let is_centred = matches!(g.contact().surface.shape(), SurfaceShape::Sphere { radius }
-        if (g.contact().surface.center() - body.center_of_mass()).norm() <= 1e-9 * radius);
+    let is_centred = matches!(g.contact.surface.shape(), SurfaceShape::Sphere { radius }
+        if (g.contact.surface.center() - body.center_of_mass()).norm() <= 1e-9 * radius);
     is_centred && g.w.rotor.principal().symmetry() == polhode::body::Symmetry::Spherical
 }
 
 pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
-    let ball = BallInBowl::of(g.w.body(), g.contact())?;
+    let ball = BallInBowl::of(g.w.body(), g.contact)?;
     if !g.is_rolling() || g.is_resisted() {
         return None;
     }

@@ -22,7 +22,7 @@ pub(crate) fn list(g: &OnGround<'_, '_>, s: &mut Section) {
         s.say("Nothing stays constant: friction takes energy, and its torque changes L. What holds is a balance: T + U less the work of friction and of the ground.");
         return;
     }
-    let until = if g.is_rolling() && !matches!(g.contact().law.grip(), Grip::NoSlip) {
+    let until = if g.is_rolling() && !matches!(g.contact.law.grip(), Grip::NoSlip) {
         ", as long as it rolls"
     } else {
         ""
@@ -33,7 +33,7 @@ pub(crate) fn list(g: &OnGround<'_, '_>, s: &mut Section) {
 }
 
 fn constants(g: &OnGround<'_, '_>) -> Vec<Constant> {
-    let contact = g.contact();
+    let contact = g.contact;
     let is_plane = matches!(contact.ground.shape(), GroundShape::Plane);
     let gravity = super::direction(contact.gravity.to_array());
     let is_level = is_plane && (gravity + g.start.normal * gravity.norm()).norm() <= 1e-9 * gravity.norm();
@@ -55,9 +55,9 @@ fn constants(g: &OnGround<'_, '_>) -> Vec<Constant> {
 
 /// ω · n of a ball with three equal moments.
 fn about_normal(g: &OnGround<'_, '_>, is_plane: bool) -> Option<Constant> {
-    let resistance = g.contact().law.resistance();
-    let in_bowl = matches!(g.contact().ground.shape(), GroundShape::Sphere { .. })
-        && g.contact().ground.turning() == 0.0
+    let resistance = g.contact.law.resistance();
+    let in_bowl = matches!(g.contact.ground.shape(), GroundShape::Sphere { .. })
+        && g.contact.ground.turning() == 0.0
         && g.is_rolling()
         && resistance.rolling == 0.0;
     if !bowl::is_even_ball(g) || resistance.pivoting != 0.0 || !(is_plane || in_bowl) {
@@ -89,7 +89,7 @@ fn frictionless(g: &OnGround<'_, '_>, is_level: bool) -> Vec<Constant> {
 
 /// Jellett's and Routh's of a tippe top, and Chaplygin's of a ball with its centre of mass in its middle.
 fn of_spheres(g: &OnGround<'_, '_>, is_level: bool) -> Vec<Constant> {
-    let (contact, body) = (g.contact(), g.w.body());
+    let (contact, body) = (g.contact, g.w.body());
     let mut all = Vec::new();
     if let Some((top, e)) = TippeTop::of(body, contact) {
         let arm = Direction::<Body>::from_array(g.arm.to_array());

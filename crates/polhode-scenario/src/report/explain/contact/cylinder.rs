@@ -9,7 +9,7 @@ use super::super::working::n;
 use super::{OnGround, ball, unsolved, wheel};
 
 pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
-    let surface = &g.contact().surface;
+    let surface = &g.contact.surface;
     let e: Direction<Body> = surface.axes() * Direction::new(0.0, 0.0, 1.0);
     let axis: Direction<Space> = g.start.state.attitude * e;
     let offset = surface.center() - g.w.body().center_of_mass();
@@ -23,15 +23,15 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
         s.say("Its centre of mass is beside its axis, so that it rocks as a pendulum: no closed form is used here, and it is integrated (step 6).");
         return None;
     }
-    if g.contact().ground.turning() != 0.0 {
+    if g.contact.ground.turning() != 0.0 {
         unsolved(g, s);
         return None;
     }
     let roller = wheel::straight(g, e)?;
     s.formula("k = C/(m a²),   σ = k/(1 + k)", r"k = \frac{C}{m a^2}, \qquad \sigma = \frac{k}{1 + k}");
     ball::ratio(&roller, "C", s);
-    let along = axis.dot(g.contact().gravity);
-    match *g.contact().ground.shape() {
+    let along = axis.dot(g.contact.gravity);
+    match *g.contact.ground.shape() {
         GroundShape::Plane => {}
         GroundShape::Cylinder { radius, side: GroundSide::Inside } if g.is_rolling() => {
             return Some(pipe(g, &roller, radius, s));
@@ -42,7 +42,7 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
         }
     }
     if g.is_rolling() {
-        if along.abs() > 1e-9 * g.contact().gravity.norm() {
+        if along.abs() > 1e-9 * g.contact.gravity.norm() {
             let pushed = roller.mass * along;
             s.say("The slope goes along the axis too. There it cannot roll, and friction holds it with the whole of that part of its weight:");
             s.line(format!("m g · e = {} N", n(pushed)));
@@ -50,7 +50,7 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
         return Some(ball::rolls(g, &roller, s));
     }
     let slip = axis.dot(g.start.slip).abs() > 1e-9 * g.start.slip.norm();
-    if slip || along.abs() > 1e-9 * g.contact().gravity.norm() {
+    if slip || along.abs() > 1e-9 * g.contact.gravity.norm() {
         s.say("It slips along its axis too, where friction turns nothing: u\u{307} is F/m along e and F/(σ m) across, and the direction of the slip changes in a way that has no closed form here.");
         return None;
     }
@@ -60,8 +60,8 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
 /// A pendulum, slower than one of its length.
 fn pipe(g: &OnGround<'_, '_>, roller: &BallOnPlane, radius: f64, s: &mut Section) -> String {
     let length = radius - roller.radius;
-    let gravity = g.contact().gravity;
-    let axis = g.contact().ground.axis();
+    let gravity = g.contact.gravity;
+    let axis = g.contact.ground.axis();
     let across = (super::direction(gravity.to_array()) - axis * axis.dot(gravity)).norm();
     let small = (across * (1.0 - roller.share()) / length).sqrt();
     s.say("In the pipe its centre of mass is on a circle of the radius l = R − a, at θ from the lowest line. v = l θ\u{307} = a ω, and the energy is that of a pendulum with 1 + k times its inertia:");

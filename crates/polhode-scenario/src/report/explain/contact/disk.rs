@@ -232,7 +232,7 @@ fn upright(disk: &CirclingDisk, tilt: f64, footing: Footing, s: &mut Section) {
 
 /// Euler's disk.
 fn euler(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Section) -> Option<String> {
-    let lever = g.contact().law.resistance().rolling;
+    let lever = g.contact.law.resistance().rolling;
     // Close to upright, or faster than a whirl, it is another motion, unless rolling friction brings it down in the end.
     if lever == 0.0 && at.tilt > 1.0 {
         return None;

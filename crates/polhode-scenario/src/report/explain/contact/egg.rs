@@ -54,7 +54,7 @@ fn sliding(
     let (enough, stands) = (egg.rises_beyond(height), egg.stands_beyond());
     s.line(format!("J = {} kg·m³/s,  √(A m g h³) = {} with the largest h", n(jellett), n(stands)));
     s.line(format!("Ω = {} rad/s,  √(m g h/A) = {} rad/s at t0", n(spin), n(enough)));
-    let last = g.motion().and_then(|motion| motion.samples().last());
+    let last = g.last();
     if let Some(last) = last {
         let arm =
             Direction::<Body>::from_array((last.contact_in_body - g.w.body().center_of_mass()).to_array());

@@ -16,7 +16,7 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     {
         return Some(rattleback::solve(g, steady, vertex, &rattle, s));
     }
-    if let Some((egg, axis)) = SpinningEgg::of(g.w.body(), g.contact()) {
+    if let Some((egg, axis)) = SpinningEgg::of(g.w.body(), g.contact) {
         return egg::solve(g, &egg, axis, s);
     }
     match (&steady, &vertex) {

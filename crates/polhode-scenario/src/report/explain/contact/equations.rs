@@ -20,7 +20,7 @@ pub(crate) fn inertia(g: &OnGround<'_, '_>) -> Section {
     s.matrix("{J}", g.w.body().inertia_about(place).matrix(), "kg·m²");
     if g.w.is_turning() || g.start.velocity.norm() > 0.0 {
         let about = constants::about_contact(g);
-        let how = if g.is_rolling() && g.contact().ground.turning() == 0.0 { " = {J} ω" } else { "" };
+        let how = if g.is_rolling() && g.contact.ground.turning() == 0.0 { " = {J} ω" } else { "" };
         s.line(format!(
             "L_P = {{I}} ω − r × m v{how} = {} kg·m²/s in body axes, |L_P| = {}",
             v(about.to_array()),
@@ -43,7 +43,7 @@ pub(crate) fn section(g: &OnGround<'_, '_>) -> Section {
             r"m \dot{\mathbf v} = m \mathbf g + N \mathbf n + \mathbf F, \qquad \lbrace \mathbf I \rbrace \dot{\boldsymbol\omega} + \boldsymbol\omega \times \lbrace \mathbf I \rbrace \boldsymbol\omega = \mathbf r \times (N \mathbf n + \mathbf F) + \boldsymbol\tau, \qquad \boldsymbol\tau = -N \left(\mu_r \frac{\boldsymbol\omega_t}{|\boldsymbol\omega_t|} + \mu_p \frac{\boldsymbol\omega_n}{|\boldsymbol\omega_n|}\right)",
         );
         s.say("τ resists rolling and pivoting: ω_t is the turning along the ground, ω_n that about n, both relative to the ground.");
-        let resistance = g.contact().law.resistance();
+        let resistance = g.contact.law.resistance();
         s.line(format!("µr = {} m,  µp = {} m", n(resistance.rolling), n(resistance.pivoting)));
     } else {
         s.formula(
@@ -71,11 +71,11 @@ pub(crate) fn section(g: &OnGround<'_, '_>) -> Section {
         exactly(tidy_beside(g.w.acceleration.to_array(), g.w.acceleration.norm()))
     ));
     let force = Direction::from_array(start.friction.to_array()) + start.normal * start.normal_force;
-    let gravity = Direction::from_array(g.contact().gravity.to_array());
+    let gravity = Direction::from_array(g.contact.gravity.to_array());
     let acceleration = gravity + force * (1.0 / g.w.body().mass());
     s.line(format!(
         "v\u{307} = g + (N n + F)/m = {} m/s² in space axes",
-        exactly(tidy_beside(acceleration.to_array(), g.contact().gravity.norm()))
+        exactly(tidy_beside(acceleration.to_array(), g.contact.gravity.norm()))
     ));
     constants::list(g, &mut s);
     s
@@ -83,7 +83,7 @@ pub(crate) fn section(g: &OnGround<'_, '_>) -> Section {
 
 fn rolling(g: &OnGround<'_, '_>, s: &mut Section) {
     s.say("Rolling, v = w − ω × r for all time, so v\u{307} follows from ω\u{307}; put into Newton's law it gives N n + F, and with that Euler's equations have no unknown force:");
-    if g.contact().ground.turning() == 0.0 {
+    if g.contact.ground.turning() == 0.0 {
         s.formula(
             "{J} ω\u{307} = −ω × {I} ω − m r × [g + ω × (ω × r + r\u{307})]",
             r"\lbrace \mathbf J \rbrace \dot{\boldsymbol\omega} = -\boldsymbol\omega \times \lbrace \mathbf I \rbrace \boldsymbol\omega - m \mathbf r \times \left[\mathbf g + \boldsymbol\omega \times (\boldsymbol\omega \times \mathbf r + \dot{\mathbf r})\right]",
@@ -99,7 +99,7 @@ fn rolling(g: &OnGround<'_, '_>, s: &mut Section) {
         "L_P = {I} ω − r × m v,   dL_P/dt = −r × m g − s × m v",
         r"\mathbf L_P = \lbrace \mathbf I \rbrace \boldsymbol\omega - \mathbf r \times m \mathbf v, \qquad \frac{d\mathbf L_P}{dt} = -\mathbf r \times m \mathbf g - \mathbf s \times m \mathbf v",
     );
-    let [arm, weight] = [g.arm.to_array(), (g.contact().gravity * g.w.body().mass()).to_array()];
+    let [arm, weight] = [g.arm.to_array(), (g.contact.gravity * g.w.body().mass()).to_array()];
     let weight = g.start.state.attitude.inverse() * super::direction(weight);
     let torque = -Direction::<Body>::from_array(arm).cross(weight);
     s.line(format!(

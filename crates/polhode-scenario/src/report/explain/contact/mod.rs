@@ -19,11 +19,12 @@ mod vertex;
 mod wheel;
 
 use polhode::math::{AngularVelocity, Body, Direction, Position, Space};
-use polhode::motion::GroundContact;
+use polhode::motion::channel::CONTACT;
 use polhode::motion::contact::{
-    Contact, ContactLaw, ContactPhase, ContactSample, ContactStart, ContactTrajectory, Friction, Grip,
-    GroundShape, StartVelocity, SurfaceShape,
+    Contact, ContactLaw, ContactPhase, ContactStart, ContactState, Friction, Grip, GroundShape,
+    StartVelocity, SurfaceShape,
 };
+use polhode::motion::{GroundContact, Trajectory};
 use polhode::observe::{BallOnPlane, CirclingDisk, SteadyOnGround, TippeTop};
 use polhode_document::{Document, Section};
 
@@ -34,7 +35,8 @@ use super::{answer, body};
 struct OnGround<'a, 'b> {
     w: &'a Working<'b>,
     ground: &'a GroundContact,
-    start: ContactSample,
+    contact: &'a Contact,
+    start: ContactState,
     /// n along body axes.
     up: Direction<Body>,
     /// From the centre of mass to the point of contact.
@@ -107,20 +109,21 @@ impl<'a, 'b> OnGround<'a, 'b> {
         let (ground, start) = (w.scenario.ground()?, w.contact?);
         let up = start.state.attitude.inverse() * start.normal;
         let arm = start.contact_in_body - w.body().center_of_mass();
-        Some(Self { w, ground, start, up, arm })
+        Some(Self { w, ground, contact: &ground.contact, start, up, arm })
     }
 
-    fn motion(&self) -> Option<&ContactTrajectory> {
-        self.w.trajectory.as_deref()?.contact()
+    fn motion(&self) -> Option<&Trajectory> {
+        self.w.trajectory.as_deref()
     }
 
-    fn contact(&self) -> &Contact {
-        &self.ground.contact
+    /// The contact at the end of the run.
+    fn last(&self) -> Option<ContactState> {
+        self.motion()?.channel(CONTACT)?.last()
     }
 
     /// Friction of what slips; none of what never does.
     fn friction(&self) -> Friction {
-        match *self.contact().law.grip() {
+        match *self.contact.law.grip() {
             Grip::Friction(friction) => friction,
             _ => Friction::default(),
         }
@@ -131,26 +134,26 @@ impl<'a, 'b> OnGround<'a, 'b> {
     }
 
     fn is_frictionless(&self) -> bool {
-        matches!(*self.contact().law.grip(), Grip::Friction(friction) if friction == Friction::default())
+        matches!(*self.contact.law.grip(), Grip::Friction(friction) if friction == Friction::default())
     }
 
     /// True if torques resist rolling or pivoting.
     fn is_resisted(&self) -> bool {
-        let resistance = self.contact().law.resistance();
+        let resistance = self.contact.law.resistance();
         resistance.rolling > 0.0 || resistance.pivoting > 0.0
     }
 
     fn axis(&self) -> Option<Direction<Body>> {
-        self.contact().symmetry_axis(self.w.body())
+        self.contact.symmetry_axis(self.w.body())
     }
 
     /// The same contact without torques that resist.
     fn unresisted(&self) -> Contact {
-        let law = match *self.contact().law.grip() {
+        let law = match *self.contact.law.grip() {
             Grip::Friction(friction) => ContactLaw::with_friction(friction).unwrap_or(ContactLaw::ROLLING),
             _ => ContactLaw::ROLLING,
         };
-        Contact { law, ..*self.contact() }
+        Contact { law, ..*self.contact }
     }
 
     /// The steady motion that a start is near to, if nothing resisted it.

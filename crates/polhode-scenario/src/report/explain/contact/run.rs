@@ -1,8 +1,9 @@
 //! Step 6 on the ground: what the run shows, and how good it is.
 
 use polhode::math::{Body, Direction};
-use polhode::motion::Trajectory;
-use polhode::motion::contact::{ContactEvent, ContactSample};
+use polhode::motion::channel::CONTACT;
+use polhode::motion::contact::{ContactEvent, ContactState};
+use polhode::motion::{Series, Trajectory};
 use polhode_document::Section;
 use polhode_document::number::error;
 
@@ -26,14 +27,15 @@ pub(crate) fn section(g: &OnGround<'_, '_>) -> Section {
     };
     s.say(format!(
         "The equations of step 4 are integrated, with the attitude by x\u{307} = ω × x of its axes, by {}; where rolling, sliding and flying change is found as a root of a series.",
-        motion.solver().title()
+        motion.solution().title()
     ));
     changes(g, motion.changes(), &mut s);
     if let Some(ending) = g.w.trajectory.as_deref().and_then(|t| event::ending_in_words(t, g.w.scenario)) {
         s.say(format!("The run is {ending}."));
     }
-    table(g, motion.samples(), &mut s);
-    if let Some(last) = motion.samples().last() {
+    let states: Vec<ContactState> = motion.channel(CONTACT).into_iter().flat_map(Series::iter).collect();
+    table(g, &states, &mut s);
+    if let Some(last) = states.last() {
         attitude::attitude(&last.state, g.w.error().attitude, "end", &mut s);
     }
     s.say("Evidence: what must hold whatever the solution is, relative, at the worst sample of the run:");
@@ -68,8 +70,8 @@ fn changes(g: &OnGround<'_, '_>, all: &[ContactEvent], s: &mut Section) {
 }
 
 /// At a few times: how the axis stands, how fast the body turns about it and about the normal, the forces and the energy.
-fn table(g: &OnGround<'_, '_>, samples: &[ContactSample], s: &mut Section) {
-    let few: Vec<ContactSample> = if samples.len() <= ROWS {
+fn table(g: &OnGround<'_, '_>, samples: &[ContactState], s: &mut Section) {
+    let few: Vec<ContactState> = if samples.len() <= ROWS {
         samples.to_vec()
     } else {
         (0..ROWS).map(|k| samples[k * (samples.len() - 1) / (ROWS - 1)]).collect()
@@ -79,7 +81,7 @@ fn table(g: &OnGround<'_, '_>, samples: &[ContactSample], s: &mut Section) {
         few.len()
     ));
     let axis = g.axis().filter(|_| !super::bowl::is_even_ball(g));
-    let tilt = |x: &ContactSample, e: Direction<Body>| (x.state.attitude * e).angle_to(x.normal).to_degrees();
+    let tilt = |x: &ContactState, e: Direction<Body>| (x.state.attitude * e).angle_to(x.normal).to_degrees();
     let rows: Vec<Vec<f64>> = few
         .iter()
         .map(|x| {

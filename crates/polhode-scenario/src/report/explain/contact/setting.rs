@@ -24,12 +24,12 @@ pub(crate) fn axes(g: &OnGround<'_, '_>) -> Section {
         s.say("At t0 the body axes stand in space as R(t0), whose columns are x, y, z in space axes: a_space = R\u{a0}a_body.");
         s.matrix("R(t0)", g.w.start.attitude.matrix(), "");
     }
-    let surface = &g.contact().surface;
+    let surface = &g.contact.surface;
     s.say(format!(
         "What touches: {}. The ground: {}. With n the normal of the ground, towards the body, the point of contact P is where the surface has the outer normal −n, at r from C. As the body turns, n does so in the \
          body, and r with it:",
         contact::surface(surface),
-        contact::form(&g.contact().ground)
+        contact::form(&g.contact.ground)
     ));
     let (text, latex) = match surface.shape() {
         SurfaceShape::Ellipsoid { .. } => (
@@ -82,7 +82,7 @@ pub(crate) fn forces(g: &OnGround<'_, '_>) -> Section {
     constraint(g, &mut s);
     velocities(g, &mut s);
     s.say("The forces on the body, in space axes: its weight in C, and in P the normal force N n and friction F. N and F are not given: they are what the constraint takes (step 4).");
-    let weight = g.contact().gravity * g.w.body().mass();
+    let weight = g.contact.gravity * g.w.body().mass();
     let size = weight.norm().max(start.normal_force);
     s.line(format!("m g = {} N", v(weight.to_array())));
     s.line(format!(
@@ -97,7 +97,7 @@ pub(crate) fn forces(g: &OnGround<'_, '_>) -> Section {
 }
 
 fn constraint(g: &OnGround<'_, '_>, s: &mut Section) {
-    match g.contact().law.grip() {
+    match g.contact.law.grip() {
         Grip::NoSlip => {
             s.say("It rolls without slipping: the body's point at P moves as the ground does there, at w, which is zero unless the ground turns.");
             s.formula("v + ω × r = w", r"\mathbf v + \boldsymbol\omega \times \mathbf r = \mathbf w");
@@ -128,7 +128,7 @@ fn velocities(g: &OnGround<'_, '_>, s: &mut Section) {
     s.line(format!("v     = {} m/s, the centre of mass, in space axes", shown(start.velocity.to_array())));
     s.line(format!("ω × r = {} m/s", shown(turned.to_array())));
     let slip = start.slip;
-    if g.contact().ground.turning() != 0.0 {
+    if g.contact.ground.turning() != 0.0 {
         let carried = start.velocity + Velocity::from_array(turned.to_array()) - slip;
         s.line(format!("w     = Ω × x = {} m/s", shown(carried.to_array())));
     }
@@ -142,7 +142,7 @@ fn velocities(g: &OnGround<'_, '_>, s: &mut Section) {
 /// How near friction is to its limit.
 fn holding(g: &OnGround<'_, '_>, s: &mut Section) {
     let (friction, normal, force) = (g.friction(), g.start.normal_force, g.start.friction.norm());
-    if g.is_frictionless() || !matches!(g.contact().law.grip(), Grip::Friction(_)) {
+    if g.is_frictionless() || !matches!(g.contact.law.grip(), Grip::Friction(_)) {
         return;
     }
     if g.is_rolling() {
@@ -179,6 +179,6 @@ fn energy(g: &OnGround<'_, '_>, s: &mut Section) {
         n(rotation),
         n(translation + rotation)
     ));
-    let size = g.start.kinetic_energy.abs() + mass * g.contact().gravity.norm() * g.arm.norm();
+    let size = g.start.kinetic_energy.abs() + mass * g.contact.gravity.norm() * g.arm.norm();
     s.line(format!("U = {} J", n(tidy_beside([g.start.potential_energy, 0.0, 0.0], size)[0])));
 }

@@ -45,7 +45,7 @@ fn constant(g: &OnGround<'_, '_>, jellett: f64, s: &mut Section) {
         s.say("But torques that resist rolling or pivoting do change it: here it stays only nearly.");
     }
     s.line(format!("J = {} kg·m³/s", n(jellett)));
-    if let Some(last) = g.motion().and_then(|motion| motion.samples().last()) {
+    if let Some(last) = g.last() {
         let body = g.w.body();
         let arm = Direction::<Body>::from_array((last.contact_in_body - body.center_of_mass()).to_array());
         let then = -arm.dot(g.w.rotor.angular_momentum(last.state.omega));
@@ -89,8 +89,8 @@ fn energy(g: &OnGround<'_, '_>, top: &TippeTop, jellett: f64, s: &mut Section) {
         r"W(\theta) = \frac{J^2}{2 R^2 D} + m g R (1 - \alpha \cos\theta), \qquad D = A \sin^2\theta + C (\cos\theta - \alpha)^2",
     );
     s.say("and it ends in a minimum of W. T + U of the start is above it by what slips:");
-    let up = g.start.normal.dot(g.start.center) * g.contact().gravity.norm() * g.w.body().mass();
-    let from = g.start.normal.dot(g.start.contact) * g.contact().gravity.norm() * g.w.body().mass();
+    let up = g.start.normal.dot(g.start.center) * g.contact.gravity.norm() * g.w.body().mass();
+    let from = g.start.normal.dot(g.start.contact) * g.contact.gravity.norm() * g.w.body().mass();
     let total = g.start.kinetic_energy + up - from;
     let tilt = g.axis().map_or(0.0, |e| e.angle_to(g.up));
     s.line(format!("T + U = {} J at t0,  W(θ0) = {} J", n(total), n(top.least_energy(jellett, tilt.cos()))));
@@ -166,7 +166,7 @@ fn ends(g: &OnGround<'_, '_>, top: &TippeTop, jellett: f64, e: Direction<Body>, 
     if g.is_frictionless() {
         return "Without friction it does not rise: it nods.".to_owned();
     }
-    if g.is_rolling() && dry || !matches!(g.contact().law.grip(), Grip::Friction(_)) {
+    if g.is_rolling() && dry || !matches!(g.contact.law.grip(), Grip::Friction(_)) {
         s.say("As it rolls, nothing is lost, and it does not go there: it nods about the steady motion that is nearest.");
         return "It rolls, and as long as it does friction takes nothing: it does not turn over.".to_owned();
     }

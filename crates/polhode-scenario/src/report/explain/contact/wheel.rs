@@ -9,7 +9,7 @@ use super::{OnGround, ball};
 
 /// A rim upright on a slope, its axis across it.
 pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
-    let contact = g.contact();
+    let contact = g.contact;
     if !matches!(contact.surface.shape(), SurfaceShape::Rim { thickness: 0.0, .. })
         || !matches!(contact.ground.shape(), GroundShape::Plane)
     {
@@ -38,7 +38,7 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
 
 /// What rolls about an axis that keeps its direction, with the part of gravity across that.
 pub(crate) fn straight(g: &OnGround<'_, '_>, e: Direction<Body>) -> Option<BallOnPlane> {
-    let contact = g.contact();
+    let contact = g.contact;
     let rows = g.w.body().inertia().matrix();
     let image = Direction::<Body>::from_array(rows.map(|row| Direction::<Body>::from_array(row).dot(e)));
     let axis: Direction<Space> = g.start.state.attitude * e;

@@ -114,7 +114,7 @@ pub struct MassRates {
 /// let history = MassHistory::new(&[cylinder(0.0)?, cylinder(10.0)?], Outflow::Exits(vec![exit]))?;
 /// let rotor = history.rotor(0.0, None)?;
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.1, 0.0, 2.0) };
-/// let motion = Simulation { history: Some(&history), ..Simulation::new(&rotor, &[], start, &[10.0]) }.run()?;
+/// let motion = Simulation::new(&rotor, &[], start, &[10.0]).changing(Some(&history)).run()?;
 /// let omega = motion.samples()[0].state.omega;
 /// assert!((omega.z - 2.0).abs() < 1e-13 && omega.x.hypot(omega.y) < 0.1 * (1.0_f64 / 3.0).powf(1.6));
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -1,6 +1,6 @@
 //! The samples at which a motion is compared with others: all of them, or some hundreds of many.
 
-use super::perturbed::Distance;
+use super::distance::Distance;
 use crate::motion::model::state::State;
 use crate::motion::model::state::StateError;
 use crate::motion::run::trajectory::Trajectory;

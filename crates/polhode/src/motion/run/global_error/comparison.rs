@@ -1,7 +1,7 @@
 //! The comparison runs of an estimate by steps: one without truncation error, and others with larger rounding.
 
 use super::compared_samples::ComparedSamples;
-use super::perturbed::Distance;
+use super::distance::Distance;
 use crate::motion::model::state::State;
 use crate::motion::run::estimated_error::{GlobalError, NONE, ROUNDING};
 use crate::motion::run::trajectory::Trajectory;
@@ -19,7 +19,7 @@ pub(super) const INPUT_RUNS: u64 = 4;
 /// First seed of the runs from other inputs.
 pub(super) const INPUT_SEED: u64 = 1_000;
 /// Amplitudes of the changes of inputs, in units of half an ε: powers of two, so large that the steps
-/// do nothing compared with them, and so small that their effect stays linear ([`super::perturbed::LINEAR`]).
+/// do nothing compared with them, and so small that their effect stays linear ([`super::distance::LINEAR`]).
 pub(super) const INPUT_AMPLITUDES: [f64; 3] = [4096.0, 64.0, 1.0];
 /// Factor on the rounding of a cheap estimate, which has a single sample of it.
 const CHEAP: f64 = 6.0;

@@ -3,24 +3,20 @@
 use super::ErrorEffort;
 use super::compared_samples::ComparedSamples;
 use super::comparison::{INPUT_AMPLITUDES, INPUT_RUNS, INPUT_SEED, error_by_steps};
+use super::distance::{Distance, LINEAR};
 use super::inputs::Inputs;
-use super::perturbed::{Distance, LINEAR, Perturbed};
+use super::repeatable::{IntegratedRotor, Repeatable};
 use crate::motion::error::MotionError;
 use crate::motion::model::state::State;
 use crate::motion::model::state::StateError;
 use crate::motion::run::estimated_error::{GlobalError, NONE};
+use crate::motion::run::rotor_problem::RotorProblem;
 use crate::motion::run::sample::Sample;
-use crate::motion::run::simulation::Simulation;
+use crate::motion::run::simulation::{Problem, Simulation};
 use crate::motion::run::solution::Solution;
 use crate::motion::run::trajectory::Trajectory;
 use crate::motion::solve::closed_form::{ClosedForm, OF_ROUNDED_CONSTANTS};
 use crate::motion::solve::propagate::stepper::Rule;
-use crate::motion::solve::solver::Solver;
-
-/// Up to so many steps and samples a thorough estimate is made without being asked for: some hundredths of a second.
-const FEW: u64 = 10_000;
-/// Steps of DOP853 and of splitting take several times as long as Taylor's for the same accuracy.
-const FEW_OF_MANY_STAGES: u64 = 3_000;
 
 impl Simulation<'_> {
     /// [`Simulation::run`], with the estimate of its error: [`Trajectory::error`]. `progress` is told the end again and again while that is
@@ -34,7 +30,7 @@ impl Simulation<'_> {
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Result<Trajectory, MotionError> {
         let trajectory = self.run_watched(progress)?;
-        let end = self.times.last().copied().unwrap_or(self.start.time);
+        let end = self.ends();
         let mut goes_on = true;
         let error = self.estimate(&trajectory, effort, &mut |_| {
             goes_on = progress(end);
@@ -55,28 +51,30 @@ impl Simulation<'_> {
         effort: ErrorEffort,
         progress: &mut dyn FnMut(f64) -> bool,
     ) -> Option<GlobalError> {
-        let (solver, steps) = match trajectory.solution() {
-            Solution::Prescribed(_) => return None,
-            Solution::Exact(motion) => return Some(self.exact_error(motion, trajectory)),
-            Solution::Integrated { solver, statistics, .. } => (*solver, statistics.accepted),
+        let problem = self.problem().ok()?;
+        let solution = trajectory.solution();
+        let rotor;
+        let motion: &dyn Repeatable = match (&problem, solution) {
+            (_, Solution::Prescribed(_)) => return None,
+            (Problem::Rotor(problem), Solution::ClosedForm(motion)) => {
+                return Some(problem.exact_error(motion, trajectory));
+            }
+            (Problem::Rotor(problem), solution) => {
+                rotor = IntegratedRotor { problem, rule: rule(solution)? };
+                &rotor
+            }
+            (Problem::Ground(problem), _) => problem,
+            (Problem::Gimbals(problem), _) => problem,
         };
-        let rule = rule(solver)?;
-        let few = if rule == Rule::Taylor { FEW } else { FEW_OF_MANY_STAGES };
-        let is_thorough = effort.is_thorough(steps + trajectory.samples().len() as u64, few);
-        // Taylor's method is the most accurate, and of another order than the others.
-        let finest = if self.rough_torque().is_none() { Rule::Taylor } else { Rule::Dop853 };
+        let steps = solution.statistics()?.accepted;
+        let is_thorough = effort.is_thorough(steps + trajectory.samples().len() as u64, motion.few());
         Some(error_by_steps(trajectory, is_thorough, &mut |run, times| {
-            let perturbed = Perturbed {
-                simulation: self,
-                inputs: Inputs::of(self, run.inputs),
-                rule: if run.is_finest { finest } else { rule },
-                tolerance: run.tolerance(self.tolerance),
-                steps: run.steps,
-            };
-            perturbed.states(times, progress)
+            motion.states(run, times, progress).unwrap_or_default()
         }))
     }
+}
 
+impl RotorProblem<'_> {
     /// Of a closed form, which has no steps whose errors add up: of some hundreds of states, so that it is always thorough.
     fn exact_error(&self, motion: &ClosedForm, trajectory: &Trajectory) -> GlobalError {
         let samples = trajectory.samples();
@@ -121,12 +119,15 @@ pub(super) fn input_error(
     watched.errors(&distances.reduce(Distance::worse).unwrap_or_default(), NONE)
 }
 
-/// The integrator of a solver; `None` of those on the ground, which have an estimate of their own.
-const fn rule(solver: Solver) -> Option<Rule> {
-    match solver {
-        Solver::Taylor => Some(Rule::Taylor),
-        Solver::Dop853 => Some(Rule::Dop853),
-        Solver::Splitting { order, step } => Some(Rule::Splitting { order, step }),
-        Solver::Collocation | Solver::CollocationAndTaylor => None,
+/// The integrator of a rotor's solution; `None` of those that have none, or are on the ground.
+const fn rule(solution: &Solution) -> Option<Rule> {
+    match solution {
+        Solution::Taylor(_) => Some(Rule::Taylor),
+        Solution::Dop853(_) => Some(Rule::Dop853),
+        Solution::Splitting { order, step, .. } => Some(Rule::Splitting { order: *order, step: *step }),
+        Solution::ClosedForm(_)
+        | Solution::Prescribed(_)
+        | Solution::Collocation(_)
+        | Solution::CollocationAndTaylor(_) => None,
     }
 }

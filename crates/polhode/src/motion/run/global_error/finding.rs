@@ -5,7 +5,6 @@ use crate::motion::model::state::StateError;
 use crate::motion::run::estimated_error::GlobalError;
 use crate::motion::run::solution::Solution;
 use crate::motion::run::trajectory::Trajectory;
-use crate::motion::solve::solver::Solver;
 
 /// Errors of the attitude below this, rad, are not reported.
 const SMALL: f64 = 1e-9;
@@ -26,9 +25,8 @@ impl Trajectory {
 
     fn computation_finding(&self, error: &GlobalError) -> Option<Finding> {
         let expected = match self.solution() {
-            Solution::Integrated { solver: Solver::Splitting { .. }, .. } => SMALL_OF_SPLITTING,
-            Solution::Integrated { tolerance, .. } => SMALL.max(WITHIN * tolerance.unwrap_or(0.0)),
-            Solution::Exact(_) | Solution::Prescribed(_) => SMALL,
+            Solution::Splitting { .. } => SMALL_OF_SPLITTING,
+            solution => SMALL.max(WITHIN * solution.tolerance().unwrap_or(0.0)),
         };
         let StateError { attitude, omega } = error.end();
         if attitude <= expected {

@@ -1,4 +1,4 @@
-//! The inputs of a simulation, a little different.
+//! The inputs of a motion, a little different.
 
 use crate::math::rotation::Rotation;
 use crate::math::symmetric3::Symmetric3;
@@ -6,7 +6,7 @@ use crate::math::vector::Vector;
 use crate::motion::model::mass_history::MassHistory;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
-use crate::motion::run::simulation::Simulation;
+use crate::motion::run::rotor_problem::RotorProblem;
 use crate::motion::solve::propagate::noise::Random;
 
 /// Half a unit in the last place, relative to the number.
@@ -24,9 +24,9 @@ pub(super) struct Inputs {
 }
 
 impl Inputs {
-    pub(super) fn of(simulation: &Simulation<'_>, changes: (u64, f64)) -> Self {
+    pub(super) fn of(problem: &RotorProblem<'_>, changes: (u64, f64)) -> Self {
         let mut change = Change::new(changes);
-        let Simulation { rotor, history, start, .. } = *simulation;
+        let RotorProblem { rotor, history, start, .. } = *problem;
         let stretch = change.stretch(rotor.inertia().symmetric());
         let inertia = stretched(rotor.inertia().symmetric(), stretch);
         let history = history.map(|history| history.stretched(stretch));

@@ -24,14 +24,12 @@
 
 mod compared_samples;
 mod comparison;
+mod distance;
 mod estimation;
 mod finding;
 mod free;
-mod held;
-pub(crate) mod in_gimbals;
 mod inputs;
-pub(crate) mod on_ground;
-mod perturbed;
+mod repeatable;
 
 /// How much work an estimate is worth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]

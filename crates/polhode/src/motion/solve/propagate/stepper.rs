@@ -46,14 +46,12 @@ pub(crate) struct Stepper<'a> {
     bound: Bound<Balanced>,
     /// Where the last step began, s.
     from: f64,
-    tolerance: f64,
     /// The torsions that act, and when one of them is twisted by half a turn: no step begins there.
     torsions: Torsions,
     half_turn: Option<f64>,
     /// True for a motion that goes beyond half a turn: a perturbed one, whose half turn is a little earlier than
     /// that of the motion it is compared with.
     is_unlimited: bool,
-    rule: Rule,
     steps: Steps<'a>,
     /// Noise that a comparison run adds to each step.
     noise: Option<Noise>,
@@ -120,11 +118,9 @@ impl<'a> Stepper<'a> {
             until,
             bound,
             from: start.time,
-            tolerance,
             torsions: Torsions::default(),
             half_turn: None,
             is_unlimited: false,
-            rule,
             steps,
             noise: None,
             history,
@@ -242,15 +238,6 @@ impl<'a> Stepper<'a> {
     /// Why it cannot go on: see [`Bound`].
     pub(crate) fn explained(&self, cause: MotionError) -> MotionError {
         self.bound.explained(cause, [self.time(), self.rate()])
-    }
-
-    /// `None` for steps of a given length.
-    pub(crate) fn tolerance(&self) -> Option<f64> {
-        (!matches!(self.rule, Rule::Splitting { .. })).then_some(self.tolerance)
-    }
-
-    pub(crate) fn rule(&self) -> Rule {
-        self.rule
     }
 
     /// One step forward, not beyond `until`, a time at which a torque begins or ends, or half a turn of a torsion.

@@ -183,20 +183,7 @@ fn compare(members: &[Member], times: &[f64], tolerance: f64) -> [usize; 2] {
     for (k, body) in bodies.iter().enumerate() {
         let BatchBody { rotor, torques, start, .. } = *body;
         let alone = |times: &[f64]| {
-            let (switched_off, events, method) = (&[], &[], Method::Taylor);
-            Simulation {
-                rotor,
-                history: None,
-                torques,
-                switched_off,
-                start,
-                events,
-                event_sides: &[],
-                times,
-                method,
-                tolerance,
-            }
-            .states()
+            Simulation::new(rotor, torques, start, times).method(Method::Taylor).tolerance(tolerance).states()
         };
         let got = &states[k * times.len()..(k + 1) * times.len()];
         let cause = failures.iter().find(|(body, _)| *body == k).map(|(_, cause)| cause);

@@ -1,12 +1,14 @@
-//! Samples: a rotor in its gimbals at one time.
+//! The state of a rotor in its gimbals at one time.
 
 use crate::math::frame::{Body, Space};
 use crate::math::vector::{AngularMomentum, Torque};
+use crate::motion::model::energy::Energy;
 use crate::motion::model::state::State;
+use crate::motion::solve::system::Sampled;
 
 /// A rotor in its gimbals at one time. Where there are three numbers for axes, they are the outer's, the inner's and the rotor's.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GimbalSample {
+pub struct GimbalState {
     /// Time, and attitude and ω of the rotor, both relative to space.
     pub state: State,
     /// α, β, γ, rad.
@@ -35,14 +37,36 @@ pub struct GimbalSample {
     pub base_work: f64,
 }
 
-impl GimbalSample {
+impl GimbalState {
+    /// Energy with that of springs, and the works of damping, motors, constant torques and the base.
+    pub(in crate::motion) fn energy(&self) -> Energy {
+        Energy {
+            kinetic: self.kinetic_energy,
+            potential: Some(self.potential_energy + self.spring_energy),
+            work: self.work(),
+        }
+    }
+
     /// All works since the start: of damping, motors, constant torques and the base, J.
-    pub fn work(&self) -> f64 {
+    fn work(&self) -> f64 {
         self.damping_work + self.motor_work + self.torque_work + self.base_work
     }
 
     /// T + U and the energy of springs, less all works, J: as it was at the start.
-    pub fn balance(&self) -> f64 {
+    pub(in crate::motion) fn balance(&self) -> f64 {
         self.kinetic_energy + self.potential_energy + self.spring_energy - self.work()
+    }
+
+    /// Sum of all absolute energies and works, J.
+    pub(in crate::motion) fn size_of_balance(&self) -> f64 {
+        let energies = [self.kinetic_energy, self.potential_energy, self.spring_energy];
+        let works = [self.damping_work, self.motor_work, self.torque_work, self.base_work];
+        energies.iter().chain(&works).map(|x| x.abs()).sum()
+    }
+}
+
+impl Sampled for GimbalState {
+    fn state(&self) -> State {
+        self.state
     }
 }

@@ -1,32 +1,15 @@
-//! A motion computed again, a little differently, and how far it is from the first.
+//! The distance between two motions.
 
 use core::f64::consts::PI;
 
-use super::inputs::Inputs;
-use crate::motion::error::MotionError;
-use crate::motion::model::event::Event;
-use crate::motion::model::event_detection::EventSide;
 use crate::motion::model::state::State;
 use crate::motion::model::state::StateError;
-use crate::motion::run::integration::Integration;
-use crate::motion::run::simulation::Simulation;
-use crate::motion::solve::propagate::noise::StepNoise;
-use crate::motion::solve::propagate::stepper::{Rule, Stepper};
 
 /// Beyond this angle, rad, an effect is not linear: it is tried again with less, and two motions tell nothing of a third.
 pub(super) const LINEAR: f64 = 0.1;
 
 /// How much the error of ω at one time may be raised, as that of the attitude has been larger before.
 const MOST_RAISED: f64 = 30.0;
-
-/// A run from other inputs, with other steps.
-pub(super) struct Perturbed<'a> {
-    pub(super) simulation: &'a Simulation<'a>,
-    pub(super) inputs: Inputs,
-    pub(super) rule: Rule,
-    pub(super) tolerance: f64,
-    pub(super) steps: StepNoise,
-}
 
 /// How far the states of two motions are from one another, one by one.
 #[derive(Clone, Debug, Default)]
@@ -35,41 +18,6 @@ pub(super) struct Distance {
     attitude: Vec<f64>,
     /// |δω|, rad/s.
     omega: Vec<f64>,
-}
-
-impl Perturbed<'_> {
-    /// The states at the times, as far as the motion gets.
-    pub(super) fn states(&self, times: &[f64], progress: &mut dyn FnMut(f64) -> bool) -> Vec<State> {
-        self.integrated(times, progress).unwrap_or_default()
-    }
-
-    fn integrated(
-        &self,
-        times: &[f64],
-        progress: &mut dyn FnMut(f64) -> bool,
-    ) -> Result<Vec<State>, MotionError> {
-        let Simulation { torques, switched_off, events, event_sides, .. } = *self.simulation;
-        let Inputs { rotor, history, start } = &self.inputs;
-        let stepper = Stepper::new(
-            self.rule,
-            (rotor, history.as_ref()),
-            torques,
-            switched_off,
-            *start,
-            self.tolerance,
-            false,
-        )?;
-        // The times of the half turns of torsions differ a little, too.
-        let stepper = stepper.perturbed(self.steps).beyond_half_turns();
-        // What stops the motion, or is only written down, does not change it.
-        let switches: Vec<Event> = events.iter().filter(|event| event.switches()).cloned().collect();
-        let sides = events.iter().zip(event_sides).filter(|(event, _)| event.switches());
-        let sides: Vec<EventSide> = sides.map(|(_, side)| *side).collect();
-        let mut integration = Integration::new(stepper, (&switches, &sides), *start, times);
-        integration.run(*start, progress)?;
-        let got_there = integration.samples.iter().zip(times).take_while(|(s, time)| s.state.time == **time);
-        Ok(got_there.map(|(sample, _)| sample.state).collect())
-    }
 }
 
 impl Distance {

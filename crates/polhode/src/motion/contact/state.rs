@@ -1,13 +1,15 @@
-//! Samples: a body and its contact at one time.
+//! The state of a body and its contact at one time.
 
 use super::change::ContactPhase;
 use crate::math::frame::{Body, Space};
 use crate::math::vector::{Direction, Force, Position, Torque, Velocity};
+use crate::motion::model::energy::Energy;
 use crate::motion::model::state::State;
+use crate::motion::solve::system::Sampled;
 
 /// A body and its contact at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ContactSample {
+pub struct ContactState {
     /// Time, attitude and ω.
     pub state: State,
     /// Whether it rolls, slides or flies.
@@ -40,9 +42,32 @@ pub struct ContactSample {
     pub ground_work: f64,
 }
 
-impl ContactSample {
+impl ContactState {
+    /// Energy, and the works of friction and of the ground.
+    pub(in crate::motion) fn energy(&self) -> Energy {
+        Energy {
+            kinetic: self.kinetic_energy,
+            potential: Some(self.potential_energy),
+            work: self.friction_work + self.ground_work,
+        }
+    }
+
     /// T + U less the work of friction and of the ground, J: as it was at the start.
-    pub fn balance(&self) -> f64 {
+    pub(in crate::motion) fn balance(&self) -> f64 {
         self.kinetic_energy + self.potential_energy - self.friction_work - self.ground_work
+    }
+
+    /// |T| + |U| + the absolute works, J.
+    pub(in crate::motion) const fn size_of_balance(&self) -> f64 {
+        self.kinetic_energy.abs()
+            + self.potential_energy.abs()
+            + self.friction_work.abs()
+            + self.ground_work.abs()
+    }
+}
+
+impl Sampled for ContactState {
+    fn state(&self) -> State {
+        self.state
     }
 }

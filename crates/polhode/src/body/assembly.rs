@@ -1,4 +1,4 @@
-//! Assemblies: parts, each with its own place and turn, joined into one body.
+//! Assemblies: rigidly joined parts, each with its own position and orientation.
 
 use super::error::{BodyError, finite};
 use super::form::PlacedForm;
@@ -9,7 +9,8 @@ use crate::math::frame::{Body, Part};
 use crate::math::rotation::Rotation;
 use crate::math::vector::Position;
 
-/// One part of an assembly: its mass properties in its own axes, and where those axes stand in the body.
+/// Part of an assembly: mass properties in the part's own axes, with its position and orientation
+/// in the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlacedPart {
     pub(super) properties: MassProperties<Part>,
@@ -18,7 +19,8 @@ pub struct PlacedPart {
 }
 
 impl PlacedPart {
-    /// The part with its origin at `position` and its axes turned by `rotation` = R_body_part.
+    /// Returns the part with its origin at `position` and its axes rotated by `rotation` =
+    /// R_body_part.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if the position is not finite.
@@ -31,33 +33,33 @@ impl PlacedPart {
         Ok(Self { properties, position, rotation })
     }
 
-    /// The part's mass properties in body axes.
+    /// Returns the part's mass properties in body axes.
     pub fn in_body(&self) -> MassProperties<Body> {
         self.properties.moved(self.position, self.rotation)
     }
 }
 
-/// One part of a body as reports name it: what it is, and its mass properties in body axes.
+/// Part of a body as reports list it: its name, its kind, and its mass properties in body axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BodyPart {
-    /// What the user calls it.
+    /// Name that the user gave to the part.
     pub name: String,
-    /// What it is: `box`, `mesh`, `particles`, `tensor`, …
+    /// Kind of part: `box`, `mesh`, `particles`, `tensor`, …
     pub kind: &'static str,
-    /// Mass properties, body axes.
+    /// Mass properties of the part, body axes.
     pub properties: MassProperties<Body>,
-    /// Volume, area or length, where it has one.
+    /// Volume, area or length of the part; `None` if it has none.
     pub extent: Option<Extent>,
     /// Bounding area of a solid, or area of a shell, m².
     pub surface_area: Option<f64>,
-    /// The particles that it is made of, body axes; empty for anything else.
+    /// Particles of the part, body axes; empty if the part does not consist of particles.
     pub particles: Vec<Particle<Body>>,
-    /// What it looks like; `None` for particles, and where only the moments are known.
+    /// Shape for drawing; `None` for particles, and if only the moments are known.
     pub form: Option<PlacedForm>,
 }
 
 /// Mass properties of parts rigidly joined; parts that overlap count twice where they do.
-///
+/// Computes the mass properties of rigidly joined parts. Regions where parts overlap count twice.
 /// ```
 /// use polhode::body::{PlacedPart, assemble};
 /// use polhode::body::shape::{BoxShape, Shape, Substance};
@@ -72,7 +74,7 @@ pub struct BodyPart {
 /// ```
 ///
 /// # Errors
-/// [`BodyError::Empty`] without parts; [`BodyError::Parameter`] if a sum is not finite.
+/// [`BodyError::Empty`] if there are no parts; [`BodyError::Parameter`] if a sum is not finite.
 pub fn assemble(parts: &[PlacedPart]) -> Result<MassProperties<Body>, BodyError> {
     let placed: Vec<_> = parts.iter().map(PlacedPart::in_body).collect();
     MassProperties::combined(&placed)

@@ -1,4 +1,4 @@
-//! How an assembly's mass properties depend on its parts and their places.
+//! Derivatives of an assembly's mass properties with respect to its parts and their positions.
 
 use super::assembly::PlacedPart;
 use super::derivative::{MassPropertiesDerivative, MassPropertiesGradient};
@@ -9,9 +9,10 @@ use crate::math::frame::{Body, Part};
 use crate::math::rotation::Rotation;
 use crate::math::vector::Position;
 
-/// The mass properties of an assembly, and how they depend on each of its parts.
+/// Mass properties of an assembly, and their derivatives with respect to each of its parts.
 ///
-/// Exact but for rounding, some 4e-16 of the largest term. All derivatives are along body axes.
+/// The derivatives are exact except for rounding, about 4e-16 of the largest term. All are along
+/// body axes.
 ///
 /// ```
 /// use polhode::body::shape::{BoxShape, Shape, Sphere, Substance};
@@ -35,29 +36,29 @@ use crate::math::vector::Position;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct AssemblyDerivatives {
-    /// Those of [`assemble`](super::assemble).
+    /// Mass properties of the assembly, as [`assemble`](super::assemble) returns them.
     pub properties: MassProperties<Body>,
-    /// Of each part, in their order.
+    /// Derivatives with respect to each part, in the order of the parts.
     pub parts: Vec<PartDerivatives>,
 }
 
-/// How an assembly's mass properties depend on one of its parts.
+/// Derivatives of an assembly's mass properties with respect to one of its parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartDerivatives {
     in_body: MassProperties<Body>,
-    /// From the centre of mass of the whole to the part's.
+    /// Vector from the assembly's centre of mass to the part's, m.
     lever: Position<Body>,
-    /// From the part's origin to its centre of mass.
+    /// Vector from the part's origin to its centre of mass, body axes, m.
     arm: Position<Body>,
     rotation: Rotation<Body, Part>,
     whole: f64,
 }
 
 impl AssemblyDerivatives {
-    /// Of parts rigidly joined.
+    /// Computes the mass properties of rigidly joined parts and their derivatives.
     ///
     /// # Errors
-    /// As [`assemble`](super::assemble).
+    /// The errors of [`assemble`](super::assemble).
     pub fn of(parts: &[PlacedPart]) -> Result<Self, BodyError> {
         let placed: Vec<_> = parts.iter().map(PlacedPart::in_body).collect();
         let properties = MassProperties::combined(&placed)?;
@@ -74,32 +75,38 @@ impl AssemblyDerivatives {
 }
 
 impl PartDerivatives {
-    /// By the part's mass, kg; its form and distribution of mass stay.
+    /// Returns the derivative with respect to the part's mass, per kg, at constant shape and
+    /// constant relative distribution of mass.
     pub fn by_mass(&self) -> MassPropertiesDerivative<Body> {
         self.of_whole(&MassPropertiesDerivative::by_mass(&self.in_body))
     }
 
-    /// By the density of a part that has the same everywhere: kg/m³ of a solid, kg/m² of what is thin, kg/m of a rod.
+    /// Returns the derivative with respect to the density of a homogeneous part: per kg/m³ for a
+    /// solid, per kg/m² for a thin surface, per kg/m for a rod.
     pub fn by_density(&self, extent: Extent) -> MassPropertiesDerivative<Body> {
         self.of_whole(&MassPropertiesDerivative::by_density(&self.in_body, extent))
     }
 
-    /// By the position of the part's origin, m.
+    /// Returns the derivatives with respect to the position of the part's origin, per m, for x, y
+    /// and z.
     pub fn by_position(&self) -> [MassPropertiesDerivative<Body>; 3] {
         MassPropertiesDerivative::by_translation().map(|change| self.of_whole(&change))
     }
 
-    /// By a small rotation vector θ along body axes, rad, of the part about its own origin: R → exp(θ) R.
+    /// Returns the derivatives with respect to a small rotation vector θ of the part about its own
+    /// origin, body axes, per rad: R → exp(θ) R.
     pub fn by_rotation(&self) -> [MassPropertiesDerivative<Body>; 3] {
         MassPropertiesDerivative::by_turn(&self.in_body, self.arm).map(|change| self.of_whole(&change))
     }
 
-    /// By whatever the part's own mass properties, in its own axes, change with.
+    /// Returns the derivative with respect to any parameter, from the derivative of the part's own
+    /// mass properties in its own axes.
     pub fn by(&self, change: &MassPropertiesDerivative<Part>) -> MassPropertiesDerivative<Body> {
         self.of_whole(&change.in_frame(self.rotation))
     }
 
-    /// The gradient by the part's own mass properties, in its own axes, of a number whose gradient by those of the assembly is known.
+    /// Returns the gradient of a scalar with respect to the part's own mass properties (in its own
+    /// axes), from its gradient with respect to those of the assembly.
     pub fn gradient(&self, of_whole: &MassPropertiesGradient<Body>) -> MassPropertiesGradient<Part> {
         of_whole.pulled_back(|change| self.by(change))
     }

@@ -1,4 +1,4 @@
-//! How mass properties depend on what a body is made of.
+//! Derivatives of mass properties with respect to the parameters of a body.
 
 use core::ops::{Add, Mul};
 
@@ -9,12 +9,15 @@ use crate::math::rotation::Rotation;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::{Direction, Position};
 
-/// The derivative of mass properties by one number: of the mass, kg, of the centre of mass, m, and of the inertia tensor about the centre of
-/// mass, kg·m², each per unit of that number, along the axes of `F`.
+/// Derivative of mass properties with respect to one parameter: of the mass, kg, of the centre of
+/// mass, m, and of the inertia tensor about the centre of mass, kg·m². Each is per unit of that
+/// parameter, along the axes of `F`.
 ///
-/// A body is a sum of parts: [`MassPropertiesDerivative::of_whole`] takes what a part changes by to what the whole changes by. Assemblies,
-/// particles and meshes have types of their own: [`AssemblyDerivatives`](super::AssemblyDerivatives),
-/// [`ParticleDerivatives`](super::ParticleDerivatives), [`MeshDerivatives`](super::mesh::MeshDerivatives).
+/// A body is a sum of parts: [`MassPropertiesDerivative::of_whole`] converts the derivative of a
+/// part to the derivative of the whole. Assemblies, particles and meshes have their own types:
+/// [`AssemblyDerivatives`](super::AssemblyDerivatives),
+/// [`ParticleDerivatives`](super::ParticleDerivatives),
+/// [`MeshDerivatives`](super::mesh::MeshDerivatives).
 ///
 /// ```
 /// use polhode::body::{InertiaTensor, MassProperties, MassPropertiesDerivative};
@@ -31,40 +34,45 @@ use crate::math::vector::{Direction, Position};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassPropertiesDerivative<F> {
-    /// Of the mass.
+    /// Derivative of the mass, kg per unit of the parameter.
     pub mass: f64,
-    /// Of the centre of mass.
+    /// Derivative of the centre of mass, m per unit of the parameter.
     pub center_of_mass: Position<F>,
-    /// Of the elements of the inertia tensor about the centre of mass: xx, yy, zz, xy, xz, yz, as
-    /// [`StateDerivatives`](crate::motion::StateDerivatives) has its columns.
+    /// Derivatives of the elements xx, yy, zz, xy, xz, yz of the inertia tensor about the centre of
+    /// mass, kg·m² per unit of the parameter. The columns of
+    /// [`StateDerivatives`](crate::motion::StateDerivatives) have the same order.
     pub inertia: [f64; 6],
 }
 
 impl<F: Frame> MassPropertiesDerivative<F> {
-    /// By the mass, kg, of a body whose form and distribution of mass stay: ∂M = 1, ∂c = 0, ∂I = I/M.
+    /// Returns the derivative with respect to the mass, per kg, at constant shape and constant
+    /// relative distribution of mass: ∂M = 1, ∂c = 0, ∂I = I/M.
     pub fn by_mass(body: &MassProperties<F>) -> Self {
         let inertia = *body.inertia().symmetric() * (1.0 / body.mass());
         Self { mass: 1.0, center_of_mass: Position::ZERO, inertia: inertia.elements() }
     }
 
-    /// By the density of a body that has the same everywhere: kg/m³ of a solid, kg/m² of what is thin, kg/m of a rod.
+    /// Returns the derivative with respect to the density of a homogeneous body: per kg/m³ for a
+    /// solid, per kg/m² for a thin surface, per kg/m for a rod.
     pub fn by_density(body: &MassProperties<F>, extent: Extent) -> Self {
         Self::by_mass(body) * extent.measure()
     }
 
-    /// By a translation along each axis, m.
+    /// Returns the derivatives with respect to a translation along each axis, per m.
     pub fn by_translation() -> [Self; 3] {
         UNITS.map(|unit| Self { mass: 0.0, center_of_mass: Position::from_array(unit), inertia: [0.0; 6] })
     }
 
-    /// By a small rotation vector θ along the axes of `F`, rad, of the body about a point: R → exp(θ) R.
+    /// Returns the derivatives with respect to a small rotation vector θ of the body about
+    /// `point` = p, along the axes of `F`, per rad: R → exp(θ) R.
     ///
     /// ∂c = θ × (c − p),  ∂I = \[θ\]ₓ I − I \[θ\]ₓ
     pub fn by_rotation(body: &MassProperties<F>, point: Position<F>) -> [Self; 3] {
         Self::by_turn(body, body.center_of_mass() - point)
     }
 
-    /// The same, with the arm from the point to the centre of mass.
+    /// Returns the derivatives of `by_rotation`, given the vector `arm` from the point to the
+    /// centre of mass.
     pub(super) fn by_turn(body: &MassProperties<F>, arm: Position<F>) -> [Self; 3] {
         let rows = body.inertia().matrix();
         let arm = arm.to_array();
@@ -73,7 +81,7 @@ impl<F: Frame> MassPropertiesDerivative<F> {
                 let [a, b, c] = axis;
                 [b * z - c * y, c * x - a * z, a * y - b * x]
             };
-            // [θ]ₓ I by columns, which are I's rows; and its transpose is −I [θ]ₓ.
+            // [θ]ₓ I by columns, which are the rows of I; −I [θ]ₓ is its transpose.
             let half = rows.map(cross);
             let element = |i: usize, j: usize| half[i][j] + half[j][i];
             Self {
@@ -91,12 +99,14 @@ impl<F: Frame> MassPropertiesDerivative<F> {
         })
     }
 
-    /// What a whole changes by if this is what a part of it changes by: with d from the centre of mass of the whole to the part's,
+    /// Converts this derivative of a part to the derivative of the whole. With d from the centre of
+    /// mass of the whole to that of the part,
     ///
     /// ∂M = ∂m,  ∂C = (d ∂m + m ∂c)/M,  ∂I_whole = ∂I + (d² 1 − d dᵀ) ∂m + m (2 d·∂c 1 − d ∂cᵀ − ∂c dᵀ)
     ///
-    /// How the centre of the whole moves does not matter to its tensor, as Σ m d = 0. A particle, and a part that is not there yet, has its mass
-    /// and place alone: `by_mass` with `inertia` zero.
+    /// The motion of the whole's centre of mass does not affect its tensor, because Σ m d = 0. For
+    /// a particle, or for a part that is not yet in the body, only its mass and position matter:
+    /// use `by_mass` with `inertia` zero.
     #[must_use]
     pub fn of_whole(&self, part: &MassProperties<F>, whole: &MassProperties<F>) -> Self {
         self.of_sum(part.mass(), part.center_of_mass() - whole.center_of_mass(), whole.mass())
@@ -114,7 +124,7 @@ impl<F: Frame> MassPropertiesDerivative<F> {
         }
     }
 
-    /// The same along the axes of `A`.
+    /// Returns the derivative along the axes of `A`.
     #[must_use]
     pub fn in_frame<A: Frame>(&self, r: Rotation<A, F>) -> MassPropertiesDerivative<A> {
         MassPropertiesDerivative {
@@ -127,7 +137,7 @@ impl<F: Frame> MassPropertiesDerivative<F> {
 
 const UNITS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// Of two numbers that change together.
+/// Sum of the derivatives with respect to two parameters that change together.
 impl<F> Add for MassPropertiesDerivative<F> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
@@ -139,7 +149,8 @@ impl<F> Add for MassPropertiesDerivative<F> {
     }
 }
 
-/// By a number of which so many are one of the other.
+/// Derivative with respect to another parameter, `factor` of whose units change this parameter:
+/// chain rule with a constant factor.
 impl<F> Mul<f64> for MassPropertiesDerivative<F> {
     type Output = Self;
     fn mul(self, factor: f64) -> Self {
@@ -151,24 +162,27 @@ impl<F> Mul<f64> for MassPropertiesDerivative<F> {
     }
 }
 
-/// How one number depends on mass properties: its derivatives by the mass, the centre of mass and the inertia tensor about it.
+/// Gradient of a scalar with respect to mass properties: its derivatives with respect to the mass,
+/// the centre of mass and the inertia tensor about it.
 ///
-/// It takes any number of changes at the cost of one: what mass properties change by gives the number's change
-/// ([`MassPropertiesGradient::along`]), and a mesh has its derivatives by all vertices
-/// ([`MeshDerivatives::gradient`](super::mesh::MeshDerivatives::gradient)).
+/// One gradient serves any number of parameters. [`MassPropertiesGradient::along`] returns the
+/// derivative of the scalar with respect to a parameter from that of the mass properties. For a
+/// mesh, [`MeshDerivatives::gradient`](super::mesh::MeshDerivatives::gradient) returns the
+/// derivatives with respect to all vertices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassPropertiesGradient<F> {
-    /// By the mass, per kg.
+    /// Derivative with respect to the mass, per kg.
     pub by_mass: f64,
-    /// By the centre of mass, per m.
+    /// Derivative with respect to the centre of mass, per m.
     pub by_center_of_mass: Direction<F>,
-    /// By xx, yy, zz, xy, xz, yz of the tensor, per kg·m²; I_xy = I_yx is one number.
+    /// Derivatives with respect to xx, yy, zz, xy, xz, yz of the tensor, per kg·m²; I_xy = I_yx
+    /// counts as one variable.
     pub by_inertia: [f64; 6],
 }
 
 impl MassPropertiesGradient<Body> {
-    /// The same by the mass properties of a part that is all of the body, whose axes are the body's: as
-    /// [`MassProperties::into_body`] takes it.
+    /// Returns the gradient with respect to the mass properties of a part that is the whole body
+    /// and has the body's axes, as in [`MassProperties::into_body`].
     #[must_use]
     pub fn in_part(&self) -> MassPropertiesGradient<Part> {
         self.pulled_back(|change| change.in_frame(Rotation::identity()))
@@ -176,13 +190,15 @@ impl MassPropertiesGradient<Body> {
 }
 
 impl<F: Frame> MassPropertiesGradient<F> {
-    /// What the number changes by if this is what the mass properties change by.
+    /// Returns the derivative of the scalar with respect to the parameter whose derivative of the
+    /// mass properties is `change`.
     pub fn along(&self, change: &MassPropertiesDerivative<F>) -> f64 {
         let of_inertia = self.by_inertia.iter().zip(change.inertia).map(|(g, x)| g * x).sum::<f64>();
         self.by_mass * change.mass + self.by_center_of_mass.dot(change.center_of_mass) + of_inertia
     }
 
-    /// The gradient by a part's mass properties of a number that depends on the whole's, from what these change by.
+    /// Returns the gradient with respect to a part's mass properties, from the gradient with
+    /// respect to the whole's. `of` maps a derivative of the part to that of the whole.
     pub(super) fn pulled_back<A: Frame>(
         &self,
         of: impl Fn(&MassPropertiesDerivative<A>) -> MassPropertiesDerivative<F>,

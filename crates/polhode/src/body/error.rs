@@ -1,204 +1,215 @@
-//! Why something is not a body.
+//! Errors of body construction.
 
 use core::fmt;
 
-/// Pairs of triangles that overlap or touch are counted up to here: one more stands for any larger number.
+/// Maximum number of overlapping or touching triangle pairs that is counted; `COUNTED` + 1 stands
+/// for any larger number.
 pub(crate) const COUNTED: usize = 10_000;
 
-/// Why something is not a body: each variant carries the value and the rule that it breaks.
+/// Error of a body: each variant carries the value and the rule that it violates.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BodyError {
-    /// A number outside its range: a mass that is not positive, a radius that is not finite.
+    /// A number is outside its range, for example a mass that is not positive, or a radius that is
+    /// not finite.
     Parameter {
-        /// What the number is.
+        /// Name of the number.
         what: &'static str,
-        /// The number.
+        /// Value of the number.
         value: f64,
-        /// What it has to be.
+        /// Rule that the number must obey.
         rule: &'static str,
     },
-    /// A matrix that is not symmetric, so not an inertia tensor.
+    /// A matrix is not symmetric and therefore not an inertia tensor.
     NotSymmetric {
         /// Row and column, 1 to 3, of the first element that differs from its mirror image.
         element: [usize; 2],
-        /// The element.
+        /// Value of the element, kg·m².
         value: f64,
-        /// Its mirror image.
+        /// Value of its mirror image, kg·m².
         mirrored: f64,
     },
-    /// A tensor with a negative principal moment.
+    /// A tensor has a negative principal moment.
     NegativeMoment {
         /// Principal moments, ascending, kg·m².
         moments: [f64; 3],
     },
-    /// A tensor whose principal moments break i1 + i2 ≥ i3, which no distribution of mass can.
+    /// A tensor violates the triangle inequality i1 + i2 ≥ i3, which holds for every distribution
+    /// of mass.
     TriangleInequality {
         /// Principal moments, ascending, kg·m².
         moments: [f64; 3],
     },
-    /// A tensor about another point that leaves an impossible one about the centre of mass: I = J − M (d² 1 − d dᵀ).
+    /// A tensor J about another point gives an impossible tensor about the centre of mass: I = J −
+    /// M (d² 1 − d dᵀ).
     ImpossibleAtCenter {
-        /// M, kg.
+        /// Mass M, kg.
         mass: f64,
-        /// d, from the point to the centre of mass, m.
+        /// Vector d from the point to the centre of mass, m.
         lever: [f64; 3],
         /// Principal moments of J, ascending, kg·m².
         about: [f64; 3],
         /// Principal moments of I, ascending, kg·m².
         moments: [f64; 3],
     },
-    /// No particles, no parts, or no triangles.
+    /// There are no particles, no parts, or no triangles.
     Empty {
-        /// What is missing.
+        /// Name of the missing items.
         what: &'static str,
     },
-    /// A vertex that is not finite.
+    /// A vertex is not finite.
     Vertex {
-        /// Triangle, from 1.
+        /// Index of the triangle, from 1.
         triangle: usize,
-        /// The vertex, m.
+        /// Coordinates of the vertex, m.
         vertex: [f64; 3],
     },
-    /// A triangle with a corner that the mesh does not have.
+    /// A triangle refers to a vertex that the mesh does not have.
     VertexIndex {
-        /// Triangle, from 1.
+        /// Index of the triangle, from 1.
         triangle: usize,
-        /// The index, from 0.
+        /// Index of the vertex, from 0.
         index: usize,
-        /// How many vertices there are.
+        /// Number of vertices in the mesh.
         vertices: usize,
     },
-    /// A mesh with a boundary: it encloses no volume.
+    /// A mesh has a boundary and therefore encloses no volume.
     OpenMesh {
-        /// Edges that belong to one triangle only.
+        /// Number of edges that belong to one triangle only.
         edges: usize,
-        /// Loops that they make.
+        /// Number of loops that these edges form.
         loops: usize,
-        /// The ends of one of them, in the mesh's own units.
+        /// End points of one of these edges, in the mesh's own units.
         example: [[f64; 3]; 2],
-        /// The triangle, from 1, that the example belongs to.
+        /// Triangle of the example edge, from 1.
         triangle: usize,
     },
-    /// Vertices that a weld would join although they are farther apart than its tolerance: others between them are nearer.
+    /// Welding would join vertices that are farther apart than its tolerance, through other
+    /// vertices between them.
     WeldTooWide {
-        /// The tolerance, in the mesh's own units.
+        /// Weld tolerance, in the mesh's own units.
         tolerance: f64,
-        /// How many vertices hang together.
+        /// Number of vertices in the cluster.
         vertices: usize,
-        /// How far apart they are, in the mesh's own units.
+        /// Largest distance between vertices of the cluster, in the mesh's own units.
         distance: f64,
-        /// Two of them that are so far apart.
+        /// Two vertices of the cluster at that distance.
         example: [[f64; 3]; 2],
     },
-    /// A mesh whose triangles do not all turn the same way: inside and outside are not defined.
+    /// The triangles of a mesh are not consistently oriented: inside and outside are not defined.
     InconsistentWinding {
-        /// Edges whose triangles run along them in the same direction.
+        /// Number of edges whose triangles traverse them in the same direction.
         edges: usize,
-        /// The ends of one of them, in the mesh's own units.
+        /// End points of one of these edges, in the mesh's own units.
         example: [[f64; 3]; 2],
-        /// The triangle, from 1, that the example belongs to.
+        /// Triangle of the example edge, from 1.
         triangle: usize,
     },
-    /// A closed mesh with one side only, as Klein's bottle: it has no inside.
+    /// A closed mesh is not orientable, like a Klein bottle: it has no inside.
     Unorientable {
-        /// Edges whose triangles run along them in the same direction.
+        /// Number of edges whose triangles traverse them in the same direction.
         edges: usize,
-        /// The ends of one of them, in the mesh's own units.
+        /// End points of one of these edges, in the mesh's own units.
         example: [[f64; 3]; 2],
-        /// The triangle, from 1, that the example belongs to.
+        /// Triangle of the example edge, from 1.
         triangle: usize,
     },
-    /// A mesh that contains a triangle twice, the same way round: a part of it would count double.
+    /// A mesh contains a triangle twice with the same orientation: part of the mesh would count
+    /// twice.
     DuplicateTriangle {
-        /// How many triangles are there again.
+        /// Number of duplicate triangles.
         count: usize,
-        /// The first of them, from 1.
+        /// First triangle of one duplicate pair, from 1.
         first: usize,
-        /// The same triangle again, from 1.
+        /// Second triangle of that pair, from 1.
         second: usize,
     },
-    /// A mesh of parts that go through each other: what they have in common would count twice.
+    /// Parts of a mesh intersect: their common volume would count twice.
     OverlappingMesh {
-        /// Pairs of triangles that cross, or show that parts overlap at an edge; 10,001 for any number above 10,000.
+        /// Number of triangle pairs that intersect, or that show overlapping parts at an edge;
+        /// 10,001 stands for any number above 10,000.
         pairs: usize,
-        /// The first of these, from 1.
+        /// First of these pairs, triangles from 1.
         triangles: [usize; 2],
-        /// Where they cross, in the mesh's own units.
+        /// Point of intersection of that pair, in the mesh's own units.
         point: [f64; 3],
     },
-    /// A mesh of so many triangles so near each other that it cannot be found out whether parts of it overlap.
+    /// Too many triangles of a mesh are close together to decide within the step limit whether its
+    /// parts overlap.
     OverlapsUndecided {
-        /// How many triangles it has.
+        /// Number of triangles in the mesh.
         triangles: usize,
-        /// Steps that were not enough.
+        /// Number of steps after which the search stopped.
         steps: u64,
     },
-    /// A mesh with a part that is wound outward within another: as a solid it would count twice, as a cavity it is wound wrong.
+    /// A part inside another part is oriented outward: as a solid it would count twice; as a cavity
+    /// its orientation is wrong.
     NestedSolid {
-        /// How many there are.
+        /// Number of such parts.
         parts: usize,
-        /// A triangle of the first of them, from 1.
+        /// Triangle of the first such part, from 1.
         triangle: usize,
-        /// What it encloses, in the mesh's own units cubed.
+        /// Volume that this part encloses, in the mesh's own units cubed.
         volume: f64,
     },
-    /// A mesh with a part that is wound inward beside others that are not: it would count negative.
+    /// A part is oriented inward although it is not inside another part: its volume would count
+    /// negative.
     InvertedPart {
-        /// How many there are.
+        /// Number of such parts.
         parts: usize,
-        /// A triangle of the first of them, from 1.
+        /// Triangle of the first such part, from 1.
         triangle: usize,
-        /// What it encloses, negative, in the mesh's own units cubed.
+        /// Volume that this part encloses, negative, in the mesh's own units cubed.
         volume: f64,
     },
-    /// A mesh that winds negatively about places: their union with the others would leave out what may be solid.
+    /// Some regions have a negative winding number: the union would omit volume that may be solid.
     NegativeUnion {
-        /// How much that is, in the mesh's own units cubed.
+        /// Volume of these regions, in the mesh's own units cubed.
         volume: f64,
-        /// What it winds about once or more often.
+        /// Volume of the regions with winding number 1 or more, in the mesh's own units cubed.
         whole: f64,
     },
-    /// A mesh whose union takes too long to find.
+    /// Computing the union of a mesh takes more steps than the limit.
     UnionUndecided {
-        /// Its triangles.
+        /// Number of triangles in the mesh.
         triangles: usize,
-        /// Steps that were not enough.
+        /// Number of steps after which the computation stopped.
         steps: u64,
     },
-    /// A mesh whose union cannot be computed well enough.
+    /// The union of a mesh cannot be computed accurately enough.
     UnionUnclear {
-        /// What it would enclose, in the mesh's own units cubed.
+        /// Computed volume of the union, in the mesh's own units cubed.
         volume: f64,
-        /// What that may be off.
+        /// Estimated error of that volume, in the same units.
         error: f64,
     },
-    /// A closed mesh that encloses nothing.
+    /// A closed mesh encloses no volume.
     FlatMesh {
         /// Enclosed volume, in the mesh's own units cubed.
         volume: f64,
     },
-    /// Points whose convex hull encloses nothing.
+    /// The convex hull of the points encloses no volume.
     FlatPoints {
-        /// The number of points.
+        /// Number of points.
         count: usize,
-        /// `"in one plane"`, `"on one line"` or `"at one place"`.
+        /// Degeneracy of the points: `"in one plane"`, `"on one line"` or `"at one place"`.
         place: &'static str,
     },
-    /// A density that is negative inside the body, or not a finite number.
+    /// A density is negative inside the body, or not finite.
     Density {
-        /// Where, m.
+        /// Position of the evaluation, m.
         at: [f64; 3],
-        /// The density there, kg/m³.
+        /// Density at that position, kg/m³.
         value: f64,
     },
-    /// A cubature that did not reach its tolerance.
+    /// A cubature did not reach its tolerance.
     Cubature {
-        /// The relative error that was asked for.
+        /// Requested relative error.
         tolerance: f64,
-        /// The one that was estimated in the end; infinite if not even a first estimate was within the limit.
+        /// Estimated relative error at the end; infinite if the evaluation limit did not allow a
+        /// first estimate.
         reached: f64,
-        /// How many values of the density that took.
+        /// Number of density evaluations.
         evaluations: u64,
     },
 }
@@ -218,7 +229,7 @@ impl fmt::Display for BodyError {
                 six(*c)
             ),
             Self::TriangleInequality { moments: [a, b, c] } => {
-                // All digits where six do not show it.
+                // Prints all digits if six significant digits would hide the violation.
                 let shown = |x: f64| if six(a + b) == six(*c) { x.to_string() } else { six(x) };
                 let [sum, a, b, c] = [a + b, *a, *b, *c].map(shown);
                 write!(
@@ -332,12 +343,12 @@ impl fmt::Display for BodyError {
     }
 }
 
-/// `1 edge`, `2 edges`
+/// Returns the count with its noun: `1 edge`, `2 edges`.
 fn plural(count: usize, noun: &str) -> String {
     if count == 1 { format!("1 {noun}") } else { format!("{count} {noun}s") }
 }
 
-/// How many pairs there are, as far as they are counted.
+/// Returns the number of pairs as text, or "more than" the counting limit.
 pub(crate) fn counted(pairs: usize) -> String {
     match pairs {
         1 => "1 pair".to_owned(),
@@ -346,7 +357,7 @@ pub(crate) fn counted(pairs: usize) -> String {
     }
 }
 
-/// A number with six significant digits.
+/// Formats a number with six significant digits.
 fn six(x: f64) -> String {
     let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
     if x == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
@@ -357,7 +368,7 @@ fn six(x: f64) -> String {
 }
 
 impl BodyError {
-    /// What to try next, where there is something to try.
+    /// Returns a suggestion for fixing the error, if there is one.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
             Self::NotSymmetric { .. } => {
@@ -408,7 +419,7 @@ impl BodyError {
 
 impl core::error::Error for BodyError {}
 
-/// The value, if it is positive and finite.
+/// Returns the value if it is positive and finite.
 pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, BodyError> {
     if value > 0.0 && value.is_finite() {
         Ok(value)
@@ -417,7 +428,7 @@ pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, BodyError>
     }
 }
 
-/// The value, if it is zero or positive, and finite.
+/// Returns the value if it is zero or positive, and finite.
 pub(crate) fn not_negative(what: &'static str, value: f64) -> Result<f64, BodyError> {
     if value >= 0.0 && value.is_finite() {
         Ok(value)
@@ -426,7 +437,7 @@ pub(crate) fn not_negative(what: &'static str, value: f64) -> Result<f64, BodyEr
     }
 }
 
-/// The vector, if all of it is finite.
+/// Returns the vector if all its components are finite.
 pub(crate) fn finite(what: &'static str, v: [f64; 3]) -> Result<[f64; 3], BodyError> {
     match v.iter().find(|c| !c.is_finite()) {
         None => Ok(v),

@@ -1,31 +1,31 @@
-//! What an answer says about its input.
+//! Findings: remarks about the input or the result of a computation.
 
-/// A remark about an input or a result, for people (`message`) and for programs (`code`).
+/// Remark about an input or a result, for people (`message`) and for programs (`code`).
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// A stable name, dotted: `mesh.inverted`.
+    /// Stable name with dots, for example `mesh.inverted`.
     pub code: &'static str,
-    /// How much it matters.
+    /// Severity of the finding.
     pub severity: Severity,
-    /// One sentence.
+    /// Message of one sentence.
     pub message: String,
-    /// Which part, file or triangle it is about.
+    /// Part, file or triangle that the finding refers to.
     pub place: Option<String>,
 }
 
-/// How much a [`Finding`] matters.
+/// Severity of a [`Finding`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Severity {
-    /// The result should not be used.
+    /// Error: the result should not be used.
     Error,
-    /// The result may not be what was meant.
+    /// Warning: the result may differ from what the user intended.
     Warning,
-    /// Something that was decided on the way.
+    /// Information: a choice that the program made.
     Info,
 }
 
 impl Severity {
-    /// `error`, `warning` or `info`.
+    /// Returns `error`, `warning` or `info`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Error => "error",

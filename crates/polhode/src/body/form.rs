@@ -1,109 +1,111 @@
-//! What a part looks like.
+//! Shapes of parts, for drawing.
 
 use super::triangle_mesh::TriangleMesh;
 use crate::math::frame::{Body, Part};
 use crate::math::rotation::Rotation;
 use crate::math::vector::Position;
 
-/// The surface of a part in its own axes, for those who draw it; nothing is computed from it. Lengths are in m.
+/// Surface of a part in its own axes, for drawing; no computation uses it. Lengths are in m.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Form {
-    /// Its middle is the origin, its edges lie along the axes.
+    /// Box with its centre at the origin and its edges along the axes.
     Box {
-        /// Edges.
+        /// Edge lengths along x, y and z, m.
         size: [f64; 3],
     },
-    /// Its middle is the origin; a sphere has three equal semi-axes.
+    /// Ellipsoid with its centre at the origin; a sphere has three equal semi-axes.
     Ellipsoid {
-        /// Along x, y and z.
+        /// Semi-axes along x, y and z, m.
         semi_axes: [f64; 3],
     },
-    /// Its middle is the origin, its axis lies along z.
+    /// Cylinder with its centre at the origin and its axis along z.
     Cylinder {
-        /// Of its wall.
+        /// Outer radius, m.
         radius: f64,
-        /// Radius of its bore: zero of a solid or a closed can, `radius` of a thin tube without ends.
+        /// Radius of the bore, m: zero for a solid or a closed can, `radius` for a thin tube
+        /// without ends.
         inner_radius: f64,
-        /// From end to end.
+        /// Length along z, from end to end, m.
         length: f64,
     },
-    /// Its middle is the origin.
+    /// Hollow sphere with its centre at the origin.
     HollowSphere {
-        /// Outer radius.
+        /// Outer radius, m.
         radius: f64,
-        /// Radius of the cavity.
+        /// Radius of the cavity, m.
         inner_radius: f64,
     },
-    /// The middle of its base is the origin, its axis lies along +z.
+    /// Cone or frustum with the centre of its base at the origin and its axis along +z.
     Cone {
-        /// At z = 0.
+        /// Radius at z = 0, m.
         base_radius: f64,
-        /// At z = height; zero for a tip.
+        /// Radius at z = `height`, m; zero for a pointed cone.
         top_radius: f64,
-        /// Along z.
+        /// Height along z, m.
         height: f64,
     },
-    /// The thin wall of a cone or a frustum; the middle of its base is the origin, its axis lies along +z.
+    /// Thin wall of a cone or a frustum, with the centre of its base at the origin and its axis
+    /// along +z.
     ConeShell {
-        /// Radius at z = 0.
+        /// Radius at z = 0, m.
         base_radius: f64,
-        /// Radius at z = height; zero for a tip.
+        /// Radius at z = `height`, m; zero for a pointed cone.
         top_radius: f64,
-        /// Height, from z = 0.
+        /// Height along z, from z = 0, m.
         height: f64,
-        /// True if two disks close it.
+        /// True if two disks close the shell.
         ends: bool,
     },
-    /// A cylinder between two half balls, its middle at the origin, its axis along z.
+    /// Cylinder between two half balls, with its centre at the origin and its axis along z.
     Capsule {
-        /// Of the cylinder and the balls.
+        /// Radius of the cylinder and of the half balls, m.
         radius: f64,
-        /// Of the cylinder.
+        /// Length of the cylinder, m.
         length: f64,
     },
-    /// Its middle is the origin, its axis lies along z.
+    /// Torus with its centre at the origin and its axis along z.
     Torus {
-        /// From the middle to the middle of the tube.
+        /// Distance from the centre of the torus to the centre line of the tube, m.
         ring_radius: f64,
-        /// Of the tube.
+        /// Radius of the tube, m.
         tube_radius: f64,
     },
-    /// A thin rod along z, its middle at the origin.
+    /// Thin rod along z with its centre at the origin.
     Rod {
-        /// From end to end.
+        /// Length from end to end, m.
         length: f64,
     },
-    /// A thin disk across z, its middle at the origin.
+    /// Thin disk perpendicular to z with its centre at the origin.
     Disk {
-        /// Of its rim.
+        /// Radius of the rim, m.
         radius: f64,
     },
-    /// A thin rectangle across z, its middle at the origin.
+    /// Thin rectangle perpendicular to z with its centre at the origin.
     Plate {
-        /// Edges along x and y.
+        /// Edge lengths along x and y, m.
         size: [f64; 2],
     },
-    /// A triangle in the plane z = 0, from −length/2 to length/2 along z.
+    /// Triangular prism: a triangle in the xy plane, from −`length`/2 to `length`/2 along z.
     TriangularPrism {
-        /// Corners (x, y).
+        /// Corners (x, y), m.
         vertices: [[f64; 2]; 3],
-        /// Length along z; zero of a thin plate.
+        /// Length along z, m; zero for a thin plate.
         length: f64,
     },
-    /// Triangles, counter-clockwise from outside.
+    /// Triangle mesh, counter-clockwise seen from outside.
     Mesh(TriangleMesh),
-    /// The part's particles are atoms: the symbol of each, in their order.
+    /// Molecule: the chemical symbols of the part's particles, in their order.
     Molecule(Vec<&'static str>),
 }
 
-/// A form at its place in the body.
+/// Shape of a part at its position and orientation in the body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedForm {
-    /// In the part's own axes.
+    /// Shape in the part's own axes.
     pub form: Form,
-    /// Where the part's origin is.
+    /// Position of the part's origin, body axes, m.
     pub position: Position<Body>,
-    /// R_body_part.
+    /// Rotation R_body_part.
     pub rotation: Rotation<Body, Part>,
 }

@@ -13,12 +13,13 @@ use crate::math::vector::{
     AngularAcceleration, AngularMomentum, AngularVelocity, Direction, Position, Torque, Vector,
 };
 
-/// A body's inertia tensor about its centre of mass, along the axes of `F`, in kg·m².
+/// Inertia tensor of a body about its centre of mass, along the axes of `F`, kg·m².
 ///
 /// I_ij = ∫ (δ_ij r² − x_i x_j) dm: the off-diagonal elements are *minus* the integrals ∫xy dm, so that L = I ω.
 ///
-/// One that exists is *possible*: finite, symmetric, no principal moment negative, and i1 + i2 ≥ i3 (all to within
-/// 64 ε of i3, the rounding of a sum of many parts). Elements cannot be changed.
+/// Every tensor of this type is *possible*: finite, symmetric, without negative principal moments,
+/// and i1 + i2 ≥ i3. The tolerance is 64 ε i3, the rounding of a sum of many parts. The elements
+/// cannot be changed.
 ///
 /// ```
 /// use polhode::body::InertiaTensor;
@@ -37,52 +38,57 @@ pub struct InertiaTensor<F> {
     frame: PhantomData<F>,
 }
 
-/// A body's inertia tensor about a point other than its centre of mass, along the axes of `F`, in kg·m².
+/// Inertia tensor of a body about a point other than its centre of mass, along the axes of `F`,
+/// kg·m².
 ///
-/// Made by [`MassProperties::inertia_about`](crate::body::MassProperties::inertia_about), or from numbers to be moved
-/// to the centre of mass. Possible in the same sense as [`InertiaTensor`].
+/// [`MassProperties::inertia_about`](crate::body::MassProperties::inertia_about) returns it. It can
+/// also be constructed from elements, to be moved to the centre of mass. It is possible in the same
+/// sense as [`InertiaTensor`].
 pub struct InertiaAbout<F> {
     point: Position<F>,
     elements: Symmetric3,
 }
 
-/// Principal moments may break a rule by this much of the greatest: the rounding of a sum of many parts.
+/// Tolerance of the rules for principal moments, relative to the largest: the rounding of a sum of
+/// many parts.
 const POSSIBLE_TOLERANCE: f64 = 64.0 * f64::EPSILON;
 
-/// A matrix from a file may differ from its transpose by this much of its largest moment: its rounding.
+/// Tolerance of symmetry, relative to the largest moment: the rounding of a matrix read from a
+/// file.
 const SYMMETRY_TOLERANCE: f64 = 1e-12;
 
 impl<F: Frame> InertiaTensor<F> {
-    /// The tensor with diagonal (xx, yy, zz) and off-diagonals (xy, xz, yz) = −∫xy dm, −∫xz dm, −∫yz dm.
+    /// Returns the tensor with diagonal (xx, yy, zz) and off-diagonals (xy, xz, yz) = −∫xy dm, −∫xz
+    /// dm, −∫yz dm.
     ///
     /// # Errors
-    /// [`BodyError`] if it is impossible.
+    /// [`BodyError`] if the tensor is impossible.
     pub fn with_negative_products(moments: [f64; 3], products: [f64; 3]) -> Result<Self, BodyError> {
         Self::from_symmetric(assemble(moments, products))
     }
 
-    /// The tensor whose products are given with the other sign, as +∫xy dm, +∫xz dm, +∫yz dm: the convention of
-    /// most CAD reports.
+    /// Returns the tensor from products with the opposite sign, +∫xy dm, +∫xz dm, +∫yz dm: the
+    /// convention of most CAD reports.
     ///
     /// # Errors
-    /// [`BodyError`] if it is impossible.
+    /// [`BodyError`] if the tensor is impossible.
     pub fn with_positive_products(moments: [f64; 3], products: [f64; 3]) -> Result<Self, BodyError> {
         Self::from_symmetric(assemble(moments, products.map(|p| 0.0 - p)))
     }
 
-    /// The tensor of a full matrix (off-diagonals −∫xy dm).
+    /// Returns the tensor from a full matrix (off-diagonals −∫xy dm).
     ///
     /// # Errors
-    /// [`BodyError::NotSymmetric`] if it differs from its transpose by more than 1e-12 of its largest moment;
-    /// any other [`BodyError`] if it is impossible.
+    /// [`BodyError::NotSymmetric`] if the matrix differs from its transpose by more than 1e-12 of
+    /// its largest moment; any other [`BodyError`] if the tensor is impossible.
     pub fn from_matrix(rows: [[f64; 3]; 3]) -> Result<Self, BodyError> {
         Self::from_symmetric(symmetric(rows)?)
     }
 
-    /// The tensor of a body whose principal axes are the axes of `F`.
+    /// Returns the tensor of a body whose principal axes are the axes of `F`.
     ///
     /// # Errors
-    /// [`BodyError`] if it is impossible.
+    /// [`BodyError`] if the tensor is impossible.
     pub fn diagonal(moments: [f64; 3]) -> Result<Self, BodyError> {
         Self::from_symmetric(Symmetric3::diagonal(moments))
     }
@@ -92,8 +98,9 @@ impl<F: Frame> InertiaTensor<F> {
         Ok(Self { elements, frame: PhantomData })
     }
 
-    /// The tensor of a difference of tensors as large as `whole` (its greatest moment), whose rounding may have
-    /// carried a rod or a plate over the edge of what is possible: then it is the nearest tensor on the edge.
+    /// Returns the tensor from a difference of tensors of magnitude `whole` (the largest moment).
+    /// If rounding made the tensor of a rod or a plate slightly impossible, the nearest possible
+    /// tensor is returned.
     pub(crate) fn from_difference(elements: Symmetric3, whole: f64) -> Result<Self, BodyError> {
         let Eigen { values: [i1, i2, i3], vectors } = elements.eigen();
         let rounding = POSSIBLE_TOLERANCE * whole;
@@ -109,22 +116,24 @@ impl<F: Frame> InertiaTensor<F> {
         Self::from_symmetric(on_edge.rotated(&columns))
     }
 
-    /// The same tensor along the axes of `A`: R I Rᵀ.
+    /// Returns the tensor along the axes of `A`: R I Rᵀ.
     pub fn in_frame<A: Frame>(&self, r: Rotation<A, F>) -> InertiaTensor<A> {
         InertiaTensor { elements: self.elements.rotated(&r.matrix()), frame: PhantomData }
     }
 
-    /// The same tensor along the axes of `A`, which happen to have this frame's directions.
+    /// Returns the same elements along the axes of `A`, whose directions coincide with those of
+    /// this frame.
     pub(crate) const fn as_frame<A: Frame>(&self) -> InertiaTensor<A> {
         InertiaTensor { elements: self.elements, frame: PhantomData }
     }
 }
 
 impl<F: Frame> InertiaAbout<F> {
-    /// The tensor about `point` of a full matrix (off-diagonals −∫xy dm, r measured from `point`).
+    /// Returns the tensor about `point` from a full matrix (off-diagonals −∫xy dm, r measured from
+    /// `point`).
     ///
     /// # Errors
-    /// As [`InertiaTensor::from_matrix`]: the same inequalities hold about any point.
+    /// The errors of [`InertiaTensor::from_matrix`]: the same inequalities hold about any point.
     pub fn from_matrix(point: Position<F>, rows: [[f64; 3]; 3]) -> Result<Self, BodyError> {
         Self::from_symmetric(point, symmetric(rows)?)
     }
@@ -135,12 +144,13 @@ impl<F: Frame> InertiaAbout<F> {
         Ok(Self { point, elements })
     }
 
-    /// A tensor that parallel axes made from a possible one, which keeps it possible.
+    /// Returns a tensor obtained from a possible one by the parallel-axis theorem, which keeps it
+    /// possible.
     pub(crate) const fn moved(point: Position<F>, elements: Symmetric3) -> Self {
         Self { point, elements }
     }
 
-    /// The point that the tensor is about.
+    /// Returns the reference point of the tensor, m.
     pub const fn point(&self) -> Position<F> {
         self.point
     }
@@ -149,12 +159,13 @@ impl<F: Frame> InertiaAbout<F> {
 macro_rules! tensor {
     ($name:ident) => {
         impl<F: Frame> $name<F> {
-            /// The full matrix; off-diagonals are −∫xy dm.
+            /// Returns the full matrix; off-diagonals are −∫xy dm.
             pub fn matrix(&self) -> [[f64; 3]; 3] {
                 self.elements.rows()
             }
 
-            /// Moment of inertia about the axis `n` through the point that the tensor is about: nᵀ I n.
+            /// Returns the moment of inertia about the axis `n` through the tensor's reference
+            /// point: nᵀ I n, kg·m².
             pub fn about_axis(&self, n: Direction<F>) -> f64 {
                 n.direction()
                     .map_or(0.0, |n| n.dot(Direction::<F>::from_array(self.elements.apply(n.to_array()))))
@@ -171,7 +182,7 @@ macro_rules! tensor {
 
         impl<F: Frame> Mul<AngularVelocity<F>> for $name<F> {
             type Output = AngularMomentum<F>;
-            /// L = I ω
+            /// Returns L = I ω.
             fn mul(self, omega: AngularVelocity<F>) -> AngularMomentum<F> {
                 self.times(omega)
             }
@@ -179,7 +190,7 @@ macro_rules! tensor {
 
         impl<F: Frame> Mul<AngularAcceleration<F>> for $name<F> {
             type Output = Torque<F>;
-            /// I ω̇: the torque that changes ω, without the ω × L of turning axes.
+            /// Returns I ω̇: the torque that changes ω, without the term ω × L of rotating axes.
             fn mul(self, alpha: AngularAcceleration<F>) -> Torque<F> {
                 self.times(alpha)
             }
@@ -199,10 +210,10 @@ macro_rules! tensor {
             }
         }
 
-        /// Row and column, each 0, 1 or 2.
+        /// Element at a row and a column, each 0, 1 or 2.
         ///
         /// # Panics
-        /// As those of an array, beyond 2.
+        /// Panics like an array if an index exceeds 2.
         impl<F> Index<(usize, usize)> for $name<F> {
             type Output = f64;
 
@@ -214,7 +225,7 @@ macro_rules! tensor {
     };
 }
 
-/// Rows, with the unit.
+/// Rows of the matrix, with the unit.
 impl<F> fmt::Display for InertiaTensor<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("[")?;
@@ -258,7 +269,7 @@ fn symmetric(rows: [[f64; 3]; 3]) -> Result<Symmetric3, BodyError> {
     let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = rows;
     let scale = xx.abs().max(yy.abs()).max(zz.abs());
     for (i, j, value, mirrored) in [(1, 2, xy, yx), (1, 3, xz, zx), (2, 3, yz, zy)] {
-        // Not finite on both sides is reported by `require_possible`, which names the element.
+        // Elements that are not finite are reported by `require_possible`, which names the element.
         if value.is_finite() && mirrored.is_finite() && (value - mirrored).abs() > SYMMETRY_TOLERANCE * scale
         {
             return Err(BodyError::NotSymmetric { element: [i, j], value, mirrored });
@@ -316,7 +327,7 @@ mod tests {
         ));
         let skew = [[3.0, 0.1, 0.2], [0.1, 4.0, 0.3], [-0.2, 0.3, 5.0]];
         assert!(matches!(Tensor::from_matrix(skew), Err(NotSymmetric { element: [1, 3], .. })));
-        // a flat plate and a rod lie on the edge, at any scale
+        // A flat plate and a rod are on the limit of the triangle inequality, at any scale.
         for scale in [1e-300, 1e-30, 1.0, 1e300] {
             assert!(Tensor::diagonal([0.1 * scale, 0.2 * scale, 0.3 * scale]).is_ok());
             assert!(Tensor::diagonal([0.0, 0.7 * scale, 0.7 * scale]).is_ok());

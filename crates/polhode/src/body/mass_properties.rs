@@ -1,4 +1,4 @@
-//! Mass, centre of mass and inertia: all that a body's motion knows of its mass.
+//! Mass, centre of mass and inertia tensor: all mass data that rigid-body motion depends on.
 
 use core::fmt;
 
@@ -12,7 +12,7 @@ use crate::math::sum::Sum;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Position;
 
-/// A body's mass, centre of mass and inertia tensor about it, along the axes of `F`.
+/// Mass, centre of mass and inertia tensor about it, along the axes of `F`.
 ///
 /// ```
 /// use polhode::body::{InertiaTensor, MassProperties};
@@ -32,7 +32,7 @@ pub struct MassProperties<F: Frame> {
     inertia: InertiaTensor<F>,
 }
 
-/// Mass, centre and tensor with their units.
+/// Mass, centre of mass and inertia tensor, with units.
 impl<F: Frame> fmt::Display for MassProperties<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("mass ")?;
@@ -45,7 +45,7 @@ impl<F: Frame> fmt::Display for MassProperties<F> {
 }
 
 impl<F: Frame> MassProperties<F> {
-    /// A body of the given mass (kg) and inertia tensor about its centre of mass.
+    /// Returns a body with the given mass, kg, and inertia tensor about its centre of mass.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if the mass is not positive or a number is not finite.
@@ -55,15 +55,17 @@ impl<F: Frame> MassProperties<F> {
         Ok(Self { mass, center_of_mass, inertia })
     }
 
-    /// A body whose tensor is known about another point: parallel axes, read backwards.
+    /// Returns a body whose tensor is known about another point, by the inverse of the
+    /// parallel-axis theorem:
     ///
     /// I_ij = J_ij − M (a² δ_ij − a_i a_j), a from the point to the centre of mass
     ///
-    /// Where the difference leaves the possible by no more than its rounding (a plate far from the point), it is
-    /// brought back to the edge.
+    /// If the difference is impossible by no more than its rounding (a plate far from the point),
+    /// it is corrected to the nearest possible tensor.
     ///
     /// # Errors
-    /// [`BodyError`] if the mass is not positive; [`BodyError::ImpossibleAtCenter`] if what is left is no tensor of a body.
+    /// [`BodyError::Parameter`] if the mass is not positive or a number is not finite;
+    /// [`BodyError::ImpossibleAtCenter`] if the difference is not a physical inertia tensor.
     pub fn from_inertia_about(
         mass: f64,
         center_of_mass: Position<F>,
@@ -83,7 +85,8 @@ impl<F: Frame> MassProperties<F> {
         Self::new(mass, center_of_mass, inertia)
     }
 
-    /// A body from its mass, centre of mass and second moments per unit mass about it, ∫ x xᵀ dm / M.
+    /// Returns a body from its mass, centre of mass, and second moments about it per unit mass, ∫ x
+    /// xᵀ dm / M.
     pub(crate) fn from_covariance(
         mass: f64,
         center_of_mass: Position<F>,
@@ -93,13 +96,14 @@ impl<F: Frame> MassProperties<F> {
         Self::new(mass, center_of_mass, InertiaTensor::from_symmetric(inertia)?)
     }
 
-    /// Several bodies rigidly joined.
+    /// Combines several bodies that are rigidly joined.
     ///
     /// M = Σ m_k,  M c = Σ m_k c_k,  I = Σ [I_k + m_k (d_k² 1 − d_k d_kᵀ)],  d_k = c_k − c.
-    /// Summed about a local reference, so that a place far from the origin costs no digits.
+    /// The sums are taken about a local reference, so that a position far from the origin costs no
+    /// digits.
     ///
     /// # Errors
-    /// [`BodyError::Empty`] without parts; [`BodyError::Parameter`] if a sum is not finite.
+    /// [`BodyError::Empty`] if there are no parts; [`BodyError::Parameter`] if a sum is not finite.
     pub fn combined(parts: &[Self]) -> Result<Self, BodyError> {
         let centers: Vec<_> = parts.iter().map(|part| (part.mass, part.center_of_mass)).collect();
         let Center { mass, reference, rest } =
@@ -117,37 +121,39 @@ impl<F: Frame> MassProperties<F> {
         Self::new(mass, reference + rest, inertia)
     }
 
-    /// Mass, kg.
+    /// Returns the mass, kg.
     pub const fn mass(&self) -> f64 {
         self.mass
     }
 
-    /// Centre of mass from the frame's origin, m.
+    /// Returns the centre of mass relative to the frame's origin, m.
     pub const fn center_of_mass(&self) -> Position<F> {
         self.center_of_mass
     }
 
-    /// Inertia tensor about the centre of mass, kg·m².
+    /// Returns the inertia tensor about the centre of mass, kg·m².
     pub const fn inertia(&self) -> &InertiaTensor<F> {
         &self.inertia
     }
 
-    /// Inertia tensor about any finite point: Steiner's parallel-axis theorem.
+    /// Returns the inertia tensor about any finite point, by Steiner's parallel-axis theorem:
     ///
     /// J_ij = I_ij + M (a² δ_ij − a_i a_j), a from the point to the centre of mass
     ///
-    /// Source: Steiner's theorem, as any text on mechanics has it; tested against Schaub's worked example.
+    /// Source: Steiner's theorem, as in any text on mechanics; tested against Schaub's worked
+    /// example.
     pub fn inertia_about(&self, point: Position<F>) -> InertiaAbout<F> {
         let steiner = steiner(self.mass, self.center_of_mass - point);
         InertiaAbout::moved(point, *self.inertia.symmetric() + steiner)
     }
 
-    /// The same body described along the axes of `A`, about the same origin.
+    /// Returns the same body along the axes of `A`, with the same origin.
     pub fn in_frame<A: Frame>(&self, r: Rotation<A, F>) -> MassProperties<A> {
         self.moved(Position::ZERO, r)
     }
 
-    /// The same numbers as those of a body: of a part that is all of it, whose axes are the body's.
+    /// Returns the same numbers as mass properties of a body, for a part that is the whole body and
+    /// has the body's axes.
     ///
     /// ```
     /// use polhode::body::{InertiaTensor, MassProperties};
@@ -162,7 +168,8 @@ impl<F: Frame> MassProperties<F> {
         self.in_frame(Rotation::identity())
     }
 
-    /// The body described in a frame `A` in which this frame's origin is at `position` and its axes are turned by `r`.
+    /// Returns the body in a frame `A` in which this frame's origin is at `position`, m, and its
+    /// axes are rotated by `r`.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if the position is not finite.
@@ -176,34 +183,36 @@ impl<F: Frame> MassProperties<F> {
     }
 
     pub(super) fn moved<A: Frame>(&self, position: Position<A>, r: Rotation<A, F>) -> MassProperties<A> {
-        // No turn is the usual case, and then costs no rounding.
+        // The identity rotation is the usual case; skipping it avoids rounding.
         let inertia =
             if r == Rotation::identity() { self.inertia.as_frame() } else { self.inertia.in_frame(r) };
         MassProperties { mass: self.mass, center_of_mass: position + r * self.center_of_mass, inertia }
     }
 
-    /// Principal moments and axes about the centre of mass.
+    /// Returns the principal moments and axes about the centre of mass.
     pub fn principal(&self) -> PrincipalFrame<F> {
         PrincipalFrame::of(&self.inertia)
     }
 
-    /// Radii of gyration about the three principal axes, √(i_k / M), m.
+    /// Returns the radii of gyration about the three principal axes, √(i_k / M), m.
     pub fn gyration_radii(&self) -> [f64; 3] {
         self.principal().moments().map(|i| (i / self.mass).sqrt())
     }
 }
 
-/// The mass and the centre of mass of points, found about a local reference so that no place costs digits.
+/// Total mass and centre of mass of points, computed about a local reference to avoid loss of
+/// digits.
 pub(super) struct Center<F> {
     pub(super) mass: f64,
-    /// Near the centre of mass.
+    /// Point near the centre of mass, m.
     pub(super) reference: Position<F>,
-    /// From the reference to the centre of mass: what the rounding of the reference left.
+    /// Vector from the reference to the centre of mass, m; it holds the digits lost in rounding the
+    /// reference.
     pub(super) rest: Position<F>,
 }
 
 impl<F: Frame> Center<F> {
-    /// Of masses at points; `None` if there are none.
+    /// Computes the centre of masses at points; `None` if there are no points.
     pub(super) fn of(points: &[(f64, Position<F>)]) -> Option<Self> {
         let (_, first) = *points.first()?;
         let mut mass = Sum::default();
@@ -220,13 +229,14 @@ impl<F: Frame> Center<F> {
             }
             Position::from_array(moment.map(|s| s.value() / mass))
         };
-        // The first point may be a light one far away: the second sum is about the centre that the first one found.
+        // The first point may be light and far away, so the sum is repeated about the centre found
+        // first.
         let reference = first + from(first);
         Some(Self { mass, reference, rest: from(reference) })
     }
 }
 
-/// M (a² 1 − a aᵀ), written without cancellation.
+/// Returns M (a² 1 − a aᵀ), computed without cancellation.
 fn steiner<F: Frame>(mass: f64, a: Position<F>) -> Symmetric3 {
     (Symmetric3::outer(a.to_array()) * mass).inertia_of_second_moments()
 }
@@ -236,7 +246,8 @@ mod tests {
     use super::*;
     use crate::math::frame::{Body, Part};
 
-    /// Distinct moments, all products non-zero, mass not 1, centre of mass off the origin, mixed signs.
+    /// Test body with distinct moments, non-zero products, mass ≠ 1, centre of mass off the origin,
+    /// mixed signs.
     fn generic() -> MassProperties<Body> {
         let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
         MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap()
@@ -288,7 +299,8 @@ mod tests {
         let point = Position::<Body>::new(0.1, -0.2, 0.3);
         let rows = [[1.1, 0.1, 0.0], [0.1, 1.2, -0.2], [0.0, -0.2, 1.3]];
         let about = InertiaAbout::from_matrix(point, rows).unwrap();
-        // 2 kg at d = (1, 0.5, −0.4) m from the point have 0.82, 2.32 and 2.5 kg·m² there about the axes
+        // 2 kg at d = (1, 0.5, −0.4) m contribute 0.82, 2.32 and 2.5 kg·m² about the axes through
+        // the point.
         let far = MassProperties::from_inertia_about(2.0, Position::new(1.1, 0.3, -0.1), &about);
         let Err(BodyError::ImpossibleAtCenter { mass, lever, about: [j1, .., j3], moments: [i1, i2, i3] }) =
             far
@@ -298,7 +310,7 @@ mod tests {
         assert_eq!(mass, 2.0);
         assert!(lever.iter().zip([1.0, 0.5, -0.4]).all(|(d, want)| (d - want).abs() < 1e-15));
         assert!(j1 > 0.9 && j3 < 1.5);
-        // The traces: tr I = tr J − 2 M d²
+        // Traces: tr I = tr J − 2 M d².
         assert!((i1 + i2 + i3 - (3.6 - 4.0 * 1.41)).abs() < 1e-14 && i1 < 0.0);
     }
 
@@ -322,12 +334,12 @@ mod tests {
             let at = |d: [f64; 3]| {
                 generic().placed(origin + Position::from_array(d), Rotation::identity()).unwrap()
             };
-            // offsets that the far coordinates still hold exactly
+            // Offsets that the far coordinates represent exactly.
             MassProperties::combined(&[at([0.0; 3]), at([0.5, -0.25, 1.0]), at([2.0, 0.125, -0.5])]).unwrap()
         };
         let near = MassProperties::combined(&[pair(Position::ZERO)]).unwrap();
         let difference = *pair(far).inertia().symmetric() - *near.inertia().symmetric();
-        // the parts' own centres 0.11, −0.07, 0.23 are rounded at 4e6: 5e-10 m
+        // The parts' own centres 0.11, −0.07, 0.23 are rounded at 4e6 m: by 5e-10 m.
         assert!(difference.max_abs() < 5e-9);
     }
 }

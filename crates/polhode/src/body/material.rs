@@ -1,9 +1,9 @@
-//! Named materials.
+//! Materials with nominal densities.
 
-/// A material by name, with a nominal density.
+/// Material with a name and a nominal density.
 ///
-/// The densities are nominal, of the plain material at room temperature; alloys and grades differ by
-/// percents. For a budget give the measured density or the mass.
+/// The densities are nominal values of the plain material at room temperature; alloys and grades
+/// differ by a few per cent. For a mass budget, use the measured density or the mass.
 ///
 /// ```
 /// use polhode::body::Material;
@@ -12,21 +12,22 @@
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// The name, in lower case.
+    /// Name of the material, in lower case.
     pub name: &'static str,
     /// Density, kg/m³.
     pub density: f64,
 }
 
 impl Material {
-    /// The material of that name; case does not matter.
+    /// Returns the material of that name, ignoring case; `None` if it is unknown.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.iter().find(|m| m.name.eq_ignore_ascii_case(name.trim())).copied()
     }
 
     /// All materials, in alphabetical order.
     ///
-    /// Rounded values in common use, compiled from general knowledge and not transcribed from one table.
+    /// The values are rounded, in common use, compiled from general knowledge and not transcribed
+    /// from one table.
     pub const ALL: &'static [Self] = &[
         Self { name: "abs", density: 1050.0 },
         Self { name: "acrylic", density: 1180.0 },

@@ -1,23 +1,26 @@
-//! Bodies: how much mass, where, and how it resists being turned. This module knows no time.
+//! Bodies: mass, centre of mass and inertia tensor. This module does not depend on time.
 //!
-//! Whatever a body is made of gives [`MassProperties`]: mass m, centre of mass c, and the [`InertiaTensor`] about it,
+//! Every description of a body gives [`MassProperties`]: mass m, centre of mass c, and the
+//! [`InertiaTensor`] about it,
 //!
 //! I = ∫ (|r|² 1 − r rᵀ) dm,  r from the centre of mass.
 //!
-//! | made of | by |
+//! | description of the body | function or module |
 //! |---|---|
 //! | particles, atoms | [`mass_properties_of_particles`] |
 //! | a box, a sphere, a rod … | [`shape`]: closed forms |
 //! | a triangle mesh | [`mesh`]: diagnosis, then exact integrals; or its convex hull, or a shell |
-//! | a density that varies, voxels | [`density`]: cubature with an error bound, exact sums |
-//! | parts | [`assemble`]: each turned to its place, by the parallel-axis theorem |
-//! | numbers from elsewhere | [`InertiaTensor::with_negative_products`] and its like; [`InertiaAbout`] for another point |
+//! | a varying density, voxels | [`density`]: cubature with an error bound, exact sums |
+//! | parts | [`assemble`]: each at its position and orientation, by the parallel-axis theorem |
+//! | a known tensor | [`InertiaTensor::with_negative_products`]; [`InertiaAbout`] for another point
+//! |
 //!
-//! How mass properties depend on densities, places of parts, particles and the vertices of meshes: [`AssemblyDerivatives`],
-//! [`ParticleDerivatives`], [`mesh::MeshDerivatives`].
+//! Derivatives of mass properties with respect to densities, positions of parts, particles and mesh
+//! vertices: [`AssemblyDerivatives`], [`ParticleDerivatives`], [`mesh::MeshDerivatives`].
 //!
-//! Off-diagonal elements are minus the products of inertia, I_xy = −∫ x y dm. [`PrincipalFrame`] has the principal moments, ascending,
-//! and axes. A tensor that no mass could have (the triangle inequality I₁ + I₂ ≥ I₃ fails) is a [`BodyError`].
+//! Off-diagonal elements are minus the products of inertia, I_xy = −∫ x y dm. [`PrincipalFrame`]
+//! has the principal moments, ascending, and axes. A tensor that no distribution of mass can have
+//! (one that violates the triangle inequality I₁ + I₂ ≥ I₃) is a [`BodyError`].
 
 pub(crate) mod assembly;
 mod assembly_derivatives;

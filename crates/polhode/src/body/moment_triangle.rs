@@ -1,20 +1,20 @@
-//! The triangle of moments: all possible bodies, by the ratios of their principal moments.
+//! Triangle of moments: all possible bodies, by the ratios of their principal moments.
 
 use core::f64::consts::TAU;
 
 /// Corners of the triangle of moments, with sides of length 1: rods along the axes 1, 2, 3.
 pub const MOMENT_TRIANGLE: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.866_025_403_784_438_6]];
 
-/// Points of the outline of an ellipse.
+/// Number of points of an ellipse's outline.
 const POINTS: u32 = 240;
-/// Conditions on a possible body: a i₁/i₃ + b i₂/i₃ + c ≥ 0.
+/// Conditions for a possible body: a i₁/i₃ + b i₂/i₃ + c ≥ 0.
 const POSSIBLE: [[f64; 3]; 3] = [[1.0, 1.0, -1.0], [-1.0, 1.0, 1.0], [1.0, -1.0, 1.0]];
 
-/// Place of three principal moments in the triangle of moments.
+/// Returns the position of three principal moments in the triangle of moments.
 ///
-/// gₖ = ½ (i₁ + i₂ + i₃) − iₖ are the second moments along the principal axes; none is negative. The
-/// place is the centre of mass of the masses g₁, g₂, g₃ in the corners. Bodies with extent in all
-/// directions are inside, laminae on the edges, rods in the corners, a sphere in the middle.
+/// The second moments along the principal axes are gₖ = ½ (i₁ + i₂ + i₃) − iₖ; none is negative.
+/// The position is the centre of mass of masses g₁, g₂, g₃ at the corners. Bodies with extent in
+/// all directions are inside, laminae on the edges, rods at the corners, a sphere at the centre.
 ///
 /// ```
 /// use polhode::body::place_in_moment_triangle;
@@ -27,11 +27,12 @@ pub fn place_in_moment_triangle(moments: [f64; 3]) -> [f64; 2] {
     [0, 1].map(|c| (0..3).map(|k| weights[k] * MOMENT_TRIANGLE[k][c]).sum())
 }
 
-/// Outline of the region of (i₁/i₃, i₂/i₃) that has a probability.
+/// Returns the outline of the confidence region of (i₁/i₃, i₂/i₃) for a given probability p.
 ///
-/// The region is the ellipse of the covariance C of the ratios, rᵀ C⁻¹ r = −2 ln(1 − p), without the
-/// part in which no body is possible. The moments are in the order of their axes, which need not
-/// ascend. Returns `None` for exact ratios, and a line if one combination of them is exact.
+/// The region is the ellipse of the covariance C of the ratios, rᵀ C⁻¹ r = −2 ln(1 − p), without
+/// the part in which no body is possible. The moments are in the order of their axes, which need
+/// not be ascending. Returns `None` for exact ratios, and a line if one combination of them is
+/// exact.
 ///
 /// ```
 /// use polhode::body::ratio_region;
@@ -59,12 +60,12 @@ pub fn ratio_region(
     (!outline.is_empty()).then_some(outline)
 }
 
-/// Part of a convex outline of (i₁/i₃, i₂/i₃) in which bodies are possible.
+/// Returns the part of a convex outline of (i₁/i₃, i₂/i₃) in which bodies are possible.
 pub fn possible_ratios(outline: &[[f64; 2]]) -> Vec<[f64; 2]> {
     POSSIBLE.iter().fold(outline.to_vec(), |outline, side| cut(&outline, *side))
 }
 
-/// The part of a convex outline where a x + b y + c ≥ 0.
+/// Returns the part of a convex outline where a x + b y + c ≥ 0.
 fn cut(outline: &[[f64; 2]], [a, b, c]: [f64; 3]) -> Vec<[f64; 2]> {
     let height = |[x, y]: [f64; 2]| a * x + b * y + c;
     let mut kept = Vec::with_capacity(outline.len() + 2);

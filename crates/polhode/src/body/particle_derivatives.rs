@@ -1,4 +1,4 @@
-//! How the mass properties of particles depend on each of them.
+//! Derivatives of the mass properties of particles with respect to each of them.
 
 use super::derivative::MassPropertiesDerivative;
 use super::error::BodyError;
@@ -7,7 +7,8 @@ use super::particles::Particle;
 use crate::math::frame::Frame;
 use crate::math::vector::Position;
 
-/// How mass properties of particles depend on one of them: with d from the centre of mass to it
+/// Derivatives of the mass properties of particles with respect to one of them: with d from the
+/// centre of mass to it,
 ///
 /// ∂M = ∂m,  ∂c = (d ∂m + m ∂r)/M,  ∂I = (d² 1 − d dᵀ) ∂m + m (2 d·∂r 1 − d ∂rᵀ − ∂r dᵀ)
 ///
@@ -24,17 +25,18 @@ use crate::math::vector::Position;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParticleDerivatives<F> {
-    /// By its mass, kg.
+    /// Derivative with respect to its mass, per kg.
     pub by_mass: MassPropertiesDerivative<F>,
-    /// By its coordinates, m.
+    /// Derivatives with respect to its coordinates, per m.
     pub by_position: [MassPropertiesDerivative<F>; 3],
 }
 
 impl<F: Frame> ParticleDerivatives<F> {
-    /// Of each particle of [`mass_properties_of_particles`](super::mass_properties_of_particles), in their order.
+    /// Returns the derivatives with respect to each particle of
+    /// [`mass_properties_of_particles`](super::mass_properties_of_particles), in their order.
     ///
     /// # Errors
-    /// [`BodyError::Empty`] without particles.
+    /// [`BodyError::Empty`] if there are no particles.
     pub fn of(particles: &[Particle<F>]) -> Result<Vec<Self>, BodyError> {
         let points: Vec<_> = particles.iter().map(|p| (p.mass(), p.position())).collect();
         let Center { mass: whole, reference, rest } =

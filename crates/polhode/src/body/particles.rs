@@ -1,4 +1,4 @@
-//! Point particles.
+//! Point particles and their mass properties.
 
 use super::error::{BodyError, finite, positive};
 use super::mass_properties::{Center, MassProperties};
@@ -7,7 +7,7 @@ use crate::math::sum::Sum;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Position;
 
-/// One particle: a mass (kg) at a point.
+/// Particle: a mass, kg, at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Particle<F> {
     mass: f64,
@@ -15,28 +15,29 @@ pub struct Particle<F> {
 }
 
 impl<F: Frame> Particle<F> {
-    /// A particle of positive mass at a finite place.
+    /// Returns a particle of positive mass at a finite position, m.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] otherwise.
+    /// [`BodyError::Parameter`] if the mass is not positive and finite, or the position is not
+    /// finite.
     pub fn new(mass: f64, position: Position<F>) -> Result<Self, BodyError> {
         positive("the particle's mass", mass)?;
         finite("the particle's position", position.to_array())?;
         Ok(Self { mass, position })
     }
 
-    /// Mass, kg.
+    /// Returns the mass, kg.
     pub const fn mass(&self) -> f64 {
         self.mass
     }
 
-    /// Where it is, m.
+    /// Returns the position, m.
     pub const fn position(&self) -> Position<F> {
         self.position
     }
 }
 
-/// Mass properties of particles rigidly joined.
+/// Computes the mass properties of rigidly joined particles.
 ///
 /// M = Σ m_α,  M c = Σ m_α r_α,  I_ij = Σ m_α [δ_ij Σ_k x²_{α,k} − x_{α,i} x_{α,j}],  x_α = r_α − c
 ///
@@ -59,7 +60,7 @@ impl<F: Frame> Particle<F> {
 /// ```
 ///
 /// # Errors
-/// [`BodyError::Empty`] without particles; [`BodyError::Parameter`] if a sum is not finite.
+/// [`BodyError::Empty`] if there are no particles; [`BodyError::Parameter`] if a sum is not finite.
 ///
 /// Source: the lecture notes, "The inertia tensor".
 pub fn mass_properties_of_particles<F: Frame>(

@@ -1,4 +1,4 @@
-//! Principal moments and axes.
+//! Principal moments and axes of an inertia tensor.
 
 use core::fmt;
 
@@ -9,14 +9,14 @@ use crate::math::rotation::Rotation;
 use crate::math::symmetric3::{Symmetric3, nearest_orthonormal};
 use crate::math::vector::Direction;
 
-/// The principal moments i1 ≤ i2 ≤ i3 of a tensor and a right-handed set of axes to which they belong.
+/// Principal moments i1 ≤ i2 ≤ i3 of a tensor, and a right-handed set of axes to which they belong.
 ///
-/// The choice of axes is deterministic: the largest component of axes 1 and 2 is positive (of two equal ones the
-/// first), and axis 3 = axis 1 × axis 2. Where moments are equal the axes are those nearest to the frame's own,
-/// and [`Symmetry`] names the freedom.
+/// The choice of axes is deterministic: the largest component of axes 1 and 2 is positive (the
+/// first one, if two are equal), and axis 3 = axis 1 × axis 2. Where moments are equal, the axes
+/// nearest to those of the frame are used, and [`Symmetry`] states the freedom.
 ///
-/// R diag(i1, i2, i3) Rᵀ is the tensor again to 1e-15 of its largest element, and R is orthogonal to 1e-15, whatever the
-/// moments; where they differ, to 3e-16.
+/// R diag(i1, i2, i3) Rᵀ reproduces the tensor to 1e-15 of its largest element, and R is orthogonal
+/// to 1e-15, for any moments; if the moments differ, R is orthogonal to 3e-16.
 ///
 /// ```
 /// use polhode::body::{InertiaTensor, PrincipalFrame, Symmetry};
@@ -51,28 +51,28 @@ impl<F: Frame> fmt::Display for PrincipalFrame<F> {
     }
 }
 
-/// Which principal moments are equal, and so which axes are free.
+/// Symmetry of a body: which principal moments are equal, and therefore which axes are free.
 ///
-/// Moments count as equal, and are returned as equal, when they differ by no more than 4 ε of the greatest: the rounding
-/// of a turn or of a short sum.
+/// Moments count as equal, and are returned as equal, if they differ by at most 4 ε of the largest:
+/// the rounding of a rotation or of a short sum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Symmetry {
-    /// i1 = i2 = i3 = 0: all the mass in one point.
+    /// All mass in one point: i1 = i2 = i3 = 0.
     Point,
-    /// i1 = 0 < i2 = i3: all the mass on one line.
+    /// All mass on one line: i1 = 0 < i2 = i3.
     Rod,
-    /// i1 = i2 = i3 > 0: every axis is principal.
+    /// Every axis is principal: i1 = i2 = i3 > 0.
     Spherical,
-    /// i1 = i2 < i3: axes 1 and 2 are free in their plane.
+    /// Axes 1 and 2 are free in their plane: i1 = i2 < i3.
     Oblate,
-    /// i1 < i2 = i3: axes 2 and 3 are free in their plane.
+    /// Axes 2 and 3 are free in their plane: i1 < i2 = i3.
     Prolate,
-    /// i1 < i2 < i3: the axes are determined.
+    /// The axes are determined: i1 < i2 < i3.
     Asymmetric,
 }
 
 impl Symmetry {
-    /// The name in lower case, as JSON has it.
+    /// Returns the name in lower case, as in JSON.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Point => "point",
@@ -84,7 +84,7 @@ impl Symmetry {
         }
     }
 
-    /// What is free, in words.
+    /// Returns a description of the free axes.
     pub const fn freedom(self) -> &'static str {
         match self {
             Self::Point => "a point: every axis is principal, and none has a moment",
@@ -97,20 +97,22 @@ impl Symmetry {
     }
 }
 
-/// Moments nearer than this part of the greatest count as equal: turned tensors come nearer than that, and the tensor
-/// rebuilt from the chosen axes is off by 1e-15 of its largest element at most.
+/// Relative tolerance within which moments count as equal. Rounding of rotated tensors is smaller,
+/// and the tensor rebuilt from the chosen axes differs by at most 1e-15 of its largest element.
 const EQUAL_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
-/// A moment below this part of the greatest counts as none, unless it is along one of the frame's own axes.
+/// Relative tolerance below which a moment counts as zero, unless it is along one of the frame's
+/// own axes.
 const ROD_TOLERANCE: f64 = 3.0 * f64::EPSILON;
 
 impl<F: Frame> PrincipalFrame<F> {
-    /// Principal moments and axes of a tensor about the centre of mass.
+    /// Returns the principal moments and axes of a tensor about the centre of mass.
     pub fn of(tensor: &InertiaTensor<F>) -> Self {
         Self::of_symmetric(tensor.symmetric())
     }
 
-    /// Principal moments and axes of a tensor about another point: those of motion about a fixed pivot.
+    /// Returns the principal moments and axes of a tensor about another point, for motion about a
+    /// fixed pivot.
     pub fn about(tensor: &InertiaAbout<F>) -> Self {
         Self::of_symmetric(tensor.symmetric())
     }
@@ -118,16 +120,17 @@ impl<F: Frame> PrincipalFrame<F> {
     pub(crate) fn of_symmetric(tensor: &Symmetric3) -> Self {
         let coarse = tensor.eigen();
         let eigen = coarse.polished(tensor);
-        // Rounding may leave −1e-17 where a rod has 0.
+        // Rounding may give −1e-17 instead of the 0 of a rod.
         let [i1, i2, i3] = eigen.values.map(|i| i.max(0.0));
         let equal = |a: f64, b: f64| (a - b).abs() <= EQUAL_TOLERANCE * i3;
-        // A moment along one of the frame's own axes is exactly what was given; of any other a residue is rounding.
+        // A moment along one of the frame's own axes is exactly the given value; for any other axis
+        // a small residue is rounding.
         let given = coarse.vectors[0].iter().filter(|c| **c != 0.0).count() == 1;
         let massless = i1 == 0.0 || (!given && i1 <= ROD_TOLERANCE * i3);
         let symmetry = if i3 == 0.0 {
             Symmetry::Point
         } else if massless {
-            // i2 ≤ i3 ≤ i1 + i2: what is left of a difference is rounding.
+            // Because i2 ≤ i3 ≤ i1 + i2, any remaining difference is rounding.
             Symmetry::Rod
         } else if equal(i1, i3) {
             Symmetry::Spherical
@@ -138,7 +141,7 @@ impl<F: Frame> PrincipalFrame<F> {
         } else {
             Symmetry::Asymmetric
         };
-        // Moments that count as equal are equal.
+        // Moments that count as equal are made equal.
         let mean = |a: f64, b: f64| 0.5 * a + 0.5 * b;
         let moments = match symmetry {
             Symmetry::Point => [0.0; 3],
@@ -152,48 +155,48 @@ impl<F: Frame> PrincipalFrame<F> {
         Self { moments, axes, rotation: Rotation::from_axes(axes), symmetry }
     }
 
-    /// i1 ≤ i2 ≤ i3, kg·m².
+    /// Returns i1 ≤ i2 ≤ i3, kg·m².
     pub const fn moments(&self) -> [f64; 3] {
         self.moments
     }
 
-    /// Principal axis `k` = 0, 1 or 2 as a unit vector; it belongs to `moments()[k]`.
+    /// Returns principal axis `k` = 0, 1 or 2 as a unit vector; it belongs to `moments()[k]`.
     ///
-    /// Any other `k` counts on from 0 again.
+    /// Any other `k` is taken modulo 3.
     pub const fn axis(&self, k: usize) -> Direction<F> {
         self.axes[k % 3]
     }
 
-    /// The three axes.
+    /// Returns the three axes as unit vectors.
     pub const fn axes(&self) -> [Direction<F>; 3] {
         self.axes
     }
 
-    /// R_F_principal: its columns are the axes.
+    /// Returns R_F_principal, whose columns are the axes.
     pub const fn rotation(&self) -> Rotation<F, Principal> {
         self.rotation
     }
 
-    /// Which moments are equal.
+    /// Returns which moments are equal.
     pub const fn symmetry(&self) -> Symmetry {
         self.symmetry
     }
 }
 
-/// The axes of CONVENTIONS.md from eigenvectors of either sign and handedness.
+/// Returns the axes defined in CONVENTIONS.md, from eigenvectors of either sign and handedness.
 fn choose_axes<F: Frame>(symmetry: Symmetry, v: [Direction<F>; 3]) -> [Direction<F>; 3] {
     let (axis1, axis2) = match symmetry {
         Symmetry::Point | Symmetry::Spherical => return unit_axes(),
         Symmetry::Asymmetric => {
             let (axis1, axis2) = (positive(v[0]), positive(v[1]));
-            // axis 1 × axis 2, but for the rounding of the product
+            // Axis 1 × axis 2, without the rounding of the product.
             let axis3 = if axis1.cross(axis2).dot(v[2]) < 0.0 { reversed(v[2]) } else { v[2] };
             return [axis1, axis2, axis3];
         }
         Symmetry::Oblate => nearest_pair(v[2]),
         Symmetry::Rod | Symmetry::Prolate => (positive(v[0]), nearest_pair(v[0]).0),
     };
-    // Each has the rounding of those before it.
+    // Each axis has the rounding of those before it.
     let axes = [axis1, axis2, axis1.cross(axis2)].map(Direction::to_array);
     nearest_orthonormal(axes).map(Direction::from_array)
 }
@@ -202,26 +205,27 @@ fn unit_axes<F: Frame>() -> [Direction<F>; 3] {
     [Direction::new(1.0, 0.0, 0.0), Direction::new(0.0, 1.0, 0.0), Direction::new(0.0, 0.0, 1.0)]
 }
 
-/// Components that differ by less are a tie, and the first one counts: the choice must not hang on rounding.
+/// Relative difference below which components are tied and the first one is used, so that the
+/// choice does not depend on rounding.
 const TIE: f64 = 1e-9;
 
-/// ±v, with its largest component positive.
+/// Returns ±v, with its largest component positive.
 fn positive<F: Frame>(v: Direction<F>) -> Direction<F> {
     let largest = v.max_abs();
     let first = v.to_array().into_iter().find(|c| c.abs() >= (1.0 - TIE) * largest);
     if first.is_some_and(|c| c < 0.0) { reversed(v) } else { v }
 }
 
-/// −v, in which 0 stays 0 and becomes no −0.
+/// Returns −v, where 0 stays 0 and does not become −0.
 fn reversed<F: Frame>(v: Direction<F>) -> Direction<F> {
     Direction::ZERO - v
 }
 
-/// The two perpendicular unit vectors across `n` that are together nearest to two of the frame's own axes a and b
-/// (those that lie best in the plane): they maximise u·a + v·b.
+/// Returns two orthonormal vectors u and v perpendicular to `n` that are together nearest to two of
+/// the frame's own axes a and b (those nearest to the plane): they maximise u·a + v·b.
 fn nearest_pair<F: Frame>(n: Direction<F>) -> (Direction<F>, Direction<F>) {
     let along = n.to_array().map(f64::abs);
-    // Leave out the axis most nearly along n; of equal ones the last.
+    // Omits the axis most nearly along n; of equal ones the last.
     let out = (0..3).fold(0, |best, k| if along[k] >= along[best] - TIE { k } else { best });
     let [a, b] = match out {
         0 => [1, 2],
@@ -234,7 +238,7 @@ fn nearest_pair<F: Frame>(n: Direction<F>) -> (Direction<F>, Direction<F>) {
     let s = if n.dot(p.cross(q)) < 0.0 { -1.0 } else { 1.0 };
     let u = p + q.cross(n) * s;
     let u = u.direction().unwrap_or(p);
-    // What rounding left along n.
+    // Removes the component along n that rounding left.
     let u = (u - n * n.dot(u)).direction().unwrap_or(u);
     (positive(u), positive(n.cross(u)))
 }
@@ -306,7 +310,8 @@ mod tests {
         let sphere = turned([2.0; 3], [0.4, -0.7, 1.1, 0.3]);
         assert_eq!(PrincipalFrame::of(&sphere).axes(), unit_axes());
 
-        // n tilted a little from z: the pair nearest to x and y, by symmetry of the tilt about x
+        // n tilted slightly from z: the pair nearest to x and y follows from the symmetry of the
+        // tilt about x.
         let tilt = 0.3_f64;
         let q = [libm::cos(tilt / 2.0), libm::sin(tilt / 2.0), 0.0, 0.0];
         let p = PrincipalFrame::of(&turned([1.0, 1.0, 1.7], q));
@@ -314,7 +319,7 @@ mod tests {
         assert!((p.axis(0) - Direction::new(1.0, 0.0, 0.0)).norm() < 1e-15);
         assert!((p.axis(1) - Direction::new(0.0, libm::cos(tilt), libm::sin(tilt))).norm() < 1e-15);
 
-        // the pair is optimal at a generic direction: no turn in the plane comes nearer
+        // The pair is optimal for a generic direction: no rotation in the plane is nearer.
         let p = PrincipalFrame::of(&turned([1.0, 1.0, 1.7], [0.9, 0.3, -0.2, 0.5]));
         let [e1, e2, n] = p.axes();
         let nearness = |u: Direction<Body>| u.x + n.cross(u).y;
@@ -331,7 +336,7 @@ mod tests {
         assert_eq!(p.moments()[0], 0.0);
         let point = InertiaTensor::<Body>::diagonal([0.0; 3]).unwrap();
         assert_eq!(PrincipalFrame::of(&point).symmetry(), Symmetry::Point);
-        // a very thin needle, given along its axes, is not a rod
+        // A very thin needle, given along its axes, is not a rod.
         let needle = InertiaTensor::<Body>::diagonal([1e-20, 1.0, 1.0]).unwrap();
         assert_eq!(PrincipalFrame::of(&needle).symmetry(), Symmetry::Prolate);
         assert_eq!(PrincipalFrame::of(&needle).moments()[0], 1e-20);
@@ -344,7 +349,8 @@ mod tests {
             assert!(rebuild_error(&t) < 2e-15, "gap {gap}: {:e}", rebuild_error(&t));
         }
         let graded = Symmetric3 { xx: 1e-16, yy: 1.0, zz: 1.0, xy: 3e-9, xz: -4e-9, yz: 0.5 };
-        // the least eigenvalue to *relative* accuracy: exact det / (product of the others), det by hand
+        // Smallest eigenvalue to *relative* accuracy: exact determinant / (product of the others),
+        // determinant by hand.
         let [e1, e2, e3] = graded.eigen().values;
         let det = 1e-16 * 0.75 - (9e-18 + 16e-18 + 2.0 * 0.5 * 12e-18);
         assert!((e1 * e2 * e3 / det - 1.0).abs() < 1e-14, "{:e}", e1 * e2 * e3 / det - 1.0);

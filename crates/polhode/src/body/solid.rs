@@ -7,8 +7,8 @@ use crate::math::frame::Part;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Position;
 
-/// A solid of uniform density, known by its volume, area, centroid and second moments: what a reader that keeps no
-/// triangles can say of a mesh.
+/// Solid of uniform density, known by its volume, area, centroid and second moments, for example
+/// from a mesh reader that stores no triangles.
 ///
 /// ```
 /// use polhode::body::MeasuredSolid;
@@ -29,12 +29,14 @@ pub struct MeasuredSolid {
 }
 
 impl MeasuredSolid {
-    /// A solid from its volume (m³), surface area (m²), centroid (m), and second moments about the centroid per unit
-    /// volume, ⟨x xᵀ⟩ = ∫ x xᵀ dV / V (m²): xx, yy, zz, xy, xz, yz, products with the sign of the integral.
+    /// Returns a solid from its volume, m³, surface area, m², centroid, m, and second moments about
+    /// the centroid per unit volume, ⟨x xᵀ⟩ = ∫ x xᵀ dV / V, m²: xx, yy, zz, xy, xz, yz, products
+    /// with the sign of the integral.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if a number is not finite, or the volume or the area not positive;
-    /// [`BodyError::NegativeMoment`] or [`BodyError::TriangleInequality`] if no solid has these second moments.
+    /// [`BodyError::Parameter`] if a number is not finite, or if the volume or the area is not
+    /// positive; [`BodyError::NegativeMoment`] or [`BodyError::TriangleInequality`] if no solid has
+    /// these second moments.
     pub fn from_moments(
         volume: f64,
         area: f64,

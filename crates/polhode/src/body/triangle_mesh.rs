@@ -1,16 +1,16 @@
-//! Triangles and their corners, as files have them.
+//! Triangles and their corners, as read from files.
 
 use super::error::BodyError;
 use crate::math::frame::Part;
 use crate::math::vector::Position;
 
-/// A triangle by its three corners, m, seen from outside counter-clockwise.
+/// Triangle as its three corners, m, counter-clockwise seen from outside.
 pub type Triangle = [[f64; 3]; 3];
 
-/// Triangles and their corners as a file has them: not yet known to bound anything.
+/// Triangles and their corners as read from a file; they need not bound a solid.
 ///
-/// [`ClosedMesh`](super::mesh::ClosedMesh) is the solid that they bound, if they do. Vertices may be
-/// there more than once: corners are the same point when their coordinates are equal, exactly.
+/// [`ClosedMesh`](super::mesh::ClosedMesh) is the solid that they bound, if they do. A vertex may
+/// occur more than once: corners are the same point if their coordinates are exactly equal.
 ///
 /// ```
 /// use polhode::body::mesh::TriangleMesh;
@@ -26,21 +26,23 @@ pub type Triangle = [[f64; 3]; 3];
 pub struct TriangleMesh {
     pub(super) vertices: Vec<[f64; 3]>,
     pub(super) triangles: Vec<[u32; 3]>,
-    /// It was made as a convex hull, by exact signs: nothing of it goes through itself.
+    /// True if the mesh was built as a convex hull by exact signs, so that it cannot intersect
+    /// itself.
     pub(super) is_hull: bool,
 }
 
 impl TriangleMesh {
-    /// Vertices, m, as positions or as arrays, and the triangles between them by index, from 0.
+    /// Returns a mesh from vertices, m, as positions or arrays, and triangles as vertex indices
+    /// from 0.
     ///
     /// # Errors
-    /// [`BodyError::Vertex`] for a vertex of a triangle that is not finite; [`BodyError::VertexIndex`] for
-    /// one that does not exist.
+    /// [`BodyError::Vertex`] for a triangle's vertex that is not finite; [`BodyError::VertexIndex`]
+    /// for an index out of range.
     pub fn new<V: Into<Position<Part>>>(
         vertices: Vec<V>,
         triangles: Vec<[u32; 3]>,
     ) -> Result<Self, BodyError> {
-        // In the place of what is given: no copy.
+        // Converts in place, without a copy.
         let vertices: Vec<_> = vertices.into_iter().map(|vertex| vertex.into().to_array()).collect();
         for (k, corners) in triangles.iter().enumerate() {
             for &index in corners {
@@ -59,18 +61,20 @@ impl TriangleMesh {
         Ok(Self { vertices, triangles, is_hull: false })
     }
 
-    /// Triangles that share nothing by index, as STL has them.
+    /// Returns a mesh from triangles without shared indices, as in STL.
     ///
     /// # Errors
-    /// [`BodyError::Vertex`] for a vertex that is not finite; [`BodyError::Parameter`] for more than 32 bits can number.
+    /// [`BodyError::Vertex`] for a vertex that is not finite; [`BodyError::Parameter`] if the
+    /// vertices exceed the range of 32-bit indices.
     pub fn of_triangles(triangles: &[Triangle]) -> Result<Self, BodyError> {
         Self::of_soup(triangles.to_vec())
     }
 
-    /// The same of triangles that are no longer needed: without a copy.
+    /// Works like [`TriangleMesh::of_triangles`], but takes ownership of the triangles and needs no
+    /// copy.
     ///
     /// # Errors
-    /// As [`TriangleMesh::of_triangles`].
+    /// The errors of [`TriangleMesh::of_triangles`].
     pub fn of_soup(triangles: Vec<Triangle>) -> Result<Self, BodyError> {
         numbered(3 * triangles.len())?;
         let is_finite = |t: &Triangle| t.as_flattened().iter().fold(true, |all, c| all & c.is_finite());
@@ -82,35 +86,35 @@ impl TriangleMesh {
         Ok(Self { vertices: triangles.into_flattened(), triangles: indices, is_hull: false })
     }
 
-    /// Vertices in the order of their numbers.
+    /// Returns the vertices in the order of their indices, m.
     pub fn vertices(&self) -> impl ExactSizeIterator<Item = Position<Part>> {
         self.vertices.iter().copied().map(Position::from_array)
     }
 
-    /// The coordinates of the vertices as they lie in memory, m.
+    /// Returns the coordinates of the vertices as stored in memory, m.
     pub fn coordinates(&self) -> &[[f64; 3]] {
         &self.vertices
     }
 
-    /// The triangles, by index of their vertices from 0.
+    /// Returns the triangles as vertex indices, from 0.
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
 
-    /// The triangles, by their corners.
+    /// Returns the triangles as corner coordinates, m.
     pub fn corners(&self) -> impl Iterator<Item = Triangle> + '_ {
         self.triangles.iter().map(|corners| corners.map(|index| self.vertices[index as usize]))
     }
 
-    /// Each triangle's area twice, m², along its normal: (b − a) × (c − a).
+    /// Returns twice the area vector of each triangle, m², along its normal: (b − a) × (c − a).
     pub fn area_vectors(&self) -> impl Iterator<Item = [f64; 3]> + '_ {
         self.corners().map(normal)
     }
 
-    /// This one's triangles and the other's.
+    /// Returns a mesh with the triangles of both meshes.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] for more vertices than 32 bits can number.
+    /// [`BodyError::Parameter`] if the vertices exceed the range of 32-bit indices.
     pub fn joined(mut self, other: &Self) -> Result<Self, BodyError> {
         numbered(self.vertices.len() + other.vertices.len())?;
         let first = self.vertices.len() as u32;
@@ -120,7 +124,7 @@ impl TriangleMesh {
         Ok(self)
     }
 
-    /// The same with every coordinate times a number: another unit of length.
+    /// Returns the mesh with every coordinate multiplied by a factor, for another unit of length.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {
         self.vertices.iter_mut().flatten().for_each(|c| *c *= factor);
@@ -128,7 +132,7 @@ impl TriangleMesh {
     }
 }
 
-/// Refuses more vertices than an index has numbers.
+/// Returns an error if the number of vertices exceeds the range of the indices.
 fn numbered(vertices: usize) -> Result<(), BodyError> {
     if u32::try_from(vertices).is_ok() {
         return Ok(());
@@ -136,7 +140,7 @@ fn numbered(vertices: usize) -> Result<(), BodyError> {
     Err(BodyError::Parameter { what: "the number of vertices", value: vertices as f64, rule: "below 2³²" })
 }
 
-/// (b − a) × (c − a), rounded.
+/// Returns (b − a) × (c − a), rounded.
 pub(super) fn normal([a, b, c]: [[f64; 3]; 3]) -> [f64; 3] {
     let from = |q: [f64; 3]| [q[0] - a[0], q[1] - a[1], q[2] - a[2]];
     let ([bx, by, bz], [cx, cy, cz]) = (from(b), from(c));

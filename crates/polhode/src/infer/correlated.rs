@@ -1,15 +1,16 @@
-//! Numbers that are drawn together.
+//! Correlated random numbers with given means and covariance.
 
 use crate::infer::covariance::{NotCovariance, factor};
 use crate::infer::possible::possible;
 use crate::infer::random::{Random, log_normal};
 
-/// Numbers with means and a covariance, as functions of independent standard normal ones.
+/// Random numbers with given means and covariance, as functions of independent standard normal
+/// numbers.
 ///
-/// Cholesky's factor L of the covariance, L Lᵀ = C, has columns l; the numbers are x = μ + Σ l w. Each w is a standard
-/// normal number z. If the first number is a mass m, its w is (m − μ)/σ with a log-normal m, as for the parts of a
-/// parts list. Every w has mean 0 and variance 1, and they are independent, so x has exactly the given mean and
-/// covariance.
+/// Let the columns l belong to the Cholesky factor L of the covariance, L Lᵀ = C. The numbers are
+/// x = μ + Σ l w, where each w is a standard normal number z. If the first number is a mass m, its
+/// w is (m − μ)/σ with a log-normal m, as for the parts of a parts list. Every w has mean 0 and
+/// variance 1, and they are independent, so x has exactly the given means and covariance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Correlated {
     mean: Vec<f64>,
@@ -19,10 +20,10 @@ pub struct Correlated {
 }
 
 impl Correlated {
-    /// Normal numbers, as many as there are rows and columns.
+    /// Returns normal numbers; the covariance must have one row and one column per mean.
     ///
     /// # Errors
-    /// [`NotCovariance`] if the matrix is none of so many numbers.
+    /// [`NotCovariance`] if the matrix is not a covariance of this many numbers.
     pub fn normal(mean: Vec<f64>, covariance: &[Vec<f64>]) -> Result<Self, NotCovariance> {
         if mean.len() != covariance.len() {
             return Err(NotCovariance { element: [mean.len(), covariance.len()] });
@@ -30,24 +31,26 @@ impl Correlated {
         Ok(Self { mean, columns: factor(covariance)?, is_mass_first: false, is_possible: false })
     }
 
-    /// The same, but for the first number, which is a mass: log-normal, and never zero or negative. Its mean has to be positive.
+    /// Returns the same numbers, except that the first is a mass with a log-normal distribution,
+    /// which is always positive. Its mean must be positive.
     ///
     /// # Errors
-    /// As [`Correlated::normal`].
+    /// The errors of [`Correlated::normal`].
     pub fn mass_first(mean: Vec<f64>, covariance: &[Vec<f64>]) -> Result<Self, NotCovariance> {
         Ok(Self { is_mass_first: true, ..Self::normal(mean, covariance)? })
     }
 
-    /// Draws in which the last six numbers, the elements xx, yy, zz, xy, xz, yz of a tensor about the centre of mass,
-    /// are always those of a body.
+    /// Makes every draw physical: the last six numbers, the elements xx, yy, zz, xy, xz, yz of a
+    /// tensor about the centre of mass, always form a possible inertia tensor.
     ///
-    /// An impossible tensor becomes the nearest possible one. Mean and covariance then differ a little from those given.
+    /// An impossible tensor is replaced by the nearest possible one. The means and the covariance
+    /// then differ slightly from the given ones.
     #[must_use]
     pub fn possible(self) -> Self {
         Self { is_possible: true, ..self }
     }
 
-    /// Of so many draws those of which the tensor is no body's.
+    /// Returns the number of draws, out of `draws`, whose tensor is impossible.
     pub fn impossible(&self, seed: u64, draws: usize) -> usize {
         let is_none = |draw: &usize| {
             let mut random = Random::new(seed, *draw, 0);
@@ -57,12 +60,13 @@ impl Correlated {
         (0..draws).filter(is_none).count()
     }
 
-    /// Of how many independent normal numbers they are made: fewer where some combination has no error.
+    /// Returns the number of independent normal numbers; it is smaller than the number of results
+    /// if some combination has no error.
     pub const fn variables(&self) -> usize {
         self.columns.len()
     }
 
-    /// Those that belong to so many standard normal numbers; what is missing of these is zero.
+    /// Returns the numbers for the given standard normal numbers; missing ones count as zero.
     pub fn draw(&self, normal: impl IntoIterator<Item = f64>) -> Vec<f64> {
         let mut values = self.linear(normal);
         if let Some(tensor) = values.last_chunk_mut().filter(|_| self.is_possible) {
@@ -85,7 +89,7 @@ impl Correlated {
             };
             values.iter_mut().zip(column).for_each(|(value, l)| *value += w * l);
         }
-        // Without the rounding of the sum, which may be all of it.
+        // The mass itself, without the rounding of the sum, which may be as large as the mass.
         if let (Some(first), Some(mass)) = (values.first_mut(), mass) {
             *first = mass;
         }
@@ -99,7 +103,8 @@ mod tests {
     use super::*;
     use crate::infer::random::Random;
 
-    /// Mass, and two numbers of which the second is in proportion to it but for an error of its own.
+    /// Mass, and two numbers; the second is proportional to the mass except for an independent
+    /// error.
     fn covariance() -> Vec<Vec<f64>> {
         vec![vec![0.09, 0.012, 0.15], vec![0.012, 0.0025, 0.02], vec![0.15, 0.02, 0.26]]
     }
@@ -127,7 +132,8 @@ mod tests {
             for i in 0..3 {
                 assert!((sums[i][3] / n).abs() < 4.0 * (c[i][i] / n).sqrt(), "{i}");
                 for j in 0..3 {
-                    // Of normal numbers; fourth moments of a log-normal one of 27 % are a little greater.
+                    // Valid for normal numbers; the fourth moments of a log-normal number with 27 %
+                    // error are slightly larger.
                     let sd = ((c[i][i] * c[j][j] + c[i][j] * c[i][j]) / n).sqrt();
                     let off = (sums[i][j] / n - c[i][j]).abs() / sd;
                     assert!(off < 6.0, "{i} {j}: {off} standard deviations");
@@ -150,7 +156,8 @@ mod tests {
         }
     }
 
-    /// A lamina across z: errors of xz and yz, by which it is tilted, are possible only with a little of zz, of second order.
+    /// A lamina perpendicular to z: errors of xz and yz, which tilt it, require a second-order
+    /// change of zz.
     #[test]
     fn what_is_no_tensor_becomes_the_nearest() {
         let mean = vec![2.0, 0.1, 0.2, 0.3, 0.03, 0.05, 0.08, 0.004, 0.0, 0.0];
@@ -162,14 +169,14 @@ mod tests {
         let (raw, moved) = (law.draw(z), law.clone().possible().draw(z));
         assert_eq!(raw[..4], moved[..4]);
         for (k, (a, b)) in raw.iter().zip(&moved).enumerate().skip(4) {
-            // (δxz)²/i of the moments
+            // Changes of the moments are (δxz)²/i.
             assert!((a - b).abs() < 1e-7, "{k}: {a} {b}");
         }
         let [xx, yy, zz, xy, xz, yz] = *moved.last_chunk().unwrap();
         let half = 0.5 * (xx + yy + zz);
         let (values, _) = crate::math::symmetric_eigen([half - xx, half - yy, half - zz, -xy, -xz, -yz]);
         assert!(values[0].abs() < 1e-17 && raw != moved, "{values:?}");
-        // What is possible stays.
+        // A possible tensor is not changed.
         let mean = vec![2.0, 0.1, 0.2, 0.3, 0.05, 0.06, 0.08, 0.004, 0.0, 0.0];
         let law = Correlated::mass_first(mean, &c).unwrap();
         assert_eq!((law.impossible(3, 200), law.draw(z)), (0, law.clone().possible().draw(z)));

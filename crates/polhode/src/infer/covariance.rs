@@ -1,11 +1,12 @@
-//! Covariances of a few numbers.
+//! Covariance matrices of a few numbers.
 
 use core::fmt;
 
-/// That a matrix is no covariance: it is not symmetric, or some combination of the numbers would have a negative variance.
+/// Error: a matrix is not a covariance. It is not symmetric, or some combination of the numbers
+/// would have a negative variance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotCovariance {
-    /// The row and column, from 1, of the element that cannot be.
+    /// Row and column, from 1, of the invalid element.
     pub element: [usize; 2],
 }
 
@@ -18,16 +19,18 @@ impl fmt::Display for NotCovariance {
 
 impl std::error::Error for NotCovariance {}
 
-/// What is left of a variance counts as nothing below this part of it: rounding, also of ten printed digits.
+/// Threshold below which a remaining variance counts as zero, relative to the variance: rounding,
+/// also of ten printed digits.
 const ROUNDING: f64 = 1e-9;
 
-/// The columns of L in L Lᵀ = C that are not zero, each with its number. A combination of the numbers may have no error.
+/// Returns the nonzero columns of L in L Lᵀ = C, each with its index. A combination of the numbers
+/// may have no error.
 pub fn columns<const N: usize>(c: &[[f64; N]; N]) -> Result<Vec<(usize, [f64; N])>, NotCovariance> {
     let array = |(k, column): (usize, Vec<f64>)| (k, core::array::from_fn(|i| column[i]));
     Ok(factor(c)?.into_iter().map(array).collect())
 }
 
-/// The same of a square matrix of any size.
+/// Returns the same columns for a square matrix of any size.
 pub fn factor(c: &[impl AsRef<[f64]>]) -> Result<Vec<(usize, Vec<f64>)>, NotCovariance> {
     let n = c.len();
     let c: Vec<&[f64]> = c.iter().map(AsRef::as_ref).collect();
@@ -54,7 +57,8 @@ pub fn factor(c: &[impl AsRef<[f64]>]) -> Result<Vec<(usize, Vec<f64>)>, NotCova
             return Err(wrong(j, j));
         }
         if variance <= ROUNDING * c[j][j] {
-            // What has no variance of its own left has no covariance left either; |left| ≤ √(left_ii left_jj).
+            // A number without remaining variance has no remaining covariance: |left| ≤ √(left_ii
+            // left_jj).
             if let Some(i) = (j + 1..n).find(|&i| left(i).abs() > 2.0 * (ROUNDING * c[i][i] * c[j][j]).sqrt())
             {
                 return Err(wrong(i, j));
@@ -68,7 +72,7 @@ pub fn factor(c: &[impl AsRef<[f64]>]) -> Result<Vec<(usize, Vec<f64>)>, NotCova
     Ok(all)
 }
 
-/// gᵀ C h
+/// Returns gᵀ C h.
 pub fn form<const N: usize>(g: &[f64; N], c: &[[f64; N]; N], h: &[f64; N]) -> f64 {
     g.iter().zip(c).map(|(g, row)| g * dot(row, h)).sum()
 }
@@ -78,7 +82,7 @@ pub fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// C += v vᵀ, of which only the lower triangle is kept.
+/// Adds v vᵀ to the lower triangle of C.
 pub fn add_square<const N: usize>(c: &mut [[f64; N]; N], v: &[f64; N]) {
     for (i, row) in c.iter_mut().enumerate() {
         for (element, other) in row[..=i].iter_mut().zip(v) {
@@ -87,7 +91,7 @@ pub fn add_square<const N: usize>(c: &mut [[f64; N]; N], v: &[f64; N]) {
     }
 }
 
-/// The whole matrix of its lower triangle.
+/// Returns the full symmetric matrix from its lower triangle.
 pub fn mirrored<const N: usize>(c: &[[f64; N]; N]) -> [[f64; N]; N] {
     core::array::from_fn(|i| core::array::from_fn(|j| if j <= i { c[i][j] } else { c[j][i] }))
 }
@@ -119,9 +123,9 @@ mod tests {
         assert_eq!(at([[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]), [2, 2]);
         assert_eq!(at([[1.0, 0.2, 0.0], [0.3, 1.0, 0.0], [0.0, 0.0, 1.0]]), [2, 1]);
         assert_eq!(at([[1.0, 0.0, 3.0], [0.0, 1.0, 0.0], [3.0, 0.0, 4.0]]), [3, 1]);
-        // each pair can be, all three cannot
+        // Each pair is possible, but not all three.
         assert_eq!(at([[1.0, 0.9, -0.9], [0.9, 1.0, 0.9], [-0.9, 0.9, 1.0]]), [3, 3]);
-        // the second is the first again, and the third goes with one of them alone
+        // The second number equals the first, but the third is correlated with only one of them.
         assert_eq!(at([[1.0, 1.0, 0.0], [1.0, 1.0, 0.5], [0.0, 0.5, 1.0]]), [3, 2]);
     }
 }

@@ -1,4 +1,4 @@
-//! The two cones of a free symmetric top.
+//! Body cone and space cone of a free symmetric top.
 
 use crate::math::frame::{Body, Space};
 use crate::math::symmetric3::power_of_two_near;
@@ -7,7 +7,7 @@ use crate::motion::model::state::State;
 
 use super::symmetric_top::SymmetricTop;
 
-/// The cones that ω sweeps: about the symmetry axis e in the body, about L in space.
+/// Cones that ω sweeps: about the symmetry axis e in the body, and about L in space.
 ///
 /// The body cone rolls on the space cone without slipping; they touch along ω.
 ///
@@ -18,25 +18,27 @@ pub struct Cones {
     pub body_half_angle: f64,
     /// Half-angle of the space cone, between ω and L, rad.
     pub space_half_angle: f64,
-    /// Between L and ±e, 0 … π/2 rad: the nutation angle, which is constant.
+    /// Nutation angle between L and ±e, 0 … π/2 rad, constant.
     pub nutation: f64,
-    /// Ω: the rate at which ω circles e in the body, rad/s; negative if against the right hand about e.
+    /// Ω: rate at which ω circles e in the body, rad/s; negative if against the right-hand rule
+    /// about e.
     pub body_rate: f64,
-    /// φ̇ = |L|/I_t: the rate at which ω and e circle L in space, rad/s.
+    /// φ̇ = |L|/I_t: rate at which ω and e circle L in space, rad/s.
     pub space_rate: f64,
 }
 
 impl Cones {
-    /// The cones of a motion; they do not depend on the time.
+    /// Returns the cones of a motion; they do not depend on the time.
     pub fn of(top: &SymmetricTop) -> Self {
         let [axial, transverse] = top.moments();
         let start = top.start();
         let across = (start.omega - along_axis(top, start.omega)).norm();
-        // In units of powers of two near the largest: exact, and no product leaves the range of f64.
+        // Values are scaled by powers of two near the largest: this is exact, and no product
+        // overflows.
         let (rate, moment) = (power_of_two_near(start.omega.max_abs()), power_of_two_near(transverse));
         let (across, spin) = (across / rate, top.spin().abs() / rate);
         let (axial, transverse) = (axial / moment, transverse / moment);
-        // L has the components I_t ω_t across e and I_e ω_e along it.
+        // The components of L are I_t ω_t perpendicular to e and I_e ω_e along it.
         let body_half_angle = libm::atan2(across, spin);
         let nutation = libm::atan2(transverse * across, axial * spin);
         Self {
@@ -52,9 +54,10 @@ impl Cones {
         }
     }
 
-    /// How far L, ω and e are from lying in one plane at a state: |ê · (ω̂ × L̂)|, zero but for rounding.
+    /// Returns the deviation of L, ω and e from coplanarity at a state: |ê · (ω̂ × L̂)|, zero
+    /// except for rounding.
     ///
-    /// Zero also where two of them coincide.
+    /// It is also zero if two of them are parallel.
     pub fn coplanarity(top: &SymmetricTop, state: &State) -> f64 {
         let e = state.attitude * top.axis();
         let omega: Option<Direction<Space>> = state.omega_space().direction();

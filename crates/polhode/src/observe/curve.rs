@@ -1,4 +1,4 @@
-//! A path as points near enough together to be drawn with straight lines.
+//! Curves: paths as points close enough to be connected by straight lines.
 
 use core::fmt;
 
@@ -6,11 +6,12 @@ use crate::math::vector::Vector;
 use crate::motion::error::MotionError;
 use crate::motion::model::state::State;
 
-/// Points of a path in their order, with their times: no straight line from one to the next is farther from the path than was
-/// asked.
+/// Points of a path in their order, with their times. The straight lines between consecutive points
+/// deviate from the path by no more than the tolerance.
 ///
-/// Points are dense where the path bends, not where the motion takes its time. A closed curve ends with the point with which it
-/// begins, one period later. What does not move is one point, and closed.
+/// The points are dense where the path bends, not where the motion is slow. A closed curve ends
+/// with its first point, one period later. A path that does not move is one point, and counts as
+/// closed.
 ///
 /// Distances are relative to the largest magnitude on the path, [`Curve::largest`].
 ///
@@ -38,31 +39,31 @@ pub struct Curve<Q, F> {
     error: f64,
 }
 
-/// Why a curve cannot be drawn.
+/// Error of computing a curve.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CurveError {
-    /// A number outside its range.
+    /// A number is outside its range.
     Parameter {
-        /// What the number is.
+        /// Name of the number.
         what: &'static str,
-        /// The number.
+        /// Value of the number.
         value: f64,
-        /// What it has to be.
+        /// Rule that the number must obey.
         rule: &'static str,
     },
-    /// The tolerance needs more points than are ever made, or the path winds too often.
+    /// The tolerance requires more points than the limit, or the path has too many turns.
     TooManyPoints {
-        /// As far as it came, s.
+        /// Time that was reached, s.
         time: f64,
-        /// The most points of a curve.
+        /// Maximum number of points of a curve.
         most: usize,
     },
-    /// Times that the tolerance needs differ by less than their rounding.
+    /// The times that the tolerance requires differ by less than their rounding.
     StepTooSmall {
-        /// The time, s.
+        /// Time of the failure, s.
         time: f64,
-        /// The step between the first of them, s; smaller ones may be needed.
+        /// Step between the first of these times, s; smaller ones may be needed.
         step: f64,
     },
     /// A neighbouring motion does not exist.
@@ -70,7 +71,7 @@ pub enum CurveError {
 }
 
 impl<Q, F> Curve<Q, F> {
-    /// A path that is one point.
+    /// Returns a path that is one point.
     pub(super) fn point(time: f64, point: Vector<Q, F>, tolerance: f64) -> Self {
         Self {
             times: vec![time],
@@ -82,7 +83,7 @@ impl<Q, F> Curve<Q, F> {
         }
     }
 
-    /// The path through the points of states that were chosen for it.
+    /// Returns the path through the points of states selected for it.
     pub(super) fn through(
         states: &[State],
         closed: bool,
@@ -93,46 +94,48 @@ impl<Q, F> Curve<Q, F> {
         Self { times, points: states.iter().map(point).collect(), closed, largest, tolerance, error }
     }
 
-    /// The same path, with every point mapped by a rotation into other axes.
+    /// Returns the path with every point mapped by a rotation into other axes.
     pub(super) fn mapped<G>(self, map: impl Fn(Vector<Q, F>) -> Vector<Q, G>) -> Curve<Q, G> {
         let Self { times, points, closed, largest, tolerance, error } = self;
         Curve { times, points: points.into_iter().map(map).collect(), closed, largest, tolerance, error }
     }
 
-    /// When the motion is at each point, s; ascending.
+    /// Returns the time of each point, s; ascending.
     pub fn times(&self) -> &[f64] {
         &self.times
     }
 
-    /// The points, in the unit of their quantity.
+    /// Returns the points, in the unit of their quantity.
     pub fn points(&self) -> &[Vector<Q, F>] {
         &self.points
     }
 
-    /// True if the path comes back to where it begins; then the last point is the first again.
+    /// Returns true if the path is closed; then the last point equals the first.
     pub const fn is_closed(&self) -> bool {
         self.closed
     }
 
-    /// The largest magnitude on the path, in the unit of the points.
+    /// Returns the largest magnitude on the path, in the unit of the points.
     pub const fn largest(&self) -> f64 {
         self.largest
     }
 
-    /// The largest distance of the path from its straight lines that was asked for, relative to [`Curve::largest`].
+    /// Returns the requested largest distance of the path from its straight lines, relative to
+    /// [`Curve::largest`].
     pub const fn tolerance(&self) -> f64 {
         self.tolerance
     }
 
-    /// The largest such distance that was found, at seven places of every line; between them it is at most 2 % more.
+    /// Returns the largest such distance found at seven places of every line; between them it is at
+    /// most 2 % larger.
     ///
-    /// Above the tolerance only if that is finer than the rounding of ω.
+    /// It exceeds the tolerance only if the tolerance is less than the rounding of ω.
     pub const fn error(&self) -> f64 {
         self.error
     }
 
-    /// The cone with its apex in the origin and this path as its rim, as triangles of vertices: the apex is vertex 0 and
-    /// point k is vertex k + 1.
+    /// Returns the cone with its apex at the origin and this path as its rim, as triangles of
+    /// vertex indices: the apex is vertex 0, and point k is vertex k + 1.
     pub fn fan(&self) -> Vec<[usize; 3]> {
         (1..self.points.len()).map(|k| [0, k, k + 1]).collect()
     }

@@ -1,48 +1,53 @@
-//! The evidence of a run's own error.
+//! Drift: violation of conservation laws by a computed motion.
 
 use crate::math::sum::Sum;
 use crate::motion::run::sample::Sample;
 use crate::motion::run::solution::Solution;
 use crate::motion::run::trajectory::Trajectory;
 
-/// How far a computed motion departs from the balances that the true one keeps, at its worst sample.
+/// Largest violations of the balance laws over the samples of a computed motion.
 ///
-/// The work–energy theorem T(t) − T(0) = W and the impulse–momentum theorem L(t) − L(0) = J hold for every torque;
-/// without torque they say that T and L are constant. All are relative to the largest T, |L| or energy among the start and
-/// the samples.
+/// The work–energy theorem T(t) − T(0) = W and the impulse–momentum theorem L(t) − L(0) = J hold
+/// for every torque. Without torque, T and L are constant. All values are relative to the largest
+/// T, |L| or energy among the start and the samples.
 ///
-/// Small drift is necessary for a good solution, not sufficient: a wrong phase along the right polhode shows here
-/// as nothing.
+/// Small drift is necessary for a good solution, but not sufficient: a phase error along the
+/// correct polhode is not visible here.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drift {
-    /// |T(t) − T(0) − W(t)| / max T.
+    /// Relative error of the work–energy balance: |T(t) − T(0) − W(t)| / max T.
     pub work_energy: f64,
-    /// |L(t) − L(0) − J(t)| / max (|L|, 2 T/|ω|), as vectors in space: the attitude's error shows here too.
+    /// Relative error of the impulse–momentum balance: |L(t) − L(0) − J(t)| / max (|L|, 2 T/|ω|),
+    /// as vectors in space. It includes the error of the attitude.
     pub momentum: f64,
-    /// ||L(t)| − |L(0)|| / max |L|: an error only where there is no torque.
+    /// Relative change of |L|: ||L(t)| − |L(0)|| / max |L|. It is an error only if there is no
+    /// torque.
     pub momentum_magnitude: f64,
-    /// |E(t) − E(0)| / max(|T|, |U − U(0)|), E = T + U; `None` where a torque has no potential, or there is none.
+    /// Relative change of the total energy E = T + U: |E(t) − E(0)| / max(|T|, |U − U(0)|). `None`
+    /// if a torque has no potential, or if there is no torque.
     pub total_energy: Option<f64>,
-    /// max |T(t) − T(0)| / max T: an error only where there is no torque.
+    /// Relative change of the kinetic energy: max |T(t) − T(0)| / max T. It is an error only if
+    /// there is no torque.
     pub kinetic_energy: f64,
 }
 
 impl Drift {
-    /// The drift of a trajectory since its start; `None` if it has no samples, or was prescribed and so cannot drift, or is that of a body on the
-    /// ground or in gimbals, whose energy is in balance with what these do ([`Trajectory::energy_drift`]).
+    /// Computes the drift of a trajectory since its start. Returns `None` if it has no samples, or
+    /// if the motion was prescribed. Also returns `None` for a body on the ground or in gimbals,
+    /// whose energy balance includes the work of these ([`Trajectory::energy_drift`]).
     pub fn of(trajectory: &Trajectory) -> Option<Self> {
         let scale = Scale::of(trajectory)?;
         trajectory.samples().iter().map(|sample| scale.departure(sample)).reduce(Self::worse)
     }
 
-    /// The drift at each sample of a trajectory, on the scale of all of them: [`Drift::of`] is the worst of each. `None` where
-    /// that is.
+    /// Computes the drift at each sample of a trajectory, on the scale of all samples;
+    /// [`Drift::of`] returns the largest of each value. `None` in the same cases.
     pub fn along(trajectory: &Trajectory) -> Option<Vec<Self>> {
         let scale = Scale::of(trajectory)?;
         Some(trajectory.samples().iter().map(|sample| scale.departure(sample)).collect())
     }
 
-    /// The larger of each.
+    /// Returns the larger value of each component.
     fn worse(self, other: Self) -> Self {
         Self {
             work_energy: self.work_energy.max(other.work_energy),
@@ -54,10 +59,10 @@ impl Drift {
     }
 }
 
-/// What departures are measured from, and relative to.
+/// Reference sample and scales of the drift.
 struct Scale<'a> {
     first: &'a Sample,
-    /// The largest T, |L| and energy.
+    /// Largest T, J, |L|, kg·m²/s, and energy, J.
     kinetic: f64,
     momentum: f64,
     energy: Option<f64>,
@@ -73,7 +78,7 @@ impl<'a> Scale<'a> {
         }
         let max = |f: &dyn Fn(&Sample) -> f64| samples.iter().chain([first]).map(f).fold(0.0, f64::max);
         let kinetic = max(&|s| s.kinetic_energy);
-        // L may be zero while the body turns and its wheels turn back: |I ω| is at least 2 T/|ω|.
+        // L may be zero while the wheels counter-rotate: |I ω| is at least 2 T/|ω|.
         let carrier = |s: &Sample| {
             let rate = s.state.omega.norm();
             if rate > 0.0 { 2.0 * s.kinetic_energy / rate } else { 0.0 }
@@ -104,7 +109,7 @@ impl<'a> Scale<'a> {
     }
 }
 
-/// How much potential energy has been gained.
+/// Returns the gain of potential energy, J.
 fn rise(sample: &Sample, u0: f64) -> f64 {
     sample.potential_energy.unwrap_or(u0) - u0
 }

@@ -1,28 +1,31 @@
-//! How far a free body has turned when ω is back where it was.
+//! Geometric phase: rotation of a free body in one period of ω.
 
 use crate::math::double::Double;
 use crate::math::means::quarter_and_share;
 use crate::math::number::PI;
 use crate::motion::solve::free::{FreeMotion, Regime};
 
-/// The turn about L in one period of ω, in its two parts: total = dynamic + geometric.
+/// Rotation about L in one period of ω, and its two parts: total = dynamic + geometric.
 ///
-/// After one period P ([`FreeMotion::period`]) ω and L are back in the body, so the attitude has turned about L, by the
-/// right hand:
+/// After one period P ([`FreeMotion::period`]), ω and L have the same body components as before.
+/// The attitude has therefore rotated about L, by the right-hand rule:
 ///
-/// attitude(t + P) = (turn by `total` about L) · attitude(t), total = 2 T P / |L| − σ S
+/// attitude(t + P) = (rotation by `total` about L) · attitude(t), total = 2 T P / |L| − σ S
 ///
-/// S is the solid angle, 0 … 2π sr, that L's path in the body cuts off round the axis that it circles, seen from the centre of
-/// the sphere |L| = constant. σ is its orientation: L goes round its axis by the right hand (σ = +1) in short-axis mode and
-/// against it (σ = −1) in long-axis mode.
+/// S is the solid angle, 0 … 2π sr, enclosed by the path of L in the body around the axis that it
+/// circles, seen from the centre of the sphere |L| = constant. σ is the orientation: L circles its
+/// axis by the right-hand rule (σ = +1) in short-axis mode and against it (σ = −1) in long-axis
+/// mode.
 ///
-/// Attitudes tell the total only modulo 2π. Here it is the angle, without jumps within a mode, that tends to |ω| P as the motion
-/// tends to a permanent rotation: the advance of the azimuth about L of every body axis that L does not go round, such as
-/// the intermediate one. The axis that L circles goes Ω P = total + 2πσ, with Ω of [`FreeMotion::precession_rate`].
+/// Attitudes determine the total only modulo 2π. The value here is continuous within a mode and
+/// tends to |ω| P as the motion tends to a permanent rotation. It is the advance of the azimuth
+/// about L of every body axis that L does not circle, such as the intermediate one. The axis that L
+/// circles advances by Ω P = total + 2πσ, with Ω of [`FreeMotion::precession_rate`].
 ///
 /// # Accuracy
-/// A few ε of each, the geometric part of the smallest wobble too: S = 2K(m) A1 A2 / (|L| A3) · R, all
-/// positive, with L = (A1 cn, A2 sn, A3 dn) and R by arithmetic-geometric means.
+/// The relative error of each value is a few ε, also for the geometric part of the smallest wobble:
+/// S = 2K(m) A1 A2 / (|L| A3) · R with positive terms only, L = (A1 cn, A2 sn, A3 dn), and R by
+/// arithmetic–geometric means.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -45,17 +48,19 @@ use crate::motion::solve::free::{FreeMotion, Regime};
 /// Montgomery, Am. J. Phys. 59 (1991) 394; elementary: Natário, arXiv:0909.2109 (J. Geom. Mech. 2 (2010) 113).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeometricPhase {
-    /// The turn about L in one period of ω, rad: Ω P ∓ 2π, positive.
+    /// Rotation about L in one period of ω, rad: Ω P ∓ 2π, positive.
     pub total: f64,
-    /// 2 T P / |L|, rad: ω's component along L, which is constant, times the period.
+    /// Dynamic phase 2 T P / |L|, rad: the component of ω along L, which is constant, times the
+    /// period.
     pub dynamic: f64,
-    /// −σ S, rad: negative in short-axis mode, positive in long-axis mode. It depends on the path alone, not on how fast
-    /// it is run through.
+    /// Geometric phase −σ S, rad: negative in short-axis mode, positive in long-axis mode. It
+    /// depends on the path only, not on the speed along it.
     pub geometric: f64,
 }
 
 impl GeometricPhase {
-    /// The phase of a motion; `None` where ω does not circle ([`FreeMotion::period`]).
+    /// Computes the phase of a motion; `None` if ω does not circle an axis
+    /// ([`FreeMotion::period`]).
     pub fn of(motion: &FreeMotion) -> Option<Self> {
         let period = motion.period()?;
         let sigma = if motion.circles_least() { -1.0 } else { 1.0 };
@@ -67,14 +72,15 @@ impl GeometricPhase {
     }
 }
 
-/// S: what L's path in the body cuts off round the axis that it circles, sr.
+/// Returns the solid angle S that the path of L in the body encloses around the axis that it
+/// circles, sr.
 fn solid_angle(motion: &FreeMotion) -> f64 {
     if motion.regime() == Regime::Symmetric {
-        // 2π (1 − cos θ)
+        // 2π (1 − cos θ), without cancellation.
         return 4.0 * PI * libm::sin(0.5 * motion.nutation_range()[0]).powi(2);
     }
     let ([i1, i2, i3], [w1, w2, w3]) = (motion.labelled_moments(), motion.amplitudes());
-    // in units of A3
+    // Amplitudes of L in units of A3.
     let (a1, a2) = (i1 * w1 / (i3 * w3), i2 * w2 / (i3 * w3));
     let l_squared = 1.0 + a1 * a1;
     let k1 = Double::from(motion.complementary_modulus());

@@ -1,4 +1,4 @@
-//! The herpolhode: what ω draws on the invariable plane.
+//! Herpolhode: the path of ω on the invariable plane.
 
 use crate::math::frame::Space;
 use crate::math::vector::{AngularVelocity, Direction, Vector, quantity};
@@ -8,21 +8,26 @@ use crate::motion::solve::free::FreeMotion;
 use super::curve::{Curve, CurveError};
 use super::sampling::{Span, allowed, largest_rate};
 
-/// The path of ω in space, which lies in a plane across L: the invariable plane, on which Poinsot's ellipsoid rolls.
+/// Path of ω in space. It lies in a plane perpendicular to L: the invariable plane, on which
+/// Poinsot's ellipsoid rolls.
 ///
-/// ω = `height` · `normal` + a point of the curve. The distance ρ of these points from L's line goes between the radii of
-/// the annulus, from the largest to the smallest and back, twice in a period of ω. In general the curve never closes. That
-/// of a symmetric top is a circle. A permanent rotation has one point, on L's line. The separatrix spirals from that
-/// point outwards and back, in infinite time and infinitely many turns; both ends are cut off where ρ is within the tolerance.
+/// ω = `height` · `normal` + a point of the curve. The distance ρ of these points from the line
+/// along L varies between the radii of the annulus, from the largest to the smallest and back,
+/// twice in a period of ω. In general the curve never closes. For a symmetric top it is a circle.
+/// For a permanent rotation it is one point, on the line along L. For the separatrix it is a spiral
+/// from that point outward and back, in infinite time with infinitely many turns; both ends are cut
+/// off where ρ is within the tolerance.
 ///
 /// # Equations
-/// ρ = |ω × L| / |L|; with ω = (a1 cn, a2 sn, a3 dn)(λt), along the labelled axes of [`FreeMotion::labelled_moments`],
+/// ρ = |ω × L| / |L|; with ω = (a1 cn, a2 sn, a3 dn)(λt), along the labelled axes of
+/// [`FreeMotion::labelled_moments`],
 ///
 /// ρ_max = λ i2 a2 / |L|,  ρ_min = √(1 − m) λ i1 a1 / |L|,  height = 2T / |L|
 ///
 /// # Accuracy
-/// Radii and height to a few ε of themselves. Points as ω in space, some 1e-15 of |ω|; chords keep within the tolerance
-/// relative to ρ_max, but no nearer than the points are right.
+/// The relative error of the radii and of the height is a few ε. The points have the error of ω in
+/// space, about 1e-15 |ω|. The chords are within the tolerance relative to ρ_max, except for this
+/// error.
 ///
 /// ```
 /// use polhode::math::{AngularVelocity, Attitude};
@@ -42,25 +47,28 @@ use super::sampling::{Span, allowed, largest_rate};
 /// Poinsot's construction: Goldstein, Classical Mechanics, §5.6. The radii follow from I ω̇ = −ω × L at cn = 1 and sn = 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Herpolhode {
-    /// The component of ω across L, rad/s.
+    /// Component of ω perpendicular to L, rad/s.
     pub curve: Curve<quantity::AngularVelocity, Space>,
-    /// The smallest and the largest ρ, rad/s, whether or not the curve is long enough to touch both.
+    /// Smallest and largest ρ, rad/s, whether or not the curve is long enough to reach both.
     pub annulus: [f64; 2],
-    /// ω · L/|L|, rad/s: constant.
+    /// Component of ω along L, ω · L/|L|, rad/s, constant.
     pub height: f64,
-    /// L/|L|; zero at rest.
+    /// Unit vector L/|L|; zero at rest.
     pub normal: Direction<Space>,
 }
 
 impl Herpolhode {
-    /// The herpolhode of so many periods of ω from the start; the tolerance of its chords is relative to ρ_max, 1e-10 … 0.1.
+    /// Computes the herpolhode over `periods` periods of ω from the start. The tolerance of its
+    /// chords is relative to ρ_max, 1e-10 … 0.1.
     ///
-    /// The number of periods does not matter to a separatrix and to a permanent rotation.
+    /// The number of periods is not used for a separatrix or a permanent rotation.
     ///
     /// # Errors
-    /// [`CurveError::Parameter`] for a tolerance outside its range and for periods that are not positive and finite;
-    /// [`CurveError::TooManyPoints`] for more than 10⁶, as where ω goes round L far oftener than in the body, or for too many
-    /// periods; [`CurveError::StepTooSmall`] if the start is so late that times cannot tell the points apart.
+    /// [`CurveError::Parameter`] for a tolerance outside its range, and for periods that are not
+    /// positive and finite; [`CurveError::TooManyPoints`] for more than 10⁶ points, because ω
+    /// circles L much more often in space than in the body, or because of too many periods;
+    /// [`CurveError::StepTooSmall`] if the start time is so large that rounded times cannot
+    /// distinguish the points.
     pub fn of(motion: &FreeMotion, periods: f64, tolerance: f64) -> Result<Self, CurveError> {
         let normal = motion.momentum().direction().unwrap_or(Direction::ZERO);
         let height = height(motion);
@@ -82,8 +90,9 @@ impl Herpolhode {
         Ok(Self { curve, annulus, height, normal })
     }
 
-    /// The points as two coordinates in the plane, rad/s, seen from the tip of L: right-handed axes about it, the first of them
-    /// through the point farthest from L's line.
+    /// Returns the points as two coordinates in the plane, rad/s, seen from the tip of L. The axes
+    /// are right-handed about L; the first one passes through the point farthest from the line
+    /// along L.
     pub fn in_plane(&self) -> Vec<[f64; 2]> {
         let farther =
             |a: AngularVelocity<Space>, b: &AngularVelocity<Space>| if b.norm() > a.norm() { *b } else { a };
@@ -94,14 +103,14 @@ impl Herpolhode {
     }
 }
 
-/// The smallest and the largest ρ.
+/// Returns the smallest and the largest ρ, rad/s.
 fn annulus(motion: &FreeMotion) -> [f64; 2] {
     let ([i1, i2, _], [a1, a2, _]) = (motion.labelled_moments(), motion.amplitudes());
     let (rate, momentum) = (motion.polhode_rate(), motion.momentum().norm());
     [motion.complementary_modulus() * rate * (i1 * a1 / momentum), rate * (i2 * a2 / momentum)]
 }
 
-/// (i1 a1² + i3 a3²) / |L|: 2T where cn = 1.
+/// Returns (i1 a1² + i3 a3²) / |L| = 2T / |L|, evaluated where cn = 1.
 fn height(motion: &FreeMotion) -> f64 {
     let ([i1, _, i3], [a1, _, a3]) = (motion.labelled_moments(), motion.amplitudes());
     let momentum = motion.momentum().norm();

@@ -1,23 +1,23 @@
-//! ω(t) of a free asymmetric body in Jacobi's elliptic functions, as textbooks write it.
+//! Jacobi form: ω(t) of a free asymmetric body in Jacobi elliptic functions, as in textbooks.
 
 use crate::math::elliptic::{EllipticParameter, JacobiFunctions};
 use crate::math::frame::Principal;
 use crate::math::vector::AngularVelocity;
 use crate::motion::solve::free::{FreeMotion, Regime};
 
-/// One of Jacobi's three functions.
+/// One of the three Jacobi elliptic functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JacobiFunction {
-    /// sn
+    /// Sine amplitude, sn.
     Sn,
-    /// cn
+    /// Cosine amplitude, cn.
     Cn,
-    /// dn
+    /// Delta amplitude, dn.
     Dn,
 }
 
 impl JacobiFunction {
-    /// `sn`, `cn` or `dn`.
+    /// Returns `sn`, `cn` or `dn`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Sn => "sn",
@@ -35,16 +35,18 @@ impl JacobiFunction {
     }
 }
 
-/// ω along the principal axes, each component an amplitude times a Jacobi function of λt + φ.
+/// Angular velocity along the principal axes, each component an amplitude times a Jacobi function
+/// of λt + φ.
 ///
-/// With i1 < i2 < i3 and D = L²/2T,
+/// With i1 < i2 < i3 and D = L²/2T:
 ///
 /// D > i2 (short-axis mode): ω1 = A1 cn, ω2 = A2 sn, ω3 = A3 dn of λt + φ;
 /// D < i2 (long-axis mode): ω1 = A1 dn, ω2 = A2 sn, ω3 = A3 cn;
 /// D = i2 (separatrix, m = 1): sn = tanh, cn = dn = sech.
 ///
-/// |A1|² = (2T i3 − L²)/(i1 (i3 − i1)), |A3|² = (L² − 2T i1)/(i3 (i3 − i1)), and |A2|² = (2T i3 − L²)/(i2 (i3 − i2)) or
-/// (L² − 2T i1)/(i2 (i2 − i1)), whichever is less. Axes are those of [`PrincipalFrame`](crate::body::PrincipalFrame), t is the time since the start.
+/// |A1|² = (2T i3 − L²)/(i1 (i3 − i1)), |A3|² = (L² − 2T i1)/(i3 (i3 − i1)), and |A2|² is the
+/// smaller of (2T i3 − L²)/(i2 (i3 − i2)) and (L² − 2T i1)/(i2 (i2 − i1)). The axes are those of
+/// [`PrincipalFrame`](crate::body::PrincipalFrame); t is the time since the start.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -61,7 +63,8 @@ impl JacobiFunction {
 /// ```
 ///
 /// # Accuracy
-/// For reading: the phase λt + φ has the digits of a product of doubles. [`FreeMotion`] keeps all digits for long times, and has the attitude.
+/// The form is meant for reading: the phase λt + φ has the precision of a product of doubles.
+/// [`FreeMotion`] keeps full precision for long times, and also has the attitude.
 ///
 /// # Source
 /// Landau & Lifshitz, Mechanics, §37; Whittaker, Analytical Dynamics, §69. Tested against [`FreeMotion`].
@@ -75,7 +78,8 @@ pub struct JacobiForm {
 }
 
 impl JacobiForm {
-    /// The form of a motion; `None` for a permanent rotation, at rest, and where two moments are equal.
+    /// Returns the form of a motion; `None` for a permanent rotation, at rest, and if two moments
+    /// are equal.
     pub fn of(motion: &FreeMotion) -> Option<Self> {
         use JacobiFunction::{Cn, Dn, Sn};
         let regime = motion.regime();
@@ -86,12 +90,12 @@ impl JacobiForm {
         let parameter =
             if m < 0.5 { EllipticParameter::new(m) } else { EllipticParameter::from_complement(m1) }.ok()?;
         let omega = (motion.principal().rotation().inverse() * motion.start().omega).to_array();
-        // L circles the third of the labelled axes, which has dn.
+        // L circles the third of the labelled axes, whose function is dn.
         let [c, s, d] = motion.amplitudes();
         let (functions, sizes, circled) =
             if motion.circles_least() { ([Dn, Sn, Cn], [d, s, c], 0) } else { ([Cn, Sn, Dn], [c, s, d], 2) };
         let sign = |k: usize| 1.0_f64.copysign(omega[k]);
-        // dω2/dt has the sign of ω3 ω1, as A2 cn dn has; where cn keeps its sign, A2 takes it.
+        // dω2/dt has the sign of ω3 ω1, like A2 cn dn; where cn keeps its sign, A2 takes that sign.
         let (first, second, third) = match regime {
             Regime::Separatrix => (sign(0), sign(0) * sign(2), sign(2)),
             _ => (sign(circled), 1.0, sign(circled)),
@@ -105,32 +109,32 @@ impl JacobiForm {
         Some(Self { functions, amplitudes, rate: motion.polhode_rate(), phase, parameter })
     }
 
-    /// Of ω1, ω2 and ω3.
+    /// Returns the functions of ω1, ω2 and ω3.
     pub const fn functions(&self) -> [JacobiFunction; 3] {
         self.functions
     }
 
-    /// A1, A2 and A3 with their signs, rad/s.
+    /// Returns A1, A2 and A3 with their signs, rad/s.
     pub const fn amplitudes(&self) -> [f64; 3] {
         self.amplitudes
     }
 
-    /// λ > 0, 1/s.
+    /// Returns λ > 0, 1/s.
     pub const fn rate(&self) -> f64 {
         self.rate
     }
 
-    /// φ, between −2K and 2K.
+    /// Returns φ, between −2K and 2K.
     pub const fn phase(&self) -> f64 {
         self.phase
     }
 
-    /// m = k², and 1 − m with its own digits.
+    /// Returns the parameter m = k², with 1 − m to full relative precision.
     pub const fn parameter(&self) -> &EllipticParameter {
         &self.parameter
     }
 
-    /// ω along the principal axes, t (s) after the start.
+    /// Returns ω along the principal axes, rad/s, at the time t after the start, s.
     pub fn omega(&self, t: f64) -> AngularVelocity<Principal> {
         let values = self.parameter.jacobi(self.rate * t + self.phase);
         let component = |k: usize| self.amplitudes[k] * self.functions[k].of(&values);

@@ -1,27 +1,32 @@
-//! Where internal friction brings a tumbling body to rest in itself.
+//! Final state of a tumbling body under internal friction.
 
 use crate::math::frame::Body;
 use crate::math::vector::Direction;
 use crate::motion::solve::free::FreeMotion;
 
-/// The spin of least energy for the angular momentum that a body has: about the axis of greatest moment.
+/// Spin of least energy for a given angular momentum: about the axis of largest moment.
 ///
-/// A body that bends, sloshes or carries a damper turns kinetic energy into heat while it tumbles, but nothing inside it can
-/// change L. At given L the energy T = ½ Σ Lⱼ²/iⱼ is least where all of L is along the axis of greatest moment i3: T_min =
-/// L²/2i3. There no part is accelerated in the body any more and the loss ends. So undisturbed asteroids spin about
-/// their shortest axis, and Explorer 1, spun about its longest, went into a *flat spin*. Only the body's shape
-/// decides how far a tumbler is from this end; how long it takes is a matter of its inside, and not known here.
+/// A body that bends, sloshes or contains a damper dissipates kinetic energy while it tumbles, but
+/// nothing inside it can change L. For given L, the energy T = ½ Σ Lⱼ²/iⱼ is smallest if L is along
+/// the axis of largest moment i3: T_min = L²/2i3. There no part is accelerated relative to the
+/// body, and the dissipation ends. Therefore undisturbed asteroids spin about their shortest axis,
+/// and Explorer 1, spun about its longest axis, entered a *flat spin*. The mass properties alone
+/// determine the remaining energy loss. The time that it takes depends on the interior and is not
+/// computed here.
 ///
-/// T/T_min lies between 1 and i3/i1, and is i3/i2 on the separatrix, which a body in long-axis mode has to cross.
+/// T/T_min is between 1 and i3/i1. It is i3/i2 on the separatrix, which a body in long-axis mode
+/// must cross.
 ///
-/// Where the greatest moment is not one axis's alone the end is not unique either: of a prolate body or a rod
-/// it is some axis across the symmetry axis, and `axis` is one of them ([`crate::body::PrincipalFrame`] says which); a body with three
-/// equal moments keeps its spin and loses nothing.
+/// If the largest moment belongs to more than one axis, the final state is not unique. For a
+/// prolate body or a rod it is any axis perpendicular to the symmetry axis, and `axis` is one of
+/// them ([`crate::body::PrincipalFrame`] defines which). A body with three equal moments keeps its
+/// spin and loses no energy.
 ///
 /// # Accuracy
-/// A few ε of each value: what is left to lose has its own digits, however little it is, as T − L²/2i3 =
-/// ½ Σ iⱼ ωⱼ² (i3 − iⱼ)/i3. Of moments that differ by little, which are not given along the body's own axes, it has the digits
-/// of their difference.
+/// The relative error of each value is a few ε. The energy that remains to be lost has full
+/// relative precision even if it is very small, because T − L²/2i3 = ½ Σ iⱼ ωⱼ² (i3 − iⱼ)/i3. For
+/// nearly equal moments that are not given along the body's own axes, it has the precision of their
+/// difference.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -39,27 +44,27 @@ use crate::motion::solve::free::FreeMotion;
 /// Landau & Lifshitz, Mechanics, §37, for T at given L; Bracewell & Garriott, Nature 182 (1958) 760, for satellites.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeastEnergySpin {
-    /// The axis of greatest moment, in the body. The spin may end along it or against it.
+    /// Axis of largest moment, body axes. The final spin may be along it or against it.
     pub axis: Direction<Body>,
-    /// |L|/i3, rad/s.
+    /// Final spin rate |L|/i3, rad/s.
     pub rate: f64,
-    /// T_min = L²/2i3, J.
+    /// Least kinetic energy T_min = L²/2i3, J.
     pub kinetic_energy: f64,
-    /// T − T_min ≥ 0, J: what turns into heat.
+    /// Energy to be dissipated, T − T_min ≥ 0, J.
     pub energy_lost: f64,
-    /// T/T_min, 1 … i3/i1: E/E0 of those who observe tumblers.
+    /// Energy ratio T/T_min, 1 … i3/i1; called E/E0 in the asteroid literature.
     pub energy_ratio: f64,
 }
 
 impl LeastEnergySpin {
-    /// The spin at the end of a motion's dissipation; `None` at rest.
+    /// Returns the final spin of a motion under dissipation; `None` at rest.
     pub fn of(motion: &FreeMotion) -> Option<Self> {
         let (moments, amplitudes) = (motion.labelled_moments(), motion.amplitudes());
         let momentum = motion.momentum().norm();
         let greatest = moments.iter().copied().fold(0.0, f64::max);
         let rate = momentum / greatest;
         let kinetic_energy = 0.5 * momentum * rate;
-        // ω = (a1, 0, a3) is a point of every motion's path.
+        // Every motion passes through ω = (a1, 0, a3).
         let lost = |k: usize| {
             let (i, w) = (moments[k], amplitudes[k]);
             0.5 * (i * w) * w * ((greatest - i) / greatest)

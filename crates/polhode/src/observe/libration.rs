@@ -1,16 +1,18 @@
-//! Libration of a body that gravity's gradient holds, on a circular orbit.
+//! Libration of a gravity-gradient stabilised body on a circular orbit.
 
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 
-/// Small oscillations of a body that keeps its principal axes along the orbit's: the roll axis along the velocity, the pitch axis
-/// along the orbit's normal, the yaw axis along the radius. It turns once in an orbit.
+/// Small oscillations of a body whose principal axes stay close to the orbital axes: the roll axis
+/// along the velocity, the pitch axis along the orbit normal, the yaw axis along the radius. The
+/// body rotates once per orbit.
 ///
-/// With A, B, C the moments about roll, pitch and yaw, k1 = (B − C)/A, k2 = (A − C)/B, k3 = (B − A)/C, and the orbit's rate n:
+/// With the moments A, B, C about roll, pitch and yaw, k1 = (B − C)/A, k2 = (A − C)/B, k3 = (B −
+/// A)/C, and the orbital rate n:
 ///
-/// pitch, in the orbit's plane: s² + 3 k2 n² = 0
+/// pitch, in the orbital plane: s² + 3 k2 n² = 0
 ///
-/// roll and yaw, which gyroscopic torque couples: s⁴ + (1 + 3 k1 + k1 k3) n² s² + 4 k1 k3 n⁴ = 0
+/// roll and yaw, coupled by gyroscopic torque: s⁴ + (1 + 3 k1 + k1 k3) n² s² + 4 k1 k3 n⁴ = 0
 ///
 /// ```
 /// // A pencil that points at the Earth: √3 swings in an orbit in its plane, 2 across.
@@ -26,17 +28,19 @@ use crate::motion::model::require;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Libration {
-    /// In the orbit's plane, rad/s; `None` where it grows instead.
+    /// Frequency of pitch, in the orbital plane, rad/s; `None` if pitch is unstable.
     pub pitch: Option<f64>,
-    /// Of roll and yaw together, ascending, rad/s; `None` where one of them grows. Zero: turning about an axis of symmetry.
+    /// Frequencies of the coupled roll and yaw modes, ascending, rad/s; `None` if one of them is
+    /// unstable. A zero frequency is a rotation about an axis of symmetry.
     pub roll_yaw: Option<[f64; 2]>,
 }
 
 impl Libration {
-    /// The libration of a body with these moments about roll, pitch and yaw, kg·m², on an orbit of this rate, rad/s.
+    /// Computes the libration of a body with these moments about roll, pitch and yaw, kg·m², on an
+    /// orbit with the rate `orbit_rate`, rad/s.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) unless all are positive and finite.
+    /// A parameter error ([`MotionError::is_parameter`]) unless all are positive and finite.
     pub fn of(moments: [f64; 3], orbit_rate: f64) -> Result<Self, MotionError> {
         let [a, b, c] = moments;
         for (what, value) in [
@@ -48,7 +52,7 @@ impl Libration {
             require::positive(what, value)?;
         }
         let (k1, k2, k3) = ((b - c) / a, (a - c) / b, (b - a) / c);
-        // s² = −n² x: x² − p x + q = 0, stable where both x are real and neither is negative.
+        // With s² = −n² x: x² − p x + q = 0, stable if both x are real and neither is negative.
         let (p, q) = (1.0 + 3.0 * k1 + k1 * k3, 4.0 * k1 * k3);
         let discriminant = p * p - 4.0 * q;
         let roll_yaw = (p > 0.0 && q >= 0.0 && discriminant >= 0.0).then(|| {
@@ -58,7 +62,7 @@ impl Libration {
         Ok(Self { pitch: (k2 >= 0.0).then(|| orbit_rate * (3.0 * k2).sqrt()), roll_yaw })
     }
 
-    /// True if no libration grows.
+    /// Returns true if all librations are stable.
     pub const fn is_stable(&self) -> bool {
         self.pitch.is_some() && self.roll_yaw.is_some()
     }

@@ -1,13 +1,15 @@
-//! What can be read off a motion. This module never integrates.
+//! Observables of a motion: quantities derived from it without integration.
 //!
-//! - How good a computed motion is: [`Drift`] of energy and momentum.
-//! - Free motion: [`FreeRegime`] (kind, periods, flips), [`JacobiForm`] (ω(t) in elliptic functions), [`GeometricPhase`], [`SymmetricTop`], [`Cones`], and curves to draw: [`Polhode`],
-//!   [`Herpolhode`], [`MomentumTrace`], [`RollingCones`].
-//! - Which steady motions last: [`Stability`] of permanent rotations, with friction inside; [`SmallOscillations`] about equilibria under
-//!   torque, on orbits and of tops; [`Libration`]; [`LeastEnergySpin`], where dissipation leads; [`SteadyOnGround`], what rolls and spins on level
-//!   ground.
-//! - What observers measure: [`TumblingPeriods`] of an asteroid and back to its motion ([`TumblingSolution`]); [`RotationalConstants`] of a
-//!   molecule.
+//! - Accuracy of a computed motion: [`Drift`] of energy and momentum.
+//! - Free motion: [`FreeRegime`] (kind, periods, flips), [`JacobiForm`] (ω(t) in elliptic
+//!   functions), [`GeometricPhase`], [`SymmetricTop`], [`Cones`], and curves for drawing:
+//!   [`Polhode`], [`Herpolhode`], [`MomentumTrace`], [`RollingCones`].
+//! - Stability of steady motions: [`Stability`] of permanent rotations, with internal friction;
+//!   [`SmallOscillations`] about equilibria under torque, on orbits and of tops; [`Libration`];
+//!   [`LeastEnergySpin`], the final state under dissipation; [`SteadyOnGround`], for bodies that
+//!   roll and spin on level ground.
+//! - Observed quantities: [`TumblingPeriods`] of an asteroid and the inverse problem
+//!   ([`TumblingSolution`]); [`RotationalConstants`] of a molecule.
 
 pub(crate) mod cone;
 pub(crate) mod curve;

@@ -1,4 +1,4 @@
-//! What L draws in the body.
+//! Path of L in the body.
 
 use crate::math::frame::Body;
 use crate::math::vector::{AngularMomentum, quantity};
@@ -8,8 +8,8 @@ use crate::motion::solve::free::FreeMotion;
 use super::curve::{Curve, CurveError};
 use super::sampling::{Span, allowed};
 
-/// The path of L = Iω on the sphere |L| = constant, in body axes, kg·m²/s: closed, a point or half of a circle as the polhode
-/// is ([`crate::observe::Polhode`]).
+/// Path of L = Iω on the sphere |L| = constant, body axes, kg·m²/s. It is closed, a point, or half
+/// of a circle, like the polhode ([`crate::observe::Polhode`]).
 ///
 /// ```
 /// use polhode::math::{AngularVelocity, Attitude};
@@ -23,15 +23,16 @@ use super::sampling::{Span, allowed};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct MomentumTrace {
-    /// L, kg·m²/s.
+    /// Angular momentum L, body axes, kg·m²/s.
     pub curve: Curve<quantity::AngularMomentum, Body>,
 }
 
 impl MomentumTrace {
-    /// The path of L in the body; the tolerance of its chords is relative to |L|, 1e-10 … 0.1.
+    /// Computes the path of L in the body. The tolerance of its chords is relative to |L|, 1e-10 …
+    /// 0.1.
     ///
     /// # Errors
-    /// As [`crate::observe::Polhode::of`].
+    /// The errors of [`crate::observe::Polhode::of`].
     pub fn of(motion: &FreeMotion, tolerance: f64) -> Result<Self, CurveError> {
         let largest = motion.momentum().norm();
         let momentum = |state: &State| -> AngularMomentum<Body> { motion.angular_momentum(state) };

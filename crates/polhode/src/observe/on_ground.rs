@@ -1,4 +1,4 @@
-//! Steady motions of a body on level ground, and whether they last.
+//! Steady motions of a body on level ground, and their stability.
 
 mod ball_in_bowl;
 mod ball_on_plane;
@@ -30,7 +30,7 @@ use crate::motion::contact::reduced::{MOST, Reading, Reduced};
 use crate::motion::contact::{Contact, ContactStart, Footing, GroundShape, SurfaceShape};
 use crate::motion::error::MotionError;
 
-/// Which steady motion.
+/// Kind of steady motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SteadyPath {
@@ -40,14 +40,15 @@ pub enum SteadyPath {
     SpinningUpright(UprightWheel),
     /// A body spins about the vertical on a point below its centre of mass.
     OnVertex(VertexSpin),
-    /// A symmetric ball turns about the vertical at a tilt, with its centre of mass at rest and without slip.
+    /// A symmetric ball rotates about the vertical at a tilt, without slip, with its centre of mass
+    /// at rest.
     Tilted,
-    /// A symmetric body runs in a circle at a constant tilt.
+    /// A symmetric body moves in a circle at a constant tilt.
     Circling,
 }
 
 impl SteadyPath {
-    /// Its name in JSON.
+    /// Returns its name in JSON.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::RollingUpright(_) => "rolling_upright",
@@ -59,22 +60,23 @@ impl SteadyPath {
     }
 }
 
-/// A mode of small departures: e^(σ t) cos ϖt.
+/// Mode of small deviations: e^(σ t) cos ϖt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SteadyMode {
-    /// ϖ ≥ 0, rad/s, as seen from the body, or, of a symmetric one, from axes that keep its lean.
+    /// Frequency ϖ ≥ 0, rad/s, seen from the body, or for a symmetric body from axes that follow
+    /// its tilt only.
     pub frequency: f64,
-    /// σ, 1/s
+    /// Growth rate σ, 1/s.
     pub growth_rate: f64,
 }
 
-/// A steady motion of a body on level ground, and what becomes of small departures from it.
+/// Steady motion of a body on level ground, and its modes of small deviations.
 ///
-/// The equations are those that [`Simulation::on_ground`](crate::motion::Simulation::on_ground) integrates,
-/// in the upward vertical n along the body's axes, ω, and with viscous friction the velocity; their
-/// derivatives are exact. Of the rates that are zero, each belongs to a way from one steady motion to
-/// another one.
+/// The equations are those that [`Simulation::on_ground`](crate::motion::Simulation::on_ground)
+/// integrates, in the upward vertical n along the body's axes, ω, and, with viscous friction, the velocity. Their
+/// derivatives are exact. Each rate that is zero belongs to a continuous change from one steady
+/// motion to another.
 ///
 /// ```
 /// use polhode::motion::contact::{BodySurface, Contact, ContactStart, SurfaceShape};
@@ -95,59 +97,63 @@ pub struct SteadyMode {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SteadyOnGround {
-    /// Which one.
+    /// Kind of steady motion.
     pub path: SteadyPath,
-    /// What acts along the ground.
+    /// Kind of force along the ground.
     pub footing: Footing,
-    /// The upward vertical.
+    /// Upward vertical, body axes.
     pub normal: Direction<Body>,
-    /// ω
+    /// Angular velocity ω, body axes, rad/s.
     pub omega: AngularVelocity<Body>,
-    /// The rate about the body's axis of what rolls upright or circles, else about the vertical, rad/s.
+    /// Spin rate, rad/s: about the body's axis if it rolls upright or circles, otherwise about the
+    /// vertical.
     pub spin: f64,
-    /// The axis of a symmetric body: of a ball away from the centre of mass.
+    /// Axis of a symmetric body, body axes; for a ball it points away from the centre of mass.
     pub axis: Option<Direction<Body>>,
-    /// How far the start is turned from it, rad.
+    /// Rotation angle between the start and this motion, rad.
     pub turned_from_start: f64,
-    /// How much the start's ω differs, rad/s.
+    /// Difference of ω between the start and this motion, rad/s.
     pub omega_from_start: f64,
-    /// How fast the start's point of contact slips, m/s; zero without friction, where that does not count.
+    /// Slip speed of the point of contact at the start, m/s; zero without friction, where slip has
+    /// no effect.
     pub slip_at_start: f64,
-    /// The modes: those that grow fastest first, then by frequency.
+    /// Modes, those with the largest growth rate first, then by frequency.
     pub modes: Vec<SteadyMode>,
-    /// How many rates are zero.
+    /// Number of rates that are zero.
     pub neutral: usize,
-    /// The spins at which such a motion is stable, where a closed form is known.
+    /// Spins at which this motion is stable, if a closed form is known.
     pub stable_spins: Option<StableSpins>,
-    /// A symmetric ball with its centre of mass beside the middle.
+    /// Tippe top, for a symmetric ball with an off-centre centre of mass.
     pub tippe_top: Option<TippeTop>,
-    /// Jellett's constant of the start, kg·m³/s, of a tippe top.
+    /// Jellett's constant of the start, kg·m³/s, for a tippe top.
     pub jellett: Option<f64>,
 }
 
-/// A rate smaller than this, relative to that of the motion, is zero: the root of rounding, which a pair that is defective has, and more.
+/// Threshold below which a rate, relative to that of the motion, counts as zero. It exceeds the
+/// square root of the rounding, the error of a defective pair of eigenvalues.
 const NEUTRAL: f64 = 1e-6;
 
-/// A growth smaller than this is rounding.
+/// Threshold below which a relative growth rate counts as rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// A part of a size that is rounding.
+/// Relative threshold below which a length or moment counts as rounding.
 const ROUNDING_OF_SIZE: f64 = 1e-9;
 
-/// a · I b about the centre of mass.
+/// Returns a · I b about the centre of mass.
 fn moment(body: &MassProperties<Body>, a: Direction<Body>, b: Direction<Body>) -> f64 {
     let (rows, a, b) = (body.inertia().matrix(), a.to_array(), b.to_array());
     (0..3).map(|i| (0..3).map(|j| a[i] * rows[i][j] * b[j]).sum::<f64>()).sum()
 }
 
-/// The moments across the axis and about it of a symmetric body.
+/// Returns the moments of a symmetric body perpendicular to the axis and about it, kg·m².
 fn moments(body: &MassProperties<Body>, axis: Direction<Body>) -> [f64; 2] {
     let about = moment(body, axis, axis);
     let trace: f64 = (0..3).map(|k| body.inertia().matrix()[k][k]).sum();
     [0.5 * (trace - about), about]
 }
 
-/// The radius and the moment of a sphere about the centre of mass with three equal moments.
+/// Returns the radius and the moment of a sphere centred at the centre of mass with three equal
+/// moments; `None` for other bodies.
 fn even_ball(body: &MassProperties<Body>, contact: &Contact) -> Option<(f64, f64)> {
     let SurfaceShape::Sphere { radius } = *contact.surface.shape() else { return None };
     let rows = body.inertia().matrix();
@@ -162,7 +168,8 @@ fn even_ball(body: &MassProperties<Body>, contact: &Contact) -> Option<(f64, f64
     (is_even && off <= ROUNDING_OF_SIZE * radius).then_some((radius, middle))
 }
 
-/// The size of gravity on level ground at rest, along which it points down.
+/// Returns the magnitude of gravity, m/s², if the ground is a plane at rest and gravity points down
+/// its normal.
 fn level(contact: &Contact) -> Option<f64> {
     let (g, up): (Direction<Space>, _) =
         (Direction::from_array(contact.gravity.to_array()), contact.ground.axis());
@@ -172,10 +179,11 @@ fn level(contact: &Contact) -> Option<f64> {
 }
 
 impl SteadyOnGround {
-    /// The steady motion that a start is near to.
+    /// Finds the steady motion nearest to a start.
     ///
     /// # Errors
-    /// [`MotionError::NoSteadyMotion`] if there is none, and for ground and surfaces of which none are known here.
+    /// [`MotionError::NoSteadyMotion`] if there is none, or if none is known for this ground and
+    /// surface.
     pub fn near(
         body: &MassProperties<Body>,
         contact: &Contact,
@@ -184,12 +192,13 @@ impl SteadyOnGround {
         search::near(&Reduced::new(body, contact)?, contact, start)
     }
 
-    /// True if no mode grows.
+    /// Returns true if no mode grows.
     pub fn is_stable(&self) -> bool {
         self.modes.iter().all(|mode| mode.growth_rate <= 0.0)
     }
 
-    /// The ways from this motion to other steady ones, which make rates zero.
+    /// Returns descriptions of the continuous changes to other steady motions, to which the zero
+    /// rates belong.
     pub const fn neutral_ways(&self) -> &'static [&'static str] {
         match self.path {
             SteadyPath::OnVertex(_) => &["another spin"],
@@ -205,7 +214,7 @@ impl SteadyOnGround {
         }
     }
 
-    /// Its modes, and how many rates are zero.
+    /// Returns the modes, and the number of rates that are zero.
     fn modes(reduced: &Reduced, at: &Reading) -> Result<(Vec<SteadyMode>, usize), MotionError> {
         let (matrix, count) = reduced.linearised(at);
         let values = if count == MOST {

@@ -1,4 +1,4 @@
-//! The polhode: what ω draws in the body.
+//! Polhode: the path of ω in the body.
 
 use crate::math::frame::Body;
 use crate::math::vector::quantity;
@@ -8,15 +8,15 @@ use crate::motion::solve::free::{FreeMotion, Regime};
 use super::curve::{Curve, CurveError};
 use super::sampling::{Span, allowed, largest_rate};
 
-/// The path of ω on the inertia ellipsoid ω · Iω = 2T, in body axes, rad/s.
+/// Path of ω on the inertia ellipsoid ω · Iω = 2T, body axes, rad/s.
 ///
-/// It is closed after one period. A permanent rotation is one point. On the separatrix it is half an ellipse, from one end
-/// of the intermediate axis to the other, in infinite time; both ends are cut off where they are within the tolerance of
-/// the axis, wherever on it the motion starts.
+/// It is closed after one period. For a permanent rotation it is one point. On the separatrix it is
+/// half an ellipse, from one end of the intermediate axis to the other, in infinite time. Both ends
+/// are cut off where they are within the tolerance of the axis, independent of the start.
 ///
 /// # Accuracy
-/// Points are states of [`FreeMotion::at`]; chords keep within the tolerance, relative to the largest |ω| (see [`Curve`]).
-/// The number of points grows as 1/√tolerance.
+/// The points are states of [`FreeMotion::at`]. The chords are within the tolerance, relative to
+/// the largest |ω| (see [`Curve`]). The number of points is proportional to 1/√tolerance.
 ///
 /// ```
 /// use polhode::math::{AngularVelocity, Attitude};
@@ -36,18 +36,19 @@ use super::sampling::{Span, allowed, largest_rate};
 /// Poinsot's construction: Landau & Lifshitz, Mechanics, §37; Goldstein, Classical Mechanics, §5.6.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polhode {
-    /// ω, rad/s.
+    /// Angular velocity ω, body axes, rad/s.
     pub curve: Curve<quantity::AngularVelocity, Body>,
-    /// Which kind of motion draws it.
+    /// Kind of free motion.
     pub regime: Regime,
 }
 
 impl Polhode {
-    /// The polhode of a motion; the tolerance of its chords is relative to the largest |ω|, 1e-10 … 0.1.
+    /// Computes the polhode of a motion. The tolerance of its chords is relative to the largest
+    /// |ω|, 1e-10 … 0.1.
     ///
     /// # Errors
-    /// [`CurveError::Parameter`] for a tolerance outside its range; [`CurveError::StepTooSmall`] if the start is so late
-    /// that times cannot tell the points apart.
+    /// [`CurveError::Parameter`] for a tolerance outside its range; [`CurveError::StepTooSmall`] if
+    /// the start time is so large that rounded times cannot distinguish the points.
     pub fn of(motion: &FreeMotion, tolerance: f64) -> Result<Self, CurveError> {
         let regime = motion.regime();
         let curve = match Span::of(motion, 1.0, 0.0, tolerance)? {
@@ -58,7 +59,7 @@ impl Polhode {
     }
 }
 
-/// ω over a span of time.
+/// Computes the curve of ω over a span of time.
 pub(super) fn drawn(
     span: &Span,
     at: impl Fn(f64) -> State,

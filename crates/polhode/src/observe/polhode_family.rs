@@ -1,4 +1,4 @@
-//! Polhodes of one energy: the lines on the inertia ellipsoid.
+//! Families of polhodes of equal energy on the inertia ellipsoid.
 
 use crate::body::principal::Symmetry;
 use crate::math::frame::{Body, Principal};
@@ -12,12 +12,14 @@ use super::polhode::{Polhode, drawn};
 use super::sampling::{Span, separatrix_rate};
 
 impl Polhode {
-    /// Polhodes all over the inertia ellipsoid of a motion: the same energy, other momenta.
+    /// Computes polhodes over the whole inertia ellipsoid of a motion, with the same energy and
+    /// other angular momenta.
     ///
-    /// So many round each end of the axes of least and of greatest moment, evenly spaced in the elliptic angle from the
-    /// axis, and the four halves of the separatrices. A body with two equal moments has them round its symmetry axis
-    /// only. There are none at rest, none of a sphere, where they are points, and none of a rod, whose ellipsoid has no end.
-    /// Each has its own time, from 0 s.
+    /// There are `each` polhodes around each end of the axes of smallest and of largest moment,
+    /// evenly spaced in the elliptic angle from the axis, and the four halves of the separatrices.
+    /// A body with two equal moments has them around its symmetry axis only. The family is empty at
+    /// rest, for a sphere (its polhodes are points), and for a rod (its ellipsoid is unbounded).
+    /// The time of each starts at 0 s.
     ///
     /// ```
     /// use polhode::math::{AngularVelocity, Attitude};
@@ -31,7 +33,7 @@ impl Polhode {
     /// ```
     ///
     /// # Errors
-    /// As [`Polhode::of`].
+    /// The errors of [`Polhode::of`].
     pub fn family(motion: &FreeMotion, each: usize, tolerance: f64) -> Result<Vec<Self>, CurveError> {
         Span::of(motion, 1.0, 0.0, tolerance)?;
         let principal = motion.principal();
@@ -62,29 +64,30 @@ fn turned(sister: Polhode, into_body: Rotation<Body, Principal>) -> Polhode {
     Polhode { curve, ..sister }
 }
 
-/// An inertia ellipsoid in its principal axes, which the sister motions have as body axes.
+/// Inertia ellipsoid in its principal axes, which are the body axes of the other motions.
 struct InertiaEllipsoid {
     moments: [f64; 3],
-    /// √(2T/i), rad/s
+    /// Semi-axes √(2T/i), rad/s.
     semi_axes: [f64; 3],
 }
 
 impl InertiaEllipsoid {
     fn of(motion: &FreeMotion) -> Self {
         let moments = motion.principal().moments();
-        // where cn = 1: 2T = i1 a1² + i3 a3² in the motion's labels
+        // Evaluated where cn = 1: 2T = i1 a1² + i3 a3² in the motion's labels.
         let ([j1, _, j3], [a1, _, a3]) = (motion.labelled_moments(), motion.amplitudes());
         let semi_axes = moments.map(|i| libm::hypot(a1 * (j1 / i).sqrt(), a3 * (j3 / i).sqrt()));
         Self { moments, semi_axes }
     }
 
-    /// From the greatest axis to where the separatrix crosses the plane of least and greatest.
+    /// Returns the angle from the axis of largest moment to the separatrix in the plane of the axes
+    /// of smallest and largest moment, rad.
     fn separatrix_angle(&self) -> f64 {
         let [i1, i2, i3] = self.moments;
         libm::atan2((i3 - i2).sqrt(), (i2 - i1).sqrt())
     }
 
-    /// Evenly spaced on both sides of the separatrix.
+    /// Returns evenly spaced angles on both sides of the separatrix, rad.
     fn angles(&self, each: usize) -> Vec<f64> {
         let [i1, i2, i3] = self.moments;
         let (separatrix, right) = (self.separatrix_angle(), core::f64::consts::FRAC_PI_2);
@@ -94,7 +97,7 @@ impl InertiaEllipsoid {
         greatest.chain(least).collect()
     }
 
-    /// ω in the plane of the least and the greatest axis.
+    /// Returns ω in the plane of the axes of smallest and largest moment, rad/s.
     fn across(&self, angle: f64) -> [f64; 2] {
         let [s1, _, s3] = self.semi_axes;
         [s1 * libm::sin(angle), s3 * libm::cos(angle)]
@@ -107,7 +110,8 @@ impl InertiaEllipsoid {
         Polhode::of(&FreeMotion::of_moments(self.moments, start)?, tolerance)
     }
 
-    /// ω = (a1 sech, a2 tanh, a3 sech)(λt); a2 has the sign of (i3 − i1) a3 a1.
+    /// Computes half a separatrix, ω = (a1 sech, a2 tanh, a3 sech)(λt), where a2 has the sign of
+    /// (i3 − i1) a3 a1.
     fn separatrix(&self, [sign1, sign3]: [f64; 2], tolerance: f64) -> Result<Polhode, CurveError> {
         let [w1, w3] = self.across(self.separatrix_angle());
         let a = [sign1 * w1, sign1 * sign3 * self.semi_axes[1], sign3 * w3];

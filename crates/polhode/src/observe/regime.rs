@@ -1,4 +1,4 @@
-//! Which kind of free motion a state belongs to, and the period of ω in the body.
+//! Classification of the free motion of a state, and the period of ω in the body.
 
 use crate::body::principal::Symmetry;
 use crate::math::frame::Principal;
@@ -7,22 +7,23 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::solve::free::{FreeMotion, Regime};
 
-/// The free motion of a state, classified, with its period.
+/// Kind of free motion of a state, with its period.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeRegime {
-    /// The kind of motion.
+    /// Kind of free motion.
     pub regime: Regime,
-    /// The time after which ω repeats in the body, s; `None` where it never moves or never repeats.
+    /// Period of ω in the body, s; `None` if ω is constant or not periodic.
     pub period: Option<f64>,
-    /// The time between reversals of ω's component along the intermediate axis, s, for three different moments.
+    /// Time between reversals of the component of ω along the intermediate axis, s, for three
+    /// different moments.
     pub flip_interval: Option<f64>,
-    /// Growth rate of a departure from permanent rotation about the intermediate axis, 1/s, where ω is within 0.5 rad
-    /// of it.
+    /// Growth rate of a deviation from permanent rotation about the intermediate axis, 1/s; `None`
+    /// unless ω is within 0.5 rad of that axis.
     pub growth_rate: Option<f64>,
 }
 
 impl FreeRegime {
-    /// The torque-free motion that a state belongs to.
+    /// Classifies the torque-free motion of a state.
     ///
     /// With D = L²/2T the mode follows from the sign of
     /// L² − 2 T i2 = i1 (i1 − i2) ω1² + i3 (i3 − i2) ω3², and the period of ω is 4 K(m) / λ.
@@ -47,7 +48,7 @@ impl FreeRegime {
         }
     }
 
-    /// The same, of a motion.
+    /// Classifies a free motion.
     pub fn of_motion(motion: &FreeMotion) -> Self {
         let (regime, period, principal) = (motion.regime(), motion.period(), motion.principal());
         let asymmetric = principal.symmetry() == Symmetry::Asymmetric;
@@ -63,10 +64,12 @@ impl FreeRegime {
     }
 }
 
-/// A state nearer to the intermediate axis than this is about its instability: cos 0.5 rad.
+/// Cosine of 0.5 rad: if ω is nearer to the intermediate axis than this angle, the growth rate is
+/// reported.
 const NEAR: f64 = 0.877_582_561_890_372_8;
 
-/// √((i3 − i2)(i2 − i1) / (i1 i3)) |ω2|, for three different moments and ω near axis 2.
+/// Returns √((i3 − i2)(i2 − i1) / (i1 i3)) |ω2|, 1/s, for three different moments and ω near axis
+/// 2.
 fn growth_rate([i1, i2, i3]: [f64; 3], w: AngularVelocity<Principal>) -> Option<f64> {
     let rate = ((i3 - i2) / i3 * ((i2 - i1) / i1)).sqrt() * w.y.abs();
     (rate > 0.0 && rate.is_finite() && w.y.abs() > NEAR * w.norm()).then_some(rate)

@@ -1,4 +1,4 @@
-//! The two cones that ω sweeps, of any body.
+//! Rolling cones: the two cones that ω sweeps, for any body.
 
 use crate::math::frame::{Body, Space};
 use crate::math::vector::quantity;
@@ -8,18 +8,21 @@ use crate::motion::solve::free::FreeMotion;
 use super::curve::{Curve, CurveError};
 use super::sampling::{Span, allowed, largest_rate};
 
-/// The body cone and the space cone as rulings at common times: ω in the body and in space.
+/// Body cone and space cone as rulings at common times: ω along body axes and along space axes.
 ///
-/// Both have their apex in the point that the body turns about. At the time of ruling k the body cone, carried by the
-/// attitude, touches the space cone along ruling k of both: attitude · body\[k\] = space\[k\]. It rolls there without slipping,
-/// since dω/dt is the same vector in the body and in space: ω × ω = 0. [`Curve::fan`] has the triangles.
+/// Both cones have their apex at the fixed point of the body. At the time of ruling k, the body
+/// cone, rotated by the attitude, touches the space cone along ruling k of both: attitude ·
+/// body\[k\] = space\[k\]. It rolls without slipping, because dω/dt is the same vector in the body
+/// and in space: ω × ω = 0. [`Curve::fan`] returns the triangles.
 ///
-/// The rim of the body cone is the polhode, closed after a period; that of the space cone is the herpolhode at its
-/// height. Cones of a symmetric top are circular, and [`crate::observe::Cones`] has their angles. A permanent rotation has one ruling.
-/// On the separatrix both are cut off near the intermediate axis and near L, as [`crate::observe::Polhode`] is.
+/// The rim of the body cone is the polhode, closed after a period; that of the space cone is the
+/// herpolhode at its height. The cones of a symmetric top are circular; [`crate::observe::Cones`]
+/// has their angles. A permanent rotation has one ruling. On the separatrix both are cut off near
+/// the intermediate axis and near L, like [`crate::observe::Polhode`].
 ///
 /// # Accuracy
-/// Rulings are states of [`FreeMotion::at`]; chords of both rims keep within the tolerance, relative to the largest |ω|.
+/// The rulings are states of [`FreeMotion::at`]. The chords of both rims are within the tolerance,
+/// relative to the largest |ω|.
 ///
 /// ```
 /// use polhode::math::{AngularVelocity, Attitude};
@@ -38,19 +41,19 @@ use super::sampling::{Span, allowed, largest_rate};
 /// Poinsot's construction: Goldstein, Classical Mechanics, §5.6; Klein & Sommerfeld, Über die Theorie des Kreisels, ch. I.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RollingCones {
-    /// ω along body axes, rad/s.
+    /// Angular velocity ω along body axes, rad/s.
     pub body: Curve<quantity::AngularVelocity, Body>,
-    /// ω along space axes, rad/s, at the same times.
+    /// Angular velocity ω along space axes, rad/s, at the same times.
     pub space: Curve<quantity::AngularVelocity, Space>,
 }
 
 impl RollingCones {
-    /// The cones as far as they roll in so many periods of ω from the start; tolerance 1e-10 … 0.1.
+    /// Computes the cones over `periods` periods of ω from the start; `tolerance` is 1e-10 … 0.1.
     ///
-    /// The number of periods does not matter to a separatrix and to a permanent rotation.
+    /// The number of periods is not used for a separatrix or a permanent rotation.
     ///
     /// # Errors
-    /// As [`crate::observe::Herpolhode::of`].
+    /// The errors of [`crate::observe::Herpolhode::of`].
     pub fn of(motion: &FreeMotion, periods: f64, tolerance: f64) -> Result<Self, CurveError> {
         let Some(span) = Span::of(motion, periods, motion.precession_rate().abs(), tolerance)? else {
             let start = motion.start();

@@ -1,4 +1,4 @@
-//! The rotational constants of a molecule: its moments of inertia as spectroscopists write them.
+//! Rotational constants of a molecule, computed from its moments of inertia.
 
 use core::f64::consts::PI;
 
@@ -6,24 +6,26 @@ use crate::body::error::BodyError;
 use crate::body::mass_properties::MassProperties;
 use crate::math::frame::Frame;
 
-/// Planck's constant, J·s: exact since 2019.
+/// Planck constant, J·s: exact since 2019.
 const PLANCK: f64 = 6.626_070_15e-34;
 
-/// The speed of light, m/s: exact.
+/// Speed of light, m/s: exact.
 const LIGHT: f64 = 299_792_458.0;
 
-/// The atomic mass constant, kg (CODATA 2018).
+/// Atomic mass constant, kg (CODATA 2018).
 const ATOMIC_MASS: f64 = 1.660_539_066_60e-27;
 
-/// The rotational constants A ≥ B ≥ C of a rigid molecule, and which kind of top it is.
+/// Rotational constants A ≥ B ≥ C of a rigid molecule, and the kind of top.
 ///
-/// A = h/(8π² i1),  B = h/(8π² i2),  C = h/(8π² i3)  as frequencies, and divided by c as wavenumbers.
+/// A = h/(8π² i1),  B = h/(8π² i2),  C = h/(8π² i3)  as frequencies, divided by c as wavenumbers.
 ///
-/// A linear molecule has no A: i1 = 0. They are those of the geometry that is given, without vibration or centrifugal
-/// distortion: of an equilibrium geometry they are A_e, B_e and C_e.
+/// A linear molecule has no A, because i1 = 0. The constants are those of the given geometry,
+/// without vibration or centrifugal distortion; for an equilibrium geometry they are A_e, B_e and
+/// C_e.
 ///
 /// # Accuracy
-/// A few ε of the moments. h and c are exact; u, in which masses are given, has an uncertainty of 3e-10 (CODATA 2018).
+/// The relative error is a few ε of the moments. h and c are exact; u, in which masses are given,
+/// has a relative uncertainty of 3e-10 (CODATA 2018).
 ///
 /// ```
 /// use polhode::body::{Particle, mass_properties_of_particles};
@@ -52,23 +54,23 @@ pub struct RotationalConstants {
     tolerance: f64,
 }
 
-/// The kinds of rotors, by which moments are equal.
+/// Kinds of rotors, by their equal moments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Top {
-    /// i1 = 0, i2 = i3: all atoms on one line.
+    /// All atoms on one line: i1 = 0, i2 = i3.
     Linear,
-    /// i1 = i2 = i3: methane, SF6.
+    /// Three equal moments, for example methane, SF6.
     Spherical,
-    /// i1 < i2 = i3, B = C: elongated, as CH3F.
+    /// Elongated, for example CH3F: i1 < i2 = i3, B = C.
     Prolate,
-    /// i1 = i2 < i3, A = B: flattened, as benzene.
+    /// Flattened, for example benzene: i1 = i2 < i3, A = B.
     Oblate,
-    /// i1 < i2 < i3: most molecules.
+    /// Three different moments, as for most molecules.
     Asymmetric,
 }
 
 impl Top {
-    /// The name in lower case, as JSON has it.
+    /// Returns the name in lower case, as in JSON.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Linear => "linear",
@@ -79,9 +81,10 @@ impl Top {
         }
     }
 
-    /// The kind to which these moments belong, i1 ≤ i2 ≤ i3, i3 > 0.
+    /// Returns the kind of top for moments i1 ≤ i2 ≤ i3 with i3 > 0.
     fn of([i1, i2, i3]: [f64; 3], tolerance: f64) -> Self {
-        // Moments grow with the square of a length: an atom off the line by τ makes an i1 of τ².
+        // Moments are quadratic in lengths: an atom at a distance τ from the line gives i1 of order
+        // τ².
         if i1 <= tolerance * tolerance * i3 {
             return Self::Linear;
         }
@@ -100,19 +103,19 @@ impl Top {
 }
 
 impl RotationalConstants {
-    /// How far moments may differ, in parts of the larger, and still count as equal: 1e-4. It is above the rounding of
-    /// geometries with five or more decimals in ångström, and below the least differences of real tops (B and C of
-    /// HSSH differ by 3e-4).
+    /// Largest relative difference of moments that count as equal: 1e-4. It is above the rounding
+    /// of geometries with five or more decimals in ångström, and below the smallest differences of
+    /// real tops (B and C of HSSH differ by 3e-4).
     pub const TOLERANCE: f64 = 1e-4;
 
-    /// The constants of a body, its top classified with [`Self::TOLERANCE`]; `None` of a single point, which has no
-    /// rotation.
+    /// Computes the constants of a body and classifies its top with [`Self::TOLERANCE`]; `None` for
+    /// a single point, which has no rotation.
     pub fn of<F: Frame>(body: &MassProperties<F>) -> Option<Self> {
         Self::classified(body, Self::TOLERANCE)
     }
 
-    /// The same, where a length τ of the size of the body is not known: moments equal within τ count as equal, and a
-    /// least moment of at most τ² of the greatest as zero.
+    /// Computes the constants with a given tolerance τ. Moments that differ by at most τ (relative)
+    /// count as equal, and a smallest moment of at most τ² times the largest counts as zero.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] unless τ is from 0 to 1.
@@ -132,43 +135,45 @@ impl RotationalConstants {
         (moments[2] > 0.0).then(|| Self { moments, top: Top::of(moments, tolerance), tolerance })
     }
 
-    /// The principal moments i1 ≤ i2 ≤ i3, kg·m².
+    /// Returns the principal moments i1 ≤ i2 ≤ i3, kg·m².
     pub const fn moments(&self) -> [f64; 3] {
         self.moments
     }
 
-    /// Which kind of top it is.
+    /// Returns the kind of top.
     pub const fn top(&self) -> Top {
         self.top
     }
 
-    /// The tolerance τ with which the top was classified.
+    /// Returns the tolerance τ used in the classification.
     pub const fn tolerance(&self) -> f64 {
         self.tolerance
     }
 
-    /// A ≥ B ≥ C, Hz; A is `None` of a linear molecule.
+    /// Returns A ≥ B ≥ C, Hz; A is `None` for a linear molecule.
     pub fn hertz(&self) -> [Option<f64>; 3] {
-        // A = h/(8π² i1)
+        // A = h/(8π² i1).
         let linear = self.top == Top::Linear;
         let constant = |k: usize| PLANCK / (8.0 * PI * PI) / self.moments[k];
         [Some(constant(0)).filter(|_| !linear), Some(constant(1)), Some(constant(2))]
     }
 
-    /// A ≥ B ≥ C, GHz.
+    /// Returns A ≥ B ≥ C, GHz; A is `None` for a linear molecule.
     pub fn gigahertz(&self) -> [Option<f64>; 3] {
         self.hertz().map(|a| a.map(|a| a / 1e9))
     }
 
-    /// A ≥ B ≥ C as wavenumbers A/c, cm⁻¹.
+    /// Returns A ≥ B ≥ C as wavenumbers A/c, cm⁻¹; A is `None` for a linear molecule.
     pub fn per_centimetre(&self) -> [Option<f64>; 3] {
         self.hertz().map(|a| a.map(|a| a / (100.0 * LIGHT)))
     }
 
-    /// Ray's asymmetry parameter κ = (2B − A − C)/(A − C): −1 of a prolate top, +1 of an oblate one, and between them
-    /// of an asymmetric one. `None` of a spherical top; −1 of a linear molecule, its limit for A → ∞.
+    /// Returns Ray's asymmetry parameter κ = (2B − A − C)/(A − C): −1 for a prolate top, +1 for an
+    /// oblate one, in between for an asymmetric one. `None` for a spherical top; −1 for a linear
+    /// molecule, its limit for A → ∞.
     ///
-    /// From the moments, κ = [i1 (i3 − i2) − i3 (i2 − i1)] / [i2 (i3 − i1)]: nearly equal constants are not subtracted.
+    /// It is computed from the moments, κ = [i1 (i3 − i2) − i3 (i2 − i1)] / [i2 (i3 − i1)], without
+    /// subtracting nearly equal constants.
     pub fn ray_kappa(&self) -> Option<f64> {
         let [i1, i2, i3] = self.moments;
         match self.top {
@@ -176,29 +181,30 @@ impl RotationalConstants {
             Top::Linear => Some(-1.0),
             _ => {
                 let (lower, upper) = (i2 - i1, i3 - i2);
-                // Ratios, as a molecule's moments of 1e-45 kg·m² would leave little of a product of three.
+                // Ratios, because a product of three moments of 1e-45 kg·m² would nearly underflow.
                 let (of_upper, of_lower) = (upper / (i3 - i1), lower / (i3 - i1));
                 Some((i1 / i2) * of_upper - (i3 / i2) * of_lower)
             }
         }
     }
 
-    /// The inertial defect Δ = i3 − i1 − i2, u·Å²: zero of a flat molecule, and negative of any other (that is rigid).
+    /// Returns the inertial defect Δ = i3 − i1 − i2, u·Å²: zero for a planar rigid molecule,
+    /// negative for any other.
     ///
-    /// It has the digits of the moments, not of itself.
+    /// Its absolute error is that of the moments; its relative error may be large.
     pub fn inertial_defect(&self) -> f64 {
         let [i1, i2, i3] = self.moments.map(in_unified_units);
-        // i3 ≤ i1 + i2
+        // i3 ≤ i1 + i2.
         (i3 - i2) - i1
     }
 
-    /// The principal moments i1 ≤ i2 ≤ i3, u·Å².
+    /// Returns the principal moments i1 ≤ i2 ≤ i3, u·Å².
     pub fn moments_in_unified_units(&self) -> [f64; 3] {
         self.moments.map(in_unified_units)
     }
 }
 
-/// kg·m² → u·Å²
+/// Converts kg·m² to u·Å².
 fn in_unified_units(moment: f64) -> f64 {
     moment / ATOMIC_MASS * 1e20
 }
@@ -219,7 +225,7 @@ mod tests {
         assert_eq!(top([1.3, 1.3 * (1.0 + 0.9e-4), 2.1]), Top::Oblate);
         assert_eq!(top([1.3, 1.3 * (1.0 + 1.1e-4), 2.1]), Top::Asymmetric);
         assert_eq!(top([1.3, 1.3 + 5e-5, 1.3 + 1e-4]), Top::Spherical);
-        // each pair is near enough, all three are not: the nearer pair decides
+        // Each pair is within the tolerance, but not all three: the nearer pair decides.
         assert_eq!(top([1.0, 1.0 + 9e-5, 1.0 + 15e-5]), Top::Prolate);
         assert_eq!(top([1.0, 1.0 + 6e-5, 1.0 + 15e-5]), Top::Oblate);
         assert_eq!(top([0.9e-8, 1.0, 1.0]), Top::Linear);

@@ -1,41 +1,43 @@
-//! Which times a path needs, for its chords to keep near it.
+//! Selection of the times at which a path is sampled, so that its chords stay close to it.
 
 use crate::motion::model::state::State;
 use crate::motion::solve::free::{FreeMotion, Regime};
 
 use super::curve::CurveError;
 
-/// The stretch of time over which a path is drawn.
+/// Time interval over which a path is drawn.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span {
     pub(super) start: f64,
     pub(super) end: f64,
-    /// True if ω is back in the body at the end.
+    /// True if ω returns to its initial value in the body at the end.
     pub(super) closed: bool,
-    /// Equal parts to begin with: even where the tolerance allows it no chord is longer.
+    /// Number of equal initial parts; no chord is longer, even if the tolerance would allow it.
     parts: f64,
 }
 
-/// States with chords between them, and the largest distance from these of each of N paths.
+/// States connected by chords, and the largest distance of each of N paths from its chords.
 #[derive(Clone, Debug)]
 pub(super) struct Sampling<const N: usize> {
     pub(super) states: Vec<State>,
     pub(super) errors: [f64; N],
 }
 
-/// A circle of this many sides looks round.
+/// Minimum number of chords per period.
 const ROUND: f64 = 64.0;
 
-/// The most points of a curve; a circle at the finest tolerance has a quarter of them.
+/// Maximum number of points of a curve; a circle at the finest tolerance has a quarter of them.
 const MOST_POINTS: usize = 1_000_000;
 
 const FINEST: f64 = 1e-10;
 const COARSEST: f64 = 0.1;
 
 impl Span {
-    /// So many periods from the start of a motion, or all of a separatrix up to the tolerance: it would take for ever.
+    /// Returns the span of `periods` periods from the start of a motion, or the whole separatrix up
+    /// to the tolerance, because its full time is infinite.
     ///
-    /// `None` for what does not move in the body. `winding` is the fastest rate, beside λ, at which the path turns, rad/s.
+    /// `None` for a motion whose ω is constant in the body. `winding` is the largest rate in
+    /// addition to λ at which the path turns, rad/s.
     pub(super) fn of(
         motion: &FreeMotion,
         periods: f64,
@@ -59,23 +61,24 @@ impl Span {
         };
         let start = motion.start().time;
         let end = start + periods * period;
-        // a path that turns by no more than a radian between two times hides nothing from the probes
+        // A path that turns by at most one radian between two times hides nothing from the probes.
         let parts = (ROUND * periods).max((rate + winding) * (end - start)).ceil();
         Ok(Some(Self { start, end, closed: periods.fract() == 0.0, parts }))
     }
 
-    /// ω = (a1 sech, a2 tanh, a3 sech)(λ(t − middle)) until sech, its part across the intermediate axis, is within the tolerance.
+    /// Returns the span of ω = (a1 sech, a2 tanh, a3 sech)(λ(t − middle)) in which sech, the
+    /// component perpendicular to the intermediate axis, exceeds the tolerance.
     pub(super) fn separatrix(middle: f64, rate: f64, winding: f64, tolerance: f64) -> Self {
         let half = libm::acosh(1.0 / (SAFETY * tolerance)) / rate;
         let parts = (0.5 * ROUND).max(2.0 * (rate + winding) * half).ceil();
         Self { start: middle - half, end: middle + half, closed: false, parts }
     }
 
-    /// States so near together in time that each of N paths, in units of its largest magnitude, is within its own allowance of
-    /// its chords.
+    /// Returns states so close in time that each of N paths, scaled by its largest magnitude, is
+    /// within its allowed distance of its chords.
     ///
-    /// Every part is divided until seven places between its ends are near enough to the chord: an inflection does not hide
-    /// from them.
+    /// Every part is divided until seven places between its ends are close enough to the chord; an
+    /// inflection is therefore detected.
     pub(super) fn sample<const N: usize>(
         &self,
         at: impl Fn(f64) -> State,
@@ -130,42 +133,46 @@ impl<const N: usize> Sampling<N> {
     }
 }
 
-/// λ = a3 √((i3 − i1)(i3 − i2) / i1 i2)
+/// Returns λ = a3 √((i3 − i1)(i3 − i2) / i1 i2), 1/s.
 pub(super) fn separatrix_rate([i1, i2, i3]: [f64; 3], a3: f64) -> f64 {
     a3 * ((i3 - i1) / i1 * ((i3 - i2) / i2)).sqrt()
 }
 
-/// The largest |ω| of a motion, rad/s: where ω has no part along the intermediate axis.
+/// Returns the largest |ω| of a motion, rad/s, which occurs where ω has no component along the
+/// intermediate axis.
 ///
-/// There it exceeds |ω|² a quarter period later by a1² (i3 − i1)(i2 − i1) / (i2 i3), which is positive in both modes.
+/// |ω|² there exceeds that a quarter period later by a1² (i3 − i1)(i2 − i1) / (i2 i3), which is
+/// positive in both modes.
 pub(super) fn largest_rate(motion: &FreeMotion) -> f64 {
     let [a1, _, a3] = motion.amplitudes();
     libm::hypot(a1, a3)
 }
 
-/// The distance from its chords that is allowed to a path, in units of its largest magnitude, when the points are rounded as
-/// ω is: `rounding` is |ω| in these units.
+/// Returns the allowed distance of a path from its chords, relative to its largest magnitude.
+/// `rounding` is |ω| in the same units; the points are rounded like ω.
 pub(super) fn allowed(tolerance: f64, rounding: f64) -> f64 {
     (SAFETY * tolerance).max(32.0 * f64::EPSILON * rounding)
 }
 
-/// For what is between the probes.
+/// Safety factor for the path between the probes.
 const SAFETY: f64 = 0.95;
 
-/// When the separatrix crosses the plane of the least and the greatest axis, s.
+/// Returns the time at which the separatrix crosses the plane of the axes of smallest and largest
+/// moment, s.
 fn middle_of_separatrix(motion: &FreeMotion, rate: f64) -> f64 {
     let start = motion.start();
     let [least, intermediate, greatest] = motion.principal().axes().map(|axis| axis.dot(start.omega));
-    // sinh u = tanh u / sech u
+    // sinh u = tanh u / sech u.
     let [_, a2, _] = motion.amplitudes();
     let sech = libm::hypot(least, greatest) / largest_rate(motion);
-    // i2 ω̇2 = (i3 − i1) ω3 ω1
+    // i2 ω̇2 = (i3 − i1) ω3 ω1.
     let grows = (least > 0.0) == (greatest > 0.0);
     let phase = libm::asinh(intermediate / a2 / sech) / rate;
     if grows { start.time - phase } else { start.time + phase }
 }
 
-/// How far each path is at most from the straight line between its ends, at seven times between them.
+/// Returns the largest distance of each path from the straight line between its ends, at seven
+/// times between them.
 fn distances_from_chord<const N: usize>(
     at: &impl Fn(f64) -> State,
     paths: &impl Fn(&State) -> [[f64; 3]; N],
@@ -190,16 +197,17 @@ fn between(left: &State, right: &State, part: f64) -> f64 {
     left.time + part * (right.time - left.time)
 }
 
-/// Into how many pieces a chord is to be divided: the distance goes as the square of the length.
+/// Returns the number of pieces into which a chord is divided; the distance is proportional to the
+/// square of the length.
 fn pieces<const N: usize>(distances: [f64; N], allowed: [f64; N]) -> u16 {
     let excess = (0..N).fold(0.0, |most: f64, path| most.max(distances[path] / allowed[path]));
     if excess <= 1.0 { 1 } else { excess.sqrt().ceil().clamp(2.0, MOST_PIECES) as u16 }
 }
 
-/// A guard only: what is coarser is divided again.
+/// Limit of a single division; longer pieces are divided again.
 const MOST_PIECES: f64 = 1024.0;
 
-/// From a point to the segment from a to b.
+/// Returns the distance from a point to the segment from a to b.
 fn distance(point: [f64; 3], a: [f64; 3], b: [f64; 3]) -> f64 {
     let minus = |p: [f64; 3], q: [f64; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
     let dot = |p: [f64; 3], q: [f64; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];

@@ -1,4 +1,4 @@
-//! Small oscillations about an equilibrium.
+//! Small oscillations about an equilibrium: frequencies, damping and mode shapes.
 
 mod mode;
 mod on_orbit;
@@ -18,16 +18,18 @@ use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 use steady::Steady;
 
-/// What a body does near an equilibrium under its torques: frequencies, damping and shapes.
+/// Small oscillations of a body near an equilibrium under its torques: frequencies, damping and
+/// mode shapes.
 ///
-/// The equilibrium is a steady motion: rest, or a turn at constant ω about an axis fixed in space and in the body, along which
-/// the torque, seen from the body, does not change. A hanging body is one, so are a sleeping top and a satellite that keeps its
-/// face to the Earth on a circular orbit. With δθ the small turn away from it along body axes, δω the change of ω, and L = I ω + h,
+/// The equilibrium is a steady motion: rest, or rotation at constant ω about an axis fixed in space
+/// and in the body, under a torque that is constant in the body. Examples are a hanging body, a
+/// sleeping top, and a satellite that keeps its face to the Earth on a circular orbit. With the
+/// small rotation δθ away from it along body axes, the change δω of ω, and L = I ω + h,
 ///
 /// δθ̇ = δω + δθ × ω,  I δω̇ = I δω × ω + L × δω + ∂N/∂θ δθ + ∂N/∂ω δω
 ///
-/// of which this has the six eigenvalues. An energy sink adds α (I δω × ω + L × δω) to δθ̇, and L × of it to I δω̇. The derivatives
-/// of N are those of [`TorqueModel::jacobian`].
+/// The six eigenvalues of these equations are computed. An energy sink adds α (I δω × ω + L × δω)
+/// to δθ̇, and L × this term to I δω̇. The derivatives of N are those of [`TorqueModel::jacobian`].
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -46,34 +48,39 @@ use steady::Steady;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SmallOscillations {
-    /// The equilibrium.
+    /// Equilibrium state.
     pub equilibrium: State,
-    /// The modes: first those that grow fastest, then by frequency. Those of one frequency are a basis: `multiplicity` says how many.
+    /// Modes, those with the largest growth rate first, then by frequency. Modes of equal frequency
+    /// form a basis; `multiplicity` is their number.
     pub modes: Vec<OscillationMode>,
-    /// How many of the six eigenvalues are zero: ways in which the equilibrium can be turned, or made to turn, without a torque.
+    /// Number of zero eigenvalues out of six: changes of the equilibrium's orientation or rotation
+    /// that cause no torque.
     pub neutral: usize,
 }
 
-/// An eigenvalue smaller than this, relative to the fastest rate of the equations, is zero: the root of the largest error of differences, which a
-/// defective pair has.
+/// Threshold below which an eigenvalue, relative to the fastest rate of the equations, counts as
+/// zero. It is the square root of the largest difference error, which is the error of a defective
+/// pair.
 const NEUTRAL: f64 = 1e-6;
 
 impl SmallOscillations {
-    /// Oscillations about an equilibrium.
+    /// Computes the oscillations about an equilibrium.
     ///
     /// # Errors
-    /// [`MotionError::NotSteady`] if the state is none: torques leave more than 1e-8 of their size unbalanced, or change in
-    /// time along the motion; [`MotionError::NoDerivative`] where one has a corner or a jump; a parameter's error ([`MotionError::is_parameter`]) for a rod, whose spin about its own line is undetermined;
-    /// [`MotionError::NotFinite`] if a torque near it is not.
+    /// [`MotionError::NotSteady`] if the state is not an equilibrium: the unbalanced torque exceeds
+    /// 1e-8 of the torques' size, or the torques change in time along the motion.
+    /// [`MotionError::NoDerivative`] where a torque has a corner or a jump. A parameter error
+    /// ([`MotionError::is_parameter`]) for a rod, whose spin about its own line is undetermined.
+    /// [`MotionError::NotFinite`] if a torque near the state is not finite.
     pub fn about(rotor: &Rotor, torques: &[TorqueModel], equilibrium: State) -> Result<Self, MotionError> {
         Self::of(&Steady::new(rotor, torques, equilibrium)?)
     }
 
-    /// The equilibrium that Newton's method finds from a state, with the same ω in space: the nearest one if the state is close to
-    /// it. It may be unstable, as a pendulum that stands on its head.
+    /// Finds an equilibrium by Newton's method from a state, with the same ω in space: the nearest
+    /// one if the state is close to it. It may be unstable, like an inverted pendulum.
     ///
     /// # Errors
-    /// As [`SmallOscillations::about`], if none is found.
+    /// The errors of [`SmallOscillations::about`], if no equilibrium is found.
     pub fn equilibrium_near(
         rotor: &Rotor,
         torques: &[TorqueModel],
@@ -90,7 +97,7 @@ impl SmallOscillations {
         let values = eigenvalues(&matrix).ok_or(MotionError::NotFinite { time: equilibrium.time })?;
         let mut modes = modes(&matrix, &values, rate);
         modes.sort_by(|a, b| {
-            // Rates that differ by rounding are equal.
+            // Rates that differ by rounding count as equal.
             let growth = |mode: &OscillationMode| (mode.growth_rate / (NEUTRAL * rate)).round();
             growth(b).total_cmp(&growth(a)).then(a.frequency.total_cmp(&b.frequency))
         });
@@ -98,13 +105,14 @@ impl SmallOscillations {
         Ok(Self { equilibrium, modes, neutral })
     }
 
-    /// True if no mode grows.
+    /// Returns true if no mode grows.
     pub fn is_stable(&self) -> bool {
         self.modes.iter().all(|mode| !mode.is_growing())
     }
 }
 
-/// One mode for each pair of complex eigenvalues and for each real one that is not zero; those of eigenvalues that agree, together.
+/// Returns one mode for each pair of complex eigenvalues and for each nonzero real eigenvalue;
+/// equal eigenvalues are grouped.
 fn modes(matrix: &Matrix<6>, values: &[Complex<f64>; 6], rate: f64) -> Vec<OscillationMode> {
     let moving = |value: &&Complex<f64>| value.im >= 0.0 && value.abs() >= NEUTRAL;
     let mut roots: Vec<Vec<Complex<f64>>> = Vec::new();
@@ -117,7 +125,7 @@ fn modes(matrix: &Matrix<6>, values: &[Complex<f64>; 6], rate: f64) -> Vec<Oscil
     let of_roots = |group: &Vec<Complex<f64>>| {
         let mean = group.iter().fold(Complex { re: 0.0, im: 0.0 }, |sum, root| sum.plus(*root));
         let mean = mean.scaled(1.0 / group.len() as f64);
-        // A real part that is rounding is none.
+        // A real part that is only rounding counts as zero.
         let growth = if mean.re.abs() < NEUTRAL { 0.0 } else { mean.re };
         shapes::modes(matrix, group, [growth * rate, mean.im * rate])
     };

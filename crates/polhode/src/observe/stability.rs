@@ -1,4 +1,4 @@
-//! Permanent rotations of a body, with or without wheels, and whether they last.
+//! Permanent rotations of a body, with or without wheels, and their stability.
 
 mod friction;
 mod momentum_sphere;
@@ -11,28 +11,29 @@ use crate::motion::error::MotionError;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 
-/// What becomes of a small departure from a steady motion.
+/// Stability of a steady motion against small deviations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Stability {
-    /// It goes round it, at this angular frequency in the body, rad/s.
+    /// Stable: a deviation oscillates with this angular frequency in the body.
     #[non_exhaustive]
     Stable {
-        /// √c, rad/s.
+        /// Angular frequency √c, rad/s.
         frequency: f64,
     },
-    /// It grows as exp(rate t).
+    /// Unstable: a deviation grows as exp(rate t).
     #[non_exhaustive]
     Unstable {
-        /// √−c, 1/s.
+        /// Growth rate √−c, 1/s.
         growth_rate: f64,
     },
-    /// The linear equations do not say: it neither grows as a power of e nor is held.
+    /// Marginal: the linear equations do not decide; a deviation neither grows exponentially nor
+    /// oscillates.
     Marginal,
 }
 
 impl Stability {
-    /// The name in JSON: `stable`, `unstable` or `marginal`.
+    /// Returns the name in JSON: `stable`, `unstable` or `marginal`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Stable { .. } => "stable",
@@ -42,21 +43,24 @@ impl Stability {
     }
 }
 
-/// A permanent rotation: ω stays where it is in the body and in space, since it lies along L = I ω + h.
+/// Permanent rotation: ω is constant in the body and in space, because it is parallel to L = I ω +
+/// h.
 ///
-/// A small departure obeys I δω̇ = I δω × ω + L × δω. Of its three eigenvalues one is zero, on the way to the next such rotation; the
-/// other two are ±√−c, with the sum over the principal axes k, and i, j the other two,
+/// A small deviation obeys I δω̇ = I δω × ω + L × δω. One of its three eigenvalues is zero; it
+/// leads to a neighbouring rotation of this kind. The other two are ±√−c. Summed over the principal
+/// axes k, with i and j the other two,
 ///
 /// c = Σ (L_k − i_i ω_k) (L_k − i_j ω_k) / (i_i i_j)
 ///
-/// Without wheels this is Euler's c = ω² (i_k − i_i)(i_k − i_j)/(i_i i_j) about axis k: negative about the intermediate axis, whose
-/// growth rate is ω √((i3 − i2)(i2 − i1)/(i1 i3)).
+/// Without wheels this is Euler's c = ω² (i_k − i_i)(i_k − i_j)/(i_i i_j) about axis k. It is
+/// negative about the intermediate axis, with the growth rate ω √((i3 − i2)(i2 − i1)/(i1 i3)).
 ///
-/// On the sphere of constant |L|, on which the motion stays, c > 0 makes the rotation a strict extremum of the energy: it is
-/// stable against finite small departures too, not only in linear order.
+/// The motion stays on the sphere of constant |L|. If c > 0, the rotation is a strict extremum of
+/// the energy there, so it is stable against finite small deviations too, not only to linear order.
 ///
-/// The wheels' h is constant: their speeds are held, or they turn freely. What friction inside makes of it says
-/// [`PermanentRotation::with_friction`]: where the energy is greatest, it ends what is stable without it.
+/// The wheels' momentum h is constant: their speeds are held, or they rotate freely.
+/// [`PermanentRotation::with_friction`] gives the effect of internal friction: it destabilises a
+/// rotation that is an energy maximum.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -75,28 +79,32 @@ impl Stability {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct PermanentRotation {
-    /// ω, rad/s; zero where the body is at rest and its wheels have all of L.
+    /// Angular velocity ω, body axes, rad/s; zero if the body is at rest and the wheels carry all
+    /// of L.
     pub omega: AngularVelocity<Body>,
-    /// L = I ω + h, kg·m²/s.
+    /// Angular momentum L = I ω + h, body axes, kg·m²/s.
     pub momentum: AngularMomentum<Body>,
-    /// Whether it lasts, while nothing inside loses energy.
+    /// Stability without internal energy loss.
     pub stability: Stability,
-    /// L² tr M, J: how the energy bends on the sphere of constant |L| (`friction.rs`); zero where that is rounding.
+    /// L² tr M, J: curvature of the energy on the sphere of constant |L| (`friction.rs`); zero if
+    /// it is only rounding.
     bend: f64,
 }
 
-/// L × ω of a permanent rotation, relative to |L| |ω|: what is left by the rounding of numbers that were written down.
+/// Largest |L × ω| of a permanent rotation, relative to |L| |ω|: the rounding of decimal input.
 const STEADY: f64 = 1e-9;
 
-/// c relative to the sizes of its terms, below which it is rounding: a few times what principal moments are good to.
+/// Threshold of c, relative to the sizes of its terms, below which it is rounding: a few times the
+/// error of principal moments.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 impl PermanentRotation {
-    /// The rotation of a body at ω, with its wheels as they are at t = 0.
+    /// Returns the rotation of a body at ω, rad/s, with its wheels as at t = 0.
     ///
     /// # Errors
-    /// [`MotionError::NotSteady`] if ω is not along L to 1e-9, or if a motor turns a wheel; a parameter's error ([`MotionError::is_parameter`]) for a rod,
-    /// whose spin about its own line is undetermined, and an ω that is not finite.
+    /// [`MotionError::NotSteady`] if ω is not parallel to L to 1e-9, or if a motor accelerates a
+    /// wheel; a parameter error ([`MotionError::is_parameter`]) for a rod, whose spin about its own
+    /// line is undetermined, and for an ω that is not finite.
     pub fn about(rotor: &Rotor, omega: AngularVelocity<Body>) -> Result<Self, MotionError> {
         let wheels = held_wheels(rotor, 0.0)?;
         require::finite("the spin", omega.max_abs())?;
@@ -108,22 +116,24 @@ impl PermanentRotation {
         Ok(Self::of(rotor, wheels, rotor.principal().rotation().inverse() * omega))
     }
 
-    /// All permanent rotations with the angular momentum |L|, kg·m²/s: from two to six, the one of most energy last. Where
-    /// a circle of them exists, as of a body with two equal moments, those along the principal axes stand for it.
+    /// Finds all permanent rotations with the angular momentum |L|, kg·m²/s: two to six, the one of
+    /// highest energy last. If there is a continuous circle of them, as for a body with two equal
+    /// moments, those along the principal axes represent it.
     ///
-    /// They are the extrema of the energy on the sphere of this |L|: I⁻¹ (L − h) = ν L, one for each ν at which
-    /// Σ h_k²/(1 − ν i_k)² = |L|², and those of ν = 1/i_k where h has no component along axis k.
+    /// They are the extrema of the energy on the sphere of this |L|: I⁻¹ (L − h) = ν L. There is
+    /// one for each ν that satisfies Σ h_k²/(1 − ν i_k)² = |L|², and those of ν = 1/i_k if h has no
+    /// component along axis k.
     ///
     /// # Errors
-    /// As [`PermanentRotation::about`].
+    /// The errors of [`PermanentRotation::about`].
     pub fn all(rotor: &Rotor, momentum: f64) -> Result<Vec<Self>, MotionError> {
         Self::all_at(rotor, momentum, 0.0)
     }
 
-    /// The same with the wheels as they are at a time, s.
+    /// Finds the same rotations with the wheels as at a given time, s.
     ///
     /// # Errors
-    /// As [`PermanentRotation::about`].
+    /// The errors of [`PermanentRotation::about`].
     pub fn all_at(rotor: &Rotor, momentum: f64, time: f64) -> Result<Vec<Self>, MotionError> {
         let wheels = held_wheels(rotor, time)?;
         require::not_negative("the angular momentum", momentum)?;
@@ -134,8 +144,9 @@ impl PermanentRotation {
         Ok(all)
     }
 
-    /// The times from which on the wheels' momentum stays what it is, for a while or for ever: t = 0, if no motor turns a wheel then,
-    /// and the last time at which one stops. None if a motor never stops; of pulses, after 10⁴ of them.
+    /// Returns the times, s, from which on the wheels' momentum is constant, at least for a while:
+    /// t = 0, if no motor accelerates a wheel then, and the last time at which a motor stops. The
+    /// latter is absent if a motor never stops, or does not stop within 10⁴ pulses.
     ///
     /// ```
     /// use polhode::prelude::*;
@@ -150,7 +161,7 @@ impl PermanentRotation {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn times(rotor: &Rotor) -> Vec<f64> {
-        /// Changes that are looked at.
+        /// Maximum number of changes that are examined.
         const MOST: usize = 20_000;
         let is_still = |time: f64| rotor.motor_torque(time) == Torque::ZERO;
         let next =
@@ -166,7 +177,8 @@ impl PermanentRotation {
         let (mut c, mut scale) = (0.0, 0.0);
         let (mut bend, mut bend_scale) = (0.0, 0.0);
         for k in 0..3 {
-            // (L_k − i ω_k)/i for the other two, L_k = i_k ω_k + h_k: what is equal in i_k and i cancels first.
+            // (L_k − i ω_k)/i for the other two axes, with L_k = i_k ω_k + h_k; i_k − i is
+            // subtracted first, without cancellation.
             let factor = |i: f64| ((moments[k] - i) * w[k] + h[k]) / i;
             let size = |i: f64| (moments[k].max(i) * w[k].abs() + h[k].abs()) / i;
             let (i, j) = (moments[(k + 1) % 3], moments[(k + 2) % 3]);
@@ -189,7 +201,7 @@ impl PermanentRotation {
     }
 }
 
-/// h along principal axes at a time, which has to be constant, of a body whose ω follows from its L.
+/// Returns h along principal axes at a time. It must be constant then, and L must determine ω.
 fn held_wheels(rotor: &Rotor, time: f64) -> Result<AngularMomentum<Principal>, MotionError> {
     let [least, ..] = rotor.principal().moments();
     let rule = "above zero: a rod has a spin that L does not determine";

@@ -1,4 +1,5 @@
-//! From the two periods of a tumbling body to its states of spin: the inverse problem of light curves and radar.
+//! Inverse problem of tumbling: states of rotation from the two periods that light curves and radar
+//! measure.
 
 use core::fmt;
 
@@ -17,24 +18,31 @@ use crate::motion::solve::free::{FreeMotion, Regime};
 
 use super::tumbling::{AxisConvention, TumblingPeriods};
 
-/// A state of spin that has the two periods of a tumbling body.
+/// State of rotation that has the two given periods of a tumbling body.
 ///
-/// Light curves and radar images give P_φ and P_ψ; a shape gives the principal moments up to a factor. Then each mode has at most
-/// one energy E/E0, because in each the ratio P_ψ/P_φ grows strictly towards the separatrix, from a least
-/// value that the permanent rotation has to infinity ([`TumblingPeriods::ratio`] says from which). *Proof.* Let |L| = 1 and e =
-/// 2T; from the permanent rotation outwards e varies by σ (+1 in short-axis mode, −1 in long-axis mode). The axis that L circles
-/// advances in one period P by e P − σS + 2πσ ([`crate::observe::GeometricPhase`]), S the solid angle round which L goes, and
-/// P = 2σ dS/de, since |L| S is the area of phase space. So 2π d(P_ψ/P_φ)/de = P + e P′ − P/2 = √e d(√e P)/de, and √e P is the
-/// period at constant *energy*. This is 4K(m)/λ, and towards the separatrix K rises while λ, at constant T proportional to
-/// √(L² − 2T i1) or √(2T i3 − L²), falls. ∎
+/// Light curves and radar images give P_φ and P_ψ; a shape gives the principal moments up to a
+/// factor. Each mode then has at most one energy E/E0, because the ratio P_ψ/P_φ grows strictly
+/// from its smallest value at the permanent rotation to infinity at the separatrix
+/// ([`TumblingPeriods::ratio`] gives the smallest value).
 ///
-/// So there are none, one or two solutions, at most one in each mode. The periods do not tell a spin from its mirror images
-/// (ω with any of its components along the principal axes reversed), nor where L points.
+/// *Proof.* Let |L| = 1 and e = 2T. From the permanent rotation outward, e changes with the sign σ
+/// (+1 in short-axis mode, −1 in long-axis mode). In one period P, the axis that L circles advances
+/// by e P − σS + 2πσ ([`crate::observe::GeometricPhase`]), where S is the solid angle enclosed by
+/// the path of L. Further P = 2σ dS/de, because |L| S is the area in phase space. Therefore 2π
+/// d(P_ψ/P_φ)/de = P + e P′ − P/2 = √e d(√e P)/de, and √e P is the period at constant *energy*.
+/// This period is 4K(m)/λ. Toward the separatrix K increases, and λ, which at constant T is
+/// proportional to √(L² − 2T i1) or √(2T i3 − L²), decreases. ∎
+///
+/// So there are zero, one or two solutions, at most one in each mode. The periods do not
+/// distinguish a state from its mirror images (ω with the sign of any component along the principal
+/// axes reversed), and do not determine the direction of L.
 ///
 /// # Accuracy
-/// Some 10⁻¹⁵ of the energy ratio for moments and periods exactly as given, near the permanent rotations and the separatrix
-/// too; of a needle's long-axis mode in the short-axis convention, where P_ψ/P_φ − 1 ≈ i1/i3 says everything, less by i3/i1.
-/// Near the separatrix ω is rounded more coarsely than the periods can bear: `periods` shows it.
+/// The relative error of the energy ratio is about 10⁻¹⁵ for exact moments and periods, also near
+/// the permanent rotations and the separatrix. An exception is the long-axis mode of a needle in
+/// the short-axis convention, where only P_ψ/P_φ − 1 ≈ i1/i3 contains information: the error is
+/// larger by i3/i1. Near the separatrix, the periods are so sensitive that the rounding of ω
+/// changes them; the field `periods` shows this.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -50,59 +58,63 @@ use super::tumbling::{AxisConvention, TumblingPeriods};
 /// ```
 ///
 /// # Source
-/// The problem: Samarasinha & A'Hearn, Icarus 93 (1991) 194; Kaasalainen, Astron. Astrophys. 376 (2001) 302. The proof and the
-/// variable of the search are this library's.
+/// The problem: Samarasinha & A'Hearn, Icarus 93 (1991) 194; Kaasalainen, Astron. Astrophys. 376
+/// (2001) 302. The proof and the search variable are original to this library.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TumblingSolution {
-    /// The mode; `Symmetric` for a body with two equal moments.
+    /// Mode of rotation; `Symmetric` for a body with two equal moments.
     pub regime: Regime,
-    /// E/E0 = 2 T i3/L², relative to the least energy of this L: 1 … i3/i1.
+    /// Energy ratio E/E0 = 2 T i3/L², relative to the least energy for this L: 1 … i3/i1.
     pub energy_ratio: f64,
-    /// |L|, kg·m²/s for moments in kg·m² and periods in s.
+    /// Angular momentum |L|, kg·m²/s for moments in kg·m² and periods in s.
     pub momentum: f64,
-    /// ω at an instant when it has no component along the intermediate axis, rad/s; the axis that L circles is then nearest
-    /// to L.
+    /// Angular velocity ω, rad/s, body axes, at an instant at which its component along the
+    /// intermediate axis is zero. The angle between L and the axis that it circles is then
+    /// smallest.
     pub omega: AngularVelocity<Body>,
-    /// The periods of the motion that `omega` starts, in the convention of the question: those asked for, but for the
-    /// rounding of ω. `None` if that makes no tumbling motion of it.
+    /// Periods of the motion that starts with `omega`, in the requested convention; they equal the
+    /// requested periods except for the rounding of ω. `None` if the rounded ω does not tumble.
     pub periods: Option<TumblingPeriods>,
 }
 
-/// Why no state of spin can be given.
+/// Error of the inverse problem.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum TumblerError {
-    /// The moments are those of no body.
+    /// The moments are not those of a physical body.
     Body(BodyError),
-    /// A period that is not positive and finite.
+    /// A period is not positive and finite.
     Period {
-        /// Which.
+        /// Name of the period.
         what: &'static str,
-        /// What it is, s.
+        /// Value of the period, s.
         value: f64,
     },
     /// Neither mode has this ratio of periods.
     NoSolution {
-        /// P_ψ/P_φ as given.
+        /// Given ratio P_ψ/P_φ.
         ratio: f64,
-        /// Between what the ratio lies in long-axis mode, in the same convention; `None` if the body has no such mode. The
-        /// upper end, in truth infinite, is as near to the separatrix as the search goes.
+        /// Range of the ratio in long-axis mode, in the same convention; `None` if the body has no
+        /// such mode. The upper end is infinite in theory; the value is at the end of the search,
+        /// close to the separatrix.
         long_axis: Option<[f64; 2]>,
-        /// The same in short-axis mode.
+        /// Range of the ratio in short-axis mode, in the same convention; `None` if the body has no
+        /// such mode.
         short_axis: Option<[f64; 2]>,
     },
 }
 
 impl TumblingSolution {
-    /// The states of spin of a body with these principal moments along its x, y and z axes, in any order, and these
-    /// periods; in ascending energy.
+    /// Finds the states of rotation of a body with these principal moments along its x, y and z
+    /// axes, in any order, and these periods; in order of ascending energy.
     ///
-    /// With moments that are known up to a factor everything but `momentum` is right. Of a symmetric body L can circle only
-    /// the symmetry axis; a rod and a body with three equal moments have no solution.
+    /// If the moments are known only up to a factor, everything except `momentum` is correct. For a
+    /// symmetric body, L can circle only the symmetry axis. A rod and a body with three equal
+    /// moments have no solution.
     ///
     /// # Errors
-    /// [`TumblerError`]: moments of no body, periods that are not positive and finite, or a ratio of periods outside the ranges
-    /// of both modes.
+    /// [`TumblerError`]: moments that are not physical, periods that are not positive and finite,
+    /// or a ratio of periods outside the ranges of both modes.
     pub fn all(
         moments: [f64; 3],
         periods: TumblingPeriods,
@@ -149,33 +161,34 @@ impl TumblingSolution {
     }
 }
 
-/// The motions of a body in which L circles one extreme axis.
+/// Motions of a body in which L circles one of the extreme axes.
 #[derive(Clone, Copy, Debug)]
 struct Family {
-    /// The third is that of the axis that L circles, the second the intermediate.
+    /// Moments; the third belongs to the axis that L circles, the second to the intermediate axis.
     moments: [f64; 3],
-    /// From L's circled axis to the convention's, turns per period of ω.
+    /// Advance of the convention's axis relative to the axis that L circles, turns per period of ω.
     turns: f64,
 }
 
-/// One of them, at |L| = 1.
+/// One motion of the family, for |L| = 1.
 #[derive(Clone, Copy, Debug)]
 struct Wobble {
-    /// Of the smallest angle between L and the axis that it circles.
+    /// Cosine of the smallest angle between L and the axis that it circles.
     cosine: f64,
     sine: f64,
-    /// 2π/P_φ
+    /// Rate 2π/P_φ, rad/s.
     axis_rate: f64,
-    /// P_ψ/P_φ
+    /// Ratio P_ψ/P_φ.
     ratio: f64,
 }
 
-/// The ends of the search, as y = ln z: no wobble that a number can tell from none, and 1 − m as small as 10⁻²⁷⁰.
+/// Bounds of the search for y = ln z: from a wobble too small to represent, to 1 − m = 10⁻²⁷⁰.
 const NEAREST: f64 = -620.0;
 const FARTHEST: f64 = 620.0;
 
 impl Family {
-    /// `None` if L circles the third axis of no motion: it is not the extreme one, or has no moment.
+    /// Returns the family; `None` if L cannot circle the third axis: it is not the extreme one, or
+    /// its moment is zero.
     fn of(moments: [f64; 3], convention: AxisConvention) -> Option<Self> {
         let [_, i2, i3] = moments;
         let family = Self { moments, turns: 0.0 };
@@ -196,19 +209,19 @@ impl Family {
         }
     }
 
-    /// 2 T i/L² with the greatest moment i.
+    /// Returns 2 T i/L² with the largest moment i.
     fn energy_ratio(&self, wobble: &Wobble) -> f64 {
         let [i1, _, i3] = self.moments;
         let greatest = i1.max(i3);
         1.0 + (greatest - i1) / i1 * wobble.sine.powi(2) + (greatest - i3) / i3 * wobble.cosine.powi(2)
     }
 
-    /// Between what P_ψ/P_φ lies.
+    /// Returns the range of P_ψ/P_φ.
     fn range(&self) -> [f64; 2] {
         [NEAREST, FARTHEST].map(|y| self.at(y).ratio)
     }
 
-    /// The motion with a ratio P_ψ/P_φ, which grows with y: by halving, so no estimate can mislead it.
+    /// Returns the motion with a ratio P_ψ/P_φ, by bisection; the ratio increases with y.
     fn with_ratio(&self, ratio: f64) -> Option<Wobble> {
         let [least, most] = self.range();
         if !(least < ratio && ratio <= most) {
@@ -226,13 +239,15 @@ impl Family {
         Some(self.at(above))
     }
 
-    /// The motion whose greatest nutation θ′ has tan² θ′ = z/ρ, z = eʸ, ρ = (1/i2 − 1/i3)/(1/i1 − 1/i3).
+    /// Returns the motion whose largest nutation θ′ satisfies tan² θ′ = z/ρ, with z = eʸ and ρ =
+    /// (1/i2 − 1/i3)/(1/i1 − 1/i3).
     ///
-    /// With ν = 1/ρ − 1 the smallest nutation θ and the parameter are tan² θ = z/(1 + νz), m = νz/(1 + νz) and 1 − m = 1/(1 + νz):
-    /// nothing cancels anywhere between the permanent rotation (z → 0) and the separatrix (z → ∞), nor as the body becomes
-    /// symmetric (ν → 0).
+    /// With ν = 1/ρ − 1, the smallest nutation θ and the parameter satisfy tan² θ = z/(1 + νz), m =
+    /// νz/(1 + νz) and 1 − m = 1/(1 + νz). Nothing cancels between the permanent rotation (z → 0)
+    /// and the separatrix (z → ∞), nor in the limit of a symmetric body (ν → 0).
     ///
-    /// As in `motion/solve/free/elements.rs`, λ = cos θ √((1/i1 − 1/i3)(1/i2 − 1/i3)) and Ω = 1/i2 + ½ (1/i1 − 1/i2) R.
+    /// As in `motion/solve/free/elements.rs`, λ = cos θ √((1/i1 − 1/i3)(1/i2 − 1/i3)) and Ω =
+    /// 1/i2 + ½ (1/i1 − 1/i2) R.
     fn at(&self, y: f64) -> Wobble {
         let [i1, i2, i3] = self.moments;
         let (d21, d31, d32) = (i2 - i1, i3 - i1, i3 - i2);
@@ -255,7 +270,7 @@ impl Family {
     }
 }
 
-/// 1240 is halved to 10⁻¹⁶.
+/// Number of bisections; they reduce the interval of 1240 to 10⁻¹⁶.
 const MOST_HALVINGS: usize = 64;
 
 impl fmt::Display for TumblerError {
@@ -269,7 +284,7 @@ impl fmt::Display for TumblerError {
                 {
                     let separator = if k == 0 { "" } else { "; " };
                     match range {
-                        // As good as infinite is not worth its digits.
+                        // An upper end that is practically infinite is not printed.
                         Some([least, most]) if *most > 1e6 => {
                             write!(f, "{separator}{mode}-axis mode has more than {least:.6}")?;
                         }
@@ -303,13 +318,14 @@ mod tests {
 
     const CONVENTIONS: [AxisConvention; 2] = [AxisConvention::LongAxis, AxisConvention::ShortAxis];
 
-    /// Both modes of bodies of every shape: bricks, plates, needles, and as good as symmetric.
+    /// Returns both modes of bodies of every shape: bricks, plates, needles, and nearly symmetric
+    /// ones.
     fn families() -> Vec<Family> {
         let second = [1e-9, 1e-3, 0.1, 0.3, 0.5, 0.9, 0.999, 1.0 - 1e-9];
         let mut families = Vec::new();
         for b in second {
             for c in second.into_iter().chain([0.0]).filter(|c| *c < b) {
-                // second moments 1 > b > c make moments b + c < 1 + c < 1 + b
+                // Second moments 1 > b > c give moments b + c < 1 + c < 1 + b.
                 let [i1, i2, i3] = [b + c, 1.0 + c, 1.0 + b];
                 for convention in CONVENTIONS {
                     families.extend(Family::of([i1, i2, i3], convention));
@@ -358,7 +374,8 @@ mod tests {
                 assert!((found.ratio / truth.ratio - 1.0).abs() < 4.0 * f64::EPSILON, "{family:?} {y}");
                 let [energy, other, again] =
                     [truth, nearby, found].map(|wobble| family.energy_ratio(&wobble));
-                // what some rounding of the ratio does to the energy: much, of a needle in the short-axis convention
+                // Effect of the rounding of the ratio on the energy: large for a needle in the
+                // short-axis convention.
                 let slope = (energy - other).abs() / (truth.ratio - nearby.ratio).max(f64::MIN_POSITIVE);
                 let allowed = 1e-14 * energy + slope * 8.0 * f64::EPSILON * truth.ratio;
                 assert!((again - energy).abs() < allowed, "{family:?} {y}: {:e} {allowed:e}", again - energy);

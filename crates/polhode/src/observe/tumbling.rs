@@ -1,38 +1,43 @@
-//! The two periods of a tumbling body, as observers of asteroids and comets give them.
+//! The two periods of a tumbling body, as used for asteroids and comets.
 
 use crate::math::number::PI;
 use crate::motion::solve::free::FreeMotion;
 
-/// The axis of the body whose motion about L is described.
+/// Axis convention: the body axis whose motion about L is described.
 ///
-/// The literature of small bodies names axes by length, and a body's longest axis is that of its *least* moment.
+/// The literature of small bodies names axes by their length; the longest axis is that of the
+/// *smallest* moment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AxisConvention {
-    /// The axis of least moment: Samarasinha & A'Hearn 1991, and most on comets.
+    /// Axis of smallest moment: Samarasinha & A'Hearn 1991, and most work on comets.
     LongAxis,
-    /// The axis of greatest moment: Kaasalainen 2001, and most on light curves of asteroids.
+    /// Axis of largest moment: Kaasalainen 2001, and most work on light curves of asteroids.
     ShortAxis,
 }
 
-/// P_φ and P_ψ: how long a tumbling body's axis takes about L on average, and how long the body takes about that axis.
+/// Periods P_φ and P_ψ of a tumbling body: the mean period of its axis about L, and the period of
+/// the body about that axis.
 ///
-/// φ is the azimuth about L, in space, of the axis that the [`AxisConvention`] names; ψ is the angle of the body about that
-/// axis, from the plane that the axis makes with L. ψ and the nutation angle between L and the axis repeat with ω, so P_ψ
-/// is [`FreeMotion::period`]. φ advances by the same angle in each P_ψ, on average once in P_φ:
+/// φ is the azimuth about L, in space, of the axis of the [`AxisConvention`]. ψ is the angle of the
+/// body about that axis, from the plane of the axis and L. ψ and the nutation angle between L and
+/// the axis are periodic with ω, so P_ψ is [`FreeMotion::period`]. φ advances by the same angle in
+/// each P_ψ, and on average by one turn in P_φ:
 ///
 /// | L circles | long-axis convention | short-axis convention |
 /// |---|---|---|
 /// | the axis of least moment (long-axis mode) | P_φ = 2π/Ω; ψ **rotates**, once round in P_ψ | P_φ = 2π/(Ω + 2π/P_ψ); ψ **oscillates** with the period P_ψ |
 /// | the axis of greatest moment (short-axis mode) | P_φ = 2π/(Ω − 2π/P_ψ); ψ oscillates | P_φ = 2π/Ω; ψ rotates |
 ///
-/// with Ω of [`FreeMotion::precession_rate`]. While L goes round one extreme axis in the body, the azimuths of the two
-/// extreme axes fall apart by one turn; this is the whole difference between the conventions. Both azimuths always
-/// grow. The intermediate axis goes with the one that L does not circle.
+/// with Ω of [`FreeMotion::precession_rate`]. While L circles one extreme axis once in the body,
+/// the azimuths of the two extreme axes diverge by one turn; this is the only difference between
+/// the conventions. Both azimuths always increase. The intermediate axis moves with the extreme
+/// axis that L does not circle.
 ///
 /// The same light curve may show P_φ, P_ψ, their halves, or any 1/(n/P_φ + k/P_ψ).
 ///
 /// # Accuracy
-/// A few ε of P_φ and P_ψ each, for moments and ω exactly as given. Near the separatrix both are ill-conditioned in ω.
+/// The relative error of P_φ and P_ψ is a few ε for exact moments and ω. Near the separatrix both
+/// are ill-conditioned in ω.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -50,24 +55,27 @@ pub enum AxisConvention {
 /// ```
 ///
 /// # Source
-/// Samarasinha & A'Hearn, Icarus 93 (1991) 194; Kaasalainen, Astron. Astrophys. 376 (2001) 302. The relation between the
-/// conventions is derived above and tested by following the axes through whole motions (`tests/all/tumbling.rs`).
+/// Samarasinha & A'Hearn, Icarus 93 (1991) 194; Kaasalainen, Astron. Astrophys. 376 (2001) 302. The
+/// relation between the conventions is derived above and tested by following the axes through whole
+/// motions (`tests/all/tumbling.rs`).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TumblingPeriods {
-    /// P_φ: the mean time of one turn of the axis about L, in space, s.
+    /// P_φ: mean period of the axis about L, in space, s.
     pub precession: f64,
-    /// P_ψ: the period of the rotation or oscillation about the axis, which is that of ω in the body, s.
+    /// P_ψ: period of the rotation or oscillation about the axis, which is that of ω in the body,
+    /// s.
     pub rotation: f64,
 }
 
 impl TumblingPeriods {
-    /// The periods of a motion.
+    /// Computes the periods of a motion.
     ///
-    /// `None` where ω does not circle: at rest, in permanent rotation (which has one period only, 2π/|ω|; [`Self::ratio`] says
-    /// where the two end there), of a body with three equal moments, and on the separatrix, where P_ψ is infinite.
+    /// Returns `None` if ω does not circle an axis: at rest, in permanent rotation (which has only
+    /// the period 2π/|ω|; [`Self::ratio`] gives the limit of the ratio), for a body with three
+    /// equal moments, and on the separatrix, where P_ψ is infinite.
     ///
-    /// A symmetric body has one determined axis, which L circles. The convention that does not mean this axis means
-    /// any axis across it: they all go round L with the same mean rate.
+    /// A symmetric body has one determined axis, which L circles. In the other convention, any axis
+    /// perpendicular to it may be used: they all have the same mean rate about L.
     pub fn of(motion: &FreeMotion, convention: AxisConvention) -> Option<Self> {
         let rotation = motion.period()?;
         let turns = f64::from(convention.turns_ahead(motion.circles_least()));
@@ -75,19 +83,21 @@ impl TumblingPeriods {
         Some(Self { precession: 2.0 * PI / rate, rotation })
     }
 
-    /// P_ψ/P_φ: turns of the axis about L, on average, in one period of ω.
+    /// Returns P_ψ/P_φ, the mean number of turns of the axis about L in one period of ω.
     ///
-    /// For given principal moments it tells the state of spin up to its scale: within each mode it grows steadily from
-    /// the permanent rotation to the separatrix, where it is infinite. In the long-axis convention it is
-    /// above 1/√((i3/i1 − 1)(i3/i2 − 1)) ≥ 1 in short-axis mode, and above 1/√((1 − i1/i2)(1 − i1/i3)) − 1 > 0 in long-axis
-    /// mode: below 1 the mode is the long-axis mode for certain. In the short-axis convention both are greater by 1.
+    /// For given principal moments it determines the state of rotation up to its scale: within each
+    /// mode it increases monotonically from the permanent rotation to the separatrix, where it is
+    /// infinite. In the long-axis convention it exceeds 1/√((i3/i1 − 1)(i3/i2 − 1)) ≥ 1 in
+    /// short-axis mode, and 1/√((1 − i1/i2)(1 − i1/i3)) − 1 > 0 in long-axis mode. A ratio below 1
+    /// therefore means long-axis mode. In the short-axis convention both bounds are larger by 1.
     pub fn ratio(&self) -> f64 {
         self.rotation / self.precession
     }
 }
 
 impl AxisConvention {
-    /// By how many turns in a period of ω the convention's axis gets ahead of the one that L circles.
+    /// Returns the number of turns per period of ω by which the convention's axis advances relative
+    /// to the axis that L circles.
     pub(super) const fn turns_ahead(self, circles_least: bool) -> i8 {
         match (self, circles_least) {
             (Self::LongAxis, true) | (Self::ShortAxis, false) => 0,

@@ -8,20 +8,21 @@ use super::rule::CubatureRule;
 use crate::math::sum::Sum;
 use crate::math::symmetric3::Symmetric3;
 
-/// ∫ρ (1, x, y, z, xx, yy, zz, xy, xz, yz) dV, in a domain's own units of length.
+/// ∫ρ (1, x, y, z, xx, yy, zz, xy, xz, yz) dV, lengths in the domain's unit.
 pub(super) type Moments = [f64; 10];
 
-/// The bricks of a solid, each with its moments and their errors.
+/// Bricks of a solid, each with its moments and their errors.
 ///
-/// A brick that no division would improve is added up and forgotten: of a mesh with millions of triangles and a density
-/// that is nearly a polynomial in each of their cones, nothing but a sum is kept.
+/// A brick that further division would not improve is added to a sum and not stored. For a mesh
+/// with millions of triangles and a density that is nearly polynomial in each of their cones, only
+/// the sum is stored.
 pub(super) struct Subdivision<'a> {
     domain: &'a Domain<'a>,
     rule: CubatureRule,
-    /// Of those that are not kept.
+    /// Sum over the bricks that are not stored.
     settled: Tally,
     bricks: Vec<Integrated>,
-    /// The brick with the largest error first, of equal ones the oldest.
+    /// Queue of brick indices: largest error first; the oldest first among equal errors.
     order: BinaryHeap<(Priority, Reverse<usize>)>,
     samples: Samples,
     pub(super) evaluations: u64,
@@ -32,23 +33,22 @@ struct Integrated {
     brick: Brick,
     moments: Moments,
     errors: Moments,
-    /// The null rule that is largest: the direction to divide in.
+    /// Direction (0, 1 or 2) of the largest null rule, along which the brick is divided.
     direction: usize,
-    /// What the sum over the samples may have lost by rounding, for moments of the degrees 0, 1 and 2.
+    /// Rounding error bound of the sum over the samples, for moments of degree 0, 1 and 2.
     rounding: [f64; 3],
 }
 
-/// Sums over bricks.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Totals {
     pub(super) moments: Moments,
     pub(super) errors: Moments,
 }
 
-/// Rounding of a sample: of the density, the weight, the volume, their product, and the sums.
+/// Relative rounding bound of a sample: density, weight, volume, their product, and the sums.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// The degree of each moment.
+/// Degree of each moment.
 const DEGREES: [usize; 10] = [0, 1, 1, 1, 2, 2, 2, 2, 2, 2];
 
 impl<'a> Subdivision<'a> {
@@ -64,12 +64,12 @@ impl<'a> Subdivision<'a> {
         }
     }
 
-    /// How many samples a brick costs.
+    /// Returns the number of samples per brick.
     pub(super) fn samples_per_brick(&self) -> u64 {
         self.rule.samples() as u64
     }
 
-    /// Adds a brick: `density` gives ρ at its samples, or says why there is none.
+    /// Adds a brick. `density` writes ρ at the samples of the brick, or returns an error.
     pub(super) fn add<E>(
         &mut self,
         brick: Brick,
@@ -85,8 +85,8 @@ impl<'a> Subdivision<'a> {
         Ok(())
     }
 
-    /// Divides the brick with the largest error into two, and gives the sums over it and over its halves; `None` if
-    /// that would not help any more.
+    /// Halves the brick with the largest error. Returns the sums over the brick and over its
+    /// halves, or `None` if further division would not help.
     pub(super) fn refine<E>(
         &mut self,
         density: &mut impl FnMut(&Brick, &[[f64; 3]], &mut [f64]) -> Result<(), E>,
@@ -96,7 +96,7 @@ impl<'a> Subdivision<'a> {
             if !parent.exceeds_rounding() {
                 return Ok(None);
             }
-            // One that is too small keeps its error.
+            // A brick that is too narrow to divide keeps its error.
             let Some([first, second]) = parent.brick.halves(parent.direction) else { continue };
             let first = self.integrate(first, density)?;
             let second = self.integrate(second, density)?;
@@ -115,7 +115,7 @@ impl<'a> Subdivision<'a> {
         tally.totals()
     }
 
-    /// How many bricks are kept.
+    /// Returns the number of stored bricks.
     pub(super) fn bricks(&self) -> usize {
         self.bricks.len()
     }
@@ -132,7 +132,7 @@ impl<'a> Subdivision<'a> {
         let [outer, middle, inner] = &rule.0;
         let mut block = CubatureSums::default();
         let (mut absolute, mut farthest) = (0.0, 0.0_f64);
-        // Row by row and plane by plane: a sum of sums of few terms rounds little.
+        // Sums by row, then by plane: a sum of sums of few terms has little rounding.
         let planes = inner.nodes.len() * middle.nodes.len();
         for (u, plane_start) in outer.nodes.iter().zip((0..).step_by(planes)) {
             let mut plane = CubatureSums::default();
@@ -172,7 +172,7 @@ struct CubatureSums {
     nulls: [Moments; 3],
 }
 
-/// sums + weight · terms
+/// Adds `weight` · `terms` to `sums`.
 fn add(sums: &mut Moments, weight: f64, terms: &Moments) {
     for (sum, term) in sums.iter_mut().zip(terms) {
         *sum += weight * term;
@@ -193,7 +193,7 @@ impl Integrated {
     }
 }
 
-/// Compensated sums over bricks, in their order.
+/// Compensated sums over bricks, in the order in which they are added.
 #[derive(Clone, Copy, Default)]
 struct Tally {
     moments: [Sum; 10],
@@ -220,7 +220,7 @@ impl Tally {
 }
 
 impl Totals {
-    /// These with the halves of a brick in its place.
+    /// Replaces the contribution of a brick by that of its halves.
     pub(super) fn replace(&mut self, (whole, halves): &(Self, Self)) {
         for k in 0..10 {
             self.moments[k] += halves.moments[k] - whole.moments[k];
@@ -236,14 +236,14 @@ impl Totals {
         core::array::from_fn(|k| self.moments[k + 1] / self.moments[0])
     }
 
-    /// ∫ρ x xᵀ dV / M − c cᵀ
+    /// Returns ∫ρ x xᵀ dV / M − c cᵀ.
     pub(super) fn covariance(&self) -> Symmetric3 {
         let [mass, _, _, _, xx, yy, zz, xy, xz, yz] = self.moments;
         Symmetric3 { xx, yy, zz, xy, xz, yz } * (1.0 / mass) - Symmetric3::outer(self.center())
     }
 
-    /// Errors carried to the results: of the mass relative to it, of the centre of mass, in units, and of the
-    /// inertia tensor relative to half its trace.
+    /// Returns the propagated errors of the results: of the mass (relative), of the centre of mass
+    /// (in units), and of the inertia tensor relative to half its trace.
     ///
     /// |δc| ≤ (|δm₁| + |c| |δM|) / M,  |δS_ij| ≤ |δm_ij| + |c_i δm_j| + |c_j δm_i| + |c_i c_j δM|,
     /// |δI_xx| ≤ |δS_yy| + |δS_zz|, |δI_xy| ≤ |δS_xy|
@@ -264,7 +264,7 @@ impl Totals {
     }
 }
 
-/// An error that orders bricks.
+/// Error estimate as a sort key of bricks.
 #[derive(Clone, Copy, PartialEq)]
 struct Priority(f64);
 

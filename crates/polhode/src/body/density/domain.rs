@@ -1,25 +1,25 @@
-//! A solid as the image of unit cubes, and the bricks that they are divided into.
+//! A solid as the image of unit cubes, and the bricks that the cubes are divided into.
 
 use super::parametrised::Parametrised;
 use super::rule::CubatureRule;
 use crate::body::triangle_mesh::TriangleMesh;
 use crate::math::symmetric3::power_of_two_near;
 
-/// Where a solid is, in coordinates ξ in which it lies about 0 and is about 1 large: x = reference + unit ξ.
+/// A solid in scaled coordinates ξ, centred near 0 with size about 1: x = reference + unit ξ.
 pub(super) struct Domain<'a> {
     charts: Charts<'a>,
     reference: [f64; 3],
     unit: f64,
 }
 
-/// What maps the unit cube into the solid.
+/// Maps from the unit cube into the solid.
 enum Charts<'a> {
-    /// To each triangle, the signed tetrahedron from the reference.
+    /// For each triangle, the signed tetrahedron from the reference point.
     Triangles(&'a TriangleMesh),
     Shape(&'a dyn Parametrised),
 }
 
-/// The image of a part of the unit cube under a chart.
+/// Image of a box in the unit cube under a chart.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Brick {
     chart: usize,
@@ -27,28 +27,29 @@ pub(super) struct Brick {
     high: [f64; 3],
 }
 
-/// The samples of one brick; the last coordinate varies fastest.
+/// Samples of one brick; the last coordinate varies fastest.
 #[derive(Default)]
 pub(super) struct Samples {
-    /// x, m: what the field is asked for.
+    /// Sample points x, m, passed to the density field.
     pub(super) points: Vec<[f64; 3]>,
-    /// ξ
+    /// Sample points in scaled coordinates ξ.
     pub(super) local: Vec<[f64; 3]>,
-    /// What a weight of 1 stands for, in units of volume.
+    /// Volume per unit of weight, in units of `unit`³.
     pub(super) volumes: Vec<f64>,
     pub(super) densities: Vec<f64>,
 }
 
-/// Parts of the cube narrower than this are not divided.
+/// Minimum width of a brick in the unit cube; narrower bricks are not divided.
 const FINEST: f64 = 1e-13;
 
 impl<'a> Domain<'a> {
-    /// Of a polyhedron: about its centroid, where `size` is its radius of gyration.
+    /// Returns the domain of a polyhedron, centred at its centroid; `size` is its radius of
+    /// gyration, m.
     pub(super) fn of_surface(surface: &'a TriangleMesh, centroid: [f64; 3], size: f64) -> Self {
         Self { charts: Charts::Triangles(surface), reference: centroid, unit: power_of_two_near(size) }
     }
 
-    /// Of a shape.
+    /// Returns the domain of a shape, centred at its centroid; `size` is its radius of gyration, m.
     pub(super) fn of_shape(shape: &'a dyn Parametrised, centroid: [f64; 3], size: f64) -> Self {
         Self { charts: Charts::Shape(shape), reference: centroid, unit: power_of_two_near(size) }
     }
@@ -61,7 +62,7 @@ impl<'a> Domain<'a> {
         self.reference
     }
 
-    /// The bricks to begin with.
+    /// Returns the initial bricks: the whole unit cube of each chart.
     pub(super) fn bricks(&self) -> impl ExactSizeIterator<Item = Brick> + use<> {
         let charts = match self.charts {
             Charts::Triangles(surface) => surface.triangles().len(),
@@ -70,7 +71,8 @@ impl<'a> Domain<'a> {
         (0..charts).map(|chart| Brick { chart, low: [0.0; 3], high: [1.0; 3] })
     }
 
-    /// Few samples for each of many thin cones.
+    /// Returns the cubature rule: one with fewer samples if the mesh has many triangles (thin
+    /// cones).
     pub(super) fn rule(&self) -> CubatureRule {
         const MANY: usize = 1000;
         match self.charts {
@@ -79,7 +81,7 @@ impl<'a> Domain<'a> {
         }
     }
 
-    /// Fills in everything but the densities.
+    /// Fills in all fields of `samples` except the densities.
     pub(super) fn sample(&self, brick: &Brick, rule: &CubatureRule, samples: &mut Samples) {
         let Brick { chart, low, high } = *brick;
         let cube: f64 = (0..3).map(|k| high[k] - low[k]).product();
@@ -102,7 +104,7 @@ impl<'a> Domain<'a> {
         samples.densities.resize(samples.points.len(), 0.0);
     }
 
-    /// ξ, x, and the volume in units that a unit of the cube stands for.
+    /// Returns ξ, x, and the Jacobian determinant |∂ξ/∂(u, v, w)|.
     fn image(&self, corners: &Corners, chart: usize, uvw: [f64; 3]) -> ([f64; 3], [f64; 3], f64) {
         let Self { reference, unit, .. } = self;
         match &self.charts {
@@ -123,7 +125,7 @@ impl<'a> Domain<'a> {
         }
     }
 
-    /// Of the triangle of a chart.
+    /// Returns the corners of the triangle of a chart, in ξ.
     fn corners(&self, chart: usize) -> Corners {
         let Charts::Triangles(surface) = &self.charts else { return Corners::default() };
         let Some(corners) = surface.triangles().get(chart) else { return Corners::default() };
@@ -135,13 +137,14 @@ impl<'a> Domain<'a> {
         Corners { corners: [a, b, c], triple }
     }
 
-    /// Whether a brick counts negative: a triangle that is seen from behind.
+    /// Returns true if a brick counts negative: the reference point lies on the outer side of its
+    /// triangle.
     pub(super) fn is_negative(&self, brick: &Brick) -> bool {
         self.corners(brick.chart).triple < 0.0
     }
 }
 
-/// The corners ξ of a triangle, and a · (b × c).
+/// Corners ξ of a triangle, and a · (b × c).
 #[derive(Default)]
 struct Corners {
     corners: [[f64; 3]; 3],
@@ -149,7 +152,8 @@ struct Corners {
 }
 
 impl Brick {
-    /// Two halves across direction `k` of the cube; `None` if it is too narrow.
+    /// Returns the two halves of the brick across direction `k` of the cube, or `None` if it is too
+    /// narrow.
     pub(super) fn halves(&self, k: usize) -> Option<[Self; 2]> {
         let Self { low, high, .. } = *self;
         if !(high[k] - low[k] > FINEST) {

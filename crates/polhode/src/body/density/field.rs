@@ -1,4 +1,4 @@
-//! Solids whose density is a function of place.
+//! Solids whose density depends on position.
 
 use super::cubature::{Subdivision, Totals};
 use super::domain::{Brick, Domain};
@@ -10,14 +10,16 @@ use crate::body::shape::Shape;
 use crate::math::frame::Part;
 use crate::math::vector::Position;
 
-/// A density ρ(x, y, z), kg/m³, of a place in m along the solid's own axes.
+/// Density ρ(x, y, z), kg/m³, as a function of position, m, along the solid's own axes.
 ///
-/// Every function `Fn([f64; 3]) -> f64` is one. It must not depend on anything else, or the answer means nothing.
+/// Every function `Fn([f64; 3]) -> f64` implements this trait. The density must depend on the
+/// position only; otherwise the result is meaningless.
 pub trait DensityField {
-    /// ρ at a point, kg/m³.
+    /// Returns ρ at a point, kg/m³.
     fn density(&self, point: [f64; 3]) -> f64;
 
-    /// ρ at many points: whoever can do better than one after the other does it here.
+    /// Computes ρ at many points. Override it if evaluating many points together is faster than one
+    /// by one.
     fn densities(&self, points: &[[f64; 3]], densities: &mut [f64]) {
         for (density, &point) in densities.iter_mut().zip(points) {
             *density = self.density(point);
@@ -31,86 +33,92 @@ impl<F: Fn([f64; 3]) -> f64> DensityField for F {
     }
 }
 
-/// What a density is spread over.
+/// Solid over which a density is integrated.
 #[derive(Clone, Copy, Debug)]
 pub enum Solid<'a> {
-    /// A polyhedron.
+    /// Polyhedron.
     ///
-    /// It is divided into signed tetrahedra from its centroid to each triangle, so that ρ must be finite in its convex
-    /// hull, also where the body is not: in its holes. Where it leaves the body by much, digits cancel, and the error
-    /// estimate says so.
+    /// It is divided into signed tetrahedra from its centroid to each triangle. Therefore ρ must be
+    /// finite in the whole convex hull, including holes outside the body. If the tetrahedra extend
+    /// far outside the body, terms cancel and digits are lost; the error estimate includes this.
     Mesh(&'a ClosedMesh),
-    /// A shape with a smooth parametrisation. ρ is never asked for outside.
+    /// Shape with a smooth parametrisation. ρ is never evaluated outside the shape.
     Shape(&'a dyn Parametrised),
 }
 
-/// How far to go.
+/// Tolerance and evaluation limit of the adaptive cubature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cubature {
-    /// The estimated error that is good enough: of the mass relative to it, of the centre of mass relative to the
-    /// body's size √(∫ρ r² dV / M), r from the centre of mass, and of each element of the inertia tensor relative to half its trace.
+    /// Largest accepted error estimate (relative): of the mass relative to the mass, of the centre
+    /// of mass relative to the body's size √(∫ρ r² dV / M), with r from the centre of mass, and of
+    /// each element of the inertia tensor relative to half its trace.
     pub tolerance: f64,
-    /// How many values of ρ may be asked for. A billion of them need up to 0.4 GB of memory.
+    /// Maximum number of density evaluations. A billion of them need up to 0.4 GB of memory.
     ///
-    /// `None`: 3·10⁸, or ten times what the first look at every chart or triangle takes, whichever is more. No mesh has too
-    /// many triangles then, and a tolerance out of reach still ends.
+    /// `None` means 3·10⁸, or ten times the evaluations of the initial pass over all charts or
+    /// triangles, whichever is larger. No mesh then has too many triangles, and the computation
+    /// ends even if the tolerance cannot be reached.
     pub max_evaluations: Option<u64>,
 }
 
 impl Default for Cubature {
-    /// A tolerance of 1e-10, and as many values as `None` allows.
+    /// Returns a tolerance of 1e-10 and the evaluation limit of `None`.
     fn default() -> Self {
         Self { tolerance: 1e-10, max_evaluations: None }
     }
 }
 
 impl Cubature {
-    /// How many values may be asked for, if the first look takes `first`.
+    /// Returns the maximum number of evaluations, if the initial pass takes `first`.
     fn limit(&self, first: u64) -> u64 {
         const ENOUGH: u64 = 300_000_000;
         self.max_evaluations.unwrap_or(ENOUGH.max(first.saturating_mul(10)))
     }
 }
 
-/// Mass properties of a body of varying density, and how far they may be off.
+/// Mass properties of a body of varying density, with error estimates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FieldMassProperties {
-    /// Mass, centre of mass, inertia tensor about it.
+    /// Mass, centre of mass, and inertia tensor about it.
     pub properties: MassProperties<Part>,
-    /// Their errors, estimated.
+    /// Estimated errors of `properties`.
     pub error_estimate: FieldError,
     /// Volume of the solid, m³, in closed form.
     pub volume: f64,
-    /// How often the density was asked for.
+    /// Number of density evaluations.
     pub evaluations: u64,
 }
 
 /// Estimated errors of [`FieldMassProperties`].
 ///
-/// In every piece a rule of lower degree is compared with the one that is used, and the differences are added as if all
-/// had the same sign; so is the rounding of the sums. For a smooth density this is far too much, for one with
-/// steps by some factor. It knows only the samples: what lies between all of them, such as a speck, stays unseen.
+/// In every piece the result is compared with that of an embedded rule of lower degree. The
+/// absolute differences and the rounding bounds of the sums are added. The estimate is far too
+/// large for a smooth density, and too large by a moderate factor for a density with steps. It
+/// knows only the samples: it cannot detect a feature that lies between all of them, such as a
+/// small inclusion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FieldError {
-    /// Of the mass, kg.
+    /// Error of the mass, kg.
     pub mass: f64,
-    /// Of the centre of mass, its distance, m.
+    /// Error of the centre of mass, as a distance, m.
     pub center_of_mass: f64,
-    /// Of the inertia tensor's elements, relative to half its trace.
+    /// Error of the inertia tensor's elements, relative to half its trace.
     pub inertia: f64,
 }
 
-/// Mass properties of a solid with the density ρ(x, y, z), by adaptive cubature.
+/// Computes the mass properties of a solid with density ρ(x, y, z), by adaptive cubature.
 ///
 /// M = ∫ρ dV,  M c = ∫ρ x dV,  I = ∫ρ (r² 1 − r rᵀ) dV,  r = x − c
 ///
-/// A solid is the image of unit cubes: of one for each chart of a shape, of one for each signed tetrahedron of a mesh. The cubes
-/// have product rules of Gauss and Kronrod, and the piece with the largest error is halved until the
-/// estimate of the whole is within the tolerance. A polynomial density of degree 7 or less is integrated exactly over a
-/// mesh. Smooth densities converge fast; steps and kinks slowly, except along the coordinates of the shape.
+/// A solid is the image of unit cubes: one for each chart of a shape, one for each signed
+/// tetrahedron of a mesh. Product Gauss–Kronrod rules integrate over the cubes. The piece with the
+/// largest error is halved until the error estimate of the whole is within the tolerance. A
+/// polynomial density of degree 7 or less is integrated exactly over a mesh. Smooth densities
+/// converge fast. Steps and kinks converge slowly, except along the coordinates of the shape.
 ///
-/// A shape costs 3375 values at least for each chart, a mesh 3375 for each triangle, or 735 where it has more than 1000.
-/// Time goes with that; of memory a piece takes some 0.3 kB, and none if no division would improve it.
+/// A shape costs at least 3375 evaluations for each chart. A mesh costs 3375 for each triangle, or
+/// 735 if it has more than 1000 triangles. The time is proportional to that. A piece takes about
+/// 0.3 kB of memory, or none if division would not improve it.
 ///
 /// ```
 /// use polhode::body::density::{Cubature, Solid, mass_properties_of_field};
@@ -126,8 +134,9 @@ pub struct FieldError {
 /// ```
 ///
 /// # Errors
-/// [`BodyError::Density`] where ρ is negative inside, or not finite anywhere; [`BodyError::Cubature`] if the
-/// tolerance is not reached; [`BodyError::Parameter`] if ρ is zero everywhere, or f64 does not hold the result.
+/// [`BodyError::Density`] if ρ is negative inside or not finite anywhere; [`BodyError::Cubature`]
+/// if the tolerance is not reached; [`BodyError::Parameter`] if ρ is zero everywhere, or if the
+/// result overflows f64.
 pub fn mass_properties_of_field(
     solid: Solid<'_>,
     density: &(impl DensityField + ?Sized),
@@ -156,7 +165,7 @@ pub fn mass_properties_of_field(
     let mut next_sum = 2 * subdivision.bricks();
     loop {
         if worst(&totals) <= tolerance {
-            // The running totals collect rounding; these do not.
+            // The running totals accumulate rounding; the totals summed again here do not.
             totals = subdivision.totals();
             if worst(&totals) <= tolerance {
                 return finish(solid, &domain, &totals, subdivision.evaluations);
@@ -180,7 +189,8 @@ pub fn mass_properties_of_field(
     }
 }
 
-/// The largest of the relative errors; infinite while the sums are no body's.
+/// Returns the largest of the relative errors; infinite while the sums are not those of a physical
+/// body.
 fn worst(totals: &Totals) -> f64 {
     let covariance = totals.covariance();
     let size = (covariance.xx + covariance.yy + covariance.zz).sqrt();
@@ -200,7 +210,7 @@ fn finish(
     let center = Position::from_array(domain.reference()) + Position::from_array(totals.center()) * unit;
     let properties = MassProperties::from_covariance(mass, center, &(totals.covariance() * unit * unit))?;
     let [of_mass, of_center, inertia] = totals.relative_errors();
-    // The centre's place is rounded too, however far from the origin.
+    // The position of the centre is rounded too, in proportion to its distance from the origin.
     let rounding = f64::EPSILON * center.max_abs();
     let error_estimate =
         FieldError { mass: of_mass * mass, center_of_mass: of_center * unit + rounding, inertia };
@@ -208,7 +218,7 @@ fn finish(
     Ok(FieldMassProperties { properties, error_estimate, volume, evaluations })
 }
 
-/// Refuses a density that is not finite, or negative in the solid.
+/// Returns an error for a density that is not finite, or negative in the solid.
 fn require_density(
     solid: Solid<'_>,
     domain: &Domain<'_>,
@@ -220,17 +230,18 @@ fn require_density(
     if let Some((&value, &at)) = samples().find(|(value, _)| !value.is_finite()) {
         return Err(BodyError::Density { at, value });
     }
-    // One test for each brick: a mesh is long.
+    // A single test per brick, because a mesh has many.
     let Some((&value, &at)) = samples().min_by(|a, b| a.0.total_cmp(b.0)) else { return Ok(()) };
     let inside = || match solid {
-        // A point of the body is in a positive brick, if not in that only.
+        // A point of the body is in a positive brick, perhaps also in a negative one.
         Solid::Mesh(mesh) => !domain.is_negative(brick) && winding_number(mesh, at) > 0.5,
         Solid::Shape(_) => true,
     };
     if value < 0.0 && inside() { Err(BodyError::Density { at, value }) } else { Ok(()) }
 }
 
-/// How often the mesh winds around a point: Σ Ω/4π, with the solid angle Ω of the triangle (a, b, c) seen from there
+/// Returns the winding number of the mesh about a point: Σ Ω/4π, with the solid angle Ω of the
+/// triangle (a, b, c) seen from the point:
 ///
 /// tan(Ω/2) = a · (b × c) / (abc + (a · b) c + (a · c) b + (b · c) a)
 ///

@@ -8,11 +8,11 @@ use crate::math::sum::Sum;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::{Direction, Position};
 
-/// A lattice of equal boxes, or parallelepipeds where its axes are not at right angles: where voxels are, not what
-/// they weigh.
+/// Lattice of equal boxes (or parallelepipeds, if its axes are not orthogonal): the positions of
+/// voxels, without their densities.
 ///
-/// Voxel (i, j, k) has its middle at origin + i a + j b + k c with the steps a, b and c, and the number
-/// i + n₁ (j + n₂ k). The order of the axes and their handedness do not matter.
+/// Voxel (i, j, k) has its centre at origin + i a + j b + k c with the steps a, b and c, and the
+/// number i + n₁ (j + n₂ k). The axes may have any order and either handedness.
 ///
 /// ```
 /// use polhode::body::density::VoxelGrid;
@@ -31,32 +31,34 @@ pub struct VoxelGrid {
     counts: [usize; 3],
 }
 
-/// Mass properties of a voxel grid, read in the two usual ways.
+/// Mass properties of a voxel grid, for the two usual interpretations of a voxel's value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VoxelMassProperties {
-    /// Every voxel is a box of uniform density: exact, but for rounding.
+    /// Mass properties if every voxel is a box of uniform density; exact except for rounding.
     pub properties: MassProperties<Part>,
-    /// The density is trilinear between the middles of voxels, and constant across the outer half of the outermost: exact,
-    /// but for rounding. The mass is the same.
+    /// Mass properties if the density is trilinear between voxel centres, and constant across the
+    /// outer half of the outermost voxels; exact except for rounding. The mass is the same.
     pub trilinear: MassProperties<Part>,
-    /// How far the two are apart, and the rounding.
+    /// Difference between the two interpretations, plus rounding.
     ///
-    /// This is what the answer owes to how a voxel's value is spread over it. How well the values stand for the body, at its
-    /// surface above all, only a finer grid can say.
+    /// This is the uncertainty from the unknown distribution of density within a voxel. It does not
+    /// include how well the voxels represent the body, mainly at its surface; only a finer grid can
+    /// show that.
     pub error_estimate: FieldError,
-    /// Voxels whose density is not zero.
+    /// Number of voxels whose density is not zero.
     pub filled: usize,
-    /// Their volume, m³.
+    /// Volume of the voxels whose density is not zero, m³.
     pub volume: f64,
 }
 
 impl VoxelGrid {
-    /// The lattice with the middle of its first voxel at `origin`, the steps from a voxel to the next along each of its
-    /// axes, m, and that many voxels along each.
+    /// Returns the lattice with the centre of its first voxel at `origin`, m, the vectors `steps`
+    /// from a voxel to the next along each axis, m, and the number `counts` of voxels along each
+    /// axis.
     ///
     /// # Errors
-    /// [`BodyError::Empty`] without voxels; [`BodyError::Parameter`] if a number is not finite, if the steps lie in one
-    /// plane, or if the number of voxels is beyond `usize`.
+    /// [`BodyError::Empty`] if there are no voxels; [`BodyError::Parameter`] if a number is not
+    /// finite, if the steps are coplanar, or if the number of voxels exceeds `usize`.
     pub fn new(origin: [f64; 3], steps: [[f64; 3]; 3], counts: [usize; 3]) -> Result<Self, BodyError> {
         finite("the origin of the voxels", origin)?;
         for step in steps {
@@ -83,18 +85,18 @@ impl VoxelGrid {
         Ok(grid)
     }
 
-    /// How many voxels there are along each axis.
+    /// Returns the number of voxels along each axis.
     pub const fn counts(&self) -> [usize; 3] {
         self.counts
     }
 
-    /// |a · (b × c)|, m³.
+    /// Returns the volume of a voxel, |a · (b × c)|, m³.
     pub fn voxel_volume(&self) -> f64 {
         let [a, b, c] = self.steps.map(Direction::<Part>::from_array);
         a.dot(b.cross(c)).abs()
     }
 
-    /// The middle of a voxel, m, by its number.
+    /// Returns the centre of a voxel, m, given its number.
     pub fn center(&self, voxel: usize) -> [f64; 3] {
         let [n1, n2, _] = self.counts;
         self.at([voxel % n1, voxel / n1 % n2, voxel / n1 / n2].map(|i| i as f64))
@@ -105,29 +107,31 @@ impl VoxelGrid {
         core::array::from_fn(|x| self.origin[x] + (i * a[x] + j * b[x] + k * c[x]))
     }
 
-    /// Mass properties of the voxels, of which each has the density `density(number)`, kg/m³.
+    /// Computes the mass properties of the voxels, each with the density `density(number)`, kg/m³.
     ///
-    /// With the index moments about the voxel nearest to the centre of mass, and S their covariance,
-    /// A S Aᵀ is the body's, A = (a b c). The densities are asked for twice, in the order of their numbers, and not stored.
+    /// Moments of the voxel indices are summed about the voxel nearest to the centre of mass. If S
+    /// is their covariance, that of the body is A S Aᵀ with A = (a b c). `density` is called twice
+    /// for each voxel, in ascending order of the numbers; the values are not stored.
     ///
     /// # Errors
-    /// [`BodyError::Density`] for a density that is negative or not finite; [`BodyError::Parameter`] if all are zero,
-    /// or f64 does not hold the result.
+    /// [`BodyError::Density`] if a density is negative or not finite; [`BodyError::Parameter`] if
+    /// all are zero, or if the result overflows f64.
     pub fn mass_properties(&self, density: impl Fn(usize) -> f64) -> Result<VoxelMassProperties, BodyError> {
         self.try_mass_properties(|voxel| Ok(density(voxel)))
     }
 
-    /// The same for densities that are read from somewhere, which may fail.
+    /// Computes the mass properties like [`VoxelGrid::mass_properties`], with densities whose
+    /// evaluation may fail (for example, a file reader).
     ///
     /// # Errors
-    /// The first of `density`, and as [`VoxelGrid::mass_properties`].
+    /// The first error of `density`, and the errors of [`VoxelGrid::mass_properties`].
     pub fn try_mass_properties<E: From<BodyError>>(
         &self,
         mut density: impl FnMut(usize) -> Result<f64, E>,
     ) -> Result<VoxelMassProperties, E> {
         let middle = self.counts.map(|n| (n / 2) as f64);
         let first = self.sum(&mut density, middle)?;
-        // Sums about a place far from the body would cancel.
+        // Sums about a point far from the body would cancel.
         let near: [f64; 3] =
             core::array::from_fn(|k| middle[k] + (first.boxes[k + 1] / first.boxes[0]).round());
         let near = if near.iter().all(|i| i.is_finite()) { near } else { middle };
@@ -146,7 +150,7 @@ impl VoxelGrid {
         Ok(VoxelMassProperties { properties, trilinear, error_estimate, filled: sums.filled, volume })
     }
 
-    /// Index moments about the index `reference`.
+    /// Returns the index moments about the index `reference`.
     fn sum<E: From<BodyError>>(
         &self,
         density: &mut impl FnMut(usize) -> Result<f64, E>,
@@ -160,7 +164,8 @@ impl VoxelGrid {
             for j in 0..n2 {
                 let mut row = [Sum::default(); 3];
                 let (mut first, mut last) = (0.0, 0.0);
-                // A few voxels plainly, which rounds little, and those sums compensated.
+                // Plain sums of a few voxels, which have little rounding, are added to compensated
+                // sums.
                 let mut few = [0.0; 3];
                 for i in 0..n1 {
                     if i % FEW == 0 {
@@ -185,7 +190,7 @@ impl VoxelGrid {
                 let row = row.map(Sum::value);
                 let place = [j as f64 - reference[1], k as f64 - reference[2]];
                 add_row(&mut boxes, [row[0], row[1], row[2] + row[0] / 12.0], place.map(Spreading::of_box));
-                // As in the middle, and then what differs at the two ends.
+                // Moments as if all voxels were inner ones, then the corrections at the two ends.
                 let inner = Spreading::of_hat(0.0, 1, 3);
                 let mut hats = [row[0], row[1], row[2] + row[0] * inner.second];
                 for (i, rho) in [(0, first), (n1 - 1, last)].into_iter().take(n1) {
@@ -201,7 +206,7 @@ impl VoxelGrid {
         Ok(IndexSums { boxes: boxes.map(Sum::value), trilinear: trilinear.map(Sum::value), filled })
     }
 
-    /// The body with the given index moments.
+    /// Returns the mass properties for the given index moments.
     fn body(&self, moments: &[f64; 10], reference: [f64; 3]) -> Result<MassProperties<Part>, BodyError> {
         let [mass, x, y, z, xx, yy, zz, xy, xz, yz] = *moments;
         crate::body::error::positive("the mass", mass)?;
@@ -214,10 +219,10 @@ impl VoxelGrid {
     }
 }
 
-/// Voxels whose densities are added without compensation.
+/// Number of voxels whose densities are added without compensation.
 const FEW: usize = 16;
 
-/// Of sums that are compensated, but for the products and for a few terms at a time.
+/// Relative rounding bound of the sums: compensated, except for the products and a few plain terms.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// Σρ (1, i, j, k, ii, jj, kk, ij, ik, jk)
@@ -227,8 +232,8 @@ struct IndexSums {
     filled: usize,
 }
 
-/// How the value of a voxel is spread along one axis: mean and mean square of the index, counted from the
-/// reference.
+/// Distribution of a voxel's value along one axis: mean and mean square of the index, relative to
+/// the reference.
 #[derive(Clone, Copy)]
 struct Spreading {
     mean: f64,
@@ -236,14 +241,16 @@ struct Spreading {
 }
 
 impl Spreading {
-    /// Uniform over [x − ½, x + ½].
+    /// Returns the uniform distribution over [x − ½, x + ½].
     fn of_box(x: f64) -> Self {
         Self { mean: x, second: x * x + 1.0 / 12.0 }
     }
 
-    /// A hat from x − 1 to x + 1, for voxel `i` of `n`; at an end half a box and half a hat.
+    /// Returns a hat function from x − 1 to x + 1 for voxel `i` of `n`; at an end of the row, half
+    /// a box and half a hat.
     ///
-    /// ∫(1 − |t|) t² dt = 1/6; at the first −1/8 + 1/6 = 1/24 is the mean, and 1/24 + 1/12 = 1/8 the mean square.
+    /// ∫(1 − |t|) t² dt = 1/6. At the first voxel the mean is −1/8 + 1/6 = 1/24 and the mean square
+    /// is 1/24 + 1/12 = 1/8.
     fn of_hat(x: f64, i: usize, n: usize) -> Self {
         let (shift, square) = match i {
             _ if n == 1 => (0.0, 1.0 / 12.0),
@@ -255,7 +262,7 @@ impl Spreading {
     }
 }
 
-/// A row with the moments Σρ (1, i, ii), at a place across it.
+/// Adds a row of voxels with the moments Σρ (1, i, ii), at the given distributions across the row.
 fn add_row(sums: &mut [Sum; 10], [mass, x, xx]: [f64; 3], [y, z]: [Spreading; 2]) {
     if mass == 0.0 {
         return;

@@ -12,10 +12,11 @@ use crate::body::shape::torus::Torus;
 use crate::body::shape::triangular_prism::TriangularPrism;
 use crate::math::number::PI;
 
-/// A solid that is the image of the unit cube under one or several smooth maps, its *charts*, which overlap nowhere.
+/// Solid that is the image of the unit cube under one or several smooth maps, its *charts*, whose
+/// images do not overlap.
 ///
-/// A function over the solid becomes an analytic function over the cube, which product rules integrate with fast
-/// convergence, and is never asked for outside of the solid.
+/// A function over the solid becomes an analytic function over the cube, for which product rules
+/// converge fast. The function is never evaluated outside the solid.
 ///
 /// ```
 /// use polhode::body::density::Parametrised;
@@ -26,13 +27,13 @@ use crate::math::number::PI;
 /// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 pub trait Parametrised: Shape {
-    /// How many charts there are.
+    /// Returns the number of charts.
     fn charts(&self) -> usize {
         1
     }
 
-    /// The point (m, in the shape's own axes) that chart `chart`, from 0, has for (u, v, w) in the unit cube, and the
-    /// determinant of its derivative, |∂(x, y, z)/∂(u, v, w)|, m³.
+    /// Returns the image of (u, v, w) in the unit cube under chart `chart` (from 0): the point, m,
+    /// in the shape's own axes, and the Jacobian determinant |∂(x, y, z)/∂(u, v, w)|, m³.
     fn point(&self, chart: usize, uvw: [f64; 3]) -> ([f64; 3], f64);
 }
 
@@ -44,7 +45,7 @@ impl Parametrised for BoxShape {
 }
 
 impl Parametrised for Sphere {
-    /// The ball from the part k + (1 − k) u of its radius, k = r/R.
+    /// Returns the point at the relative radius r/R = k + (1 − k) u, where k = inner radius / R.
     fn point(&self, _chart: usize, [u, v, w]: [f64; 3]) -> ([f64; 3], f64) {
         let Self { radius, inner_radius: inner } = *self;
         let wall = (radius - inner) / radius;
@@ -69,7 +70,7 @@ impl Parametrised for Cylinder {
     }
 }
 
-/// The cylinder, then the upper cap, then the lower.
+/// Charts: 0 is the cylinder, 1 the upper cap, 2 the lower cap.
 impl Parametrised for Capsule {
     fn charts(&self) -> usize {
         3
@@ -128,8 +129,8 @@ impl Parametrised for TriangularPrism {
     }
 }
 
-/// The ellipsoid from the pole to `widest`: x = (a r sin θ cos φ, b r sin θ sin φ, c r cos θ) with r = u,
-/// θ = `widest` v, φ = 2π w.
+/// Returns the image of (r, v, w) in the part of an ellipsoid from the pole to the polar angle
+/// `widest`: x = (a r sin θ cos φ, b r sin θ sin φ, c r cos θ) with θ = `widest` v, φ = 2π w.
 fn ball([a, b, c]: [f64; 3], [r, v, w]: [f64; 3], widest: f64) -> ([f64; 3], f64) {
     let (sin_theta, cos_theta) = libm::sincos(widest * v);
     let (sin_phi, cos_phi) = libm::sincos(2.0 * PI * w);

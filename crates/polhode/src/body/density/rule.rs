@@ -1,9 +1,12 @@
-//! Product rules on the unit cube, each with what tells its error from the same samples.
+//! Product rules on the unit cube, each with an embedded rule that estimates its error from the
+//! same samples.
 
-/// A rule on [0, 1] with an embedded one of lower degree: every second node is Gauss's, and with the others Kronrod's.
+/// Rule on [0, 1] with an embedded rule of lower degree: every second node belongs to the Gauss
+/// rule, all nodes to the Kronrod rule.
 ///
-/// The difference of the two, the *null rule*, integrates to 0 whatever Gauss's rule integrates exactly, and gives the
-/// error of Gauss's rule otherwise: far more than the error of Kronrod's.
+/// The difference of the two, the *null rule*, vanishes for every function that the Gauss rule
+/// integrates exactly. Otherwise it gives the error of the Gauss rule, which is much larger than
+/// that of the Kronrod rule.
 #[derive(Debug)]
 pub(super) struct Line {
     pub(super) nodes: Vec<LineNode>,
@@ -13,35 +16,35 @@ pub(super) struct Line {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LineNode {
     pub(super) at: f64,
-    /// Of Kronrod's rule.
+    /// Weight in the Kronrod rule.
     pub(super) weight: f64,
-    /// Kronrod's weight minus Gauss's.
+    /// Weight in the null rule: the Kronrod weight minus the Gauss weight.
     pub(super) null: f64,
 }
 
-/// A rule on the cube: one on each of its edges. Its error is the sum of theirs.
+/// Product rule on the cube: one rule along each edge. Its error is the sum of their errors.
 #[derive(Debug)]
 pub(super) struct CubatureRule(pub(super) [Line; 3]);
 
 impl CubatureRule {
-    /// 15 nodes each way.
+    /// Returns the rule with 15 nodes along each edge.
     pub(super) fn fine() -> Self {
         Self([Line::kronrod_15(), Line::kronrod_15(), Line::kronrod_15()])
     }
 
-    /// 15 nodes outward and 7 across, for thin cones.
+    /// Returns the rule for thin cones: 15 nodes outward and 7 along the other two edges.
     pub(super) fn slender() -> Self {
         Self([Line::kronrod_15(), Line::kronrod_7(), Line::kronrod_7()])
     }
 
-    /// How many samples it takes.
+    /// Returns the number of samples.
     pub(super) fn samples(&self) -> usize {
         self.0.iter().map(|line| line.nodes.len()).product()
     }
 }
 
 impl Line {
-    /// Degree 23; the embedded rule has degree 13.
+    /// Returns the rule of degree 23, whose embedded rule has degree 13.
     ///
     /// Source: Piessens, de Doncker, Überhuber & Kahaner, QUADPACK (1983), `qk15`.
     fn kronrod_15() -> Self {
@@ -74,10 +77,10 @@ impl Line {
         Self::symmetric(&NODES, &KRONROD, &GAUSS)
     }
 
-    /// Degree 11; the embedded rule has degree 5.
+    /// Returns the rule of degree 11, whose embedded rule has degree 5.
     ///
-    /// Computed to 40 digits: the nodes that are not Gauss's are the zeros of Stieltjes' polynomial x⁴ − 10/9 x² + 155/891,
-    /// and the weights integrate x², x⁴ and x⁶.
+    /// Computed to 40 digits. The nodes that are not Gauss nodes are the zeros of the Stieltjes
+    /// polynomial x⁴ − 10/9 x² + 155/891. The weights integrate x², x⁴ and x⁶ exactly.
     fn kronrod_7() -> Self {
         const NODES: [f64; 4] =
             [0.960_491_268_708_020_3, 0.774_596_669_241_483_4, 0.434_243_749_346_802_54, 0.0];
@@ -91,7 +94,8 @@ impl Line {
         Self::symmetric(&NODES, &KRONROD, &GAUSS)
     }
 
-    /// Nodes and weights on [−1, 1], from the end to the middle; Gauss has the second node, the fourth, and so on.
+    /// Maps nodes and weights from [−1, 1], listed from the end to the middle, to [0, 1]. The
+    /// second, fourth, … nodes are Gauss nodes.
     fn symmetric(nodes: &[f64], kronrod: &[f64], gauss: &[f64]) -> Self {
         let last = 2 * nodes.len() - 2;
         let node = |i: usize| {
@@ -111,7 +115,8 @@ mod tests {
     #[test]
     fn a_line_integrates_every_power_of_its_degree_and_its_null_rule_none_of_gauss() {
         for (line, degree, of_gauss) in [(Line::kronrod_15(), 23, 13), (Line::kronrod_7(), 11, 5)] {
-            // On [−1, 1], where odd powers vanish; about the middle, so that high powers are not lost.
+            // Integrates on [−1, 1], where odd powers vanish; about the middle, so that high powers
+            // are not lost to rounding.
             let sum = |n: i32, weight: fn(&LineNode) -> f64| {
                 line.nodes.iter().map(|node| weight(node) * (2.0 * node.at - 1.0).powi(n)).sum::<f64>()
             };

@@ -1,35 +1,37 @@
-//! Pairs of points that are near each other.
+//! Pairs of points that are close together.
 
 use super::threads::Threads;
 
-/// Pairs of points at most some distance apart.
+/// Pairs of points at most a given distance apart.
 #[derive(Debug)]
 pub(super) struct ClosePairs {
-    /// Their numbers, the smaller first, in an order that is the same for any number of threads. A pair may be there more than once.
+    /// Indices of the two points, the smaller first. The order of the pairs is the same for any
+    /// number of threads. A pair may occur more than once.
     pub(super) pairs: Vec<[u32; 2]>,
-    /// False if there were more than are worth having.
+    /// False if the number of pairs exceeded the limit.
     pub(super) complete: bool,
 }
 
-/// Points of a box that is gone through pair by pair.
+/// Maximum number of points of a box that are compared pair by pair.
 const FEW: usize = 32;
 
-/// Slabs of boxes that are given to threads.
+/// Number of slabs of boxes that are distributed to threads.
 const SLABS: usize = 64;
 
-/// Pairs that are worth having: to a point, and more to all. A mesh whose every triangle was torn off has 5 for each 2 points, and 2 million where
-/// 2,000 triangles meet.
+/// Limit of the number of pairs: `EACH` per point plus `SOME`. A mesh whose triangles are all
+/// separate has 5 pairs for every 2 points, and 2 million pairs where 2,000 triangles meet.
 const EACH: usize = 16;
 const SOME: usize = 2_000_000;
 
-/// Pairs of points among which there are too many that are kept as examples.
+/// Number of pairs kept as examples if the limit is exceeded.
 const EXAMPLES: usize = 10_000;
 
 impl ClosePairs {
-    /// The pairs of different points; the same for any number of threads.
+    /// Returns the pairs of different points; the same for any number of threads.
     ///
-    /// The points go to the boxes of a grid, each to all that are within half the reach of it: then both points of a close pair are in the box that
-    /// their middle is in. Boxes are so large that points of a surface leave few in each, and hardly any point is in two.
+    /// Each point is assigned to every box of a grid within half the reach of it. Then both points
+    /// of a close pair are in the box that contains their midpoint. The boxes are sized so that
+    /// points of a surface leave few in each, and few points are in two boxes.
     pub(super) fn of(points: &[[f64; 3]], reach: f64, threads: Threads) -> Self {
         let search = Search { points, reach };
         let grid = Grid::of(points, reach);
@@ -58,7 +60,7 @@ impl ClosePairs {
     }
 }
 
-/// Pairs of so many points that are worth having.
+/// Returns the limit of the number of pairs for this number of points.
 const fn most(points: usize) -> usize {
     EACH * points + SOME
 }
@@ -69,14 +71,14 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The longest side of the points' box: along which axis, from where, how long.
+    /// Returns the longest side of the points' bounding box: axis, lower end and length.
     fn longest(&self, task: &[u32]) -> (usize, f64, f64) {
         let (low, sides) = bounds(task.iter().map(|&i| self.points[i as usize]));
         let sides = (0..3).map(|k| (k, low[k], sides[k]));
         sides.max_by(|a, b| a.2.total_cmp(&b.2)).unwrap_or((0, 0.0, 0.0))
     }
 
-    /// Two halves, unless the points are few, or so near each other that it does not help.
+    /// Splits the points into two halves; `None` if they are few or too close together.
     fn halves(&self, task: &[u32]) -> Option<[Vec<u32>; 2]> {
         let (axis, from, length) = self.longest(task);
         if task.len() <= FEW || length <= 4.0 * self.reach {
@@ -89,7 +91,7 @@ impl Search<'_> {
         (lower.len() < task.len() && upper.len() < task.len()).then_some([lower, upper])
     }
 
-    /// Adds the pairs of some points; false if there are more than `most`.
+    /// Adds the close pairs of some points. Returns false if there are more than `most`.
     fn gather(&self, task: &[u32], most: usize, pairs: &mut Vec<[u32; 2]>) -> bool {
         if let Some([lower, upper]) = self.halves(task) {
             return self.gather(&lower, most, pairs) && self.gather(&upper, most, pairs);
@@ -114,18 +116,19 @@ pub(super) fn distance(p: [f64; 3], q: [f64; 3]) -> f64 {
     (x * x + y * y + z * z).sqrt()
 }
 
-/// Boxes of equal sides about all points.
+/// Grid of cubic boxes that contains all points.
 struct Grid {
     low: [f64; 3],
     side: f64,
-    /// Half the reach, and a little more.
+    /// Half the reach, increased by 1e-9 (relative).
     half: f64,
 }
 
-/// A box by its three numbers, and a point that belongs to it.
+/// Box, as its three indices packed into one number, and a point that belongs to it.
 type Entry = (u64, u32);
 
-/// Bits of the number of a box along an axis: there are fewer than the square root of the number of points.
+/// Bits of a box index along an axis. There are fewer boxes along an axis than the square root of
+/// the number of points.
 const BITS: u32 = 21;
 
 impl Grid {
@@ -136,13 +139,14 @@ impl Grid {
         Self { low, side, half: 0.5 * reach * (1.0 + 1e-9) }
     }
 
-    /// The first and the last box along an axis that are within half the reach of a point.
+    /// Returns the first and the last box along an axis within half the reach of a point.
     fn range(&self, p: [f64; 3], axis: usize) -> [u64; 2] {
         let number = |x: f64| (((x - self.low[axis]) / self.side) as u64).min((1 << BITS) - 1);
         [number(p[axis] - self.half), number(p[axis] + self.half)]
     }
 
-    /// All points in their boxes, in slabs of some equal numbers across the first axis.
+    /// Assigns all points to boxes, and the boxes to slabs across the first axis with about equally
+    /// many entries.
     fn slabs(&self, points: &[[f64; 3]]) -> Vec<Vec<Entry>> {
         let mut counts: Vec<usize> = Vec::new();
         for &p in points {
@@ -172,7 +176,7 @@ impl Grid {
     }
 }
 
-/// The least coordinates of points, and the sides of their box.
+/// Returns the lowest coordinates of the points, and the sides of their bounding box.
 fn bounds(points: impl Iterator<Item = [f64; 3]>) -> ([f64; 3], [f64; 3]) {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for p in points {
@@ -194,7 +198,8 @@ mod tests {
             (seed >> 11) as f64 / (1_u64 << 53) as f64
         };
         let spread: Vec<[f64; 3]> = (0..900).map(|_| [random(), 0.3 * random(), random().powi(3)]).collect();
-        // in the corners of boxes, on a line, all in one box, and one place a million times as far away
+        // Points on box corners, on a line, all in one box, and one pair a million times as far
+        // away.
         let grid: Vec<_> = (0..900).map(|k| [f64::from(k % 30), f64::from(k / 30), 0.0]).collect();
         let line: Vec<_> = (0..900).map(|_| [-3.0, random(), 7.0]).collect();
         let far = spread.iter().copied().chain([[3e6; 3], [3e6 + 0.01, 3e6, 3e6]]).collect();

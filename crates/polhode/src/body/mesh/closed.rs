@@ -17,26 +17,29 @@ use crate::body::finding::{Finding, Severity};
 use crate::body::form::Form;
 use crate::body::shape::{Shape, Spread};
 
-/// A solid bounded by triangles: closed, consistently wound, its normals outward.
+/// Solid bounded by triangles: closed, consistently oriented, with outward normals.
 ///
-/// Made by [`ClosedMesh::of`], which refuses anything else. Corners are the same vertex when their coordinates are equal, exactly.
+/// [`ClosedMesh::of`] constructs it and returns an error for any other mesh. Corners are the same
+/// vertex if their coordinates are exactly equal.
 ///
-/// What is corrected, and said so in [`ClosedMesh::findings`]:
+/// Corrections, reported by [`ClosedMesh::findings`]:
 ///
 /// | code | |
 /// |---|---|
-/// | `mesh.inverted` | all normals pointed inward: all triangles are turned |
-/// | `mesh.flipped` | fewer than half of a component's triangles were wound against the others, and turning them makes it consistent |
-/// | `mesh.degenerate` | triangles with two equal corners bound nothing, and are left out |
+/// | `mesh.inverted` | all normals pointed inward: all triangles are reversed |
+/// | `mesh.flipped` | a clear minority of a component's triangles is reversed |
+/// | `mesh.degenerate` | triangles with two equal corners are omitted |
 ///
-/// What is only mentioned: `mesh.cavity`, a shell wound inward within a solid, is subtracted; `mesh.components`, several parts;
-/// `mesh.touching`, parts or folds that lie on each other back to back; `mesh.overlap`, one part that goes through itself: what it
-/// encloses twice counts twice, a warning.
+/// Remarks without correction: `mesh.cavity`, an inward-oriented shell inside a solid, which is
+/// subtracted; `mesh.components`, several parts; `mesh.touching`, parts or folds that touch back to
+/// back; `mesh.overlap`, one part that intersects itself (a warning: volume enclosed twice counts
+/// twice).
 ///
-/// What is refused: a shell wound *outward* within a solid ([`BodyError::NestedSolid`]), as it may be a cavity that was wound wrong or a solid
-/// that counts twice; parts that go through each other ([`BodyError::OverlappingMesh`]); parts wound inward beside others wound outward
-/// ([`BodyError::InvertedPart`]); what is open, one-sided, there twice, or flat; and what has so many triangles so near each other that all
-/// this cannot be found out ([`BodyError::OverlapsUndecided`]).
+/// Errors: an *outward*-oriented shell inside a solid ([`BodyError::NestedSolid`]), which may be a
+/// cavity with wrong orientation or a solid that counts twice; parts that intersect each other
+/// ([`BodyError::OverlappingMesh`]); inward-oriented parts next to outward-oriented ones
+/// ([`BodyError::InvertedPart`]); open, one-sided or flat meshes and duplicate triangles; and
+/// meshes with too many triangles close together to decide this ([`BodyError::OverlapsUndecided`]).
 ///
 /// ```
 /// use polhode::body::mesh::ClosedMesh;
@@ -58,41 +61,46 @@ pub struct ClosedMesh {
 }
 
 impl ClosedMesh {
-    /// The solid that the mesh bounds; on all threads of the machine, with the same result on any number of them.
+    /// Returns the solid that the mesh bounds. It uses all threads of the machine; the result does
+    /// not depend on their number.
     ///
     /// # Errors
     /// [`BodyError::Empty`], [`BodyError::OpenMesh`], [`BodyError::Unorientable`], [`BodyError::InconsistentWinding`],
     /// [`BodyError::DuplicateTriangle`], [`BodyError::NestedSolid`], [`BodyError::InvertedPart`], [`BodyError::OverlappingMesh`],
-    /// [`BodyError::OverlapsUndecided`] or [`BodyError::FlatMesh`]; [`BodyError::Parameter`] if f64 does not hold its volume.
+    /// [`BodyError::OverlapsUndecided`] or [`BodyError::FlatMesh`]; [`BodyError::Parameter`] if the
+    /// volume overflows f64.
     pub fn of(mesh: &TriangleMesh) -> Result<Self, BodyError> {
         Self::watched(mesh, &|| true)
     }
 
-    /// The same as long as it `goes_on`, which is asked often: what would take longer is undecided.
+    /// Works like [`ClosedMesh::of`] while `goes_on` returns true. It is called often; when it
+    /// returns false, the checks that remain are undecided.
     ///
     /// # Errors
-    /// As [`ClosedMesh::of`].
+    /// The errors of [`ClosedMesh::of`].
     pub fn watched(mesh: &TriangleMesh, goes_on: &(dyn Fn() -> bool + Sync)) -> Result<Self, BodyError> {
         Self::on(mesh, Sought::All, Threads::of_machine(), 0, goes_on)
             .map(|(solid, _)| solid)
             .map_err(|flaws| flaws.first)
     }
 
-    /// The same on at most so many threads.
+    /// Works like [`ClosedMesh::of`] on at most `threads` threads.
     ///
     /// # Errors
-    /// As [`ClosedMesh::of`].
+    /// The errors of [`ClosedMesh::of`].
     pub fn with_threads(mesh: &TriangleMesh, threads: usize) -> Result<Self, BodyError> {
         Self::on(mesh, Sought::All, Threads::of(threads), 0, &|| true)
             .map(|(solid, _)| solid)
             .map_err(|flaws| flaws.first)
     }
 
-    /// The same solid, or the same error, without looking for what is only mentioned: of a mesh of one part it is not known whether it goes
-    /// through itself or touches itself. As long as it `goes_on`.
+    /// Returns the same solid or error as [`ClosedMesh::of`], without the search for remarks: for a
+    /// mesh of one part, self-intersections and contacts are not searched. It continues while
+    /// `goes_on` returns true.
     ///
     /// # Errors
-    /// As [`ClosedMesh::of`]; for overlaps that only take too long to look for there is none.
+    /// The errors of [`ClosedMesh::of`], except for overlaps that only the search for remarks would
+    /// leave undecided.
     pub fn without_remarks(
         mesh: &TriangleMesh,
         threads: usize,
@@ -103,19 +111,20 @@ impl ClosedMesh {
             .map_err(|flaws| flaws.first)
     }
 
-    /// The solid that the triangles bound: [`ClosedMesh::of`] a mesh without indices, as STL has it.
+    /// Returns the solid that triangles without indices bound, as in STL, like [`ClosedMesh::of`].
     ///
     /// # Errors
-    /// [`BodyError::Vertex`] for a vertex that is not finite, and as [`ClosedMesh::of`].
+    /// [`BodyError::Vertex`] for a vertex that is not finite, and the errors of [`ClosedMesh::of`].
     pub fn from_triangles(triangles: Vec<Triangle>) -> Result<Self, BodyError> {
         Self::of(&TriangleMesh::of_soup(triangles)?)
     }
 
-    /// As [`ClosedMesh::watched`], and where what is remarkable is; of a mesh that bounds no solid all that is wrong with it, and where. So
-    /// many places of each kind at most.
+    /// Works like [`ClosedMesh::watched`] and also returns the places of corrections and remarks.
+    /// If the mesh bounds no solid, it returns all errors and their places. At most `most` places
+    /// of each kind are returned.
     ///
     /// # Errors
-    /// [`MeshFlaws`], of which the first is what [`ClosedMesh::of`] says.
+    /// [`MeshFlaws`], whose first error is that of [`ClosedMesh::of`].
     pub fn or_flaws(
         mesh: &TriangleMesh,
         most: usize,
@@ -160,11 +169,13 @@ impl ClosedMesh {
         }
     }
 
-    /// The same in another unit of length: every coordinate is times a positive number. It is not diagnosed again: each coordinate is
-    /// rounded by at most one unit in its last place.
+    /// Returns the mesh in another unit of length: every coordinate is multiplied by a positive
+    /// `factor`. The diagnosis is not repeated, because rounding changes each coordinate by at most
+    /// one unit in its last place.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] for a number that is not positive and finite, and if f64 does not hold the volume then.
+    /// [`BodyError::Parameter`] for a factor that is not positive and finite, or if the scaled
+    /// volume overflows f64.
     pub fn scaled(self, factor: f64) -> Result<Self, BodyError> {
         let factor = positive("the factor of a mesh", factor)?;
         if factor == 1.0 {
@@ -177,52 +188,53 @@ impl ClosedMesh {
         Ok(Self { surface, diagnosis, findings, integrals, ..self })
     }
 
-    /// The surface, each vertex once, normals outward, without triangles that have two equal corners.
+    /// Returns the surface: each vertex once, normals outward, without degenerate triangles.
     pub const fn surface(&self) -> &TriangleMesh {
         &self.surface
     }
 
-    /// The triangles, normals outward, without those that have two equal corners.
+    /// Returns the triangles, with outward normals, without degenerate ones (two equal corners).
     pub fn triangles(&self) -> impl Iterator<Item = Triangle> + '_ {
         self.surface.corners()
     }
 
-    /// Different corners.
+    /// Returns the number of distinct vertices.
     pub const fn vertices(&self) -> usize {
         self.diagnosis.vertices
     }
 
-    /// Triangles that had two equal corners and were left out.
+    /// Returns the number of degenerate triangles (two equal corners), which were omitted.
     pub const fn degenerate(&self) -> usize {
         self.diagnosis.degenerate.count
     }
 
-    /// True if the normals pointed inward and were turned.
+    /// Returns true if all normals pointed inward and were reversed.
     pub const fn inverted(&self) -> bool {
         self.inverted
     }
 
-    /// What the mesh was like when it was given.
+    /// Returns the diagnosis of the mesh before corrections.
     pub const fn diagnosis(&self) -> &MeshDiagnosis {
         &self.diagnosis
     }
 
-    /// What was corrected, and what is worth a remark.
+    /// Returns the corrections and remarks.
     pub fn findings(&self) -> &[Finding] {
         &self.findings
     }
 
-    /// Enclosed volume, m³.
+    /// Returns the enclosed volume, m³.
     pub const fn volume(&self) -> f64 {
         self.integrals.spread.extent.measure()
     }
 
-    /// The centroid with more digits than its coordinates have: what these lack, m.
+    /// Low word of the centroid (double-double), m.
     pub(super) const fn centroid_rest(&self) -> [f64; 3] {
         self.integrals.centroid_rest
     }
 
-    /// Which vertex of [`ClosedMesh::surface`] each point is, exactly; `None` for one that is no corner of it.
+    /// Returns the index of the vertex of [`ClosedMesh::surface`] with exactly the coordinates of
+    /// each point, or `None` if there is no such vertex.
     pub fn vertex_numbers(&self, points: &[[f64; 3]]) -> Vec<Option<u32>> {
         let bits = |point: &[f64; 3]| point.map(|c| (c + 0.0).to_bits()); // −0 is 0
         let numbers: HashMap<_, _> = self.surface.vertices.iter().map(bits).zip(0..).collect();
@@ -235,7 +247,7 @@ impl Shape for ClosedMesh {
         self.integrals.spread
     }
 
-    /// Area of all triangles, m².
+    /// Returns the area of all triangles, m².
     fn surface_area(&self) -> f64 {
         self.integrals.area
     }
@@ -245,13 +257,13 @@ impl Shape for ClosedMesh {
     }
 }
 
-/// Volume, moments and area of what is closed, normals outward.
+/// Computes volume, moments and area of a closed mesh with outward normals.
 fn measured(surface: &TriangleMesh, threads: Threads) -> Result<Integrals, BodyError> {
     let polyhedron = Polyhedron { points: &surface.vertices, corners: &surface.triangles, threads };
     let integrals = polyhedron.integrate()?;
     let volume = integrals.spread.extent.measure();
     if volume < 0.0 {
-        // Parts of nearly no volume may hide the sign.
+        // The sign of a part with nearly zero volume may be wrong.
         return Err(BodyError::FlatMesh { volume });
     }
     integrals.spread.representable()?;
@@ -259,8 +271,8 @@ fn measured(surface: &TriangleMesh, threads: Threads) -> Result<Integrals, BodyE
 }
 
 impl MeshDiagnosis {
-    /// Why the mesh bounds no solid, all that is wrong with it; the first is what [`ClosedMesh::of`] says. What is closed and encloses
-    /// nothing only that one finds.
+    /// Returns all reasons why the mesh bounds no solid. The first is the error of
+    /// [`ClosedMesh::of`]. Only [`ClosedMesh::of`] detects a closed mesh that encloses no volume.
     pub fn errors(&self) -> Vec<BodyError> {
         let mut errors = Vec::new();
         if let Some(pair) = self.duplicates.first {
@@ -290,7 +302,7 @@ impl MeshDiagnosis {
                 point: pair.point,
             });
         }
-        // Turned as a whole, what lies in a solid and is wound outward is a cavity.
+        // After reversing the whole mesh, an outward-oriented part inside a solid is a cavity.
         if is_inverted(self) {
             return errors;
         }
@@ -307,14 +319,16 @@ impl MeshDiagnosis {
         errors
     }
 
-    /// What is to be corrected of a mesh that bounds a solid, and what is worth a remark: [`ClosedMesh::findings`].
+    /// Returns the corrections and remarks for a mesh that bounds a solid, as in
+    /// [`ClosedMesh::findings`].
     pub fn findings(&self) -> Vec<Finding> {
         findings(self, is_inverted(self))
     }
 
     fn winding_error(&self) -> Option<BodyError> {
         let has = |role: ComponentRole| self.components.iter().any(|component| component.role == role);
-        // With no boundary, open is what has an edge with an odd number of triangles.
+        // Without a boundary, a component is open if it has an edge with an odd number of
+        // triangles.
         let is_unsound = [ComponentRole::Unorientable, ComponentRole::Inconsistent, ComponentRole::Open];
         let edge = self.inconsistent.first.or(self.unbalanced.first)?;
         if !is_unsound.into_iter().any(has) {
@@ -329,20 +343,20 @@ impl MeshDiagnosis {
         })
     }
 
-    /// How many components have a role, and the first of them.
+    /// Returns the number of components with a role, and the first of them.
     fn parts(&self, role: ComponentRole) -> Option<(usize, &MeshComponent)> {
         let mut parts = self.components.iter().filter(|component| component.role == role);
         parts.next().map(|first| (1 + parts.count(), first))
     }
 }
 
-/// Is all of the mesh wound inward?
+/// Returns true if the whole mesh is oriented inward.
 fn is_inverted(diagnosis: &MeshDiagnosis) -> bool {
     let has = |role| diagnosis.parts(role).is_some();
     has(ComponentRole::Inverted) && !has(ComponentRole::Solid) && !has(ComponentRole::Cavity)
 }
 
-/// What was corrected, and what is worth a remark.
+/// Returns the corrections and remarks.
 fn findings(diagnosis: &MeshDiagnosis, inverted: bool) -> Vec<Finding> {
     let mut findings = Vec::new();
     let mut say = |code, severity, message: String, triangle: Option<usize>| {
@@ -378,7 +392,7 @@ fn findings(diagnosis: &MeshDiagnosis, inverted: bool) -> Vec<Finding> {
         );
         say("mesh.overlap", Severity::Warning, message, Some(pair.triangles[0]));
     }
-    // In an inverted mesh the cavities are what is wound outward.
+    // In an inverted mesh the cavities are the outward-oriented parts.
     let role = if inverted { ComponentRole::InnerSolid } else { ComponentRole::Cavity };
     let cavities: Vec<&MeshComponent> = diagnosis.components.iter().filter(|c| c.role == role).collect();
     if let Some(first) = cavities.first() {

@@ -1,16 +1,16 @@
-//! Points that hang together by close pairs.
+//! Clusters of points connected by close pairs.
 
 use super::close_pairs::distance;
 use super::patches::{join, root};
 
-/// Points that hang together, at least two; by number, ascending.
+/// Connected points, at least two, in ascending order of their indices.
 pub(super) type Cluster = Vec<u32>;
 
-/// The clusters of so many points that pairs make, by their least numbers.
+/// Returns the clusters that the pairs form among `points` points, ordered by their lowest index.
 pub(super) fn clusters(points: usize, pairs: impl IntoIterator<Item = [u32; 2]>) -> Vec<Cluster> {
     let mut parent: Vec<u32> = (0..points as u32).collect();
     pairs.into_iter().for_each(|[i, j]| join(&mut parent, i, j));
-    // A root is the least of its cluster.
+    // The root of a cluster is its lowest index.
     let roots: Vec<u32> = (0..points as u32).map(|i| root(&mut parent, i)).collect();
     let mut sizes = vec![0_u32; points];
     roots.iter().for_each(|&root| sizes[root as usize] += 1);
@@ -30,10 +30,11 @@ pub(super) fn clusters(points: usize, pairs: impl IntoIterator<Item = [u32; 2]>)
     found
 }
 
-/// Points up to which their largest distance is looked for among all pairs.
+/// Maximum number of points whose largest distance is found by comparing all pairs.
 const MANY: usize = 4_096;
 
-/// How far a cluster is across, and two of its points that are so far apart. Of very many the diagonal of their box stands for it.
+/// Returns the diameter of a cluster, and two of its points about that far apart. For more than
+/// `MANY` points, the diagonal of the bounding box is returned instead of the diameter.
 pub(super) fn across(points: &[[f64; 3]], cluster: &[u32]) -> (f64, [u32; 2]) {
     let at = |i: u32| points[i as usize];
     let farthest = |from: u32, all: &[u32]| {
@@ -52,7 +53,7 @@ pub(super) fn across(points: &[[f64; 3]], cluster: &[u32]) -> (f64, [u32; 2]) {
     each.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, [first; 2]))
 }
 
-/// The mean of a cluster's points, in whatever order they are numbered.
+/// Returns the mean of a cluster's points, independent of their numbering.
 pub(super) fn mean(points: &[[f64; 3]], cluster: &[u32]) -> [f64; 3] {
     let mut all: Vec<[f64; 3]> = cluster.iter().map(|&i| points[i as usize]).collect();
     all.sort_unstable_by(|p, q| {

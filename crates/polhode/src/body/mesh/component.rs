@@ -1,4 +1,4 @@
-//! The parts of a mesh that hang together, and what each is.
+//! Connected components of a mesh, and their roles.
 
 use core::ops::Range;
 
@@ -10,60 +10,64 @@ use super::work::Work;
 use crate::math::sum::Sum;
 use crate::math::symmetric3::power_of_two_near;
 
-/// Triangles of a mesh that hang together by their edges.
+/// Triangles of a mesh that are connected through their edges.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct MeshComponent {
-    /// Its first triangle, from 1.
+    /// First triangle of the component, from 1.
     pub first_triangle: usize,
-    /// Its triangles, without those that have two equal corners.
+    /// Number of triangles, without degenerate ones (two equal corners).
     pub triangles: usize,
-    /// Enclosed volume, m³, negative if most of it is wound inward; of one that is not closed, a number without a meaning.
+    /// Enclosed volume, m³, negative if the component is mostly oriented inward; meaningless if it
+    /// is not closed.
     pub volume: f64,
     /// Area, m².
     pub area: f64,
-    /// The lowest and the highest coordinates, m.
+    /// Lowest and highest coordinates of the bounding box, m.
     pub bounds: [[f64; 3]; 2],
-    /// How it lies among the others, and so what it is.
+    /// Role of the component, from its orientation and its nesting in others.
     pub role: ComponentRole,
-    /// How many other closed components it lies in.
+    /// Number of other closed components that contain it.
     pub depth: usize,
-    /// The smallest of these, by its place in [`MeshDiagnosis::components`](crate::body::mesh::MeshDiagnosis::components).
+    /// Smallest component that contains it, as an index into
+    /// [`MeshDiagnosis::components`](crate::body::mesh::MeshDiagnosis::components).
     pub inside: Option<usize>,
-    /// Triangles that are wound against most of the others, if that is clear.
+    /// Number of triangles oriented against the majority; 0 if there is no clear majority.
     pub flipped: usize,
-    /// The first of these, from 1.
+    /// First of these triangles, from 1.
     pub first_flipped: Option<usize>,
 }
 
-/// What a part of a mesh is.
+/// Role of a component of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ComponentRole {
-    /// It has a boundary.
+    /// Open: the component has a boundary.
     Open,
-    /// It can not be wound consistently: one-sided, as Klein's bottle.
+    /// Unorientable: no consistent orientation exists; the component is one-sided, like a Klein
+    /// bottle.
     Unorientable,
-    /// It is closed, but not wound consistently, and not clearly so that a few triangles are the wrong way round.
+    /// Inconsistent: closed but not consistently oriented, without a clear minority of reversed
+    /// triangles.
     Inconsistent,
-    /// It is closed, but encloses nothing.
+    /// Flat: closed, but it encloses no volume.
     Flat,
-    /// A solid: wound outward, and within no other or in a cavity.
+    /// Solid: oriented outward, and in no other component or in a cavity.
     Solid,
-    /// A cavity: wound inward, within a solid.
+    /// Cavity: oriented inward, inside a solid.
     Cavity,
-    /// Wound outward within a solid: what it encloses counts twice.
+    /// Inner solid: oriented outward inside a solid, so that its volume counts twice.
     InnerSolid,
-    /// Wound inward, and within no solid: it counts negative.
+    /// Inverted: oriented inward and inside no solid, so that its volume counts negative.
     Inverted,
 }
 
 impl ComponentRole {
-    /// Has it an inside and an outside?
+    /// Returns true if the component has an inside and an outside.
     pub const fn is_closed(self) -> bool {
         !matches!(self, Self::Open | Self::Unorientable | Self::Inconsistent)
     }
 
-    /// `open`, `solid`, `cavity`, …
+    /// Returns the name of the role: `open`, `solid`, `cavity`, …
     pub const fn name(self) -> &'static str {
         match self {
             Self::Open => "open",
@@ -78,11 +82,12 @@ impl ComponentRole {
     }
 }
 
-/// What can be said of components one by one; their roles as if none lay in another.
+/// Properties of the components, computed one by one; roles assume that no component lies in
+/// another.
 #[derive(Default)]
 pub(crate) struct Measured {
     pub(crate) components: Vec<MeshComponent>,
-    /// The largest triangle of each.
+    /// Largest triangle of each component.
     largest: Vec<usize>,
     pub(crate) collinear: Vec<u32>,
 }
@@ -90,7 +95,7 @@ pub(crate) struct Measured {
 impl Measured {
     pub(crate) fn of(welded: &Welded, patches: &Patches, threads: Threads) -> Self {
         let count = patches.components.len();
-        // Each thread has the triangles of its components.
+        // Each thread processes the triangles of its components.
         let parts = threads.map_pieces(count, count.div_ceil(threads.count()).max(1), |components| {
             Self::some(welded, patches, components)
         });
@@ -109,7 +114,7 @@ impl Measured {
         let mut sums: Vec<VolumeSums> = components.clone().map(|_| VolumeSums::default()).collect();
         let mut collinear = Vec::new();
         for (t, &component) in patches.component.iter().enumerate() {
-            // Also of `NONE`, which is beyond all.
+            // `NONE` is out of range here, too.
             let Some(sums) = sums.get_mut((component as usize).wrapping_sub(components.start)) else {
                 continue;
             };
@@ -126,7 +131,7 @@ impl Measured {
         }
     }
 
-    /// Gives the components their places among each other.
+    /// Determines the nesting of the components and updates their roles.
     pub(crate) fn nest(&mut self, windings: &Windings<'_>, threads: Threads) {
         let solid = |role| matches!(role, ComponentRole::Solid | ComponentRole::Inverted);
         let components = &self.components;
@@ -155,14 +160,15 @@ impl Measured {
     }
 }
 
-/// Which boxes of some components lie in others of them: what lies in another has its box in that one's.
+/// Search for bounding boxes that contain others: a component inside another has its box inside the
+/// other's box.
 struct BoxesWithin<'a> {
     components: &'a [MeshComponent],
-    /// The axis along which they overlap least.
+    /// Axis along which the boxes overlap least.
     axis: usize,
-    /// By where they begin along it.
+    /// Components, ordered by the lower end of their boxes along the axis.
     order: Vec<usize>,
-    /// A complete binary tree over the order: the farthest that a box of a node reaches.
+    /// Complete binary tree over `order`: the largest upper end of the boxes under a node.
     farthest: Vec<f64>,
 }
 
@@ -221,10 +227,11 @@ impl<'a> BoxesWithin<'a> {
     }
 }
 
-/// Components in a piece of work.
+/// Number of components in a piece of work.
 const COMPONENTS: usize = 16;
 
-/// Sums over a component as its triangles come by, from its first corner, in the mesh's units.
+/// Running sums over the triangles of a component, relative to its first corner, in the mesh's
+/// unit.
 #[derive(Default)]
 struct VolumeSums {
     reference: [f64; 3],
@@ -241,7 +248,7 @@ struct VolumeSums {
 }
 
 impl VolumeSums {
-    /// True if the triangle may have no area.
+    /// Adds a triangle. Returns true if it may have zero area.
     fn add(&mut self, t: usize, triangle: [[f64; 3]; 3], against: bool) -> bool {
         if self.triangles == 0 {
             (self.reference, self.low, self.high) = (triangle[0], triangle[0], triangle[0]);
@@ -283,7 +290,7 @@ impl VolumeSums {
             Patch { open: 1.., .. } => ComponentRole::Open,
             Patch { orientable: false, .. } => ComponentRole::Unorientable,
             Patch { unbalanced: 1.., against: 0, .. } => ComponentRole::Inconsistent,
-            // No noise of flat triangles is larger: each one's area times its distance, rounded.
+            // The bound exceeds the rounding noise of flat triangles: area times distance times ε.
             _ if six_volume.abs() <= FLAT * area * power_of_two_near(size) => ComponentRole::Flat,
             _ if six_volume < 0.0 => ComponentRole::Inverted,
             _ => ComponentRole::Solid,
@@ -304,5 +311,6 @@ impl VolumeSums {
     }
 }
 
-/// A volume of this part of a flat component's area times its size is all rounding.
+/// Relative volume threshold: a component whose volume is below `FLAT` · area · size is flat to
+/// within rounding.
 pub(crate) const FLAT: f64 = 16.0 * f64::EPSILON;

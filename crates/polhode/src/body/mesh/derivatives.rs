@@ -1,4 +1,4 @@
-//! How a solid's mass properties depend on the vertices of its surface.
+//! Derivatives of a solid's mass properties with respect to the vertices of its surface.
 
 use super::closed::ClosedMesh;
 use crate::body::derivative::{MassPropertiesDerivative, MassPropertiesGradient};
@@ -12,16 +12,19 @@ use crate::math::number::Splat;
 use crate::math::symmetric3::{Symmetric3, power_of_two_near};
 use crate::math::vector::{Direction, Position};
 
-/// How the mass properties of a solid that triangles bound depend on its vertices and on how heavy it is.
+/// Derivatives of the mass properties of a solid bounded by triangles, with respect to its
+/// vertices, mass and density.
 ///
-/// Where a vertex v of the surface moves by δv, the surface moves by φ δv, φ being 1 there, 0 at the other vertices, and linear between. So an
-/// integral over the volume changes by one over the triangles around it,
+/// If a vertex v moves by δv, the surface moves by φ δv. Here φ = 1 at v, 0 at the other vertices,
+/// and is linear in between. The derivative of a volume integral is therefore an integral over the
+/// adjacent triangles,
 ///
 /// δ∫ f dV = δv · Σ n ∫ f φ dA
 ///
-/// here of f = 1, x and x xᵀ from the centre of mass, exact but for rounding: some 1e-15 of the largest term. A solid that is made of a density
-/// keeps it, one of a given mass keeps that. The vertices are those of [`ClosedMesh::surface`], each once: corners of equal coordinates move
-/// together ([`ClosedMesh::vertex_numbers`] finds them).
+/// with f = 1, x and x xᵀ, x from the centre of mass. The result is exact except for rounding,
+/// about 1e-15 of the largest term. A solid defined by a density keeps its density; a solid of
+/// given mass keeps its mass. The vertices are those of [`ClosedMesh::surface`], each once. Corners
+/// with equal coordinates move together ([`ClosedMesh::vertex_numbers`] finds them).
 ///
 /// ```
 /// use polhode::body::mesh::{ClosedMesh, MeshDerivatives};
@@ -38,7 +41,8 @@ use crate::math::vector::{Direction, Position};
 /// ```
 ///
 /// # Cost
-/// A gradient costs about what the mass integrals alone do, 1.4 times that (`cargo bench -p polhode --bench mesh`), all ten numbers by each vertex some twenty times that.
+/// A gradient costs about 1.4 times as much as the mass integrals (`cargo bench -p polhode --bench
+/// mesh`). All ten numbers for each vertex cost about twenty times as much.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshDerivatives<'a> {
     mesh: &'a ClosedMesh,
@@ -47,31 +51,31 @@ pub struct MeshDerivatives<'a> {
 }
 
 impl<'a> MeshDerivatives<'a> {
-    /// Of a solid made of a substance.
+    /// Returns the derivatives for a solid made of a substance.
     ///
     /// # Errors
-    /// As [`Shape::mass_properties`].
+    /// The errors of [`Shape::mass_properties`].
     pub fn of(mesh: &'a ClosedMesh, substance: Substance) -> Result<Self, BodyError> {
         let properties = mesh.mass_properties(substance)?;
         Ok(Self { mesh, properties, keeps_mass: matches!(substance, Substance::Mass(_)) })
     }
 
-    /// The mass properties themselves.
+    /// Returns the mass properties.
     pub const fn properties(&self) -> &MassProperties<Part> {
         &self.properties
     }
 
-    /// By the mass, kg.
+    /// Returns the derivative with respect to the mass, per kg.
     pub fn by_mass(&self) -> MassPropertiesDerivative<Part> {
         MassPropertiesDerivative::by_mass(&self.properties)
     }
 
-    /// By the density, kg/m³.
+    /// Returns the derivative with respect to the density, per kg/m³.
     pub fn by_density(&self) -> MassPropertiesDerivative<Part> {
         MassPropertiesDerivative::by_density(&self.properties, self.mesh.spread().extent())
     }
 
-    /// By the coordinates of each vertex, m.
+    /// Returns the derivatives with respect to the coordinates of each vertex, per m.
     pub fn by_vertices(&self) -> Vec<[MassPropertiesDerivative<Part>; 3]> {
         let by_number = |number: usize| {
             let unit = |k: usize| if k == number { 1.0 } else { 0.0 };
@@ -94,13 +98,15 @@ impl<'a> MeshDerivatives<'a> {
         (0..vertices).map(|vertex| [0, 1, 2].map(|axis| derivative(vertex, axis))).collect()
     }
 
-    /// The derivatives by the coordinates of each vertex, per m, of a number that depends on the solid's mass properties.
+    /// Returns the derivatives of a scalar with respect to the coordinates of each vertex, per m,
+    /// from its gradient with respect to the mass properties.
     pub fn gradient(&self, of_number: &MassPropertiesGradient<Part>) -> Vec<[f64; 3]> {
         let surface = self.mesh.surface();
         let points = surface.coordinates();
         let mut gradient = vec![[0.0; 3]; points.len()];
         let spread = self.mesh.spread();
-        // In units of a power of two near the size: exact, and no fourth power leaves the range of f64.
+        // Lengths are scaled by a power of two near the size: this is exact, and no fourth power
+        // overflows.
         let unit = power_of_two_near(spread.size_squared().sqrt());
         let weight = self.weight(of_number, unit);
         let (center, rest) = (spread.centroid().to_array(), self.mesh.centroid_rest());
@@ -143,14 +149,16 @@ impl<'a> MeshDerivatives<'a> {
         gradient
     }
 
-    /// What a unit of volume at x adds to the number, x from the centre of mass in units of length; a moved vertex adds volume.
+    /// Returns the contribution per unit volume at x to the scalar, with x from the centre of mass
+    /// in scaled units; a moved vertex adds volume.
     ///
-    /// At constant density ρ (α + β·x + xᵀ Q x) with α = ∂/∂M, β = ∂/∂c /M and Q of ∂/∂I : (x² 1 − x xᵀ); at constant mass all else becomes lighter,
-    /// so that α = −(∂/∂I : I)/M.
+    /// At constant density it is ρ (α + β·x + xᵀ Q x) with α = ∂/∂M, β = ∂/∂c / M, and Q from ∂/∂I
+    /// : (x² 1 − x xᵀ). At constant mass the density decreases elsewhere, so that α = −(∂/∂I :
+    /// I)/M.
     fn weight(&self, of_number: &MassPropertiesGradient<Part>, unit: f64) -> Weight {
         let MassPropertiesGradient { by_mass, by_center_of_mass, by_inertia } = of_number;
         let mass = self.properties.mass();
-        // The gradient is per m: of unit⁻¹ · unit³, as n is in units, too.
+        // The gradient is per m, a factor of unit⁻¹ · unit³, because n is in scaled units too.
         let density = mass / self.mesh.volume() * unit * unit;
         let constant = if self.keeps_mass {
             let inertia = self.properties.inertia().symmetric().elements();
@@ -158,7 +166,7 @@ impl<'a> MeshDerivatives<'a> {
         } else {
             *by_mass
         };
-        // I_xy is one number, and xy twice in xᵀ Q x.
+        // I_xy is one variable, but xy occurs twice in xᵀ Q x.
         let [xx, yy, zz, xy, xz, yz] = *by_inertia;
         let by = Symmetric3 { xx, yy, zz, xy: 0.5 * xy, xz: 0.5 * xz, yz: 0.5 * yz };
         let quadratic = by.inertia_of_second_moments() * (density * unit * unit / 60.0);
@@ -172,7 +180,7 @@ impl<'a> MeshDerivatives<'a> {
     }
 }
 
-/// A polynomial of the second degree, α/6, β/24, Q/60: as its integrals over a triangle have it.
+/// Quadratic polynomial with the factors of its triangle integrals: α/6, β/24, Q/60.
 #[derive(Clone, Copy)]
 struct Weight {
     constant: Vectors,
@@ -181,12 +189,13 @@ struct Weight {
 }
 
 impl Weight {
-    /// n ∫ f φ dA of each corner, n the area's vector: with s = a + b + c
+    /// Returns n ∫ f φ dA for each corner, with the area vector n and s = a + b + c:
     ///
     /// ∫ f φ_a = 2A (α/6 + β·(s + a)/24 + (½ Σ p·Qp + ½ s·Qs + a·Qs + a·Qa)/60),  p = a, b, c
     #[inline(always)]
     fn by_corners(&self, [a, b, c]: [[Vectors; 3]; 3]) -> [[Vectors; 3]; 3] {
-        // No `map` and no closures: they are not inlined everywhere, and then are not compiled for wide vectors.
+        // `map` and closures are not inlined on every target, and would then not be compiled for
+        // wide vectors.
         let (e, f) = ([b[0] - a[0], b[1] - a[1], b[2] - a[2]], [c[0] - a[0], c[1] - a[1], c[2] - a[2]]);
         let n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
         let s = sum(a, b, c);
@@ -195,14 +204,14 @@ impl Weight {
         let (aa, bb, cc) = (dot(a, qa), dot(b, qb), dot(c, qc));
         let half = Vectors::splat(0.5);
         let common = self.constant + dot(self.linear, s) + half * (aa + bb + cc + dot(s, qs));
-        // p·(β/24 + Qs)
+        // Factor of p: β/24 + Qs.
         let slope = [self.linear[0] + qs[0], self.linear[1] + qs[1], self.linear[2] + qs[2]];
         let [of_a, of_b, of_c] =
             [common + dot(a, slope) + aa, common + dot(b, slope) + bb, common + dot(c, slope) + cc];
         [times(n, of_a), times(n, of_b), times(n, of_c)]
     }
 
-    /// Q p
+    /// Returns Q p.
     #[inline(always)]
     fn image(&self, p: [Vectors; 3]) -> [Vectors; 3] {
         let [x, y, z] = self.quadratic;
@@ -225,7 +234,7 @@ fn times(p: [Vectors; 3], by: Vectors) -> [Vectors; 3] {
     [p[0] * by, p[1] * by, p[2] * by]
 }
 
-/// Triangles in a vector.
+/// Number of triangles per vector.
 const WIDTH: usize = 8;
 
 type Vectors = Lanes<WIDTH>;

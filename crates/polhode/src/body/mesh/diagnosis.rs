@@ -1,4 +1,4 @@
-//! What is right and wrong with a mesh, and where.
+//! Diagnosis of a mesh: properties and defects, with their places.
 
 use super::TriangleMesh;
 use super::component::{Measured, MeshComponent};
@@ -13,12 +13,14 @@ use super::tree::Tree;
 use super::weld::{NONE, Welded, is_proper};
 use super::work::{GoesOn, Work};
 
-/// What is right and wrong with a mesh, and where: everything that [`ClosedMesh`](crate::body::mesh::ClosedMesh) refuses, corrects or mentions.
+/// Diagnosis of a mesh: everything for which [`ClosedMesh`](crate::body::mesh::ClosedMesh) returns
+/// an error, a correction or a remark, with its place.
 ///
-/// Corners are the same vertex when their coordinates are equal, exactly, and whether triangles cross is decided by exact signs: there is
-/// no tolerance. The numbers are the same for any number of threads. Time and memory go with the triangles, and with the pairs of them
-/// that are near each other; of those that overlap no more are looked at than are counted. Of triangles that are there again, the same way
-/// round, only one is compared with others.
+/// Corners are the same vertex if their coordinates are exactly equal, and exact signs decide
+/// whether triangles intersect; there is no tolerance. The numbers are the same for any number of
+/// threads. Time and memory are proportional to the triangles plus the pairs of close triangles.
+/// The search for overlaps stops at the counting limit. Of several identical triangles with the
+/// same orientation, only one is compared with others.
 ///
 /// ```
 /// use polhode::body::mesh::{ComponentRole, MeshDiagnosis, TriangleMesh};
@@ -36,53 +38,57 @@ use super::work::{GoesOn, Work};
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct MeshDiagnosis {
-    /// Triangles given.
+    /// Number of triangles in the input.
     pub triangles: usize,
-    /// Different corners of them.
+    /// Number of distinct corners.
     pub vertices: usize,
-    /// Edges of one triangle: here the mesh is open.
+    /// Edges that belong to one triangle: the mesh is open there.
     pub boundary: Faults<EdgePlace>,
-    /// Loops that these edges make; where two of them meet in a vertex they count as one.
+    /// Number of loops of boundary edges; loops that share a vertex count as one.
     pub boundary_loops: usize,
-    /// Edges whose two triangles run along them the same way.
+    /// Edges that their two triangles traverse in the same direction.
     pub inconsistent: Faults<EdgePlace>,
-    /// Edges of more than two triangles: where bodies touch along an edge, there are four.
+    /// Edges of more than two triangles; bodies that touch along an edge have four.
     pub non_manifold: Faults<EdgePlace>,
-    /// Those among them that are not run along as often one way as the other.
+    /// Edges of more than two triangles that are not traversed equally often in both directions.
     pub unbalanced: Faults<EdgePlace>,
-    /// Triangles with two equal corners.
+    /// Degenerate triangles: two corners are equal.
     pub degenerate: Faults<TrianglePlace>,
-    /// Triangles with three different corners on one line: a seam, and no defect.
+    /// Triangles with three distinct collinear corners; these are seams, not defects.
     pub collinear: Faults<TrianglePlace>,
-    /// Triangles that are there again, the same way round.
+    /// Duplicates of other triangles with the same orientation.
     pub duplicates: Faults<PairPlace>,
-    /// Triangles that are there again, the other way round: a wall without thickness, or where two bodies touch.
+    /// Duplicates of other triangles with opposite orientation: a wall of zero thickness, or a
+    /// contact of two bodies.
     pub back_to_back: Faults<PairPlace>,
-    /// Pairs of triangles that cross, or that show that bodies overlap, of surfaces that do not hang together but by edges of more than two
-    /// triangles. Of these and the next two 10,000 are counted: 10,001 stands for any larger number.
+    /// Pairs of triangles that intersect, or that show overlapping bodies, on surfaces that are
+    /// connected at most through edges of more than two triangles. At most 10,000 of these are
+    /// counted; 10,001 stands for any larger number. The same limit holds for `self_overlaps` and
+    /// `contacts`.
     pub overlaps: Faults<PairPlace>,
-    /// Pairs of triangles of one surface that do.
+    /// Pairs of triangles of one surface that intersect or show an overlap.
     pub self_overlaps: Faults<PairPlace>,
-    /// Pairs of faces that lie on each other, back to back, but are not the same triangle: where bodies touch.
+    /// Pairs of faces that touch back to back without being the same triangle: contacts of bodies.
     pub contacts: Faults<PairPlace>,
-    /// Parts that hang together by their edges, by their first triangles.
+    /// Components connected through edges, in the order of their first triangles.
     pub components: Vec<MeshComponent>,
-    /// So many triangles are so near each other that it was not found out which of them overlap, and which parts lie in which: more steps
-    /// would be needed than this, 300 million and 2,000 for each triangle, or those until it was ended.
+    /// Number of steps after which the search for overlaps and nesting stopped undecided; `None` if
+    /// it finished. The limit is 300 million plus 2,000 per triangle, unless the caller ended the
+    /// search earlier.
     pub undecided: Option<u64>,
 }
 
-/// How often something was found, and the first in the mesh's order.
+/// Number of faults of one kind, and the first in the order of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Faults<P> {
-    /// How often.
+    /// Number of faults.
     pub count: usize,
-    /// Where first; of more than are counted, where first of those.
+    /// First fault; if the counting limit was exceeded, the first of those counted.
     pub first: Option<P>,
 }
 
 impl<P> Faults<P> {
-    /// Found nowhere?
+    /// Returns true if there is no fault.
     pub const fn is_empty(&self) -> bool {
         self.count == 0
     }
@@ -94,46 +100,46 @@ impl<P> Default for Faults<P> {
     }
 }
 
-/// An edge of a triangle.
+/// Place of an edge of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgePlace {
-    /// The triangle, from 1.
+    /// Index of the triangle, from 1.
     pub triangle: usize,
-    /// The ends of its edge, m.
+    /// End points of the edge, m.
     pub ends: [[f64; 3]; 2],
 }
 
-/// A triangle.
+/// Place of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrianglePlace {
-    /// The triangle, from 1.
+    /// Index of the triangle, from 1.
     pub triangle: usize,
-    /// Its corners, m.
+    /// Corners of the triangle, m.
     pub corners: [[f64; 3]; 3],
 }
 
-/// Two triangles.
+/// Place of a pair of triangles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairPlace {
-    /// The triangles, from 1, ascending.
+    /// Indices of the triangles, from 1, ascending.
     pub triangles: [usize; 2],
-    /// A point that they have in common, m, rounded.
+    /// Common point of the triangles, m, rounded.
     pub point: [f64; 3],
 }
 
 impl MeshDiagnosis {
-    /// What is right and wrong with the mesh; on all threads of the machine.
+    /// Diagnoses the mesh, on all threads of the machine.
     pub fn of(mesh: &TriangleMesh) -> Self {
         Analysis::of(mesh, Sought::All, Threads::of_machine(), &|| true).diagnosis
     }
 
-    /// The same on at most so many threads.
+    /// Diagnoses the mesh on at most `threads` threads.
     pub fn with_threads(mesh: &TriangleMesh, threads: usize) -> Self {
         Analysis::of(mesh, Sought::All, Threads::of(threads), &|| true).diagnosis
     }
 }
 
-/// A diagnosis and what it was made of.
+/// Diagnosis and the intermediate results that it is based on.
 #[derive(Debug)]
 pub(crate) struct Analysis {
     pub(crate) welded: Welded,
@@ -149,12 +155,12 @@ impl Analysis {
         Self::within(&work, mesh, sought, threads)
     }
 
-    /// With so much work for what is looked for among the triangles.
+    /// Analyses the mesh within a step limit for the searches among the triangles.
     pub(super) fn within(work: &Work<'_>, mesh: &TriangleMesh, sought: Sought, threads: Threads) -> Self {
         let welded = Welded::of(mesh, threads);
         let corners = &welded.corners;
         let edges = Edges::of(corners, welded.points.len(), threads);
-        // What is open or there twice bounds nothing, whatever meets.
+        // An open mesh, or one with duplicate triangles, bounds nothing, whatever else it contains.
         let is_torn = !edges.boundary.is_empty() || edges.duplicates.iter().any(|&(_, _, same_way)| same_way);
         if sought == Sought::FirstError && is_torn {
             let (patches, meetings) = (Patches::default(), Meetings::default());
@@ -164,11 +170,12 @@ impl Analysis {
         }
         let patches = Patches::of(corners, &edges, threads);
         let mut measured = Measured::of(&welded, &patches, threads);
-        // What has no area has no sides, and meets nothing that its neighbours do not meet.
+        // A triangle without area has no sides. It meets only triangles that its neighbours also
+        // meet.
         let has_area =
             |t: usize| patches.component[t] != NONE && measured.collinear.binary_search(&(t as u32)).is_err();
-        // Neither does what is wound both ways; and one surface without edges of more than two triangles meets none but itself, which
-        // is a remark.
+        // The same holds for an inconsistent component. A single surface without edges of more than
+        // two triangles can only meet itself, which is a remark.
         let is_one = measured.components.len() == 1 && edges.crowded.is_empty();
         let is_known = sought == Sought::FirstError
             && (is_one || measured.components.iter().any(|component| !component.role.is_closed()));
@@ -178,7 +185,8 @@ impl Analysis {
             measured.nest(&windings, threads);
         }
         let meetings = if mesh.is_hull || is_known || !work.goes_on() {
-            // A corner of many faces of a hull has as many pairs as their square, and none of them meet elsewhere.
+            // At a vertex of a hull with many faces, the number of pairs is quadratic, and none of
+            // them meet elsewhere.
             Meetings::default()
         } else {
             let mut is_again = vec![false; welded.corners.len()];
@@ -196,7 +204,7 @@ impl Analysis {
             Meetings::of(&windings, &edges, doubtful, lowest_winding(&measured.components), sought, threads)
         };
         let undecided = work.not_enough();
-        // What was found until then depends on the threads.
+        // The results found before the search stopped depend on the threads.
         let meetings = if undecided.is_some() { Meetings::default() } else { meetings };
         let findings = Findings { welded: &welded, edges: &edges };
         let diagnosis = MeshDiagnosis { undecided, ..findings.diagnosis(measured, &meetings) };
@@ -204,18 +212,19 @@ impl Analysis {
     }
 }
 
-/// Steps for a mesh, and more for each of its triangles: most are visits of a line at a triangle. Walls of touching bricks take some 400 for
-/// each.
+/// Step limit for a mesh, and its increment per triangle. Most steps are visits of a line at a
+/// triangle. Walls of touching bricks take about 400 per triangle.
 const STEPS: u64 = 300_000_000;
 const STEPS_EACH: u64 = 2_000;
 
-/// How often a sound mesh winds about what is before its triangles: not at all, or, if all of it is wound inward, −1 times.
+/// Returns the winding number of a valid mesh in front of its triangles: 0, or −1 if the whole mesh
+/// is oriented inward.
 fn lowest_winding(components: &[MeshComponent]) -> Option<i32> {
     let volume: f64 = components.iter().map(|component| component.volume).sum();
     components.iter().all(|component| component.role.is_closed()).then_some(if volume > 0.0 { 0 } else { -1 })
 }
 
-/// What was found, by numbers within the mesh.
+/// Results by indices within the mesh.
 struct Findings<'a> {
     welded: &'a Welded,
     edges: &'a Edges,
@@ -255,7 +264,8 @@ fn overlaps(welded: &Welded, overlaps: &Overlaps) -> Faults<PairPlace> {
     Faults { count: overlaps.count, first: overlaps.pairs.first().map(|pair| at_pair(welded, pair)) }
 }
 
-/// Edges of more than two triangles that are not run along as often one way as the other.
+/// Returns the edges of more than two triangles that are not traversed equally often in both
+/// directions.
 pub(super) fn unbalanced<'a>(
     welded: &'a Welded,
     edges: &'a Edges,
@@ -264,13 +274,13 @@ pub(super) fn unbalanced<'a>(
     unbalanced.map(|edge| at_edge(welded, edge[0]))
 }
 
-/// Triangles with two equal corners.
+/// Returns the triangles with two equal corners.
 pub(super) fn degenerate(welded: &Welded) -> impl Iterator<Item = TrianglePlace> + '_ {
     let degenerate = (0..welded.corners.len()).filter(|&t| !is_proper(&welded.corners[t]));
     degenerate.map(|t| at_triangle(welded, t))
 }
 
-/// Triangles that are there again, the same way round or the other.
+/// Returns the pairs of duplicate triangles with the same or the opposite orientation.
 pub(super) fn again<'a>(
     welded: &'a Welded,
     edges: &'a Edges,
@@ -298,7 +308,7 @@ pub(super) fn at_pair(welded: &Welded, &([t, u], point): &([u32; 2], [f64; 3])) 
     PairPlace { triangles: [t as usize + 1, u as usize + 1], point: welded.place(point) }
 }
 
-/// How many loops half-edges make between so many points.
+/// Returns the number of loops that half-edges form among `points` points.
 fn loops(corners: &[[u32; 3]], points: usize, boundary: &[u32]) -> usize {
     if boundary.is_empty() {
         return 0;

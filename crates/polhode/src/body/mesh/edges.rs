@@ -1,4 +1,4 @@
-//! Which triangles meet along which edge.
+//! Edges of a mesh and the triangles that meet there.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -6,20 +6,21 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use super::threads::Threads;
 use super::weld::{NONE, is_proper};
 
-/// The edges of a mesh by their half-edges: half-edge 3 t + k of triangle t runs from its corner k to the next.
+/// Edges of a mesh by their half-edges: half-edge 3 t + k of triangle t runs from its corner k to
+/// the next corner.
 ///
-/// Triangles with two equal corners have none. Lists are in the mesh's order.
+/// Triangles with two equal corners have no edges. All lists are in the order of the mesh.
 #[derive(Debug)]
 pub(crate) struct Edges {
-    /// The other half-edge of an edge with two triangles.
+    /// Opposite half-edge, for an edge with two triangles.
     pub(crate) twin: Vec<AtomicU32>,
-    /// Of edges with one triangle.
+    /// Half-edges of edges with one triangle.
     pub(crate) boundary: Vec<u32>,
-    /// Of edges whose two triangles run along them the same way, the first.
+    /// First half-edge of each edge whose two triangles traverse it in the same direction.
     pub(crate) inconsistent: Vec<u32>,
-    /// Of edges with more than two triangles, all.
+    /// All half-edges of each edge with more than two triangles.
     pub(crate) crowded: Vec<Vec<u32>>,
-    /// Pairs of triangles with the same three corners; true if they are the same way round.
+    /// Pairs of triangles with the same three corners; true if they have the same orientation.
     pub(crate) duplicates: Vec<(u32, u32, bool)>,
 }
 
@@ -50,9 +51,11 @@ impl Edges {
         Self { twin: vec![], boundary: vec![], inconsistent: vec![], crowded: vec![], duplicates: vec![] }
     }
 
-    /// Triangles with the same corners as an earlier one, the same way round, ascending.
+    /// Returns the triangles that have the same corners and orientation as an earlier one, in
+    /// ascending order.
     pub(crate) fn again(&self) -> Vec<u32> {
-        // Of each, the first with its corners and whether it is the other way round. A list of pairs goes from each one to the next.
+        // For each triangle: the first one with its corners, and whether it is reversed. The list
+        // of pairs links each triangle to the next.
         let mut first: HashMap<u32, (u32, bool)> = HashMap::new();
         let mut turned = HashSet::new();
         let mut again = Vec::new();
@@ -68,7 +71,7 @@ impl Edges {
         again
     }
 
-    /// The other half-edge of an edge with two triangles, or [`NONE`].
+    /// Returns the opposite half-edge of an edge with two triangles, or [`NONE`].
     pub(crate) fn twin(&self, half: u32) -> u32 {
         self.twin[half as usize].load(Ordering::Relaxed)
     }
@@ -105,10 +108,11 @@ impl Edges {
         }
     }
 
-    /// What the half-edges of one edge say; the low words are their numbers.
+    /// Classifies the half-edges of one edge; the low words of `edge` are their indices.
     fn sort_out(&mut self, corners: &[[u32; 3]], edge: &[u64], twin: &[AtomicU32]) {
         let start = |half: u32| start_of(corners, half);
-        // Triangles with the same corners meet along their lowest edge too, whose third corner is the highest.
+        // Triangles with the same corners also meet along their lowest edge, whose third corner is
+        // the highest.
         let high = (edge[0] >> 32) as u32;
         match *edge {
             [h] => self.boundary.push(h as u32),
@@ -138,17 +142,17 @@ impl Edges {
     }
 }
 
-/// The vertex where a half-edge begins.
+/// Returns the vertex where a half-edge starts.
 pub(crate) fn start_of(corners: &[[u32; 3]], half: u32) -> u32 {
     corners[half as usize / 3][half as usize % 3]
 }
 
-/// The vertex where it ends.
+/// Returns the vertex where a half-edge ends.
 pub(crate) fn end_of(corners: &[[u32; 3]], half: u32) -> u32 {
     corners[half as usize / 3][(half as usize % 3 + 1) % 3]
 }
 
-/// The corner of its triangle that it does not touch.
+/// Returns the corner of its triangle that is not on a half-edge.
 pub(crate) fn opposite(corners: &[[u32; 3]], half: u32) -> u32 {
     corners[half as usize / 3][(half as usize % 3 + 2) % 3]
 }

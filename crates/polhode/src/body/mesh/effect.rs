@@ -1,40 +1,43 @@
-//! What a volume that may belong to a solid or not means for its mass properties.
+//! Effect of an uncertain volume on the mass properties of a solid.
 
 use super::ClosedMesh;
 use super::close_pairs::distance;
 use crate::body::shape::{Shape, Spread};
 
-/// How far the mass properties of a solid may be off: [`ClosedMesh::effect`].
+/// Error bounds of a solid's mass properties: [`ClosedMesh::effect`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct MeshEffect {
-    /// Relative, of the volume; of the mass at one density.
+    /// Relative error of the volume, which is that of the mass at uniform density.
     pub volume: f64,
-    /// Of the centre of mass, m.
+    /// Error of the centre of mass, m.
     pub center: f64,
-    /// Of each element of the tensor about the centre of mass at one density, relative to its largest moment.
+    /// Error of each element of the tensor about the centre of mass at uniform density, relative to
+    /// its largest moment.
     pub inertia: f64,
 }
 
 impl ClosedMesh {
-    /// How far the mass properties may be off if so much volume, m³, at most `beyond` m farther out than the
-    /// solid's corners, may belong to it or not.
+    /// Returns bounds of the errors of the mass properties if `volume`, m³, may or may not belong
+    /// to the solid and lies at most `beyond` m farther out than the solid's corners.
     ///
-    /// With V, its part ΔV, the farthest R of it from the centre of mass: Δc ≤ ΔV R/(V − ΔV), ΔI ≤ ΔV R² + (V + ΔV) Δc².
+    /// With the solid's volume V, the uncertain volume ΔV, and its largest distance R from the
+    /// centre of mass: Δc ≤ ΔV R/(V − ΔV), ΔI ≤ ΔV R² + (V + ΔV) Δc².
     pub fn effect(&self, volume: f64, beyond: f64) -> MeshEffect {
         MeshEffect::of(&self.spread(), self.surface().coordinates(), volume, beyond)
     }
 }
 
 impl MeshEffect {
-    /// The same of a solid with these corners.
+    /// Returns the error bounds for a solid with these corners.
     pub(super) fn of(spread: &Spread, corners: &[[f64; 3]], volume: f64, beyond: f64) -> Self {
         let centroid = spread.centroid().to_array();
         let from_center = corners.iter().map(|p| distance(*p, centroid));
         let reach = from_center.fold(0.0, f64::max) + beyond;
         let whole = spread.extent().measure();
         let center = if volume < whole { volume * reach / (whole - volume) } else { f64::INFINITY };
-        // tr C − λ, with the least eigenvalue λ of the covariance
+        // Largest moment per unit mass: tr C − λ, with the smallest eigenvalue λ of the covariance
+        // C.
         let least = spread.covariance.eigen().values.into_iter().fold(f64::INFINITY, f64::min);
         let largest = spread.size_squared() - least;
         let second = volume * reach * reach + (whole + volume) * center * center;

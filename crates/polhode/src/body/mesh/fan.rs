@@ -1,4 +1,4 @@
-//! The triangles about one edge, in their order around it.
+//! Triangles around one edge, in angular order.
 
 use core::cmp::Ordering;
 
@@ -7,12 +7,14 @@ use super::patches::Patches;
 use super::predicate::{across, facing, side, turn};
 use super::weld::Welded;
 
-/// Two triangles of a crowded edge whose bodies overlap at it, if nothing but its triangles goes through it: the mesh winds more than once
-/// more often about one place beside the edge than about another. The least such pair; `None` if there is none, or if one of the triangles
-/// has no area.
+/// Returns two triangles of an edge of more than two triangles whose bodies overlap there, if no
+/// other triangles pass through the edge. This is so if the winding numbers around the edge differ
+/// by more than one. The pair with the lowest indices is returned; `None` if there is none, or if
+/// one of the triangles has no area.
 ///
-/// Going around the edge, the winding number falls by one at a triangle that is passed the way its normal points, and rises by one at one
-/// that is passed against it. What lies on each other is one step: bodies that touch there have nothing in between.
+/// Along a circle around the edge, the winding number falls by one where a triangle is crossed in
+/// the direction of its normal, and rises by one where it is crossed against it. Coincident
+/// triangles are one step: bodies that touch there have nothing in between.
 pub(crate) fn overlapping(welded: &Welded, patches: &Patches, edge: &[u32]) -> Option<[u32; 2]> {
     let corners = &welded.corners;
     let start = start_of(corners, edge[0]);
@@ -23,7 +25,7 @@ pub(crate) fn overlapping(welded: &Welded, patches: &Patches, edge: &[u32]) -> O
         let first = wings.first().map_or(tip, |wing| wing.angle.tip);
         let triangle = half / 3;
         let forward = (start_of(corners, half) == start) != patches.against[triangle as usize];
-        // A triangle without an area has no place in the order; beside it nothing can be said.
+        // A triangle without area has no angle; the order around its edge is undefined.
         let angle = fan.angle(first, tip)?;
         wings.push(Wing { triangle, angle, step: if forward { -1 } else { 1 } });
     }
@@ -38,7 +40,7 @@ pub(crate) fn overlapping(welded: &Welded, patches: &Patches, edge: &[u32]) -> O
     if winding != 0 || highest - lowest <= 1 {
         return None;
     }
-    // Two steps up, or down, after one another: those of two bodies.
+    // Two consecutive steps up, or down, belong to two bodies.
     let in_step = |wings: &[Wing]| {
         let step = height(wings).signum();
         wings.iter().filter(move |wing| wing.step == step).map(|wing| wing.triangle).collect::<Vec<_>>()
@@ -52,15 +54,15 @@ pub(crate) fn overlapping(welded: &Welded, patches: &Patches, edge: &[u32]) -> O
     pairs.chain(within).map(|[t, u]| [t.min(u), t.max(u)]).min()
 }
 
-/// A triangle of the edge.
+/// Triangle at the edge.
 struct Wing {
     triangle: u32,
     angle: Angle,
-    /// By how much the winding number rises there.
+    /// Change of the winding number at the triangle.
     step: i32,
 }
 
-/// Where a half-plane from the edge to a point is, from the first one on.
+/// Angular position of the half-plane from the edge to a point, counted from the first point.
 pub(crate) struct Angle {
     tip: [f64; 3],
     quarter: Quarter,
@@ -74,11 +76,12 @@ enum Quarter {
     Right,
 }
 
-/// Around the line through two points.
+/// Line through two points, about which half-planes are ordered.
 pub(crate) struct Fan(pub(crate) [[f64; 3]; 2]);
 
 impl Fan {
-    /// `None` if a point is on the line.
+    /// Returns the angular position of `tip`, counted from `first`; `None` if a point is on the
+    /// line.
     pub(crate) fn angle(&self, first: [f64; 3], tip: [f64; 3]) -> Option<Angle> {
         Some(Angle { tip, quarter: self.quarter(first, tip)? })
     }
@@ -96,7 +99,7 @@ impl Fan {
         }
     }
 
-    /// Of two points with the same first one.
+    /// Compares two angular positions that are counted from the same first point.
     pub(crate) fn order(&self, p: &Angle, q: &Angle) -> Ordering {
         let [a, b] = self.0;
         let turned = || match side([a, b, p.tip], q.tip) {

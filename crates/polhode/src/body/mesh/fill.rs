@@ -1,4 +1,4 @@
-//! Small holes of a mesh, closed with triangles.
+//! Filling of small holes of a mesh with triangles.
 
 use super::TriangleMesh;
 use super::close_pairs::distance;
@@ -11,41 +11,45 @@ use super::weld_near::compact;
 use crate::body::error::{BodyError, positive};
 use crate::body::triangle_mesh::normal;
 
-/// A mesh whose small holes were closed: [`TriangleMesh::filled`].
+/// Mesh whose small holes were filled: [`TriangleMesh::filled`].
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct FilledMesh {
-    /// The mesh, each vertex once: its triangles in their order, then those that fill it.
+    /// Mesh with each vertex once: the original triangles in their order, then those that fill the
+    /// holes.
     pub mesh: TriangleMesh,
-    /// Holes that were closed.
+    /// Number of holes that were filled.
     pub holes: usize,
-    /// Triangles that close them.
+    /// Number of triangles that fill them.
     pub triangles: usize,
-    /// The largest distance between two vertices of a hole that was closed, m.
+    /// Largest distance between two vertices of a filled hole, m.
     pub largest: f64,
-    /// Edges that belonged to one triangle only before.
+    /// Number of boundary edges (edges of one triangle only) before filling.
     pub edges_before: usize,
-    /// Edges that still do.
+    /// Number of boundary edges after filling.
     pub open_edges: usize,
-    /// Why they do.
+    /// Numbers of holes that were not filled, by reason.
     pub left: HolesLeft,
-    /// How much more or less the mesh may enclose, m³, if what is missing lies within the balls about the holes.
+    /// Bound of the error of the enclosed volume, m³, if the missing surface lies within the balls
+    /// around the holes.
     pub volume_bound: f64,
-    /// The largest radius of these balls, m.
+    /// Largest radius of these balls, m.
     pub largest_radius: f64,
 }
 
-/// Holes that were not closed.
+/// Numbers of holes that were not filled, by reason.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct HolesLeft {
-    /// Those with more than 256 edges.
+    /// Number of holes with more than 256 edges.
     pub many_edged: usize,
-    /// Others that are larger than was asked for.
+    /// Number of other holes that are larger than the requested size.
     pub larger: usize,
-    /// Rims of sheets, no holes: the triangles between them would have no less area than what they are the rim of, or lie on all of its vertices.
+    /// Number of loops that are rims of sheets, not holes: the filling triangles would have no less
+    /// area than the sheet, or would use all of its vertices.
     pub sheets: usize,
-    /// Edges that are part of no loop by itself, as of holes that meet in a vertex.
+    /// Number of boundary edges that do not form a separate loop, for example of holes that share a
+    /// vertex.
     pub loose_edges: usize,
 }
 
@@ -62,20 +66,26 @@ impl core::ops::Add for HolesLeft {
     }
 }
 
-/// Edges of the largest loop that is filled: the work goes with their cube.
+/// Maximum number of edges of a loop that is filled; the cost is proportional to its cube.
 const MOST_EDGES: usize = 256;
 
 impl TriangleMesh {
-    /// The mesh with holes closed that are at most `size` across, m, the largest distance between two of their vertices.
+    /// Fills the holes whose diameter is at most `size`, m. The diameter is the largest distance
+    /// between two vertices.
     ///
-    /// Of all ways to close a loop with triangles between its vertices the one with the least area is taken; if that has no less area than the surface
-    /// whose rim the loop is, or that has no other vertices, it is a sheet, not a hole, and left as it is. What was there is not known:
-    /// `volume_bound` is the volume of the balls about the holes, each about the middle of the box of its vertices and as far as they go.
+    /// Among all triangulations of a loop with its own vertices, the one with the smallest area is
+    /// used. If its area is no less than that of the surface whose rim the loop is, or if that
+    /// surface has no other vertices, the surface is a sheet and the loop is not filled. The true
+    /// surface is unknown: `volume_bound` is the total volume of the balls around the holes. Each
+    /// ball is centred at the centre of the bounding box of the hole's vertices and reaches the
+    /// farthest of them.
     ///
-    /// If what is missing lies within these balls, the mesh and the one that it was enclose the same everywhere else, so that the bound is one of the
-    /// volume that either has and the other has not. A ball has a vertex of its hole on it, and that is a corner of the mesh: no point of the ball is farther from
-    /// anywhere than the farthest corner and the ball's diameter. So [`ClosedMesh::effect`](super::ClosedMesh::effect) of `volume_bound` and twice the
-    /// `largest_radius` bounds the change of the centre of mass and of the tensor.
+    /// If the missing surface lies within these balls, the filled mesh and the true one enclose the
+    /// same region elsewhere. The bound then holds for the volume in which they differ. Each ball
+    /// has a vertex of its hole on its surface, which is a corner of the mesh. Therefore no point
+    /// of the ball is farther from any point than the farthest corner plus the ball's diameter.
+    /// [`ClosedMesh::effect`](super::ClosedMesh::effect) of `volume_bound` and twice the
+    /// `largest_radius` thus bounds the change of the centre of mass and of the tensor.
     ///
     /// ```
     /// use polhode::body::mesh::{ClosedMesh, TriangleMesh};
@@ -89,7 +99,7 @@ impl TriangleMesh {
     /// ```
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] for a size that is not positive and finite.
+    /// [`BodyError::Parameter`] if the size is not positive and finite.
     pub fn filled(&self, size: f64) -> Result<FilledMesh, BodyError> {
         positive("the size of a hole", size)?;
         let threads = Threads::of_machine();
@@ -138,7 +148,8 @@ impl TriangleMesh {
 }
 
 impl TriangleMesh {
-    /// The ends of the edges that belong to one triangle only, m, the lower one by coordinates first.
+    /// Returns the end points of the boundary edges (edges of one triangle only), m; of each edge
+    /// the lexicographically smaller point first.
     pub fn open_edges(&self) -> Vec<[[f64; 3]; 2]> {
         let threads = Threads::of_machine();
         let exact = Welded::of(self, threads);
@@ -150,12 +161,12 @@ impl TriangleMesh {
     }
 }
 
-/// What hangs together by edges.
+/// Surfaces connected through edges.
 #[derive(Default)]
 struct Sheets {
-    /// The first triangle that each hangs together with.
+    /// Representative triangle of the surface of each triangle.
     first: Vec<u32>,
-    /// The triangles of each such first one, and their area.
+    /// Number of triangles and area, m², of the surface of each representative.
     sizes: Vec<(usize, f64)>,
 }
 
@@ -182,10 +193,11 @@ impl Sheets {
         Self { first, sizes }
     }
 
-    /// Is the loop whose triangles these are the rim of all that a triangle hangs together with? With no more triangles that has no vertex but
-    /// those of the loop.
+    /// Returns true if the loop that the triangles `between` fill is the rim of a whole surface,
+    /// the one that contains `triangle`. A surface with no more triangles than `between` has no
+    /// vertices except those of the loop.
     fn has_rim(&self, triangle: u32, between: &[[u32; 3]], points: &[[f64; 3]]) -> bool {
-        /// What rounding changes of the area of a plane sheet.
+        /// Relative rounding tolerance of the area of a plane sheet.
         const ROUNDED: f64 = 1e-6;
         let (count, area) = self.sizes[self.first[triangle as usize] as usize];
         let own: f64 = between.iter().map(|corners| area_of(corners.map(|v| points[v as usize]))).sum();
@@ -197,7 +209,8 @@ fn area_of(triangle: [[f64; 3]; 3]) -> f64 {
     0.5 * distance(normal(triangle), [0.0; 3])
 }
 
-/// The loops of half-edges with one triangle, against them, each with one of its half-edges; none through a vertex where two meet.
+/// Returns the boundary loops, traversed against their half-edges, each with one of its half-edges.
+/// Loops through a vertex shared with another loop are omitted.
 fn loops(corners: &[[u32; 3]], boundary: &[u32]) -> Vec<(u32, Vec<u32>)> {
     let mut from: Vec<(u32, u32, u32)> =
         boundary.iter().map(|&h| (start_of(corners, h), end_of(corners, h), h)).collect();
@@ -218,7 +231,7 @@ fn loops(corners: &[[u32; 3]], boundary: &[u32]) -> Vec<(u32, Vec<u32>)> {
             hole.push(from[edge].0);
             at = next(from[edge].1);
         }
-        // Back where it began, where nothing else begins.
+        // The walk is back at its start, where no other edge starts.
         if at == Some(k) && next(from[k].0) == Some(k) && hole.len() > 2 {
             hole.reverse();
             loops.push((from[k].2, hole));
@@ -227,7 +240,7 @@ fn loops(corners: &[[u32; 3]], boundary: &[u32]) -> Vec<(u32, Vec<u32>)> {
     loops
 }
 
-/// How far the vertices are from the middle of their box.
+/// Returns the largest distance of the vertices from the centre of their bounding box.
 fn reach(points: &[[f64; 3]], hole: &[u32]) -> f64 {
     let at = |k: usize| hole.iter().map(move |&v| points[v as usize][k]);
     let middle = core::array::from_fn(|k| {
@@ -236,11 +249,13 @@ fn reach(points: &[[f64; 3]], hole: &[u32]) -> f64 {
     hole.iter().map(|&v| distance(points[v as usize], middle)).fold(0.0, f64::max)
 }
 
-/// The triangles between the vertices of a polygon that have the least area together: of each of its diagonals the best third corner.
+/// Returns the triangulation of a polygon with the smallest total area, by dynamic programming over
+/// its diagonals.
 ///
-/// A plane polygon is triangulated so without overlap: any other way has more area.
+/// A plane polygon is triangulated without overlap, because any other triangulation has more area.
 fn triangulated(points: &[[f64; 3]], hole: &[u32]) -> Vec<[u32; 3]> {
-    // From its least vertex, whatever the order of the triangles: two ways may have the same area.
+    // Starts at the lexicographically smallest vertex, so that the result does not depend on the
+    // order of the triangles if two triangulations have equal area.
     let key = |v: &u32| points[*v as usize].map(|c| c + 0.0);
     let least = |a: &(usize, &u32), b: &(usize, &u32)| {
         let (p, q) = (key(a.1), key(b.1));

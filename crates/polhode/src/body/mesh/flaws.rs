@@ -1,12 +1,12 @@
-//! Why a mesh bounds no solid.
+//! Errors of a mesh that bounds no solid.
 
 use super::TriangleMesh;
 use super::diagnosis::MeshDiagnosis;
 use super::places::MeshPlaces;
 use crate::body::error::BodyError;
 
-/// Why a mesh bounds no solid, all that is wrong with it, and where: what [`ClosedMesh::or_flaws`](crate::body::mesh::ClosedMesh::or_flaws)
-/// finds instead of one.
+/// All errors of a mesh that bounds no solid, with their places.
+/// [`ClosedMesh::or_flaws`](crate::body::mesh::ClosedMesh::or_flaws) returns it.
 ///
 /// ```
 /// use polhode::body::BodyError;
@@ -22,20 +22,20 @@ use crate::body::error::BodyError;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct MeshFlaws {
-    /// What [`ClosedMesh::of`](crate::body::mesh::ClosedMesh::of) says.
+    /// Error that [`ClosedMesh::of`](crate::body::mesh::ClosedMesh::of) returns.
     pub first: BodyError,
-    /// What else is wrong.
+    /// All other errors of the mesh.
     pub others: Vec<BodyError>,
-    /// What is right and wrong, in numbers.
+    /// Diagnosis of the mesh: numbers of defects and properties.
     pub diagnosis: MeshDiagnosis,
-    /// Where.
+    /// Places of the defects.
     pub places: MeshPlaces,
-    /// The triangles as they were given, in their order, each vertex once.
+    /// Triangles of the input in their order, each vertex once.
     pub surface: TriangleMesh,
 }
 
 impl MeshFlaws {
-    /// All that is wrong.
+    /// Returns all errors.
     pub fn errors(&self) -> impl Iterator<Item = &BodyError> {
         core::iter::once(&self.first).chain(&self.others)
     }

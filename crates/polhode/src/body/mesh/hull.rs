@@ -1,4 +1,4 @@
-//! Convex hulls.
+//! Convex hulls of points.
 
 use super::TriangleMesh;
 use super::predicate::side;
@@ -7,13 +7,15 @@ use crate::body::error::{BodyError, finite};
 use crate::body::triangle_mesh::normal;
 use crate::math::symmetric3::power_of_two_near;
 
-/// The smallest convex solid around points.
+/// Convex hull: the smallest convex solid that contains given points.
 ///
-/// By Quickhull: from a tetrahedron outward, each time to the point farthest above a face. Which points are above a face is decided by
-/// exact signs, so that points on faces and edges, and any number of points in one plane, do no harm: the hull contains every point.
-/// Its faces are triangles, with corners at given points only, outward; none lies inside a face or an edge.
+/// The algorithm is Quickhull. It starts from a tetrahedron and repeatedly adds the point farthest
+/// above a face. Exact signs decide which points are above a face, so that points on faces or edges
+/// and many coplanar points are handled correctly: the hull contains every point. Its faces are
+/// outward-oriented triangles with corners at given points; no vertex lies inside a face or an
+/// edge.
 ///
-/// Expected time n log n; the same result for the same points in the same order.
+/// The expected time is O(n log n). The result is the same for the same points in the same order.
 ///
 /// Source: Barber, Dobkin & Huhdanpaa, ACM Trans. Math. Softw. 22 (1996) 469.
 ///
@@ -30,11 +32,11 @@ use crate::math::symmetric3::power_of_two_near;
 pub struct ConvexHull;
 
 impl ConvexHull {
-    /// The surface of the hull, its vertices in the order given.
+    /// Returns the surface of the hull, with vertices in the order of the input.
     ///
     /// # Errors
-    /// [`BodyError::Empty`] without points; [`BodyError::Parameter`] for a coordinate that is not
-    /// finite; [`BodyError::FlatPoints`] if all lie in one plane.
+    /// [`BodyError::Empty`] if there are no points; [`BodyError::Parameter`] for a coordinate that
+    /// is not finite; [`BodyError::FlatPoints`] if all points are coplanar.
     pub fn of(points: &[[f64; 3]]) -> Result<TriangleMesh, BodyError> {
         for &point in points {
             finite("the point's coordinate", point)?;
@@ -44,7 +46,8 @@ impl ConvexHull {
         }
         let largest = points.as_flattened().iter().fold(0.0_f64, |max, c| max.max(c.abs()));
         let per_unit = 1.0 / power_of_two_near(largest);
-        // In units of a power of two near the largest coordinate: exact, and no product leaves the range of f64.
+        // Lengths are scaled by a power of two near the largest coordinate: this is exact, and no
+        // product overflows.
         let reduced: Vec<[f64; 3]> = points.iter().map(|p| p.map(|c| c * per_unit)).collect();
         let simplex = simplex(&reduced).ok_or_else(|| flat(&reduced))?;
         let mut hull = Growing::of(&reduced, simplex);
@@ -55,7 +58,7 @@ impl ConvexHull {
     }
 }
 
-/// The error of points that lie in one plane.
+/// Returns the error for coplanar points.
 fn flat(points: &[[f64; 3]]) -> BodyError {
     let first = points[0];
     let place = match points.iter().find(|point| **point != first) {
@@ -68,7 +71,8 @@ fn flat(points: &[[f64; 3]]) -> BodyError {
     BodyError::FlatPoints { count: points.len(), place }
 }
 
-/// Four points that do not lie in one plane, wide apart: a tetrahedron with (0, 1, 2) seen counter-clockwise from outside.
+/// Returns four points that are not coplanar and far apart: a tetrahedron with (0, 1, 2)
+/// counter-clockwise seen from outside.
 fn simplex(points: &[[f64; 3]]) -> Option<[u32; 4]> {
     let point = |k: usize| points[k];
     let distance = |a: [f64; 3], b: [f64; 3]| (0..3).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum::<f64>();
@@ -78,7 +82,7 @@ fn simplex(points: &[[f64; 3]]) -> Option<[u32; 4]> {
     };
     let b = farthest(&|k| distance(point(a), point(k)))?;
     let squared = |[x, y, z]: [f64; 3]| x * x + y * y + z * z;
-    // If rounding hides what there is, any that exact signs find will do.
+    // If rounding hides the farthest point, any point that exact signs accept is sufficient.
     let on_a_line = |k: usize| super::predicate::facing([point(a), point(b), point(k)]).is_none();
     let c = farthest(&|k| squared(normal([point(a), point(b), point(k)])))?;
     let c = if on_a_line(c) { (0..points.len()).find(|&k| !on_a_line(k))? } else { c };
@@ -90,16 +94,16 @@ fn simplex(points: &[[f64; 3]]) -> Option<[u32; 4]> {
 
 struct Face {
     corners: [u32; 3],
-    /// The faces across the edges from each corner to the next.
+    /// Faces across the edges from each corner to the next.
     neighbours: [u32; 3],
-    /// Points above this face, each in the list of one face only.
+    /// Points above this face; each point is in the list of one face only.
     above: Vec<u32>,
     removed: bool,
-    /// The last point that it was looked at from, and where that is.
+    /// Last point compared with this face, and its position relative to the face.
     seen: (u32, Seen),
 }
 
-/// Where a point is that a face is looked at from.
+/// Position of a point relative to the plane of a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Seen {
     Above,
@@ -107,17 +111,17 @@ enum Seen {
     Below,
 }
 
-/// A hull of some of the points; the others are above one of its faces, or in it.
+/// Hull of some of the points; each other point is above one of its faces or inside it.
 struct Growing<'a> {
     points: &'a [[f64; 3]],
     faces: Vec<Face>,
     /// Faces with points above them.
     waiting: Vec<u32>,
-    /// By vertex: the new face whose edge from the horizon begins there.
+    /// By vertex: the new face whose horizon edge starts there.
     fan: Vec<u32>,
-    /// By vertex: the last apex for which it was found out whether it stays a corner.
+    /// By vertex: the last apex for which `covers` was evaluated.
     examined: Vec<u32>,
-    /// The number of removed faces that are still in the list.
+    /// Number of removed faces that are still in the list.
     removed: usize,
 }
 
@@ -146,7 +150,8 @@ impl<'a> Growing<'a> {
         side(corners, self.points[point as usize])
     }
 
-    /// Gives each point to the first of the faces, from this one on, that it is above; those within are done with.
+    /// Assigns each point to the first face, from index `first` on, that it is above. Points above
+    /// no face are discarded.
     fn hand_out(&mut self, points: Vec<u32>, first: usize) {
         for point in points {
             let above = (first..self.faces.len()).find(|&face| self.height(face as u32, point) > 0.0);
@@ -158,7 +163,7 @@ impl<'a> Growing<'a> {
         self.waiting.extend(with_points.map(|face| face as u32));
     }
 
-    /// Takes in the point farthest above a face.
+    /// Adds the point farthest above a face to the hull.
     fn grow(&mut self, face: u32) {
         if self.faces[face as usize].removed {
             return;
@@ -184,7 +189,7 @@ impl<'a> Growing<'a> {
             self.fan[a as usize] = new;
         }
         for new in first..self.faces.len() {
-            // From b on, the next face of the fan.
+            // The next face of the fan starts at b.
             let next = self.fan[self.faces[new].corners[1] as usize];
             self.faces[new].neighbours[1] = next;
             self.faces[next as usize].neighbours[2] = new as u32;
@@ -196,7 +201,8 @@ impl<'a> Growing<'a> {
         }
     }
 
-    /// Drops removed faces and keeps the order: among many points on a circle a face is removed and made many times.
+    /// Drops removed faces and keeps the order. Among many points on a circle, a face is removed
+    /// and created many times.
     fn drop_removed(&mut self) {
         let mut count = 0;
         let mut number = |face: &Face| {
@@ -215,11 +221,11 @@ impl<'a> Growing<'a> {
         self.removed = 0;
     }
 
-    /// Removes the faces that a point is above, which are connected with this one, and of those in whose plane it lies the ones with a
-    /// corner that is none any more; all of them.
+    /// Removes the faces that a point is above, connected with this one, and the faces whose plane
+    /// contains it if they have a corner that stops being a vertex. Returns the removed faces.
     ///
-    /// So no new triangle is without an area, and no corner is left in the middle of a face or an edge; and a face of many triangles, as
-    /// at the end of a cylinder, is not made anew for each of its corners.
+    /// So no new triangle has zero area, and no vertex remains inside a face or an edge. A face of
+    /// many triangles, such as the end of a cylinder, is not rebuilt for each of its corners.
     fn covered_from(&mut self, apex: u32, face: u32) -> Vec<u32> {
         let mut covered = vec![face];
         self.faces[face as usize].removed = true;
@@ -274,11 +280,14 @@ impl<'a> Growing<'a> {
         seen
     }
 
-    /// Whether a corner v of this face will be none when the apex p is: whether no face at v has p below it.
+    /// Returns true if corner v of this face stops being a vertex when the apex p is added: no face
+    /// at v has p below it.
     ///
-    /// If nᵢ · (p − v) ≥ 0 with all normals nᵢ at v, a little way from v against p lies in the hull: v is between p and a point of it. If v
-    /// is between p and a point q of the hull, nᵢ · (q − v) ≤ 0 says the same. Around v both ways at once: whichever comes to a face
-    /// below first has the answer, however many faces there are the other way.
+    /// If nᵢ · (p − v) ≥ 0 for all normals nᵢ at v, a point slightly beyond v, seen from p, lies in
+    /// the hull, so that v is between p and that point. Conversely, if v is between p and a point q
+    /// of the hull, nᵢ · (q − v) ≤ 0 gives the same condition. The faces around v are visited in
+    /// both directions at once; the first face below ends the search, however many faces are in the
+    /// other direction.
     fn covers(&mut self, apex: u32, vertex: u32, face: u32) -> bool {
         let mut ways = [face; 2];
         loop {
@@ -294,14 +303,16 @@ impl<'a> Growing<'a> {
         }
     }
 
-    /// The next face around a corner: across the edge that starts there (0), or the one that ends there (2).
+    /// Returns the next face around a corner: across the edge that starts there (`turn` = 0) or
+    /// ends there (`turn` = 2).
     fn around(&self, vertex: u32, face: u32, turn: usize) -> u32 {
         let Face { corners, neighbours, .. } = &self.faces[face as usize];
         let corner = corners.iter().position(|&corner| corner == vertex).unwrap_or_default();
         neighbours[(corner + turn) % 3]
     }
 
-    /// The edges around faces that were removed, each by the face beyond it.
+    /// Returns the edges around the removed faces, each as the face beyond it and the edge's index
+    /// there.
     fn horizon(&self, removed: &[u32]) -> Vec<(u32, usize)> {
         let mut horizon = Vec::new();
         for &face in removed {

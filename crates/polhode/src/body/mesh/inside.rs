@@ -1,7 +1,7 @@
-//! Inside and outside: how often a mesh winds about a place, exactly.
+//! Winding number of a mesh about a place, computed exactly.
 //!
-//! Places are beside triangles, infinitely near to points that are given exactly: a [`Germ`]. So nothing is rounded, no place lies on an
-//! edge, and there is always an answer.
+//! Places are adjacent to triangles, infinitesimally near to exactly given points: see [`Germ`].
+//! Therefore nothing is rounded, no place lies on an edge, and the result is always defined.
 
 use super::patches::Patches;
 use super::predicate::{across, facing, side, turn};
@@ -9,45 +9,49 @@ use super::tree::Tree;
 use super::weld::{NONE, Welded};
 use super::work::Work;
 
-/// A mesh whose triangles can be found by rays.
+/// Mesh whose triangles can be found by rays.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Windings<'a> {
     pub(crate) welded: &'a Welded,
     pub(crate) tree: &'a Tree,
     pub(crate) patches: &'a Patches,
-    /// What rays may cost, and whatever else is looked for.
+    /// Step budget of rays and other searches.
     pub(crate) work: &'a Work<'a>,
 }
 
-/// A place in a triangle: from its first point infinitely little toward the second, and from there infinitely less toward the third. The
-/// three lie in the triangle's plane, and on no line.
+/// A place in a triangle: at its first point, displaced infinitesimally toward the second point,
+/// and from there by a second-order infinitesimal toward the third. The three points lie in the
+/// triangle's plane and are not collinear.
 ///
-/// What is affine has the sign there that it has at the first of the points where it is not zero.
+/// The sign of an affine function there is its sign at the first of the three points where it is
+/// not zero.
 pub(crate) type Germ = [[f64; 3]; 3];
 
-/// Which components are about a component.
+/// Components that contain a given component.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Nesting {
-    /// How many closed components it lies in.
+    /// Number of closed components that contain it.
     pub(crate) depth: usize,
-    /// The smallest of them.
+    /// Smallest of these components.
     pub(crate) inside: Option<usize>,
 }
 
-/// A triangle that a ray goes through.
+/// Triangle that a ray passes through.
 struct Hit {
     triangle: usize,
-    /// It lies on the triangle that the ray begins at.
+    /// True if it is coplanar with the triangle where the ray starts, and contains the start.
     coplanar: bool,
-    /// Its normal points along the ray.
+    /// True if its normal points along the ray.
     along: bool,
 }
 
 impl Windings<'_> {
-    /// Which of the closed components are about this one, by the volumes of components, negative if wound inward: seen from the side of one
-    /// of its triangles that it encloses.
+    /// Returns the closed components that contain the component of `triangle`, as seen from the
+    /// inner side of that triangle. `volume` returns the volumes of components, negative if
+    /// oriented inward.
     ///
-    /// What encloses that too, and does not go through it, is about it if it is larger. A solid may fill a cavity.
+    /// A component that encloses that side and does not intersect this component contains it if it
+    /// is larger. A solid may fill a cavity.
     pub(crate) fn nesting(&self, triangle: usize, volume: impl Fn(usize) -> Option<f64>) -> Nesting {
         let own = self.patches.component[triangle];
         let (Some((axis, along)), Some(own_volume)) = (self.facing(triangle), volume(own as usize)) else {
@@ -66,7 +70,7 @@ impl Windings<'_> {
             let same = if outward && v < 0.0 { -SAME } else { SAME };
             v.abs() > own_volume.abs() * (1.0 + same)
         };
-        // Inside what the ray meets an odd number of times.
+        // A point is inside a component that the ray meets an odd number of times.
         let odd = hits.chunk_by(|a, b| a == b).filter(|hits| hits.len() % 2 == 1);
         let around = odd.filter_map(|hits| volume(hits[0] as usize).map(|v| (v, hits[0] as usize)));
         let (mut nesting, mut smallest) = (Nesting::default(), f64::INFINITY);
@@ -79,8 +83,9 @@ impl Windings<'_> {
         nesting
     }
 
-    /// How often a closed mesh winds about what is just before a triangle and just behind it, at its first corner, where each triangle counts
-    /// as often as it is there; `None` if the triangle has no area.
+    /// Returns the winding numbers of a closed mesh just in front of a triangle and just behind it,
+    /// at its first corner. `times` is the multiplicity of each triangle. `None` if the triangle
+    /// has no area.
     pub(crate) fn beside(&self, triangle: usize, times: impl Fn(usize) -> i32) -> Option<[i32; 2]> {
         let germ = self.welded.triangle(triangle);
         let (axis, sign) = facing(germ)?;
@@ -92,13 +97,15 @@ impl Windings<'_> {
         Some(if sign > 0.0 { [ahead, ahead + coplanar] } else { [ahead + coplanar, ahead] })
     }
 
-    /// An axis along which a triangle is seen, and whether its outer side faces along it.
+    /// Returns an axis along which a triangle has projected area, and true if its outer side faces
+    /// along the axis.
     fn facing(&self, triangle: usize) -> Option<(usize, bool)> {
         let (axis, sign) = facing(self.welded.triangle(triangle))?;
         Some((axis, (sign > 0.0) != self.patches.against[triangle]))
     }
 
-    /// Calls `hit` for all triangles that the ray from a germ along an axis goes through, those that the germ lies on among them.
+    /// Calls `hit` for all triangles that the ray from a germ along an axis passes through,
+    /// including those that contain the germ.
     fn hits(&self, axis: usize, germ: &Germ, mut hit: impl FnMut(Hit)) {
         if self.work.is_spent() {
             return;
@@ -110,7 +117,8 @@ impl Windings<'_> {
             let triangle = self.welded.triangle(t);
             let Some(left) = seen_at(triangle, axis, germ) else { return };
             let height = first_sign(germ.iter().map(|&p| side(triangle, p)));
-            // Ahead of the germ: behind the plane if its normal points along the ray, before it if against.
+            // Ahead of the germ: the germ is behind the plane if its normal points along the ray,
+            // in front of it otherwise.
             if height == 0.0 || (height < 0.0) == left {
                 hit(Hit { triangle: t, coplanar: height == 0.0, along: left });
             }
@@ -119,12 +127,14 @@ impl Windings<'_> {
     }
 }
 
-/// Volumes that differ by no larger part are the same, but for rounding.
+/// Relative tolerance within which two volumes count as equal, to allow for rounding.
 const SAME: f64 = 1e-12;
 
-/// Does the line along an axis through a germ meet the triangle? If so, whether its normal points along it.
+/// Returns true if the normal of the triangle points along the line through a germ along an axis,
+/// false if it points against it, and `None` if the line does not meet the triangle.
 ///
-/// It meets no edge, but for those that are seen as points, if the germ's three points are not seen on a line.
+/// If the projections of the germ's three points are not collinear, the line meets no edges except
+/// those whose projection is a point.
 fn seen_at(triangle: [[f64; 3]; 3], axis: usize, germ: &Germ) -> Option<bool> {
     let [a, b, c] = triangle.map(|p| across(axis, p));
     let turned = |a, b| first_sign(germ.iter().map(|&p| turn(a, b, across(axis, p))));
@@ -137,10 +147,12 @@ pub(crate) fn first_sign(mut values: impl Iterator<Item = f64>) -> f64 {
     values.find(|&value| value != 0.0).unwrap_or(0.0)
 }
 
-/// Does the line along an axis through a point of the plane across it meet the triangle?
+/// Returns true if the line along an axis through a point of the perpendicular plane meets the
+/// triangle.
 ///
-/// The line runs beside the point, by an infinitely small ε along the next axis and ε² along the one after that: it never meets an edge,
-/// and meets one of the two triangles at each.
+/// The line is displaced from the point by an infinitesimal ε along the next axis and ε² along the
+/// one after it. So it never meets an edge, and of the two triangles at an edge it meets exactly
+/// one.
 pub(crate) fn is_seen_at(triangle: [[f64; 3]; 3], axis: usize, q: [f64; 2]) -> bool {
     let turned = |a: [f64; 2], b: [f64; 2]| {
         let turn = turn(a, b, q);

@@ -1,4 +1,4 @@
-//! The mass integrals of a polyhedron.
+//! Mass integrals of a polyhedron.
 
 use core::ops::{Add, Mul, Range, Sub};
 
@@ -14,7 +14,7 @@ use crate::math::sum::{quick_two_sum, two_sum};
 use crate::math::symmetric3::{Symmetric3, power_of_two_near};
 use crate::math::vector::Position;
 
-/// A closed, consistently wound surface, to be integrated over.
+/// Closed, consistently oriented surface to integrate over.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Polyhedron<'a> {
     pub(crate) points: &'a [[f64; 3]],
@@ -22,60 +22,66 @@ pub(crate) struct Polyhedron<'a> {
     pub(crate) threads: Threads,
 }
 
-/// What the integrals say.
+/// Results of the integrals.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Integrals {
-    /// Its volume is negative if the surface is wound inward.
+    /// Volume, centroid and covariance; the volume is negative if the surface is oriented inward.
     pub(crate) spread: Spread,
     pub(crate) area: f64,
-    /// What the rounding of the centroid left of it: next to nothing, but not beside a small body far from the origin.
+    /// Low word of the centroid (double-double), m; it matters for a small body far from the
+    /// origin.
     pub(crate) centroid_rest: [f64; 3],
 }
 
 impl Polyhedron<'_> {
-    /// Volume, centroid and covariance of the polyhedron, and its area.
+    /// Computes volume, centroid and covariance of the polyhedron, and its area.
     ///
-    /// A sum over the signed tetrahedra from a local reference point to each triangle (a, b, c), d = a · ((b − a) × (c − a)) = a · (b × c):
+    /// The integrals are sums over the signed tetrahedra from a local reference point to each
+    /// triangle (a, b, c), with d = a · ((b − a) × (c − a)) = a · (b × c):
     ///
     /// 6 V = Σ d,  24 V c = Σ d s,  120 V ⟨x xᵀ⟩ = Σ d (a aᵀ + b bᵀ + c cᵀ + s sᵀ),  s = a + b + c
     ///
-    /// Exact for the polyhedron but for rounding, some 4e-16 of half the tensor's trace. The reference is first the middle of the
-    /// bounding box, then the centroid: a body far from the origin, or far from the middle of its box, loses nothing. A thin-walled body is
-    /// a small difference of large terms, and so is the volume of a needle, or of a small triangle that is far away: where the terms are more
-    /// than [`CANCELLED`] times their sum, or the products in them more than [`ROUNDED`] times, all is done again in two words.
+    /// They are exact for the polyhedron except for rounding, about 4e-16 of half the tensor's
+    /// trace. The reference is first the centre of the bounding box, then the centroid, so that a
+    /// body far from the origin, or far from the centre of its box, loses no digits. For
+    /// thin-walled bodies, needles, and small triangles far from the reference, large terms cancel.
+    /// If the terms are more than [`CANCELLED`] times their sum, or the products in them more than
+    /// [`ROUNDED`] times, the sums are repeated in double-double arithmetic.
     ///
-    /// The same bits for any number of threads and any width of vectors.
+    /// The result is bit-identical for any number of threads and any vector width.
     ///
     /// Source: Tonon, J. Math. Stat. 1 (2005) 8, summed over the boundary.
     pub(crate) fn integrate(&self) -> Result<Integrals, BodyError> {
         let (low, high) = self.bounds();
         let middle: [f64; 3] = core::array::from_fn(|k| 0.5 * low[k] + 0.5 * high[k]);
         let size = (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
-        // In units of a power of two near the size: exact, and no fifth power leaves the range of f64.
+        // Lengths are scaled by a power of two near the size: this is exact, and no fifth power
+        // overflows.
         let unit = power_of_two_near(size);
         let (cubed, per_unit) = (unit * unit * unit, 1.0 / unit);
         let first: MomentSums = self.sum(|piece| self.piece::<4>(piece, middle, per_unit));
-        // No noise of flat triangles is larger: each one's area times its distance, rounded.
+        // The bound exceeds the rounding noise of flat triangles: area times distance times ε.
         let six_volume = first.terms[0].value();
         if six_volume.abs() <= FLAT * first.area.value() {
             return Err(BodyError::FlatMesh { volume: six_volume / 6.0 * cubed });
         }
         let centroid = first.centroid();
-        // With few digits: differences from it are exact for coordinates that have few, too, and otherwise round at random. The last digits
-        // of a reference with all of them would round all differences the same way.
+        // The reference has few digits. Differences from it are exact for coordinates with few
+        // digits, and have random rounding otherwise. The last digits of a full-precision reference
+        // would round all differences the same way.
         let grid = unit * GRID;
         let reference: [f64; 3] =
             core::array::from_fn(|k| ((middle[k] + centroid[k] * unit) / grid).round_ties_even() * grid);
         let mut sums = self.sum(|piece| self.piece::<10>(piece, reference, per_unit));
         let trace: f64 = sums.terms[4..7].iter().map(|sum| sum.value()).sum();
-        // Not `>`: what is not a number is done again, too.
+        // `!(… <= …)` instead of `>`, so that NaN is also computed again.
         let [terms, products] = [sums.magnitude, sums.products].map(Double::value);
         if !(terms <= CANCELLED * trace.abs() && products <= ROUNDED * trace.abs()) {
             sums = self.sum(|piece| self.piece_in_two_words(piece, reference, per_unit));
         }
         let rest = sums.centroid();
         let [six_volume, _, _, _, second @ ..] = sums.terms;
-        // In two words, so that only the last digit is rounded.
+        // In double-double arithmetic, so that only the last digit is rounded.
         let twenty = six_volume * Double::from(20.0);
         let [xx, yy, zz, xy, xz, yz] = second.map(|element| (element / twenty).value());
         let covariance = Symmetric3 { xx, yy, zz, xy, xz, yz } - Symmetric3::outer(rest);
@@ -99,13 +105,13 @@ impl Polyhedron<'_> {
         bounds
     }
 
-    /// The sums of all pieces, in their order.
+    /// Returns the sums of all pieces, added in their order.
     fn sum(&self, piece: impl Fn(Range<usize>) -> MomentSums + Sync) -> MomentSums {
         let pieces = self.threads.map_pieces(self.corners.len(), PIECE, piece);
         pieces.iter().fold(MomentSums::default(), |all, piece| all.with(piece))
     }
 
-    /// The first so many sums over some triangles, eight at a time.
+    /// Returns the first `TERMS` sums over some triangles, eight triangles at a time.
     fn piece<const TERMS: usize>(
         &self,
         triangles: Range<usize>,
@@ -120,7 +126,7 @@ impl Polyhedron<'_> {
                 let origin = [Vectors::splat(x), Vectors::splat(y), Vectors::splat(z)];
                 let per_unit = Vectors::splat(per_unit);
                 for corners in self.corners[triangles].chunks(WIDTH) {
-                    // What is not filled lies in the reference point and adds nothing.
+                    // Unused lanes are at the reference point and add nothing.
                     let mut group = [origin; 3];
                     for (lane, triangle) in corners.iter().enumerate() {
                         for (corner, &index) in group.iter_mut().zip(triangle) {
@@ -160,30 +166,32 @@ impl Polyhedron<'_> {
     }
 }
 
-/// Terms that are so many times larger than their sum leave it too few digits.
+/// Ratio of terms to their sum above which too few digits remain.
 const CANCELLED: f64 = 4.0;
 
-/// Products of which terms are made, all taken as positive, that are so many times larger than their sum leave its terms too few digits.
+/// Ratio of the products of which the terms consist (all taken as positive) to their sum above
+/// which the terms have too few digits.
 const ROUNDED: f64 = 64.0;
 
-/// The reference point is a multiple of this, in units near the size: so near the centroid that nothing is lost.
+/// Grid of the reference point, in scaled units: so close to the centroid that no digits are lost.
 const GRID: f64 = 1.0 / 1_048_576.0;
 
-/// Triangles in a piece of work.
+/// Number of triangles in a piece of work.
 const PIECE: usize = 1 << 12;
 
-/// Triangles in a vector.
+/// Number of triangles per vector.
 const WIDTH: usize = 8;
 
 type Vectors = Lanes<WIDTH>;
 
-/// d, d s, and d (a aᵀ + b bᵀ + c cᵀ + s sᵀ) by its elements xx, yy, zz, xy, xz, yz.
+/// Returns d, d s, and d (a aᵀ + b bᵀ + c cᵀ + s sᵀ) with its elements xx, yy, zz, xy, xz, yz.
 #[inline(always)]
 fn terms<T>([a, b, c]: [[T; 3]; 3]) -> [T; 10]
 where
     T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
 {
-    // No `map`, and no closures but small ones: they are not inlined everywhere, and then are not compiled for wide vectors.
+    // `map` and larger closures are not inlined on every target, and would then not be compiled for
+    // wide vectors.
     let (e, f) = ([b[0] - a[0], b[1] - a[1], b[2] - a[2]], [c[0] - a[0], c[1] - a[1], c[2] - a[2]]);
     let n = [e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]];
     let d = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
@@ -203,13 +211,14 @@ where
     ]
 }
 
-/// Σ pᵢ pⱼ
+/// Returns Σ pᵢ pⱼ.
 #[inline(always)]
 fn second<T: Copy + Add<Output = T> + Mul<Output = T>>([a, b, c, s]: &[[T; 3]; 4], i: usize, j: usize) -> T {
     a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + s[i] * s[j]
 }
 
-/// What the terms of the trace are made of: d (a² + b² + c² + s²) with every product in d positive.
+/// Returns the magnitude of the products in the terms of the trace: d (a² + b² + c² + s²) with
+/// every product in d positive.
 #[inline(always)]
 fn products([a, b, c]: [[Vectors; 3]; 3]) -> Vectors {
     let e = positive([b[0] - a[0], b[1] - a[1], b[2] - a[2]]);
@@ -229,7 +238,7 @@ fn dot(p: [Vectors; 3], q: [Vectors; 3]) -> Vectors {
     p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
 }
 
-/// ½ |(b − a) × (c − a)|
+/// Returns ½ |(b − a) × (c − a)|.
 #[inline(always)]
 fn area<T: Splat>([a, b, c]: [[T; 3]; 3]) -> T {
     let (u, v) = ([b[0] - a[0], b[1] - a[1], b[2] - a[2]], [c[0] - a[0], c[1] - a[1], c[2] - a[2]]);
@@ -237,15 +246,15 @@ fn area<T: Splat>([a, b, c]: [[T; 3]; 3]) -> T {
     T::splat(0.5) * (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).map(f64::sqrt)
 }
 
-/// Sums in powers of the unit of length.
+/// Sums of the integrals, in powers of the scaled unit of length.
 #[derive(Clone, Copy, Debug, Default)]
 struct MomentSums {
-    /// As [`terms`].
+    /// Sums of [`terms`].
     terms: [Double; 10],
     area: Double,
-    /// Of the terms of the trace, without their signs.
+    /// Sum of the absolute terms of the trace.
     magnitude: Double,
-    /// As [`products`].
+    /// Sum of [`products`].
     products: Double,
 }
 
@@ -259,14 +268,14 @@ impl MomentSums {
         }
     }
 
-    /// From the reference point: Σ d s / 4 Σ d
+    /// Returns the centroid relative to the reference point: Σ d s / 4 Σ d.
     fn centroid(&self) -> [f64; 3] {
         let [d, x, y, z, ..] = self.terms;
         [x, y, z].map(|first| (first / d).value() * 0.25)
     }
 }
 
-/// Sums of many lanes with their rounding errors (Ogita, Rump & Oishi's `Sum2` in each lane).
+/// Sums in many lanes with their rounding errors (`Sum2` of Ogita, Rump & Oishi in each lane).
 struct LaneSums<const TERMS: usize> {
     high: [Vectors; TERMS],
     low: [Vectors; TERMS],

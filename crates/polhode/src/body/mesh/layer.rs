@@ -1,18 +1,21 @@
-//! Where a surface lies in one layer, and so cannot meet itself.
+//! Regions where a surface has a single layer and therefore cannot intersect itself.
 //!
-//! Take a box about some triangles of a surface, and look at it along an axis. If
+//! Consider a box around some triangles of a surface, and a viewing axis. If
 //!
 //! 1. every triangle that reaches into the box has its normal on the same side, up;
-//! 2. none of them reaches the lid or the bottom of the box;
-//! 3. none of them has an edge where the surface ends or turns over;
+//! 2. none of them reaches the top or the bottom of the box;
+//! 3. none of them has an edge where the surface ends or reverses its orientation;
 //!
-//! then the layers over any two points of the box's ground are as many: going from one to the other a layer can end only at a wall of
-//! the box (the degree of a map is constant). If there is one over one point, there is one over all, and whatever two triangles had in
-//! common in the box, beyond their corners and edges, would be two layers there. So the triangles that the box was made for meet
-//! nothing. The box is open and a little larger than they are, so this holds on its walls, too.
+//! then the number of layers is the same over any two points of the box's base: between them a
+//! layer can end only at a wall of the box (the degree of a map is constant). If there is one layer
+//! over one point, there is one over all points. Any intersection of two triangles in the box,
+//! beyond their common corners and edges, would be two layers there. So the triangles inside the
+//! box intersect nothing. The box is open and slightly larger than the triangles, so that this
+//! holds on its walls, too.
 //!
-//! The signs of the normals are certain, and so is the number of layers; a box for which one of these fails is divided, and in the end
-//! its triangles are compared one by one. Nearly all of a finely divided surface needs no more than this.
+//! The signs of the normals and the number of layers are exact. A box that fails a condition is
+//! divided; finally its triangles are compared one by one. For nearly all of a finely divided
+//! surface this test is sufficient.
 
 use super::edges::Edges;
 use super::inside::is_seen_at;
@@ -23,17 +26,18 @@ use super::tree::{Bounds, LEAF, Sides, Tree, sides_of};
 use super::weld::Welded;
 use super::work::Work;
 
-/// The triangles of a tree, with what is known of their layers.
+/// Triangles of a tree, with the data of the single-layer test.
 pub(crate) struct Layers<'a> {
     welded: &'a Welded,
     tree: &'a Tree,
     torn: Torn,
-    /// Where all triangles of each node certainly face; nowhere if one of them is torn.
+    /// Directions that all triangles of each node certainly face; empty if one of them is torn.
     sides: Vec<Sides>,
 }
 
 impl<'a> Layers<'a> {
-    /// Of a tree without those of the mesh that are `left_out`, and without those on one line.
+    /// Prepares the test for a tree that omits the triangles `left_out` and those with collinear
+    /// corners.
     pub(crate) fn of(
         welded: &'a Welded,
         tree: &'a Tree,
@@ -57,7 +61,7 @@ impl<'a> Layers<'a> {
         Self { welded, tree, torn, sides }
     }
 
-    /// The triangles that may meet others, in the tree's order.
+    /// Returns the triangles that may intersect others, in the tree's order.
     pub(crate) fn doubtful(&self, work: &Work<'_>, threads: Threads) -> Vec<u32> {
         let leaves = self.tree.nodes().len() / 2;
         let roots = (leaves / LARGEST).max(1);
@@ -69,7 +73,8 @@ impl<'a> Layers<'a> {
         parts.concat()
     }
 
-    /// The doubtful triangles of a node that has so many leaves; not all of them if it is ended.
+    /// Adds the doubtful triangles of a node with `leaves` leaves; the list is incomplete if the
+    /// work was stopped.
     fn divide(&self, node: usize, leaves: usize, work: &Work<'_>, doubtful: &mut Vec<u32>) {
         let order = self.tree.order();
         let first = (node * leaves - self.tree.nodes().len() / 2) * LEAF;
@@ -89,7 +94,7 @@ impl<'a> Layers<'a> {
         }
     }
 
-    /// Is there certainly but one layer about a node that has this corner?
+    /// Returns true if there is certainly only one layer around a node that contains this corner.
     fn is_single(&self, node: usize, corner: u32) -> bool {
         let Bounds { low, high } = self.tree.nodes()[node];
         let mut axes = [0, 1, 2];
@@ -104,10 +109,11 @@ impl<'a> Layers<'a> {
         })
     }
 
-    /// Do all triangles that may reach into the box face this side, and stay off its lid and its bottom?
+    /// Returns true if all triangles that may reach into the box face this side and do not reach
+    /// its top or bottom.
     fn all_face(&self, side: Sides, axis: usize, cell: &Bounds) -> bool {
         let fits = |b: &Bounds| cell.low[axis] < b.low[axis] && b.high[axis] < cell.high[axis];
-        // Where all in a node do, no need to look further.
+        // If all triangles of a node satisfy this, its children need not be visited.
         let open = |node: usize, bounds: &Bounds| self.sides[node] & side == 0 || !fits(bounds);
         self.tree.all_within(self.welded, cell, open, |t, bounds| {
             let faces = sides_of(self.welded.triangle(t as usize)) & side != 0;
@@ -115,7 +121,8 @@ impl<'a> Layers<'a> {
         })
     }
 
-    /// How many triangles are above and below this corner in the box; beside it, where a point lies on an edge.
+    /// Returns the number of triangles above and below this corner in the box; next to the corner
+    /// if it lies on an edge.
     fn layers(&self, axis: usize, cell: &Bounds, corner: u32) -> usize {
         let point = self.welded.points[corner as usize];
         let line = self.tree.line(point, axis, cell);
@@ -130,23 +137,24 @@ impl<'a> Layers<'a> {
     }
 }
 
-/// Leaves of the nodes that are looked at first.
+/// Number of leaves of the nodes that are tested first.
 const LARGEST: usize = 256;
 
-/// Leaves of a node that is not divided.
+/// Number of leaves of a node that is not divided further.
 const SMALLEST: usize = 2;
 
-/// Where a surface ends or turns over.
+/// Places where a surface ends or reverses its orientation.
 struct Torn {
     triangles: Vec<u32>,
-    /// Corners of triangles without an area: what is beside these may touch without being above each other.
+    /// Corners of triangles without area: their neighbours may touch without being above each
+    /// other.
     points: Vec<u32>,
 }
 
 impl Torn {
     fn of(welded: &Welded, edges: &Edges, left_out: impl Fn(u32) -> bool, collinear: &[u32]) -> Self {
         let mut halves = [edges.boundary.as_slice(), &edges.inconsistent].concat();
-        // What is left out is there again: of each edge at least one triangle is left.
+        // Triangles left out are duplicates: at least one triangle of each edge remains.
         let mut left = Vec::new();
         for edge in &edges.crowded {
             left.clear();
@@ -186,7 +194,7 @@ mod tests {
     use super::super::weld::NONE;
     use super::*;
 
-    /// A closed surface over two angles.
+    /// Returns a closed surface parametrised by two angles.
     fn torus(n: u32, m: u32, at: impl Fn(f64, f64) -> [f64; 3]) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
         let angle = |k: u32, n: u32| TAU * f64::from(k) / f64::from(n);
         let points = (0..n * m).map(|k| at(angle(k / m, n), angle(k % m, m))).collect();
@@ -199,7 +207,7 @@ mod tests {
         (points, halves.collect())
     }
 
-    /// A tube about a curve that goes round so many times, at a distance that changes, about an oblique axis.
+    /// Returns a tube around a curve with `turns` turns of varying radius about an oblique axis.
     fn tube(turns: f64, radius: f64, wave: f64) -> impl Fn(f64, f64) -> [f64; 3] {
         move |u, v| {
             let (r, w) = (1.0 + wave * (0.5 * u * (turns - 1.0)).cos(), wave * (u + 0.3).sin());
@@ -210,7 +218,7 @@ mod tests {
         }
     }
 
-    /// Numbers from 0 to 1, one after the other.
+    /// Returns a generator of pseudo-random numbers from 0 to 1.
     fn chance() -> impl FnMut() -> f64 {
         let mut state = 20_u64;
         move || {
@@ -219,7 +227,8 @@ mod tests {
         }
     }
 
-    /// A mesh, its triangles that have an area and are not there again, and which of them are doubtful.
+    /// Returns a mesh, its triangles that have an area and are not duplicates, and which of them
+    /// are doubtful.
     fn doubtful((points, triangles): (Vec<[f64; 3]>, Vec<[u32; 3]>)) -> (Welded, Vec<u32>, Vec<bool>) {
         let mesh = TriangleMesh::new(points, triangles).unwrap();
         let (welded, threads) = (Welded::of(&mesh, Threads::of(1)), Threads::of(2));
@@ -242,7 +251,8 @@ mod tests {
         (welded, order, is_doubtful)
     }
 
-    /// Every two triangles that have more in common than corners and edges are doubtful, both. How many pairs there are.
+    /// Checks that both triangles of every intersecting pair are doubtful. Returns the number of
+    /// pairs.
     fn check(mesh: (Vec<[f64; 3]>, Vec<[u32; 3]>)) -> usize {
         let (welded, order, is_doubtful) = doubtful(mesh);
         let mut pairs = 0;
@@ -286,7 +296,7 @@ mod tests {
         let (_, order, is_doubtful) = doubtful((points, triangles));
         let part = is_doubtful.iter().filter(|&&doubtful| doubtful).count();
         assert!(order.len() == 160 * 80 * 2 && part < order.len() / 10, "{part} of {}", order.len());
-        // Nor does it close the surface where it ends, nor hide what meets.
+        // The test also must not close the surface where it ends, nor hide an intersection.
         let mut chance = chance();
         let mut found = 0;
         for (round, (turns, wave)) in
@@ -310,12 +320,13 @@ mod tests {
 
     #[test]
     fn what_meets_is_doubtful_however_the_layers_lie() {
-        // Through itself at the axis; twice about it, layer on layer, all the way or crossing in a few places.
+        // Self-intersecting at the axis; or several turns about it, in layers that coincide or
+        // cross in a few places.
         for (turns, radius, wave) in [(1.0, 1.1, 0.0), (2.0, 0.3, 0.0), (2.0, 0.3, 0.01), (3.0, 0.2, 0.03)] {
             let pairs = check(torus(48, 14, tube(turns, radius, wave)));
             assert!(pairs > 0, "{turns} {radius} {wave}");
         }
-        // Two surfaces, the outer one of which dips through the inner one.
+        // Two surfaces, the outer of which dips through the inner one.
         for dip in [0.0, 0.06, 0.2] {
             let (mut points, mut triangles) = torus(36, 16, tube(1.0, 0.4, 0.1));
             let (outer, more) = torus(40, 14, |u, v| {
@@ -335,14 +346,14 @@ mod tests {
         let mut found = 0;
         for round in 0..12 {
             let (mut points, mut triangles) = torus(40, 14, tube(1.0, 0.4, 0.1));
-            // Corners pulled over their neighbours.
+            // Corners displaced across their neighbours.
             for _ in 0..30 {
                 let k = (chance() * points.len() as f64) as usize;
                 let by = chance();
                 points[k] = points[k].map(|c| c + by * (chance() - 0.5));
             }
             match round % 4 {
-                // On a grid, so that much is in one plane or on one line.
+                // Coordinates rounded to a grid, so that many points are coplanar or collinear.
                 1 => points.iter_mut().flatten().for_each(|c| *c = (*c * 12.0).round()),
                 2 => triangles.iter_mut().step_by(41).for_each(|t| t.swap(0, 1)),
                 3 => triangles.retain(|_| chance() > 0.02),
@@ -366,12 +377,14 @@ mod tests {
 
     #[test]
     fn steps_of_many_corners_on_one_edge_are_doubtful() {
-        // A prism whose top is one triangle pair and whose sides are divided: slivers without an area close it.
+        // A prism whose top is a pair of triangles and whose sides are divided; triangles without
+        // area close it.
         let n = 9_u32;
         let mut points: Vec<[f64; 3]> = (0..=n).map(|k| [f64::from(k), 0.0, 0.25 * f64::from(k)]).collect();
         points.extend((0..=n).map(|k| [f64::from(k), 2.0, 1.0 + 0.25 * f64::from(k)]));
         let mut triangles: Vec<[u32; 3]> = vec![[0, n, 2 * n + 1], [0, 2 * n + 1, n + 1]];
-        // The seam from 0 to n has corners between, which only collinear triangles and the strip below know of.
+        // The seam from 0 to n has corners in between that only collinear triangles and the strip
+        // below contain.
         triangles.extend((1..n).map(|k| [0, k, k + 1]));
         let first = points.len() as u32;
         points.extend((0..=n).map(|k| [f64::from(k), -1.0, 0.3 * f64::from(k) - 0.4]));

@@ -1,25 +1,28 @@
-//! How two triangles meet.
+//! Intersection of two triangles.
 //!
-//! Every decision is an exact sign: what only shares a corner or an edge is never taken for what crosses.
+//! Every decision is an exact sign: triangles that only share a corner or an edge are never
+//! reported as crossing.
 
 use super::predicate::{across, facing, side, turn};
 
-/// How two triangles meet, beyond the corners that they share.
+/// Intersection of two triangles, beyond the corners that they share.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Meeting {
-    /// They have nothing in common, or but a point within an edge of each: if surfaces go through each other there, they do so at another
-    /// pair of triangles too (`overlap.rs`).
+    /// No intersection, or only a point inside an edge of each triangle: if surfaces cross there,
+    /// they also cross at another pair of triangles (`overlap.rs`).
     Apart,
-    /// These corners of the first lie on the second, and these of the second on the first, without the shared ones.
+    /// Corners of the first triangle that lie on the second, and of the second on the first,
+    /// without shared corners.
     Touching([[bool; 3]; 2]),
-    /// The insides of the two go through each other along a line, about this point.
+    /// The interiors cross along a line through about this point.
     Crossing([f64; 3]),
-    /// They lie in one plane and have an area in common; true if they are the same way round.
+    /// The triangles are coplanar and have a common area; true if they have the same orientation.
     Overlapping(bool),
 }
 
 impl Meeting {
-    /// Of two triangles, each with an area, by their corners' numbers and places.
+    /// Determines the intersection of two triangles, each with an area, from the indices and
+    /// coordinates of their corners.
     #[inline]
     pub(crate) fn of(t: [u32; 3], u: [u32; 3], place: impl Fn(u32) -> [f64; 3]) -> Self {
         let shared = |k: usize, v: [u32; 3], w: [u32; 3]| v[k] == w[0] || v[k] == w[1] || v[k] == w[2];
@@ -54,12 +57,14 @@ impl Meeting {
     }
 }
 
-/// Do the insides of two triangles go through each other, whose corners are on these sides of each other's planes? If so, a point of both.
+/// Returns a point where the interiors of two triangles cross, if they do. `of_a` and `of_b` are
+/// the sides of their corners relative to each other's planes.
 ///
-/// Each triangle that has corners on both sides of the other's plane meets the line that the planes have in common between the points where two
-/// edges from one corner p go through it. With p and q these corners and p e and q f such edges, the determinant of p, e, q, f has the sign
-/// with which the points of e and f follow each other on the line, or always the opposite one (after P. Guigue, O. Devillers, J. Graph. Tools
-/// 8 (2003) 25). The two stretches have a length in common if not all points of one come before all of the other.
+/// The planes intersect in a line. Each triangle with corners on both sides of the other's plane
+/// meets this line in a segment, bounded by two edges from one corner. Let p and q be these
+/// corners, and p e and q f such edges. The sign of the determinant of p, e, q, f is the order of
+/// the two edges' points on the line, up to a common sign (after P. Guigue, O. Devillers, J. Graph.
+/// Tools 8 (2003) 25). The segments overlap unless all points of one precede all of the other.
 fn crossing((a, of_a): ([[f64; 3]; 3], [f64; 3]), (b, of_b): ([[f64; 3]; 3], [f64; 3])) -> Option<[f64; 3]> {
     let ([p, q], ends) = ([apex(of_a)?, apex(of_b)?], |k: usize| [(k + 1) % 3, (k + 2) % 3]);
     let order = |e: usize, f: usize| side([a[p], a[e], b[q]], b[f]);
@@ -74,7 +79,7 @@ fn crossing((a, of_a): ([[f64; 3]; 3], [f64; 3]), (b, of_b): ([[f64; 3]; 3], [f6
             core::array::from_fn::<f64, 3, _>(|i| t[k][i] + part * (t[l][i] - t[k][i]))
         })
     };
-    // Between the second and the third of the four points along the line.
+    // The point is midway between the second and the third of the four points along the line.
     let [mut points, others] = [through(a, of_a, p), through(b, of_b, q)].map(|points| points.to_vec());
     points.extend(others);
     let along: [f64; 3] = core::array::from_fn(|i| points[1][i] - points[0][i]);
@@ -83,7 +88,7 @@ fn crossing((a, of_a): ([[f64; 3]; 3], [f64; 3]), (b, of_b): ([[f64; 3]; 3], [f6
     Some(core::array::from_fn(|i| 0.5 * (points[1][i] + points[2][i])))
 }
 
-/// A corner on a side of a plane where neither of the others is, if these are not both in the plane.
+/// Returns a corner that is alone on its side of a plane, unless both others are in the plane.
 fn apex(sides: [f64; 3]) -> Option<usize> {
     let signs = sides.map(|s| i32::from(s > 0.0) - i32::from(s < 0.0));
     (0..3).find(|&k| {
@@ -91,7 +96,7 @@ fn apex(sides: [f64; 3]) -> Option<usize> {
     })
 }
 
-/// Which corners of a triangle that are not shared lie on another triangle?
+/// Returns which corners of a triangle that are not shared lie on another triangle.
 fn corners_on(p: [[f64; 3]; 3], sides: [f64; 3], shared: [bool; 3], other: [[f64; 3]; 3]) -> [bool; 3] {
     let in_plane = |k: usize| !shared[k] && sides[k] == 0.0;
     if !(0..3).any(in_plane) {
@@ -107,7 +112,8 @@ fn corners_on(p: [[f64; 3]; 3], sides: [f64; 3], shared: [bool; 3], other: [[f64
     [0, 1, 2].map(|k| in_plane(k) && on(k))
 }
 
-/// Two triangles in one plane have no area in common if an edge of one has the other on its outer side.
+/// Classifies two coplanar triangles. They have no common area if an edge of one has the other on
+/// its outer side.
 fn in_one_plane(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> Meeting {
     let Some((axis, of_a)) = facing(a) else { return Meeting::Apart };
     let [p, q] = [a, b].map(|triangle| triangle.map(|corner| across(axis, corner)));
@@ -165,7 +171,8 @@ mod tests {
         assert_eq!(at([8, 3, 6], [1, 2, 0]), touching([0, 2]));
         let crossed = at([0, 1, 2], [0, 3, 4]);
         assert!(matches!(crossed, Meeting::Crossing(_)), "{crossed:?}"); // beyond a common corner
-        // Their insides cross from edge to edge, though no edge goes through an inside: the common line ends on edges of both.
+        // The interiors cross although no edge passes through an interior: the common line ends on
+        // edges of both.
         let grid = [
             [0.0, -1.0, 0.0],
             [0.0, 1.0, 0.0],

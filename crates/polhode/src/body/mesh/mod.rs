@@ -1,4 +1,4 @@
-//! Triangle meshes: what a file says, and the solid that it bounds.
+//! Triangle meshes, their diagnosis, and the solids that they bound.
 
 mod close_pairs;
 pub(crate) mod closed;

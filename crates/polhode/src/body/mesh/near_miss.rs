@@ -1,4 +1,4 @@
-//! By which weld, or by which holes filled, an open mesh would close.
+//! Search for the weld or hole filling that closes an open mesh.
 
 use super::close_pairs::{ClosePairs, distance};
 use super::clusters::{across, clusters};
@@ -9,35 +9,42 @@ use super::weld::Welded;
 use super::weld_near::boundary_vertices;
 use super::{ClosedMesh, TriangleMesh};
 
-/// The weld that closes a mesh: [`TriangleMesh::closing_weld`].
+/// Weld that closes a mesh: [`TriangleMesh::closing_weld`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ClosingWeld {
-    /// The least tolerance that closes it, in parts of the mesh's [`diagonal`](TriangleMesh::diagonal).
+    /// Smallest tolerance that closes the mesh, relative to its
+    /// [`diagonal`](TriangleMesh::diagonal).
     pub least: f64,
-    /// A tolerance of few digits that is known to close it, in parts of the diagonal.
+    /// Tolerance with few digits that is known to close the mesh, relative to the diagonal.
     pub tolerance: f64,
-    /// Vertices that it joins.
+    /// Number of vertices that the weld joins.
     pub joined: usize,
-    /// Points that become of them.
+    /// Number of points into which it joins them.
     pub points: usize,
 }
 
-/// The largest tolerance that is looked for, in parts of the diagonal, and how often a tenth of it is taken where too much is that near.
+/// Largest tolerance that is tried, relative to the diagonal, and the number of times that it is
+/// divided by ten if too many vertices are that close.
 const LARGEST: f64 = 1e-3;
 const TENTHS: i32 = 9;
 
-/// The most of the volume that a weld worth a mention leaves open: one that presses sheets onto each other closes them too.
+/// Largest uncertain volume, relative to the whole, of a weld that is reported: welding sheets onto
+/// each other also closes them.
 const MOST_BOUND: f64 = 0.01;
 
-/// Open edges up to which it is looked for: the bisection sorts them some thirty times.
+/// Maximum number of open edges for the search; the bisection sorts them about thirty times.
 const MOST_EDGES: usize = 2_000_000;
 
 impl TriangleMesh {
-    /// The weld by which an open mesh bounds a solid, up to a thousandth of its size; `None` if there is none, if it leaves more than a hundredth of
-    /// the volume open, if the mesh is not open, or if it does not `go_on`, which is asked often.
+    /// Finds the weld that turns an open mesh into a solid, with a tolerance of at most a
+    /// thousandth of the mesh's diagonal. Returns `None` if there is none, if more than a hundredth
+    /// of the volume would be uncertain, if the mesh is not open, or if `goes_on` returns false (it
+    /// is called often).
     ///
-    /// It is not looked for among more than two million open edges. Where the edges of one triangle come in pairs is bisected over the distances of their vertices; what is found is welded and diagnosed.
+    /// The search is omitted for more than two million open edges. Bisection over the distances of
+    /// the edges' vertices finds where the open edges match in pairs. The result is then welded and
+    /// diagnosed.
     ///
     /// ```
     /// use polhode::body::mesh::TriangleMesh;
@@ -66,26 +73,28 @@ impl TriangleMesh {
     }
 }
 
-/// The fill that closes a mesh: [`TriangleMesh::closing_fill`].
+/// Hole filling that closes a mesh: [`TriangleMesh::closing_fill`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ClosingFill {
-    /// How far its largest hole is across, in parts of the mesh's [`diagonal`](TriangleMesh::diagonal).
+    /// Diameter of the largest hole, relative to the mesh's [`diagonal`](TriangleMesh::diagonal).
     pub largest: f64,
-    /// A size of few digits that fills them all, in parts of the diagonal.
+    /// Hole size with few digits that fills all holes, relative to the diagonal.
     pub size: f64,
-    /// Holes that it closes.
+    /// Number of holes that it fills.
     pub holes: usize,
-    /// Triangles that close them.
+    /// Number of triangles that fill them.
     pub triangles: usize,
 }
 
-/// The largest hole that is looked for, in parts of the diagonal: of a larger one it is not known what it was.
+/// Largest hole that is filled, relative to the diagonal: the original surface of a larger one is
+/// too uncertain.
 const LARGEST_HOLE: f64 = 0.1;
 
 impl TriangleMesh {
-    /// The size of holes by which an open mesh bounds a solid once they are filled, up to a tenth of its own size; `None` if there is none, if the mesh is
-    /// not open, or if it does not `go_on`, which is asked often. What is found is filled and diagnosed.
+    /// Finds the hole size for which filling turns an open mesh into a solid, at most a tenth of
+    /// the mesh's diagonal. Returns `None` if there is none, if the mesh is not open, or if
+    /// `goes_on` returns false (it is called often). The result is filled and diagnosed.
     pub fn closing_fill(&self, goes_on: &(dyn Fn() -> bool + Sync)) -> Option<ClosingFill> {
         if !goes_on() {
             return None;
@@ -104,15 +113,15 @@ impl TriangleMesh {
     }
 }
 
-/// The open edges of a mesh.
+/// Open edges of a mesh.
 struct Seams {
-    /// The vertices at them, m.
+    /// Vertices of the open edges, m.
     points: Vec<[f64; 3]>,
-    /// Each edge's ends, by number.
+    /// Ends of each edge, as indices into `points`.
     edges: Vec<[u32; 2]>,
-    /// Pairs of vertices that are near each other, with their distance, ascending.
+    /// Pairs of vertices that are close together, with their distance, m, ascending.
     pairs: Vec<(f64, [u32; 2])>,
-    /// How near, m.
+    /// Largest distance of the pairs, m.
     reach: f64,
 }
 
@@ -136,8 +145,9 @@ impl Seams {
         Some(Self { points, edges, pairs, reach })
     }
 
-    /// The least distance at which the edges come in pairs, and what is joined is no farther apart. To join more does not open them again, and
-    /// does not bring together what was too far apart.
+    /// Returns the smallest distance at which the edges match in pairs and no joined vertices are
+    /// farther apart. Joining more vertices neither opens the edges again nor joins vertices that
+    /// were too far apart.
     fn least(&self) -> Option<f64> {
         let (mut open, mut closed) = (0, self.pairs.len());
         if !self.is_paired(closed) {
@@ -162,7 +172,8 @@ impl Seams {
         }
     }
 
-    /// With the first pairs joined, is every edge there an even number of times?
+    /// Returns true if every edge occurs an even number of times after the first `first` pairs are
+    /// joined.
     fn is_paired(&self, first: usize) -> bool {
         let mut parent: Vec<u32> = (0..self.points.len() as u32).collect();
         self.pairs[..first].iter().for_each(|(_, [i, j])| join(&mut parent, *i, *j));
@@ -173,7 +184,7 @@ impl Seams {
     }
 }
 
-/// A number of so many digits that is a little larger.
+/// Returns a slightly larger number with this number of significant digits.
 fn rounded_up(x: f64, digits: i32) -> f64 {
     let exponent = x.log10().floor() as i32 - (digits - 1);
     let decimal = |n: f64| format!("{n}e{exponent}").parse().unwrap_or(x);

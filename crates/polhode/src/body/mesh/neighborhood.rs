@@ -1,33 +1,36 @@
-//! How often a mesh winds about what is next to a vertex, exactly.
+//! Winding numbers of a mesh about places next to a vertex, computed exactly.
 //!
-//! Whatever is infinitely near to a vertex p is joined by straight lines to a point q outside. The winding number there is what they meet:
-//! +1 for each triangle that the line leaves, as its normal points along it, −1 for each that it enters. Triangles that p is not on are
-//! met by all these lines or by none, and are counted once; those that it is on, for each place anew. The point q is in the plane of none
-//! of these, and behind no edge or corner of the others; or another one is taken.
+//! Straight lines connect all places infinitesimally near a vertex p to a point q outside the mesh.
+//! The winding number at a place is the sum over the triangles that its line crosses: +1 where the
+//! line crosses in the direction of the normal, −1 where it crosses against it. A triangle that
+//! does not contain p is crossed by all these lines or by none, and is counted once. A triangle
+//! that contains p is tested for each place. The point q must not be in the plane of any of the
+//! latter, nor behind an edge or a corner of the others; otherwise another q is used.
 
 use std::collections::HashMap;
 
 use super::inside::{Germ, Windings, first_sign};
 use super::predicate::{across, facing, side, turn};
 
-/// Of a vertex.
+/// Neighbourhood of a vertex.
 struct Neighborhood {
     outside: [f64; 3],
-    /// The winding number from the triangles that the vertex is not on.
+    /// Contribution to the winding number from the triangles that do not contain the vertex.
     far: i32,
     near: Vec<Near>,
 }
 
-/// A triangle that the vertex is on.
+/// Triangle that contains the vertex.
 struct Near {
     triangle: u32,
-    /// How the vertex is [`seen`] through it.
+    /// Signs of the vertex as [`seen`] through the triangle.
     sees: [f64; 3],
-    /// Its normal, wound as most of its component is, points to the side where the point outside is.
+    /// True if the triangle's normal, with the majority orientation of its component, points to the
+    /// side of the outside point.
     along: bool,
 }
 
-/// What is next to vertices, as far as it was asked.
+/// Neighbourhoods of vertices, computed on demand and cached.
 pub(crate) struct Neighborhoods<'a> {
     windings: &'a Windings<'a>,
     lowest: i32,
@@ -36,13 +39,15 @@ pub(crate) struct Neighborhoods<'a> {
 }
 
 impl<'a> Neighborhoods<'a> {
-    /// Of a mesh that is to wind about everything `lowest` times or once more.
+    /// Prepares the test for a mesh whose winding number should be `lowest` or `lowest` + 1
+    /// everywhere.
     pub(crate) fn of(windings: &'a Windings<'a>, lowest: i32) -> Self {
         Self { windings, lowest, known: HashMap::new(), sound: HashMap::new() }
     }
 
-    /// Does it do so on both sides of a triangle, next to a vertex on it, on the sides of the way toward another vertex that lie in it? Also
-    /// if none does, or the triangle has no area; and if there is no work left.
+    /// Returns true if the winding numbers on both sides of `triangle`, at `vertex`, are valid on
+    /// both sides of the direction toward another vertex, as far as they lie in the triangle. Also
+    /// true if no side lies in it, if the triangle has no area, or if no work is left.
     pub(crate) fn is_sound(&mut self, triangle: u32, vertex: u32, toward: u32) -> bool {
         let windings = self.windings;
         if windings.work.is_spent() {
@@ -71,11 +76,12 @@ impl<'a> Neighborhoods<'a> {
     }
 }
 
-/// Points outside that are tried.
+/// Number of outside points that are tried.
 const OUTSIDE: u32 = 64;
 
 impl Neighborhood {
-    /// `None` if a triangle is not clearly met or missed on the way from the vertex to the point outside.
+    /// Returns `None` if it is not certain whether the line from the vertex to the outside point
+    /// crosses a triangle.
     fn of(windings: &Windings<'_>, vertex: u32, outside: [f64; 3]) -> Option<Self> {
         let (welded, point) = (windings.welded, windings.welded.points[vertex as usize]);
         let (mut far, mut near, mut visits) = (0, Vec::new(), 0);
@@ -104,7 +110,8 @@ impl Neighborhood {
         is_clear.then_some(Self { outside, far, near })
     }
 
-    /// How often the mesh winds about what is just behind and just before a triangle, each component wound as most of it is.
+    /// Returns the winding numbers just behind and just in front of a triangle, with each component
+    /// in its majority orientation.
     fn beside(&self, windings: &Windings<'_>, triangle: u32, germ: &Germ) -> Option<[i32; 2]> {
         let welded = windings.welded;
         facing(*germ)?;
@@ -120,7 +127,7 @@ impl Neighborhood {
             if !is_through(sees) {
                 continue;
             }
-            // The vertex itself is in its plane.
+            // The vertex itself is in the triangle's plane.
             let height = first_side(corners, places);
             let normal_is_along = near.along != windings.patches.against[near.triangle as usize];
             if height == 0.0 || (height < 0.0) == normal_is_along {
@@ -135,23 +142,24 @@ impl Neighborhood {
     }
 }
 
-/// The side of the plane of three points on which the first of some places is that is not in it.
+/// Returns the side of a plane through three points on which the first of the places lies that is
+/// not in the plane.
 fn first_side(plane: [[f64; 3]; 3], places: &[[f64; 3]]) -> f64 {
     first_sign(places.iter().map(|p| if plane.contains(p) { 0.0 } else { side(plane, *p) }))
 }
 
-/// Are all three positive, or all negative?
+/// Returns true if all three values are positive or all are negative.
 fn is_through(sides: [f64; 3]) -> bool {
     sides.iter().all(|&s| s > 0.0) || sides.iter().all(|&s| s < 0.0)
 }
 
-/// On which sides of the planes through its edges and the eye a point is: on the same ones of all if the line from it to the eye goes
-/// through the triangle, or would if it were longer.
+/// Returns the sides of a point relative to the planes through each edge and the eye. All have the
+/// same sign if the line from the point to the eye, or its extension, passes through the triangle.
 fn seen([a, b, c]: [[f64; 3]; 3], eye: [f64; 3], point: [f64; 3]) -> [f64; 3] {
     [[a, b], [b, c], [c, a]].map(|[a, b]| first_side([a, b, eye], &[point]))
 }
 
-/// Is a point of a triangle's plane in the triangle or on its edge?
+/// Returns true if a point of a triangle's plane is in the triangle or on its edge.
 fn is_on(triangle: [[f64; 3]; 3], point: [f64; 3]) -> bool {
     let Some((axis, _)) = facing(triangle) else { return false };
     let ([a, b, c], p) = (triangle.map(|q| across(axis, q)), across(axis, point));

@@ -1,8 +1,9 @@
-//! Boxes that lie as their triangles do.
+//! Oriented bounding boxes of triangles.
 //!
-//! The boxes along the axes of slanted needles all meet, though the needles are far apart. These have the principal axes of their triangles'
-//! corners (S. Gottschalk, M. C. Lin, D. Manocha, OBBTree, SIGGRAPH 1996, 171). They cost more, and are made where those along the axes
-//! do not tell enough apart.
+//! The axis-parallel boxes of oblique needles all intersect, even if the needles are far apart.
+//! Oriented boxes have the principal axes of their triangles' corners (S. Gottschalk, M. C. Lin, D.
+//! Manocha, OBBTree, SIGGRAPH 1996, 171). They cost more and are used where axis-parallel boxes
+//! separate too few triangles.
 
 use core::ops::{ControlFlow, Range};
 
@@ -11,11 +12,11 @@ use super::weld::{NONE, Welded};
 use super::work::Work;
 use crate::math::symmetric3::Symmetric3;
 
-/// A box with axes of its own.
+/// Bounding box with its own axes.
 struct OrientedBox {
     center: [f64; 3],
     axes: [[f64; 3]; 3],
-    /// Half its lengths along its axes, ascending but for rounding.
+    /// Half the side lengths along the axes, ascending except for rounding.
     half: [f64; 3],
 }
 
@@ -39,7 +40,8 @@ impl OrientedBox {
         Self { center, axes, half: core::array::from_fn(|k| 0.5 * (high[k] - low[k])) }
     }
 
-    /// Is there certainly a plane between them? It is enough to look along the axes of both, and across one of each.
+    /// Returns true if a plane certainly separates the boxes. It is sufficient to test the axes of
+    /// both boxes and the cross products of one axis of each.
     fn is_apart(&self, other: &Self) -> bool {
         let between: [f64; 3] = core::array::from_fn(|k| other.center[k] - self.center[k]);
         let reach =
@@ -50,7 +52,7 @@ impl OrientedBox {
     }
 }
 
-/// More than the rounding of boxes about coordinates between −2 and 2.
+/// Margin larger than the rounding of boxes for coordinates between −2 and 2.
 const MARGIN: f64 = 1e-13;
 
 fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
@@ -61,10 +63,11 @@ fn cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
-/// A binary tree over triangles; its root is the first node.
+/// Binary tree over triangles; its root is the first node.
 pub(crate) struct OrientedTree<'a> {
     welded: &'a Welded,
-    /// Triangles that are known to lie side by side have the same number here, others [`NONE`].
+    /// Group of each triangle, or [`NONE`]: triangles of one group are known not to intersect each
+    /// other.
     group: &'a [u32],
     order: Vec<u32>,
     nodes: Vec<TreeNode>,
@@ -72,21 +75,21 @@ pub(crate) struct OrientedTree<'a> {
 
 struct TreeNode {
     bounds: OrientedBox,
-    /// In the tree's order.
+    /// Range of its triangles in the tree's order.
     triangles: Range<u32>,
-    /// None for a leaf.
+    /// Children of the node; `None` for a leaf.
     children: Option<[u32; 2]>,
-    /// The group of all its triangles, or [`NONE`].
+    /// Common group of all its triangles, or [`NONE`].
     group: u32,
 }
 
-/// Two nodes whose triangles are to be compared, or twice the same.
+/// Two nodes whose triangles are to be compared; the two may be the same node.
 pub(crate) type Task = [u32; 2];
 
-/// Triangles to a leaf, at most.
+/// Maximum number of triangles per leaf.
 const LEAF: usize = 4;
 
-/// What comparing two boxes costs, in visits of a ray.
+/// Cost of comparing two boxes, in visits of a ray.
 const BOXES: u64 = 4;
 
 impl<'a> OrientedTree<'a> {
@@ -98,8 +101,8 @@ impl<'a> OrientedTree<'a> {
         tree
     }
 
-    /// Makes the node of some triangles, and what is below it: halves by the median along its longest axis, groups as if they were in one
-    /// place until they are alone.
+    /// Creates the node of some triangles and its descendants. The triangles are divided at the
+    /// median along the longest axis. A group counts as one point until it is alone in a node.
     fn divide(&mut self, own: Range<usize>) -> u32 {
         let welded = self.welded;
         let triangles = &mut self.order[own.clone()];
@@ -121,7 +124,7 @@ impl<'a> OrientedTree<'a> {
             triangles.iter_mut().zip(&keys).for_each(|(t, key)| *t = key.2);
             let split = keys[half].1;
             if !is_one && split != NONE {
-                // SeparateSeries the group that the median is in.
+                // Moves the split so that the group of the median is not divided.
                 let begin = keys.partition_point(|key| (key.0, key.1) < (keys[half].0, split));
                 let length = keys[begin..].iter().take_while(|key| key.1 == split).count();
                 half = if begin > 0 { begin } else { length };
@@ -142,7 +145,7 @@ impl<'a> OrientedTree<'a> {
         number
     }
 
-    /// Some tasks, which together compare every two triangles, but those of one group.
+    /// Returns tasks that together compare all pairs of triangles, except those of one group.
     pub(crate) fn tasks(&self) -> Vec<Task> {
         let mut tasks = if self.nodes.is_empty() { vec![] } else { vec![[0, 0]] };
         for _ in 0..ROUNDS {
@@ -157,7 +160,7 @@ impl<'a> OrientedTree<'a> {
         tasks
     }
 
-    /// Adds what a task comes down to; false for one between leaves.
+    /// Adds the subtasks of a task; returns false for a task between leaves.
     fn split(&self, [n, m]: Task, tasks: &mut Vec<Task>) -> bool {
         let [a, b] = [n, m].map(|k| &self.nodes[k as usize]);
         if a.group != NONE && a.group == b.group {
@@ -181,7 +184,8 @@ impl<'a> OrientedTree<'a> {
         true
     }
 
-    /// Calls `pair` for the triangles of a task whose boxes meet, until it breaks or there is no work left.
+    /// Calls `pair` for the triangles of a task whose boxes intersect, until it breaks or no work
+    /// is left.
     pub(crate) fn pairs(
         &self,
         task: Task,
@@ -208,7 +212,7 @@ impl<'a> OrientedTree<'a> {
         }
     }
 
-    /// Do the boxes of two triangles along the axes meet?
+    /// Returns true if the axis-parallel boxes of two triangles intersect.
     fn may_meet(&self, t: u32, u: u32) -> bool {
         let [a, b] = [t, u].map(|t| self.welded.triangle(t as usize));
         let beyond = |a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], k: usize| {
@@ -218,5 +222,5 @@ impl<'a> OrientedTree<'a> {
     }
 }
 
-/// How often tasks are divided before they are given to threads.
+/// Number of times that tasks are divided before they are distributed to threads.
 const ROUNDS: usize = 10;

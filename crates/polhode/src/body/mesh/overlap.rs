@@ -1,17 +1,20 @@
-//! Where a surface goes through itself.
+//! Self-intersections of a surface.
 //!
-//! A closed mesh is sound if it winds about no place more than once, or less than not at all. It is, if none of these finds a fault:
+//! A closed mesh is valid if its winding number is 0 or 1 everywhere. This holds if none of these
+//! tests finds a fault:
 //!
-//! 1. No two triangles go through each other: where they do, the winding number has three values in the four corners between them. None lie
-//!    on each other the same way round.
-//! 2. Around each edge of more than two triangles the winding number has two values. So a component has one pair of
-//!    values on its two sides wherever nothing else touches it. The edge may lie on further triangles, so that its own do not tell:
-//!    they only say which of them overlap (`fan.rs`).
-//! 3. Where a corner lies within another triangle or its edge, the winding number is right on both sides of both, next to each edge that
-//!    begins there. Other ways to touch need no look: two edges that meet in a point within both either go through the surfaces of each
-//!    other, and so do triangles there (1), or one lies on the other's triangles up to its end, a corner (3), or until the surface
-//!    bends, and goes through what is on its sides (1).
-//! 4. Each component lies in as many others as its kind says (`component.rs`).
+//! 1. No two triangles cross: where they do, the winding number has three values in the four
+//!    sectors between them. No two triangles coincide with the same orientation.
+//! 2. Around each edge of more than two triangles the winding number has two values. So a component
+//!    has one pair of values on its two sides wherever nothing else touches it. The edge may also
+//!    lie on other triangles, so that its own triangles are not sufficient for the test; they only
+//!    determine which of them overlap (`fan.rs`).
+//! 3. Where a corner lies inside another triangle or its edge, the winding number is valid on both
+//!    sides of both triangles, next to each edge that starts there. Other contacts need no test.
+//!    Two edges that meet in a point inside both either pass through each other's surfaces, and
+//!    then triangles cross there (1). Or one edge lies on the other's triangles up to its end, a
+//!    corner (3), or up to a bend of the surface, where it crosses the triangles beside it (1).
+//! 4. Each component lies in as many others as its role requires (`component.rs`).
 
 use core::ops::ControlFlow;
 
@@ -31,12 +34,12 @@ use super::weld::Welded;
 use super::work::Work;
 use crate::body::error::COUNTED;
 
-/// Pairs of triangles where something counts twice: how many, and each with a point where they meet. One more than are counted stands for
-/// any larger number; then not all were looked at.
+/// Pairs of triangles where volume counts twice: their number, and each pair with a common point.
+/// The number `COUNTED` + 1 stands for any larger number; then not all pairs were examined.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Overlaps {
     pub(crate) count: usize,
-    /// In the mesh's order.
+    /// Pairs and their common points, in the order of the mesh.
     pub(crate) pairs: Vec<([u32; 2], [f64; 3])>,
 }
 
@@ -63,22 +66,24 @@ impl Overlaps {
     }
 }
 
-/// What the triangles of a mesh do to each other. Where only the [first error](Sought::FirstError) is sought, nothing is known of one surface.
+/// Intersections between the triangles of a mesh. If only the [first error](Sought::FirstError) is
+/// sought, self-intersections of one surface are not searched.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Meetings {
-    /// Of different surfaces.
+    /// Intersections between different surfaces.
     pub(crate) between: Overlaps,
-    /// Of one surface.
+    /// Intersections within one surface.
     pub(crate) within: Overlaps,
-    /// Faces on faces, back to back.
+    /// Contacts: faces that touch back to back.
     pub(crate) contacts: Overlaps,
 }
 
 impl Meetings {
-    /// Of the triangles of a tree, and those about edges. `lowest` is how often a sound mesh winds about what is before its triangles;
-    /// `None` if it is not closed. Of a mesh of one surface no more is looked at once enough was found in it.
+    /// Finds the intersections of the triangles of a tree, and those at edges. `lowest` is the
+    /// winding number of a valid mesh in front of its triangles; `None` if it is not closed. For a
+    /// mesh of one surface the search stops when the counting limit is reached.
     ///
-    /// What was found before the work was spent is not all, and depends on the threads.
+    /// If the work is spent before the end, the result is incomplete and depends on the threads.
     pub(crate) fn of(
         windings: &Windings<'_>,
         edges: &Edges,
@@ -112,12 +117,12 @@ impl Meetings {
         self.contacts.join(&other.contacts);
     }
 
-    /// Was so much found that no more is looked for?
+    /// Returns true if enough was found to stop the search.
     fn is_full(&self, patches: &Patches) -> bool {
         self.between.is_full() || self.within.is_full() && patches.is_one_surface()
     }
 
-    /// The triangles of an edge of more than two.
+    /// Tests the triangles of an edge of more than two triangles.
     fn look_around(&mut self, windings: &Windings<'_>, beside: &mut Neighborhoods<'_>, edge: &[u32]) {
         let Windings { welded, patches, .. } = windings;
         let [start, end] = [start_of(&welded.corners, edge[0]), end_of(&welded.corners, edge[0])];
@@ -171,19 +176,20 @@ impl Meetings {
     }
 }
 
-/// For pairs of triangles that meet, some pieces at once, the same ones for any number of threads: where enough was found, the others are
-/// left.
+/// Search for pairs of triangles that intersect. Several pieces are processed at a time, the same
+/// ones for any number of threads; when enough was found, the others are skipped.
 struct Search<'a> {
     windings: &'a Windings<'a>,
     lowest: Option<i32>,
     sought: Sought,
     threads: Threads,
-    /// At edges.
+    /// Intersections found at edges.
     found: Meetings,
 }
 
 impl Search<'_> {
-    /// Those whose boxes along the axes meet; `None` if they are more than that, and it is better to make other boxes.
+    /// Compares triangles whose axis-parallel boxes intersect; `None` if there are more than `near`
+    /// such pairs, so that oriented boxes are the better choice.
     fn by_boxes(&self, tree: &Tree, near: u64) -> Option<Meetings> {
         let goes_on = || self.windings.work.goes_on();
         let near = Work::of(near, &goes_on);
@@ -206,7 +212,8 @@ impl Search<'_> {
         (!near.is_spent()).then_some(all)
     }
 
-    /// Those whose oriented boxes meet, and that are not side by side about a corner.
+    /// Compares triangles whose oriented boxes intersect, except those known to be side by side
+    /// around a corner.
     fn by_oriented_boxes(&self, tree: &Tree) -> Meetings {
         let Windings { welded, patches, work, .. } = self.windings;
         if work.is_spent() {
@@ -247,7 +254,8 @@ impl Search<'_> {
     }
 }
 
-/// Is the winding number right beside a corner of a triangle that lies on another triangle, on both sides of both?
+/// Returns true if the winding numbers next to a corner of a triangle that lies on another triangle
+/// are valid, on both sides of both triangles.
 fn is_sound_at(
     welded: &Welded,
     beside: &mut Neighborhoods<'_>,
@@ -257,7 +265,8 @@ fn is_sound_at(
 ) -> bool {
     let [own, on] = [triangle, other].map(|t| welded.corners[t as usize]);
     let [p, q, r] = [0, 1, 2].map(|k| own[(corner + k) % 3]);
-    // Next to its own edges; and next to whatever may divide the other: its edges in that one's plane, and edges to that one's corners.
+    // Directions: along its own edges, and along whatever may divide the other triangle: its edges
+    // in that triangle's plane, and edges to that triangle's corners.
     let plane = welded.triangle(other as usize);
     let in_plane = [q, r].into_iter().filter(|&end| side(plane, welded.points[end as usize]) == 0.0);
     let mut directions = on.into_iter().chain(in_plane);
@@ -266,22 +275,24 @@ fn is_sound_at(
         && directions.all(|toward| beside.is_sound(other, p, toward))
 }
 
-/// Edges in a piece of work.
+/// Number of edges in a piece of work.
 const EDGES: usize = 1 << 7;
 
-/// Leaves in a piece of work, and pieces at once: few at first, as what is wrong everywhere is so there.
+/// Number of leaves in a piece of work, and number of pieces per round: few at first, because
+/// widespread faults are found immediately.
 const LEAVES: usize = 1 << 9;
 const FIRST: usize = 8;
 const SOME: usize = 64;
 
-/// Pairs of triangles whose boxes meet: up to here they are near each other, with more for each triangle.
+/// Number of pairs with intersecting boxes up to which axis-parallel boxes are used: `FEW` plus
+/// `NEIGHBOURS` per triangle.
 const FEW: u64 = 1 << 16;
 const NEIGHBOURS: u64 = 128;
 
-/// Pairs that are counted together.
+/// Number of pairs that are charged to the work budget together.
 const SOME_PAIRS: u64 = 1 << 8;
 
-/// What comparing two triangles costs, in visits of a ray.
+/// Cost of comparing two triangles, in visits of a ray.
 const PAIR: u64 = 8;
 
 #[cfg(test)]

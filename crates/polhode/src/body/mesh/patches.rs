@@ -1,4 +1,4 @@
-//! Which triangles hang together by their edges, and which of them are the wrong way round.
+//! Components connected through edges, and the triangles with the wrong orientation.
 
 use core::ops::Range;
 
@@ -9,28 +9,29 @@ use super::weld::{NONE, is_proper};
 /// Components of a mesh, numbered by their first triangles.
 #[derive(Debug, Default)]
 pub(crate) struct Patches {
-    /// The component of each triangle; [`NONE`] for one with two equal corners.
+    /// Component of each triangle; [`NONE`] for one with two equal corners.
     pub(crate) component: Vec<u32>,
-    /// True if the triangle is wound against most of its component.
+    /// True if the triangle is oriented against the majority of its component.
     pub(crate) against: Vec<bool>,
     pub(crate) components: Vec<Patch>,
-    /// What each triangle hangs together with by edges of two triangles, where that is less than its component.
+    /// Surface of each triangle, connected through edges of two triangles; empty if each surface is
+    /// a whole component.
     sheet: Vec<u32>,
 }
 
-/// What is known of a component from its edges alone.
+/// Properties of a component that follow from its edges alone.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Patch {
     pub(crate) triangles: usize,
-    /// Edges with one triangle, or with an odd number of them.
+    /// Number of edges with one triangle, or with an odd number of them.
     pub(crate) open: usize,
-    /// Edges that are run along more often one way than the other.
+    /// Number of edges that are not traversed equally often in both directions.
     pub(crate) unbalanced: usize,
-    /// Edges with more than two triangles.
+    /// Number of edges with more than two triangles.
     pub(crate) crowded: usize,
-    /// It can be wound consistently, which it may not be.
+    /// True if a consistent orientation exists; the component need not have it.
     pub(crate) orientable: bool,
-    /// Triangles against most of the others; 0 if it is not clear which these are.
+    /// Number of triangles against the majority; 0 if there is no clear majority.
     pub(crate) against: usize,
 }
 
@@ -43,7 +44,7 @@ impl Patches {
                 join(&mut joined, sheets.label[edge[0] as usize / 3], sheets.label[half as usize / 3]);
             }
         }
-        // Roots come before those that they are the root of.
+        // Roots precede the nodes of their trees.
         let mut number = vec![NONE; joined.len()];
         let mut components: Vec<Patch> = Vec::new();
         for sheet in 0..joined.len() as u32 {
@@ -71,12 +72,12 @@ impl Patches {
         all
     }
 
-    /// The number of what a triangle hangs together with by edges of two triangles.
+    /// Returns the index of the surface of a triangle, connected through edges of two triangles.
     pub(crate) fn surface(&self, t: usize) -> u32 {
         *self.sheet.get(t).unwrap_or(&self.component[t])
     }
 
-    /// Does all of the mesh hang together by edges of two triangles?
+    /// Returns true if the whole mesh is connected through edges of two triangles.
     pub(crate) fn is_one_surface(&self) -> bool {
         self.components.len() == 1 && self.sheet.is_empty()
     }
@@ -114,17 +115,18 @@ impl Patches {
     }
 }
 
-/// Is the edge run along as often one way as the other?
+/// Returns true if an edge is traversed equally often in both directions.
 pub(crate) fn is_balanced(corners: &[[u32; 3]], edge: &[u32]) -> bool {
     let start = start_of(corners, edge[0]);
     2 * edge.iter().filter(|&&half| start_of(corners, half) == start).count() == edge.len()
 }
 
-/// Triangles that hang together by edges with two triangles: if it can be wound consistently at all, then in two ways only.
+/// Surfaces of triangles connected through edges of two triangles. A surface has at most two
+/// consistent orientations.
 struct Sheets {
-    /// The sheet of each triangle.
+    /// Sheet of each triangle.
     label: Vec<u32>,
-    /// True if a triangle is wound against the first of its sheet.
+    /// True if a triangle is oriented against the first triangle of its sheet.
     against: Vec<bool>,
     sheets: Vec<Sheet>,
 }
@@ -137,7 +139,7 @@ struct Sheet {
 
 impl Sheets {
     fn of(corners: &[[u32; 3]], edges: &Edges, threads: Threads) -> Self {
-        // Pieces of the mesh each by itself, and then the edges between them.
+        // Each piece of the mesh is processed alone, then the edges between pieces.
         let pieces = threads.map_pieces(corners.len(), PIECE, |piece| Winds::of(piece, corners, edges));
         let mut all = Winds { first: 0, up: Vec::with_capacity(corners.len()), torn: vec![], left: vec![] };
         for mut piece in pieces {
@@ -150,7 +152,7 @@ impl Sheets {
         }
         let mut sheets =
             Self { label: vec![NONE; corners.len()], against: vec![false; corners.len()], sheets: vec![] };
-        // Roots come before those that they are the root of.
+        // Roots precede the nodes of their trees.
         for t in (0..corners.len()).filter(|&t| is_proper(&corners[t])) {
             let (root, against) = all.root(t as u32);
             if root as usize == t {
@@ -170,16 +172,17 @@ impl Sheets {
     }
 }
 
-/// Triangles in a piece of work.
+/// Number of triangles in a piece of work.
 const PIECE: usize = 1 << 16;
 
-/// Which triangles hang together, and which of them are wound against each other: trees whose roots are their least.
+/// Union-find trees of connected triangles with their relative orientation; the root is the lowest
+/// index.
 struct Winds {
-    /// The triangle that is numbered 0 here.
+    /// Triangle with the local index 0.
     first: u32,
-    /// Twice the next triangle on the way to the root, and one more if wound against it.
+    /// Twice the next triangle on the path to the root, plus one if oriented against it.
     up: Vec<u64>,
-    /// Triangles that would have to be wound both ways.
+    /// Triangles that would need both orientations.
     torn: Vec<u32>,
     /// Half-edges whose twins belong to later pieces.
     left: Vec<u32>,
@@ -204,7 +207,7 @@ impl Winds {
         winds
     }
 
-    /// The root of a triangle, and whether it is wound against it.
+    /// Returns the root of a triangle, and true if the triangle is oriented against it.
     fn root(&mut self, mut t: u32) -> (u32, bool) {
         let mut against = 0;
         loop {
@@ -213,7 +216,7 @@ impl Winds {
             if next == t {
                 return (t, against == 1);
             }
-            // Half of the way the next time.
+            // Path halving.
             let after = self.up[next as usize] ^ up & 1;
             self.up[t as usize] = after;
             against ^= after & 1;
@@ -235,7 +238,8 @@ impl Winds {
     }
 }
 
-/// Of the tree that a number is in; numbers point down to their root, which is the least.
+/// Returns the root of the tree that contains a number; each number points to a lower one, and the
+/// root is the lowest.
 pub(crate) fn root(parent: &mut [u32], mut number: u32) -> u32 {
     while parent[number as usize] != number {
         parent[number as usize] = parent[parent[number as usize] as usize];

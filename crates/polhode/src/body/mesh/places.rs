@@ -1,4 +1,4 @@
-//! Where a mesh has what its diagnosis counts.
+//! Places of the defects and properties that a mesh diagnosis counts.
 
 use super::TriangleMesh;
 use super::component::ComponentRole;
@@ -10,7 +10,8 @@ use super::sought::Sought;
 use super::threads::Threads;
 use super::weld::NONE;
 
-/// Where a mesh has what its [`MeshDiagnosis`] counts: of each kind the first places, in the mesh's order.
+/// Places of what a [`MeshDiagnosis`] counts: the first places of each kind, in the order of the
+/// mesh.
 ///
 /// ```
 /// use polhode::body::mesh::{MeshDiagnosis, TriangleMesh};
@@ -26,34 +27,35 @@ use super::weld::NONE;
 pub struct MeshPlaces {
     /// Edges of one triangle.
     pub boundary: Vec<EdgePlace>,
-    /// Edges whose two triangles run along them the same way.
+    /// Edges that their two triangles traverse in the same direction.
     pub inconsistent: Vec<EdgePlace>,
     /// Edges of more than two triangles.
     pub non_manifold: Vec<EdgePlace>,
-    /// Those among them that are not run along as often one way as the other.
+    /// Edges of more than two triangles that are not traversed equally often in both directions.
     pub unbalanced: Vec<EdgePlace>,
     /// Triangles with two equal corners.
     pub degenerate: Vec<TrianglePlace>,
-    /// Triangles that are wound against most of their component, where that is clear.
+    /// Triangles oriented against a clear majority of their component.
     pub flipped: Vec<TrianglePlace>,
-    /// Triangles of the solids that lie in a solid.
+    /// Triangles of outward-oriented components inside a solid.
     pub inner_solids: Vec<TrianglePlace>,
-    /// Triangles of the parts that are wound inward and lie in no solid.
+    /// Triangles of inward-oriented components inside no solid.
     pub inverted: Vec<TrianglePlace>,
-    /// Triangles that are there again, the same way round.
+    /// Pairs of identical triangles with the same orientation.
     pub duplicates: Vec<PairPlace>,
-    /// Triangles that are there again, the other way round.
+    /// Pairs of identical triangles with opposite orientation.
     pub back_to_back: Vec<PairPlace>,
-    /// Pairs of triangles of different surfaces that cross or show that bodies overlap; 10,001 at most.
+    /// Pairs of triangles of different surfaces that intersect or show overlapping bodies; at most
+    /// 10,001.
     pub overlaps: Vec<PairPlace>,
-    /// Pairs of triangles of one surface that do; 10,001 at most.
+    /// Pairs of triangles of one surface that intersect or show an overlap; at most 10,001.
     pub self_overlaps: Vec<PairPlace>,
-    /// Pairs of faces that lie on each other, back to back, but are not the same triangle; 10,001 at most.
+    /// Pairs of faces that touch back to back without being the same triangle; at most 10,001.
     pub contacts: Vec<PairPlace>,
 }
 
 impl MeshDiagnosis {
-    /// What is right and wrong with the mesh, and the first places of each kind, so many at most.
+    /// Diagnoses the mesh and returns the first places of each kind, at most `most` of each.
     pub fn with_places(mesh: &TriangleMesh, most: usize) -> (Self, MeshPlaces) {
         let analysis = Analysis::of(mesh, Sought::All, Threads::of_machine(), &|| true);
         let places = MeshPlaces::of(&analysis, most);
@@ -62,7 +64,7 @@ impl MeshDiagnosis {
 }
 
 impl MeshPlaces {
-    /// So many of each kind at most.
+    /// Collects at most `most` places of each kind.
     pub(super) fn of(analysis: &Analysis, most: usize) -> Self {
         let Analysis { welded, patches, edges, meetings, diagnosis, .. } = analysis;
         let at_edges = |halves: &[u32]| halves.iter().take(most).map(|&half| at_edge(welded, half)).collect();
@@ -100,7 +102,7 @@ mod tests {
 
     use super::super::{MeshDiagnosis, Triangle, TriangleMesh};
 
-    /// Two tetrahedra that go through each other, and one that lies in the first and is wound as it is.
+    /// Returns two tetrahedra that intersect, and one inside the first with the same orientation.
     fn crossed() -> Vec<Triangle> {
         let tetrahedron = |at: [f64; 3], size: f64| {
             let corners = [[0.0; 3], [1.0, 0.1, 0.0], [0.2, 1.1, 0.1], [0.1, 0.3, 0.9]];

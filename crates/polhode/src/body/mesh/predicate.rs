@@ -1,13 +1,14 @@
-//! Which side of a plane or a line a point is on, exactly.
+//! Exact orientation tests: the side of a plane or a line on which a point lies.
 //!
-//! A sign that f64 is sure of is taken; for the others the crate `robust` has the expansions of Shewchuk, Discrete Comput. Geom. 18
-//! (1997) 305.
+//! The f64 result is used if its sign is certain. Otherwise the crate `robust` evaluates the
+//! expansions of Shewchuk, Discrete Comput. Geom. 18 (1997) 305.
 
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
 use crate::body::triangle_mesh::normal;
 
-/// Positive if p lies on the side of the plane through a, b, c to which their normal (b − a) × (c − a) points; 0 in the plane.
+/// Returns a positive value if p is on the side of the plane through a, b, c to which the normal (b
+/// − a) × (c − a) points, and 0 if it is in the plane.
 #[inline(always)]
 pub(crate) fn side([a, b, c]: [[f64; 3]; 3], p: [f64; 3]) -> f64 {
     let from = |q: [f64; 3]| [q[0] - p[0], q[1] - p[1], q[2] - p[2]];
@@ -23,7 +24,7 @@ pub(crate) fn side([a, b, c]: [[f64; 3]; 3], p: [f64; 3]) -> f64 {
     exact_side([a, b, c], p)
 }
 
-/// (7 + 56 ε) ε, ε = 2⁻⁵³ (Shewchuk's o3derrboundA), and a little more.
+/// Error bound (7 + 56 ε) ε, ε = 2⁻⁵³ (Shewchuk's o3derrboundA), rounded up.
 const SURE_3D: f64 = 7.772e-16;
 
 #[cold]
@@ -33,13 +34,13 @@ fn exact_side(triangle: [[f64; 3]; 3], p: [f64; 3]) -> f64 {
     -orient3d(a, b, c, coord(p))
 }
 
-/// Positive if a, b, p turn counter-clockwise, 0 on one line.
+/// Returns a positive value if a, b, p are in counter-clockwise order, and 0 if they are collinear.
 pub(crate) fn turn(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     let coord = |[x, y]: [f64; 2]| Coord { x, y };
     orient2d(coord(a), coord(b), coord(p))
 }
 
-/// The same where f64 is sure of the sign, otherwise 0.
+/// Returns the same value as `turn` if the f64 sign is certain, otherwise 0.
 #[inline(always)]
 pub(crate) fn certain_turn(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     let (left, right) = ((a[0] - p[0]) * (b[1] - p[1]), (a[1] - p[1]) * (b[0] - p[0]));
@@ -47,15 +48,17 @@ pub(crate) fn certain_turn(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     if turn.abs() > SURE_2D * (left.abs() + right.abs()) + f64::MIN_POSITIVE { turn } else { 0.0 }
 }
 
-/// (3 + 16 ε) ε, ε = 2⁻⁵³ (Shewchuk's ccwerrboundA), and a little more.
+/// Error bound (3 + 16 ε) ε, ε = 2⁻⁵³ (Shewchuk's ccwerrboundA), rounded up.
 const SURE_2D: f64 = 3.331e-16;
 
-/// The coordinates across an axis, so that turns about it are positive.
+/// Returns the two coordinates perpendicular to an axis, such that rotation about the axis is
+/// positive.
 pub(crate) fn across(axis: usize, p: [f64; 3]) -> [f64; 2] {
     [p[(axis + 1) % 3], p[(axis + 2) % 3]]
 }
 
-/// An axis along which the triangle is seen with an area, and the sign of that area; `None` for three corners on one line.
+/// Returns an axis along which the triangle has projected area, and the sign of that area; `None`
+/// if its corners are collinear.
 pub(crate) fn facing([a, b, c]: [[f64; 3]; 3]) -> Option<(usize, f64)> {
     let normal = normal([a, b, c]);
     let mut axes = [0, 1, 2];
@@ -72,7 +75,7 @@ mod tests {
 
     #[test]
     fn signs_are_those_of_integers() {
-        // Points on and beside a slanted plane, where f64 alone is wrong.
+        // Points on and next to an oblique plane, for which f64 alone gives wrong signs.
         let (a, b, c) = ([0.1, 0.2, 0.3], [1.7, 0.1, -0.4], [0.6, 0.9, 0.8]);
         let (mut unsure, scale) = (0, 2.0_f64.powi(40));
         let grid = |p: [f64; 3]| p.map(|x: f64| (x * scale).round());

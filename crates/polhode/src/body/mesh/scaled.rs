@@ -1,10 +1,10 @@
-//! A diagnosis in another unit of length.
+//! Conversion of a diagnosis to another unit of length.
 
 use super::component::MeshComponent;
 use super::diagnosis::{EdgePlace, Faults, MeshDiagnosis, PairPlace, TrianglePlace};
 
 impl MeshDiagnosis {
-    /// The same of the mesh with every coordinate times a positive number.
+    /// Returns the diagnosis of the mesh with every coordinate multiplied by a positive `factor`.
     pub(super) fn scaled(self, factor: f64) -> Self {
         let point = |p: [f64; 3]| p.map(|c| c * factor);
         let edge = |at: EdgePlace| EdgePlace { ends: at.ends.map(point), ..at };

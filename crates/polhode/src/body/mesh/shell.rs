@@ -7,11 +7,13 @@ use crate::math::double::Double;
 use crate::math::symmetric3::{Symmetric3, power_of_two_near};
 use crate::math::vector::Position;
 
-/// A sheet of uniform thickness with the surface of a mesh in its middle: for meshes that are open, or hollow bodies of thin wall.
+/// Sheet of uniform thickness whose mid-surface is a mesh: for open meshes, or hollow bodies with
+/// thin walls.
 ///
-/// Each triangle is a plate of its own, half its thickness to either side, with edges straight up; where plates meet at an angle they overlap
-/// on the inner side and leave a gap on the outer, which is not corrected: relative to the whole, some thickness over size. The volume is
-/// area times thickness.
+/// Each triangle is a separate plate that extends half the thickness to either side, with edges
+/// perpendicular to it. Where plates meet at an angle, they overlap on the inner side and leave a
+/// gap on the outer side. This is not corrected; the relative error is about thickness over size.
+/// The volume is area times thickness.
 ///
 /// Second moments of a triangle with corners a, b, c, area A, unit normal n and thickness t about the origin:
 /// A t (a aᵀ + b bᵀ + c cᵀ + s sᵀ)/12 + A t · t²/12 n nᵀ,  s = a + b + c
@@ -33,11 +35,12 @@ pub struct MeshShell {
 }
 
 impl MeshShell {
-    /// The sheet along all triangles of the mesh, thickness in m. What is there twice counts twice; what has no area, not at all.
+    /// Returns the sheet along all triangles of the mesh, with the thickness in m. Duplicate
+    /// triangles count twice; triangles without area do not count.
     ///
     /// # Errors
-    /// [`BodyError::Empty`] if the triangles have no area; [`BodyError::Parameter`] for a thickness that is not positive and finite, or
-    /// if f64 does not hold the volume.
+    /// [`BodyError::Empty`] if the triangles have no area; [`BodyError::Parameter`] for a thickness
+    /// that is not positive and finite, or if the volume overflows f64.
     pub fn new(mesh: &TriangleMesh, thickness: f64) -> Result<Self, BodyError> {
         positive("the shell's thickness", thickness)?;
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
@@ -46,13 +49,14 @@ impl MeshShell {
             high = core::array::from_fn(|k| high[k].max(p[k]));
         }
         let middle = core::array::from_fn(|k| 0.5 * low[k] + 0.5 * high[k]);
-        // In units of a power of two near the size: exact, and no product leaves the range of f64.
+        // Lengths are scaled by a power of two near the size: this is exact, and no product
+        // overflows.
         let unit = power_of_two_near((0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max));
         let first = ShellSums::of(mesh, middle, unit);
         if !(first.area() > 0.0) {
             return Err(BodyError::Empty { what: "triangles with an area" });
         }
-        // From the centroid: nothing cancels.
+        // Relative to the centroid, nothing cancels.
         let centroid = first.centroid();
         let reference = core::array::from_fn(|k| middle[k] + unit * centroid[k]);
         let sums = ShellSums::of(mesh, reference, unit);
@@ -74,13 +78,14 @@ impl Shape for MeshShell {
         self.spread
     }
 
-    /// Area of the mesh, of one side, m².
+    /// Returns the area of one side of the mesh, m².
     fn surface_area(&self) -> f64 {
         self.area
     }
 }
 
-/// Sums over the triangles, in powers of the unit of length: area, area · s (3), area · (a aᵀ + … + s sᵀ) (6), area · n nᵀ (6).
+/// Sums over the triangles, in powers of the scaled unit of length: area, area · s (3), area · (a
+/// aᵀ + … + s sᵀ) (6), area · n nᵀ (6).
 struct ShellSums([Double; 16]);
 
 impl ShellSums {
@@ -115,7 +120,7 @@ impl ShellSums {
         self.0[0].value()
     }
 
-    /// From the reference point: Σ A s / 3 Σ A
+    /// Returns the centroid relative to the reference point: Σ A s / 3 Σ A.
     fn centroid(&self) -> [f64; 3] {
         [1, 2, 3].map(|k| (self.0[k] / (self.0[0] * Double::from(3.0))).value())
     }

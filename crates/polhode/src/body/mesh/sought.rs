@@ -1,10 +1,10 @@
-//! What a mesh is looked through for.
+//! Scope of a mesh analysis.
 
-/// What a mesh is looked through for.
+/// Scope of a mesh analysis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sought {
-    /// All that can be said of it.
+    /// All errors, corrections and remarks.
     All,
-    /// What it bounds, or why it bounds no solid, and no remarks.
+    /// The solid that the mesh bounds, or the first error, without remarks.
     FirstError,
 }

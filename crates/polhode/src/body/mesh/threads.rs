@@ -1,9 +1,9 @@
-//! Work on several threads, with results that do not depend on how many there are.
+//! Work on several threads, with results that do not depend on their number.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-/// How many threads may work at once; at least one.
+/// Maximum number of concurrent threads; at least one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Threads(usize);
 
@@ -12,7 +12,7 @@ impl Threads {
         Self(count.max(1))
     }
 
-    /// As many as the machine gives this process.
+    /// Returns the number of threads that the machine offers to this process.
     pub(crate) fn of_machine() -> Self {
         Self(thread::available_parallelism().map_or(1, usize::from))
     }
@@ -21,7 +21,7 @@ impl Threads {
         self.0
     }
 
-    /// The results of all pieces of work, in their order.
+    /// Returns the results of all pieces of work, in their order.
     pub(crate) fn map<T: Send>(self, pieces: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
         let threads = self.0.min(pieces);
         if threads <= 1 {
@@ -39,7 +39,7 @@ impl Threads {
             }
         };
         let mut results = thread::scope(|scope| {
-            // A thread that cannot be had is done without.
+            // If a thread cannot be created, the others do its work.
             let spawn = |_| thread::Builder::new().spawn_scoped(scope, run).ok();
             let others: Vec<_> = (1..threads).filter_map(spawn).collect();
             let mut results = run();
@@ -55,7 +55,8 @@ impl Threads {
         results.into_iter().map(|result| result.1).collect()
     }
 
-    /// The results of all pieces of so many items each, the last with what is left, in their order.
+    /// Returns the results of all pieces of `piece` items each (the last may have fewer), in their
+    /// order.
     pub(crate) fn map_pieces<T: Send>(
         self,
         items: usize,

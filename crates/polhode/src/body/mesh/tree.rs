@@ -1,4 +1,4 @@
-//! Boxes about triangles, and boxes about boxes: what is far apart is not looked at.
+//! Bounding volume hierarchy over triangles, to skip pairs that are far apart.
 
 use core::f64::consts::SQRT_2;
 use core::ops::{ControlFlow, Range};
@@ -7,7 +7,8 @@ use super::predicate::{across, certain_turn};
 use super::threads::Threads;
 use super::weld::{NONE, Welded};
 
-/// An axis-parallel box. Its coordinates are rounded, but never change their order: boxes of what meets, meet.
+/// Axis-parallel box. Coordinates are rounded monotonically, so that the boxes of intersecting
+/// triangles intersect.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 pub(crate) struct Bounds {
@@ -23,7 +24,8 @@ impl Bounds {
         (0..4).fold(true, |all, k| all & (self.low[k] <= other.high[k]) & (other.low[k] <= self.high[k]))
     }
 
-    /// A little larger: by half its width along an axis.
+    /// Returns the box enlarged by a margin, and along `axis` by half of the box's largest other
+    /// width.
     pub(crate) fn about(mut self, axis: usize) -> Self {
         let width = (0..3).filter(|&k| k != axis).map(|k| self.high[k] - self.low[k]).fold(0.0, f32::max);
         for k in 0..3 {
@@ -47,19 +49,20 @@ impl Bounds {
     }
 }
 
-/// More than the last digit of a coordinate between −1 and 1.
+/// Margin larger than the last digit of a coordinate between −1 and 1.
 const MARGIN: f32 = 1.0 / 4_194_304.0;
 
-/// Triangles to a leaf.
+/// Number of triangles per leaf.
 pub(crate) const LEAF: usize = 4;
 
-/// A complete binary tree over triangles along a space-filling curve (Morton's); the children of node n are 2n and 2n + 1, its root is 1.
+/// Complete binary tree over triangles along a space-filling curve (Morton order); the children of
+/// node n are 2n and 2n + 1, and the root is node 1.
 #[derive(Debug)]
 pub(crate) struct Tree {
-    /// Triangles by their number in the mesh, in leaves of [`LEAF`].
+    /// Triangles by their index in the mesh, in leaves of [`LEAF`].
     order: Vec<u32>,
     nodes: Vec<Bounds>,
-    /// Of each node, what all its triangles have in common.
+    /// Common directions of all triangles of each node.
     sides: Vec<Sides>,
     leaves: usize,
     middle: [f64; 3],
@@ -67,7 +70,7 @@ pub(crate) struct Tree {
 }
 
 impl Tree {
-    /// Of the triangles that are wanted.
+    /// Builds the tree of the triangles for which `wanted` returns true.
     pub(crate) fn of(welded: &Welded, wanted: impl Fn(usize) -> bool + Sync, threads: Threads) -> Self {
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for p in &welded.points {
@@ -87,7 +90,7 @@ impl Tree {
         tree
     }
 
-    /// Of some of its triangles, which are in its order.
+    /// Builds the tree of some of its triangles, given in its order.
     pub(crate) fn part(&self, welded: &Welded, order: Vec<u32>, threads: Threads) -> Self {
         let (middle, scale) = (self.middle, self.scale);
         let mut part = Self { order, nodes: vec![], sides: vec![], leaves: 0, middle, scale };
@@ -95,7 +98,7 @@ impl Tree {
         part
     }
 
-    /// Makes the nodes.
+    /// Computes the boxes and directions of the nodes.
     fn bound(&mut self, welded: &Welded, threads: Threads) {
         self.leaves = self.leaves().next_power_of_two();
         let (mut nodes, mut sides) = (vec![Bounds::NOTHING; 2 * self.leaves], vec![ALL; 2 * self.leaves]);
@@ -121,7 +124,7 @@ impl Tree {
         (self.nodes, self.sides) = (nodes, sides);
     }
 
-    /// The boxes of the triangles, in their order.
+    /// Returns the boxes of the triangles, in the order of the tree.
     pub(crate) fn boxes(&self, welded: &Welded, threads: Threads) -> Vec<Bounds> {
         let boxes = threads.map_pieces(self.order.len(), PIECE, |piece| {
             let bounds = |&t: &u32| self.bounds(&welded.triangle(t as usize));
@@ -130,27 +133,27 @@ impl Tree {
         boxes.concat()
     }
 
-    /// Its triangles, as leaves have them.
+    /// Returns the triangles in the order of the leaves.
     pub(crate) fn order(&self) -> &[u32] {
         &self.order
     }
 
-    /// The boxes of its nodes, the leaves in the second half.
+    /// Returns the boxes of the nodes; the leaves are in the second half.
     pub(crate) fn nodes(&self) -> &[Bounds] {
         &self.nodes
     }
 
-    /// Where all triangles of each node certainly face.
+    /// Returns the directions that all triangles of each node certainly face.
     pub(crate) fn sides(&self) -> &[Sides] {
         &self.sides
     }
 
-    /// Leaves with triangles.
+    /// Returns the number of leaves that contain triangles.
     pub(crate) fn leaves(&self) -> usize {
         self.order.len().div_ceil(LEAF)
     }
 
-    /// −1 … 1 across the mesh.
+    /// Scales coordinates so that the mesh spans −1 … 1.
     fn reduced(&self, p: [f64; 3]) -> [f32; 3] {
         core::array::from_fn(|k| ((p[k] - self.middle[k]) * self.scale) as f32)
     }
@@ -165,14 +168,16 @@ impl Tree {
         a.with(&b).with(&c)
     }
 
-    /// The place on the curve: the bits of the three coordinates of the middle, in turns.
+    /// Returns the Morton code of a triangle: the interleaved bits of the coordinates of its
+    /// centroid.
     fn code(&self, [a, b, c]: [[f64; 3]; 3]) -> u32 {
         let middle = self.reduced(core::array::from_fn(|k| (a[k] + b[k] + c[k]) * (1.0 / 3.0)));
         let [x, y, z] = middle.map(|m| spread((((m + 1.0) * 512.0) as u32).min(1023))); // as: 0 for what is negative
         x | y << 1 | z << 2
     }
 
-    /// What all triangles of each node are alike in; [`NONE`] where they are not.
+    /// Returns the common value of `of` over all triangles of each node, or [`NONE`] if it is not
+    /// the same.
     pub(crate) fn alike(&self, of: impl Fn(u32) -> u32) -> Vec<u32> {
         let mut alike = vec![NONE; 2 * self.leaves];
         for (node, triangles) in alike[self.leaves..].iter_mut().zip(self.order.chunks(LEAF)) {
@@ -186,8 +191,9 @@ impl Tree {
         alike
     }
 
-    /// Calls `pair` for every two triangles whose [`Tree::boxes`] meet and the first of which is in one of the leaves, until it breaks.
-    /// Leaves and nodes that are [`Tree::alike`] in the same are left out, if that is given.
+    /// Calls `pair` for every two triangles whose [`Tree::boxes`] intersect and the first of which
+    /// is in one of the leaves, until it breaks. If `alike` (from [`Tree::alike`]) is given, pairs
+    /// with the same value are skipped.
     pub(crate) fn pairs(
         &self,
         boxes: &[Bounds],
@@ -210,7 +216,7 @@ impl Tree {
             let about = self.nodes[self.leaves + leaf];
             waiting.push((1, self.leaves));
             while let Some((node, covered)) = waiting.pop() {
-                // Only leaves behind this one: every pair once.
+                // Visits only later leaves, so that every pair occurs once.
                 if (node + 1) * covered - self.leaves <= leaf + 1
                     || !self.nodes[node].meets(&about)
                     || is_alike(node)
@@ -236,7 +242,7 @@ impl Tree {
         }
     }
 
-    /// The line through a point along an axis, as long as a box.
+    /// Returns the line through a point along an axis, as long as a box.
     pub(crate) fn line(&self, point: [f64; 3], axis: usize, within: &Bounds) -> Bounds {
         let [x, y, z] = self.reduced(point);
         let mut line = Bounds { low: [x, y, z, 0.0], high: [x, y, z, 0.0] };
@@ -244,8 +250,8 @@ impl Tree {
         line
     }
 
-    /// Is something so of every triangle, by its number in the mesh, whose box meets this one? Only nodes that are `open` are looked
-    /// into.
+    /// Returns true if `so` holds for every triangle whose box intersects `within`. Only nodes for
+    /// which `open` returns true are visited.
     pub(crate) fn all_within(
         &self,
         welded: &Welded,
@@ -275,7 +281,8 @@ impl Tree {
         true
     }
 
-    /// Calls `hit` for every triangle whose box, a little larger than what is rounded, meets that of a triangle.
+    /// Calls `hit` for every triangle whose box, enlarged by the rounding margin, intersects that
+    /// of a triangle.
     pub(crate) fn near(&self, welded: &Welded, triangle: &[[f64; 3]; 3], mut hit: impl FnMut(u32)) {
         let mut about = self.bounds(triangle);
         for k in 0..3 {
@@ -289,7 +296,7 @@ impl Tree {
         });
     }
 
-    /// Calls `hit` for every triangle whose box the ray from a point along an axis may meet.
+    /// Calls `hit` for every triangle whose box may intersect the ray from a point along an axis.
     pub(crate) fn along(&self, welded: &Welded, point: [f64; 3], axis: usize, mut hit: impl FnMut(u32)) {
         let [x, y, z] = self.reduced(point);
         let mut ray = Bounds { low: [x, y, z, 0.0], high: [x, y, z, 0.0] };
@@ -301,7 +308,8 @@ impl Tree {
         });
     }
 
-    /// Is something so of every triangle whose box the line from a point of the mesh to one outside may meet?
+    /// Returns true if `so` holds for every triangle whose box may intersect the line from a point
+    /// of the mesh to a point outside.
     pub(crate) fn between(
         &self,
         welded: &Welded,
@@ -311,7 +319,8 @@ impl Tree {
     ) -> bool {
         let [from, to] = [self.reduced(point), self.reduced(outside)];
         let way: [f32; 3] = core::array::from_fn(|k| 1.0 / (to[k] - from[k]));
-        // The parts of the line between the two sides of the box have one in common.
+        // The line meets the box if its parameter intervals between the three pairs of sides have a
+        // common point.
         let meets = |bounds: &Bounds| {
             let (mut enters, mut leaves) = (0.0_f32, 1.0_f32);
             for k in 0..3 {
@@ -327,9 +336,10 @@ impl Tree {
         self.all_within(welded, &everywhere, open, |t, bounds| !meets(bounds) || so(t))
     }
 
-    /// Points about the mesh in no special place, beyond its lowest and highest coordinates along all axes.
+    /// Returns points in general position around the mesh, beyond its lowest and highest
+    /// coordinates along all axes.
     pub(crate) fn outside(&self, k: u32) -> [f64; 3] {
-        // Multiples of roots of 2, 3 and 5, by their last parts.
+        // Fractional parts of multiples of √2, √3 and √5.
         let part = |root: f64| (root * f64::from(k + 1)).fract();
         let [x, y, z] = [part(SQRT_2), part(1.732_050_807_568_877_2), part(2.236_067_977_499_79)];
         let corner = [x, y, z].map(|part| if part < 0.5 { part - 2.0 } else { part + 1.0 });
@@ -337,22 +347,22 @@ impl Tree {
     }
 }
 
-/// Rounding of what is between −3 and 3, and more.
+/// Margin larger than the rounding of values between −3 and 3.
 const NEAR: f32 = 1.0 / 262_144.0;
 
-/// Triangles in a piece of work.
+/// Number of triangles in a piece of work.
 const PIECE: usize = 1 << 16;
 
-/// Leaves in a piece of work.
+/// Number of leaves in a piece of work.
 const LEAVES: usize = 1 << 12;
 
-/// Bit k if a normal certainly points along axis k, bit 3 + k if against it.
+/// Directions of a normal: bit k if it certainly points along axis k, bit 3 + k if against it.
 pub(crate) type Sides = u8;
 
-/// What triangles that there are none of have in common.
+/// Common directions of an empty set of triangles.
 const ALL: Sides = !0;
 
-/// The sides of a triangle, as far as f64 is sure of them.
+/// Returns the directions of a triangle's normal of which f64 is certain.
 #[inline(always)]
 pub(crate) fn sides_of([a, b, c]: [[f64; 3]; 3]) -> Sides {
     (0..3).fold(0, |sides, axis| {
@@ -361,7 +371,7 @@ pub(crate) fn sides_of([a, b, c]: [[f64; 3]; 3]) -> Sides {
     })
 }
 
-/// The 10 bits of a number, two zeros between each two.
+/// Returns the 10 bits of a number with two zeros after each.
 fn spread(x: u32) -> u32 {
     let x = (x | x << 16) & 0x0300_00ff;
     let x = (x | x << 8) & 0x0300_f00f;
@@ -369,7 +379,7 @@ fn spread(x: u32) -> u32 {
     (x | x << 2) & 0x0924_9249
 }
 
-/// A triangle's place on the curve, and its number.
+/// Sort key: the Morton code of a triangle in the high word, and its index in the low word.
 #[derive(Clone, Copy, Default)]
 struct Key(u64);
 
@@ -378,7 +388,7 @@ impl Key {
         Self(u64::from(code) << 32 | u64::from(triangle))
     }
 
-    /// Ten of the code's 30 bits: the last ones are digit 0.
+    /// Returns digit k of the code: ten of its 30 bits; digit 0 is the lowest.
     fn digit(self, k: u32) -> usize {
         (self.0 >> (32 + 10 * k)) as usize & (DIGITS - 1)
     }
@@ -386,7 +396,8 @@ impl Key {
 
 const DIGITS: usize = 1 << 10;
 
-/// The triangles by code, otherwise in the order given. Each thread has the codes that begin with some digits.
+/// Returns the triangles sorted by code; equal codes keep their order. Each thread sorts the codes
+/// with certain leading digits.
 fn sorted(pieces: &[Vec<Key>], threads: Threads) -> Vec<u32> {
     let all = || pieces.iter().flatten().copied();
     let mut counts = [0; DIGITS];

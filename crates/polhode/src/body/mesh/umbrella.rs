@@ -1,19 +1,20 @@
-//! Triangles about one corner, side by side.
+//! Umbrellas: triangles side by side around one corner.
 //!
-//! A cap of n triangles about its middle has n² / 2 pairs of them, whose boxes all meet there. Seen along a line through the corner, each
-//! triangle spans an angle about the line. Where no two of these angles overlap, and those that touch do so at a corner that both
-//! triangles have, the triangles have nothing but corners and edges in common: each lies in a wedge of its own.
+//! A fan of n triangles around a corner has n² / 2 pairs whose boxes all intersect there. Seen
+//! along a line through the corner, each triangle spans an angle about the line. If no two of these
+//! angles overlap, and those that touch do so at a common corner of both triangles, then the
+//! triangles have only corners and edges in common: each lies in its own wedge.
 
 use super::fan::{Angle, Fan};
 use super::predicate::side;
 use super::weld::{NONE, Welded};
 use crate::body::triangle_mesh::normal;
 
-/// Triangles of a corner from which on they are looked at together.
+/// Minimum number of triangles at a corner for which the umbrella test is used.
 const MANY: u32 = 64;
 
-/// For each triangle of the mesh, the first of those beside which it lies about a corner, or [`NONE`]. Those with the same first one have
-/// nothing in common but corners and edges.
+/// Returns for each triangle of the mesh the first triangle of its umbrella, or [`NONE`]. Triangles
+/// of one umbrella have only corners and edges in common.
 pub(crate) fn umbrellas(welded: &Welded, triangles: &[u32], component: &[u32]) -> Vec<u32> {
     let mut count = vec![0_u32; welded.points.len()];
     triangles.iter().flat_map(|&t| welded.corners[t as usize]).for_each(|v| count[v as usize] += 1);
@@ -32,14 +33,15 @@ pub(crate) fn umbrellas(welded: &Welded, triangles: &[u32], component: &[u32]) -
     umbrella
 }
 
-/// A triangle's angle about the line, from one of its corners to the other.
+/// Angle that a triangle spans about the line, from one of its corners to another.
 struct Rib {
     from: u32,
     to: u32,
     angle: Angle,
 }
 
-/// Do the triangles about a corner have wedges of their own, about a line through it along their mean normal?
+/// Returns true if the triangles at a corner lie in separate wedges about a line through it along
+/// their mean normal.
 fn are_side_by_side(welded: &Welded, hub: u32, triangles: impl Iterator<Item = usize> + Clone) -> bool {
     let place = |v: u32| welded.points[v as usize];
     let mut mean = [0.0; 3];
@@ -70,7 +72,8 @@ fn are_side_by_side(welded: &Welded, hub: u32, triangles: impl Iterator<Item = u
     });
     let Some(mut ribs) = ribs.collect::<Option<Vec<_>>>() else { return false };
     ribs.sort_by(|a, b| fan.order(&a.angle, &b.angle));
-    // The next one begins where this one ends, or behind: not between its corners, and on the half-plane of one only at that corner.
+    // The next angle starts where this one ends, or later: not inside it, and on a bounding
+    // half-plane only at the common corner.
     let next = ribs.iter().cycle().skip(1);
     ribs.iter().zip(next).all(|(this, next)| {
         let from = |v: u32| side([line[0], tip, place(v)], place(next.from));

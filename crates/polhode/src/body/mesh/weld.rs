@@ -1,4 +1,4 @@
-//! Corners that are the same point: their coordinates are equal, exactly.
+//! Merging of corners with exactly equal coordinates.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -6,15 +6,16 @@ use super::TriangleMesh;
 use super::threads::Threads;
 use crate::math::symmetric3::power_of_two_near;
 
-/// Not a vertex, a triangle, an edge or a component.
+/// Marker of a missing vertex, triangle, edge or component.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// The points of a mesh, each once, and its triangles between them.
+/// Points of a mesh, each once, and its triangles between them.
 ///
-/// The points are in units of a power of two near the largest coordinate: exact, and no product of a few leaves the range of f64.
+/// Coordinates are scaled by a power of two near the largest one: this is exact, and no product of
+/// a few coordinates overflows.
 #[derive(Clone, Debug)]
 pub(crate) struct Welded {
-    /// In the order in which triangles use them.
+    /// Points in the order in which triangles use them.
     pub(crate) points: Vec<[f64; 3]>,
     pub(crate) corners: Vec<[u32; 3]>,
     pub(crate) unit: f64,
@@ -30,23 +31,24 @@ impl Welded {
         Self { points, corners, unit }
     }
 
-    /// The corners of a triangle, in units.
+    /// Returns the corners of a triangle, in scaled units.
     #[inline(always)]
     pub(crate) fn triangle(&self, t: usize) -> [[f64; 3]; 3] {
         self.corners[t].map(|v| self.points[v as usize])
     }
 
-    /// A point in the mesh's own unit of length.
+    /// Converts a point to the mesh's own unit of length.
     pub(crate) fn place(&self, point: [f64; 3]) -> [f64; 3] {
         point.map(|c| c * self.unit)
     }
 }
 
 impl TriangleMesh {
-    /// The same triangles between vertices of which each is there once, in the order in which triangles use them; on at most so many threads.
+    /// Returns the same triangles with each vertex once, in the order in which triangles use them,
+    /// on at most `threads` threads.
     ///
-    /// Of triangles that share nothing by index, as STL has them, a quarter of the memory is left, and whatever looks for equal corners
-    /// afterwards has done so nearly at once.
+    /// For triangles without shared indices, as in STL, this reduces the memory to about a quarter,
+    /// and later searches for equal corners take almost no time.
     #[must_use]
     pub fn with_shared_vertices(self, threads: usize) -> Self {
         let (vertices, triangles) = shared(&self, Threads::of(threads));
@@ -54,7 +56,8 @@ impl TriangleMesh {
     }
 }
 
-/// The points of a mesh, each once, in the order in which triangles use them, and its triangles between them.
+/// Returns the points of a mesh, each once, in the order in which triangles use them, and its
+/// triangles between them.
 fn shared(mesh: &TriangleMesh, threads: Threads) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     let vertices = mesh.coordinates();
     let first = first_equal(vertices, threads);
@@ -73,15 +76,17 @@ fn shared(mesh: &TriangleMesh, threads: Threads) -> (Vec<[f64; 3]>, Vec<[u32; 3]
     (points, corners)
 }
 
-/// Three different corners.
+/// Returns true if the three corners are different.
 pub(crate) fn is_proper(&[a, b, c]: &[u32; 3]) -> bool {
     a != b && b != c && c != a
 }
 
-/// The first vertex with the same coordinates, of the first one with them near each vertex.
+/// Returns for each vertex an earlier vertex with the same coordinates, whose own entry is the
+/// first such vertex.
 ///
-/// What is there again soon is found in a small table, as in triangles without indices. The others are dealt out by their hashes into
-/// parts whose tables fit into a cache, and each part is gone through in order.
+/// A small table finds equal vertices that are close in the list, as in triangles without indices.
+/// The others are distributed by their hashes into parts whose tables fit into a cache, and each
+/// part is processed in order.
 fn first_equal(vertices: &[[f64; 3]], threads: Threads) -> Vec<AtomicU32> {
     let first: Vec<AtomicU32> = (0..vertices.len()).map(|_| AtomicU32::new(NONE)).collect();
     let parts = (vertices.len() / PART).next_power_of_two().min(PARTS);
@@ -108,19 +113,19 @@ fn first_equal(vertices: &[[f64; 3]], threads: Threads) -> Vec<AtomicU32> {
     first
 }
 
-/// Vertices in a piece of work.
+/// Number of vertices in a piece of work.
 const PIECE: usize = 1 << 14;
 
-/// Vertices in a part, and at most so many parts.
+/// Number of vertices in a part, and maximum number of parts.
 const PART: usize = 1 << 15;
 const PARTS: usize = 1 << 8;
 
-/// The upper half of a vertex's hash, and its number.
+/// Upper half of a vertex's hash, and the vertex's index.
 #[derive(Clone, Copy, PartialEq)]
 struct Entry(u64);
 
 impl Entry {
-    /// No vertex: its number is none.
+    /// Empty slot: the index is `NONE`.
     const EMPTY: Self = Self(u64::MAX);
 
     const fn new(hash: u64, number: u32) -> Self {
@@ -135,7 +140,7 @@ impl Entry {
         self.0 as u32
     }
 
-    /// By the first bits of the hash: a table has the last ones.
+    /// Returns the part by the first bits of the hash; a table uses the last ones.
     const fn part(self, parts: usize) -> usize {
         (self.0 >> 56) as usize * parts / PARTS
     }
@@ -145,7 +150,8 @@ fn bits(vertex: &[f64; 3]) -> [u64; 3] {
     vertex.map(|c| (c + 0.0).to_bits())
 }
 
-/// Every bit of the coordinates changes every bit of the hash: by folded products, as in wyhash.
+/// Hashes the coordinates by folded products, as in wyhash: every bit of them affects every bit of
+/// the hash.
 fn hash(vertex: &[f64; 3]) -> u64 {
     let fold = |a: u64, b: u64| {
         let product = u128::from(a) * u128::from(b);
@@ -156,19 +162,20 @@ fn hash(vertex: &[f64; 3]) -> u64 {
     fold(xy ^ 0x8ebc_6af0_9c88_c6e3, z ^ 0x5899_65cc_7537_4cc3)
 }
 
-/// A hash table of vertices by their number, open, at most half full.
+/// Hash table of vertices with open addressing, at most half full.
 struct Table {
     slots: Vec<Entry>,
     filled: usize,
 }
 
 impl Table {
-    /// For so many vertices, of which in triangles without indices every sixth is new.
+    /// Returns a table for `vertices` vertices; in triangles without indices about one in six is
+    /// new.
     fn of(vertices: usize) -> Self {
         Self { slots: vec![Entry::EMPTY; (vertices / 2).next_power_of_two().max(64)], filled: 0 }
     }
 
-    /// The vertex of the table with the same coordinates, or else this one.
+    /// Returns the vertex of the table with the same coordinates, or inserts this one.
     fn first(&mut self, vertices: &[[f64; 3]], entry: Entry) -> u32 {
         if 2 * self.filled >= self.slots.len() {
             self.grow();

@@ -1,4 +1,4 @@
-//! Vertices that are nearly the same point, made one.
+//! Welding of vertices that are nearly the same point.
 
 use super::TriangleMesh;
 use super::close_pairs::{ClosePairs, distance};
@@ -9,33 +9,35 @@ use super::weld::{NONE, Welded, is_proper};
 use crate::body::error::{BodyError, positive};
 use crate::body::triangle_mesh::normal;
 
-/// A mesh whose torn edges were joined: [`TriangleMesh::welded`].
+/// Mesh whose torn edges were welded: [`TriangleMesh::welded`].
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct WeldedMesh {
-    /// The mesh, each vertex once. It has all triangles, in their order; those that vanished have two equal corners.
+    /// Mesh with each vertex once. It has all triangles in their order; degenerated ones have two
+    /// equal corners.
     pub mesh: TriangleMesh,
-    /// Vertices at edges of one triangle that were joined with others.
+    /// Number of boundary vertices that were joined with others.
     pub joined: usize,
-    /// Points that became of them.
+    /// Number of points into which they were joined.
     pub points: usize,
-    /// The largest distance between two vertices that were joined, m.
+    /// Largest distance between two joined vertices, m.
     pub largest_distance: f64,
-    /// The farthest that a vertex was moved, m.
+    /// Largest displacement of a vertex, m.
     pub farthest_move: f64,
-    /// Triangles of which two corners became one.
+    /// Number of triangles that degenerated because two corners were joined.
     pub vanished: usize,
-    /// Edges that still belong to one triangle only.
+    /// Number of boundary edges (edges of one triangle only) after welding.
     pub open_edges: usize,
-    /// How much more or less the mesh may enclose, m³, wherever within `farthest_move` of its point each joined vertex really is.
+    /// Bound of the error of the enclosed volume, m³, if the true position of each joined vertex is
+    /// within `farthest_move` of its point.
     pub volume_bound: f64,
 }
 
-/// The most that may be joined, in parts of the mesh's diagonal.
+/// Largest accepted tolerance, relative to the mesh's diagonal.
 const LARGEST: f64 = 0.01;
 
 impl TriangleMesh {
-    /// The diagonal of the box about all triangles, m; 0 if there are none.
+    /// Returns the diagonal of the bounding box of all triangles, m; 0 if there are none.
     pub fn diagonal(&self) -> f64 {
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for p in self.corners().flatten() {
@@ -45,15 +47,17 @@ impl TriangleMesh {
         if self.triangles.is_empty() { 0.0 } else { distance(low, high) }
     }
 
-    /// The mesh with those vertices joined that are at most `tolerance` apart, m, and at an edge of one triangle: a torn mesh is closed, and what
-    /// is closed stays as it is.
+    /// Joins boundary vertices (at edges of one triangle) that are at most `tolerance` apart, m.
+    /// This closes a torn mesh and leaves closed parts unchanged.
     ///
-    /// Vertices hang together if one can go from each to each in steps of the tolerance. All that hang together become one point, their mean,
-    /// which does not depend on the order of the triangles. They have to be within the tolerance of each other, else the mesh is refused:
-    /// what is smaller than the tolerance would be lost.
+    /// Vertices form a cluster if steps of at most the tolerance connect them. Each cluster becomes
+    /// one point, its mean, which does not depend on the order of the triangles. All vertices of a
+    /// cluster must be within the tolerance of each other. Otherwise the result is an error,
+    /// because details smaller than the tolerance would be lost.
     ///
-    /// The volume is known to `volume_bound` then: moving the vertices of triangles of area A and perimeters P by up to d changes it by at most
-    /// d (A + d ΣP/3 + 2 N d²/3).
+    /// The volume is then known to within `volume_bound`. Moving the vertices of N triangles with
+    /// areas A and perimeters P by up to d changes the volume by at most d (ΣA + d ΣP/3 + 2 N
+    /// d²/3).
     ///
     /// ```
     /// use polhode::body::mesh::{ClosedMesh, TriangleMesh};
@@ -69,9 +73,10 @@ impl TriangleMesh {
     /// ```
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] for a tolerance that is not positive, of an open mesh above a hundredth of its [`diagonal`](Self::diagonal), or within
-    /// which there are so many vertices that it does not tell them apart; [`BodyError::WeldTooWide`] for vertices that hang together and are
-    /// farther apart than the tolerance.
+    /// [`BodyError::Parameter`] for a tolerance that is not positive, that exceeds a hundredth of
+    /// the [`diagonal`](Self::diagonal) of an open mesh, or within which there are too many
+    /// vertices; [`BodyError::WeldTooWide`] for a cluster with vertices farther apart than the
+    /// tolerance.
     pub fn welded(&self, tolerance: f64) -> Result<WeldedMesh, BodyError> {
         self.welded_on(tolerance, Threads::of_machine())
     }
@@ -137,7 +142,7 @@ impl TriangleMesh {
 
 const TOLERANCE: &str = "the tolerance of a weld";
 
-/// The vertices at edges of one triangle, ascending.
+/// Returns the vertices at edges of one triangle, ascending.
 pub(super) fn boundary_vertices(exact: &Welded, boundary: &[u32]) -> Vec<u32> {
     let ends =
         boundary.iter().flat_map(|&half| [start_of(&exact.corners, half), end_of(&exact.corners, half)]);
@@ -147,8 +152,9 @@ pub(super) fn boundary_vertices(exact: &Welded, boundary: &[u32]) -> Vec<u32> {
     vertices
 }
 
-/// The volume that triangles sweep at most whose vertices move by up to so much: ∫₀¹ d A(s) ds, where a triangle that was (u × v)/2 has at s the
-/// area |u × v|/2 + s d (|u| + |v|) + 2 s² d² at most, with its two shorter sides u and v.
+/// Returns a bound of the volume swept by triangles whose vertices move by up to d = `by`: ∫₀¹ d
+/// A(s) ds. The area A(s) is at most |u × v|/2 + s d (|u| + |v|) + 2 s² d², where u and v are the
+/// two shorter sides of the triangle.
 fn swept(exact: &Welded, is_moved: &[bool], by: f64) -> f64 {
     let moved = exact.corners.iter().filter(|corners| corners.iter().any(|&v| is_moved[v as usize]));
     let area = moved.map(|corners| {
@@ -156,11 +162,11 @@ fn swept(exact: &Welded, is_moved: &[bool], by: f64) -> f64 {
         let perimeter = distance(a, b) + distance(b, c) + distance(c, a);
         0.5 * distance(normal([a, b, c]), [0.0; 3]) + by * perimeter / 3.0 + 2.0 / 3.0 * by * by
     });
-    // More than what the sum rounds off.
+    // The factor exceeds the rounding of the sum.
     by * area.sum::<f64>() * (1.0 + 1e-9) + 0.0 // the sum of nothing is −0
 }
 
-/// The mesh with those points that triangles have.
+/// Returns the mesh with only the points that triangles use.
 pub(super) fn compact(mut exact: Welded) -> TriangleMesh {
     let mut number = vec![NONE; exact.points.len()];
     let mut vertices = Vec::new();

@@ -1,14 +1,15 @@
-//! How much a search may cost.
+//! Step budgets of searches.
 
 use core::fmt;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
-/// Asked again and again by what takes time: false ends it.
+/// Callback that long computations call repeatedly: false stops them.
 pub(crate) type GoesOn<'a> = dyn Fn() -> bool + Sync + 'a;
 
-/// Steps that a search may take, on all threads together, as long as it goes on.
+/// Step budget of a search, shared by all threads, with a callback that can stop it.
 ///
-/// What is done in each piece of work does not depend on the threads, so neither does whether there were enough, unless it was ended.
+/// The steps of each piece of work do not depend on the threads. Therefore it does not depend on
+/// them whether the budget was sufficient, unless the search was stopped.
 pub(crate) struct Work<'a> {
     done: AtomicU64,
     limit: u64,
@@ -21,7 +22,7 @@ impl<'a> Work<'a> {
         Self { done: AtomicU64::new(0), limit, goes_on, ended: AtomicBool::new(false) }
     }
 
-    /// Takes steps; false if there were not that many, or if it is ended.
+    /// Takes steps; returns false if the budget is exceeded or the search was stopped.
     pub(crate) fn take(&self, steps: u64) -> bool {
         let before = self.done.fetch_add(steps, Ordering::Relaxed);
         let after = before.saturating_add(steps);
@@ -29,7 +30,8 @@ impl<'a> Work<'a> {
         after <= self.limit && if is_asked { self.goes_on() } else { !self.ended.load(Ordering::Relaxed) }
     }
 
-    /// Asks whether it goes on, of what is not counted in steps.
+    /// Calls the callback and returns true if the search may continue; for work that is not counted
+    /// in steps.
     pub(crate) fn goes_on(&self) -> bool {
         if !self.ended.load(Ordering::Relaxed) && !(self.goes_on)() {
             self.ended.store(true, Ordering::Relaxed);
@@ -37,23 +39,24 @@ impl<'a> Work<'a> {
         !self.ended.load(Ordering::Relaxed)
     }
 
-    /// Leaves none.
+    /// Exhausts the budget.
     pub(crate) fn take_all(&self) {
         self.done.fetch_max(self.limit.saturating_add(1), Ordering::Relaxed);
     }
 
-    /// Steps taken.
+    /// Returns the number of steps taken.
     #[cfg(test)]
     pub(crate) fn done(&self) -> u64 {
         self.done.load(Ordering::Relaxed)
     }
 
-    /// Were more steps taken than there were, or was it ended?
+    /// Returns true if the budget was exceeded or the search was stopped.
     pub(crate) fn is_spent(&self) -> bool {
         self.not_enough().is_some()
     }
 
-    /// The steps that were not enough.
+    /// Returns the number of steps that were not sufficient, if the budget was exceeded or the
+    /// search was stopped.
     pub(crate) fn not_enough(&self) -> Option<u64> {
         let done = self.done.load(Ordering::Relaxed);
         (done > self.limit || self.ended.load(Ordering::Relaxed)).then_some(done.min(self.limit))
@@ -66,5 +69,5 @@ impl fmt::Debug for Work<'_> {
     }
 }
 
-/// Steps after which it is asked whether the search goes on: a few milliseconds.
+/// Number of steps between calls of the callback: a few milliseconds.
 const OFTEN: u64 = 1 << 16;

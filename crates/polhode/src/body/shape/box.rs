@@ -4,7 +4,7 @@ use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::body::form::Form;
 
-/// A solid box with its centre at the origin and its edges along the axes.
+/// Solid box with its centre at the origin and its edges along the axes.
 ///
 /// I = M/12 diag(b² + c², a² + c², a² + b²) for edges a, b, c
 ///
@@ -21,7 +21,7 @@ pub struct BoxShape {
 }
 
 impl BoxShape {
-    /// A box with the given edges along x, y and z, m.
+    /// Returns a box with the given edge lengths along x, y and z, m.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if an edge is not positive and finite.
@@ -36,7 +36,7 @@ impl BoxShape {
 impl Shape for BoxShape {
     fn spread(&self) -> Spread {
         let [a, b, c] = self.size;
-        // ∫ x² dx / a over ±a/2
+        // ∫ x² dx / a over ±a/2.
         Spread::centered(Extent::Volume(a * b * c), self.size.map(|edge| edge * edge / 12.0))
     }
 

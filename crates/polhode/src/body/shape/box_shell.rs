@@ -5,7 +5,7 @@ use crate::body::error::{BodyError, positive};
 use crate::body::form::Form;
 use crate::math::vector::Position;
 
-/// A hollow box of six thin faces, with its centre at the origin and its edges along the axes.
+/// Hollow box of six thin faces, with its centre at the origin and its edges along the axes.
 ///
 /// I_zz = M [ab (a² + b²) + bc (3a² + b²) + ca (a² + 3b²)] / 12 (ab + bc + ca) for edges a, b, c
 ///
@@ -22,7 +22,7 @@ pub struct BoxShell {
 }
 
 impl BoxShell {
-    /// A box with the given edges along x, y and z, m.
+    /// Returns a box with the given edge lengths along x, y and z, m.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if an edge is not positive and finite.
@@ -33,7 +33,7 @@ impl BoxShell {
         representable(Self { size })
     }
 
-    /// The face across axis `k`, half an edge from the centre on either side.
+    /// Returns the face perpendicular to axis `k`, half an edge from the centre on the given side.
     fn face(&self, k: usize, side: f64) -> Spread {
         let [a, b] = [self.size[(k + 1) % 3], self.size[(k + 2) % 3]];
         let (mut edges, mut center) = (self.size, [0.0; 3]);

@@ -1,4 +1,4 @@
-//! Capsule.
+//! Capsule shape.
 
 use super::cylinder::Cylinder;
 use super::{Extent, Shape, Spread, representable};
@@ -7,7 +7,7 @@ use crate::body::form::Form;
 use crate::math::number::PI;
 use crate::math::vector::Position;
 
-/// A solid cylinder between two half balls, with its centre at the origin and its axis along z.
+/// Solid cylinder between two half balls, with its centre at the origin and its axis along z.
 ///
 /// I_zz = (M_cylinder/2 + 2/5 M_caps) r²,
 /// I_xx = M_cylinder (r²/4 + l²/12) + M_caps (2/5 r² + 3/8 l r + l²/4)
@@ -28,10 +28,10 @@ pub struct Capsule {
 }
 
 impl Capsule {
-    /// A capsule of the given radius, and length of its cylinder without the caps, m.
+    /// Returns a capsule with the given radius and the length of its cylinder without the caps, m.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if one is not positive and finite.
+    /// [`BodyError::Parameter`] if the radius or the length is not positive and finite.
     pub fn new(radius: f64, length: f64) -> Result<Self, BodyError> {
         representable(Self {
             radius: positive("the capsule's radius", radius)?,

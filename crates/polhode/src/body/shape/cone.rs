@@ -1,4 +1,4 @@
-//! Cone and frustum.
+//! Cone and frustum of a cone.
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, not_negative, positive};
@@ -7,10 +7,10 @@ use crate::math::number::PI;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Position;
 
-/// A solid frustum of a cone, with the centre of its base disk at the origin and its axis along +z; a cone
-/// where one of its radii is zero.
+/// Solid frustum of a cone, with the centre of its base disk at the origin and its axis along +z;
+/// it is a cone if one of its radii is zero.
 ///
-/// a cone about its apex: I = 3/5 M diag(r²/4 + h², r²/4 + h², r²/2)
+/// For a cone about its apex: I = 3/5 M diag(r²/4 + h², r²/4 + h², r²/2)
 ///
 /// ```
 /// use polhode::body::shape::{Cone, Shape, Substance};
@@ -29,7 +29,7 @@ pub struct Cone {
 }
 
 impl Cone {
-    /// A frustum of the given radii at z = 0 and at z = `height`, m.
+    /// Returns a frustum with the given radii at z = 0 and at z = `height`, m.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if the height is not positive and finite, if a radius is negative or not
@@ -44,14 +44,15 @@ impl Cone {
 }
 
 impl Shape for Cone {
-    /// With a and b the radii, q = a² + ab + b²:
+    /// Computes the distribution of mass, with the radii a and b and q = a² + ab + b²:
     ///
     /// V = π/3 h q,  z̄ = h (a² + 2ab + 3b²) / 4q,  ⟨x²⟩ = 3 (a⁴ + a³b + a²b² + ab³ + b⁴) / 20q,
     /// ⟨(z − z̄)²⟩ = 3h² (a⁴ + 4a³b + 10a²b² + 4ab³ + b⁴) / 80q²
     ///
-    /// Sums of positive terms, also for a = b.
+    /// All sums have positive terms, also for a = b.
     fn spread(&self) -> Spread {
-        // In units of the larger radius, so that no power of one underflows beside the other.
+        // Lengths relative to the larger radius, so that no power of one radius underflows compared
+        // with the other.
         let larger = self.base_radius.max(self.top_radius);
         let (a, b, h) = (self.base_radius / larger, self.top_radius / larger, self.height);
         let (a2, ab, b2) = (a * a, a * b, b * b);

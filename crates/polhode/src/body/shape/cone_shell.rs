@@ -8,10 +8,10 @@ use crate::math::number::PI;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Position;
 
-/// The thin wall of a cone or a frustum, open or closed by disks, with the centre of its base at
-/// the origin and its axis along +z.
+/// Thin wall of a cone or a frustum, open or closed by disks, with the centre of its base at the
+/// origin and its axis along +z.
 ///
-/// open, of a cone, about its apex: I = M diag(r²/4 + h²/2, r²/4 + h²/2, r²/2)
+/// For an open cone about its apex: I = M diag(r²/4 + h²/2, r²/4 + h²/2, r²/2)
 ///
 /// ```
 /// use polhode::body::shape::{ConeShell, Shape, Substance};
@@ -31,7 +31,8 @@ pub struct ConeShell {
 }
 
 impl ConeShell {
-    /// A shell of the given radii at z = 0 and at z = `height`, m: closed by disks with `ends`, the wall alone without.
+    /// Returns a shell with the given radii at z = 0 and at z = `height`, m. With `ends`, disks
+    /// close it; otherwise it is the wall only.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if the height is not positive and finite, if a radius is negative
@@ -44,12 +45,14 @@ impl ConeShell {
         representable(Self { base_radius, top_radius, height, ends })
     }
 
-    /// Moments of the wall for the radii a and b, with ζ = z/h and dA ∝ (a + (b − a) ζ) dζ:
+    /// Computes the moments of the wall for the radii a and b, with ζ = z/h and dA ∝ (a + (b − a)
+    /// ζ) dζ:
     ///
     /// A = π (a + b) √(h² + (a − b)²),  ⟨x²⟩ = (a² + b²)/4,  z̄ = h (a + 2b)/3(a + b),
     /// ⟨(z − z̄)²⟩ = h² (a² + 4ab + b²)/18(a + b)²
     fn wall(&self) -> Spread {
-        // In units of the larger radius, so that no square underflows next to the other.
+        // Lengths relative to the larger radius, so that no square of one underflows compared with
+        // the other.
         let larger = self.base_radius.max(self.top_radius);
         let (a, b, h) = (self.base_radius / larger, self.top_radius / larger, self.height);
         let sum = a + b;

@@ -5,9 +5,10 @@ use crate::body::error::{BodyError, positive};
 use crate::body::form::Form;
 use crate::math::number::PI;
 
-/// A cylinder with its centre at the origin and its axis along z, solid or with a coaxial bore.
+/// Cylinder with its centre at the origin and its axis along z, solid or with a coaxial bore.
 ///
-/// I = M diag((R² + r²)/4 + l²/12, (R² + r²)/4 + l²/12, (R² + r²)/2) for the radii R and r, which is zero of a solid
+/// I = M diag((R² + r²)/4 + l²/12, (R² + r²)/4 + l²/12, (R² + r²)/2) for the outer radius R and the
+/// inner radius r, which is zero if solid
 ///
 /// ```
 /// use polhode::body::shape::{Cylinder, Shape, Substance};
@@ -20,25 +21,26 @@ use crate::math::number::PI;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {
     pub(in crate::body) radius: f64,
-    /// Zero of a solid.
+    /// Radius of the bore, m; zero if solid.
     pub(in crate::body) inner_radius: f64,
     pub(in crate::body) length: f64,
 }
 
 impl Cylinder {
-    /// A solid cylinder of the given radius and length, m.
+    /// Returns a solid cylinder with the given radius and length, m.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if one is not positive and finite.
+    /// [`BodyError::Parameter`] if the radius or the length is not positive and finite.
     pub fn new(radius: f64, length: f64) -> Result<Self, BodyError> {
         Self::hollow(radius, 0.0, length)
     }
 
-    /// A cylinder of the given outer radius, radius of its bore, and length, m; without a bore if that is zero.
+    /// Returns a cylinder with the given outer radius, radius of its bore, and length, m; without a
+    /// bore if `inner_radius` is zero.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if radius or length is not positive and finite. The inner radius is
-    /// at least zero and less than the radius.
+    /// [`BodyError::Parameter`] if the radius or the length is not positive and finite, or unless 0
+    /// ≤ `inner_radius` < `radius`.
     pub fn hollow(radius: f64, inner_radius: f64, length: f64) -> Result<Self, BodyError> {
         positive("the cylinder's radius", radius)?;
         representable(Self {
@@ -50,9 +52,9 @@ impl Cylinder {
 }
 
 impl Shape for Cylinder {
-    /// V = π (R − r) (R + r) l,  ⟨x²⟩ = (R⁴ − r⁴)/4(R² − r²) = (R² + r²)/4
+    /// Computes V = π (R − r) (R + r) l and ⟨x²⟩ = (R⁴ − r⁴)/4(R² − r²) = (R² + r²)/4.
     ///
-    /// Powers are divided out, so that a thin wall keeps its digits.
+    /// The differences of powers are divided out, so that a thin wall keeps its digits.
     fn spread(&self) -> Spread {
         let Self { radius, inner_radius: inner, length } = *self;
         let across = (radius * radius + inner * inner) / 4.0;
@@ -60,7 +62,7 @@ impl Shape for Cylinder {
         Spread::centered(Extent::Volume(volume), [across, across, length * length / 12.0])
     }
 
-    /// A = 2π (R + r) l + 2π (R² − r²), inside and out
+    /// Returns A = 2π (R + r) l + 2π (R² − r²), inside and outside.
     fn surface_area(&self) -> f64 {
         let Self { radius, inner_radius: inner, length } = *self;
         2.0 * PI * (radius + inner) * (radius - inner + length)

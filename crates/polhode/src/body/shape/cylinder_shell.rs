@@ -7,9 +7,9 @@ use crate::body::form::Form;
 use crate::math::number::PI;
 use crate::math::vector::Position;
 
-/// A thin tube, open or closed by two disks, with its centre at the origin and its axis along z.
+/// Thin tube, open or closed by two disks, with its centre at the origin and its axis along z.
 ///
-/// open: I = M diag(r²/2 + l²/12, r²/2 + l²/12, r²)
+/// If open: I = M diag(r²/2 + l²/12, r²/2 + l²/12, r²)
 ///
 /// ```
 /// use polhode::body::shape::{CylinderShell, Shape, Substance};
@@ -27,10 +27,11 @@ pub struct CylinderShell {
 }
 
 impl CylinderShell {
-    /// A shell of the given radius and length, m: a closed can with `ends`, an open tube without.
+    /// Returns a shell with the given radius and length, m: a closed can with `ends`, otherwise an
+    /// open tube.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if radius or length is not positive and finite.
+    /// [`BodyError::Parameter`] if the radius or the length is not positive and finite.
     pub fn new(radius: f64, length: f64, ends: bool) -> Result<Self, BodyError> {
         representable(Self {
             radius: positive("the cylindrical shell's radius", radius)?,

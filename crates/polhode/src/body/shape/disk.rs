@@ -1,11 +1,11 @@
-//! Thin disk.
+//! Thin circular disk.
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::body::form::Form;
 use crate::math::number::PI;
 
-/// A thin disk in the plane z = 0 with its centre at the origin.
+/// Thin disk in the plane z = 0 with its centre at the origin.
 ///
 /// I = M r² diag(1/4, 1/4, 1/2)
 ///
@@ -21,7 +21,7 @@ pub struct Disk {
 }
 
 impl Disk {
-    /// A disk of the given radius, m.
+    /// Returns a disk with the given radius, m.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if the radius is not positive and finite.

@@ -1,11 +1,11 @@
-//! Ellipsoid.
+//! Solid ellipsoid.
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::body::form::Form;
 use crate::math::number::PI;
 
-/// A solid ellipsoid with its centre at the origin and its semi-axes along the axes.
+/// Solid ellipsoid with its centre at the origin and its semi-axes along the coordinate axes.
 ///
 /// I = M/5 diag(b² + c², a² + c², a² + b²) for semi-axes a, b, c
 ///
@@ -21,7 +21,7 @@ pub struct Ellipsoid {
 }
 
 impl Ellipsoid {
-    /// An ellipsoid with the given semi-axes along x, y and z, m.
+    /// Returns an ellipsoid with the given semi-axes along x, y and z, m.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if a semi-axis is not positive and finite.
@@ -39,21 +39,22 @@ impl Shape for Ellipsoid {
         Spread::centered(Extent::Volume(4.0 / 3.0 * PI * a * b * c), self.semi_axes.map(|a| a * a / 5.0))
     }
 
-    /// A = 4π abc R_G(a⁻², b⁻², c⁻²) = π (abc)² ∫₀^∞ Σ 1/(1 + a²t) t dt / √Π(1 + a²t)
+    /// Returns A = 4π abc R_G(a⁻², b⁻², c⁻²) = π (abc)² ∫₀^∞ Σ 1/(1 + a²t) t dt / √Π(1 + a²t).
     ///
-    /// An integral over the whole line of ln t, analytic in |Im ln t| < π: the trapezoidal rule with step ½
-    /// has the relative error e^(−4π²), less than the rounding.
+    /// As a function of ln t, the integrand is analytic in |Im ln t| < π. The trapezoidal rule over
+    /// the whole line with step ½ therefore has the relative error e^(−4π²), less than the
+    /// rounding.
     ///
-    /// With a ≥ b ≥ c, A/ab hangs on b/a and c/b only, and where one of them is small no more on that: it changes
-    /// by the ratio's square.
+    /// With a ≥ b ≥ c, A/ab depends on b/a and c/b only. If one of these ratios is small, its
+    /// effect is proportional to its square and becomes negligible.
     ///
     /// Source: DLMF §19.33(i), and R_G as the integral of §19.16(i), with 1/t for t.
     fn surface_area(&self) -> f64 {
         const STEP: f64 = 0.5;
-        /// A ratio whose square is far below the rounding.
+        /// Ratio whose square is far below the rounding.
         const SMALL: f64 = 1e-12;
-        // In units of a: below t = e^−20 the integrand falls as t²; above 1/c² ≤ e^111, as (c²t)^(−1/2). Both ends
-        // are past the rounding.
+        // Lengths in units of a. Below t = e^−20 the integrand decreases as t², above 1/c² ≤ e^111
+        // as (c²t)^(−1/2). The contributions beyond both ends are less than the rounding.
         const NODES: core::ops::Range<i32> = -40..382;
         let mut axes = self.semi_axes;
         axes.sort_by(|p, q| q.total_cmp(p));

@@ -1,6 +1,7 @@
 //! Shapes of uniform density with closed-form mass integrals, each in its own file.
 //!
-//! A shape says how its mass is spread over it per unit mass; how heavy it is comes from a [`Substance`].
+//! A shape defines the distribution of its mass per unit mass; a [`Substance`] defines the mass
+//! itself.
 
 pub(crate) mod r#box;
 pub(crate) mod box_shell;
@@ -48,27 +49,29 @@ use crate::math::frame::Part;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Position;
 
-/// A body of uniform density, described in its own [`Part`] axes.
+/// Body of uniform density, described in its own [`Part`] axes.
 ///
-/// The constructors refuse, with [`BodyError::Parameter`], what is so small or so large that f64 does not hold its
-/// volume, area or length, or its mean square size.
+/// The constructors return [`BodyError::Parameter`] if the shape is so small or so large that f64
+/// cannot represent its volume, area or length, or its mean square size.
 pub trait Shape: fmt::Debug + Send + Sync {
-    /// Over what the mass is spread, how much of it there is, and how it lies about its centre.
+    /// Returns the distribution of mass: extent (volume, area or length), centroid, and second
+    /// moments.
     fn spread(&self) -> Spread;
 
-    /// Area that bounds a solid, or of one side of a thin shell or plate, m²; a thin rod has none.
+    /// Returns the area that bounds a solid, or of one side of a thin shell or plate, m²; zero for
+    /// a thin rod.
     fn surface_area(&self) -> f64;
 
-    /// What it looks like, for those who draw it; `None` where only the moments are known.
+    /// Returns the shape for drawing; `None` if only the moments are known.
     fn form(&self) -> Option<Form> {
         None
     }
 
-    /// Mass properties of the shape made of a substance.
+    /// Computes the mass properties of the shape made of a substance.
     ///
     /// # Errors
-    /// [`BodyError`] if the substance does not fit the shape (kg/m³ for a thin plate), or a number is not
-    /// positive and finite.
+    /// [`BodyError`] if the substance does not fit the shape (for example kg/m³ for a thin plate),
+    /// or if a number is not positive and finite.
     fn mass_properties(&self, substance: Substance) -> Result<MassProperties<Part>, BodyError> {
         let spread = self.spread();
         let mass = substance.mass_of(spread.extent)?;
@@ -77,33 +80,34 @@ pub trait Shape: fmt::Debug + Send + Sync {
     }
 }
 
-/// How a uniform mass is spread over a shape.
+/// Distribution of a uniform mass over a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     pub(crate) extent: Extent,
     pub(crate) centroid: Position<Part>,
-    /// Second moments about the centroid per unit mass, ∫ x xᵀ dm / M: positive semi-definite, so that every
-    /// tensor made of it is possible.
+    /// Second moments about the centroid per unit mass, ∫ x xᵀ dm / M, m². The matrix is positive
+    /// semi-definite, so that every tensor computed from it is possible.
     pub(crate) covariance: Symmetric3,
 }
 
 impl Spread {
-    /// Volume, area or length.
+    /// Returns the volume, area or length.
     pub const fn extent(&self) -> Extent {
         self.extent
     }
 
-    /// Where the centre of mass is.
+    /// Returns the centroid, which is the centre of mass, m.
     pub const fn centroid(&self) -> Position<Part> {
         self.centroid
     }
 
-    /// Mean square distance from the centroid: the trace of the second moments.
+    /// Returns the mean square distance from the centroid, m²: the trace of the second moments.
     pub(crate) fn size_squared(&self) -> f64 {
         self.covariance.xx + self.covariance.yy + self.covariance.zz
     }
 
-    /// The spread, if f64 holds its numbers: at 1e-110 m a volume is 0, at 1e160 m an area is infinite.
+    /// Returns the distribution if f64 can represent its numbers: at 1e-110 m a volume is 0, at
+    /// 1e160 m an area is infinite.
     pub(crate) fn representable(self) -> Result<Self, BodyError> {
         let what = match self.extent {
             Extent::Volume(_) => "the volume",
@@ -115,19 +119,22 @@ impl Spread {
         Ok(self)
     }
 
-    /// A spread about the origin, with second moments (⟨x²⟩, ⟨y²⟩, ⟨z²⟩) and no products.
+    /// Returns a distribution about the origin, with second moments (⟨x²⟩, ⟨y²⟩, ⟨z²⟩), m², and no
+    /// products.
     pub(crate) fn centered(extent: Extent, second_moments: [f64; 3]) -> Self {
         Self { extent, centroid: Position::ZERO, covariance: Symmetric3::diagonal(second_moments) }
     }
 
-    /// The same spread elsewhere.
+    /// Returns the same distribution displaced by a vector.
     pub(crate) fn moved(self, by: Position<Part>) -> Self {
         Self { centroid: self.centroid + by, ..self }
     }
 
-    /// This spread and others as one, each weighted by its own volume, area or length: the faces of a can.
+    /// Combines this distribution with others, each weighted by its own volume, area or length, for
+    /// example the faces of a can.
     ///
-    /// c = Σ w_k c_k,  S = Σ w_k (S_k + d_k d_kᵀ),  d_k = c_k − c.  All must be of this one's kind.
+    /// c = Σ w_k c_k,  S = Σ w_k (S_k + d_k d_kᵀ),  d_k = c_k − c.  All must have the same kind of
+    /// extent as this one.
     pub(crate) fn joined(self, others: &[Self]) -> Self {
         let parts = || core::iter::once(&self).chain(others);
         let total: f64 = parts().map(|p| p.extent.measure()).sum();
@@ -141,12 +148,12 @@ impl Spread {
     }
 }
 
-/// The shape, if f64 holds the numbers of its spread.
+/// Returns the shape if f64 can represent the numbers of its distribution.
 fn representable<S: Shape>(shape: S) -> Result<S, BodyError> {
     shape.spread().representable().map(|_| shape)
 }
 
-/// An inner radius, if it leaves a wall.
+/// Returns an inner radius if it is not negative and less than the radius.
 fn hollow(what: &'static str, inner_radius: f64, radius: f64) -> Result<f64, BodyError> {
     if not_negative(what, inner_radius)? < radius {
         return Ok(inner_radius);
@@ -154,7 +161,7 @@ fn hollow(what: &'static str, inner_radius: f64, radius: f64) -> Result<f64, Bod
     Err(BodyError::Parameter { what, value: inner_radius, rule: "less than its radius" })
 }
 
-/// Refuses what is not positive and finite with all its digits.
+/// Returns an error if a value is not positive, finite and of full precision (not subnormal).
 fn in_range(what: &'static str, value: f64) -> Result<(), BodyError> {
     if value >= f64::MIN_POSITIVE && value.is_finite() {
         return Ok(());
@@ -162,26 +169,26 @@ fn in_range(what: &'static str, value: f64) -> Result<(), BodyError> {
     Err(BodyError::Parameter { what, value, rule: "positive and finite: too large or too small for f64" })
 }
 
-/// Over what a shape's mass is spread, and how much of it there is.
+/// Extent of a shape: the volume, area or length over which its mass is distributed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Extent {
-    /// A solid, m³.
+    /// Volume of a solid, m³.
     Volume(f64),
-    /// A thin shell or plate, m².
+    /// Area of a thin shell or plate, m².
     Area(f64),
-    /// A thin rod, m.
+    /// Length of a thin rod, m.
     Length(f64),
 }
 
 impl Extent {
-    /// The number of m³, m² or m.
+    /// Returns the value in m³, m² or m.
     pub const fn measure(self) -> f64 {
         match self {
             Self::Volume(m) | Self::Area(m) | Self::Length(m) => m,
         }
     }
 
-    /// The volume of a solid; `None` for what is thin.
+    /// Returns the volume of a solid, m³; `None` for a thin shape.
     pub const fn volume(self) -> Option<f64> {
         match self {
             Self::Volume(v) => Some(v),
@@ -198,16 +205,16 @@ impl Extent {
     }
 }
 
-/// What a shape is made of.
+/// Substance of a shape: its mass, or its density.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Substance {
-    /// The whole mass, kg: fits every shape.
+    /// Total mass, kg; for every shape.
     Mass(f64),
-    /// Density, kg/m³: for solids.
+    /// Density, kg/m³; for solids.
     Density(f64),
-    /// Mass per area, kg/m²: for thin shells and plates.
+    /// Mass per area, kg/m²; for thin shells and plates.
     AreaDensity(f64),
-    /// Mass per length, kg/m: for thin rods.
+    /// Mass per length, kg/m; for thin rods.
     LineDensity(f64),
 }
 

@@ -4,7 +4,7 @@ use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::body::form::Form;
 
-/// A thin rectangle in the plane z = 0 with its centre at the origin and its edges along x and y.
+/// Thin rectangle in the plane z = 0 with its centre at the origin and its edges along x and y.
 ///
 /// I = M/12 diag(b², a², a² + b²) for edges a, b
 ///
@@ -21,7 +21,7 @@ pub struct Plate {
 }
 
 impl Plate {
-    /// A plate with the given edges along x and y, m.
+    /// Returns a plate with the given edge lengths along x and y, m.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if an edge is not positive and finite.

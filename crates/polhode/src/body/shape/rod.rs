@@ -1,10 +1,10 @@
-//! Thin rod.
+//! Thin straight rod.
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::body::form::Form;
 
-/// A thin rod along z with its centre at the origin.
+/// Thin rod along z with its centre at the origin.
 ///
 /// I = M l²/12 diag(1, 1, 0)
 ///
@@ -22,7 +22,7 @@ pub struct Rod {
 }
 
 impl Rod {
-    /// A rod of the given length, m.
+    /// Returns a rod with the given length, m.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if the length is not positive and finite.

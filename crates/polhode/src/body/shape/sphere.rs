@@ -5,9 +5,10 @@ use crate::body::error::{BodyError, positive};
 use crate::body::form::Form;
 use crate::math::number::PI;
 
-/// A sphere with its centre at the origin, solid or with a concentric spherical cavity.
+/// Sphere with its centre at the origin, solid or with a concentric spherical cavity.
 ///
-/// I = 2/5 M (R⁵ − r⁵)/(R³ − r³) for the radii R and r, which is zero of a solid
+/// I = 2/5 M (R⁵ − r⁵)/(R³ − r³) for the outer radius R and the inner radius r, which is zero if
+/// solid
 ///
 /// ```
 /// use polhode::body::shape::{Shape, Sphere, Substance};
@@ -20,12 +21,12 @@ use crate::math::number::PI;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
     pub(in crate::body) radius: f64,
-    /// Zero of a solid.
+    /// Radius of the cavity, m; zero if solid.
     pub(in crate::body) inner_radius: f64,
 }
 
 impl Sphere {
-    /// A solid sphere of the given radius, m.
+    /// Returns a solid sphere with the given radius, m.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if the radius is not positive and finite.
@@ -33,11 +34,12 @@ impl Sphere {
         Self::hollow(radius, 0.0)
     }
 
-    /// A sphere of the given outer radius and radius of its cavity, m; without a cavity if that is zero.
+    /// Returns a sphere with the given outer radius and radius of its cavity, m; without a cavity
+    /// if `inner_radius` is zero.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if the radius is not positive and finite. The inner radius is at
-    /// least zero and less than the radius.
+    /// [`BodyError::Parameter`] if the radius is not positive and finite, or unless 0 ≤
+    /// `inner_radius` < `radius`.
     pub fn hollow(radius: f64, inner_radius: f64) -> Result<Self, BodyError> {
         positive("the sphere's radius", radius)?;
         let inner_radius = hollow("the sphere's inner radius", inner_radius, radius)?;
@@ -46,11 +48,12 @@ impl Sphere {
 }
 
 impl Shape for Sphere {
-    /// Ratio of the radii k = r/R:  V = 4π/3 (R³ − r³) = 4π/3 R² (R − r) (1 + k + k²),
+    /// Computes, with the ratio of the radii k = r/R: V = 4π/3 (R³ − r³) = 4π/3 R² (R − r) (1 + k +
+    /// k²),
     ///
     /// ⟨x²⟩ = (R⁵ − r⁵)/5(R³ − r³) = R²/5 (1 + k + k² + k³ + k⁴)/(1 + k + k²)
     ///
-    /// Differences of powers are divided out, so that a thin wall keeps its digits.
+    /// The differences of powers are divided out, so that a thin wall keeps its digits.
     fn spread(&self) -> Spread {
         let Self { radius, inner_radius: inner } = *self;
         let k = inner / radius;
@@ -60,7 +63,7 @@ impl Shape for Sphere {
         Spread::centered(Extent::Volume(volume), [radius * radius / 5.0 * (fifths / cubes); 3])
     }
 
-    /// A = 4π (R² + r²), inside and out
+    /// Returns A = 4π (R² + r²), inside and outside.
     fn surface_area(&self) -> f64 {
         let Self { radius, inner_radius: inner } = *self;
         4.0 * PI * radius * radius + 4.0 * PI * inner * inner

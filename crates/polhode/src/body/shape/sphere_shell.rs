@@ -5,7 +5,7 @@ use crate::body::error::{BodyError, positive};
 use crate::body::form::Form;
 use crate::math::number::PI;
 
-/// A thin hollow sphere with its centre at the origin.
+/// Thin hollow sphere with its centre at the origin.
 ///
 /// I = 2/3 M r²
 ///
@@ -21,7 +21,7 @@ pub struct SphereShell {
 }
 
 impl SphereShell {
-    /// A shell of the given radius, m.
+    /// Returns a shell with the given radius, m.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if the radius is not positive and finite.

@@ -1,4 +1,4 @@
-//! Tetrahedron.
+//! Solid tetrahedron.
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, finite};
@@ -8,9 +8,10 @@ use crate::math::frame::Part;
 use crate::math::symmetric3::{Symmetric3, power_of_two_near};
 use crate::math::vector::{Direction, Position};
 
-/// A solid tetrahedron, its corners where they are given.
+/// Solid tetrahedron with given corners.
 ///
-/// ⟨x xᵀ⟩ = 1/20 Σ (p_k − p̄)(p_k − p̄)ᵀ: as of its corners, each with a twentieth of the mass
+/// ⟨x xᵀ⟩ = 1/20 Σ (p_k − p̄)(p_k − p̄)ᵀ: the sum over its corners, each with a twentieth of the
+/// mass
 ///
 /// ```
 /// use polhode::body::shape::{Shape, Substance, Tetrahedron};
@@ -27,21 +28,22 @@ pub struct Tetrahedron {
     pub(in crate::body) vertices: [[f64; 3]; 4],
 }
 
-/// A volume below this part of the edges' product may be all rounding.
+/// Volume threshold relative to the product of the edges; a smaller volume may be rounding only.
 const FLAT: f64 = 4.0 * f64::EPSILON;
 
 impl Tetrahedron {
-    /// The tetrahedron with the given corners, m, in either order.
+    /// Returns the tetrahedron with the given corners, m; both orientations are allowed.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if a coordinate is not finite, or if the corners lie in one plane.
+    /// [`BodyError::Parameter`] if a coordinate is not finite, or if the corners are coplanar.
     pub fn new(vertices: [[f64; 3]; 4]) -> Result<Self, BodyError> {
         for vertex in vertices {
             finite("the tetrahedron's vertex", vertex)?;
         }
         let tetrahedron = Self { vertices };
         let edges = tetrahedron.edges();
-        // In units of a power of two near the size: exact, and no product leaves the range of f64.
+        // Lengths are scaled by a power of two near the size: this is exact, and no product
+        // overflows.
         let unit = power_of_two_near(edges.iter().map(|edge| edge.max_abs()).fold(0.0, f64::max));
         let [u, v, w] = edges.map(|edge| edge / unit);
         let flat = u.dot(v.cross(w)).abs() / 6.0 <= FLAT * u.norm() * v.norm() * w.norm();
@@ -53,7 +55,7 @@ impl Tetrahedron {
         representable(tetrahedron)
     }
 
-    /// From the first corner to the others.
+    /// Returns the vectors from the first corner to the others, m.
     fn edges(&self) -> [Direction<Part>; 3] {
         let [o, a, b, c] = self.vertices.map(Direction::from_array);
         [a - o, b - o, c - o]
@@ -68,7 +70,7 @@ impl Tetrahedron {
 impl Shape for Tetrahedron {
     fn spread(&self) -> Spread {
         let [u, v, w] = self.edges();
-        // From the first corner, so that a place far from the origin costs no digits.
+        // Relative to the first corner, so that a position far from the origin costs no digits.
         let center = (u + v + w) * 0.25;
         let corners = [-center, u - center, v - center, w - center];
         let sum = corners.iter().fold(Symmetric3::default(), |sum, d| sum + Symmetric3::outer(d.to_array()));

@@ -1,11 +1,11 @@
-//! Torus.
+//! Solid torus.
 
 use super::{Extent, Shape, Spread, representable};
 use crate::body::error::{BodyError, positive};
 use crate::body::form::Form;
 use crate::math::number::PI;
 
-/// A solid ring of circular section, with its centre at the origin and its axis along z.
+/// Solid ring of circular cross-section, with its centre at the origin and its axis along z.
 ///
 /// I_zz = M (R² + 3/4 r²),  I_xx = I_yy = M (R²/2 + 5/8 r²)
 ///
@@ -23,10 +23,11 @@ pub struct Torus {
 }
 
 impl Torus {
-    /// A torus of radius R to the middle of its tube, and a tube of radius r ≤ R, m.
+    /// Returns a torus with the radius R to the centre line of its tube, and a tube of radius r ≤
+    /// R, m.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if one is not positive and finite, or if the tube is wider than the ring.
+    /// [`BodyError::Parameter`] if a radius is not positive and finite, or if r > R.
     pub fn new(ring_radius: f64, tube_radius: f64) -> Result<Self, BodyError> {
         positive("the torus's ring radius", ring_radius)?;
         let what = "the torus's tube radius";

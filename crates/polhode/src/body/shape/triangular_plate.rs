@@ -6,9 +6,9 @@ use crate::body::error::BodyError;
 use crate::body::form::Form;
 use crate::math::vector::Position;
 
-/// A thin triangle in the plane z = 0, its corners where they are given.
+/// Thin triangle in the plane z = 0 with given corners.
 ///
-/// ⟨x xᵀ⟩ = 1/12 Σ (p_k − p̄)(p_k − p̄)ᵀ: as of its corners, each with a twelfth of the mass
+/// ⟨x xᵀ⟩ = 1/12 Σ (p_k − p̄)(p_k − p̄)ᵀ: the sum over its corners, each with a twelfth of the mass
 ///
 /// ```
 /// use polhode::body::shape::{Shape, Substance, TriangularPlate};
@@ -26,10 +26,10 @@ pub struct TriangularPlate {
 }
 
 impl TriangularPlate {
-    /// The plate with the given corners x, y, m, in either order.
+    /// Returns the plate with the given corners (x, y), m; both orientations are allowed.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if a coordinate is not finite, or if the corners lie on one line.
+    /// [`BodyError::Parameter`] if a coordinate is not finite, or if the corners are collinear.
     pub fn new(vertices: [[f64; 2]; 3]) -> Result<Self, BodyError> {
         let triangle =
             Triangle::new(vertices, "the triangular plate's vertex", "the triangular plate's area")?;

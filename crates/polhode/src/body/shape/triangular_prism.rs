@@ -1,4 +1,4 @@
-//! Triangular prism.
+//! Right triangular prism.
 
 use super::triangle::Triangle;
 use super::{Extent, Shape, Spread, representable};
@@ -7,7 +7,8 @@ use crate::body::form::Form;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Position;
 
-/// A solid right prism: a triangle in the plane z = 0, its corners where they are given, from −l/2 to l/2 along z.
+/// Solid right prism: a triangle with given corners in the xy plane, extended from −l/2 to l/2
+/// along z.
 ///
 /// ⟨x xᵀ⟩ = 1/12 Σ (p_k − p̄)(p_k − p̄)ᵀ in the plane,  ⟨z²⟩ = l²/12
 ///
@@ -27,11 +28,12 @@ pub struct TriangularPrism {
 }
 
 impl TriangularPrism {
-    /// The prism with the given corners x, y in either order, and length along z, m.
+    /// Returns the prism with the given corners (x, y), in either orientation, and the length along
+    /// z, m.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if a coordinate is not finite, if the corners lie on one line, or
-    /// if the length is not positive and finite.
+    /// [`BodyError::Parameter`] if a coordinate is not finite, if the corners are collinear, or if
+    /// the length is not positive and finite.
     pub fn new(vertices: [[f64; 2]; 3], length: f64) -> Result<Self, BodyError> {
         let triangle =
             Triangle::new(vertices, "the triangular prism's vertex", "the triangular prism's area")?;
@@ -49,7 +51,7 @@ impl Shape for TriangularPrism {
         }
     }
 
-    /// A = 2 A_triangle + l (sum of the edges)
+    /// Returns A = 2 A_triangle + l (sum of the edges).
     fn surface_area(&self) -> f64 {
         2.0 * self.triangle.area() + self.triangle.perimeter() * self.length
     }

@@ -1,34 +1,37 @@
-//! The order of accuracy of a method, by its runs of several steps.
+//! Order of accuracy of a method, from its runs with several step sizes.
 
-/// The errors of runs of one motion by one method, with several steps.
+/// Errors of runs of one motion by one method, with several step sizes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AccuracyOrder {
-    /// The time at which they are compared, s.
+    /// Time at which the errors are compared, s.
     pub time: f64,
-    /// Step (s) and largest attitude error up to that time (rad), from the largest step on.
+    /// Step size, s, and largest attitude error up to that time, rad, in order of decreasing step
+    /// size.
     pub runs: Vec<(f64, f64)>,
-    /// p of error ∝ step^p, between each run and the next; `None` where one of the errors is not above what the exact motion may be wrong by.
+    /// Order p of error ∝ step^p between each run and the next; `None` if one of the errors does
+    /// not exceed the uncertainty of the exact motion.
     pub orders: Vec<Option<f64>>,
 }
 
-/// A run of one step: the step, s, its times, s, its attitude errors, rad, and what the exact motion may be wrong by, rad.
+/// Errors of a run with one step size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepErrors<'a> {
-    /// Of the method, s.
+    /// Step size of the method, s.
     pub step: f64,
-    /// When, s.
+    /// Times of the rows, s.
     pub times: &'a [f64],
-    /// How far off, rad.
+    /// Attitude errors at these times, rad.
     pub errors: &'a [f64],
-    /// What they cannot tell from 0, rad.
+    /// Uncertainty of the exact motion, rad; smaller errors are not significant.
     pub floor: f64,
 }
 
-/// Errors above it have no order, rad.
+/// Largest error for which an order is computed, rad.
 const LARGE: f64 = 0.5;
 
 impl AccuracyOrder {
-    /// Of runs with at least two different steps: compared to the last time up to which all of them are off by less than 0.5 rad.
+    /// Computes the order from runs with at least two different step sizes; `None` otherwise.
+    /// Errors are compared up to the last time at which all of them are less than 0.5 rad.
     ///
     /// ```
     /// use polhode::infer::judge::{AccuracyOrder, StepErrors};

@@ -1,11 +1,12 @@
-//! The axes of a log, as signed axes of the scenario.
+//! Axes of a log, as signed axes of the scenario.
 
 use core::fmt;
 
-/// The log's axes x, y, z, each an axis of the scenario or its opposite: for body and space alike.
+/// Axes x, y, z of a log, each an axis of the scenario or its opposite, for body and space alike.
 ///
-/// Programs have y or z upwards, and left-handed axes. Mirrored through the origin, axes turn as they did, so that every left-handed
-/// choice rotates as one of the 24 right-handed ones: (x, z, y) as (−x, −z, −y).
+/// Programs have y or z upward, and some have left-handed axes. If all axes are reversed, rotations
+/// keep their components; every left-handed choice is therefore equivalent to one of the 24
+/// right-handed ones: (x, z, y) to (−x, −z, −y).
 ///
 /// ```
 /// use polhode::infer::judge::SignedAxes;
@@ -19,31 +20,33 @@ use core::fmt;
 pub struct SignedAxes([(u8, bool); 3]);
 
 impl SignedAxes {
-    /// Those of the scenario.
+    /// Axes equal to those of the scenario.
     pub const SAME: Self = Self([(0, false), (1, false), (2, false)]);
 
-    /// The 24 right-handed ones, [`SignedAxes::SAME`] first.
+    /// All 24 right-handed choices, [`SignedAxes::SAME`] first.
     pub const ALL: [Self; 24] = all();
 
-    /// Those of a text: `x,z,-y`, or as they are displayed. `None` of what are no three right-handed ones.
+    /// Parses axes from a text such as `x,z,-y`, or the displayed form. `None` if it does not name
+    /// three right-handed axes.
     pub fn parse(text: &str) -> Option<Self> {
         let plain = |text: &str| text.replace([' ', '(', ')'], "").replace('−', "-").to_lowercase();
         let wanted = plain(text);
         Self::ALL.into_iter().find(|axes| plain(&axes.to_string()) == wanted)
     }
 
-    /// True if x × y = z.
+    /// Returns true if x × y = z.
     pub(super) fn is_right_handed(self) -> bool {
         Self::ALL.contains(&self)
     }
 
-    /// The opposite axes, which are left-handed if these are right-handed.
+    /// Returns the opposite axes, which are left-handed if these are right-handed.
     #[must_use]
     pub fn reversed(self) -> Self {
         Self(self.0.map(|(axis, negative)| (axis, !negative)))
     }
 
-    /// Components along these axes, to those along the scenario's. Also of axial vectors and of the vector part of a quaternion.
+    /// Converts components along these axes to those along the scenario's axes; also for axial
+    /// vectors and the vector part of a quaternion.
     pub fn to_scenario(self, components: [f64; 3]) -> [f64; 3] {
         let mut along = [0.0; 3];
         for ((axis, negative), c) in self.0.into_iter().zip(components) {
@@ -54,7 +57,8 @@ impl SignedAxes {
 }
 
 const fn all() -> [SignedAxes; 24] {
-    // Even permutations first, then odd ones; a right-handed one has an even or an odd number of opposites.
+    // Even permutations first, then odd ones. A right-handed choice has an even or an odd number of
+    // reversed axes, respectively.
     let permutations = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
     let mut axes = [SignedAxes::SAME; 24];
     let mut count = 0;

@@ -1,4 +1,4 @@
-//! The first rows of a log, with the exact states at their times.
+//! First rows of a log, with the exact states at their times.
 
 use super::difference::{angle_between, conjugate, product};
 use super::error::JudgeError;
@@ -8,23 +8,26 @@ use super::reference::{spread, states_within};
 use crate::motion::model::state::State;
 use crate::motion::task::scenario::Scenario;
 
-/// Angle that the body turns through in the beginning of a log, rad; three rows at least.
+/// Angle through which the body rotates in the beginning of a log, rad; at least three rows are
+/// used.
 pub(super) const BEGINNING: f64 = 0.1;
-/// Ratio of residuals beyond which the smaller one decides.
+/// Ratio of residuals above which the smaller one decides.
 pub(super) const CLEARLY: f64 = 10.0;
-/// Rows that are compared, at most.
+/// Maximum number of rows that are compared.
 pub(super) const COMPARED: usize = 64;
-/// Bounds of the turn that residuals are relative to, rad: attitudes cannot be farther apart than the upper one says.
+/// Bounds of the rotation angle by which residuals are divided, rad. The upper bound is the largest
+/// useful difference of attitudes.
 const NO_TURN: f64 = 1e-3;
 const WHOLE_TURN: f64 = 1.0;
-/// Greatest angle between two rows that follow a motion, rad.
+/// Largest angle between two rows that represent a continuous motion, rad.
 const FOLLOWED: f64 = 1.0;
-/// Relative difference of equal angular velocities.
+/// Largest relative difference of angular velocities that count as equal.
 ///
-/// A program that is given deg/s for rad/s turns 57.3 times too slowly: 5 % from s for min, which are 60 times.
+/// A program that takes deg/s for rad/s rotates 57.3 times too slowly. This differs by 5 % from the
+/// factor 60 between s and min.
 const SAME_RATE: f64 = 0.01;
 
-/// Relation of a log's clock to the scenario's: t = (t_log − origin) · factor.
+/// Relation of a log's clock to the scenario's: t = (t_log − origin) · factor, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Clock {
     pub(super) origin: f64,
@@ -32,7 +35,8 @@ pub(super) struct Clock {
 }
 
 impl Clock {
-    /// The clock of a log that begins at a time of the scenario, s; rounded so that no row is before that time.
+    /// Returns the clock of a log that begins at a time of the scenario, s, rounded so that no row
+    /// is before that time.
     pub(super) fn beginning_at(time: f64, log: &MotionLog, factor: f64) -> Self {
         let first = log.times()[0];
         let mut clock = Self { origin: first - time / factor, factor };
@@ -51,7 +55,7 @@ impl Clock {
     }
 }
 
-/// The first rows of a log, with the exact states if its clock is this one.
+/// First rows of a log, with the exact states for a given clock.
 #[derive(Clone, Debug)]
 pub(super) struct Beginning {
     pub(super) clock: Clock,
@@ -60,10 +64,10 @@ pub(super) struct Beginning {
 }
 
 impl Beginning {
-    /// `None` if computing the exact states takes more than `most` steps.
+    /// Computes the exact states; `None` if this takes more than `most` steps.
     ///
     /// # Errors
-    /// As [`super::Reference::of`].
+    /// The errors of [`super::Reference::of`].
     pub(super) fn of(
         log: &MotionLog,
         scenario: &Scenario,
@@ -95,7 +99,7 @@ impl Beginning {
         Ok(Some(found))
     }
 
-    /// ∫ |ω| dt by the trapezoidal rule, rad.
+    /// Returns ∫ |ω| dt by the trapezoidal rule, rad.
     pub(super) fn turn(&self) -> f64 {
         let part = |pair: &[State]| {
             0.5 * (pair[0].omega.norm() + pair[1].omega.norm()) * (pair[1].time - pair[0].time)
@@ -103,23 +107,24 @@ impl Beginning {
         self.exact.windows(2).map(part).sum()
     }
 
-    /// Largest |ω|, rad/s.
+    /// Returns the largest |ω|, rad/s.
     pub(super) fn rate(&self) -> f64 {
         self.exact.iter().map(|state| state.omega.norm()).fold(0.0, f64::max)
     }
 
-    /// True if the log turns as fast as the exact motion at its first row.
+    /// Returns true if the rotation rate of the log equals that of the exact motion at its first
+    /// row.
     ///
-    /// δ_k = (ε + γ t_k) φ_k by least squares: φ_k is the angle of the exact motion since the first
-    /// row, φ_k + δ_k that of the log.
+    /// The model δ_k = (ε + γ t_k) φ_k is fitted by least squares, where φ_k is the angle of the
+    /// exact motion since the first row, and φ_k + δ_k that of the log.
     ///
-    /// ε is the difference at the first row. γ ≠ 0 is a wrong law of motion, or a rough method. The
-    /// fit with γ = 0 has less noise.
+    /// ε is the relative difference at the first row. A value γ ≠ 0 indicates a wrong law of motion
+    /// or an inaccurate method. The fit with γ = 0 has less noise.
     pub(super) fn has_same_rate(&self, log: &MotionLog) -> bool {
         let (Some(&first), Some(start)) = (self.rows.first(), self.exact.first()) else { return false };
         let (mut uu, mut uv, mut vv, mut du, mut dv) = (0.0, 0.0, 0.0, 0.0, 0.0);
         for (&row, exact) in self.rows.iter().zip(&self.exact).skip(1) {
-            // The angle between two attitudes does not depend on what the numbers of the quaternions mean.
+            // The angle between two attitudes does not depend on the quaternion convention.
             let u = angle_between(start.attitude.quaternion(), exact.attitude.quaternion());
             let delta = angle_between(log.attitude()[first], log.attitude()[row]) - u;
             let v = u * (exact.time - start.time);
@@ -133,14 +138,15 @@ impl Beginning {
         constant.abs() <= SAME_RATE || varying.abs() <= SAME_RATE
     }
 
-    /// Angle between the first row and the exact attitude there, rad.
+    /// Returns the angle between the first row and the exact attitude there, rad.
     pub(super) fn first_angle(&self, log: &MotionLog, reading: &Reading) -> f64 {
         self.exact.first().map_or(f64::INFINITY, |exact| {
             angle_between(exact.attitude.quaternion(), reading.quaternion(log.attitude()[0]))
         })
     }
 
-    /// Residual of a reading; with `from_own_start` that of the turn since the first row.
+    /// Returns the residual of a reading; with `from_own_start`, that of the rotation since the
+    /// first row.
     pub(super) fn residual(
         &self,
         log: &MotionLog,
@@ -148,7 +154,7 @@ impl Beginning {
         from_own_start: bool,
     ) -> ReadingResidual {
         let read = |row: usize| reading.quaternion(log.attitude()[row]);
-        // S = R_read(0) R_exact(0)ᵀ, if that is left out of the comparison
+        // S = R_read(0) R_exact(0)ᵀ, which is removed with `from_own_start`.
         let own = self.exact.first().map(|first| product(read(0), conjugate(first.attitude.quaternion())));
         let start =
             if from_own_start { own.map_or([1.0, 0.0, 0.0, 0.0], conjugate) } else { [1.0, 0.0, 0.0, 0.0] };
@@ -161,9 +167,10 @@ impl Beginning {
     }
 }
 
-/// Angular velocity of a log by its own attitudes, rad per stated second; `None` if rows are too far apart.
+/// Returns the angular velocity of a log from its attitudes, rad per stated second; `None` if the
+/// rows are too far apart.
 ///
-/// The angle between two attitudes does not depend on what the numbers of the quaternions mean.
+/// The angle between two attitudes does not depend on the quaternion convention.
 pub(super) fn logged_rate(log: &MotionLog) -> Option<f64> {
     let rows = log.times().len().min(9);
     let rate = |k: usize| {

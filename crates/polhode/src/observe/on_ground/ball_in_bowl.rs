@@ -1,4 +1,4 @@
-//! Balls that roll in a bowl, or on another ball: each is a heavy top.
+//! Balls that roll in a bowl or on another ball: equivalent to a heavy top.
 
 use super::{ROUNDING_OF_SIZE, even_ball};
 use crate::body::inertia::InertiaTensor;
@@ -13,34 +13,39 @@ use crate::motion::model::state::State;
 use crate::motion::model::torque::UniformGravity;
 use crate::motion::solve::heavy_top::HeavyTop;
 
-/// A ball with its centre of mass in its middle and three equal moments I that rolls without slipping on a sphere at rest, in it or on it.
+/// Ball with its centre of mass at its centre and three equal moments I that rolls without slip
+/// inside or on a sphere at rest.
 ///
-/// With e from the middle of the sphere to that of the ball, at the distance l, v = l ė and I ω̇ = r × F make ω · n constant, and, with k = I/(m a²),
+/// Let e be the unit vector from the centre of the sphere to that of the ball, and l the distance.
+/// The relations v = l ė and I ω̇ = r × F make ω · n constant, and with k = I/(m a²):
 ///
-/// (1 + k) m l² e × ë + k m l a (ω · n) ė = l e × m g:
+/// (1 + k) m l² e × ë + k m l a (ω · n) ė = l e × m g
 ///
-/// the equation of a symmetric top with A = (1 + k) m l² and C ω₃ = k m l a (ω · n) that is held at the middle of the sphere. So it is a spherical pendulum but for k, and the spin about the
-/// normal does what a top's spin does: small swings are at ω₀² = g/((1 + k) l), and turn.
+/// This is the equation of a symmetric top with A = (1 + k) m l² and C ω₃ = k m l a (ω · n) whose
+/// pivot is the centre of the sphere. The ball is therefore a spherical pendulum with the factor
+/// 1 + k in the inertia, and the spin about the normal acts like the spin of a top. Small swings
+/// have ω₀² = g/((1 + k) l), and their plane precesses.
 ///
-/// Source: E. J. Routh, Dynamics of a System of Rigid Bodies, Advanced Part (1905), art. 222; derived here as above.
+/// Source: E. J. Routh, Dynamics of a System of Rigid Bodies, Advanced Part (1905), art. 222;
+/// derived here as above.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BallInBowl {
-    /// m, kg
+    /// Mass m, kg.
     pub mass: f64,
-    /// a, m
+    /// Radius a, m.
     pub radius: f64,
-    /// I, kg·m²
+    /// Moment of inertia I about the centre, kg·m².
     pub moment: f64,
-    /// l, m: from the middle of the sphere to that of the ball.
+    /// Distance l from the centre of the sphere to that of the ball, m.
     pub distance: f64,
-    /// g, m/s²
+    /// Gravitational acceleration g, space axes, m/s².
     pub gravity: Acceleration<Space>,
-    /// Whether it is in the sphere or on it.
+    /// Side of the sphere: inside or outside.
     pub side: GroundSide,
 }
 
 impl BallInBowl {
-    /// The ball that a body on the ground is.
+    /// Returns the ball that a body on the ground is; `None` if it is not such a ball.
     pub fn of(body: &MassProperties<Body>, contact: &Contact) -> Option<Self> {
         let (radius, moment) = even_ball(body, contact)?;
         let GroundShape::Sphere { radius: bowl, side } = *contact.ground.shape() else { return None };
@@ -55,20 +60,20 @@ impl BallInBowl {
         })
     }
 
-    /// k = I/(m a²)
+    /// Returns k = I/(m a²).
     pub fn ratio(&self) -> f64 {
         self.moment / (self.mass * self.radius * self.radius)
     }
 
-    /// ω₀ of small swings without spin about the normal, rad/s.
+    /// Returns ω₀ of small swings without spin about the normal, rad/s.
     pub fn small_frequency(&self) -> f64 {
         (self.gravity.norm() / ((1.0 + self.ratio()) * self.distance)).sqrt()
     }
 
-    /// The top whose axis goes as the middle of the ball does, of what rolls so.
+    /// Returns the heavy top whose axis moves like the centre of the rolling ball.
     ///
     /// # Errors
-    /// As [`HeavyTop::of`].
+    /// The errors of [`HeavyTop::of`].
     pub fn top(&self, sample: &ContactState) -> Result<HeavyTop, MotionError> {
         let size = self.distance;
         let axis: Direction<Space> =
@@ -78,7 +83,7 @@ impl BallInBowl {
         let spin = sample.normal.dot(normal) * self.radius / size;
         let omega: AngularVelocity<Space> = (axis.cross(velocity) + axis * spin).as_quantity();
         let attitude = along(axis);
-        // About its own middle three equal moments k m l², so that C is that and A with m l² more.
+        // Three equal moments k m l² about its own centre give C = k m l² and A = C + m l².
         let moment = self.ratio() * self.mass * size * size;
         let inertia = InertiaTensor::diagonal([moment; 3])
             .map_err(|_| MotionError::NotFinite { time: sample.state.time })?;
@@ -93,7 +98,7 @@ impl BallInBowl {
     }
 }
 
-/// An attitude whose third axis is this one.
+/// Returns an attitude whose third axis is this one.
 fn along(axis: Direction<Space>) -> Rotation<Space, Body> {
     let first =
         if axis.x.abs() < 0.6 { Direction::new(1.0, 0.0, 0.0) } else { Direction::new(0.0, 1.0, 0.0) };

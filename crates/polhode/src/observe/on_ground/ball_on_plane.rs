@@ -6,30 +6,37 @@ use crate::math::frame::{Body, Space};
 use crate::math::vector::{Acceleration, Direction, Position, Velocity};
 use crate::motion::contact::{Contact, Friction, GroundShape};
 
-/// A ball on a plane with its centre of mass in its middle and three equal moments I; or what rolls about an axis that keeps its direction, as a cylinder does, with its
-/// moment about that.
+/// Ball on a plane with its centre of mass at its centre and three equal moments I. It also
+/// describes a body that rolls about an axis of fixed direction, such as a cylinder, with its
+/// moment about that axis.
 ///
-/// With n the normal, a the radius, r = −a n, and F along the plane, m v̇ = F + m g_t and I ω̇ = −a n × F. Let k = I/(m a²) and the share σ = k/(1 + k): 2/7 of a
-/// homogeneous ball.
+/// With the normal n, the radius a, r = −a n, and the force F along the plane: m v̇ = F + m g_t and
+/// I ω̇ = −a n × F. Let k = I/(m a²) and σ = k/(1 + k), which is 2/7 for a homogeneous ball.
 ///
-/// **Rolling**, v = Ω n × x + a ω × n on a plane that turns at Ω, the derivative of this with both equations is
+/// **Rolling**: on a plane that rotates at Ω, v = Ω n × x + a ω × n. Its time derivative with both
+/// equations gives
 ///
-/// v̇ = σ Ω n × v + (1 − σ) g_t,
+/// v̇ = σ Ω n × v + (1 − σ) g_t.
 ///
-/// a straight line on a plane at rest, for which friction is σ m g_t; a circle at the rate σ Ω on one that turns, which drifts across a slope.
+/// On a plane at rest this is a straight line, with the friction force σ m g_t. On a rotating plane
+/// it is a circle at the rate σ Ω, which drifts across the slope.
 ///
-/// **Sliding** on a plane at rest, the slip u = v − a ω × n has u̇ = g_t + F/(σ m), and with F = −µ N û
+/// **Sliding** on a plane at rest: the slip u = v − a ω × n has u̇ = g_t + F/(σ m), and with F = −µ
+/// N û
 ///
 /// u̇ = g_t − κ û,  κ = µ g_n/σ,
 ///
-/// so that d(κ |u| + g_t · u)/dt = −(κ² − g_t²): where κ > g_t the slip ends, in whatever direction it began, at
+/// so that d(κ |u| + g_t · u)/dt = −(κ² − g_t²). If κ > g_t the slip ends, for any initial
+/// direction, at
 ///
 /// T = (κ |u₀| + g_t · u₀)/(κ² − g_t²),  v(T) = v₀ − σ u₀ + (1 − σ) g_t T.
 ///
-/// On level ground that is T = |u₀|/κ, and viscous friction F = −(µ N/|u| + c) u leaves the direction: T = ln(1 + λ |u₀|/κ)/λ, λ = c/(σ m).
+/// On level ground T = |u₀|/κ, and viscous friction F = −(µ N/|u| + c) u keeps the direction of u:
+/// T = ln(1 + λ |u₀|/κ)/λ, λ = c/(σ m).
 ///
-/// Source: L. Euler, Mém. Acad. Berlin 14 (1758) 284, and G. Coriolis, Théorie mathématique des effets du jeu de billard (1835), on level ground; J. A. Weckesser, Am. J. Phys. 65 (1997)
-/// 736, on turntables; on a slope derived here as above.
+/// Source: L. Euler, Mém. Acad. Berlin 14 (1758) 284, and G. Coriolis, Théorie mathématique des
+/// effets du jeu de billard (1835), on level ground; J. A. Weckesser, Am. J. Phys. 65 (1997) 736,
+/// on turntables; on a slope derived here as above.
 ///
 /// ```
 /// use polhode::motion::contact::Friction;
@@ -52,36 +59,37 @@ use crate::motion::contact::{Contact, Friction, GroundShape};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BallOnPlane {
-    /// m, kg
+    /// Mass m, kg.
     pub mass: f64,
-    /// a, m
+    /// Radius a, m.
     pub radius: f64,
-    /// I, kg·m²
+    /// Moment of inertia I, kg·m².
     pub moment: f64,
-    /// g, m/s²
+    /// Gravitational acceleration g, space axes, m/s².
     pub gravity: Acceleration<Space>,
-    /// n, towards the ball.
+    /// Normal n of the plane, toward the ball, space axes.
     pub normal: Direction<Space>,
-    /// Ω, the rate at which the plane turns about n, rad/s.
+    /// Rotation rate Ω of the plane about n, rad/s.
     pub turning: f64,
 }
 
-/// When slip ends.
+/// End of slip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SlipEnd {
-    /// After this time, s.
+    /// Slip ends after this time, s.
     At(f64),
-    /// Not in finite time.
+    /// Slip does not end in finite time.
     Never,
-    /// No closed form is known here: the plane turns, or viscous friction acts on a slope.
+    /// No closed form is known: the plane rotates, or viscous friction acts on a slope.
     Unknown,
 }
 
-/// Along the slope but for rounding.
+/// Relative tolerance for a vector to be along the slope.
 const ALONG: f64 = 1e-12;
 
 impl BallOnPlane {
-    /// The ball that a body on the ground is: a sphere about the centre of mass with three equal moments, on a plane.
+    /// Returns the ball that a body on the ground is: a sphere centred at the centre of mass with
+    /// three equal moments, on a plane. `None` for other bodies.
     pub fn of(body: &MassProperties<Body>, contact: &Contact) -> Option<Self> {
         let (radius, moment) = even_ball(body, contact)?;
         let is_plane = matches!(contact.ground.shape(), GroundShape::Plane);
@@ -95,57 +103,58 @@ impl BallOnPlane {
         })
     }
 
-    /// σ = I/(I + m a²)
+    /// Returns σ = I/(I + m a²).
     pub fn share(&self) -> f64 {
         self.moment / (self.moment + self.mass * self.radius * self.radius)
     }
 
-    /// g_n, the part of g that presses the ball to the plane, m/s².
+    /// Returns g_n, the component of g that presses the ball to the plane, m/s².
     pub fn pressing(&self) -> f64 {
         -self.gravity.dot(self.normal)
     }
 
-    /// g_t, the part of g along the plane; zero where it is rounding.
+    /// Returns g_t, the component of g along the plane, m/s²; zero if it is only rounding.
     pub fn downhill(&self) -> Acceleration<Space> {
         let along = self.gravity + (self.normal * self.pressing()).as_quantity();
         if along.norm() <= ALONG * self.gravity.norm() { Acceleration::ZERO } else { along }
     }
 
-    /// v̇ of what rolls on a plane at rest.
+    /// Returns the acceleration v̇ of rolling on a plane at rest, m/s².
     pub fn rolling_acceleration(&self) -> Acceleration<Space> {
         self.downhill() * (1.0 - self.share())
     }
 
-    /// The least coefficient of friction with which it rolls on a plane at rest: σ tan α.
+    /// Returns the smallest coefficient of friction for rolling on a plane at rest: σ tan α.
     pub fn friction_to_roll(&self) -> f64 {
         self.share() * self.downhill().norm() / self.pressing()
     }
 
-    /// σ Ω, at which it circles on a plane that turns, rad/s.
+    /// Returns σ Ω, the rate of circling on a rotating plane, rad/s.
     pub fn circle_rate(&self) -> f64 {
         self.share() * self.turning
     }
 
-    /// The velocity at which the middle of that circle moves: across the slope of a plane that turns.
+    /// Returns the drift velocity of the centre of that circle, across the slope of a rotating
+    /// plane, m/s.
     pub fn drift(&self) -> Velocity<Space> {
         let downhill: Direction<Space> = self.downhill().as_quantity();
         let across = self.normal.cross(downhill);
         (across * ((1.0 - self.share()) / self.circle_rate())).as_quantity()
     }
 
-    /// The middle of the circle on which something at `place` with this velocity runs.
+    /// Returns the centre of the circle for a ball at `place` with this velocity, m.
     pub fn circle_center(&self, place: Position<Space>, velocity: Velocity<Space>) -> Position<Space> {
         let circling: Direction<Space> = (velocity - self.drift()).as_quantity();
         let across = self.normal.cross(circling);
         place + (across * (1.0 / self.circle_rate())).as_quantity()
     }
 
-    /// κ = µ g_n/σ, at which slip becomes less on a level plane, m/s².
+    /// Returns κ = µ g_n/σ, the deceleration of slip on a level plane, m/s².
     pub fn slip_deceleration(&self, friction: &Friction) -> f64 {
         friction.kinetic * self.pressing() / self.share()
     }
 
-    /// How long it slips that slips at u, without torques that resist rolling.
+    /// Returns the duration of slip for an initial slip u, without rolling resistance.
     pub fn slip_end(&self, slip: Velocity<Space>, friction: &Friction) -> SlipEnd {
         let (kappa, downhill, speed) = (self.slip_deceleration(friction), self.downhill(), slip.norm());
         let steep = downhill.norm();
@@ -160,7 +169,7 @@ impl BallOnPlane {
             _ if kappa > steep => {
                 ends((kappa * speed + downhill.dot(slip)) / (kappa * kappa - steep * steep))
             }
-            // Straight uphill the slip stops at the turning point.
+            // Straight uphill, the slip ends at the turning point.
             _ if speed > 0.0 && (downhill.dot(slip) / (steep * speed) + 1.0).abs() <= ALONG => {
                 ends(speed / (kappa + steep))
             }
@@ -168,18 +177,19 @@ impl BallOnPlane {
         }
     }
 
-    /// λ = c/(σ m), 1/s
+    /// Returns λ = c/(σ m), 1/s.
     pub fn slip_decay(&self, friction: &Friction) -> f64 {
         friction.viscous / (self.share() * self.mass)
     }
 
-    /// The velocity of the centre when a slip u has ended after a time.
+    /// Returns the velocity of the centre when an initial slip u has ended after `time`, m/s.
     pub fn rolls_off(&self, velocity: Velocity<Space>, slip: Velocity<Space>, time: f64) -> Velocity<Space> {
         let gained = self.rolling_acceleration() * time;
         velocity - slip * self.share() + gained.as_quantity()
     }
 
-    /// How far the centre has come when a slip u has ended after a time, on a level plane at rest.
+    /// Returns the displacement of the centre when an initial slip u has ended after `time`, on a
+    /// level plane at rest, m.
     pub fn displacement(
         &self,
         velocity: Velocity<Space>,
@@ -191,7 +201,7 @@ impl BallOnPlane {
         if speed == 0.0 {
             return (velocity * time).as_quantity();
         }
-        // ∫ (|u₀| − |u|) dt
+        // ∫ (|u₀| − |u|) dt.
         let lost = if rate == 0.0 {
             0.5 * kappa * time * time
         } else {

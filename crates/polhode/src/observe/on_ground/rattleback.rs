@@ -1,44 +1,48 @@
-//! Rattlebacks: bodies that prefer one sense of turning.
+//! Rattlebacks: bodies that prefer one sense of rotation.
 
 use super::vertex::VertexSpin;
 
-/// A body that rolls on a point below its centre of mass and whose principal axes are not those of its surface: spin in one sense makes one of its two swings grow and the
-/// other die away, and in the other sense the other way round.
+/// Body that rolls on a point below its centre of mass and whose principal axes are not those of
+/// its surface. Spin in one sense makes one of its two oscillation modes grow and the other decay;
+/// spin in the opposite sense does the reverse.
 ///
-/// With the swings u_k of a body at rest, m g G u = ϖ² M u, the symmetric part of what is proportional to the spin in [`VertexSpin`] changes their
-/// rates of growth by
+/// For the modes u_k of the body without spin, m g G u = ϖ² M u, the symmetric part of the terms
+/// proportional to the spin in [`VertexSpin`] changes the growth rates by
 ///
 /// σ_k = ½ m h Ω (u · J G′ u)/(u · M u) + O(Ω³),
 ///
-/// of both signs, as tr J G′ = 0: the swing that grows is the pitching (ϖ smaller or greater) in one sense and the rolling in the other. Above a threshold of |Ω| both die
-/// away in the stable sense.
+/// with opposite signs, because tr J G′ = 0. In one sense the pitching mode grows (one of the two
+/// frequencies ϖ), in the other sense the rolling mode. Above a threshold of |Ω| both decay in the
+/// stable sense.
 ///
-/// Source: A. Garcia, M. Hubbard, Proc. R. Soc. A 418 (1988) 165; Y. Kondo, H. Nakanishi, Phys. Rev. E 95 (2017) 062207, whose two regimes these are; derived here as above.
+/// Source: A. Garcia, M. Hubbard, Proc. R. Soc. A 418 (1988) 165; Y. Kondo, H. Nakanishi, Phys.
+/// Rev. E 95 (2017) 062207, which defines the two regimes; derived here as above.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Rattleback {
-    /// 1 if spin against the clock, seen from above, is the stable sense, else −1.
+    /// Stable sense: 1 if counter-clockwise spin, seen from above, is stable, else −1.
     pub stable_sense: f64,
-    /// The spin beyond which the stable sense is stable, rad/s; `None` if no spin is.
+    /// Spin above which the stable sense is stable, rad/s; `None` if no spin is stable.
     pub threshold: Option<f64>,
-    /// The spin up to which it is stable then, rad/s; `None` if there is no bound.
+    /// Upper bound of the stable spins, rad/s; `None` if there is no bound.
     pub until: Option<f64>,
-    /// The swings at rest, the slower one first; empty of a body that falls over.
+    /// Oscillation modes without spin, the slower one first; empty for a body that falls over.
     pub modes: Vec<RattleMode>,
 }
 
-/// A swing of a rattleback.
+/// Oscillation mode of a rattleback.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RattleMode {
-    /// ϖ, rad/s
+    /// Frequency ϖ, rad/s.
     pub frequency: f64,
-    /// σ/Ω at small spin: a pure number.
+    /// Growth rate per spin σ/Ω at small spin, dimensionless.
     pub growth_per_spin: f64,
 }
 
 impl VertexSpin {
-    /// What makes its two senses of turning different, if it rolls and its axes are not those of the surface.
+    /// Returns the rattleback properties, if the body rolls and its principal axes are not those of
+    /// the surface.
     pub fn rattleback(&self) -> Option<Rattleback> {
         (self.chirality() != 0.0).then(|| Rattleback::of(self))
     }
@@ -59,7 +63,7 @@ impl Rattleback {
 
 fn modes(spin: &VertexSpin) -> Vec<RattleMode> {
     let ([[m, n], [_, o]], [[p, q], [_, s]]) = (spin.inertia(), spin.lever());
-    // det (g G − λ M) = 0
+    // Solves det (g G − λ M) = 0.
     let (a, b, c) = (m * o - n * n, m * s + o * p - 2.0 * n * q, p * s - q * q);
     let root = (b * b - 4.0 * a * c).max(0.0).sqrt();
     let greater = (b + root) / (2.0 * a);
@@ -68,7 +72,7 @@ fn modes(spin: &VertexSpin) -> Vec<RattleMode> {
     }
     let [across, along] = spin.uneven();
     let mode = |lambda: f64| {
-        // u is across the longer row of G − λ M.
+        // u is perpendicular to the longer row of G − λ M.
         let rows = [[p - lambda * m, q - lambda * n], [q - lambda * n, s - lambda * o]];
         let length = |[x, y]: [f64; 2]| x.hypot(y);
         let [x, y] = if length(rows[0]) > length(rows[1]) { rows[0] } else { rows[1] };

@@ -1,4 +1,4 @@
-//! The steady motion that a start is near to.
+//! Search for the steady motion nearest to a start.
 
 use super::stable_spins::StableSpins;
 use super::{SteadyOnGround, SteadyPath, TippeTop, UprightWheel, VertexSpin};
@@ -9,19 +9,19 @@ use crate::motion::contact::reduced::{Reading, Reduced, cross, dot, tangents};
 use crate::motion::contact::{Contact, ContactStart, Footing, StartVelocity};
 use crate::motion::error::MotionError;
 
-/// How far a start may be from what it is near to: rad, and parts of the rate.
+/// Largest accepted distance of a start from a steady motion: in rad, and relative to the rate.
 const NEAR: f64 = 0.35;
 
-/// What is left of a steady motion by rounding of numbers that were written down.
+/// Largest accepted unsteadiness of a candidate: rounding of decimal input.
 const STEADY: f64 = 1e-8;
 
-/// Motions nearer to each other than this are one.
+/// Distance below which two motions count as the same.
 const SAME: f64 = 1e-7;
 
-/// What vanishes but for rounding, relative to sizes.
+/// Relative threshold below which a value counts as zero.
 const EXACT: f64 = 1e-9;
 
-/// A steady motion, and how far the start is from it.
+/// Candidate for the steady motion.
 struct Candidate {
     path: SteadyPath,
     at: Reading,
@@ -56,7 +56,8 @@ pub(super) fn near(
     };
     let distance = |candidate: &Candidate| {
         let [angle, off] = from(candidate);
-        // Of those that are the start to rounding, the first: a circle may have another name.
+        // If several candidates equal the start to rounding, the first one is used, because a
+        // circle may also be another kind of motion.
         angle.max(off / rate).max(SAME)
     };
     let nearest = candidates
@@ -94,14 +95,14 @@ pub(super) fn near(
     })
 }
 
-/// Spins about the vertical, where it is a principal axis that goes through the point of contact.
+/// Returns spins about the vertical if it is a principal axis through the point of contact.
 fn on_vertices(reduced: &Reduced, here: &Reading) -> Vec<Candidate> {
-    // What is vertical is a principal axis.
+    // The vertical is a principal axis.
     let images = [0, 1, 2].map(|k| reduced.image(unit(k)));
     let [[xx, xy, xz], [_, yy, yz], [.., zz]] = images;
     let principal = Symmetric3 { xx, yy, zz, xy, xz, yz }.eigen().vectors;
     let normals: Vec<[f64; 3]> = match reduced.axis() {
-        // Of points around the axis `upright` knows more.
+        // For points around the axis, `upright` gives more information.
         Some(e) => vec![e],
         None => [0, 1, 2].map(unit).into_iter().chain(principal).collect(),
     };
@@ -123,7 +124,8 @@ fn on_vertices(reduced: &Reduced, here: &Reading) -> Vec<Candidate> {
     .collect()
 }
 
-/// What spins on a point, if its centre of mass is above that and the vertical is a principal axis.
+/// Returns the spin on a point, if the centre of mass is vertically above it and the vertical is a
+/// principal axis.
 fn vertex(reduced: &Reduced, normal: [f64; 3]) -> Option<VertexSpin> {
     let tangents = tangents(normal, reduced.axis());
     let (arm, image) = (reduced.arm(normal), reduced.image(normal));
@@ -146,7 +148,8 @@ fn vertex(reduced: &Reduced, normal: [f64; 3]) -> Option<VertexSpin> {
     })
 }
 
-/// A symmetric body that is its own mirror image, with a level axis: rolling straight, and spinning about the vertical.
+/// Returns straight rolling and spinning about the vertical, for a mirror-symmetric body of
+/// revolution with a level axis.
 fn upright(reduced: &Reduced, here: &Reading) -> Vec<Candidate> {
     let Some(e) = reduced.axis() else { return Vec::new() };
     let offset = reduced.offset();
@@ -184,7 +187,7 @@ fn upright(reduced: &Reduced, here: &Reading) -> Vec<Candidate> {
     ]
 }
 
-/// A tippe top at the tilts that its Jellett constant has.
+/// Returns the motions of a tippe top at the tilts that its Jellett constant allows.
 fn tilted(reduced: &Reduced, here: &Reading, top: &TippeTop, jellett: f64) -> Vec<Candidate> {
     let Some(e) = reduced.axis() else { return Vec::new() };
     let Some(level) = across(here.normal, e) else { return Vec::new() };
@@ -202,17 +205,17 @@ fn tilted(reduced: &Reduced, here: &Reading, top: &TippeTop, jellett: f64) -> Ve
         .collect()
 }
 
-/// The start itself, of a symmetric body.
+/// Returns the start itself as a circling motion, for a symmetric body.
 fn circling(reduced: &Reduced, here: &Reading) -> Option<Candidate> {
     let e = reduced.axis()?;
     across(here.normal, e)?;
     let spin = dot(here.omega, e);
-    // What is upright, rolls straight or only spins has a name of its own.
+    // Upright motions, straight rolling and pure spinning are separate kinds.
     let is_upright = dot(here.normal, e).abs() <= EXACT;
     (!is_upright).then_some(Candidate { path: SteadyPath::Circling, at: *here, spin, stable_spins: None })
 }
 
-/// A symmetric ball with its centre of mass inside, beside the middle.
+/// Returns the tippe top, for a symmetric ball with its centre of mass inside but off-centre.
 fn tippe_top(reduced: &Reduced) -> Option<TippeTop> {
     let (radius, e, offset) = (reduced.sphere()?, reduced.axis()?, reduced.offset());
     let eccentricity = dot(offset, offset).sqrt() / radius;
@@ -239,7 +242,7 @@ fn is_isotropic(reduced: &Reduced) -> bool {
     (0..3).all(|i| (0..3).all(|j| is_unit(i, j)))
 }
 
-/// The speed of the point of contact.
+/// Returns the slip speed of the point of contact, m/s.
 fn slip(reduced: &Reduced, contact: &Contact, start: &ContactStart, here: &Reading) -> f64 {
     let (StartVelocity::Along(velocity), true) = (start.velocity, reduced.footing() != Footing::Frictionless)
     else {
@@ -247,7 +250,7 @@ fn slip(reduced: &Reduced, contact: &Contact, start: &ContactStart, here: &Readi
     };
     let in_body: Direction<Body> = start.state.attitude.inverse() * velocity.as_quantity();
     let reading = reduced.reading(start.state.attitude.inverse() * contact.ground.axis(), in_body.to_array());
-    // The velocity along the axes of the surface.
+    // Velocity along the axes of the surface.
     let turned = cross(here.omega, reduced.arm(here.normal));
     let slip: [f64; 3] = core::array::from_fn(|k| reading.omega[k] + turned[k]);
     let up = dot(slip, here.normal);
@@ -255,7 +258,7 @@ fn slip(reduced: &Reduced, contact: &Contact, start: &ContactStart, here: &Readi
     dot(slip, slip).sqrt()
 }
 
-/// The unit vector of what n has across an axis.
+/// Returns the unit vector along the component of n perpendicular to an axis.
 fn across(n: [f64; 3], axis: [f64; 3]) -> Option<[f64; 3]> {
     let along = dot(n, axis);
     let across: [f64; 3] = core::array::from_fn(|k| n[k] - along * axis[k]);

@@ -1,15 +1,16 @@
-//! The spins at which a steady motion is stable.
+//! Spin ranges in which a steady motion is stable.
 
-/// An interval of spins, rad/s; without a bound on a side it is infinite there.
+/// Interval of spins, rad/s; an end without a bound is infinite.
 pub type SpinInterval = [f64; 2];
 
-/// The spins at which a steady motion is stable: intervals in ascending order, which do not overlap, and the law that bounds them.
+/// Spins at which a steady motion is stable: ascending intervals that do not overlap, and the law
+/// that bounds them.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct StableSpins {
-    /// rad/s, with sign.
+    /// Stable intervals of the signed spin, rad/s.
     pub intervals: Vec<SpinInterval>,
-    /// The law, in words of the book.
+    /// Name of the law, as in the book.
     pub law: &'static str,
 }
 
@@ -18,7 +19,7 @@ impl StableSpins {
         Self { intervals, law }
     }
 
-    /// Where a ω² > b, of a spin in either sense.
+    /// Returns the spins in either sense with a ω² > b.
     pub(super) fn where_exceeds(a: f64, b: f64, law: &'static str) -> Self {
         let threshold = (b / a).sqrt();
         Self::new(
@@ -39,17 +40,17 @@ impl StableSpins {
         )
     }
 
-    /// True if a spin is in one of the intervals.
+    /// Returns true if a spin is in one of the intervals.
     pub fn contains(&self, spin: f64) -> bool {
         self.intervals.iter().any(|[from, to]| *from < spin && spin < *to)
     }
 
-    /// The bounds of the intervals that are finite, in ascending order, rad/s.
+    /// Returns the finite bounds of the intervals, in ascending order, rad/s.
     pub fn thresholds(&self) -> Vec<f64> {
         self.intervals.iter().flatten().copied().filter(|spin| spin.is_finite()).collect()
     }
 
-    /// The threshold that is nearest to a spin in its sense, if there is one.
+    /// Returns the threshold of the same sense that is nearest to a spin, if there is one.
     pub fn nearest(&self, spin: f64) -> Option<f64> {
         let of_sense = |threshold: &f64| *threshold * spin >= 0.0;
         let distance = |threshold: &f64| (threshold - spin).abs();
@@ -59,13 +60,13 @@ impl StableSpins {
 
 const ALL: SpinInterval = [f64::NEG_INFINITY, f64::INFINITY];
 
-/// Intervals of |ω|, in both senses.
+/// Returns intervals of |ω| in both senses.
 pub(super) fn both_senses(of_size: &[SpinInterval]) -> Vec<SpinInterval> {
     let mirrored = of_size.iter().rev().map(|[from, to]| [-to, -from]);
     let mut all: Vec<SpinInterval> = Vec::new();
     for next in mirrored.chain(of_size.iter().copied()) {
         match all.last_mut() {
-            // What begins at zero goes through it.
+            // Intervals that start at zero are joined across it.
             Some(last) if last[1] == next[0] => last[1] = next[1],
             _ => all.push(next),
         }

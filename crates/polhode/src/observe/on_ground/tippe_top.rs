@@ -1,4 +1,5 @@
-//! Symmetric balls with their centre of mass beside the middle, and where sliding friction leads them.
+//! Tippe tops: symmetric balls with an off-centre centre of mass, and their motion under sliding
+//! friction.
 
 use super::{ROUNDING_OF_SIZE, level, moments};
 use crate::body::mass_properties::MassProperties;
@@ -7,21 +8,26 @@ use crate::math::root::root;
 use crate::math::vector::Direction;
 use crate::motion::contact::{Contact, SurfaceShape};
 
-/// A symmetric ball whose centre of mass is on its axis, α R from its middle.
+/// Symmetric ball whose centre of mass is on its axis, at the distance α R from its centre.
 ///
-/// Any friction at the point of contact keeps Jellett's constant J = −L · r, and takes energy as long as the point slips. Without slip the ball turns about
-/// ζ = n − α e, −r/R, at ω = J ζ/(R D), with the centre of mass at rest, and of all motions with this J at this tilt it has the least energy,
+/// Any friction at the point of contact conserves Jellett's constant J = −L · r, and dissipates
+/// energy while the point slips. Without slip, with ζ = n − α e = −r/R, the ball rotates at ω = J
+/// ζ/(R D) with its centre of mass at rest. Of all motions with this J at this tilt, this has the
+/// least energy,
 ///
 /// W(u) = J²/(2 R² D(u)) + m g R (1 − α u),  D = A (1 − u²) + C (u − α)²,  u = cos θ = e · n
 ///
-/// with the axis e from the middle away from the centre of mass, so that u = 1 has the centre of mass lowest. Its minima are where friction leads:
-/// with R² D² W′ = P(u) = J² ((A − C) u + C α) − m g R³ α D², the bottom is one where P(1) < 0, inverted where P(−1) > 0, and a tilt where P rises
-/// through zero. With the spin ω = J/(R C (1 ∓ α)):
+/// where the axis e points from the centre of the ball away from the centre of mass, so that the
+/// centre of mass is lowest for u = 1. Friction leads to the minima of W. With R² D² W′ = P(u) = J²
+/// ((A − C) u + C α) − m g R³ α D², the bottom position is a minimum if P(1) < 0, the inverted
+/// position if P(−1) > 0, and a tilt if P rises through zero there. With the spin ω = J/(R C (1 ∓
+/// α)):
 ///
 /// bottom: (A − C (1 − α)) ω² < m g R α (1 − α)²,  inverted: (C (1 + α) − A) ω² > m g R α (1 + α)².
 ///
-/// Source: S. Ebenfeld, F. Scheck, Ann. Phys. 243 (1995) 195; S. Rauch-Wojciechowski, M. Sköldstam, T. Glad, Regul. Chaotic Dyn. 10 (2005) 333; the groups with the numbers
-/// of T. Ueda, K. Sasaki, S. Watanabe, SIAM J. Appl. Dyn. Syst. 4 (2005) 1159.
+/// Source: S. Ebenfeld, F. Scheck, Ann. Phys. 243 (1995) 195; S. Rauch-Wojciechowski, M. Sköldstam,
+/// T. Glad, Regul. Chaotic Dyn. 10 (2005) 333; the numbering of the groups follows T. Ueda, K.
+/// Sasaki, S. Watanabe, SIAM J. Appl. Dyn. Syst. 4 (2005) 1159.
 ///
 /// ```
 /// use polhode::observe::{Place, TippeTop};
@@ -33,33 +39,33 @@ use crate::motion::contact::{Contact, SurfaceShape};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TippeTop {
-    /// m, kg
+    /// Mass m, kg.
     pub mass: f64,
-    /// g, m/s²
+    /// Gravitational acceleration g, m/s².
     pub gravity: f64,
-    /// R, m
+    /// Radius R, m.
     pub radius: f64,
-    /// α, between 0 and 1.
+    /// Eccentricity α, between 0 and 1.
     pub eccentricity: f64,
-    /// A, across the axis, about the centre of mass, kg·m²
+    /// Moment of inertia A perpendicular to the axis, about the centre of mass, kg·m².
     pub across: f64,
-    /// C, kg·m²
+    /// Moment of inertia C about the axis, kg·m².
     pub along: f64,
 }
 
-/// Where the axis of a tippe top stands.
+/// Position of a tippe top's axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
-    /// The centre of mass is lowest.
+    /// Vertical, with the centre of mass lowest.
     Bottom,
-    /// It is between.
+    /// Tilted, between the two vertical positions.
     Tilted,
-    /// The centre of mass is highest.
+    /// Vertical, with the centre of mass highest.
     Inverted,
 }
 
 impl Place {
-    /// Its name in JSON.
+    /// Returns its name in JSON.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Bottom => "bottom",
@@ -69,22 +75,24 @@ impl Place {
     }
 }
 
-/// A motion without slip about the vertical.
+/// Motion about the vertical without slip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct EndState {
-    /// Where the axis stands.
+    /// Position of the axis.
     pub place: Place,
-    /// cos θ, of the angle between the axis and the vertical: 1 with the centre of mass lowest.
+    /// cos θ, with the angle θ between the axis and the upward vertical; 1 if the centre of mass is
+    /// lowest.
     pub cosine: f64,
-    /// The energy, with the potential energy zero where the centre of mass would be on the ground, J.
+    /// Energy, J; the potential energy is zero if the centre of mass is at ground level.
     pub energy: f64,
-    /// True if it is least for its J: friction leads there, and holds it.
+    /// True if the energy is a minimum for its J: friction leads there and keeps it.
     pub is_minimum: bool,
 }
 
 impl TippeTop {
-    /// The top that a symmetric ball with its centre of mass beside its middle is on level ground, and its axis e.
+    /// Returns the tippe top that a symmetric ball with an off-centre centre of mass is on level
+    /// ground, and its axis e.
     pub fn of(body: &MassProperties<Body>, contact: &Contact) -> Option<(Self, Direction<Body>)> {
         let SurfaceShape::Sphere { radius } = *contact.surface.shape() else { return None };
         let (gravity, axis) = (level(contact)?, contact.symmetry_axis(body)?);
@@ -94,8 +102,9 @@ impl TippeTop {
         (eccentricity > ROUNDING_OF_SIZE && eccentricity < 1.0).then_some((top, axis))
     }
 
-    /// 1 if the bottom is stable at any spin, as A < C (1 − α): it never tips over; 3 if A > C (1 + α), and it never stands inverted; 2 between, where it turns over
-    /// if it spins fast enough.
+    /// Returns the group. 1: A < C (1 − α), the bottom position is stable at any spin. 3: A > C
+    /// (1 + α), the inverted position is never stable. 2: in between, the top inverts if it spins
+    /// fast enough.
     pub fn group(&self) -> u8 {
         if self.across < self.along * (1.0 - self.eccentricity) {
             1
@@ -106,38 +115,43 @@ impl TippeTop {
         }
     }
 
-    /// J above which the bottom is no minimum, kg·m³/s; `None` if it always is.
+    /// Returns the J above which the bottom position is not a minimum, kg·m³/s; `None` if it always
+    /// is.
     pub fn bottom_up_to(&self) -> Option<f64> {
         let less = 1.0 - self.eccentricity;
         let left = self.across - self.along * less;
         (left > 0.0).then(|| self.radius * self.along * less * less * (self.lever() / left).sqrt())
     }
 
-    /// J above which the inverted position is a minimum, kg·m³/s; `None` if it never is.
+    /// Returns the J above which the inverted position is a minimum, kg·m³/s; `None` if it never
+    /// is.
     pub fn inverted_from(&self) -> Option<f64> {
         let more = 1.0 + self.eccentricity;
         let left = self.along * more - self.across;
         (left > 0.0).then(|| self.radius * self.along * more * more * (self.lever() / left).sqrt())
     }
 
-    /// J of a spin about the vertical axis with the centre of mass lowest, kg·m³/s.
+    /// Returns J for a spin, rad/s, about the vertical axis with the centre of mass lowest,
+    /// kg·m³/s.
     pub fn jellett_of_bottom(&self, spin: f64) -> f64 {
         self.radius * self.along * (1.0 - self.eccentricity) * spin
     }
 
-    /// J of a spin about the vertical axis with the centre of mass highest, kg·m³/s.
+    /// Returns J for a spin, rad/s, about the vertical axis with the centre of mass highest,
+    /// kg·m³/s.
     pub fn jellett_of_inverted(&self, spin: f64) -> f64 {
         self.radius * self.along * (1.0 + self.eccentricity) * spin
     }
 
-    /// W, the least energy with this J where the axis is at the cosine u, J.
+    /// Returns W(u), the least energy for this J at the cosine u, J.
     pub fn least_energy(&self, jellett: f64, cosine: f64) -> f64 {
         let lambda = jellett / self.radius;
         0.5 * lambda * lambda / self.moment(cosine)
             + self.mass * self.gravity * self.radius * (1.0 - self.eccentricity * cosine)
     }
 
-    /// The motions without slip that have this J, whose energy is least or greatest for it: from the bottom to the inverted position.
+    /// Returns the motions without slip with this J that are extrema of the energy, from the bottom
+    /// to the inverted position.
     pub fn all(&self, jellett: f64) -> Vec<EndState> {
         let slope = |u: f64| self.slope(jellett, u);
         let state = |place, cosine, is_minimum| EndState {
@@ -159,51 +173,54 @@ impl TippeTop {
         all
     }
 
-    /// Those of least energy: where sliding friction leads.
+    /// Returns the motions of least energy, to which sliding friction leads.
     pub fn minima(&self, jellett: f64) -> Vec<EndState> {
         self.all(jellett).into_iter().filter(|state| state.is_minimum).collect()
     }
 
-    /// The spin about the vertical with this J and without slip, where the axis is at the cosine u, rad/s.
+    /// Returns the spin about the vertical for this J without slip, at the cosine u, rad/s.
     pub fn spin(&self, jellett: f64, cosine: f64) -> f64 {
         jellett * (1.0 - self.eccentricity * cosine) / (self.radius * self.moment(cosine))
     }
 
-    /// Routh's constant of what rolls, ω_e √(A C + m r · I r), kg·m²·rad/s, with the rate about its axis and the cosine of its tilt.
+    /// Returns Routh's constant of rolling, ω_e √(A C + m r · I r), kg·m²·rad/s, for the rate about
+    /// the axis and the cosine of its tilt.
     pub fn routh(&self, spin: f64, cosine: f64) -> f64 {
         let square = self.mass * self.radius * self.radius * self.moment(cosine);
         spin * (self.across * self.along + square).sqrt()
     }
 
-    /// ω at a tilt, as its components along e and, across it, in the plane of e and n: J ζ/(R D).
+    /// Returns ω = J ζ/(R D) at a tilt, rad/s: its component along e, and the one perpendicular to
+    /// e in the plane of e and n.
     pub(super) fn omega(&self, jellett: f64, u: f64) -> [f64; 2] {
         let rate = jellett / (self.radius * self.moment(u));
         [rate * (u - self.eccentricity), rate * ((1.0 - u) * (1.0 + u)).max(0.0).sqrt()]
     }
 
-    /// m g R α
+    /// Returns m g R α.
     fn lever(&self) -> f64 {
         self.mass * self.gravity * self.radius * self.eccentricity
     }
 
-    /// D
+    /// Returns D, kg·m².
     fn moment(&self, u: f64) -> f64 {
         let from = u - self.eccentricity;
         self.across * (1.0 - u) * (1.0 + u) + self.along * from * from
     }
 
-    /// P/R²
+    /// Returns P/R².
     fn slope(&self, jellett: f64, u: f64) -> f64 {
         let (lambda, moment) = (jellett / self.radius, self.moment(u));
         let turned = (self.across - self.along) * u + self.along * self.eccentricity;
         lambda * lambda * turned - self.lever() * moment * moment
     }
 
-    /// The zeros of P between −1 and 1, in ascending order: bracketed by those of its derivatives, the third of which is linear.
+    /// Returns the zeros of P between −1 and 1, in ascending order, bracketed by the zeros of its
+    /// derivatives.
     fn tilts(&self, jellett: f64) -> Vec<f64> {
         let lambda = jellett / self.radius;
         let (a, c, alpha) = (self.across, self.along, self.eccentricity);
-        // D = d₀ + d₁ u + d₂ u²
+        // D = d₀ + d₁ u + d₂ u².
         let (d0, d1, d2) = (a + c * alpha * alpha, -2.0 * c * alpha, c - a);
         let k = self.lever();
         let polynomial = [
@@ -217,7 +234,7 @@ impl TippeTop {
     }
 }
 
-/// The zeros of a polynomial between −1 and 1 through which it changes its sign.
+/// Returns the zeros of a polynomial between −1 and 1 at which it changes its sign.
 fn roots_within(polynomial: &[f64]) -> Vec<f64> {
     if polynomial.len() < 2 {
         return Vec::new();

@@ -1,50 +1,57 @@
-//! Wheels: symmetric bodies whose axis is level.
+//! Wheels: symmetric bodies with a level axis.
 
 use super::stable_spins::StableSpins;
 use crate::motion::contact::Footing;
 
-/// A disk, a hoop, a torus, or another symmetric body that is its own mirror image, with its axis level: it rolls straight, or spins about the vertical.
+/// Disk, hoop, torus, or another mirror-symmetric body of revolution with its axis level, which
+/// rolls straight or spins about the vertical.
 ///
-/// C is the moment about the axis and A that across it, ρ the height of the centre of mass, κ the radius of curvature of the profile where it touches: zero of a sharp
-/// rim, the tube's of a torus. With the lean φ and the heading ψ, and e ≈ (−ψ, 1, φ), L = A e × ė + C s e, r = (0, (ρ − κ) φ, −ρ), the equations
-/// L̇ = r × F, F = m (v̇ − g), v = r × ω of a wheel that rolls straight at ω about its axis are to first order
+/// C is the moment about the axis, A the moment perpendicular to it, ρ the height of the centre of
+/// mass, and κ the radius of curvature of the profile at the contact: zero for a sharp rim, the
+/// tube radius for a torus. Let φ be the lean and ψ the heading, with e ≈ (−ψ, 1, φ), L = A e × ė +
+/// C s e, r = (0, (ρ − κ) φ, −ρ). For a wheel that rolls straight at the rate ω about its axis, the
+/// equations L̇ = r × F, F = m (v̇ − g), v = r × ω are to first order
 ///
 /// (A + m ρ²) φ̈ = (C + m ρ²) ω ψ̇ + m g (ρ − κ) φ,  A ψ̇ = −C ω φ + const
 ///
-/// so that it is stable where ω² > A m g (ρ − κ)/(C (C + m ρ²)), and where it spins at Ω about the vertical diameter, with the rate s about the axis,
+/// Therefore it is stable if ω² > A m g (ρ − κ)/(C (C + m ρ²)). If it spins at Ω about the vertical
+/// diameter, with the rate s about the axis,
 ///
 /// (A + m ρ²) φ̈ = (m g (ρ − κ) − A Ω² − m ρ κ Ω²) φ + (C + m ρ²) Ω s,  (C + m ρ²) ṡ = −m ρ (ρ − κ) Ω φ̇
 ///
-/// where Ω² > m g (ρ − κ)/(A + m ρ²). Without friction the terms with m ρ² are absent: ω² > A m g (ρ − κ)/C², Ω² > m g (ρ − κ)/A.
+/// and it is stable if Ω² > m g (ρ − κ)/(A + m ρ²). Without friction the terms with m ρ² are
+/// absent: ω² > A m g (ρ − κ)/C², Ω² > m g (ρ − κ)/A.
 ///
-/// Source: for sharp rims E. J. Routh, Dynamics of a System of Rigid Bodies, Advanced Part (1905), art. 241–244; O. M. O'Reilly, Nonlinear Dyn. 10
-/// (1996) 287, sec. 5 and 6. With κ derived here as above.
+/// Source: for sharp rims E. J. Routh, Dynamics of a System of Rigid Bodies, Advanced Part (1905),
+/// art. 241–244; O. M. O'Reilly, Nonlinear Dyn. 10 (1996) 287, sec. 5 and 6. With κ derived here as
+/// above.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct UprightWheel {
-    /// m, kg
+    /// Mass m, kg.
     pub mass: f64,
-    /// g, m/s²
+    /// Gravitational acceleration g, m/s².
     pub gravity: f64,
-    /// A, kg·m²
+    /// Moment of inertia A perpendicular to the axis, kg·m².
     pub across: f64,
-    /// C, kg·m²
+    /// Moment of inertia C about the axis, kg·m².
     pub along: f64,
-    /// ρ, m
+    /// Height ρ of the centre of mass, m.
     pub height: f64,
-    /// κ, m
+    /// Radius of curvature κ of the profile at the contact, m.
     pub profile: f64,
-    /// What acts along the ground.
+    /// Kind of force along the ground.
     pub footing: Footing,
 }
 
 impl UprightWheel {
-    /// m g (ρ − κ)
+    /// Returns m g (ρ − κ), N·m.
     fn falling(&self) -> f64 {
         self.mass * self.gravity * (self.height - self.profile)
     }
 
-    /// Rates of rolling straight; not known here with viscous friction.
+    /// Returns the stable rates of straight rolling; `None` with viscous friction, for which no
+    /// closed form is known.
     pub fn rolling(&self) -> Option<StableSpins> {
         let (a, c, falling) = (self.across, self.along, self.falling());
         match self.footing {
@@ -59,7 +66,8 @@ impl UprightWheel {
         }
     }
 
-    /// Rates of spinning about the vertical; not known here with viscous friction.
+    /// Returns the stable rates of spin about the vertical; `None` with viscous friction, for which
+    /// no closed form is known.
     pub fn spinning(&self) -> Option<StableSpins> {
         let (a, falling) = (self.across, self.falling());
         match self.footing {

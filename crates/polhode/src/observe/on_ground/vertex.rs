@@ -3,59 +3,70 @@
 use super::stable_spins::{SpinInterval, StableSpins, both_senses};
 use crate::motion::contact::Footing;
 
-/// A body that spins about a principal axis, which is vertical and goes through the point that it touches the ground with: an egg on its end, a top on its peg, a
-/// rattleback, an ellipsoid on its side.
+/// Body that spins about a vertical principal axis through its point of contact: an egg on its end,
+/// a top on its peg, a rattleback, an ellipsoid on its side.
 ///
-/// Along two axes of the body across n let S be the moments across, R the radii of curvature of the surface (matrices), G = R − h the lever of gravity, C the moment about n, J
-/// the quarter turn about it, and let µ be the mass that friction moves along the ground: m of what rolls, 0 without friction. From ṅ = n × ω,
-/// v = r × ω and I ω̇ + ω × I ω = r × F a small departure q of n obeys, at the spin Ω,
+/// The 2 × 2 matrices refer to two body axes perpendicular to n: S are the moments of inertia, R
+/// the radii of curvature of the surface, G = R − h the lever of gravity, and J the rotation by 90°
+/// about n. C is the moment about n, and µ is the mass that friction accelerates along the ground:
+/// m for rolling, 0 without friction. From ṅ = n × ω, v = r × ω and I ω̇ + ω × I ω = r × F, a small
+/// deviation q of n at the spin Ω obeys
 ///
 /// M q̈ + Ω (γ J − µ h J G′) q̇ + K q = 0,  M = tr S − S + µ h²,
 /// γ = tr S − C + µ h² − ½ µ h tr G,  K = m g G + Ω² (µ h G + C − S),
 ///
-/// G′ being G without its trace. Its characteristic equation a₄ λ⁴ + a₃ λ³ + a₂ λ² + a₁ λ + a₀ = 0 has, with x = Ω²,
+/// where G′ is G without its trace. The characteristic equation a₄ λ⁴ + a₃ λ³ + a₂ λ² + a₁ λ + a₀ =
+/// 0 has, with x = Ω²,
 ///
 /// a₄ = det M,  a₃ = −µ h Ω χ,  a₂ = tr (adj M K) + x (γ² + µ² h² det G′),  a₁ = x a₃,  a₀ = det K,
 ///
-/// χ = tr (S J G′), zero where the principal axes lie along those of the surface. Where χ = 0 it is stable for a₀ > 0, a₂ > 0, a₂² > 4 a₀ a₄; else by the criterion of Hurwitz for
-/// a₃ > 0, a₀ > 0, x a₂ > x² a₄ + a₀: in one sense only. Without gravity λ = i Ω is a root, as what stays in space turns in the body, so that the last condition is linear in x:
+/// with χ = tr (S J G′), which is zero if the principal axes are parallel to those of the surface.
+/// If χ = 0, the spin is stable for a₀ > 0, a₂ > 0, a₂² > 4 a₀ a₄. Otherwise the Hurwitz criterion
+/// requires a₃ > 0, a₀ > 0, x a₂ > x² a₄ + a₀, which holds in one sense only. Without gravity λ = i
+/// Ω is a root, because a vector fixed in space rotates in the body; the last condition is
+/// therefore linear in x:
 ///
 /// Ω² ((tr S − C + m h²) tr G − 2 m h det G) > m g det G.
 ///
-/// The other bounds are roots of quadratics in x.
+/// The other bounds are roots of quadratic equations in x.
 ///
-/// Of a symmetric body, A across, C along its axis, b = R, this becomes with η = q₁ + i q₂ in space (A + µ h²) η̈ − i (C + µ h b) Ω η̇ − m g (h − b) η = 0: stable where
-/// (C + µ h b)² Ω² > 4 (A + µ h²) m g (h − b), as a sleeping top. With viscous friction what is neither held nor lost makes no slip and meets no force:
-/// h η̇ = i b Ω η and A η̈ − i C Ω η̇ = m g (h − b) η, which bounds what is stable by b (C h − A b) Ω² > m g h² (h − b), whatever the coefficient.
+/// For a symmetric body with A perpendicular to the axis, C along it and b = R, this becomes with
+/// η = q₁ + i q₂ in space (A + µ h²) η̈ − i (C + µ h b) Ω η̇ − m g (h − b) η = 0. It is stable if
+/// (C + µ h b)² Ω² > 4 (A + µ h²) m g (h − b), like a sleeping top. With viscous friction, the
+/// stability limit is a motion without slip and friction force: h η̇ = i b Ω η and A η̈ − i C Ω
+/// η̇ = m g (h − b) η. The spin is stable if b (C h − A b) Ω² > m g h² (h − b), for any
+/// coefficient.
 ///
-/// Source: A. V. Karapetyan, J. Appl. Math. Mech. 45 (1981) 808; A. Garcia, M. Hubbard, Proc. R. Soc. A 418 (1988) 165; A. V. Borisov, I. S. Mamaev, Phys.-Usp. 46 (2003) 393; for the
-/// sleeping top Routh, Advanced Part (1905), art. 207; the forms with R and S as matrices are derived here as above.
+/// Source: A. V. Karapetyan, J. Appl. Math. Mech. 45 (1981) 808; A. Garcia, M. Hubbard, Proc. R.
+/// Soc. A 418 (1988) 165; A. V. Borisov, I. S. Mamaev, Phys.-Usp. 46 (2003) 393; for the sleeping
+/// top Routh, Advanced Part (1905), art. 207; the forms with R and S as matrices are derived here
+/// as above.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct VertexSpin {
-    /// m, kg
+    /// Mass m, kg.
     pub mass: f64,
-    /// g, m/s²
+    /// Gravitational acceleration g, m/s².
     pub gravity: f64,
-    /// h, m
+    /// Height h of the centre of mass, m.
     pub height: f64,
-    /// C, kg·m²
+    /// Moment of inertia C about the vertical axis, kg·m².
     pub along: f64,
-    /// S, kg·m²
+    /// Moments of inertia S perpendicular to the axis, kg·m².
     pub across: [[f64; 2]; 2],
-    /// R, m
+    /// Radii of curvature R of the surface, m.
     pub radii: [[f64; 2]; 2],
-    /// True if all directions across are alike.
+    /// True if all directions perpendicular to the axis are equivalent.
     pub is_symmetric: bool,
-    /// What acts along the ground.
+    /// Kind of force along the ground.
     pub footing: Footing,
 }
 
-/// χ relative to the size of its factors, below which it is rounding.
+/// Threshold of χ, relative to the size of its factors, below which it counts as rounding.
 const ALIGNED: f64 = 1e-12;
 
 impl VertexSpin {
-    /// Its stable spins; not known here with viscous friction of a body that is not symmetric.
+    /// Returns the stable spins; `None` with viscous friction if the body is not symmetric.
     pub fn stable_spins(&self) -> Option<StableSpins> {
         if self.is_symmetric {
             return Some(self.of_symmetric());
@@ -81,7 +92,7 @@ impl VertexSpin {
         }
         let stable = |x: f64| of(a0, x) > 0.0 && of(damping, x) > 0.0;
         let mut intervals = intervals(&[a0, damping], stable);
-        // a₃ > 0
+        // Condition a₃ > 0.
         if chirality > 0.0 {
             intervals = intervals.into_iter().rev().map(|[from, to]| [-to, -from]).collect();
         }
@@ -112,12 +123,13 @@ impl VertexSpin {
         }
     }
 
-    /// µ
+    /// Returns µ, kg.
     fn moved(&self) -> f64 {
         if self.footing == Footing::Rolling { self.mass } else { 0.0 }
     }
 
-    /// The angle from the longer radius of the surface to the axis of the lesser moment across, rad, between −π/2 and π/2: zero of a body that does not rattle.
+    /// Returns the angle from the longer radius of the surface to the axis of the smaller
+    /// perpendicular moment, rad, between −π/2 and π/2; zero for a body that is not a rattleback.
     pub fn skew(&self) -> f64 {
         let direction = |[[a, b], [_, d]]: [[f64; 2]; 2]| 0.5 * libm::atan2(2.0 * b, a - d);
         let [[a, b], [_, d]] = self.across;
@@ -125,38 +137,38 @@ impl VertexSpin {
         angle - core::f64::consts::PI * (angle / core::f64::consts::PI).round()
     }
 
-    /// M, kg·m²
+    /// Returns M, kg·m².
     pub fn inertia(&self) -> [[f64; 2]; 2] {
         let [[p, q], [_, s]] = self.across;
         let more = self.moved() * self.height * self.height;
         [[s + more, -q], [-q, p + more]]
     }
 
-    /// G, m
+    /// Returns G, m.
     pub fn lever(&self) -> [[f64; 2]; 2] {
         let [[p, q], [_, s]] = self.radii;
         [[p - self.height, q], [q, s - self.height]]
     }
 
-    /// G′ by its two elements, [[p, q], [q, −p]].
+    /// Returns the elements p and q of G′ = [[p, q], [q, −p]], m.
     pub(super) fn uneven(&self) -> [f64; 2] {
         let [[p, q], [_, s]] = self.radii;
         [0.5 * (p - s), q]
     }
 
-    /// χ; zero where it is rounding, and without friction.
+    /// Returns χ; zero if it is only rounding, and without friction.
     pub(super) fn chirality(&self) -> f64 {
         if self.footing != Footing::Rolling {
             return 0.0;
         }
         let ([[a, b], [_, d]], [p, q]) = (self.across, self.uneven());
-        // J G′ = [[−q, p], [p, q]]
+        // J G′ = [[−q, p], [p, q]].
         let chirality = (d - a) * q + 2.0 * b * p;
         let size = (a.abs() + b.abs() + d.abs()) * (p.abs() + q.abs());
         if chirality.abs() <= ALIGNED * size { 0.0 } else { chirality }
     }
 
-    /// (x a₂ − x² a₄ − a₀)/(m g) as a polynomial in x.
+    /// Returns (x a₂ − x² a₄ − a₀)/(m g) as a polynomial in x.
     fn damping(&self) -> [f64; 3] {
         let ([[a, _], [_, d]], lever) = (self.across, self.lever());
         let [[g0, _], [_, g2]] = lever;
@@ -166,7 +178,7 @@ impl VertexSpin {
         [-self.mass * self.gravity * determinant(lever), linear, 0.0]
     }
 
-    /// a₀ and a₂ as polynomials in x.
+    /// Returns a₀ and a₂ as polynomials in x.
     fn coefficients(&self) -> [[f64; 3]; 2] {
         let ([[a, b], [_, d]], lever) = (self.across, self.lever());
         let (weight, carried) = (self.mass * self.gravity, self.moved() * self.height);
@@ -176,7 +188,7 @@ impl VertexSpin {
             [carried * g0 + self.along - a, carried * g1 - b],
             [carried * g1 - b, carried * g2 + self.along - d],
         ];
-        // tr (adj X Y), which is the part of det (X + Y) that is linear in both.
+        // tr (adj X Y), the part of det (X + Y) that is linear in both.
         let mixed =
             |[[a, b], [_, d]]: [[f64; 2]; 2], [[p, q], [_, s]]: [[f64; 2]; 2]| a * s + d * p - 2.0 * b * q;
         let m = self.inertia();
@@ -194,7 +206,8 @@ fn determinant([[a, b], [c, d]]: [[f64; 2]; 2]) -> f64 {
     a * d - b * c
 }
 
-/// The intervals of |Ω| in which `stable` holds of Ω²; it changes only where one of the polynomials vanishes.
+/// Returns the intervals of |Ω| in which `stable` holds for Ω²; it changes only at zeros of the
+/// polynomials.
 fn intervals(polynomials: &[[f64; 3]], stable: impl Fn(f64) -> bool) -> Vec<SpinInterval> {
     let mut bounds: Vec<f64> =
         polynomials.iter().flat_map(|polynomial| positive_roots(*polynomial)).collect();
@@ -218,7 +231,7 @@ fn intervals(polynomials: &[[f64; 3]], stable: impl Fn(f64) -> bool) -> Vec<Spin
     found.into_iter().map(|interval| interval.map(f64::sqrt)).collect()
 }
 
-/// The positive roots of a + b x + c x².
+/// Returns the positive roots of a + b x + c x².
 fn positive_roots([a, b, c]: [f64; 3]) -> Vec<f64> {
     let discriminant = b * b - 4.0 * a * c;
     if discriminant < 0.0 {

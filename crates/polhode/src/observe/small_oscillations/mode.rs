@@ -1,32 +1,34 @@
-//! One mode of small oscillation.
+//! Mode of small oscillation.
 
 use crate::math::complex::Complex;
 use crate::math::frame::Body;
 use crate::math::vector::Direction;
 
-/// One mode: δθ(t) = e^(σ t) (u cos ϖt + v sin ϖt), a turn along body axes.
+/// Mode δθ(t) = e^(σ t) (u cos ϖt + v sin ϖt), a small rotation along body axes.
 ///
-/// u and v are the half axes of the ellipse that the turn describes: u ⊥ v, |u| = 1 ≥ |v|. With v = 0 the body swings about
-/// one axis, u.
+/// u and v are the semi-axes of the ellipse that δθ describes: u ⊥ v, |u| = 1 ≥ |v|. If v = 0, the
+/// body oscillates about one axis, u.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct OscillationMode {
-    /// ϖ ≥ 0, rad/s; zero for one that only grows or dies away.
+    /// Frequency ϖ ≥ 0, rad/s; zero for a mode that only grows or decays.
     pub frequency: f64,
-    /// σ, 1/s: negative for one that is damped, zero for one that is kept.
+    /// Growth rate σ, 1/s: negative for a damped mode, zero for an undamped one.
     pub growth_rate: f64,
-    /// u
+    /// Major semi-axis u, body axes.
     pub axis: Direction<Body>,
-    /// v
+    /// Minor semi-axis v, body axes.
     pub minor_axis: Direction<Body>,
-    /// How many modes have this frequency and growth: the body then moves as any sum of them, and these are a basis.
+    /// Number of modes with this frequency and growth rate. They form a basis: the body can perform
+    /// any linear combination of them.
     pub multiplicity: usize,
 }
 
 impl OscillationMode {
-    /// Of δθ = Re (shape · e^((σ + iϖ) t)), whatever the shape's length and phase.
+    /// Returns the mode δθ = Re (shape · e^((σ + iϖ) t)), for any length and phase of the shape.
     pub(super) fn new(frequency: f64, growth_rate: f64, shape: [Complex<f64>; 3]) -> Self {
-        // Multiplied by e^(iφ) such that Σ shape² is real and positive, its real and imaginary parts are u and −v.
+        // The shape is multiplied by e^(iφ) such that Σ shape² is real and positive; its real and
+        // imaginary parts are then u and −v.
         let zero = Complex { re: 0.0, im: 0.0 };
         let square = shape.iter().fold(zero, |sum, c| sum.minus(zero.minus(c.times(*c))));
         let phi = -0.5 * libm::atan2(square.im, square.re);
@@ -40,17 +42,17 @@ impl OscillationMode {
         Self { frequency, growth_rate, axis: unit(u), minor_axis: unit(v), multiplicity: 1 }
     }
 
-    /// Of δθ = u cos ϖt, one of several like it.
+    /// Returns the mode δθ = u cos ϖt, one of several of equal frequency.
     pub(super) fn along(frequency: f64, growth_rate: f64, axis: Direction<Body>) -> Self {
         Self { frequency, growth_rate, axis, minor_axis: Direction::ZERO, multiplicity: 1 }
     }
 
-    /// True if it grows.
+    /// Returns true if the mode grows.
     pub fn is_growing(&self) -> bool {
         self.growth_rate > 0.0
     }
 
-    /// ζ = −σ/√(σ² + ϖ²), the part of critical damping: 1 for one that dies away without swinging.
+    /// Returns the damping ratio ζ = −σ/√(σ² + ϖ²); 1 for a mode that decays without oscillation.
     pub fn damping_ratio(&self) -> f64 {
         let size = libm::hypot(self.growth_rate, self.frequency);
         if size == 0.0 { 0.0 } else { -self.growth_rate / size }

@@ -1,8 +1,10 @@
-//! Rest relative to a circular orbit.
+//! Equilibria relative to a circular orbit.
 //!
-//! A body that keeps its face to the Earth turns at ω = n along the orbit's normal: n is the orbit's, not the start's. So Newton's method
-//! seeks an attitude alone. With the gradient of gravity on the inertia tensor and nothing else, the principal axes lie along the
-//! orbit's: 24 attitudes for three distinct moments, 6 of which differ by more than half turns about these axes.
+//! A body that keeps its face to the Earth rotates at ω = n along the orbit normal, where n is that
+//! of the orbit, not of the start. Newton's method therefore searches for an attitude only. If the
+//! gravity gradient on the inertia tensor is the only torque, the principal axes are along the
+//! orbital axes. For three distinct moments there are 24 such attitudes, 6 of which differ by more
+//! than half turns about these axes.
 
 use super::SmallOscillations;
 use crate::math::frame::{Body, Principal, Space};
@@ -14,7 +16,8 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 
-/// A steady motion of a body on a circular orbit: at rest relative to the radius, the flight and the orbit's normal.
+/// Steady motion of a body on a circular orbit: at rest relative to the radius, the flight
+/// direction and the orbit normal.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -36,33 +39,37 @@ use crate::motion::model::torque::TorqueModel;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct OrbitalEquilibrium {
-    /// Attitude and ω, at the start's time.
+    /// Attitude and ω at the start's time.
     pub state: State,
-    /// The direction away from what it goes round, body axes.
+    /// Direction away from the central body, body axes.
     pub up: Direction<Body>,
-    /// That of flight.
+    /// Direction of flight, body axes.
     pub ahead: Direction<Body>,
-    /// The orbit's normal, up × ahead.
+    /// Orbit normal, up × ahead, body axes.
     pub normal: Direction<Body>,
-    /// The principal axes nearest to these three, from 0, with their signs.
+    /// Principal axes nearest to these three directions, from 0, each with true if it points along
+    /// the direction.
     pub axes: [(usize, bool); 3],
-    /// How far these lie from them, rad: zero where only the gradient of gravity on the tensor acts.
+    /// Angle between the principal axes and these directions, rad; zero if the gravity gradient on
+    /// the tensor is the only torque.
     pub tilt: f64,
 }
 
-/// Attitudes nearer than this are one, rad.
+/// Attitudes that differ by less than this count as the same, rad.
 const SAME: f64 = 1e-6;
 
 impl OrbitalEquilibrium {
-    /// All that Newton's method finds from the 24 attitudes with principal axes along the orbit's, and from the start's; the
-    /// nearest to the start's attitude first. `None` if no gradient of gravity on a circular orbit acts.
+    /// Finds all equilibria that Newton's method reaches from the 24 attitudes with principal axes
+    /// along the orbital axes, and from the start's attitude; the nearest to the start's attitude
+    /// first. `None` if no gravity gradient on a circular orbit acts.
     ///
-    /// With three distinct moments and no other torque these are all there are. Where a circle of them exists, as of a body with two
-    /// equal moments, those along the principal axes stand for it.
+    /// With three distinct moments and no other torque, these are all equilibria. If there is a
+    /// continuous circle of them, as for a body with two equal moments, those along the principal
+    /// axes represent it.
     ///
     /// # Errors
-    /// [`MotionError::NotSteady`] if there is none, as where another torque is not at rest relative to the orbit; else as
-    /// [`SmallOscillations::about`].
+    /// [`MotionError::NotSteady`] if there is none, for example if another torque is not constant
+    /// relative to the orbit; otherwise the errors of [`SmallOscillations::about`].
     pub fn all(
         rotor: &Rotor,
         torques: &[TorqueModel],
@@ -111,11 +118,11 @@ impl OrbitalEquilibrium {
     }
 }
 
-/// The orbit's axes at one time, and how they turn.
+/// Orbital axes at one time, and their rotation rate.
 struct OrbitFrame {
-    /// Turns x, y, z to the radius, the flight and the normal.
+    /// Rotation from x, y, z to the radius, the flight direction and the normal.
     axes: Rotation<Space, Space>,
-    /// n along the normal.
+    /// Angular velocity n along the normal, rad/s.
     omega: AngularVelocity<Space>,
 }
 
@@ -135,7 +142,8 @@ impl OrbitFrame {
     }
 }
 
-/// The 24 ways to lay three axes along three others: R takes principal components to those along radius, flight and normal.
+/// Returns the 24 rotations R that map the principal axes to the radius, flight and normal
+/// directions with any signs and order.
 fn arrangements() -> impl Iterator<Item = Rotation<Space, Principal>> {
     let unit = |k: usize, sign: f64| {
         Direction::<Space>::from_array(core::array::from_fn(|i| if i == k { sign } else { 0.0 }))

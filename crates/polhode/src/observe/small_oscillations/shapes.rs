@@ -1,4 +1,4 @@
-//! The shapes of modes: of one by itself, or of several with one frequency, which are a basis of what the body can do at it.
+//! Mode shapes of one eigenvalue, or of several equal eigenvalues, whose shapes form a basis.
 
 use super::mode::OscillationMode;
 use crate::math::complex::Complex;
@@ -7,16 +7,19 @@ use crate::math::frame::Body;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Direction;
 
-/// What is left of a vector across those before it, below which it is not another one: a defective root has but one.
+/// Threshold for the component of a vector perpendicular to earlier ones, below which it is not
+/// independent; a defective eigenvalue has only one vector.
 const ANOTHER: f64 = 1e-3;
 
-/// Squares of what the differences leave of a direction that the shapes do not have.
+/// Threshold of the squared extent in a direction, below which it is an error of the differences.
 const FLAT: f64 = 1e-10;
 
-/// A step aside from roots that agree, far beyond their rounding: from there their vectors are all alike.
+/// Displacement from equal eigenvalues, far larger than their rounding, so that their vectors have
+/// the same error.
 const ASIDE: f64 = 1e-8;
 
-/// The modes of one root, or of several that agree: their values in the matrix's own unit of time, and σ and ϖ.
+/// Returns the modes of one eigenvalue or of several equal ones, given in the matrix's own unit of
+/// time, with σ and ϖ.
 pub(super) fn modes(
     matrix: &Matrix<6>,
     roots: &[Complex<f64>],
@@ -34,7 +37,7 @@ pub(super) fn modes(
     modes.into_iter().map(|mode| OscillationMode { multiplicity, ..mode }).collect()
 }
 
-/// An eigenvector for each root, if there are so many: each of unit length and across the others.
+/// Returns up to one eigenvector for each eigenvalue; they are orthonormal.
 fn eigenvectors(matrix: &Matrix<6>, roots: &[Complex<f64>]) -> Vec<[Complex<f64>; 6]> {
     let mut found: Vec<[Complex<f64>; 6]> = Vec::new();
     let aside = if roots.len() > 1 { ASIDE } else { 0.0 };
@@ -56,7 +59,7 @@ fn eigenvectors(matrix: &Matrix<6>, roots: &[Complex<f64>]) -> Vec<[Complex<f64>
     found
 }
 
-/// Axes about which the body swings to and fro, of several shapes that have a real basis: nearest to the body's own.
+/// Returns the oscillation axes nearest to the body's own, if several shapes have a real basis.
 fn axes(shapes: &[[Complex<f64>; 3]]) -> Option<Vec<Direction<Body>>> {
     let parts = shapes.iter().flat_map(|s| [s.map(|c| c.re), s.map(|c| c.im)]);
     let spread = parts.fold(Symmetric3::default(), |sum, v| sum + Symmetric3::outer(v)).eigen();
@@ -76,7 +79,7 @@ fn axes(shapes: &[[Complex<f64>; 3]]) -> Option<Vec<Direction<Body>>> {
     }
 }
 
-/// With its largest component positive.
+/// Returns ±v, with its largest component positive.
 fn positive(v: Direction<Body>) -> Direction<Body> {
     let largest = v.to_array().into_iter().fold(0.0, |max: f64, x| if x.abs() > max.abs() { x } else { max });
     v * 1.0_f64.copysign(largest)

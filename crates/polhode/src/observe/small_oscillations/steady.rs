@@ -1,4 +1,4 @@
-//! Steady motions: what keeps its place in a frame that turns uniformly, or not at all.
+//! Steady motions: states at rest in a frame that rotates uniformly or not at all.
 
 use crate::math::eigenvalues::Matrix;
 use crate::math::frame::{Body, Space};
@@ -11,24 +11,24 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::{TorqueModel, total_torque};
 
-/// A steady motion, and what acts around it.
+/// Steady motion, with the rotor and the torques.
 pub(super) struct Steady<'a> {
     rotor: &'a Rotor,
     torques: &'a [TorqueModel],
     state: State,
-    /// Σ α
+    /// Sum of the energy-sink coefficients, Σ α.
     sink: f64,
-    /// The size of the torques, N·m.
+    /// Magnitude of the torques, N·m.
     scale: f64,
 }
 
-/// The part of the torques that may be left over.
+/// Largest unbalanced torque, relative to the magnitude of the torques.
 const BALANCED: f64 = 1e-8;
 
-/// How much a derivative may change along the motion, relative to the largest.
+/// Largest change of a derivative along the motion, relative to the largest derivative.
 const LASTING: f64 = 1e-7;
 
-/// Newton's steps: five where it converges at all.
+/// Maximum number of Newton steps; about five are sufficient where it converges.
 const MOST_STEPS: usize = 60;
 
 impl<'a> Steady<'a> {
@@ -68,12 +68,13 @@ impl<'a> Steady<'a> {
         self.state
     }
 
-    /// L = I ω + h, with the wheels as they are now: a motor that turns them later ends the steady motion.
+    /// Returns L = I ω + h with the present wheel momentum; a motor that changes it later ends the
+    /// steady motion.
     fn momentum(&self, state: &State) -> AngularMomentum<Body> {
         self.rotor.angular_momentum(state.omega) + self.rotor.wheel_momentum(self.state.time)
     }
 
-    /// L × ω + N, which is zero in a steady motion.
+    /// Returns L × ω + N, N·m, which is zero in a steady motion.
     fn rest(&self, state: &State) -> Torque<Body> {
         self.momentum(state).cross(state.omega) + total_torque(self.torques, self.rotor, state)
     }
@@ -81,7 +82,7 @@ impl<'a> Steady<'a> {
     fn require_balance(&self, state: &State) -> Result<(), MotionError> {
         let bending = self.momentum(state).cross(state.omega).norm();
         let torque = self.rest(state).norm();
-        // Friction inside is at rest only where ω is along L.
+        // With internal friction, the motion is steady only if ω is along L.
         let torque = if self.sink > 0.0 { torque.max(bending) } else { torque };
         if torque.is_nan() {
             return Err(MotionError::NotFinite { time: state.time });
@@ -93,7 +94,7 @@ impl<'a> Steady<'a> {
         }
     }
 
-    /// A rate of the motion, rad/s: that of turning, or √(N/I).
+    /// Returns a characteristic rate of the motion, rad/s: |ω| or √(N/I), whichever is larger.
     fn rate(&self) -> f64 {
         let [.., greatest] = self.rotor.principal().moments();
         let rate = self.state.omega.norm().max((self.scale / greatest).sqrt());
@@ -104,14 +105,14 @@ impl<'a> Steady<'a> {
         core::f64::consts::TAU / self.rate()
     }
 
-    /// The steady motion, some time later.
+    /// Returns the steady motion at a later time.
     fn later(&self, time: f64) -> State {
         let turn: Direction<Space> = (self.state.omega_space() * time).as_quantity();
         let attitude = Rotation::<Space, Space>::from_rotation_vector(turn) * self.state.attitude;
         State { time: self.state.time + time, attitude, ..self.state }
     }
 
-    /// ∂N/∂θ and ∂N/∂ω by columns.
+    /// Returns ∂N/∂θ and ∂N/∂ω by columns.
     fn derivatives(&self, at: &State) -> Result<[[Torque<Body>; 3]; 2], MotionError> {
         let mut sum = [[Torque::ZERO; 3]; 2];
         for torque in self.torques {
@@ -123,7 +124,8 @@ impl<'a> Steady<'a> {
         Ok(sum)
     }
 
-    /// The change of L × ω + N for a unit turn about each axis, with ω in space as it is: δω = ω × δθ
+    /// Returns the derivative of L × ω + N with respect to a rotation about each axis, with ω
+    /// constant in space: δω = ω × δθ.
     fn slopes(&self, at: &State) -> Result<[Torque<Body>; 3], MotionError> {
         let [by_angle, by_rate] = self.derivatives(at)?;
         Ok([0, 1, 2].map(|k| {
@@ -134,7 +136,8 @@ impl<'a> Steady<'a> {
         }))
     }
 
-    /// The matrix of the linear equations for (δθ, δω/w) in the time 1/w, and w, 1/s; `None` if nothing happens at all.
+    /// Returns the matrix of the linear equations for (δθ, δω/w) in the time unit 1/w, and w, 1/s;
+    /// `None` if the matrix is zero.
     pub(super) fn linearised(&self) -> Result<Option<(Matrix<6>, f64)>, MotionError> {
         let not_finite = MotionError::NotFinite { time: self.state.time };
         let [by_angle, by_rate] = self.derivatives(&self.state)?;
@@ -145,13 +148,13 @@ impl<'a> Steady<'a> {
             return Err(MotionError::NotSteady { torque: change, scale: largest.max(self.scale) });
         }
         let (omega, momentum) = (self.state.omega, self.momentum(&self.state));
-        // Columns, for a unit of δθ or δω along each axis.
+        // Columns for a unit of δθ or δω along each axis.
         let mut columns = [[0.0; 6]; 6];
         for k in 0..3 {
             let turn = unit(k);
             columns[k] = joined((-omega.cross(turn)).to_array(), self.over_inertia(by_angle[k]));
             let more: AngularVelocity<Body> = turn.as_quantity();
-            // δ(L × ω), the turning Ω = ω + α L × ω, and L × Ω
+            // δ(L × ω), the rotation rate Ω = ω + α L × ω, and L × Ω.
             let bending = self.rotor.angular_momentum(more).cross(omega) + momentum.cross(more);
             let slip: AngularVelocity<Body> = (bending * self.sink).as_quantity();
             let torque = bending + momentum.cross(slip) + by_rate[k];
@@ -176,14 +179,15 @@ impl<'a> Steady<'a> {
         Ok(Some((core::array::from_fn(|i| core::array::from_fn(|j| scaled(i, j))), w)))
     }
 
-    /// I⁻¹ N
+    /// Returns I⁻¹ N, rad/s².
     fn over_inertia(&self, torque: Torque<Body>) -> [f64; 3] {
         self.rotor.acceleration(AngularVelocity::ZERO, torque).to_array()
     }
 
-    /// The steady motion that Newton's method finds from a state, whose ω in space stays as it is.
+    /// Finds the steady motion that Newton's method reaches from a state, with ω constant in space.
     ///
-    /// Turns that change nothing, as about the vertical, are left out: each step is the shortest that does it.
+    /// Rotations that have no effect, such as those about the vertical, are excluded: each step is
+    /// the shortest solution.
     pub(super) fn near(
         rotor: &'a Rotor,
         torques: &'a [TorqueModel],
@@ -202,7 +206,7 @@ impl<'a> Steady<'a> {
                 break;
             }
             let full = shortest_solution(steady.slopes(&state)?.map(Torque::to_array), (-rest).to_array());
-            // Half a radian at a time, and less where that does not help.
+            // Steps are limited to half a radian, and halved while they give no improvement.
             let mut step = full * (0.5 / full.norm().max(0.5));
             let mut better = None;
             for _ in 0..12 {
@@ -229,7 +233,8 @@ fn joined([a, b, c]: [f64; 3], [d, e, f]: [f64; 3]) -> [f64; 6] {
     [a, b, c, d, e, f]
 }
 
-/// The shortest x with J x nearest to b; J by columns. x = Σ v (v · Jᵀb)/λ over the eigenvectors of JᵀJ whose λ is not rounding.
+/// Returns the shortest x that minimises |J x − b|, with J given by columns: x = Σ v (v · Jᵀb)/λ
+/// over the eigenvectors v of JᵀJ whose eigenvalue λ is not rounding.
 fn shortest_solution(columns: [[f64; 3]; 3], b: [f64; 3]) -> Direction<Body> {
     let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let [x, y, z] = &columns;

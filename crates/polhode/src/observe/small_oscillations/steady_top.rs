@@ -1,17 +1,21 @@
 //! Steady motions of a heavy symmetric top.
 //!
-//! With the axis e at θ from the vertical k, p_φ = k · L and p_ψ = C ω3 = e · L, both constant, the energy of the nutation is
+//! With the axis e at the angle θ from the vertical k, p_φ = k · L and p_ψ = C ω3 = e · L, both
+//! constant, the effective potential of the nutation is
 //!
 //! V(u) = ((p_φ − p_ψ)²/(1 − u) + (p_φ + p_ψ)²/(1 + u))/4A + M g l u,  u = cos θ
 //!
-//! which is convex: the top has one steady motion with its p_φ and p_ψ, and nutates about that. It is where
+//! It is convex: the top has one steady motion with its p_φ and p_ψ, and nutates about it. This
+//! motion satisfies
 //!
 //! (p_φ − p_ψ)²/(1 − u)² − (p_φ + p_ψ)²/(1 + u)² + 4 A M g l = 0,
 //!
-//! or upright or straight down, if there is no such u. It precesses at φ̇ = (p_φ − p_ψ u)/(A (1 − u²)).
+//! or is upright or hanging if there is no such u. The axis precesses at φ̇ = (p_φ − p_ψ u)/(A (1 −
+//! u²)).
 //!
-//! In axes that precess with it, the body is at rest and spins at ω3 − φ̇ cos θ about e, which is seen from outside as its angular
-//! momentum only: a gyrostat with h = C (ω3 − φ̇ cos θ) e that turns at φ̇ k. Its small oscillations are the top's.
+//! In axes that precess with the top, the body spins at ω3 − φ̇ cos θ about e. Its effect is that
+//! of its angular momentum: the top is equivalent to a gyrostat with h = C (ω3 − φ̇ cos θ) e that
+//! rotates at φ̇ k, and has the same small oscillations.
 
 use super::SmallOscillations;
 use crate::math::frame::{Body, Space};
@@ -25,7 +29,8 @@ use crate::motion::model::torque::{TorqueModel, UniformGravity};
 use crate::motion::model::wheel::{Motor, Wheel};
 use crate::motion::solve::heavy_top::{HeavyTop, TopPath};
 
-/// A steady motion of a heavy symmetric top: its axis precesses at a constant angle, sleeps upright, or hangs.
+/// Steady motion of a heavy symmetric top: steady precession at a constant angle, a sleeping top,
+/// or a hanging top.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -46,30 +51,33 @@ use crate::motion::solve::heavy_top::{HeavyTop, TopPath};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SteadyTop {
-    /// Which kind: [`TopPath::SteadySlow`], [`TopPath::SteadyFast`], [`TopPath::Conical`], [`TopPath::Sleeping`] or
-    /// [`TopPath::Hanging`].
+    /// Kind of steady motion: [`TopPath::SteadySlow`], [`TopPath::SteadyFast`],
+    /// [`TopPath::Conical`], [`TopPath::Sleeping`] or [`TopPath::Hanging`].
     pub path: TopPath,
-    /// θ, from the upward vertical to the axis, rad.
+    /// Angle θ from the upward vertical to the axis, rad.
     pub angle: f64,
-    /// φ̇ about the upward vertical, rad/s; zero of a vertical axis.
+    /// Precession rate φ̇ about the upward vertical, rad/s; zero for a vertical axis.
     pub precession: f64,
-    /// ω3, the component of ω along the axis, rad/s.
+    /// Component ω3 of ω along the axis, rad/s.
     pub spin: f64,
-    /// The motion at the start's time, its axis in the vertical plane of the start's.
+    /// State at the start's time, with its axis in the vertical plane of the start's axis.
     pub state: State,
-    /// Its small oscillations: of a vertical axis as seen from the body, else from axes that precess with the top's and coincide with
-    /// the body's at the start.
+    /// Small oscillations. For a vertical axis they refer to body axes; otherwise to axes that
+    /// precess with the top and coincide with the body axes at the start.
     pub oscillations: SmallOscillations,
 }
 
-/// p_φ ∓ p_ψ, relative to both, that is rounding: the axis passes through the vertical.
+/// Threshold of p_φ ∓ p_ψ, relative to both, below which it is rounding: the axis passes through
+/// the vertical.
 const ROUNDING: f64 = 1e-14;
 
 impl SteadyTop {
-    /// The steady motion with the p_φ and p_ψ of a start: what its top nutates about. It is always stable.
+    /// Finds the steady motion with the p_φ and p_ψ of a start, about which its top nutates. It is
+    /// always stable.
     ///
     /// # Errors
-    /// [`MotionError::NoClosedForm`] for a body that is no symmetric top, as [`HeavyTop::of`]; else as [`SmallOscillations::about`].
+    /// [`MotionError::NoClosedForm`] for a body that is not a symmetric top, as in
+    /// [`HeavyTop::of`]; otherwise the errors of [`SmallOscillations::about`].
     pub fn with_momenta_of(
         rotor: &Rotor,
         gravity: &UniformGravity,
@@ -81,7 +89,7 @@ impl SteadyTop {
         let (p_phi, p_psi) = (up.dot(rotor.angular_momentum(start.omega)), along * top.spin());
         let [d, s] = [p_phi - p_psi, p_phi + p_psi]
             .map(|p| if p.abs() <= ROUNDING * (p_phi.abs() + p_psi.abs()) { 0.0 } else { p });
-        // The slope of V by u, times 16 A, of 1 − u = 2 sin² ½θ and 1 + u = 2 cos² ½θ: it falls as θ grows.
+        // dV/du times 16 A, with 1 − u = 2 sin² ½θ and 1 + u = 2 cos² ½θ; it decreases with θ.
         let slope = |theta: f64| {
             let (sin, cos) = libm::sincos(0.5 * theta);
             let part = |p: f64, half: f64| if p == 0.0 { 0.0 } else { (p / half / half) * (p / half / half) };
@@ -96,23 +104,25 @@ impl SteadyTop {
         let precession = if angle == 0.0 || angle == core::f64::consts::PI {
             0.0
         } else {
-            // p_φ − p_ψ u = d sin² … of the half angles, without cancellation: (d (1 + u) + s (1 − u))/2
+            // p_φ − p_ψ u = (d (1 + u) + s (1 − u))/2, written with the half angles so that nothing
+            // cancels.
             let (sin, cos) = libm::sincos(0.5 * angle);
             (d / (sin * sin) + s / (cos * cos)) / (4.0 * across)
         };
         Self::of(rotor, gravity, start, [angle, precession, top.spin()])
     }
 
-    /// The top upright, with the spin ω3 of a start.
+    /// Returns the upright top with the spin ω3 of a start.
     ///
     /// # Errors
-    /// As [`SteadyTop::with_momenta_of`].
+    /// The errors of [`SteadyTop::with_momenta_of`].
     pub fn upright(rotor: &Rotor, gravity: &UniformGravity, start: State) -> Result<Self, MotionError> {
         let top = HeavyTop::of(rotor, gravity, start)?;
         Self::of(rotor, gravity, start, [0.0, 0.0, top.spin()])
     }
 
-    /// How far a start is from it: the angle between the axes, rad, and |Δω|, rad/s.
+    /// Returns the distance of a start from this motion: the angle between the axes, rad, and |Δω|,
+    /// rad/s.
     pub fn distance_from(&self, rotor: &Rotor, start: &State) -> [f64; 2] {
         let axis = |state: &State| state.attitude * rotor.lever();
         [axis(start).angle_to(axis(&self.state)), (start.omega_space() - self.state.omega_space()).norm()]
@@ -146,15 +156,16 @@ impl SteadyTop {
     }
 }
 
-/// A steady axis nearer to the vertical than this is vertical, rad.
+/// Angle from the vertical below which a steady axis counts as vertical, rad.
 const LEAST: f64 = 1e-7;
 
-/// The start with its axis moved to an angle from the vertical, in its vertical plane, and ω = φ̇ k + (ω3 − φ̇ cos θ) e.
+/// Returns the start with its axis moved in its vertical plane to `angle` from the vertical, and
+/// ω = φ̇ k + (ω3 − φ̇ cos θ) e.
 fn at(rotor: &Rotor, gravity: &UniformGravity, start: &State, [angle, precession, spin]: [f64; 3]) -> State {
     let up: Direction<Space> = start.attitude * vertical(gravity, start);
     let e: Direction<Space> = start.attitude * axis(rotor);
     let any = if up.x.abs() < 0.7 { Direction::new(1.0, 0.0, 0.0) } else { Direction::new(0.0, 1.0, 0.0) };
-    // Across the vertical plane; of a vertical axis any horizontal one.
+    // Perpendicular to the vertical plane; for a vertical axis any horizontal direction.
     let horizontal = up.cross(e);
     let across = if horizontal.norm() > LEAST { horizontal } else { up.cross(any) };
     let turn = across.direction().map_or_else(Rotation::<Space, Space>::identity, |across| {
@@ -168,13 +179,13 @@ fn at(rotor: &Rotor, gravity: &UniformGravity, start: &State, [angle, precession
     State { omega, ..state }
 }
 
-/// Against gravity, body axes.
+/// Returns the upward vertical (opposite to gravity), body axes.
 fn vertical(gravity: &UniformGravity, state: &State) -> Direction<Body> {
     let up: Direction<Space> = (-gravity.acceleration).as_quantity();
     state.attitude.inverse() * up.direction().unwrap_or(Direction::ZERO)
 }
 
-/// From the pivot to the centre of mass.
+/// Returns the direction from the pivot to the centre of mass, body axes.
 fn axis(rotor: &Rotor) -> Direction<Body> {
     rotor.lever().direction().unwrap_or(Direction::ZERO)
 }

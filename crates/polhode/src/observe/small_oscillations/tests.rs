@@ -6,12 +6,12 @@ use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::{AngularVelocity, Direction, Position, Torque};
 use crate::observe::libration::Libration;
 
-/// A body with these moments about roll (x), pitch (y), yaw (z), on a circular orbit in the plane x, z of space at the rate n:
-/// N = 3 n² r̂ × I r̂.
+/// Returns the oscillations of a body with these moments about roll (x), pitch (y), yaw (z), on a
+/// circular orbit in the xz plane of space at the rate n: N = 3 n² r̂ × I r̂.
 fn on_orbit(moments: [f64; 3], n: f64) -> Result<SmallOscillations, MotionError> {
     let body = MassProperties::new(7.0, Position::ZERO, InertiaTensor::diagonal(moments).unwrap()).unwrap();
     let rotor = Rotor::free(&body);
-    // The frame turns about y: at t = 0 its axes are those of space, z along the radius.
+    // The frame rotates about y: at t = 0 its axes are those of space, with z along the radius.
     let torque = move |rotor: &Rotor, state: &State| -> Torque<Body> {
         let orbit = Rotation::<Space, Space>::about(Direction::new(0.0, 1.0, 0.0), n * state.time).unwrap();
         let r = state.attitude.inverse() * (orbit * Direction::<Space>::new(0.0, 0.0, 1.0));
@@ -22,7 +22,8 @@ fn on_orbit(moments: [f64; 3], n: f64) -> Result<SmallOscillations, MotionError>
     SmallOscillations::about(&rotor, &[TorqueModel::function("gradient", torque)], state)
 }
 
-/// Both sides say what the other derives in another way: Hughes's scalar equations, and the linear equations in the turning frame.
+/// Both sides are derived independently: Hughes's scalar equations, and the linear equations in the
+/// rotating frame.
 #[test]
 fn libration_on_a_circular_orbit_is_that_of_the_scalar_equations() {
     let n = 1.13e-3;
@@ -38,7 +39,7 @@ fn libration_on_a_circular_orbit_is_that_of_the_scalar_equations() {
 
 #[test]
 fn a_state_that_does_not_last_is_refused() {
-    // On the orbit but not turning with it.
+    // On the orbit, but not rotating with it.
     let body =
         MassProperties::new(7.0, Position::ZERO, InertiaTensor::diagonal([5.1, 6.2, 1.7]).unwrap()).unwrap();
     let rotor = Rotor::free(&body);

@@ -1,44 +1,47 @@
-//! What friction inside a body makes of its permanent rotations.
+//! Effect of internal friction on permanent rotations.
 //!
-//! With an energy sink the axes turn at Ω = ω + α L × ω, and L̇ = L × Ω in the body. A small δL across L changes ω − ν L, which is zero in
-//! the rotation, by (I⁻¹ − ν) δL. With M the part of I⁻¹ − ν across L, and J the quarter turn about it,
+//! With an energy sink, the body axes rotate at Ω = ω + α L × ω, and L̇ = L × Ω in the body. ω − ν
+//! L is zero in the rotation, and a small δL perpendicular to L changes it by (I⁻¹ − ν) δL. Let M
+//! be the part of I⁻¹ − ν perpendicular to L, and J the rotation by 90° about L:
 //!
 //! δL̇ = (|L| J − α L²) M δL
 //!
-//! M is symmetric, so that J M has no trace. With c = L² det M, which decides without friction,
+//! M is symmetric, so J M has no trace. With c = L² det M, which determines the stability without
+//! friction,
 //!
 //! s² + α L² tr M s + (1 + α² L²) c = 0
 //!
-//! The energy on the sphere of constant |L| is ½ δL · M δL more than that of the rotation: where it is greatest both roots have the
-//! real part −½ α L² tr M > 0, where it is least both die away. By components,
+//! The energy on the sphere of constant |L| exceeds that of the rotation by ½ δL · M δL. At an
+//! energy maximum both roots have the real part −½ α L² tr M > 0; at a minimum both decay. By
+//! components,
 //!
 //! L² tr M = Σ L_k ((L_k − i_i ω_k)/i_i + (L_k − i_j ω_k)/i_j)
 
 use super::{PermanentRotation, Stability};
 use crate::motion::model::torque::EnergySink;
 
-/// What becomes of a small departure from a permanent rotation while friction inside the body costs energy.
+/// Effect of internal friction on a small deviation from a permanent rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum DissipativeLimit {
-    /// It dies away as exp(−rate t).
+    /// The deviation decays as exp(−rate t).
     #[non_exhaustive]
     Settles {
-        /// 1/s
+        /// Decay rate, 1/s.
         rate: f64,
     },
-    /// It grows as exp(rate t), and the body goes over to a rotation of less energy.
+    /// The deviation grows as exp(rate t), and the body changes to a rotation of lower energy.
     #[non_exhaustive]
     Leaves {
-        /// 1/s
+        /// Growth rate, 1/s.
         rate: f64,
     },
-    /// Neither: all rotations near it have the same energy.
+    /// Neither: all neighbouring rotations have the same energy.
     Stays,
 }
 
 impl DissipativeLimit {
-    /// The name in JSON: `settles`, `leaves` or `stays`.
+    /// Returns the name in JSON: `settles`, `leaves` or `stays`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Settles { .. } => "settles",
@@ -49,9 +52,10 @@ impl DissipativeLimit {
 }
 
 impl PermanentRotation {
-    /// What becomes of it with an energy sink, from the linear equations.
+    /// Returns the effect of an energy sink on the rotation, from the linear equations.
     ///
-    /// A rotation that is one of a circle of them, as a flat spin of a body with two equal moments, settles onto one of the circle.
+    /// A rotation that belongs to a continuous circle of them, such as a flat spin of a body with
+    /// two equal moments, settles onto one of the circle.
     ///
     /// ```
     /// use polhode::prelude::*;
@@ -73,10 +77,10 @@ impl PermanentRotation {
             Stability::Marginal => 0.0,
         };
         let more = sink.coefficient() * self.momentum.norm();
-        // s² + 2 p s + q = 0
+        // s² + 2 p s + q = 0.
         let (p, q) = (0.5 * sink.coefficient() * self.bend, (1.0 + more * more) * c);
         let square = p * p - q;
-        // The real part that is greatest; of two roots with one zero, the other.
+        // The larger real part; if one root is zero, the other root.
         let real = if q == 0.0 {
             -2.0 * p
         } else if square <= 0.0 {
@@ -93,7 +97,8 @@ impl PermanentRotation {
         }
     }
 
-    /// True if friction inside, of whatever kind, makes it leave: the energy is not least here, for this |L|.
+    /// Returns true if any kind of internal friction makes the body leave this rotation: the energy
+    /// is not a minimum for this |L|.
     pub fn is_ended_by_friction(&self) -> bool {
         match self.stability {
             Stability::Unstable { .. } => true,

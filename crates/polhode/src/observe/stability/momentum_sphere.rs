@@ -1,34 +1,35 @@
 //! Extrema of a gyrostat's energy on the sphere of constant |L|.
 //!
-//! I⁻¹ (L − h) = ν L, so that ω = ν L and L_k = h_k / (1 − ν i_k). What is left is one equation for ν,
+//! I⁻¹ (L − h) = ν L, so that ω = ν L and L_k = h_k / (1 − ν i_k). The remaining equation for ν is
 //!
 //! g(ν) = Σ h_k² / (1 − ν i_k)² = |L|²
 //!
-//! g has a double pole at each 1/i_k and is convex between them: one root below all poles, one above, and none or two between
-//! neighbours. Every root is sought as its distance from a pole, by bisection of the logarithm, so that a wheel with next to no
-//! momentum costs no digits. Where h_k = 0 there is no pole at 1/i_k, and there L_k is free instead.
+//! g has a double pole at each 1/i_k and is convex between them: it has one root below all poles,
+//! one above, and none or two between neighbours. Every root is computed as its distance from a
+//! pole, by bisection of the logarithm, so that a wheel with very small momentum costs no digits.
+//! If h_k = 0 there is no pole at 1/i_k, and L_k is free there.
 
 use crate::math::frame::Principal;
 use crate::math::vector::AngularVelocity;
 
-/// One moment, or several that are equal, with h along their axes.
+/// A moment, or several equal moments, with h along their axes.
 #[derive(Clone, Copy, Debug)]
 struct Pole {
     moment: f64,
-    /// √Σ h_k²
+    /// Wheel momentum √Σ h_k², kg·m²/s.
     wheels: f64,
 }
 
-/// Moments that differ by less than this are equal, as principal axes have it.
+/// Relative tolerance within which moments are equal, as for principal axes.
 const EQUAL: f64 = 4.0 * f64::EPSILON;
 
-/// ω of all extrema, principal axes.
+/// Returns ω of all extrema, principal axes, rad/s.
 pub(super) fn extrema(moments: [f64; 3], h: [f64; 3], momentum: f64) -> Vec<AngularVelocity<Principal>> {
     let size = h.iter().fold(0.0, |max: f64, x| max.max(x.abs()));
-    // Rounding of the turn to principal axes is no wheel.
+    // Removes components of h that are only rounding of the rotation to principal axes.
     let h = h.map(|x| if x.abs() <= EQUAL * size { 0.0 } else { x });
     if momentum == 0.0 {
-        // L = 0: the body turns against its wheels, if it has some.
+        // L = 0: the body rotates opposite to its wheels, if it has any.
         let spins = [0, 1, 2].map(|k| -h[k] / moments[k]);
         return if size > 0.0 { vec![AngularVelocity::from_array(spins)] } else { Vec::new() };
     }
@@ -48,13 +49,13 @@ pub(super) fn extrema(moments: [f64; 3], h: [f64; 3], momentum: f64) -> Vec<Angu
     found.into_iter().map(AngularVelocity::from_array).collect()
 }
 
-/// Moments as they are, but those that are equal are so to the bit.
+/// Returns the moments, with those that count as equal made identical.
 fn merged([i1, i2, i3]: [f64; 3]) -> [f64; 3] {
     let i2 = if i2 - i1 <= EQUAL * i3 { i1 } else { i2 };
     [i1, i2, if i3 - i2 <= EQUAL * i3 { i2 } else { i3 }]
 }
 
-/// The poles of g, in ascending order of ν.
+/// Returns the poles of g, in ascending order of ν.
 fn poles(moments: [f64; 3], h: [f64; 3]) -> Vec<Pole> {
     let mut poles: Vec<Pole> = Vec::new();
     for k in (0..3).rev().filter(|&k| h[k] != 0.0) {
@@ -66,7 +67,8 @@ fn poles(moments: [f64; 3], h: [f64; 3]) -> Vec<Pole> {
     poles
 }
 
-/// ν = 1/i_k, where no wheel is along axis k nor along one of the same moment: L_k = ±√(|L|² − the rest).
+/// Returns the extrema for ν = 1/i_k, if no wheel has a component along axis k or along an axis of
+/// equal moment: L_k = ±√(|L|² − Σ L_j²) with j ≠ k.
 fn along_free_axis(moments: [f64; 3], h: [f64; 3], momentum: f64, k: usize) -> [Option<[f64; 3]>; 2] {
     let i = moments[k];
     if (0..3).any(|j| moments[j] == i && h[j] != 0.0) {
@@ -85,12 +87,12 @@ fn along_free_axis(moments: [f64; 3], h: [f64; 3], momentum: f64, k: usize) -> [
     })
 }
 
-/// 1 − ν i of ν = 1/`pole` + `distance`, without cancellation.
+/// Returns 1 − ν i for ν = 1/`pole` + `distance`, without cancellation.
 fn denominator(pole: f64, distance: f64, i: f64) -> f64 {
     (pole - i) / pole - distance * i
 }
 
-/// The roots of g = |L|²: each as the moment of a pole and the distance of ν from it.
+/// Returns the roots of g = |L|², each as the moment of a pole and the distance of ν from it.
 fn roots(poles: &[Pole], momentum: f64) -> Vec<(f64, f64)> {
     let (Some(first), Some(last)) = (poles.first(), poles.last()) else { return Vec::new() };
     let root = |pole: f64, furthest: f64| (pole, bisect(poles, pole, furthest, momentum));
@@ -107,12 +109,13 @@ fn roots(poles: &[Pole], momentum: f64) -> Vec<(f64, f64)> {
     found
 }
 
-/// √g
+/// Returns √g.
 fn size(poles: &[Pole], pole: f64, distance: f64) -> f64 {
     poles.iter().fold(0.0, |sum, p| libm::hypot(sum, p.wheels / denominator(pole, distance, p.moment)))
 }
 
-/// Where g is least between a pole and the next, `width` above it: g′ grows from −∞ to ∞.
+/// Returns the distance at which g is smallest between a pole and the next one, `width` above it;
+/// g′ increases from −∞ to ∞.
 fn least(poles: &[Pole], pole: f64, width: f64) -> f64 {
     let slope = |distance: f64| {
         let term = |p: &Pole| {
@@ -129,7 +132,8 @@ fn least(poles: &[Pole], pole: f64, width: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// The distance from a pole at which √g has come down to |L|; it falls all the way to `furthest`, whose sign is the side.
+/// Returns the distance from a pole at which √g equals |L|; √g decreases monotonically up to
+/// `furthest`, whose sign is the side.
 fn bisect(poles: &[Pole], pole: f64, furthest: f64, momentum: f64) -> f64 {
     let (mut near, mut far) = (1e-150 / pole, furthest.abs());
     for _ in 0..200 {

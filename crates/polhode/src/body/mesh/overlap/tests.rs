@@ -1,4 +1,5 @@
-//! Corners of many faces, needles and touching bricks: found as all pairs of triangles say, in steps that go with their number.
+//! Tests with corners of many faces, needles and touching bricks: the result must equal that of all
+//! pairs, with a number of steps proportional to the number of triangles.
 
 use core::f64::consts::TAU;
 
@@ -12,12 +13,12 @@ use crate::body::error::BodyError;
 
 type Soup = Vec<[[f64; 3]; 3]>;
 
-/// About no special axis.
+/// Maps a point to an oblique coordinate system.
 fn slanted([x, y, z]: [f64; 3]) -> [f64; 3] {
     [0.36 * x + 0.48 * y - 0.8 * z + 0.1, -0.8 * x + 0.6 * y, 0.48 * x + 0.64 * y + 0.6 * z - 0.3]
 }
 
-/// Turned about an axis: radius and height from point to point, n to a ring.
+/// Returns a surface of revolution: `profile` lists radius and height, with `n` points per ring.
 fn turned(n: u32, profile: &[[f64; 2]], place: impl Fn([f64; 3]) -> [f64; 3]) -> Soup {
     let point = |[r, z]: [f64; 2], k: u32| {
         let (s, c) = (TAU * f64::from(k % n) / f64::from(n)).sin_cos();
@@ -31,10 +32,10 @@ fn turned(n: u32, profile: &[[f64; 2]], place: impl Fn([f64; 3]) -> [f64; 3]) ->
     halves.filter(|[a, b, c]| a != b && b != c && c != a).collect()
 }
 
-/// The ends of a solid in points of n triangles, with a waist.
+/// Profile of a solid with a waist whose ends are corners of n triangles.
 const SPINDLE: [[f64; 2]; 5] = [[0.0, 0.0], [1.0, 0.2], [0.5, 1.0], [0.8, 2.0], [0.0, 2.5]];
 
-/// Prisms with three sides beside each other, as long as all of them are wide.
+/// Returns n triangular prisms side by side, as long as the whole row is wide.
 fn needles(n: u32) -> Soup {
     let sides = |k: u32| {
         let (x, d) = (f64::from(k) / f64::from(n), 0.3 / f64::from(n));
@@ -48,7 +49,7 @@ fn needles(n: u32) -> Soup {
     (0..n).flat_map(sides).collect()
 }
 
-/// Bricks in courses, each over the joints of the one below.
+/// Returns a wall of bricks in courses, each above the joints of the course below.
 fn wall(n: u32) -> Soup {
     let corner = |k: u32| [k >> 2 & 1, k >> 1 & 1, k & 1].map(f64::from);
     let squares = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
@@ -64,7 +65,7 @@ fn wall(n: u32) -> Soup {
     places.flat_map(|(x, y, z)| brick(x, y, z)).collect()
 }
 
-/// Numbers from −0.5 to 0.5, one after the other.
+/// Returns a generator of pseudo-random numbers from −0.5 to 0.5.
 fn chance() -> impl FnMut() -> f64 {
     let mut state = 3_u64;
     move || {
@@ -73,7 +74,8 @@ fn chance() -> impl FnMut() -> f64 {
     }
 }
 
-/// What is found among all triangles by boxes along the axes, and the same by oriented ones, and how many lie side by side.
+/// Returns the intersections found with axis-parallel boxes and with oriented boxes, and the number
+/// of triangles in umbrellas.
 fn both(soup: &Soup, threads: usize) -> ([Meetings; 2], usize) {
     let (mesh, threads) = (TriangleMesh::of_triangles(soup).unwrap(), Threads::of(threads));
     let welded = Welded::of(&mesh, threads);
@@ -98,13 +100,13 @@ fn oriented_boxes_and_umbrellas_lose_no_pair() {
         let n = 70 + 7 * round;
         let mut soup = turned(n, &SPINDLE, |p| p);
         if round % 2 == 1 {
-            // Another one goes through it, or touches it at an end.
+            // A second solid intersects the first, or touches it at an end.
             let by = if round % 4 == 1 { [0.0, 0.0, 2.5] } else { [chance(), chance(), chance()] };
             let by: [f64; 3] = core::array::from_fn(|k| slanted(by)[k] - slanted([0.0; 3])[k]);
             soup.extend(turned(n, &SPINDLE, |p| core::array::from_fn(|k| p[k] + by[k])));
         }
         if round % 3 == 2 {
-            // Folds: corners of the rings and ends somewhere near, those at the same place together.
+            // Folds: corners are displaced at random; equal corners are displaced together.
             let mut moved = std::collections::HashMap::new();
             for p in soup.iter_mut().flatten() {
                 let by = moved.entry(p.map(f64::to_bits)).or_insert_with(|| {
@@ -161,7 +163,7 @@ fn steps_go_with_the_triangles() {
             "{name}: {few} and {many} for each triangle"
         );
     }
-    // In a row, none of them can lie in another.
+    // Solids in a row, none of which can lie in another.
     let apart = |n: u32| {
         (0..n).flat_map(|k| {
             needles(1).into_iter().map(move |t| t.map(|[x, y, z]| [x, y, z + 2.0 * f64::from(k)]))

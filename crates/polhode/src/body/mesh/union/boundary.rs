@@ -1,4 +1,4 @@
-//! The boundary of what a mesh encloses, whatever its parts do to each other.
+//! Boundary of the region that a mesh encloses, for parts that intersect arbitrarily.
 
 use super::super::component::Measured;
 use super::super::inside::Windings;
@@ -12,7 +12,7 @@ use super::face::{Counts, Face, Line};
 use super::region::{LEVELS, Piece, Region, rise_below, side_of};
 use super::weighted::Weighted;
 
-/// Triangles, normals outward, in the mesh's units from a reference point.
+/// Triangles with outward normals, in the mesh's unit relative to a reference point.
 #[derive(Debug, Default)]
 pub(super) struct Boundary {
     pub(super) points: Vec<[f64; 3]>,
@@ -36,23 +36,23 @@ impl Boundary {
     }
 }
 
-/// The boundaries of where a mesh winds about a place at least as often as each of [`LEVELS`] says.
+/// Boundaries of the regions whose winding number is at least each of [`LEVELS`].
 #[derive(Debug)]
 pub(super) struct Boundaries {
     pub(super) levels: [Boundary; LEVELS.len()],
-    /// From where they are measured, in the mesh's units.
+    /// Reference point of the coordinates, in the mesh's unit.
     pub(super) reference: [f64; 3],
 }
 
 impl Boundaries {
-    /// `None` if there is no work left.
+    /// Computes the boundaries; `None` if no work is left.
     pub(super) fn of(mesh: &Weighted, work: &Work<'_>, threads: Threads) -> Option<Self> {
         let Weighted { welded, patches, .. } = mesh;
         let collinear = Measured::of(welded, patches, threads).collinear;
         let has_area = |t: usize| collinear.binary_search(&(t as u32)).is_err();
         let tree = Tree::of(welded, has_area, threads);
         let met = met(mesh, &tree, &collinear, work, threads);
-        // What has no area closes the surface, and so it is there for what is cut.
+        // Triangles without area close the surface, so they are needed where triangles are cut.
         let with_all = if collinear.is_empty() { None } else { Some(Tree::of(welded, |_| true, threads)) };
         let tree = with_all.as_ref().unwrap_or(&tree);
         let (reference, size) = middle(welded);
@@ -74,13 +74,13 @@ impl Boundaries {
 
 type Levels = [Boundary; LEVELS.len()];
 
-/// Faces in a piece of work.
+/// Number of faces in a piece of work.
 const FACES: usize = 1 << 6;
 
-/// What a piece of a face costs, in visits of a ray: as there is only so much work, there are only so many of them.
+/// Cost of a piece of a face, in visits of a ray; it limits the number of pieces.
 const PIECE: u64 = 256;
 
-/// What cutting one triangle with another costs.
+/// Cost of intersecting one triangle with another, in visits of a ray.
 const SECTION: u64 = 4;
 
 struct Arrangement<'a> {
@@ -91,7 +91,8 @@ struct Arrangement<'a> {
 }
 
 impl Arrangement<'_> {
-    /// The triangles that nothing meets: those that hang together by edges of two have the same windings beside them.
+    /// Adds the triangles that no other triangle intersects. Those connected through edges of two
+    /// triangles have the same winding numbers on their sides.
     fn whole(&self, met: &[bool], has_area: impl Fn(usize) -> bool, threads: Threads) -> Option<Levels> {
         let Weighted { welded, times, edges, .. } = self.mesh;
         let is_whole = |t: usize| !met[t] && has_area(t);
@@ -131,7 +132,7 @@ impl Arrangement<'_> {
         Some(levels)
     }
 
-    /// The pieces of a triangle that others meet.
+    /// Adds the pieces of a triangle that others intersect.
     fn cut(&self, t: usize, levels: &mut Levels) -> Option<()> {
         let (Weighted { welded, times, .. }, Windings { tree, work, .. }) = (self.mesh, &self.windings);
         let corners = welded.triangle(t);
@@ -154,7 +155,7 @@ impl Arrangement<'_> {
         region.pieces(at, counts, work, |piece| self.add(&face, &piece, levels))
     }
 
-    /// The counts just above a face's lower edge, from far below.
+    /// Returns the counts just above a face's lower edge, summed from far below.
     fn at_lower_edge(&self, t: usize, face: &Face, x: f64, lines: &mut Vec<Line>) -> Counts {
         let (Weighted { welded, times, .. }, Windings { tree, work, .. }) = (self.mesh, &self.windings);
         let [at, outside] = face.below([x, face.end[1] * (x / face.end[0])], BEYOND * self.size);
@@ -185,14 +186,15 @@ impl Arrangement<'_> {
     }
 }
 
-/// So many times the size of the mesh away from what is in it is outside.
+/// Distance beyond which a point is outside the mesh, in units of its size.
 const BEYOND: f64 = 1.0625;
 
 fn from(p: [f64; 3], reference: [f64; 3]) -> [f64; 3] {
     core::array::from_fn(|k| p[k] - reference[k])
 }
 
-/// The middle of the box about all points, with few digits, so that little is rounded from there; and the longest of its sides.
+/// Returns the centre of the bounding box of all points, with few digits so that little is rounded
+/// relative to it, and its longest side.
 fn middle(welded: &Welded) -> ([f64; 3], f64) {
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for p in &welded.points {

@@ -1,4 +1,4 @@
-//! Which triangles have nothing in common with others but corners and edges.
+//! Search for triangles that have only corners and edges in common with others.
 
 use core::ops::ControlFlow;
 
@@ -11,10 +11,12 @@ use super::super::weld::Welded;
 use super::super::work::Work;
 use super::weighted::Weighted;
 
-/// For each triangle: may another one meet it beyond the corners and edges that they share? Also where it is only nearly so, but always where
-/// it is so, but for points.
+/// Returns for each triangle true if another one may intersect it beyond their common corners and
+/// edges. The result may be true in near misses, but it is always true for an intersection, except
+/// at points.
 ///
-/// Where neither of the two triangles of an edge is met, nothing lies on the edge: the winding number is the same on both of their outer sides.
+/// If neither of the two triangles of an edge is intersected, nothing lies on the edge, and the
+/// winding numbers on both of their outer sides are equal.
 pub(super) fn met(
     mesh: &Weighted,
     tree: &Tree,
@@ -46,13 +48,13 @@ pub(super) fn met(
     met
 }
 
-/// Leaves in a piece of work.
+/// Number of leaves in a piece of work.
 const LEAVES: usize = 1 << 9;
 
-/// What comparing two triangles costs, in visits of a ray.
+/// Cost of comparing two triangles, in visits of a ray.
 const PAIR: u64 = 4;
 
-/// Of two triangles that have areas and are not the same.
+/// Tests two different triangles, each with an area.
 fn may_meet(welded: &Welded, t: u32, u: u32) -> bool {
     let [own, other] = [t, u].map(|t| welded.corners[t as usize]);
     let [a, b] = [t, u].map(|t| welded.triangle(t as usize));
@@ -71,11 +73,11 @@ fn may_meet(welded: &Welded, t: u32, u: u32) -> bool {
     !(of_t.touch_beside(b) || of_u.touch_beside(a))
 }
 
-/// The corners of a triangle beside the plane of another.
+/// Corners of a triangle relative to the plane of another.
 struct Corners {
     points: [[f64; 3]; 3],
     heights: [f64; 3],
-    /// With the other triangle.
+    /// Corners that the other triangle shares.
     shared: [bool; 3],
 }
 
@@ -85,19 +87,19 @@ impl Corners {
         Self { points, heights: [0, 1, 2].map(height), shared }
     }
 
-    /// All but the shared ones lie on one side.
+    /// Returns true if all corners that are not shared lie on one side of the plane.
     fn are_apart(&self) -> bool {
         let all = |so: fn(f64) -> bool| (0..3).all(|k| self.shared[k] || so(self.heights[k]));
         all(|h| h > 0.0) || all(|h| h < 0.0)
     }
 
-    /// Some that are not shared lie in the plane.
+    /// Returns true if a corner that is not shared lies in the plane.
     fn touch(&self) -> bool {
         (0..3).any(|k| !self.shared[k] && self.heights[k] == 0.0)
     }
 
-    /// The triangle has nothing on one side of the plane, and what it has in it is beyond an edge of the other triangle, but for a shared
-    /// corner on that edge.
+    /// Returns true if the triangle lies on one side of the plane, and its corners in the plane are
+    /// beyond an edge of the other triangle, except for a shared corner on that edge.
     fn touch_beside(&self, other: [[f64; 3]; 3]) -> bool {
         if self.heights.iter().any(|&h| h > 0.0) && self.heights.iter().any(|&h| h < 0.0) {
             return false;

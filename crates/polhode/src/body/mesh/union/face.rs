@@ -1,35 +1,38 @@
-//! The plane of a triangle, and what others have in it.
+//! Plane of a triangle, and the intersections of other triangles with it.
 
 use super::super::predicate::{across, facing, side, turn};
 use super::super::weld::Welded;
 use crate::math::double::Double;
 
-/// A triangle seen along an axis across which it has an area: from its corner with the least x to the one with the largest, the third one above
-/// them.
+/// A triangle projected along an axis for which its projected area is not zero. It extends from its
+/// corner with the smallest x to the one with the largest; the third corner is above them.
 ///
-/// What is computed here is rounded, but each point as a function of where it comes from: an edge of the mesh goes through the plane in one
-/// point for all its triangles, and so what is closed stays closed.
+/// The coordinates computed here are rounded, but each point is a function of its origin only. An
+/// edge of the mesh intersects the plane in the same point for all its triangles, so that closed
+/// lines remain closed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Face {
     corners: [[f64; 3]; 3],
-    /// The axes that are x, y and z here.
+    /// Axes of the mesh that are x, y and z here.
     axes: [usize; 3],
-    /// 1 or −1: y here, for what is y.
+    /// Sign of the y axis, 1 or −1.
     up: f64,
-    /// 1 if x and y as they are here turn as seen from where the normal points, else −1.
+    /// Orientation of (x, y) here as seen from the side to which the normal points: 1 if
+    /// counter-clockwise, else −1.
     pub(super) turns: i32,
-    /// −1 if they turn the other way than the coordinates across the axis.
+    /// Sign of this orientation relative to that of the coordinates perpendicular to the axis.
     mirrored: f64,
     normal: [Double; 3],
-    /// By how much z rises with x and y.
+    /// Slope of z with respect to x and y.
     slope: [f64; 2],
     origin: [f64; 3],
-    /// The corner above, and the last one.
+    /// The upper corner, and the last one.
     pub(super) top: [f64; 2],
     pub(super) end: [f64; 2],
 }
 
-/// A line in a face's plane, and by how much what is counted rises where it is crossed: by so much for what is on the left of it.
+/// A line in a face's plane, with the change of the counts across it, from its right side to its
+/// left.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line {
     pub(super) from: [f64; 2],
@@ -37,11 +40,12 @@ pub(super) struct Line {
     pub(super) rise: Counts,
 }
 
-/// How often the mesh winds about what is just above and just below a place of the face, and how many triangles before this one lie there.
+/// Winding numbers just above and just below a place of the face, and the number of earlier
+/// triangles that cover it.
 pub(super) type Counts = [i32; 3];
 
 impl Face {
-    /// `None` of a triangle whose area is rounded to none.
+    /// Returns the face of a triangle; `None` if its area is rounded to zero.
     pub(super) fn of(corners: [[f64; 3]; 3]) -> Option<Self> {
         let (axis, sign) = facing(corners)?;
         let extent = |k: usize| {
@@ -75,7 +79,7 @@ impl Face {
         [p[x] - self.origin[x], self.up * (p[y] - self.origin[y])]
     }
 
-    /// From the first corner.
+    /// Returns the vector from the first corner to a point of the plane.
     fn offset(&self, [x, y]: [f64; 2]) -> [f64; 3] {
         let mut p = [0.0; 3];
         p[self.axes[0]] = x;
@@ -84,19 +88,20 @@ impl Face {
         p
     }
 
-    /// A point of the plane, from a reference.
+    /// Returns a point of the plane relative to a reference point.
     pub(super) fn point(&self, at: [f64; 2], reference: [f64; 3]) -> [f64; 3] {
         let p = self.offset(at);
         core::array::from_fn(|k| (self.origin[k] - reference[k]) + p[k])
     }
 
-    /// What is so far below a point of the plane, in it.
+    /// Returns a point of the plane and the point in the plane at the distance `by` below it (in
+    /// −y).
     pub(super) fn below(&self, at: [f64; 2], by: f64) -> [[f64; 3]; 2] {
         [at, [at[0], at[1] - by]].map(|at| self.point(at, [0.0; 3]))
     }
 
-    /// Adds what another triangle is for the face: where it goes through planes just above and just below it; or its edges, if it lies in its
-    /// plane and `is_before` it.
+    /// Adds the lines where another triangle crosses the planes just above and just below the face.
+    /// If it lies in the face's plane and `is_before` is true, adds its edges instead.
     pub(super) fn cut(&self, welded: &Welded, t: usize, times: i32, is_before: bool, lines: &mut Vec<Line>) {
         let (numbers, points) = (welded.corners[t], welded.triangle(t));
         let signs = points.map(|p| sign(side(self.corners, p)));
@@ -120,7 +125,7 @@ impl Face {
         }
     }
 
-    /// The edges of a triangle in the plane, if it has an area.
+    /// Adds the edges of a coplanar triangle, if it has an area.
     fn outline(&self, points: [[f64; 3]; 3], lines: &mut Vec<Line>) {
         let axis = self.axes[2];
         let [a, b, c] = points.map(|p| across(axis, p));
@@ -132,8 +137,9 @@ impl Face {
         lines.extend([[a, b], [b, c], [c, a]].map(|[from, to]| Line { from, to, rise: [0, 0, left] }));
     }
 
-    /// From where the edge of a triangle goes down through a plane, to where one comes up again, if corners of such signs are above it: the
-    /// inner side is on the left, as seen from where the normal points.
+    /// Returns the section of a triangle by a plane, from the edge that goes down through it to the
+    /// edge that comes up again. `is_above` classifies the corners by their signs. The inner side
+    /// is on the left, seen from the side to which the normal points.
     fn section(
         &self,
         numbers: [u32; 3],
@@ -151,7 +157,8 @@ impl Face {
         Some([crossing(true)?, crossing(false)?])
     }
 
-    /// Where an edge goes through the plane, whose ends are above it, in it or below it.
+    /// Returns the point where an edge intersects the plane, given the signs of its ends (above, in
+    /// or below the plane).
     fn through(&self, ends: [[f64; 3]; 2], signs: [i32; 2]) -> [f64; 2] {
         let [p, q] = ends.map(|end| self.place(end));
         match signs {
@@ -172,8 +179,9 @@ impl Face {
         if of_p <= of_q { between(p, q, part(of_p, of_q)) } else { between(q, p, part(of_q, of_p)) }
     }
 
-    /// Of a point above the plane, times the length of the normal: with all digits, as planes that are the same but for rounding are crossed
-    /// in places that matter.
+    /// Returns the height of a point above the plane times the length of the normal. It uses
+    /// double-double arithmetic, because the intersections of nearly coincident planes depend on
+    /// the last digits.
     fn height(&self, p: [f64; 3]) -> f64 {
         let term = |k: usize| self.normal[k] * Double::sum(p[k], -self.corners[0][k]);
         (term(0) + term(1) + term(2)).value()
@@ -188,7 +196,7 @@ fn sign(x: f64) -> i32 {
     i32::from(x > 0.0) - i32::from(x < 0.0)
 }
 
-/// (b − a) × (c − a), in two words.
+/// Returns (b − a) × (c − a) in double-double arithmetic.
 fn normal([a, b, c]: [[f64; 3]; 3]) -> [Double; 3] {
     let from = |p: [f64; 3]| -> [Double; 3] { core::array::from_fn(|k| Double::sum(p[k], -a[k])) };
     let (u, v) = (from(b), from(c));

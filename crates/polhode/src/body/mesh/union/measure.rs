@@ -1,19 +1,20 @@
-//! How well the pieces of a surface fit together.
+//! Measure of how well the pieces of a surface fit together.
 
 use super::boundary::Boundary;
 use crate::math::sum::Sum;
 
-/// Of a surface that should be closed.
+/// Volume of a surface that should be closed, and its closure defect.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Closure {
     pub(super) volume: f64,
-    /// By how much the volume may be wrong because of gaps and overlaps.
+    /// Bound of the volume error due to gaps and overlaps.
     pub(super) defect: f64,
 }
 
 impl Closure {
-    /// Of a closed surface ∮ n dA = 0 and ∮ x nᵀ dA = V 1. What differs from that is a volume that is missing or there twice, as seen along one of the
-    /// axes or across two.
+    /// Measures a boundary. A closed surface satisfies ∮ n dA = 0 and ∮ x nᵀ dA = V 1. Any
+    /// deviation is a volume that is missing or counted twice, seen along one of the axes or across
+    /// two.
     pub(super) fn of(boundary: &Boundary) -> Self {
         let (mut areas, mut moments) = ([Sum::default(); 3], [[Sum::default(); 3]; 3]);
         let mut reach = 0.0_f64;

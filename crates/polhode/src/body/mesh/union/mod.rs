@@ -1,17 +1,20 @@
-//! What the parts of a mesh enclose together, each place once.
+//! Union of the parts of a mesh, in which each region counts once.
 //!
-//! The union is where the mesh's winding number is 1 or more. Its boundary is those pieces of triangles that have this on their inner side and not
-//! on their outer one. It is not made as a mesh: for the integrals it is enough to know the pieces, one triangle after the other.
+//! The union is the region where the mesh's winding number is 1 or more. Its boundary consists of
+//! the pieces of triangles with such a number on their inner side and not on their outer side. It
+//! is not built as a mesh, because the integrals need only the pieces, one triangle at a time.
 //!
-//! 1. Triangles that nothing meets are whole, and those that hang together have the same winding numbers beside them, which one ray finds
-//!    exactly (`contact.rs`, `boundary.rs`).
-//! 2. Each of the others is a plane of its own (`face.rs`): what the mesh is just above the plane, and just below it, are closed lines there. Which
-//!    edges go through the plane is decided exactly, so the lines are closed though their corners are rounded. The winding number at a place of
-//!    the plane is what the lines sum to from far below (`region.rs`).
-//! 3. Of triangles in one plane, the first one stands for all where they lie on each other.
+//! 1. A triangle that no other triangle intersects is used whole. Connected triangles of this kind
+//!    have the same winding numbers on their sides, which one ray determines exactly (`contact.rs`,
+//!    `boundary.rs`).
+//! 2. Every other triangle is processed in its own plane (`face.rs`). The intersections of the mesh
+//!    with planes just above and just below it are closed lines. Exact signs decide which edges
+//!    cross the plane, so the lines are closed although their corners are rounded. The winding
+//!    number at a place of the plane is the sum over the lines from far below (`region.rs`).
+//! 3. Of coincident triangles in one plane, the first represents all.
 //!
-//! So all that is inexact is where lines lie, by some last digits. How well the pieces fit is measured (`measure.rs`): a surface with gaps or
-//! overlaps has not the same volume along the three axes.
+//! Only the positions of the lines are inexact, by a few last digits. `measure.rs` measures how
+//! well the pieces fit: a surface with gaps or overlaps has different volumes along the three axes.
 
 mod boundary;
 mod contact;
@@ -35,16 +38,20 @@ use boundary::Boundaries;
 use measure::Closure;
 use weighted::Weighted;
 
-/// The solid that the parts of a mesh are together: what lies in several of them, or twice in one that goes through itself, is there once.
+/// Union of the parts of a mesh: a region that lies in several parts, or twice in a
+/// self-intersecting part, counts once.
 ///
-/// A place belongs to it if the mesh winds about it once or more often. So solids within solids are part of these; what is wound inward within a
-/// solid is a cavity, unless another solid fills it. What it winds about negatively does not belong to it: of a part that is wound inward, or if
-/// it is more than a thousandth of the whole, the mesh is refused ([`BodyError::NegativeUnion`]); of small folds, where a surface goes through itself,
-/// it is left out, and is part of the error.
+/// A place belongs to the union if the winding number of the mesh is 1 or more. Solids inside
+/// solids are therefore merged with them. An inward-oriented part inside a solid is a cavity,
+/// unless another solid fills it. A place with negative winding number does not belong to the
+/// union. If the cause is an inward-oriented part, or if the negative volume exceeds a thousandth
+/// of the whole, the result is an error ([`BodyError::NegativeUnion`]). Small folds, where a
+/// surface intersects itself, are omitted and added to the error estimate.
 ///
-/// The mesh has to be closed: every edge is run along as often one way as the other. Corners are the same vertex when their coordinates are equal,
-/// exactly, and which triangles meet is decided exactly; where they meet is rounded. What that may mean for the volume is measured on the surface
-/// that was found: [`MeshUnion::error`].
+/// The mesh must be closed: every edge is traversed equally often in both directions. Corners are
+/// the same vertex if their coordinates are exactly equal. Exact signs decide which triangles
+/// intersect; the points of intersection are rounded. The effect on the volume is measured on the
+/// computed surface: [`MeshUnion::error`].
 ///
 /// ```
 /// use polhode::body::mesh::{MeshUnion, Triangle, TriangleMesh};
@@ -68,29 +75,32 @@ pub struct MeshUnion {
     shared: f64,
     left_out: f64,
     error: f64,
-    /// What is drawn.
+    /// Surface for drawing.
     surface: TriangleMesh,
     findings: Vec<Finding>,
-    /// The mesh itself, if nothing of it overlaps.
+    /// The mesh itself, if no parts overlap.
     solid: Option<Box<ClosedMesh>>,
 }
 
 impl MeshUnion {
-    /// The union of what the mesh bounds; on all threads of the machine, with the same result on any number of them.
+    /// Computes the union of the parts that the mesh bounds. It uses all threads of the machine;
+    /// the result does not depend on their number.
     ///
     /// # Errors
-    /// Why the mesh bounds nothing, as [`ClosedMesh::of`] says, if it is not closed; [`BodyError::NegativeUnion`];
-    /// [`BodyError::UnionUndecided`] if too many triangles are too near each other; [`BodyError::UnionUnclear`] if the pieces of the surface
-    /// do not fit together to a billionth of the volume; [`BodyError::FlatMesh`], and [`BodyError::Parameter`] if f64 does not hold the
-    /// volume.
+    /// The error of [`ClosedMesh::of`] if the mesh is not closed; [`BodyError::NegativeUnion`];
+    /// [`BodyError::UnionUndecided`] if too many triangles are too close together;
+    /// [`BodyError::UnionUnclear`] if the pieces of the surface do not fit together to a billionth
+    /// of the volume; [`BodyError::FlatMesh`]; and [`BodyError::Parameter`] if the volume overflows
+    /// f64.
     pub fn of(mesh: &TriangleMesh) -> Result<Self, BodyError> {
         Self::watched(mesh, &|| true)
     }
 
-    /// The same as long as it `goes_on`, which is asked often: what would take longer is undecided.
+    /// Works like [`MeshUnion::of`] while `goes_on` returns true. It is called often; when it
+    /// returns false, the result is undecided.
     ///
     /// # Errors
-    /// As [`MeshUnion::of`].
+    /// The errors of [`MeshUnion::of`].
     pub fn watched(mesh: &TriangleMesh, goes_on: &(dyn Fn() -> bool + Sync)) -> Result<Self, BodyError> {
         match ClosedMesh::or_flaws(mesh, 0, goes_on) {
             Ok((solid, _)) if is_apart(solid.diagnosis()) => Ok(Self::of_solid(solid)),
@@ -99,7 +109,7 @@ impl MeshUnion {
                 Self::found(mesh, solid.diagnosis(), unclear, goes_on)
             }
             Err(flaws) => {
-                // Whatever is there twice, what is open is to be closed first.
+                // A boundary must be reported first, even if the mesh also has duplicate triangles.
                 let is_open = |error: &&BodyError| matches!(error, BodyError::OpenMesh { .. });
                 let why_not = flaws.errors().find(is_open).unwrap_or(&flaws.first).clone();
                 Self::found(mesh, &flaws.diagnosis, why_not, goes_on)
@@ -107,7 +117,7 @@ impl MeshUnion {
         }
     }
 
-    /// Is a mesh closed, so that what its parts enclose together can be found?
+    /// Returns true if a mesh is closed, so that its union can be computed.
     pub fn is_possible(diagnosis: &MeshDiagnosis) -> bool {
         let is_closed = |part: &super::MeshComponent| part.role.is_closed();
         diagnosis.boundary.is_empty()
@@ -130,7 +140,7 @@ impl MeshUnion {
         }
     }
 
-    /// Of a mesh of which something overlaps, or `why_not`, if it is not closed.
+    /// Computes the union of a mesh with overlaps; returns `why_not` if it is not closed.
     fn found(
         mesh: &TriangleMesh,
         diagnosis: &MeshDiagnosis,
@@ -162,7 +172,8 @@ impl MeshUnion {
         if !(volume > 0.0 && error <= CLEAR * volume) {
             return Err(BodyError::UnionUnclear { volume: volume * cubed, error: error * cubed });
         }
-        // Slivers of rounded lines may be wound any way, and folds are turned inside out; a part that is has hollowed out others, too.
+        // Slivers between rounded lines may have any orientation, and folds are inverted. An
+        // inverted part also removes volume from others.
         let below = (-negative.volume).max(0.0);
         let is_rounding = below <= negative.defect.max(error).max(CLEAR * 1e-3 * volume);
         let mut parts_of_it = diagnosis.components.iter();
@@ -213,10 +224,12 @@ impl MeshUnion {
         })
     }
 
-    /// The same in another unit of length: every coordinate is times a positive number.
+    /// Returns the union in another unit of length: every coordinate is multiplied by a positive
+    /// `factor`.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] for a number that is not positive and finite, and if f64 does not hold the volume then.
+    /// [`BodyError::Parameter`] for a factor that is not positive and finite, or if the scaled
+    /// volume overflows f64.
     pub fn scaled(self, factor: f64) -> Result<Self, BodyError> {
         let factor = positive("the factor of a mesh", factor)?;
         if let Some(solid) = self.solid {
@@ -240,49 +253,51 @@ impl MeshUnion {
         })
     }
 
-    /// Enclosed volume, m³.
+    /// Returns the enclosed volume, m³.
     pub const fn volume(&self) -> f64 {
         self.spread.extent.measure()
     }
 
-    /// The volume that lies in more than one part, or more than once in one, and is counted once, m³.
+    /// Returns the volume, m³, that lies in more than one part, or more than once in one, and is
+    /// counted once.
     pub const fn shared(&self) -> f64 {
         self.shared
     }
 
-    /// Parts that hang together by their edges, cavities apart.
+    /// Returns the number of components, without cavities.
     pub const fn parts(&self) -> usize {
         self.parts
     }
 
-    /// The volume of folds that the mesh winds about the wrong way round, and that was left out, m³.
+    /// Returns the volume of folds with negative winding number, which was omitted, m³.
     pub const fn left_out(&self) -> f64 {
         self.left_out
     }
 
-    /// What the volume may be off, m³: how much it differs between the axes along which the surface is summed over, some rounding, and what was
-    /// left out. Nothing if no parts overlap.
+    /// Returns the estimated error of the volume, m³: its variation between the axes of summation,
+    /// rounding, and the omitted volume. Zero if no parts overlap.
     pub const fn error(&self) -> f64 {
         self.error
     }
 
-    /// How far the mass properties may be off if so much volume may belong to the union or not, as [`ClosedMesh::effect`] says: of
-    /// [`MeshUnion::error`], what is rounded.
+    /// Returns bounds of the errors of the mass properties if `volume` may or may not belong to the
+    /// union, as in [`ClosedMesh::effect`]. For the rounding error, pass [`MeshUnion::error`].
     pub fn effect(&self, volume: f64, beyond: f64) -> MeshEffect {
         MeshEffect::of(&self.spread, self.surface.coordinates(), volume, beyond)
     }
 
-    /// All triangles of the mesh, each once, normals outward: what is inside is there, too.
+    /// Returns all triangles of the mesh, each once, with outward normals, including those inside
+    /// other parts.
     pub const fn surface(&self) -> &TriangleMesh {
         &self.surface
     }
 
-    /// The mesh itself, if nothing overlaps.
+    /// Returns the mesh itself, if no parts overlap.
     pub fn solid(&self) -> Option<&ClosedMesh> {
         self.solid.as_deref()
     }
 
-    /// What was corrected besides, and what is worth a remark.
+    /// Returns the other corrections and remarks.
     pub fn findings(&self) -> &[Finding] {
         &self.findings
     }
@@ -293,7 +308,7 @@ impl Shape for MeshUnion {
         self.spread
     }
 
-    /// Area of the boundary, m².
+    /// Returns the area of the union's boundary, m².
     fn surface_area(&self) -> f64 {
         self.area
     }
@@ -303,23 +318,23 @@ impl Shape for MeshUnion {
     }
 }
 
-/// Whether all of a solid's surface is between what is in it and what is not.
+/// Returns true if the whole surface of a solid separates its inside from its outside.
 fn is_apart(diagnosis: &MeshDiagnosis) -> bool {
     diagnosis.self_overlaps.is_empty() && diagnosis.contacts.is_empty() && diagnosis.back_to_back.is_empty()
 }
 
-/// Components that are no cavities.
+/// Returns the number of components that are neither cavities nor flat.
 fn parts(diagnosis: &MeshDiagnosis) -> usize {
     let is_part = |role| !matches!(role, ComponentRole::Cavity | ComponentRole::Flat);
     diagnosis.components.iter().filter(|part| is_part(part.role)).count()
 }
 
-/// The largest error that is let through, of the volume.
+/// Largest accepted error, relative to the volume.
 const CLEAR: f64 = 1e-9;
 
-/// The most that folds may enclose the wrong way round, of the volume.
+/// Largest accepted negative volume of folds, relative to the volume.
 const FOLDS: f64 = 1e-3;
 
-/// Steps for a mesh, and more for each of its triangles, as for its diagnosis.
+/// Step limit for a mesh, and its increment per triangle, as for the diagnosis.
 const STEPS: u64 = 300_000_000;
 const STEPS_EACH: u64 = 2_000;

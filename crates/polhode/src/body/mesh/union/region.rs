@@ -1,50 +1,54 @@
-//! The parts of a face that are boundaries of what the mesh encloses once, twice, or negatively.
+//! Pieces of a face that bound the regions with winding number at least 1, at least 2, or negative.
 //!
-//! The face is cut along the lines x = c through all ends and crossings of the lines on it. Between two of these cuts the lines are in one order from
-//! below to above, and what is counted changes where one is crossed. So a line that is misplaced by rounding, or in the wrong order with
-//! another one that it touches, only counts for the sliver in between: whatever the lines are, what they enclose is right but for the rounding of
-//! their places.
+//! The face is cut along the lines x = c through all end points and crossings of the lines on it.
+//! Between two such cuts the lines have a fixed order from bottom to top, and the counts change at
+//! each line. A line that rounding displaces, or puts in the wrong order with another line that it
+//! touches, only affects the sliver between them. The enclosed regions are therefore correct to
+//! within the rounding of the lines' positions.
 
 use super::super::work::Work;
 use super::face::{Counts, Face, Line, cross};
 
-/// What the surface is the boundary of: where the mesh winds about a place at least so often.
+/// Levels whose regions are computed: winding number at least 1, at least 2, at least 0.
 pub(super) const LEVELS: [i32; 3] = [1, 2, 0];
 
-/// A piece of the surface between two lines of a face, for the level of so much: 1 with the face's outer side outward, −1 with it inward.
+/// A piece of the surface between two lines of a face, for one level: `side` is 1 if the face's
+/// outer side is outward, −1 if it is inward.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
     pub(super) level: usize,
     pub(super) side: i32,
-    /// Counter-clockwise as x and y are.
+    /// Corners, counter-clockwise in (x, y).
     pub(super) corners: [[f64; 2]; 4],
 }
 
-/// By which of its sides a place of a face is a boundary: 1 if what is below it counts and what is above it does not, −1 the other way round.
+/// Returns how a place of a face bounds the region of a level: 1 if the place just below belongs to
+/// it and the place just above does not, −1 in the opposite case, 0 otherwise.
 pub(super) fn side_of(level: i32, [above, below, before]: Counts) -> i32 {
     if before == 0 { i32::from(below >= level) - i32::from(above >= level) } else { 0 }
 }
 
-/// The lines on a face, and how the counts change along its lower edge.
+/// Lines on a face, and the changes of the counts along its lower edge.
 #[derive(Debug, Default)]
 pub(super) struct Region {
-    /// Its own three edges come first: the lower one, the upper one up to its top, and that behind it. From left to right, none upright.
+    /// The face's three edges first: the lower one, the upper one up to the top corner, and the
+    /// upper one behind it. All lines run from left to right; none is vertical.
     lines: Vec<Line>,
-    /// Where counts change just above the lower edge, and by how much; ascending.
+    /// Positions x where counts change just above the lower edge, and the changes; ascending.
     steps: Vec<(f64, Counts)>,
-    /// Where lines end or cross, from the first corner to the last.
+    /// Positions x of ends and crossings of lines, from the first corner to the last.
     cuts: Vec<f64>,
 }
 
-/// What a crossing costs, in visits of a ray: as there is only so much work, there are only so many of them.
+/// Cost of a crossing, in visits of a ray; it limits the number of crossings.
 const CROSSING: u64 = 32;
 
-/// The numbers of a face's own edges.
+/// Indices of a face's own edges in `lines`.
 const LOWER: usize = 0;
 const UPPER: [usize; 2] = [1, 2];
 
 impl Region {
-    /// Of the lines on a face; `None` if there is no work left.
+    /// Prepares the lines on a face; `None` if no work is left.
     pub(super) fn of(face: &Face, lines: &[Line], work: &Work<'_>) -> Option<Self> {
         let Face { top, end, .. } = *face;
         let edge = |from, to| Line { from, to, rise: [0; 3] };
@@ -92,13 +96,14 @@ impl Region {
         Some(())
     }
 
-    /// The middle of the widest strip: far from where anything ends.
+    /// Returns the middle of the widest strip, far from all end points.
     pub(super) fn middle(&self) -> f64 {
         let strips = self.cuts.windows(2).map(|strip| (strip[1] - strip[0], 0.5 * (strip[0] + strip[1])));
         strips.max_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |strip| strip.1)
     }
 
-    /// Gives all pieces that are boundaries, if just above the lower edge the counts are these at some x; `None` if there is no work left.
+    /// Passes all boundary pieces to `piece`, given the `counts` just above the lower edge at x =
+    /// `at`; `None` if no work is left.
     pub(super) fn pieces(
         &self,
         at: f64,
@@ -174,7 +179,7 @@ impl Region {
     }
 }
 
-/// What is kept between two lines from some x on.
+/// Band between two lines that belongs to the boundary, from some x on.
 #[derive(Clone, Copy, Debug)]
 struct Band {
     level: usize,
@@ -190,10 +195,10 @@ impl Band {
     }
 }
 
-/// What a line is for what is above the lower edge of a face.
+/// Effect of a line on the region above the lower edge of a face.
 struct Cut {
     above: Option<Line>,
-    /// Where it goes through that edge's line, and how counts change there.
+    /// Position where it crosses the line of that edge, and the change of the counts there.
     step: Option<(f64, Counts)>,
 }
 
@@ -217,7 +222,7 @@ impl Cut {
         }
     }
 
-    /// How much it adds to what is counted from far below up to the lower edge at this x.
+    /// Returns its contribution to the counts summed from far below up to the lower edge at this x.
     fn below(&self, line: Line, x: f64) -> Counts {
         let line = rightward(line);
         let spans = |line: &Line| line.from[0] <= x && x < line.to[0];
@@ -225,12 +230,13 @@ impl Cut {
     }
 }
 
-/// How much a line adds to what is counted from far below up to the lower edge of a face, at this x.
+/// Returns the contribution of a line to the counts summed from far below up to the lower edge of a
+/// face, at this x.
 pub(super) fn rise_below(face: &Face, line: Line, x: f64) -> Counts {
     Cut::of(face, line).below(line, x)
 }
 
-/// The same line from left to right.
+/// Returns the line oriented from left to right.
 fn rightward(line: Line) -> Line {
     if line.from[0] <= line.to[0] {
         return line;
@@ -238,7 +244,7 @@ fn rightward(line: Line) -> Line {
     Line { from: line.to, to: line.from, rise: minus([0; 3], line.rise) }
 }
 
-/// What is below the line through two points.
+/// Returns the part of a line below the line through two points.
 fn under(line: Line, a: [f64; 2], b: [f64; 2]) -> Option<Line> {
     let depth = |p: [f64; 2]| cross([p[0] - a[0], p[1] - a[1]], [b[0] - a[0], b[1] - a[1]]);
     let [of_from, of_to] = [line.from, line.to].map(depth);
@@ -250,13 +256,15 @@ fn under(line: Line, a: [f64; 2], b: [f64; 2]) -> Option<Line> {
     }
 }
 
-/// The point of a line where what is so much at its ends, with different signs, is zero.
+/// Returns the point of a line where a linear function vanishes, given its values of opposite sign
+/// at the ends.
 fn between(Line { from, to, .. }: Line, of_from: f64, of_to: f64) -> [f64; 2] {
     let part = of_from / (of_from - of_to);
     [0, 1].map(|k| (from[k] + part * (to[k] - from[k])).clamp(from[k].min(to[k]), from[k].max(to[k])))
 }
 
-/// The y of a line at an x; of an upright edge, which a strip as narrow as rounding may reach, that of its start.
+/// Returns the y of a line at an x. For a vertical edge (in a strip as narrow as rounding) it
+/// returns the y of its start.
 fn height(Line { from, to, .. }: &Line, x: f64) -> f64 {
     let width = to[0] - from[0];
     let part = if width > 0.0 { ((x - from[0]) / width).clamp(0.0, 1.0) } else { 0.0 };

@@ -1,4 +1,4 @@
-//! A closed mesh in which every triangle is there once, with the number of times that it was there.
+//! A closed mesh in which every triangle occurs once, with its multiplicity.
 
 use super::super::TriangleMesh;
 use super::super::edges::{Edges, start_of};
@@ -6,7 +6,8 @@ use super::super::patches::Patches;
 use super::super::threads::Threads;
 use super::super::weld::{Welded, is_proper};
 
-/// Triangles that are there once each and count so many times, wound so that this is positive; those that cancel are left out.
+/// Triangles that occur once each, with their multiplicity, oriented such that it is positive;
+/// triangles that cancel are omitted.
 #[derive(Debug)]
 pub(super) struct Weighted {
     pub(super) welded: Welded,
@@ -16,8 +17,9 @@ pub(super) struct Weighted {
 }
 
 impl Weighted {
-    /// `None` of what is not closed, every edge run along as often one way as the other. Triangles that are clearly wound against the others of
-    /// their component are turned; with `inward` all are.
+    /// Builds the mesh; `None` if it is not closed, that is, if an edge is not traversed equally
+    /// often in both directions. Triangles oriented against a clear majority of their component are
+    /// reversed; with `inward`, all are reversed.
     pub(super) fn of(mesh: &TriangleMesh, inward: bool, threads: Threads) -> Option<Self> {
         let mut welded = Welded::of(mesh, threads);
         let edges = Edges::of(&welded.corners, welded.points.len(), threads);
@@ -53,7 +55,8 @@ impl Weighted {
     }
 }
 
-/// The first triangle of each three corners, as it is wound most often, and how often that is more; in the mesh's order.
+/// Returns for each set of three corners its first triangle in the majority orientation, and the
+/// excess over the opposite orientation; in the order of the mesh.
 fn merged(corners: &[[u32; 3]]) -> Vec<(u32, [u32; 3], i32)> {
     let mut keys: Vec<([u32; 3], u32)> =
         (0..).zip(corners).filter(|(_, c)| is_proper(c)).map(|(t, c)| (sorted(*c), t)).collect();
@@ -76,7 +79,7 @@ fn sorted(mut corners: [u32; 3]) -> [u32; 3] {
     corners
 }
 
-/// Of the same three corners.
+/// Returns true if two triangles with the same corners have the same orientation.
 fn is_same_way([a, b, c]: [u32; 3], other: [u32; 3]) -> bool {
     [[a, b, c], [b, c, a], [c, a, b]].contains(&other)
 }

@@ -1,4 +1,4 @@
-//! Tensors that come of mistakes.
+//! Tensors that result from mistakes.
 
 use super::law::Law;
 use super::name::Cause;
@@ -7,14 +7,14 @@ use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Position;
 use crate::motion::task::scenario::Scenario;
 
-/// The orders of three things but the usual one.
+/// Permutations of three items, except the identity.
 const ORDERS: [[usize; 3]; 5] = [[0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
-/// Products below this part of the greatest moment are none.
+/// Threshold below which products of inertia count as zero, relative to the largest moment.
 const NO_PRODUCTS: f64 = 1e-14;
 
 impl<'a> Trials<'a> {
-    /// Tensors along other axes, with other products, about other points.
+    /// Tries tensors along other axes, with other products of inertia, and about other points.
     pub(super) fn try_tensors(&mut self, scenario: &Scenario) {
         let law = self.law.clone();
         let tensor = *law.tensor();
@@ -51,16 +51,17 @@ impl<'a> Trials<'a> {
     }
 }
 
-/// Rᵀ D R of all R whose columns are the principal axes: in each order, with each sign.
+/// Returns Rᵀ D R for every R whose columns are the principal axes, in each order and with each
+/// sign.
 fn transposed<'l>(law: &'l Law<'_>) -> impl Iterator<Item = Symmetric3> + 'l {
     let orders = [[0, 1, 2]].into_iter().chain(ORDERS);
     orders.flat_map(move |order| {
         (0..4).map(move |signs| {
-            // An axis reversed is an axis; all three reversed change nothing.
+            // Reversing an axis gives an axis again; reversing all three has no effect.
             let sign = |k: usize| if signs == k + 1 { -1.0 } else { 1.0 };
             let chosen = order.map(|k| law.principal[k]);
             let axes: [[f64; 3]; 3] = core::array::from_fn(|k| (chosen[k].1 * sign(k)).to_array());
-            // Rᵀ has the axes as its rows; (Rᵀ) D (Rᵀ)ᵀ
+            // Rᵀ has the axes as its rows: (Rᵀ) D (Rᵀ)ᵀ.
             Symmetric3::diagonal(chosen.map(|(moment, _)| moment)).rotated(&axes)
         })
     })

@@ -1,15 +1,16 @@
-//! The motion of a law, right or wrong, by extrapolation.
+//! Integration of a correct or wrong law by extrapolation.
 
 use super::law::{Law, Numbers, advanced, derivative, numbers, state};
 use crate::motion::model::state::State;
 
-/// The angle of a step, rad: its error is about 1e-10.
+/// Rotation angle per step, rad; the error is about 1e-10.
 const ANGLE: f64 = 0.4;
 
-/// The same where ω may be cut off after a step.
+/// Rotation angle per step if ω may be limited after a step, rad.
 const CUT_ANGLE: f64 = 0.01;
 
-/// The motion from a start to each of ascending times: as far as it goes, no further than so many steps, and while `is_of_use` says so of each state.
+/// Integrates the motion from a start to each of the ascending times, for at most `most` steps, and
+/// while `is_of_use` returns true for each state.
 ///
 /// Each step is Gragg's modified midpoint rule with 2, 4, 6 and 8 parts, extrapolated: order 8.
 pub(super) fn follow(

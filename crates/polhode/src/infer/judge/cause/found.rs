@@ -1,63 +1,70 @@
-//! What came of trying causes.
+//! Results of trying causes.
 
 use core::fmt;
 
 use super::name::Cause;
 
-/// Causes of a run's error, each tried: the motion that a program with this mistake makes from the same start, against the run.
+/// Causes of a run's error, each tried: the motion of a program with this mistake, from the same
+/// start, is compared with the run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Causes {
-    /// All that were tried, best first.
+    /// All causes that were tried, best first.
     pub tried: Vec<TriedCause>,
-    /// rms of the angle between the run and the exact motion over the rows that were compared, rad.
+    /// RMS angle between the run and the exact motion over the compared rows, rad.
     pub error: f64,
-    /// The first and the last time compared, s: from the start until the run and the exact motion have lost each other.
+    /// First and last compared time, s: from the start until the run and the exact motion have
+    /// diverged.
     pub span: [f64; 2],
-    /// From where they were tried.
+    /// Start state of the trials.
     pub start: TriedStart,
-    /// Why none was tried.
+    /// Reason why no cause was tried; `None` if causes were tried.
     pub untried: Option<Untried>,
 }
 
-/// One cause that was tried.
+/// Result of trying one cause.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TriedCause {
-    /// What the program would do.
+    /// Mistake or method of the program.
     pub cause: Cause,
-    /// rms of the angle between the run and what such a program computes, rad.
+    /// RMS angle between the run and the motion of such a program, rad.
     pub residual: f64,
-    /// rms of the angle between the run and the exact motion over the same rows, rad.
+    /// RMS angle between the run and the exact motion over the same rows, rad.
     pub error: f64,
-    /// The part of the error that the cause explains, 1 − residual/error; 0 or less if none of it.
+    /// Fraction of the error that the cause explains, 1 − residual/error; 0 or less if it explains
+    /// nothing.
     pub explained: f64,
-    /// Whether it explains the run: well enough, and no other one much better.
+    /// True if the cause explains the run: its fit is good enough, and no other cause is much
+    /// better.
     pub is_named: bool,
     pub(super) score: f64,
     pub(super) passes: bool,
 }
 
-/// From where causes were tried.
+/// Start state of the trials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TriedStart {
-    /// The scenario's start.
+    /// Start of the scenario.
     Scenario,
-    /// The run's first row, which is not the scenario's start; all errors are those of motions from there.
+    /// First row of the run, which differs from the scenario's start; all errors refer to motions
+    /// from there.
     FirstRow,
 }
 
-/// Why no cause was tried.
+/// Reason why no cause was tried.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Untried {
-    /// Over the rows that are compared the run is the exact motion to 1e-8 rad: there is nothing to explain.
+    /// Exact: over the compared rows the run equals the exact motion to 1e-8 rad, so there is
+    /// nothing to explain.
     Exact,
-    /// Fewer than two rows can be compared.
+    /// Too short: fewer than two rows can be compared.
     TooShort,
-    /// The motion of the scenario is given, not computed.
+    /// Prescribed: the motion of the scenario is given, not computed.
     Prescribed,
-    /// Events switch torques on or off.
+    /// Switched: events switch torques on or off.
     Switched,
-    /// The run begins so long after the scenario's start that wrong motions cannot be followed from there.
+    /// Late: the run begins so long after the scenario's start that wrong motions cannot be
+    /// integrated from there.
     Late,
 }
 
@@ -73,7 +80,7 @@ impl fmt::Display for Untried {
     }
 }
 
-/// A score this many times the best is not named beside it.
+/// Largest ratio of a score to the best score for which a cause is also named.
 const BESIDE: f64 = 10.0;
 
 impl Causes {
@@ -82,9 +89,10 @@ impl Causes {
         Self { tried, error: 0.0, span: [0.0; 2], start, untried }
     }
 
-    /// Sorted, and named.
+    /// Sorts the causes and marks those that are named.
     pub(super) fn ranked(mut self) -> Self {
-        // Another start explains whatever begins with it: what explains the run from the right one comes before.
+        // A different start explains every motion from it, so causes that explain the run from the
+        // scenario's start are ranked first.
         let elsewhere = |tried: &TriedCause| matches!(tried.cause, Cause::OtherStart { .. });
         self.tried.sort_by(|a, b| {
             let order = b.passes.cmp(&a.passes).then(elsewhere(a).cmp(&elsewhere(b)));
@@ -97,17 +105,17 @@ impl Causes {
         self
     }
 
-    /// The causes that explain the run, best first.
+    /// Returns the causes that explain the run, best first.
     pub fn named(&self) -> impl Iterator<Item = &TriedCause> {
         self.tried.iter().filter(|tried| tried.is_named)
     }
 
-    /// The likeliest.
+    /// Returns the most likely cause.
     pub fn likeliest(&self) -> Option<&TriedCause> {
         self.named().next()
     }
 
-    /// The likeliest, if it is a mistake.
+    /// Returns the most likely cause if it is a mistake.
     pub fn mistake(&self) -> Option<&TriedCause> {
         self.likeliest().filter(|tried| tried.cause.is_mistake())
     }

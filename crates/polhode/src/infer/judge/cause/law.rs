@@ -1,4 +1,4 @@
-//! Euler's equations as a program may have them: right, or with mistakes.
+//! Euler's equations as a program may implement them: correct, or with mistakes.
 
 use crate::math::frame::{Body, Space};
 use crate::math::rotation::{Attitude, Rotation};
@@ -9,47 +9,49 @@ use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 use crate::motion::task::scenario::Scenario;
 
-/// What is computed along body axes, whatever its quantity.
+/// Vector along body axes, of any quantity.
 pub(super) type BodyVector = Direction<Body>;
 
-/// I ω̇ = L × Ω + N − ḣ − c I ω with L = I ω + h, and q̇ = ½ q Ω: right if Ω = ω (that of the sinks apart) and c = 0.
+/// Law of motion I ω̇ = L × Ω + N − ḣ − c I ω with L = I ω + h, and q̇ = ½ q Ω; correct if Ω = ω
+/// (apart from energy sinks) and c = 0.
 #[derive(Clone, Debug)]
 pub(super) struct Law<'a> {
-    /// What torques are torques on.
+    /// Rotor on which the torques act.
     pub(super) rotor: Rotor,
-    /// Those that act, each with what is made of it.
+    /// Acting torques, each with its use in this law.
     pub(super) torques: Vec<(&'a TorqueModel, TorqueUse)>,
-    /// I, possible or not.
+    /// Inertia tensor I, kg·m², possible or not.
     pub(super) tensor: Symmetric3,
-    /// I⁻¹
+    /// Inverse I⁻¹ of the tensor.
     pub(super) inverse: Symmetric3,
-    /// Moments and axes of the tensor.
+    /// Principal moments and axes of the tensor.
     pub(super) principal: [(f64, BodyVector); 3],
-    /// What stands for L × ω.
+    /// Form of the gyroscopic term L × ω.
     pub(super) gyroscopic: Gyroscopic,
-    /// By which numbers the attitude turns.
+    /// Angular velocity used for the attitude.
     pub(super) turning: Turning,
-    /// c, 1/s.
+    /// Damping c, 1/s.
     pub(super) damping: f64,
-    /// The greatest |ω|, rad/s.
+    /// Limit of |ω|, rad/s.
     pub(super) speed_limit: f64,
 }
 
-/// The gyroscopic term.
+/// Form of the gyroscopic term.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Gyroscopic {
-    /// L × ω
+    /// Correct: L × ω.
     Right,
-    /// Zero.
+    /// Omitted: zero.
     LeftOut,
-    /// L × Ω with the Ω by which the attitude turns: L is kept in space and taken into the body by that attitude.
+    /// L × Ω with the Ω of the attitude: L is constant in space and is converted to body axes with
+    /// that attitude.
     OfAttitude,
 }
 
-/// The angular velocity of the attitude.
+/// Angular velocity used for the attitude.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Turning {
-    /// Ω = ω
+    /// Correct: Ω = ω.
     Right,
     /// q̇ = ½ ω q with ω along body axes.
     BodyAsSpace,
@@ -57,31 +59,32 @@ pub(super) enum Turning {
     SpaceAsBody,
 }
 
-/// What is made of a torque.
+/// Use of a torque in a law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct TorqueUse {
-    /// What it is multiplied by.
+    /// Factor of the torque.
     pub(super) factor: f64,
-    /// Along which axes its components are taken to be.
+    /// Axes to which the program assigns the components.
     pub(super) axes: TorqueAxes,
 }
 
-/// Along which axes a torque's components are taken to be.
+/// Axes to which a program assigns the components of a torque.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum TorqueAxes {
-    /// Those that they are along.
+    /// Correct axes.
     Right,
-    /// Components along body axes are taken along those of space.
+    /// Components along body axes are used along space axes.
     BodyAsSpace,
-    /// Components along space axes are taken along those of the body.
+    /// Components along space axes are used along body axes.
     SpaceAsBody,
 }
 
-/// A moment below this part of the greatest is that of a rod about its own line.
+/// Threshold below which a moment counts as zero (a rod about its own line), relative to the
+/// largest.
 const MASSLESS: f64 = 1e-13;
 
 impl<'a> Law<'a> {
-    /// The right one.
+    /// Returns the correct law of a scenario.
     pub(super) fn of(scenario: &'a Scenario) -> Self {
         let off = scenario.switched_off();
         let acting = scenario.torques().iter().enumerate().filter(|(k, _)| !off.contains(k));
@@ -102,7 +105,7 @@ impl<'a> Law<'a> {
         .with_tensor(tensor)
     }
 
-    /// With another tensor, possible or not.
+    /// Returns the law with another tensor, possible or not.
     pub(super) fn with_tensor(&self, tensor: Symmetric3) -> Self {
         let eigen = tensor.eigen();
         let least = MASSLESS * tensor.max_abs();
@@ -116,14 +119,14 @@ impl<'a> Law<'a> {
         Self { rotor, tensor, inverse, principal, ..self.clone() }
     }
 
-    /// Without wheels, of a body whose tensor is `tensor`.
+    /// Returns the law without wheels, for a body with this tensor.
     pub(super) fn without_wheels(&self, tensor: Symmetric3) -> Self {
         let mut law = self.with_tensor(tensor);
         law.rotor = law.rotor.with_wheels(&[]).unwrap_or_else(|_| self.rotor.clone());
         law
     }
 
-    /// With another use of one torque, or of all.
+    /// Returns the law with another use of one torque, or of all if `which` is `None`.
     pub(super) fn using(&self, which: Option<usize>, usage: TorqueUse) -> Self {
         let mut law = self.clone();
         for (k, (_, used)) in law.torques.iter_mut().enumerate() {
@@ -134,37 +137,37 @@ impl<'a> Law<'a> {
         law
     }
 
-    /// How many torques act.
+    /// Returns the number of acting torques.
     pub(super) const fn torque_count(&self) -> usize {
         self.torques.len()
     }
 
-    /// What a torque is called.
+    /// Returns the name of a torque.
     pub(super) fn torque_name(&self, which: usize) -> &'static str {
         self.torques.get(which).map_or("torque", |(torque, _)| torque.name())
     }
 
-    /// True if wheels spin inside.
+    /// Returns true if the body has wheels.
     pub(super) fn has_wheels(&self) -> bool {
         !self.rotor.wheels().is_empty()
     }
 
-    /// The tensor.
+    /// Returns the tensor, kg·m².
     pub(super) const fn tensor(&self) -> &Symmetric3 {
         &self.tensor
     }
 
-    /// Σ h a of the wheels.
+    /// Returns Σ h a of the wheels, kg·m²/s.
     pub(super) fn wheel_momentum(&self, time: f64) -> BodyVector {
         if self.has_wheels() { self.rotor.wheel_momentum(time).as_quantity() } else { BodyVector::ZERO }
     }
 
-    /// L = I ω + h.
+    /// Returns L = I ω + h, kg·m²/s.
     pub(super) fn momentum(&self, state: &State) -> BodyVector {
         BodyVector::from_array(self.tensor.apply(state.omega.to_array())) + self.wheel_momentum(state.time)
     }
 
-    /// ω = I⁻¹ (L − h).
+    /// Returns ω = I⁻¹ (L − h), rad/s.
     pub(super) fn omega(&self, momentum: BodyVector, time: f64) -> AngularVelocity<Body> {
         self.over_inertia(momentum - self.wheel_momentum(time)).as_quantity()
     }
@@ -173,7 +176,7 @@ impl<'a> Law<'a> {
         BodyVector::from_array(self.inverse.apply(v.to_array()))
     }
 
-    /// N − ḣ of the torques that act just after the time `since`.
+    /// Returns N − ḣ for the torques that act just after the time `since`, N·m.
     pub(super) fn torque(&self, state: &State, since: f64) -> BodyVector {
         let mut sum = BodyVector::ZERO;
         for (torque, TorqueUse { factor, axes }) in &self.torques {
@@ -189,13 +192,13 @@ impl<'a> Law<'a> {
         if self.has_wheels() { sum - self.rotor.motor_torque(since).as_quantity() } else { sum }
     }
 
-    /// N alone.
+    /// Returns N without the motor torques, N·m.
     pub(super) fn outer_torque(&self, state: &State) -> BodyVector {
         let motors: BodyVector = self.rotor.motor_torque(state.time).as_quantity();
         self.torque(state, state.time) + motors
     }
 
-    /// Ω, by which the attitude turns.
+    /// Returns Ω, the angular velocity used for the attitude, rad/s.
     pub(super) fn turning(&self, state: &State) -> BodyVector {
         let omega: BodyVector = state.omega.as_quantity();
         match self.turning {
@@ -205,7 +208,7 @@ impl<'a> Law<'a> {
         }
     }
 
-    /// ω̇
+    /// Returns ω̇, rad/s².
     pub(super) fn acceleration(&self, state: &State, since: f64) -> BodyVector {
         let omega: BodyVector = state.omega.as_quantity();
         let momentum = self.momentum(state);
@@ -220,14 +223,15 @@ impl<'a> Law<'a> {
         self.over_inertia(sunk + self.torque(state, since)) - omega * self.damping
     }
 
-    /// When a torque begins or ends next after a time.
+    /// Returns the next time after `time` at which a torque starts or ends, s.
     pub(super) fn next_change(&self, time: f64) -> f64 {
         let torques = self.torques.iter().map(|(torque, _)| torque.next_change(time));
         let wheels = self.rotor.wheels().iter().map(|wheel| wheel.next_change(time));
         torques.chain(wheels).fold(f64::INFINITY, f64::min)
     }
 
-    /// How fast a state changes, 1/s: its steps are a part of the inverse.
+    /// Returns a characteristic rate of change of a state, 1/s; step sizes are a fraction of its
+    /// inverse.
     pub(super) fn rate(&self, state: &State) -> f64 {
         let (omega, turning) = (state.omega.norm(), self.turning(state).norm());
         let wheels = self.over_inertia(self.wheel_momentum(state.time)).norm();
@@ -236,7 +240,7 @@ impl<'a> Law<'a> {
     }
 }
 
-/// The attitude and ω as seven numbers.
+/// Attitude quaternion and ω as seven numbers.
 pub(super) type Numbers = [f64; 7];
 
 pub(super) fn numbers(state: &State) -> Numbers {
@@ -249,7 +253,7 @@ pub(super) fn state(time: f64, [w, x, y, z, a, b, c]: Numbers) -> State {
     State { time, attitude, omega: AngularVelocity::new(a, b, c) }
 }
 
-/// q̇ = ½ q Ω, of a quaternion of any length, and ω̇.
+/// Returns q̇ = ½ q Ω, for a quaternion of any length, and ω̇.
 pub(super) fn derivative(law: &Law<'_>, time: f64, numbers: &Numbers, since: f64) -> Numbers {
     let [w, x, y, z, ..] = *numbers;
     let state = state(time, *numbers);
@@ -266,7 +270,7 @@ pub(super) fn derivative(law: &Law<'_>, time: f64, numbers: &Numbers, since: f64
     ]
 }
 
-/// y + s d
+/// Returns y + s d.
 pub(super) fn advanced(y: &Numbers, s: f64, d: &Numbers) -> Numbers {
     core::array::from_fn(|k| y[k] + s * d[k])
 }

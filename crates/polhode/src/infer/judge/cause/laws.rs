@@ -5,11 +5,11 @@ use super::name::Cause;
 use super::trial::{Trials, fitted};
 use crate::motion::model::state::State;
 
-/// Where engines cut |ω| off unless they are told otherwise, rad/s: Unity, Jolt, PhysX.
+/// Default limits of |ω| in engines, rad/s: Unity, Jolt, PhysX.
 const LIMITS: [f64; 3] = [7.0, 47.123_889_803_846_9, 100.0];
 
 impl<'a> Trials<'a> {
-    /// Euler's equations with mistakes.
+    /// Tries Euler's equations with mistakes.
     pub(super) fn try_equations(&mut self) {
         let law = self.law.clone();
         self.try_law(Cause::NoGyroscopicTerm, &Law { gyroscopic: Gyroscopic::LeftOut, ..law.clone() });
@@ -21,20 +21,21 @@ impl<'a> Trials<'a> {
         }
     }
 
-    /// ω damped, or cut off.
+    /// Tries damping of ω, and a limit of |ω|.
     pub(super) fn try_damping(&mut self) {
         let law = self.law.clone();
         let free = Law { gyroscopic: Gyroscopic::LeftOut, ..law.clone() };
         let scale = 1e-3 / self.duration();
         for base in [&law, &free] {
-            // The gyroscopic term counts more than damping while the run and the exact motion are near each other.
+            // The gyroscopic term is more important than damping while the run and the exact motion
+            // are close together.
             let term = self.tried.iter().find(|tried| tried.cause == Cause::NoGyroscopicTerm);
             if base.gyroscopic == Gyroscopic::LeftOut && term.is_some_and(|tried| tried.explained < 0.3) {
                 continue;
             }
             let damped = |rate: f64| Law { damping: rate, ..base.clone() };
             let Some(rate) = fitted(&self.rows, scale, |rate| self.motion(&damped(rate))) else { continue };
-            // What is damped less than this is not told from the error of a method.
+            // A smaller damping cannot be distinguished from the error of a method.
             if rate > scale {
                 let cause = match base.gyroscopic {
                     Gyroscopic::LeftOut => Cause::DampingWithoutGyroscopicTerm { rate },
@@ -57,7 +58,7 @@ impl<'a> Trials<'a> {
         }
     }
 
-    /// Torques along other axes, reversed, left out, and of another size.
+    /// Tries torques along other axes, reversed, omitted, and scaled.
     pub(super) fn try_torques(&mut self) {
         let law = self.law.clone();
         let count = law.torque_count();
@@ -85,7 +86,7 @@ impl<'a> Trials<'a> {
         }
     }
 
-    /// The rows of other times.
+    /// Tries rows that belong to shifted times.
     pub(super) fn try_time_shift(&mut self) {
         let law = self.law.clone();
         let (times, start) = (self.rows.times.clone(), self.start);

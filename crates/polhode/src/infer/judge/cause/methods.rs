@@ -1,27 +1,28 @@
-//! Methods of fixed steps, with the step that is declared or one that is found.
+//! Methods with fixed steps, with the declared step size or an estimated one.
 
 use super::law::Law;
 use super::name::Cause;
 use super::scheme::Scheme;
 use super::trial::{Trials, fitted, judged, scale};
 
-/// Steps of one method, at most.
+/// Maximum number of steps of one method.
 const MOST: f64 = 4_000.0;
 
-/// Between two rows there may be more.
+/// Maximum number of steps between two rows.
 const MOST_BETWEEN_ROWS: f64 = 200_000.0;
 
-/// How far a body turns while a step is looked for, rad.
+/// Rotation angle of the body over which a step size is estimated, rad.
 const LOOK: f64 = 20.0;
 
-/// The angle of the first step that is tried, rad.
+/// Rotation angle of the first step size that is tried, rad.
 const ANGLE: f64 = 0.05;
 
-/// A method that leaves more of the error than this, with the best scale, is not looked at again.
+/// Largest remaining fraction of the error, with the best scale, for which a method is tried again.
 const HOPELESS: f64 = 0.5;
 
 impl Trials<'_> {
-    /// All methods: with the step that is declared; if that explains nothing, with the rows' spacing in 1, 2, 3 … parts.
+    /// Tries all methods: with the declared step size, or, if that explains nothing, with the row
+    /// spacing divided into 1, 2, 3 … parts.
     pub(super) fn try_methods(&mut self, declared: Option<f64>) {
         let count = self.tried.len();
         let declared = declared.filter(|h| h.is_finite() && *h > 0.0);
@@ -40,7 +41,7 @@ impl Trials<'_> {
         }
     }
 
-    /// The methods of engines with ω damped, where nothing simpler explains the run.
+    /// Tries the methods of engines with damped ω, if nothing simpler explains the run.
     pub(super) fn try_damped_methods(&mut self, declared: Option<f64>) {
         if self.tried.iter().any(|tried| tried.passes) {
             return;
@@ -60,7 +61,8 @@ impl Trials<'_> {
         }
     }
 
-    /// All that differ: without a torque L is the same before and after.
+    /// Returns all methods that differ for this law; without a torque, L is the same before and
+    /// after a step.
     fn schemes(&self) -> impl Iterator<Item = Scheme> + use<> {
         let is_free = self.law.torque_count() == 0 && !self.law.has_wheels();
         Scheme::ALL.into_iter().filter(move |scheme| !(is_free && matches!(scheme, Scheme::MomentumLast(_))))
@@ -78,7 +80,8 @@ impl Trials<'_> {
         }
     }
 
-    /// The step with which a method comes nearest to the run: its error is in proportion to a power of the step.
+    /// Returns the step size with which a method is closest to the run; its error is proportional
+    /// to a power of the step size.
     fn step_of(&self, scheme: Scheme) -> Option<f64> {
         const ROUNDS: usize = 4;
         const NEIGHBOURS: f64 = 12.0;

@@ -1,10 +1,11 @@
-//! Why a motion is wrong: causes, each tried.
+//! Causes of a wrong motion, each tried.
 //!
-//! A residual does not say what made it. So each mistake that programs make with rigid bodies is made here too, from the same start: the
-//! equations of motion with the mistake in them (`law.rs`, followed by extrapolation in `follow.rs`), or the steps of the method
-//! (`scheme.rs`), with the step that is declared or the one that fits best (`methods.rs`). A cause whose motion is nearer to the run than
-//! the exact motion by far ([`TriedCause::explained`]) is named; if none is, nothing is said. Causes with numbers fitted to the run have to
-//! explain more, and are named after those without.
+//! A residual does not show its cause. Therefore each mistake that programs make with rigid bodies
+//! is reproduced here, from the same start. Wrong equations of motion (`law.rs`) are integrated by
+//! extrapolation (`follow.rs`). Wrong or inaccurate methods (`scheme.rs`) are run with the declared
+//! step size, or with the one that fits best (`methods.rs`). A cause is named if its motion is much
+//! closer to the run than the exact motion ([`TriedCause::explained`]); otherwise none is named.
+//! Causes with numbers fitted to the run must explain more, and rank after those without.
 
 pub(crate) mod bodies;
 pub(crate) mod follow;

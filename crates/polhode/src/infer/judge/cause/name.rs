@@ -1,4 +1,4 @@
-//! What a program may do wrong.
+//! Mistakes that a program may make.
 
 use core::fmt;
 
@@ -6,123 +6,128 @@ use super::scheme::Scheme;
 use crate::math::frame::Body;
 use crate::math::vector::AngularVelocity;
 
-/// What a program may do wrong, or why its motion is not the exact one.
+/// Mistake of a program, or another reason why its motion is not the exact one.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Cause {
-    /// I ω̇ = N.
+    /// The gyroscopic term is missing: I ω̇ = N.
     NoGyroscopicTerm,
-    /// q̇ = ½ ω q with ω along body axes.
+    /// The attitude equation is q̇ = ½ ω q, although ω is along body axes.
     OmegaBodyAsSpace,
-    /// q̇ = ½ q ω with ω along space axes.
+    /// The attitude equation is q̇ = ½ q ω, although ω is along space axes.
     OmegaSpaceAsBody,
-    /// The attitude is R_body_space.
+    /// The attitude is the inverse one, R_body_space.
     ConjugateAttitude,
-    /// The quaternion is (x, y, z, w).
+    /// The quaternion is (x, y, z, w), with the scalar last.
     ScalarLast,
-    /// Rᵀ D R for R D Rᵀ, with the principal moments D and R_body_principal.
+    /// The tensor is Rᵀ D R instead of R D Rᵀ, with the principal moments D and R_body_principal.
     TensorTransposed,
-    /// The principal moments, along the body's axes in this order (0 is the least).
+    /// The principal moments are used along the body's axes, in this order (0 is the smallest).
     PrincipalMomentsAlongBodyAxes([usize; 3]),
-    /// The products of inertia have the other sign.
+    /// The products of inertia have the opposite sign.
     ProductsReversed,
-    /// The products of inertia are zero.
+    /// The products of inertia are omitted.
     ProductsLeftOut,
-    /// The products of inertia stand in another order: in the places xy, xz, yz those numbers (0 is I_xy, 1 I_xz, 2 I_yz).
+    /// The products of inertia are permuted: these indices (0 is I_xy, 1 I_xz, 2 I_yz) are used as
+    /// xy, xz, yz.
     ProductsReordered([usize; 3]),
-    /// Of a free body the tensor about the origin of its axes instead of its centre of mass.
+    /// The tensor of a free body is about the origin of its axes instead of its centre of mass.
     TensorAboutOrigin,
-    /// Of a body held at a pivot the tensor about its centre of mass.
+    /// The tensor of a body on a pivot is about its centre of mass.
     TensorAboutCenterOfMass,
-    /// Wheels spin, and their momentum is not counted.
+    /// The angular momentum of the wheels is omitted.
     WheelsLeftOut,
-    /// A torque along body axes has its components along space axes; of all torques if `torque` is `None`.
+    /// Components of a torque along body axes are used along space axes; those of all torques if
+    /// `torque` is `None`.
     TorqueBodyAsSpace {
-        /// What the torque is called.
+        /// Name of the torque; `None` for all torques.
         torque: Option<&'static str>,
     },
-    /// A torque along space axes has its components along body axes.
+    /// Components of a torque along space axes are used along body axes.
     TorqueSpaceAsBody {
-        /// What the torque is called.
+        /// Name of the torque; `None` for all torques.
         torque: Option<&'static str>,
     },
-    /// −N for N.
+    /// The torque has the opposite sign, −N.
     TorqueReversed {
-        /// What the torque is called.
+        /// Name of the torque; `None` for all torques.
         torque: Option<&'static str>,
     },
-    /// N = 0.
+    /// The torque is omitted, N = 0.
     TorqueLeftOut {
-        /// What the torque is called.
+        /// Name of the torque; `None` for all torques.
         torque: Option<&'static str>,
     },
-    /// All torques are this many times as large.
+    /// All torques are multiplied by a factor.
     TorqueScaled {
-        /// How many times, fitted.
+        /// Factor, fitted.
         factor: f64,
     },
-    /// ω̇ has −c ω besides.
+    /// ω̇ has an additional damping term −c ω.
     Damping {
-        /// c, 1/s, fitted.
+        /// Damping c, 1/s, fitted.
         rate: f64,
     },
-    /// The same without the gyroscopic term.
+    /// ω̇ has an additional damping term −c ω, and the gyroscopic term is missing.
     DampingWithoutGyroscopicTerm {
-        /// c, 1/s, fitted.
+        /// Damping c, 1/s, fitted.
         rate: f64,
     },
-    /// |ω| is cut off.
+    /// The angular speed |ω| is limited.
     SpeedLimit {
-        /// The greatest |ω|, rad/s.
+        /// Limit of |ω|, rad/s.
         limit: f64,
-        /// Without the gyroscopic term besides.
+        /// True if the gyroscopic term is present, false if it is missing too.
         gyroscopic: bool,
     },
-    /// Steps of one length by this rule.
+    /// The method has fixed steps by this rule.
     Method {
-        /// The rule.
+        /// Rule of the steps.
         scheme: Scheme,
-        /// The step, s: declared, or found.
+        /// Step size, s: declared, or estimated.
         step: f64,
     },
-    /// The same with ω damped besides.
+    /// The method has fixed steps by this rule, and ω is damped in addition.
     MethodWithDamping {
-        /// The rule.
+        /// Rule of the steps.
         scheme: Scheme,
-        /// The step, s: declared, or the rows' spacing.
+        /// Step size, s: declared, or the row spacing.
         step: f64,
-        /// c, 1/s, fitted.
+        /// Damping c, 1/s, fitted.
         rate: f64,
     },
-    /// The rows are rounded to so many digits behind the point, or to the 24 bits of single precision, and have no other error.
+    /// The rows are rounded to this number of decimals, or to the 24 bits of single precision
+    /// (`None`), and have no other error.
     RoundedRows(Option<u32>),
-    /// The rows have 24 bits, and an error that grows as that of steps in single precision does.
+    /// The rows have 24 bits, and an error that grows like that of steps in single precision.
     SinglePrecisionArithmetic,
-    /// The rows are those of other times.
+    /// The rows belong to shifted times.
     TimeShift {
-        /// By how much these times are later than the rows say, s, fitted.
+        /// Shift of the true times relative to the stated ones, s, positive if later, fitted.
         shift: f64,
     },
-    /// The motion starts elsewhere.
+    /// The motion has a different start.
     OtherStart {
-        /// The angle between the first row's attitude and the scenario's, rad.
+        /// Angle between the first row's attitude and the scenario's, rad.
         angle: f64,
-        /// The first row's ω, rad/s, if it has one.
+        /// ω of the first row, rad/s, if the log has ω.
         omega: Option<AngularVelocity<Body>>,
     },
-    /// The start's ω has its components along body axes taken along those of space.
+    /// The components of the start's ω along body axes are used along space axes.
     StartOmegaAlongSpace,
-    /// It is the motion of a body with this tensor.
+    /// The motion is that of a body with this tensor.
     OtherTensor {
-        /// About the point that the body turns about, kg·m²; fitted.
+        /// Tensor about the fixed point of the body, kg·m², fitted.
         tensor: [[f64; 3]; 3],
-        /// False where the motion says the ratios of its elements alone; then its trace is the scenario's.
+        /// False if the motion determines only the ratios of the elements; the trace is then that
+        /// of the scenario.
         has_scale: bool,
     },
 }
 
 impl Cause {
-    /// False for what is no mistake: the error of a method of order 2 or more, and single precision.
+    /// Returns false for causes that are not mistakes: the error of a method of order 2 or more,
+    /// and single precision.
     pub const fn is_mistake(&self) -> bool {
         match self {
             Self::Method { scheme, .. } => scheme.order() < 2,
@@ -131,7 +136,8 @@ impl Cause {
         }
     }
 
-    /// How many numbers were taken from the run, or fitted to it; few of many are 1.
+    /// Returns the number of values that were taken from the run or fitted to it; a few values
+    /// chosen from many count as 1.
     pub(super) const fn fitted(&self) -> u32 {
         match self {
             Self::TorqueScaled { .. }
@@ -146,7 +152,7 @@ impl Cause {
         }
     }
 
-    /// What to write instead: for the author of the program.
+    /// Returns advice for the author of the program.
     pub const fn hint(&self) -> &'static str {
         match self {
             Self::NoGyroscopicTerm | Self::DampingWithoutGyroscopicTerm { .. } => {
@@ -254,7 +260,7 @@ const fn method_hint(scheme: Scheme) -> &'static str {
     }
 }
 
-/// A sentence.
+/// One sentence that describes the cause.
 impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let of = |torque: &Option<&'static str>| torque.map_or_else(String::new, |name| format!(" ({name})"));

@@ -1,4 +1,4 @@
-//! The tensor that the run itself implies.
+//! Estimation of the inertia tensor that the run implies.
 
 use super::law::{BodyVector, Law};
 use super::name::Cause;
@@ -10,35 +10,39 @@ use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Direction;
 use crate::motion::model::state::State;
 
-/// Rows that the torque is summed over, at most.
+/// Maximum number of rows over which the torque is integrated.
 const SUMMED: usize = 4096;
 
-/// A tensor that differs less, relative to its greatest moment, is the error of a method.
+/// Smallest relevant difference of a tensor, relative to its largest moment; a smaller one is the
+/// error of a method.
 const NOTICED: f64 = 0.01;
 
-/// What keeps an element that the motion does not tell near that of the scenario, relative to the sum of squares.
+/// Ridge term relative to the sum of squares; it keeps elements that the motion does not determine
+/// close to those of the scenario.
 const RIDGE: f64 = 1e-10;
 
-/// How much the trace counts where the motion tells ratios alone.
+/// Weight of the trace if the motion determines only ratios.
 const TRACE: f64 = 1e3;
 
-/// The same where it leaves no more than this part of the error.
+/// Smallest relevant difference, and the largest remaining fraction of the error for which it
+/// applies.
 const NOTICED_OF_ALL: [f64; 2] = [1e-3, 1e-3];
 
-/// Rounds of the fit to the attitudes.
+/// Number of iterations of the fit to the attitudes.
 const ROUNDS: usize = 6;
 
 impl Trials<'_> {
-    /// The tensor with which the body moves as the run does: that with which R I ω + R h − ∫ R N dt is constant along the run, by least
-    /// squares, and then that of the motion which is nearest to the run's attitudes.
+    /// Tries the tensor with which the body would move like the run. First, the tensor for which R
+    /// I ω + R h − ∫ R N dt is constant along the run, by least squares; then the tensor whose
+    /// motion is closest to the run's attitudes.
     pub(super) fn try_other_tensor(&mut self) {
         let law = self.law.clone();
         let has_scale = law.torque_count() > 0 || law.has_wheels();
-        // A tensor that no body has is no body: wheels, or a torque, are not what they should be.
+        // An impossible tensor indicates that the wheels or a torque are wrong, not the tensor.
         let possible = |tensor: &Symmetric3| InertiaTensor::<Body>::from_symmetric(*tensor).is_ok();
         let begun = implied(&self.window, &law, has_scale).filter(possible);
         let count = self.tried.len();
-        // What is explained already needs no other body.
+        // If a cause already explains the run, no other tensor is fitted to the attitudes.
         let is_open = !self.tried.iter().any(|tried| tried.passes);
         let nearest = is_open.then(|| self.nearest(begun.unwrap_or(*law.tensor()), has_scale)).flatten();
         for tensor in [begun, nearest] {
@@ -55,7 +59,8 @@ impl Trials<'_> {
         self.tried.extend(best);
     }
 
-    /// The tensor whose motion from the same start is nearest to the run's attitudes: by Gauss and Newton.
+    /// Returns the tensor whose motion from the same start is closest to the run's attitudes, by
+    /// the Gauss–Newton method.
     fn nearest(&self, begun: Symmetric3, has_scale: bool) -> Option<Symmetric3> {
         let scale = 1e-4 * self.law.tensor().max_abs();
         let mut tensor = begun;
@@ -87,14 +92,15 @@ impl Trials<'_> {
     }
 }
 
-/// One in one place of a symmetric matrix.
+/// Returns the symmetric matrix with 1 at one element.
 fn unit(k: usize) -> Symmetric3 {
     let mut elements = [0.0; 6];
     elements[k] = 1.0;
     Symmetric3::from_elements(elements)
 }
 
-/// What the motion does not tell is kept: the trace where ratios alone count, and elements that change nothing.
+/// Adds regularisation for what the motion does not determine: the trace if only ratios are
+/// determined, and elements without effect.
 fn kept(mut normal: [[f64; 7]; 6], has_scale: bool) -> [[f64; 7]; 6] {
     let whole: f64 = (0..6).map(|k| normal[k][k]).sum();
     for (k, line) in normal.iter_mut().enumerate() {
@@ -110,7 +116,8 @@ fn implied(window: &Window<'_>, law: &Law<'_>, has_scale: bool) -> Option<Symmet
     let states = window.states(SUMMED);
     let units: [Symmetric3; 6] = core::array::from_fn(unit);
     let space = |state: &State, v: BodyVector| -> Direction<Space> { state.attitude * v };
-    // The unknown is the difference from the scenario's tensor: six columns, and what is missing.
+    // The unknown is the difference from the scenario's tensor: six columns, and the right-hand
+    // side.
     let mut rows: Vec<[Direction<Space>; 7]> = Vec::with_capacity(states.len());
     let mut impulse = Direction::<Space>::ZERO;
     let mut before: Option<(f64, Direction<Space>)> = None;
@@ -141,7 +148,8 @@ fn implied(window: &Window<'_>, law: &Law<'_>, has_scale: bool) -> Option<Symmet
     Some(*law.tensor() + Symmetric3::from_elements(solved(kept(normal, has_scale))?))
 }
 
-/// Gaussian elimination of a positive definite matrix with the right side as its last column.
+/// Solves a positive definite system by Gaussian elimination; the right-hand side is the last
+/// column.
 fn solved(mut lines: [[f64; 7]; 6]) -> Option<[f64; 6]> {
     for k in 0..6 {
         let pivot = lines[k][k];

@@ -1,4 +1,4 @@
-//! Rows of few digits, and steps in single precision.
+//! Rows with few digits, and steps in single precision.
 
 use super::found::TriedCause;
 use super::name::Cause;
@@ -7,38 +7,38 @@ use crate::infer::judge::motion::ReadMotion;
 use crate::math::rotation::Rotation;
 use crate::motion::model::state::State;
 
-/// How the numbers of a log are rounded.
+/// Rounding of the numbers of a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Rounding {
-    /// To the 24 bits of single precision.
+    /// Rounded to the 24 bits of single precision.
     Single,
-    /// To so many digits behind the point.
+    /// Rounded to this number of decimals.
     Decimals(u32),
 }
 
-/// More digits than these are no rounding that matters.
+/// Largest number of decimals that counts as rounding.
 const MOST_DECIMALS: u32 = 8;
 
-/// So many digits are fewer than those of single precision.
+/// Number of decimals that is below single precision.
 const FEW_DECIMALS: u32 = 6;
 
-/// Rows that are looked at, at most.
+/// Maximum number of rows that are examined.
 const LOOKED: usize = 64;
 
-/// An error of no more than this many times what rounding makes is its.
+/// Largest ratio of the error to the rounding error for which rounding explains it.
 const LEVEL: f64 = 1.5;
 
-/// If it is not known how many steps are between two rows, it may be so many.
+/// Assumed number of steps between two rows, if it is unknown.
 const MOST_STEPS_A_ROW: f64 = 100.0;
 
-/// 2⁻²⁴, the rounding of single precision.
+/// Relative rounding of single precision, 2⁻²⁴.
 const SINGLE: f64 = 1.0 / (1_u64 << 24) as f64;
 
 impl Rounding {
-    /// That of the attitudes of a log.
+    /// Returns the rounding of the attitudes of a log.
     pub(super) fn of(motion: &ReadMotion) -> Option<Self> {
         let stride = motion.attitude.len() / LOOKED + 1;
-        // A number that is exact, such as the 1 of the start, has any rounding.
+        // An exact number, such as the 1 of the start, is consistent with any rounding.
         let rows = || motion.attitude.iter().skip(1).step_by(stride).flatten().copied();
         let all = |rounding: &Self| rows().all(|x| rounding.rounded(x) == x);
         let decimals = |least: u32, most: u32| (least..=most).map(Self::Decimals).find(all);
@@ -71,12 +71,13 @@ impl Rounding {
     }
 }
 
-/// Is it a number of single precision, to nine digits or more?
+/// Returns true if it is a number of single precision, printed with nine digits or more.
 fn is_near_single(x: f64) -> bool {
     (x - f64::from(x as f32)).abs() <= 1e-9 * x.abs()
 }
 
-/// Are they the shortest decimals of numbers of single precision? Every decimal of up to seven digits is one, so that some have to have more.
+/// Returns true if the numbers are the shortest decimals of single-precision numbers. Every decimal
+/// of up to seven digits is one, so some numbers must have more digits.
 fn is_shortest(mut rows: impl Iterator<Item = f64> + Clone) -> bool {
     let shortest = |x: f64| format!("{:e}", x as f32);
     let digits = |x: f64| {
@@ -86,8 +87,8 @@ fn is_shortest(mut rows: impl Iterator<Item = f64> + Clone) -> bool {
 }
 
 impl Trials<'_> {
-    /// The exact motion with rounded rows; and steps in single precision. Neither is computed again bit by bit: they are known by the size of
-    /// their errors.
+    /// Tries the exact motion with rounded rows, and steps in single precision. These are not
+    /// reproduced bit by bit; they are recognised by the size of their errors.
     pub(super) fn try_rounding(&mut self, motion: &ReadMotion, step: Option<f64>) {
         let Some(rounding) = Rounding::of(motion) else { return };
         let states: Vec<State> = self.rows.exact.iter().map(|state| rounding.state(state)).collect();

@@ -1,71 +1,72 @@
-//! The rows of a run that causes are compared over.
+//! Rows of a run over which causes are compared.
 
 use super::law::BodyVector;
 use crate::infer::judge::motion::ReadMotion;
 use crate::math::rotation::{Attitude, Rotation};
 use crate::motion::model::state::State;
 
-/// Beyond this error the phases of a motion mean nothing, rad.
+/// Error above which the phases of a motion are meaningless, rad.
 const LOST: f64 = 1.5;
 
-/// How far a body turns while it is compared, rad: at least, if the run is so long, and at most.
+/// Rotation angle of the body over which it is compared, rad: minimum (if the run is long enough)
+/// and maximum.
 const TURNING: [f64; 2] = [6.0, 120.0];
 
-/// At least so many rows, if the run has them.
+/// Minimum number of rows, if the run has them.
 const LEAST_ROWS: usize = 12;
 
-/// How many rows are compared.
+/// Number of rows that are compared.
 const COMPARED: usize = 160;
 
-/// How much an error of ω relative to ω counts beside one of the attitude in rad.
+/// Weight of the relative error of ω compared with an attitude error in rad.
 const OMEGA_WEIGHT: f64 = 0.3;
 
-/// Rows of the run and the exact states there.
+/// Rows of the run and the exact states at their times.
 #[derive(Clone, Debug)]
 pub(super) struct Rows {
     pub(super) times: Vec<f64>,
     pub(super) run: Vec<Attitude>,
     pub(super) omega: Option<Vec<BodyVector>>,
     pub(super) exact: Vec<State>,
-    /// rms |ω| of the exact motion, rad/s.
+    /// RMS of |ω| of the exact motion, rad/s.
     pub(super) rate: f64,
-    /// The time between two rows of the run, s: of the first two.
+    /// Time between the first two rows of the run, s.
     pub(super) spacing: f64,
 }
 
-/// How far states are from the run.
+/// Misfit between states and the run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Misfit {
-    /// rms of the angle between the attitudes, rad.
+    /// RMS angle between the attitudes, rad.
     pub(super) attitude: f64,
-    /// rms |δω| relative to rms |ω|; zero where the run has no ω.
+    /// RMS of |δω| relative to RMS of |ω|; zero if the run has no ω.
     pub(super) omega: f64,
 }
 
 impl Misfit {
-    /// Both in one.
+    /// Returns both misfits combined, rad.
     pub(super) fn size(self) -> f64 {
         libm::hypot(self.attitude, OMEGA_WEIGHT * self.omega)
     }
 }
 
-/// The part of a run that tells: from the start until the exact motion is lost.
+/// Informative part of a run: from the start until the exact motion and the run diverge.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Window<'a> {
     motion: &'a ReadMotion,
     exact: &'a [State],
-    /// The first row and one past the last.
+    /// Index of the first row, and one past the last.
     first: usize,
     end: usize,
 }
 
 impl<'a> Window<'a> {
-    /// `None` if there are fewer than two rows from the start on.
+    /// Returns the window; `None` if there are fewer than two rows from the start on.
     pub(super) fn of(motion: &'a ReadMotion, exact: &'a [State], start: f64) -> Option<Self> {
         let rows = motion.times.len().min(exact.len()).min(motion.attitude.len());
         let first = motion.times.partition_point(|&time| time < start);
         let mut window = Self { motion, exact, first, end: rows };
-        // A coarse look finds about where to end, a finer one where.
+        // A coarse pass locates the end approximately, a finer one exactly.
         while window.end > first {
             let stride = (window.end - first) / 2048 + 1;
             let end = window.told(stride);
@@ -98,12 +99,12 @@ impl<'a> Window<'a> {
         self.end
     }
 
-    /// Rows spread evenly over it.
+    /// Returns rows spread evenly over the window.
     pub(super) fn rows(&self) -> Rows {
         self.rows_until(f64::INFINITY)
     }
 
-    /// Rows spread evenly over it until a time, two at least.
+    /// Returns rows spread evenly over the window until a time, at least two.
     pub(super) fn rows_until(&self, time: f64) -> Rows {
         let within = self.motion.times.partition_point(|&t| t <= time);
         let end = self.end.min(within).max((self.first + 2).min(self.end));
@@ -134,18 +135,19 @@ impl<'a> Window<'a> {
         }
     }
 
-    /// Its end, s.
+    /// Returns the end of the window, s.
     pub(super) fn end(&self) -> f64 {
         self.motion.times[self.end - 1]
     }
 
-    /// The run between two times as states, every `stride` rows, with ω from the log or else from the attitudes before and after.
+    /// Returns the run as at most `most` states, with ω from the log, or otherwise from the
+    /// attitudes before and after.
     pub(super) fn states(&self, most: usize) -> Vec<State> {
         let stride = (self.end - self.first) / most + 1;
         (self.first..self.end).step_by(stride).filter_map(|k| self.state(k)).collect()
     }
 
-    /// A row as a state.
+    /// Returns a row as a state.
     pub(super) fn state(&self, k: usize) -> Option<State> {
         let (time, here) = (*self.motion.times.get(k)?, attitude(self.motion, k)?);
         if let Some(omega) = &self.motion.omega {
@@ -157,22 +159,22 @@ impl<'a> Window<'a> {
         Some(State { time, attitude: here, omega: (turned / span).as_quantity() })
     }
 
-    /// The first row.
+    /// Returns the index of the first row.
     pub(super) const fn first(&self) -> usize {
         self.first
     }
 
-    /// All rows.
+    /// Returns the range of all rows.
     pub(super) const fn range(&self) -> core::ops::Range<usize> {
         self.first..self.end
     }
 
-    /// The times of all rows.
+    /// Returns the times of all rows, s.
     pub(super) fn times(&self) -> &'a [f64] {
         &self.motion.times[self.range()]
     }
 
-    /// The attitude of a row.
+    /// Returns the attitude of a row.
     pub(super) fn attitude(&self, row: usize) -> Option<Attitude> {
         attitude(self.motion, row)
     }
@@ -182,7 +184,7 @@ fn attitude(motion: &ReadMotion, row: usize) -> Option<Attitude> {
     Rotation::from_quaternion(*motion.attitude.get(row)?).ok()
 }
 
-/// The rotation vector in the body that leads from one attitude to another, of π rad at most.
+/// Returns the rotation vector along body axes from one attitude to another, of at most π rad.
 pub(super) fn rotation_vector(from: Attitude, to: Attitude) -> BodyVector {
     let [w, x, y, z] = (from.inverse() * to).canonical_quaternion();
     let v = BodyVector::new(x, y, z);
@@ -191,7 +193,7 @@ pub(super) fn rotation_vector(from: Attitude, to: Attitude) -> BodyVector {
 }
 
 impl Rows {
-    /// How far states, as many as there are, are from the run; nothing is known of none.
+    /// Returns the misfit of states, as far as they reach; infinite if there are none.
     pub(super) fn misfit(&self, states: &[State]) -> Misfit {
         let count = states.len().min(self.run.len());
         if count == 0 {
@@ -207,12 +209,12 @@ impl Rows {
         Misfit { attitude: mean(angles.sum()), omega: mean(rates.sum()) / rate }
     }
 
-    /// How far the exact states of the first rows are.
+    /// Returns the misfit of the exact states of the first rows.
     pub(super) fn base(&self, count: usize) -> Misfit {
         self.misfit(&self.exact[..count.min(self.exact.len())])
     }
 
-    /// The rotation vectors from states to the run, one component after the other.
+    /// Returns the rotation vectors from states to the run, as a list of components.
     pub(super) fn differences(&self, states: &[State]) -> Vec<f64> {
         let vectors = states.iter().zip(&self.run);
         vectors.flat_map(|(state, run)| rotation_vector(state.attitude, *run).to_array()).collect()

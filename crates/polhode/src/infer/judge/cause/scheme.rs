@@ -1,4 +1,4 @@
-//! Steps as programs take them, of one length.
+//! Numerical methods with fixed steps, as programs implement them.
 
 use core::fmt;
 
@@ -8,57 +8,64 @@ use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::{AngularVelocity, Direction};
 use crate::motion::model::state::State;
 
-/// How a step h with the angular velocity ω turns an attitude.
+/// Attitude update for a step h with the angular velocity ω.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Turn {
-    /// By the angle |ω| h about ω: q′ = q exp(½ h ω).
+    /// Exact rotation by the angle |ω| h about ω: q′ = q exp(½ h ω).
     Exponential,
-    /// q′ = q + ½ h q ω, divided by its length: the angle is 2 atan(½ |ω| h).
+    /// First-order update, normalised: q′ = q + ½ h q ω, with the angle 2 atan(½ |ω| h).
     FirstOrder,
 }
 
-/// A rule for steps h of one length, with ω in body axes and α(q, ω) = I⁻¹ (N − ω × I ω).
+/// Integration rule with fixed steps h, with ω along body axes and α(q, ω) = I⁻¹ (N − ω × I ω).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Scheme {
-    /// q′ by ω, ω′ = ω + h α.
+    /// Explicit Euler: q′ by ω, ω′ = ω + h α.
     ExplicitEuler(Turn),
-    /// The same with ω along space axes: ω′ = ω + h I⁻¹ (N − ω × I ω) there, q′ by ω.
+    /// Explicit Euler along space axes: ω′ = ω + h I⁻¹ (N − ω × I ω) there, q′ by ω.
     ExplicitEulerSpace(Turn),
-    /// ω′ = ω + h α, then q′ by ω′; so do MuJoCo's Euler and, along space axes, most engines of games.
+    /// Semi-implicit Euler: ω′ = ω + h α, then q′ by ω′. Used by MuJoCo's Euler and, along space
+    /// axes, by most game engines.
     SemiImplicitEuler(Turn),
-    /// L along space axes: L′ = L + h N, q′ by I⁻¹ L′ with the I of q.
+    /// L along space axes: L′ = L + h N, then q′ by I⁻¹ L′ with the I of q.
     MomentumFirst(Turn),
     /// L along space axes: q′ by I⁻¹ L with the I of q, then L′ = L + h N of q.
     MomentumLast(Turn),
-    /// ω′ by one step of Newton's method for I (ω′ − ω) + h (ω′ × I ω′ − N) = 0, then q′ by ω′: Catto's, in Bullet and, as
-    /// `implicit`, MuJoCo.
+    /// One step of Newton's method for I (ω′ − ω) + h (ω′ × I ω′ − N) = 0, then q′ by ω′. Catto's
+    /// method, used in Bullet and, as `implicit`, in MuJoCo.
     ImplicitGyroscopic(Turn),
-    /// ω′ from I (ω′ − ω) = h (I ω × ω′ + N), then q′ by ω′: Lacoursière's, in ODE.
+    /// Solution ω′ of I (ω′ − ω) = h (I ω × ω′ + N), then q′ by ω′. Lacoursière's method, used in
+    /// ODE.
     LaggedMomentum(Turn),
-    /// L′ = L + h L × ω, made as long as L, then N, then q′ by ω′: in PhysX and Jolt.
+    /// L′ = L + h L × ω, rescaled to the length of L, then N, then q′ by ω′. Used in PhysX and
+    /// Jolt.
     RescaledMomentum(Turn),
-    /// ω right; q′ by the ω of the step's start.
+    /// Correct ω; q′ by the ω at the start of the step.
     HeldAtStart(Turn),
-    /// ω right; q′ by the ω of the step's end.
+    /// Correct ω; q′ by the ω at the end of the step.
     HeldAtEnd(Turn),
-    /// ω and q half a step, then a whole one by the slopes there.
+    /// Explicit midpoint rule for ω and q: half a step, then a whole step with the derivatives
+    /// there.
     Midpoint,
-    /// The mean of the slopes at the step's start and at the end that the first of them leads to.
+    /// Heun's method: the mean of the derivatives at the start and at the predicted end of the
+    /// step.
     Heun,
-    /// q′ by ω + ½ h α, then ω′ by the mean of α at both ends.
+    /// Velocity Verlet: q′ by ω + ½ h α, then ω′ by the mean of α at both ends.
     VelocityVerlet,
-    /// Half a kick, q′ by that ω, half a kick.
+    /// Half a kick, q′ by the resulting ω, half a kick.
     KickTurnKick(Turn),
-    /// ω′ from the equation at the middle of the step, q′ by the mean of both.
+    /// Implicit midpoint rule for ω′, and q′ by the mean of ω and ω′.
     ImplicitMidpoint(Turn),
-    /// Half a kick of L, turns about the three principal axes there and back, half a kick.
+    /// Symmetric splitting: half a kick of L, rotations about the three principal axes forward and
+    /// back, half a kick.
     Splitting,
-    /// The classical method of Runge and Kutta for q and ω.
+    /// Classical Runge–Kutta method of order 4 for q and ω.
     RungeKutta4,
-    /// The same for q and L along space axes.
+    /// Classical Runge–Kutta method of order 4 for q and L along space axes.
     RungeKutta4Momentum,
-    /// The same for ω, with q′ by the weighted mean of the four ω, as MuJoCo's RK4 does: of order 2 for q.
+    /// Classical Runge–Kutta method for ω, with q′ by the weighted mean of the four ω, as in
+    /// MuJoCo's RK4; order 2 for q.
     RungeKutta4MeanRate,
 }
 
@@ -66,7 +73,7 @@ use Scheme::*;
 use Turn::*;
 
 impl Scheme {
-    /// All of them.
+    /// All rules.
     pub const ALL: [Self; 31] = [
         ExplicitEuler(Exponential),
         ExplicitEuler(FirstOrder),
@@ -101,7 +108,7 @@ impl Scheme {
         RungeKutta4MeanRate,
     ];
 
-    /// Those of engines, which may damp ω besides.
+    /// Rules used by engines, which may also damp ω.
     pub(super) const ENGINES: [Self; 8] = [
         SemiImplicitEuler(Exponential),
         SemiImplicitEuler(FirstOrder),
@@ -113,7 +120,7 @@ impl Scheme {
         RescaledMomentum(FirstOrder),
     ];
 
-    /// The power of h that the error of the attitude falls with.
+    /// Returns the order of accuracy: the power of h in the attitude error.
     pub const fn order(self) -> u32 {
         match self {
             RungeKutta4 | RungeKutta4Momentum => 4,
@@ -122,7 +129,7 @@ impl Scheme {
         }
     }
 
-    /// A state one step later.
+    /// Returns the state after one step.
     pub(super) fn step(self, law: &Law<'_>, from: &State, h: f64) -> State {
         let time = from.time + h;
         let omega: BodyVector = from.omega.as_quantity();

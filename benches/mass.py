@@ -215,7 +215,7 @@ def main():
     speed = "\n".join(f"| {n:,} | {mb:.0f} MB | " + " | ".join(f"{t:.3f}" for t in ts) + f" | {ts[1] / ts[0]:.0f}, {ts[2] / ts[0]:.0f}, {ts[3] / ts[0]:.0f} |"
                       for n, mb, ts in times)
     first = lambda *c: run(*c).strip()
-    page = f"""# Mass properties beside others
+    page = f"""# Mass properties compared with other programs
 
 Written by `benches/mass.py`; run it again rather than believe this page. One run, one machine: {processor()},
 {first("rustc", "--version")}. trimesh {trimesh.__version__}, parry3d-f64 {version["parry3d-f64"]} (files read by stl_io {version["stl_io"]}), OCCT by cadquery-ocp {occt}.

@@ -46,7 +46,7 @@ const STEPS: &str = "-steps";
 fn text(all: &[Graded], notes: &str) -> String {
     let (stepped, graded): (Vec<&Graded>, Vec<&Graded>) =
         all.iter().partition(|graded| graded.setting.ends_with(STEPS));
-    let mut page = "# Engines, judged\n\n<!-- Written by `cargo xtask engines`; the last part is judge/engines/NOTES.md. -->\n\n\
+    let mut page = "# Physics engines compared by the suite\n\n<!-- Written by `cargo xtask engines`; the last part is judge/engines/NOTES.md. -->\n\n\
         The cases of the [suite](judge.md#the-suite) as physics engines compute them: each with the setting that it comes with, and with the one that its documentation \
         recommends for accuracy. The programs that ran them are in `judge/engines`.\n\n\
         The error is the largest angle between the attitude of a row and the exact one, rad. A case is passed up to 0.01 rad.\n\n\

@@ -1,4 +1,4 @@
-//! The README's commands, tried.
+//! Runs the commands of the README and of the first steps in the book.
 
 use std::path::Path;
 use std::process::Command;
@@ -6,14 +6,17 @@ use std::process::Command;
 use crate::process::{copy, empty_folder, output, polhode};
 use crate::{Outcome, read, root};
 
-/// Runs every `polhode` command of the README in a copy of examples/; what `cargo run` would build is built already.
+/// Runs every `polhode` command of the README and of `book/start.md` in a copy of examples/. `cargo run` is replaced by the built command.
 pub(crate) fn check() -> Outcome {
-    let page = read(&root().join("README.md"))?;
-    programs_are_tested(&page, &read(&root().join("crates/polhode/README.md"))?)?;
-    let commands = commands(&page);
+    let start = read(&root().join("book/start.md"))?;
+    programs_are_tested(&start, &read(&root().join("crates/polhode/README.md"))?)?;
+    let first_steps = commands(&start);
+    let mut commands = commands(&read(&root().join("README.md"))?);
     if commands.is_empty() {
         return Err("README.md has no command in a ```console block".into());
     }
+    let new: Vec<String> = first_steps.into_iter().filter(|step| !commands.contains(step)).collect();
+    commands.extend(new);
     let polhode = polhode()?;
     let folder = empty_folder("readme")?;
     copy(&root().join("examples"), &folder.join("examples"))?;
@@ -39,14 +42,14 @@ fn shell(command: &str) -> String {
     }
 }
 
-/// The Rust programs of the README stand in the crate's too, where they are tested as documentation is.
+/// Checks that the Rust programs of `book/start.md` are in the crate's README too, where doc tests run them.
 fn programs_are_tested(page: &str, tested: &str) -> Outcome {
     let programs: Vec<&str> =
         page.split("```rust\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
     match programs.iter().find(|program| !tested.contains(*program)) {
-        _ if programs.is_empty() => Err("README.md has no program in a ```rust block".into()),
+        _ if programs.is_empty() => Err("book/start.md has no program in a ```rust block".into()),
         Some(program) => {
-            Err(format!("crates/polhode/README.md has not this program of README.md:\n{program}"))
+            Err(format!("crates/polhode/README.md does not have this program of book/start.md:\n{program}"))
         }
         None => Ok(()),
     }

@@ -101,7 +101,7 @@ def main():
            [("widest vectors", widest), ("AVX2", narrower), ("no vectors", plain)]}
     ratios = "\n".join(f"| polhode, {kind}, set-up included | {ns / 1e3:.1f} | {peer_ns / ns:.0f} | {angle(own_end, truth):.1e} |"
                        for kind, ns in own.items())
-    page = f"""# Speed
+    page = f"""# Time per state, compared with heyoka
 
 Written by `crates/polhode/benches/speed.py`; run it again rather than believe this page. Times are the least of many short runs, in {ROUNDS}
 rounds, on one core; a busy machine gives longer ones.

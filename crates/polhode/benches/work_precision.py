@@ -436,7 +436,7 @@ def main():
     load = os.getloadavg()[0]
     busy = f"\n\n**The machine was busy (load {load:.0f}): times are too long, and not all alike.**" if load > 2.0 else ""
     note = "compiled by numba" if is_compiled else "in plain Python, as numba is not installed: compiled ones are several times faster"
-    page = f"""# Work and precision
+    page = f"""# Cost of accuracy under torque, compared with other programs
 
 Written by `crates/polhode/benches/work_precision.py`; run it again rather than believe this page. What a run costs from its start to one state
 at its end, against the angle (rad) between that attitude and the true one, which is from a Taylor series in {DIGITS} digits. Each point is one

@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 const ESSAY: &str = "\
-# Splitting
+# Splitting: integration without energy drift
 
 Written by `crates/polhode/examples/splitting.rs`; run it again rather than believe this page.
 

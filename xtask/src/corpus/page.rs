@@ -29,7 +29,7 @@ fn introduction(audited: &[Audited], all: &Counts) -> String {
         parts => format!(", and {} more files that they include", count(parts)),
     };
     let mut text = format!(
-        "# Public models\n\nWritten by `cargo xtask corpus`; run it again rather than believe this page. What `polhode check` finds in {} public \
+        "# Findings in public robot models\n\nWritten by `cargo xtask corpus`; run it again rather than believe this page. What `polhode check` finds in {} public \
          repositories, each at the commit that is named below. No model is kept here.\n\n",
         audited.len()
     );

@@ -1,4 +1,4 @@
-//! The cookbook and the tutorials: every page is followed, and its output is what the page says.
+//! Follows the README, the first steps, the cookbook and the tutorials, and compares the output with the pages.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -28,6 +28,16 @@ fn the_pages_of_the_cookbook_are_what_their_commands_print() {
 #[test]
 fn the_tutorials_are_what_their_commands_print() {
     follow_all(&TUTORIALS);
+}
+
+#[test]
+fn the_readme_and_the_first_steps_are_what_their_commands_print() {
+    for page in ["README.md", "book/start.md"] {
+        let scratch = Scratch::new(&format!("page-{}", page.replace('/', "-")));
+        copy(&root().join("examples"), &scratch.0.join("examples"));
+        let followed = follow(&root().join(page), &scratch);
+        assert!(followed.commands > 0 && followed.excerpts > 0, "{page} shows no command and what it prints");
+    }
 }
 
 fn follow_all(Pages { folder, index, least }: &Pages) {

@@ -24,8 +24,8 @@ fn read(name: &str) -> String {
 
 #[test]
 fn the_scenarios_of_the_pages_run() {
-    // Files that they name are those of the examples; the README's are named from the root.
-    for (page, place) in [("book/scenario.md", "examples/book.toml"), ("README.md", "README.toml")] {
+    // Files named in scenario.md are in examples/; those in start.md are relative to the root.
+    for (page, place) in [("book/scenario.md", "examples/book.toml"), ("book/start.md", "start.toml")] {
         let mut complete = 0;
         for (line, fragment, text) in blocks(&read(page)) {
             let at = format!("{page}, the block from line {line}");

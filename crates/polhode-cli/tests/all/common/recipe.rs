@@ -2,6 +2,7 @@
 //!
 //! - A block whose first or second line is a comment with the name of a file, `# top.toml`, `## parts.csv` or `<!-- arm.urdf -->`, is that file.
 //! - ```` ```console ```` has commands, each after `$ `. They succeed, or say how they end: `# exit status 1`.
+//!   `cargo run --release -- simulate …` is run as `polhode simulate …`.
 //! - ```` ```text ```` behind it is all that they print, but for what is left out where a line is `…`.
 
 use std::fs;
@@ -94,7 +95,11 @@ fn run(line: &str, scratch: &Scratch, at: &str) -> String {
         Some((command, status)) => (command, status.trim().parse().unwrap()),
         None => (line, 0),
     };
-    let words = words(command);
+    let command = match command.strip_prefix("cargo run --release -- ") {
+        Some(arguments) => format!("polhode {arguments}"),
+        None => command.to_owned(),
+    };
+    let words = words(&command);
     assert_eq!(words.first().map(String::as_str), Some("polhode"), "{at}: not polhode's: {command}");
     let arguments: Vec<&str> = words[1..].iter().map(String::as_str).collect();
     let output = scratch.run(&arguments);

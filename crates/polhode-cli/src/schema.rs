@@ -5,31 +5,72 @@ use clap::{Args, ValueEnum};
 use crate::failure::Failure;
 use crate::stdout::print_script;
 
-/// Print the JSON schema of input files, for editors.
+/// Print a JSON schema: of scenario files, or of the JSON that a command prints.
 ///
-/// With the schema in a file, an editor completes keys and marks wrong ones: `polhode schema scenario > scenario.schema.json`
+/// With the schema of scenario files an editor completes keys and marks wrong ones. A command's schema says of every number
+/// what it is and in which unit.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  polhode schema scenario > scenario.schema.json")]
+  polhode schema scenario > scenario.schema.json
+  polhode schema inertia
+  polhode schema inertia --request")]
 pub(crate) struct Schema {
-    /// Kind of files.
+    /// Scenario files, or the command whose JSON is described.
     #[arg(value_enum)]
     name: Name,
+    /// Describe the request in place of the report: what a program asks the library for.
+    #[arg(long)]
+    request: bool,
 }
 
-/// Files that have a schema.
+/// Files and reports that have a schema.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Name {
     /// Scenario files: one body and one motion, as TOML.
     Scenario,
+    /// Report of `polhode inertia --json`.
+    Inertia,
+    /// Report of `polhode check --json`.
+    #[cfg(feature = "robot")]
+    Check,
+    /// Report of `polhode sweep --json`.
+    #[cfg(feature = "sweep")]
+    Sweep,
+    /// Report of `polhode judge --json`.
+    #[cfg(feature = "judge")]
+    Judge,
+    /// Report of `polhode identify --json`.
+    #[cfg(feature = "identify")]
+    Identify,
+    /// Report of `polhode budget --json`.
+    #[cfg(feature = "budget")]
+    Budget,
 }
 
 impl Schema {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let schema = match self.name {
-            Name::Scenario => polhode_scenario::read::schema(),
+        let [report, request] = match self.name {
+            Name::Scenario if self.request => {
+                let hint = "polhode schema scenario describes the files";
+                return Err(Failure::usage("a scenario file is no request of a command", hint));
+            }
+            Name::Scenario => {
+                let schema = polhode_scenario::read::schema();
+                return print_script(format!("{schema:#}\n").as_bytes());
+            }
+            Name::Inertia => [polhode_shape::REPORT_SCHEMA, polhode_shape::REQUEST_SCHEMA],
+            #[cfg(feature = "robot")]
+            Name::Check => [polhode_robot::REPORT_SCHEMA, polhode_robot::REQUEST_SCHEMA],
+            #[cfg(feature = "sweep")]
+            Name::Sweep => [polhode_sweep::REPORT_SCHEMA, polhode_sweep::REQUEST_SCHEMA],
+            #[cfg(feature = "judge")]
+            Name::Judge => [polhode_judge::REPORT_SCHEMA, polhode_judge::REQUEST_SCHEMA],
+            #[cfg(feature = "identify")]
+            Name::Identify => [polhode_identify::REPORT_SCHEMA, polhode_identify::REQUEST_SCHEMA],
+            #[cfg(feature = "budget")]
+            Name::Budget => [polhode_budget::REPORT_SCHEMA, polhode_budget::REQUEST_SCHEMA],
         };
-        print_script(format!("{schema:#}\n").as_bytes())
+        print_script(if self.request { request } else { report }.as_bytes())
     }
 }

@@ -8,8 +8,8 @@ use polhode::math::{Body, Space, Torque};
 use polhode::motion::torque::{MemberState, TorqueModel};
 use polhode::motion::{ActingTorque, Event, EventFunction, Measure, Method, Rotor, Run, Scenario, State};
 
-use polhode_source::files::Disk;
 use polhode_scenario::read::ScenarioFile;
+use polhode_source::files::Disk;
 use pyo3::prelude::*;
 
 use crate::arrays::{rows, table};

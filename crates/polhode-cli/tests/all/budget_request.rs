@@ -5,8 +5,8 @@ use polhode_document::Report as _;
 use polhode_source::files::{Disk, Memory};
 use serde_json::{Value, json};
 
-use crate::common::schema::misfit;
 use crate::common::{Scratch, example, json, stdout};
+use crate::schema::misfit;
 
 /// Every object of a schema forbids other keys, and every number says what it is.
 fn require_strict(schema: &Value, at: &str) {
@@ -66,7 +66,9 @@ fn a_request_answers_what_the_command_prints() {
         let request = Request { file: file.clone().into(), output: Some(output), ..Request::default() };
         run(&request, &Disk).unwrap().files().unwrap()
     };
-    for (output, option) in [(Output::Parts, "--csv"), (Output::Time, "--csv=time"), (Output::Fill, "--csv=fill")] {
+    for (output, option) in
+        [(Output::Parts, "--csv"), (Output::Time, "--csv=time"), (Output::Fill, "--csv=fill")]
+    {
         let [(_, table)] = &made(output)[..] else { panic!("{option}") };
         assert_eq!(String::from_utf8_lossy(table), stdout(&scratch.run(&["budget", &file, option])));
     }

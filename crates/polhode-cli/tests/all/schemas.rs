@@ -7,8 +7,8 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
-use crate::common::schema::misfit;
-use crate::common::{Scratch, example, json};
+use crate::common::{Scratch, example, json, stdout};
+use crate::schema::misfit;
 
 /// Every object of a schema forbids other keys, and every number says what it is.
 fn require_strict(schema: &Value, at: &str) {
@@ -27,6 +27,12 @@ fn require_strict(schema: &Value, at: &str) {
 #[test]
 fn schemas_are_strict() {
     for schema in [
+        polhode_budget::REQUEST_SCHEMA,
+        polhode_budget::REPORT_SCHEMA,
+        polhode_robot::REQUEST_SCHEMA,
+        polhode_robot::REPORT_SCHEMA,
+        polhode_shape::REQUEST_SCHEMA,
+        polhode_shape::REPORT_SCHEMA,
         polhode_identify::REQUEST_SCHEMA,
         polhode_identify::REPORT_SCHEMA,
         polhode_judge::REQUEST_SCHEMA,
@@ -118,4 +124,23 @@ fn require_refused(schema: &str, report: &Value) {
     let mut changed = report.clone();
     changed["zzz"] = 1.into();
     assert!(misfit(schema, &changed).is_some());
+}
+
+#[test]
+fn schemas_are_printed() {
+    let scratch = Scratch::new("schemas-printed");
+    let printed =
+        |arguments: &[&str]| -> Value { serde_json::from_str(&stdout(&scratch.run(arguments))).unwrap() };
+    for (name, schemas) in [
+        ("inertia", [polhode_shape::REPORT_SCHEMA, polhode_shape::REQUEST_SCHEMA]),
+        ("check", [polhode_robot::REPORT_SCHEMA, polhode_robot::REQUEST_SCHEMA]),
+        ("sweep", [polhode_sweep::REPORT_SCHEMA, polhode_sweep::REQUEST_SCHEMA]),
+        ("judge", [polhode_judge::REPORT_SCHEMA, polhode_judge::REQUEST_SCHEMA]),
+        ("identify", [polhode_identify::REPORT_SCHEMA, polhode_identify::REQUEST_SCHEMA]),
+        ("budget", [polhode_budget::REPORT_SCHEMA, polhode_budget::REQUEST_SCHEMA]),
+    ] {
+        let [report, request] = schemas.map(|schema| serde_json::from_str::<Value>(schema).unwrap());
+        assert_eq!(printed(&["schema", name]), report);
+        assert_eq!(printed(&["schema", name, "--request"]), request);
+    }
 }

@@ -1,12 +1,16 @@
-//! JSON held against JSON schemas: the words of draft 2020-12 that those of the project have.
+//! Reports held against the schemas of their subjects.
 
 use serde_json::Value;
+
+use crate::schema::misfit;
 
 /// Checks a report of a subject whose reports have a schema.
 pub fn check(report: &Value) {
     let has = |key: &str| report.get(key).is_some();
     let schema = match report {
-        _ if matches!(report["kind"].as_str(), Some("budget" | "budget diff")) => polhode_budget::REPORT_SCHEMA,
+        _ if matches!(report["kind"].as_str(), Some("budget" | "budget diff")) => {
+            polhode_budget::REPORT_SCHEMA
+        }
         _ if has("estimate") => polhode_identify::REPORT_SCHEMA,
         _ if has("order_of_accuracy") || has("suite") => polhode_judge::REPORT_SCHEMA,
         _ if has("sampling") && has("outcomes") => polhode_sweep::REPORT_SCHEMA,
@@ -14,82 +18,4 @@ pub fn check(report: &Value) {
     };
     let found = misfit(schema, report);
     assert_eq!(found, None);
-}
-
-/// Returns where and why a value does not fit a schema; `None` if it fits.
-pub fn misfit(schema: &str, value: &Value) -> Option<String> {
-    let root = serde_json::from_str(schema).unwrap();
-    fits(&root, &root, value, "").err()
-}
-
-fn fits(root: &Value, schema: &Value, value: &Value, at: &str) -> Result<(), String> {
-    let (items, keys) = (value.as_array(), value.as_object());
-    let known = schema["properties"].as_object();
-    let of_list = |rule: &Value, of: &dyn Fn(&Value) -> bool| rule.as_array().unwrap().iter().any(of);
-    for (word, rule) in schema.as_object().unwrap() {
-        let is_kept = match word.as_str() {
-            "$schema" | "$defs" | "title" | "description" => true,
-            "$ref" => {
-                let target = rule.as_str().unwrap().trim_start_matches('#');
-                fits(root, root.pointer(target).unwrap(), value, at)?;
-                true
-            }
-            "type" if rule.is_array() => of_list(rule, &|name| is(name, value)),
-            "type" => is(rule, value),
-            "enum" => of_list(rule, &|one| one == value),
-            "const" => rule == value,
-            "minimum" => value.as_f64().is_none_or(|number| number >= rule.as_f64().unwrap()),
-            "minItems" => items.is_none_or(|items| items.len() as u64 >= rule.as_u64().unwrap()),
-            "maxItems" => items.is_none_or(|items| items.len() as u64 <= rule.as_u64().unwrap()),
-            "items" => {
-                let mut all = items.into_iter().flatten().enumerate();
-                all.try_for_each(|(k, item)| fits(root, rule, item, &format!("{at}/{k}")))?;
-                true
-            }
-            "required" => {
-                let has = |key: &Value| keys.is_none_or(|keys| keys.contains_key(key.as_str().unwrap()));
-                rule.as_array().unwrap().iter().all(has)
-            }
-            "properties" | "additionalProperties" => {
-                for (key, inner) in keys.into_iter().flatten() {
-                    let own = known.and_then(|known| known.get(key));
-                    let at = format!("{at}/{key}");
-                    match (word == "properties", own, rule) {
-                        (true, Some(own), _) => fits(root, own, inner, &at)?,
-                        (false, None, Value::Bool(false)) => return Err(format!("{at} is unknown")),
-                        (false, None, rule) => fits(root, rule, inner, &at)?,
-                        (true, None, _) | (false, Some(_), _) => {}
-                    }
-                }
-                true
-            }
-            "oneOf" | "anyOf" => {
-                let forms = rule.as_array().unwrap().iter().map(|form| fits(root, form, value, at));
-                let (fitting, not): (Vec<_>, Vec<_>) = forms.partition(Result::is_ok);
-                if fitting.is_empty() {
-                    return Err(not.into_iter().filter_map(Result::err).collect::<Vec<_>>().join("\n"));
-                }
-                word == "anyOf" || fitting.len() == 1
-            }
-            other => panic!("{other} is not read here"),
-        };
-        if !is_kept {
-            let value: String = value.to_string().chars().take(200).collect();
-            return Err(format!("{at}: {value} breaks {word}: {rule}"));
-        }
-    }
-    Ok(())
-}
-
-fn is(name: &Value, value: &Value) -> bool {
-    match name.as_str().unwrap() {
-        "object" => value.is_object(),
-        "array" => value.is_array(),
-        "string" => value.is_string(),
-        "boolean" => value.is_boolean(),
-        "number" => value.is_number(),
-        "integer" => value.is_u64() || value.is_i64(),
-        "null" => value.is_null(),
-        other => panic!("{other} is no type"),
-    }
 }

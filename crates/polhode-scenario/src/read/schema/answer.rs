@@ -1,9 +1,10 @@
 //! The reader's requests for a sample, by the ways to its values.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 use std::path::Path;
 
 use polhode_source::FormatErrorKind;
+use polhode_source::files::Memory;
 use polhode_source::toml::source::Source;
 use polhode_source::toml::{Asked, What, tree};
 
@@ -31,10 +32,9 @@ impl Answer {
     /// Reads a sample as a scenario file that may name no other file.
     pub(super) fn of(sample: &Sample) -> Self {
         let written = sample.written();
-        let (asked, nothing) = (Asked::default(), BTreeSet::new());
-        let new = Source::new(Path::new("scenario.toml"), &written.text);
-        let source =
-            Source { files: Some(&nothing), asked: Some(&asked), headings: &TOP, is_shown: false, ..new };
+        let (asked, nothing) = (Asked::default(), Memory::default());
+        let new = Source::new(&nothing, Path::new("scenario.toml"), &written.text);
+        let source = Source { asked: Some(&asked), headings: &TOP, is_shown: false, ..new };
         let Ok(entries) = tree::parse(&written.text) else { return Self::default() };
         let read = file_of_root(source, &entries);
         let mut ways: HashMap<(usize, usize), &[Step]> = HashMap::from([((0, 0), &[][..])]);

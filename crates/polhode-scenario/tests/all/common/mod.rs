@@ -2,8 +2,8 @@
 #![allow(dead_code, unreachable_pub, reason = "each test file uses some of them")]
 
 pub mod ground;
-pub mod page;
 pub mod held;
+pub mod page;
 
 use std::sync::OnceLock;
 

@@ -19,8 +19,8 @@ pub struct PlacedPart {
 }
 
 impl PlacedPart {
-    /// Returns the part with its origin at `position` and its axes rotated by `rotation` =
-    /// R_body_part.
+    /// Returns the part with its origin at `position` and its axes rotated by
+    /// `rotation` = R_body_part.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if the position is not finite.
@@ -58,8 +58,8 @@ pub struct BodyPart {
     pub form: Option<PlacedForm>,
 }
 
-/// Mass properties of parts rigidly joined; parts that overlap count twice where they do.
 /// Computes the mass properties of rigidly joined parts. Regions where parts overlap count twice.
+///
 /// ```
 /// use polhode::body::{PlacedPart, assemble};
 /// use polhode::body::shape::{BoxShape, Shape, Substance};

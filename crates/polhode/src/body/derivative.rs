@@ -102,7 +102,8 @@ impl<F: Frame> MassPropertiesDerivative<F> {
     /// Converts this derivative of a part to the derivative of the whole. With d from the centre of
     /// mass of the whole to that of the part,
     ///
-    /// ∂M = ∂m,  ∂C = (d ∂m + m ∂c)/M,  ∂I_whole = ∂I + (d² 1 − d dᵀ) ∂m + m (2 d·∂c 1 − d ∂cᵀ − ∂c dᵀ)
+    /// ∂M = ∂m,  ∂C = (d ∂m + m ∂c)/M,
+    /// ∂I_whole = ∂I + (d² 1 − d dᵀ) ∂m + m (2 d·∂c 1 − d ∂cᵀ − ∂c dᵀ)
     ///
     /// The motion of the whole's centre of mass does not affect its tensor, because Σ m d = 0. For
     /// a particle, or for a part that is not yet in the body, only its mass and position matter:
@@ -149,8 +150,8 @@ impl<F> Add for MassPropertiesDerivative<F> {
     }
 }
 
-/// Derivative with respect to another parameter, `factor` of whose units change this parameter:
-/// chain rule with a constant factor.
+/// Derivative with respect to another parameter, one unit of which equals `factor` units of this
+/// one.
 impl<F> Mul<f64> for MassPropertiesDerivative<F> {
     type Output = Self;
     fn mul(self, factor: f64) -> Self {

@@ -40,8 +40,8 @@ pub enum BodyError {
         /// Principal moments, ascending, kg·m².
         moments: [f64; 3],
     },
-    /// A tensor J about another point gives an impossible tensor about the centre of mass: I = J −
-    /// M (d² 1 − d dᵀ).
+    /// A tensor J about another point gives an impossible tensor about the centre of mass:
+    /// I = J − M (d² 1 − d dᵀ).
     ImpossibleAtCenter {
         /// Mass M, kg.
         mass: f64,

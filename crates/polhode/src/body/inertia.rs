@@ -15,7 +15,8 @@ use crate::math::vector::{
 
 /// Inertia tensor of a body about its centre of mass, along the axes of `F`, kg·m².
 ///
-/// I_ij = ∫ (δ_ij r² − x_i x_j) dm: the off-diagonal elements are *minus* the integrals ∫xy dm, so that L = I ω.
+/// I_ij = ∫ (δ_ij r² − x_i x_j) dm: the off-diagonal elements are *minus* the integrals ∫xy dm, so
+/// that L = I ω.
 ///
 /// Every tensor of this type is *possible*: finite, symmetric, without negative principal moments,
 /// and i1 + i2 ≥ i3. The tolerance is 64 ε i3, the rounding of a sum of many parts. The elements
@@ -32,7 +33,8 @@ use crate::math::vector::{
 /// # Ok::<(), polhode::body::BodyError>(())
 /// ```
 ///
-/// Source: the lecture notes on Thornton & Marion, Classical Dynamics, chapter 11, "The inertia tensor".
+/// Source: the lecture notes on Thornton & Marion, Classical Dynamics, chapter 11, "The inertia
+/// tensor".
 pub struct InertiaTensor<F> {
     elements: Symmetric3,
     frame: PhantomData<F>,
@@ -111,7 +113,7 @@ impl<F: Frame> InertiaTensor<F> {
         }
         let [a, b, c] = vectors;
         let columns = [[a[0], b[0], c[0]], [a[1], b[1], c[1]], [a[2], b[2], c[2]]];
-        let third = excess / 3.0; // the least change: a third to each moment
+        let third = excess / 3.0; // smallest change: a third for each moment
         let on_edge = Symmetric3::diagonal([j1 + third, j2 + third, j3 - third]);
         Self::from_symmetric(on_edge.rotated(&columns))
     }

@@ -275,7 +275,7 @@ mod tests {
                     MassProperties::from_inertia_about(body.mass(), body.center_of_mass(), &about).unwrap();
                 let difference = *again.inertia().symmetric() - *body.inertia().symmetric();
                 assert!(difference.max_abs() < 4e-16 * about.symmetric().max_abs());
-                // and the result is a part like any other
+                // The result can be used like any other part.
                 assert!(MassProperties::combined(&[again, body]).is_ok());
             }
         }

@@ -14,7 +14,7 @@
 pub struct Material {
     /// Name of the material, in lower case.
     pub name: &'static str,
-    /// Density, kg/m³.
+    /// Nominal density, kg/m³.
     pub density: f64,
 }
 

@@ -234,7 +234,8 @@ fn nearest_pair<F: Frame>(n: Direction<F>) -> (Direction<F>, Direction<F>) {
     };
     let in_plane = |k: usize| unit_axes::<F>()[k] - n * n.dot(unit_axes::<F>()[k]);
     let (p, q) = (in_plane(a), in_plane(b));
-    // v = s n × u, so u·p + v·q = u·(p + s q × n), largest for u along that vector; s makes v point along q.
+    // v = s n × u, so u·p + v·q = u·(p + s q × n), which is largest for u along that vector; s
+    // makes v point along q.
     let s = if n.dot(p.cross(q)) < 0.0 { -1.0 } else { 1.0 };
     let u = p + q.cross(n) * s;
     let u = u.direction().unwrap_or(p);

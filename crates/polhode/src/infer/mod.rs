@@ -1,4 +1,4 @@
-//! From motions back to what made them: whether a program's motion is right, and if not why.
+//! Inference from motions: whether a program's motion is correct, and the causes if it is not.
 //!
 //! [`judge`] compares a motion that another program computed with the exact one.
 

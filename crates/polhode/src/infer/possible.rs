@@ -1,11 +1,11 @@
-//! The nearest tensor that a body can have.
+//! Projection of a tensor to the nearest physical inertia tensor.
 
 use crate::math::symmetric_eigen;
 
-/// The relative rounding of second moments: what is no more below zero is zero.
+/// Relative rounding of second moments; a smaller negative value counts as zero.
 const ROUNDING: f64 = 1e-12;
 
-/// The nearest tensor that a body can have, and whether it is another one.
+/// Returns the nearest physical inertia tensor, and true if the given one was not physical.
 pub fn possible(i: [f64; 6]) -> ([f64; 6], bool) {
     let half = 0.5 * (i[0] + i[1] + i[2]);
     let (values, vectors) = symmetric_eigen([half - i[0], half - i[1], half - i[2], -i[3], -i[4], -i[5]]);
@@ -13,7 +13,7 @@ pub fn possible(i: [f64; 6]) -> ([f64; 6], bool) {
     if values[0] >= 0.0 {
         return (i, false);
     }
-    // Along each eigenvector v, a second moment g of mass adds g (1 − v vᵀ).
+    // A second moment g along each eigenvector v adds g (1 − v vᵀ).
     let mut inertia = [0.0; 6];
     for (value, v) in values.into_iter().zip(vectors) {
         let [x, y, z] = v;
@@ -47,7 +47,8 @@ mod tests {
         for k in 1..3 {
             assert!((before.0[k] - after.0[k]).abs() < 2e-15, "{before:?} {after:?}");
         }
-        // G⁺ − G is along the eigenvector that was negative, so no other change to a possible one is less.
+        // G⁺ − G is along the eigenvector with the negative value, so no other change to a possible
+        // tensor is smaller.
         let change: f64 = g(i)
             .iter()
             .zip(g(j))

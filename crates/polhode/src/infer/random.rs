@@ -1,10 +1,11 @@
-//! Standard normal numbers, and log-normal ones of these, each a function of a seed and of what it is for.
+//! Standard normal and log-normal random numbers, each a function of a seed and of its purpose.
 
 use core::f64::consts::TAU;
 
-/// Draws for one purpose.
+/// Generator of random numbers for one purpose.
 ///
-/// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014), and pairs of normal numbers after Box and Muller.
+/// SplitMix64 (Steele, Lea and Flood, OOPSLA 2014), and pairs of normal numbers by the method of
+/// Box and Muller.
 #[derive(Clone, Debug)]
 pub struct Random {
     state: u64,
@@ -12,7 +13,7 @@ pub struct Random {
 }
 
 impl Random {
-    /// For a row, or a group, in a draw.
+    /// Returns the generator for a purpose (for example a row or a group) in a draw.
     pub fn new(seed: u64, draw: usize, purpose: u64) -> Self {
         let state = mixed(mixed(mixed(seed) ^ draw as u64) ^ purpose);
         Self { state, other: None }
@@ -29,7 +30,7 @@ impl Random {
         radius * cos
     }
 
-    /// Above 0 and below 1.
+    /// Returns a uniform number above 0 and below 1.
     fn uniform(&mut self) -> f64 {
         const SCALE: f64 = 1.0 / (1_u64 << 52) as f64;
         self.state = self.state.wrapping_add(GOLDEN);
@@ -49,7 +50,8 @@ fn finished(x: u64) -> u64 {
     x ^ (x >> 31)
 }
 
-/// Log-normal, of a normal z: with the mean and the standard deviation that are stated.
+/// Returns a log-normal number for a standard normal z, with the stated mean and standard
+/// deviation.
 pub fn log_normal(mean: f64, sd: f64, z: f64) -> f64 {
     let square = libm::log1p((sd / mean) * (sd / mean));
     mean * libm::exp(square.sqrt() * z - 0.5 * square)
@@ -61,7 +63,7 @@ mod tests {
 
     #[test]
     fn splitmix64_gives_its_known_answers() {
-        // From the state 0, as java.util.SplittableRandom and Vigna's splitmix64.c have them.
+        // From the state 0, as in java.util.SplittableRandom and Vigna's splitmix64.c.
         assert_eq!(finished(GOLDEN), 0xE220_A839_7B1D_CDAF);
         assert_eq!(finished(GOLDEN.wrapping_mul(2)), 0x6E78_9E6A_A1B9_65F4);
     }
@@ -77,7 +79,7 @@ mod tests {
             }
         }
         let [m1, m2, m3, m4] = sums.map(|sum| sum / count as f64);
-        // four standard errors of each
+        // Four standard errors of each moment.
         let error = 4.0 / (count as f64).sqrt();
         assert!(m1.abs() < error && (m2 - 1.0).abs() < 1.42 * error, "{m1} {m2}");
         assert!(m3.abs() < 3.9 * error && (m4 - 3.0).abs() < 9.8 * error, "{m3} {m4}");

@@ -1,9 +1,9 @@
-//! Vectors, rotations and tensors of crates of linear algebra.
+//! Conversions to vectors, rotations and tensors of linear-algebra crates.
 
 use crate::body::{BodyError, InertiaTensor};
 use crate::math::{Frame, Rotation, RotationError, Vector};
 
-/// What a crate calls the three, and how each is made of numbers and taken apart.
+/// Implements the conversions for the three types of a crate, given functions to and from numbers.
 macro_rules! conversions {
     (
         $vector:ty: $to_vector:expr, $from_vector:expr;
@@ -65,7 +65,7 @@ conversions! {
     mint::RowMatrix3<f64>: |[x, y, z]| Self { x: x.into(), y: y.into(), z: z.into() }, |m| [m.x.into(), m.y.into(), m.z.into()];
 }
 
-// Columns are rows: a tensor is symmetric, and checked to be.
+// Columns equal rows, because a tensor is symmetric; the constructor checks this.
 #[cfg(feature = "nalgebra")]
 conversions! {
     nalgebra::Vector3<f64>: Self::from, |v| v.into();

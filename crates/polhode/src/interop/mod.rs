@@ -1,4 +1,4 @@
-//! Values as other crates have them: each a feature.
+//! Conversions to types of other crates, each behind a feature.
 //!
 //! | feature | vector | rotation | inertia tensor |
 //! |---|---|---|---|
@@ -7,9 +7,10 @@
 //! | `glam` | `glam::DVec3` | `glam::DQuat` | `glam::DMat3` |
 //! | `serde` | `[x, y, z]` | `[w, x, y, z]` | rows `[[xx, xy, xz], …]` |
 //!
-//! `From` where nothing can be wrong; `TryFrom` where numbers become a [`Rotation`](crate::math::Rotation) or an
-//! [`InertiaTensor`](crate::body::InertiaTensor), with the checks of their own constructors. Other crates have neither frames nor
-//! quantities: which they are is said by the type that is asked for.
+//! `From` is implemented where the conversion cannot fail. `TryFrom` is implemented where numbers
+//! become a [`Rotation`](crate::math::Rotation) or an
+//! [`InertiaTensor`](crate::body::InertiaTensor), with the checks of their constructors. Other
+//! crates have neither frames nor quantities; the target type of the conversion determines them.
 //!
 #![cfg_attr(
     feature = "nalgebra",

@@ -1,4 +1,4 @@
-//! Values as serde writes and reads them; what is read passes the checks of the constructors.
+//! Serialization with serde; values that are read pass the checks of the constructors.
 
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -7,7 +7,8 @@ use crate::body::{InertiaTensor, MassProperties};
 use crate::math::{Frame, Rotation, Vector};
 use crate::motion::model::state::State;
 
-/// A type that is written as another: generics, type, the other; how one becomes the other, and back.
+/// Implements serialization of a type as another type: generics, type, other type, and the
+/// conversions in both directions.
 macro_rules! written_as {
     ([$($generics:tt)*] $type:ty, $other:ty: $to:expr, $from:expr) => {
         impl<$($generics)*> Serialize for $type {
@@ -44,7 +45,7 @@ written_as!([F: Frame] MassProperties<F>, MassPropertiesFields<F>:
     |read: MassPropertiesFields<F>| Self::new(read.mass, read.center_of_mass, read.inertia)
 );
 
-/// Time, s; quaternion, scalar first; ω in body axes, rad/s.
+/// Time, s; quaternion, scalar first; ω along body axes, rad/s.
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "State", deny_unknown_fields)]
 struct StateFields {

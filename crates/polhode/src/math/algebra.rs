@@ -1,7 +1,7 @@
-//! Numbers and vectors of which only the operations are known.
+//! Numbers and vectors as abstract operations.
 //!
-//! A law that is written with them can be evaluated (f64), recognised as a polynomial, or recorded as a graph whose Taylor coefficients
-//! follow: `motion/model/law.rs`.
+//! A law written with these operations can be evaluated (f64), recognised as a polynomial, or
+//! recorded as a graph from which Taylor coefficients are computed: see `motion/model/law.rs`.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -9,78 +9,79 @@ use super::formula::{Binary, Unary};
 use super::number::Number;
 use super::vector::{Direction, Vector};
 
-/// A number, or what stands for one: an expression, a polynomial.
+/// Number, or a representation of one: an expression or a polynomial.
 pub trait Scalar:
     Copy + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
-    /// The product with a constant.
+    /// Returns the product with a constant.
     #[must_use]
     fn scaled(self, by: f64) -> Self;
 
-    /// A function of it.
+    /// Returns a function of this number.
     #[must_use]
     fn unary(self, function: Unary) -> Self;
 
-    /// A function of it and another one; constant exponents are found out.
+    /// Returns a function of this number and another one; constant exponents are recognised.
     #[must_use]
     fn binary(self, function: Binary, b: Self) -> Self;
 
-    /// selfᵖ for a constant p.
+    /// Returns selfᵖ for a constant p.
     #[must_use]
     fn power(self, p: f64) -> Self;
 
-    /// selfᵖ − (self + δ)ᵖ for a constant p, to as many digits as δ has.
+    /// Returns selfᵖ − (self + δ)ᵖ for a constant p, with the relative precision of δ.
     #[must_use]
     fn power_difference(self, delta: Self, p: f64) -> Self;
 
-    /// self/d, zero where d is.
+    /// Returns self/d, or zero if d is zero.
     #[must_use]
     fn over_or_zero(self, d: Self) -> Self;
 
-    /// An angle brought between −π and π.
+    /// Returns an angle reduced to −π … π, rad.
     #[must_use]
     fn wrapped(self) -> Self;
 
-    /// arccos w/√(1 − w²), w > −1: half an angle over its sine, smooth at w = 1.
+    /// Returns arccos w/√(1 − w²) for w = self > −1: half an angle divided by its sine, smooth at
+    /// w = 1.
     #[must_use]
     fn half_angle_over_sine(self) -> Self;
 
-    /// √self
+    /// Returns √self.
     #[must_use]
     fn sqrt(self) -> Self {
         self.unary(Unary::Sqrt)
     }
 
-    /// The angle of the point (x, self) from the first axis.
+    /// Returns the angle of the point (x, self) from the first axis, rad.
     #[must_use]
     fn atan2(self, x: Self) -> Self {
         self.binary(Binary::Atan2, x)
     }
 }
 
-/// What can be added, multiplied and divided, and has roots: all that vectors and polynomials need.
+/// Field with square roots: the operations that vectors and polynomials need.
 pub(crate) trait Field:
     Copy + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
-    /// The product with a constant.
+    /// Returns the product with a constant.
     fn times(self, constant: f64) -> Self;
 
-    /// √self
+    /// Returns √self.
     fn root(self) -> Self;
 
-    /// self + by · x
+    /// Returns self + by · x.
     #[inline(always)]
     fn plus_multiple(self, x: Self, by: f64) -> Self {
         self + x.times(by)
     }
 
-    /// Σ aₖ bₖ
+    /// Returns Σ aₖ bₖ.
     #[inline(always)]
     fn sum_of_products([ax, ay, az]: [Self; 3], [bx, by, bz]: [Self; 3]) -> Self {
         ax * bx + ay * by + az * bz
     }
 
-    /// a b − c d
+    /// Returns a b − c d.
     #[inline(always)]
     fn difference_of_products([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
         a * b - c * d
@@ -99,7 +100,7 @@ impl<S: Scalar> Field for S {
     }
 }
 
-/// Numbers side by side as a [`Field`]: in a vector register of the machine.
+/// SIMD lanes as a [`Field`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Side<N>(pub(crate) N);
 
@@ -170,23 +171,23 @@ impl<N: Number> Field for Side<N> {
     }
 }
 
-/// A vector along the axes of a body, with such numbers as components.
+/// Vector along body axes with such numbers as components.
 pub trait VectorAlgebra<S>:
     Copy + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<S, Output = Self>
 {
-    /// The product with a constant.
+    /// Returns the product with a constant.
     #[must_use]
     fn scaled(self, by: f64) -> Self;
 
-    /// self · b
+    /// Returns self · b.
     #[must_use]
     fn dot(self, b: Self) -> S;
 
-    /// self × b
+    /// Returns self × b.
     #[must_use]
     fn cross(self, b: Self) -> Self;
 
-    /// |self|
+    /// Returns |self|.
     #[must_use]
     fn norm(self) -> S;
 }
@@ -226,7 +227,8 @@ impl Scalar for f64 {
     }
 }
 
-/// A vector as three numbers of any kind. Its components are written one by one, as closures of arrays would not be compiled for the vectors of a machine.
+/// Vector of three numbers of any kind. Its components are written one by one, because closures
+/// over arrays are not compiled to SIMD instructions.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Components<S>(pub(crate) [S; 3]);
 
@@ -243,7 +245,7 @@ impl<S: Field> Components<S> {
         Self([x.times(by), y.times(by), z.times(by)])
     }
 
-    /// M self, of a constant matrix by its rows.
+    /// Returns M self for a constant matrix M, given by its rows.
     #[inline(always)]
     pub(crate) fn image(self, rows: &[[f64; 3]; 3]) -> Self {
         let ([x, y, z], [a, b, c]) = (self.0, rows);

@@ -1,4 +1,4 @@
-//! Complex numbers, no more of them than is needed.
+//! Minimal complex arithmetic.
 
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -26,7 +26,7 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Complex<T> {
         Self { re: self.re * by, im: self.im * by }
     }
 
-    /// |z|²
+    /// Returns |z|².
     pub(crate) fn norm_squared(self) -> T {
         self.re * self.re + self.im * self.im
     }
@@ -37,7 +37,7 @@ impl<T: Neg<Output = T>> Complex<T> {
         Self { re: self.re, im: -self.im }
     }
 
-    /// i z
+    /// Returns i z.
     pub(crate) fn times_i(self) -> Self {
         Self { re: -self.im, im: self.re }
     }
@@ -48,7 +48,7 @@ impl Complex<f64> {
         libm::hypot(self.re, self.im)
     }
 
-    /// The quotient, by Smith's method: no square overflows.
+    /// Returns the quotient by Smith's method, in which no square overflows.
     pub(crate) fn over(self, b: Self) -> Self {
         if b.re.abs() >= b.im.abs() {
             let ratio = b.im / b.re;

@@ -1,31 +1,32 @@
-//! The derivative of a function that can only be evaluated.
+//! Numerical derivative of a function that can only be evaluated.
 
-/// f′(0) as far as differences show it.
+/// Derivative f′(0) from differences, with error indicators.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slope {
     value: [f64; 3],
-    /// How far the last extrapolations differ.
+    /// Difference between the last extrapolations.
     error: f64,
-    /// How far the slopes to both sides of 0 differ, after the last halving.
+    /// Difference between the slopes on both sides of 0, after the last halving.
     corner: f64,
-    /// The largest difference quotient over the largest h.
+    /// Largest difference quotient for the largest h.
     pub(crate) largest: f64,
 }
 
 impl Slope {
-    /// f′(0) of a function that is known to have one.
+    /// Returns f′(0) of a function that is known to be differentiable.
     pub(crate) const fn best(&self) -> [f64; 3] {
         self.value
     }
 
-    /// f′(0), if there is one: not where extrapolations or the slopes to both sides do not meet, relative to `scale`, the size of what
-    /// rounding is relative to.
+    /// Returns f′(0) if it exists: `None` if the extrapolations or the slopes on both sides differ,
+    /// relative to `scale`, the magnitude to which rounding is relative.
     pub(crate) fn value(self, scale: f64) -> Option<[f64; 3]> {
         (self.error <= BAD * scale && self.corner <= CORNER * scale).then_some(self.value)
     }
 }
 
-/// By central differences over h, h/2, h/4 …, extrapolated to h = 0; the best of the table is taken.
+/// Computes f′(0) by central differences over h, h/2, h/4 …, extrapolated to h = 0; the best value
+/// of the table is returned.
 ///
 /// Source: Ridders, Adv. Eng. Softw. 4 (1982) 75.
 pub(crate) fn derivative(f: impl Fn(f64) -> [f64; 3], h: f64) -> Slope {
@@ -41,7 +42,7 @@ pub(crate) fn derivative(f: impl Fn(f64) -> [f64; 3], h: f64) -> Slope {
             previous.clear();
             continue;
         }
-        // How far the slopes to both sides differ: it falls with h where f is smooth.
+        // Difference of the slopes on both sides; it decreases with h where f is smooth.
         let [after, before] = [after, before].map(|there| each(there, here, |a, b| a - b));
         corner = size(each(after, before, |a, b| (a + b) / h));
         if previous.is_empty() {
@@ -50,7 +51,7 @@ pub(crate) fn derivative(f: impl Fn(f64) -> [f64; 3], h: f64) -> Slope {
         let mut power = 1.0;
         for (j, coarse) in previous.iter().enumerate() {
             power *= 4.0;
-            // The error's term in h^(2j + 2) goes.
+            // Removes the error term of order h^(2j + 2).
             let next = each(row[j], *coarse, |fine, coarse| fine + (fine - coarse) / (power - 1.0));
             let error = size(each(next, row[j], |a, b| a - b)).max(size(each(next, *coarse, |a, b| a - b)));
             if error < best.1 {
@@ -65,10 +66,10 @@ pub(crate) fn derivative(f: impl Fn(f64) -> [f64; 3], h: f64) -> Slope {
 
 const LEVELS: u32 = 20;
 
-/// The largest error of a derivative, relative to its scale.
+/// Largest error of a derivative, relative to its scale.
 const BAD: f64 = 1e-5;
 
-/// The largest difference of the slopes to both sides, relative to the same.
+/// Largest difference of the slopes on both sides, relative to the same scale.
 const CORNER: f64 = 1e-3;
 
 fn each(a: [f64; 3], b: [f64; 3], f: impl Fn(f64, f64) -> f64) -> [f64; 3] {
@@ -94,11 +95,11 @@ mod tests {
         assert!((a - 1.3_f64.cos()).abs() < 1e-12, "{a}");
         assert!((b - 0.7 * (-0.28_f64).exp()).abs() < 1e-12, "{b}");
         assert!((c + 0.25).abs() < 1e-12, "{c}");
-        // |x| x has the derivative zero at 0, and no second one.
+        // |x| x has the derivative zero at 0, and no second derivative.
         let [d, ..] = slope(|x| [x.abs() * x, 0.0, 0.0]).unwrap();
         assert!(d.abs() < 1e-6, "{d}");
         assert_eq!(slope(|x| [3.0 * x, 0.0, -x]).unwrap()[1], 0.0);
-        // Even ones, and one that is not defined so far away.
+        // Even functions, and one that is not defined at the largest h.
         let [e, f, g] = slope(|x| [1.0 - x.cos(), x * x, (0.04 + x).sqrt()]).unwrap();
         assert!(e.abs() < 1e-12 && f.abs() < 1e-12 && (g - 2.5).abs() < 1e-10, "{e} {f} {g}");
         assert_eq!(slope(|_| [0.0; 3]), Some([0.0; 3]));

@@ -1,9 +1,9 @@
-//! Numbers as people read them.
+//! Display of numbers for people.
 
 use core::fmt;
 
-/// A number in as many digits as tell it apart from all others, or as many as the formatter asks for; very large and very small ones with
-/// a power of ten.
+/// Number with as many digits as distinguish it from all others, or as many as the formatter
+/// requests; very large and very small numbers with a power of ten.
 pub(crate) struct Shown(pub(crate) f64);
 
 impl fmt::Display for Shown {
@@ -16,7 +16,7 @@ impl fmt::Display for Shown {
     }
 }
 
-/// Numbers in parentheses.
+/// Writes numbers in parentheses.
 pub(crate) fn row(f: &mut fmt::Formatter<'_>, numbers: &[f64]) -> fmt::Result {
     f.write_str("(")?;
     for (k, number) in numbers.iter().enumerate() {

@@ -1,14 +1,14 @@
-//! Numbers of two words: an unevaluated sum high + low, about 106 bits.
+//! Double-double arithmetic: an unevaluated sum high + low, about 106 bits.
 //!
-//! For constants that are later multiplied by a long time: a frequency with 53 bits is a wrong phase after 10⁹ turns.
-//! Results are accurate to a few 2⁻¹⁰⁵, relative, while products stay within the range of f64 (below 2⁻⁹⁶⁹ the low
-//! word is lost).
+//! It is used for constants that are later multiplied by a long time: a frequency with 53 bits
+//! gives a wrong phase after 10⁹ revolutions. The relative error of results is a few 2⁻¹⁰⁵ while
+//! products stay within the range of f64 (below 2⁻⁹⁶⁹ the low word is lost).
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::sum::{quick_two_sum, two_product, two_sum};
 
-/// high + low, |low| ≤ ½ ulp(high).
+/// Double-double number high + low, |low| ≤ ½ ulp(high).
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub(crate) struct Double {
     pub(crate) high: f64,
@@ -17,20 +17,20 @@ pub(crate) struct Double {
 
 impl Double {
     pub(crate) const ONE: Self = Self::new(1.0, 0.0);
-    /// 2π
+    /// Constant 2π.
     pub(crate) const TAU: Self = Self::new(core::f64::consts::TAU, 2.449_293_598_294_706_4e-16);
 
     pub(crate) const fn new(high: f64, low: f64) -> Self {
         Self { high, low }
     }
 
-    /// a + b, normalised.
+    /// Returns a + b, normalised.
     pub(crate) fn sum(a: f64, b: f64) -> Self {
         let (high, low) = two_sum(a, b);
         Self { high, low }
     }
 
-    /// a b, exactly.
+    /// Returns a b, exactly.
     pub(crate) fn product(a: f64, b: f64) -> Self {
         let (high, low) = two_product(a, b);
         Self { high, low }
@@ -52,7 +52,7 @@ impl Double {
         self * self
     }
 
-    /// √x for x ≥ 0: one Newton step from the rounded root (Karp & Markstein).
+    /// Returns √x for x ≥ 0, by one Newton step from the rounded root (Karp & Markstein).
     pub(crate) fn sqrt(self) -> Self {
         if self.high <= 0.0 {
             return Self::default();
@@ -62,7 +62,7 @@ impl Double {
         quick(root, residual.high / (2.0 * root))
     }
 
-    /// × a power of two: exact.
+    /// Returns the product with a power of two, which is exact.
     pub(crate) fn scaled(self, power_of_two: f64) -> Self {
         Self { high: self.high * power_of_two, low: self.low * power_of_two }
     }
@@ -137,7 +137,7 @@ mod tests {
         small((a + b) - b - a, 1.0);
         small(b.square() - Double::from(2.0) * Double::from(0.7).square(), 1.0);
         small(a.sqrt().square() - a, 1.0);
-        // 0.1 + 0.2 as doubles, exactly
+        // 0.1 + 0.2 as f64 numbers, exactly.
         assert_eq!(Double::from(0.1) + Double::from(0.2), Double::sum(0.1, 0.2));
         assert_eq!(Double::from(0.0).sqrt(), Double::default());
     }

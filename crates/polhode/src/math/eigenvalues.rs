@@ -1,24 +1,27 @@
-//! Eigenvalues of small matrices that are not symmetric.
+//! Eigenvalues of small nonsymmetric matrices.
 //!
-//! Balancing, reduction to Hessenberg's form by elimination, and Francis's double-shifted QR steps: real arithmetic throughout, so
-//! that complex eigenvalues come in pairs that are conjugate to the bit. Eigenvectors are found one by one, by inverse iteration.
+//! The method is balancing, reduction to Hessenberg form by elimination, and Francis's
+//! double-shifted QR steps. All arithmetic is real, so that complex eigenvalues are exact conjugate
+//! pairs. Eigenvectors are computed one by one, by inverse iteration.
 //!
-//! Source: Wilkinson & Reinsch, Handbook for Automatic Computation II (1971), contributions II/11 (balance), II/13 (elmhes) and
-//! II/14 (hqr).
+//! Source: Wilkinson & Reinsch, Handbook for Automatic Computation II (1971), contributions II/11
+//! (balance), II/13 (elmhes) and II/14 (hqr).
 
 #![allow(clippy::needless_range_loop, reason = "rows and columns have the numbers of the algorithm")]
 
 use super::complex::Complex;
 
-/// A square matrix, row by row.
+/// Square matrix, row by row.
 pub(crate) type Matrix<const N: usize> = [[f64; N]; N];
 
-/// QR steps for one eigenvalue; more than some five are never seen.
+/// Maximum number of QR steps for one eigenvalue; more than about five do not occur.
 const MOST_STEPS: usize = 60;
 
-/// All eigenvalues, a complex one followed by its conjugate; `None` if an element is not finite or the QR steps do not converge.
+/// Returns all eigenvalues, a complex one followed by its conjugate; `None` if an element is not
+/// finite or the QR steps do not converge.
 ///
-/// Errors are a few ε of the norm of the balanced matrix, times the eigenvalue's condition; of a defective pair, √ε of it.
+/// Errors are a few ε times the norm of the balanced matrix and the condition of the eigenvalue;
+/// for a defective pair, √ε instead of ε.
 pub(crate) fn eigenvalues<const N: usize>(matrix: &Matrix<N>) -> Option<[Complex<f64>; N]> {
     if !matrix.iter().flatten().all(|x| x.is_finite()) {
         return None;
@@ -29,7 +32,7 @@ pub(crate) fn eigenvalues<const N: usize>(matrix: &Matrix<N>) -> Option<[Complex
     by_qr(a)
 }
 
-/// Scales rows and columns by powers of two until their norms agree: exact.
+/// Scales rows and columns by powers of two, which is exact, until their norms are similar.
 fn balance<const N: usize>(a: &mut Matrix<N>) {
     let mut done = false;
     while !done {
@@ -57,7 +60,7 @@ fn balance<const N: usize>(a: &mut Matrix<N>) {
     }
 }
 
-/// Eliminates what stands below the subdiagonal, with row interchanges.
+/// Eliminates the elements below the subdiagonal, with row interchanges.
 fn to_hessenberg<const N: usize>(a: &mut Matrix<N>) {
     for m in 1..N.saturating_sub(1) {
         let pivot = (m..N).max_by(|&i, &j| a[i][m - 1].abs().total_cmp(&a[j][m - 1].abs())).unwrap_or(m);
@@ -80,7 +83,7 @@ fn to_hessenberg<const N: usize>(a: &mut Matrix<N>) {
     }
 }
 
-/// Eigenvalues of a Hessenberg matrix.
+/// Returns the eigenvalues of a Hessenberg matrix.
 fn by_qr<const N: usize>(mut a: Matrix<N>) -> Option<[Complex<f64>; N]> {
     let mut found = [Complex { re: 0.0, im: 0.0 }; N];
     let norm: f64 = a.iter().flatten().map(|x| x.abs()).sum();
@@ -104,7 +107,7 @@ fn by_qr<const N: usize>(mut a: Matrix<N>) -> Option<[Complex<f64>; N]> {
         }
         let (mut sum, mut product) = (x + y, x * y - w);
         if steps % 10 == 9 {
-            // An exceptional shift, where the usual ones go in a circle.
+            // Exceptional shift, in case the usual shifts cycle.
             shifted += x;
             (0..size).for_each(|i| a[i][i] -= x);
             let s = a[n][n - 1].abs() + a[n - 1][n - 2].abs();
@@ -116,7 +119,7 @@ fn by_qr<const N: usize>(mut a: Matrix<N>) -> Option<[Complex<f64>; N]> {
     Some(found)
 }
 
-/// The first row of the last block that does not fall apart.
+/// Returns the first row of the last unreduced block.
 fn split<const N: usize>(a: &mut Matrix<N>, n: usize, norm: f64) -> usize {
     for l in (1..=n).rev() {
         let beside = a[l - 1][l - 1].abs() + a[l][l].abs();
@@ -129,7 +132,8 @@ fn split<const N: usize>(a: &mut Matrix<N>, n: usize, norm: f64) -> usize {
     0
 }
 
-/// The eigenvalues of a block of two, [[y, ·], [·, x]] with w the product off the diagonal.
+/// Returns the eigenvalues of a 2 × 2 block [[y, ·], [·, x]], where w is the product of the
+/// off-diagonal elements.
 fn pair(x: f64, y: f64, w: f64, shifted: f64) -> [Complex<f64>; 2] {
     let p = 0.5 * (y - x);
     let q = p * p + w;
@@ -142,9 +146,9 @@ fn pair(x: f64, y: f64, w: f64, shifted: f64) -> [Complex<f64>; 2] {
     [Complex { re: x + z, im: 0.0 }, Complex { re: other, im: 0.0 }]
 }
 
-/// One implicit double step on rows low … n, with shifts of this sum and product.
+/// Performs one implicit double step on rows low … n, with shifts of this sum and product.
 fn francis<const N: usize>(a: &mut Matrix<N>, low: usize, n: usize, sum: f64, product: f64) {
-    // The first column of (A − s₁)(A − s₂).
+    // First column of (A − s₁)(A − s₂).
     let mut v = [
         a[low][low] * (a[low][low] - sum) + product + a[low][low + 1] * a[low + 1][low],
         a[low + 1][low] * (a[low][low] + a[low + 1][low + 1] - sum),
@@ -171,7 +175,7 @@ fn francis<const N: usize>(a: &mut Matrix<N>, low: usize, n: usize, sum: f64, pr
     }
 }
 
-/// Householder's (u, τ, α): (1 − τ u uᵀ) v = α e₁; `None` of a zero vector.
+/// Returns Householder's (u, τ, α) with (1 − τ u uᵀ) v = α e₁; `None` for a zero vector.
 fn reflector(v: [f64; 3]) -> Option<([f64; 3], f64, f64)> {
     let scale = v.iter().fold(0.0, |max: f64, x| max.max(x.abs()));
     if scale == 0.0 {
@@ -179,18 +183,19 @@ fn reflector(v: [f64; 3]) -> Option<([f64; 3], f64, f64)> {
     }
     let [x, y, z] = v.map(|x| x / scale);
     let alpha = -(x * x + y * y + z * z).sqrt().copysign(x);
-    // u = v − α e₁, and uᵀu = 2 α (α − x).
+    // u = v − α e₁ and uᵀu = 2 α (α − x).
     Some(([x - alpha, y, z], 1.0 / (alpha * (alpha - x)), alpha * scale))
 }
 
-/// A unit eigenvector of an eigenvalue; `seed` tells apart those of an eigenvalue that has several.
+/// Returns a unit eigenvector of an eigenvalue; different values of `seed` give different vectors
+/// of a multiple eigenvalue.
 pub(crate) fn eigenvector<const N: usize>(
     matrix: &Matrix<N>,
     value: Complex<f64>,
     seed: usize,
 ) -> [Complex<f64>; N] {
     let norm = matrix.iter().flatten().fold(f64::MIN_POSITIVE, |max, x| max.max(x.abs()));
-    // A generic start: fractions of multiples of the golden ratio.
+    // Generic start: fractional parts of multiples of the golden ratio.
     let start = |i: usize| Complex {
         re: 0.5 + libm::fmod(0.618_033_988_749_895 * (N * seed + i + 1) as f64, 1.0),
         im: 0.0,
@@ -204,7 +209,8 @@ pub(crate) fn eigenvector<const N: usize>(
     v
 }
 
-/// v becomes (A − λ)⁻¹ v, by elimination with row interchanges; a pivot that vanishes is replaced by one of rounding's size.
+/// Replaces v by (A − λ)⁻¹ v, using elimination with row interchanges; a vanishing pivot is
+/// replaced by one of the size of rounding.
 fn solve<const N: usize>(matrix: &Matrix<N>, value: Complex<f64>, norm: f64, v: &mut [Complex<f64>; N]) {
     let mut a: [[Complex<f64>; N]; N] = matrix.map(|row| row.map(|re| Complex { re, im: 0.0 }));
     (0..N).for_each(|i| a[i][i] = a[i][i].minus(value));
@@ -244,12 +250,12 @@ mod tests {
         assert!(found.is_empty());
     }
 
-    /// Generic elements of six scales; eigenvalues by mpmath 1.3 (`mp.eig`) at 40 digits.
+    /// Generic elements of six scales; eigenvalues by mpmath 1.3 (`mp.eig`) with 40 digits.
     #[test]
     fn eigenvalues_are_those_of_many_digits() {
         let a = GENERIC;
         close(eigenvalues(&a).unwrap().to_vec(), &GENERIC_VALUES, 3e-14);
-        // and a matrix with a known spectrum: the companion of (s² + 4)(s² + 0.02 s + 9)(s + 1)(s − 3)
+        // A matrix with a known spectrum: the companion of (s² + 4)(s² + 0.02 s + 9)(s + 1)(s − 3).
         let mut companion = [[0.0; 6]; 6];
         (0..5).for_each(|i| companion[i][i + 1] = 1.0);
         companion[5] = COMPANION;
@@ -265,10 +271,10 @@ mod tests {
     #[test]
     fn scales_and_zeros_are_no_trouble() {
         close(eigenvalues(&[[0.0; 3]; 3]).unwrap().to_vec(), &[(0.0, 0.0); 3], 1e-300);
-        // ẍ = −ω² x in units that differ by 1e±150
+        // ẍ = −ω² x in units that differ by 1e±150.
         let a = [[0.0, 1e-150], [-4e150, 0.0]];
         close(eigenvalues(&a).unwrap().to_vec(), &[(0.0, 2.0), (0.0, -2.0)], 1e-14);
-        // A permutation, on which unshifted QR steps stand still.
+        // A permutation, for which unshifted QR steps do not converge.
         let turn = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
         let half = 0.75_f64.sqrt();
         close(eigenvalues(&turn).unwrap().to_vec(), &[(1.0, 0.0), (-0.5, half), (-0.5, -half)], 1e-15);

@@ -1,8 +1,10 @@
-//! sin, cos and exp for lanes: polynomials without branches, about 1 ulp, the same bits in every lane.
+//! sin, cos and exp for SIMD lanes: polynomials without branches, error about 1 ulp, identical bits
+//! in every lane.
 
 use super::number::Splat;
 
-/// Σ cₖ xᵏ of an even number of terms: Horner's rule in x², which waits half as often as that in x.
+/// Returns Σ cₖ xᵏ for an even number of terms, by Horner's rule in x², which has half the latency
+/// of that in x.
 #[inline(always)]
 pub(crate) fn polynomial<T: Splat, const N: usize>(x: T, coefficients: [f64; N]) -> T {
     let pair = |k: usize| T::splat(coefficients[k]) + T::splat(coefficients[k + 1]) * x;
@@ -14,9 +16,10 @@ pub(crate) fn polynomial<T: Splat, const N: usize>(x: T, coefficients: [f64; N])
     sum
 }
 
-/// sin ½πx and cos ½πx, |x| ≤ ½.
+/// Returns sin ½πx and cos ½πx for |x| ≤ ½.
 ///
-/// The polynomials of fdlibm's `k_sin` and `k_cos` (Sun Microsystems, 1993), error below 2⁻⁵⁸, but for quarter turns.
+/// The polynomials are those of fdlibm's `k_sin` and `k_cos` (Sun Microsystems, 1993), rescaled to
+/// quarter turns; their error is below 2⁻⁵⁸.
 #[inline(always)]
 fn sin_cos_eighth<T: Splat>(x: T) -> (T, T) {
     let z = x * x;
@@ -44,17 +47,18 @@ fn sin_cos_eighth<T: Splat>(x: T) -> (T, T) {
     (sin, cos)
 }
 
-/// The integer nearest to x, |x| < 2⁵¹: as the last bits of a number, and as a number.
+/// Returns the integer nearest to x, |x| < 2⁵¹: as the last bits of a number, and as a number.
 #[inline(always)]
 pub(crate) fn split<T: Splat>(x: T) -> (T, T) {
     let shifted = x + T::splat(SHIFT);
     (shifted, shifted - T::splat(SHIFT))
 }
 
-/// 1.5 · 2⁵²: its last digit is 1.
+/// Constant 1.5 · 2⁵², whose last bit has the value 1.
 const SHIFT: f64 = 6_755_399_441_055_744.0;
 
-/// sin and cos of an angle of whole quarter turns, in the last two bits, and |rest| ≤ ½ of one.
+/// Returns sin and cos of an angle of `quarters` quarter turns (in the last two bits) plus
+/// |`rest`| ≤ ½ quarter turn.
 #[inline(always)]
 pub(crate) fn sin_cos_quarters<T: Splat>(quarters: T, rest: T) -> (T, T) {
     let (s, c) = sin_cos_eighth(rest);
@@ -65,22 +69,22 @@ pub(crate) fn sin_cos_quarters<T: Splat>(quarters: T, rest: T) -> (T, T) {
     (sin, cos)
 }
 
-/// e^−x and e^x for 0 ≤ x; beyond 700 as at 700.
+/// Returns e^−x and e^x for 0 ≤ x; above 700 the values at 700.
 #[inline(always)]
 pub(crate) fn exp_both<T: Splat>(x: T) -> (T, T) {
-    // x = k ln 2 + r, |r| ≤ ½ ln 2
+    // x = k ln 2 + r, |r| ≤ ½ ln 2.
     let x = x.map(|x| if x < 700.0 { x } else { 700.0 });
     let (bits, k) = split(x * T::splat(core::f64::consts::LOG2_E));
-    // ln 2 in two words, the first short enough for k of 11 bits
+    // ln 2 as a sum of two numbers, the first short enough for a k of 11 bits.
     let r = (x - k * T::splat(6.931_471_803_691_238e-1)) - k * T::splat(1.908_214_929_270_587_7e-10);
     let z = r * r;
-    // cosh r − 1 and sinh r, Σ rⁿ/n! over even and over odd n
+    // cosh r − 1 and sinh r: Σ rⁿ/n! over even n and over odd n.
     let even = [1.0 / 2.0, 1.0 / 24.0, 1.0 / 720.0, 1.0 / 40_320.0, 1.0 / 3_628_800.0, 1.0 / 479_001_600.0];
     let odd =
         [1.0 / 6.0, 1.0 / 120.0, 1.0 / 5040.0, 1.0 / 362_880.0, 1.0 / 39_916_800.0, 1.0 / 6_227_020_800.0];
     let cosh = z * polynomial(z, even);
     let sinh = r + r * z * polynomial(z, odd);
-    // 2^±k: the low bits of `bits` are k, and those of 1023 ± k the exponent's
+    // 2^±k: the low bits of `bits` are k, and 1023 ± k is the biased exponent.
     let fall = bits.map(|bits| f64::from_bits(1023_u64.wrapping_sub(bits.to_bits()) << 52));
     let rise = bits.map(|bits| f64::from_bits(1023_u64.wrapping_add(bits.to_bits()) << 52));
     let one = T::splat(1.0);
@@ -101,7 +105,7 @@ mod tests {
             let (quarters, whole) = split(4.0 * x);
             let (s, c) = sin_cos_quarters(quarters, 4.0 * x - whole);
             let (s0, c0) = libm::sincos(2.0 * PI * x);
-            // libm's own argument 2πx is rounded: that error, times x, is allowed for
+            // The argument 2πx of libm is rounded: the tolerance includes that error times x.
             let tolerance = 3e-16 + 4.5e-16 * 2.0 * PI * x.abs();
             assert!((s - s0).abs() < tolerance && (c - c0).abs() < tolerance, "{x}");
             let y = x.abs() * 300.0;

@@ -1,47 +1,51 @@
-//! Eigenvalues and eigenvectors in three words.
+//! Eigenvalues and eigenvectors in triple-double precision.
 
 use super::sum::{two_product_of_halves, two_sum, with_halves};
 use super::symmetric3::Symmetric3;
 use super::triple::Triple;
 
-/// Eigenvalues, ascending but for rounding, and right-handed orthonormal eigenvectors of a symmetric matrix to about 46 digits.
+/// Eigenvalues, ascending except for rounding, and right-handed orthonormal eigenvectors of a
+/// symmetric matrix to about 46 digits.
 ///
-/// From vectors that are right to one word. What is left of the equations is computed in three words, their correction in
-/// one: each round doubles the digits, or adds those of a word. With the vectors vⱼ and the values λⱼ,
+/// The iteration starts with vectors of f64 precision. The residuals of the equations are computed
+/// in triple-double precision and their correction in f64, so each round doubles the digits or adds
+/// those of an f64. With the vectors vⱼ and the values λⱼ,
 ///
 /// rⱼ = S vⱼ − λⱼ vⱼ,  Rᵢⱼ = δᵢⱼ − vᵢ·vⱼ,  λⱼ → λⱼ + vⱼ·rⱼ,  vⱼ → vⱼ + Σᵢ vᵢ Eᵢⱼ,
 /// Eᵢⱼ = ½ Rᵢⱼ + ½ (vᵢ·rⱼ + vⱼ·rᵢ) / (λⱼ − λᵢ),  Eⱼⱼ = ½ Rⱼⱼ
 ///
-/// Two vectors of nearly equal values, which one word does not tell apart, are turned in their plane first.
+/// Two vectors of nearly equal values, which f64 does not distinguish, are first rotated in their
+/// plane.
 ///
-/// Source: Ogita & Aishima, Japan J. Indust. Appl. Math. 35 (2018) 1007, with the residuals in place of Vᵀ S V: they are small, so that
-/// one word of their products is enough.
+/// Source: Ogita & Aishima, Japan J. Indust. Appl. Math. 35 (2018) 1007, with the residuals instead
+/// of Vᵀ S V. The residuals are small, so that f64 precision of their products is sufficient.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FineEigen {
     pub(crate) values: [Triple; 3],
     pub(crate) vectors: [[Triple; 3]; 3],
 }
 
-/// Pairs of vectors.
 const PAIRS: [[usize; 2]; 3] = [[0, 1], [0, 2], [1, 2]];
 
-/// What rounding leaves of vᵢ·rⱼ, of the largest eigenvalue.
+/// Rounding of vᵢ·rⱼ, relative to the largest eigenvalue.
 const NEGLIGIBLE: f64 = 1e-46;
 
-/// After a correction as small as 2⁻¹⁰³ its own error is below three words.
+/// Correction size 2⁻¹⁰³; after such a correction its own error is below triple-double precision.
 const LAST: f64 = 1.0 / (1_u128 << 103) as f64;
 
-/// Up to this angle a turn is its first order; what is left is for the next round.
+/// Largest angle for which a rotation is approximated to first order; the remainder is corrected in
+/// the next round.
 const SMALL: f64 = 1.0 / 1024.0;
 
-/// A guard only: two rounds do for values well apart, four for values that are nearly equal.
+/// Iteration limit: two rounds are sufficient for well separated values, four for nearly equal
+/// values.
 const MOST_ROUNDS: usize = 12;
 
 impl FineEigen {
-    /// Of the matrix less one of its diagonal elements where that is exact: the differences of nearly equal values keep their own
-    /// digits.
+    /// Computes the eigenvalues of the matrix minus one of its diagonal elements, if that is exact:
+    /// the differences of nearly equal values then keep full relative precision.
     ///
-    /// Vectors that are known to one word save the search for them.
+    /// Known vectors of f64 precision save the computation of the first approximation.
     pub(crate) fn of(matrix: &Symmetric3, known: Option<[[f64; 3]; 3]>) -> Self {
         let (rest, shift) = shifted(matrix);
         let vectors = known.unwrap_or_else(|| right_handed(rest.eigen().vectors));
@@ -61,12 +65,13 @@ impl FineEigen {
         Self { values: fine.values.map(|value| value.plus(shift)), ..fine }
     }
 
-    /// One round; the size of its correction. `ONE_WORD` if all numbers have one.
+    /// Performs one round and returns the size of its correction. `ONE_WORD` is true if all numbers
+    /// have f64 precision.
     fn refine<const ONE_WORD: bool>(&mut self, matrix: &Symmetric3, negligible: f64) -> f64 {
         let halved = self.vectors.map(|vector| vector.map(Halved::of));
         let rows = matrix.rows().map(|row| row.map(with_halves));
         let one = self.vectors.map(|vector| vector.map(Triple::value));
-        // rⱼ
+        // Residuals rⱼ.
         let residuals = [0, 1, 2].map(|j| {
             let value = Halved::of(-self.values[j]);
             [0, 1, 2].map(|k| {
@@ -99,7 +104,7 @@ impl FineEigen {
             let gap = (self.values[j] - self.values[i]).value();
             let mut turn = off / gap;
             if off.abs() <= negligible {
-                // Of values that are equal, rounding would go on turning the vectors.
+                // For equal values, rounding would continue to rotate the vectors.
                 turn = if turn.abs() <= LAST { turn } else { 0.0 };
             } else if !(turn.abs() <= SMALL) {
                 self.turn([i, j], off, gap);
@@ -118,7 +123,8 @@ impl FineEigen {
         size
     }
 
-    /// Turns vectors i and j in their plane so that vᵢ·S vⱼ becomes zero from `off`, to one word (Golub & Van Loan, §8.5).
+    /// Rotates vectors i and j in their plane so that vᵢ·S vⱼ changes from `off` to zero, in f64
+    /// precision (Golub & Van Loan, §8.5).
     #[cold]
     fn turn(&mut self, [i, j]: [usize; 2], off: f64, gap: f64) {
         let zeta = gap / (2.0 * off);
@@ -133,7 +139,8 @@ impl FineEigen {
     }
 }
 
-/// The matrix less a multiple of one, and the multiple: an element of its diagonal, or zero where the differences are not exact.
+/// Returns the matrix minus a multiple of the identity, and the multiple: an element of its
+/// diagonal, or zero if the differences are not exact.
 fn shifted(matrix: &Symmetric3) -> (Symmetric3, f64) {
     let shift = matrix.xx;
     let (yy, lost_of_yy) = two_sum(matrix.yy, -shift);
@@ -145,7 +152,7 @@ fn shifted(matrix: &Symmetric3) -> (Symmetric3, f64) {
     }
 }
 
-/// The same, the third turned round if it has to be.
+/// Returns the same vectors, with the third one reversed if they are left-handed.
 fn right_handed([a, b, c]: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
     let across = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
     [a, b, if dot(&across, &c) < 0.0 { c.map(|c| -c) } else { c }]
@@ -155,7 +162,7 @@ fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]
 }
 
-/// Three words, the first two of which come with their halves.
+/// Triple-double number; its first two words are stored with their halves.
 #[derive(Clone, Copy, Default)]
 struct Halved {
     first: [f64; 3],
@@ -170,7 +177,8 @@ impl Halved {
     }
 }
 
-/// What is left of a sum of products that cancel: exact but for what is below the third word of the largest.
+/// Remainder of a sum of products that cancel: exact except for terms below the third word of the
+/// largest.
 #[derive(Clone, Copy, Default)]
 struct Remainder([f64; 3]);
 
@@ -228,7 +236,8 @@ mod tests {
         a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
     }
 
-    /// The largest of |vᵢ·S vⱼ| beside what is shifted, of |vᵢ·S vᵢ − λᵢ| beside the matrix, and of |vᵢ·vⱼ − δᵢⱼ|.
+    /// Returns the largest of |vᵢ·S vⱼ| relative to the shifted matrix, of |vᵢ·S vᵢ − λᵢ| relative
+    /// to the matrix, and of |vᵢ·vⱼ − δᵢⱼ|.
     fn errors(matrix: &Symmetric3, fine: &FineEigen) -> [f64; 3] {
         let (rest, shift) = shifted(matrix);
         let rows = rest.rows().map(|row| row.map(Triple::from));
@@ -251,7 +260,7 @@ mod tests {
         worst
     }
 
-    /// diag(a, b, c) turned by a rotation with rational elements, rounded.
+    /// Returns diag(a, b, c) rotated by a matrix with rational elements, rounded.
     fn turned(moments: [f64; 3]) -> Symmetric3 {
         let r = [[1.0, 2.0, 2.0], [2.0, 1.0, -2.0], [-2.0, 2.0, -1.0]];
         Symmetric3::diagonal(moments).rotated(&r)

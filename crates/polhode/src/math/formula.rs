@@ -1,14 +1,15 @@
-//! Formulas: instructions for a machine with a stack, made once and run over one point or many.
+//! Formulas: instructions for a stack machine, compiled once and evaluated at one or many points.
 //!
-//! The instructions are performed from first to last. Each takes its operands from the top of the stack and leaves its
-//! result there; in the end one number is left, the value. What a text means is the reader's business, in `polhode-source`.
+//! The instructions are executed in order. Each takes its operands from the top of the stack and
+//! pushes its result; at the end one number, the value, is left. The parser of formula texts is in
+//! `polhode-source`.
 //!
-//! Functions are `libm`'s, and powers of small whole numbers are products: the same bits on every platform, for one point
-//! and for many.
+//! Functions are those of `libm`, and powers of small integers are products. The bits of the
+//! results are therefore the same on every platform, for one point and for many.
 
 use core::fmt;
 
-/// A function of numbered variables, written down as instructions.
+/// Function of numbered variables, as a list of instructions.
 ///
 /// ```
 /// use polhode::math::formula::{Binary, Formula, Instruction, Unary};
@@ -29,33 +30,34 @@ use core::fmt;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Formula {
     instructions: Vec<Instruction>,
-    /// Numbers on the stack, at most.
+    /// Maximum number of values on the stack.
     deepest: usize,
 }
 
-/// One instruction: takes its operands from the top of the stack and leaves its result there.
+/// Instruction: takes its operands from the top of the stack and pushes its result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Instruction {
-    /// A number.
+    /// Pushes a constant.
     Constant(f64),
-    /// A variable, by its place among the values of a point.
+    /// Pushes a variable, given by its index among the values of a point.
     Variable(usize),
-    /// A function of one number.
+    /// Applies a function of one number.
     Unary(Unary),
-    /// A function of two numbers; the second is on top.
+    /// Applies a function of two numbers; the second is on top.
     Binary(Binary),
-    /// Condition, then, else: *then* where the condition is not 0.
+    /// Selects a branch: with condition, then, else on the stack, the result is *then* if the
+    /// condition is not 0.
     If,
 }
 
-/// A function of one number.
+/// Function of one number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the names are the documentation")]
 pub enum Unary {
     Negate,
     Sqrt,
     Exp,
-    /// The natural logarithm.
+    /// Natural logarithm ln x.
     Log,
     Sin,
     Cos,
@@ -64,72 +66,73 @@ pub enum Unary {
     Acos,
     Atan,
     Abs,
-    /// xⁿ for a small whole n, by multiplication.
+    /// Power xⁿ for a small integer n, by multiplication.
     Power(i32),
 }
 
-/// A function of two numbers, a and b; comparisons, *and* and *or* of what is no number are no number.
+/// Function of two numbers a and b. Comparisons, *and* and *or* return NaN if an operand is NaN.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[allow(missing_docs, reason = "the names are the documentation")]
 pub enum Binary {
     Add,
-    /// a − b
+    /// Difference a − b.
     Subtract,
     Multiply,
-    /// a / b
+    /// Quotient a / b.
     Divide,
-    /// aᵇ
+    /// Power aᵇ.
     Power,
-    /// The angle of the point (b, a) from the first axis.
+    /// Angle of the point (b, a) from the first axis, rad.
     Atan2,
     Min,
     Max,
-    /// √(a² + b²)
+    /// Hypotenuse √(a² + b²).
     Hypot,
-    /// 1 where a < b, else 0.
+    /// Returns 1 if a < b, else 0.
     Less,
-    /// 1 where a ≤ b, else 0.
+    /// Returns 1 if a ≤ b, else 0.
     LessOrEqual,
-    /// 1 where a > b, else 0.
+    /// Returns 1 if a > b, else 0.
     Greater,
-    /// 1 where a ≥ b, else 0.
+    /// Returns 1 if a ≥ b, else 0.
     GreaterOrEqual,
-    /// 1 where neither a nor b is 0, else 0.
+    /// Returns 1 if neither a nor b is 0, else 0.
     And,
-    /// 0 where a and b are 0, else 1.
+    /// Returns 0 if both a and b are 0, else 1.
     Or,
 }
 
-/// Instructions that are no formula.
+/// Error: the instructions are not a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FormulaError {
-    /// An instruction needs more operands than there are.
+    /// An instruction needs more operands than the stack has.
     MissingOperand {
-        /// Which instruction, from 0.
+        /// Index of the instruction, from 0.
         instruction: usize,
     },
-    /// Not one number is left in the end.
+    /// The number of values left at the end is not one.
     Left {
-        /// How many are.
+        /// Number of values that are left.
         count: usize,
     },
 }
 
-/// Points in a row of the stack, while it is not deep.
+/// Number of points in a row of the stack, if the stack is not deep.
 const WIDTH: usize = 256;
 
-/// Numbers in a deep stack.
+/// Maximum number of values in the stack of a multi-point evaluation.
 const ROOM: usize = 1 << 16;
 
-/// Numbers in a stack that needs no memory of its own.
+/// Number of values in a stack that needs no memory allocation.
 const SHALLOW: usize = 32;
 
 impl Formula {
-    /// A formula from its instructions. Small whole powers become products.
+    /// Returns a formula from its instructions. Small integer powers become products.
     ///
     /// # Errors
-    /// [`FormulaError`] if an instruction lacks operands, or not one number is left.
+    /// [`FormulaError`] if an instruction lacks operands, or if the number of values left is not
+    /// one.
     pub fn new(instructions: impl IntoIterator<Item = Instruction>) -> Result<Self, FormulaError> {
         let mut kept: Vec<Instruction> = Vec::new();
         let (mut height, mut deepest) = (0_usize, 0);
@@ -154,34 +157,36 @@ impl Formula {
         }
     }
 
-    /// The formula that is one number everywhere.
+    /// Returns a constant formula.
     pub fn constant(value: f64) -> Self {
         Self { instructions: vec![Instruction::Constant(value)], deepest: 1 }
     }
 
-    /// What it is made of.
+    /// Returns the instructions of the formula.
     pub fn instructions(&self) -> &[Instruction] {
         &self.instructions
     }
 
-    /// True if a variable occurs in it.
+    /// Returns true if a variable occurs in the formula.
     pub fn depends_on(&self, variable: usize) -> bool {
         self.instructions.contains(&Instruction::Variable(variable))
     }
 
-    /// True if its value is that of a comparison, or of comparisons joined by *and* and *or*: 1 or 0.
+    /// Returns true if the value is that of a comparison, or of comparisons joined by *and* and
+    /// *or*: 1 or 0.
     pub fn is_condition(&self) -> bool {
         self.instructions.last().is_some_and(|last| last.is_condition())
     }
 
-    /// The first function in it that is not smooth: it has a corner or a jump, and so no power series.
+    /// Returns the first function that is not smooth (it has a corner or a jump, and therefore no
+    /// power series), if there is one.
     pub fn rough_function(&self) -> Option<&'static str> {
         self.instructions.iter().find_map(|instruction| instruction.roughness())
     }
 
-    /// Its value where the variables have these values; one that is not given is NaN.
+    /// Returns the value at a point; a missing variable is NaN.
     ///
-    /// Formulas as people write them need no memory beyond the stack of the processor.
+    /// For formulas of usual length, no memory is allocated.
     pub fn evaluate(&self, point: &[f64]) -> f64 {
         let mut shallow = [0.0; SHALLOW];
         let mut deep = Vec::new();
@@ -195,7 +200,7 @@ impl Formula {
         stack[0]
     }
 
-    /// Its values at many points: the shorter of the two lists says how many.
+    /// Computes the values at many points; the shorter of the two lists determines their number.
     pub fn evaluate_all<const N: usize>(&self, points: &[[f64; N]], values: &mut [f64]) {
         let width = (ROOM / self.deepest).clamp(1, WIDTH).min(points.len().max(1));
         let mut stack = vec![0.0; width * self.deepest];
@@ -209,12 +214,13 @@ impl Formula {
         }
     }
 
-    /// The values of `width` points, into the start of the stack; `variable` fills a row with one of them.
+    /// Computes the values of `width` points into the start of the stack; `variable` fills a row
+    /// with the values of one variable.
     fn run(&self, stack: &mut [f64], width: usize, variable: impl Fn(usize, &mut [f64])) {
         let mut height = 0;
         for &instruction in &self.instructions {
             let (below, above) = stack.split_at_mut(height * width);
-            // The last rows of the stack: the operands.
+            // The last rows of the stack are the operands.
             let operands = &mut below[(height - instruction.operands()) * width..];
             match instruction {
                 Instruction::Constant(value) => above[..width].fill(value),
@@ -238,7 +244,7 @@ impl Formula {
 }
 
 impl Instruction {
-    /// How many numbers it takes from the stack.
+    /// Returns the number of operands that it takes from the stack.
     pub const fn operands(self) -> usize {
         match self {
             Self::Constant(_) | Self::Variable(_) => 0,
@@ -248,13 +254,13 @@ impl Instruction {
         }
     }
 
-    /// Does it give 1 or 0?
+    /// Returns true if the result is always 1 or 0.
     const fn is_condition(self) -> bool {
         use Binary::{And, Greater, GreaterOrEqual, Less, LessOrEqual, Or};
         matches!(self, Self::Binary(Less | LessOrEqual | Greater | GreaterOrEqual | And | Or))
     }
 
-    /// Its name, if it is not smooth.
+    /// Returns the name of the function if it is not smooth.
     const fn roughness(self) -> Option<&'static str> {
         match self {
             Self::Unary(Unary::Abs) => Some("abs"),
@@ -272,7 +278,7 @@ impl Instruction {
 }
 
 impl Unary {
-    /// Its value.
+    /// Returns the value of the function at x.
     pub fn of(self, x: f64) -> f64 {
         let mut row = [x];
         self.apply(&mut row);
@@ -299,14 +305,14 @@ impl Unary {
 }
 
 impl Binary {
-    /// Its value.
+    /// Returns the value of the function at a and b.
     pub fn of(self, a: f64, b: f64) -> f64 {
         let mut row = [a];
         self.apply(&mut row, &[b]);
         row[0]
     }
 
-    /// a becomes a ∘ b.
+    /// Replaces a by a ∘ b.
     fn apply(self, a: &mut [f64], b: &[f64]) {
         let each = |a: &mut [f64], f: fn(f64, f64) -> f64| {
             a.iter_mut().zip(b).for_each(|(a, &b)| *a = f(*a, b));
@@ -318,7 +324,7 @@ impl Binary {
             Self::Divide => each(a, |a, b| a / b),
             Self::Power => each(a, libm::pow),
             Self::Atan2 => each(a, libm::atan2),
-            // Nothing is larger or smaller than NaN.
+            // NaN is neither larger nor smaller than any number.
             Self::Min => each(a, |a, b| if a.is_nan() || a < b { a } else { b }),
             Self::Max => each(a, |a, b| if a.is_nan() || a > b { a } else { b }),
             Self::Hypot => each(a, libm::hypot),
@@ -332,12 +338,12 @@ impl Binary {
     }
 }
 
-/// 1 or 0; NaN where an operand is: of what is no number nothing is known.
+/// Returns 1 or 0, or NaN if an operand is NaN.
 fn holds(condition: bool, a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { f64::from(u8::from(condition)) }
 }
 
-/// xⁿ by squaring: a few roundings, and the same bits on every platform.
+/// Returns xⁿ by repeated squaring, with few roundings and identical bits on every platform.
 fn power(x: f64, n: i32) -> f64 {
     let (mut result, mut square, mut rest) = (1.0, x, n.unsigned_abs());
     while rest > 0 {
@@ -380,7 +386,7 @@ mod tests {
 
     #[test]
     fn a_deep_formula_has_the_value_of_its_parts() {
-        // 0 + 1·(x + 2·(x + 3·( … ))), deeper than the processor's stack is used for
+        // 0 + 1·(x + 2·(x + 3·( … ))), deeper than the preallocated stack.
         let mut instructions = Vec::new();
         for n in 0..100 {
             instructions.extend([Instruction::Variable(0), Instruction::Constant(f64::from(n))]);

@@ -1,12 +1,12 @@
-//! Frames: the axes in which components are written, as types.
+//! Frames: the axes of components, as types.
 //!
-//! A frame has no value at run time. It exists so that `v_space + v_body` does not compile.
+//! A frame has no value at run time. Its purpose is that `v_space + v_body` does not compile.
 
-/// A set of axes. Implemented by [`Space`], [`Body`], [`Principal`], [`Part`] and [`Orbital`], and by nothing else.
+/// Set of axes. Only [`Space`], [`Body`], [`Principal`], [`Part`] and [`Orbital`] implement it.
 pub trait Frame:
     sealed::Sealed + Copy + Clone + PartialEq + core::fmt::Debug + Send + Sync + 'static
 {
-    /// The frame's name as tables and messages print it.
+    /// Name of the frame in tables and messages.
     const NAME: &'static str;
 }
 
@@ -28,17 +28,17 @@ macro_rules! frames {
 }
 
 frames! {
-    /// Inertial axes.
+    /// Inertial (space-fixed) axes.
     Space = "space";
-    /// Axes fixed in the body, as the user gave them.
+    /// Axes fixed in the body, as defined by the user.
     Body = "body";
     /// Axes fixed in the body along its principal axes, i1 ≤ i2 ≤ i3, right-handed.
     ///
-    /// At the centre of mass; for a motion about a fixed pivot, at the pivot.
+    /// The origin is the centre of mass, or the pivot for motion about a fixed pivot.
     Principal = "principal";
-    /// Axes in which one part of an assembly is described, before it is placed in the body.
+    /// Axes of one part of an assembly, before it is placed in the body.
     Part = "part";
-    /// Local vertical, local horizontal (LVLH): z towards the centre of the orbit (nadir), y against the orbit's normal, x the way that
-    /// the body moves, as far as that is across z.
+    /// Local vertical, local horizontal (LVLH): z toward the centre of the orbit (nadir), y
+    /// opposite to the orbit normal, x in the direction of motion, perpendicular to z.
     Orbital = "orbit";
 }

@@ -1,11 +1,12 @@
-//! A number with its first and second derivative: formulas and torque laws differentiated exactly, operation by operation.
+//! Numbers with first and second derivative, to differentiate formulas and torque laws exactly,
+//! operation by operation.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::algebra::Scalar;
 use super::formula::{Binary, Formula, Instruction, Unary};
 
-/// f, f′ and f″ at one point.
+/// Values of f, f′ and f″ at one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Jet {
     pub(crate) value: f64,
@@ -18,9 +19,11 @@ impl Jet {
         Self { value, first: 0.0, second: 0.0 }
     }
 
-    /// f(u): f′ = f′(u) u′, f″ = f″(u) u′² + f′(u) u″; `f` holds f(u), f′(u), f″(u).
+    /// Returns f(u), with f′ = f′(u) u′ and f″ = f″(u) u′² + f′(u) u″; the argument holds f(u),
+    /// f′(u), f″(u).
     fn chain(self, [value, first, second]: [f64; 3]) -> Self {
-        // Where u is constant so is f(u), be its derivatives infinite there.
+        // If u is constant, f(u) is constant, even if its derivatives with respect to u are
+        // infinite.
         if self.first == 0.0 && self.second == 0.0 {
             return Self::constant(value);
         }
@@ -38,7 +41,7 @@ impl Scalar for Jet {
         let f = function.of(x);
         self.chain(match function {
             Unary::Negate => return -self,
-            // √(½ f″ ε²) = √(½ f″) ε on this side, after which it is not known.
+            // √(½ f″ ε²) = √(½ f″) ε on this side; the second derivative is unknown.
             Unary::Sqrt if x == 0.0 && self.first == 0.0 && self.second > 0.0 => {
                 return Self { value: 0.0, first: libm::sqrt(0.5 * self.second), second: f64::NAN };
             }
@@ -60,12 +63,12 @@ impl Scalar for Jet {
                 let rate = 1.0 / (1.0 + x * x);
                 [f, rate, -2.0 * x * rate * rate]
             }
-            // At the corner the right-hand one.
+            // At the corner, the right-hand derivative.
             Unary::Abs => return if x < 0.0 { -self } else { self },
             Unary::Power(n) => {
                 let power = |k: i32| if k == 0 { 1.0 } else { Unary::Power(k).of(x) };
                 let [n0, n1] = [f64::from(n), f64::from(n - 1)];
-                // A power that has been differentiated away is zero, also at x = 0.
+                // A power whose derivative vanishes identically is zero, also at x = 0.
                 let first = if n == 0 { 0.0 } else { n0 * power(n - 1) };
                 let second = if n == 0 || n == 1 { 0.0 } else { n0 * n1 * power(n - 2) };
                 [f, first, second]
@@ -81,12 +84,12 @@ impl Scalar for Jet {
             Binary::Multiply => a * b,
             Binary::Divide => a / b,
             Binary::Power if b.first == 0.0 && b.second == 0.0 => a.power(b.value),
-            // aᵇ = exp(b ln a)
+            // aᵇ = exp(b ln a).
             Binary::Power => {
                 let exact = function.of(a.value, b.value);
                 Self { value: exact, ..(b * a.unary(Unary::Log)).chain([exact; 3]) }
             }
-            // θ′ = (x y′ − y x′)/(x² + y²), y first
+            // θ′ = (x y′ − y x′)/(x² + y²), with y as the first operand.
             Binary::Atan2 => {
                 let value = function.of(a.value, b.value);
                 let square = a.value * a.value + b.value * b.value;
@@ -100,7 +103,7 @@ impl Scalar for Jet {
                 if value == 0.0 {
                     return Self { value, first: libm::hypot(a.first, b.first), second: f64::NAN };
                 }
-                // h′ = (a a′ + b b′)/h, h″ = (a′² + b′² − h′² + a a″ + b b″)/h
+                // h′ = (a a′ + b b′)/h, h″ = (a′² + b′² − h′² + a a″ + b b″)/h.
                 let (x, y) = (a.value / value, b.value / value);
                 let first = x * a.first + y * b.first;
                 let squares = a.first * a.first + b.first * b.first - first * first;
@@ -130,7 +133,7 @@ impl Scalar for Jet {
     }
 
     fn power_difference(self, delta: Self, p: f64) -> Self {
-        // D(p) = aᵖ − sᵖ, s = a + δ: D(p)′ = p (D(p−1) a′ − sᵖ⁻¹ δ′)
+        // D(p) = aᵖ − sᵖ with s = a + δ: D(p)′ = p (D(p−1) a′ − sᵖ⁻¹ δ′).
         let (a, s) = (self, self + delta);
         let of = |p: f64| a.value.power_difference(delta.value, p);
         let first = |p: f64| p * (of(p - 1.0) * a.first - s.value.power(p - 1.0) * delta.first);
@@ -142,7 +145,7 @@ impl Scalar for Jet {
         Self { value: of(p), first: first(p), second }
     }
 
-    /// Where the divisor is zero it has no derivatives.
+    /// Returns self/d, or zero without derivatives (NaN) if d is zero.
     fn over_or_zero(self, d: Self) -> Self {
         if d.value == 0.0 { Self { value: 0.0, first: f64::NAN, second: f64::NAN } } else { self / d }
     }
@@ -154,7 +157,7 @@ impl Scalar for Jet {
     fn half_angle_over_sine(self) -> Self {
         let w = self.value;
         let (f, square) = (w.half_angle_over_sine(), (1.0 - w) * (1.0 + w));
-        // f = Σ n!/(2n + 1)!! xⁿ, x = 1 − w; (1 − w²) f′ = w f − 1, (1 − w²) f″ = 3 w f′ + f
+        // f = Σ n!/(2n + 1)!! xⁿ, x = 1 − w; (1 − w²) f′ = w f − 1, (1 − w²) f″ = 3 w f′ + f.
         let x = 1.0 - w;
         if x > 0.3 {
             let first = (w * f - 1.0) / square;
@@ -163,7 +166,7 @@ impl Scalar for Jet {
         let (mut term, mut first, mut second) = (1.0, 0.0, 0.0);
         for n in 1..30 {
             let n = f64::from(n);
-            // n!/(2n + 1)!! xⁿ⁻¹
+            // n!/(2n + 1)!! xⁿ⁻¹.
             term *= n / (2.0 * n + 1.0);
             first -= n * term;
             second += (n + 1.0) * n * term * (n + 1.0) / (2.0 * n + 3.0);
@@ -207,7 +210,7 @@ impl Mul for Jet {
 
 impl Div for Jet {
     type Output = Self;
-    /// q = a/b: q′ = (a′ − q b′)/b, q″ = (a″ − 2 q′ b′ − q b″)/b
+    /// Returns q = a/b, with q′ = (a′ − q b′)/b and q″ = (a″ − 2 q′ b′ − q b″)/b.
     fn div(self, b: Self) -> Self {
         let value = self.value / b.value;
         let first = (self.first - value * b.first) / b.value;
@@ -217,9 +220,10 @@ impl Div for Jet {
 }
 
 impl Formula {
-    /// The value, and the first and second derivative by the only variable: exact but for rounding, not by differences.
+    /// Returns the value and the first and second derivative with respect to the only variable.
+    /// They are exact except for rounding, without differences.
     ///
-    /// Where the formula has a corner (`abs`, `min`, `max`, `if`) they are those of one side.
+    /// At a corner of the formula (`abs`, `min`, `max`, `if`) they are one-sided derivatives.
     ///
     /// ```
     /// use polhode::math::formula::{Formula, Instruction, Unary};
@@ -270,7 +274,8 @@ mod tests {
     use super::*;
     use Instruction as I;
 
-    /// Every function of t, with operands that move: a = 0.3 + 0.2 sin t … between 0.1 and 0.5, b = 1.2 + 0.1 t².
+    /// Returns operands that depend on t: a = 0.3 + 0.2 sin t … between 0.1 and 0.5, and
+    /// b = 1.2 + 0.1 t².
     fn operands() -> ([I; 6], [I; 6]) {
         let a = [
             I::Variable(0),
@@ -355,7 +360,7 @@ mod tests {
         let corner = Formula::new([I::Variable(0), I::Unary(Unary::Abs)]).unwrap();
         assert_eq!(corner.derivatives(0.0), [0.0, 1.0, 0.0]);
         assert_eq!(corner.derivatives(-2.0), [2.0, -1.0, -0.0]);
-        // A root of what stays zero is no singularity.
+        // The square root of a constant zero is not singular.
         let root = Formula::new([I::Constant(0.0), I::Unary(Unary::Sqrt)]).unwrap();
         assert_eq!(root.derivatives(1.0), [0.0; 3]);
         assert!(Formula::new([I::Variable(1)]).unwrap().derivatives(1.0)[0].is_nan());

@@ -1,25 +1,26 @@
-//! Kepler's equation for ellipses, parabolas and hyperbolas alike.
+//! Kepler's equation for ellipses, parabolas and hyperbolas in one form.
 //!
-//! Lengths are in units of the least distance q, times of √(q³/µ), counted from the passage there. With β = 1 − e and S for the
-//! anomaly (dS = dt/r),
+//! Lengths are in units of the periapsis distance q, times in units of √(q³/µ), counted from
+//! periapsis. With β = 1 − e and the universal anomaly S (dS = dt/r),
 //!
 //! t = S + e S³ c₃(β S²),  r = 1 + e S² c₂(β S²),  x = 1 − S² c₂(β S²),  y = √(1 + e) S c₁(β S²)
 //!
-//! β S² is E² on an ellipse, −F² on a hyperbola and zero on a parabola. Nothing cancels: every term of t and of r has one sign.
+//! β S² is E² on an ellipse, −F² on a hyperbola and zero on a parabola. Nothing cancels: all terms
+//! of t and of r have the same sign.
 //!
-//! Source: J. M. A. Danby, Fundamentals of Celestial Mechanics, 2nd ed. (1988), ch. 6.9: universal variables, started at the
-//! nearest point.
+//! Source: J. M. A. Danby, Fundamentals of Celestial Mechanics, 2nd ed. (1988), ch. 6.9: universal
+//! variables, with the start at periapsis.
 
 use super::number::{PI, sin_cos};
 
-/// The shape of an orbit: e, and 1 − e in its own right, which e near 1 no longer tells.
+/// Shape of an orbit: the eccentricity e, and β = 1 − e with full relative precision near e = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Conic {
     pub(crate) e: f64,
     pub(crate) beta: f64,
 }
 
-/// Where on its orbit something is, and dx/dt, dy/dt.
+/// Position (x, y) on an orbit, and velocity dx/dt, dy/dt.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OrbitalPoint {
     pub(crate) position: [f64; 2],
@@ -27,7 +28,7 @@ pub(crate) struct OrbitalPoint {
 }
 
 impl Conic {
-    /// The place at a time; on an ellipse |t| has to be within half a period.
+    /// Returns the position and velocity at a time; on an ellipse |t| must be within half a period.
     pub(crate) fn at(self, t: f64) -> OrbitalPoint {
         let s = self.anomaly(t);
         if self.e == 0.0 {
@@ -40,29 +41,29 @@ impl Conic {
         OrbitalPoint { position: [1.0 - along, across * s * c1], velocity: [-s * c1 / r, across * c0 / r] }
     }
 
-    /// t = S + e S³ c₃
+    /// Returns t = S + e S³ c₃.
     pub(crate) fn time(self, s: f64) -> f64 {
         let [_, _, _, c3] = stumpff(self.beta * s * s);
         s + self.e * s * s * s * c3
     }
 
-    /// S at a time.
+    /// Returns S at a time.
     ///
-    /// t is convex in S > 0, so Newton's steps from beyond the root come down to it and never pass it: they end where rounding
-    /// lets them go no further.
+    /// t is convex in S > 0, so Newton steps from above the root decrease to it monotonically. The
+    /// iteration ends when rounding prevents a further decrease.
     pub(crate) fn anomaly(self, time: f64) -> f64 {
         let Self { e, beta } = self;
         let t = time.abs();
         if e == 0.0 {
-            // On a circle S is t.
+            // On a circle S = t.
             return t.min(PI / beta.sqrt()).copysign(time);
         }
-        // S ≤ t as r ≥ 1, and c₃ ≥ 1/π² up to half a period.
+        // S ≤ t because r ≥ 1, and c₃ ≥ 1/π² up to half a period.
         let mut s = t.min(libm::cbrt(PI * PI * t / e));
         if beta > 0.0 {
             s = s.min(PI / beta.sqrt());
         } else if beta < 0.0 {
-            // e sinh F = M + F
+            // e sinh F = M + F.
             let k = (-beta).sqrt();
             s = s.min(libm::asinh((k * k * k * t + k * s) / e) / k);
         }
@@ -77,12 +78,13 @@ impl Conic {
         s.copysign(time)
     }
 
-    /// S in the direction ν from the nearest point, by tan ½ν; not finite beyond the asymptotes of a hyperbola.
+    /// Returns S for the true anomaly ν, given tan ½ν; not finite beyond the asymptotes of a
+    /// hyperbola.
     pub(crate) fn anomaly_towards(self, half_tangent: f64) -> f64 {
         let k = self.beta.abs().sqrt();
         let x = half_tangent / (1.0 + self.e).sqrt();
         match self.beta {
-            // tan ½E = √((1 − e)/(1 + e)) tan ½ν
+            // tan ½E = √((1 − e)/(1 + e)) tan ½ν.
             beta if beta > 0.0 => 2.0 * libm::atan(k * x) / k,
             beta if beta < 0.0 => 2.0 * libm::atanh(k * x) / k,
             _ => 2.0 * x,
@@ -90,10 +92,11 @@ impl Conic {
     }
 }
 
-/// More than any orbit takes: from the starts above it is about ten.
+/// Iteration limit; from the starts above, about ten steps are sufficient.
 const MOST_STEPS: usize = 100;
 
-/// c₀ … c₃, cₖ(x) = Σ (−x)ⁿ / (2n + k)!: cos √x, sin √x / √x, (1 − cos √x)/x, (√x − sin √x)/√x³.
+/// Returns the Stumpff functions c₀ … c₃, cₖ(x) = Σ (−x)ⁿ / (2n + k)!: cos √x, sin √x / √x,
+/// (1 − cos √x)/x, (√x − sin √x)/√x³.
 fn stumpff(x: f64) -> [f64; 4] {
     let root = x.abs().sqrt();
     if x.abs() < 3.0 {
@@ -109,9 +112,9 @@ fn stumpff(x: f64) -> [f64; 4] {
     }
 }
 
-/// 1/(2n + 2)!: the next term is below 1e-20 of the first for |x| < 3.
+/// Terms 1/(2n + 2)!; for |x| < 3 the next term is below 1e-20 of the first.
 const SECOND: [f64; 13] = inverse_factorials(2);
-/// 1/(2n + 3)!
+/// Terms 1/(2n + 3)!.
 const THIRD: [f64; 13] = inverse_factorials(3);
 
 const fn inverse_factorials(first: usize) -> [f64; 13] {
@@ -139,7 +142,8 @@ mod tests {
                 let t = -half * part;
                 let s = conic.anomaly(t);
                 assert!(s < 0.0);
-                // what S tells of t, where S itself can: a relative error of S is one of t times r S / t
+                // Precision of t from S: a relative error of S causes r S / t times this error of
+                // t.
                 let [.., c2, _] = stumpff(conic.beta * s * s);
                 let sensitivity = (1.0 + e * s * s * c2) * s / t;
                 let error = (conic.time(s) / t - 1.0).abs();
@@ -155,11 +159,11 @@ mod tests {
             for t in [-3.0, -0.4, 0.0, 0.01, 0.9, 2.2, 3.1] {
                 let OrbitalPoint { position: [x, y], velocity: [u, v] } = conic.at(t);
                 let r = x.hypot(y);
-                // r + e x = p = 1 + e, x v − y u = √p, ½v² − 1/r = −½ (1 − e)
+                // r + e x = p = 1 + e, x v − y u = √p, ½v² − 1/r = −½ (1 − e).
                 assert!((r + e * x - 1.0 - e).abs() < 4e-15 * (1.0 + e) * r);
                 assert!((x * v - y * u - (1.0 + e).sqrt()).abs() < 4e-15 * (1.0 + e) * r);
                 assert!((u * u + v * v - 2.0 / r + conic.beta).abs() < 8e-15 * (1.0 + e));
-                // and the velocity is the position's change
+                // The velocity is the derivative of the position.
                 let h = 1e-5;
                 let (before, after) = (conic.at(t - h).position, conic.at(t + h).position);
                 assert!(((after[0] - before[0]) / (2.0 * h) - u).abs() < 1e-8 * (1.0 + e).powi(2));

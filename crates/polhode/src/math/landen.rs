@@ -1,39 +1,42 @@
-//! Descending Landen transformations: what turns amplitudes into arguments that are linear in time.
+//! Descending Landen transformations, which convert amplitudes to arguments that are linear in
+//! time.
 //!
-//! With the means a₀ = 1, g₀ = √m₁, aₙ₊₁ = ½(aₙ + gₙ), gₙ₊₁ = √(aₙ gₙ), every step halves the argument's share of the
-//! elliptic integral and brings the amplitude nearer to a plain angle. Each step's correction η is formed without
-//! cancellation, so that the smallest amplitude and the parameter nearest to 0 keep their relative digits.
+//! With the means a₀ = 1, g₀ = √m₁, aₙ₊₁ = ½(aₙ + gₙ), gₙ₊₁ = √(aₙ gₙ), every step halves the
+//! argument's share of the elliptic integral and brings the amplitude closer to a linear angle. The
+//! correction η of each step is computed without cancellation. Therefore the smallest amplitude and
+//! the parameter nearest to 0 keep full relative precision.
 //!
-//! Source: DLMF §§19.8, 22.20(ii); the corrections are ours.
+//! Source: DLMF §§19.8, 22.20(ii); the corrections are original to this library.
 
 use super::double::Double;
 
-/// The largest number of steps: 7 do for m₁ ≥ 0.03.
+/// Maximum number of steps; 7 are sufficient for m₁ ≥ 0.03.
 const STEPS: usize = 8;
 
-/// The nome's error is the square of this.
+/// Convergence threshold; the error of the nome is its square.
 const NOME_CONVERGED: f64 = 1e-8;
 
-/// A step's share of a hyperbolic amplitude is the square root of its departure.
+/// Threshold of the departure; the contribution of a step to a hyperbolic amplitude is its square
+/// root.
 const NEGLIGIBLE: f64 = 1e-35;
 
-/// The sequence of means of a parameter m, by its complement m₁.
+/// Sequence of means for a parameter m, from its complement m₁.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Landen {
-    /// gₙ/aₙ
+    /// Ratios gₙ/aₙ.
     ratio: [f64; STEPS],
-    /// 1 − gₙ/aₙ, formed from m
+    /// Departures 1 − gₙ/aₙ, computed from m.
     departure: [f64; STEPS],
     steps: usize,
     nome: f64,
 }
 
 impl Landen {
-    /// For m ≤ 0.97 or so, both m and m₁ = 1 − m given.
+    /// Computes the sequence for m ≤ about 0.97, given both m and m₁ = 1 − m.
     pub(crate) fn new(m: f64, m1: f64) -> Self {
         let mut landen = Self { ratio: [1.0; STEPS], departure: [0.0; STEPS], steps: 0, nome: 0.0 };
         let (mut a, mut g) = (1.0, m1.sqrt());
-        // c₁ = ½(a₀ − g₀),  cₙ₊₁ = cₙ² / 4aₙ₊₁
+        // c₁ = ½(a₀ − g₀), cₙ₊₁ = cₙ² / 4aₙ₊₁.
         let mut c = 0.5 * m / (1.0 + g);
         while landen.steps < STEPS {
             landen.ratio[landen.steps] = g / a;
@@ -41,7 +44,7 @@ impl Landen {
             landen.steps += 1;
             (a, g) = (0.5 * (a + g), (a * g).sqrt());
             if landen.nome == 0.0 && c <= NOME_CONVERGED * a {
-                // q = lim (cₙ / 4aₙ)^(1/2ⁿ⁻¹)
+                // q = lim (cₙ / 4aₙ)^(1/2ⁿ⁻¹).
                 landen.nome = (1..landen.steps).fold(c / (4.0 * a), |q, _| q.sqrt());
             }
             if c <= NEGLIGIBLE * a {
@@ -52,14 +55,15 @@ impl Landen {
         landen
     }
 
-    /// The nome q = exp(−πK′/K), to its relative digits.
+    /// Returns the nome q = exp(−πK′/K), with full relative precision.
     pub(crate) const fn nome(&self) -> f64 {
         self.nome
     }
 
-    /// π F(φ|m) / 2K, φ = atan2(sin, cos) in (−π, π].
+    /// Returns π F(φ|m) / 2K, with φ = atan2(sin, cos) in (−π, π].
     ///
-    /// tan(φₙ₊₁ − φₙ) = (gₙ/aₙ) tan φₙ, so φₙ₊₁ = 2φₙ − ηₙ with tan ηₙ = (1 − r) sin cos / (cos² + r sin²).
+    /// From tan(φₙ₊₁ − φₙ) = (gₙ/aₙ) tan φₙ follows φₙ₊₁ = 2φₙ − ηₙ with tan ηₙ = (1 − r) sin cos /
+    /// (cos² + r sin²).
     pub(crate) fn angle(&self, sin: f64, cos: f64) -> f64 {
         let (mut s, mut c) = (sin, cos);
         let (mut sum, mut share) = (0.0, 0.5);
@@ -72,24 +76,26 @@ impl Landen {
         libm::atan2(sin, cos) - sum
     }
 
-    /// χ − π F(iχ|m) / 2iK for tanh χ ≥ 0 and sech² χ > 0: what to take from χ.
+    /// Returns χ − π F(iχ|m) / 2iK for tanh χ ≥ 0 and sech² χ > 0: the correction to subtract from
+    /// χ.
     ///
-    /// For sinh χ ≤ m^−¼, half of the way to K′. Beyond, the steps converge slowly: take the rest of the way from K′ instead.
+    /// It is valid for sinh χ ≤ m^−¼, half of the way to K′. Beyond, the steps converge slowly; the
+    /// caller uses the distance from K′ instead.
     ///
-    /// tanh(χₙ₊₁ − χₙ) = (gₙ/aₙ) tanh χₙ, so χₙ₊₁ = 2χₙ − ηₙ with
-    /// e^2ηₙ − 1 = 2 (1 − r) tanh χₙ / ((1 − tanh χₙ)(1 + r tanh χₙ)).
+    /// From tanh(χₙ₊₁ − χₙ) = (gₙ/aₙ) tanh χₙ follows χₙ₊₁ = 2χₙ − ηₙ with e^2ηₙ − 1 = 2 (1 − r)
+    /// tanh χₙ / ((1 − tanh χₙ)(1 + r tanh χₙ)).
     pub(crate) fn hyperbolic_correction(&self, tanh: f64, sech2: f64) -> f64 {
         let (mut th, mut sigma) = (tanh, sech2);
         let (mut sum, mut share) = (0.0, 0.5);
         for n in 0..self.steps {
             let (r, departure) = (self.ratio[n], self.departure[n]);
             if departure == 0.0 {
-                break; // m = 0, where sech² may have left the range of f64
+                break; // m = 0, where sech² may underflow
             }
             let growth = 2.0 * departure * th * (1.0 + th) / (sigma * (1.0 + r * th));
             sum += share * 0.5 * libm::log1p(growth);
             let below = 1.0 + r * th * th;
-            // 1 − r² tanh² = (1 − r)(1 + r) + r² sech²
+            // 1 − r² tanh² = (1 − r)(1 + r) + r² sech².
             sigma *= (departure * (1.0 + r) + r * r * sigma) / (below * below);
             th *= (1.0 + r) / below;
             share *= 0.5;
@@ -98,9 +104,10 @@ impl Landen {
     }
 }
 
-/// ln x of a two-word x > 0, to about 10⁻¹⁶ absolute, however large it is.
+/// Returns ln x of a double-double number x > 0, with an absolute error of about 10⁻¹⁶ for any
+/// magnitude.
 pub(crate) fn log_of(x: Double) -> Double {
-    // x = f 2ⁿ with f near 1:  ln x = n ln 2 + ln f
+    // x = f 2ⁿ with f near 1: ln x = n ln 2 + ln f.
     let (mut f, mut n) = libm::frexp(x.high);
     if f < core::f64::consts::FRAC_1_SQRT_2 {
         f *= 2.0;

@@ -1,16 +1,16 @@
-//! Several numbers side by side, in one vector register where the machine has it.
+//! SIMD lanes: several numbers, in one vector register if the processor has one of this size.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::number::{Number, Splat};
 
-/// N numbers: plain loops over an array, which the compiler turns into vector instructions.
+/// Array of N numbers; the compiler converts plain loops over it to vector instructions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub(crate) struct Lanes<const N: usize>(pub(crate) [f64; N]);
 
 impl<const N: usize> Lanes<N> {
-    /// The number of each lane.
+    /// Returns lanes from a function of the lane index.
     pub(crate) fn from_fn(f: impl FnMut(usize) -> f64) -> Self {
         Self(core::array::from_fn(f))
     }

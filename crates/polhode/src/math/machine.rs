@@ -5,13 +5,13 @@ use core::marker::PhantomData;
 use super::lanes::Lanes;
 use super::number::{Number, Splat};
 
-/// The vectors of a machine.
+/// Vector types of a processor.
 pub(crate) trait Machine: Copy {
-    /// Four numbers in a register.
+    /// Vector of four numbers.
     type Four: Number;
-    /// Eight, in as few registers as hold them.
+    /// Vector of eight numbers, in as few registers as possible.
     type Eight: Number;
-    /// As many as one register holds.
+    /// Vector of as many numbers as one register holds.
     type Many: Number;
 
     fn load(self, numbers: &[f64; 4]) -> Self::Four;
@@ -22,17 +22,17 @@ pub(crate) trait Machine: Copy {
     fn eight_numbers(self, eight: Self::Eight) -> [f64; 8];
     fn many(self, number: f64) -> Self::Many;
 
-    /// Runs work as a function of its own, compiled for this machine.
+    /// Runs work as a separate function, compiled for this processor.
     fn apart<R>(self, work: impl FnOnce() -> R) -> R;
 }
 
-/// Work that wants vectors.
+/// Work that uses vector instructions.
 pub(crate) trait Work {
     type Output;
 
     fn run<S: Machine>(self, s: S) -> Self::Output;
 
-    /// Runs it where a register holds two numbers, or one.
+    /// Runs the work on processors whose registers hold one or two numbers.
     #[cfg_attr(
         not(feature = "simd"),
         allow(dead_code, reason = "without the feature there are no such registers")
@@ -93,11 +93,11 @@ impl<S: fearless_simd::Simd<f64s: Number>> Machine for S {
     }
 }
 
-/// Without vectors; as many numbers side by side as M has.
+/// Implementation without vector registers, with as many lanes as M.
 #[derive(Clone, Copy)]
 pub(crate) struct Plain<M>(PhantomData<M>);
 
-/// The code of four is long, so that a build for development does without.
+/// The code for four lanes is long, so debug builds use one.
 #[cfg(debug_assertions)]
 type Several = f64;
 #[cfg(not(debug_assertions))]
@@ -148,7 +148,8 @@ impl<M: Splat> Machine for Plain<M> {
     }
 }
 
-/// Runs work with the vectors that this machine has: of eight numbers (AVX-512), four (AVX2) or two (SSE2, NEON, WebAssembly's).
+/// Runs work with the vectors of this processor: eight numbers (AVX-512), four (AVX2) or two (SSE2,
+/// NEON, WebAssembly SIMD).
 #[inline(always)]
 pub(crate) fn in_vectors<W: Work>(work: W) -> W::Output {
     #[cfg(feature = "simd")]
@@ -175,12 +176,14 @@ pub(crate) fn in_vectors<W: Work>(work: W) -> W::Output {
             if let Some(avx512) = level.as_avx512() {
                 return wide(avx512, work);
             }
-            // Unit tests of AVX2 ask for it; for the others all of this would be compiled once more.
+            // Unit tests of AVX2 request it explicitly; for the others this code would be compiled
+            // once more.
             #[cfg(not(any(no_avx2, test)))]
             if let Some(avx2) = level.as_avx2() {
                 return wide(avx2, work);
             }
-            // A machine of today has more. In a build for development it does without vectors: the code for these two numbers is the longest.
+            // Nearly every current processor has wider registers. Debug builds do not use SSE2,
+            // because the code for two lanes is the longest.
             if !cfg!(debug_assertions)
                 && let Some(sse2) = level.as_sse2()
             {
@@ -199,7 +202,7 @@ pub(crate) fn in_vectors<W: Work>(work: W) -> W::Output {
     work.run(Plain::<Several>::new())
 }
 
-/// Runs a loop over plain arrays compiled for the widest vectors of this machine.
+/// Runs a loop over plain arrays, compiled for the widest vectors of this processor.
 #[inline(always)]
 pub(crate) fn in_widest_vectors(work: impl FnOnce()) {
     struct Loop<F>(F);
@@ -214,7 +217,8 @@ pub(crate) fn in_widest_vectors(work: impl FnOnce()) {
     in_vectors(Loop(work));
 }
 
-/// Runs work with AVX2, on a machine that has it, and that may have more: what narrower machines do.
+/// Runs work with AVX2 on a processor that has it, even if it has wider vectors, to test the
+/// narrower code.
 #[cfg(test)]
 pub(crate) fn in_narrower_vectors<W: Work>(work: W) -> Option<W::Output> {
     #[cfg(all(feature = "simd", any(target_arch = "x86_64", target_arch = "x86")))]

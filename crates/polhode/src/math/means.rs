@@ -1,16 +1,18 @@
-//! Complete integrals by arithmetic–geometric means, in two words.
+//! Complete elliptic integrals by arithmetic–geometric means, in double-double precision.
 
 use super::double::Double;
 
-/// K(m), and R = 2 − Σ Qₙ of Π(1 − p²|m)/K = 1 + ½ (1/p² − 1) Σ Qₙ, from k₁ = √(1 − m) and p² ≥ 1.
+/// Returns K(m), and R = 2 − Σ Qₙ, where Π(1 − p²|m)/K = 1 + ½ (1/p² − 1) Σ Qₙ, from k₁ = √(1 − m)
+/// and p² ≥ 1.
 ///
-/// With a₀ = 1, g₀ = k₁, p₀ = p and the means aₙ₊₁ = ½(aₙ + gₙ), gₙ₊₁ = √(aₙgₙ):
-/// Q₀ = 1, Qₙ₊₁ = ½ Qₙ εₙ, εₙ = (pₙ² − aₙgₙ)/(pₙ² + aₙgₙ), pₙ₊₁ = (pₙ² + aₙgₙ)/2pₙ.
+/// The means are a₀ = 1, g₀ = k₁, p₀ = p, aₙ₊₁ = ½(aₙ + gₙ), gₙ₊₁ = √(aₙgₙ), with Q₀ = 1, Qₙ₊₁ = ½
+/// Qₙ εₙ, εₙ = (pₙ² − aₙgₙ)/(pₙ² + aₙgₙ), pₙ₊₁ = (pₙ² + aₙgₙ)/2pₙ.
 ///
-/// Towards the separatrix, and for large p, Σ Qₙ is nearly 2; its distance R = Σ Qₙ (1 − εₙ) has only positive terms, as
-/// pₙ ≥ aₙ ≥ gₙ, and so keeps its digits. For k₁ = 0, where K is infinite, 2¹⁰⁰ stands for it.
+/// Toward the separatrix, and for large p, Σ Qₙ is nearly 2. Its difference R = Σ Qₙ (1 − εₙ) from
+/// 2 has only positive terms, because pₙ ≥ aₙ ≥ gₙ, and therefore keeps full relative precision.
+/// For k₁ = 0, where K is infinite, 2¹⁰⁰ is returned for K.
 ///
-/// Source: DLMF 19.8.5, 19.8.7; R is ours.
+/// Source: DLMF 19.8.5, 19.8.7; R is original to this library.
 pub(crate) fn quarter_and_share(k1: Double, p_squared: Double) -> (Double, Double) {
     if k1.is_zero() {
         return (Double::from(INFINITE), Double::default());
@@ -21,7 +23,7 @@ pub(crate) fn quarter_and_share(k1: Double, p_squared: Double) -> (Double, Doubl
         let (p2, ag) = (p.square(), a * g);
         let sum = p2 + ag;
         let epsilon = (p2 - ag) / sum;
-        // 1 − ε = 2ag / (p² + ag)
+        // 1 − ε = 2ag / (p² + ag).
         share = share + weight * ag.scaled(2.0) / sum;
         weight = weight * epsilon.scaled(0.5);
         let converged = (a - g).high <= SQUARE_IS_NOTHING * a.high && epsilon.high <= SQUARE_IS_NOTHING;
@@ -31,22 +33,23 @@ pub(crate) fn quarter_and_share(k1: Double, p_squared: Double) -> (Double, Doubl
             break;
         }
     }
-    // K = π / 2 agm(1, k₁)
+    // K = π / 2 agm(1, k₁).
     (Double::TAU.scaled(0.25) / a, share + weight)
 }
 
-/// 2¹⁰⁰: no time that keeps its digits comes near it.
+/// Substitute 2¹⁰⁰ for an infinite K; no time with significant digits is this large.
 const INFINITE: f64 = 1.267_650_600_228_229_4e30;
 
-/// A guard only: p halves until it is near 1.
+/// Iteration limit; p halves until it is near 1.
 const MOST_MEANS: usize = 200;
 
-/// The next mean differs by the square of this, far below two words.
+/// Convergence threshold; the next mean differs by its square, far below double-double precision.
 const SQUARE_IS_NOTHING: f64 = 1e-17;
 
-/// The mean of sn² over a period, (1 − E/K)/m, from m and √(1 − m) > 0: between ½ and 1.
+/// Returns the mean of sn² over a period, (1 − E/K)/m, between ½ and 1, from m and √(1 − m) > 0.
 ///
-/// With the differences cₙ of the means it is ½ + Σ 2ⁿ⁻¹ cₙ²/m, c₁ = m/2(1 + √(1 − m)), cₙ₊₁ = cₙ²/4aₙ₊₁.
+/// With the differences cₙ of the means it is ½ + Σ 2ⁿ⁻¹ cₙ²/m, c₁ = m/2(1 + √(1 − m)),
+/// cₙ₊₁ = cₙ²/4aₙ₊₁.
 ///
 /// Source: DLMF 19.8.6.
 pub(crate) fn mean_sine_squared(m: f64, k1: f64) -> f64 {
@@ -71,7 +74,7 @@ mod tests {
     use super::*;
     use crate::math::number::PI;
 
-    /// ∫₀^{π/2} f dφ of an even function of period π, by the trapezoidal rule.
+    /// Returns ∫₀^{π/2} f dφ for an even function of period π, by the trapezoidal rule.
     fn quadrature(f: impl Fn(f64) -> f64) -> f64 {
         let n = 4000;
         let term = |k: i32| f((f64::from(k) + 0.5) * 0.5 * PI / f64::from(n));

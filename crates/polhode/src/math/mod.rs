@@ -1,11 +1,13 @@
-//! Numbers, vectors and rotations. This module knows no physics: nothing here has a mass.
+//! Numbers, vectors and rotations. This module contains no physics: nothing here has a mass.
 //!
-//! A [`Vector`] has a quantity and a frame as its type, so that what does not belong together does not compile; a [`Rotation<A, B>`] turns
-//! components along the axes of B into those along A, v_A = R_AB v_B. There are four frames: [`Space`], [`Body`], [`Principal`] and
-//! [`Part`], in which a part of a body is described before it is put in its place.
+//! The type of a [`Vector`] states its quantity and its frame, so that inconsistent operations do
+//! not compile. A [`Rotation<A, B>`] converts components along the axes of B to those along A,
+//! v_A = R_AB v_B. The frames are [`Space`], [`Body`], [`Principal`], [`Part`] (in which a part of
+//! a body is described before it is placed), and [`Orbital`] (local vertical, local horizontal).
 //!
-//! [`elliptic`] has Jacobi's functions and Legendre's integrals, [`formula`] expressions as text, and [`Scalar`] and [`VectorAlgebra`] the
-//! operations that a law may use ([`crate::motion::torque::Law`]).
+//! [`elliptic`] has Jacobi's functions and Legendre's integrals. [`formula`] has expressions as
+//! lists of instructions. [`Scalar`] and [`VectorAlgebra`] define the operations of a law
+//! ([`crate::motion::torque::Law`]).
 
 pub(crate) mod algebra;
 pub(crate) mod complex;

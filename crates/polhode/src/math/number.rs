@@ -1,72 +1,79 @@
-//! Numbers that kernels compute with: one f64, or several side by side.
+//! Numbers for numerical kernels: one f64, or several SIMD lanes.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 pub(crate) use core::f64::consts::PI;
 
-/// One f64, [`Lanes`](super::lanes::Lanes) of them, or a vector by type with one of each of several bodies.
+/// One f64, [`Lanes`](super::lanes::Lanes) of them, or a SIMD vector type with one number for each
+/// of several bodies.
 ///
-/// The law: every lane has the bits that the f64 would have. a·b + c is rounded once where it is written [`Number::mul_add`] and the
-/// processor has the instruction ([`FUSED`]), and twice everywhere else.
+/// Invariant: every lane has the same bits as the f64 computation. a·b + c is rounded once where it
+/// is written as [`Number::mul_add`] and the processor has the instruction ([`FUSED`]), and twice
+/// everywhere else.
 ///
-/// Vectors by type know which machine they are for, so that there is none without another one: [`Number::like`].
+/// SIMD vector types carry their instruction set, so a value can only be created from another one:
+/// [`Number::like`].
 pub(crate) trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
-    /// How many there are side by side.
+    /// Number of lanes.
     const LANES: usize;
 
-    /// x in every lane.
+    /// Returns x in every lane.
     fn like(self, x: f64) -> Self;
 
-    /// The number of a lane.
+    /// Returns the number in a lane.
     fn lane(&self, lane: usize) -> f64;
 
-    /// Sets that of a lane.
+    /// Sets the number in a lane.
     fn put(&mut self, lane: usize, x: f64);
 
-    /// f of every lane.
+    /// Applies f to every lane.
     fn map(self, f: impl Fn(f64) -> f64) -> Self;
 
-    /// f of every lane of two.
+    /// Applies f to every lane of two operands.
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self;
 
-    /// f of every lane of three.
+    /// Applies f to every lane of three operands.
     fn zip3(self, b: Self, c: Self, f: impl Fn(f64, f64, f64) -> f64) -> Self;
 
-    /// self · b + c, see [`FUSED`].
+    /// Returns self · b + c; see [`FUSED`] for the rounding.
     fn mul_add(self, b: Self, c: Self) -> Self;
 
-    /// √self
+    /// Returns √self.
     #[inline(always)]
     fn sqrt(self) -> Self {
         self.map(f64::sqrt)
     }
 }
 
-/// Numbers that are made of a constant alone: the closed forms' and the meshes' kernels compute with these.
+/// Numbers that can be created from a constant; used by the kernels of closed forms and meshes.
 pub(crate) trait Splat: Number {
-    /// The same number in every lane.
+    /// Returns the same number in every lane.
     fn splat(x: f64) -> Self;
 
-    /// The integer nearest to each, the even one of two; what is too large to have a fraction stays.
+    /// Returns the integer nearest to each number, ties to even; numbers too large to have a
+    /// fraction are unchanged.
     fn nearest(self) -> Self;
 
-    /// True if |x| ≤ limit in every lane; not of NaN.
+    /// Returns true if |x| ≤ limit in every lane; false for NaN.
     fn within(self, limit: Self) -> bool;
 }
 
-/// Whether a·b + c of an f64 is rounded once. IEEE 754 says what that is to the last bit, so that results are the same on all machines that have
-/// the instruction: ARM's 64-bit processors, and with the feature `simd`, which finds out, all of Intel and AMD since 2013. Without it the
-/// result would have to be computed by the platform's library, 140 times as slowly, so that it is rounded twice: results are
-/// the same on all of those machines, in all paths, and differ from the former by rounding.
+/// True if a·b + c of f64 numbers is rounded once.
+///
+/// IEEE 754 defines that result exactly, so it is the same on all processors with the instruction.
+/// These are 64-bit ARM, and all Intel and AMD processors since 2013 (with the feature `simd`,
+/// which detects it at run time). Without the instruction, the platform's library would compute it
+/// 140 times as slowly. Therefore a·b + c is then rounded twice. Results are the same on all of
+/// these processors and in all code paths, and differ from the others by rounding.
 pub(crate) const FUSED: bool = cfg!(any(
     target_arch = "aarch64",
     target_feature = "fma",
     all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64")),
 ));
 
-/// a·b + c
+/// Returns a·b + c, fused if [`FUSED`] is true.
 #[inline(always)]
 fn mul_add(a: f64, b: f64, c: f64) -> f64 {
     if FUSED { a.mul_add(b, c) } else { a * b + c }
@@ -117,7 +124,8 @@ impl Splat for f64 {
         x
     }
 
-    /// By adding 2⁵², where the fraction ends: without AVX or the like the instruction is a function call.
+    /// Adds and subtracts 2⁵², above which numbers have no fraction. Without AVX or similar, the
+    /// rounding instruction would be a function call.
     #[inline(always)]
     fn nearest(self) -> Self {
         let big = 4_503_599_627_370_496.0_f64.copysign(self);
@@ -130,12 +138,14 @@ impl Splat for f64 {
     }
 }
 
-/// sin x and cos x, x in rad: `libm`, so that no result depends on the platform's own.
+/// Returns sin x and cos x, x in rad, by `libm`, so that no result depends on the platform's
+/// library.
 pub(crate) fn sin_cos(x: f64) -> (f64, f64) {
     libm::sincos(x)
 }
 
-/// Vectors by type: how many numbers, and the names of what has no operator.
+/// Implementations for SIMD vector types: number of lanes, and names of the operations without an
+/// operator.
 #[cfg(feature = "simd")]
 macro_rules! vectors {
     ($($vector:ident: $lanes:literal, $splat:ident, $mul_add:ident, $sqrt:ident;)*) => {$(
@@ -181,10 +191,10 @@ macro_rules! vectors {
                 self
             }
 
-            /// Where there is no instruction, rounded twice.
+            /// Rounds twice if there is no fused instruction.
             #[inline(always)]
             fn mul_add(self, b: Self, c: Self) -> Self {
-                // WebAssembly's own may be of either kind.
+                // The fused operation of WebAssembly may be of either kind.
                 if cfg!(target_arch = "wasm32") { self * b + c } else { self.simd.$mul_add(self, b, c) }
             }
 
@@ -208,7 +218,7 @@ mod tests {
     use super::*;
     use crate::math::machine::{Machine, Work, in_narrower_vectors, in_vectors};
 
-    /// a·b + c, √a and a/b of eight numbers.
+    /// Computes a·b + c, √a and a/b for eight numbers.
     struct All([[f64; 8]; 3]);
 
     impl Work for All {
@@ -230,7 +240,7 @@ mod tests {
         }
     }
 
-    /// The number of each lane.
+    /// Sets each lane from a function of its index.
     fn each<N: Number>(mut all: N, number: impl Fn(usize) -> f64) -> N {
         (0..N::LANES).for_each(|lane| all.put(lane, number(lane)));
         all
@@ -245,7 +255,7 @@ mod tests {
     fn every_lane_has_the_bits_of_one_number() {
         let a = [1.1, 2e-5, 3e100, 0.7, 5.3, 1e-310, 9.9, 0.0];
         let b = [-0.3, 7e4, 1e-99, 1.9, -2.7, 3.0, 1e300, 0.4];
-        // What is left of a·b is its rounding: fused or not is seen.
+        // The remainder of a·b is its rounding error, which shows whether the operation is fused.
         let c: [f64; 8] = core::array::from_fn(|k| -(a[k] * b[k]));
         for wide in
             [Some(in_vectors(All([a, b, c]))), in_narrower_vectors(All([a, b, c]))].into_iter().flatten()

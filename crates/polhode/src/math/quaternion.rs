@@ -1,11 +1,12 @@
-//! Quaternions of numbers of several words, for what is turned before it is rounded. (w, x, y, z), Hamilton.
+//! Quaternions (w, x, y, z), Hamilton, of double-double or triple-double numbers, for rotations
+//! before rounding.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::double::Double;
 use super::triple::Triple;
 
-/// Arithmetic of words.
+/// Arithmetic of double-double and triple-double numbers.
 pub(crate) trait Words:
     Copy
     + From<f64>
@@ -30,7 +31,7 @@ impl Words for Triple {
     }
 }
 
-/// w + x i + y j + z k
+/// Quaternion w + x i + y j + z k.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Quaternion<T>(pub(crate) [T; 4]);
 
@@ -50,23 +51,24 @@ impl<T: Words> Quaternion<T> {
         Self([w, -x, -y, -z])
     }
 
-    /// Of length 1.
+    /// Returns the quaternion divided by its length.
     pub(crate) fn unit(self) -> Self {
         let [w, x, y, z] = self.0;
         let length = (w * w + x * x + y * y + z * z).root();
         Self(self.0.map(|c| c / length))
     }
 
-    /// q v q*
+    /// Returns q v q*.
     pub(crate) fn turned(self, [x, y, z]: [T; 3]) -> [T; 3] {
         let Self([_, x, y, z]) = self.times(Self([T::from(0.0), x, y, z])).times(self.conjugate());
         [x, y, z]
     }
 
-    /// The turn that takes z to the unit vector n by the shortest way, from +z or, after half a turn about x, from −z.
+    /// Returns the rotation by the shortest path from z to the unit vector n; with `downward`, from
+    /// −z, after a half turn about x.
     pub(crate) fn from_z_to([x, y, z]: [T; 3], downward: bool) -> Self {
         let (zero, one) = (T::from(0.0), T::from(1.0));
-        // 1 + z·n and z × n
+        // 1 + z·n and z × n.
         if downward {
             let half_turn = Self([zero, one, zero, zero]);
             return Self([one - z, y, -x, zero]).unit().times(half_turn);

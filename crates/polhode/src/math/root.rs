@@ -1,11 +1,14 @@
-//! Where a continuous function passes zero.
+//! Zeros of a continuous function.
 
-/// The zero of `f` between `a` and `b`, where it is `fa` and `fb`, not of one sign: to the rounding of the argument.
+/// Returns the zero of `f` between `a` and `b`, where `f` has the values `fa` and `fb` of opposite
+/// sign, to the rounding of the argument.
 ///
-/// The interpolate–truncate–project method: regula falsi, its estimate moved towards the middle and kept so near to it that there
-/// are never more evaluations than one beyond those of bisection; of a smooth function a handful.
+/// The method is interpolate–truncate–project: regula falsi whose estimate is moved toward the
+/// midpoint. It needs at most one evaluation more than bisection, and few evaluations for a smooth
+/// function.
 ///
-/// Source: I. F. D. Oliveira, R. H. C. Takahashi, ACM Trans. Math. Softw. 47 (2020) 5, algorithm 1, with κ₂ = 2 and n₀ = 1.
+/// Source: I. F. D. Oliveira, R. H. C. Takahashi, ACM Trans. Math. Softw. 47 (2020) 5, algorithm 1,
+/// with κ₂ = 2 and n₀ = 1.
 pub(crate) fn root(
     mut f: impl FnMut(f64) -> f64,
     [mut a, mut b]: [f64; 2],
@@ -17,21 +20,21 @@ pub(crate) fn root(
     if fb == 0.0 {
         return b;
     }
-    // Two neighbouring doubles at either end of the bracket.
+    // Two neighbouring f64 numbers at the larger end of the bracket.
     let resolution = f64::EPSILON * a.abs().max(b.abs());
     let first = b - a;
     let most = libm::log2(first / resolution).ceil().max(0.0) + 1.0;
     let mut radius = 0.5 * resolution * libm::exp2(most);
     while b - a > resolution {
         let middle = a + 0.5 * (b - a);
-        // Interpolate.
+        // Interpolates by regula falsi.
         let secant = (b * fa - a * fb) / (fa - fb);
         let secant = if secant > a && secant < b { secant } else { middle };
-        // Truncate.
+        // Truncates: moves the estimate toward the midpoint.
         let toward = (middle - secant).signum();
         let shift = 0.2 * (b - a) * (b - a) / first;
         let moved = if shift <= (middle - secant).abs() { secant + toward * shift } else { middle };
-        // Project.
+        // Projects the estimate into the minmax interval.
         let room = (radius - 0.5 * (b - a)).max(0.0);
         let x = if (moved - middle).abs() <= room { moved } else { middle - toward * room };
         if !(x > a && x < b) {
@@ -51,12 +54,13 @@ pub(crate) fn root(
     if fa.abs() < fb.abs() { a } else { b }
 }
 
-/// A place between `a` and `b` where `f`, positive at both, is not: its least value is looked for by golden section, and `None` if that
-/// is positive too.
+/// Returns a place between `a` and `b` at which `f`, positive at both ends, is not positive. It
+/// searches for the minimum by golden section; `None` if the minimum is positive.
 pub(crate) fn dip(mut f: impl FnMut(f64) -> f64, [mut a, mut b]: [f64; 2]) -> Option<f64> {
-    /// 2 − the golden ratio.
+    /// Constant 2 − the golden ratio.
     const SECTION: f64 = 0.381_966_011_250_105_1;
-    /// The bracket shrinks to some 1e-9: a minimum is flat, so that f is known to rounding there.
+    /// Number of steps, which reduce the bracket to about 1e-9; a minimum is flat, so f is known to
+    /// rounding there.
     const MOST: usize = 44;
     let (mut x, mut y) = (a + SECTION * (b - a), b - SECTION * (b - a));
     let (mut fx, mut fy) = (f(x), f(y));
@@ -80,9 +84,10 @@ pub(crate) fn dip(mut f: impl FnMut(f64) -> f64, [mut a, mut b]: [f64; 2]) -> Op
     None
 }
 
-/// Where a function that is positive passes zero within h, first, looked at in a few places; what is not positive at the start has to become so before.
+/// Returns the first zero within h at which a positive function becomes negative, found from a few
+/// samples. A function that is not positive at the start must become positive first.
 pub(crate) fn vanishing(f: impl Fn(f64) -> f64, h: f64) -> Option<f64> {
-    /// Places that are looked at.
+    /// Number of intervals between the samples.
     const LOOKS: usize = 8;
     let looks: [[f64; 2]; LOOKS + 1] = core::array::from_fn(|k| {
         let t = h * k as f64 / LOOKS as f64;
@@ -96,7 +101,8 @@ pub(crate) fn vanishing(f: impl Fn(f64) -> f64, h: f64) -> Option<f64> {
         if now < 0.0 {
             return Some(root(&f, [from, to], [before, now]));
         }
-        // It may have been below zero between two places where it is not, if it turns back at one of them.
+        // The function may be negative between two samples where it is not, if it has a minimum
+        // near one of them.
         if let Some(&[end, next]) = looks.get(k + 2)
             && now < before
             && now < next

@@ -8,11 +8,12 @@ use super::frame::{Body, Frame, Space};
 use super::number::{PI, sin_cos};
 use super::vector::{Direction, Vector, quantity};
 
-/// R_AB: takes B-components to A-components, `v_A = R_AB v_B`.
+/// Rotation R_AB, which converts B-components to A-components: `v_A = R_AB v_B`.
 ///
-/// Products read as the matrices do, inner letters cancel: `Rotation<A, B> * Rotation<B, C>` is a
-/// `Rotation<A, C>`, and `Rotation<A, B> * Vector<_, B>` a `Vector<_, A>`.
-/// Inside is a unit quaternion (Hamilton, scalar first); q and −q are the same rotation.
+/// Products are written like those of matrices, and the inner frames cancel: `Rotation<A, B> *
+/// Rotation<B, C>` is a `Rotation<A, C>`, and `Rotation<A, B> * Vector<_, B>` is a `Vector<_, A>`.
+/// The representation is a unit quaternion (Hamilton, scalar first); q and −q are the same
+/// rotation.
 ///
 /// ```
 /// use polhode::math::{Attitude, Body, Direction, Rotation, Space};
@@ -35,38 +36,38 @@ pub struct Rotation<A, B> {
     frames: PhantomData<(A, B)>,
 }
 
-/// How the body stands in space: `R_space_body`.
+/// Attitude of the body in space: `R_space_body`.
 pub type Attitude = Rotation<Space, Body>;
 
-/// Why numbers are not a rotation.
+/// Error: the numbers do not define a rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum RotationError {
     /// The quaternion is zero or not finite.
     Quaternion {
-        /// The offending w, x, y, z.
+        /// Given w, x, y, z.
         wxyz: [f64; 4],
     },
     /// The axis has no direction.
     Axis {
-        /// The offending axis.
+        /// Components of the given axis.
         axis: [f64; 3],
     },
     /// The angle is not finite.
     Angle {
-        /// The offending angle, rad.
+        /// Given angle, rad.
         angle: f64,
     },
     /// The matrix is not orthogonal with determinant +1.
     Matrix {
-        /// Largest element of |RᵀR − 1|, or of |det R − 1|.
+        /// Larger of the largest element of |RᵀR − 1| and |det R − 1|.
         departure: f64,
-        /// The largest departure accepted.
+        /// Largest accepted departure.
         tolerance: f64,
     },
 }
 
-/// The quaternion w, x, y, z.
+/// Quaternion as (w, x, y, z).
 impl<A, B> fmt::Display for Rotation<A, B> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         super::display::row(f, &self.quaternion())
@@ -97,20 +98,22 @@ impl fmt::Display for RotationError {
 
 impl core::error::Error for RotationError {}
 
-/// A direction-cosine matrix may be this far from orthogonal: eight printed digits.
+/// Largest accepted departure of a direction-cosine matrix from orthogonality: eight printed
+/// digits.
 const MATRIX_TOLERANCE: f64 = 1e-7;
 
-/// |q|² of a quaternion that was divided by its length in doubles, summed in doubles, is within 3 ε of 1 (20 000 at random).
+/// Tolerance of |q|². After normalisation and summation in f64, |q|² is within 3 ε of 1 (20 000
+/// random quaternions).
 const UNIT: f64 = 4.0 * f64::EPSILON;
 
 impl<A, B> Rotation<A, B> {
-    /// The rotation that changes nothing: both frames coincide.
+    /// Returns the identity rotation: both frames coincide.
     pub const fn identity() -> Self {
         Self::unit(1.0, 0.0, 0.0, 0.0)
     }
 
-    /// The rotation of a quaternion (w, x, y, z), Hamilton, scalar first; normalised here, but for one that is unit to rounding
-    /// already, which keeps its bits.
+    /// Returns the rotation of a quaternion (w, x, y, z), Hamilton, scalar first. The quaternion is
+    /// normalised, unless it is unit to rounding; then its bits are kept.
     ///
     /// # Errors
     /// [`RotationError::Quaternion`] if it is zero or not finite.
@@ -126,11 +129,12 @@ impl<A, B> Rotation<A, B> {
         Ok(Self::normalised([w / scale, x / scale, y / scale, z / scale]))
     }
 
-    /// The frame B stands in A turned by `angle` (rad) about `axis`, right-handed; the axis has the same
-    /// components in both.
+    /// Returns the rotation by which frame B is rotated relative to A, by `angle` (rad) about
+    /// `axis`, right-handed. The axis has the same components in both frames.
     ///
     /// # Errors
-    /// [`RotationError::Axis`] for an axis without direction, [`RotationError::Angle`] for an angle that is not finite.
+    /// [`RotationError::Axis`] for an axis without direction, [`RotationError::Angle`] for an angle
+    /// that is not finite.
     pub fn about(axis: Direction<A>, angle: f64) -> Result<Self, RotationError> {
         if !angle.is_finite() {
             return Err(RotationError::Angle { angle });
@@ -141,26 +145,27 @@ impl<A, B> Rotation<A, B> {
         Ok(Self::turn(n, angle))
     }
 
-    /// The rotation of a direction-cosine matrix: rows are A's axes, columns B's.
+    /// Returns the rotation of a direction-cosine matrix: rows are A's axes, columns B's.
     ///
     /// # Errors
-    /// [`RotationError::Matrix`] if RᵀR departs from 1, or det R from +1, by more than 1e-7.
+    /// [`RotationError::Matrix`] if RᵀR differs from 1, or det R from +1, by more than 1e-7.
     pub fn from_matrix(r: [[f64; 3]; 3]) -> Result<Self, RotationError> {
         let departure = departure_from_rotation(&r);
-        // Negated so that NaN is refused too.
+        // Negated so that NaN is also an error.
         if !(departure <= MATRIX_TOLERANCE) {
             return Err(RotationError::Matrix { departure, tolerance: MATRIX_TOLERANCE });
         }
         Ok(Self::from_orthogonal(&r))
     }
 
-    /// The rotation with B's axes along three perpendicular unit vectors of A.
+    /// Returns the rotation with B's axes along three perpendicular unit vectors of A.
     pub(crate) fn from_axes(axes: [Direction<A>; 3]) -> Self {
         let [a, b, c] = axes;
         Self::from_orthogonal(&[[a.x, b.x, c.x], [a.y, b.y, c.y], [a.z, b.z, c.z]])
     }
 
-    /// Shepperd's method: divide by the largest of the four candidates.
+    /// Returns the rotation of an orthogonal matrix by Shepperd's method: division by the largest
+    /// of the four candidates.
     fn from_orthogonal(r: &[[f64; 3]; 3]) -> Self {
         let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = *r;
         let candidates = [xx + yy + zz, xx - yy - zz, yy - xx - zz, zz - xx - yy];
@@ -173,8 +178,8 @@ impl<A, B> Rotation<A, B> {
         })
     }
 
-    /// 3-1-3 Euler angles in rad: precession φ about axis 3, nutation θ about the new axis 1, spin ψ about the
-    /// new axis 3; R_AB = R₃(φ) R₁(θ) R₃(ψ).
+    /// Returns the rotation of 3-1-3 Euler angles in rad: precession φ about axis 3, nutation θ
+    /// about the new axis 1, spin ψ about the new axis 3; R_AB = R₃(φ) R₁(θ) R₃(ψ).
     ///
     /// # Errors
     /// [`RotationError::Angle`] for an angle that is not finite.
@@ -190,7 +195,7 @@ impl<A, B> Rotation<A, B> {
         Ok(Self::normalised([ct * cp, st * cm, st * sm, ct * sp]))
     }
 
-    /// 3-1-3 Euler angles (φ, θ, ψ) in rad: φ and ψ in (−π, π], θ in [0, π].
+    /// Returns the 3-1-3 Euler angles (φ, θ, ψ) in rad: φ and ψ in (−π, π], θ in [0, π].
     ///
     /// At θ = 0 and θ = π only φ ± ψ is determined; then ψ = 0 is returned.
     pub fn euler313(self) -> [f64; 3] {
@@ -207,21 +212,21 @@ impl<A, B> Rotation<A, B> {
         [wrap(half_sum + half_difference), theta, wrap(half_sum - half_difference)]
     }
 
-    /// Roll, pitch and yaw in rad, 3-2-1: yaw ψ about axis 3, pitch θ about the new axis 2, roll φ about the new axis 1;
-    /// R_AB = R₃(ψ) R₂(θ) R₁(φ).
+    /// Returns the rotation of roll, pitch and yaw in rad, 3-2-1: yaw ψ about axis 3, pitch θ about
+    /// the new axis 2, roll φ about the new axis 1; R_AB = R₃(ψ) R₂(θ) R₁(φ).
     ///
     /// # Errors
     /// [`RotationError::Angle`] for an angle that is not finite.
     ///
-    /// Source: Markley & Crassidis, Fundamentals of Spacecraft Attitude Determination and Control, §2.9.5 (there with the inverse
-    /// matrix).
+    /// Source: Markley & Crassidis, Fundamentals of Spacecraft Attitude Determination and Control,
+    /// §2.9.5 (there with the inverse matrix).
     pub fn from_roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> Result<Self, RotationError> {
         if let Some(&angle) = [roll, pitch, yaw].iter().find(|a| !a.is_finite()) {
             return Err(RotationError::Angle { angle });
         }
         let ((sp, cp), sum, difference) =
             (sin_cos(0.5 * pitch), sin_cos(0.5 * yaw + 0.5 * roll), sin_cos(0.5 * yaw - 0.5 * roll));
-        // w ∓ y = (c ∓ s) cos ½(ψ ± φ), z ± x = (c ∓ s) sin ½(ψ ± φ), c and s of ½θ
+        // w ∓ y = (c ∓ s) cos ½(ψ ± φ), z ± x = (c ∓ s) sin ½(ψ ± φ), with c and s of ½θ.
         let (less, more) = (0.5 * (cp - sp), 0.5 * (cp + sp));
         Ok(Self::normalised([
             less * sum.1 + more * difference.1,
@@ -231,7 +236,7 @@ impl<A, B> Rotation<A, B> {
         ]))
     }
 
-    /// Roll, pitch and yaw (φ, θ, ψ), 3-2-1, in rad: φ and ψ in (−π, π], θ in [−π/2, π/2].
+    /// Returns roll, pitch and yaw (φ, θ, ψ), 3-2-1, in rad: φ and ψ in (−π, π], θ in [−π/2, π/2].
     ///
     /// At θ = ±π/2 only ψ ∓ φ is determined; then φ = 0 is returned.
     pub fn roll_pitch_yaw(self) -> [f64; 3] {
@@ -250,10 +255,12 @@ impl<A, B> Rotation<A, B> {
         [wrap(half_sum - half_difference), pitch, wrap(half_sum + half_difference)]
     }
 
-    /// The rotation of modified Rodrigues parameters σ = n tan(Φ/4), for a turn by Φ about n.
+    /// Returns the rotation of modified Rodrigues parameters σ = n tan(Φ/4), a rotation by Φ about
+    /// n.
     ///
     /// # Errors
-    /// [`RotationError::Quaternion`] if one is not finite, or their length 1e150 or more.
+    /// [`RotationError::Quaternion`] if a parameter is not finite, or if their length is 1e150 or
+    /// more.
     ///
     /// Source: Schaub & Junkins, Analytical Mechanics of Space Systems, §3.6.
     pub fn from_mrp([x, y, z]: [f64; 3]) -> Result<Self, RotationError> {
@@ -261,28 +268,30 @@ impl<A, B> Rotation<A, B> {
         Self::from_quaternion([1.0 - squared, 2.0 * x, 2.0 * y, 2.0 * z])
     }
 
-    /// Modified Rodrigues parameters of the shorter turn: σ = (x, y, z)/(1 + w), |σ| ≤ 1.
+    /// Returns the modified Rodrigues parameters of the shorter rotation: σ = (x, y, z)/(1 + w),
+    /// |σ| ≤ 1.
     pub fn mrp(self) -> [f64; 3] {
         let [w, x, y, z] = self.canonical_quaternion();
         [x, y, z].map(|c| c / (1.0 + w))
     }
 
-    /// The unit quaternion (w, x, y, z) as it is held: continuous along a trajectory, either sign.
+    /// Returns the unit quaternion (w, x, y, z) as stored: continuous along a trajectory, either
+    /// sign.
     pub const fn quaternion(self) -> [f64; 4] {
         [self.w, self.x, self.y, self.z]
     }
 
-    /// The unit quaternion (w, x, y, z) with w ≥ 0: the way it is printed when it stands alone.
+    /// Returns the unit quaternion (w, x, y, z) with w ≥ 0, as printed for a single attitude.
     pub fn canonical_quaternion(self) -> [f64; 4] {
         let q = self.quaternion();
-        // The first component that is not zero decides.
+        // The first nonzero component determines the sign.
         match q.iter().find(|c| **c != 0.0) {
             Some(first) if *first < 0.0 => q.map(|c| 0.0 - c),
             _ => q,
         }
     }
 
-    /// The direction-cosine matrix R with `v_A = R v_B`; rows are A's axes.
+    /// Returns the direction-cosine matrix R with `v_A = R v_B`; rows are A's axes.
     pub fn matrix(self) -> [[f64; 3]; 3] {
         let Self { w, x, y, z, .. } = self;
         [
@@ -292,18 +301,19 @@ impl<A, B> Rotation<A, B> {
         ]
     }
 
-    /// R_BA.
+    /// Returns the inverse rotation R_BA.
     pub const fn inverse(self) -> Rotation<B, A> {
         Rotation::unit(self.w, -self.x, -self.y, -self.z)
     }
 
-    /// The angle of this rotation, 0 … π rad, accurate for tiny ones.
+    /// Returns the angle of this rotation, 0 … π rad, accurate for very small angles.
     pub fn angle(self) -> f64 {
         let sine = libm::sqrt(self.x * self.x + self.y * self.y + self.z * self.z);
         2.0 * libm::atan2(sine, self.w.abs())
     }
 
-    /// The rotation vector v with R = exp(\[v\]×): |v| rad about v, at most π. Of R_AB it has the same components along A as along B.
+    /// Returns the rotation vector v with R = exp(\[v\]×): |v| rad about v, at most π. For R_AB it
+    /// has the same components along A and along B.
     ///
     /// ```
     /// use polhode::math::{Attitude, Direction};
@@ -318,7 +328,7 @@ impl<A, B> Rotation<A, B> {
         Direction::new(self.x, self.y, self.z) * factor
     }
 
-    /// exp(\[v\]×): a turn by |v| rad about the rotation vector v.
+    /// Returns exp(\[v\]×), the rotation by |v| rad about the rotation vector v.
     ///
     /// # Errors
     /// [`RotationError`] for a vector that is not finite.
@@ -326,25 +336,25 @@ impl<A, B> Rotation<A, B> {
         Self::from_quaternion(Self::from_rotation_vector(v).quaternion())
     }
 
-    /// The angle between two attitudes, 0 … π rad.
+    /// Returns the angle between two attitudes, 0 … π rad.
     pub fn angle_to(self, other: Self) -> f64 {
         (self.inverse() * other).angle()
     }
 
-    /// The same rotation, with the sign of its quaternion nearest to that of `previous`.
+    /// Returns the same rotation, with the sign of its quaternion nearest to that of `previous`.
     #[must_use]
     pub fn continuous_with(self, previous: Self) -> Self {
         let cosine = self.w * previous.w + self.x * previous.x + self.y * previous.y + self.z * previous.z;
         if cosine < 0.0 { Self::unit(-self.w, -self.x, -self.y, -self.z) } else { self }
     }
 
-    /// A turn by `angle` about the unit vector `n`.
+    /// Returns the rotation by `angle` (rad) about the unit vector `n`.
     pub(crate) fn turn(n: Direction<A>, angle: f64) -> Self {
         let (s, c) = sin_cos(0.5 * angle);
         Self::normalised([c, s * n.x, s * n.y, s * n.z])
     }
 
-    /// A turn by the rotation vector v: |v| rad about v.
+    /// Returns the rotation by the rotation vector v: |v| rad about v.
     pub(crate) fn from_rotation_vector(v: Direction<A>) -> Self {
         let angle = v.dot(v).sqrt();
         let (s, c) = sin_cos(0.5 * angle);
@@ -357,13 +367,14 @@ impl<A, B> Rotation<A, B> {
         Self::unit(w / norm, x / norm, y / norm, z / norm)
     }
 
-    /// The rotation of a quaternion that is unit but for rounding: 1/√n = (3 − n)/2 to second order in n − 1.
+    /// Returns the rotation of a quaternion that is unit except for rounding: 1/√n = (3 − n)/2 to
+    /// second order in n − 1.
     pub(crate) fn near_unit([w, x, y, z]: [f64; 4]) -> Self {
         let s = 1.5 - 0.5 * (w * w + x * x + y * y + z * z);
         Self::unit(s * w, s * x, s * y, s * z)
     }
 
-    /// The rotation of a quaternion that is unit to rounding.
+    /// Returns the rotation of a quaternion that is unit to rounding.
     pub(crate) const fn from_unit([w, x, y, z]: [f64; 4]) -> Self {
         Self::unit(w, x, y, z)
     }
@@ -389,7 +400,7 @@ impl<A, B, C> Mul<Rotation<B, C>> for Rotation<A, B> {
 impl<A, B, Q> Mul<Vector<Q, B>> for Rotation<A, B> {
     type Output = Vector<Q, A>;
     fn mul(self, v: Vector<Q, B>) -> Vector<Q, A> {
-        // v + 2w (u × v) + 2 u × (u × v), u the vector part
+        // v + 2w (u × v) + 2 u × (u × v), with the vector part u.
         let u = Vector::<quantity::Number, B>::new(self.x, self.y, self.z);
         let v: Vector<quantity::Number, B> = v.as_quantity();
         let t = u.cross(v) * 2.0;
@@ -406,7 +417,7 @@ impl<A, B> Clone for Rotation<A, B> {
 impl<A, B> Copy for Rotation<A, B> {}
 
 impl<A, B> PartialEq for Rotation<A, B> {
-    /// Equal quaternions, component by component.
+    /// Compares the quaternions, component by component.
     fn eq(&self, other: &Self) -> bool {
         self.quaternion() == other.quaternion()
     }
@@ -419,7 +430,7 @@ impl<A: Frame, B: Frame> fmt::Debug for Rotation<A, B> {
     }
 }
 
-/// An angle moved into (−π, π].
+/// Reduces an angle to (−π, π], rad.
 pub(crate) fn wrap(angle: f64) -> f64 {
     if angle > PI {
         angle - 2.0 * PI
@@ -437,7 +448,7 @@ fn departure_from_rotation(r: &[[f64; 3]; 3]) -> f64 {
         for j in 0..=i {
             let delta = if i == j { 1.0 } else { 0.0 };
             let d = (column(i).dot(column(j)) - delta).abs();
-            // Keeps a NaN once it is there.
+            // Keeps NaN.
             departure = if d > departure || d.is_nan() { d } else { departure };
         }
     }
@@ -490,11 +501,11 @@ mod tests {
             assert!(r.angle_to(turns) < 1e-15);
             let back = r.roll_pitch_yaw();
             assert!((back[1] - pitch).abs() < 1e-15, "{back:?}");
-            // Near the vertical only the sum is known as well.
+            // Near the vertical, only the sum is well determined.
             let known = 4e-16 / pitch.cos();
             assert!((back[0] - roll).abs() < known && (back[2] - yaw).abs() < known, "{back:?}");
         }
-        // Straight up and down one angle says all.
+        // Exactly at the vertical, one angle describes the rotation.
         for (q, want) in
             [([1.0, 0.0, 1.0, 0.0], [0.0, 0.5 * PI, 0.0]), ([0.0, 1.0, 0.0, 1.0], [0.0, -0.5 * PI, PI])]
         {
@@ -518,7 +529,7 @@ mod tests {
             let mrp = r.mrp();
             assert!((0..3).all(|k| (mrp[k] - want[k]).abs() < 1e-15), "{mrp:?} {want:?}");
             assert!(Attitude::from_mrp(mrp).unwrap().angle_to(r) < 1e-15);
-            // The longer turn, which the shadow set has, is the same.
+            // The longer rotation, given by the shadow parameters, is the same.
             let squared = mrp.iter().map(|c| c * c).sum::<f64>();
             assert!(Attitude::from_mrp(mrp.map(|c| -c / squared)).unwrap().angle_to(r) < 1e-15);
         }
@@ -537,7 +548,7 @@ mod tests {
         for (got, want) in r.euler313().iter().zip([phi, theta, psi]) {
             assert!((got - want).abs() < 1e-15, "{got} {want}");
         }
-        // Where only φ ± ψ is determined, the rotation still comes back.
+        // If only φ ± ψ is determined, the rotation is still reproduced.
         for theta in [0.0, PI] {
             let r = Rotation::<Body, Body>::from_euler313([0.8, theta, 0.5]).unwrap();
             assert!(Rotation::from_euler313(r.euler313()).unwrap().angle_to(r) < 1e-15);

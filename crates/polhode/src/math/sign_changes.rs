@@ -1,21 +1,22 @@
 //! Zeros of a smooth function on an interval that is divided into pieces.
 //!
-//! The cubic Hermite interpolant of values and slopes approximates the function in each piece. Its error is estimated
-//! from values between the ends. A piece on which the interpolant stays further from zero than its error has no zero.
-//! A piece on which it is monotone has one. All others are halved.
+//! The cubic Hermite interpolant of values and slopes approximates the function in each piece. Its
+//! error is estimated from values between the ends. A piece whose interpolant differs from zero by
+//! more than its error has no zero. A piece with a sign change whose interpolant is monotone has
+//! one. All others are halved.
 
 use super::root::{dip, root};
 
-/// Halvings of a piece.
+/// Maximum number of times that a piece is halved.
 const DEPTH: u32 = 8;
 
-/// The part of a piece over which a slope is taken.
+/// Part of a piece over which a slope is computed.
 pub(crate) const SLOPE: f64 = 1.0 / 256.0;
 
 /// Safety factor of the estimated error of an interpolant.
 const SAFETY: f64 = 4.0;
 
-/// A place, the value of a function there, and its slope.
+/// Place, value and slope of a function.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Node {
     pub(crate) at: f64,
@@ -23,15 +24,15 @@ pub(crate) struct Node {
     pub(crate) slope: f64,
 }
 
-/// A function whose zeros are sought. Values up to `noise` may be rounding.
+/// Function whose zeros are sought. Values up to `noise` may be rounding.
 pub(crate) struct Sought<'a> {
     pub(crate) function: &'a dyn Fn(f64) -> f64,
     pub(crate) noise: f64,
 }
 
 impl Sought<'_> {
-    /// Returns the places between nodes at which the function changes its sign, in ascending order. At every node the
-    /// function is beyond its noise.
+    /// Returns the places between nodes at which the function changes its sign, in ascending order.
+    /// At every node |f| must exceed the noise.
     pub(crate) fn zeros(&self, nodes: &[Node]) -> Vec<f64> {
         let error = |k: usize, left: usize| {
             let (Some(left), Some(middle), Some(right)) =
@@ -52,13 +53,14 @@ impl Sought<'_> {
         found
     }
 
-    /// Finds the zeros between two nodes, where the interpolant has such an error.
+    /// Finds the zeros between two nodes; `error` is the error of the interpolant there.
     fn search(&self, left: &Node, right: &Node, error: f64, depth: u32, found: &mut Vec<f64>) {
         let Node { at: a, value, .. } = *left;
         let (sign, width) = (value.signum(), right.at - a);
         let is_crossed = sign * right.value < 0.0;
         let cubic = Cubic::between(left, right);
-        // Slopes are differences over a short part of a piece: their error is a part of the curvature.
+        // Slopes are differences over a short part of a piece; their error is proportional to the
+        // curvature.
         let margin = SAFETY * error + 2.0 * SLOPE * (cubic.slopes[1] - cubic.slopes[0]).abs();
         let is_plain =
             if is_crossed { cubic.is_monotone(margin) } else { cubic.least(sign) > margin + self.noise };
@@ -73,13 +75,15 @@ impl Sought<'_> {
             self.resolve(left, right, found);
             return;
         };
-        // A sixteenth of it, if the pieces are so short that the error is that of the next term. They need not be.
+        // For sufficiently short pieces the error would be a sixteenth; a quarter is used, because
+        // the pieces may be long.
         let error = cubic.error(&middle) / 4.0;
         self.search(left, &middle, error, depth - 1, found);
         self.search(&middle, right, error, depth - 1, found);
     }
 
-    /// Finds the zero between nodes of opposite signs, or the two of a function that turns back between nodes of one sign.
+    /// Finds the zero between nodes of opposite signs, or the two zeros of a function with an
+    /// extremum between nodes of one sign.
     fn resolve(&self, left: &Node, right: &Node, found: &mut Vec<f64>) {
         let Node { at: a, value, slope } = *left;
         let sign = value.signum();
@@ -95,7 +99,8 @@ impl Sought<'_> {
         }
     }
 
-    /// The function at a place, its slope by the difference over `step`.
+    /// Returns the value of the function at a place, with its slope from the difference over
+    /// `step`.
     pub(crate) fn node(&self, at: f64, step: f64) -> Node {
         let value = (self.function)(at);
         let beside = at + step;
@@ -103,7 +108,7 @@ impl Sought<'_> {
     }
 }
 
-/// A cubic on [0, 1], by its values and slopes at the ends.
+/// Cubic polynomial on [0, 1], given by its values and slopes at the ends.
 struct Cubic {
     begin: f64,
     width: f64,
@@ -118,7 +123,7 @@ impl Cubic {
         Self { begin: left.at, width, values, slopes }
     }
 
-    /// c of p = v₀ + s (d₀ + s (c₀ + s c₁)).
+    /// Returns c of p = v₀ + s (d₀ + s (c₀ + s c₁)).
     fn curvature(&self) -> [f64; 2] {
         let ([v, w], [d, e]) = (self.values, self.slopes);
         [3.0 * (w - v) - 2.0 * d - e, d + e - 2.0 * (w - v)]
@@ -129,36 +134,37 @@ impl Cubic {
         self.values[0] + s * (self.slopes[0] + s * (c + s * d))
     }
 
-    /// The largest difference from a function of which a node between the ends is known: f − p ∝ s² (1 − s)².
+    /// Returns the largest difference from a function of which a node between the ends is known,
+    /// assuming f − p ∝ s² (1 − s)².
     fn error(&self, node: &Node) -> f64 {
         let s = (node.at - self.begin) / self.width;
         let shape = 4.0 * s * (1.0 - s);
         (node.value - self.at(s)).abs() / (shape * shape)
     }
 
-    /// min sign · p
+    /// Returns min sign · p.
     fn least(&self, sign: f64) -> f64 {
         let ends = (sign * self.values[0]).min(sign * self.values[1]);
         self.turns().into_iter().fold(ends, |least, s| least.min(sign * self.at(s)))
     }
 
-    /// Returns the zeros of p′ between 0 and 1, at most two; 0 for none.
+    /// Returns the zeros of p′ between 0 and 1, at most two; 0 stands for none.
     fn turns(&self) -> [f64; 2] {
         let ([c, d], b) = (self.curvature(), self.slopes[0]);
-        // b + 2 c s + 3 d s² = 0
+        // b + 2 c s + 3 d s² = 0.
         let root = (c * c - 3.0 * b * d).sqrt();
         let q = -(c + root.copysign(c));
         [q / (3.0 * d), b / q].map(|s| if s > 0.0 && s < 1.0 { s } else { 0.0 })
     }
 
-    /// True if p′ has one sign, and is further from zero than the slope of an error of p of this size.
+    /// Returns true if p′ has a constant sign and exceeds the slope of an error of p of this size.
     fn is_monotone(&self, error: f64) -> bool {
         let [c, d] = self.curvature();
         let direction = (self.values[1] - self.values[0]).signum();
         let slope = |s: f64| direction * (self.slopes[0] + s * (2.0 * c + 3.0 * s * d));
         let vertex = -c / (3.0 * d);
         let inside = if vertex > 0.0 && vertex < 1.0 { slope(vertex) } else { f64::INFINITY };
-        // (16 s² (1 − s)²)′ is at most 3.1.
+        // The maximum of (16 s² (1 − s)²)′ is 3.1.
         slope(0.0).min(slope(1.0)).min(inside) > 3.1 * error
     }
 }
@@ -191,7 +197,7 @@ mod tests {
     fn zeros_close_together_are_two_and_a_near_miss_is_none() {
         for (depth, count) in [(1e-2, 2), (1e-6, 2), (1e-11, 2), (-1e-11, 0), (-1e-3, 0)] {
             for place in [0.3, 0.431, 0.999] {
-                // A dip on a slope of its own, at a generic place.
+                // A minimum on a slope, at a generic place.
                 let f = |x: f64| ((x - place).powi(2) - depth) * (1.0 + 0.7 * x + 0.4 * x * x);
                 let found = zeros(&f, [-1.13, 2.0], 5);
                 assert_eq!(found.len(), count, "{depth} {place} {found:?}");

@@ -1,13 +1,15 @@
-//! Splines through given points: smooth curves, and their exact derivatives.
+//! Interpolating splines: smooth curves with exact derivatives.
 //!
-//! A spline of odd degree p is a polynomial of degree p between the times and has p − 1 continuous derivatives. It is a sum
-//! of B-splines. Knots are the times but for the (p + 1)/2 at either end, so that the first and the last few pieces are one
-//! polynomial ("not a knot"): no derivative at the ends has to be guessed, and the order p + 1 holds up to them.
+//! A spline of odd degree p is a polynomial of degree p between the times and has p − 1 continuous
+//! derivatives. It is a sum of B-splines. The knots are the times without the (p + 1)/2 at either
+//! end, so that the first and the last few pieces form one polynomial ("not a knot"). No derivative
+//! at the ends has to be assumed, and the order of accuracy p + 1 holds up to the ends.
 //!
 //! # Source
-//! C. de Boor, A Practical Guide to Splines, chapters IX (B-splines), X (derivatives) and XIII (interpolation).
+//! C. de Boor, A Practical Guide to Splines, chapters IX (B-splines), X (derivatives) and XIII
+//! (interpolation).
 
-/// A curve of N components through points at given times.
+/// Curve of N components through points at given times.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Spline<const N: usize> {
     degree: usize,
@@ -15,12 +17,12 @@ pub(crate) struct Spline<const N: usize> {
     coefficients: Vec<[f64; N]>,
 }
 
-/// The highest degree that is asked for.
+/// Highest supported degree.
 const MOST: usize = 7;
 
 impl<const N: usize> Spline<N> {
-    /// The spline of the greatest odd degree up to `degree` (≤ 7) that there are points for; `None` for fewer than two points,
-    /// or times that do not ascend.
+    /// Returns the spline of the largest odd degree up to `degree` (≤ 7) for which there are enough
+    /// points; `None` for fewer than two points, or times that are not ascending.
     pub(crate) fn through(times: &[f64], values: &[[f64; N]], degree: usize) -> Option<Self> {
         let count = times.len();
         let ascending = times.windows(2).all(|pair| pair[0] < pair[1]) && times.iter().all(|t| t.is_finite());
@@ -39,11 +41,12 @@ impl<const N: usize> Spline<N> {
         Some(spline)
     }
 
-    /// The value and its first and second derivative at a time; beyond the ends the outermost polynomials go on.
+    /// Returns the value and its first and second derivative at a time; beyond the ends, the
+    /// outermost polynomials are continued.
     pub(crate) fn at(&self, time: f64) -> [[f64; N]; 3] {
         let mut result = [[0.0; N]; 3];
         let (p, span) = (self.degree, self.span(time));
-        // The coefficients that matter here, then those of the derivatives: c′ᵢ = p (cᵢ₊₁ − cᵢ)/(uᵢ₊ₚ₊₁ − uᵢ₊₁)
+        // Local coefficients, then those of the derivatives: c′ᵢ = p (cᵢ₊₁ − cᵢ)/(uᵢ₊ₚ₊₁ − uᵢ₊₁).
         let mut local = [[0.0; N]; MOST + 1];
         local[..=p].copy_from_slice(&self.coefficients[span - p..=span]);
         for (order, slot) in result.iter_mut().enumerate().take(p + 1) {
@@ -58,7 +61,8 @@ impl<const N: usize> Spline<N> {
         result
     }
 
-    /// De Boor's recurrence: the value of the spline of `degree` with the coefficients `local`.
+    /// Returns the value of the spline of `degree` with the coefficients `local`, by de Boor's
+    /// recurrence.
     fn blended(&self, mut local: [[f64; N]; MOST + 1], degree: usize, span: usize, time: f64) -> [f64; N] {
         for r in 1..=degree {
             for j in (r..=degree).rev() {
@@ -71,13 +75,14 @@ impl<const N: usize> Spline<N> {
         local[degree]
     }
 
-    /// The last knot that is not after a time, but for those at the end.
+    /// Returns the index of the last knot that is not after a time, excluding the repeated knots at
+    /// the end.
     fn span(&self, time: f64) -> usize {
         let last = self.coefficients.len() - 1;
         self.knots.partition_point(|knot| *knot <= time).saturating_sub(1).clamp(self.degree, last)
     }
 
-    /// The p + 1 B-splines that are not zero in a span, at a time there.
+    /// Returns the p + 1 B-splines that are nonzero in a span, at a time in it.
     fn basis(&self, span: usize, time: f64) -> [f64; MOST + 1] {
         let mut basis = [0.0; MOST + 1];
         basis[0] = 1.0;
@@ -94,10 +99,10 @@ impl<const N: usize> Spline<N> {
         basis
     }
 
-    /// The coefficients with which the spline goes through the points.
+    /// Returns the coefficients with which the spline passes through the points.
     ///
-    /// The matrix of B-splines at the times is banded and totally positive: elimination without pivots is stable (de Boor,
-    /// chapter XIII).
+    /// The matrix of B-splines at the times is banded and totally positive, so elimination without
+    /// pivoting is stable (de Boor, chapter XIII).
     fn solve(&self, times: &[f64], values: &[[f64; N]]) -> Vec<[f64; N]> {
         let (p, count) = (self.degree, times.len());
         let width = 2 * p + 1;
@@ -140,7 +145,7 @@ impl<const N: usize> Spline<N> {
 mod tests {
     use super::*;
 
-    /// Times that are not evenly spaced.
+    /// Returns times that are not evenly spaced.
     fn times(count: usize) -> Vec<f64> {
         let even = |k: usize| 2.0 * k as f64 / (count - 1) as f64;
         (0..count).map(|k| even(k) + 0.05 * libm::sin(3.0 * even(k))).collect()
@@ -160,7 +165,7 @@ mod tests {
             );
             assert!((first - (p(t + h) - p(t - h)) / (2.0 * h)).abs() < 1e-5 * first.abs());
             assert!((second - (p(t + h) - 2.0 * p(t) + p(t - h)) / (h * h)).abs() < 1e-5 * second.abs());
-            // The outermost polynomials go on.
+            // The outermost polynomials are continued.
             assert!((spline.at(-0.1)[0][0] - p(-0.1)).abs() < 1e-10);
         }
     }
@@ -189,7 +194,8 @@ mod tests {
                 [value, rate]
             };
             let ([coarse, coarse_rate], [fine, fine_rate]) = (error(21), error(41));
-            // Order p + 1 of the value and p − 1 of the second derivative, but for the ends' larger constants.
+            // Order p + 1 of the value and p − 1 of the second derivative, except for larger
+            // constants at the ends.
             let order = |a: f64, b: f64| libm::log2(a / b);
             assert!(order(coarse, fine) > degree as f64, "{degree}: {coarse:e} {fine:e}");
             assert!(

@@ -1,10 +1,10 @@
-//! Sums and products that carry their rounding errors.
+//! Error-free transformations: sums and products with their rounding errors.
 
 use core::ops::{Add, Sub};
 
 use super::number::Splat;
 
-/// a + b as rounded sum and exact error (Knuth, TAOCP 2, §4.2.2, Theorem B).
+/// Returns a + b as rounded sum and exact error (Knuth, TAOCP 2, §4.2.2, Theorem B).
 #[inline(always)]
 pub(crate) fn two_sum<T: Copy + Add<Output = T> + Sub<Output = T>>(a: T, b: T) -> (T, T) {
     let s = a + b;
@@ -12,14 +12,14 @@ pub(crate) fn two_sum<T: Copy + Add<Output = T> + Sub<Output = T>>(a: T, b: T) -
     (s, (a - (s - bb)) + (b - bb))
 }
 
-/// a + b for |a| ≥ |b| (or a = 0), as rounded sum and exact error (Dekker).
+/// Returns a + b for |a| ≥ |b| (or a = 0), as rounded sum and exact error (Dekker).
 #[inline(always)]
 pub(crate) fn quick_two_sum<T: Splat>(a: T, b: T) -> (T, T) {
     let s = a + b;
     (s, b - (s - a))
 }
 
-/// A word as the sum of two halves of 26 bits (Veltkamp).
+/// Splits an f64 into the sum of two halves of 26 bits (Veltkamp).
 #[inline(always)]
 pub(crate) fn halves<T: Splat>(a: T) -> (T, T) {
     let c = T::splat(SPLITTER) * a;
@@ -27,31 +27,31 @@ pub(crate) fn halves<T: Splat>(a: T) -> (T, T) {
     (high, a - high)
 }
 
-/// A word and its halves.
+/// Returns an f64 and its halves.
 #[inline(always)]
 pub(crate) fn with_halves<T: Splat>(a: T) -> [T; 3] {
     let (high, low) = halves(a);
     [a, high, low]
 }
 
-/// 2²⁷ + 1
+/// Veltkamp's constant 2²⁷ + 1.
 const SPLITTER: f64 = 134_217_729.0;
 
-/// a b as rounded product and exact error (Dekker), while |a|, |b| < 2⁹⁹⁵ and |a b| > 2⁻⁹⁶⁹.
+/// Returns a b as rounded product and exact error (Dekker), for |a|, |b| < 2⁹⁹⁵ and |a b| > 2⁻⁹⁶⁹.
 #[inline(always)]
 pub(crate) fn two_product<T: Splat>(a: T, b: T) -> (T, T) {
     let ((a1, a2), (b1, b2)) = (halves(a), halves(b));
     two_product_of_halves([a, a1, a2], [b, b1, b2])
 }
 
-/// [`two_product`] of numbers that come with their halves.
+/// Works like [`two_product`] for numbers with precomputed halves.
 #[inline(always)]
 pub(crate) fn two_product_of_halves<T: Splat>([a, a1, a2]: [T; 3], [b, b1, b2]: [T; 3]) -> (T, T) {
     let p = a * b;
     (p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2)
 }
 
-/// A running sum of many terms whose error does not grow with their number.
+/// Running sum of many terms, whose error does not grow with their number.
 ///
 /// Ogita, Rump & Oishi, SIAM J. Sci. Comput. 26 (2005) 1955, algorithm 4.4 (`Sum2`):
 /// |error| ≤ ε |Σ aᵢ| + γ² Σ |aᵢ|.

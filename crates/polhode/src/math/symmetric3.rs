@@ -1,10 +1,10 @@
-//! Symmetric 3×3 matrices and their eigenvectors.
+//! Symmetric 3×3 matrices, their eigenvalues and eigenvectors.
 
 use core::ops::{Add, Mul, Sub};
 
 use super::double::Double;
 
-/// A symmetric 3×3 matrix by its six elements.
+/// Symmetric 3×3 matrix, stored as its six elements.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Symmetric3 {
     pub(crate) xx: f64,
@@ -15,7 +15,8 @@ pub(crate) struct Symmetric3 {
     pub(crate) yz: f64,
 }
 
-/// Eigenvalues in ascending order; `vectors[k]` belongs to `values[k]`; orthonormal, either handedness.
+/// Eigenvalues in ascending order; `vectors[k]` belongs to `values[k]`; the vectors are orthonormal
+/// with either handedness.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Eigen {
     pub(crate) values: [f64; 3],
@@ -27,12 +28,12 @@ impl Symmetric3 {
         Self { xx, yy, zz, xy: 0.0, xz: 0.0, yz: 0.0 }
     }
 
-    /// v vᵀ
+    /// Returns v vᵀ.
     pub(crate) fn outer([x, y, z]: [f64; 3]) -> Self {
         Self { xx: x * x, yy: y * y, zz: z * z, xy: x * y, xz: x * z, yz: y * z }
     }
 
-    /// u vᵀ + v uᵀ
+    /// Returns u vᵀ + v uᵀ.
     pub(crate) fn twice_outer([x, y, z]: [f64; 3], [a, b, c]: [f64; 3]) -> Self {
         Self {
             xx: 2.0 * x * a,
@@ -44,7 +45,8 @@ impl Symmetric3 {
         }
     }
 
-    /// tr(S) 1 − S: the second moments ∫ x xᵀ dm become the inertia tensor, written without cancellation.
+    /// Returns tr(S) 1 − S, which converts second moments ∫ x xᵀ dm to the inertia tensor without
+    /// cancellation.
     pub(crate) fn inertia_of_second_moments(&self) -> Self {
         Self {
             xx: self.yy + self.zz,
@@ -60,12 +62,12 @@ impl Symmetric3 {
         [[self.xx, self.xy, self.xz], [self.xy, self.yy, self.yz], [self.xz, self.yz, self.zz]]
     }
 
-    /// S v
+    /// Returns S v.
     pub(crate) fn apply(&self, v: [f64; 3]) -> [f64; 3] {
         self.rows().map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
     }
 
-    /// R S Rᵀ, rows of `r` given.
+    /// Returns R S Rᵀ, given the rows of R.
     pub(crate) fn rotated(&self, r: &[[f64; 3]; 3]) -> Self {
         let columns = r.map(|row| self.apply(row)); // S Rᵀ, column by column
         let element =
@@ -80,7 +82,7 @@ impl Symmetric3 {
         }
     }
 
-    /// Of xx, yy, zz, xy, xz, yz.
+    /// Returns the matrix with the elements xx, yy, zz, xy, xz, yz.
     pub(crate) const fn from_elements([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Self {
         Self { xx, yy, zz, xy, xz, yz }
     }
@@ -93,15 +95,18 @@ impl Symmetric3 {
         self.elements().iter().fold(0.0, |max, e| f64::max(max, e.abs()))
     }
 
-    /// Eigenvalues and eigenvectors by cyclic Jacobi rotations.
+    /// Computes eigenvalues and eigenvectors by cyclic Jacobi rotations.
     ///
-    /// An off-diagonal element is left alone once |a_pq| ≤ ½ε √|a_pp a_qq|, not once it is small beside the largest
-    /// element: a graded positive definite matrix (one that a diagonal scaling makes well-conditioned) then keeps its
-    /// small eigenvalues to full *relative* accuracy. All others are accurate to a few ε of the largest.
+    /// An off-diagonal element counts as zero if |a_pq| ≤ ½ε √|a_pp a_qq|, not if it is small
+    /// compared with the largest element. A graded positive definite matrix (one that a diagonal
+    /// scaling makes well-conditioned) then keeps full *relative* accuracy of its small
+    /// eigenvalues. All others are accurate to a few ε of the largest.
     ///
-    /// Source: Demmel & Veselić, SIAM J. Matrix Anal. Appl. 13 (1992) 1204; rotations as in Golub & Van Loan §8.5.
+    /// Source: Demmel & Veselić, SIAM J. Matrix Anal. Appl. 13 (1992) 1204; rotations as in Golub &
+    /// Van Loan §8.5.
     pub(crate) fn eigen(&self) -> Eigen {
-        // A power of two brings the elements near 1: exact, and no square overflows.
+        // Scaling by a power of two brings the elements near 1: this is exact, and no square
+        // overflows.
         let scale = power_of_two_near(self.max_abs());
         let mut a = (*self * (1.0 / scale)).rows();
         let mut v = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -120,11 +125,12 @@ impl Symmetric3 {
     }
 }
 
-/// Eigenvalues, ascending, and unit eigenvectors of a symmetric matrix with the elements xx, yy, zz, xy, xz, yz, of any signs; of
-/// elements that are not finite, all values are NaN.
+/// Returns the eigenvalues, ascending, and unit eigenvectors of a symmetric matrix with the
+/// elements xx, yy, zz, xy, xz, yz of any sign. If an element is not finite, all values are NaN.
 ///
-/// For matrices that are no body's tensor: [`crate::body::InertiaTensor`] has principal axes of its own, polished and right-handed. Values
-/// are good to a few ε of the largest; the handedness of the vectors is left open.
+/// It is meant for matrices that are not inertia tensors: [`crate::body::InertiaTensor`] has its
+/// own principal axes, refined and right-handed. The values are accurate to a few ε of the largest;
+/// the handedness of the vectors is not defined.
 ///
 /// ```
 /// let (values, vectors) = polhode::math::symmetric_eigen([2.0, -1.0, 5.0, 2.0, 0.0, 0.0]);
@@ -140,16 +146,18 @@ pub fn symmetric_eigen([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> ([f64; 3], [[f64; 
 }
 
 impl Eigen {
-    /// The same with values and vectors that are the doubles nearest to those of `matrix`, or next to them.
+    /// Returns values and vectors that are the f64 numbers nearest to the exact ones of `matrix`,
+    /// or their neighbours.
     ///
-    /// The vectors V are made orthonormal and D = Vᵀ S V is formed to 32 digits; a few more rotations take off what is left
-    /// beside its diagonal. For values that differ, that is the error of rounding alone; the vectors of values equal to
-    /// some 1e-16 are any orthonormal ones of their plane.
+    /// The vectors V are orthonormalised, and D = Vᵀ S V is computed to 32 digits. A few more
+    /// rotations remove the remaining off-diagonal elements. For distinct values, the error is then
+    /// rounding only; the vectors of values that are equal to about 1e-16 are any orthonormal ones
+    /// in their plane.
     pub(crate) fn polished(&self, matrix: &Symmetric3) -> Self {
         let scale = power_of_two_near(matrix.max_abs());
         let s = (*matrix * (1.0 / scale)).rows().map(|row| row.map(Double::from));
         let mut v = orthonormal(&self.vectors.map(|column| column.map(Double::from)));
-        // D = Vᵀ S V, with the columns of V in the rows of `v`
+        // D = Vᵀ S V, with the columns of V in the rows of `v`.
         let dot = |a: &[Double; 3], b: &[Double; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         let images = v.map(|column| s.map(|row| dot(&row, &column)));
         let mut d: [[Double; 3]; 3] =
@@ -163,7 +171,8 @@ impl Eigen {
                 break;
             }
         }
-        // A value with more digits than two words have of it, as graded matrices have, is kept.
+        // A value that is more accurate than double-double arithmetic, as for graded matrices, is
+        // kept.
         let value = |k: usize| {
             let before = self.values[k] / scale;
             let agrees = (d[k][k] - Double::from(before)).value().abs() <= TWO_WORDS;
@@ -175,16 +184,17 @@ impl Eigen {
     }
 }
 
-/// A guard only, as below.
+/// Iteration limit only.
 const POLISHING_SWEEPS: usize = 4;
 
-/// Off-diagonal elements below 2⁻⁷⁰ of the largest element change no double.
+/// Off-diagonal elements below 2⁻⁷⁰ of the largest element do not change any f64 result.
 const NEGLIGIBLE: f64 = 1.0 / (1_u128 << 70) as f64;
 
-/// What sums of products of two words are not better than.
+/// Accuracy of sums of double-double products.
 const TWO_WORDS: f64 = 1.0 / (1_u128 << 100) as f64;
 
-/// V (3 − VᵀV) / 2 of vectors that are orthonormal but for rounding: then they are to 31 digits (Newton and Schulz).
+/// Returns V (3 − VᵀV) / 2, which makes vectors that are orthonormal except for rounding
+/// orthonormal to 31 digits (Newton–Schulz).
 fn orthonormal(v: &[[Double; 3]; 3]) -> [[Double; 3]; 3] {
     let dot = |a: &[Double; 3], b: &[Double; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let weight = |i: usize, j: usize| {
@@ -197,18 +207,19 @@ fn orthonormal(v: &[[Double; 3]; 3]) -> [[Double; 3]; 3] {
     })
 }
 
-/// Vectors that are orthonormal but for some rounding, as the doubles nearest to ones that are.
+/// Returns the f64 vectors nearest to orthonormal ones, from vectors that are orthonormal except
+/// for some rounding.
 pub(crate) fn nearest_orthonormal(v: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
     orthonormal(&v.map(|vector| vector.map(Double::from))).map(|vector| vector.map(Double::value))
 }
 
-/// [`annihilate`] in two words; the rows of `v` are the vectors.
+/// Works like [`annihilate`] in double-double arithmetic; the rows of `v` are the vectors.
 fn annihilate_more(a: &mut [[Double; 3]; 3], v: &mut [[Double; 3]; 3], p: usize, q: usize) -> bool {
     let apq = a[p][q];
     if apq.value().abs() <= NEGLIGIBLE {
         return false;
     }
-    // The rotation need not be the best one, but has to be one: t is rounded, c and s are not.
+    // The rotation need not be optimal, but must be orthogonal: t is rounded, c and s are not.
     let zeta = (a[q][q] - a[p][p]).value() / (2.0 * apq.value());
     let t = 1.0_f64.copysign(zeta) / (zeta.abs() + libm::hypot(1.0, zeta));
     let tangent = Double::from(t);
@@ -225,20 +236,20 @@ fn annihilate_more(a: &mut [[Double; 3]; 3], v: &mut [[Double; 3]; 3], p: usize,
     true
 }
 
-/// A guard only: the convergence is quadratic, and a few sweeps do.
+/// Iteration limit only: the convergence is quadratic, and a few sweeps are sufficient.
 const MAX_SWEEPS: usize = 32;
 
-/// One Jacobi rotation, which makes a_pq zero; false if it was negligible already.
+/// Performs one Jacobi rotation that makes `a_pq` zero; returns false if it was already negligible.
 fn annihilate(a: &mut [[f64; 3]; 3], v: &mut [[f64; 3]; 3], p: usize, q: usize) -> bool {
     let apq = a[p][q];
     let negligible = 0.5 * f64::EPSILON * (a[p][p].abs().sqrt() * a[q][q].abs().sqrt());
-    // A subnormal residue beside zero diagonals is rounding, too.
+    // A subnormal residue next to zero diagonal elements is rounding, too.
     if apq.abs() <= negligible.max(f64::MIN_POSITIVE) {
         a[p][q] = 0.0;
         a[q][p] = 0.0;
         return false;
     }
-    // t = tan of the angle: the smaller root of t² + 2ζt − 1 = 0
+    // t = tan of the angle: the smaller root of t² + 2ζt − 1 = 0.
     let zeta = (a[q][q] - a[p][p]) / (2.0 * apq);
     let t =
         if zeta.is_infinite() { 0.0 } else { 1.0_f64.copysign(zeta) / (zeta.abs() + libm::hypot(1.0, zeta)) };
@@ -262,13 +273,13 @@ fn annihilate(a: &mut [[f64; 3]; 3], v: &mut [[f64; 3]; 3], p: usize, q: usize) 
     true
 }
 
-/// The power of two at or just below |x|; 1 for zero.
+/// Returns the largest power of two that does not exceed |x|; 1 for zero, NaN and infinity.
 pub(crate) fn power_of_two_near(x: f64) -> f64 {
     if x == 0.0 || !x.is_finite() {
         return 1.0;
     }
     let (_, exponent) = libm::frexp(x);
-    // Kept away from the ends of the range, so that its inverse is finite too.
+    // Limited to the inner part of the range, so that the inverse is finite too.
     libm::ldexp(1.0, (exponent - 1).clamp(-1000, 1000))
 }
 

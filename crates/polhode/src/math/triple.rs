@@ -1,17 +1,18 @@
-//! Numbers of three words, about 159 bits: for the few constants that even two words would spoil, such as the distance
-//! from the separatrix and the precession of a nearly spherical body.
+//! Triple-double arithmetic, about 159 bits: for the few constants for which double-double
+//! precision is insufficient, such as the distance from the separatrix and the precession of a
+//! nearly spherical body.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::double::Double;
 use super::sum::{quick_two_sum, two_product_of_halves, two_sum, with_halves};
 
-/// A sum of three words of falling size, each below an ulp of the one before.
+/// Sum of three f64 words of decreasing size, each below one ulp of the one before.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub(crate) struct Triple(pub(crate) [f64; 3]);
 
 impl Triple {
-    /// 1 / 4π
+    /// Constant 1 / 4π.
     pub(crate) const INVERSE_4_PI: Self =
         Self([0.079_577_471_545_947_67, -4.919_669_168_795_621_5e-18, -2.680_359_070_723_251e-34]);
 
@@ -23,7 +24,8 @@ impl Triple {
         Double::sum(self.0[0], self.0[1])
     }
 
-    /// Words of falling size, but for leading ones that cancelled: what is left moves up.
+    /// Normalises words of decreasing size, except that leading words may have cancelled; the
+    /// remaining words move up.
     #[inline(always)]
     fn of([a, b, c, d]: [f64; 4]) -> Self {
         let (c, d) = two_sum(c, d);
@@ -36,7 +38,7 @@ impl Triple {
         Self([a, b, c + d])
     }
 
-    /// The same of a product, whose first word did not cancel.
+    /// Normalises a product, whose first word did not cancel.
     #[inline(always)]
     fn of_product([a, b, c, d]: [f64; 4]) -> Self {
         let (c, d) = two_sum(c, d);
@@ -46,7 +48,7 @@ impl Triple {
         Self([a, b, c + d])
     }
 
-    /// × one word.
+    /// Returns the product with an f64.
     pub(crate) fn times(self, word: f64) -> Self {
         let word = with_halves(word);
         let [(high, e), (b, f), (c, rest)] = self.0.map(|x| two_product_of_halves(with_halves(x), word));
@@ -55,7 +57,7 @@ impl Triple {
         Self::of_product([high, middle, low, rest + lost])
     }
 
-    /// + one word.
+    /// Returns the sum with an f64.
     pub(crate) fn plus(self, word: f64) -> Self {
         let [a, b, c] = self.0;
         let (a, word) = two_sum(a, word);
@@ -63,7 +65,7 @@ impl Triple {
         Self::of([a, b, c, word])
     }
 
-    /// √x for x ≥ 0: a Newton step from the root in two words.
+    /// Returns √x for x ≥ 0, by one Newton step from the double-double root.
     pub(crate) fn sqrt(self) -> Self {
         let root = self.double().sqrt();
         if root.is_zero() {
@@ -82,7 +84,7 @@ impl Triple {
         self.0[0] == 0.0
     }
 
-    /// × a power of two: exact.
+    /// Returns the product with a power of two, which is exact.
     pub(crate) fn scaled(self, power_of_two: f64) -> Self {
         Self(self.0.map(|word| word * power_of_two))
     }
@@ -128,7 +130,7 @@ impl Sub for Triple {
 
 impl Mul for Triple {
     type Output = Self;
-    /// Error about 2⁻¹⁵⁸ |a b|.
+    /// Returns the product; the error is about 2⁻¹⁵⁸ |a b|.
     fn mul(self, other: Self) -> Self {
         let ([a, b, c], [d, e, f]) = (self.0.map(with_halves), other.0.map(with_halves));
         let (ad, g) = two_product_of_halves(a, d);
@@ -144,7 +146,8 @@ impl Mul for Triple {
 
 impl Div for Triple {
     type Output = Self;
-    /// Long division: three quotients, each of an exact remainder.
+    /// Returns the quotient by long division: three partial quotients, each from an exact
+    /// remainder.
     fn div(self, divisor: Self) -> Self {
         let first = self.0[0] / divisor.0[0];
         let rest = self - divisor.times(first);
@@ -154,7 +157,7 @@ impl Div for Triple {
     }
 }
 
-/// The sum of words of about one size, and what rounding takes of it.
+/// Returns the sum of words of similar size, and its rounding error.
 #[inline(always)]
 fn summed<const N: usize>(words: [f64; N]) -> (f64, f64) {
     let (mut sum, mut lost) = (0.0, 0.0);
@@ -181,7 +184,7 @@ mod tests {
         small((third + root) - root - third);
         small(root.times(0.3) - root * Triple::from(0.3));
         small(root.plus(-0.3) - root + Triple::from(0.3));
-        // a product that needs three words, and the cancellation that leaves only the third
+        // A product that needs three words, and a cancellation that leaves only the third.
         let a = Triple::from(1.0 + 2f64.powi(-52));
         let cube = a * a * a;
         let rest = cube
@@ -193,7 +196,7 @@ mod tests {
 
     #[test]
     fn the_constant_is_one_over_four_pi() {
-        // 4π to 48 digits, as three doubles of its own
+        // 4π to 48 digits, as a separate triple-double constant.
         let four_pi =
             Triple([12.566_370_614_359_172, 4.898_587_196_589_413e-16, -1.197_907_923_887_335_9e-32]);
         let one = Triple::INVERSE_4_PI * four_pi;

@@ -1,13 +1,13 @@
-//! Vectors that know what they are and in which axes their components stand.
+//! Vectors whose types state their quantity and frame.
 
 use core::fmt;
 use core::marker::PhantomData;
 use core::ops::{Add, AddAssign, Div, Index, Mul, Neg, Sub, SubAssign};
 
-/// Three components of a quantity `Q` along the axes of a frame `F`, in SI units.
+/// Vector of a quantity `Q` along the axes of a frame `F`, in SI units.
 ///
-/// Sums need the same quantity and the same frame; a cross product has the quantity that the
-/// product has in physics (`AngularVelocity × Position = Velocity`). Anything else does not compile:
+/// Sums require the same quantity and the same frame; a cross product has the quantity that follows
+/// from physics (`AngularVelocity × Position = Velocity`). Anything else does not compile:
 ///
 /// ```compile_fail,E0308
 /// use polhode::math::{Body, Position, Space};
@@ -33,30 +33,30 @@ pub struct Vector<Q, F> {
 }
 
 impl<Q, F> Vector<Q, F> {
-    /// The zero vector.
+    /// Zero vector.
     pub const ZERO: Self = Self::new(0.0, 0.0, 0.0);
 
-    /// The vector with the given components.
+    /// Returns the vector with the given components.
     pub const fn new(x: f64, y: f64, z: f64) -> Self {
         Self { x, y, z, kind: PhantomData }
     }
 
-    /// The vector with the given components, in the order x, y, z.
+    /// Returns the vector with the given components, in the order x, y, z.
     pub const fn from_array([x, y, z]: [f64; 3]) -> Self {
         Self::new(x, y, z)
     }
 
-    /// The components in the order x, y, z.
+    /// Returns the components in the order x, y, z.
     pub const fn to_array(self) -> [f64; 3] {
         [self.x, self.y, self.z]
     }
 
-    /// Scalar product `a · b`; the two may be different quantities (`ω · L`).
+    /// Returns the scalar product `a · b`; the two may be different quantities (`ω · L`).
     pub fn dot<P>(self, b: Vector<P, F>) -> f64 {
         self.x * b.x + self.y * b.y + self.z * b.z
     }
 
-    /// Vector product `a × b`, for the pairs of quantities that physics multiplies.
+    /// Returns the vector product `a × b`, for the pairs of quantities that occur in physics.
     ///
     /// ```
     /// use polhode::math::{AngularVelocity, Body, Position, Velocity};
@@ -71,7 +71,7 @@ impl<Q, F> Vector<Q, F> {
         Vector::new(self.y * b.z - self.z * b.y, self.z * b.x - self.x * b.z, self.x * b.y - self.y * b.x)
     }
 
-    /// Magnitude, without overflow or underflow on the way.
+    /// Returns the magnitude, without intermediate overflow or underflow.
     pub fn norm(self) -> f64 {
         let scale = self.max_abs();
         if scale == 0.0 || !scale.is_finite() {
@@ -81,13 +81,14 @@ impl<Q, F> Vector<Q, F> {
         scale * (x * x + y * y + z * z).sqrt()
     }
 
-    /// Largest absolute component; NaN if any component is NaN.
+    /// Returns the largest absolute component; NaN if any component is NaN.
     pub fn max_abs(self) -> f64 {
         let larger = |a: f64, b: f64| if a >= b || a.is_nan() { a } else { b };
         larger(larger(self.x.abs(), self.y.abs()), self.z.abs())
     }
 
-    /// The unit vector along this one; `None` for the zero vector and for one that is not finite.
+    /// Returns the unit vector along this one; `None` for the zero vector and for one that is not
+    /// finite.
     pub fn direction(self) -> Option<Direction<F>> {
         let scale = self.max_abs();
         if scale == 0.0 || !scale.is_finite() {
@@ -98,27 +99,28 @@ impl<Q, F> Vector<Q, F> {
         Some(Vector::new(x / norm, y / norm, z / norm))
     }
 
-    /// Angle between two vectors, 0 … π rad, accurate for nearly (anti)parallel ones; zero when either is zero.
+    /// Returns the angle between two vectors, 0 … π rad, accurate for nearly (anti)parallel ones;
+    /// zero if either is zero.
     pub fn angle_to<P>(self, b: Vector<P, F>) -> f64 {
         match (self.direction(), b.direction()) {
-            // Kahan: 2 atan2(|u − v|, |u + v|)
+            // Kahan's formula 2 atan2(|u − v|, |u + v|).
             (Some(u), Some(v)) => 2.0 * libm::atan2((u - v).norm(), (u + v).norm()),
             _ => 0.0,
         }
     }
 
-    /// True when all three components are finite.
+    /// Returns true if all three components are finite.
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
     }
 
-    /// The same numbers as another quantity: for the physics that the type system does not see
-    /// (mass times velocity is momentum).
+    /// Returns the same numbers as another quantity, for relations that the type system does not
+    /// express (mass times velocity is momentum).
     pub(crate) const fn as_quantity<P>(self) -> Vector<P, F> {
         Vector::new(self.x, self.y, self.z)
     }
 
-    /// The same numbers along other axes: for shapes whose axes coincide by definition.
+    /// Returns the same numbers along other axes, for shapes whose axes coincide by definition.
     pub(crate) const fn as_frame<G>(self) -> Vector<Q, G> {
         Vector::new(self.x, self.y, self.z)
     }
@@ -178,7 +180,7 @@ impl<Q, F> Div<f64> for Vector<Q, F> {
     }
 }
 
-// By hand: a derive would ask the same of Q and F.
+// Implemented by hand, because a derive would add bounds on Q and F.
 impl<Q, F> Clone for Vector<Q, F> {
     fn clone(&self) -> Self {
         *self
@@ -211,7 +213,7 @@ impl<Q, F> core::iter::Sum for Vector<Q, F> {
     }
 }
 
-/// (x, y, z) and the unit; a precision is that of each number.
+/// Components (x, y, z) with the unit; the precision applies to each number.
 ///
 /// ```
 /// use polhode::math::{AngularVelocity, Body, Torque};
@@ -225,10 +227,10 @@ impl<Q: quantity::Quantity, F> fmt::Display for Vector<Q, F> {
     }
 }
 
-/// Components 0, 1, 2.
+/// Component by its index 0, 1 or 2.
 ///
 /// # Panics
-/// As those of an array, beyond 2.
+/// Panics like an array if the index exceeds 2.
 impl<Q, F> Index<usize> for Vector<Q, F> {
     type Output = f64;
 
@@ -243,17 +245,17 @@ impl<Q, F> fmt::Debug for Vector<Q, F> {
     }
 }
 
-/// The quantity of `Self × P`.
+/// Quantity of the cross product `Self × P`.
 pub trait CrossProduct<P> {
-    /// What the product is.
+    /// Quantity of the product.
     type Output;
 }
 
-/// The quantities that a [`Vector`] can be.
+/// Quantities of a [`Vector`].
 pub mod quantity {
-    /// A quantity, and the unit of its components.
+    /// Quantity with the unit of its components.
     pub trait Quantity {
-        /// The SI unit; empty for pure numbers.
+        /// SI unit; empty for pure numbers.
         const UNIT: &'static str;
     }
 
@@ -270,25 +272,25 @@ pub mod quantity {
     }
 
     quantities! {
-        /// A pure direction or ratio, unit 1.
+        /// Pure direction or ratio, unit 1.
         Number: "";
         /// Displacement, m.
         Length: "m";
-        /// dr/dt, m/s.
+        /// Velocity dr/dt, m/s.
         Velocity: "m/s";
-        /// d²r/dt², m/s².
+        /// Acceleration d²r/dt², m/s².
         Acceleration: "m/s²";
-        /// m v, kg·m/s.
+        /// Linear momentum m v, kg·m/s.
         Momentum: "kg·m/s";
-        /// m a, N.
+        /// Force m a, N.
         Force: "N";
-        /// ω, rad/s.
+        /// Angular velocity ω, rad/s.
         AngularVelocity: "rad/s";
-        /// dω/dt, rad/s².
+        /// Angular acceleration dω/dt, rad/s².
         AngularAcceleration: "rad/s²";
-        /// L = I ω, kg·m²/s.
+        /// Angular momentum L = I ω, kg·m²/s.
         AngularMomentum: "kg·m²/s";
-        /// N = dL/dt, N·m.
+        /// Torque N = dL/dt, N·m.
         Torque: "N·m";
     }
 }
@@ -316,25 +318,25 @@ cross_products! {
     Length * Force = Torque;
 }
 
-/// A unit vector or a vector of ratios.
+/// Unit vector or vector of ratios.
 pub type Direction<F> = Vector<quantity::Number, F>;
-/// A displacement from the frame's origin, m.
+/// Displacement from the frame's origin, m.
 pub type Position<F> = Vector<quantity::Length, F>;
-/// dr/dt, m/s.
+/// Velocity dr/dt, m/s.
 pub type Velocity<F> = Vector<quantity::Velocity, F>;
-/// d²r/dt², m/s².
+/// Acceleration d²r/dt², m/s².
 pub type Acceleration<F> = Vector<quantity::Acceleration, F>;
-/// m v, kg·m/s.
+/// Linear momentum m v, kg·m/s.
 pub type Momentum<F> = Vector<quantity::Momentum, F>;
-/// m a, N.
+/// Force m a, N.
 pub type Force<F> = Vector<quantity::Force, F>;
-/// ω: the body's angular velocity relative to space, rad/s.
+/// Angular velocity ω of the body relative to space, rad/s.
 pub type AngularVelocity<F> = Vector<quantity::AngularVelocity, F>;
-/// dω/dt, rad/s².
+/// Angular acceleration dω/dt, rad/s².
 pub type AngularAcceleration<F> = Vector<quantity::AngularAcceleration, F>;
-/// L = I ω, kg·m²/s.
+/// Angular momentum L = I ω, kg·m²/s.
 pub type AngularMomentum<F> = Vector<quantity::AngularMomentum, F>;
-/// N = dL/dt, N·m.
+/// Torque N = dL/dt, N·m.
 pub type Torque<F> = Vector<quantity::Torque, F>;
 
 #[cfg(test)]
@@ -367,7 +369,7 @@ mod tests {
 
     #[test]
     fn the_triple_product_expands_as_the_notes_say() {
-        // A × (B × A) = A² B − (A·B) A, at a generic point
+        // A × (B × A) = A² B − (A·B) A, at a generic point.
         let a = Direction::<Body>::new(0.7, -1.3, 2.1);
         let b = Direction::<Body>::new(-1.9, 0.4, 0.8);
         let left = a.cross(b.cross(a));

@@ -45,7 +45,8 @@ use crate::motion::solve::free::{FreeMotion, Regime};
 /// ```
 ///
 /// # Source
-/// Montgomery, Am. J. Phys. 59 (1991) 394; elementary: Natário, arXiv:0909.2109 (J. Geom. Mech. 2 (2010) 113).
+/// Montgomery, Am. J. Phys. 59 (1991) 394; elementary derivation: Natário, arXiv:0909.2109 (J.
+/// Geom. Mech. 2 (2010) 113).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeometricPhase {
     /// Rotation about L in one period of ω, rad: Ω P ∓ 2π, positive.

@@ -44,7 +44,8 @@ use super::sampling::{Span, allowed, largest_rate};
 /// ```
 ///
 /// # Source
-/// Poinsot's construction: Goldstein, Classical Mechanics, §5.6. The radii follow from I ω̇ = −ω × L at cn = 1 and sn = 1.
+/// Poinsot's construction: Goldstein, Classical Mechanics, §5.6. The radii follow from I
+/// ω̇ = −ω × L at cn = 1 and sn = 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Herpolhode {
     /// Component of ω perpendicular to L, rad/s.
@@ -65,8 +66,8 @@ impl Herpolhode {
     ///
     /// # Errors
     /// [`CurveError::Parameter`] for a tolerance outside its range, and for periods that are not
-    /// positive and finite; [`CurveError::TooManyPoints`] for more than 10⁶ points, because ω
-    /// circles L much more often in space than in the body, or because of too many periods;
+    /// positive and finite. [`CurveError::TooManyPoints`] for more than 10⁶ points: too many
+    /// periods, or ω circles L much more often in space than in the body.
     /// [`CurveError::StepTooSmall`] if the start time is so large that rounded times cannot
     /// distinguish the points.
     pub fn of(motion: &FreeMotion, periods: f64, tolerance: f64) -> Result<Self, CurveError> {

@@ -38,7 +38,7 @@ impl JacobiFunction {
 /// Angular velocity along the principal axes, each component an amplitude times a Jacobi function
 /// of λt + φ.
 ///
-/// With i1 < i2 < i3 and D = L²/2T:
+/// The functions depend on the mode, with i1 < i2 < i3 and D = L²/2T:
 ///
 /// D > i2 (short-axis mode): ω1 = A1 cn, ω2 = A2 sn, ω3 = A3 dn of λt + φ;
 /// D < i2 (long-axis mode): ω1 = A1 dn, ω2 = A2 sn, ω3 = A3 cn;
@@ -67,7 +67,8 @@ impl JacobiFunction {
 /// [`FreeMotion`] keeps full precision for long times, and also has the attitude.
 ///
 /// # Source
-/// Landau & Lifshitz, Mechanics, §37; Whittaker, Analytical Dynamics, §69. Tested against [`FreeMotion`].
+/// Landau & Lifshitz, Mechanics, §37; Whittaker, Analytical Dynamics, §69. Tested against
+/// [`FreeMotion`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JacobiForm {
     functions: [JacobiFunction; 3],

@@ -41,7 +41,8 @@ use crate::motion::solve::free::FreeMotion;
 /// ```
 ///
 /// # Source
-/// Landau & Lifshitz, Mechanics, §37, for T at given L; Bracewell & Garriott, Nature 182 (1958) 760, for satellites.
+/// Landau & Lifshitz, Mechanics, §37, for T at given L; Bracewell & Garriott, Nature 182 (1958)
+/// 760, for satellites.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeastEnergySpin {
     /// Axis of largest moment, body axes. The final spin may be along it or against it.

@@ -3,12 +3,13 @@
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 
-/// Small oscillations of a body whose principal axes stay close to the orbital axes: the roll axis
-/// along the velocity, the pitch axis along the orbit normal, the yaw axis along the radius. The
-/// body rotates once per orbit.
+/// Small oscillations of a body whose principal axes stay close to the orbital axes.
 ///
-/// With the moments A, B, C about roll, pitch and yaw, k1 = (B − C)/A, k2 = (A − C)/B, k3 = (B −
-/// A)/C, and the orbital rate n:
+/// The roll axis is along the velocity, the pitch axis along the orbit normal, and the yaw axis
+/// along the radius. The body rotates once per orbit.
+///
+/// With the moments A, B, C about roll, pitch and yaw, k1 = (B − C)/A, k2 = (A − C)/B,
+/// k3 = (B − A)/C, and the orbital rate n:
 ///
 /// pitch, in the orbital plane: s² + 3 k2 n² = 0
 ///
@@ -24,7 +25,8 @@ use crate::motion::model::require;
 /// ```
 ///
 /// # Source
-/// Hughes, Spacecraft Attitude Dynamics (1986), ch. 9; DeBra & Delp, J. Astronaut. Sci. 8 (1961) 14.
+/// Hughes, Spacecraft Attitude Dynamics (1986), ch. 9; DeBra & Delp, J. Astronaut. Sci. 8 (1961)
+/// 14.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Libration {

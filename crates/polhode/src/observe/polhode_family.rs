@@ -15,11 +15,11 @@ impl Polhode {
     /// Computes polhodes over the whole inertia ellipsoid of a motion, with the same energy and
     /// other angular momenta.
     ///
-    /// There are `each` polhodes around each end of the axes of smallest and of largest moment,
-    /// evenly spaced in the elliptic angle from the axis, and the four halves of the separatrices.
-    /// A body with two equal moments has them around its symmetry axis only. The family is empty at
-    /// rest, for a sphere (its polhodes are points), and for a rod (its ellipsoid is unbounded).
-    /// The time of each starts at 0 s.
+    /// There are `each` polhodes around each end of the axes of smallest and of largest moment, and
+    /// the four halves of the separatrices. The former are evenly spaced in the elliptic angle from
+    /// the axis. A body with two equal moments has them around its symmetry axis only. The family
+    /// is empty at rest, for a sphere (its polhodes are points), and for a rod (its ellipsoid is
+    /// unbounded). The time of each starts at 0 s.
     ///
     /// ```
     /// use polhode::math::{AngularVelocity, Attitude};

@@ -25,7 +25,7 @@ pub struct FreeRegime {
 impl FreeRegime {
     /// Classifies the torque-free motion of a state.
     ///
-    /// With D = L²/2T the mode follows from the sign of
+    /// The mode follows from D = L²/2T, by the sign of
     /// L² − 2 T i2 = i1 (i1 − i2) ω1² + i3 (i3 − i2) ω3², and the period of ω is 4 K(m) / λ.
     ///
     /// ```
@@ -40,7 +40,8 @@ impl FreeRegime {
     /// # Ok::<(), polhode::body::BodyError>(())
     /// ```
     ///
-    /// Source: Landau & Lifshitz, Mechanics, §37, with 1 − m formed from the sum above, which does not cancel.
+    /// Source: Landau & Lifshitz, Mechanics, §37, with 1 − m computed from the sum above, which
+    /// does not cancel.
     pub fn of(rotor: &Rotor, state: &State) -> Self {
         match FreeMotion::of(rotor, *state) {
             Ok(motion) => Self::of_motion(&motion),

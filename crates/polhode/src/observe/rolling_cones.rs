@@ -11,9 +11,9 @@ use super::sampling::{Span, allowed, largest_rate};
 /// Body cone and space cone as rulings at common times: ω along body axes and along space axes.
 ///
 /// Both cones have their apex at the fixed point of the body. At the time of ruling k, the body
-/// cone, rotated by the attitude, touches the space cone along ruling k of both: attitude ·
-/// body\[k\] = space\[k\]. It rolls without slipping, because dω/dt is the same vector in the body
-/// and in space: ω × ω = 0. [`Curve::fan`] returns the triangles.
+/// cone, rotated by the attitude, touches the space cone along ruling k of both:
+/// attitude · body\[k\] = space\[k\]. It rolls without slipping, because dω/dt is the same vector
+/// in the body and in space: ω × ω = 0. [`Curve::fan`] returns the triangles.
 ///
 /// The rim of the body cone is the polhode, closed after a period; that of the space cone is the
 /// herpolhode at its height. The cones of a symmetric top are circular; [`crate::observe::Cones`]
@@ -38,7 +38,8 @@ use super::sampling::{Span, allowed, largest_rate};
 /// ```
 ///
 /// # Source
-/// Poinsot's construction: Goldstein, Classical Mechanics, §5.6; Klein & Sommerfeld, Über die Theorie des Kreisels, ch. I.
+/// Poinsot's construction: Goldstein, Classical Mechanics, §5.6; Klein & Sommerfeld, Über die
+/// Theorie des Kreisels, ch. I.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RollingCones {
     /// Angular velocity ω along body axes, rad/s.

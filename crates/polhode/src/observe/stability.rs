@@ -43,8 +43,8 @@ impl Stability {
     }
 }
 
-/// Permanent rotation: ω is constant in the body and in space, because it is parallel to L = I ω +
-/// h.
+/// Permanent rotation: ω is constant in the body and in space, because it is parallel to L = I
+/// ω + h.
 ///
 /// A small deviation obeys I δω̇ = I δω × ω + L × δω. One of its three eigenvalues is zero; it
 /// leads to a neighbouring rotation of this kind. The other two are ±√−c. Summed over the principal

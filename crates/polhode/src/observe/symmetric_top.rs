@@ -8,9 +8,9 @@ use crate::motion::solve::free::{FreeMotion, Regime};
 
 /// Free motion of a body with a symmetry axis e.
 ///
-/// In the body, ω circles e at the rate Ω = (I_e − I_t) ω_e / I_t. In space, ω and e circle L at
-/// the rate φ̇ = |L| / I_t. Both rates are constant, so the attitude is a product of two rotations
-/// with linear phases:
+/// Seen from the body, ω circles e at the rate Ω = (I_e − I_t) ω_e / I_t. In space, ω and e circle
+/// L at the rate φ̇ = |L| / I_t. Both rates are constant, so the attitude is a product of two
+/// rotations with linear phases:
 ///
 /// attitude(t) = turn(L̂, φ̇ t) · attitude(0) · turn(e, −Ω t)
 ///
@@ -21,8 +21,8 @@ use crate::motion::solve::free::{FreeMotion, Regime};
 /// The error is the rounding of the phases Ω t and φ̇ t: about 2e-16 rad per radian of rotation.
 ///
 /// # Source
-/// The lecture notes, "Force-free motion of a symmetric top". The product form follows from ω =
-/// L/I_t − Ω e.
+/// The lecture notes, "Force-free motion of a symmetric top". The product form follows from
+/// ω = L/I_t − Ω e.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SymmetricTop {
     start: State,

@@ -23,10 +23,10 @@ pub enum AxisConvention {
 /// the axis are periodic with ω, so P_ψ is [`FreeMotion::period`]. φ advances by the same angle in
 /// each P_ψ, and on average by one turn in P_φ:
 ///
-/// | L circles | long-axis convention | short-axis convention |
+/// | L circles the axis of | long-axis convention | short-axis convention |
 /// |---|---|---|
-/// | the axis of least moment (long-axis mode) | P_φ = 2π/Ω; ψ **rotates**, once round in P_ψ | P_φ = 2π/(Ω + 2π/P_ψ); ψ **oscillates** with the period P_ψ |
-/// | the axis of greatest moment (short-axis mode) | P_φ = 2π/(Ω − 2π/P_ψ); ψ oscillates | P_φ = 2π/Ω; ψ rotates |
+/// | smallest moment (long-axis mode) | P_φ = 2π/Ω; ψ rotates | P_φ = 2π/(Ω + 2π/P_ψ); ψ oscillates |
+/// | largest moment (short-axis mode) | P_φ = 2π/(Ω − 2π/P_ψ); ψ oscillates | P_φ = 2π/Ω; ψ rotates |
 ///
 /// with Ω of [`FreeMotion::precession_rate`]. While L circles one extreme axis once in the body,
 /// the azimuths of the two extreme axes diverge by one turn; this is the only difference between
@@ -70,9 +70,13 @@ pub struct TumblingPeriods {
 impl TumblingPeriods {
     /// Computes the periods of a motion.
     ///
-    /// Returns `None` if ω does not circle an axis: at rest, in permanent rotation (which has only
-    /// the period 2π/|ω|; [`Self::ratio`] gives the limit of the ratio), for a body with three
-    /// equal moments, and on the separatrix, where P_ψ is infinite.
+    /// Returns `None` if ω does not circle an axis:
+    ///
+    /// - at rest;
+    /// - in permanent rotation, which has only the period 2π/|ω| ([`Self::ratio`] gives the limit
+    ///   of the ratio);
+    /// - for a body with three equal moments;
+    /// - on the separatrix, where P_ψ is infinite.
     ///
     /// A symmetric body has one determined axis, which L circles. In the other convention, any axis
     /// perpendicular to it may be used: they all have the same mean rate about L.

@@ -14,7 +14,7 @@ pub(super) struct Domain<'a> {
 
 /// Maps from the unit cube into the solid.
 enum Charts<'a> {
-    /// For each triangle, the signed tetrahedron from the reference point.
+    /// Signed tetrahedra from the reference point to each triangle.
     Triangles(&'a TriangleMesh),
     Shape(&'a dyn Parametrised),
 }

@@ -49,9 +49,9 @@ pub enum Solid<'a> {
 /// Tolerance and evaluation limit of the adaptive cubature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cubature {
-    /// Largest accepted error estimate (relative): of the mass relative to the mass, of the centre
-    /// of mass relative to the body's size √(∫ρ r² dV / M), with r from the centre of mass, and of
-    /// each element of the inertia tensor relative to half its trace.
+    /// Largest accepted error estimate. It applies to the mass (relative) and to the centre of mass
+    /// (relative to the body's size √(∫ρ r² dV / M), with r from the centre of mass). It also
+    /// applies to each element of the inertia tensor (relative to half its trace).
     pub tolerance: f64,
     /// Maximum number of density evaluations. A billion of them need up to 0.4 GB of memory.
     ///

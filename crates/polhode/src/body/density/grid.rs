@@ -52,9 +52,10 @@ pub struct VoxelMassProperties {
 }
 
 impl VoxelGrid {
-    /// Returns the lattice with the centre of its first voxel at `origin`, m, the vectors `steps`
-    /// from a voxel to the next along each axis, m, and the number `counts` of voxels along each
-    /// axis.
+    /// Returns the lattice with the centre of its first voxel at `origin`, m.
+    ///
+    /// `steps` are the vectors from a voxel to the next along each axis, m, and `counts` are the
+    /// numbers of voxels along each axis.
     ///
     /// # Errors
     /// [`BodyError::Empty`] if there are no voxels; [`BodyError::Parameter`] if a number is not

@@ -109,7 +109,8 @@ impl Parametrised for Torus {
 }
 
 impl Parametrised for Tetrahedron {
-    /// x = o + u [a + v (b − a) + v w (c − b)], the edges a, b, c from the first corner o:  |∂x/∂uvw| = u² v |a · b × c|
+    /// Returns x = o + u [a + v (b − a) + v w (c − b)], with the edges a, b, c from the first
+    /// corner o, and |∂x/∂(u, v, w)| = u² v |a · b × c|.
     fn point(&self, _chart: usize, [u, v, w]: [f64; 3]) -> ([f64; 3], f64) {
         let [o, a, b, c] = self.vertices;
         let shares = [u * (1.0 - v), u * v * (1.0 - w), u * v * w];
@@ -121,7 +122,8 @@ impl Parametrised for Tetrahedron {
 }
 
 impl Parametrised for TriangularPrism {
-    /// x = o + u [a + v (b − a)], the edges a, b from the first corner o:  |∂(x, y)/∂(u, v)| = u |a × b|
+    /// Returns (x, y) = o + u [a + v (b − a)], with the edges a, b from the first corner o and
+    /// |∂(x, y)/∂(u, v)| = u |a × b|; z is uniform along the length.
     fn point(&self, _chart: usize, [u, v, w]: [f64; 3]) -> ([f64; 3], f64) {
         let [o, a, b] = self.triangle.vertices;
         let [x, y] = core::array::from_fn(|k| o[k] + u * ((1.0 - v) * (a[k] - o[k]) + v * (b[k] - o[k])));

@@ -12,7 +12,7 @@ pub(super) struct Line {
     pub(super) nodes: Vec<LineNode>,
 }
 
-/// A node of a rule on [0, 1].
+/// Node of a rule on [0, 1].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LineNode {
     pub(super) at: f64,

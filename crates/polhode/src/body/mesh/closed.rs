@@ -24,22 +24,27 @@ use crate::body::shape::{Shape, Spread};
 ///
 /// Corrections, reported by [`ClosedMesh::findings`]:
 ///
-/// | code | |
+/// | code | correction |
 /// |---|---|
 /// | `mesh.inverted` | all normals pointed inward: all triangles are reversed |
 /// | `mesh.flipped` | a clear minority of a component's triangles is reversed |
 /// | `mesh.degenerate` | triangles with two equal corners are omitted |
 ///
-/// Remarks without correction: `mesh.cavity`, an inward-oriented shell inside a solid, which is
-/// subtracted; `mesh.components`, several parts; `mesh.touching`, parts or folds that touch back to
-/// back; `mesh.overlap`, one part that intersects itself (a warning: volume enclosed twice counts
-/// twice).
+/// Remarks without correction:
 ///
-/// Errors: an *outward*-oriented shell inside a solid ([`BodyError::NestedSolid`]), which may be a
-/// cavity with wrong orientation or a solid that counts twice; parts that intersect each other
-/// ([`BodyError::OverlappingMesh`]); inward-oriented parts next to outward-oriented ones
-/// ([`BodyError::InvertedPart`]); open, one-sided or flat meshes and duplicate triangles; and
-/// meshes with too many triangles close together to decide this ([`BodyError::OverlapsUndecided`]).
+/// - `mesh.cavity`: an inward-oriented shell inside a solid is subtracted;
+/// - `mesh.components`: the mesh has several parts;
+/// - `mesh.touching`: parts or folds touch back to back;
+/// - `mesh.overlap`: a part intersects itself (a warning: volume enclosed twice counts twice).
+///
+/// Errors:
+///
+/// - an *outward*-oriented shell inside a solid, which may be a cavity with wrong orientation or a
+///   solid that counts twice ([`BodyError::NestedSolid`]);
+/// - parts that intersect each other ([`BodyError::OverlappingMesh`]);
+/// - inward-oriented parts next to outward-oriented ones ([`BodyError::InvertedPart`]);
+/// - open, one-sided or flat meshes, and duplicate triangles;
+/// - too many triangles close together to decide this ([`BodyError::OverlapsUndecided`]).
 ///
 /// ```
 /// use polhode::body::mesh::ClosedMesh;
@@ -65,8 +70,9 @@ impl ClosedMesh {
     /// not depend on their number.
     ///
     /// # Errors
-    /// [`BodyError::Empty`], [`BodyError::OpenMesh`], [`BodyError::Unorientable`], [`BodyError::InconsistentWinding`],
-    /// [`BodyError::DuplicateTriangle`], [`BodyError::NestedSolid`], [`BodyError::InvertedPart`], [`BodyError::OverlappingMesh`],
+    /// [`BodyError::Empty`], [`BodyError::OpenMesh`], [`BodyError::Unorientable`],
+    /// [`BodyError::InconsistentWinding`], [`BodyError::DuplicateTriangle`],
+    /// [`BodyError::NestedSolid`], [`BodyError::InvertedPart`], [`BodyError::OverlappingMesh`],
     /// [`BodyError::OverlapsUndecided`] or [`BodyError::FlatMesh`]; [`BodyError::Parameter`] if the
     /// volume overflows f64.
     pub fn of(mesh: &TriangleMesh) -> Result<Self, BodyError> {

@@ -21,7 +21,7 @@ pub struct MeshComponent {
     /// Enclosed volume, m³, negative if the component is mostly oriented inward; meaningless if it
     /// is not closed.
     pub volume: f64,
-    /// Area, m².
+    /// Area of all triangles, m².
     pub area: f64,
     /// Lowest and highest coordinates of the bounding box, m.
     pub bounds: [[f64; 3]; 2],

@@ -27,7 +27,7 @@ pub(crate) struct Edges {
 impl Edges {
     pub(crate) fn of(corners: &[[u32; 3]], points: usize, threads: Threads) -> Self {
         let twin: Vec<_> = (0..3 * corners.len()).map(|_| AtomicU32::new(NONE)).collect();
-        // Each thread has the edges whose lower end is one of its vertices.
+        // Each thread processes the edges whose lower end is one of its vertices.
         let parts = threads.map_pieces(points, points.div_ceil(threads.count()).max(1), |vertices| {
             let mut part = Self::none();
             part.find(corners, vertices.start as u32..vertices.end as u32, &twin);

@@ -117,9 +117,9 @@ struct Growing<'a> {
     faces: Vec<Face>,
     /// Faces with points above them.
     waiting: Vec<u32>,
-    /// By vertex: the new face whose horizon edge starts there.
+    /// New face whose horizon edge starts at each vertex.
     fan: Vec<u32>,
-    /// By vertex: the last apex for which `covers` was evaluated.
+    /// Last apex for which `covers` was evaluated at each vertex.
     examined: Vec<u32>,
     /// Number of removed faces that are still in the list.
     removed: usize,

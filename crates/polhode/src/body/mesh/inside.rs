@@ -130,8 +130,9 @@ impl Windings<'_> {
 /// Relative tolerance within which two volumes count as equal, to allow for rounding.
 const SAME: f64 = 1e-12;
 
-/// Returns true if the normal of the triangle points along the line through a germ along an axis,
-/// false if it points against it, and `None` if the line does not meet the triangle.
+/// Returns the direction in which the line through a germ along an axis crosses a triangle: true if
+/// its normal points along the axis, false if against it. `None` if the line does not meet the
+/// triangle.
 ///
 /// If the projections of the germ's three points are not collinear, the line meets no edges except
 /// those whose projection is a point.

@@ -29,7 +29,7 @@ impl Meeting {
         let [t_shared, u_shared] = [[0, 1, 2].map(|k| shared(k, t, u)), [0, 1, 2].map(|k| shared(k, u, t))];
         let common = u_shared.iter().filter(|&&shared| shared).count();
         if common == 3 {
-            return Self::Apart; // the same triangle: said elsewhere
+            return Self::Apart; // the same triangle: reported as a duplicate
         }
         let (a, b) = (t.map(&place), u.map(&place));
         let sides = |plane, p: [[f64; 3]; 3], shared: [bool; 3]| {

@@ -13,7 +13,7 @@
 //!    sides of both triangles, next to each edge that starts there. Other contacts need no test.
 //!    Two edges that meet in a point inside both either pass through each other's surfaces, and
 //!    then triangles cross there (1). Or one edge lies on the other's triangles up to its end, a
-//!    corner (3), or up to a bend of the surface, where it crosses the triangles beside it (1).
+//!    corner (3), or up to a bend of the surface, where it crosses the adjacent triangles (1).
 //! 4. Each component lies in as many others as its role requires (`component.rs`).
 
 use core::ops::ControlFlow;

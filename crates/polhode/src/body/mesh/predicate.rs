@@ -7,8 +7,8 @@ use robust::{Coord, Coord3D, orient2d, orient3d};
 
 use crate::body::triangle_mesh::normal;
 
-/// Returns a positive value if p is on the side of the plane through a, b, c to which the normal (b
-/// − a) × (c − a) points, and 0 if it is in the plane.
+/// Returns a positive value if p is on the side of the plane through a, b, c to which the normal
+/// (b − a) × (c − a) points, and 0 if it is in the plane.
 #[inline(always)]
 pub(crate) fn side([a, b, c]: [[f64; 3]; 3], p: [f64; 3]) -> f64 {
     let from = |q: [f64; 3]| [q[0] - p[0], q[1] - p[1], q[2] - p[2]];

@@ -15,7 +15,8 @@ use crate::math::vector::Position;
 /// gap on the outer side. This is not corrected; the relative error is about thickness over size.
 /// The volume is area times thickness.
 ///
-/// Second moments of a triangle with corners a, b, c, area A, unit normal n and thickness t about the origin:
+/// Second moments about the origin of a triangle with corners a, b, c, area A, unit normal n and
+/// thickness t:
 /// A t (a aᵀ + b bᵀ + c cᵀ + s sᵀ)/12 + A t · t²/12 n nᵀ,  s = a + b + c
 ///
 /// ```

@@ -172,7 +172,7 @@ impl Tree {
     /// centroid.
     fn code(&self, [a, b, c]: [[f64; 3]; 3]) -> u32 {
         let middle = self.reduced(core::array::from_fn(|k| (a[k] + b[k] + c[k]) * (1.0 / 3.0)));
-        let [x, y, z] = middle.map(|m| spread((((m + 1.0) * 512.0) as u32).min(1023))); // as: 0 for what is negative
+        let [x, y, z] = middle.map(|m| spread((((m + 1.0) * 512.0) as u32).min(1023))); // `as` gives 0 for negative numbers
         x | y << 1 | z << 2
     }
 

@@ -73,10 +73,9 @@ impl TriangleMesh {
     /// ```
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] for a tolerance that is not positive, that exceeds a hundredth of
-    /// the [`diagonal`](Self::diagonal) of an open mesh, or within which there are too many
-    /// vertices; [`BodyError::WeldTooWide`] for a cluster with vertices farther apart than the
-    /// tolerance.
+    /// [`BodyError::Parameter`] for a tolerance that is not positive, or within which there are too
+    /// many vertices; for an open mesh also above a hundredth of its [`diagonal`](Self::diagonal).
+    /// [`BodyError::WeldTooWide`] for a cluster with vertices farther apart than the tolerance.
     pub fn welded(&self, tolerance: f64) -> Result<WeldedMesh, BodyError> {
         self.welded_on(tolerance, Threads::of_machine())
     }

@@ -10,7 +10,7 @@ use crate::math::vector::Position;
 /// Solid frustum of a cone, with the centre of its base disk at the origin and its axis along +z;
 /// it is a cone if one of its radii is zero.
 ///
-/// For a cone about its apex: I = 3/5 M diag(r²/4 + h², r²/4 + h², r²/2)
+/// About the apex of a cone, I = 3/5 M diag(r²/4 + h², r²/4 + h², r²/2)
 ///
 /// ```
 /// use polhode::body::shape::{Cone, Shape, Substance};
@@ -32,8 +32,8 @@ impl Cone {
     /// Returns a frustum with the given radii at z = 0 and at z = `height`, m.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if the height is not positive and finite, if a radius is negative or not
-    /// finite, or if both are zero.
+    /// [`BodyError::Parameter`] if the height is not positive and finite, if a radius is negative
+    /// or not finite, or if both are zero.
     pub fn new(base_radius: f64, top_radius: f64, height: f64) -> Result<Self, BodyError> {
         not_negative("the cone's base radius", base_radius)?;
         not_negative("the cone's top radius", top_radius)?;

@@ -11,7 +11,7 @@ use crate::math::vector::Position;
 /// Thin wall of a cone or a frustum, open or closed by disks, with the centre of its base at the
 /// origin and its axis along +z.
 ///
-/// For an open cone about its apex: I = M diag(r²/4 + h²/2, r²/4 + h²/2, r²/2)
+/// About the apex of an open cone, I = M diag(r²/4 + h²/2, r²/4 + h²/2, r²/2)
 ///
 /// ```
 /// use polhode::body::shape::{ConeShell, Shape, Substance};

@@ -39,8 +39,8 @@ impl Cylinder {
     /// bore if `inner_radius` is zero.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if the radius or the length is not positive and finite, or unless 0
-    /// ≤ `inner_radius` < `radius`.
+    /// [`BodyError::Parameter`] if the radius or the length is not positive and finite, or unless
+    /// 0 ≤ `inner_radius` < `radius`.
     pub fn hollow(radius: f64, inner_radius: f64, length: f64) -> Result<Self, BodyError> {
         positive("the cylinder's radius", radius)?;
         representable(Self {

@@ -41,7 +41,7 @@ impl Shape for Ellipsoid {
 
     /// Returns A = 4π abc R_G(a⁻², b⁻², c⁻²) = π (abc)² ∫₀^∞ Σ 1/(1 + a²t) t dt / √Π(1 + a²t).
     ///
-    /// As a function of ln t, the integrand is analytic in |Im ln t| < π. The trapezoidal rule over
+    /// The integrand as a function of ln t is analytic in |Im ln t| < π. The trapezoidal rule over
     /// the whole line with step ½ therefore has the relative error e^(−4π²), less than the
     /// rounding.
     ///

@@ -38,8 +38,8 @@ impl Sphere {
     /// if `inner_radius` is zero.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] if the radius is not positive and finite, or unless 0 ≤
-    /// `inner_radius` < `radius`.
+    /// [`BodyError::Parameter`] if the radius is not positive and finite, or unless
+    /// 0 ≤ `inner_radius` < `radius`.
     pub fn hollow(radius: f64, inner_radius: f64) -> Result<Self, BodyError> {
         positive("the sphere's radius", radius)?;
         let inner_radius = hollow("the sphere's inner radius", inner_radius, radius)?;
@@ -48,8 +48,8 @@ impl Sphere {
 }
 
 impl Shape for Sphere {
-    /// Computes, with the ratio of the radii k = r/R: V = 4π/3 (R³ − r³) = 4π/3 R² (R − r) (1 + k +
-    /// k²),
+    /// Computes, with the ratio of the radii k = r/R: V = 4π/3 (R³ − r³) = 4π/3 R² (R − r)
+    /// (1 + k + k²),
     ///
     /// ⟨x²⟩ = (R⁵ − r⁵)/5(R³ − r³) = R²/5 (1 + k + k² + k³ + k⁴)/(1 + k + k²)
     ///

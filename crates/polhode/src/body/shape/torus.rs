@@ -23,8 +23,8 @@ pub struct Torus {
 }
 
 impl Torus {
-    /// Returns a torus with the radius R to the centre line of its tube, and a tube of radius r ≤
-    /// R, m.
+    /// Returns a torus with the radius R to the centre line of its tube, and a tube of radius
+    /// r ≤ R, m.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if a radius is not positive and finite, or if r > R.

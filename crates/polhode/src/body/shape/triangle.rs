@@ -55,8 +55,8 @@ impl Triangle {
         [u, v, [v[0] - u[0], v[1] - u[1]]].into_iter().map(|[x, y]| libm::hypot(x, y)).sum()
     }
 
-    /// Returns the centroid p̄ and the second moments about it per unit area, ⟨x xᵀ⟩ = 1/12 Σ (p_k
-    /// − p̄)(p_k − p̄)ᵀ: the sum over the corners, each with a twelfth of the mass.
+    /// Returns the centroid p̄ and the second moments about it per unit area, ⟨x xᵀ⟩ = 1/12 Σ
+    /// (p_k − p̄)(p_k − p̄)ᵀ: the sum over the corners, each with a twelfth of the mass.
     ///
     /// Source: ∫ L₁ᵃ L₂ᵇ L₃ᶜ dA = 2A a! b! c!/(a + b + c + 2)! in area coordinates; Eisenberg,
     /// Malvern, Int. J. Numer. Methods Eng. 7 (1973) 574.

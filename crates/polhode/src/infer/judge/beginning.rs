@@ -15,8 +15,8 @@ pub(super) const BEGINNING: f64 = 0.1;
 pub(super) const CLEARLY: f64 = 10.0;
 /// Maximum number of rows that are compared.
 pub(super) const COMPARED: usize = 64;
-/// Bounds of the rotation angle by which residuals are divided, rad. The upper bound is the largest
-/// useful difference of attitudes.
+/// Bounds of the rotation angle by which residuals are divided, rad. Above the upper bound, the
+/// difference of attitudes no longer increases with the rotation angle.
 const NO_TURN: f64 = 1e-3;
 const WHOLE_TURN: f64 = 1.0;
 /// Largest angle between two rows that represent a continuous motion, rad.

@@ -6,14 +6,14 @@ use super::log::QuaternionOrder;
 /// Direction of the rotations of a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum AttitudeSense {
-    /// R_space_body: body components to space components, as polhode has it.
+    /// R_space_body: body components to space components, the convention of polhode.
     BodyToSpace,
-    /// R_body_space, its inverse.
+    /// R_body_space: space components to body components.
     SpaceToBody,
 }
 
 impl AttitudeSense {
-    /// Both.
+    /// Both directions.
     pub const ALL: [Self; 2] = [Self::BodyToSpace, Self::SpaceToBody];
 }
 
@@ -27,21 +27,21 @@ pub enum OmegaAxes {
 }
 
 impl OmegaAxes {
-    /// Both.
+    /// Both frames.
     pub const ALL: [Self; 2] = [Self::Body, Self::Space];
 }
 
 /// Declared meaning of a log's numbers; `None` where nothing is declared.
 ///
-/// A declaration of the user holds. One that is only in the names of the columns
-/// ([`DeclaredReading::by_name`]) is tried first. It is given up if the motion contradicts it.
+/// A declaration by the user is final. One that is only in the names of the columns
+/// ([`DeclaredReading::by_name`]) is tried first, and is dropped if the motion contradicts it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DeclaredReading {
-    /// Order of the quaternions.
+    /// Order of the quaternion's numbers.
     pub order: Option<QuaternionOrder>,
     /// Direction of the rotations.
     pub sense: Option<AttitudeSense>,
-    /// Frame of ω.
+    /// Frame of the angular velocity.
     pub omega_axes: Option<OmegaAxes>,
     /// Axes of the log, as signed axes of the scenario.
     pub axes: Option<SignedAxes>,
@@ -58,20 +58,20 @@ pub struct DeclaredReading {
 /// Declarations that are only in the names of columns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DeclaredByName {
-    /// True if [`DeclaredReading::order`] is.
+    /// True if [`DeclaredReading::order`] is only in the names.
     pub order: bool,
-    /// True if [`DeclaredReading::sense`] is.
+    /// True if [`DeclaredReading::sense`] is only in the names.
     pub sense: bool,
-    /// True if [`DeclaredReading::omega_axes`] is.
+    /// True if [`DeclaredReading::omega_axes`] is only in the names.
     pub omega_axes: bool,
-    /// True if the unit of the times is.
+    /// True if the unit of the times is only in the names.
     pub time_unit: bool,
-    /// True if the unit of ω is.
+    /// True if the unit of ω is only in the names.
     pub omega_unit: bool,
 }
 
 impl DeclaredReading {
-    /// The declarations of the user, without those of the names.
+    /// Returns the declarations of the user, without those in the names.
     #[must_use]
     pub fn certain(self) -> Self {
         Self {
@@ -83,7 +83,7 @@ impl DeclaredReading {
         }
     }
 
-    /// These declarations, with those of a log where these have none.
+    /// Returns these declarations, completed by those of a log.
     ///
     /// ```
     /// use polhode::infer::judge::{DeclaredByName, DeclaredReading, OmegaAxes, QuaternionOrder};

@@ -1,13 +1,15 @@
-//! How far two attitudes are apart, to the last digit that their numbers hold.
+//! Difference of two attitudes, to the full precision of their numbers.
 
 use crate::math::double::Double;
 
-/// The rotation vector θ, along the axes of the body, that takes one attitude to another: R_b = R_a exp(θ). Quaternions of any length.
+/// Returns the rotation vector θ, along body axes, rad, from one attitude to another: R_b = R_a
+/// exp(θ). The quaternions may have any length.
 ///
-/// q* p has a small vector part that is a difference of products near one: these are taken in two words.
+/// The small vector part of q* p is a difference of products near one, which are computed in
+/// double-double arithmetic.
 pub(super) fn rotation_vector(a: [f64; 4], b: [f64; 4]) -> [f64; 3] {
     let ([aw, ax, ay, az], [bw, bx, by, bz]) = (a, b);
-    // q_a* q_b = (w, v)
+    // q_a* q_b = (w, v).
     let w = aw * bw + ax * bx + ay * by + az * bz;
     let v = [
         sum_of_products([(aw, bx), (-ax, bw), (-ay, bz), (az, by)]),
@@ -18,7 +20,7 @@ pub(super) fn rotation_vector(a: [f64; 4], b: [f64; 4]) -> [f64; 3] {
     if sine == 0.0 {
         return [0.0; 3];
     }
-    // θ = 2 atan(|v| / w) v / |v|; the quaternions' lengths and signs drop out.
+    // θ = 2 atan(|v| / w) v / |v|; the lengths and signs of the quaternions cancel.
     let angle = 2.0 * libm::atan2(sine, w.abs());
     let factor = angle.copysign(angle * w) / sine;
     v.map(|c| c * factor)
@@ -28,7 +30,7 @@ fn sum_of_products(products: [(f64, f64); 4]) -> f64 {
     products.into_iter().fold(Double::default(), |sum, (a, b)| sum + Double::product(a, b)).value()
 }
 
-/// The angle between two attitudes, rad, from 0 to π.
+/// Returns the angle between two attitudes, rad, from 0 to π.
 pub(super) fn angle_between(a: [f64; 4], b: [f64; 4]) -> f64 {
     length(rotation_vector(a, b))
 }
@@ -37,17 +39,17 @@ pub(super) fn length([x, y, z]: [f64; 3]) -> f64 {
     x.hypot(y).hypot(z)
 }
 
-/// v_body = R_space_bodyᵀ v_space, of a quaternion of any length.
+/// Returns v_body = R_space_bodyᵀ v_space, for a quaternion of any length.
 pub(super) fn to_body([w, x, y, z]: [f64; 4], v: [f64; 3]) -> [f64; 3] {
     turned([w, -x, -y, -z], v)
 }
 
-/// v_space = R_space_body v_body, of a quaternion of any length.
+/// Returns v_space = R_space_body v_body, for a quaternion of any length.
 pub(super) fn to_space(q: [f64; 4], v: [f64; 3]) -> [f64; 3] {
     turned(q, v)
 }
 
-/// R v = v + 2 u × (u × v + w v) / (w² + u²)
+/// Returns R v = v + 2 u × (u × v + w v) / (w² + u²).
 fn turned([w, x, y, z]: [f64; 4], v: [f64; 3]) -> [f64; 3] {
     let u = [x, y, z];
     let s = 2.0 / (w * w + x * x + y * y + z * z);
@@ -61,7 +63,7 @@ fn cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
-/// q p of quaternions (w, x, y, z).
+/// Returns the product q p of quaternions (w, x, y, z).
 pub(super) fn product([a, b, c, d]: [f64; 4], [w, x, y, z]: [f64; 4]) -> [f64; 4] {
     [
         a * w - b * x - c * y - d * z,
@@ -71,7 +73,7 @@ pub(super) fn product([a, b, c, d]: [f64; 4], [w, x, y, z]: [f64; 4]) -> [f64; 4
     ]
 }
 
-/// q*
+/// Returns the conjugate q*.
 pub(super) fn conjugate([w, x, y, z]: [f64; 4]) -> [f64; 4] {
     [w, -x, -y, -z]
 }
@@ -83,7 +85,8 @@ mod tests {
     use crate::math::rotation::Rotation;
     use crate::math::vector::Direction;
 
-    /// A small turn of a generic attitude, stored in doubles, is found to what the storing leaves: 1e-16 of 1e-10.
+    /// The error of a small rotation of 1e-10 rad is only the rounding of the stored attitudes,
+    /// about 1e-16 rad.
     #[test]
     fn a_small_turn_is_found_to_the_digits_that_the_numbers_hold() {
         let a = Rotation::<Space, Body>::from_quaternion([0.6, -0.3, 0.5, 0.2]).expect("no zero");

@@ -1,4 +1,4 @@
-//! Why a motion cannot be judged.
+//! Errors of judging a motion.
 
 use core::fmt;
 
@@ -6,75 +6,80 @@ use super::omega_reading::OmegaResidual;
 use super::reading::ReadingResidual;
 use crate::motion::error::MotionError;
 
-/// Why a motion cannot be judged.
+/// Error of judging a motion.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum JudgeError {
-    /// The scenario's motion is given: there is nothing to compute, and so nothing to compare with.
+    /// The scenario's motion is prescribed: there is no computed motion to compare with.
     NoMotion,
-    /// The mass properties of the scenario's body change: the causes of errors are known of bodies that stay as they are.
+    /// The mass properties of the scenario's body change; causes of errors are implemented only for
+    /// constant bodies.
     Changing,
-    /// The scenario's body is on the ground: the causes of errors are known of bodies that are free or held at a point.
+    /// The scenario's body is on the ground; causes of errors are implemented only for bodies that
+    /// are free or on a pivot.
     OnGround,
-    /// The scenario's body hangs in gimbals: the causes of errors are known of bodies that are free or held at a point.
+    /// The scenario's body is in gimbals; causes of errors are implemented only for bodies that are
+    /// free or on a pivot.
     InGimbals,
-    /// A time before the scenario's start.
+    /// A time is before the scenario's start.
     BeforeStart {
-        /// The time, s.
+        /// Time of the row, s.
         time: f64,
-        /// That of the start, s.
+        /// Time of the start, s.
         start: f64,
     },
-    /// A time after an event of the scenario has ended its motion.
+    /// A time is after an event that ends the scenario's motion.
     Ends {
-        /// The time, s.
+        /// Time of the row, s.
         time: f64,
-        /// When the motion ends, s.
+        /// End of the motion, s.
         end: f64,
     },
     /// The exact motion cannot be computed.
     Motion(MotionError),
-    /// No reading of the log's numbers begins as the scenario does.
+    /// No reading of the log's numbers begins like the scenario.
     NoReading {
-        /// All that were tried, best first.
+        /// All readings that were tried, best first.
         tried: Vec<ReadingResidual>,
     },
-    /// The log turns more than five times faster or slower than the scenario near its start, and no other unit of time fits.
+    /// The log rotates more than five times faster or slower than the scenario near its start, and
+    /// no other unit of time fits.
     OtherRate {
         /// Angular velocity of the log relative to that of the scenario.
         ratio: f64,
         /// All readings that were tried, best first.
         tried: Vec<ReadingResidual>,
     },
-    /// No reading of the log's numbers begins as the scenario does. A beginning some time after the scenario's start was not
-    /// searched for: the exact motion cannot be computed far enough.
+    /// No reading of the log's numbers begins like the scenario. A log that starts some time after
+    /// the scenario's start was not considered, because the exact motion cannot be computed far
+    /// enough.
     NotSearched {
         /// All readings that were tried, best first.
         tried: Vec<ReadingResidual>,
     },
-    /// Several readings of the log's numbers fit about as well, and differ later on.
+    /// Several readings of the log's numbers fit about equally well, and differ later.
     Ambiguous {
-        /// All that were tried, best first.
+        /// All readings that were tried, best first.
         tried: Vec<ReadingResidual>,
-        /// How many of them fit.
+        /// Number of readings that fit.
         fitting: usize,
     },
-    /// No reading of the log's angular velocities begins as the scenario does.
+    /// No reading of the log's angular velocities begins like the scenario.
     NoOmega {
-        /// All that were tried, best first.
+        /// All readings that were tried, best first.
         tried: Vec<OmegaResidual>,
     },
-    /// Several readings of the log's angular velocities fit about as well, and differ later on.
+    /// Several readings of the log's angular velocities fit about equally well, and differ later.
     AmbiguousOmega {
         /// Readings that fit, best first.
         tried: Vec<OmegaResidual>,
     },
-    /// The first row is too long after the scenario's start for the motion to be computed until
-    /// there. The log does not begin as the scenario starts either.
+    /// The first row is too long after the scenario's start to compute the motion up to it, and the
+    /// log does not begin like the scenario's start either.
     FarTimes {
-        /// The time of the first row, s.
+        /// Time of the first row, s.
         first: f64,
-        /// The time of the scenario's start, s.
+        /// Time of the scenario's start, s.
         start: f64,
     },
 }

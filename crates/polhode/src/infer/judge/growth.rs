@@ -1,38 +1,40 @@
-//! How an error grows.
+//! Growth of an error with time.
 
 use core::fmt;
 
-/// The law by which an error grows with the time since the start.
+/// Law of growth of an error with the time since the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Growth {
-    /// There is no error beyond the exact motion's own, or it is there too short to say.
+    /// Unknown: the error does not exceed that of the exact motion, or lasts too short a time.
     Unknown,
-    /// ∝ t^p: p = 0 of a wrong start, ½ of rounding by chance, 1 of a wrong rate, 2 of one that drifts.
+    /// Power law ∝ t^p: p = 0 for a wrong start, ½ for random rounding, 1 for a wrong rate, 2 for a
+    /// drifting rate.
     Power {
-        /// p
+        /// Exponent p.
         exponent: f64,
     },
-    /// ∝ e^(λ t), near an unstable motion.
+    /// Exponential growth ∝ e^(λ t), near an unstable motion.
     Exponential {
-        /// λ, 1/s.
+        /// Growth rate λ, 1/s.
         rate: f64,
     },
 }
 
-/// An angle beyond which an error grows no more, rad.
+/// Angle above which an error does not grow further, rad.
 const SATURATED: f64 = 1.0;
-/// How many times its floor an error has to be.
+/// Smallest significant ratio of an error to its floor.
 const ABOVE: f64 = 10.0;
-/// Into how many parts the time is divided; the largest error up to the end of each is taken.
+/// Number of parts into which the time is divided; the largest error up to the end of each is used.
 const PARTS: usize = 32;
-/// How many of them have to show an error.
+/// Minimum number of parts with a significant error.
 const FEWEST: usize = 6;
 
 impl Growth {
-    /// Of angles (rad) at times since the start (s), where `floor` is what the exact motion may be wrong by.
+    /// Fits the growth of angles (rad) at times since the start (s). `floor` is the uncertainty of
+    /// the exact motion, rad.
     ///
-    /// The largest error so far is fitted, at times that are evenly spread in log t; an exponential, at times evenly spread in t, is
-    /// taken where it fits twice as well, and grows by more than e³.
+    /// The largest error so far is fitted at times evenly spaced in log t. An exponential, fitted
+    /// at times evenly spaced in t, is used if it fits twice as well and grows by more than e³.
     ///
     /// ```
     /// use polhode::infer::judge::Growth;
@@ -55,7 +57,7 @@ impl Growth {
         let (Some(&(first, _)), Some(&(last, _))) = (envelope.first(), envelope.last()) else {
             return Self::Unknown;
         };
-        // Of the last two decades at most: what comes before has few rows.
+        // At most the last two decades, because earlier times have few rows.
         let first = first.max(last / 100.0);
         let at = |time: f64| {
             envelope[envelope.partition_point(|&(since, _)| since < time).min(envelope.len() - 1)]
@@ -80,7 +82,7 @@ impl Growth {
     }
 }
 
-/// The slope of a line through points, and how far they are off it, root of the mean square.
+/// Returns the slope of a line through points, and the RMS deviation from it.
 fn fitted_line(points: &[(f64, f64)]) -> (f64, f64) {
     let count = points.len() as f64;
     let mean = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
@@ -90,7 +92,7 @@ fn fitted_line(points: &[(f64, f64)]) -> (f64, f64) {
     (slope, mean(&|p| (p.1 - y - slope * (p.0 - x)).powi(2)).sqrt())
 }
 
-/// `grows as t^1.00`
+/// Text such as `grows as t^1.00`.
 impl fmt::Display for Growth {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -1,4 +1,4 @@
-//! What there is to say of a motion.
+//! Judgement of a motion: all results of the comparison.
 
 use super::declared::DeclaredReading;
 use super::error::JudgeError;
@@ -11,7 +11,7 @@ use super::row_errors::RowErrors;
 use super::split::Split;
 use crate::motion::task::scenario::Scenario;
 
-/// What there is to say of a motion that another program computed.
+/// Judgement of a motion that another program computed.
 ///
 /// ```
 /// use polhode::infer::judge::{DeclaredReading, Judgement, MotionLog};
@@ -37,27 +37,27 @@ use crate::motion::task::scenario::Scenario;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judgement {
-    /// What the log's numbers mean.
+    /// Meaning of the log's numbers.
     pub readings: Readings,
-    /// The motion that they are.
+    /// Motion of the log with this meaning.
     pub motion: ReadMotion,
-    /// The exact one.
+    /// Exact motion at the same times.
     pub reference: Reference,
-    /// How far it is off, row by row.
+    /// Errors of the motion, row by row.
     pub errors: RowErrors,
-    /// What the error is made of.
+    /// Components of the attitude error.
     pub split: Split,
-    /// How it grows.
+    /// Growth of the error with time.
     pub growth: Growth,
-    /// Whether the log's numbers have no more than the 24 bits of single precision.
+    /// True if the log's numbers have at most the 24 bits of single precision.
     pub is_single_precision: bool,
 }
 
 impl Judgement {
-    /// Of a scenario and the log of its motion by another program.
+    /// Judges the log of another program's motion of a scenario.
     ///
     /// # Errors
-    /// As [`Readings::of`] and [`Reference::of`].
+    /// The errors of [`Readings::of`] and [`Reference::of`].
     pub fn of(scenario: &Scenario, log: &MotionLog, declared: &DeclaredReading) -> Result<Self, JudgeError> {
         let readings = Readings::of(log, scenario, declared)?;
         let motion = readings.read(log);
@@ -71,11 +71,11 @@ impl Judgement {
         Ok(judgement)
     }
 
-    /// What the exact attitude may be wrong by at the last row, with the rounding of a quaternion and of the run's times, rad: nothing below it
-    /// can be told.
+    /// Returns the uncertainty of the exact attitude at the last row, including the rounding of a
+    /// quaternion and of the run's times, rad. Smaller errors are not significant.
     pub fn floor(&self) -> f64 {
         let last = self.reference.error(self.motion.times.len().saturating_sub(1)).attitude;
-        // Times are rounded too: by half a unit in their last place, while the body turns.
+        // Times are rounded by half a unit in their last place while the body rotates.
         let ends = [self.motion.times.first(), self.motion.times.last()].into_iter().flatten();
         let reading = &self.readings.reading;
         let written = |time: &f64| (time + reading.time_origin * reading.time_factor).abs();
@@ -83,16 +83,16 @@ impl Judgement {
         last.max(ROUNDING).max(latest * (0.5 * f64::EPSILON) * self.reference.fastest())
     }
 
-    /// The largest angle between an attitude and the exact one, rad.
+    /// Returns the largest angle between an attitude and the exact one, rad.
     pub fn largest_attitude_error(&self) -> f64 {
         self.errors.angles().into_iter().fold(0.0, f64::max)
     }
 
-    /// That of the last row, rad.
+    /// Returns the angle between the attitude of the last row and the exact one, rad.
     pub fn last_attitude_error(&self) -> f64 {
         self.errors.angle(self.motion.times.len().saturating_sub(1))
     }
 }
 
-/// What rounding a quaternion to doubles may turn it by, rad.
+/// Rotation that rounding a quaternion to f64 may cause, rad.
 const ROUNDING: f64 = 5e-16;

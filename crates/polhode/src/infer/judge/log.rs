@@ -1,21 +1,21 @@
-//! A motion as another program wrote it, before it is known what its numbers mean.
+//! Log of a motion as another program wrote it, before the meaning of its numbers is known.
 
 use core::fmt;
 
-/// In which order a log has the four numbers of a quaternion.
+/// Order of the four numbers of a quaternion in a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum QuaternionOrder {
-    /// w, x, y, z
+    /// Scalar first: w, x, y, z.
     ScalarFirst,
-    /// x, y, z, w
+    /// Scalar last: x, y, z, w.
     ScalarLast,
 }
 
 impl QuaternionOrder {
-    /// Both.
+    /// Both orders.
     pub const ALL: [Self; 2] = [Self::ScalarFirst, Self::ScalarLast];
 
-    /// The quaternion, scalar first.
+    /// Returns the quaternion with the scalar first.
     pub const fn scalar_first(self, [a, b, c, d]: [f64; 4]) -> [f64; 4] {
         match self {
             Self::ScalarFirst => [a, b, c, d],
@@ -24,10 +24,11 @@ impl QuaternionOrder {
     }
 }
 
-/// Times and attitudes, and perhaps angular velocities, row by row, as a program wrote them.
+/// Times, attitudes, and optionally angular velocities, row by row, as a program wrote them.
 ///
-/// The four numbers of an attitude are proportional to a quaternion. Which of them is the scalar, which way it turns and along which axes
-/// the angular velocity is: a [`super::ReadMotion`] says it.
+/// The four numbers of an attitude are proportional to a quaternion. A [`super::ReadMotion`] is the
+/// motion after the order of the numbers, the direction of the rotation and the axes of the angular
+/// velocity have been determined.
 ///
 /// ```
 /// use polhode::infer::judge::MotionLog;
@@ -43,52 +44,52 @@ pub struct MotionLog {
     omega: Option<Vec<[f64; 3]>>,
 }
 
-/// Why numbers are not the log of a motion. Rows count from 0.
+/// Error of a log. Rows count from 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum LogError {
-    /// Fewer than two rows.
+    /// The log has fewer than two rows.
     TooShort {
-        /// How many there are.
+        /// Number of rows.
         rows: usize,
     },
-    /// Not as many attitudes, or angular velocities, as times.
+    /// The number of attitudes, or of angular velocities, differs from the number of times.
     Lengths {
-        /// What there are too few or too many of.
+        /// Name of the quantity.
         what: &'static str,
-        /// How many.
+        /// Number of its rows.
         count: usize,
-        /// How many times.
+        /// Number of times.
         times: usize,
     },
-    /// A time that is not later than the one before.
+    /// A time is not later than the one before.
     NotLater {
-        /// Of this row.
+        /// Index of the row.
         row: usize,
-        /// The time, s.
+        /// Time of the row, s.
         time: f64,
-        /// The time of the row before, s.
+        /// Time of the row before, s.
         before: f64,
     },
-    /// A number that is NaN or infinite.
+    /// A number is NaN or infinite.
     NotFinite {
-        /// Of this row.
+        /// Index of the row.
         row: usize,
-        /// What it is.
+        /// Name of the number.
         what: &'static str,
-        /// The number.
+        /// Value of the number.
         value: f64,
     },
-    /// A quaternion of length 0.
+    /// A quaternion has length 0.
     ZeroQuaternion {
-        /// Of this row.
+        /// Index of the row.
         row: usize,
     },
-    /// A quaternion whose length is far from 1.
+    /// A quaternion has a length far from 1.
     Length {
-        /// Of this row.
+        /// Index of the row.
         row: usize,
-        /// The length.
+        /// Length of the quaternion.
         length: f64,
     },
 }
@@ -117,10 +118,12 @@ impl fmt::Display for LogError {
 impl core::error::Error for LogError {}
 
 impl MotionLog {
-    /// Of times (s, ascending) and attitudes.
+    /// Returns the log of times (s, ascending) and attitudes.
     ///
     /// # Errors
-    /// [`LogError`] of fewer than two rows, of numbers that are not finite, of times that do not ascend and of a quaternion that is zero.
+    /// [`LogError`] for fewer than two rows, different numbers of times and attitudes, numbers that
+    /// are not finite, times that are not ascending, and quaternions whose length is zero or
+    /// outside 1e-3 … 1e3.
     pub fn new(times: Vec<f64>, attitude: Vec<[f64; 4]>) -> Result<Self, LogError> {
         let rows = times.len();
         if rows < 2 {
@@ -146,10 +149,11 @@ impl MotionLog {
         Ok(Self { times, attitude, omega: None })
     }
 
-    /// With angular velocities, rad/s.
+    /// Returns the log with angular velocities, rad/s.
     ///
     /// # Errors
-    /// [`LogError`] of numbers that are not finite, and unless there are as many as times.
+    /// [`LogError`] for numbers that are not finite, or if the number of rows differs from that of
+    /// the times.
     pub fn with_omega(self, omega: Vec<[f64; 3]>) -> Result<Self, LogError> {
         require_rows("angular velocities", omega.len(), self.times.len())?;
         for (row, vector) in omega.iter().enumerate() {
@@ -158,22 +162,22 @@ impl MotionLog {
         Ok(Self { omega: Some(omega), ..self })
     }
 
-    /// When, s.
+    /// Returns the times of the rows, s.
     pub fn times(&self) -> &[f64] {
         &self.times
     }
 
-    /// The numbers of the attitudes.
+    /// Returns the numbers of the attitudes.
     pub fn attitude(&self) -> &[[f64; 4]] {
         &self.attitude
     }
 
-    /// The numbers of the angular velocities, rad/s, where there are any.
+    /// Returns the numbers of the angular velocities, rad/s, if there are any.
     pub fn omega(&self) -> Option<&[[f64; 3]]> {
         self.omega.as_deref()
     }
 
-    /// Whether every number but the times has no more than the 24 bits of single precision.
+    /// Returns true if every number except the times has at most the 24 bits of single precision.
     pub fn is_single_precision(&self) -> bool {
         let single = |c: &f64| f64::from(*c as f32) == *c;
         let omega = self.omega.iter().flatten().flatten();
@@ -181,7 +185,7 @@ impl MotionLog {
     }
 }
 
-/// Of quaternions: those of programs that never normalise drift, but not so far.
+/// Accepted lengths of quaternions. Those of programs that never normalise drift, but not this far.
 const LENGTHS: core::ops::RangeInclusive<f64> = 1e-3..=1e3;
 
 fn require_rows(what: &'static str, count: usize, times: usize) -> Result<(), LogError> {

@@ -1,26 +1,27 @@
-//! Mistakes of a program that the search for the meaning of its log shows.
+//! Program mistakes that are found while the meaning of a log is determined.
 
 use core::fmt;
 
 use super::axes::SignedAxes;
 
-/// Mistake of a program that the search for the meaning of its log shows. The numbers are compared as they are stated.
+/// Mistake of a program that is found while the meaning of its log is determined. The numbers are
+/// compared as stated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum LogMistake {
-    /// The rows are those of later times than stated.
+    /// The rows belong to later times than stated.
     LateRows {
         /// Time of the motion minus the stated time, s.
         shift: f64,
     },
-    /// The components of ω have signs or an order that no right-handed axes give.
+    /// The components of ω have signs or an order that no right-handed axes produce.
     OmegaComponents {
-        /// Order and signs that the motion shows.
+        /// Order and signs of the components that the motion shows.
         components: SignedAxes,
     },
 }
 
-/// `its rows are those of times 0.05 s later than they say`
+/// Text such as `its rows are those of times 0.05 s later than they say`.
 impl fmt::Display for LogMistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

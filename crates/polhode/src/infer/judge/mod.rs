@@ -1,7 +1,9 @@
-//! Is this program's motion right? A motion as another program logged it ([`MotionLog`]), against the motion of a [`crate::motion::Scenario`].
+//! Judgement of a program's motion: a motion that another program logged ([`MotionLog`]) is
+//! compared with that of a [`crate::motion::Scenario`].
 //!
-//! Energy and angular momentum that are kept prove little: without ω × I ω they are kept to the last digit, and the attitude is wrong after
-//! a second. So the attitude itself is compared, row by row, with the exact one.
+//! Conservation of energy and angular momentum proves little: without ω × I ω they are conserved to
+//! full precision, but the attitude is wrong after a second. Therefore the attitude itself is
+//! compared, row by row, with the exact one.
 
 pub(crate) mod accuracy_order;
 pub(crate) mod axes;

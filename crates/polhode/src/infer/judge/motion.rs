@@ -1,15 +1,15 @@
-//! The motion of a log, once it is known what its numbers mean.
+//! Motion of a log with the determined meaning of its numbers.
 
 use crate::math::frame::Body;
 use crate::math::vector::AngularVelocity;
 
-/// The motion of a log, once it is known what its numbers mean.
+/// Motion of a log, after the meaning of its numbers has been determined.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadMotion {
-    /// When, s, in the scenario's time.
+    /// Times of the rows, s, on the scenario's clock.
     pub times: Vec<f64>,
-    /// R_space_body as quaternions (w, x, y, z), of the length that they have in the log.
+    /// Attitudes R_space_body as quaternions (w, x, y, z), with their length in the log.
     pub attitude: Vec<[f64; 4]>,
-    /// ω in body axes, rad/s, where the log has it.
+    /// Angular velocities ω, body axes, rad/s, if the log has them.
     pub omega: Option<Vec<AngularVelocity<Body>>>,
 }

@@ -1,4 +1,4 @@
-//! The meaning of a log's angular velocities, found by those of the exact motion.
+//! Determination of the meaning of a log's angular velocities, by comparison with the exact motion.
 
 use super::axes::SignedAxes;
 use super::beginning::{Beginning, CLEARLY, COMPARED};
@@ -12,20 +12,22 @@ use super::reference::{spread, states_within};
 use crate::motion::model::state::State;
 use crate::motion::task::scenario::Scenario;
 
-/// Bound on the error of ω of a reading that fits, relative to |ω|: wrong components or a wrong unit are off by more.
+/// Largest error of ω of a reading that fits, relative to |ω|; wrong components or a wrong unit
+/// cause a larger error.
 const OMEGA_FITS: f64 = 0.3;
-/// Bound on the same below which no other reading is tried: single precision passes it.
+/// Relative error of ω below which no other reading is tried; single precision satisfies it.
 const OMEGA_EXACT: f64 = 1e-6;
-/// Relative difference of equal angular velocities: rounding of two conversions.
+/// Relative difference of equal angular velocities: the rounding of two conversions.
 const OMEGA_SAME: f64 = 1e-12;
-/// Bound on the relative error of a first row that begins as the scenario: single precision and four digits pass.
+/// Largest relative error of a first row that begins like the scenario; single precision and four
+/// digits satisfy it.
 const OMEGA_BEGUN: f64 = 1e-4;
-/// Attitudes farther off than this, rad, say nothing of ω.
+/// Attitude error, rad, above which a row gives no information on ω.
 const FOLLOWED: f64 = 0.1;
-/// Steps of integration to the last row.
+/// Maximum number of integration steps to the last row.
 const MOST: usize = 200_000;
 
-/// The rows that ω is compared in.
+/// Rows in which ω is compared.
 struct Rows<'a> {
     log: &'a MotionLog,
     omega: &'a [[f64; 3]],
@@ -62,9 +64,11 @@ impl Rows<'_> {
         spread(self.omega.len(), COMPARED).into_iter().all(same)
     }
 
-    /// Returns the plainest of readings that fit; `None` if there is none, or if another one is as plain and differs.
+    /// Returns the simplest of the readings that fit; `None` if there is none, or if another one is
+    /// equally simple and different.
     ///
-    /// Returns neither a mirrored ω nor one along other axes if they look alike, as in a motion about one axis.
+    /// Returns neither a mirrored ω nor one along other axes if the two cannot be distinguished, as
+    /// for motion about one axis.
     fn plainest(&self, fitting: &[OmegaResidual], meant: Option<OmegaAxes>) -> Option<OmegaReading> {
         let kind = |reading: OmegaReading| match reading {
             _ if reading.is_plain() => Kind::Plain,
@@ -82,13 +86,13 @@ impl Rows<'_> {
     }
 }
 
-/// Kinds of readings, the plainest first.
+/// Kinds of readings, the simplest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     Plain,
     Unit,
     Axes,
-    /// A mistake: see [`OmegaReading::has_axes`].
+    /// Mirrored components, a mistake: see [`OmegaReading::has_axes`].
     Mirrored,
 }
 
@@ -96,12 +100,15 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2])
 }
 
-/// Finds the meaning of a log's angular velocities. Of readings that fit about equally well the plainest is meant.
+/// Determines the meaning of a log's angular velocities. Of readings that fit about equally well,
+/// the simplest is used.
 ///
-/// Tried are the declared one, body and space axes in the stated unit, other units, and exchanged and negated components.
+/// It tries the declared reading, body and space axes in the stated unit, other units, and
+/// exchanged and negated components.
 ///
 /// # Errors
-/// [`JudgeError::AmbiguousOmega`] where several readings fit and differ, [`JudgeError::NoOmega`] where none fits.
+/// [`JudgeError::AmbiguousOmega`] if several readings fit and differ; [`JudgeError::NoOmega`] if
+/// none fits.
 pub(super) fn omega_reading(
     log: &MotionLog,
     omega: &[[f64; 3]],
@@ -121,7 +128,7 @@ pub(super) fn omega_reading(
     }
     let meant = declared.omega_axes;
     let [of_body, of_space] = [body, space].map(|plain| rows.off(plain));
-    // No other reading has to be tried.
+    // In this case no other reading is tried.
     let is_exact = |one: f64, other: f64| one <= OMEGA_EXACT && CLEARLY * one.max(OMEGA_SAME) < other;
     let exact = match meant {
         Some(OmegaAxes::Body) => (of_body <= OMEGA_EXACT).then_some(body),
@@ -144,7 +151,7 @@ pub(super) fn omega_reading(
     if let Some(one) = rows.plainest(&fitting, meant) {
         return Ok(one);
     }
-    // Of a wrong law of motion the first row may be all that is right.
+    // With a wrong law of motion, only the first row may be correct.
     let begun: Vec<OmegaReading> = [body, space]
         .into_iter()
         .filter(|plain| {
@@ -163,7 +170,7 @@ pub(super) fn omega_reading(
     })
 }
 
-/// All readings that are tried, the plainest first.
+/// Returns all readings that are tried, the simplest first.
 fn readings(declared: &DeclaredReading) -> impl Iterator<Item = OmegaReading> {
     let is_certain = declared.omega_factor.is_some();
     let factors = OmegaReading::FACTORS.into_iter().filter(move |(factor, _)| !is_certain || *factor == 1.0);
@@ -175,7 +182,7 @@ fn readings(declared: &DeclaredReading) -> impl Iterator<Item = OmegaReading> {
     })
 }
 
-/// The beginning, and rows up to the last as long as their attitudes follow the exact motion.
+/// Returns the beginning, and later rows as long as their attitudes are close to the exact motion.
 fn compared(
     log: &MotionLog,
     scenario: &Scenario,

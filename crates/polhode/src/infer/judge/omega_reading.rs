@@ -17,29 +17,32 @@ pub struct OmegaReading {
     pub factor: f64,
 }
 
-/// Residual of a reading of ω, relative to |ω|: root mean square over the rows that follow the exact motion.
+/// Residual of a reading of ω, relative to |ω|: RMS over the rows that are close to the exact
+/// motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OmegaResidual {
     /// Reading of the angular velocities.
     pub reading: OmegaReading,
-    /// |δω| / |ω|.
+    /// Relative error |δω| / |ω|.
     pub relative: f64,
 }
 
 impl OmegaReading {
-    /// Components in the stated unit, along the axes of the log's attitudes.
+    /// Returns the reading in the stated unit, along the axes of the log's attitudes.
     pub const fn plain(frame: OmegaAxes) -> Self {
         Self { frame, components: SignedAxes::SAME, factor: 1.0 }
     }
 
-    /// True if unit and components are the stated ones.
+    /// Returns true if the unit and the components are the stated ones.
     pub fn is_plain(&self) -> bool {
         self.components == SignedAxes::SAME && self.factor == 1.0
     }
 
-    /// True if some choice of right-handed axes gives the components; a mirrored ω is a mistake.
+    /// Returns true if some choice of right-handed axes produces the components; a mirrored ω is a
+    /// mistake.
     ///
-    /// Attitudes of space to body may go with −ω, the angular velocity of space relative to the body.
+    /// Attitudes from space to body may be combined with −ω, the angular velocity of space relative
+    /// to the body.
     pub(super) fn has_axes(&self, sense: AttitudeSense) -> bool {
         let is_of_space =
             sense == AttitudeSense::SpaceToBody && self.components == SignedAxes::SAME.reversed();
@@ -56,7 +59,7 @@ impl OmegaReading {
     ];
 }
 
-/// `ω along body axes, components (y, x, z), × 0.0174533 (such as deg/s for rad/s)`
+/// Text such as `ω along body axes, components (y, x, z), × 0.0174533 (such as deg/s for rad/s)`.
 impl fmt::Display for OmegaReading {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self.frame {

@@ -1,4 +1,4 @@
-//! What the numbers of a log mean.
+//! Meaning of the numbers of a log.
 
 use core::fmt;
 
@@ -14,7 +14,7 @@ use crate::math::vector::AngularVelocity;
 /// Meaning of a log's times and attitudes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
-    /// Order of the quaternions.
+    /// Order of the quaternion's numbers.
     pub order: QuaternionOrder,
     /// Direction of the rotations.
     pub sense: AttitudeSense,
@@ -26,14 +26,14 @@ pub struct Reading {
     pub time_factor: f64,
 }
 
-/// How well a log begins as its scenario, if it is read so.
+/// Residual of a reading: the difference between the beginning of the log and that of the scenario.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReadingResidual {
-    /// The reading.
+    /// Reading of the log.
     pub reading: Reading,
-    /// The angle between the attitudes that are read and the exact ones, rad: root of the mean square over the beginning.
+    /// RMS angle between the attitudes of the log and the exact ones over the beginning, rad.
     pub attitude: f64,
-    /// The same as a part of the angle that the exact motion turns through in the beginning.
+    /// This angle relative to the rotation angle of the exact motion in the beginning.
     pub relative: f64,
 }
 
@@ -50,12 +50,12 @@ impl Reading {
         (1.0 / 60.0, "s for min"),
     ];
 
-    /// The scenario's time at a time of the log, s.
+    /// Returns the scenario's time for a time of the log, s.
     pub fn time(&self, logged: f64) -> f64 {
         (logged - self.time_origin) * self.time_factor
     }
 
-    /// A quaternion of the log: R_space_body, scalar first, in the scenario's axes.
+    /// Returns a quaternion of the log as R_space_body, scalar first, along the scenario's axes.
     pub fn quaternion(&self, numbers: [f64; 4]) -> [f64; 4] {
         let [w, x, y, z] = self.order.scalar_first(numbers);
         let [x, y, z] = self.axes.to_scenario([x, y, z]);
@@ -65,7 +65,8 @@ impl Reading {
         }
     }
 
-    /// An angular velocity of the log, in body axes; `numbers` are those of the attitude in the same row.
+    /// Returns an angular velocity of the log along body axes, rad/s; `numbers` are those of the
+    /// attitude in the same row.
     pub fn omega(&self, omega: [f64; 3], meant: OmegaReading, numbers: [f64; 4]) -> AngularVelocity<Body> {
         let omega = self.axes.to_scenario(meant.components.to_scenario(omega).map(|c| c * meant.factor));
         AngularVelocity::from_array(match meant.frame {
@@ -74,7 +75,7 @@ impl Reading {
         })
     }
 
-    /// A log's motion; without ω where its meaning is not known.
+    /// Returns a log's motion; without ω if its meaning is unknown.
     pub fn read(&self, log: &MotionLog, omega: Option<OmegaReading>) -> ReadMotion {
         let times = log.times().iter().map(|&time| self.time(time)).collect();
         let attitude = log.attitude().iter().map(|&numbers| self.quaternion(numbers)).collect();
@@ -89,7 +90,8 @@ impl Reading {
     }
 }
 
-/// `quaternions w, x, y, z of body to space, axes (x, z, −y), times from 2 s`: axes and times where they are not the scenario's.
+/// Text such as `quaternions w, x, y, z of body to space, axes (x, z, −y), times from 2 s`; axes
+/// and times are included if they differ from the scenario's.
 impl fmt::Display for Reading {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self.order {

@@ -1,4 +1,4 @@
-//! The reading of a log, found by the motion that it has to begin with.
+//! Determination of a log's reading from the known beginning of the motion.
 
 use super::axes::SignedAxes;
 use super::beginning::CLEARLY;
@@ -14,7 +14,7 @@ use super::reference::require_judged;
 use super::search::{FITS, SAME, Search, is_same_motion};
 use crate::motion::task::scenario::Scenario;
 
-/// A log's reading, and those that it was found among.
+/// Reading of a log, and the readings among which it was selected.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Readings {
     /// Meaning of the times and attitudes.
@@ -23,42 +23,47 @@ pub struct Readings {
     pub omega: Option<OmegaReading>,
     /// All readings that were tried, best first.
     pub tried: Vec<ReadingResidual>,
-    /// Number of them, from the first, that give the same motion to the last row: any of them may be meant.
+    /// Number of readings, from the first, that give the same motion up to the last row; any of
+    /// them may be the intended one.
     pub equivalent: usize,
-    /// Whether the readings were compared from the log's own first attitude on, as none begins with that of the scenario.
+    /// True if the motions were compared relative to the log's own first attitude, because no
+    /// reading begins with that of the scenario.
     pub from_own_start: bool,
-    /// True if the reading contradicts the names of the log's columns: order, sense, frame, components or a unit.
+    /// True if the reading contradicts the names of the log's columns: order, sense, frame,
+    /// components or a unit.
     pub is_against_names: bool,
-    /// Mistakes of the program. The reading is the stated one, so that they are in the errors.
+    /// Mistakes of the program. The reading is the stated one, so that the errors include them.
     pub mistakes: Vec<LogMistake>,
 }
 
 impl Readings {
-    /// Finds what the numbers of a log mean: what is declared, and of the rest what begins as the scenario does.
+    /// Determines the meaning of a log's numbers: the declared meaning, and otherwise the one with
+    /// which the log begins like the scenario.
     ///
-    /// These are tried until one fits:
+    /// The following are tried until one fits:
     ///
-    /// 1. the names of the columns, with the times as they are and from the scenario's start;
+    /// 1. the names of the columns, with the times as stated and counted from the scenario's start;
     /// 2. all orders and senses;
-    /// 3. other units of time in which the log turns as fast as the scenario at its first row;
+    /// 3. other units of time in which the log rotates as fast as the scenario at its first row;
     /// 4. other axes;
     /// 5. a first row some time after the scenario's start;
-    /// 6. a first row that is the scenario's start in one reading alone: the program is wrong from its first step on;
-    /// 7. the turn since the first row, as the run may start elsewhere.
+    /// 6. a first row that equals the scenario's start in one reading only: the program is wrong
+    ///    from its first step;
+    /// 7. the rotation since the first row, because the run may have a different start.
     ///
-    /// The times are those that the log says, unless it begins clearly better from the scenario's
-    /// start. Readings that give the same motion to the last row are one. If the user declares
-    /// order and sense and nothing fits, they are believed.
+    /// The times are those stated in the log, unless it begins clearly better from the scenario's
+    /// start. Readings that give the same motion up to the last row count as one. If the user
+    /// declares order and sense and nothing fits, these are used.
     ///
-    /// Two findings are [`Readings::mistakes`]. The rows are late: they are stated from the
-    /// scenario's start on and begin later, or are late by one to three rows. The components of ω
-    /// are mirrored.
+    /// Two findings are [`Readings::mistakes`]. First, late rows: the stated times begin at the
+    /// scenario's start but the rows begin later, or the rows are late by one to three rows.
+    /// Second, mirrored components of ω.
     ///
     /// # Errors
     /// [`JudgeError::NoReading`], [`JudgeError::OtherRate`], [`JudgeError::NotSearched`],
     /// [`JudgeError::FarTimes`], [`JudgeError::Ambiguous`], [`JudgeError::AmbiguousOmega`] and
-    /// [`JudgeError::NoOmega`] where the log does not tell, and was not declared; as
-    /// [`super::Reference::of`].
+    /// [`JudgeError::NoOmega`] if the log does not determine the meaning and it is not declared;
+    /// and the errors of [`super::Reference::of`].
     pub fn of(log: &MotionLog, scenario: &Scenario, declared: &DeclaredReading) -> Result<Self, JudgeError> {
         require_judged(scenario)?;
         let search = Search::new(log, scenario, declared)?;
@@ -69,7 +74,8 @@ impl Readings {
         let fitting = if best.relative <= FITS { tried.iter().take_while(near).count() } else { 1 };
         let is_same = |other: &&ReadingResidual| is_same_motion(log, &best.reading, &other.reading);
         let mut equivalent = tried.iter().take(fitting).filter(is_same).count();
-        // Axes that are not the scenario's are found only where the motion tells them from all others.
+        // Axes different from the scenario's are accepted only if the motion distinguishes them
+        // from all others.
         let is_told = best.reading.axes == search.plain_axes() || equivalent == 1;
         if equivalent < fitting || !is_told {
             return Err(JudgeError::Ambiguous { tried, fitting });
@@ -103,12 +109,12 @@ impl Readings {
         Ok(Self { reading, omega, tried, equivalent, from_own_start, is_against_names, mistakes })
     }
 
-    /// Frame of ω, if the log has any.
+    /// Returns the frame of ω, if the log has ω.
     pub fn omega_axes(&self) -> Option<OmegaAxes> {
         self.omega.map(|omega| omega.frame)
     }
 
-    /// A log's motion.
+    /// Returns the motion of a log with this reading.
     pub fn read(&self, log: &MotionLog) -> ReadMotion {
         self.reading.read(log, self.omega)
     }

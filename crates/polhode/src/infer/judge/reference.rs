@@ -1,4 +1,4 @@
-//! The exact motion at the times of a log.
+//! Exact motion at the times of a log.
 
 use super::error::JudgeError;
 use crate::motion::error::MotionError;
@@ -11,29 +11,32 @@ use crate::motion::task::asked::{Mechanism, Task};
 use crate::motion::task::run::Run;
 use crate::motion::task::scenario::Scenario;
 
-/// The states of a scenario at given times, with what they may be wrong by.
+/// States of a scenario at given times, with error estimates.
 ///
 /// # Accuracy
-/// Closed forms where they are known, else Taylor's method with steps of 1e-14. [`Reference::error`] is estimated as of every
-/// computed motion ([`crate::motion::GlobalError`]), at up to 64 of the times, and is that of the next of them between.
+/// Closed forms are used where they are known, otherwise Taylor's method with a step tolerance of
+/// 1e-14. [`Reference::error`] is estimated as for every computed motion
+/// ([`crate::motion::GlobalError`]), at up to 64 of the times; in between, it is that of the next
+/// of these times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
     states: Vec<State>,
     errors: Vec<(usize, StateError)>,
 }
 
-/// At how many of the times the error is estimated.
+/// Number of times at which the error is estimated.
 const ESTIMATED: usize = 64;
-/// Of each step.
+/// Relative tolerance of each step.
 const TOLERANCE: f64 = 1e-14;
 
 impl Reference {
-    /// The motion of a scenario at times (s, ascending, none before its start).
+    /// Computes the motion of a scenario at times (s, ascending, none before its start).
     ///
     /// # Errors
-    /// [`JudgeError::NoMotion`] of a scenario whose motion is prescribed, [`JudgeError::Changing`] and
-    /// [`JudgeError::OnGround`] and [`JudgeError::InGimbals`] of one whose body changes, is on the ground or hangs in gimbals; [`JudgeError::BeforeStart`] and [`JudgeError::Ends`] of times at
-    /// which it has none; [`JudgeError::Motion`] of a motion that cannot be computed.
+    /// [`JudgeError::NoMotion`] for a prescribed motion; [`JudgeError::Changing`],
+    /// [`JudgeError::OnGround`] or [`JudgeError::InGimbals`] for a body that changes, is on the
+    /// ground or is in gimbals; [`JudgeError::BeforeStart`] and [`JudgeError::Ends`] for times
+    /// outside the motion; [`JudgeError::Motion`] if the motion cannot be computed.
     pub fn of(scenario: &Scenario, times: &[f64]) -> Result<Self, JudgeError> {
         let states = states(scenario, times)?;
         let picked = spread(times.len(), ESTIMATED);
@@ -47,17 +50,17 @@ impl Reference {
         Ok(Self { states, errors })
     }
 
-    /// One for each time.
+    /// Returns one state for each time.
     pub fn states(&self) -> &[State] {
         &self.states
     }
 
-    /// The largest |ω|, rad/s.
+    /// Returns the largest |ω|, rad/s.
     pub fn fastest(&self) -> f64 {
         self.states.iter().map(|state| state.omega.norm()).fold(0.0, f64::max)
     }
 
-    /// What the state of a row, from 0, may be wrong by.
+    /// Returns the estimated error of the state of a row, from 0.
     pub fn error(&self, row: usize) -> StateError {
         let next = self.errors.partition_point(|&(at, _)| at < row);
         let known = self.errors.get(next).or_else(|| self.errors.last());
@@ -65,10 +68,11 @@ impl Reference {
     }
 }
 
-/// Checks that a scenario has a motion that others can be compared with.
+/// Checks that a scenario has a motion with which others can be compared.
 ///
 /// # Errors
-/// [`JudgeError::NoMotion`], [`JudgeError::Changing`], [`JudgeError::OnGround`], [`JudgeError::InGimbals`].
+/// [`JudgeError::NoMotion`], [`JudgeError::Changing`], [`JudgeError::OnGround`] or
+/// [`JudgeError::InGimbals`] otherwise.
 pub(super) fn require_judged(scenario: &Scenario) -> Result<(), JudgeError> {
     if scenario.history().is_some() {
         return Err(JudgeError::Changing);
@@ -92,10 +96,10 @@ fn require_after_start(scenario: &Scenario, times: &[f64]) -> Result<(), JudgeEr
     }
 }
 
-/// The states at times.
+/// Returns the states at the given times.
 ///
 /// # Errors
-/// As [`Reference::of`].
+/// The errors of [`Reference::of`].
 fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<State>, JudgeError> {
     require_judged(scenario)?;
     require_after_start(scenario, times)?;
@@ -105,10 +109,11 @@ fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<State>, JudgeError> 
     whole(scenario, times, &simulation(scenario, scenario.start(), times).run()?)
 }
 
-/// The states at times from a state of the motion on; `None` if that takes more than `most` steps of integration.
+/// Returns the states at the given times, starting from a state of the motion; `None` if this takes
+/// more than `most` integration steps.
 ///
 /// # Errors
-/// As [`Reference::of`].
+/// The errors of [`Reference::of`].
 pub(super) fn states_within(
     scenario: &Scenario,
     from: State,
@@ -136,10 +141,10 @@ fn simulation<'a>(scenario: &'a Scenario, from: State, times: &'a [f64]) -> Simu
         .tolerance(TOLERANCE)
 }
 
-/// The states of a trajectory that reaches all of the times.
+/// Returns the states of a trajectory; an error if it does not reach all times.
 fn whole(scenario: &Scenario, times: &[f64], motion: &Trajectory) -> Result<Vec<State>, JudgeError> {
     let mut states: Vec<State> = motion.samples().iter().map(|sample| sample.state).collect();
-    // A motion that ends early has a last sample at its end.
+    // A motion that ends early has its last sample at its end.
     let is_reached = |k: usize| states.get(k).is_some_and(|state| state.time == times[k]);
     match (0..times.len()).find(|&k| !is_reached(k)) {
         None => {
@@ -153,7 +158,7 @@ fn whole(scenario: &Scenario, times: &[f64], motion: &Trajectory) -> Result<Vec<
     }
 }
 
-/// Up to `most` of `count` rows, evenly spread, the first and the last among them.
+/// Returns up to `most` of `count` rows, evenly spread, including the first and the last.
 pub(super) fn spread(count: usize, most: usize) -> Vec<usize> {
     let (last, steps) = (count.saturating_sub(1), most.min(count).saturating_sub(1).max(1));
     let mut rows: Vec<usize> =

@@ -1,4 +1,4 @@
-//! The error of a motion at every row.
+//! Errors of a motion at every row.
 
 use super::difference::{length, rotation_vector, to_space};
 use super::motion::ReadMotion;
@@ -7,34 +7,35 @@ use crate::math::vector::{AngularMomentum, AngularVelocity};
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
-/// The errors of a motion, row by row.
+/// Errors of a motion, row by row.
 ///
-/// Each of ω, T and L is a part of the largest exact value of the run, as pendulums stand still at their turning points.
+/// The errors of ω, T and L are relative to the largest exact value of the run, because a pendulum
+/// is at rest at its turning points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RowErrors {
-    /// θ of R = R_exact exp(θ), along body axes, rad.
+    /// Rotation vector θ of R = R_exact exp(θ), body axes, rad.
     pub attitude: Vec<[f64; 3]>,
-    /// What is read off ω, where the log has it.
+    /// Errors of ω and derived quantities, if the log has ω.
     pub rates: Option<RateErrors>,
-    /// The largest difference of a quaternion's length from 1.
+    /// Largest deviation of a quaternion's length from 1.
     pub norm: f64,
 }
 
-/// The errors of ω and of what follows from it, row by row.
+/// Errors of ω and derived quantities, row by row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RateErrors {
-    /// |δω|, relative.
+    /// Relative error |δω|.
     pub omega: Vec<f64>,
-    /// δT of T = ½ ω · I ω, relative, with its sign.
+    /// Relative error of the kinetic energy T = ½ ω · I ω, with its sign.
     pub kinetic_energy: Vec<f64>,
-    /// δ|L| of L = I ω + h, relative, with its sign.
+    /// Relative error of |L|, with L = I ω + h, with its sign.
     pub momentum: Vec<f64>,
-    /// The angle between L in space and the exact one, rad.
+    /// Angle between L in space and the exact one, rad.
     pub momentum_direction: Vec<f64>,
 }
 
 impl RowErrors {
-    /// Of a motion and the exact states at its times.
+    /// Computes the errors of a motion from the exact states at its times.
     pub fn of(rotor: &Rotor, motion: &ReadMotion, exact: &[State]) -> Self {
         let rows = || motion.attitude.iter().zip(exact);
         let attitude =
@@ -45,12 +46,12 @@ impl RowErrors {
         Self { attitude, rates, norm }
     }
 
-    /// The angle between the attitude of a row and the exact one, rad.
+    /// Returns the angle between the attitude of a row and the exact one, rad.
     pub fn angle(&self, row: usize) -> f64 {
         self.attitude.get(row).map_or(f64::NAN, |&theta| length(theta))
     }
 
-    /// The angles of all rows, rad.
+    /// Returns the angles of all rows, rad.
     pub fn angles(&self) -> Vec<f64> {
         self.attitude.iter().map(|&theta| length(theta)).collect()
     }

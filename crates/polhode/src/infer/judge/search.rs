@@ -1,4 +1,4 @@
-//! Search for the reading of a log: ways of reading, tried in turn until one fits.
+//! Search for the reading of a log: groups of readings are tried in turn until one fits.
 
 use super::axes::SignedAxes;
 use super::beginning::{BEGINNING, Beginning, CLEARLY, COMPARED, Clock, logged_rate};
@@ -11,31 +11,37 @@ use super::reference::spread;
 use super::shifted::{Shifted, shifted};
 use crate::motion::task::scenario::Scenario;
 
-/// Bound on the residual of a reading that fits, relative to the turn.
+/// Largest residual of a reading that fits, relative to the rotation angle.
 ///
-/// A wrong law of motion is of second order in the turn. A wrong reading is off by as much as the body stands turned.
+/// The error of a wrong law of motion is of second order in the angle. The error of a wrong reading
+/// is as large as the angle itself.
 pub(super) const FITS: f64 = 0.3;
-/// Bound on the same below which no other way of reading is tried: the rounding of rows 0.1 rad of turn apart.
+/// Residual (relative) below which no other group is tried: the rounding of rows at intervals of
+/// 0.1 rad.
 const EXACT: f64 = 1e-6;
-/// Bound on the same for a way of reading that replaces a plainer one which fits roughly.
+/// Largest residual (relative) of a group that replaces a simpler one which fits roughly.
 const REPLACES: f64 = 0.03;
-/// Bound on the same from the log's own start, where the first row fits any reading.
+/// Largest residual (relative) from the log's own start, where the first row fits any reading.
 const FITS_OWN: f64 = 0.1;
-/// Angle between equal motions, rad: rounding of two conversions.
+/// Angle between equal motions, rad: the rounding of two conversions.
 pub(super) const SAME: f64 = 1e-12;
-/// Angle up to which a first row is the scenario's start, rad: single precision and four digits pass.
+/// Largest angle between a first row and the scenario's start that count as equal, rad; single
+/// precision and four digits satisfy it.
 const BEGUN: f64 = 1e-4;
-/// Steps of integration to the first rows: of clocks that are tried, and of rows that may be far apart.
+/// Maximum number of integration steps to the first rows: for clocks that are tried, and for rows
+/// that may be far apart.
 const MOST: [usize; 2] = [10_000, 1_000_000];
-/// Ratio of the log's angular velocity to the scenario's; beyond it only the first rows agree, and nothing is compared.
+/// Range of the ratio of the log's angular velocity to the scenario's. Outside it only the first
+/// rows agree, and nothing is compared.
 const RATES: core::ops::RangeInclusive<f64> = 0.2..=5.0;
-/// Ratio of the same below which the log stands still: a program that does not step.
+/// Ratio below which the log is constant: the program does not step.
 const STILL: f64 = 1e-6;
-/// Turn of a beginning, rad, over which |ω| is still that of the start.
+/// Rotation angle of a beginning, rad, over which |ω| is still that of the start.
 const NEAR_START: f64 = 1.0;
-/// Rows by which stated times may be early and still be a mistake, not the origin of another clock.
+/// Largest number of rows by which stated times may be early and count as a mistake, not as the
+/// origin of another clock.
 const LATE_ROWS: f64 = 3.0;
-/// Part of the distance of two rows within which times are equal.
+/// Fraction of the row spacing within which times are equal.
 const ROW_PART: f64 = 1e-3;
 
 /// Search for the reading of a log.
@@ -47,18 +53,19 @@ pub(super) struct Search<'a> {
     stated: Vec<Beginning>,
     /// Reason why a beginning with the stated unit was not compared.
     missed: Option<JudgeError>,
-    /// Angular velocity by the log's attitudes, in the stated unit, relative to that of the scenario near its start.
+    /// Angular velocity from the log's attitudes, in the stated unit, relative to that of the
+    /// scenario near its start.
     ratio: Option<f64>,
 }
 
-/// Readings of the way that fits, best first.
+/// Readings of the group that fits, best first.
 #[derive(Debug)]
 pub(super) struct Found {
     pub(super) tried: Tried,
-    /// Beginnings that they were compared with.
+    /// Beginnings with which they were compared.
     pub(super) beginnings: Vec<Beginning>,
     pub(super) from_own_start: bool,
-    /// True if the first row was found to be some time after the scenario's start.
+    /// True if the first row is some time after the scenario's start.
     pub(super) is_shifted: bool,
 }
 
@@ -87,7 +94,7 @@ impl<'a> Search<'a> {
             }
             let is_said = as_said.time(first) == start;
             let clock = if is_said { as_said } else { Clock::beginning_at(start, log, factor) };
-            // Rows that are near each other take few steps, if the unit is right.
+            // Rows that are close together take few steps if the unit is correct.
             match Beginning::of(log, scenario, clock, MOST[usize::from(rate.is_none())]) {
                 Ok(found) => stated.extend(found),
                 Err(error) => missed = Some(error),
@@ -103,7 +110,7 @@ impl<'a> Search<'a> {
         self.declared.axes.unwrap_or(SignedAxes::SAME)
     }
 
-    /// Returns the readings of the first way that fits.
+    /// Returns the readings of the first group that fits.
     pub(super) fn found(&self) -> Result<Found, JudgeError> {
         let certain = self.declared.certain();
         let named = self.residuals(self.declared, &[self.plain_axes()], &self.stated, false);
@@ -145,7 +152,8 @@ impl<'a> Search<'a> {
         Found { tried, beginnings, from_own_start: false, is_shifted: false }
     }
 
-    /// Readings of a log that begins as the scenario does: other orders and senses, units of time and axes.
+    /// Returns readings of a log that begins like the scenario: other orders and senses, units of
+    /// time and axes.
     fn beginning_with_start(&self, named: &Tried, any: &Tried) -> Option<Found> {
         let (stated, certain, plain) = (&self.stated, self.declared.certain(), [self.plain_axes()]);
         let axes: &[SignedAxes] = if self.declared.axes.is_some() { &[] } else { &SignedAxes::ALL };
@@ -161,7 +169,8 @@ impl<'a> Search<'a> {
         Some(Found { beginnings: beginnings.clone(), ..self.in_stated(tried) })
     }
 
-    /// Beginnings with other units of time, in which the log turns as fast as the scenario at its first row.
+    /// Returns beginnings with other units of time in which the log rotates as fast as the scenario
+    /// at its first row.
     fn scaled(&self) -> Vec<Beginning> {
         let start = self.scenario.start().time;
         let clocks = self.factors().flat_map(|factor| {
@@ -174,18 +183,18 @@ impl<'a> Search<'a> {
             origins.into_iter().map(move |origin| Clock { origin, factor })
         });
         let beginning = |clock: Clock| Beginning::of(self.log, self.scenario, clock, MOST[0]).ok().flatten();
-        // Rows of a body that does not move fit any motion that is slow enough.
+        // Rows of a body at rest fit any motion that is slow enough.
         let is_told = |found: &Beginning| found.turn() >= 0.5 * BEGINNING && found.has_same_rate(self.log);
         clocks.filter_map(beginning).filter(is_told).collect()
     }
 
-    /// Units of time that may be tried, as factors of the stated one.
+    /// Returns the units of time that are tried, as factors of the stated one.
     fn factors(&self) -> impl Iterator<Item = f64> {
         let is_certain = self.declared.time_factor.is_some();
         Reading::TIME_FACTORS.into_iter().map(|(factor, _)| factor).filter(move |_| !is_certain)
     }
 
-    /// Readings with the first row some time after the scenario's start.
+    /// Returns readings with the first row some time after the scenario's start.
     fn later(&self) -> Shifted {
         if self.declared.time_origin.is_some() {
             return Shifted::Nowhere;
@@ -195,11 +204,11 @@ impl<'a> Search<'a> {
         shifted(self.log, self.scenario, &readings, stated.factor, &self.factors().collect::<Vec<_>>())
     }
 
-    /// Returns the time by which the rows are later than stated, s, if the clock that was found
-    /// shows that the stated one is wrong.
+    /// Returns the time by which the rows are later than stated, s, if the determined clock shows
+    /// that the stated one is wrong.
     ///
     /// The stated clock is wrong if it begins at the scenario's start, or is one to three whole
-    /// rows early. Any other one has an origin of its own.
+    /// rows early. Any other clock has a different origin.
     pub(super) fn late_by(&self, found: &Reading) -> Option<f64> {
         let [first, second, ..] = self.log.times() else { return None };
         let (stated, spacing) = (first * found.time_factor, (second - first) * found.time_factor);
@@ -217,8 +226,8 @@ impl<'a> Search<'a> {
         Some(stated.residual(self.log, reading, false))
     }
 
-    /// Readings that the user declares, of a log that begins otherwise; from its own start if it
-    /// turns as the scenario does from there.
+    /// Returns the readings that the user declares, for a log that begins differently; from its own
+    /// start if it rotates like the scenario from there.
     fn as_declared(&self, mut named: Tried) -> Found {
         if let Some(begun) = self.begun(&named) {
             return self.in_stated(begun);
@@ -227,12 +236,12 @@ impl<'a> Search<'a> {
         if fits(&own, FITS) {
             return Found { from_own_start: true, ..self.in_stated(own) };
         }
-        // None fits: the times are those that the log says.
+        // If none fits, the times are those stated in the log.
         named.sort_by_key(|other| other.reading.time_origin != 0.0);
         Found { tried: named, beginnings: self.stated.clone(), from_own_start: false, is_shifted: false }
     }
 
-    /// Readings of a program that is wrong from its first step on, or starts elsewhere.
+    /// Returns readings of a program that is wrong from its first step, or has a different start.
     fn wrong_from_start(&self, named: &Tried) -> Option<Found> {
         if let Some(begun) = self.begun(named) {
             return Some(self.in_stated(begun));
@@ -246,7 +255,7 @@ impl<'a> Search<'a> {
         None
     }
 
-    /// All readings that are not excluded, best first; of equals the plainest.
+    /// Returns all readings that are not excluded, best first; of equal ones the simplest first.
     fn residuals(
         &self,
         declared: &DeclaredReading,
@@ -265,8 +274,8 @@ impl<'a> Search<'a> {
         tried
     }
 
-    /// Puts the one reading in which the first row is the scenario's start before the others;
-    /// `None` if there is none, or several.
+    /// Moves the one reading whose first row is the scenario's start to the front; `None` if there
+    /// is none, or several.
     fn begun(&self, tried: &[ReadingResidual]) -> Option<Tried> {
         let off = |other: &ReadingResidual| {
             let beginning = self.stated.iter().find(|beginning| beginning.clock.is_of(&other.reading));
@@ -281,7 +290,7 @@ impl<'a> Search<'a> {
     }
 }
 
-/// All meanings of a log's columns that are not excluded.
+/// Returns all meanings of a log's columns that are not excluded.
 fn meanings(declared: &DeclaredReading, axes: &[SignedAxes], clock: Clock) -> Vec<Reading> {
     let Clock { origin: time_origin, factor: time_factor } = clock;
     let is_allowed = |order: &QuaternionOrder| declared.order.is_none_or(|declared| declared == *order);
@@ -297,7 +306,7 @@ fn meanings(declared: &DeclaredReading, axes: &[SignedAxes], clock: Clock) -> Ve
     readings
 }
 
-/// The first way of reading that fits, unless a later one fits far better: a motion about nearly
+/// Returns the first group that fits, unless a later one fits much better: a motion about nearly
 /// the same axis may fit roughly.
 fn nearest<T>(ways: impl IntoIterator<Item = (T, Tried)>) -> Option<(T, Tried)> {
     let mut nearest: Option<(T, Tried)> = None;
@@ -318,9 +327,9 @@ fn fits(tried: &[ReadingResidual], most: f64) -> bool {
     tried.first().is_some_and(|best| best.relative <= most)
 }
 
-/// The times of a log are those that it says, unless from another origin it begins clearly better:
-/// of the others those that come near are put behind. A rough method's first steps are as far off
-/// as its rows are apart.
+/// Keeps only the readings with the stated times, unless another origin gives a clearly better
+/// beginning. The first steps of an inaccurate method are in error by about one row, so a shifted
+/// clock may fit slightly better.
 fn times_as_said(mut tried: Tried) -> Tried {
     let Some(best) = tried.first().copied() else { return tried };
     let is_said = |other: &ReadingResidual| {
@@ -335,7 +344,7 @@ fn times_as_said(mut tried: Tried) -> Tried {
     tried
 }
 
-/// True if two readings give the same motion at the same times.
+/// Returns true if two readings give the same motion at the same times.
 pub(super) fn is_same_motion(log: &MotionLog, a: &Reading, b: &Reading) -> bool {
     let same = |row: usize| {
         let numbers = log.attitude()[row];

@@ -1,4 +1,4 @@
-//! Clocks under which a log begins some time after the scenario's start.
+//! Search for clocks with which a log begins some time after the scenario's start.
 
 use super::beginning::{BEGINNING, Beginning, CLEARLY, COMPARED, Clock, logged_rate};
 use super::difference::{angle_between, rotation_vector};
@@ -9,42 +9,47 @@ use super::reference::{spread, states_within};
 use crate::motion::model::state::State;
 use crate::motion::task::scenario::Scenario;
 
-/// Turn between two states of the exact motion that a first row is compared with, rad.
+/// Rotation angle between two states of the exact motion with which a first row is compared, rad.
 const TURN: f64 = 0.05;
-/// Number of these states: 400 rad.
+/// Number of these states; they span 400 rad.
 const LOOKED: usize = 8192;
-/// Steps of integration over them, and over a motion that may turn farther.
+/// Maximum numbers of integration steps over these states, and over a motion that may rotate
+/// farther.
 const MOST: [usize; 2] = [20_000, 4000];
-/// Rounds in which the time that the motion takes for this turn is found, and states in each.
+/// Number of rounds in which the duration of this rotation is estimated, and number of states in
+/// each.
 const ROUNDS: usize = 16;
 const PROFILE: usize = 512;
-/// Approaches of the exact motion to the first row that are followed.
+/// Maximum number of approaches of the exact motion to the first row that are refined.
 const FOLLOWED: usize = 24;
-/// Angle within which an approach counts, on the grid and at its nearest, rad.
+/// Largest angle of an approach, on the grid and after refinement, rad.
 const APPROACH: [f64; 2] = [0.2, 0.02];
-/// Bound on the residual of a clock that fits, relative to the turn: a fitted clock leaves less than other readings.
+/// Largest residual (relative to the rotation angle) of a clock that fits; a fitted clock has a
+/// smaller residual than other readings.
 const FITS_FITTED: f64 = 0.05;
-/// Residual that rounding makes, rad.
+/// Residual due to rounding, rad.
 const ROUNDING: f64 = 1e-9;
-/// Angle between motions that are the same, rad, besides the residuals.
+/// Largest angle between motions that count as equal, rad, in addition to the residuals.
 const SAME_SHIFTED: f64 = 1e-6;
-/// Ratio of the log's angular velocity to the exact one, of a unit that is tried: |ω| may change soon after the first row.
+/// Range of the ratio of the log's angular velocity to the exact one for a unit that is tried; |ω|
+/// may change soon after the first row.
 const RATES_TRIED: core::ops::RangeInclusive<f64> = 0.03..=30.0;
 
-/// Result of a search for the time of a first row.
+/// Result of the search for the time of a first row.
 #[derive(Debug)]
 pub(super) enum Shifted {
     /// Readings, best first, and the beginning of the best one.
     Found(Vec<ReadingResidual>, Beginning),
-    /// No clock fits.
+    /// No clock fits the log.
     Nowhere,
     /// The exact motion cannot be computed.
     NotSearched,
 }
 
-/// Finds the clocks that fit, in the stated unit of time and in others. The clocks of `readings` are ignored.
+/// Finds the clocks that fit, in the stated unit of time and in others. The clocks of `readings`
+/// are ignored.
 ///
-/// Keeps only the earliest of clocks that give the same motion to the last row.
+/// Only the earliest of the clocks that give the same motion up to the last row is kept.
 pub(super) fn shifted(
     log: &MotionLog,
     scenario: &Scenario,
@@ -84,7 +89,8 @@ pub(super) fn shifted(
     Shifted::Found(core::iter::once(earliest).chain(others).collect(), beginning)
 }
 
-/// States of the exact motion from the start on, [`TURN`] apart, as many as [`LOOKED`] or as far as the motion goes.
+/// Returns states of the exact motion from the start, at intervals of [`TURN`], at most [`LOOKED`]
+/// or as far as the motion reaches.
 ///
 /// Returns `None` if they cannot be computed. `duration` (s) is a first guess for a body at rest.
 fn searched(scenario: &Scenario, duration: f64) -> Option<Vec<State>> {
@@ -110,7 +116,7 @@ fn searched(scenario: &Scenario, duration: f64) -> Option<Vec<State>> {
         let (turned, at) = turns(&profile);
         let end = at.last().map_or(0.0, |end| end - start.time);
         times = Some(at);
-        // Too coarse a profile, or too short a one.
+        // The profile is too coarse or too short.
         if turned > 2.0 * wanted {
             span = end.max(span / PROFILE as f64);
         } else if turned < 0.5 * wanted && 2.0 * span < longest {
@@ -122,7 +128,8 @@ fn searched(scenario: &Scenario, duration: f64) -> Option<Vec<State>> {
     states_within(scenario, start, &times?, MOST[0]).ok()?
 }
 
-/// ∫ |ω| dt by the trapezoidal rule, rad, and the times (s) at which it is a multiple of [`TURN`], at most [`LOOKED`] ones.
+/// Returns ∫ |ω| dt by the trapezoidal rule, rad, and at most [`LOOKED`] times (s) at which it is a
+/// multiple of [`TURN`].
 fn turns(states: &[State]) -> (f64, Vec<f64>) {
     let (mut turned, mut times) = (0.0, Vec::with_capacity(LOOKED));
     times.extend(states.first().map(|first| first.time));
@@ -138,7 +145,7 @@ fn turns(states: &[State]) -> (f64, Vec<f64>) {
     (turned, times)
 }
 
-/// States of the exact motion at the times at which it passes an attitude.
+/// Returns states of the exact motion at the times at which it passes an attitude.
 fn approaches(scenario: &Scenario, states: &[State], attitude: [f64; 4]) -> Vec<State> {
     let angle = |state: &State| angle_between(state.attitude.quaternion(), attitude);
     let angles: Vec<f64> = states.iter().map(angle).collect();
@@ -152,7 +159,7 @@ fn approaches(scenario: &Scenario, states: &[State], attitude: [f64; 4]) -> Vec<
         let from = states[k.saturating_sub(2)];
         let (mut time, mut state) = (states[k].time, states[k]);
         for _ in 0..4 {
-            // Least squares of |θ − δt ω|
+            // Least squares of |θ − δt ω|.
             let theta = rotation_vector(state.attitude.quaternion(), attitude);
             time = (time + shift([(theta, &state)])).max(from.time);
             [state] = *states_within(scenario, from, &[time], MOST[0]).ok()??.first_chunk()?;
@@ -162,7 +169,7 @@ fn approaches(scenario: &Scenario, states: &[State], attitude: [f64; 4]) -> Vec<
     near.into_iter().filter_map(nearest).collect()
 }
 
-/// δt = Σ θ · ω / Σ |ω|², s
+/// Returns δt = Σ θ · ω / Σ |ω|², s.
 fn shift<'a>(rows: impl IntoIterator<Item = ([f64; 3], &'a State)>) -> f64 {
     let (mut across, mut square) = (0.0, f64::MIN_POSITIVE);
     for (theta, state) in rows {
@@ -173,7 +180,8 @@ fn shift<'a>(rows: impl IntoIterator<Item = ([f64; 3], &'a State)>) -> f64 {
     across / square
 }
 
-/// The clock near one with which the log begins at `time` that fits the beginning best, if that fits.
+/// Returns the clock, close to one with which the log begins at `time`, that fits the beginning
+/// best, if it fits.
 fn fitted(
     log: &MotionLog,
     scenario: &Scenario,
@@ -202,7 +210,8 @@ fn fitted(
     })
 }
 
-/// True if two readings with clocks of their own give the same motion: their rows are off the exact states alike.
+/// Returns true if two readings with different clocks give the same motion: their rows have the
+/// same errors relative to the exact states.
 fn is_same_motion(log: &MotionLog, scenario: &Scenario, a: &ReadingResidual, b: &ReadingResidual) -> bool {
     let rows = spread(log.times().len(), COMPARED);
     let exact = |reading: &Reading| {

@@ -1,64 +1,66 @@
-//! The error of a motion, split into what its author can mend.
+//! Decomposition of a motion's error into components that its author can correct.
 
 use super::difference::{conjugate, length, product, rotation_vector, to_body};
 use super::motion::ReadMotion;
 use super::reference::spread;
 use crate::motion::model::state::State;
 
-/// What an error is made of: each part is a motion that differs from the exact one in one respect.
+/// Decomposition of an error: each part is a motion that differs from the exact one in one respect.
 ///
-/// θ of R = R_exact exp(θ), in body axes, is fitted by least squares with
+/// θ of R = R_exact exp(θ), along body axes, is fitted by least squares with
 ///
 /// θ = R_exactᵀ (σ + t δ) + β + (τ + t ρ) ω,
 ///
-/// t since the start, as far as |θ| ≤ 0.3 rad, the part first that takes most from it. A first row that is farther off is taken out before.
+/// with t since the start, as long as |θ| ≤ 0.3 rad. The part that reduces the error most is fitted
+/// first. A larger rotation of the first row is removed before.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Split {
-    /// The parts, in the order of [`PartKind`].
+    /// Parts of the error, in the order of [`PartKind`].
     pub parts: Vec<SplitPart>,
-    /// What no part has, rad, root of the mean square.
+    /// RMS of the residual that no part explains, rad.
     pub rest: f64,
-    /// How much of it changes from row to row without rule, rad, root of the mean square.
+    /// RMS of the random part of the residual, from row to row, rad.
     pub noise: f64,
-    /// All of it, rad, root of the mean square.
+    /// RMS of the whole error, rad.
     pub total: f64,
-    /// Until when it could be split, s.
+    /// End of the decomposition, s: up to this time the error is small enough.
     pub until: f64,
 }
 
-/// A part of an error.
+/// Part of an error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SplitPart {
-    /// Which.
+    /// Kind of the part.
     pub kind: PartKind,
-    /// Its numbers, in units of [`PartKind::unit`]; one that is a scalar has it first. `None` of a part that takes nothing, or
-    /// looks like larger parts in this run.
+    /// Values of the part, in units of [`PartKind::unit`]; a scalar is the first value. `None` if
+    /// the part does not reduce the error, or cannot be distinguished from larger parts in this
+    /// run.
     pub value: Option<[f64; 3]>,
-    /// What it takes from the error that larger parts leave, rad, root of the mean square: with the rest, the squares add up to
-    /// that of the whole.
+    /// RMS by which the part reduces the error that larger parts leave, rad; the squares of all
+    /// parts and of the residual add up to that of the whole.
     pub attitude: f64,
 }
 
-/// The ways in which a motion may differ from the exact one.
+/// Kinds of differences between a motion and the exact one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PartKind {
-    /// σ: it starts turned, in space.
+    /// Start σ: the initial attitude is rotated in space.
     Start,
-    /// β: its axes in the body are turned.
+    /// Body axes β: the axes in the body are rotated.
     BodyAxes,
-    /// τ: its clock is ahead.
+    /// Clock τ: the clock is ahead.
     Clock,
-    /// ρ: it turns too fast.
+    /// Rate ρ: the rotation is too fast.
     Rate,
-    /// δ: it turns away slowly, in space.
+    /// Drift δ: the attitude drifts slowly in space.
     Drift,
 }
 
 impl PartKind {
-    /// All.
+    /// All kinds of parts.
     pub const ALL: [Self; 5] = [Self::Start, Self::BodyAxes, Self::Clock, Self::Rate, Self::Drift];
 
-    /// The unit of its numbers.
+    /// Returns the unit of its values.
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Start | Self::BodyAxes => "rad",
@@ -68,7 +70,7 @@ impl PartKind {
         }
     }
 
-    /// How many numbers it has.
+    /// Returns the number of its values.
     pub const fn count(self) -> usize {
         match self {
             Self::Start | Self::BodyAxes | Self::Drift => 3,
@@ -76,7 +78,7 @@ impl PartKind {
         }
     }
 
-    /// θ of a unit of each of its numbers.
+    /// Returns θ for a unit of each of its values.
     fn shapes(self, state: &State, since: f64) -> Vec<[f64; 3]> {
         let space = |factor: f64| {
             let axis = |k: usize| to_body(state.attitude.quaternion(), unit(k)).map(|c| c * factor);
@@ -97,20 +99,22 @@ fn unit(k: usize) -> [f64; 3] {
     core::array::from_fn(|i| if i == k { 1.0 } else { 0.0 })
 }
 
-/// |θ| up to which it is a small rotation, rad.
+/// Largest |θ| that counts as a small rotation, rad.
 const SMALL: f64 = 0.3;
-/// How many rows say what a first row is that is farther off.
+/// Number of rows that determine the kind of a larger rotation of the first row.
 const COMPARED: usize = 64;
-/// How many rows are fitted.
+/// Number of rows that are fitted.
 const FITTED: usize = 4000;
-/// A part of which less than this is left without those before it cannot be told from them.
+/// Smallest remaining fraction of a part, after removing those before it, for which it is
+/// distinguishable.
 const DISTINCT: f64 = 0.02;
-/// How many times what chance would take, and which part of the squares of all, a part has to take.
+/// Smallest significance of a part: ratio of its sum of squares to the expectation by chance, and
+/// to the sum of all squares.
 const CHANCE: f64 = 9.0;
 const LEAST: f64 = 1e-6;
 
 impl Split {
-    /// Of a motion and the exact states at its times.
+    /// Decomposes the error of a motion, given the exact states at its times.
     pub fn of(motion: &ReadMotion, exact: &[State]) -> Self {
         let wrong = Taken::of(motion, exact);
         let theta = |row: usize| {
@@ -147,7 +151,7 @@ impl Split {
             let found = parts.iter_mut().filter(|part| part.kind == kind);
             found.for_each(|part| *part = SplitPart { kind, value: Some(value), attitude });
         }
-        // The turn that was taken out, and what was fitted after it.
+        // Adds the rotation that was removed before the fit to the fitted value.
         if let Some((kind, turn)) = wrong.part() {
             for part in parts.iter_mut().filter(|part| part.kind == kind) {
                 let value = part.value.unwrap_or_default();
@@ -161,7 +165,7 @@ impl Split {
         Self { parts, rest: rms(&rest), noise, total, until }
     }
 
-    /// The parts that make at least a tenth of the error, largest first.
+    /// Returns the parts that contribute at least a tenth of the error, largest first.
     pub fn main_parts(&self) -> Vec<SplitPart> {
         let mut parts: Vec<SplitPart> =
             self.parts.iter().copied().filter(|part| part.attitude >= 0.1 * self.total).collect();
@@ -170,8 +174,9 @@ impl Split {
     }
 }
 
-/// The parts in the order in which they take most from what is left, as long as that is more than chance would, each with the squares that
-/// it takes; the fit of all of them, and what it leaves.
+/// Selects the parts in the order in which they reduce the remaining error most, as long as the
+/// reduction exceeds chance. Returns the parts with the squares that each removes, the fit of all
+/// of them, and its residual.
 fn chosen(mut left: Vec<(PartKind, Vec<Vec<f64>>)>, errors: &[f64]) -> (Vec<(PartKind, f64)>, Fit, Vec<f64>) {
     let (mut taken, mut fit, mut rest) = (Vec::new(), Fit::default(), errors.to_vec());
     let with = |fit: &Fit, columns: &[Vec<f64>]| {
@@ -195,7 +200,8 @@ fn chosen(mut left: Vec<(PartKind, Vec<Vec<f64>>)>, errors: &[f64]) -> (Vec<(Par
     (taken, fit, rest)
 }
 
-/// A turn of the first row that is no small error: in space, or of the axes in the body, whichever the rows after it have too.
+/// Large rotation of the first row, which is removed: in space, or of the axes in the body,
+/// whichever fits the later rows.
 #[derive(Clone, Copy)]
 enum Taken {
     Nothing,
@@ -226,7 +232,7 @@ impl Taken {
         if off(body) < off(space) { body } else { space }
     }
 
-    /// An attitude as it were without it.
+    /// Returns an attitude after removal of the rotation.
     fn without(self, read: [f64; 4]) -> [f64; 4] {
         match self {
             Self::Nothing => read,
@@ -235,7 +241,7 @@ impl Taken {
         }
     }
 
-    /// Which part of the error it is, and its rotation vector.
+    /// Returns the part of the error that it belongs to, and its rotation vector.
     fn part(self) -> Option<(PartKind, [f64; 3])> {
         let vector = |turn| rotation_vector([1.0, 0.0, 0.0, 0.0], turn);
         match self {
@@ -246,8 +252,9 @@ impl Taken {
     }
 }
 
-/// What changes from one row to the next without rule: of e_k with the variance σ², e_(k−1) − 2 e_k + e_(k+1) has 6 σ², and fourth
-/// differences have 70 σ²; what is smooth adds to both, less to one of them.
+/// Returns the RMS of the random change from row to row. If `e_k` has the variance σ², e_(k−1) − 2
+/// e_k + e_(k+1) has 6 σ² and fourth differences have 70 σ². A smooth error increases both
+/// estimates, one less than the other; the smaller one is used.
 fn noise(theta: &[f64]) -> f64 {
     let rows = theta.len() / 3;
     let rms = |binomial: &[f64], variance: f64| {
@@ -261,11 +268,12 @@ fn noise(theta: &[f64]) -> f64 {
     rms(&[1.0, -2.0, 1.0], 6.0).min(rms(&[1.0, -4.0, 6.0, -4.0, 1.0], 70.0))
 }
 
-/// Least squares by Gram–Schmidt, column by column: a column that those before it make almost alone is left out.
+/// Least squares by Gram–Schmidt orthogonalisation, column by column; a column that is nearly a
+/// combination of those before it is omitted.
 #[derive(Clone, Default)]
 struct Fit {
     orthonormal: Vec<Option<Vec<f64>>>,
-    /// R of A = Q R: of each column its components along those before it, and what is left.
+    /// R of A = Q R: the components of each column along those before it, and its remainder.
     triangle: Vec<Vec<f64>>,
 }
 
@@ -273,7 +281,7 @@ impl Fit {
     fn take(&mut self, column: Vec<f64>) {
         let (count, size) = (self.orthonormal.len(), dot(&column, &column).sqrt());
         let (mut left, mut along) = (column, vec![0.0; count + 1]);
-        // Twice, so that what is left is orthogonal to the last digit.
+        // Repeated, so that the remainder is orthogonal to full precision.
         for _ in 0..2 {
             for (k, q) in self.orthonormal.iter().enumerate() {
                 let Some(q) = q else { continue };
@@ -289,7 +297,7 @@ impl Fit {
         self.triangle.push(along);
     }
 
-    /// What is left of errors.
+    /// Returns the residual of the errors after the fit.
     fn rest(&self, errors: &[f64]) -> Vec<f64> {
         let mut rest = errors.to_vec();
         for q in self.orthonormal.iter().flatten() {
@@ -299,7 +307,7 @@ impl Fit {
         rest
     }
 
-    /// The factors of the columns; `None` of one that was left out.
+    /// Returns the coefficients of the columns; `None` for one that was omitted.
     fn solve(&self, errors: &[f64]) -> Vec<Option<f64>> {
         let mut values: Vec<Option<f64>> = vec![None; self.orthonormal.len()];
         for k in (0..self.orthonormal.len()).rev() {

@@ -1,4 +1,4 @@
-//! Arguments and results of two words, for closed forms: their long times multiply what one word would round.
+//! Double-double arguments and results for closed forms, whose long times amplify rounding.
 
 use crate::math::double::Double;
 use crate::math::triple::Triple;
@@ -9,30 +9,30 @@ use super::jacobi::{hyperbolic, landen};
 use super::reduced::Reduced;
 use super::{EllipticParameter, root};
 
-/// am u = jπ + φ, |φ| ≤ π/2, by the sine and cosine of φ.
+/// Amplitude am u = jπ + φ, |φ| ≤ π/2, given by the sine and cosine of φ.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Amplitude {
-    /// j, rounded if it is too large to count.
+    /// Number j of half turns; rounded if it is too large to count exactly.
     pub(crate) half_turns: f64,
-    /// Whether j is odd.
+    /// True if j is odd.
     pub(crate) odd: bool,
-    /// sn of the rest.
+    /// Sine of φ: sn of the remainder.
     pub(crate) sn: Double,
-    /// cn of the rest, not negative.
+    /// Cosine of φ: cn of the remainder, not negative.
     pub(crate) cn: Double,
-    /// dn
+    /// Delta amplitude dn.
     pub(crate) dn: Double,
 }
 
 impl Amplitude {
-    /// The sign (−1)ʲ of sn and cn.
+    /// Returns the sign (−1)ʲ of sn and cn.
     pub(crate) fn sign(&self) -> f64 {
         if self.odd { -1.0 } else { 1.0 }
     }
 }
 
 impl EllipticParameter {
-    /// am u. At m = 1 sn, cn and dn have one word.
+    /// Returns am u. At m = 1, sn, cn and dn have f64 precision only.
     pub(crate) fn amplitude(&self, u: Double) -> Amplitude {
         if self.is_hyperbolic() {
             let at = hyperbolic(u.value());
@@ -44,40 +44,41 @@ impl EllipticParameter {
         Amplitude { half_turns, odd, sn, cn, dn }
     }
 
-    /// m with both words.
+    /// Returns m as a double-double number.
     pub(crate) const fn m_in_words(&self) -> Double {
         self.m
     }
 
-    /// m and m₁, each with both words.
+    /// Returns m and m₁ as double-double numbers.
     pub(crate) const fn words(&self) -> [Double; 2] {
         [self.m, self.m1]
     }
 
-    /// K; infinite at m = 1.
+    /// Returns K; infinite at m = 1.
     pub(crate) fn quarter(&self) -> Double {
         if self.is_hyperbolic() { Double::from(f64::INFINITY) } else { Double::ONE / self.inverse_k.double() }
     }
 
-    /// F(φ | m) by the sine and cosine of φ, in two words; −π ≤ φ ≤ π.
+    /// Returns F(φ | m) from the sine and cosine of φ, in double-double arithmetic; −π ≤ φ ≤ π.
     pub(crate) fn first(&self, sin: Double, cos: Double) -> Double {
         let delta = hypotenuse(cos, root(self.m1) * sin);
         let to_axis = sin * rf([cos.abs(), delta, Double::ONE]);
         if cos.high >= 0.0 {
             return to_axis;
         }
-        // F(π − φ) = 2K − F(φ)
+        // F(π − φ) = 2K − F(φ).
         let half_turn = self.quarter().scaled(if sin.high < 0.0 { -2.0 } else { 2.0 });
         half_turn - to_axis
     }
 
-    /// ⅓ sn³ R_J(cn², dn², 1, cn² + n₁ sn²) of the rest: (Π(n) − F)/n at n = 1 − n₁, for every n₁ > 0.
+    /// Returns ⅓ sn³ R_J(cn², dn², 1, cn² + n₁ sn²) of the remainder: (Π(n) − F)/n at n = 1 − n₁,
+    /// for every n₁ > 0.
     pub(crate) fn third(&self, at: &Amplitude, n1: Double) -> Double {
         let p = hypotenuse(at.cn, n1.sqrt() * at.sn);
         at.sn * at.sn.square() * rj([at.cn, at.dn, Double::ONE], p) / Double::from(3.0)
     }
 
-    /// The same over a quarter turn.
+    /// Returns the same quantity over a quarter turn.
     pub(crate) fn complete_third(&self, n1: Double) -> Double {
         rj([Double::default(), root(self.m1), Double::ONE], n1.sqrt()) / Double::from(3.0)
     }
@@ -87,7 +88,7 @@ impl EllipticParameter {
 mod tests {
     use super::*;
 
-    /// By mpmath: two words of each value.
+    /// Reference values by mpmath, as double-double numbers.
     #[test]
     fn generic_points_have_22_digits() {
         let near = |got: Double, want: (f64, f64)| {

@@ -1,23 +1,28 @@
-//! Carlson's symmetric elliptic integrals, by duplication, of the *roots* of their usual arguments.
+//! Carlson's symmetric elliptic integrals by duplication, with the *square roots* of their usual
+//! arguments.
 //!
-//! With roots, duplication x → ¼(x + √x√y + √x√z + √y√z) is a → ½√((a + b)(a + c)): a product of sums of what is not
-//! negative, which keeps its digits whatever the ratios of the arguments, and squares of 10⁻¹⁶² or 10¹⁵⁴ are not met.
+//! With roots, duplication x → ¼(x + √x√y + √x√z + √y√z) becomes a → ½√((a + b)(a + c)). This is a
+//! product of sums of nonnegative numbers, which keeps full relative precision for any ratio of the
+//! arguments. Squares of 10⁻¹⁶² or 10¹⁵⁴ do not occur.
 //!
-//! Source: B. C. Carlson, Numerical Algorithms 10 (1995) 13; the series are DLMF 19.36.1 and 19.36.2.
+//! Source: B. C. Carlson, Numerical Algorithms 10 (1995) 13; the series are DLMF 19.36.1 and
+//! 19.36.2.
 
 use crate::math::double::Double;
 
-/// The series, of eighth order in the arguments' spread, begin when that is below this: errors below 10⁻²⁴.
+/// Spread of the arguments below which the series, of eighth order in the spread, are used: errors
+/// below 10⁻²⁴.
 const SPREAD: f64 = 1e-3;
 
-/// R_F(a², b², c²) = ½ ∫₀^∞ dt / √((t + a²)(t + b²)(t + c²)), at most one of a, b, c zero.
+/// Returns R_F(a², b², c²) = ½ ∫₀^∞ dt / √((t + a²)(t + b²)(t + c²)); at most one of a, b, c is
+/// zero.
 pub(super) fn rf(roots: [Double; 3]) -> Double {
     let [mut a, mut b, mut c] = roots;
     loop {
         let [x, y, z] = [a.square(), b.square(), c.square()];
         let mean = (x + y + z) / Double::from(3.0);
         let [x, y, z] = [x, y, z].map(|x| departure(x, mean));
-        // Negated so that NaN ends it.
+        // Negated so that NaN ends the loop.
         if !(spread([x, y, z]) > SPREAD) {
             let e2 = x * y - z * z;
             let e3 = x * y * z;
@@ -31,7 +36,7 @@ pub(super) fn rf(roots: [Double; 3]) -> Double {
     }
 }
 
-/// R_J(a², b², c², p²) = 3/2 ∫₀^∞ dt / ((t + p²) √((t + a²)(t + b²)(t + c²))), p > 0.
+/// Returns R_J(a², b², c², p²) = 3/2 ∫₀^∞ dt / ((t + p²) √((t + a²)(t + b²)(t + c²))) for p > 0.
 pub(super) fn rj(roots: [Double; 3], p: Double) -> Double {
     let ([mut a, mut b, mut c], mut p) = (roots, p);
     let (mut sum, mut weight) = (Double::default(), 1.0);
@@ -55,18 +60,18 @@ pub(super) fn rj(roots: [Double; 3], p: Double) -> Double {
     }
 }
 
-/// R_C(a², b²) = R_F(a², b², b²), b > 0.
+/// Returns R_C(a², b²) = R_F(a², b², b²) for b > 0.
 pub(super) fn rc(a: Double, b: Double) -> Double {
     rf([a, b, b])
 }
 
-/// ½√((a + b)(a + c)) for each.
+/// Returns ½√((a + b)(a + c)) for each root.
 fn duplicated([a, b, c]: [Double; 3]) -> [Double; 3] {
     let (ab, bc, ca) = (a + b, b + c, c + a);
     [ab * ca, bc * ab, ca * bc].map(|x| x.sqrt().scaled(0.5))
 }
 
-/// 1 − x/mean
+/// Returns 1 − x/mean.
 fn departure(x: Double, mean: Double) -> f64 {
     (mean - x).high / mean.high
 }
@@ -75,7 +80,7 @@ fn spread<const N: usize>(departures: [f64; N]) -> f64 {
     departures.iter().fold(0.0, |max, x| x.abs().max(max))
 }
 
-/// DLMF 19.36.2, without its leading 1.
+/// Returns the series DLMF 19.36.2 without its leading 1.
 fn rj_series([x, y, z, p]: [f64; 4]) -> f64 {
     let xyz = x * y * z;
     let e2 = x * y + x * z + y * z - 3.0 * p * p;
@@ -104,13 +109,13 @@ mod tests {
     fn they_meet_their_elementary_cases_to_22_digits() {
         let [zero, one, two] = [0.0, 1.0, 2.0].map(Double::from);
         let quarter_turn = Double::TAU.scaled(0.25);
-        // R_C(0, 1) = π/2
+        // R_C(0, 1) = π/2.
         near(rc(zero, one), (quarter_turn.high, quarter_turn.low));
-        // R_F(x, x, x) = x^−½
+        // R_F(x, x, x) = x^−½.
         near(rf([two; 3]), (0.5, 0.0));
-        // R_J(x, x, x, x) = x^−3/2
+        // R_J(x, x, x, x) = x^−3/2.
         near(rj([two; 3], two), (0.125, 0.0));
-        // R_J(0, 1, 1, 4) = 3 (π/2)(1 − ½)/(4 − 1)
+        // R_J(0, 1, 1, 4) = 3 (π/2)(1 − ½)/(4 − 1).
         let value = quarter_turn.scaled(0.5);
         near(rj([zero, one, one], two), (value.high, value.low));
     }

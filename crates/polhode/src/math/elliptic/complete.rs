@@ -1,4 +1,4 @@
-//! The complete integrals K, E and Π: over a quarter turn.
+//! Complete elliptic integrals K, E and Π, over a quarter turn.
 
 use crate::math::double::Double;
 use crate::math::number::PI;
@@ -7,14 +7,15 @@ use super::incomplete::{IntegralKind, Legs};
 use super::{EllipticError, EllipticParameter};
 
 impl EllipticParameter {
-    /// K(m) = ∫₀^{π/2} dt / √(1 − m sin²t), the complete integral of the first kind; infinite at m = 1.
+    /// Returns K(m) = ∫₀^{π/2} dt / √(1 − m sin²t), the complete integral of the first kind;
+    /// infinite at m = 1.
     ///
     /// Source: DLMF 19.2.8, 19.8.5.
     pub fn k(&self) -> f64 {
         self.complete(IntegralKind::First).value()
     }
 
-    /// E(m) = ∫₀^{π/2} √(1 − m sin²t) dt, the complete integral of the second kind.
+    /// Returns E(m) = ∫₀^{π/2} √(1 − m sin²t) dt, the complete integral of the second kind.
     ///
     /// ```
     /// // The perimeter of an ellipse of semi-axes 5 and 3, by the square of its eccentricity.
@@ -28,18 +29,19 @@ impl EllipticParameter {
         self.complete(IntegralKind::Second).value()
     }
 
-    /// Π(n | m) = ∫₀^{π/2} dt / ((1 − n sin²t) √(1 − m sin²t)), the complete integral of the third kind; infinite at m = 1.
+    /// Returns Π(n | m) = ∫₀^{π/2} dt / ((1 − n sin²t) √(1 − m sin²t)), the complete integral of
+    /// the third kind; infinite at m = 1.
     ///
     /// # Errors
-    /// [`EllipticError::Characteristic`] for n ≥ 1, where it is infinite or only a principal value, or an n that is not
-    /// finite.
+    /// [`EllipticError::Characteristic`] for n ≥ 1, where it is infinite or only a principal value,
+    /// or an n that is not finite.
     ///
     /// Source: DLMF 19.2.8, 19.25.2, with α² = n.
     pub fn pi(&self, n: f64) -> Result<f64, EllipticError> {
         Ok(self.complete(IntegralKind::third(n)?).value())
     }
 
-    /// In two words.
+    /// Returns the complete integral as a double-double number.
     pub(super) fn complete(&self, kind: IntegralKind) -> Double {
         match kind {
             IntegralKind::Second if self.is_hyperbolic() => Double::ONE,
@@ -50,12 +52,14 @@ impl EllipticParameter {
     }
 }
 
-/// Complete elliptic integral of the first kind, from the *complementary* parameter m₁ = 1 − m = k′², in one word.
+/// Returns the complete elliptic integral of the first kind in f64, from the *complementary*
+/// parameter m₁ = 1 − m = k′².
 ///
 /// K(m) = ∫₀^{π/2} dφ / √(1 − m sin²φ) = π / (2 agm(1, √m₁))
 ///
-/// m₁ is the argument because near m = 1 only it has digits. m₁ > 0; K is infinite at m₁ = 0 and NaN below.
-/// Accurate to 2 ulp for every positive m₁ (m₁ > 1 is m < 0 and is fine).
+/// The argument is m₁, because near m = 1 only m₁ has full relative precision. K is infinite at
+/// m₁ = 0 and NaN for negative m₁. The error is at most 2 ulp for every positive m₁ (m₁ > 1 means
+/// m < 0 and is allowed).
 ///
 /// Source: DLMF 19.8.5.
 pub(crate) fn complete_k(m1: f64) -> f64 {
@@ -63,7 +67,7 @@ pub(crate) fn complete_k(m1: f64) -> f64 {
         return f64::INFINITY;
     }
     let (mut a, mut g) = (1.0, m1.sqrt());
-    // Quadratic convergence: once |a − g| < √ε a, one more mean is exact to rounding.
+    // Quadratic convergence: if |a − g| < √ε a, one more mean is exact to rounding.
     while (a - g).abs() > 1e-8 * a {
         (a, g) = (0.5 * (a + g), (a * g).sqrt());
     }

@@ -1,15 +1,19 @@
-//! The incomplete integrals F, E and Π: over any amplitude, with one formula for the three kinds.
+//! Incomplete elliptic integrals F, E and Π for any amplitude, with one formula for the three
+//! kinds.
 //!
 //! With s = sin φ, c = cos φ, Δ² = 1 − m s² = c² + m₁ s²,
 //!
-//! F, E, Π(n) = s R_F(c², Δ², 1) + w s³/3 R_J(c², Δ², 1, 1 − n s²),   (w, n) = none, (−m, 0), (n, n).
+//! F, E, Π(n) = s R_F(c², Δ², 1) + w s³/3 R_J(c², Δ², 1, 1 − n s²),   (w, n) = none, (−m, 0), (n,
+//! n).
 //!
-//! All terms are positive except the second one of E for m > 0, which cancels some hundredfold at most (two words have
-//! that to spare), and of Π for n < 0. There, once |n| is large, the characteristic is changed to m/n:
+//! All terms are positive except the second term of E for m > 0, which cancels by a factor of about
+//! 100 at most (double-double arithmetic has sufficient digits), and that of Π for n < 0. For large
+//! |n|, the characteristic is changed to m/n there:
 //!
-//! Π(n) = s R_C(c² Δ², p²q²) + w s³/3 R_J(c², Δ², 1, q²),   w = −m/n, p² = 1 − n s², q² = 1 − (m/n) s².
+//! Π(n) = s R_C(c² Δ², p²q²) + w s³/3 R_J(c², Δ², 1, q²),
+//! w = −m/n, p² = 1 − n s², q² = 1 − (m/n) s².
 //!
-//! Sources: DLMF 19.25.5, 19.25.9, 19.25.14, 19.21.12; F and E for beyond a quarter turn 19.2.10.
+//! Sources: DLMF 19.25.5, 19.25.9, 19.25.14, 19.21.12; F and E beyond a quarter turn: 19.2.10.
 
 use crate::math::double::Double;
 
@@ -18,9 +22,10 @@ use super::reduced::Reduced;
 use super::{EllipticError, EllipticParameter, HUGE, TINY, root};
 
 impl EllipticParameter {
-    /// F(φ | m) = ∫₀^φ dt / √(1 − m sin²t), the integral of the first kind, for any real φ in rad.
+    /// Returns F(φ | m) = ∫₀^φ dt / √(1 − m sin²t), the integral of the first kind, for any real φ
+    /// in rad.
     ///
-    /// Infinite beyond ±π/2 at m = 1; as infinite as φ; NaN for NaN.
+    /// It is infinite beyond ±π/2 at m = 1, infinite for infinite φ, and NaN for NaN.
     ///
     /// ```
     /// let m = polhode::math::elliptic::EllipticParameter::new(0.8)?;
@@ -33,18 +38,20 @@ impl EllipticParameter {
         self.incomplete(IntegralKind::First, phi)
     }
 
-    /// E(φ | m) = ∫₀^φ √(1 − m sin²t) dt, the integral of the second kind, for any real φ in rad.
+    /// Returns E(φ | m) = ∫₀^φ √(1 − m sin²t) dt, the integral of the second kind, for any real φ
+    /// in rad.
     ///
-    /// As infinite as φ; NaN for NaN.
+    /// It is infinite for infinite φ, and NaN for NaN.
     ///
     /// Source: DLMF 19.2.5.
     pub fn incomplete_e(&self, phi: f64) -> f64 {
         self.incomplete(IntegralKind::Second, phi)
     }
 
-    /// Π(n; φ | m) = ∫₀^φ dt / ((1 − n sin²t) √(1 − m sin²t)), the integral of the third kind, for any real φ in rad.
+    /// Returns Π(n; φ | m) = ∫₀^φ dt / ((1 − n sin²t) √(1 − m sin²t)), the integral of the third
+    /// kind, for any real φ in rad.
     ///
-    /// Infinite beyond ±π/2 at m = 1; as infinite as φ; NaN for a φ that is NaN.
+    /// It is infinite beyond ±π/2 at m = 1, infinite for infinite φ, and NaN for NaN.
     ///
     /// # Errors
     /// [`EllipticError::Characteristic`] for n ≥ 1, or an n that is not finite.
@@ -54,7 +61,8 @@ impl EllipticParameter {
         Ok(self.incomplete(IntegralKind::third(n)?, phi))
     }
 
-    /// u between −2K and 2K, by sn u, cn u and dn u, each with its own digits: sn R_F(cn², dn², 1) up to a quarter period.
+    /// Returns u between −2K and 2K from sn u, cn u and dn u, each with full relative precision: sn
+    /// R_F(cn², dn², 1) up to a quarter period.
     ///
     /// Source: DLMF 19.25.5, 22.4(iii).
     pub(crate) fn argument_of(&self, [sn, cn, dn]: [f64; 3]) -> f64 {
@@ -64,24 +72,24 @@ impl EllipticParameter {
     }
 
     fn incomplete(&self, kind: IntegralKind, phi: f64) -> f64 {
-        // φ + (m + 2n) φ³/6 + …
+        // φ + (m + 2n) φ³/6 + ….
         if !phi.is_finite() || phi.abs() * self.largest(kind).sqrt() < 1e-9 {
             return phi;
         }
         let reduced = Reduced::angle(phi);
         let rest = Legs::new(self, kind, reduced.sin, reduced.cos).integral(self, kind);
-        // F(jπ + φ) = 2jK + F(φ), and E and Π likewise
+        // F(jπ + φ) = 2jK + F(φ), and similarly for E and Π.
         reduced.unfolded(|| self.complete(kind).scaled(2.0), rest)
     }
 
-    /// The largest of 1, m₁ and 1 − n.
+    /// Returns the largest of 1, m₁ and 1 − n.
     fn largest(&self, kind: IntegralKind) -> f64 {
         let n = if let IntegralKind::Third { n } = kind { n } else { 0.0 };
         self.complement().max(1.0 - n).max(1.0)
     }
 }
 
-/// The three kinds of integrals.
+/// Kinds of elliptic integrals.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum IntegralKind {
     First,
@@ -99,13 +107,13 @@ impl IntegralKind {
     }
 }
 
-/// 2⁻²²⁰: for sides up to 10¹⁵⁴ and down to 10⁻¹⁶².
+/// Unit 2⁻²²⁰, for values up to 10¹⁵⁴ and down to 10⁻¹⁶².
 const SMALL_UNIT: f64 = 5.934_729_841_099_874e-67;
 
 /// sin φ, cos φ and √(1 − m sin²φ) of an amplitude of at most a quarter turn.
 ///
-/// The integrals are homogeneous of degree zero in (s, c, 1), so that all three may be in any `unit`: a smaller one
-/// where squares of the others would overflow.
+/// The integrals are homogeneous of degree zero in (s, c, 1), so all three may be scaled by any
+/// `unit`: a small one if squares of the others would overflow.
 pub(super) struct Legs {
     s: Double,
     c: Double,
@@ -117,7 +125,7 @@ impl Legs {
     pub(super) fn new(parameter: &EllipticParameter, kind: IntegralKind, sin: Double, cos: Double) -> Self {
         let unit = if parameter.largest(kind) > HUGE { SMALL_UNIT } else { 1.0 };
         let (s, c) = (sin.scaled(unit), cos.scaled(unit));
-        // Δ² = c² + m₁ s²
+        // Δ² = c² + m₁ s².
         let delta = hypotenuse(c, root(parameter.m1) * s);
         Self { s, c, delta, unit }
     }
@@ -131,7 +139,7 @@ impl Legs {
                 IntegralKind::First => first(),
                 IntegralKind::Second => first() + self.weighted_rj(-m, one),
                 IntegralKind::Third { n } if n < -1.0 && 0.25 * n < m.high => {
-                    // m/n, in a scale in which neither is too large
+                    // m/n, scaled so that neither is too large.
                     let ratio = m.scaled(TINY) / Double::from(n * TINY);
                     let p = self.one_minus(Double::sum(1.0, -n));
                     let q = self.one_minus(Double::ONE - ratio);
@@ -145,20 +153,20 @@ impl Legs {
             }
     }
 
-    /// w s²/3 R_J(c², Δ², 1, p²)
+    /// Returns w s²/3 R_J(c², Δ², 1, p²).
     fn weighted_rj(&self, weight: Double, p: Double) -> Double {
         let one = Double::from(self.unit);
         weight.scaled(self.unit) * self.s * self.s.scaled(1.0 / self.unit) / Double::from(3.0)
             * rj([self.c, self.delta, one], p)
     }
 
-    /// √(1 − n s²) = √(c² + n₁ s²), by n₁ = 1 − n.
+    /// Returns √(1 − n s²) = √(c² + n₁ s²), given n₁ = 1 − n.
     fn one_minus(&self, n1: Double) -> Double {
         hypotenuse(self.c, root(n1) * self.s)
     }
 }
 
-/// √(a² + b²)
+/// Returns √(a² + b²).
 pub(super) fn hypotenuse(a: Double, b: Double) -> Double {
     if a.is_zero() { b.abs() } else { (a.square() + b.square()).sqrt() }
 }

@@ -1,37 +1,40 @@
-//! Jacobi's functions, by Landen's descending transformation.
+//! Jacobi elliptic functions by Landen's descending transformation.
 //!
-//! The transformation takes the modulus k to a smaller one and K to K q, q = ½(1 + k′), where q and √k′ are the next means
-//! of 1 and k′; so u/K stays, and at k = 0 the functions are the sine and cosine of u/K quarter turns. On the way back,
+//! The transformation maps the modulus k to a smaller one and K to K q, with q = ½(1 + k′), where q
+//! and √k′ are the next means of 1 and k′. So u/K is invariant, and at k = 0 the functions are the
+//! sine and cosine of u/K quarter turns. The inverse transformation is
 //!
 //! sn = s/D,   cn = q c d/D,   dn = (q c² + k′ s²)/D,   D = q c² + s²,
 //!
-//! s, c, d those of the smaller modulus: sums and products of what is not negative, so that each of the three keeps its
-//! *relative* digits, near its zeros too. (The usual form of DLMF 22.7.2–4 has 1 − k₁ s² for the numerator of dn.)
+//! where s, c, d belong to the smaller modulus. These are sums and products of nonnegative numbers,
+//! so that each of the three keeps full *relative* precision, also near its zeros. (The usual form
+//! of DLMF 22.7.2–4 has 1 − k₁ s² as the numerator of dn.)
 
 use crate::math::double::Double;
 
 use super::reduced::{Reduced, arc};
 use super::{EllipticParameter, root};
 
-/// Jacobi's elliptic functions of one argument.
+/// Jacobi elliptic functions of one argument.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JacobiFunctions {
-    /// sn(u | m) = sin am
+    /// Sine amplitude sn(u | m) = sin am.
     pub sn: f64,
-    /// cn(u | m) = cos am
+    /// Cosine amplitude cn(u | m) = cos am.
     pub cn: f64,
-    /// dn(u | m) = √(1 − m sn²)
+    /// Delta amplitude dn(u | m) = √(1 − m sn²).
     pub dn: f64,
-    /// am(u | m), the inverse of F: continuous in u, not folded, rad
+    /// Amplitude am(u | m), the inverse of F: continuous in u, not reduced, rad.
     pub am: f64,
 }
 
 impl EllipticParameter {
-    /// sn, cn, dn and am of any real u.
+    /// Returns sn, cn, dn and am for any real u.
     ///
-    /// u is reduced by a K of three words: the phase of the exact u is right to 2⁻¹⁵⁰ of the number of periods, which
-    /// is full relative accuracy even for the double nearest to a zero after 10¹⁰ periods. Beyond 2¹⁵⁰ quarter periods
-    /// the phase is taken as 0. NaN for a u that is not finite.
+    /// u is reduced by K in triple-double precision: the phase of the exact u is correct to 2⁻¹⁵⁰
+    /// of the number of periods. This is full relative precision even for the f64 number nearest to
+    /// a zero after 10¹⁰ periods. Beyond 2¹⁵⁰ quarter periods the phase is set to 0. The result is
+    /// NaN for a u that is not finite.
     ///
     /// ```
     /// let m = polhode::math::elliptic::EllipticParameter::new(0.36)?;
@@ -49,7 +52,7 @@ impl EllipticParameter {
             return JacobiFunctions { sn: f64::NAN, cn: f64::NAN, dn: f64::NAN, am: f64::NAN };
         }
         let modulus1 = root(self.m1);
-        // sn = u − (1 + m) u³/6 + …
+        // sn = u − (1 + m) u³/6 + ….
         if u.abs() * modulus1.high.max(1.0) < 1e-9 {
             return JacobiFunctions { sn: u, cn: 1.0, dn: 1.0, am: u };
         }
@@ -58,16 +61,16 @@ impl EllipticParameter {
         }
         let reduced = Reduced::new(u, self.inverse_k);
         let [sn, cn, dn] = landen(modulus1, reduced.sin, reduced.cos);
-        // am(2jK + u) = jπ + am(u)
+        // am(2jK + u) = jπ + am(u).
         let am = reduced.unfolded(|| Double::TAU.scaled(0.5), arc(sn, cn));
         let sign = if reduced.odd { -1.0 } else { 1.0 };
         JacobiFunctions { sn: sign * sn.value(), cn: sign * cn.value(), dn: dn.value(), am }
     }
 }
 
-/// sn, cn, dn of u by k′, and the sine and cosine of u/K quarter turns.
+/// Returns sn, cn, dn of u, given k′ and the sine and cosine of u/K quarter turns.
 pub(super) fn landen(modulus1: Double, sin: Double, cos: Double) -> [Double; 3] {
-    // k is small enough: its square is not seen.
+    // k is so small that its square is below the rounding.
     if (modulus1 - Double::ONE).high.abs() < 1e-22 {
         return [sin, cos, Double::ONE];
     }
@@ -78,7 +81,7 @@ pub(super) fn landen(modulus1: Double, sin: Double, cos: Double) -> [Double; 3] 
     [s * by_d, q * c * d * by_d, (qc2 + modulus1 * s2) * by_d]
 }
 
-/// m = 1: sn = tanh u, cn = dn = sech u.
+/// Returns the functions at m = 1: sn = tanh u, cn = dn = sech u.
 pub(super) fn hyperbolic(u: f64) -> JacobiFunctions {
     let decay = libm::exp(-u.abs());
     let sech = 2.0 * decay / (1.0 + decay * decay);

@@ -1,19 +1,22 @@
-//! Legendre's elliptic integrals and Jacobi's elliptic functions, by the parameter m = k² *and* its complement m₁ = 1 − m.
+//! Legendre's elliptic integrals and Jacobi elliptic functions, given the parameter m = k² *or* its
+//! complement m₁ = 1 − m.
 //!
-//! Near m = 1 everything depends on m₁, and near m = 0 everything on m; whichever of the two is given is exact here, and
-//! the other is its complement in two words, which is exact too. So a table by m and a table by m₁ are both met to the
-//! last digit, and K, by whose multiples large arguments are reduced, is the K of the number that was given.
+//! Near m = 1 everything depends on m₁, and near m = 0 everything on m. The given one of the two is
+//! exact here; the other is its complement as a double-double number, which is exact too. Tables by
+//! m and by m₁ are therefore both reproduced to full precision, and large arguments are reduced by
+//! the K of the given number.
 //!
-//! The file `reduced` takes any amplitude or argument to a quarter turn. On a quarter,
+//! The file `reduced` reduces any amplitude or argument to a quarter turn. On a quarter turn,
 //!
-//! - `incomplete` and `complete` have F, E and Π as one formula in Carlson's symmetric integrals (`carlson`), which
-//!   converge for every parameter without a choice of cases;
-//! - `jacobi` has sn, cn and dn by Landen's transformation, in a form where nothing is ever subtracted.
+//! - `incomplete` and `complete` compute F, E and Π by one formula in Carlson's symmetric integrals
+//!   (`carlson`), which converge for every parameter without a distinction of cases;
+//! - `jacobi` computes sn, cn and dn by Landen's transformation, in a form without subtractions.
 //!
-//! `amplitude` gives closed forms the same with both words, and what they need of the third kind.
+//! `amplitude` provides the same functions in double-double precision for closed forms, and the
+//! integrals of the third kind that they need.
 //!
-//! All of it is done in numbers of two words and rounded once at the end, which takes some µs for each value. (The closed
-//! form of a free motion, made for many times, has a faster way of its own.)
+//! All computations use double-double arithmetic and are rounded once at the end, which takes a few
+//! µs for each value. (The closed form of a free motion at many times uses a faster method.)
 
 mod amplitude;
 mod carlson;
@@ -32,10 +35,12 @@ pub(crate) use complete::complete_k;
 pub use jacobi::JacobiFunctions;
 pub(crate) use reduced::unit;
 
-/// The parameter m = k² of elliptic integrals and functions, with its complement m₁ = 1 − m; m ≤ 1, negative m allowed.
+/// Parameter m = k² of elliptic integrals and functions, with its complement m₁ = 1 − m; m ≤ 1,
+/// negative m is allowed.
 ///
-/// Every result is rounded once, relative to itself and for exactly the numbers given: 0.5 ulp in all that was tried,
-/// near the zeros of sn and cn and after 10⁵ periods too. Only at m = 1 itself sn, cn, dn have 2 ulp and am has 3.
+/// Every result is rounded once, with a relative error for exactly the given numbers of 0.5 ulp in
+/// all tests, also near the zeros of sn and cn and after 10⁵ periods. Only at m = 1 the errors are
+/// 2 ulp for sn, cn, dn and 3 ulp for am.
 ///
 /// ```
 /// use polhode::math::elliptic::EllipticParameter;
@@ -54,27 +59,27 @@ pub(crate) use reduced::unit;
 pub struct EllipticParameter {
     m: Double,
     m1: Double,
-    /// 1 / K
+    /// Inverse of K, 1 / K.
     inverse_k: Triple,
 }
 
-/// Why there is no such integral.
+/// Error: an argument is outside the range of an elliptic integral or function.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum EllipticError {
     /// The parameter m is above 1 or not finite.
     Parameter {
-        /// The offending m.
+        /// Given value of m.
         m: f64,
     },
     /// The complementary parameter m₁ is negative or not finite.
     Complement {
-        /// The offending m₁.
+        /// Given value of m₁.
         m1: f64,
     },
     /// The characteristic n of Π is 1 or more, or not finite.
     Characteristic {
-        /// The offending n.
+        /// Given value of n.
         n: f64,
     },
 }
@@ -99,7 +104,7 @@ impl fmt::Display for EllipticError {
 impl core::error::Error for EllipticError {}
 
 impl EllipticParameter {
-    /// By m ≤ 1.
+    /// Returns the parameter m ≤ 1.
     ///
     /// # Errors
     /// [`EllipticError::Parameter`] for m > 1 or an m that is not finite.
@@ -111,7 +116,7 @@ impl EllipticParameter {
         }
     }
 
-    /// By m₁ = 1 − m ≥ 0.
+    /// Returns the parameter with the complement m₁ = 1 − m ≥ 0.
     ///
     /// # Errors
     /// [`EllipticError::Complement`] for m₁ < 0 or an m₁ that is not finite.
@@ -123,30 +128,30 @@ impl EllipticParameter {
         }
     }
 
-    /// By both, each with its own digits, m₁ ≥ 0.
+    /// Returns the parameter from both m and m₁ ≥ 0, each with full relative precision.
     pub(crate) fn of(m: Double, m1: Double) -> Self {
-        // 1/K = 2 agm(1, k′) / π, and 1/4π is at hand.
+        // 1/K = 2 agm(1, k′) / π, using the constant 1/4π.
         let inverse_k = (Triple::INVERSE_4_PI * mean(m1)).scaled(8.0);
         Self { m, m1, inverse_k }
     }
 
-    /// m = k², correctly rounded.
+    /// Returns m = k², correctly rounded.
     pub const fn m(&self) -> f64 {
         self.m.high
     }
 
-    /// m₁ = 1 − m = k′², correctly rounded.
+    /// Returns m₁ = 1 − m = k′², correctly rounded.
     pub const fn complement(&self) -> f64 {
         self.m1.high
     }
 
-    /// m = 1: K is infinite and the functions are hyperbolic.
+    /// Returns true if m = 1: K is infinite and the functions are hyperbolic.
     fn is_hyperbolic(&self) -> bool {
         self.m1.is_zero()
     }
 }
 
-/// agm(1, √m₁) in three words.
+/// Returns agm(1, √m₁) in triple-double precision.
 fn mean(m1: Double) -> Triple {
     if m1.is_zero() {
         return Triple::default();
@@ -154,20 +159,21 @@ fn mean(m1: Double) -> Triple {
     let scale = root_scale(m1);
     let (mut a, mut g) =
         (Triple::from(1.0), Triple::from(m1.scaled(scale).scaled(scale)).sqrt().scaled(1.0 / scale));
-    // Quadratic convergence: once |a − g| < 2⁻⁷⁸ a, one more mean is exact to rounding.
+    // Quadratic convergence: if |a − g| < 2⁻⁷⁸ a, one more mean is exact to rounding.
     while (a - g).value().abs() > 3e-24 * a.value() {
         (a, g) = ((a + g).scaled(0.5), (a * g).sqrt());
     }
     (a + g).scaled(0.5)
 }
 
-/// √x with both words, for every x ≥ 0 there is.
+/// Returns √x in double-double precision, for every representable x ≥ 0.
 fn root(x: Double) -> Double {
     let scale = root_scale(x);
     x.scaled(scale).scaled(scale).sqrt().scaled(1.0 / scale)
 }
 
-/// A power of two whose square brings x to where products keep their low words.
+/// Returns a power of two whose square scales x to the range in which products keep their low
+/// words.
 fn root_scale(x: Double) -> f64 {
     if x.high < TINY {
         HUGE
@@ -178,6 +184,6 @@ fn root_scale(x: Double) -> f64 {
     }
 }
 
-/// 2³⁰⁰ and 2⁻³⁰⁰
+/// Constants 2³⁰⁰ and 2⁻³⁰⁰.
 const HUGE: f64 = 2.037_035_976_334_486e90;
 const TINY: f64 = 1.0 / HUGE;

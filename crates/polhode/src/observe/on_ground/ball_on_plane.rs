@@ -10,19 +10,20 @@ use crate::motion::contact::{Contact, Friction, GroundShape};
 /// describes a body that rolls about an axis of fixed direction, such as a cylinder, with its
 /// moment about that axis.
 ///
-/// With the normal n, the radius a, r = −a n, and the force F along the plane: m v̇ = F + m g_t and
-/// I ω̇ = −a n × F. Let k = I/(m a²) and σ = k/(1 + k), which is 2/7 for a homogeneous ball.
+/// Let n be the normal, a the radius, r = −a n, and F the force along the plane. The equations of
+/// motion are m v̇ = F + m `g_t` and I ω̇ = −a n × F. Let k = I/(m a²) and σ = k/(1 + k), which is
+/// 2/7 for a homogeneous ball.
 ///
 /// **Rolling**: on a plane that rotates at Ω, v = Ω n × x + a ω × n. Its time derivative with both
 /// equations gives
 ///
 /// v̇ = σ Ω n × v + (1 − σ) g_t.
 ///
-/// On a plane at rest this is a straight line, with the friction force σ m g_t. On a rotating plane
-/// it is a circle at the rate σ Ω, which drifts across the slope.
+/// This is uniform acceleration on a plane at rest, with the friction force σ m g_t. On a rotating
+/// plane it is a circle at the rate σ Ω, which drifts across the slope.
 ///
-/// **Sliding** on a plane at rest: the slip u = v − a ω × n has u̇ = g_t + F/(σ m), and with F = −µ
-/// N û
+/// **Sliding** on a plane at rest: the slip u = v − a ω × n has u̇ = g_t + F/(σ m), and with
+/// F = −µ N û
 ///
 /// u̇ = g_t − κ û,  κ = µ g_n/σ,
 ///

@@ -28,8 +28,8 @@ use crate::motion::contact::{Contact, Footing, SurfaceShape};
 /// Ω² sin θ = m g R/A,  T + U = 3/2 m g R sin θ,
 ///
 /// which is Euler's disk. Rolling friction with the lever µᵣ dissipates the power µᵣ m g |ω_t| = µᵣ
-/// m g Ω sin θ cos θ. A thin disk at a small tilt then has Ω = Ω₀ T/(T − t) and lies flat after T =
-/// 3 R/(µᵣ Ω₀).
+/// m g Ω sin θ cos θ. A thin disk at a small tilt then has Ω = Ω₀ T/(T − t) and lies flat after
+/// T = 3 R/(µᵣ Ω₀).
 ///
 /// Source: E. J. Routh, Dynamics of a System of Rigid Bodies, Advanced Part (1905), art. 241; A. J.
 /// McDonald, K. T. McDonald, arXiv:physics/0008227 (2000), for sharp rims without thickness; the
@@ -98,7 +98,7 @@ impl CirclingDisk {
         })
     }
 
-    /// Returns r_p and r_e, m.
+    /// Returns the components `r_p` and `r_e` of the arm, m.
     fn arm(&self, tilt: f64) -> [f64; 2] {
         [self.radius + self.tube * libm::sin(tilt), self.offset - self.tube * libm::cos(tilt)]
     }

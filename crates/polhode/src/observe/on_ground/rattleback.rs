@@ -6,8 +6,8 @@ use super::vertex::VertexSpin;
 /// its surface. Spin in one sense makes one of its two oscillation modes grow and the other decay;
 /// spin in the opposite sense does the reverse.
 ///
-/// For the modes u_k of the body without spin, m g G u = ϖ² M u, the symmetric part of the terms
-/// proportional to the spin in [`VertexSpin`] changes the growth rates by
+/// The modes `u_k` of the body without spin satisfy m g G u = ϖ² M u. The symmetric part of the
+/// terms proportional to the spin in [`VertexSpin`] changes the growth rates by
 ///
 /// σ_k = ½ m h Ω (u · J G′ u)/(u · M u) + O(Ω³),
 ///

@@ -19,7 +19,8 @@ use crate::motion::contact::{Contact, SurfaceShape};
 /// It decreases with increasing h where Ω² > m g h/A. Friction dissipates energy, so a prolate egg
 /// that spins faster than this rises: completely if J² > A m g c³. On its end it spins at J/(C c).
 ///
-/// Source: H. K. Moffatt, Y. Shimomura, Nature 416 (2002) 385; H. K. Moffatt, Y. Shimomura, M. Branicki, Proc. R. Soc. A 460 (2004) 3643.
+/// Source: H. K. Moffatt, Y. Shimomura, Nature 416 (2002) 385; H. K. Moffatt, Y. Shimomura,
+/// M. Branicki, Proc. R. Soc. A 460 (2004) 3643.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpinningEgg {
     /// Mass m, kg.

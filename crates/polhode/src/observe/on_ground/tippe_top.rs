@@ -20,8 +20,8 @@ use crate::motion::contact::{Contact, SurfaceShape};
 /// where the axis e points from the centre of the ball away from the centre of mass, so that the
 /// centre of mass is lowest for u = 1. Friction leads to the minima of W. With R² D² W′ = P(u) = J²
 /// ((A − C) u + C α) − m g R³ α D², the bottom position is a minimum if P(1) < 0, the inverted
-/// position if P(−1) > 0, and a tilt if P rises through zero there. With the spin ω = J/(R C (1 ∓
-/// α)):
+/// position if P(−1) > 0, and a tilt if P rises through zero there. With the spin ω = J/(R C
+/// (1 ∓ α)):
 ///
 /// bottom: (A − C (1 − α)) ω² < m g R α (1 − α)²,  inverted: (C (1 + α) − A) ω² > m g R α (1 + α)².
 ///

@@ -6,18 +6,19 @@ use crate::motion::contact::Footing;
 /// Disk, hoop, torus, or another mirror-symmetric body of revolution with its axis level, which
 /// rolls straight or spins about the vertical.
 ///
-/// C is the moment about the axis, A the moment perpendicular to it, ρ the height of the centre of
-/// mass, and κ the radius of curvature of the profile at the contact: zero for a sharp rim, the
-/// tube radius for a torus. Let φ be the lean and ψ the heading, with e ≈ (−ψ, 1, φ), L = A e × ė +
-/// C s e, r = (0, (ρ − κ) φ, −ρ). For a wheel that rolls straight at the rate ω about its axis, the
-/// equations L̇ = r × F, F = m (v̇ − g), v = r × ω are to first order
+/// C is the moment about the axis, A the moment perpendicular to it, and ρ the height of the centre
+/// of mass. κ is the radius of curvature of the profile at the contact: zero for a sharp rim, the
+/// tube radius for a torus. Let φ be the lean and ψ the heading, with e ≈ (−ψ, 1, φ), L = A
+/// e × ė + C s e, r = (0, (ρ − κ) φ, −ρ). For a wheel that rolls straight at the rate ω about its
+/// axis, the equations L̇ = r × F, F = m (v̇ − g), v = r × ω are to first order
 ///
 /// (A + m ρ²) φ̈ = (C + m ρ²) ω ψ̇ + m g (ρ − κ) φ,  A ψ̇ = −C ω φ + const
 ///
 /// Therefore it is stable if ω² > A m g (ρ − κ)/(C (C + m ρ²)). If it spins at Ω about the vertical
 /// diameter, with the rate s about the axis,
 ///
-/// (A + m ρ²) φ̈ = (m g (ρ − κ) − A Ω² − m ρ κ Ω²) φ + (C + m ρ²) Ω s,  (C + m ρ²) ṡ = −m ρ (ρ − κ) Ω φ̇
+/// (A + m ρ²) φ̈ = (m g (ρ − κ) − A Ω² − m ρ κ Ω²) φ + (C + m ρ²) Ω s,
+/// (C + m ρ²) ṡ = −m ρ (ρ − κ) Ω φ̇,
 ///
 /// and it is stable if Ω² > m g (ρ − κ)/(A + m ρ²). Without friction the terms with m ρ² are
 /// absent: ω² > A m g (ρ − κ)/C², Ω² > m g (ρ − κ)/A.

@@ -6,24 +6,32 @@ use crate::motion::contact::Footing;
 /// Body that spins about a vertical principal axis through its point of contact: an egg on its end,
 /// a top on its peg, a rattleback, an ellipsoid on its side.
 ///
-/// The 2 × 2 matrices refer to two body axes perpendicular to n: S are the moments of inertia, R
-/// the radii of curvature of the surface, G = R − h the lever of gravity, and J the rotation by 90°
-/// about n. C is the moment about n, and µ is the mass that friction accelerates along the ground:
-/// m for rolling, 0 without friction. From ṅ = n × ω, v = r × ω and I ω̇ + ω × I ω = r × F, a small
+/// The 2 × 2 matrices refer to two body axes perpendicular to n:
+///
+/// - S: moments of inertia;
+/// - R: radii of curvature of the surface;
+/// - G = R − h: lever of gravity, with the height h of the centre of mass;
+/// - J: rotation by 90° about n.
+///
+/// C is the moment about n, and µ is the mass that friction accelerates along the ground: m for
+/// rolling, 0 without friction. From ṅ = n × ω, v = r × ω and I ω̇ + ω × I ω = r × F, a small
 /// deviation q of n at the spin Ω obeys
 ///
 /// M q̈ + Ω (γ J − µ h J G′) q̇ + K q = 0,  M = tr S − S + µ h²,
 /// γ = tr S − C + µ h² − ½ µ h tr G,  K = m g G + Ω² (µ h G + C − S),
 ///
-/// where G′ is G without its trace. The characteristic equation a₄ λ⁴ + a₃ λ³ + a₂ λ² + a₁ λ + a₀ =
-/// 0 has, with x = Ω²,
+/// where G′ is G without its trace. The characteristic equation
+///
+/// a₄ λ⁴ + a₃ λ³ + a₂ λ² + a₁ λ + a₀ = 0
+///
+/// has, with x = Ω²,
 ///
 /// a₄ = det M,  a₃ = −µ h Ω χ,  a₂ = tr (adj M K) + x (γ² + µ² h² det G′),  a₁ = x a₃,  a₀ = det K,
 ///
 /// with χ = tr (S J G′), which is zero if the principal axes are parallel to those of the surface.
 /// If χ = 0, the spin is stable for a₀ > 0, a₂ > 0, a₂² > 4 a₀ a₄. Otherwise the Hurwitz criterion
-/// requires a₃ > 0, a₀ > 0, x a₂ > x² a₄ + a₀, which holds in one sense only. Without gravity λ = i
-/// Ω is a root, because a vector fixed in space rotates in the body; the last condition is
+/// requires a₃ > 0, a₀ > 0, x a₂ > x² a₄ + a₀, which holds in one sense only. Without gravity
+/// λ = i Ω is a root, because a vector fixed in space rotates in the body; the last condition is
 /// therefore linear in x:
 ///
 /// Ω² ((tr S − C + m h²) tr G − 2 m h det G) > m g det G.

@@ -1,7 +1,7 @@
 //! Steady motions of a heavy symmetric top.
 //!
-//! With the axis e at the angle θ from the vertical k, p_φ = k · L and p_ψ = C ω3 = e · L, both
-//! constant, the effective potential of the nutation is
+//! Let θ be the angle of the axis e from the vertical k, and let p_φ = k · L and
+//! p_ψ = e · L = C ω3, which are constant. The effective potential of the nutation is
 //!
 //! V(u) = ((p_φ − p_ψ)²/(1 − u) + (p_φ + p_ψ)²/(1 + u))/4A + M g l u,  u = cos θ
 //!
@@ -10,12 +10,13 @@
 //!
 //! (p_φ − p_ψ)²/(1 − u)² − (p_φ + p_ψ)²/(1 + u)² + 4 A M g l = 0,
 //!
-//! or is upright or hanging if there is no such u. The axis precesses at φ̇ = (p_φ − p_ψ u)/(A (1 −
-//! u²)).
+//! or is upright or hanging if there is no such u. The axis precesses at
 //!
-//! In axes that precess with the top, the body spins at ω3 − φ̇ cos θ about e. Its effect is that
-//! of its angular momentum: the top is equivalent to a gyrostat with h = C (ω3 − φ̇ cos θ) e that
-//! rotates at φ̇ k, and has the same small oscillations.
+//! φ̇ = (p_φ − p_ψ u)/(A (1 − u²)).
+//!
+//! Seen from axes that precess with the top, the body spins at ω3 − φ̇ cos θ about e. Its effect is
+//! that of its angular momentum: the top is equivalent to a gyrostat with h = C (ω3 − φ̇ cos θ) e
+//! that rotates at φ̇ k, and has the same small oscillations.
 
 use super::SmallOscillations;
 use crate::math::frame::{Body, Space};

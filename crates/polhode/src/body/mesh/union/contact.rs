@@ -65,7 +65,7 @@ fn may_meet(welded: &Welded, t: u32, u: u32) -> bool {
     }
     let is_coplanar = of_u.heights == [0.0; 3];
     if !is_coplanar && of_u.shared.iter().filter(|&&shared| shared).count() == 2 {
-        return false; // they have an edge in common, and so nothing else
+        return false; // they share an edge and therefore nothing else
     }
     if is_coplanar || !of_t.touch() && !of_u.touch() {
         return Meeting::of(own, other, |v| welded.points[v as usize]) != Meeting::Apart;

@@ -87,11 +87,11 @@ impl MeshUnion {
     /// the result does not depend on their number.
     ///
     /// # Errors
-    /// The error of [`ClosedMesh::of`] if the mesh is not closed; [`BodyError::NegativeUnion`];
-    /// [`BodyError::UnionUndecided`] if too many triangles are too close together;
-    /// [`BodyError::UnionUnclear`] if the pieces of the surface do not fit together to a billionth
-    /// of the volume; [`BodyError::FlatMesh`]; and [`BodyError::Parameter`] if the volume overflows
-    /// f64.
+    /// The error of [`ClosedMesh::of`] if the mesh is not closed. [`BodyError::NegativeUnion`] if
+    /// regions with negative winding number are too large. [`BodyError::UnionUndecided`] if too
+    /// many triangles are too close together. [`BodyError::UnionUnclear`] if the pieces of the
+    /// surface do not fit together to a billionth of the volume. [`BodyError::FlatMesh`] if the
+    /// union has no volume. [`BodyError::Parameter`] if the volume overflows f64.
     pub fn of(mesh: &TriangleMesh) -> Result<Self, BodyError> {
         Self::watched(mesh, &|| true)
     }

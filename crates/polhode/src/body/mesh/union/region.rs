@@ -102,8 +102,8 @@ impl Region {
         strips.max_by(|a, b| a.0.total_cmp(&b.0)).map_or(0.0, |strip| strip.1)
     }
 
-    /// Passes all boundary pieces to `piece`, given the `counts` just above the lower edge at x =
-    /// `at`; `None` if no work is left.
+    /// Passes all boundary pieces to `piece`, given the `counts` just above the lower edge at
+    /// x = `at`; `None` if no work is left.
     pub(super) fn pieces(
         &self,
         at: f64,

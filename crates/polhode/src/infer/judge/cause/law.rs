@@ -53,9 +53,9 @@ pub(super) enum Gyroscopic {
 pub(super) enum Turning {
     /// Correct: Ω = ω.
     Right,
-    /// q̇ = ½ ω q with ω along body axes.
+    /// Wrong: q̇ = ½ ω q with ω along body axes.
     BodyAsSpace,
-    /// q̇ = ½ q ω with ω along space axes.
+    /// Wrong: q̇ = ½ q ω with ω along space axes.
     SpaceAsBody,
 }
 

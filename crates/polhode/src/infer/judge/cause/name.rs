@@ -117,7 +117,8 @@ pub enum Cause {
     StartOmegaAlongSpace,
     /// The motion is that of a body with this tensor.
     OtherTensor {
-        /// Tensor about the fixed point of the body, kg·m², fitted.
+        /// Tensor about the point on which the equations of motion are based (the centre of mass,
+        /// or the pivot), kg·m², fitted.
         tensor: [[f64; 3]; 3],
         /// False if the motion determines only the ratios of the elements; the trace is then that
         /// of the scenario.

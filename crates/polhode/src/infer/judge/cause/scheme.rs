@@ -156,7 +156,7 @@ impl Scheme {
                 State { time, attitude: from.attitude * turned, omega }
             }
             ImplicitGyroscopic(turn) => {
-                // J = I + h ([ω×] I − [L×]); ω′ = ω + h J⁻¹ (N + L × ω)
+                // J = I + h ([ω×] I − [L×]); ω′ = ω + h J⁻¹ (N + L × ω).
                 let (tensor, momentum) = (law.tensor().rows(), law.momentum(from));
                 let jacobian = matrix(|v| {
                     let image = BodyVector::from_array(tensor.map(|row| dot(row, v.to_array())));
@@ -256,7 +256,8 @@ impl Scheme {
         }
     }
 
-    /// The motion from a start to each of ascending times, with whole steps near h between one time and the next.
+    /// Returns the motion from a start to each of the ascending times, with a whole number of steps
+    /// near h between two times.
     pub(super) fn follow(self, law: &Law<'_>, start: State, times: &[f64], h: f64) -> Vec<State> {
         let mut now = start;
         let mut states = Vec::with_capacity(times.len());
@@ -267,7 +268,8 @@ impl Scheme {
             while done < steps {
                 now = self.step(law, &now, span / steps);
                 done += 1.0;
-                // A sum of many steps would wander from their number times h.
+                // Computed from the number of steps, because a sum of many steps accumulates
+                // rounding.
                 now.time = from + span * (done / steps);
             }
             if !now.omega.is_finite() {
@@ -305,7 +307,7 @@ fn classical(y: &Numbers, h: f64, slope: impl Fn(f64, &Numbers) -> Numbers) -> N
     core::array::from_fn(|k| y[k] + h / 6.0 * (a[k] + 2.0 * b[k] + 2.0 * c[k] + d[k]))
 }
 
-/// q̇ = ½ q ω with ω = I⁻¹ L, and L̇ = N along space axes.
+/// Returns q̇ = ½ q ω with ω = I⁻¹ L, and L̇ = N along space axes.
 fn momentum_derivative(law: &Law<'_>, time: f64, y: &Numbers) -> Numbers {
     let [w, x, ydot, z, a, b, c] = *y;
     let reached = state(time, *y);
@@ -341,12 +343,12 @@ fn split(law: &Law<'_>, from: &State, h: f64) -> State {
 
 type Columns = [BodyVector; 3];
 
-/// The columns of a linear map.
+/// Returns the columns of a linear map.
 fn matrix(image: impl Fn(BodyVector) -> BodyVector) -> Columns {
     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| image(BodyVector::from_array(axis)))
 }
 
-/// M x = b by Cramer's rule.
+/// Solves M x = b by Cramer's rule.
 fn solved([a, b, c]: &Columns, v: BodyVector) -> BodyVector {
     let volume = a.dot(b.cross(*c));
     BodyVector::new(v.dot(b.cross(*c)) / volume, a.dot(v.cross(*c)) / volume, a.dot(b.cross(v)) / volume)
@@ -356,7 +358,7 @@ fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
     a * x + b * y + c * z
 }
 
-/// What people call it.
+/// Common name of the method.
 impl fmt::Display for Scheme {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (name, turn) = match *self {

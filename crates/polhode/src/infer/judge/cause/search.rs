@@ -1,4 +1,4 @@
-//! All causes, tried.
+//! Search over all causes.
 
 use super::found::{Causes, TriedStart, Untried};
 use super::law::Law;
@@ -13,21 +13,26 @@ use crate::motion::model::state::State;
 use crate::motion::run::simulation::Simulation;
 use crate::motion::task::scenario::Scenario;
 
-/// A run that is nearer to the exact motion than this, rad, needs no cause.
+/// Distance of a run from the exact motion, rad, below which no cause is needed.
 const EXACT: f64 = 1e-8;
 
-/// Turn from the scenario's start to the first row beyond which no motion with a mistake is followed, rad.
+/// Rotation angle from the scenario's start to the first row above which no wrong motion is
+/// integrated, rad.
 const LATE: f64 = 2000.0;
 
-/// A first row that is off the start by more than this part of the error is another start.
+/// Deviation of the first row from the start, relative to the error, above which the run has a
+/// different start.
 const ELSEWHERE: f64 = 1e-3;
 
-/// Names the causes that explain why a run is not the exact motion, by trying them: each stands for the motion that a program with this
-/// mistake makes from the same start, and is named if that motion is nearer to the run than the exact one by far.
+/// Finds the causes that explain why a run differs from the exact motion. For each cause, it
+/// computes the motion of a program with this mistake from the same start. A cause is named if its
+/// motion is much closer to the run than the exact motion.
 ///
-/// `exact` are the exact states at the run's times, `step` the length of the program's steps, s, if it is known.
+/// `exact` are the exact states at the run's times. `step` is the step size of the program, s, if
+/// it is known.
 ///
-/// Rows are compared from the scenario's start until the run and the exact motion are 1.5 rad apart, or the body has turned by 120 rad.
+/// Rows are compared from the scenario's start until the run and the exact motion differ by 1.5
+/// rad, or the body has rotated by 120 rad.
 pub fn causes(scenario: &Scenario, motion: &ReadMotion, exact: &[State], step: Option<f64>) -> Causes {
     if scenario.prescribed().is_some() {
         return Causes::untried(Untried::Prescribed);
@@ -54,7 +59,7 @@ pub fn causes(scenario: &Scenario, motion: &ReadMotion, exact: &[State], step: O
     if found.likeliest().is_some() || first.time != start.time || off < ELSEWHERE * found.error {
         return found;
     }
-    // Noise is another one in the next row.
+    // Noise has a different value in the next row.
     let error = |k: usize| Some(rotation_vector(exact.get(k)?.attitude, window.attitude(k)?));
     let errors = error(window.first()).zip(error(window.first() + 1));
     if errors.is_some_and(|(here, next)| here.norm() > faster && (next - here).norm() > here.norm()) {
@@ -63,7 +68,7 @@ pub fn causes(scenario: &Scenario, motion: &ReadMotion, exact: &[State], step: O
     from_first_row(scenario, motion, window, first, step).unwrap_or(found)
 }
 
-/// The same from the run's own first row; `None` if that explains nothing either.
+/// Searches again from the run's own first row; `None` if that explains nothing either.
 fn from_first_row(
     scenario: &Scenario,
     motion: &ReadMotion,
@@ -116,7 +121,7 @@ fn from_start(
 }
 
 impl Trials<'_> {
-    /// Quaternions of another meaning.
+    /// Tries other quaternion conventions.
     fn try_readings(&mut self) {
         let changed = |change: fn([f64; 4]) -> [f64; 4]| -> Vec<State> {
             let exact = self.rows.exact.iter();
@@ -133,7 +138,7 @@ impl Trials<'_> {
         self.try_states(Cause::ScalarLast, &scalar_last);
     }
 
-    /// Other starts: that of the run's first row, and the scenario's with ω along other axes.
+    /// Tries other starts: that of the run's first row, and the scenario's with ω along other axes.
     fn try_starts(&mut self, motion: &ReadMotion) {
         let (law, right) = (self.law.clone(), self.start);
         let omega = (right.attitude.inverse() * right.omega.as_frame::<Space>()).as_frame();

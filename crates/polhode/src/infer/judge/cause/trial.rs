@@ -1,4 +1,4 @@
-//! Trying causes one after the other.
+//! Trials of causes, one by one.
 
 use super::follow::follow;
 use super::found::TriedCause;
@@ -7,25 +7,27 @@ use super::name::Cause;
 use super::rows::{Misfit, Rows, Window, rotation_vector};
 use crate::motion::model::state::State;
 
-/// A cause that leaves no more than this part of the error explains it; the second where numbers were fitted, or the step was found.
+/// Largest remaining fraction of the error of a cause that explains it; the second value applies if
+/// numbers were fitted or the step size was estimated.
 const BAR: [f64; 2] = [0.1, 0.03];
 
-/// How many times a residual counts, of a cause with one fitted number and one with several.
+/// Weight of the residual for a cause with one fitted number, and with several.
 const FITTED: [f64; 2] = [3.0, 30.0];
 
-/// Below this part of the error no residual tells causes apart.
+/// Fraction of the error below which residuals do not distinguish causes.
 const ALIKE: f64 = 1e-6;
 
-/// What leaves more than this part of the error is not followed to its end.
+/// Remaining fraction of the error above which a motion is not computed to its end.
 const HOPELESS: f64 = 0.3;
 
-/// A number that explains less than this part of the error, in proportion to it, is not fitted.
+/// Smallest fraction of the error that the first linear step must explain; otherwise no number is
+/// fitted.
 const LITTLE: f64 = 0.3;
 
-/// Steps of extrapolation at most, for one motion.
+/// Maximum number of extrapolation steps for one motion.
 const MOST: usize = 20_000;
 
-/// The run, the right law, and what was tried.
+/// Run, correct law, and results of the trials.
 #[derive(Debug)]
 pub(super) struct Trials<'a> {
     pub(super) window: Window<'a>,
@@ -36,12 +38,12 @@ pub(super) struct Trials<'a> {
 }
 
 impl Trials<'_> {
-    /// The motion of a law over the rows.
+    /// Returns the motion of a law over the rows.
     pub(super) fn motion(&self, law: &Law<'_>) -> Vec<State> {
         follow(law, self.start, &self.rows.times, MOST, |_| true)
     }
 
-    /// The same until it is known not to explain the run.
+    /// Returns the motion of a law, up to the row at which it is certain not to explain the run.
     fn motion_of_use(&self, law: &Law<'_>) -> Vec<State> {
         let base = self.rows.base(usize::MAX).attitude;
         let most = (HOPELESS * base).powi(2) * self.rows.times.len() as f64;
@@ -52,7 +54,7 @@ impl Trials<'_> {
         })
     }
 
-    /// Compares the motion of a law.
+    /// Compares the motion of a law with the run.
     pub(super) fn try_law(&mut self, cause: Cause, law: &Law<'_>) {
         let states = self.motion_of_use(law);
         let (left, base) = (self.rows.misfit(&states), self.rows.base(states.len()));
@@ -62,16 +64,16 @@ impl Trials<'_> {
         self.tried.push(tried);
     }
 
-    /// Compares states at the rows.
+    /// Compares states at the rows with the run.
     pub(super) fn try_states(&mut self, cause: Cause, states: &[State]) {
         let judged = judged(cause, self.rows.misfit(states), self.rows.base(states.len()), false);
-        // A motion that cannot be followed over half of the rows says nothing.
+        // A motion that cannot be computed for half of the rows is not significant.
         if 2 * states.len() > self.rows.times.len() {
             self.tried.push(judged);
         }
     }
 
-    /// The best of several causes of a kind, each with its law.
+    /// Tries several causes of one kind, each with its law, and keeps the best.
     pub(super) fn try_best_law<'l>(&mut self, laws: impl IntoIterator<Item = (Cause, Law<'l>)>) {
         let count = self.tried.len();
         for (cause, law) in laws {
@@ -81,13 +83,14 @@ impl Trials<'_> {
         self.tried.extend(best);
     }
 
-    /// From the start to the last row, s.
+    /// Returns the time from the start to the last row, s.
     pub(super) fn duration(&self) -> f64 {
         self.rows.times.last().map_or(1.0, |end| end - self.start.time)
     }
 }
 
-/// A number fitted so that the states, a function of it, are as near to the run as they can be: by Gauss and Newton, from zero.
+/// Fits a number such that the states, as a function of it, are as close to the run as possible, by
+/// the Gauss–Newton method from zero.
 pub(super) fn fitted(rows: &Rows, scale: f64, states: impl Fn(f64) -> Vec<State>) -> Option<f64> {
     const ROUNDS: usize = 6;
     let (mut number, mut difference) = (0.0, scale);
@@ -115,7 +118,7 @@ pub(super) fn fitted(rows: &Rows, scale: f64, states: impl Fn(f64) -> Vec<State>
     Some(number)
 }
 
-/// A cause with how well it explains the rows.
+/// Returns a cause with the quality of its explanation.
 pub(super) fn judged(cause: Cause, left: Misfit, base: Misfit, is_found: bool) -> TriedCause {
     let ratio = left.size() / base.size();
     let weight = match cause.fitted() {
@@ -138,7 +141,8 @@ pub(super) fn judged(cause: Cause, left: Misfit, base: Misfit, is_found: bool) -
     }
 }
 
-/// How many times the way from the exact states to others has to be gone to come nearest to the run, and which part of the error is left.
+/// Returns the factor by which the difference between the states and the exact states must be
+/// multiplied to be closest to the run, and the remaining fraction of the error.
 pub(super) fn scale(rows: &Rows, states: &[State]) -> (f64, f64) {
     let run = rows.differences(&rows.exact[..states.len().min(rows.exact.len())]);
     let (mut across, mut square, mut whole) = (0.0, 0.0, 0.0);

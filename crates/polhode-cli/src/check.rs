@@ -114,7 +114,7 @@ impl Check {
         let outputs = self.outputs();
         outputs.require_not_read("the model itself", inputs.models().chain(inputs.excluded()))?;
         outputs.require_not_read("the configuration", inputs.config().into_iter())?;
-        // A baseline is written anew in its place, with what it knows.
+        // A baseline is replaced by one that knows its findings too.
         let known = self.request.baseline.iter().map(PathBuf::as_path);
         outputs.without("--write-baseline").require_not_read("the baseline", known)?;
         outputs.require_places()?;
@@ -128,7 +128,7 @@ impl Check {
         self.write(checked)
     }
 
-    /// Writes and prints what is asked for.
+    /// Writes and prints the results.
     fn write(&self, mut checked: Checked) -> Result<(), Failure> {
         let form = self.form.format();
         let diff = if form == Format::Json { String::new() } else { checked.to_diff() };
@@ -184,7 +184,7 @@ impl Check {
         Failure::unless_empty(failures)
     }
 
-    /// Where the fixed model goes, if anywhere.
+    /// File for the fixed model, if one is named.
     fn fixed(&self) -> Option<&Path> {
         self.out.as_ref()?.as_deref()
     }

@@ -4,9 +4,7 @@ use std::io;
 use std::path::Path;
 
 use polhode::motion::MotionError;
-use polhode_document::VERSION;
 use polhode_source::{Failure as Request, FormatError};
-use serde_json::{Value, json};
 
 use crate::stderr::tell;
 
@@ -79,21 +77,6 @@ impl Failure {
         }
     }
 
-    /// In the place of the file's object, among those of the files that are fine.
-    pub(crate) fn to_json(&self, file: &Path) -> Value {
-        let without_place =
-            |message: String, hint: Option<&str>| Request::usage(message, hint.unwrap_or_default());
-        let error = match self {
-            Self::Request(request) => request.to_json(file),
-            Self::Incomplete { error, .. } => without_place(error.to_string(), error.hint()).to_json(file),
-            other => {
-                let message = other.text().trim_start_matches("error: ").trim_end().to_owned();
-                without_place(message, None).to_json(file)
-            }
-        };
-        json!({ "polhode": VERSION, "file": file.to_string_lossy(), "error": error })
-    }
-
     fn text(&self) -> String {
         match self {
             Self::Request(request) => request.to_string(),
@@ -151,13 +134,5 @@ mod tests {
         assert_eq!(several(vec![incomplete(), Failure::Findings]), 3);
         assert_eq!(several(vec![Failure::Findings, Failure::usage("no", "hint"), incomplete()]), 2);
         assert_eq!(several(vec![Failure::ClosedPipe, Failure::Findings]), 1);
-    }
-
-    #[test]
-    fn a_failure_in_json_has_the_name_of_its_file() {
-        let file = Path::new("a\u{1b}\nb.stl");
-        let value = Failure::usage("no", "yes").to_json(file);
-        assert_eq!(value["file"], "a\u{1b}\nb.stl");
-        assert_eq!(value["error"]["message"], "no");
     }
 }

@@ -7,8 +7,8 @@ use crate::stdout::print_script;
 
 /// Print a JSON schema: of scenario files, or of the JSON that a command prints.
 ///
-/// With the schema of scenario files an editor completes keys and marks wrong ones. A command's schema says of every number
-/// what it is and in which unit.
+/// An editor that has the schema of scenario files completes keys and marks wrong ones. A command's schema says of
+/// every number what it is and in which unit.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

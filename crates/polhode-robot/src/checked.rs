@@ -1,4 +1,4 @@
-//! What came of the models of a request.
+//! Results of checking the models of a request.
 
 use std::path::{Path, PathBuf};
 
@@ -93,8 +93,8 @@ impl Checked {
             Some(fixed) if fixed.out.is_some() => fails(&fixed.remaining),
             _ => fails(report.findings()),
         };
-        let remarks = self.remarks.iter().filter_map(|remark| remark.severity);
-        remarks.into_iter().any(|severity| severity >= self.fail_on) || self.reports().any(remains)
+        let mut remarks = self.remarks.iter().filter_map(|remark| remark.severity);
+        remarks.any(|severity| severity >= self.fail_on) || self.reports().any(remains)
     }
 
     /// Returns the models with their fixes, if these were asked for.
@@ -172,7 +172,7 @@ impl Checked {
         }
     }
 
-    /// Returns lines for people on files that are left out, allowances that are of no use, and what a baseline knows and is not there.
+    /// Returns lines for people on excluded files, useless allowances, and known findings that are gone.
     pub fn about_policy(&self) -> String {
         let excluded = many(self.excluded, "file");
         let excluded =

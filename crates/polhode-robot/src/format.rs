@@ -81,7 +81,7 @@ impl FileChecked {
         items
     }
 
-    /// Why the file could not be read, with the line and column where they can be said.
+    /// Reason why the file could not be read, with its line and column if these are known.
     fn unreadable(&self) -> Option<(String, Option<[usize; 2]>)> {
         let failure = self.report.as_ref().err()?;
         Some((failure.message(), failure.place_in(&self.path)))
@@ -109,7 +109,7 @@ fn line_and_column(place: FilePlace<'_>) -> (usize, usize) {
 }
 
 impl Checked {
-    /// What was found in all files, and what is said of the configuration and the baseline.
+    /// Findings of all files, and remarks on the configuration and the baseline.
     fn items(&self) -> impl Iterator<Item = Item<'_>> {
         self.files.iter().flat_map(FileChecked::items).chain(self.remarks())
     }

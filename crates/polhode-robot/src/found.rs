@@ -10,14 +10,14 @@ use polhode_source::{Failure, shown};
 
 use crate::read::is_model;
 
-/// A model, or a file or folder of which there is no report.
+/// Path of a model, or of a file or folder without one and why.
 pub(crate) type Found = Result<PathBuf, (PathBuf, Failure)>;
 
-/// Returns all models, in the order of the request, those of a folder by name, and the other names of those that are named twice.
+/// Returns all models, in the order of the request, and the other names of those that are named twice.
 ///
-/// A folder that cannot be searched, or is searched in vain, is in the place of its models. In a folder only files that are models by
-/// ending and root element count, and hidden folders are left out. Links are followed; a folder that has been searched is not searched
-/// again, so that links in a circle end.
+/// The models of a folder are sorted by name. A folder that cannot be searched, or holds no model, is in the place
+/// of its models. In a folder only files that are models by extension and root element count, and hidden folders
+/// are left out. Links are followed; no folder is searched twice, so that links in a circle end.
 pub(crate) fn models(files: &dyn Files, named: &[PathBuf]) -> (Vec<Found>, Vec<[PathBuf; 2]>) {
     let mut models = Vec::new();
     for path in named {
@@ -86,7 +86,7 @@ fn search(files: &dyn Files, root: &Path, models: &mut Vec<Found>) {
     }
 }
 
-/// What is in a folder and is not hidden, by name, and whether it is a folder or a link to one.
+/// Contents of a folder that are not hidden, by name; true for folders and links to folders.
 fn visible(files: &dyn Files, folder: &Path) -> io::Result<Vec<(PathBuf, bool)>> {
     let is_seen =
         |path: &Path| path.file_name().is_some_and(|name| !name.as_encoded_bytes().starts_with(b"."));
@@ -99,7 +99,7 @@ fn visible(files: &dyn Files, folder: &Path) -> io::Result<Vec<(PathBuf, bool)>>
     Ok(entries)
 }
 
-/// What globs, baselines and reports call files.
+/// Names of files in globs, baselines and reports.
 #[derive(Debug)]
 pub(crate) struct Names<'a> {
     files: &'a dyn Files,

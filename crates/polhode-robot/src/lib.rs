@@ -34,7 +34,9 @@ pub mod inertia;
 pub mod inspect;
 mod json;
 pub mod line_index;
+mod link_choice;
 pub mod link_table;
+mod link_tables;
 pub mod lump;
 pub mod model;
 pub mod moments;
@@ -55,6 +57,8 @@ mod table;
 mod text;
 
 pub use checked::{Checked, FileChecked, Fix, Format};
+pub use link_choice::{JointValue, LinkChoice, Which};
+pub use link_tables::LinkTables;
 pub use request::Request;
 pub use run::{Inputs, Progress, run};
 

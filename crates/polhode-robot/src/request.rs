@@ -1,4 +1,4 @@
-//! What is asked of `check`.
+//! Request of `check`.
 
 use std::path::PathBuf;
 

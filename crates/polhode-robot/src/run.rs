@@ -161,7 +161,7 @@ impl<'a> Inputs<'a> {
         Checked { files: outcomes, is_one, excluded: self.excluded.len(), remarks, fail_on }
     }
 
-    /// What is found in a file, and fixed if that is asked for.
+    /// Checks a model, and fixes it if the request says so.
     fn report(
         &self,
         file: &Path,
@@ -176,7 +176,7 @@ impl<'a> Inputs<'a> {
         if !self.request.fix && !has_repairs {
             return Ok(report);
         }
-        // What is to be written is read and checked first, in the place of the model: a repair that does not remove its finding is left out.
+        // The fixed text is read and checked in place of the model: a fix that does not remove its finding is left out.
         let check = |text: &str| {
             let model = read_text(text, file, reading)?;
             let findings = inspect_for(&model, shapes, &self.request.programs).findings;
@@ -207,7 +207,7 @@ fn unreadable(error: &FormatError) -> Failure {
     )
 }
 
-/// Returns what comes of each item, on all threads; `progress` is told of their files.
+/// Returns the result for each item, on all threads, and reports their files to `progress`.
 fn side_by_side<I: Send, T: Send>(
     items: Vec<I>,
     progress: &mut dyn Progress,

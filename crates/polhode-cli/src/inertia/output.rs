@@ -36,7 +36,7 @@ impl OutputFlags {
         self.format().is_some()
     }
 
-    /// The answers as text, in the order of their files. One that failed has an object of its own in JSON, and is left out elsewhere.
+    /// Returns the answers as text, in the order of their files. Only JSON has those that failed.
     pub(super) fn text(&self, bodies: &Bodies) -> Result<String, Failure> {
         match self.format() {
             Some(format) => bodies.to_format(format),

@@ -76,7 +76,7 @@ impl Bodies {
         let mut text = String::new();
         for (file, report) in self.reports() {
             let source = &report.source;
-            // What was assumed or joined stands in the heading of the text.
+            // Only the heading of the text says what was assumed or joined.
             if ["unit_assumed", "joints"].iter().any(|key| source.fields.contains_key(*key)) {
                 text += &format!("info: {}: {}\n", shown(file), printable(&source.description));
             }
@@ -91,7 +91,7 @@ pub fn noticed(file: &Path, Finding { severity, message, code, .. }: &Finding) -
     format!("{}: {}: {} [{code}]\n", severity.name(), shown(file), printable(message))
 }
 
-/// What a body is called: its link in a robot, else the file's name without its ending, or all of its path where two have the same.
+/// Name of a body: its link in a robot, else the file name without extension, or the path where two have the same.
 fn name(file: &Path, report: &InertiaReport, all: &[(&Path, &InertiaReport)]) -> String {
     if let Some(Value::String(link)) = report.source.fields.get("link") {
         return link.clone();

@@ -1,4 +1,4 @@
-//! What a program adds to the answer of a request.
+//! Part of a program in the answer of a request.
 
 use std::path::Path;
 

@@ -246,7 +246,7 @@ fn weighed(
     pieces.iter().map(row).collect()
 }
 
-/// What is assumed where nothing is given, and said.
+/// Assumption of 1 kg/m³ where nothing is given, and a finding that says so.
 fn assumed(findings: &mut Vec<Finding>) -> Substance {
     findings.push(Finding {
         code: "mass.assumed",

@@ -1,4 +1,4 @@
-//! What is asked of `inertia`.
+//! Request of `inertia`.
 
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -31,11 +31,11 @@ pub struct Request {
     /// Scenarios, meshes, molecules, particles, voxel grids, CAD reports, robots; what each is, its ending says.
     #[cfg_attr(feature = "arguments", arg(required = true, value_name = "FILE"))]
     pub files: Vec<PathBuf>,
-    /// What the whole body is made of.
+    /// Substance of the whole body.
     #[serde(flatten)]
     #[cfg_attr(feature = "arguments", command(flatten))]
     pub substance: SubstanceChoice,
-    /// How meshes are taken.
+    /// Options for meshes.
     #[serde(flatten)]
     #[cfg_attr(feature = "arguments", command(flatten))]
     pub mesh: MeshChoice,
@@ -45,15 +45,15 @@ pub struct Request {
     /// The unit of mass in a file that does not say it, such as g or lbm.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "UNIT"))]
     pub mass_unit: Option<Given<MassUnit>>,
-    /// How molecules are read.
+    /// Options for molecules.
     #[serde(flatten)]
     #[cfg_attr(feature = "arguments", command(flatten))]
     pub molecule: MoleculeChoice,
-    /// How CAD reports are read.
+    /// Options for CAD reports.
     #[serde(flatten)]
     #[cfg_attr(feature = "arguments", command(flatten))]
     pub cad: CadChoice,
-    /// How voxel grids are read.
+    /// Options for voxel grids.
     #[serde(flatten)]
     #[cfg_attr(feature = "arguments", command(flatten))]
     pub voxel: VoxelChoice,

@@ -116,7 +116,7 @@ impl Request {
         reports.into_iter().map(|report| self.finished(report)).collect()
     }
 
-    /// The report with the point and the axes that are asked for.
+    /// Adds the point and the axes of the request to a report.
     fn finished(&self, report: InertiaReport) -> Result<InertiaReport, Failure> {
         let about = self.about.as_ref().map(|point| point.value.0).or(report.about);
         if let Some(point) = about
@@ -191,7 +191,7 @@ impl Request {
     }
 }
 
-/// That a file has no bytes.
+/// Error of a file without bytes.
 fn nothing_of(format: BrepFormat) -> ContentError {
     let kind =
         ContentErrorKind::Expected { what: format!("a {} file", format.title()), found: String::new() };

@@ -187,7 +187,7 @@ fn friction_ends_every_spin_but_those_of_least_energy() {
             assert_eq!(one.is_ended_by_friction(), one.with_friction(&sink).name() == "leaves");
             let state = at(generic_attitude(), one.omega);
             let six = SmallOscillations::about(&rotor, &[TorqueModel::EnergySink(sink)], state).unwrap();
-            // SeparateSeries those that only turn the axis in space, and are kept.
+            // Separates those that only turn the axis in space, and are kept.
             let rates = six.modes.iter().map(|mode| mode.growth_rate).filter(|rate| *rate != 0.0);
             let fastest = rates.fold(f64::NEG_INFINITY, f64::max);
             let rate = match one.with_friction(&sink) {

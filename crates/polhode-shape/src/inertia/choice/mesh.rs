@@ -1,4 +1,4 @@
-//! How meshes are taken.
+//! Options for meshes.
 
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -10,12 +10,11 @@ use serde::{Deserialize, Serialize};
 use super::substance::PartSubstance;
 use crate::mesh::MeshLength;
 
-/// What says a mesh's density otherwise than --field, or leaves no solid for it, and so for --tolerance: of an option that requires
-/// another, clap asks nothing where that other conflicts with what is given.
+/// Options that exclude --field, and so --tolerance: clap does not check what a required option conflicts with.
 #[cfg(feature = "arguments")]
 const WITHOUT_FIELD: [&str; 5] = ["density", "mass", "material", "part", "shell"];
 
-/// How meshes are taken.
+/// Options for meshes.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]

@@ -1,4 +1,4 @@
-//! What a user may say of files, by their kind.
+//! Options for files, by their kind.
 
 mod cad;
 mod mesh;

@@ -1,8 +1,8 @@
-//! How molecules are read.
+//! Options for molecules.
 
 use serde::{Deserialize, Serialize};
 
-/// How molecules are read.
+/// Options for molecules.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]

@@ -1,4 +1,4 @@
-//! What a body in a file that does not say so is made of.
+//! Options for the substance of bodies.
 
 use std::str::FromStr;
 
@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::material;
 use crate::material::UnknownMaterial;
 
-/// What the whole body is made of: at most one of them.
+/// Substance of the whole body: at most one of the options.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args), group(multiple = false))]
@@ -62,7 +62,7 @@ impl FromStr for MaterialNamed {
 pub struct PartSubstance {
     /// Name of the part in the file.
     pub name: String,
-    /// What it is made of.
+    /// Its density or mass.
     pub substance: Substance,
 }
 

@@ -1,4 +1,4 @@
-//! How voxel grids are read.
+//! Options for voxel grids.
 
 use std::str::FromStr;
 
@@ -6,7 +6,7 @@ use polhode_source::given::{Density, Given, Positive, list, numbers, positive};
 use polhode_source::unit::Dimension;
 use serde::{Deserialize, Serialize};
 
-/// How voxel grids are read.
+/// Options for voxel grids.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]

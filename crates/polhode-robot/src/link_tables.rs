@@ -1,0 +1,56 @@
+//! Tables of the links of several robots, in the forms that they are printed in.
+
+use std::path::{Path, PathBuf};
+
+use polhode_document::VERSION;
+use polhode_document::layout::printable;
+use polhode_shape::noticed;
+use polhode_source::{Failure, shown};
+use serde_json::{Value, json};
+
+use crate::link_table::LinkTable;
+
+/// Tables of links, in the order of their files.
+#[derive(Debug)]
+pub struct LinkTables(pub Vec<(PathBuf, Result<LinkTable, Failure>)>);
+
+impl LinkTables {
+    fn tables(&self) -> impl Iterator<Item = (&Path, &LinkTable)> {
+        self.0.iter().filter_map(|(file, table)| Some((file.as_path(), table.as_ref().ok()?)))
+    }
+
+    /// Returns an object for one file, and a list for several; a file that failed has an object with its error.
+    pub fn to_json(&self) -> Value {
+        let value = |(file, table): &(PathBuf, Result<LinkTable, Failure>)| match table {
+            Ok(table) => table.to_json(),
+            Err(failure) => {
+                json!({ "polhode": VERSION, "file": file.to_string_lossy(), "error": failure.to_json(file) })
+            }
+        };
+        match self.0.as_slice() {
+            [one] => value(one),
+            several => several.iter().map(value).collect(),
+        }
+    }
+
+    /// Returns all tables for people.
+    pub fn to_text(&self) -> String {
+        self.tables().map(|(_, table)| table.to_text()).collect::<Vec<_>>().join("\n")
+    }
+
+    /// Returns one table of all links as CSV; empty if there are none.
+    pub fn to_csv(&self) -> String {
+        let rows: String = self.tables().map(|(_, table)| table.to_csv()).collect();
+        if rows.is_empty() { rows } else { LinkTable::csv_head() + &rows }
+    }
+
+    /// Returns lines for people on what was noticed, for which [`LinkTables::to_csv`] has no room.
+    pub fn noticed(&self) -> String {
+        let of = |(file, table): (&Path, &LinkTable)| {
+            let description = printable(&table.whole.source.description);
+            let findings: String = table.findings().iter().map(|finding| noticed(file, finding)).collect();
+            format!("info: {}: {description}\n{findings}", shown(file))
+        };
+        self.tables().map(of).collect()
+    }
+}

@@ -24,7 +24,7 @@ pub enum Growth {
     Fraction(f64),
 }
 
-/// Which masses of parts count.
+/// Masses of parts that count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]

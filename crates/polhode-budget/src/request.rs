@@ -1,4 +1,4 @@
-//! What is asked of `budget`.
+//! Request of `budget`.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::Basis;
 use crate::read::{LEAST_DRAWS, MOST_DRAWS, Questions};
 
-/// A parts list, and what is asked of it instead of what the list asks itself.
+/// Parts list to read, and options that override its own.
 ///
 /// ```
 /// use polhode_budget::{Output, Request, run};
@@ -42,7 +42,8 @@ pub struct Request {
     /// Also the tensor about this point: x,y,z from the origin, each with its unit or in metres.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "X,Y,Z", allow_hyphen_values = true))]
     pub about: Option<Given<Point>>,
-    /// Also the tensor along axes turned by this unit quaternion (scalar first, turned axes to body axes), from which tilts are then.
+    /// Also the tensor along axes turned by this unit quaternion (scalar first, turned axes to body
+    /// axes), from which tilts are then.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "W,X,Y,Z", allow_hyphen_values = true))]
     pub along: Option<Given<Turn<Body, Part>>>,
     /// How many possible bodies are drawn: 0, or from 10 to 10,000,000. Of --sweep, how many members the plan has.
@@ -118,7 +119,7 @@ impl Request {
         }
     }
 
-    /// Returns what is asked: by this request, else by the file.
+    /// Returns the questions of this request, else those of the file.
     pub(crate) fn questions(&self, file: &Questions) -> Questions {
         Questions {
             about: self.about.as_ref().map(|at| at.value.0).or(file.about),

@@ -1,9 +1,10 @@
 //! What a parts list says, row by row.
 
+use polhode::body::MassProperties;
 use polhode::math::{Part, Position, Rotation};
 
 use crate::growth::Growth;
-use crate::tensor::GivenTensor;
+use crate::tensor::{GivenTensor, ProductSign, TensorPoint};
 use crate::uncertainty::Uncertainty;
 
 /// A row of a parts list: a frame, a part in it, or both.
@@ -110,6 +111,18 @@ impl GivenPart {
     /// All the mass at one point.
     pub fn point(mass: f64, at: Position<Part>) -> Self {
         Self { mass, center_of_mass: at, tensor: GivenTensor::ZERO }
+    }
+
+    /// Returns a body as a part.
+    pub(crate) fn of(body: &MassProperties<Part>) -> Self {
+        let [[xx, xy, xz], [_, yy, yz], [.., zz]] = body.inertia().matrix();
+        let tensor = GivenTensor {
+            moments: [xx, yy, zz],
+            products: [xy, xz, yz],
+            sign: ProductSign::NegativeIntegral,
+            about: TensorPoint::CenterOfMass,
+        };
+        Self { mass: body.mass(), center_of_mass: body.center_of_mass(), tensor }
     }
 }
 

@@ -17,12 +17,13 @@ use crate::request::{MadeFile, Output, Request};
 /// Computes what a parts list comes to, or what changed since another, and the files that the request names.
 ///
 /// # Errors
-/// [`Failure`] for lists that cannot be read or make no possible body, and for what the request asks and the list does not have.
+/// [`Failure`] for lists that cannot be read or make no possible body, and for what the list lacks.
 pub fn run(request: &Request, files: &dyn Files) -> Result<Budgeted, Failure> {
     run_watched(request, files, &mut |_, _| ())
 }
 
-/// As [`run`]; `reached` is called with the number of bodies that are drawn, and how many are to be.
+/// Computes as [`run`] does, and calls `reached` with the number of bodies that are drawn, and how
+/// many are to be.
 ///
 /// # Errors
 /// As [`run`].
@@ -42,6 +43,10 @@ pub fn run_watched(
     };
     let list = &request.file;
     let file = open(list)?;
+    let questions = request.questions(&file.questions);
+    if matches!(request.output, Some(Output::Plan(_))) && questions.draws == Some(0) {
+        return Err(Failure::usage("a plan has members, and --draws is 0", "leave --draws out"));
+    }
     let (answer, made) = match &request.diff {
         Some(other) => {
             let after = compared(request, list, file, false)?;
@@ -49,14 +54,15 @@ pub fn run_watched(
             (Answer::Diff(Box::new([before, after])), Vec::new())
         }
         None => {
-            let (report, made) = answered(request, file, reached).map_err(|failure| failure.about(list))?;
+            let (report, made) =
+                answered(request, &questions, file, reached).map_err(|failure| failure.about(list))?;
             (Answer::List(Box::new(report)), made)
         }
     };
     Ok(Budgeted { answer, made, output: request.output.clone(), read, is_strict: request.strict })
 }
 
-/// One side of a difference.
+/// Computes one side of a difference.
 fn compared(
     request: &Request,
     list: &Path,
@@ -71,9 +77,10 @@ fn compared(
     report.map_err(|failure| failure.about(list))
 }
 
-/// The report of a list, and the files that are made of it; tables of all rows are not among these.
+/// Computes the report of a list, and the files made of it except tables of all rows.
 fn answered(
     request: &Request,
+    questions: &Questions,
     file: BudgetFile,
     reached: &mut dyn FnMut(usize, usize),
 ) -> Result<(BudgetReport, Vec<MadeFile>), Failure> {
@@ -81,7 +88,6 @@ fn answered(
         let message = "the file has limits, which are tried by draws, and --draws is 0";
         return Err(Failure::usage(message, "leave --draws out"));
     }
-    let questions = request.questions(&file.questions);
     let configuration = request.configuration.as_deref();
     let over_time = file.prescribed.as_ref().and_then(|all| all.over_time.clone());
     let begun = over_time
@@ -91,10 +97,6 @@ fn answered(
     if let Some(Output::Scenario(target)) = &request.output {
         made.extend(history::files(&file, questions.basis, target)?);
     }
-    let plan = match &request.output {
-        Some(Output::Plan(target)) => Some((target, plan_options(&questions, begun)?)),
-        _ => None,
-    };
     let scope = match &request.output {
         None => Scope::Full,
         Some(output) => Scope::Given {
@@ -102,35 +104,35 @@ fn answered(
             has_states: matches!(output, Output::Time | Output::Fill | Output::Workbook(_)),
         },
     };
-    let report = BudgetReport::of_file(file, &questions, configuration, scope, reached)?;
+    let report = BudgetReport::of_file(file, questions, configuration, scope, reached)?;
     let changes = begun.is_some_and(OverTime::has_changes);
-    if let Some((target, options)) = plan {
-        let plan = report.to_plan(configuration, &options);
-        let plan = plan.map_err(|why| Failure::usage(why.to_string(), why.hint()))?;
-        if changes {
-            let message = "the list has [[burn]], [[drop]] or [[deploy]], and the members of a plan have bodies that do not change";
-            let hint = "--scenario writes what happens to the body as it is listed; without these sections the plan is of the body at first";
-            return Err(Failure::usage(message, hint));
-        }
-        made.push((target.clone(), plan.into_bytes()));
-    }
     let text = match &request.output {
+        Some(Output::Plan(target)) => {
+            let plan = report.to_plan(configuration, &plan_options(questions, begun));
+            let plan = plan.map_err(|why| Failure::usage(why.to_string(), why.hint()))?;
+            if changes {
+                let message = "the list has [[burn]], [[drop]] or [[deploy]], and the members of a plan have bodies that do not change";
+                let hint = "--scenario writes what happens to the body as it is listed; without these sections the plan is of the body at first";
+                return Err(Failure::usage(message, hint));
+            }
+            Some((target.as_path(), plan))
+        }
         Some(Output::Body) => {
             let body = report.to_scenario(configuration);
             let body = body.map_err(|why| Failure::usage(why.to_string(), why.hint()))?;
-            Some(("body.toml", if changes { AT_FIRST.to_owned() + &body } else { body }))
+            Some((Path::new("body.toml"), if changes { AT_FIRST.to_owned() + &body } else { body }))
         }
         Some(Output::Time) => {
             let table = report.to_time_csv().ok_or_else(|| nothing_happens(over_time.as_ref()));
-            Some(("over-time.csv", table?))
+            Some((Path::new("over-time.csv"), table?))
         }
         Some(Output::Fill) => {
             let none = || Failure::usage("there is no tank in it", "add [[tank]] with what is in it");
-            Some(("by-fill.csv", report.to_fill_csv().ok_or_else(none)?))
+            Some((Path::new("by-fill.csv"), report.to_fill_csv().ok_or_else(none)?))
         }
-        _ => None,
+        None | Some(Output::Parts | Output::Workbook(_) | Output::Scenario(_)) => None,
     };
-    made.extend(text.map(|(name, text)| (name.into(), text.into_bytes())));
+    made.extend(text.map(|(name, text)| (name.to_owned(), text.into_bytes())));
     Ok((report, made))
 }
 
@@ -138,17 +140,14 @@ fn answered(
 const AT_FIRST: &str = "# As it is at first: polhode budget --scenario writes what happens to it\n";
 
 /// Options of the members of a plan: their number and seed are those of the draws.
-fn plan_options(questions: &Questions, begun: Option<&OverTime>) -> Result<PlanOptions, Failure> {
+fn plan_options(questions: &Questions, begun: Option<&OverTime>) -> PlanOptions {
     /// s
     const DURATION: f64 = 60.0;
-    match questions.draws.unwrap_or(BudgetReport::DRAWS) {
-        0 => Err(Failure::usage("a plan has members, and --draws is 0", "leave --draws out")),
-        members => Ok(PlanOptions {
-            members,
-            seed: questions.seed,
-            spin: begun.and_then(|all| all.spin),
-            duration: begun.map_or(DURATION, |all| all.until),
-        }),
+    PlanOptions {
+        members: questions.draws.unwrap_or(BudgetReport::DRAWS),
+        seed: questions.seed,
+        spin: begun.and_then(|all| all.spin),
+        duration: begun.map_or(DURATION, |all| all.until),
     }
 }
 
@@ -216,7 +215,7 @@ impl Budgeted {
     /// Writes the table of [`Output::Parts`] row by row, to save memory; nothing of a difference.
     ///
     /// # Errors
-    /// [`Failure`] if the mass properties of a row are no numbers; inside those of `out`.
+    /// [`Failure`] if the mass properties of a row overflow; inside those of `out`.
     pub fn write_parts(&self, out: &mut dyn io::Write) -> Result<io::Result<()>, Failure> {
         let written = self.report().map_or(Ok(Ok(())), |report| report.write_csv(out));
         written.map_err(|error| self.refused(&error.into()))

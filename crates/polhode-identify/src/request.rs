@@ -1,4 +1,4 @@
-//! What is asked of `identify`.
+//! Requests to `identify`.
 
 use std::path::PathBuf;
 

@@ -48,6 +48,11 @@ impl Noise {
 }
 
 impl ResidualTest {
+    /// Returns true if the residuals are larger than the noise, or correlated: the model is incomplete.
+    pub fn shows_model_error(&self) -> bool {
+        self.is_too_large() || self.is_correlated()
+    }
+
     /// Of runs of residuals in standard deviations, each of one channel in the order of time.
     pub(crate) fn of(what: &'static str, noise: Noise, found: f64, runs: &[Vec<f64>]) -> Self {
         let count: usize = runs.iter().map(Vec::len).sum();

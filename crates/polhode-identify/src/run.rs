@@ -20,7 +20,8 @@ const OPTIONS: &str = "the flags";
 /// Finds the body that was measured.
 ///
 /// # Errors
-/// [`Failure`] for files that cannot be read, measurements that are no body's motion, and a body that is requested and not all known.
+/// [`Failure`] for files that cannot be read, measurements that do not fit a body, and a requested
+/// body that is not known.
 pub fn run(request: &Request, files: &dyn Files) -> Result<Identified, Failure> {
     let plan = match request.plan()? {
         GivenPlan::File(plan) => read::read(files, &plan)?,
@@ -42,7 +43,7 @@ pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");
 /// Result of a [`Request`].
 #[derive(Clone, Debug)]
 pub struct Identified {
-    /// What was found.
+    /// Report of the estimate.
     pub report: IdentifyReport,
     /// The body as a part of a scenario file, if it was requested.
     pub body: Option<String>,
@@ -64,7 +65,7 @@ impl Report for Identified {
     }
 }
 
-/// What the request says of the body in addition to what is found.
+/// Mass and greatest moment that the request states.
 fn size(request: &Request) -> Result<BodySize, Failure> {
     const HINT: &str = "as in --mass \"350 g\"";
     let mass = |text: &String| {

@@ -11,7 +11,7 @@
 //! | [`mod@unit`] | quantities in text |
 //! | [`expression`] | formulas in text |
 //! | [`toml`] | TOML: tables, values and rotations with their places |
-//! | [`mod@csv`] | numbers with commas between them |
+//! | [`mod@csv`] | lines and fields of tables; numbers with commas between them |
 //! | [`times`] | lists of times, one per line |
 //! | [`xml`] | elements, attributes and numbers with their places |
 //! | [`package`] | XML in ZIP archives, with limits on what they unfold to |

@@ -19,6 +19,7 @@ mod rows;
 mod run;
 mod sampling;
 mod statistics;
+mod threads;
 
 pub use batch::{Batch, BatchError, Column, Values};
 pub use dataset::{Dataset, Progress};

@@ -1,4 +1,4 @@
-//! What is asked of `sweep`.
+//! Requests to `sweep`.
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;

@@ -14,7 +14,9 @@ use crate::request::Request;
 use crate::rows::{inputs, simulate};
 use crate::statistics;
 
-/// Computes all members of a plan, and what they come to. It keeps their rows in memory; a [`Dataset`](crate::Dataset) keeps them in a folder.
+/// Computes all members of a plan, and their statistics.
+///
+/// It keeps the rows in memory; a [`Dataset`](crate::Dataset) keeps them in a folder.
 ///
 /// # Errors
 /// [`Failure`] for a plan that cannot be read or has no times.
@@ -37,9 +39,9 @@ pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");
 /// Result of a [`Request`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Swept {
-    /// What the members come to.
+    /// Statistics of the members.
     pub summary: SweepSummary,
-    /// What was noticed about the plan.
+    /// Findings about the plan.
     pub findings: Vec<Finding>,
 }
 

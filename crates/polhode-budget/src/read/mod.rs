@@ -54,9 +54,11 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace, shown};
 
 use crate::{Ballast, Basis, Budget, Limit};
 pub use access::Access;
+pub(crate) use cell::column_name;
 use heading::Columns;
 use plan::Plan;
 use rows::Rows;
+pub(crate) use shape::quoted;
 use sheet::Sheet;
 
 pub use plan::sequence::PlannedChange;
@@ -127,7 +129,7 @@ pub struct ReadParts {
 }
 
 impl BudgetFile {
-    /// What was read and taken as given, line by line.
+    /// Returns what was read and taken as given, line by line.
     pub fn sources(&self) -> Vec<String> {
         let of = |read: &ReadParts| -> Vec<String> {
             read.lines.iter().map(|line| format!("{}: {line}", shown(&read.path))).collect()

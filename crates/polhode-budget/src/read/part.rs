@@ -11,7 +11,7 @@ use super::key::{
 };
 use super::place::spread;
 use super::rows::Rows;
-use crate::{GivenPart, GivenTensor, PartUncertainty, ProductSign, TensorPoint};
+use crate::{GivenPart, GivenTensor, PartUncertainty};
 
 pub(crate) const MOMENTS: [usize; 3] = [IXX, IYY, IZZ];
 pub(crate) const PRODUCTS: [usize; 3] = [IXY, IXZ, IYZ];
@@ -107,16 +107,7 @@ impl<'s, 'a> Rows<'s, 'a> {
                 self.taken.points += usize::from(is_point);
                 GivenPart { mass, center_of_mass: Position::from_array(center), tensor }
             }
-            Told::Properties(properties) => {
-                let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = properties.inertia().matrix();
-                let tensor = GivenTensor {
-                    moments: [xx, yy, zz],
-                    products: [xy, xz, yz],
-                    sign: ProductSign::NegativeIntegral,
-                    about: TensorPoint::CenterOfMass,
-                };
-                GivenPart { mass: properties.mass(), center_of_mass: properties.center_of_mass(), tensor }
-            }
+            Told::Properties(properties) => GivenPart::of(&properties),
         }
     }
 

@@ -10,7 +10,7 @@ use polhode_source::toml::BodyPart;
 
 use super::states::history;
 use super::table::to_csv;
-use crate::read::{BudgetFile, OverTime};
+use crate::read::{BudgetFile, OverTime, quoted};
 use crate::request::MadeFile;
 use crate::{Basis, Sequence, SequenceError};
 
@@ -19,7 +19,7 @@ const PIECES: usize = 16;
 /// Samples of a run.
 const SAMPLES: f64 = 600.0;
 
-/// The failure of a list without a sequence.
+/// Returns the failure of a list without a sequence.
 pub(crate) fn nothing() -> Failure {
     Failure::usage(
         "nothing happens in it over time",
@@ -27,7 +27,7 @@ pub(crate) fn nothing() -> Failure {
     )
 }
 
-/// The table of a body over time, and the scenario that names it and that `simulate` runs.
+/// Returns the table of a body over time, and the scenario that names it and that `simulate` runs.
 pub(crate) fn files(file: &BudgetFile, basis: Basis, target: &Path) -> Result<[MadeFile; 2], Failure> {
     let over_time = file.prescribed.as_ref().and_then(|all| Some((all, all.over_time.as_ref()?)));
     let (prescribed, over_time) = over_time.ok_or_else(nothing)?;
@@ -45,7 +45,7 @@ pub(crate) fn files(file: &BudgetFile, basis: Basis, target: &Path) -> Result<[M
     Ok([(beside, rows), (target.to_owned(), scenario)])
 }
 
-/// Why there is no motion: most often nothing says where mass leaves.
+/// Returns the failure of a motion. Most often nothing states where mass leaves.
 fn no_history(error: &SequenceError, over_time: &OverTime) -> Failure {
     let hint = match (error, &over_time.outflow) {
         (SequenceError::Motion(_), Outflow::None) if !over_time.burns().is_empty() => {
@@ -59,7 +59,7 @@ fn no_history(error: &SequenceError, over_time: &OverTime) -> Failure {
     Failure::usage(error.to_string(), hint)
 }
 
-/// The scenario and its table.
+/// Returns the scenario and its table.
 fn texts(
     sequence: &Sequence<'_>,
     over_time: &OverTime,
@@ -96,17 +96,4 @@ fn of_exit(exit: &Exit) -> String {
         let _ = write!(text, "radius = {:?}\naxis = [{x:?}, {y:?}, {z:?}]\n", exit.radius);
     }
     text
-}
-
-/// A string of TOML.
-fn quoted(text: &str) -> String {
-    let mut quoted = "\"".to_owned();
-    for c in text.chars() {
-        match c {
-            '"' | '\\' => quoted.extend(['\\', c]),
-            c if c.is_control() => quoted += &format!("\\u{:04X}", u32::from(c)),
-            c => quoted.push(c),
-        }
-    }
-    quoted + "\""
 }

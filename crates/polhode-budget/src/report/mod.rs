@@ -55,7 +55,7 @@ pub struct BudgetOptions {
     pub seed: u64,
 }
 
-/// What a parts list says besides its rows and its limits.
+/// Statements of a parts list besides its rows and its limits.
 #[derive(Clone, Debug, Default)]
 struct Statements {
     /// How many bodies it asks to be drawn.

@@ -22,10 +22,12 @@ pub enum Scope {
 }
 
 impl BudgetReport {
-    /// Computes the report of a file, or of one of its configurations; `reached` is called with the number of bodies that are drawn, and how many are to be.
+    /// Computes the report of a file, or of one of its configurations; `reached` is called with the
+    /// number of bodies that are drawn, and how many are to be.
     ///
     /// # Errors
-    /// [`Failure`] without a file, for a configuration that is not there, and as [`BudgetReport::new`], [`BudgetReport::with_sequence`] and [`BudgetReport::with_ballast`].
+    /// [`Failure`] without a file, for a configuration that is not there, and as
+    /// [`BudgetReport::new`], [`BudgetReport::with_sequence`] and [`BudgetReport::with_ballast`].
     pub fn of_file(
         file: BudgetFile,
         questions: &Questions,

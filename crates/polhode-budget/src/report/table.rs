@@ -34,8 +34,9 @@ const COLUMNS: [&str; 19] = [
 ];
 
 impl BudgetReport {
-    /// Writes CSV with a row for each row of each configuration: its masses, all copies counted, and the mass properties of one copy with all in it, along the axes of the body, the
-    /// tensor about its own centre of mass with Ixy = −∫ x y dm.
+    /// Writes CSV with a row for each row of each configuration: its masses, all copies counted, and
+    /// the mass properties of one copy with all in it, along the axes of the body, the tensor about
+    /// its own centre of mass with Ixy = −∫ x y dm.
     ///
     /// # Errors
     /// As [`crate::Budget::subtrees`]; inside those of `out`.
@@ -46,8 +47,8 @@ impl BudgetReport {
         self.each_row(&mut |row| out.write_all(line(&row).as_bytes()))
     }
 
-    /// Returns the same as sheets of a workbook, and besides it the ten numbers of each configuration with their errors, and their covariance; and the body over time and by what is in its tanks, as far as
-    /// these are known.
+    /// Returns the same as sheets of a workbook, the ten numbers of each configuration with their
+    /// errors and covariance, and the body over time and by what is in its tanks, as far as known.
     ///
     /// # Errors
     /// As [`crate::Budget::subtrees`].

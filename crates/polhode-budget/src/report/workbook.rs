@@ -6,6 +6,8 @@ use std::io::{self, Seek, Write};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
+use crate::read::column_name;
+
 /// A sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
@@ -90,7 +92,7 @@ fn content(sheet: &Sheet) -> String {
         let row = row + 1;
         let _ = write!(text, "<row r=\"{row}\">");
         for (column, cell) in cells.iter().enumerate() {
-            let column = letters(column);
+            let column = column_name(column);
             let _ = match cell {
                 Cell::Number(number) if number.is_finite() => {
                     write!(text, "<c r=\"{column}{row}\"><v>{number:?}</v></c>")
@@ -108,18 +110,6 @@ fn content(sheet: &Sheet) -> String {
     text + "</sheetData></worksheet>"
 }
 
-/// A, B, …, Z, AA, …
-fn letters(mut column: usize) -> String {
-    let mut name = Vec::new();
-    loop {
-        name.push(char::from(b'A' + (column % 26) as u8));
-        match (column / 26).checked_sub(1) {
-            Some(rest) => column = rest,
-            None => return name.iter().rev().collect(),
-        }
-    }
-}
-
 /// As XML has it; letters that it cannot hold are left out.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
@@ -135,14 +125,4 @@ fn escaped(text: &str) -> String {
         }
     }
     out
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn columns_have_letters() {
-        assert_eq!([0, 25, 26, 51, 52, 701, 702].map(letters), ["A", "Z", "AA", "AZ", "BA", "ZZ", "AAA"]);
-    }
 }

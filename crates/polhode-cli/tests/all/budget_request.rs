@@ -5,8 +5,8 @@ use polhode_document::Report as _;
 use polhode_source::files::{Disk, Memory};
 use serde_json::{Value, json};
 
-use crate::common::{Scratch, example, json, stdout};
 use crate::schema::misfit;
+use crate::common::{Scratch, example, json, stdout};
 
 /// Every object of a schema forbids other keys, and every number says what it is.
 fn require_strict(schema: &Value, at: &str) {
@@ -72,11 +72,10 @@ fn a_request_answers_what_the_command_prints() {
         let [(_, table)] = &made(output)[..] else { panic!("{option}") };
         assert_eq!(String::from_utf8_lossy(table), stdout(&scratch.run(&["budget", &file, option])));
     }
-    let all = [Output::Workbook("a.xlsx".into()), Output::Scenario("a.toml".into())];
-    for (output, option, target) in all.into_iter().zip(["--xlsx", "--scenario"]).map(|(output, option)| {
-        let target = if option == "--xlsx" { "a.xlsx" } else { "a.toml" };
-        (output, option, target)
-    }) {
+    for (output, option, target) in [
+        (Output::Workbook("a.xlsx".into()), "--xlsx", "a.xlsx"),
+        (Output::Scenario("a.toml".into()), "--scenario", "a.toml"),
+    ] {
         stdout(&scratch.run(&["budget", &file, option, target]));
         for (name, bytes) in made(output) {
             assert_eq!(std::fs::read(scratch.0.join(&name)).unwrap(), bytes, "{name:?}");

@@ -11,5 +11,5 @@ pub(crate) enum Gravity<'a> {
     /// There is none.
     None,
     /// Told along axes of space, and turned to the sensor's by logged attitudes.
-    Turned { value: Value<'a>, told: Acceleration<Space>, sense: AttitudeSense },
+    Turned { value: Box<Value<'a>>, told: Acceleration<Space>, sense: AttitudeSense },
 }

@@ -82,7 +82,7 @@ fn gravity<'a>(table: &Table<'a>) -> Result<Gravity<'a>, FormatError> {
         "body-to-space" => AttitudeSense::BodyToSpace,
         _ => AttitudeSense::SpaceToBody,
     };
-    Ok(Gravity::Turned { value, told, sense })
+    Ok(Gravity::Turned { value: Box::new(value), told, sense })
 }
 
 /// `noise = { force = "0.05 N", torque = "2e-3 N m" }`, or `{ covariance = […] }`, six rows of fx, fy, fz, tx, ty, tz in N and N·m

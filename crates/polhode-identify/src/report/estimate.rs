@@ -94,20 +94,29 @@ pub(crate) fn residuals(section: &mut Section, tests: &[ResidualTest]) {
     }
 }
 
+/// A finding, which is at no place of a file.
+pub(crate) const fn finding(code: &'static str, severity: Severity, message: String) -> Finding {
+    Finding { code, severity, message, place: None }
+}
+
+/// Numbers sections from 1, in their order.
+pub(crate) fn numbered(mut sections: Vec<Section>) -> Vec<Section> {
+    sections.iter_mut().zip(1..).for_each(|(section, k)| section.number = k);
+    sections
+}
+
 /// What is left that is no noise, or not the noise that was told.
 pub(crate) fn model_findings(tests: &[ResidualTest]) -> Vec<Finding> {
     let widening = tests.iter().map(ResidualTest::widening).fold(1.0, f64::max);
-    let odd = tests.iter().filter(|test| test.is_too_large() || test.is_correlated());
-    odd.map(|test| Finding {
-        code: "identify.model",
-        severity: Severity::Warning,
-        message: format!(
+    let odd = tests.iter().filter(|test| test.shows_model_error());
+    odd.map(|test| {
+        let message = format!(
             "what is left of {} is no noise (χ² {} per degree of freedom): errors are widened {}-fold, and hold only if what is missing acts like noise",
             test.what,
             number(test.reduced_chi_square, 3),
             number(widening, 3)
-        ),
-        place: None,
+        );
+        finding("identify.model", Severity::Warning, message)
     })
     .chain(small_findings(tests))
     .collect()
@@ -117,16 +126,14 @@ pub(crate) fn model_findings(tests: &[ResidualTest]) -> Vec<Finding> {
 pub(crate) fn small_findings<'a>(tests: impl IntoIterator<Item = &'a ResidualTest>) -> Vec<Finding> {
     let small = tests.into_iter().filter(|test| test.is_too_small());
     small
-        .map(|test| Finding {
-            code: "identify.noise",
-            severity: Severity::Info,
-            message: format!(
+        .map(|test| {
+            let message = format!(
                 "what is left of {} is {} of the noise that was told (χ² {} per degree of freedom): the errors are of that noise, and too wide if it is less",
                 test.what,
                 number(test.reduced_chi_square.sqrt(), 2),
                 number(test.reduced_chi_square, 2)
-            ),
-            place: None,
+            );
+            finding("identify.noise", Severity::Info, message)
         })
         .collect()
 }

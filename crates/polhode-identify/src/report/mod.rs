@@ -12,7 +12,7 @@ mod tumble;
 
 use polhode::body::MassProperties;
 use polhode::math::Body;
-use polhode_document::Document;
+use polhode_document::{Document, Report};
 use serde_json::Value;
 
 use crate::IdentifyError;
@@ -51,7 +51,7 @@ impl IdentifyReport {
             Measurement::Swing(plan) => {
                 let found = identify_swings(plan)?;
                 let next = next_swing(plan, &found)?;
-                Ok(Self::Swing(SwingReport::new(title, sources, found).with_next(next)))
+                Ok(Self::Swing(SwingReport::new(title, sources, found, next)))
             }
         }
     }
@@ -68,7 +68,7 @@ impl IdentifyReport {
     ) -> Result<Self, IdentifyError> {
         let found = identify_tumbles(flights, options)?;
         let next = next_flight(flights, options, &found)?;
-        Ok(Self::Tumble(TumbleReport::new(title, sources, found).with_next(next)))
+        Ok(Self::Tumble(TumbleReport::new(title, sources, found, next)))
     }
 
     /// Identifies a payload by the wrenches of a log, and says which further motion would help most.
@@ -83,7 +83,7 @@ impl IdentifyReport {
         let found = identify_payload(log)?;
         let next = next_motion(log, &found)?;
         let times = log.rows().iter().map(|row| row.time).collect();
-        Ok(Self::Payload(PayloadReport::new(title, sources, times, found).with_next(next)))
+        Ok(Self::Payload(PayloadReport::new(title, sources, times, found, next)))
     }
 
     /// The body, where all of it is known.
@@ -95,22 +95,22 @@ impl IdentifyReport {
         }
     }
 
+    fn of_kind(&self) -> &dyn Report {
+        match self {
+            Self::Tumble(report) => report,
+            Self::Payload(report) => report,
+            Self::Swing(report) => report,
+        }
+    }
+
     /// The report as data.
     pub fn to_json(&self) -> Value {
-        match self {
-            Self::Tumble(report) => report.to_json(),
-            Self::Payload(report) => report.to_json(),
-            Self::Swing(report) => report.to_json(),
-        }
+        self.of_kind().to_json()
     }
 
     /// The report as a document: text, Markdown, a page.
     pub fn to_document(&self) -> Document {
-        match self {
-            Self::Tumble(report) => report.to_document(),
-            Self::Payload(report) => report.to_document(),
-            Self::Swing(report) => report.to_document(),
-        }
+        self.of_kind().to_document()
     }
 
     /// The body as a part of a scenario file. Of a tumble that shows only ratios its size and its mass have to be said.
@@ -131,10 +131,6 @@ impl IdentifyReport {
 
     /// True if what is left is more than noise: the model is not all that moves the body.
     pub fn has_model_error(&self) -> bool {
-        match self {
-            Self::Tumble(report) => report.has_model_error(),
-            Self::Payload(report) => report.has_model_error(),
-            Self::Swing(report) => report.has_model_error(),
-        }
+        self.of_kind().has_failed()
     }
 }

@@ -7,7 +7,7 @@ use polhode_document::drawing::{Drawing, Scatter, Series};
 use polhode_document::finding;
 use polhode_document::layout::printable;
 use polhode_document::number::{counted, number, with_error};
-use polhode_document::{Document, Section};
+use polhode_document::{Document, Report, Section};
 use polhode_source::toml::BodyPart;
 use serde_json::{Value, json};
 
@@ -32,10 +32,84 @@ pub struct PayloadReport {
 const SHOWN: usize = 10;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
+impl Report for PayloadReport {
+    fn to_json(&self) -> Value {
+        let payload = &self.payload;
+        let free = &payload.unconstrained;
+        let left = |left: &crate::payload::LeftOut| json!({ "row": left.row, "time": self.times.get(left.row), "size": left.size });
+        json!({
+            "polhode": VERSION,
+            "kind": "payload",
+            "title": self.title,
+            "rows": self.times.len(),
+            "body": payload.body.as_ref().map(body_to_json),
+            "estimate": estimate::to_json(&payload.about_center),
+            "about_origin": estimate::to_json(&payload.about_origin),
+            "principal": payload.principal().map(|p| estimate::principal_to_json(&p)),
+            "edge": payload.edge.as_ref().map(|edge| self.edge_to_json(edge)),
+            "unconstrained": {
+                "numbers": free.numbers,
+                "is_possible": free.is_possible,
+                "least_second_moment": free.least_second_moment,
+                "chi_square_rise": free.chi_square_rise,
+            },
+            "residuals": estimate::residuals_to_json(&payload.tests),
+            "row_residuals": payload.residuals,
+            "next": self.next.as_ref().map(next::to_json),
+            "left_out": payload.left_out.iter().map(left).collect::<Value>(),
+            "findings": finding::to_json(&self.findings()),
+        })
+    }
+
+    fn to_document(&self) -> Document {
+        let numbers = &self.payload.about_center.numbers;
+        let of = |k: usize| numbers.get(k).map_or_else(String::new, |n| estimate::cell(n.value, n.sd));
+        let is_known = |mut range: std::ops::Range<usize>| {
+            range.all(|k| numbers.get(k).is_some_and(|number| number.sd.is_some()))
+        };
+        let mut answer = vec![match is_known(0..1) {
+            true => format!("Mass {} kg", of(0)),
+            false => "Mass not determined".to_owned(),
+        }];
+        answer.push(match is_known(1..4) {
+            true => format!("Centre of mass ({}; {}; {}) m from the sensor's origin", of(1), of(2), of(3)),
+            false => "Centre of mass not determined".to_owned(),
+        });
+        if let Some(p) = self.payload.principal() {
+            let of = |k: usize| estimate::cell(p.moments[k], p.moment_sd[k]);
+            answer.push(match p.moment_sd.iter().all(Option::is_some) {
+                true => format!("Principal moments about it {}; {}; {} kg·m²", of(0), of(1), of(2)),
+                false => "Principal moments about it not determined".to_owned(),
+            });
+        }
+        let mut sections = vec![self.read(), self.body()];
+        sections.extend(self.payload.edge.as_ref().map(|edge| self.edge(edge)));
+        sections.extend([self.left(), self.unconstrained()]);
+        sections.extend(self.next.as_ref().map(next::section));
+        Document {
+            title: printable(&self.title),
+            answer,
+            sections: estimate::numbered(sections),
+            findings: self.findings(),
+        }
+    }
+
+    /// Returns true if the residuals are more than noise.
+    fn has_failed(&self) -> bool {
+        self.payload.tests.iter().any(ResidualTest::shows_model_error)
+    }
+}
+
 impl PayloadReport {
-    /// Of what was found, the lines that say what was read, and the times of the rows.
-    pub fn new(title: Option<&str>, sources: Vec<String>, times: Vec<f64>, payload: Payload) -> Self {
-        Self { title: title.unwrap_or("a payload").to_owned(), sources, times, payload, next: None }
+    /// Makes a report of an estimate, the lines about its log, the times of its rows, and the motions that could be next.
+    pub(crate) fn new(
+        title: Option<&str>,
+        sources: Vec<String>,
+        times: Vec<f64>,
+        payload: Payload,
+        next: Option<NextExperiment<NextMotion>>,
+    ) -> Self {
+        Self { title: title.unwrap_or("a payload").to_owned(), sources, times, payload, next }
     }
 
     /// What was found.
@@ -46,17 +120,6 @@ impl PayloadReport {
     /// The times of the rows, s.
     pub fn times(&self) -> &[f64] {
         &self.times
-    }
-
-    /// True if what is left is more than noise.
-    pub fn has_model_error(&self) -> bool {
-        self.payload.tests.iter().any(|test| test.is_too_large() || test.is_correlated())
-    }
-
-    /// With the motions that could be made next.
-    #[must_use]
-    pub fn with_next(self, next: Option<NextExperiment<NextMotion>>) -> Self {
-        Self { next, ..self }
     }
 
     /// The body as a part of a scenario file.
@@ -73,7 +136,7 @@ impl PayloadReport {
         let payload = &self.payload;
         let mut findings = estimate::model_findings(&payload.tests);
         let mut say = |code: &'static str, severity: Severity, message: String| {
-            findings.push(Finding { code, severity, message, place: None });
+            findings.push(estimate::finding(code, severity, message));
         };
         for found in &payload.findings {
             let (code, severity) = match found {
@@ -111,38 +174,6 @@ impl PayloadReport {
             say("identify.unknown", Severity::Warning, message.to_owned());
         }
         findings
-    }
-
-    /// The report as a document: text, Markdown, a page.
-    pub fn to_document(&self) -> Document {
-        let numbers = &self.payload.about_center.numbers;
-        let of = |k: usize| numbers.get(k).map_or_else(String::new, |n| estimate::cell(n.value, n.sd));
-        let is_known = |mut range: std::ops::Range<usize>| {
-            range.all(|k| numbers.get(k).is_some_and(|number| number.sd.is_some()))
-        };
-        let mut answer = vec![match is_known(0..1) {
-            true => format!("Mass {} kg", of(0)),
-            false => "Mass not determined".to_owned(),
-        }];
-        answer.push(match is_known(1..4) {
-            true => format!("Centre of mass ({}; {}; {}) m from the sensor's origin", of(1), of(2), of(3)),
-            false => "Centre of mass not determined".to_owned(),
-        });
-        if let Some(p) = self.payload.principal() {
-            let of = |k: usize| estimate::cell(p.moments[k], p.moment_sd[k]);
-            answer.push(match p.moment_sd.iter().all(Option::is_some) {
-                true => format!("Principal moments about it {}; {}; {} kg·m²", of(0), of(1), of(2)),
-                false => "Principal moments about it not determined".to_owned(),
-            });
-        }
-        let mut sections = vec![self.read(), self.body()];
-        sections.extend(self.payload.edge.as_ref().map(|edge| self.edge(edge)));
-        sections.extend([self.left(), self.unconstrained()]);
-        sections.extend(self.next.as_ref().map(next::section));
-        for (k, section) in sections.iter_mut().enumerate() {
-            section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
-        }
-        Document { title: printable(&self.title), answer, sections, findings: self.findings() }
     }
 
     fn read(&self) -> Section {
@@ -291,35 +322,6 @@ impl PayloadReport {
             s.table(&["number", "payload ± sd", "without", "unit"], rows.map(row).collect());
         }
         s
-    }
-
-    /// The report as data.
-    pub fn to_json(&self) -> Value {
-        let payload = &self.payload;
-        let free = &payload.unconstrained;
-        let left = |left: &crate::payload::LeftOut| json!({ "row": left.row, "time": self.times.get(left.row), "size": left.size });
-        json!({
-            "polhode": VERSION,
-            "kind": "payload",
-            "title": self.title,
-            "rows": self.times.len(),
-            "body": payload.body.as_ref().map(body_to_json),
-            "estimate": estimate::to_json(&payload.about_center),
-            "about_origin": estimate::to_json(&payload.about_origin),
-            "principal": payload.principal().map(|p| estimate::principal_to_json(&p)),
-            "edge": payload.edge.as_ref().map(|edge| self.edge_to_json(edge)),
-            "unconstrained": {
-                "numbers": free.numbers,
-                "is_possible": free.is_possible,
-                "least_second_moment": free.least_second_moment,
-                "chi_square_rise": free.chi_square_rise,
-            },
-            "residuals": estimate::residuals_to_json(&payload.tests),
-            "row_residuals": payload.residuals,
-            "next": self.next.as_ref().map(next::to_json),
-            "left_out": payload.left_out.iter().map(left).collect::<Value>(),
-            "findings": finding::to_json(&self.findings()),
-        })
     }
 
     fn edge_to_json(&self, edge: &Edge) -> Value {

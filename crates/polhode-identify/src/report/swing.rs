@@ -7,7 +7,7 @@ use polhode_document::drawing::{Drawing, Scatter, Series};
 use polhode_document::finding;
 use polhode_document::layout::printable;
 use polhode_document::number::{count, number, with_error};
-use polhode_document::{Document, Section};
+use polhode_document::{Document, Report, Section};
 use polhode_source::toml::BodyPart;
 use serde_json::{Value, json};
 
@@ -15,7 +15,7 @@ use super::next::Named;
 use super::scenario::NoBody;
 use super::{estimate, mistakes, next};
 use crate::swing::{Measurement, NextSwing, SwingEstimate, SwingResult, SwingTest};
-use crate::{NextExperiment, Number, ON_EARTH, PrincipalEstimate};
+use crate::{NextExperiment, Number, ON_EARTH, PrincipalEstimate, ResidualTest};
 
 /// A body that was found by its swings.
 #[derive(Clone, Debug)]
@@ -41,28 +41,85 @@ fn with_unit(found: &Number, sd: f64) -> String {
     format!("{}{unit}", with_error(found.value, sd))
 }
 
-impl SwingReport {
-    /// Of what was found, and the lines that say what was read of logs.
-    pub fn new(title: Option<&str>, sources: Vec<String>, found: SwingEstimate) -> Self {
-        let principal = PrincipalEstimate::of_tensor(&found.estimate, TENSOR);
-        Self {
-            title: title.unwrap_or("a body that swings").to_owned(),
-            sources,
-            found,
-            principal,
-            next: None,
+impl Report for SwingReport {
+    fn to_json(&self) -> Value {
+        let found = &self.found;
+        let test = |test: &SwingResult| {
+            json!({
+                "name": test.name,
+                "moment": test.moment.as_ref().map(|moment| json!({
+                    "value": moment.value,
+                    "sd": moment.sd,
+                    "unit": moment.unit,
+                })),
+                "own": estimate::numbers_to_json(&test.own),
+                "residuals": estimate::residuals_to_json(core::slice::from_ref(&test.residuals))[0],
+                "left": test.left,
+            })
+        };
+        json!({
+            "polhode": VERSION,
+            "kind": "swing",
+            "title": self.title,
+            "estimate": estimate::to_json(&found.estimate),
+            "principal": self.is_known().then(|| estimate::principal_to_json(&self.principal)),
+            "left_of_numbers": found.left_of_numbers,
+            "widening": found.widening,
+            "mistakes": mistakes::to_json(&found.mistakes),
+            "residuals": found.counted.as_ref().map(|test| {
+                estimate::residuals_to_json(core::slice::from_ref(test))[0].clone()
+            }),
+            "tests": found.tests.iter().map(test).collect::<Value>(),
+            "next": self.next.as_ref().map(next::to_json),
+            "findings": finding::to_json(&self.findings()),
+        })
+    }
+
+    fn to_document(&self) -> Document {
+        let p = &self.principal;
+        let mut answer = Vec::new();
+        if self.is_known() {
+            let of = |k: usize| estimate::cell(p.moments[k], p.moment_sd[k]);
+            answer.push(format!("Principal moments {}; {}; {} kg·m²", of(0), of(1), of(2)));
+        } else {
+            answer.push(format!("The whole tensor is not known: {}", self.swung()));
         }
+        for test in &self.found.tests {
+            if let Some(Number { value, sd, unit, .. }) = &test.moment {
+                answer.push(format!("{}: {} {unit}", printable(&test.name), estimate::cell(*value, *sd)));
+            }
+        }
+        let mut sections = vec![self.body(), self.each(), self.left()];
+        sections.extend(self.next.as_ref().map(next::section));
+        Document {
+            title: self.title.clone(),
+            answer,
+            sections: estimate::numbered(sections),
+            findings: self.findings(),
+        }
+    }
+
+    /// Returns true if the residuals are more than noise.
+    fn has_failed(&self) -> bool {
+        self.found.model_tests().any(ResidualTest::shows_model_error)
+    }
+}
+
+impl SwingReport {
+    /// Makes a report of an estimate, the lines about its logs, and the experiments that could be next.
+    pub(crate) fn new(
+        title: Option<&str>,
+        sources: Vec<String>,
+        found: SwingEstimate,
+        next: Option<NextExperiment<NextSwing>>,
+    ) -> Self {
+        let principal = PrincipalEstimate::of_tensor(&found.estimate, TENSOR);
+        Self { title: title.unwrap_or("a body that swings").to_owned(), sources, found, principal, next }
     }
 
     /// What was found.
     pub fn found(&self) -> &SwingEstimate {
         &self.found
-    }
-
-    /// With what could be measured next.
-    #[must_use]
-    pub fn with_next(self, next: Option<NextExperiment<NextSwing>>) -> Self {
-        Self { next, ..self }
     }
 
     /// The body as a part of a scenario file.
@@ -81,11 +138,6 @@ impl SwingReport {
         numbers.all(|number| number.sd.is_some()).then_some(self.found.body)
     }
 
-    /// True if what is left is more than noise.
-    pub fn has_model_error(&self) -> bool {
-        self.found.model_tests().any(|test| test.is_too_large() || test.is_correlated())
-    }
-
     /// What is known of the tensor: its elements that have an error.
     fn is_known(&self) -> bool {
         self.found.estimate.numbers[TENSOR..].iter().take(6).all(|number| number.sd.is_some())
@@ -94,9 +146,9 @@ impl SwingReport {
     fn findings(&self) -> Vec<Finding> {
         let mut findings = Vec::new();
         let mut say = |code: &'static str, message: String| {
-            findings.push(Finding { code, severity: Severity::Warning, message, place: None });
+            findings.push(estimate::finding(code, Severity::Warning, message));
         };
-        if self.has_model_error() {
+        if self.has_failed() {
             say(
                 "identify.model",
                 format!(
@@ -132,23 +184,13 @@ impl SwingReport {
             }
         }
         if let Some(message) = mistakes::unseen(&self.found) {
-            findings.push(Finding {
-                code: "identify.unchecked",
-                severity: Severity::Info,
-                message,
-                place: None,
-            });
+            findings.push(estimate::finding("identify.unchecked", Severity::Info, message));
         }
         findings.extend(estimate::small_findings(self.found.model_tests()));
         let gravity = self.found.estimate.numbers.iter().find(|number| number.name == "gravity");
         if let Some(gravity) = gravity.filter(|gravity| !ON_EARTH.contains(&gravity.value)) {
             let message = format!("gravity is {} m/s²", number(gravity.value, 6));
-            findings.push(Finding {
-                code: "identify.gravity",
-                severity: Severity::Info,
-                message,
-                place: None,
-            });
+            findings.push(estimate::finding("identify.gravity", Severity::Info, message));
         }
         findings
     }
@@ -163,29 +205,6 @@ impl SwingReport {
                 "{n} tests have the body, where a whole tensor takes six axes that are not all on one quadratic cone"
             ),
         }
-    }
-
-    /// The report as a document: text, Markdown, a page.
-    pub fn to_document(&self) -> Document {
-        let p = &self.principal;
-        let mut answer = Vec::new();
-        if self.is_known() {
-            let of = |k: usize| estimate::cell(p.moments[k], p.moment_sd[k]);
-            answer.push(format!("Principal moments {}; {}; {} kg·m²", of(0), of(1), of(2)));
-        } else {
-            answer.push(format!("The whole tensor is not known: {}", self.swung()));
-        }
-        for test in &self.found.tests {
-            if let Some(Number { value, sd, unit, .. }) = &test.moment {
-                answer.push(format!("{}: {} {unit}", printable(&test.name), estimate::cell(*value, *sd)));
-            }
-        }
-        let mut sections = vec![self.body(), self.each(), self.left()];
-        sections.extend(self.next.as_ref().map(next::section));
-        for (k, section) in sections.iter_mut().enumerate() {
-            section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
-        }
-        Document { title: self.title.clone(), answer, sections, findings: self.findings() }
     }
 
     fn body(&self) -> Section {
@@ -271,40 +290,6 @@ impl SwingReport {
             ],
             band: 2.0,
             band_name: "± 2 standard deviations",
-        })
-    }
-
-    /// The report as data.
-    pub fn to_json(&self) -> Value {
-        let found = &self.found;
-        let test = |test: &SwingResult| {
-            json!({
-                "name": test.name,
-                "moment": test.moment.as_ref().map(|moment| json!({
-                    "value": moment.value,
-                    "sd": moment.sd,
-                    "unit": moment.unit,
-                })),
-                "own": estimate::numbers_to_json(&test.own),
-                "residuals": estimate::residuals_to_json(core::slice::from_ref(&test.residuals))[0],
-                "left": test.left,
-            })
-        };
-        json!({
-            "polhode": VERSION,
-            "kind": "swing",
-            "title": self.title,
-            "estimate": estimate::to_json(&found.estimate),
-            "principal": self.is_known().then(|| estimate::principal_to_json(&self.principal)),
-            "left_of_numbers": found.left_of_numbers,
-            "widening": found.widening,
-            "mistakes": mistakes::to_json(&found.mistakes),
-            "residuals": found.counted.as_ref().map(|test| {
-                estimate::residuals_to_json(core::slice::from_ref(test))[0].clone()
-            }),
-            "tests": found.tests.iter().map(test).collect::<Value>(),
-            "next": self.next.as_ref().map(next::to_json),
-            "findings": finding::to_json(&self.findings()),
         })
     }
 }

@@ -6,15 +6,15 @@ use polhode_document::drawing::{Drawing, Scatter, Series};
 use polhode_document::finding;
 use polhode_document::layout::printable;
 use polhode_document::number::{count, counted, number};
-use polhode_document::{Document, Section};
+use polhode_document::{Document, Report, Section};
 use polhode_source::toml::BodyPart;
 use serde_json::{Value, json};
 
 use super::next::Named;
 use super::scenario::{BodySize, NoBody};
 use super::{estimate, next};
-use crate::NextExperiment;
 use crate::tumble::{Flaw, FlightFit, NextFlight, Tumble};
+use crate::{NextExperiment, ResidualTest};
 
 /// A body that was found by its tumbles, with what it was found from.
 #[derive(Clone, Debug)]
@@ -31,16 +31,83 @@ const SHOWN: usize = 40;
 /// Turns that a scenario has.
 const TURNS: f64 = 10.0;
 
-impl TumbleReport {
-    /// Of what was found, and the lines that say what was read.
-    pub fn new(title: Option<&str>, sources: Vec<String>, tumble: Tumble) -> Self {
-        Self { title: title.unwrap_or("a tumbling body").to_owned(), sources, tumble, next: None }
+impl Report for TumbleReport {
+    fn to_json(&self) -> Value {
+        let tumble = &self.tumble;
+        let flight = |flight: &FlightFit| {
+            json!({
+                "name": flight.name,
+                "time": flight.state.time,
+                "omega": flight.state.omega.to_array(),
+                "omega_sd": flight.omega_sd.map(|sd| Some(sd).filter(|sd| sd.is_finite())),
+                "quaternion_wxyz": (!flight.attitude_residuals.is_empty())
+                    .then(|| flight.state.attitude.canonical_quaternion()),
+                "reduced_chi_square": flight.reduced_chi_square,
+                "used": flight.used,
+                "left_out": flight.left_out,
+                "gyro_residuals": flight.gyro_residuals,
+                "attitude_residuals": flight.attitude_residuals,
+            })
+        };
+        json!({
+            "polhode": VERSION,
+            "kind": "tumble",
+            "title": self.title,
+            "scale_is_known": tumble.scale_is_known,
+            "left_handed_ratios": tumble.left_handed_ratios(),
+            "estimate": estimate::to_json(&tumble.estimate),
+            "principal": estimate::principal_to_json(&tumble.principal),
+            "widening": tumble.widening,
+            "next": self.next.as_ref().map(next::to_json),
+            "residuals": estimate::residuals_to_json(&tumble.residuals),
+            "flights": tumble.flights.iter().map(flight).collect::<Value>(),
+            "findings": finding::to_json(&self.findings()),
+        })
     }
 
-    /// With the flights that could be made next.
-    #[must_use]
-    pub fn with_next(self, next: Option<NextExperiment<NextFlight>>) -> Self {
-        Self { next, ..self }
+    fn to_document(&self) -> Document {
+        let tumble = &self.tumble;
+        let p = &tumble.principal;
+        let mut answer = Vec::new();
+        if tumble.scale_is_known {
+            let of = |k: usize| estimate::cell(p.moments[k], p.moment_sd[k]);
+            answer.push(format!("Principal moments {}; {}; {} kg·m²", of(0), of(1), of(2)));
+        }
+        answer.push(format!(
+            "i1/i3 = {}, i2/i3 = {}",
+            estimate::ratio_cell(p, 0),
+            estimate::ratio_cell(p, 1)
+        ));
+        if !tumble.scale_is_known {
+            answer.push(
+                "How large the moments are does not show in free motion: throw the body once more with something known on it".to_owned(),
+            );
+        }
+        let mut sections = vec![self.read(), self.body(), self.left(), self.each()];
+        sections.extend(self.next.as_ref().map(next::section));
+        Document {
+            title: self.title.clone(),
+            answer,
+            sections: estimate::numbered(sections),
+            findings: self.findings(),
+        }
+    }
+
+    /// Returns true if the residuals are more than noise.
+    fn has_failed(&self) -> bool {
+        self.tumble.residuals.iter().any(ResidualTest::shows_model_error)
+    }
+}
+
+impl TumbleReport {
+    /// Makes a report of an estimate, the lines about its logs, and the flights that could be next.
+    pub(crate) fn new(
+        title: Option<&str>,
+        sources: Vec<String>,
+        tumble: Tumble,
+        next: Option<NextExperiment<NextFlight>>,
+    ) -> Self {
+        Self { title: title.unwrap_or("a tumbling body").to_owned(), sources, tumble, next }
     }
 
     /// The body as a part of a scenario file, and where nothing else turned it its first flight.
@@ -84,15 +151,10 @@ impl TumbleReport {
         ))
     }
 
-    /// True if what is left is more than noise.
-    pub fn has_model_error(&self) -> bool {
-        self.tumble.residuals.iter().any(|test| test.is_too_large() || test.is_correlated())
-    }
-
     fn findings(&self) -> Vec<Finding> {
         let mut findings = estimate::model_findings(&self.tumble.residuals);
         let mut say = |code: &'static str, message: String| {
-            findings.push(Finding { code, severity: Severity::Warning, message, place: None });
+            findings.push(estimate::finding(code, Severity::Warning, message));
         };
         for flaw in &self.tumble.flaws {
             let code = match flaw {
@@ -119,33 +181,6 @@ impl TumbleReport {
             );
         }
         findings
-    }
-
-    /// The report as a document: text, Markdown, a page.
-    pub fn to_document(&self) -> Document {
-        let tumble = &self.tumble;
-        let p = &tumble.principal;
-        let mut answer = Vec::new();
-        if tumble.scale_is_known {
-            let of = |k: usize| estimate::cell(p.moments[k], p.moment_sd[k]);
-            answer.push(format!("Principal moments {}; {}; {} kg·m²", of(0), of(1), of(2)));
-        }
-        answer.push(format!(
-            "i1/i3 = {}, i2/i3 = {}",
-            estimate::ratio_cell(p, 0),
-            estimate::ratio_cell(p, 1)
-        ));
-        if !tumble.scale_is_known {
-            answer.push(
-                "How large the moments are does not show in free motion: throw the body once more with something known on it".to_owned(),
-            );
-        }
-        let mut sections = vec![self.read(), self.body(), self.left(), self.each()];
-        sections.extend(self.next.as_ref().map(next::section));
-        for (k, section) in sections.iter_mut().enumerate() {
-            section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
-        }
-        Document { title: self.title.clone(), answer, sections, findings: self.findings() }
     }
 
     fn read(&self) -> Section {
@@ -231,40 +266,6 @@ impl TumbleReport {
             s.say(format!("{} more are in the JSON.", more + 1));
         }
         s
-    }
-
-    /// The report as data.
-    pub fn to_json(&self) -> Value {
-        let tumble = &self.tumble;
-        let flight = |flight: &FlightFit| {
-            json!({
-                "name": flight.name,
-                "time": flight.state.time,
-                "omega": flight.state.omega.to_array(),
-                "omega_sd": flight.omega_sd.map(|sd| Some(sd).filter(|sd| sd.is_finite())),
-                "quaternion_wxyz": (!flight.attitude_residuals.is_empty())
-                    .then(|| flight.state.attitude.canonical_quaternion()),
-                "reduced_chi_square": flight.reduced_chi_square,
-                "used": flight.used,
-                "left_out": flight.left_out,
-                "gyro_residuals": flight.gyro_residuals,
-                "attitude_residuals": flight.attitude_residuals,
-            })
-        };
-        json!({
-            "polhode": VERSION,
-            "kind": "tumble",
-            "title": self.title,
-            "scale_is_known": tumble.scale_is_known,
-            "left_handed_ratios": tumble.left_handed_ratios(),
-            "estimate": estimate::to_json(&tumble.estimate),
-            "principal": estimate::principal_to_json(&tumble.principal),
-            "widening": tumble.widening,
-            "next": self.next.as_ref().map(next::to_json),
-            "residuals": estimate::residuals_to_json(&tumble.residuals),
-            "flights": tumble.flights.iter().map(flight).collect::<Value>(),
-            "findings": finding::to_json(&self.findings()),
-        })
     }
 }
 

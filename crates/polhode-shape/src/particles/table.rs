@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
+use polhode_source::csv::{Lines, Separator, line_at};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
-use super::fields::{Lines, Separator, fields, line_at, number, text_of};
+use super::fields::{fields, number, text_of};
 use super::header::{Column, Header, NAMES, Products, Role};
 use super::{ParticleOptions, missing, value};
 
@@ -37,7 +38,7 @@ impl Table {
                     None => comment = Some(line.start + 1),
                 }
             } else if !line.is_empty() {
-                let separator = Separator::of(&bytes[line.clone()]);
+                let separator = Separator::of(&bytes[line.clone()], Some(b'#'));
                 let first = fields(bytes, at, separator)?;
                 if first.iter().any(|field| number(&bytes[field.clone()], separator).is_none()) {
                     let header = Header::named(bytes, &first, products, options)?;

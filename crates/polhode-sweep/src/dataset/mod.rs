@@ -20,9 +20,7 @@ use std::fs;
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::thread;
 
 use polhode_document::json::pretty;
 
@@ -34,6 +32,7 @@ use crate::plan::Plan;
 use crate::report::SweepSummary;
 use crate::rows::{inputs, simulate, trajectories};
 use crate::statistics;
+use crate::threads;
 use folder::{
     Folder, HISTOGRAMS, MANIFEST, MEMBERS, PAIRS, PLAN, QUESTIONS, SUMMARY, TRAJECTORIES, part_name,
 };
@@ -210,45 +209,17 @@ impl Dataset {
         stop: &AtomicBool,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Progress, SweepError> {
-        let (next, done, failed) = (AtomicU64::new(0), AtomicU64::new(0), Mutex::new(None));
-        let remade = AtomicU64::new(0);
+        let (done, remade) = (AtomicU64::new(0), AtomicU64::new(0));
         let members = self.manifest.members();
-        let work = || {
-            // In the order of their numbers; a thread has one part in hand at a time.
-            while !stop.load(Ordering::Relaxed) {
-                let part = next.fetch_add(1, Ordering::Relaxed);
-                if part >= self.parts() {
-                    return;
-                }
-                match self.make(plan, part) {
-                    Ok(was_damaged) => remade.fetch_add(was_damaged.into(), Ordering::Relaxed),
-                    Err(error) => {
-                        stop.store(true, Ordering::Relaxed);
-                        if let Ok(mut failed) = failed.lock() {
-                            failed.get_or_insert(error);
-                        }
-                        return;
-                    }
-                };
-                let rows = self.rows(part);
-                let before = done.fetch_add(rows.end - rows.start, Ordering::Relaxed);
-                let done = before + (rows.end - rows.start);
-                progress(Progress { done, members, remade: remade.load(Ordering::Relaxed) });
-            }
-        };
-        thread::scope(|scope| {
-            for _ in 1..statistics::most_threads(threads, self.parts()) {
-                // Where the system gives no more threads, those that there are do it all.
-                if thread::Builder::new().spawn_scoped(scope, work).is_err() {
-                    break;
-                }
-            }
-            work();
-        });
-        match failed.into_inner() {
-            Ok(Some(error)) => Err(error),
-            _ => Ok(Progress { done: done.into_inner(), members, remade: remade.into_inner() }),
-        }
+        threads::each(self.parts(), threads, stop, |part| {
+            remade.fetch_add(self.make(plan, part)?.into(), Ordering::Relaxed);
+            let rows = self.rows(part);
+            let own = rows.end - rows.start;
+            let done = done.fetch_add(own, Ordering::Relaxed) + own;
+            progress(Progress { done, members, remade: remade.load(Ordering::Relaxed) });
+            Ok(())
+        })?;
+        Ok(Progress { done: done.into_inner(), members, remade: remade.into_inner() })
     }
 
     /// Reads all parts, and writes what they come to: the summary and its pictures. [`Dataset::missing`] has nothing left to say.

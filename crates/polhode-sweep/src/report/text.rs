@@ -15,7 +15,7 @@ const MOST_CORRELATIONS: usize = 6;
 const DRIFT: [&str; 2] = ["energy_drift", "momentum_drift"];
 const ERROR: [&str; 2] = ["error_attitude_rad", "error_omega"];
 
-/// What stands above the columns of a table, after its name.
+/// Headers of a table, after its name.
 const HEAD: [&str; 7] = ["mean", "", "least", "5 %", "median", "95 %", "largest"];
 
 /// A line with a label; one without goes on from the line before.
@@ -71,7 +71,7 @@ fn drawn(summary: &SweepSummary) -> String {
     format!("{} {noun} {drawn}{seed}", count(summary.members))
 }
 
-/// How the members ended, the answers to questions, and the kinds of motion.
+/// Status of the members, answers to questions, and kinds of motion.
 fn answers(summary: &SweepSummary) -> Vec<Labelled> {
     let shares = |shares: &[SweepShare]| shares_of(shares, summary.members);
     let mut lines = vec![("status".to_owned(), shares(&summary.statuses))];
@@ -159,7 +159,7 @@ struct Table {
     name: &'static str,
     /// A row for each column that varies.
     rows: Vec<Vec<String>>,
-    /// Those that do not vary.
+    /// Columns that do not vary, with their values.
     same: String,
 }
 

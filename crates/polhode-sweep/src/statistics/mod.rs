@@ -34,8 +34,6 @@ use passes::Parts;
 use selection::Selection;
 use tally::{Moments, Tally};
 
-pub(crate) use passes::most_threads;
-
 /// Of the probability of each interval.
 const CONFIDENCE: f64 = 0.95;
 /// Which quantiles there are.
@@ -86,7 +84,7 @@ impl Design {
     }
 }
 
-/// Returns the rows of so many parts.
+/// Returns the rows of all parts.
 pub(crate) fn each(
     parts: u64,
     threads: usize,

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::thread;
+use std::sync::atomic::AtomicBool;
 
 use crate::batch::Batch;
 use crate::error::SweepError;
+use crate::threads;
 
 /// The parts of a sweep, and who reads them.
 pub(super) struct Parts<'a> {
@@ -74,41 +74,7 @@ impl Parts<'_> {
         Ok(total)
     }
 
-    /// Does something with each part; the first error ends it.
     fn each(&self, work: impl Fn(u64) -> Result<(), SweepError> + Sync) -> Result<(), SweepError> {
-        let (next, failed) = (AtomicU64::new(0), Mutex::new(None));
-        let turn = || {
-            loop {
-                let part = next.fetch_add(1, Ordering::Relaxed);
-                if part >= self.count {
-                    return;
-                }
-                if let Err(error) = work(part) {
-                    next.store(self.count, Ordering::Relaxed);
-                    if let Ok(mut failed) = failed.lock() {
-                        failed.get_or_insert(error);
-                    }
-                    return;
-                }
-            }
-        };
-        thread::scope(|scope| {
-            for _ in 1..most_threads(self.threads, self.count) {
-                // Where the system gives no more threads, those that there are do it all.
-                if thread::Builder::new().spawn_scoped(scope, turn).is_err() {
-                    break;
-                }
-            }
-            turn();
-        });
-        match failed.into_inner() {
-            Ok(Some(error)) => Err(error),
-            _ => Ok(()),
-        }
+        threads::each(self.count, self.threads, &AtomicBool::new(false), work)
     }
-}
-
-/// As many threads as are wanted, but no more than there are parts.
-pub(crate) fn most_threads(wanted: usize, parts: u64) -> usize {
-    wanted.min(usize::try_from(parts).unwrap_or(usize::MAX)).max(1)
 }

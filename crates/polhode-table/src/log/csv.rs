@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use polhode_source::csv::{Separator, line_at, trimmed};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::blocks::Lines;
@@ -18,30 +19,26 @@ pub(crate) struct Opening {
     pub rows: usize,
 }
 
-/// What parts the fields of a line.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Separator {
-    Byte(u8),
-    Blanks,
+/// Fields of a log: blanks around them do not count, and one that begins with a quote ends with one.
+trait Fields: Copy {
+    fn is_blank(self, byte: u8) -> bool;
+
+    /// Returns the place behind the blanks at a place.
+    fn skip_blanks(self, bytes: &[u8], at: usize) -> usize;
+
+    /// Returns the end of the field that begins there; of a quoted one, behind the closing quote if
+    /// it has one.
+    fn field_end(self, bytes: &[u8], start: usize) -> Option<usize>;
+
+    /// Returns the fields of a line that stands there, without their quotes.
+    fn fields(self, bytes: &[u8], line: &Range<usize>) -> Result<Vec<(String, Range<usize>)>, ContentError>;
 }
 
-impl Separator {
-    /// The first of semicolon, tab and comma that stands in a line outside quotes, else blanks.
-    fn of(line: &[u8]) -> Self {
-        let mut quoted = false;
-        let is_open = |byte: &&u8| {
-            quoted ^= **byte == b'"';
-            !quoted
-        };
-        let open: Vec<u8> = line.iter().filter(is_open).copied().collect();
-        [b';', b'\t', b','].into_iter().find(|byte| open.contains(byte)).map_or(Self::Blanks, Self::Byte)
-    }
-
+impl Fields for Separator {
     fn is_blank(self, byte: u8) -> bool {
         byte == b' ' || byte == b'\r' || byte == b'\t' && self != Self::Byte(b'\t')
     }
 
-    /// Behind the blanks at a place.
     #[inline(always)]
     fn skip_blanks(self, bytes: &[u8], mut at: usize) -> usize {
         while bytes.get(at).is_some_and(|b| *b <= b' ' && self.is_blank(*b)) {
@@ -50,7 +47,6 @@ impl Separator {
         at
     }
 
-    /// The end of the field that begins there, without what parts it from the next; of a quoted one behind the quote, if it has one.
     fn field_end(self, bytes: &[u8], start: usize) -> Option<usize> {
         if bytes.get(start) == Some(&b'"') {
             let mut at = start + 1;
@@ -72,7 +68,6 @@ impl Separator {
         Some(start + rest.iter().position(ends).unwrap_or(rest.len()))
     }
 
-    /// The fields of a line that stands there, without their quotes.
     fn fields(self, bytes: &[u8], line: &Range<usize>) -> Result<Vec<(String, Range<usize>)>, ContentError> {
         let text = &bytes[..line.end];
         let (mut at, mut fields) = (self.skip_blanks(text, line.start), Vec::new());
@@ -108,10 +103,7 @@ pub(crate) fn opening(bytes: &[u8], is_told: bool) -> Result<Opening, ContentErr
         let kind = ContentErrorKind::Unsupported { what: "lines that end in \\r alone".to_owned() };
         return Err(ContentError::new(kind, ContentPlace::Whole).hint("end them in \\n or \\r\\n"));
     }
-    while at < bytes.len() {
-        let end = bytes[at..].iter().position(|b| *b == b'\n').map_or(bytes.len(), |length| at + length);
-        let line = trimmed(bytes, at..end);
-        let next = (end + 1).min(bytes.len());
+    while let Some((line, next)) = line_at(bytes, at) {
         if bytes[line.clone()].starts_with(b"#") {
             let text = String::from_utf8_lossy(&bytes[line.clone()]);
             match Head::pair(&text) {
@@ -122,14 +114,15 @@ pub(crate) fn opening(bytes: &[u8], is_told: bool) -> Result<Opening, ContentErr
                 }
             }
         } else if !line.is_empty() {
-            let separator = Separator::of(&bytes[line.clone()]);
+            let separator = Separator::of(&bytes[line.clone()], None);
             let fields = separator.fields(bytes, &line)?;
             if !fields.iter().all(|(field, _)| field.parse::<f64>().is_ok()) {
                 let header = header(fields);
-                return Ok(Opening { head, header, separator, rows: next });
+                return Ok(Opening { head, header, separator, rows: next.min(bytes.len()) });
             }
             // NumPy writes the names as a comment.
-            let names = comment.map(|comment| Separator::of(&bytes[comment.clone()]).fields(bytes, &comment));
+            let names =
+                comment.map(|comment| Separator::of(&bytes[comment.clone()], None).fields(bytes, &comment));
             let names = names.and_then(Result::ok).filter(|names| names.len() == fields.len());
             if names.is_none() && !is_told && head.columns.is_none() {
                 let kind = ContentErrorKind::Missing { what: "names of its columns".to_owned() };
@@ -154,12 +147,6 @@ pub(crate) fn opening(bytes: &[u8], is_told: bool) -> Result<Opening, ContentErr
 fn header(fields: Vec<(String, Range<usize>)>) -> Header {
     let (names, spans) = fields.into_iter().unzip();
     Header { names, spans, is_in_order: true, ..Header::default() }
-}
-
-fn trimmed(bytes: &[u8], span: Range<usize>) -> Range<usize> {
-    let text = &bytes[span.clone()];
-    let start = span.start + (text.len() - text.trim_ascii_start().len());
-    start..start + text.trim_ascii().len()
 }
 
 /// The rows of a text.

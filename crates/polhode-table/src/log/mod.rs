@@ -74,6 +74,7 @@ use std::path::{Path, PathBuf};
 use ::bytes::Bytes;
 use polhode::infer::judge::{DeclaredReading, LogError, MotionLog};
 use polhode_source::FormatError;
+use polhode_source::csv::Separator;
 use polhode_source::file;
 use polhode_source::files::Files;
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
@@ -270,7 +271,7 @@ fn of_text(
     let opening = csv::opening(text, told.is_some())?;
     let columns = told.or(opening.head.columns.as_ref()).cloned().unwrap_or_default();
     let mut plan = choice::choose(&opening.header, &columns, &opening.head.units, wanted)?;
-    plan.has_commas = opening.separator == csv::Separator::Byte(b',');
+    plan.has_commas = opening.separator == Separator::Byte(b',');
     let rows = blocks.rows(opening.rows, length, &plan, &csv::Table::new(&plan, &opening))?;
     Ok((opening.head, plan, rows))
 }

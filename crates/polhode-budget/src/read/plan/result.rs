@@ -9,8 +9,6 @@ use polhode_source::unit::Dimension;
 use crate::Basis;
 use crate::read::{LEAST_DRAWS, MOST_DRAWS, Questions};
 
-/// Fewer draws determine no standard deviation.
-
 /// Reads `[result]`.
 pub(crate) fn questions(table: &Table<'_>) -> Result<Questions, FormatError> {
     table.allow(&["about", "axes", "draws", "seed", "basis"])?;

@@ -13,7 +13,7 @@ mod words;
 
 use polhode_document::VERSION;
 use polhode_document::layout::printable;
-use polhode_document::number::{count, number, tidy, with_error};
+use polhode_document::number::{count, counted, number, tidy, with_error};
 use polhode_document::{Document, Section};
 use serde_json::{Value, json};
 
@@ -130,7 +130,7 @@ impl<'a> BudgetDiff<'a> {
         };
         match (pair.changes.len(), rows.len()) {
             (0, _) => format!("no row changed; {mass}"),
-            (n, k) => format!("{}; {mass}", of_rows(n, k)),
+            (n, k) => format!("{} of {}; {mass}", counted(n, "change"), counted(k, "row")),
         }
     }
 
@@ -226,10 +226,4 @@ impl Pair<'_> {
                 .say(format!("{} more changes are in --json.", count((self.changes.len() - SHOWN) as u64)));
         }
     }
-}
-
-fn of_rows(changes: usize, rows: usize) -> String {
-    let plural =
-        |n: usize, word: &str| format!("{} {word}{}", count(n as u64), if n == 1 { "" } else { "s" });
-    format!("{} of {}", plural(changes, "change"), plural(rows, "row"))
 }

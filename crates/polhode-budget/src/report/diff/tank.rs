@@ -9,7 +9,7 @@ use super::words::{names, point};
 use crate::read::{FilledTank, Prescribed};
 use crate::{Down, Liquid, LiquidTable, Measured, TankShape, Vessel};
 
-/// What is said of the tanks of all configurations.
+/// Returns the statements about the tanks of all configurations.
 pub(crate) fn items(prescribed: &Prescribed, digits: usize) -> Vec<Item> {
     let mut all: Vec<(&FilledTank, Vec<String>)> = Vec::new();
     for (name, _, tanks) in prescribed.dry() {

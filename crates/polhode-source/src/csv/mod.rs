@@ -1,12 +1,16 @@
 //! Tables of numbers in text: a header, then rows, separated by commas; blank lines and what follows a `#` are for people.
 
+mod lines;
+
 use std::ops::Range;
 use std::path::Path;
 
-use super::toml::reader::Value;
+use crate::toml::reader::Value;
 use crate::{ContentError, ContentErrorKind, ContentPlace};
 use crate::{FormatError, FormatErrorKind};
 use crate::{file, unit};
+
+pub use lines::{Lines, Separator, line_at, trimmed};
 
 /// A larger table has more rows than a motion has any use for.
 const LARGEST_FILE: u64 = 256 << 20;
@@ -65,27 +69,27 @@ pub fn value(what: &str, value: &str, rule: &str, place: Range<usize>) -> Conten
 
 /// The lines that are not blank, each with its fields, all as places in the text.
 pub fn fields(text: &str) -> impl Iterator<Item = (Range<usize>, Vec<Range<usize>>)> {
-    let mut at = if text.starts_with('\u{feff}') { 3 } else { 0 };
-    let next = move || {
-        while at < text.len() {
-            let start = at;
-            let line = text[start..].split_inclusive('\n').next().unwrap_or_default();
-            at += line.len();
-            let line = line.split('#').next().unwrap_or_default();
-            if !line.trim().is_empty() {
-                let mut from = start;
-                let mut all = Vec::new();
-                for field in line.trim_end().split(',') {
-                    let left = from + (field.len() - field.trim_start().len());
-                    all.push(left..left + field.trim().len());
-                    from += field.len() + 1;
-                }
-                return Some((start..start + line.trim_end().len(), all));
+    let start = if text.starts_with('\u{feff}') { 3 } else { 0 };
+    let mut lines = Lines::new(text.as_bytes(), start, Separator::Byte(b',')).without_quotes();
+    // Spaces of all kinds are left out, not those of ASCII alone.
+    let plain = move |span: Range<usize>| {
+        let written = &text[span.clone()];
+        let start = span.start + (written.len() - written.trim_start().len());
+        start..start + written.trim().len()
+    };
+    std::iter::from_fn(move || {
+        loop {
+            let (start, mut all) = (lines.at, Vec::new());
+            let visit = |field| {
+                all.push(plain(field));
+                Ok(())
+            };
+            let line = lines.each_field(visit).ok().flatten()?;
+            if !text[line.clone()].trim().is_empty() {
+                return Some((start..line.end, all));
             }
         }
-        None
-    };
-    std::iter::from_fn(next)
+    })
 }
 
 fn number(text: &str, field: Range<usize>) -> Result<f64, ContentError> {

@@ -9,7 +9,7 @@ use crate::process::{cargo, output};
 /// The most external crates that each package may bring along on this platform, with these features.
 const MOST: [(&str, &[&str], usize); 3] = [
     ("polhode", &[], 10),
-    ("polhode-cli", &["--no-default-features"], 80), // shapes and scenarios
+    ("polhode-cli", &["--no-default-features"], 82), // shapes and scenarios
     ("polhode-cli", &[], 115), // with the server of `polhode live` and nalgebra for `polhode identify`
 ];
 

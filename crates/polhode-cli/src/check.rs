@@ -9,6 +9,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use clap::{ArgGroup, Args};
 use polhode_document::layout::printable_lines;
 use polhode_robot::policy::date::Date;
+use polhode_robot::report::CheckReport;
 use polhode_robot::rule::{list, rule, rules};
 use polhode_robot::{Checked, Format, Inputs, Progress, Request};
 use polhode_source::files::Disk;
@@ -134,8 +135,7 @@ impl Check {
         let diff = if form == Format::Json { String::new() } else { checked.to_diff() };
         if matches!(self.out, Some(None)) && form != Format::Json {
             for file in &checked.files {
-                let left =
-                    file.report.as_ref().map_or_else(|_| String::new(), |report| report.not_repaired());
+                let left = file.report.as_ref().map_or_else(|_| String::new(), CheckReport::not_repaired);
                 if !left.is_empty() {
                     tell(&format!("{}\n{left}", shown(&file.path)));
                 }

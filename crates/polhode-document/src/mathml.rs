@@ -16,12 +16,14 @@ const FONT: &[u8] = include_bytes!("../assets/stix-two-math.woff2");
 
 /// Markup of pulldown-latex 0.8.0 that is not MathML Core, not XML, not in the font or a class, and its replacement.
 /// `mover` always holds an accent: limits are below, or below and above.
-const CORRECTIONS: [(&str, &str); 7] = [
+const CORRECTIONS: [(&str, &str); 8] = [
     (r#"<msup><mspace width="0.1667em" />"#, r#"<mspace width="0.1667em" /><msup>"#),
     ("<mover>", r#"<mover accent="true">"#),
     ("<mo><</mo>", "<mo>&lt;</mo>"),
     ("‾", "¯"),
     ("&nbsp;", "&#xa0;"),
+    // Function application, which is unseen: printed text has no unseen characters.
+    ("\u{2061}", "&#x2061;"),
     (r#" class="menv-alignlike menv-align""#, r#" columnalign="right left""#),
     (r#" class="menv-arraylike""#, ""),
 ];

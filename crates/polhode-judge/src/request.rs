@@ -1,4 +1,5 @@
 //! What is asked of `judge`.
+#![allow(rustdoc::broken_intra_doc_links, reason = "the help of the command shows brackets as they are")]
 
 use std::path::PathBuf;
 use std::str::FromStr;

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use polhode_document::VERSION;
 use polhode_document::json::pretty;
+use polhode_shape::failed;
 use polhode_source::Failure;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use crate::finding::{Finding, Severity};
 use crate::policy::{Judged, Remark, baseline};
@@ -162,9 +162,7 @@ impl Checked {
     pub fn to_json(&self) -> Value {
         let value = |file: &FileChecked| match &file.report {
             Ok(report) => report.to_json(),
-            Err(failure) => {
-                json!({ "polhode": VERSION, "file": file.path.to_string_lossy(), "error": failure.to_json(&file.path) })
-            }
+            Err(failure) => failed(&file.path, failure),
         };
         match self.files.as_slice() {
             [file] if self.is_one => value(file),

@@ -2,11 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use polhode_document::VERSION;
 use polhode_document::layout::printable;
-use polhode_shape::noticed;
+use polhode_shape::{failed, noticed};
 use polhode_source::{Failure, shown};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use crate::link_table::LinkTable;
 
@@ -23,9 +22,7 @@ impl LinkTables {
     pub fn to_json(&self) -> Value {
         let value = |(file, table): &(PathBuf, Result<LinkTable, Failure>)| match table {
             Ok(table) => table.to_json(),
-            Err(failure) => {
-                json!({ "polhode": VERSION, "file": file.to_string_lossy(), "error": failure.to_json(file) })
-            }
+            Err(failure) => failed(file, failure),
         };
         match self.0.as_slice() {
             [one] => value(one),

@@ -30,7 +30,7 @@ pub use export::{ExportBody, ExportError, ExportFormat, export};
 pub use inertia::{
     Bodies, CadChoice, Corner, DensityFormula, FileBodies, Host, Kind, LengthUnit, Mark, MassUnit, MassesOf,
     MaterialNamed, MeshChoice, MeshFile, MoleculeChoice, PartSubstance, Point, Request, Sign, Spacing,
-    SubstanceChoice, Turn, VoxelChoice, noticed, run, run_in,
+    SubstanceChoice, Turn, VoxelChoice, failed, noticed, run, run_in,
 };
 pub use report::{InertiaReport, MoleculeReport};
 

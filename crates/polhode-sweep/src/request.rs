@@ -1,4 +1,5 @@
 //! Requests to `sweep`.
+#![allow(rustdoc::broken_intra_doc_links, reason = "the help of the command shows brackets as they are")]
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;

@@ -5,8 +5,8 @@ use polhode_document::Report as _;
 use polhode_source::files::{Disk, Memory};
 use serde_json::{Value, json};
 
-use crate::schema::misfit;
 use crate::common::{Scratch, example, json, stdout};
+use crate::schema::misfit;
 
 /// Every object of a schema forbids other keys, and every number says what it is.
 fn require_strict(schema: &Value, at: &str) {

@@ -60,7 +60,8 @@ fn check_request<R: Default + PartialEq + std::fmt::Debug + Serialize + Deserial
     let known: Value = serde_json::from_str(schema).unwrap();
     let keys = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
     let (mut of_schema, mut of_request) = (keys(&known["properties"]), keys(&empty));
-    (of_schema.sort(), of_request.sort());
+    of_schema.sort();
+    of_request.sort();
     assert_eq!(of_schema, of_request);
     let more = json!({ "zzz": 1 });
     assert!(misfit(schema, &more).is_some() && R::deserialize(more).is_err());
@@ -108,10 +109,16 @@ fn reports_of_examples_fit() {
     // In memory as in a folder.
     let request = polhode_sweep::Request { plan: plan.into(), ..Default::default() };
     assert_eq!(polhode_sweep::run(&request, &Disk).unwrap().to_json(), report);
+    // One case has a run, the exact motion; the others say why they have none.
+    stdout(&scratch.run(&["judge", "--write-suite", "cases"]));
+    let exact = format!("{}.csv", CASES[0].name);
     std::fs::create_dir(scratch.0.join("suite")).unwrap();
-    let lines: Vec<String> = CASES.iter().map(|case| format!("{}: not here", case.name)).collect();
+    std::fs::copy(scratch.0.join("cases/exact").join(&exact), scratch.0.join("suite").join(&exact)).unwrap();
+    let lines: Vec<String> = CASES[1..].iter().map(|case| format!("{}: not here", case.name)).collect();
     scratch.write("suite/not-run.txt", &lines.join("\n"));
-    json(&scratch.run(&["judge", "--suite", "suite", "--json"]));
+    let card = serde_json::from_slice(&scratch.run(&["judge", "--suite", "suite", "--json"]).stdout).unwrap();
+    assert_eq!(misfit(polhode_judge::REPORT_SCHEMA, &card), None);
+    require_refused(polhode_judge::REPORT_SCHEMA, &card);
 }
 
 /// A report that lacks a key, or has one more, does not fit.

@@ -23,6 +23,7 @@ use super::{document, event, orbit, torque, wheel};
 /// ```
 /// use polhode::prelude::*;
 /// use polhode_scenario::read::Actions;
+/// use polhode_source::files::Memory;
 /// let text = r#"
 /// [[torque]]
 /// model = "gravity"
@@ -32,7 +33,7 @@ use super::{document, event, orbit, torque, wheel};
 /// measure = "nutation"
 /// value = "40 deg"
 /// "#;
-/// let actions = Actions::parse(text.to_owned(), "top.toml".as_ref(), false)?;
+/// let actions = Actions::parse(&Memory::default(), text.to_owned(), "top.toml".as_ref(), false)?;
 /// assert_eq!(actions.pivot(), Some(Position::new(0.0, 0.0, -0.1)));
 /// assert_eq!((actions.scenario().torques().len(), actions.scenario().events().len()), (1, 1));
 /// # Ok::<(), polhode_source::FormatError>(())

@@ -24,9 +24,10 @@ use super::{ScenarioFile, TOP, document, file_of_root};
 ///
 /// ```
 /// use polhode_scenario::read::Draft;
+/// use polhode_source::files::Memory;
 /// let mut draft = Draft::new("ball.toml".as_ref(), []);
 /// let text = "[[body.part]]\nname = \"ball\"\nshape = \"sphere\"\nradius = \"20 mm\"\nmass = \"0.5 kg\"\n";
-/// let file = draft.read(text.to_owned())?;
+/// let file = draft.read(&Memory::default(), text.to_owned())?;
 /// assert_eq!(file.scenario.body().mass(), 0.5);
 /// let radius = &draft.numbers()[0];
 /// assert_eq!((radius.key.as_str(), radius.owner.as_deref()), ("body.part[0].radius", Some("ball")));

@@ -108,6 +108,7 @@ pub const TOP: [&str; 16] = [
 ///
 /// ```
 /// use polhode_scenario::read::ScenarioFile;
+/// use polhode_source::files::Memory;
 /// let text = r#"
 /// [[body.part]]
 /// shape = "sphere"

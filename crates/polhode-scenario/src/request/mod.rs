@@ -7,6 +7,7 @@
 //! | [`stability`] | which steady motions last |
 //! | [`torque`] | what a given motion needs |
 //! | [`explain`] | the motion, worked through |
+#![allow(rustdoc::broken_intra_doc_links, reason = "the help of the command shows brackets as they are")]
 
 pub mod explain;
 pub mod simulate;

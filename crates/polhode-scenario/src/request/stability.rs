@@ -22,7 +22,7 @@ use crate::report::{GroundStabilityReport, StabilityReport};
 /// let text = "[[body.part]]\nshape = 'box'\nsize = [0.1, 0.2, 0.3]\nmass = 2\n[start]\nspin = { body = [0.1, 3, 0] }\n";
 /// let request = Request { file: "box.toml".into() };
 /// let report = run(&request, &Memory::from([("box.toml", text)]))?;
-/// assert_eq!(report.to_json()["permanent_rotations"].as_array().unwrap().len(), 3);
+/// assert_eq!(report.to_json()["permanent_rotations"].as_array().unwrap().len(), 6);
 /// # Ok::<(), polhode_source::Failure>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -122,7 +122,7 @@ fn a_scenario_in_memory_is_the_one_on_the_disk() {
     assert!(error.message().contains("there is no such file"), "{error}");
     let other = Memory::from([("in/a.toml", text)]);
     let error = scenario::ScenarioFile::read(&other, "in/a.toml".as_ref()).unwrap_err();
-    assert!(error.to_string().starts_with("in/a.toml:3:8: file = \"part.stl\" must be"), "{error}");
+    assert!(error.to_string().starts_with("in/a.toml:3:8: file = 'part.stl' must be"), "{error}");
 }
 
 #[test]

@@ -41,10 +41,7 @@ impl Bodies {
     pub fn to_json(&self) -> Value {
         let of = |FileBodies { path, reports }: &FileBodies| match reports {
             Ok(reports) => reports.iter().map(InertiaReport::to_json).collect(),
-            Err(failure) => {
-                let error = failure.to_json(path);
-                vec![json!({ "polhode": VERSION, "file": path.to_string_lossy(), "error": error })]
-            }
+            Err(failure) => vec![failed(path, failure)],
         };
         let mut values: Vec<Value> = self.files.iter().flat_map(of).collect();
         if values.len() == 1 { values.remove(0) } else { Value::Array(values) }
@@ -84,6 +81,11 @@ impl Bodies {
         }
         text
     }
+}
+
+/// Returns the object of a file without a report, in place of the reports of other files.
+pub fn failed(file: &Path, failure: &Failure) -> Value {
+    json!({ "polhode": VERSION, "file": file.to_string_lossy(), "error": failure.to_json(file) })
 }
 
 /// Returns a line for people on what was noticed in a file.

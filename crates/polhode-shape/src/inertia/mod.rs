@@ -15,7 +15,7 @@ mod run;
 mod voxel;
 mod written;
 
-pub use bodies::{Bodies, FileBodies, noticed};
+pub use bodies::{Bodies, FileBodies, failed, noticed};
 pub use choice::{
     CadChoice, Corner, DensityFormula, Mark, MassesOf, MaterialNamed, MeshChoice, MoleculeChoice,
     PartSubstance, Sign, Spacing, SubstanceChoice, VoxelChoice,

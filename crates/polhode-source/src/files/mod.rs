@@ -23,8 +23,8 @@ pub use memory::Memory;
 /// ```
 /// use polhode_source::files::{Files, Memory};
 /// let files = Memory::from([("parts/list.csv", "name,mass\nbox,1 kg\n")]);
-/// let bytes = polhode_source::file::bytes(&files, "parts/list.csv".as_ref(), "list.csv", 1 << 20)?;
-/// assert_eq!(bytes.len(), 19);
+/// let length = polhode_source::read_file(&files, "parts/list.csv".as_ref(), |bytes| Ok(bytes.len()))?;
+/// assert_eq!(length, 19);
 /// assert!(files.look("parts".as_ref())?.is_folder());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

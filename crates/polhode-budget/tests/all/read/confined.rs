@@ -72,9 +72,8 @@ fn a_list_in_memory_is_the_one_on_the_disk() {
         Memory::from([("in/parts.csv", list), ("in/part.off", TETRAHEDRON), ("in/body.toml", SCENARIO)]);
     let access = Access { files: &memory, roots: &[] };
     let in_memory = read_in(access, "in/parts.csv".as_ref()).unwrap();
-    let body = |file: &BudgetFile| {
-        file.configurations[0].budget.mass_properties(file.questions.basis).unwrap().clone()
-    };
+    let body =
+        |file: &BudgetFile| file.configurations[0].budget.mass_properties(file.questions.basis).unwrap();
     assert_eq!(body(&in_memory), body(&on_disk));
     let missing = Memory::from([("in/parts.csv", list), ("part.off", TETRAHEDRON)]);
     assert!(read_in(Access { files: &missing, roots: &[] }, "in/parts.csv".as_ref()).is_err());

@@ -238,10 +238,11 @@ mod tests {
 
     #[test]
     fn the_samples_to_begin_with_are_read() {
-        for seed in seeds() {
-            let sample = Sample::parse(&seed).unwrap();
-            let answer = Answer::of(&sample);
-            assert!(answer.refusal.is_none(), "{:?}: {:?}", answer.refusal, sample.written().text);
-        }
+        let refused = |seed: &String| {
+            let sample = Sample::parse(seed).unwrap();
+            Answer::of(&sample).refusal.map(|refusal| (seed.clone(), refusal))
+        };
+        let refused: Vec<_> = seeds().iter().filter_map(refused).collect();
+        assert!(refused.is_empty(), "{refused:#?}");
     }
 }

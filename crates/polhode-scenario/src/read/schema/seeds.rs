@@ -61,7 +61,7 @@ pub(super) fn seeds() -> Vec<String> {
          products = 'negative_integral'\n"
             .to_owned(),
         format!(
-            "[run]\nduration = 1\n{}{}[mass_history]\nburn = [{{ part = 'propellant', until = 1 }}]\n\
+            "[run]\nduration = 1\n{}{}[mass_history]\nburn = [{{ part = 'propellant', until = 1, left = 0.5 }}]\n\
              drop = [{{ part = 'case', time = 2 }}]\nexit = [{{ position = [0, 0, 1] }}]\n",
             ball("case"),
             ball("propellant"),

@@ -6,7 +6,8 @@ use std::process::Command;
 use crate::process::{copy, empty_folder, output, polhode};
 use crate::{Outcome, read, root};
 
-/// Runs every `polhode` command of the README and of `book/start.md` in a copy of examples/. `cargo run` is replaced by the built command.
+/// Runs every `polhode` command of the README and of `book/start.md` in a copy of examples/.
+/// `cargo run` is replaced by the built command.
 pub(crate) fn check() -> Outcome {
     let start = read(&root().join("book/start.md"))?;
     programs_are_tested(&start, &read(&root().join("crates/polhode/README.md"))?)?;

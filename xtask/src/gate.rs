@@ -1,5 +1,6 @@
 //! Everything that has to pass before a change lands.
 
+use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 use crate::process::{self, FEATURES, cargo, joined};
@@ -57,6 +58,23 @@ pub(crate) fn run() -> Outcome {
     })?;
     println!("\nall passed in {:.0} s", start.elapsed().as_secs_f64());
     Ok(())
+}
+
+/// Runs every step with all random draws, and the tests that are too long for the gate.
+pub(crate) fn run_nightly() -> Outcome {
+    process::NIGHTLY.store(true, Ordering::Relaxed);
+    run()?;
+    process::run(&mut cargo(&[
+        "test",
+        "--workspace",
+        "--locked",
+        "--features",
+        FEATURES,
+        "--test",
+        "*",
+        "--",
+        "--ignored",
+    ]))
 }
 
 /// Runs two programs of tests at a time: at the end of each the last test is alone.

@@ -32,7 +32,8 @@ type Outcome = Result<(), String>;
 const USAGE: &str = "\
 usage: cargo xtask TASK
 
-  test       everything, in order, up to the first failure; --ray is a gate of its own: sweeps on Ray and Dask whose workers are killed, Linux alone
+  test       everything, in order, up to the first failure; --nightly with all random draws and with the long tests; --ray is a gate of its
+             own: sweeps on Ray and Dask whose workers are killed, Linux alone
   layers     the modules' order: which may import which, what each may do, how long files are, and that no files or folders use each other in a circle
   licences   how many crates are linked, and under which licences
   examples   the built command on every scenario in examples/
@@ -54,6 +55,7 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let outcome = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["test"] => gate::run(),
+        ["test", "--nightly"] => gate::run_nightly(),
         ["test", "--ray"] => python::check_with_ray(),
         ["layers"] => layers::check().and_then(|()| arrows::check()).and_then(|()| circles::check()),
         ["licences"] => dependencies::check(),

@@ -3,13 +3,20 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::{Outcome, root, short};
+
+/// True if tests take all their random draws, and those that are long run too.
+pub(crate) static NIGHTLY: AtomicBool = AtomicBool::new(false);
 
 /// Cargo, at the root.
 pub(crate) fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(arguments).current_dir(root());
+    if NIGHTLY.load(Ordering::Relaxed) {
+        command.env("POLHODE_NIGHTLY", "1");
+    }
     command
 }
 

@@ -7,6 +7,7 @@
     reason = "a test may"
 )]
 
+mod draws;
 mod next;
 mod noise;
 mod payload;

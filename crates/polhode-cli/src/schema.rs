@@ -1,6 +1,7 @@
 //! `polhode schema`
 
 use clap::{Args, ValueEnum};
+use polhode_scenario::request::{explain, simulate, spin, stability, torque};
 
 use crate::failure::Failure;
 use crate::stdout::print_script;
@@ -31,6 +32,16 @@ enum Name {
     Scenario,
     /// Report of `polhode inertia --json`.
     Inertia,
+    /// Report of `polhode simulate --json`.
+    Simulate,
+    /// Report of `polhode spin --json`.
+    Spin,
+    /// Report of `polhode stability --json`.
+    Stability,
+    /// Report of `polhode torque --json`.
+    Torque,
+    /// Report of `polhode explain --json`.
+    Explain,
     /// Report of `polhode check --json`.
     #[cfg(feature = "robot")]
     Check,
@@ -60,6 +71,11 @@ impl Schema {
                 return print_script(format!("{schema:#}\n").as_bytes());
             }
             Name::Inertia => [polhode_shape::REPORT_SCHEMA, polhode_shape::REQUEST_SCHEMA],
+            Name::Simulate => [simulate::REPORT_SCHEMA.as_str(), simulate::REQUEST_SCHEMA],
+            Name::Spin => [spin::REPORT_SCHEMA.as_str(), spin::REQUEST_SCHEMA],
+            Name::Stability => [stability::REPORT_SCHEMA.as_str(), stability::REQUEST_SCHEMA],
+            Name::Torque => [torque::REPORT_SCHEMA.as_str(), torque::REQUEST_SCHEMA],
+            Name::Explain => [explain::REPORT_SCHEMA.as_str(), explain::REQUEST_SCHEMA],
             #[cfg(feature = "robot")]
             Name::Check => [polhode_robot::REPORT_SCHEMA, polhode_robot::REQUEST_SCHEMA],
             #[cfg(feature = "sweep")]

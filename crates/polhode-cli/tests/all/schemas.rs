@@ -1,27 +1,34 @@
 //! The JSON schemas of requests and reports: what the command prints and takes fits them.
 
+use std::path::Path;
+
 use polhode_document::Report as _;
 use polhode_judge::suite::CASES;
+use polhode_scenario::request::{explain, simulate, spin, stability, torque};
 use polhode_source::files::Disk;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
-use crate::common::{Scratch, example, json, stdout};
+use crate::common::{Scratch, entries, example, json, stdout};
 use crate::schema::misfit;
 
-/// Every object of a schema forbids other keys, and every number says what it is.
-fn require_strict(schema: &Value, at: &str) {
+/// Requires that objects forbid other keys, numbers and lists of them are described, and definitions
+/// are there.
+fn require_strict(root: &Value, schema: &Value, at: &str) {
     if let Some(words) = schema.as_object() {
         let types = schema["type"].to_string();
-        if types.contains("number") || types.contains("integer") {
+        let name = schema["$ref"].as_str().unwrap_or("#");
+        assert!(root.pointer(&name[1..]).is_some(), "{at}: {name}");
+        let is_list = ["vector", "matrix", "quaternion"].iter().any(|list| name.ends_with(list));
+        if is_list || types.contains("number") || types.contains("integer") {
             assert!(words.contains_key("description"), "{at}");
         }
         assert!(!types.contains("object") || words.contains_key("additionalProperties"), "{at}");
-        words.iter().for_each(|(word, inner)| require_strict(inner, &format!("{at}/{word}")));
+        words.iter().for_each(|(word, inner)| require_strict(root, inner, &format!("{at}/{word}")));
     }
     let items = schema.as_array().into_iter().flatten().enumerate();
-    items.for_each(|(k, inner)| require_strict(inner, &format!("{at}/{k}")));
+    items.for_each(|(k, inner)| require_strict(root, inner, &format!("{at}/{k}")));
 }
 
 #[test]
@@ -39,9 +46,19 @@ fn schemas_are_strict() {
         polhode_judge::REPORT_SCHEMA,
         polhode_sweep::REQUEST_SCHEMA,
         polhode_sweep::REPORT_SCHEMA,
+        simulate::REQUEST_SCHEMA,
+        &simulate::REPORT_SCHEMA,
+        spin::REQUEST_SCHEMA,
+        &spin::REPORT_SCHEMA,
+        stability::REQUEST_SCHEMA,
+        &stability::REPORT_SCHEMA,
+        torque::REQUEST_SCHEMA,
+        &torque::REPORT_SCHEMA,
+        explain::REQUEST_SCHEMA,
+        &explain::REPORT_SCHEMA,
     ] {
         let schema = serde_json::from_str(schema).unwrap();
-        require_strict(&schema, "");
+        require_strict(&schema, &schema, "");
         assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
     }
 }
@@ -54,6 +71,7 @@ fn check_request<R: Default + PartialEq + std::fmt::Debug + Serialize + Deserial
     let empty = serde_json::to_value(R::default()).unwrap();
     let read = R::deserialize(full).unwrap();
     assert_eq!(&serde_json::to_value(&read).unwrap(), full);
+    assert_eq!(R::deserialize(json!({})).unwrap(), R::default());
     for request in [&json!({}), &empty, full] {
         assert_eq!(misfit(schema, request), None);
     }
@@ -84,6 +102,18 @@ fn requests_fit() {
     check_request::<polhode_judge::Request>(polhode_judge::REQUEST_SCHEMA, &full);
     let full = json!({ "plan": "plan.toml", "threads": 4 });
     check_request::<polhode_sweep::Request>(polhode_sweep::REQUEST_SCHEMA, &full);
+    let full = json!({ "file": "top.toml", "at": ["0 s, 1 s", "2:3:0.5"], "error": true });
+    check_request::<simulate::Request>(simulate::REQUEST_SCHEMA, &full);
+    let full = json!({
+        "file": "body.toml", "moments": "1, 2, 3", "inertia": "1, 2, 2.5, 0.1, 0, 0", "omega": "(0, 0, 30) deg/s",
+        "attitude": "1, 0, 0, 0", "allow-unphysical": true, "at": ["1 h"], "periods": "7.4 d, 5.4 d", "convention": "long",
+    });
+    check_request::<spin::Request>(spin::REQUEST_SCHEMA, &full);
+    let full = json!({ "file": "slew.toml", "at": ["30 s"], "point": ["0.5 kg, 0, 10 cm, 0"] });
+    check_request::<torque::Request>(torque::REQUEST_SCHEMA, &full);
+    let full = json!({ "file": "top.toml" });
+    check_request::<stability::Request>(stability::REQUEST_SCHEMA, &full);
+    check_request::<explain::Request>(explain::REQUEST_SCHEMA, &full);
 }
 
 /// Reports of the examples fit, as `json` checks, and changed ones do not.
@@ -121,6 +151,41 @@ fn reports_of_examples_fit() {
     require_refused(polhode_judge::REPORT_SCHEMA, &card);
 }
 
+/// Reports on every scenario of the examples that a command accepts fit, as `json` checks, and changed ones do not.
+#[test]
+fn reports_on_scenarios_fit() {
+    let scratch = Scratch::new("schemas-scenarios");
+    let files: Vec<String> = ["", "notes/"]
+        .into_iter()
+        .flat_map(|folder| {
+            let names =
+                entries(Path::new(&example(folder))).into_iter().filter(|name| name.ends_with(".toml"));
+            names.map(move |name| example(&format!("{folder}{name}")))
+        })
+        .collect();
+    for (command, schema, accepted, flags) in [
+        ("simulate", &simulate::REPORT_SCHEMA, 48, &["--at", "0 s"][..]),
+        ("spin", &spin::REPORT_SCHEMA, 10, &["--at", "-1 s, 0 s, 1 s"]),
+        ("stability", &stability::REPORT_SCHEMA, 36, &[]),
+        ("torque", &torque::REPORT_SCHEMA, 4, &["--at", "0 s", "--point", "0.5,1,2,3"]),
+        ("explain", &explain::REPORT_SCHEMA, 46, &[]),
+    ] {
+        let outputs = files.iter().map(|file| scratch.run(&[&[command, file, "--json"], flags].concat()));
+        let reports: Vec<Value> =
+            outputs.filter(|output| output.status.success()).map(|output| json(&output)).collect();
+        assert!(reports.len() >= accepted, "{command}: {}", reports.len());
+        for report in &reports {
+            assert_eq!(misfit(schema, report), None);
+        }
+        require_refused(schema, &reports[0]);
+    }
+    let periods = ["--periods", "7.4 d, 5.38 d", "--convention", "long", "--json"];
+    let spins = json(&scratch.run(&[&["spin", "--moments", "3.0836,3.235,1"], &periods[..]].concat()));
+    require_refused(&spin::REPORT_SCHEMA, &spins);
+    let grounded = json(&scratch.run(&["stability", &example("rattleback.toml"), "--json"]));
+    require_refused(&stability::REPORT_SCHEMA, &grounded);
+}
+
 /// A report that lacks a key, or has one more, does not fit.
 fn require_refused(schema: &str, report: &Value) {
     for key in report.as_object().unwrap().keys() {
@@ -145,6 +210,11 @@ fn schemas_are_printed() {
         ("judge", [polhode_judge::REPORT_SCHEMA, polhode_judge::REQUEST_SCHEMA]),
         ("identify", [polhode_identify::REPORT_SCHEMA, polhode_identify::REQUEST_SCHEMA]),
         ("budget", [polhode_budget::REPORT_SCHEMA, polhode_budget::REQUEST_SCHEMA]),
+        ("simulate", [simulate::REPORT_SCHEMA.as_str(), simulate::REQUEST_SCHEMA]),
+        ("spin", [spin::REPORT_SCHEMA.as_str(), spin::REQUEST_SCHEMA]),
+        ("stability", [stability::REPORT_SCHEMA.as_str(), stability::REQUEST_SCHEMA]),
+        ("torque", [torque::REPORT_SCHEMA.as_str(), torque::REQUEST_SCHEMA]),
+        ("explain", [explain::REPORT_SCHEMA.as_str(), explain::REQUEST_SCHEMA]),
     ] {
         let [report, request] = schemas.map(|schema| serde_json::from_str::<Value>(schema).unwrap());
         assert_eq!(printed(&["schema", name]), report);

@@ -1,6 +1,7 @@
 //! Worked solutions.
 
 use std::path::PathBuf;
+use std::sync::LazyLock;
 
 use polhode_document::{Document, Report};
 use polhode_source::Failure;
@@ -9,8 +10,16 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::failed;
+use super::schema::complete;
 use crate::read::ScenarioFile;
 use crate::report;
+
+/// JSON schema of a [`Request`].
+pub const REQUEST_SCHEMA: &str = include_str!("../../schema/explain/request.json");
+
+/// JSON schema of the JSON of a [`Solution`].
+pub static REPORT_SCHEMA: LazyLock<String> =
+    LazyLock::new(|| complete(include_str!("../../schema/explain/report.json")));
 
 /// Scenario to work through.
 ///
@@ -25,7 +34,7 @@ use crate::report;
 /// # Ok::<(), polhode_source::Failure>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct Request {
     /// The scenario, a TOML file.

@@ -10,6 +10,7 @@
 #![allow(rustdoc::broken_intra_doc_links, reason = "the help of the command shows brackets as they are")]
 
 pub mod explain;
+mod schema;
 pub mod simulate;
 pub mod spin;
 pub mod stability;

@@ -1,6 +1,7 @@
 //! Motions of scenarios.
 
 use std::path::PathBuf;
+use std::sync::LazyLock;
 
 use polhode::motion::{Ending, ErrorEffort, Run, Sample, Scenario, Trajectory};
 use polhode_document::{Document, Report};
@@ -10,9 +11,17 @@ use polhode_source::{Failure, shown};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use super::schema::complete;
 use super::{document, failed, source};
 use crate::read::ScenarioFile;
 use crate::report::{MotionFigures, MotionReport};
+
+/// JSON schema of a [`Request`].
+pub const REQUEST_SCHEMA: &str = include_str!("../../schema/simulate/request.json");
+
+/// JSON schema of the JSON of a [`Motion`].
+pub static REPORT_SCHEMA: LazyLock<String> =
+    LazyLock::new(|| complete(include_str!("../../schema/simulate/report.json")));
 
 /// Scenario whose motion is asked for.
 ///

@@ -1,6 +1,7 @@
 //! Steady motions, and which of them last.
 
 use std::path::PathBuf;
+use std::sync::LazyLock;
 
 use polhode::motion::Mechanism;
 use polhode_document::{Document, Report};
@@ -9,9 +10,17 @@ use polhode_source::{Failure, shown};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use super::schema::complete;
 use super::{document, source};
 use crate::read::ScenarioFile;
 use crate::report::{GroundStabilityReport, StabilityReport};
+
+/// JSON schema of a [`Request`].
+pub const REQUEST_SCHEMA: &str = include_str!("../../schema/stability/request.json");
+
+/// JSON schema of the JSON of a [`Stability`].
+pub static REPORT_SCHEMA: LazyLock<String> =
+    LazyLock::new(|| complete(include_str!("../../schema/stability/report.json")));
 
 /// Scenario whose steady motions are asked for.
 ///
@@ -26,7 +35,7 @@ use crate::report::{GroundStabilityReport, StabilityReport};
 /// # Ok::<(), polhode_source::Failure>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct Request {
     /// The scenario, a TOML file.

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 use std::str::FromStr;
+use std::sync::LazyLock;
 
 use polhode::body::Particle;
 use polhode::math::{Body, Position};
@@ -14,9 +15,17 @@ use polhode_source::{Failure, shown};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use super::schema::complete;
 use super::{document, source};
 use crate::read::ScenarioFile;
 use crate::report::RequiredReport;
+
+/// JSON schema of a [`Request`].
+pub const REQUEST_SCHEMA: &str = include_str!("../../schema/torque/request.json");
+
+/// JSON schema of the JSON of a [`RequiredReport`].
+pub static REPORT_SCHEMA: LazyLock<String> =
+    LazyLock::new(|| complete(include_str!("../../schema/torque/report.json")));
 
 /// Scenario with a given motion, and where its torque is asked for.
 ///

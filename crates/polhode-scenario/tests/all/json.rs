@@ -1,13 +1,17 @@
 //! The JSON that others build on: keys, their order, and every bit of every number.
 
 use polhode::body::{Finding, Severity};
-use polhode::motion::{Run, SplittingOrder};
+use polhode::motion::{FreeMotion, Run, SplittingOrder};
 use polhode::prelude::*;
 use polhode_document::SourceInfo;
 use polhode_document::json::pretty;
-use polhode_scenario::report::{MotionReport, explain};
+use polhode_scenario::report::{MotionReport, RequiredReport, SpinReport, StabilityReport, explain};
+use polhode_scenario::request::explain as worked;
+use polhode_scenario::request::{simulate, spin, stability, torque};
 use polhode_shape::report::InertiaReport;
 use serde_json::Value;
+
+use crate::fit::require_fits;
 
 fn keys(value: &Value) -> Vec<&str> {
     value.as_object().unwrap().keys().map(String::as_str).collect()
@@ -113,55 +117,9 @@ fn other_axes_are_the_columns_of_the_rotation() {
 
 #[test]
 fn the_summary_has_the_same_keys_for_every_motion() {
-    let contract = [
-        "polhode",
-        "title",
-        "source",
-        "mass",
-        "volume",
-        "surface_area",
-        "density",
-        "center_of_mass",
-        "inertia",
-        "principal",
-        "gyration_radii",
-        "complete",
-        "end",
-        "turns_about",
-        "orbit",
-        "start",
-        "run",
-        "motion",
-        "energy",
-        "drift",
-        "error",
-        "required",
-        "pendulum",
-        "heavy_top",
-        "final",
-        "pointings",
-        "at",
-        "torques",
-        "wheels",
-        "mass_history",
-        "contact",
-        "gimbals",
-        "events",
-        "findings",
-    ];
-    let motion = [
-        "regime",
-        "regime_at_start",
-        "period_s",
-        "precession_period_s",
-        "rotation_period_s",
-        "flip_interval_s",
-        "growth_rate_per_s",
-        "kinetic_energy_j",
-        "momentum_kg_m2_s",
-        "momentum_space_kg_m2_s",
-        "symmetric_top",
-    ];
+    let schema: Value = serde_json::from_str(&simulate::REPORT_SCHEMA).unwrap();
+    let [contract, motion] =
+        ["/properties", "/properties/motion/properties"].map(|place| keys(schema.pointer(place).unwrap()));
     for scenario in crate::common::all().into_iter().chain([crate::common::gyrostat()]) {
         let Some(trajectory) = scenario.simulate().transpose().unwrap() else { continue };
         let report = MotionReport::new(SourceInfo::new("a.toml", "scenario"), &scenario, &trajectory);
@@ -170,6 +128,29 @@ fn the_summary_has_the_same_keys_for_every_motion() {
         assert_eq!(keys(&json["motion"]), motion);
         let again: Value = serde_json::from_str(&pretty(&json)).unwrap();
         assert_eq!(again, json);
+    }
+}
+
+/// Reports on motions of every kind, and of extreme sizes, fit their schemas.
+#[test]
+fn reports_fit() {
+    for scenario in crate::common::all().into_iter().chain([crate::common::gyrostat()]) {
+        let source = || SourceInfo::new("a.toml", "scenario");
+        if scenario.run().is_some() {
+            require_fits(&simulate::REPORT_SCHEMA, &summary(&scenario));
+        }
+        if scenario.prescribed().is_some() {
+            let particle = Particle::new(0.5, Position::new(1.0, 2.0, 3.0)).unwrap();
+            let report = RequiredReport::new(source(), &scenario, &[0.0], &[particle]).unwrap();
+            require_fits(&torque::REPORT_SCHEMA, &report.to_json());
+        }
+        if let Ok(motion) = FreeMotion::of(&Rotor::free(scenario.body()), scenario.start()) {
+            let report = SpinReport::new(Some(source().with("title", "A").with("parts", 1)), motion);
+            require_fits(&spin::REPORT_SCHEMA, &report.at(&[0.0, 1.0]).unwrap().to_json());
+        }
+        let report = StabilityReport::of_scenario(source(), &scenario);
+        require_fits(&stability::REPORT_SCHEMA, &report.to_json());
+        require_fits(&worked::REPORT_SCHEMA, &explain(&scenario).unwrap().to_json());
     }
 }
 

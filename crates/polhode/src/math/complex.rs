@@ -14,41 +14,49 @@ impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Complex<T> {
         Self { re: self.re * b.re - self.im * b.im, im: self.re * b.im + self.im * b.re }
     }
 
+    #[inline(always)]
     pub(crate) fn plus(self, b: Self) -> Self {
         Self { re: self.re + b.re, im: self.im + b.im }
     }
 
+    #[inline(always)]
     pub(crate) fn minus(self, b: Self) -> Self {
         Self { re: self.re - b.re, im: self.im - b.im }
     }
 
+    #[inline(always)]
     pub(crate) fn scaled(self, by: T) -> Self {
         Self { re: self.re * by, im: self.im * by }
     }
 
     /// Returns |z|².
+    #[inline(always)]
     pub(crate) fn norm_squared(self) -> T {
         self.re * self.re + self.im * self.im
     }
 }
 
 impl<T: Neg<Output = T>> Complex<T> {
+    #[inline(always)]
     pub(crate) fn conjugate(self) -> Self {
         Self { re: self.re, im: -self.im }
     }
 
     /// Returns i z.
+    #[inline(always)]
     pub(crate) fn times_i(self) -> Self {
         Self { re: -self.im, im: self.re }
     }
 }
 
 impl Complex<f64> {
+    #[inline(always)]
     pub(crate) fn abs(self) -> f64 {
         libm::hypot(self.re, self.im)
     }
 
     /// Returns the quotient by Smith's method, in which no square overflows.
+    #[inline(always)]
     pub(crate) fn over(self, b: Self) -> Self {
         if b.re.abs() >= b.im.abs() {
             let ratio = b.im / b.re;

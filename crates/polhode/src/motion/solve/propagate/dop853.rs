@@ -62,6 +62,7 @@ impl<const N: usize> Stages<N> {
     }
 
     /// h Σ w_j k_j
+    #[inline]
     fn weighted(&self, weights: &[f64]) -> [f64; N] {
         let mut sum = [0.0; N];
         for (w, k) in weights.iter().zip(&self.k) {

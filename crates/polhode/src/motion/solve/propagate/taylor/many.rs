@@ -11,6 +11,7 @@ use super::recurrence::{
 };
 use super::row::Row;
 use super::sums::SeveralBodies;
+use super::unit_product::{CROSS, TURN, plus_product};
 use crate::math::machine::Machine;
 use crate::math::number::Number;
 
@@ -202,14 +203,20 @@ impl<N: Number> StepJacobian<N> {
             (d31.mul_add(w1, d32 * w2) + z) + own[2],
             zero,
         ]);
-        let ([w, x, y, z], [h1, h2, h3, _], [a, b, c, d]) = (new.turn.0, half(self.turning).0, sum.turn.0);
-        // Half of ω, and q ∘ e3 Ω3.
-        let [k1, k2, k3, _] = half(new.omega).0;
+        let Row([a, b, c, d]) = sum.turn;
+        let (half_turning, Row([_, k1, k2, k3])) = (half(self.turning), half(new.omega).pure());
+        // Half of ω, and q ∘ e3 Ω3, come last.
+        let [last0, last1, last2, last3] = [
+            third_of_turn(new.turn, half_turning, 0, None),
+            third_of_turn(new.turn, half_turning, 1, Some(k1)),
+            third_of_turn(new.turn, half_turning, 2, Some(k2)),
+            third_of_turn(new.turn, half_turning, 3, Some(k3)),
+        ];
         let turn = Row([
-            ((-y).mul_add(h2, -x * h1) + a) + -z * h3,
-            ((-z).mul_add(h2, w * h1) + b) + y.mul_add(h3, k1),
-            (w.mul_add(h2, z * h1) + c) + (-x).mul_add(h3, k2),
-            (x.mul_add(h2, -y * h1) + d) + w.mul_add(h3, k3),
+            (two_of_turn(new.turn, half_turning, 0, None) + a) + last0,
+            (two_of_turn(new.turn, half_turning, 1, None) + b) + last1,
+            (two_of_turn(new.turn, half_turning, 2, None) + c) + last2,
+            (two_of_turn(new.turn, half_turning, 3, None) + d) + last3,
         ]);
         Parts { turn, omega, joint: sum.joint }
     }
@@ -225,13 +232,16 @@ impl<N: Number> StepJacobian<N> {
             has_omega,
             ..
         } = self.terms;
-        let ([w, x, y, z], [h1, h2, h3, _]) = (new.turn.0, half(self.turning).0);
-        let ([k1, k2, k3, zero], [a, b, c, d]) = (half(new.omega).0, sum.turn.0);
+        let Row([a, b, c, d]) = sum.turn;
+        let (half_turning, Row([zero, k1, k2, k3])) = (half(self.turning), half(new.omega).pure());
         let turn = Row([
-            (-y).mul_add(h2, (-x).mul_add(h1, a)) + -z * h3,
-            (-z).mul_add(h2, w.mul_add(h1, b + k1)) + y * h3,
-            w.mul_add(h2, z.mul_add(h1, c + k2)) + -x * h3,
-            x.mul_add(h2, (-y).mul_add(h1, d + k3)) + w * h3,
+            two_of_turn(new.turn, half_turning, 0, Some(a)) + third_of_turn(new.turn, half_turning, 0, None),
+            two_of_turn(new.turn, half_turning, 1, Some(b + k1))
+                + third_of_turn(new.turn, half_turning, 1, None),
+            two_of_turn(new.turn, half_turning, 2, Some(c + k2))
+                + third_of_turn(new.turn, half_turning, 2, None),
+            two_of_turn(new.turn, half_turning, 3, Some(d + k3))
+                + third_of_turn(new.turn, half_turning, 3, None),
         ]);
         let none = Row::splat(zero.like(0.0));
         let ([u, v], [start_u, start_v], omega) = (new.joint, self.joint, new.omega);
@@ -278,10 +288,14 @@ impl<N: Number> StepJacobian<N> {
         let [u, v] = sum.joint;
         let joint = match LAYOUT {
             ATTITUDE => [u, v],
-            _ => [plus_cross(u, self.joint[0], turning), v],
+            _ => [plus_product(&CROSS, u, self.joint[0], turning), v],
         };
         let [x, y, z] = omega;
-        Parts { turn: plus_turn(sum.turn, half(self.turn), turning), omega: Row([x, y, z, rest]), joint }
+        Parts {
+            turn: plus_product(&TURN, sum.turn, half(self.turn), turning),
+            omega: Row([x, y, z, rest]),
+            joint,
+        }
     }
 
     /// Plus Tᵢ of the newest coefficients times the components of Ω at the start.
@@ -294,10 +308,44 @@ impl<N: Number> StepJacobian<N> {
         let [u, v] = sum.joint;
         let joint = match LAYOUT {
             ATTITUDE => [u, v],
-            _ => [plus_cross(u, new.joint[0], self.turning), v],
+            _ => [plus_product(&CROSS, u, new.joint[0], self.turning), v],
         };
         let [x, y, z] = omega;
-        Parts { turn: plus_turn(sum.turn, new.turn, half(self.turning)), omega: Row([x, y, z, rest]), joint }
+        Parts {
+            turn: plus_product(&TURN, sum.turn, new.turn, half(self.turning)),
+            omega: Row([x, y, z, rest]),
+            joint,
+        }
+    }
+}
+
+/// Number i of q ∘ e of an axis; none of these is always zero.
+#[inline(always)]
+fn turned<N: Number>(q: Row<N>, axis: usize, i: usize) -> N {
+    match TURN[axis].number(q, i) {
+        Some(number) => number,
+        None => q.0[i],
+    }
+}
+
+/// Number i of q ∘ e1 Ω1 + q ∘ e2 Ω2, added to a number if there is one.
+#[inline(always)]
+fn two_of_turn<N: Number>(q: Row<N>, turning: Row<N>, i: usize, sum: Option<N>) -> N {
+    let [o1, o2, ..] = turning.0;
+    let first = match sum {
+        Some(sum) => turned(q, 0, i).mul_add(o1, sum),
+        None => turned(q, 0, i) * o1,
+    };
+    turned(q, 1, i).mul_add(o2, first)
+}
+
+/// Number i of q ∘ e3 Ω3, added to a number if there is one.
+#[inline(always)]
+fn third_of_turn<N: Number>(q: Row<N>, turning: Row<N>, i: usize, sum: Option<N>) -> N {
+    let [.., o3, _] = turning.0;
+    match sum {
+        Some(sum) => turned(q, 2, i).mul_add(o3, sum),
+        None => turned(q, 2, i) * o3,
     }
 }
 
@@ -306,31 +354,6 @@ fn half<N: Number>(row: Row<N>) -> Row<N> {
     let [x, y, z, w] = row.0;
     let half = x.like(0.5);
     Row([x * half, y * half, z * half, w * half])
-}
-
-/// Plus q ∘ Ω, component of Ω by component.
-#[inline(always)]
-fn plus_turn<N: Number>(sum: Row<N>, q: Row<N>, turning: Row<N>) -> Row<N> {
-    let ([w, x, y, z], [o1, o2, o3, _], [a, b, c, d]) = (q.0, turning.0, sum.0);
-    Row([
-        (-z).mul_add(o3, (-y).mul_add(o2, (-x).mul_add(o1, a))),
-        y.mul_add(o3, (-z).mul_add(o2, w.mul_add(o1, b))),
-        (-x).mul_add(o3, w.mul_add(o2, z.mul_add(o1, c))),
-        w.mul_add(o3, x.mul_add(o2, (-y).mul_add(o1, d))),
-    ])
-}
-
-/// Plus v × Ω, component of Ω by component.
-#[inline(always)]
-fn plus_cross<N: Number>(sum: Row<N>, v: Row<N>, turning: Row<N>) -> Row<N> {
-    let ([a, b, c, _], [o1, o2, o3, _]) = (v.0, turning.0);
-    let [x, y, z, zero] = sum.0;
-    Row([
-        b.mul_add(o3, (-c).mul_add(o2, x)),
-        (-a).mul_add(o3, c.mul_add(o1, y)),
-        a.mul_add(o2, (-b).mul_add(o1, z)),
-        zero,
-    ])
 }
 
 /// Sums of products: of the turn with each component of Ω; of ω as (ω3 Ω1, ω1 Ω2, ω2 Ω3); of u and v with components that are not their own, by the
@@ -451,12 +474,17 @@ impl<N: Number> ProductSums<N> {
     /// Σ Tᵢ of the sums.
     #[inline(always)]
     fn rates(&self, ratios: &Row<N>) -> Parts<N> {
-        let (p, q, r) = (half(self.turn[0]).0, half(self.turn[1]).0, half(self.turn[2]).0);
-        let turn = [-p[1] - q[2] - r[3], p[0] - q[3] + r[2], p[3] + q[0] - r[1], q[1] - p[2] + r[0]];
-        // The sums are (ω3 Ω1, ω1 Ω2, ω2 Ω3): the pack of ω̇2, ω̇3, ω̇1.
+        let [first, second, third] = [half(self.turn[0]), half(self.turn[1]), half(self.turn[2])];
+        let turn = Row([
+            (turned(first, 0, 0) + turned(second, 1, 0)) + turned(third, 2, 0),
+            (turned(first, 0, 1) + turned(second, 1, 1)) + turned(third, 2, 1),
+            (turned(first, 0, 2) + turned(second, 1, 2)) + turned(third, 2, 2),
+            (turned(first, 0, 3) + turned(second, 1, 3)) + turned(third, 2, 3),
+        ]);
+        // The sums are (ω3 Ω1, ω1 Ω2, ω2 Ω3): the places of ω̇2, ω̇3, ω̇1.
         let omega = *ratios * self.omega.cycled().cycled();
         let [u, v] = self.joint;
-        Parts { turn: Row(turn), omega, joint: [cross(u), cross(v)] }
+        Parts { turn, omega, joint: [cross(u), cross(v)] }
     }
 }
 

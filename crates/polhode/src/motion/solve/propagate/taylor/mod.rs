@@ -23,6 +23,7 @@ mod scalar;
 mod stepper;
 mod sums;
 mod torque;
+mod unit_product;
 mod variations;
 
 pub(in crate::motion) use batch::{BatchBody, BatchKind, advance};

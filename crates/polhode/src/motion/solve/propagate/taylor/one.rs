@@ -1,15 +1,16 @@
 //! The recurrence of one body, a pair in a register.
 //!
-//! Most of the time goes by waiting: for the newest coefficients, and for the sums that those sums_before have a part in. So what is newest comes last,
-//! and the processor works on all else meanwhile.
+//! Most of the time goes by in waiting for the newest coefficients and for the sums that they are part of. So what
+//! is newest comes last, and the processor works on everything else meanwhile.
 
 use super::pair::Pair;
 use super::recurrence::{
-    ATTITUDE, CROSS, Coefficient, EULER, EquationConstants, GENERAL, Layout, Motion, Recurrence, TURN,
-    WITH_FIXED_VECTOR, WITH_ORBIT, mirrored, over, start_on_orbit,
+    ATTITUDE, Coefficient, EquationConstants, GENERAL, Layout, Motion, Recurrence, WITH_FIXED_VECTOR,
+    WITH_ORBIT, mirrored, over, start_on_orbit,
 };
 use super::row::Row;
 use super::sums::OneBody;
+use super::unit_product::{CROSS, EULER, TURN, places};
 use crate::math::machine::Machine;
 use crate::math::number::Number;
 
@@ -27,6 +28,19 @@ pub(super) struct StepJacobian<E> {
     /// With an orbit, of x and of y, in the order of [`OneBody::plus_newest_on_orbit`].
     on_orbit: [[E; 5]; 2],
 }
+
+/// Row 2 twice.
+const SECOND_TWICE: [usize; 8] = [4, 5, 6, 7, 4, 5, 6, 7];
+
+/// u of row 2, (u1, u2, u3), (u2, u3, u1) or (u3, u1, u2), and beside it the same cycled once more.
+const DIAGONALS: [[usize; 8]; 3] =
+    [[4, 5, 6, 7, 5, 6, 4, 7], [5, 6, 4, 7, 6, 4, 5, 7], [6, 4, 5, 7, 4, 5, 6, 7]];
+
+/// The factors that meet Ωᵢ in ω̇, from row 1, and beside them the same cycled.
+const EULER_WITH_CYCLED: [[usize; 8]; 3] = {
+    let [[a, b, c, d], [e, f, g, h], [i, j, k, l]] = [CROSS[0].from, CROSS[1].from, CROSS[2].from];
+    [[a, b, c, d, b, c, a, d], [e, f, g, h, f, g, e, h], [i, j, k, l, j, k, i, l]]
+};
 
 impl<S: Machine> Recurrence for OneBody<S> {
     type Packed = S::Eight;
@@ -50,6 +64,7 @@ impl<S: Machine> Recurrence for OneBody<S> {
     ) -> StepJacobian<S::Eight> {
         let s = self.0;
         let zero = s.eight(0.0);
+        let half_turn = TURN.map(|product| Row(product.signs) * Row([0.5; 4]));
         let (x, y) = (self.pack(&motion[0].x), self.pack(&motion[0].y));
         let [o1, o2, o3] = motion[0].turning::<LAYOUT>();
         let omega = [s.eight(o1), s.eight(o2), s.eight(o3)];
@@ -63,15 +78,16 @@ impl<S: Machine> Recurrence for OneBody<S> {
         };
         for axis in 0..3 {
             let (euler, of_omega) = (Row(EULER[axis]) * ratios, terms.of_omega[axis]);
-            let beside = if LAYOUT == ATTITUDE { euler.pure() } else { Row(CROSS[axis]) };
-            let map = self.pair_of(Row(TURN[axis]), beside);
+            let beside = if LAYOUT == ATTITUDE { euler.pure() } else { Row(CROSS[axis].signs) };
+            let map = self.pair_of(half_turn[axis], beside);
             jacobian.maps[0][axis] = map;
             jacobian.of_newest[0][axis] = map * omega[axis];
             let with_omega = if LAYOUT == ATTITUDE { self.pair_of(none, of_omega.pure()) } else { zero };
             jacobian.of_start[0][axis] = self.turn::<LAYOUT>(x, axis).mul_add(map, with_omega);
             if LAYOUT == WITH_FIXED_VECTOR || LAYOUT == GENERAL {
-                jacobian.of_start[1][axis] =
-                    self.euler(y, axis).mul_add(self.with_cycled(euler), self.with_cycled(of_omega));
+                jacobian.of_start[1][axis] = self
+                    .permuted(y, EULER_WITH_CYCLED[axis])
+                    .mul_add(self.with_cycled(euler), self.with_cycled(of_omega));
             }
         }
         // ∂ω̇/∂ω, diagonal by diagonal: (ω2 ω3)ₙ has ω3 of the start times ω2, and ω2 of the start times ω3.
@@ -86,16 +102,16 @@ impl<S: Machine> Recurrence for OneBody<S> {
             // (ω2 ω3)ₙ has ω2 of the start times ω3 and ω3 times ω2: row 1 of what Ω2 and Ω3 are multiplied by.
             let [r1, r2, r3, _] = ratios.0;
             let columns = [
-                self.pair_of(Row(TURN[0]), Row([0.0, 0.0, r2, r3])),
-                self.pair_of(Row(TURN[1]), Row([0.0, r1, 0.0, r3])),
-                self.pair_of(Row(TURN[2]), Row([0.0, r1, r2, 0.0])),
+                self.pair_of(half_turn[0], Row([0.0, 0.0, r2, r3])),
+                self.pair_of(half_turn[1], Row([0.0, r1, 0.0, r3])),
+                self.pair_of(half_turn[2], Row([0.0, r1, r2, 0.0])),
             ];
             let of_omega = [[0.0, 0.0, b3[1], b2[2]], [0.0, b3[0], 0.0, b1[2]], [0.0, b2[0], b1[1], 0.0]];
             for (axis, of_omega) in of_omega.into_iter().enumerate() {
                 jacobian.of_newest[0][axis] =
                     columns[axis].mul_add(omega[axis], self.pair_of(none, Row(of_omega)));
             }
-            // The turn of_start from 1: q ∘ ω has half of ω.
+            // The turn starts from 1: q ∘ ω has half of ω.
             jacobian.diagonal[0] = self.pair_of(Row([0.0, 0.5, 0.5, 0.5]), Row([0.0, b1[0], b2[1], b3[2]]));
         }
         if LAYOUT == WITH_FIXED_VECTOR || LAYOUT == GENERAL {
@@ -114,7 +130,7 @@ impl<S: Machine> Recurrence for OneBody<S> {
                 (motion[0].y.second().cycled(), motion[0].x.second().cycled(), terms.products);
             jacobian.maps[1][0] = self.pair_of(ratios, ones);
             jacobian.maps[1][1] = self.pair_of(products, none - ones);
-            let turn = |axis: usize, o: f64| Row(TURN[axis]) * Row([o; 4]);
+            let turn = |axis: usize, o: f64| half_turn[axis] * Row([o; 4]);
             jacobian.on_orbit[0] = [
                 self.pair_of(Row([0.0, 0.5, 0.5, 0.5]), Row([strength, strength, strength, 0.0])),
                 self.pair_of(turn(0, o1), first),
@@ -166,7 +182,7 @@ impl<S: Machine> Recurrence for OneBody<S> {
         if LAYOUT == WITH_FIXED_VECTOR {
             let x0 = self.pack(&motion[0].x);
             for k in 0..3 {
-                y = jacobian.diagonal[k].mul_add(self.diagonal(x0, k), y);
+                y = jacobian.diagonal[k].mul_add(self.permuted(x0, DIAGONALS[k]), y);
             }
         }
         self.plus_newest::<LAYOUT>(jacobian, [x, y], [s.eight(0.0), self.with_cycled(low)], low_omega)
@@ -207,7 +223,7 @@ impl<S: Machine> Recurrence for OneBody<S> {
             y = y + self.with_cycled(more);
         }
         let omega = if LAYOUT == WITH_FIXED_VECTOR {
-            [self.broadcast::<0>(new_y), self.broadcast::<1>(new_y), self.broadcast::<2>(new_y)]
+            [self.permuted(new_y, [0; 8]), self.permuted(new_y, [1; 8]), self.permuted(new_y, [2; 8])]
         } else {
             let [o1, o2, o3] = motion[n].turning::<LAYOUT>();
             [s.eight(o1), s.eight(o2), s.eight(o3)]
@@ -250,7 +266,7 @@ type ProductSumsOf<S> = ProductSums<<S as Machine>::Four, <S as Machine>::Eight>
 type FactorsOf<S> = Factors<<S as Machine>::Four, <S as Machine>::Eight>;
 
 impl<S: Machine> OneBody<S> {
-    /// Sums plus_newest what comes of new numbers by way of those at the start: Σ Ωᵢ Tᵢ x, Σ (Tᵢ x₀) Ωᵢ, and what is linear.
+    /// Adds what follows from new numbers with those at the start: Σ Ωᵢ Tᵢ x, Σ (Tᵢ x₀) Ωᵢ, and the linear part.
     #[inline(always)]
     fn plus_newest<const LAYOUT: Layout>(
         self,
@@ -261,9 +277,9 @@ impl<S: Machine> OneBody<S> {
     ) -> [S::Eight; 2] {
         if LAYOUT == ATTITUDE {
             let [first, second, third] = jacobian.of_newest[0];
-            // What is known sums_before comes in when the rest is nearly there.
+            // What is known before comes in when the rest is nearly there.
             let new = first * self.turn::<LAYOUT>(new_x, 0);
-            let more = jacobian.diagonal[0] * self.second_row_twice(new_x);
+            let more = jacobian.diagonal[0] * self.permuted(new_x, SECOND_TWICE);
             let new = second.mul_add(self.turn::<LAYOUT>(new_x, 1), new);
             let more = third.mul_add(self.turn::<LAYOUT>(new_x, 2), more);
             return [(new + x) + more; 2];
@@ -283,14 +299,14 @@ impl<S: Machine> OneBody<S> {
         }
         let [x, mut y] = [x + more_x, y + more_y];
         if LAYOUT == WITH_FIXED_VECTOR {
-            let diagonal = jacobian.diagonal[0] * self.diagonal(new_x, 0);
-            let diagonal = jacobian.diagonal[1].mul_add(self.diagonal(new_x, 1), diagonal);
-            y = y + jacobian.diagonal[2].mul_add(self.diagonal(new_x, 2), diagonal);
+            let diagonal = jacobian.diagonal[0] * self.permuted(new_x, DIAGONALS[0]);
+            let diagonal = jacobian.diagonal[1].mul_add(self.permuted(new_x, DIAGONALS[1]), diagonal);
+            y = y + jacobian.diagonal[2].mul_add(self.permuted(new_x, DIAGONALS[2]), diagonal);
         }
         [x, y]
     }
 
-    /// The same where a vector moves. The turn of_start from 1: q ∘ ω has half of ω.
+    /// The same where a vector moves. The turn starts from 1: q ∘ ω has half of ω.
     #[inline(always)]
     fn plus_newest_on_orbit(
         self,
@@ -356,7 +372,7 @@ impl<S: Machine> OneBody<S> {
         up
     }
 
-    /// Plus the products of one coefficient plus_newest another one.
+    /// Adds the products of one coefficient with another.
     #[inline(always)]
     fn products<const LAYOUT: Layout>(
         self,
@@ -395,9 +411,9 @@ impl<S: Machine> OneBody<S> {
     fn factors_of_packed<const LAYOUT: Layout>(self, [x, y]: [S::Eight; 2]) -> FactorsOf<S> {
         let s = self.0;
         let omega = if LAYOUT == ATTITUDE {
-            [self.broadcast::<5>(x), self.broadcast::<6>(x), self.broadcast::<7>(x)]
+            [self.permuted(x, [5; 8]), self.permuted(x, [6; 8]), self.permuted(x, [7; 8])]
         } else {
-            [self.broadcast::<0>(y), self.broadcast::<1>(y), self.broadcast::<2>(y)]
+            [self.permuted(y, [0; 8]), self.permuted(y, [1; 8]), self.permuted(y, [2; 8])]
         };
         let rows = self.unpack(y);
         Factors {
@@ -410,61 +426,31 @@ impl<S: Machine> OneBody<S> {
         }
     }
 
-    /// The numbers of (q ∘ eᵢ, v × eᵢ), to be multiplied by their signs; of ω in the second row too.
+    /// The numbers of (q ∘ eᵢ, v × eᵢ), to be multiplied by their signs; without v, ω as a quaternion is in the
+    /// second row.
     #[inline(always)]
     fn turn<const LAYOUT: Layout>(self, pair: S::Eight, axis: usize) -> S::Eight {
-        let [w, x, y, z, a, b, c, d] = self.0.eight_numbers(pair);
-        self.0.load_eight(&match (axis, LAYOUT == ATTITUDE) {
-            (0, true) => [x, w, z, y, b, a, d, c],
-            (0, false) => [x, w, z, y, a, c, b, d],
-            (1, true) => [y, z, w, x, c, d, a, b],
-            (1, false) => [y, z, w, x, c, b, a, d],
-            (_, true) => [z, y, x, w, d, c, b, a],
-            (_, false) => [z, y, x, w, b, a, c, d],
-        })
-    }
-
-    /// The second row in pair_of pack.
-    #[inline(always)]
-    fn second_row_twice(self, pair: S::Eight) -> S::Eight {
-        let [.., a, b, c, d] = self.0.eight_numbers(pair);
-        self.0.load_eight(&[a, b, c, d, a, b, c, d])
-    }
-
-    /// The same of ω, and that cycled.
-    #[inline(always)]
-    fn euler(self, pair: S::Eight, axis: usize) -> S::Eight {
-        let [x, y, z, w, ..] = self.0.eight_numbers(pair);
-        self.0.load_eight(&match axis {
-            0 => [x, z, y, w, z, y, x, w],
-            1 => [z, y, x, w, y, x, z, w],
-            _ => [y, x, z, w, x, z, y, w],
-        })
+        let second = if LAYOUT == ATTITUDE { TURN[axis] } else { CROSS[axis] };
+        self.permuted(pair, places(TURN[axis], second))
     }
 
     /// Both rows cycled.
     #[inline(always)]
     fn cycled(self, pair: S::Eight) -> S::Eight {
-        let [x, y, z, w, a, b, c, d] = self.0.eight_numbers(pair);
-        self.0.load_eight(&[y, z, x, w, b, c, a, d])
+        self.permuted(pair, [1, 2, 0, 3, 5, 6, 4, 7])
     }
 
-    /// The second row first.
+    /// The second row before the first.
     #[inline(always)]
     fn swapped(self, pair: S::Eight) -> S::Eight {
-        let [w, x, y, z, a, b, c, d] = self.0.eight_numbers(pair);
-        self.0.load_eight(&[a, b, c, d, w, x, y, z])
+        self.permuted(pair, [4, 5, 6, 7, 0, 1, 2, 3])
     }
 
-    /// u in the first row, (u1, u2, u3), (u2, u3, u1) or (u3, u1, u2), and that cycled in the second.
+    /// The numbers at these places.
     #[inline(always)]
-    fn diagonal(self, pair: S::Eight, diagonal: usize) -> S::Eight {
-        let [.., a, b, c, d] = self.0.eight_numbers(pair);
-        self.0.load_eight(&match diagonal {
-            0 => [a, b, c, d, b, c, a, d],
-            1 => [b, c, a, d, c, a, b, d],
-            _ => [c, a, b, d, a, b, c, d],
-        })
+    fn permuted(self, pair: S::Eight, [a, b, c, d, e, f, g, h]: [usize; 8]) -> S::Eight {
+        let x = self.0.eight_numbers(pair);
+        self.0.load_eight(&[x[a], x[b], x[c], x[d], x[e], x[f], x[g], x[h]])
     }
 
     #[inline(always)]
@@ -482,12 +468,5 @@ impl<S: Machine> OneBody<S> {
     #[inline(always)]
     fn sum(self, a: &[S::Eight; 3], b: [S::Eight; 3]) -> S::Eight {
         a[2].mul_add(b[2], a[1].mul_add(b[1], a[0].mul_add(b[0], self.0.eight(0.0))))
-    }
-
-    /// The number of a place in every place.
-    #[inline(always)]
-    fn broadcast<const PLACE: usize>(self, pair: S::Eight) -> S::Eight {
-        let number = self.0.eight_numbers(pair)[PLACE];
-        self.0.load_eight(&[number; 8])
     }
 }

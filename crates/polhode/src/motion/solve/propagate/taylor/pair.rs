@@ -1,4 +1,4 @@
-//! Pairs of rows: two vectors or quaternions side by side, in one register where registers have eight pack.
+//! Pairs of rows: two vectors or quaternions side by side, in one register where registers hold eight numbers.
 
 use super::row::Row;
 use crate::math::number::Number;

@@ -141,7 +141,7 @@ pub(super) fn mirrored<N>(motion: &Motion<N>, n: usize) -> (Option<&Coefficient<
 
 /// How the recurrence is worked out.
 pub(super) trait Recurrence: SeriesSums {
-    /// Eight pack, in registers.
+    /// Eight numbers, in registers.
     type Packed: Copy;
     /// The constants of a step: what newest coefficients are multiplied by.
     type StepJacobian: Copy;
@@ -177,16 +177,6 @@ pub(super) trait Recurrence: SeriesSums {
         more: Row<Self::N>,
     ) -> [Self::Packed; 2];
 }
-
-/// Half of q ∘ e1 = (−x, w, z, −y), q ∘ e2 = (−y, −z, w, x), q ∘ e3 = (−z, y, −x, w).
-pub(super) const TURN: [[f64; 4]; 3] =
-    [[-0.5, 0.5, 0.5, -0.5], [-0.5, -0.5, 0.5, 0.5], [-0.5, 0.5, -0.5, 0.5]];
-
-/// v × e1 = (0, v3, −v2), v × e2 = (−v3, 0, v1), v × e3 = (v2, −v1, 0).
-pub(super) const CROSS: [[f64; 4]; 3] = [[0.0, 1.0, -1.0, 0.0], [-1.0, 0.0, 1.0, 0.0], [1.0, -1.0, 0.0, 0.0]];
-
-/// ω3 Ω1 belongs to ω̇2, ω1 Ω2 to ω̇3, ω2 Ω3 to ω̇1.
-pub(super) const EULER: [[f64; 4]; 3] = [[0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [1.0, 0.0, 0.0, 0.0]];
 
 /// x/n, as exact as a quotient where it matters: coefficients n ≥ 8 are too small to show that 1/n is rounded, always to the same side.
 #[inline(always)]

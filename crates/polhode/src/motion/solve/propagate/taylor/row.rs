@@ -215,7 +215,7 @@ impl<N: Number> Series<N> {
     }
 }
 
-/// The coefficients that there are pack for.
+/// The coefficients from the constant on.
 impl<N: Number> Deref for Series<N> {
     type Target = [Row<N>];
 

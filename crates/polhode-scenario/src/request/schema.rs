@@ -1,7 +1,7 @@
 //! Definitions that JSON schemas share.
 
 use polhode_document::json::pretty;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 /// Definitions by name.
 const SHARED: &str = include_str!("../../schema/defs.json");
@@ -25,7 +25,7 @@ fn missing(schema: &Value, shared: &Value) -> Option<(String, Value)> {
 /// Returns the names of the definitions that a part of a schema refers to.
 fn references(part: &Value) -> Vec<&str> {
     let own = part["$ref"].as_str().and_then(|path| path.strip_prefix("#/$defs/"));
-    let values = part.as_object().into_iter().flat_map(|object| object.values());
+    let values = part.as_object().into_iter().flat_map(Map::values);
     let inner = values.chain(part.as_array().into_iter().flatten()).flat_map(references);
     own.into_iter().chain(inner).collect()
 }

@@ -11,7 +11,8 @@ use polhode_judge::{JudgeReport, JudgedRun};
 use polhode_scenario::read as scenario;
 use polhode_source::files::Disk;
 use polhode_sweep::Plan;
-use polhode_table::{log as run_log, output as table};
+use polhode_table::log as run_log;
+use polhode_table::output::Table;
 
 use super::physical::assert_physical;
 
@@ -186,7 +187,7 @@ fn accepted(scenario: Scenario) {
 /// Every number of the table.
 fn finite(motion: &Trajectory, scenario: &Scenario) {
     let mut csv = Vec::new();
-    table::csv::write(motion, &scenario.into(), &mut csv).unwrap();
+    Table::of(motion, &scenario.into()).write_csv(&mut csv).unwrap();
     let csv = String::from_utf8(csv).unwrap();
     for cell in csv.lines().skip(1).flat_map(|line| line.split(',')) {
         assert!(cell.parse::<f64>().is_ok_and(f64::is_finite), "{cell} in\n{csv}");

@@ -3,8 +3,7 @@
 use clap::ValueEnum;
 use polhode::motion::Trajectory;
 use polhode_scenario::read::TableFormat;
-use polhode_table::output as table;
-use polhode_table::output::Surroundings;
+use polhode_table::output::{Surroundings, Table};
 
 use crate::failure::Failure;
 use crate::folder::Folder;
@@ -43,14 +42,15 @@ pub(crate) fn write(
     metadata: &[(String, String)],
     folder: &Folder,
 ) -> Result<Vec<&'static str>, Failure> {
+    let table = Table::of(trajectory, surroundings);
     let mut written = Vec::new();
     for format in formats {
         if written.contains(&format.file_name()) {
             continue;
         }
         folder.file(format.file_name(), |out| match format {
-            Format::Parquet => table::parquet::write(trajectory, surroundings, metadata, out),
-            Format::Csv => table::csv::write(trajectory, surroundings, out),
+            Format::Parquet => table.write_parquet(metadata, out),
+            Format::Csv => table.write_csv(out),
         })?;
         written.push(format.file_name());
     }

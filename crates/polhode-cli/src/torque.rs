@@ -8,8 +8,7 @@ use polhode_document::json::pretty;
 use polhode_scenario::request::torque::{Request, run};
 use polhode_source::files::Disk;
 use polhode_source::shown;
-use polhode_table::output::parquet;
-use polhode_table::output::required::RequiredTable;
+use polhode_table::output::{Table, required};
 
 use crate::failure::Failure;
 use crate::page::check_file;
@@ -57,7 +56,7 @@ impl Torque {
         let mut written = String::new();
         if let Some((file, format)) = &target {
             let shaft = report.scenario().shaft();
-            let table = RequiredTable::new(report.samples(), report.rotor(), report.points(), shaft);
+            let table = required(report.samples(), report.rotor(), report.points(), shaft);
             self.write(&table, file, *format)?;
             written = format!("wrote {}\n", shown(file));
         }
@@ -85,11 +84,11 @@ impl Torque {
     }
 
     /// Writes the table, whole or not at all.
-    fn write(&self, table: &RequiredTable, file: &Path, format: Format) -> Result<(), Failure> {
+    fn write(&self, table: &Table<'_>, file: &Path, format: Format) -> Result<(), Failure> {
         let source = ("polhode.source".to_owned(), self.request.file.display().to_string());
         partial::write(file, self.force, |out| match format {
             Format::Csv => table.write_csv(out),
-            Format::Parquet => parquet::write_required(table, &[source], out),
+            Format::Parquet => table.write_parquet(&[source], out),
         })
     }
 }

@@ -10,6 +10,8 @@
 use nalgebra::DMatrix;
 use polhode::math::symmetric_eigen;
 
+use crate::six::{PLACES, Six, matrix, moments_of, of_eigen, tensor_of};
+
 /// The numbers that all rows share, part by part.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Coordinates {
@@ -70,7 +72,7 @@ impl Coordinates {
                 Part::Free(_) => all.extend_from_slice(x),
                 Part::Positive => all.push(libm::exp(x[0])),
                 Part::Tensor => all.extend(tensor_of(product(&upper(six(x))))),
-                Part::RootedTensor => all.extend(tensor_of(product(&symmetric(six(x))))),
+                Part::RootedTensor => all.extend(tensor_of(product(&matrix(six(x))))),
                 Part::Positive3 => all.extend(product(&upper(six(x)))),
             }
         }
@@ -106,25 +108,8 @@ impl Coordinates {
     }
 }
 
-/// Elements xx, yy, zz, xy, xz, yz.
-type Six = [f64; 6];
-
 fn six(numbers: &[f64]) -> Six {
     core::array::from_fn(|k| numbers[k])
-}
-
-/// Where the elements are in a matrix.
-const PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
-
-/// G = ½ tr(I) 1 − I
-fn moments_of(i: Six) -> Six {
-    let half = 0.5 * (i[0] + i[1] + i[2]);
-    [half - i[0], half - i[1], half - i[2], -i[3], -i[4], -i[5]]
-}
-
-/// I = tr(G) 1 − G
-fn tensor_of(g: Six) -> Six {
-    [g[1] + g[2], g[0] + g[2], g[0] + g[1], -g[3], -g[4], -g[5]]
 }
 
 /// U of a, b, c, d, e, f.
@@ -154,17 +139,13 @@ fn product_columns(x: Six, linear: impl Fn(Six) -> Six, set: &mut impl FnMut(usi
     }
 }
 
-fn symmetric([xx, yy, zz, xy, xz, yz]: Six) -> [[f64; 3]; 3] {
-    [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
-}
-
 /// ∂I/∂S: dG = S dS + dS S
 fn square_columns(x: Six, set: &mut impl FnMut(usize, usize, f64)) {
-    let s = symmetric(x);
+    let s = matrix(x);
     for column in 0..6 {
         let mut unit = [0.0; 6];
         unit[column] = 1.0;
-        let d = symmetric(unit);
+        let d = matrix(unit);
         let g = PLACES.map(|(i, j)| (0..3).map(|k| s[i][k] * d[k][j] + d[i][k] * s[k][j]).sum::<f64>());
         for (element, value) in tensor_of(g).into_iter().enumerate() {
             set(element, column, value);
@@ -172,12 +153,17 @@ fn square_columns(x: Six, set: &mut impl FnMut(usize, usize, f64)) {
     }
 }
 
+/// Eigenvalues and eigenvectors of second moments, values that are too small put at the least that a start may have; and that least.
+fn inside(g: Six) -> ([f64; 3], [[f64; 3]; 3], f64) {
+    let (values, vectors) = symmetric_eigen(g);
+    let least = THIN * values.iter().fold(f64::MIN_POSITIVE, |most, v| most.max(v.abs()));
+    (values.map(|value| value.max(least)), vectors, least)
+}
+
 /// S of second moments, of which those that are too small are put at the least that a start may have.
 fn root(g: Six) -> Six {
-    let (values, vectors) = symmetric_eigen(g);
-    let largest = values.iter().fold(f64::MIN_POSITIVE, |most, v| most.max(v.abs()));
-    let roots = values.map(|value| value.max(THIN * largest).sqrt());
-    PLACES.map(|(i, j)| (0..3).map(|k| roots[k] * vectors[k][i] * vectors[k][j]).sum::<f64>())
+    let (values, vectors, _) = inside(g);
+    of_eigen(values.map(f64::sqrt), vectors)
 }
 
 /// How small a second moment may be, relative to the largest, to begin with: a plate 1 mm thick and 10 m wide.
@@ -185,14 +171,11 @@ const THIN: f64 = 1e-8;
 
 /// a … f of second moments, of which those that are too small are put at the least that a start may have.
 fn factor(g: Six) -> Six {
-    let (values, vectors) = symmetric_eigen(g);
-    let largest = values.iter().fold(f64::MIN_POSITIVE, |most, v| most.max(v.abs()));
-    let values = values.map(|value| value.max(THIN * largest));
-    let g = PLACES.map(|(i, j)| (0..3).map(|k| values[k] * vectors[k][i] * vectors[k][j]).sum::<f64>());
-    let [xx, yy, zz, xy, xz, yz] = g;
+    let (values, vectors, least) = inside(g);
+    let [xx, yy, zz, xy, xz, yz] = of_eigen(values, vectors);
     let c = zz.sqrt();
     let (e, f) = (xz / c, yz / c);
-    let least = (THIN * largest).sqrt();
+    let least = least.sqrt();
     let root = |square: f64| square.max(least * least).sqrt();
     let b = root(yy - f * f);
     let d = (xy - e * f) / b;

@@ -140,6 +140,11 @@ impl IdentifyError {
         }
     }
 
+    /// That a number is above zero.
+    pub(crate) fn above_zero(what: &'static str, value: f64) -> Result<(), Self> {
+        Self::require(what, value, value > 0.0, "above zero")
+    }
+
     /// That a number keeps a rule.
     pub(crate) fn require(
         what: &'static str,

@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 use core::fmt;
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use crate::decomposition::symmetric_eigen;
 use crate::error::IdentifyError;
@@ -133,10 +133,9 @@ impl Estimate {
             .iter()
             .zip(eigen.eigenvectors.column_iter())
             .filter(|(value, _)| **value > NONE)
-            .map(|(value, column)| DMatrix::from_fn(n, 1, |i, _| column[i] * value.sqrt() * unit(i)))
+            .map(|(value, column)| DVector::from_fn(n, |i, _| column[i] * value.sqrt() * unit(i)))
             .collect();
-        let unknown: Vec<_> =
-            self.unknown.iter().map(|direction| DMatrix::from_column_slice(n, 1, direction)).collect();
+        let unknown: Vec<_> = self.unknown.iter().map(|part| DVector::from_column_slice(part)).collect();
         Ok(Information::with(n, &known, &unknown))
     }
 

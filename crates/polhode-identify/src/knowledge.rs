@@ -6,7 +6,8 @@ use crate::decomposition::{Svd, svd};
 use crate::error::IdentifyError;
 use crate::estimate::Estimate;
 use crate::least_squares::Information;
-use crate::principal::{PrincipalEstimate, element_row};
+use crate::principal::PrincipalEstimate;
+use crate::six::{PLACES, between};
 
 /// How well a body is known: the covariance of its numbers, in units of the body.
 ///
@@ -45,17 +46,16 @@ impl BodyUnits {
     /// Of the six numbers from `first`; of the tensor's shape alone if it has no size. `None` of a point, which has no moments.
     pub(crate) fn of_tensor(estimate: &Estimate, first: usize, has_size: bool) -> Option<Self> {
         let p = PrincipalEstimate::of_tensor(estimate, first);
-        let greatest = p.axes.map(|axis| element_row(axis, axis))[2];
+        let greatest = p.axes.map(|axis| between(axis, axis))[2];
         let size: f64 = (0..6).map(|k| greatest[k] * estimate.numbers[first + k].value).sum();
         if !(size > 0.0) {
             return None;
         }
         let mut rows = DMatrix::zeros(6, estimate.numbers.len());
-        let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
-        for (k, (i, j)) in pairs.into_iter().enumerate() {
+        for (k, (i, j)) in PLACES.into_iter().enumerate() {
             let weight = if i == j { 1.0 } else { 2.0_f64.sqrt() };
             let of_size = if i == j && !has_size { [p.ratios[0], p.ratios[1], 1.0][i] } else { 0.0 };
-            let row = element_row(p.axes[i], p.axes[j]);
+            let row = between(p.axes[i], p.axes[j]);
             for e in 0..6 {
                 rows[(k, first + e)] = weight * (row[e] - of_size * greatest[e]) / size;
             }

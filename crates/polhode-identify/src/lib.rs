@@ -25,6 +25,7 @@ pub mod report;
 mod request;
 mod residuals;
 mod run;
+mod six;
 pub mod swing;
 pub mod tumble;
 

@@ -105,6 +105,21 @@ impl<'a, E> Comparison<'a, E> {
     }
 }
 
+/// `x − z` of (1, 0, −1), however long.
+pub(crate) fn signed_axes(v: [f64; 3]) -> String {
+    let mut text = String::new();
+    for (part, axis) in v.into_iter().zip(["x", "y", "z"]).filter(|(part, _)| part.abs() > 0.1) {
+        text.push_str(match (text.is_empty(), part > 0.0) {
+            (true, true) => "",
+            (true, false) => "−",
+            (false, true) => " + ",
+            (false, false) => " − ",
+        });
+        text.push_str(axis);
+    }
+    text
+}
+
 fn order(a: &Knowledge, b: &Knowledge) -> Ordering {
     let size = |known: &Knowledge| if known.unknown > 0 { known.mean_sd } else { known.largest_sd };
     a.unknown.cmp(&b.unknown).then(size(a).total_cmp(&size(b)))

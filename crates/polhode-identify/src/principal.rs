@@ -4,6 +4,7 @@ use polhode::body::ratio_region;
 use polhode::math::symmetric_eigen;
 
 use crate::estimate::{ANGLE, Estimate, Undetermined};
+use crate::six::between;
 
 /// Principal moments and axes, to first order in the errors of the tensor.
 ///
@@ -84,7 +85,7 @@ impl PrincipalEstimate {
             all[first..first + 6].copy_from_slice(&six);
             all
         };
-        let moment_rows = axes.map(|axis| element_row(axis, axis));
+        let moment_rows = axes.map(|axis| between(axis, axis));
         let greatest = moments[2];
         let ratio = |k: usize| moments[k] / greatest;
         let ratio_row = |k: usize| -> [f64; 6] {
@@ -124,16 +125,10 @@ impl PrincipalEstimate {
                 if apart == 0.0 {
                     return Some(f64::INFINITY);
                 }
-                sd(element_row(axes[i], axes[j])).map(|sd| sd / apart.abs())
+                sd(between(axes[i], axes[j])).map(|sd| sd / apart.abs())
             }),
         }
     }
-}
-
-/// uᵀ δI v as what multiplies the errors of Ixx, Iyy, Izz, Ixy, Ixz, Iyz.
-pub(crate) fn element_row(u: [f64; 3], v: [f64; 3]) -> [f64; 6] {
-    let off = |i: usize, j: usize| u[i] * v[j] + u[j] * v[i];
-    [u[0] * v[0], u[1] * v[1], u[2] * v[2], off(0, 1), off(0, 2), off(1, 2)]
 }
 
 #[cfg(test)]

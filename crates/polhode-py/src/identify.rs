@@ -88,7 +88,7 @@ fn identified(py: Python<'_>, report: IdentifyReport) -> PyResult<Identified<'_>
             .map(|body| (body.mass(), body.center_of_mass().to_array(), body.inertia().matrix())),
         wrench: payload.map(|payload| matrix(py, &payload.found().residuals)).transpose()?,
         swings: tests.iter().map(|test| PyArray1::from_slice(py, &test.left)).collect(),
-        times: payload.map(|payload| PyArray1::from_slice(py, payload.times())),
+        times: payload.map(|payload| PyArray1::from_slice(py, &payload.found().times)),
     })
 }
 

@@ -13,7 +13,7 @@ use polhode_document::VERSION;
 use polhode_scenario::report::{
     MotionReport, PageInput, PageSubject, explain_motion, has_triangles, page_data, page_data_within, page_of,
 };
-use polhode_table::output::{Column, columns};
+use polhode_table::output::{Column, Table};
 use pyo3::prelude::*;
 
 use crate::arrays::{ErrorColumns, States, error_columns, numbers, table};
@@ -121,11 +121,11 @@ impl PyMotion {
         &self,
         py: Python<'py>,
     ) -> Vec<(String, &'static str, &'static str, Bound<'py, PyArray1<f64>>)> {
-        let rows = self.trajectory.samples().len();
-        let of = |column: &Column| (0..rows).map(|row| column.value(&self.trajectory, row)).collect();
         let columns = || {
-            let columns = columns(&self.trajectory, &(&self.scenario).into());
-            let each = columns.iter().map(|c| (c.name.to_string(), c.unit, c.description, of(c)));
+            let table = Table::of(&self.trajectory, &(&self.scenario).into());
+            let values = |column: &Column<'_>| (0..table.rows()).map(|row| column.value(row)).collect();
+            let each = table.columns().iter();
+            let each = each.map(|c| (c.name.to_string(), c.unit, c.description, values(c)));
             let work = ("work_j".to_owned(), "J", "work of the torque since the start", self.work());
             each.chain([work]).collect()
         };

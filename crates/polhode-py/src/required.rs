@@ -6,7 +6,7 @@ use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use polhode::body::Particle;
 use polhode::math::{Body, Position};
 use polhode_scenario::report::RequiredReport;
-use polhode_table::output::required::RequiredTable;
+use polhode_table::output::{Column as TableColumn, required};
 use pyo3::prelude::*;
 
 use crate::arrays::{numbers, rows};
@@ -51,21 +51,22 @@ pub(crate) fn required_torque<'py>(
     let point = |&[mass, x, y, z]: &[f64; 4]| Particle::new(mass, Position::<Body>::new(x, y, z));
     let points: Vec<_> = rows(&points)?.iter().map(point).collect::<Result<_, _>>().map_err(Raise::raise)?;
     let placed = |error| file.placed(&error).map_or_else(|| Raise::raise(error), Raise::raise);
-    let (report, table) = py
+    let (report, columns) = py
         .detach(|| {
             let report = RequiredReport::new(source(&path, &file), &file.scenario, &[], &points)?;
-            let table =
-                RequiredTable::new(report.samples(), report.rotor(), report.points(), file.scenario.shaft());
-            Ok((report, table))
+            let table = required(report.samples(), report.rotor(), report.points(), file.scenario.shaft());
+            let values = |column: &TableColumn<'_>| (0..table.rows()).map(|row| column.value(row)).collect();
+            let columns = table.columns().iter();
+            let columns = columns.map(|c| (c.name.to_string(), c.unit, c.description, values(c)));
+            let columns: Vec<(String, &str, &str, Vec<f64>)> = columns.collect();
+            Ok((report, columns))
         })
         .map_err(placed)?;
-    let column = |column: &polhode_table::output::required::RequiredColumn| {
-        (column.name.clone(), column.unit, column.description, PyArray1::from_slice(py, &column.values))
-    };
+    let array = |(name, unit, description, values)| (name, unit, description, PyArray1::from_vec(py, values));
     Ok(RequiredTorque {
         json: report.to_json().to_string(),
         text: report.to_text(),
-        columns: table.columns().iter().map(column).collect(),
+        columns: columns.into_iter().map(array).collect(),
         findings: remarks(file.scenario.findings()),
     })
 }

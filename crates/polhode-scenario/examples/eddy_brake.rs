@@ -34,5 +34,5 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let times: Vec<f64> = (0..=600).map(|k| f64::from(k) * 0.1).collect();
     let motion = Simulation::new(&rotor, &torques, start, &times).events(&[stop]).run()?;
     motion.events().iter().for_each(|event| eprintln!("{} at {:.6} s", event.name, event.state.time));
-    Ok(polhode_table::output::csv::write(&motion, &Default::default(), std::io::stdout())?)
+    Ok(polhode_table::output::Table::of(&motion, &Default::default()).write_csv(std::io::stdout())?)
 }

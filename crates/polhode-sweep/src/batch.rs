@@ -68,6 +68,19 @@ pub enum BatchError {
     },
 }
 
+impl Column {
+    /// A column of this name, unit and description.
+    pub(crate) fn new([name, unit, description]: [&str; 3], values: Values) -> Self {
+        let [name, unit, description] = [name, unit, description].map(str::to_owned);
+        Self { name, unit, description, values }
+    }
+
+    /// The column with the numbers of members.
+    pub(crate) fn of_members(numbers: Vec<u64>) -> Self {
+        Self::new([MEMBER, "", "the member's number, from 0"], Values::Whole(numbers))
+    }
+}
+
 impl Batch {
     /// A table.
     ///
@@ -115,6 +128,15 @@ impl Values {
             Self::Numbers(values) => values.len(),
             Self::Perhaps(values) => values.len(),
             Self::Text(values) => values.len(),
+        }
+    }
+
+    /// The number of a row, if there is one.
+    pub(crate) fn number(&self, row: usize) -> Option<f64> {
+        match self {
+            Self::Numbers(values) => values.get(row).copied(),
+            Self::Perhaps(values) => values.get(row).copied().flatten(),
+            Self::Whole(_) | Self::Text(_) => None,
         }
     }
 

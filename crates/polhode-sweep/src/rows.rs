@@ -10,7 +10,7 @@ use polhode_source::FormatError;
 
 use crate::batch::{Batch, BatchError, Column, MEMBER, Values};
 use crate::outcome::{self, Outcome};
-use crate::plan::Plan;
+use crate::plan::{Plan, Variable};
 
 /// The inputs of some members: `member`, and a column for each variable of the plan, in SI.
 pub fn inputs(plan: &Plan, members: Range<u64>) -> Batch {
@@ -21,20 +21,14 @@ pub fn inputs(plan: &Plan, members: Range<u64>) -> Batch {
             column.push(value);
         }
     }
-    let member = Column {
-        name: MEMBER.to_owned(),
-        unit: String::new(),
-        description: "the member's number, from 0".to_owned(),
-        values: Values::Whole(numbers),
-    };
-    let columns = plan.variables().iter().zip(variables).map(|(variable, values)| Column {
-        name: variable.name.clone(),
-        unit: variable.unit.clone(),
-        description: variable.description.clone(),
-        values: Values::Numbers(values),
-    });
+    let columns = plan.variables().iter().zip(variables);
+    let columns = columns.map(|(variable, values)| of_variable(variable, Values::Numbers(values)));
     // A plan's variables have different names: this cannot fail, and an empty table would be seen at once.
-    Batch::new(std::iter::once(member).chain(columns).collect()).unwrap_or_default()
+    Batch::new(std::iter::once(Column::of_members(numbers)).chain(columns).collect()).unwrap_or_default()
+}
+
+fn of_variable(variable: &Variable, values: Values) -> Column {
+    Column::new([&variable.name, &variable.unit, &variable.description], values)
 }
 
 /// Adds outcomes to the rows of `inputs`: how each member ended, the kind of motion, periods, final
@@ -87,12 +81,7 @@ impl Members {
             for (row, &number) in values.iter_mut().zip(numbers) {
                 row.push(number);
             }
-            columns.push(Column {
-                name: variable.name.clone(),
-                unit: variable.unit.clone(),
-                description: variable.description.clone(),
-                values: column.values.clone(),
-            });
+            columns.push(of_variable(variable, column.values.clone()));
         }
         Ok(Self { columns, numbers: numbers.clone(), values })
     }

@@ -8,8 +8,7 @@ use polhode_document::json::pretty;
 use polhode_judge::suite;
 use polhode_judge::suite::CASES;
 use polhode_source::shown;
-use polhode_table::output as table;
-use polhode_table::output::Surroundings;
+use polhode_table::output::{Surroundings, Table};
 
 use crate::failure::Failure;
 use crate::partial::{Partial, output};
@@ -41,7 +40,7 @@ pub(super) fn write(target: &Path) -> Result<(), Failure> {
             let motion = motion.map_err(failed)?;
             let surroundings = Surroundings::from(&file.scenario);
             put(Path::new(EXACT).join(format!("{}.csv", case.name)), &|out| {
-                table::csv::write(&motion, &surroundings, out)
+                Table::of(&motion, &surroundings).write_csv(out)
             })?;
         }
     }

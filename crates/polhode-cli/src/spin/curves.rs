@@ -62,11 +62,11 @@ impl Curves {
     pub(super) fn write(&self, folder: &Folder) -> Result<[&'static str; 5], Failure> {
         let names = ["polhode.csv", "momentum.csv", "herpolhode.csv", "body_cone.csv", "space_cone.csv"];
         let [polhode, momentum, herpolhode, body_cone, space_cone] = names;
-        folder.file(polhode, |out| curve::polhode(&self.polhode, out))?;
-        folder.file(momentum, |out| curve::momentum(&self.momentum, out))?;
-        folder.file(herpolhode, |out| curve::herpolhode(&self.herpolhode, out))?;
-        folder.file(body_cone, |out| curve::body_cone(&self.cones, out))?;
-        folder.file(space_cone, |out| curve::space_cone(&self.cones, out))?;
+        folder.file(polhode, |out| curve::polhode(&self.polhode).write_csv(out))?;
+        folder.file(momentum, |out| curve::momentum(&self.momentum).write_csv(out))?;
+        folder.file(herpolhode, |out| curve::herpolhode(&self.herpolhode).write_csv(out))?;
+        folder.file(body_cone, |out| curve::body_cone(&self.cones).write_csv(out))?;
+        folder.file(space_cone, |out| curve::space_cone(&self.cones).write_csv(out))?;
         Ok(names)
     }
 }

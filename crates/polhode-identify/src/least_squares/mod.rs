@@ -12,7 +12,7 @@ mod solution;
 pub(crate) use left::{Response, response};
 pub(crate) use outlier::{Outliers, spread};
 pub(crate) use rows::{Rows, stacked};
-pub(crate) use solution::{Information, KNOWN, Solution, changes_along};
+pub(crate) use solution::{Information, KNOWN, Solution, changes_along, columns};
 
 use nalgebra::{DMatrix, DVector};
 

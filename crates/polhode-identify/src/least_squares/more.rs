@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::Information;
+use super::{Information, columns};
 use crate::decomposition::{Svd, qr, svd};
 use crate::error::IdentifyError;
 
@@ -26,7 +26,7 @@ impl Information {
             if (rows * direction).norm() > ROUNDING * terms {
                 seen.push(direction / terms);
             } else {
-                unseen.push(DMatrix::from_column_slice(n, 1, direction.as_slice()));
+                unseen.push(direction.into_owned());
             }
         }
         let (mut root, mut rest, mut found) = (self.root.clone(), a.clone(), Vec::new());
@@ -42,14 +42,14 @@ impl Information {
                 if value <= ROUNDING * largest {
                     let most = direction.amax();
                     let part = |x: f64| if x.abs() > NO_PART * most { x } else { 0.0 };
-                    unseen.push(DMatrix::from_fn(n, 1, |i, _| part(direction[i])));
+                    unseen.push(direction.map(part));
                     continue;
                 }
                 let p = p.view((0, k), (rows.nrows(), 1));
                 let said = p.tr_mul(&a);
                 root -= &direction * (&said / value);
                 rest -= p * said;
-                found.push(DMatrix::from_column_slice(n, 1, (direction / value).as_slice()));
+                found.push(direction / value);
             }
         }
         if known > 0 {
@@ -59,9 +59,7 @@ impl Information {
             let turned = qr(DERIVATIVES, all)?.r().tr_solve_upper_triangular(&root.transpose());
             root = turned.map_or(root, |turned| turned.transpose());
         }
-        let said = root.column_iter().map(|c| DMatrix::from_column_slice(n, 1, c.as_slice()));
-        let all: Vec<_> = said.chain(found).collect();
-        Ok(Self::with(n, &all, &unseen))
+        Ok(Self::with(n, &[columns(&root), found].concat(), &unseen))
     }
 }
 

@@ -1,6 +1,6 @@
 //! The place of least squares, and how well it is known.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use super::Place;
 use super::rows::stacked;
@@ -97,34 +97,25 @@ impl Information {
             let part =
                 |i: usize, least: f64| if vectors[(k, i)].abs() > least { vectors[(k, i)] } else { 0.0 };
             if value > ZERO * largest {
-                known.push(DMatrix::from_fn(n, 1, |i, _| part(i, ROUNDING) / unit(i) / value));
+                known.push(DVector::from_fn(n, |i, _| part(i, ROUNDING) / unit(i) / value));
             } else {
-                unknown.push(DMatrix::from_fn(n, 1, |i, _| part(i, NO_PART) / unit(i)));
+                unknown.push(DVector::from_fn(n, |i, _| part(i, NO_PART) / unit(i)));
             }
         }
         Ok(Self::with(n, &known, &unknown))
     }
 
     /// Of independent directions, each of one standard deviation, and of those in which nothing is known.
-    pub(crate) fn with(n: usize, known: &[DMatrix<f64>], unknown: &[DMatrix<f64>]) -> Self {
-        let columns = |all: &[DMatrix<f64>], unit: bool| {
-            let mut matrix = DMatrix::zeros(n, all.len());
-            for (k, direction) in all.iter().enumerate() {
-                let size = if unit { direction.norm() } else { 1.0 };
-                matrix.set_column(k, &(direction / size).column(0));
-            }
-            matrix
-        };
-        let root = columns(known, false);
-        Self { covariance: &root * root.transpose(), root, unknown: columns(unknown, true) }
+    pub(crate) fn with(n: usize, known: &[DVector<f64>], unknown: &[DVector<f64>]) -> Self {
+        let columns = |all: &[DVector<f64>]| DMatrix::from_fn(n, all.len(), |i, k| all[k][i]);
+        let (root, mut unknown) = (columns(known), columns(unknown));
+        unknown.column_iter_mut().for_each(|mut direction| direction /= direction.norm());
+        Self { covariance: &root * root.transpose(), root, unknown }
     }
 
     /// Of other numbers, with their derivative by these.
     pub(crate) fn of_other(&self, jacobian: &DMatrix<f64>) -> Self {
-        let directions = |of: &DMatrix<f64>| -> Vec<DMatrix<f64>> {
-            let moved = jacobian * of;
-            moved.column_iter().map(|c| DMatrix::from_column_slice(c.len(), 1, c.as_slice())).collect()
-        };
+        let directions = |of: &DMatrix<f64>| columns(&(jacobian * of));
         Self::with(jacobian.nrows(), &directions(&self.root), &directions(&self.unknown))
     }
 
@@ -133,9 +124,14 @@ impl Information {
         if self.unknown.column_iter().any(|unknown| changes_along(gradient, unknown.as_slice())) {
             return None;
         }
-        let g = DMatrix::from_column_slice(gradient.len(), 1, gradient);
+        let g = DVector::from_column_slice(gradient);
         Some((g.transpose() * &self.covariance * g)[(0, 0)].max(0.0).sqrt())
     }
+}
+
+/// The columns of a matrix.
+pub(crate) fn columns(matrix: &DMatrix<f64>) -> Vec<DVector<f64>> {
+    matrix.column_iter().map(|column| column.into_owned()).collect()
 }
 
 /// Threshold below which a change along an unknown direction is rounding, relative to its terms.

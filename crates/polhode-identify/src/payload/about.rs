@@ -3,13 +3,12 @@
 use nalgebra::DMatrix;
 use polhode::math::symmetric_eigen;
 
-use super::motion::PLACES;
 use super::possible::moments_about_center;
 use crate::estimate::Estimate;
 use crate::least_squares::Information;
+use crate::six::{ELEMENTS, PLACES, of_eigen, tensor_of};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
-const ELEMENTS: [&str; 6] = ["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
 const CHANNELS: [(&str, &str); 6] =
     [("fx", "N"), ("fy", "N"), ("fz", "N"), ("tx", "N·m"), ("ty", "N·m"), ("tz", "N·m")];
 
@@ -18,7 +17,7 @@ type Name = (String, &'static str);
 fn names(first: &str, unit: &'static str, suffix: &str, count: usize) -> Vec<Name> {
     let mut all = vec![("mass".to_owned(), "kg")];
     all.extend(AXES.map(|axis| (format!("{first} {axis}"), unit)));
-    all.extend(ELEMENTS.map(|element| (format!("{element}{suffix}"), "kg·m²")));
+    all.extend(ELEMENTS.map(|element| (format!("I{element}{suffix}"), "kg·m²")));
     all.extend(CHANNELS.map(|(channel, unit)| (format!("bias {channel}"), unit)));
     all.truncate(count);
     all
@@ -40,7 +39,7 @@ fn not_negative(g: [f64; 6]) -> [f64; 6] {
     if values[0] >= 0.0 {
         return g;
     }
-    PLACES.map(|(i, j)| (0..3).map(|k| values[k].max(0.0) * vectors[k][i] * vectors[k][j]).sum())
+    of_eigen(values.map(|value| value.max(0.0)), vectors)
 }
 
 /// m, c, I about the centre of mass, …, and their derivative by m, m c, I about the origin, …
@@ -50,8 +49,7 @@ pub(super) fn to_center(numbers: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
     let c = [1, 2, 3].map(|k| numbers[k] / m);
     let mut values = numbers.to_vec();
     let mut jacobian = DMatrix::identity(n, n);
-    let g = not_negative(moments_about_center(numbers));
-    let own = [g[1] + g[2], g[0] + g[2], g[0] + g[1], -g[3], -g[4], -g[5]];
+    let own = tensor_of(not_negative(moments_about_center(numbers)));
     for k in 0..3 {
         values[1 + k] = c[k];
         jacobian[(1 + k, 0)] = -c[k] / m;

@@ -27,6 +27,8 @@ pub struct Payload {
     pub unconstrained: Unconstrained,
     /// If the answer is at the edge of what is possible.
     pub edge: Option<Edge>,
+    /// Times of the rows, s.
+    pub times: Vec<f64>,
     /// Of forces, and of torques. With a covariance, torques are those that forces do not predict.
     pub tests: [ResidualTest; 2],
     /// Measured less predicted, of each row: fx, fy, fz in N, τx, τy, τz in N·m.

@@ -10,7 +10,7 @@ use super::possible::moments_about_center;
 use crate::decomposition::qr;
 use crate::error::IdentifyError;
 use crate::estimate::Estimate;
-use crate::least_squares::Information;
+use crate::least_squares::{Information, columns};
 
 /// What the answer has no extent in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -158,9 +158,6 @@ fn along(
     }
     let q = qr("the directions across the edge", across)?.q();
     let rest = &information.root - &information.root * &q * q.transpose();
-    let columns = |of: &DMatrix<f64>| -> Vec<DMatrix<f64>> {
-        of.column_iter().map(|c| DMatrix::from_column_slice(n, 1, c.as_slice())).collect()
-    };
     Ok(Some(Information::with(n, &columns(&rest), &columns(&information.unknown))))
 }
 

@@ -16,7 +16,7 @@ use super::{mistake, noise, possible, shape};
 use crate::ON_EARTH;
 use crate::decomposition::symmetric_eigen as eigen;
 use crate::error::IdentifyError;
-use crate::least_squares::Information;
+use crate::least_squares::{Information, columns};
 use crate::residuals::{Noise, ResidualTest};
 
 /// Passes over the rows at most.
@@ -79,6 +79,7 @@ pub fn identify_payload(log: &PayloadLog) -> Result<Payload, IdentifyError> {
         about_center,
         unconstrained,
         edge: edge.map(|edge| edge.widened(widening)),
+        times: log.rows().iter().map(|row| row.time).collect(),
         left_out: settled.left_out(),
         residuals: settled.pass.left,
         tests,
@@ -191,14 +192,10 @@ impl Settled<'_> {
         let noise = self.regression.noise_information(self.numbers.as_slice(), &self.noise)?;
         let shares = information.root.transpose() * noise * &information.root;
         let shares = eigen("the information that is noise of the motion", shares)?;
-        let (mut known, mut unknown) = (Vec::new(), Vec::new());
-        for column in information.unknown.column_iter() {
-            unknown.push(DMatrix::from_column_slice(n, 1, column.as_slice()));
-        }
+        let (mut known, mut unknown) = (Vec::new(), columns(&information.unknown));
         let (mut only_noise, mut steps) = (Vec::new(), Vec::new());
         for (turn, &share) in shares.eigenvectors.column_iter().zip(&shares.eigenvalues) {
             let direction = &information.root * turn;
-            let direction = DMatrix::from_column_slice(n, 1, direction.as_slice());
             if share < self.mostly_noise {
                 known.push(&direction / (1.0 - share));
                 steps.push(direction);
@@ -212,7 +209,7 @@ impl Settled<'_> {
                 let x = direction[i];
                 if x * x > HARDLY * HARDLY * variance(i) { x } else { 0.0 }
             };
-            unknown.push(DMatrix::from_fn(n, 1, |i, _| element(i)));
+            unknown.push(DVector::from_fn(n, |i, _| element(i)));
         }
         let root = Information::with(n, &steps, &[]).root;
         Ok((Information::with(n, &known, &unknown), root))

@@ -5,6 +5,7 @@ use nalgebra::DMatrix;
 use super::finding::{Mistake, PayloadFinding};
 use super::log::PayloadLog;
 use super::motion::Motion;
+use super::regression::push;
 use super::small::{self, Matrix6, Vector6};
 use crate::least_squares::{Information, Rows, stacked};
 
@@ -54,7 +55,6 @@ struct Fit {
 fn fit(log: &PayloadLog, noise: &Matrix6, weights: &[f64], mistake: Option<Mistake>) -> Option<Fit> {
     let n = log.unknowns();
     let l = small::cholesky(noise)?;
-    let sign = log.sense.sign();
     let (mut force, mut torque) = (Rows::new(0, n), Rows::new(0, n));
     let stride = log.rows().len().div_ceil(TRIED);
     for (row, _) in log.rows().iter().zip(weights).step_by(stride).filter(|(_, w)| **w > 0.0) {
@@ -65,22 +65,7 @@ fn fit(log: &PayloadLog, noise: &Matrix6, weights: &[f64], mistake: Option<Mista
         }
         let regressor = motion.regressor();
         let residual = small::forward(&l, wrench);
-        let columns: Vec<Vector6> = (0..n)
-            .map(|k| {
-                let column = core::array::from_fn(|i| match k {
-                    0..10 => sign * regressor[i][k],
-                    _ => f64::from(u8::from(i == k - 10)),
-                });
-                small::forward(&l, column)
-            })
-            .collect();
-        for (i, &residual) in residual.iter().enumerate() {
-            let rows = if i < 3 { &mut force } else { &mut torque };
-            let (_, derivatives) = rows.push(residual);
-            for (derivative, column) in derivatives.iter_mut().zip(&columns) {
-                *derivative = column[i];
-            }
-        }
+        push(log, &l, &regressor, residual, [&mut force, &mut torque]);
     }
     let count = force.count() + torque.count();
     let torque = torque.triangle(&[]).ok()?;

@@ -7,6 +7,7 @@
 //! is linear in m, h and I. Source: C. G. Atkeson, C. H. An, J. M. Hollerbach, Int. J. Robot. Res. 5 (1986) 101, eqs. 4–9.
 
 use super::small::{Vector6, cross, dot};
+use crate::six::PLACES;
 
 /// ω, α and a − g at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,8 +17,6 @@ pub(super) struct Motion(pub(super) [f64; 9]);
 pub(super) type Regressor = [[f64; 10]; 6];
 
 const UNITS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-/// Where Ixx … Iyz are in a matrix.
-pub(super) const PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
 impl Motion {
     fn parts(&self) -> [[f64; 3]; 3] {

@@ -14,10 +14,10 @@
 use nalgebra::{DMatrix, DVector};
 use polhode::math::symmetric_eigen;
 
-use super::motion::PLACES;
 use super::small::cholesky;
 use crate::decomposition::qr;
 use crate::error::IdentifyError;
+use crate::six::{PLACES, of_eigen, tensor_of};
 
 /// The least ½χ² is found to within four times this, relative to 1 + ½χ².
 const LEAST_MU: f64 = 1e-10;
@@ -149,13 +149,9 @@ fn inside(free: &DVector<f64>) -> DVector<f64> {
     let (values, vectors) = symmetric_eigen(moments_about_center(place.as_slice()));
     let largest = values.iter().fold(1e-9 * size, |most, v| most.max(v.abs()));
     let values = values.map(|v| v.abs().max(0.1 * largest));
-    let sigma = PLACES.map(|(i, j)| {
-        (0..3).map(|k| values[k] * vectors[k][i] * vectors[k][j]).sum::<f64>() + m * c[i] * c[j]
-    });
-    let [xx, yy, zz, xy, xz, yz] = sigma;
-    for (k, i) in [yy + zz, xx + zz, xx + yy, -xy, -xz, -yz].into_iter().enumerate() {
-        place[4 + k] = i;
-    }
+    let mut sigma = of_eigen(values, vectors);
+    sigma.iter_mut().zip(PLACES).for_each(|(element, (i, j))| *element += m * c[i] * c[j]);
+    place.as_mut_slice()[4..10].copy_from_slice(&tensor_of(sigma));
     place
 }
 

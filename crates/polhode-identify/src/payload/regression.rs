@@ -103,16 +103,7 @@ impl<'a> Regression<'a> {
             }
             pass.residuals.push(residual);
             pass.left.push(white.left);
-            let columns = self.columns(&white.l, &white.regressor);
-            for (rows, first) in [(&mut force, 0), (&mut torque, 3)] {
-                rows.begin_measurement();
-                for i in first..first + 3 {
-                    let (_, derivatives) = rows.push(residual[i]);
-                    for (k, derivative) in derivatives.iter_mut().enumerate() {
-                        *derivative = columns[k][i];
-                    }
-                }
-            }
+            push(self.log, &white.l, &white.regressor, residual, [&mut force, &mut torque]);
         }
         judge(&pass.residuals, &mut self.weights);
         if self.log.noise == WrenchNoise::Unknown {
@@ -122,21 +113,6 @@ impl<'a> Regression<'a> {
         pass.torque = torque.triangle(&self.weights)?;
         pass.triangle = stacked(&pass.force, &pass.torque)?;
         Ok(pass)
-    }
-
-    /// L⁻¹ X, column by column, with those of the bias.
-    fn columns(&self, l: &Matrix6, regressor: &Regressor) -> [Vector6; 16] {
-        let sign = self.log.sense.sign();
-        core::array::from_fn(|k| {
-            if k >= 10 && !self.log.has_bias {
-                return [0.0; 6];
-            }
-            let column = core::array::from_fn(|i| match k {
-                0..10 => sign * regressor[i][k],
-                _ => f64::from(u8::from(i == k - 10)),
-            });
-            small::forward(l, column)
-        })
     }
 
     fn whitened(
@@ -235,6 +211,32 @@ impl<'a> Regression<'a> {
             all.push(gain(column));
         }
         all
+    }
+}
+
+/// Adds the rows of one wrench, those of the force and those of the torque: columns L⁻¹ X, with those of the bias.
+pub(super) fn push(
+    log: &PayloadLog,
+    l: &Matrix6,
+    regressor: &Regressor,
+    residual: Vector6,
+    of: [&mut Rows; 2],
+) {
+    let columns: Vec<Vector6> = (0..log.unknowns())
+        .map(|k| {
+            let column = core::array::from_fn(|i| match k {
+                0..10 => log.sense.sign() * regressor[i][k],
+                _ => f64::from(u8::from(i == k - 10)),
+            });
+            small::forward(l, column)
+        })
+        .collect();
+    for (rows, first) in of.into_iter().zip([0, 3]) {
+        rows.begin_measurement();
+        for i in first..first + 3 {
+            let (_, derivatives) = rows.push(residual[i]);
+            derivatives.iter_mut().zip(&columns).for_each(|(derivative, column)| *derivative = column[i]);
+        }
     }
 }
 

@@ -7,10 +7,10 @@ use nalgebra::{DMatrix, DVector};
 use polhode::math::symmetric_eigen;
 
 use super::edge::EdgeKind;
-use super::motion::PLACES;
 use super::possible::moments_about_center;
 use crate::decomposition::{Svd, svd};
 use crate::error::IdentifyError;
+use crate::six::PLACES;
 
 /// Steps at most.
 const MOST_STEPS: usize = 100;

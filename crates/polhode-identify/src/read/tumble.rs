@@ -34,8 +34,7 @@ const FLIGHT_KEYS: [&str; 7] = ["name", "log", "columns", "from", "to", "added",
 pub(crate) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
     table.allow(&KEYS)?;
     let mut options = options(table)?;
-    let mut search = search(table)?;
-    search.gyro_range = options.gyro_range;
+    let search = FlightSearch { gyro_range: options.gyro_range, ..search(table)? };
     let mut logs = Logs::default();
     let mut cut_off = Vec::new();
     let mut flights = Vec::new();
@@ -137,10 +136,9 @@ fn options(table: &Table<'_>) -> Result<TumbleOptions, FormatError> {
             skew: flag("skew", false)?,
             clock: flag("clock", false)?,
         };
-        let noise = gyro.get("noise").map(|noise| noise.positive(Dimension::ANGULAR_VELOCITY));
-        options.gyro_noise = noise.transpose()?;
-        let range = gyro.get("range").map(|range| range.positive(Dimension::ANGULAR_VELOCITY));
-        options.gyro_range = range.transpose()?.map(GyroRange::within);
+        let rate = |key| gyro.get(key).map(|rate| rate.positive(Dimension::ANGULAR_VELOCITY)).transpose();
+        options.gyro_noise = rate("noise")?;
+        options.gyro_range = rate("range")?.map(GyroRange::within);
     }
     if let Some(attitude) = table.get("attitude") {
         let attitude = attitude.table()?;
@@ -162,21 +160,17 @@ fn options(table: &Table<'_>) -> Result<TumbleOptions, FormatError> {
 }
 
 fn search(table: &Table<'_>) -> Result<FlightSearch, FormatError> {
-    let mut search = FlightSearch::default();
-    if let Some(value) = table.get("search") {
-        let given = value.table()?;
-        given.allow(&["slowest", "shortest", "torque"])?;
-        if let Some(slowest) = given.get("slowest") {
-            search.slowest = slowest.positive(Dimension::ANGULAR_VELOCITY)?;
-        }
-        if let Some(shortest) = given.get("shortest") {
-            search.shortest = shortest.positive(Dimension::TIME)?;
-        }
-        if let Some(torque) = given.get("torque") {
-            search.torque = torque.positive(Dimension::NONE)?;
-        }
-    }
-    Ok(search)
+    let search = FlightSearch::default();
+    let Some(value) = table.get("search") else { return Ok(search) };
+    let given = value.table()?;
+    given.allow(&["slowest", "shortest", "torque"])?;
+    let positive = |key, dimension, or| given.get(key).map_or(Ok(or), |value| value.positive(dimension));
+    Ok(FlightSearch {
+        slowest: positive("slowest", Dimension::ANGULAR_VELOCITY, search.slowest)?,
+        shortest: positive("shortest", Dimension::TIME, search.shortest)?,
+        torque: positive("torque", Dimension::NONE, search.torque)?,
+        ..search
+    })
 }
 
 /// Reads `[[tumble.flight]]`.

@@ -12,19 +12,47 @@ mod tumble;
 
 use polhode::body::MassProperties;
 use polhode::math::Body;
-use polhode_document::{Document, Report};
+use polhode_document::{Document, Report, Section};
 use serde_json::Value;
 
-use crate::IdentifyError;
-use crate::payload::{PayloadLog, identify_payload, next_motion};
+use crate::payload::{NextMotion, Payload, PayloadLog, identify_payload, next_motion};
 use crate::read::{Measurement, Plan};
-use crate::swing::{identify_swings, next_swing};
-use crate::tumble::{Flight, TumbleOptions, identify_tumbles, next_flight};
+use crate::swing::{NextSwing, SwingEstimate, identify_swings, next_swing};
+use crate::tumble::{Flight, NextFlight, Tumble, TumbleOptions, identify_tumbles, next_flight};
+use crate::{IdentifyError, NextExperiment};
 
-pub use payload::PayloadReport;
 pub use scenario::{BodySize, NoBody};
-pub use swing::SwingReport;
-pub use tumble::TumbleReport;
+
+/// A body that was found by one kind of measurement, with what it was found from.
+#[derive(Clone, Debug)]
+pub struct Found<F, E> {
+    title: String,
+    /// What was read, line by line.
+    sources: Vec<String>,
+    found: F,
+    next: Option<NextExperiment<E>>,
+}
+
+/// A body that was found by its tumbles.
+pub type TumbleReport = Found<Tumble, NextFlight>;
+/// A payload that was found.
+pub type PayloadReport = Found<Payload, NextMotion>;
+/// A body that was found by its swings.
+pub type SwingReport = Found<SwingEstimate, NextSwing>;
+
+impl<F, E> Found<F, E> {
+    /// What was found.
+    pub const fn found(&self) -> &F {
+        &self.found
+    }
+
+    /// A section with what was read.
+    fn measured(&self) -> Section {
+        let mut section = Section::new(1, "What was measured");
+        self.sources.iter().for_each(|line| section.say(format!("{line}.")));
+        section
+    }
+}
 
 /// What was found of a body, whatever was measured.
 #[derive(Clone, Debug)]
@@ -51,7 +79,8 @@ impl IdentifyReport {
             Measurement::Swing(plan) => {
                 let found = identify_swings(plan)?;
                 let next = next_swing(plan, &found)?;
-                Ok(Self::Swing(SwingReport::new(title, sources, found, next)))
+                let title = title.unwrap_or("a body that swings").to_owned();
+                Ok(Self::Swing(Found { title, sources, found, next }))
             }
         }
     }
@@ -68,7 +97,8 @@ impl IdentifyReport {
     ) -> Result<Self, IdentifyError> {
         let found = identify_tumbles(flights, options)?;
         let next = next_flight(flights, options, &found)?;
-        Ok(Self::Tumble(TumbleReport::new(title, sources, found, next)))
+        let title = title.unwrap_or("a tumbling body").to_owned();
+        Ok(Self::Tumble(Found { title, sources, found, next }))
     }
 
     /// Identifies a payload by the wrenches of a log, and says which further motion would help most.
@@ -82,8 +112,8 @@ impl IdentifyReport {
     ) -> Result<Self, IdentifyError> {
         let found = identify_payload(log)?;
         let next = next_motion(log, &found)?;
-        let times = log.rows().iter().map(|row| row.time).collect();
-        Ok(Self::Payload(PayloadReport::new(title, sources, times, found, next)))
+        let title = title.unwrap_or("a payload").to_owned();
+        Ok(Self::Payload(Found { title, sources, found, next }))
     }
 
     /// The body, where all of it is known.

@@ -4,14 +4,15 @@ use polhode_document::number::number;
 use serde_json::{Value, json};
 
 use super::next::Named;
+use crate::next::signed_axes;
 use crate::payload::NextMotion;
 
 impl Named for NextMotion {
     fn name(&self) -> String {
         match self {
-            Self::Rest { down } => format!("rest with gravity along {}", direction(*down)),
+            Self::Rest { down } => format!("rest with gravity along {}", signed_axes(*down)),
             Self::Turn { axis, down, .. } => {
-                format!("a swing about {} with gravity along {}", direction(*axis), direction(*down))
+                format!("a swing about {} with gravity along {}", signed_axes(*axis), signed_axes(*down))
             }
         }
     }
@@ -37,19 +38,4 @@ impl Named for NextMotion {
             }),
         }
     }
-}
-
-/// `x − z` of (1, 0, −1)/√2.
-fn direction(v: [f64; 3]) -> String {
-    let mut text = String::new();
-    for (part, axis) in v.into_iter().zip(["x", "y", "z"]).filter(|(part, _)| part.abs() > 0.1) {
-        text.push_str(match (text.is_empty(), part > 0.0) {
-            (true, true) => "",
-            (true, false) => "−",
-            (false, true) => " + ",
-            (false, false) => " − ",
-        });
-        text.push_str(axis);
-    }
-    text
 }

@@ -12,21 +12,9 @@ use polhode_source::toml::BodyPart;
 use serde_json::{Value, json};
 
 use super::scenario::NoBody;
-use super::{estimate, next};
-use crate::payload::{Edge, EdgeKind, NextMotion, Payload, PayloadFinding, Thin};
-use crate::{NextExperiment, ResidualTest};
-
-/// A payload that was found, with what it was found from.
-#[derive(Clone, Debug)]
-pub struct PayloadReport {
-    title: String,
-    /// What was read, line by line.
-    sources: Vec<String>,
-    /// s, of each row.
-    times: Vec<f64>,
-    payload: Payload,
-    next: Option<NextExperiment<NextMotion>>,
-}
+use super::{PayloadReport, estimate, next};
+use crate::ResidualTest;
+use crate::payload::{Edge, EdgeKind, PayloadFinding, Thin};
 
 /// Wrenches that were left out, as many as are shown.
 const SHOWN: usize = 10;
@@ -34,14 +22,14 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl Report for PayloadReport {
     fn to_json(&self) -> Value {
-        let payload = &self.payload;
+        let payload = &self.found;
         let free = &payload.unconstrained;
-        let left = |left: &crate::payload::LeftOut| json!({ "row": left.row, "time": self.times.get(left.row), "size": left.size });
+        let left = |left: &crate::payload::LeftOut| json!({ "row": left.row, "time": self.found.times.get(left.row), "size": left.size });
         json!({
             "polhode": VERSION,
             "kind": "payload",
             "title": self.title,
-            "rows": self.times.len(),
+            "rows": self.found.times.len(),
             "body": payload.body.as_ref().map(body_to_json),
             "estimate": estimate::to_json(&payload.about_center),
             "about_origin": estimate::to_json(&payload.about_origin),
@@ -62,7 +50,7 @@ impl Report for PayloadReport {
     }
 
     fn to_document(&self) -> Document {
-        let numbers = &self.payload.about_center.numbers;
+        let numbers = &self.found.about_center.numbers;
         let of = |k: usize| numbers.get(k).map_or_else(String::new, |n| estimate::cell(n.value, n.sd));
         let is_known = |mut range: std::ops::Range<usize>| {
             range.all(|k| numbers.get(k).is_some_and(|number| number.sd.is_some()))
@@ -75,7 +63,7 @@ impl Report for PayloadReport {
             true => format!("Centre of mass ({}; {}; {}) m from the sensor's origin", of(1), of(2), of(3)),
             false => "Centre of mass not determined".to_owned(),
         });
-        if let Some(p) = self.payload.principal() {
+        if let Some(p) = self.found.principal() {
             let of = |k: usize| estimate::cell(p.moments[k], p.moment_sd[k]);
             answer.push(match p.moment_sd.iter().all(Option::is_some) {
                 true => format!("Principal moments about it {}; {}; {} kg·m²", of(0), of(1), of(2)),
@@ -83,7 +71,7 @@ impl Report for PayloadReport {
             });
         }
         let mut sections = vec![self.read(), self.body()];
-        sections.extend(self.payload.edge.as_ref().map(|edge| self.edge(edge)));
+        sections.extend(self.found.edge.as_ref().map(|edge| self.edge(edge)));
         sections.extend([self.left(), self.unconstrained()]);
         sections.extend(self.next.as_ref().map(next::section));
         Document {
@@ -96,44 +84,23 @@ impl Report for PayloadReport {
 
     /// Returns true if the residuals are more than noise.
     fn has_failed(&self) -> bool {
-        self.payload.tests.iter().any(ResidualTest::shows_model_error)
+        self.found.tests.iter().any(ResidualTest::shows_model_error)
     }
 }
 
 impl PayloadReport {
-    /// Makes a report of an estimate, the lines about its log, the times of its rows, and the motions that could be next.
-    pub(crate) fn new(
-        title: Option<&str>,
-        sources: Vec<String>,
-        times: Vec<f64>,
-        payload: Payload,
-        next: Option<NextExperiment<NextMotion>>,
-    ) -> Self {
-        Self { title: title.unwrap_or("a payload").to_owned(), sources, times, payload, next }
-    }
-
-    /// What was found.
-    pub fn found(&self) -> &Payload {
-        &self.payload
-    }
-
-    /// The times of the rows, s.
-    pub fn times(&self) -> &[f64] {
-        &self.times
-    }
-
     /// The body as a part of a scenario file.
     ///
     /// # Errors
     /// If not all of it is known.
     pub fn to_scenario(&self) -> Result<String, NoBody> {
-        let body = self.payload.body.as_ref().ok_or(NoBody::Unknown { by: "the motion" })?;
+        let body = self.found.body.as_ref().ok_or(NoBody::Unknown { by: "the motion" })?;
         let meaning = "in kg, m, kg m^2, along the axes of the sensor, from its origin";
         Ok(BodyPart::of_body(format!("{}: {meaning}", self.title), "payload", body).to_toml())
     }
 
     fn findings(&self) -> Vec<Finding> {
-        let payload = &self.payload;
+        let payload = &self.found;
         let mut findings = estimate::model_findings(&payload.tests);
         let mut say = |code: &'static str, severity: Severity, message: String| {
             findings.push(estimate::finding(code, severity, message));
@@ -154,7 +121,7 @@ impl PayloadReport {
             let message = format!(
                 "{} of {} wrenches were left out as outliers",
                 payload.left_out.len(),
-                self.times.len()
+                self.found.times.len()
             );
             say("identify.outliers", Severity::Warning, message);
         }
@@ -177,12 +144,9 @@ impl PayloadReport {
     }
 
     fn read(&self) -> Section {
-        let mut s = Section::new(1, "What was measured");
-        for line in &self.sources {
-            s.say(format!("{line}."));
-        }
-        let rows = counted(self.times.len(), "row");
-        match (self.times.first(), self.times.last()) {
+        let mut s = self.measured();
+        let rows = counted(self.found.times.len(), "row");
+        match (self.found.times.first(), self.found.times.last()) {
             (Some(first), Some(last)) => {
                 s.say(format!("{rows}, from {} to {} s.", number(*first, 6), number(*last, 6)));
             }
@@ -202,9 +166,9 @@ impl PayloadReport {
             "\\tau = h \\times (a - g) + I \\alpha + \\omega \\times I \\omega",
         );
         s.say("Mass, centre of mass from the sensor's origin, and the tensor about the centre, along the sensor's axes:");
-        estimate::table(&mut s, &self.payload.about_center.numbers);
-        estimate::relations(&mut s, &self.payload.about_center);
-        if let Some(p) = self.payload.principal() {
+        estimate::table(&mut s, &self.found.about_center.numbers);
+        estimate::relations(&mut s, &self.found.about_center);
+        if let Some(p) = self.found.principal() {
             s.say("Principal moments about the centre of mass:");
             estimate::principal(&mut s, &p, Some("kg·m²"));
         }
@@ -249,18 +213,18 @@ impl PayloadReport {
     }
 
     fn mass(&self) -> f64 {
-        self.payload.about_center.numbers.first().map_or(f64::NAN, |mass| mass.value)
+        self.found.about_center.numbers.first().map_or(f64::NAN, |mass| mass.value)
     }
 
     fn left(&self) -> Section {
         let mut s = Section::new(4, "What is left");
-        estimate::residuals(&mut s, &self.payload.tests);
+        estimate::residuals(&mut s, &self.found.tests);
         for scatter in self.scatters() {
             s.draw(Drawing::Scatter(scatter));
         }
-        let all = &self.payload.left_out;
+        let all = &self.found.left_out;
         for left in all.iter().take(SHOWN) {
-            let time = self.times.get(left.row).copied().unwrap_or(f64::NAN);
+            let time = self.found.times.get(left.row).copied().unwrap_or(f64::NAN);
             s.line(format!(
                 "left out: row {} at {} s, {} times the noise",
                 left.row + 1,
@@ -278,7 +242,7 @@ impl PayloadReport {
     fn scatters(&self) -> impl Iterator<Item = Scatter> {
         let of = |(k, test): (usize, &ResidualTest)| {
             let points = |i: usize| {
-                self.times.iter().zip(&self.payload.residuals).map(|(t, r)| [*t, r[3 * k + i]]).collect()
+                self.found.times.iter().zip(&self.found.residuals).map(|(t, r)| [*t, r[3 * k + i]]).collect()
             };
             let series = |i: usize| Series {
                 name: format!("{}{}", ["f", "τ"][k], AXES[i]),
@@ -294,12 +258,12 @@ impl PayloadReport {
                 band_name: "± 2 standard deviations of the noise",
             }
         };
-        self.payload.tests.iter().enumerate().filter(|_| self.times.len() > 1).map(of)
+        self.found.tests.iter().enumerate().filter(|_| self.found.times.len() > 1).map(of)
     }
 
     fn unconstrained(&self) -> Section {
         let mut s = Section::new(5, "Beside least squares without a body");
-        let free = &self.payload.unconstrained;
+        let free = &self.found.unconstrained;
         s.say(match (free.is_possible, free.least_second_moment) {
             (true, _) => "Least squares without regard to what is possible gives a possible body: the same.".to_owned(),
             (false, None) => "Least squares without regard to what is possible has a mass that is not positive.".to_owned(),
@@ -310,7 +274,7 @@ impl PayloadReport {
         });
         if !free.is_possible || free.chi_square_rise > 0.0 {
             s.say(format!("χ² of the payload is {} above its.", number(free.chi_square_rise, 3)));
-            let rows = self.payload.about_origin.numbers.iter().zip(&free.numbers);
+            let rows = self.found.about_origin.numbers.iter().zip(&free.numbers);
             let row = |(found, free): (&crate::Number, &f64)| {
                 vec![
                     found.name.clone(),

@@ -13,20 +13,9 @@ use serde_json::{Value, json};
 
 use super::next::Named;
 use super::scenario::NoBody;
-use super::{estimate, mistakes, next};
-use crate::swing::{Measurement, NextSwing, SwingEstimate, SwingResult, SwingTest};
-use crate::{NextExperiment, Number, ON_EARTH, PrincipalEstimate, ResidualTest};
-
-/// A body that was found by its swings.
-#[derive(Clone, Debug)]
-pub struct SwingReport {
-    title: String,
-    /// What was read, line by line.
-    sources: Vec<String>,
-    found: SwingEstimate,
-    principal: PrincipalEstimate,
-    next: Option<NextExperiment<NextSwing>>,
-}
+use super::{SwingReport, estimate, mistakes, next};
+use crate::swing::{Measurement, NextSwing, SwingResult, SwingTest};
+use crate::{Number, ON_EARTH, PrincipalEstimate, ResidualTest};
 
 /// Where the tensor's elements begin among the numbers.
 const TENSOR: usize = 4;
@@ -62,7 +51,7 @@ impl Report for SwingReport {
             "kind": "swing",
             "title": self.title,
             "estimate": estimate::to_json(&found.estimate),
-            "principal": self.is_known().then(|| estimate::principal_to_json(&self.principal)),
+            "principal": self.is_known().then(|| estimate::principal_to_json(&self.principal())),
             "left_of_numbers": found.left_of_numbers,
             "widening": found.widening,
             "mistakes": mistakes::to_json(&found.mistakes),
@@ -76,7 +65,7 @@ impl Report for SwingReport {
     }
 
     fn to_document(&self) -> Document {
-        let p = &self.principal;
+        let p = self.principal();
         let mut answer = Vec::new();
         if self.is_known() {
             let of = |k: usize| estimate::cell(p.moments[k], p.moment_sd[k]);
@@ -106,20 +95,8 @@ impl Report for SwingReport {
 }
 
 impl SwingReport {
-    /// Makes a report of an estimate, the lines about its logs, and the experiments that could be next.
-    pub(crate) fn new(
-        title: Option<&str>,
-        sources: Vec<String>,
-        found: SwingEstimate,
-        next: Option<NextExperiment<NextSwing>>,
-    ) -> Self {
-        let principal = PrincipalEstimate::of_tensor(&found.estimate, TENSOR);
-        Self { title: title.unwrap_or("a body that swings").to_owned(), sources, found, principal, next }
-    }
-
-    /// What was found.
-    pub fn found(&self) -> &SwingEstimate {
-        &self.found
+    fn principal(&self) -> PrincipalEstimate {
+        PrincipalEstimate::of_tensor(&self.found.estimate, TENSOR)
     }
 
     /// The body as a part of a scenario file.
@@ -222,7 +199,7 @@ impl SwingReport {
             .collect();
         estimate::table(&mut s, &numbers);
         if self.is_known() {
-            estimate::principal(&mut s, &self.principal, Some("kg·m²"));
+            estimate::principal(&mut s, &self.principal(), Some("kg·m²"));
         } else {
             s.say("Principal moments and axes are left out: they need the whole tensor.");
         }

@@ -12,19 +12,9 @@ use serde_json::{Value, json};
 
 use super::next::Named;
 use super::scenario::{BodySize, NoBody};
-use super::{estimate, next};
-use crate::tumble::{Flaw, FlightFit, NextFlight, Tumble};
-use crate::{NextExperiment, ResidualTest};
-
-/// A body that was found by its tumbles, with what it was found from.
-#[derive(Clone, Debug)]
-pub struct TumbleReport {
-    title: String,
-    /// What was read, line by line.
-    sources: Vec<String>,
-    tumble: Tumble,
-    next: Option<NextExperiment<NextFlight>>,
-}
+use super::{TumbleReport, estimate, next};
+use crate::ResidualTest;
+use crate::tumble::{Flaw, FlightFit, NextFlight};
 
 /// Flights that are shown in a table.
 const SHOWN: usize = 40;
@@ -33,7 +23,7 @@ const TURNS: f64 = 10.0;
 
 impl Report for TumbleReport {
     fn to_json(&self) -> Value {
-        let tumble = &self.tumble;
+        let tumble = &self.found;
         let flight = |flight: &FlightFit| {
             json!({
                 "name": flight.name,
@@ -66,7 +56,7 @@ impl Report for TumbleReport {
     }
 
     fn to_document(&self) -> Document {
-        let tumble = &self.tumble;
+        let tumble = &self.found;
         let p = &tumble.principal;
         let mut answer = Vec::new();
         if tumble.scale_is_known {
@@ -95,27 +85,17 @@ impl Report for TumbleReport {
 
     /// Returns true if the residuals are more than noise.
     fn has_failed(&self) -> bool {
-        self.tumble.residuals.iter().any(ResidualTest::shows_model_error)
+        self.found.residuals.iter().any(ResidualTest::shows_model_error)
     }
 }
 
 impl TumbleReport {
-    /// Makes a report of an estimate, the lines about its logs, and the flights that could be next.
-    pub(crate) fn new(
-        title: Option<&str>,
-        sources: Vec<String>,
-        tumble: Tumble,
-        next: Option<NextExperiment<NextFlight>>,
-    ) -> Self {
-        Self { title: title.unwrap_or("a tumbling body").to_owned(), sources, tumble, next }
-    }
-
     /// The body as a part of a scenario file, and where nothing else turned it its first flight.
     ///
     /// # Errors
     /// If not all of it is known and said.
     pub fn to_scenario(&self, size: &BodySize) -> Result<String, NoBody> {
-        let tumble = &self.tumble;
+        let tumble = &self.found;
         let is_known = [0, 1].iter().all(|&k| tumble.principal.undetermined_ratio(k).is_none())
             && tumble.estimate.numbers.iter().take(6).all(|number| number.undetermined().is_none());
         if !is_known {
@@ -141,8 +121,8 @@ impl TumbleReport {
 
     /// The start of the first flight, if the body was free in all of them.
     fn flown(&self) -> Option<String> {
-        let has_drag = self.tumble.estimate.numbers.iter().any(|number| number.name.starts_with("drag"));
-        let flight = self.tumble.flights.first().filter(|_| !self.tumble.scale_is_known && !has_drag)?;
+        let has_drag = self.found.estimate.numbers.iter().any(|number| number.name.starts_with("drag"));
+        let flight = self.found.flights.first().filter(|_| !self.found.scale_is_known && !has_drag)?;
         let [x, y, z] = flight.state.omega.to_array();
         let turns = TURNS * core::f64::consts::TAU / flight.state.omega.norm();
         Some(format!(
@@ -152,11 +132,11 @@ impl TumbleReport {
     }
 
     fn findings(&self) -> Vec<Finding> {
-        let mut findings = estimate::model_findings(&self.tumble.residuals);
+        let mut findings = estimate::model_findings(&self.found.residuals);
         let mut say = |code: &'static str, message: String| {
             findings.push(estimate::finding(code, Severity::Warning, message));
         };
-        for flaw in &self.tumble.flaws {
+        for flaw in &self.found.flaws {
             let code = match flaw {
                 Flaw::Saturated(_) => "identify.saturated",
                 Flaw::Gap { .. } => "identify.gap",
@@ -164,15 +144,15 @@ impl TumbleReport {
             };
             say(code, flaw.to_string());
         }
-        let left_out: usize = self.tumble.flights.iter().map(|flight| flight.left_out.len()).sum();
-        let used: usize = self.tumble.flights.iter().map(|flight| flight.used).sum();
+        let left_out: usize = self.found.flights.iter().map(|flight| flight.left_out.len()).sum();
+        let used: usize = self.found.flights.iter().map(|flight| flight.used).sum();
         if left_out > 0 {
             say(
                 "identify.outliers",
                 format!("{left_out} of {} readings were left out as outliers", left_out + used),
             );
         }
-        let p = &self.tumble.principal;
+        let p = &self.found.principal;
         if p.thickness_sd.is_some_and(|sd| p.thickness < sd) {
             say(
                 "identify.lamina",
@@ -184,22 +164,19 @@ impl TumbleReport {
     }
 
     fn read(&self) -> Section {
-        let mut s = Section::new(1, "What was measured");
-        for line in &self.sources {
-            s.say(format!("{line}."));
-        }
+        let mut s = self.measured();
         let readings: usize =
-            self.tumble.flights.iter().map(|flight| flight.used + flight.left_out.len()).sum();
-        s.say(format!("{}, {}.", counted(self.tumble.flights.len(), "flight"), counted(readings, "reading")));
+            self.found.flights.iter().map(|flight| flight.used + flight.left_out.len()).sum();
+        s.say(format!("{}, {}.", counted(self.found.flights.len(), "flight"), counted(readings, "reading")));
         s
     }
 
     fn body(&self) -> Section {
         let mut s = Section::new(2, "The body");
         s.formula("I ω̇ = I ω × ω + N", "I \\dot\\omega = I \\omega \\times \\omega + N");
-        let unit = self.tumble.scale_is_known.then_some("kg·m²");
-        estimate::principal(&mut s, &self.tumble.principal, unit);
-        if let Some([small, middle]) = self.tumble.left_handed_ratios() {
+        let unit = self.found.scale_is_known.then_some("kg·m²");
+        estimate::principal(&mut s, &self.found.principal, unit);
+        if let Some([small, middle]) = self.found.left_handed_ratios() {
             s.say(format!(
                 "The axes of the gyro are taken for right-handed. Free motion does not show it: with one reversed, i1/i3 = {} and i2/i3 = {}.",
                 number(small, 4),
@@ -207,14 +184,14 @@ impl TumbleReport {
             ));
         }
         s.say("The tensor along the axes of the sensor, and what else was found:");
-        estimate::table(&mut s, &self.tumble.estimate.numbers);
-        estimate::relations(&mut s, &self.tumble.estimate);
+        estimate::table(&mut s, &self.found.estimate.numbers);
+        estimate::relations(&mut s, &self.found.estimate);
         s
     }
 
     fn left(&self) -> Section {
         let mut s = Section::new(3, "What is left");
-        estimate::residuals(&mut s, &self.tumble.residuals);
+        estimate::residuals(&mut s, &self.found.residuals);
         if let Some(scatter) = self.worst().and_then(|flight| self.scatter(flight)) {
             s.draw(Drawing::Scatter(scatter));
         }
@@ -222,14 +199,14 @@ impl TumbleReport {
     }
 
     fn worst(&self) -> Option<&FlightFit> {
-        self.tumble.flights.iter().max_by(|a, b| a.reduced_chi_square.total_cmp(&b.reduced_chi_square))
+        self.found.flights.iter().max_by(|a, b| a.reduced_chi_square.total_cmp(&b.reduced_chi_square))
     }
 
     /// What is left of a flight, reading by reading.
     fn scatter(&self, flight: &FlightFit) -> Option<Scatter> {
         let is_gyro = !flight.gyro_residuals.is_empty();
         let of = if is_gyro { &flight.gyro_residuals } else { &flight.attitude_residuals };
-        let test = if is_gyro { self.tumble.residuals.first() } else { self.tumble.residuals.last() }?;
+        let test = if is_gyro { self.found.residuals.first() } else { self.found.residuals.last() }?;
         let series = |i: usize| Series {
             name: ["x", "y", "z"][i].to_owned(),
             mark: ['x', 'y', 'z'][i],
@@ -261,8 +238,8 @@ impl TumbleReport {
         };
         let headers =
             ["flight", "readings", "left out", "ω at its start (rad/s)", "left (rad/s, rms)", "χ²/dof"];
-        s.table(&headers, self.tumble.flights.iter().take(SHOWN).map(row).collect());
-        if let Some(more) = self.tumble.flights.len().checked_sub(SHOWN + 1) {
+        s.table(&headers, self.found.flights.iter().take(SHOWN).map(row).collect());
+        if let Some(more) = self.found.flights.len().checked_sub(SHOWN + 1) {
             s.say(format!("{} more are in the JSON.", more + 1));
         }
         s

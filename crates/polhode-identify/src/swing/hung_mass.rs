@@ -4,6 +4,7 @@ use polhode::math::{Body, Position, Rotation, Space};
 
 use super::dual::Gradient;
 use super::number::{CENTER, Linear, MASS, Numbers, Point, TENSOR};
+use crate::six::PLACES;
 
 /// How the body is placed in a rig: r_rig = R r_body + origin. The axes of the rig are those of space while it hangs at rest, z up.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,9 +38,6 @@ pub(super) struct HungMass {
     pub(super) center: [Gradient; 3],
     pub(super) inertia: [Gradient; 6],
 }
-
-/// Where the elements of a tensor are in a matrix.
-const PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
 /// The element at a place.
 const ELEMENT: [[usize; 3]; 3] = [[0, 3, 4], [3, 1, 5], [4, 5, 2]];

@@ -11,7 +11,7 @@ use super::plan::SwingPlan;
 use super::problem::{Stage, Swings};
 use crate::error::IdentifyError;
 use crate::estimate::{Estimate, Number};
-use crate::least_squares::{Information, Outliers, Place, Problem, Rows, Solution, fit};
+use crate::least_squares::{Information, Outliers, Place, Solution, fit, rows_of};
 use crate::residuals::{Noise, ResidualTest};
 
 /// What swing tests say of a body.
@@ -84,12 +84,6 @@ fn start(plan: &SwingPlan, swings: &Swings) -> Result<Vec<f64>, IdentifyError> {
         if let Some(place) = *place {
             shared[place] = measured.value;
         }
-    }
-    if let Some(inertia) = plan.start() {
-        let at = |i, j| inertia[(i, j)];
-        let six = [at(0, 0), at(1, 1), at(2, 2), at(0, 1), at(0, 2), at(1, 2)];
-        shared[tensor..tensor + 6].copy_from_slice(&six);
-        return Ok(shared);
     }
     let mass = plan.measured()[MASS].value;
     let mut best: Option<(f64, Vec<f64>)> = None;
@@ -178,10 +172,8 @@ fn moment(values: &[f64], by_elements: &[f64; 6], estimate: &Estimate) -> Number
 }
 
 /// What is left of a group, in standard deviations.
-fn residuals(swings: &Swings, solution: &Solution, group: usize) -> Result<Vec<f64>, IdentifyError> {
-    let local = &solution.place.local[group];
-    let mut rows = Rows::new(local.len(), solution.shared.len());
-    swings.rows(group, &solution.shared, local, &mut rows)?;
+fn residuals(swings: &Swings<'_>, solution: &Solution, group: usize) -> Result<Vec<f64>, IdentifyError> {
+    let rows = rows_of(swings, group, &solution.shared, &solution.place.local[group])?;
     Ok(rows.measurements().flatten().collect())
 }
 

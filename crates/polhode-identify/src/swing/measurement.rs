@@ -179,7 +179,7 @@ impl Counted {
                 to > from && to.fract() == 0.0,
                 "a whole number of swings, beyond its beginning",
             )?;
-            IdentifyError::require("the time of counted periods", time, time > 0.0, "above zero")?;
+            IdentifyError::above_zero("the time of counted periods", time)?;
             deviation("the standard deviation of a time", sd)?;
         }
         for reading in &self.amplitudes {
@@ -190,7 +190,7 @@ impl Counted {
                 at >= 0.0,
                 "zero or more",
             )?;
-            IdentifyError::require("an amplitude", amplitude, amplitude > 0.0, "above zero")?;
+            IdentifyError::above_zero("an amplitude", amplitude)?;
             deviation("the standard deviation of an amplitude", sd)?;
         }
         let (count, time) = self.intervals.iter().fold((0.0, 0.0), |(count, time), interval| {

@@ -12,7 +12,7 @@ use super::problem::{Stage, Swings};
 use crate::error::IdentifyError;
 use crate::knowledge::BodyUnits;
 use crate::least_squares::{Problem, rows_of};
-use crate::next::{Comparison, NextExperiment};
+use crate::next::{Comparison, NextExperiment, signed_axes};
 
 /// What could be measured next.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,7 +72,11 @@ pub fn next_swing(
         let own: Vec<f64> = found.tests[k].own.iter().map(|number| number.value).collect();
         for about in AXES {
             let Some(placement) = turned(test, about, found) else { continue };
-            let turned = SwingTest { name: name(about), body: Some(placement), ..test.clone() };
+            let turned = SwingTest {
+                name: format!("about {}", signed_axes(about.map(f64::from))),
+                body: Some(placement),
+                ..test.clone()
+            };
             let (test, rows) = match predicted(plan, turned.clone(), &own, found) {
                 Ok((test, rows)) => (test, Ok(rows / found.widening)),
                 Err(error) => (turned, Err(error)),
@@ -104,22 +108,6 @@ fn templates(plan: &SwingPlan) -> Vec<(usize, &SwingTest)> {
         }
     }
     all
-}
-
-/// `about x + y − z`
-fn name(about: [i8; 3]) -> String {
-    let mut name = "about ".to_owned();
-    for (sign, axis) in about.into_iter().zip(["x", "y", "z"]).filter(|(sign, _)| *sign != 0) {
-        let is_first = name.ends_with(' ');
-        name.push_str(match (is_first, sign > 0) {
-            (true, true) => "",
-            (true, false) => "−",
-            (false, true) => " + ",
-            (false, false) => " − ",
-        });
-        name.push_str(axis);
-    }
-    name
 }
 
 /// The placement with the body turned about its centre c by Q, as little as it takes: r_rig = R (c + Q (r − c)) + origin.

@@ -1,14 +1,12 @@
 //! A plan of swing tests of one body.
 
-use polhode::body::InertiaTensor;
-use polhode::math::Body;
-
 use super::hung_mass::{Fixture, HungMass, Placement};
 use super::measurement::Measurement;
 use super::number::{GRAVITY, Linear, MASS, Measured, NumberId, Numbers, TENSOR};
 use super::rig::{Load, Oscillator, Rig};
 use crate::coordinates::{Coordinates, Part};
 use crate::error::IdentifyError;
+use crate::six::{ELEMENTS, between};
 
 /// Swing tests of one body, and the numbers that they share.
 ///
@@ -38,7 +36,6 @@ pub struct SwingPlan {
     mass: Measured,
     center: [Measured; 3],
     gravity: Measured,
-    start: Option<InertiaTensor<Body>>,
     numbers: Vec<(String, &'static str, Measured)>,
     pub(super) tests: Vec<SwingTest>,
 }
@@ -75,17 +72,6 @@ impl SwingTest {
         Self { name: name.into(), body: Some(body), fixture: None, rig, air: Air::default(), measurement }
     }
 
-    /// A test of a fixture alone: an empty platform, a body that is known.
-    pub fn without_body(
-        name: impl Into<String>,
-        fixture: Fixture,
-        rig: Rig,
-        measurement: Measurement,
-    ) -> Self {
-        let air = Air::default();
-        Self { name: name.into(), body: None, fixture: Some(fixture), rig, air, measurement }
-    }
-
     pub(super) fn oscillator(&self, numbers: &Numbers) -> Result<Box<dyn Oscillator>, IdentifyError> {
         let body = self.body.as_ref().map(|placement| HungMass::of_body(numbers, placement));
         let fixture = self.fixture.as_ref().map(|fixture| HungMass::of_fixture(numbers, fixture));
@@ -96,15 +82,10 @@ impl SwingTest {
                 return Err(IdentifyError::TooFew { what: "bodies in a rig", given: 0, needed: 1 });
             }
         };
-        IdentifyError::require("the mass in a rig", mass.mass.value, mass.mass.value > 0.0, "above zero")?;
+        IdentifyError::above_zero("the mass in a rig", mass.mass.value)?;
         let heavy = mass.mass.minus(&numbers.linear(&self.air.displaced));
         let weight = heavy.times(numbers.at(GRAVITY));
-        IdentifyError::require(
-            "the weight less the buoyancy",
-            weight.value,
-            weight.value > 0.0,
-            "above zero",
-        )?;
+        IdentifyError::above_zero("the weight less the buoyancy", weight.value)?;
         let mass = mass.with_moment(self.rig.axis(), &numbers.linear(&self.air.moment));
         self.rig.oscillator(numbers, &Load { mass, weight })
     }
@@ -114,8 +95,7 @@ impl SwingTest {
         let r = self.body?.rotation.matrix();
         let axis = self.rig.axis();
         let n = [0, 1, 2].map(|j| (0..3).map(|i| r[i][j] * axis[i]).sum::<f64>());
-        let [x, y, z] = n;
-        Some([x * x, y * y, z * z, 2.0 * x * y, 2.0 * x * z, 2.0 * y * z])
+        Some(between(n, n))
     }
 }
 
@@ -125,27 +105,13 @@ const STANDARD: f64 = 9.80665;
 impl SwingPlan {
     /// Of a body with its mass (kg) and its centre of mass (m) as they were measured; gravity is the standard one, exactly, unless it is said.
     pub fn new(mass: Measured, center: [Measured; 3]) -> Self {
-        Self {
-            mass,
-            center,
-            gravity: Measured::exact(STANDARD),
-            start: None,
-            numbers: Vec::new(),
-            tests: Vec::new(),
-        }
+        Self { mass, center, gravity: Measured::exact(STANDARD), numbers: Vec::new(), tests: Vec::new() }
     }
 
     /// Gravity as it was measured, m/s².
     #[must_use]
     pub fn with_gravity(mut self, gravity: Measured) -> Self {
         self.gravity = gravity;
-        self
-    }
-
-    /// Where the search begins.
-    #[must_use]
-    pub fn with_start(mut self, start: InertiaTensor<Body>) -> Self {
-        self.start = Some(start);
         self
     }
 
@@ -170,10 +136,6 @@ impl SwingPlan {
         &self.tests
     }
 
-    pub(super) fn start(&self) -> Option<&InertiaTensor<Body>> {
-        self.start.as_ref()
-    }
-
     /// All numbers as they were measured; the tensor's are not.
     pub(super) fn measured(&self) -> Vec<Measured> {
         let mut all = vec![self.mass];
@@ -188,7 +150,7 @@ impl SwingPlan {
     pub(super) fn names(&self) -> Vec<(String, &'static str)> {
         let mut all = vec![("mass".to_owned(), "kg")];
         all.extend(["x", "y", "z"].map(|axis| (format!("center {axis}"), "m")));
-        all.extend(["Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"].map(|name| (name.to_owned(), "kg·m²")));
+        all.extend(ELEMENTS.map(|element| (format!("I{element}"), "kg·m²")));
         all.push(("gravity".to_owned(), "m/s²"));
         all.extend(self.numbers.iter().map(|(name, unit, _)| (name.clone(), *unit)));
         all
@@ -208,13 +170,10 @@ impl SwingPlan {
 
     pub(super) fn check(&self) -> Result<(), IdentifyError> {
         for (k, Measured { value, sd }) in self.measured().into_iter().enumerate() {
-            let positive = k == MASS || k == GRAVITY;
-            IdentifyError::require(
-                if positive { "a mass or gravity" } else { "a measured number" },
-                value,
-                !positive || value > 0.0,
-                if positive { "above zero, and finite" } else { "finite" },
-            )?;
+            if k == MASS || k == GRAVITY {
+                IdentifyError::require("a mass or gravity", value, value > 0.0, "above zero, and finite")?;
+            }
+            IdentifyError::require("a measured number", value, true, "finite")?;
             if !(sd >= 0.0) {
                 return Err(IdentifyError::Value {
                     what: "the standard deviation of a measured number",

@@ -12,6 +12,7 @@ use crate::decomposition::lu;
 use crate::error::IdentifyError;
 use crate::least_squares::{Problem, Rows, rows_of, side_by_side};
 use crate::residuals::Noise;
+use crate::six::{Six, matrix};
 
 /// Flights, and what predicts their readings.
 ///
@@ -101,7 +102,7 @@ impl Tumbles<'_> {
             rows.begin_measurement();
             let (omega, read) = (at.of.state.omega.to_array(), reading.omega.to_array());
             let predicted = gyro.reading(omega);
-            let by_gyro = self.gyro.derivatives(&gyro, omega, acceleration(&flown.tensor, omega)?);
+            let by_gyro = self.gyro.derivatives(&gyro, omega, acceleration(flown.tensor, omega)?);
             for i in 0..CHANNELS {
                 let (own, all) = rows.push((read[i] - predicted[i]) / noise);
                 for (k, element) in matrix[i].iter().enumerate() {
@@ -202,8 +203,8 @@ fn add(a: &mut [f64], b: &[f64], factor: f64) {
 }
 
 /// ω̇ = I⁻¹ (I ω × ω)
-fn acceleration([xx, yy, zz, xy, xz, yz]: &[f64; 6], omega: [f64; 3]) -> Result<[f64; 3], IdentifyError> {
-    let tensor = Matrix3::new(*xx, *xy, *xz, *xy, *yy, *yz, *xz, *yz, *zz);
+fn acceleration(tensor: Six, omega: [f64; 3]) -> Result<[f64; 3], IdentifyError> {
+    let tensor = Matrix3::from(matrix(tensor));
     let omega = Vector3::from(omega);
     // A body about an axis of which nothing turns it has no acceleration there.
     let solved = lu("the tensor", tensor)?.solve(&(tensor * omega).cross(&omega));

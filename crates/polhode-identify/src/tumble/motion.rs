@@ -8,15 +8,13 @@ use polhode::motion::{
 };
 
 use crate::error::IdentifyError;
-
-/// Names of the elements of a symmetric matrix.
-pub(crate) const ELEMENTS: [&str; 6] = ["xx", "yy", "zz", "xy", "xz", "yz"];
+use crate::six::{ELEMENTS, Six, matrix};
 
 /// What turns a body in flight, besides itself.
 #[derive(Clone, Debug)]
 pub(crate) struct Flown<'a> {
-    pub(crate) tensor: [f64; 6],
-    pub(crate) drag: Option<(DragLaw, [f64; 6])>,
+    pub(crate) tensor: Six,
+    pub(crate) drag: Option<(DragLaw, Six)>,
     pub(crate) wheels: &'a [Wheel],
     pub(crate) torques: &'a [TorqueModel],
 }
@@ -36,8 +34,7 @@ const HEAVIEST: f64 = 20.0;
 
 impl Flown<'_> {
     fn rotor(&self) -> Result<Rotor, IdentifyError> {
-        let [xx, yy, zz, xy, xz, yz] = self.tensor;
-        let tensor = InertiaTensor::from_matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])?;
+        let tensor = InertiaTensor::from_matrix(matrix(self.tensor))?;
         let body = MassProperties::new(1.0, Position::ZERO, tensor)?;
         Ok(Rotor::free(&body).with_wheels(self.wheels)?)
     }
@@ -45,8 +42,8 @@ impl Flown<'_> {
     /// All torques, drag's last.
     fn torques(&self) -> Result<Vec<TorqueModel>, IdentifyError> {
         let mut torques = self.torques.to_vec();
-        if let Some((law, [xx, yy, zz, xy, xz, yz])) = self.drag {
-            torques.push(TorqueModel::Drag(Drag::new(law, [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])?));
+        if let Some((law, drag)) = self.drag {
+            torques.push(TorqueModel::Drag(Drag::new(law, matrix(drag))?));
         }
         Ok(torques)
     }

@@ -1,5 +1,7 @@
 //! What a gyro makes of a rate.
 
+use crate::six::PLACES;
+
 /// What of a gyro is found with the body: reading = (1 + S) ω + b.
 ///
 /// The axes in which the body is found are the gyro's: a gyro that is turned as a whole reads another body's tensor, and nothing else.
@@ -24,9 +26,6 @@ pub(crate) struct Gyro {
     /// τ
     pub(crate) clock: f64,
 }
-
-/// Where the elements of S are.
-const PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
 impl GyroErrors {
     /// How many numbers there are.

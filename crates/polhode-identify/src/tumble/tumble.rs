@@ -6,12 +6,12 @@ use polhode::motion::torque::DragLaw;
 use super::flaw::Flaw;
 use super::flight::Flight;
 use super::model::{CHANNELS, Tumbles};
-use super::motion::ELEMENTS;
 use crate::error::IdentifyError;
 use crate::estimate::Estimate;
-use crate::least_squares::{Outliers, Problem, Rows, Solution};
+use crate::least_squares::{Outliers, Solution, rows_of};
 use crate::principal::PrincipalEstimate;
 use crate::residuals::{Noise, ResidualTest};
+use crate::six::{ELEMENTS, between};
 
 /// A body that was found by its tumbles.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,8 +79,7 @@ impl Tumble {
         let (mut gyro_runs, mut attitude_runs) = (Vec::new(), Vec::new());
         for (k, flight) in problem.flights.iter().enumerate() {
             let local = &solution.place.local[k];
-            let mut rows = Rows::new(local.len(), solution.shared.len());
-            problem.rows(k, &solution.shared, local, &mut rows)?;
+            let rows = rows_of(problem, k, &solution.shared, local)?;
             let (_, weights) = outliers.weigh(&rows);
             let residuals: Vec<[f64; 3]> = rows.measurements().map(|r| [r[0], r[1], r[2]]).collect();
             let (gyro, attitudes) = residuals.split_at(flight.gyro().len());
@@ -115,24 +114,13 @@ impl Tumble {
             - information.unknown.ncols()) as f64;
         let total = gyro_runs.iter().chain(&attitude_runs).map(Vec::len).sum::<usize>() as f64;
         let share = |runs: &[Vec<f64>]| numbers * runs.iter().map(Vec::len).sum::<usize>() as f64 / total;
-        let mut residuals = Vec::new();
-        if !gyro_runs.is_empty() {
-            residuals.push(ResidualTest::of(
-                "angular velocity",
-                problem.gyro_noise,
-                share(&gyro_runs),
-                &gyro_runs,
-            ));
-        }
-        if !attitude_runs.is_empty() {
-            let found = share(&attitude_runs);
-            residuals.push(ResidualTest::of(
-                "attitude",
-                Noise::told(problem.attitude_noise),
-                found,
-                &attitude_runs,
-            ));
-        }
+        let kinds = [
+            ("angular velocity", problem.gyro_noise, gyro_runs),
+            ("attitude", Noise::told(problem.attitude_noise), attitude_runs),
+        ];
+        let measured = kinds.into_iter().filter(|(.., runs)| !runs.is_empty());
+        let residuals: Vec<ResidualTest> =
+            measured.map(|(what, noise, runs)| ResidualTest::of(what, noise, share(&runs), &runs)).collect();
         let widening = ResidualTest::widening_of(&residuals);
         let estimate = estimate.widened(widening);
         for flight in &mut flights {
@@ -145,7 +133,8 @@ impl Tumble {
             // the greatest moment is v·I v
             let greatest = principal.moments[2];
             principal.moments = principal.moments.map(|moment| moment / greatest);
-            let mut estimate = estimate.relative(6 + problem.drag_count(), &along(principal.axes[2]));
+            let mut estimate =
+                estimate.relative(6 + problem.drag_count(), &between(principal.axes[2], principal.axes[2]));
             estimate.numbers.iter_mut().take(6).for_each(|element| element.largest_sd = ELEMENT_RANGE);
             estimate
         };
@@ -155,11 +144,6 @@ impl Tumble {
 
 /// Width of the possible range of an element over the greatest moment: [0, 1] on the diagonal, [−½, ½] off it.
 const ELEMENT_RANGE: f64 = 1.0;
-
-/// v·I v as what multiplies the elements of I.
-fn along([x, y, z]: [f64; 3]) -> [f64; 6] {
-    [x * x, y * y, z * z, 2.0 * x * y, 2.0 * x * z, 2.0 * y * z]
-}
 
 const fn drag_unit(law: DragLaw, scale_is_known: bool) -> &'static str {
     match (law, scale_is_known) {

@@ -10,8 +10,7 @@ use polhode::motion::{ErrorEffort, Required, Scenario};
 use polhode_scenario::read as scenario;
 use polhode_source::unit;
 use polhode_source::unit::Dimension;
-use polhode_table::output::columns;
-use polhode_table::output::required::RequiredTable;
+use polhode_table::output::{Table, required};
 use toml::de::DeTable;
 
 use super::common::page::{blocks, names, root, rows, section};
@@ -115,9 +114,9 @@ fn assert_further_columns(heading: &str, section_of_file: &str) {
     let rows = rows(section(&page, heading));
     let in_book: Vec<_> =
         rows.iter().flat_map(|row| names(row[0]).map(|name| (name.to_owned(), row[1]))).collect();
-    let columns = columns(&motion, &(&scenario).into()).into_iter();
-    let after = columns.skip_while(|column| column.name != "kinetic_energy_j").skip(1);
-    let known: Vec<_> = after.map(|column| (column.name.into_owned(), column.unit)).collect();
+    let table = Table::of(&motion, &(&scenario).into());
+    let after = table.columns().iter().skip_while(|column| column.name != "kinetic_energy_j").skip(1);
+    let known: Vec<_> = after.map(|column| (column.name.to_string(), column.unit)).collect();
     assert_eq!(in_book, known);
 }
 
@@ -136,10 +135,8 @@ fn the_book_has_every_column_with_its_unit() {
     let rows = rows(section(&page, "## Trajectory"));
     let in_book: Vec<_> =
         rows.iter().flat_map(|row| names(row[0]).map(|name| (name.to_owned(), row[1]))).collect();
-    let known: Vec<_> = columns(&motion, &(&top).into())
-        .into_iter()
-        .map(|column| (column.name.into_owned(), column.unit))
-        .collect();
+    let table = Table::of(&motion, &(&top).into());
+    let known: Vec<_> = table.columns().iter().map(|column| (column.name.to_string(), column.unit)).collect();
     assert_eq!(in_book, known);
 }
 
@@ -154,10 +151,11 @@ fn the_book_has_every_column_of_what_a_motion_needs() {
     .unwrap();
     let motion = rotor.prescribed().unwrap();
     let samples = [Required::by(rotor.rotor(), motion, 0.0).unwrap()];
-    let table = RequiredTable::new(&samples, rotor.rotor(), &rotor.particles(), rotor.shaft());
+    let points = rotor.particles();
+    let table = required(&samples, rotor.rotor(), &points, rotor.shaft());
     let rows = rows(section(&page, "## Table of `polhode torque`"));
     let in_book: Vec<_> = rows.iter().flat_map(|row| names(row[0]).map(|name| (name, row[1]))).collect();
-    let known: Vec<_> = table.columns().iter().map(|column| (column.name.as_str(), column.unit)).collect();
+    let known: Vec<_> = table.columns().iter().map(|column| (&*column.name, column.unit)).collect();
     assert_eq!(in_book, known);
 }
 

@@ -139,7 +139,7 @@ fn a_trajectory_that_was_written_is_a_motion() {
     .unwrap();
     let motion = known.simulate().unwrap().unwrap();
     let mut bytes = Vec::new();
-    polhode_table::output::csv::write(&motion, &Default::default(), &mut bytes).unwrap();
+    polhode_table::output::Table::of(&motion, &Default::default()).write_csv(&mut bytes).unwrap();
     let table = String::from_utf8(bytes).unwrap();
     let start = "[start]\nattitude = { euler313 = [0.3, 1.2, 0] }\n";
     for (columns, start) in [("attitude", ""), ("omega_body", start), ("omega_space", start)] {

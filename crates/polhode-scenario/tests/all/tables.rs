@@ -4,8 +4,7 @@ use polhode::infer::judge::{AttitudeSense, OmegaAxes, QuaternionOrder};
 use polhode::prelude::*;
 use polhode_scenario::read as scenario;
 use polhode_table::log;
-use polhode_table::output as table;
-use polhode_table::output::columns;
+use polhode_table::output::Table;
 
 #[test]
 fn polhodes_own_table_says_everything() {
@@ -14,8 +13,9 @@ fn polhodes_own_table_says_everything() {
     let scenario = scenario::parse(text, "t.toml".as_ref()).unwrap();
     let motion = scenario.simulate().unwrap().unwrap();
     let (mut csv, mut parquet) = (Vec::new(), Vec::new());
-    table::csv::write(&motion, &(&scenario).into(), &mut csv).unwrap();
-    table::parquet::write(&motion, &(&scenario).into(), &[], &mut parquet).unwrap();
+    let table = Table::of(&motion, &(&scenario).into());
+    table.write_csv(&mut csv).unwrap();
+    table.write_parquet(&[], &mut parquet).unwrap();
     let read = log::from_bytes(&csv, None).unwrap();
     assert_eq!(read, log::from_bytes(&parquet, None).unwrap());
     for (k, sample) in motion.samples().iter().enumerate() {
@@ -50,9 +50,9 @@ fn a_body_on_an_orbit_has_its_attitude_there() {
         [run]\nduration = '0.5 orbits'\nsamples = 3\n";
     let scenario = scenario::parse(text, "probe.toml".as_ref()).unwrap();
     let motion = scenario.simulate().unwrap().unwrap();
-    let columns = columns(&motion, &(&scenario).into());
+    let table = Table::of(&motion, &(&scenario).into());
     let value = |name: &str, row: usize| {
-        columns.iter().find(|column| column.name == name).unwrap().value(&motion, row)
+        table.columns().iter().find(|column| column.name == name).unwrap().value(row)
     };
     let near = |name: &str, row: usize, want: f64| {
         assert!(

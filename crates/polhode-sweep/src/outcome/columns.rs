@@ -5,22 +5,17 @@ use polhode::motion::{Event, Scenario};
 use super::member::{Outcome, Pointed, Status};
 use crate::batch::{Column, Values};
 
-/// A column of numbers.
-struct Number {
-    name: &'static str,
-    unit: &'static str,
-    description: &'static str,
-    value: fn(&Outcome) -> Option<f64>,
-}
+/// A column of numbers: its name, its unit, what it is, and its value.
+type Number = (&'static str, &'static str, &'static str, fn(&Outcome) -> Option<f64>);
 
 /// A table of outcomes of a plan of this scenario.
 pub(crate) fn of(nominal: &Scenario, outcomes: &[Outcome]) -> Vec<Column> {
     let events = nominal.events();
-    let text = |name: &str, description: &str, value: fn(&Outcome) -> Option<String>| Column {
-        name: name.to_owned(),
-        unit: String::new(),
-        description: description.to_owned(),
-        values: Values::Text(outcomes.iter().map(value).collect()),
+    let text = |name: &str, description: &str, value: fn(&Outcome) -> Option<String>| {
+        Column::new([name, "", description], Values::Text(outcomes.iter().map(value).collect()))
+    };
+    let number = |[name, unit, description]: [&str; 3], value: &dyn Fn(&Outcome) -> Option<f64>| {
+        Column::new([name, unit, description], Values::Perhaps(outcomes.iter().map(value).collect()))
     };
     let mut columns = vec![
         text("status", "complete, stopped: EVENT, or failed", |o| Some(o.status.to_string())),
@@ -28,37 +23,20 @@ pub(crate) fn of(nominal: &Scenario, outcomes: &[Outcome]) -> Vec<Column> {
         text("regime", REGIME, |o| o.regime.map(|regime| regime.name().to_owned())),
         text("end_regime", END_REGIME, |o| o.end_regime.map(|regime| regime.name().to_owned())),
     ];
-    columns.extend(NUMBERS.iter().map(|number| Column {
-        name: number.name.to_owned(),
-        unit: number.unit.to_owned(),
-        description: number.description.to_owned(),
-        values: Values::Perhaps(outcomes.iter().map(number.value).collect()),
-    }));
+    columns.extend(NUMBERS.iter().map(|(name, unit, what, value)| number([name, unit, what], value)));
     for (k, stem) in stems(events).into_iter().enumerate() {
         let of = |outcome: &Outcome| outcome.events.get(k).copied();
         let name = events.get(k).map_or("", Event::name);
-        columns.push(Column {
-            name: format!("{stem}_count"),
-            unit: String::new(),
-            description: format!("how often \"{name}\" happened"),
-            values: Values::Perhaps(outcomes.iter().map(|o| of(o).map(|e| f64::from(e.count))).collect()),
-        });
-        columns.push(Column {
-            name: format!("{stem}_first_s"),
-            unit: "s".to_owned(),
-            description: format!("when \"{name}\" first happened"),
-            values: Values::Perhaps(outcomes.iter().map(|o| of(o).and_then(|e| e.first)).collect()),
-        });
+        let (count, how_often) = (format!("{stem}_count"), format!("how often \"{name}\" happened"));
+        columns.push(number([&count, "", &how_often], &|o| Some(of(o)?.count.into())));
+        let (first, when) = (format!("{stem}_first_s"), format!("when \"{name}\" first happened"));
+        columns.push(number([&first, "s", &when], &|o| of(o)?.first));
     }
     for (k, pointing) in nominal.pointings().iter().enumerate() {
         let stem = pointing.name().to_ascii_lowercase();
         let mut put = |name: &str, description: String, value: fn(&Pointed) -> f64| {
-            columns.push(Column {
-                name: format!("{stem}_{name}_angle_rad"),
-                unit: "rad".to_owned(),
-                description,
-                values: Values::Perhaps(outcomes.iter().map(|o| o.pointings.get(k).map(value)).collect()),
-            });
+            let name = format!("{stem}_{name}_angle_rad");
+            columns.push(number([&name, "rad", &description], &|o| o.pointings.get(k).map(value)));
         };
         let of = format!("angle of the pointing \"{}\"", pointing.name());
         put("largest", format!("largest {of} of the samples"), |p| p.largest);
@@ -73,82 +51,64 @@ const REGIME: &str = "the kind of the free motion that the start has: at_rest, p
 const END_REGIME: &str = "the same of the final state";
 
 const NUMBERS: [Number; 35] = [
-    number("mass_kg", "kg", "mass", |o| o.mass),
-    number("moment_1_kg_m2", "kg·m²", MOMENT, |o| o.moments.map(|[i1, _, _]| i1)),
-    number("moment_2_kg_m2", "kg·m²", MOMENT, |o| o.moments.map(|[_, i2, _]| i2)),
-    number("moment_3_kg_m2", "kg·m²", MOMENT, |o| o.moments.map(|[_, _, i3]| i3)),
-    number("period_s", "s", "free motion: period of omega in the body", |o| o.free?.regime.period),
-    number("precession_period_s", "s", "free motion: mean time of a turn about L", |o| {
-        o.free?.periods.precession
-    }),
-    number("rotation_period_s", "s", "free motion: period about the axis that L circles", |o| {
+    ("mass_kg", "kg", "mass", |o| o.mass),
+    ("moment_1_kg_m2", "kg·m²", MOMENT, |o| o.moments.map(|[i1, _, _]| i1)),
+    ("moment_2_kg_m2", "kg·m²", MOMENT, |o| o.moments.map(|[_, i2, _]| i2)),
+    ("moment_3_kg_m2", "kg·m²", MOMENT, |o| o.moments.map(|[_, _, i3]| i3)),
+    ("period_s", "s", "free motion: period of omega in the body", |o| o.free?.regime.period),
+    ("precession_period_s", "s", "free motion: mean time of a turn about L", |o| o.free?.periods.precession),
+    ("rotation_period_s", "s", "free motion: period about the axis that L circles", |o| {
         o.free?.periods.rotation
     }),
-    number("flip_interval_s", "s", "free motion: time between flips along the intermediate axis", |o| {
+    ("flip_interval_s", "s", "free motion: time between flips along the intermediate axis", |o| {
         o.free?.regime.flip_interval
     }),
-    number(
-        "growth_rate_per_s",
-        "1/s",
-        "free motion near the intermediate axis: growth of a departure",
-        |o| o.free?.regime.growth_rate,
-    ),
-    number("start_kinetic_energy_j", "J", "rotational kinetic energy at the start", |o| {
+    ("growth_rate_per_s", "1/s", "free motion near the intermediate axis: growth of a departure", |o| {
+        o.free?.regime.growth_rate
+    }),
+    ("start_kinetic_energy_j", "J", "rotational kinetic energy at the start", |o| {
         Some(o.start?.kinetic_energy)
     }),
-    number("start_momentum_kg_m2_s", "kg·m²/s", "|L| at the start", |o| Some(o.start?.momentum)),
-    number("end_kinetic_energy_j", "J", "rotational kinetic energy at the end", |o| {
-        Some(o.end?.kinetic_energy)
+    ("start_momentum_kg_m2_s", "kg·m²/s", "|L| at the start", |o| Some(o.start?.momentum)),
+    ("end_kinetic_energy_j", "J", "rotational kinetic energy at the end", |o| Some(o.end?.kinetic_energy)),
+    ("end_momentum_kg_m2_s", "kg·m²/s", "|L| at the end", |o| Some(o.end?.momentum)),
+    ("end_time_s", "s", "when it ended", |o| Some(o.end?.state.time)),
+    ("end_attitude_w", "", ATTITUDE, |o| Some(o.end?.state.attitude.canonical_quaternion()[0])),
+    ("end_attitude_x", "", ATTITUDE, |o| Some(o.end?.state.attitude.canonical_quaternion()[1])),
+    ("end_attitude_y", "", ATTITUDE, |o| Some(o.end?.state.attitude.canonical_quaternion()[2])),
+    ("end_attitude_z", "", ATTITUDE, |o| Some(o.end?.state.attitude.canonical_quaternion()[3])),
+    ("end_omega_body_x_rad_s", "rad/s", OMEGA, |o| Some(o.end?.state.omega.x)),
+    ("end_omega_body_y_rad_s", "rad/s", OMEGA, |o| Some(o.end?.state.omega.y)),
+    ("end_omega_body_z_rad_s", "rad/s", OMEGA, |o| Some(o.end?.state.omega.z)),
+    ("least_omega_rad_s", "rad/s", "least |omega|; free motion: of all time, else of the samples", |o| {
+        Some(o.extrema?.omega?[0])
     }),
-    number("end_momentum_kg_m2_s", "kg·m²/s", "|L| at the end", |o| Some(o.end?.momentum)),
-    number("end_time_s", "s", "when it ended", |o| Some(o.end?.state.time)),
-    number("end_attitude_w", "", ATTITUDE, |o| Some(o.end?.state.attitude.canonical_quaternion()[0])),
-    number("end_attitude_x", "", ATTITUDE, |o| Some(o.end?.state.attitude.canonical_quaternion()[1])),
-    number("end_attitude_y", "", ATTITUDE, |o| Some(o.end?.state.attitude.canonical_quaternion()[2])),
-    number("end_attitude_z", "", ATTITUDE, |o| Some(o.end?.state.attitude.canonical_quaternion()[3])),
-    number("end_omega_body_x_rad_s", "rad/s", OMEGA, |o| Some(o.end?.state.omega.x)),
-    number("end_omega_body_y_rad_s", "rad/s", OMEGA, |o| Some(o.end?.state.omega.y)),
-    number("end_omega_body_z_rad_s", "rad/s", OMEGA, |o| Some(o.end?.state.omega.z)),
-    number(
-        "least_omega_rad_s",
-        "rad/s",
-        "least |omega|; free motion: of all time, else of the samples",
-        |o| Some(o.extrema?.omega?[0]),
-    ),
-    number(
-        "largest_omega_rad_s",
-        "rad/s",
-        "largest |omega|; free motion: of all time, else of the samples",
-        |o| Some(o.extrema?.omega?[1]),
-    ),
-    number("least_angle_to_axis_1_rad", "rad", AXIS_1, |o| Some(o.extrema?.from_least?[0])),
-    number("largest_angle_to_axis_1_rad", "rad", AXIS_1, |o| Some(o.extrema?.from_least?[1])),
-    number("least_angle_to_axis_3_rad", "rad", AXIS_3, |o| Some(o.extrema?.from_greatest?[0])),
-    number("largest_angle_to_axis_3_rad", "rad", AXIS_3, |o| Some(o.extrema?.from_greatest?[1])),
-    number("largest_torque_n_m", "N·m", "largest |N| of the samples", |o| o.extrema?.torque),
-    number("energy_drift", "", "work-energy theorem: departure relative to the largest T", |o| {
+    ("largest_omega_rad_s", "rad/s", "largest |omega|; free motion: of all time, else of the samples", |o| {
+        Some(o.extrema?.omega?[1])
+    }),
+    ("least_angle_to_axis_1_rad", "rad", AXIS_1, |o| Some(o.extrema?.from_least?[0])),
+    ("largest_angle_to_axis_1_rad", "rad", AXIS_1, |o| Some(o.extrema?.from_least?[1])),
+    ("least_angle_to_axis_3_rad", "rad", AXIS_3, |o| Some(o.extrema?.from_greatest?[0])),
+    ("largest_angle_to_axis_3_rad", "rad", AXIS_3, |o| Some(o.extrema?.from_greatest?[1])),
+    ("largest_torque_n_m", "N·m", "largest |N| of the samples", |o| o.extrema?.torque),
+    ("energy_drift", "", "work-energy theorem: departure relative to the largest T", |o| {
         o.extrema?.energy_drift
     }),
-    number("momentum_drift", "", "impulse-momentum theorem: departure relative to the largest |L|", |o| {
+    ("momentum_drift", "", "impulse-momentum theorem: departure relative to the largest |L|", |o| {
         o.extrema?.momentum_drift
     }),
-    number(
-        "error_attitude_rad",
-        "rad",
-        "estimated error of the final attitude; pi where nothing is known",
-        |o| Some(o.error?.attitude),
-    ),
-    number(
+    ("error_attitude_rad", "rad", "estimated error of the final attitude; pi where nothing is known", |o| {
+        Some(o.error?.attitude)
+    }),
+    (
         "error_omega",
         "",
         "estimated error of the final omega, of its length; none where nothing is known",
         |o| Some(o.error?.omega).filter(|omega| omega.is_finite()),
     ),
-    number("steps_accepted", "", "steps of the integration", |o| Some(o.steps?.accepted as f64)),
-    number("steps_rejected", "", "steps tried again shorter", |o| Some(o.steps?.rejected as f64)),
-    number("evaluations", "", "evaluations of the equations of motion", |o| {
-        Some(o.steps?.evaluations as f64)
-    }),
+    ("steps_accepted", "", "steps of the integration", |o| Some(o.steps?.accepted as f64)),
+    ("steps_rejected", "", "steps tried again shorter", |o| Some(o.steps?.rejected as f64)),
+    ("evaluations", "", "evaluations of the equations of motion", |o| Some(o.steps?.evaluations as f64)),
 ];
 
 const MOMENT: &str = "principal moment of inertia about the point that the body turns about, ascending";
@@ -158,15 +118,6 @@ const AXIS_1: &str =
     "between L and the principal axis of the least moment; free motion: of all time, else of the samples";
 const AXIS_3: &str =
     "between L and the principal axis of the greatest moment; free motion: of all time, else of the samples";
-
-const fn number(
-    name: &'static str,
-    unit: &'static str,
-    description: &'static str,
-    value: fn(&Outcome) -> Option<f64>,
-) -> Number {
-    Number { name, unit, description, value }
-}
 
 /// How the columns of each event begin: its name in letters, digits and `_`, or its number where two would be alike.
 fn stems(events: &[Event]) -> Vec<String> {

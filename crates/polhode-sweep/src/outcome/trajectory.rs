@@ -2,7 +2,7 @@
 
 use polhode::motion::{Scenario, State};
 
-use crate::batch::{Batch, BatchError, Column, MEMBER, Values};
+use crate::batch::{Batch, BatchError, Column, Values};
 
 /// The states of a motion at its sample times, as far as it goes.
 pub(crate) fn samples(scenario: &Scenario) -> Vec<State> {
@@ -12,18 +12,16 @@ pub(crate) fn samples(scenario: &Scenario) -> Vec<State> {
     }
 }
 
-/// A column: its name, its unit, what it is.
-type Head = (&'static str, &'static str, &'static str);
-
-const HEADS: [Head; 8] = [
-    ("time_s", "s", "time"),
-    ("attitude_w", "", ATTITUDE),
-    ("attitude_x", "", ATTITUDE),
-    ("attitude_y", "", ATTITUDE),
-    ("attitude_z", "", ATTITUDE),
-    ("omega_body_x_rad_s", "rad/s", OMEGA),
-    ("omega_body_y_rad_s", "rad/s", OMEGA),
-    ("omega_body_z_rad_s", "rad/s", OMEGA),
+/// Of each column its name, its unit, what it is.
+const HEADS: [[&str; 3]; 8] = [
+    ["time_s", "s", "time"],
+    ["attitude_w", "", ATTITUDE],
+    ["attitude_x", "", ATTITUDE],
+    ["attitude_y", "", ATTITUDE],
+    ["attitude_z", "", ATTITUDE],
+    ["omega_body_x_rad_s", "rad/s", OMEGA],
+    ["omega_body_y_rad_s", "rad/s", OMEGA],
+    ["omega_body_z_rad_s", "rad/s", OMEGA],
 ];
 const ATTITUDE: &str = "R_space_body as a unit quaternion, Hamilton, scalar first";
 const OMEGA: &str = "angular velocity relative to space, along body axes";
@@ -40,17 +38,7 @@ pub(crate) fn table(members: &[u64], samples: impl Iterator<Item = Vec<State>>) 
             values.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
         }
     }
-    let member = Column {
-        name: MEMBER.to_owned(),
-        unit: String::new(),
-        description: "the member's number, from 0".to_owned(),
-        values: Values::Whole(numbers),
-    };
-    let columns = HEADS.into_iter().zip(values).map(|((name, unit, description), values)| Column {
-        name: name.to_owned(),
-        unit: unit.to_owned(),
-        description: description.to_owned(),
-        values: Values::Numbers(values),
-    });
-    Batch::new(std::iter::once(member).chain(columns).collect())
+    let columns = HEADS.into_iter().zip(values);
+    let columns = columns.map(|(head, values)| Column::new(head, Values::Numbers(values)));
+    Batch::new(std::iter::once(Column::of_members(numbers)).chain(columns).collect())
 }

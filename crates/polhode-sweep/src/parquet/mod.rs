@@ -9,8 +9,6 @@ mod write;
 use std::io;
 use std::path::Path;
 
-use ::parquet::errors::ParquetError;
-
 use crate::batch::Batch;
 
 pub(crate) use write::write;
@@ -58,17 +56,6 @@ fn whole(path: &Path, metadata: &Pairs) -> io::Result<Option<Vec<u8>>> {
 /// True of bytes with the right checksum and this metadata.
 fn is_sound(bytes: &[u8], metadata: &Pairs) -> bool {
     seal::is_right(bytes) && read::metadata(bytes.to_vec()).is_ok_and(|found| found == *metadata)
-}
-
-/// The error of the reader or writer below, where that is what it was.
-fn io_error(error: ParquetError) -> io::Error {
-    match error {
-        ParquetError::External(inner) => match inner.downcast::<io::Error>() {
-            Ok(io) => *io,
-            Err(other) => io::Error::other(other),
-        },
-        other => io::Error::other(other),
-    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,5 @@
 //! A file to rows.
 
-use std::io;
-
 use ::parquet::basic::{Repetition, Type as Physical};
 use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use ::parquet::data_type::{ByteArray, DataType};
@@ -11,23 +9,15 @@ use ::parquet::file::reader::{FileReader as _, SerializedFileReader};
 use bytes::Bytes;
 use serde_json::{Map, Value};
 
-use super::{DESCRIPTIONS, OURS, PREFIX, Pairs, UNITS, io_error};
+use super::{DESCRIPTIONS, OURS, PREFIX, Pairs, UNITS};
 use crate::batch::{Batch, Column, Values};
-
-/// The rows of a file.
-///
-/// # Errors
-/// If these bytes are no such file.
-pub(super) fn read(bytes: Vec<u8>) -> io::Result<Batch> {
-    decode(bytes).map_err(io_error)
-}
 
 /// The pairs of metadata with which a file was written.
 ///
 /// # Errors
 /// As [`read()`].
-pub(super) fn metadata(bytes: Vec<u8>) -> io::Result<Pairs> {
-    let file = SerializedFileReader::new(Bytes::from(bytes)).map_err(io_error)?;
+pub(super) fn metadata(bytes: Vec<u8>) -> Result<Pairs, ParquetError> {
+    let file = SerializedFileReader::new(Bytes::from(bytes))?;
     let own = |pair: &KeyValue| pair.key.starts_with(PREFIX) && !OURS.contains(&pair.key.as_str());
     let pairs = pairs(&file).into_iter().filter(own);
     Ok(pairs.filter_map(|pair| Some((pair.key, pair.value?))).collect())
@@ -37,7 +27,11 @@ fn pairs(file: &SerializedFileReader<Bytes>) -> Vec<KeyValue> {
     file.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default()
 }
 
-fn decode(bytes: Vec<u8>) -> Result<Batch, ParquetError> {
+/// The rows of a file.
+///
+/// # Errors
+/// If these bytes are no such file.
+pub(super) fn read(bytes: Vec<u8>) -> Result<Batch, ParquetError> {
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
     let pairs = pairs(&file);
     let (units, descriptions) = (texts(&pairs, UNITS), texts(&pairs, DESCRIPTIONS));

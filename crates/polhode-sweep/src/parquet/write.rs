@@ -5,17 +5,17 @@
 use std::io;
 use std::sync::Arc;
 
-use ::parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as Physical};
+use ::parquet::basic::{Encoding, LogicalType, Repetition, Type as Physical};
 use ::parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
 use ::parquet::errors::ParquetError;
 use ::parquet::file::metadata::KeyValue;
-use ::parquet::file::properties::{EnabledStatistics, WriterProperties};
+use ::parquet::file::properties::WriterProperties;
 use ::parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use ::parquet::schema::types::{ColumnPath, Type, TypePtr};
-use polhode_table::output as table;
+use polhode_table::output::{CONVENTIONS as OF_TABLES, io_error, parquet_properties};
 use serde_json::{Map, Value};
 
-use super::{CHECKSUM, CONVENTIONS, DESCRIPTIONS, Pairs, UNITS, VERSION, io_error, seal};
+use super::{CHECKSUM, CONVENTIONS, DESCRIPTIONS, Pairs, UNITS, VERSION, seal};
 use crate::batch::{Batch, Column, Values};
 
 /// The bytes of a file of rows, with the pairs of `metadata` besides units, descriptions, conventions, version and checksum.
@@ -93,18 +93,13 @@ fn properties(batch: &Batch, metadata: &Pairs) -> WriterProperties {
     };
     let mut pairs = vec![
         pair(VERSION, env!("CARGO_PKG_VERSION").to_owned()),
-        pair(CONVENTIONS, table::CONVENTIONS.to_owned()),
+        pair(CONVENTIONS, OF_TABLES.to_owned()),
         pair(UNITS, object(|column| if column.unit.is_empty() { "1" } else { &column.unit })),
         pair(DESCRIPTIONS, object(|column| &column.description)),
     ];
     pairs.extend(metadata.iter().map(|(key, value)| pair(key, value.clone())));
     pairs.push(pair(CHECKSUM, seal::OPEN.to_owned()));
-    let mut properties = WriterProperties::builder()
-        .set_created_by(concat!("polhode version ", env!("CARGO_PKG_VERSION")).to_owned())
-        .set_key_value_metadata(Some(pairs))
-        .set_dictionary_enabled(false) // hardly a number of a motion comes twice
-        .set_compression(Compression::LZ4_RAW)
-        .set_statistics_enabled(EnabledStatistics::None);
+    let mut properties = parquet_properties(pairs);
     for column in batch.columns() {
         let path = ColumnPath::from(column.name.as_str());
         properties = match column.values {

@@ -28,8 +28,9 @@ use crate::outcome::columns_of;
 use draw::{Draw, MOST_COORDINATES};
 use uniform::{Coordinate, Sets};
 
-pub use polhode_scenario::read::Sampling;
+pub use polhode_scenario::read::{Sampling, TargetColumn as Variable};
 
+pub(crate) use mix::mix;
 pub(crate) use question::Condition;
 
 /// A scenario, and what differs from member to member.
@@ -77,17 +78,6 @@ pub struct Plan {
     digest: String,
 }
 
-/// Something that differs: one column of inputs.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Variable {
-    /// The column's name.
-    pub name: String,
-    /// The unit in SI; empty if there is none.
-    pub unit: String,
-    /// What it is, for people.
-    pub description: String,
-}
-
 /// How many members are tried before a plan counts as read.
 const TRIED: u64 = 64;
 
@@ -119,13 +109,8 @@ impl Plan {
                 coordinates.push(Coordinate::new(sweep.sampling, sets, sweep.seed, name, index, dimension));
             }
         }
-        let column = |column: &polhode_scenario::read::TargetColumn| Variable {
-            name: column.name.clone(),
-            unit: column.unit.clone(),
-            description: column.description.clone(),
-        };
         let variables: Vec<Variable> =
-            vary.iter().flat_map(|(_, vary)| vary.target.columns().iter().map(column)).collect();
+            vary.iter().flat_map(|(_, vary)| vary.target.columns().iter().cloned()).collect();
         let digest = digest::digest(files, &template)?;
         let outcomes = columns_of(template.nominal(), &[]);
         let condition = |question| Condition::new(&template, question, &variables, &outcomes);

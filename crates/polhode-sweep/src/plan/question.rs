@@ -50,12 +50,7 @@ impl Condition {
         let mut point = vec![f64::NAN; self.columns.iter().map(|(k, _)| k + 1).max().unwrap_or(0)];
         let mut answer = |row: usize| {
             for (k, values) in &columns {
-                let value = match values {
-                    Some(Values::Numbers(values)) => values.get(row).copied(),
-                    Some(Values::Perhaps(values)) => values.get(row).copied().flatten(),
-                    _ => None,
-                };
-                *point.get_mut(*k)? = value?;
+                *point.get_mut(*k)? = values.and_then(|values| values.number(row))?;
             }
             match self.formula.evaluate(&point) {
                 value if value.is_nan() => None,

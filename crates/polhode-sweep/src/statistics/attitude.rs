@@ -55,18 +55,11 @@ impl MeanAttitude {
             })
             .collect();
         let stem = &self.stem;
-        let columns = ["", "_x", "_y", "_z"].into_iter().enumerate().map(|(k, suffix)| Column {
-            name: format!("{stem}_from_mean{suffix}_rad"),
-            unit: "rad".to_owned(),
-            description: match k {
-                0 => format!("angle between {stem} and its mean"),
-                _ => {
-                    format!("turn of {stem} from its mean, component along a body axis in the mean attitude")
-                }
-            },
-            values: Values::Perhaps(
-                turns.iter().map(|turn| turn.as_ref().and_then(|t| t.get(k).copied())).collect(),
-            ),
+        let angle = format!("angle between {stem} and its mean");
+        let turn = format!("turn of {stem} from its mean, component along a body axis in the mean attitude");
+        let columns = self.columns().into_iter().enumerate().map(|(k, name)| {
+            let values = turns.iter().map(|turn| turn.and_then(|turn| turn.get(k).copied())).collect();
+            Column::new([&name, "rad", if k == 0 { &angle } else { &turn }], Values::Perhaps(values))
         });
         let rest = batch.columns().iter().filter(|column| !components(stem).contains(&column.name)).cloned();
         // Names of columns do not end in _from_mean_rad.
@@ -86,13 +79,8 @@ fn components(stem: &str) -> [String; 4] {
 /// The quaternion of each row that has one.
 fn quaternions(batch: &Batch, stem: &str) -> Vec<Option<[f64; 4]>> {
     let columns = components(stem).map(|name| batch.column(&name).ok().map(|column| &column.values));
-    let value = |column: &Option<&Values>, row: usize| match column {
-        Some(Values::Numbers(values)) => values.get(row).copied(),
-        Some(Values::Perhaps(values)) => values.get(row).copied().flatten(),
-        _ => None,
-    };
     let quaternion = |row: usize| {
-        let [w, x, y, z] = columns.each_ref().map(|column| value(column, row));
+        let [w, x, y, z] = columns.map(|column| column?.number(row));
         Some([w?, x?, y?, z?])
     };
     (0..batch.rows()).map(quaternion).collect()
@@ -152,12 +140,7 @@ mod tests {
 
     #[test]
     fn turns_from_the_mean_are_rotation_vectors() {
-        let column = |name: &str, x: Vec<f64>| Column {
-            name: name.to_owned(),
-            unit: String::new(),
-            description: String::new(),
-            values: Values::Numbers(x),
-        };
+        let column = |name: &str, x: Vec<f64>| Column::new([name, "", ""], Values::Numbers(x));
         let half = 0.15_f64;
         let q = [[1.0, 0.0, 0.0, 0.0], [half.cos(), 0.0, half.sin() * 0.6, -half.sin() * 0.8]];
         let columns = ["w", "x", "y", "z"].into_iter().enumerate();

@@ -2,17 +2,9 @@
 
 use std::f64::consts::PI;
 
-/// An interval about a mean.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Interval {
-    pub(super) half: f64,
-}
-
-impl Interval {
-    /// Of the mean of n numbers with standard deviation s: mean ± t s/√n, t of Student's distribution. `None` of fewer than two.
-    pub(super) fn of_mean(n: u64, deviation: f64, confidence: f64) -> Option<Self> {
-        (n > 1).then(|| Self { half: student(n - 1, confidence) * deviation / (n as f64).sqrt() })
-    }
+/// Half the interval about the mean of n numbers with standard deviation s: t s/√n, t of Student's distribution. `None` of fewer than two.
+pub(super) fn half_of_mean(n: u64, deviation: f64, confidence: f64) -> Option<f64> {
+    (n > 1).then(|| student(n - 1, confidence) * deviation / (n as f64).sqrt())
 }
 
 /// Of the mean of what is drawn in several sets, each for itself, from the mean of each set: m ± t s/√k. `None` of fewer than two.
@@ -20,7 +12,7 @@ pub(super) fn of_sets(means: &[f64], confidence: f64) -> Option<[f64; 2]> {
     let k = means.len() as f64;
     let mean = means.iter().sum::<f64>() / k;
     let squares = means.iter().map(|m| (m - mean) * (m - mean)).sum::<f64>();
-    let Interval { half } = Interval::of_mean(means.len() as u64, (squares / (k - 1.0)).sqrt(), confidence)?;
+    let half = half_of_mean(means.len() as u64, (squares / (k - 1.0)).sqrt(), confidence)?;
     Some([mean - half, mean + half])
 }
 

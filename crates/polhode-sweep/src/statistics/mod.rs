@@ -29,7 +29,6 @@ use crate::report::{
 use crate::sampling;
 use answers::Count;
 use attitude::MeanAttitude;
-use interval::Interval;
 use passes::Parts;
 use selection::Selection;
 use tally::{Moments, Tally};
@@ -116,15 +115,16 @@ pub(crate) fn of(
     let tally = tally.unwrap_or_default();
 
     let independent = design == Design::Independent;
-    let ranks: Vec<Vec<u64>> = tally.moments.iter().map(|moments| ranks(moments, independent)).collect();
+    let ranks: Vec<Vec<u64>> = tally.all.moments.iter().map(|moments| ranks(moments, independent)).collect();
     let chosen = selection::select(&parts, &names, ranks)?;
-    let plans: Vec<_> = tally.moments.iter().zip(&chosen).map(|(m, s)| histogram::Bins::of(m, s)).collect();
+    let plans: Vec<_> =
+        tally.all.moments.iter().zip(&chosen).map(|(m, s)| histogram::Bins::of(m, s)).collect();
     let histograms = histogram::count(&parts, &names, &plans)?;
 
     let mut statistics = Vec::new();
     for (k, (name, unit, description)) in numeric(&heads).enumerate() {
         let (Some(moments), Some(selection), Some(bins)) =
-            (tally.moments.get(k), chosen.get(k), histograms.get(k))
+            (tally.all.moments.get(k), chosen.get(k), histograms.get(k))
         else {
             continue;
         };
@@ -224,7 +224,7 @@ impl Design {
         let interval = match self {
             Self::Independent => {
                 let deviation = moments.standard_deviation()?;
-                let Interval { half } = Interval::of_mean(moments.count, deviation, CONFIDENCE)?;
+                let half = interval::half_of_mean(moments.count, deviation, CONFIDENCE)?;
                 [moments.mean - half, moments.mean + half]
             }
             Self::Sets { .. } => {
@@ -274,7 +274,7 @@ fn shares(tally: &Tally, column: &str, members: u64, design: Design) -> Vec<Swee
         let interval = design.share(Count { yes: count, of: members }, sets);
         SweepShare { name: name.clone(), count, interval }
     };
-    let mut shares: Vec<SweepShare> = tally.texts.get(column).into_iter().flatten().map(share).collect();
+    let mut shares: Vec<SweepShare> = tally.all.texts.get(column).into_iter().flatten().map(share).collect();
     shares.sort_by(|a, b| b.count.cmp(&a.count).then_with(|| a.name.cmp(&b.name)));
     shares
 }

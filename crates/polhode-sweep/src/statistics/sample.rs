@@ -1,6 +1,7 @@
 //! A few members, drawn by their numbers: for pictures and for what depends on what.
 
 use crate::batch::{Batch, MEMBER, Values};
+use crate::plan::mix;
 use crate::report::SweepSample;
 
 /// How many, about.
@@ -26,15 +27,10 @@ impl Sampled {
         let regime = batch.column("regime").map(|column| &column.values);
         let mut sampled = Self { answers: vec![Vec::new(); answers.len()], ..Self::default() };
         for (row, _) in numbers.iter().enumerate().filter(|(_, number)| is_drawn(**number, members)) {
-            let value = |values: &&Values| match values {
-                Values::Numbers(values) => values.get(row).copied(),
-                Values::Perhaps(values) => values.get(row).copied().flatten(),
-                _ => None,
-            };
             for (drawn, all) in sampled.answers.iter_mut().zip(answers) {
                 drawn.push(all.get(row).copied().flatten());
             }
-            sampled.rows.push(columns.iter().map(value).collect());
+            sampled.rows.push(columns.iter().map(|values| values.number(row)).collect());
             sampled.regimes.push(match regime {
                 Ok(Values::Text(texts)) => texts.get(row).cloned().flatten(),
                 _ => None,
@@ -68,8 +64,5 @@ fn is_drawn(member: u64, members: u64) -> bool {
         return true;
     }
     // SplitMix64
-    let mut z = member.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    (z ^ (z >> 31)) < u64::MAX / members * SIZE
+    mix(member.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15)) < u64::MAX / members * SIZE
 }

@@ -129,12 +129,7 @@ mod tests {
     use crate::batch::{Batch, Column, Values};
 
     fn batch(values: Vec<Option<f64>>) -> Batch {
-        let column = |name: &str, values| Column {
-            name: name.to_owned(),
-            unit: String::new(),
-            description: String::new(),
-            values,
-        };
+        let column = |name: &str, values| Column::new([name, "", ""], values);
         let squares = values.iter().map(|x| x.map_or(-7.0, |x| x * x)).collect();
         Batch::new(vec![column("x", Values::Perhaps(values)), column("y", Values::Numbers(squares))]).unwrap()
     }

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::answers::Answers;
 use super::sample::Sampled;
-use super::{Design, values, values_of};
+use super::{Design, values_of};
 use crate::batch::{Batch, MEMBER, Values};
 use crate::error::SweepError;
 use crate::plan::Plan;
@@ -13,16 +13,17 @@ use crate::plan::Plan;
 /// Failures that a summary shows.
 const SHOWN: usize = 5;
 
+/// The column that says why a member failed.
+const CAUSE: &str = "cause";
+
 /// Different texts of a column that are counted.
 const MOST_TEXTS: usize = 1000;
 
 /// What one pass finds.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tally {
-    /// Of each column of numbers.
-    pub(super) moments: Vec<Moments>,
-    /// How often each text stands in a column.
-    pub(super) texts: BTreeMap<String, BTreeMap<String, u64>>,
+    /// Of all members.
+    pub(super) all: Set,
     /// The first members that failed, and why.
     pub(super) failures: Vec<(u64, String)>,
     pub(super) sample: Sampled,
@@ -32,11 +33,13 @@ pub(super) struct Tally {
     pub(super) sets: BTreeMap<u64, Set>,
 }
 
-/// What one pass finds of a set.
+/// What one pass finds of some members.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Set {
+    /// Of each column of numbers.
     pub(super) moments: Vec<Moments>,
-    texts: BTreeMap<String, BTreeMap<String, u64>>,
+    /// How often each text stands in a column.
+    pub(super) texts: BTreeMap<String, BTreeMap<String, u64>>,
 }
 
 impl Set {
@@ -62,7 +65,7 @@ impl Tally {
         let members = plan.members();
         let answers: Vec<_> = plan.questions().iter().map(|condition| condition.answers(batch)).collect();
         let mut tally = Self {
-            moments: names.iter().map(|name| Moments::of(|| values(batch, name))).collect(),
+            all: Set::of(batch, names, 0..batch.rows()),
             sample: Sampled::of(batch, names, members, &answers),
             ..Self::default()
         };
@@ -76,25 +79,17 @@ impl Tally {
                 tally.sets.insert(design.set(*member), Set::of(batch, names, rows));
             }
         }
-        for column in batch.columns() {
-            let Values::Text(texts) = &column.values else { continue };
-            if column.name == "cause" {
-                let causes = numbers.iter().zip(texts);
-                let causes = causes.filter_map(|(member, cause)| Some((*member, cause.clone()?)));
-                tally.failures = causes.take(SHOWN).collect();
-                continue;
-            }
-            count(tally.texts.entry(column.name.clone()).or_default(), texts);
+        if let Ok(Values::Text(causes)) = batch.column(CAUSE).map(|column| &column.values) {
+            let causes = numbers.iter().zip(causes);
+            let causes = causes.filter_map(|(member, cause)| Some((*member, cause.clone()?)));
+            tally.failures = causes.take(SHOWN).collect();
         }
         Ok(tally)
     }
 
     /// With that of the parts after it.
     pub(super) fn merge(mut self, other: Self) -> Self {
-        for (mine, theirs) in self.moments.iter_mut().zip(&other.moments) {
-            *mine = mine.merge(theirs);
-        }
-        add(&mut self.texts, other.texts);
+        self.all.merge(other.all);
         self.answers.iter_mut().zip(&other.answers).for_each(|(mine, theirs)| mine.merge(theirs));
         for (set, theirs) in other.sets {
             match self.sets.get_mut(&set) {
@@ -116,10 +111,17 @@ impl Set {
     fn of(batch: &Batch, names: &[&str], rows: Range<usize>) -> Self {
         let moments = names.iter().map(|name| Moments::of(|| values_of(batch, name, rows.clone()))).collect();
         let mut texts: BTreeMap<String, BTreeMap<String, u64>> = BTreeMap::new();
-        for column in batch.columns().iter().filter(|column| column.name != "cause") {
+        for column in batch.columns().iter().filter(|column| column.name != CAUSE) {
             if let Values::Text(all) = &column.values {
-                let own = all.get(rows.clone()).unwrap_or_default();
-                count(texts.entry(column.name.clone()).or_default(), own);
+                let counts = texts.entry(column.name.clone()).or_default();
+                for text in all.get(rows.clone()).unwrap_or_default().iter().flatten() {
+                    match counts.get_mut(text) {
+                        Some(count) => *count += 1,
+                        None => {
+                            counts.insert(text.clone(), 1);
+                        }
+                    }
+                }
             }
         }
         Self { moments, texts }
@@ -130,18 +132,6 @@ impl Set {
             *mine = mine.merge(theirs);
         }
         add(&mut self.texts, other.texts);
-    }
-}
-
-/// Counts each text.
-fn count(counts: &mut BTreeMap<String, u64>, texts: &[Option<String>]) {
-    for text in texts.iter().flatten() {
-        match counts.get_mut(text) {
-            Some(count) => *count += 1,
-            None => {
-                counts.insert(text.clone(), 1);
-            }
-        }
     }
 }
 

@@ -26,81 +26,83 @@ pub(crate) fn read(
     wanted: Wanted,
 ) -> Result<(Head, Plan, Rows), ContentError> {
     let length = bytes.len();
-    let file = SerializedFileReader::new(bytes).map_err(|error| broken(&error))?;
+    let file = opened(bytes)?;
     let head = head(&file)?;
     let columns = told.or(head.columns.as_ref()).cloned().unwrap_or_default();
     let plan = choice::choose(&header(&file), &columns, &head.units, wanted)?;
-    let schema = file.metadata().file_metadata().schema_descr();
-    for slot in &plan.slots {
-        numeric(&schema.column(slot.column), &slot.name)?;
-    }
     let mut rows = Rows::default();
     let expected = usize::try_from(file.metadata().file_metadata().num_rows()).unwrap_or(0);
     // A file may say what it likes.
     rows.reserve(&plan, expected.min(length));
-    for group in 0..file.num_row_groups() {
-        let group = file.get_row_group(group).map_err(|error| broken(&error))?;
-        let left = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
-        let readers = plan.slots.iter().map(|slot| {
-            let chunk = group.metadata().column(slot.column);
-            let start = chunk.dictionary_page_offset().unwrap_or_else(|| chunk.data_page_offset());
-            if start.min(chunk.data_page_offset()).min(chunk.compressed_size()) < 0 {
-                return Err(ParquetError::General("a column begins before the file".to_owned()));
-            }
-            let nulls = schema.column(slot.column).max_def_level();
-            Ok((group.get_column_reader(slot.column)?, nulls))
-        });
-        let readers: Result<Vec<_>, ParquetError> = readers.collect();
-        let mut readers = readers.map_err(|error| broken(&error))?;
-        for first in (0..left).step_by(BATCH) {
-            let count = BATCH.min(left - first);
-            let batch = batch(&mut readers, count).map_err(|error| broken(&error))?;
-            append(&mut rows, &plan, &batch, count).map_err(|error| error.told(&plan))?;
-        }
-    }
+    let places: Vec<usize> = plan.slots.iter().map(|slot| slot.column).collect();
+    each_batch(&file, &places, |batch, count| {
+        append(&mut rows, &plan, batch, count).map_err(|error| error.told(&plan))
+    })?;
     Ok((head, plan, rows))
 }
 
 /// The names of a file's columns.
 pub fn names(bytes: &Bytes) -> Result<Vec<String>, ContentError> {
-    let file = SerializedFileReader::new(bytes.clone()).map_err(|error| broken(&error))?;
-    Ok(header(&file).names)
+    Ok(header(&opened(bytes.clone())?).names)
 }
 
 /// The numbers of some columns, row by row.
 pub fn table(bytes: &Bytes, places: &[usize]) -> Result<Vec<Vec<f64>>, ContentError> {
-    let file = SerializedFileReader::new(bytes.clone()).map_err(|error| broken(&error))?;
-    let schema = file.metadata().file_metadata().schema_descr();
+    let file = opened(bytes.clone())?;
     let names = header(&file).names;
-    for &place in places {
-        numeric(&schema.column(place), &names[place])?;
-    }
     let mut rows = Vec::new();
+    each_batch(&file, places, |columns, count| {
+        for row in 0..count {
+            let numbers = columns.iter().map(|(column, _)| column.get(row).copied().unwrap_or(f64::NAN));
+            let numbers: Vec<f64> = numbers.collect();
+            if let Some(wrong) = numbers.iter().position(|number| !number.is_finite()) {
+                let what = format!("{} of row {}", names[places[wrong]], rows.len() + 1);
+                let kind = ContentErrorKind::NotFinite { what, found: numbers[wrong].to_string() };
+                return Err(
+                    ContentError::new(kind, ContentPlace::Whole).hint("leave out rows that are not complete")
+                );
+            }
+            rows.push(numbers);
+        }
+        Ok(())
+    })?;
+    Ok(rows)
+}
+
+fn opened(bytes: Bytes) -> Result<SerializedFileReader<Bytes>, ContentError> {
+    SerializedFileReader::new(bytes).map_err(|error| broken(&error))
+}
+
+/// Hands on the rows of some columns, a batch and its number of rows at a time.
+fn each_batch(
+    file: &SerializedFileReader<Bytes>,
+    places: &[usize],
+    mut take: impl FnMut(&[Numbers], usize) -> Result<(), ContentError>,
+) -> Result<(), ContentError> {
+    let schema = file.metadata().file_metadata().schema_descr();
+    for &place in places {
+        let column = schema.column(place);
+        numeric(&column, &column.path().parts().join("."))?;
+    }
     for group in 0..file.num_row_groups() {
         let group = file.get_row_group(group).map_err(|error| broken(&error))?;
         let left = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
-        let readers = places
-            .iter()
-            .map(|&place| Ok((group.get_column_reader(place)?, schema.column(place).max_def_level())));
+        let readers = places.iter().map(|&place| {
+            let chunk = group.metadata().column(place);
+            let start = chunk.dictionary_page_offset().unwrap_or_else(|| chunk.data_page_offset());
+            if start.min(chunk.data_page_offset()).min(chunk.compressed_size()) < 0 {
+                return Err(ParquetError::General("a column begins before the file".to_owned()));
+            }
+            Ok((group.get_column_reader(place)?, schema.column(place).max_def_level()))
+        });
         let readers: Result<Vec<_>, ParquetError> = readers.collect();
         let mut readers = readers.map_err(|error| broken(&error))?;
         for first in (0..left).step_by(BATCH) {
             let count = BATCH.min(left - first);
-            let columns = batch(&mut readers, count).map_err(|error| broken(&error))?;
-            for row in 0..count {
-                let numbers = columns.iter().map(|(column, _)| column.get(row).copied().unwrap_or(f64::NAN));
-                let numbers: Vec<f64> = numbers.collect();
-                if let Some(wrong) = numbers.iter().position(|number| !number.is_finite()) {
-                    let what = format!("{} of row {}", names[places[wrong]], rows.len() + 1);
-                    let kind = ContentErrorKind::NotFinite { what, found: numbers[wrong].to_string() };
-                    return Err(ContentError::new(kind, ContentPlace::Whole)
-                        .hint("leave out rows that are not complete"));
-                }
-                rows.push(numbers);
-            }
+            take(&batch(&mut readers, count).map_err(|error| broken(&error))?, count)?;
         }
     }
-    Ok(rows)
+    Ok(())
 }
 
 fn broken(error: &ParquetError) -> ContentError {
@@ -222,7 +224,8 @@ fn next<T: DataType>(
 fn append(rows: &mut Rows, plan: &Plan, batch: &[Numbers], count: usize) -> Result<(), RowError> {
     let mut numbers = [0.0; MOST];
     for row in 0..count {
-        let error = |problem| RowError { row: rows.times.len(), place: ContentPlace::Whole, problem };
+        let at = rows.times.len();
+        let error = |problem| RowError { row: at, place: ContentPlace::Whole, problem };
         for (slot, (column, missing)) in batch.iter().enumerate() {
             numbers[slot] = column.get(row).copied().unwrap_or(f64::NAN);
             if *missing == Some(row) {
@@ -233,9 +236,7 @@ fn append(rows: &mut Rows, plan: &Plan, batch: &[Numbers], count: usize) -> Resu
                 return Err(error(Problem::NotFinite { slot, found }));
             }
         }
-        let at = rows.times.len();
-        let pushed = rows.push(plan, &numbers[..plan.slots.len()], 0..0);
-        pushed.map_err(|problem| RowError { row: at, place: ContentPlace::Whole, problem })?;
+        rows.push(plan, &numbers[..plan.slots.len()], 0..0).map_err(error)?;
     }
     Ok(())
 }

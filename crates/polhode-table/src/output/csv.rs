@@ -1,38 +1,37 @@
-//! The trajectory table as text: RFC 4180 with LF line ends.
+//! Tables as text: RFC 4180 with LF line ends.
 //!
 //! Numbers are the shortest decimals that read back bit for bit, so nothing ever needs quoting.
 
 use std::io::{self, BufWriter, Write};
 
-use polhode::motion::Trajectory;
+use super::{Column, Table};
 
-use super::{Surroundings, columns};
-
-/// Writes a trajectory of a body in these surroundings: a line of column names, then a line per sample.
-///
-/// # Errors
-/// Those of `out`.
-pub fn write(trajectory: &Trajectory, surroundings: &Surroundings, out: impl Write) -> io::Result<()> {
-    let mut out = BufWriter::new(out);
-    let columns = columns(trajectory, surroundings);
-    separated(&mut out, &columns, |out, column| write!(out, "{}", column.name))?;
-    for row in 0..trajectory.samples().len() {
-        separated(&mut out, &columns, |out, column| write!(out, "{:?}", column.value(trajectory, row)))?;
+impl Table<'_> {
+    /// Writes the table as text: a line of column names, then a line per row.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_csv(&self, out: impl Write) -> io::Result<()> {
+        let mut out = BufWriter::new(out);
+        separated(&mut out, self.columns(), |out, column| write!(out, "{}", column.name))?;
+        for row in 0..self.rows() {
+            separated(&mut out, self.columns(), |out, column| write!(out, "{:?}", column.value(row)))?;
+        }
+        out.flush()
     }
-    out.flush()
 }
 
-/// One line: each item by `cell`, commas between.
-pub fn separated<W: Write, T>(
+/// One line: each column by `cell`, commas between.
+fn separated<W: Write>(
     out: &mut W,
-    items: &[T],
-    mut cell: impl FnMut(&mut W, &T) -> io::Result<()>,
+    columns: &[Column<'_>],
+    cell: impl Fn(&mut W, &Column<'_>) -> io::Result<()>,
 ) -> io::Result<()> {
-    for (k, item) in items.iter().enumerate() {
+    for (k, column) in columns.iter().enumerate() {
         if k > 0 {
             out.write_all(b",")?;
         }
-        cell(out, item)?;
+        cell(out, column)?;
     }
     out.write_all(b"\n")
 }

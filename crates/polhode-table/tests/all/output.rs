@@ -11,8 +11,7 @@ use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Direction, Position, Rotation};
 use polhode::motion::torque::{TorqueModel, UniformGravity};
 use polhode::motion::{ErrorEffort, Method, Motor, Rotor, Simulation, State, Trajectory, Wheel};
-use polhode_table::output as table;
-use polhode_table::output::{Surroundings, columns};
+use polhode_table::output::{Surroundings, Table};
 
 /// One wheel whose speed is held, and one that a motor turns.
 fn wheels() -> [Wheel; 2] {
@@ -43,17 +42,16 @@ fn trajectories() -> [(Trajectory, Surroundings); 3] {
 
 /// The bits of every number, row by row.
 fn bits(trajectory: &Trajectory, surroundings: &Surroundings) -> Vec<Vec<u64>> {
-    let columns = columns(trajectory, surroundings);
-    (0..trajectory.samples().len())
-        .map(|row| columns.iter().map(|c| c.value(trajectory, row).to_bits()).collect())
-        .collect()
+    let table = Table::of(trajectory, surroundings);
+    (0..table.rows()).map(|row| table.columns().iter().map(|c| c.value(row).to_bits()).collect()).collect()
 }
 
 #[test]
 fn the_columns_have_the_agreed_names_in_the_agreed_order() {
     let [free, swinging, wheeled] = trajectories();
     let names = |(motion, surroundings): &(Trajectory, Surroundings)| {
-        columns(motion, surroundings).iter().map(|c| c.name.to_string()).collect::<Vec<_>>().join(",")
+        let table = Table::of(motion, surroundings);
+        table.columns().iter().map(|c| c.name.to_string()).collect::<Vec<_>>().join(",")
     };
     let agreed = "time_s,attitude_w,attitude_x,attitude_y,attitude_z,\
         omega_body_x_rad_s,omega_body_y_rad_s,omega_body_z_rad_s,\
@@ -75,13 +73,13 @@ fn estimated_errors_are_columns_of_their_own() {
     let simulation =
         Simulation::new(&rotor, &[], start, &[0.0, 5.0, 9.0]).method(Method::Taylor).tolerance(1e-9);
     let motion = simulation.run_with_error(ErrorEffort::Cheap, &mut |_| true).unwrap();
-    let columns = columns(&motion, &Surroundings::default());
-    let [.., attitude, omega] = columns.as_slice() else { unreachable!() };
+    let table = Table::of(&motion, &Surroundings::default());
+    let [.., attitude, omega] = table.columns() else { unreachable!() };
     assert_eq!([&*attitude.name, &*omega.name], ["attitude_error_rad", "omega_error"]);
     for (row, error) in motion.error().unwrap().computation().iter().enumerate() {
-        assert_eq!([attitude.value(&motion, row), omega.value(&motion, row)], [error.attitude, error.omega]);
+        assert_eq!([attitude.value(row), omega.value(row)], [error.attitude, error.omega]);
     }
-    assert!(attitude.value(&motion, 2) > attitude.value(&motion, 0));
+    assert!(attitude.value(2) > attitude.value(0));
 }
 
 /// L = R (I ω + Σ h a) in space stays what it is, and a wheel's momentum is J (a·ω + Ω).
@@ -90,20 +88,20 @@ fn the_columns_of_wheels_balance_those_of_the_body() {
     let [_, _, (motion, surroundings)] = trajectories();
     let wheels = &surroundings.wheels;
     let [held, turned] = wheels[..] else { unreachable!() };
-    let columns = columns(&motion, &surroundings);
-    let [of_held, of_turned, speed] = &columns[18..] else { unreachable!() };
+    let table = Table::of(&motion, &surroundings);
+    let [of_held, of_turned, speed] = &table.columns()[18..] else { unreachable!() };
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
     let body = MassProperties::new(2.0, Position::new(0.1, -0.2, 0.5), inertia).unwrap();
     let carrier = Rotor::free(&body).with_wheels(wheels).unwrap();
     for (row, sample) in motion.samples().iter().enumerate() {
         let along = |wheel: &Wheel, h: f64| AngularMomentum::from_array(wheel.axis().to_array()) * h;
-        let h = along(&held, of_held.value(&motion, row)) + along(&turned, of_turned.value(&motion, row));
+        let h = along(&held, of_held.value(row)) + along(&turned, of_turned.value(row));
         let total = sample.state.attitude * (carrier.angular_momentum(sample.state.omega) + h);
         assert!((total - motion.start().momentum).norm() < 1e-12);
-        let relative = 0.31 * (turned.axis().dot(sample.state.omega) + speed.value(&motion, row));
-        assert!((relative - of_turned.value(&motion, row)).abs() < 1e-14);
+        let relative = 0.31 * (turned.axis().dot(sample.state.omega) + speed.value(row));
+        assert!((relative - of_turned.value(row)).abs() < 1e-14);
     }
-    assert!((of_turned.value(&motion, 100) - (0.9 - 0.42 * 5.0)).abs() < 1e-14);
+    assert!((of_turned.value(100) - (0.9 - 0.42 * 5.0)).abs() < 1e-14);
 }
 
 #[test]
@@ -115,8 +113,8 @@ fn every_column_tells_its_own_number() {
     let vectors = [b.to_array(), o.to_array(), l.to_array(), n.to_array()].concat();
     let wanted =
         [&[s.state.time], &q[..], &vectors, &[s.kinetic_energy, s.potential_energy.unwrap()]].concat();
-    let found: Vec<f64> =
-        columns(&swinging, &Surroundings::default()).iter().map(|c| c.value(&swinging, 7)).collect();
+    let table = Table::of(&swinging, &Surroundings::default());
+    let found: Vec<f64> = table.columns().iter().map(|column| column.value(7)).collect();
     assert_eq!(found, wanted);
     for (k, value) in found.iter().enumerate() {
         assert!(!found[..k].contains(value), "two columns of a generic sample are equal: {k}");
@@ -127,13 +125,14 @@ fn every_column_tells_its_own_number() {
 fn csv_reads_back_bit_for_bit() {
     for (trajectory, wheels) in trajectories() {
         let mut bytes = Vec::new();
-        table::csv::write(&trajectory, &wheels, &mut bytes).unwrap();
+        let table = Table::of(&trajectory, &wheels);
+        table.write_csv(&mut bytes).unwrap();
         let text = String::from_utf8(bytes).unwrap();
         assert!(text.ends_with('\n') && !text.contains('\r'));
         let (header, rows) = text.split_once('\n').unwrap();
         assert_eq!(
             header.split(',').map(str::to_owned).collect::<Vec<_>>(),
-            columns(&trajectory, &wheels).iter().map(|c| c.name.to_string()).collect::<Vec<_>>()
+            table.columns().iter().map(|c| c.name.to_string()).collect::<Vec<_>>()
         );
         let read =
             |row: &str| row.split(',').map(|n| n.parse::<f64>().unwrap().to_bits()).collect::<Vec<_>>();
@@ -145,9 +144,10 @@ fn csv_reads_back_bit_for_bit() {
 fn parquet_reads_back_bit_for_bit() {
     for (k, (trajectory, wheels)) in trajectories().iter().enumerate() {
         let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("table-{k}.parquet"));
-        table::parquet::write(trajectory, wheels, &[], File::create(&path).unwrap()).unwrap();
+        let table = Table::of(trajectory, wheels);
+        table.write_parquet(&[], File::create(&path).unwrap()).unwrap();
         let reader = SerializedFileReader::new(File::open(&path).unwrap()).unwrap();
-        let width = columns(trajectory, wheels).len();
+        let width = table.columns().len();
         let read =
             |row: parquet::record::Row| (0..width).map(|k| row.get_double(k).unwrap().to_bits()).collect();
         let rows: Vec<Vec<u64>> = reader.get_row_iter(None).unwrap().map(|row| read(row.unwrap())).collect();
@@ -160,7 +160,8 @@ fn parquet_says_what_its_columns_are() {
     let [(free, _), ..] = trajectories();
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("table-metadata.parquet");
     let given = [("title".to_owned(), "a \"tumbling\" brick".to_owned())];
-    table::parquet::write(&free, &Surroundings::default(), &given, File::create(&path).unwrap()).unwrap();
+    let table = Table::of(&free, &Surroundings::default());
+    table.write_parquet(&given, File::create(&path).unwrap()).unwrap();
     let reader = SerializedFileReader::new(File::open(&path).unwrap()).unwrap();
     let metadata = reader.metadata();
 
@@ -172,9 +173,7 @@ fn parquet_says_what_its_columns_are() {
     assert!(value("polhode.units").ends_with(r#""torque_body_z_n_m": "N·m", "kinetic_energy_j": "J"}"#));
     assert_eq!(value("title"), given[0].1);
 
-    for (chunk, column) in
-        metadata.row_group(0).columns().iter().zip(columns(&free, &Surroundings::default()))
-    {
+    for (chunk, column) in metadata.row_group(0).columns().iter().zip(table.columns()) {
         assert_eq!(chunk.column_path().string(), column.name);
         assert_eq!(chunk.column_descr().self_type().get_basic_info().repetition(), Repetition::REQUIRED);
         assert_eq!(chunk.compression(), Compression::LZ4_RAW);
@@ -184,10 +183,12 @@ fn parquet_says_what_its_columns_are() {
 
 #[test]
 fn texts_of_columns_need_no_escapes() {
-    for column in trajectories().iter().flat_map(|(t, wheels)| columns(t, wheels)) {
-        let text = [&column.name, column.unit, column.description].concat();
-        assert!(!text.contains(['"', '\\']) && !column.name.contains(','));
-        assert!(!text.chars().any(char::is_control));
+    for (trajectory, wheels) in trajectories() {
+        for column in Table::of(&trajectory, &wheels).columns() {
+            let text = [&column.name, column.unit, column.description].concat();
+            assert!(!text.contains(['"', '\\']) && !column.name.contains(','));
+            assert!(!text.chars().any(char::is_control));
+        }
     }
 }
 
@@ -200,11 +201,12 @@ fn no_samples_make_an_empty_table() {
     let none =
         Trajectory::compute(&Rotor::free(&body.unwrap()), &[], start, &[], Method::Auto, 1e-12).unwrap();
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("table-empty.parquet");
-    table::parquet::write(&none, &Surroundings::default(), &[], File::create(&path).unwrap()).unwrap();
+    let table = Table::of(&none, &Surroundings::default());
+    table.write_parquet(&[], File::create(&path).unwrap()).unwrap();
     let reader = SerializedFileReader::new(File::open(&path).unwrap()).unwrap();
     assert_eq!(reader.metadata().file_metadata().num_rows(), 0);
     let mut bytes = Vec::new();
-    table::csv::write(&none, &Surroundings::default(), &mut bytes).unwrap();
+    table.write_csv(&mut bytes).unwrap();
     assert_eq!(bytes.iter().filter(|&&b| b == b'\n').count(), 1);
 }
 
@@ -212,9 +214,9 @@ fn no_samples_make_an_empty_table() {
 fn an_error_of_the_disk_is_passed_on_as_it_was() {
     let [(trajectory, _), ..] = trajectories();
     let mut full = [0_u8; 1000];
-    let csv = table::csv::write(&trajectory, &Surroundings::default(), full.as_mut_slice()).unwrap_err();
+    let table = Table::of(&trajectory, &Surroundings::default());
+    let csv = table.write_csv(full.as_mut_slice()).unwrap_err();
     assert_eq!(csv.kind(), io::ErrorKind::WriteZero);
-    let parquet =
-        table::parquet::write(&trajectory, &Surroundings::default(), &[], full.as_mut_slice()).unwrap_err();
+    let parquet = table.write_parquet(&[], full.as_mut_slice()).unwrap_err();
     assert_eq!(parquet.kind(), io::ErrorKind::WriteZero);
 }

@@ -92,12 +92,8 @@ impl Held {
         let stiffness = numbers.linear(&axis.stiffness);
         let m = &load.mass.mass;
         let quantities = if axis.is_level {
-            IdentifyError::require(
-                "the distance of the centre of mass from the axis",
-                square.value.sqrt(),
-                square.value > 0.0,
-                "above zero",
-            )?;
+            let distance = square.value.sqrt();
+            IdentifyError::above_zero("the distance of the centre of mass from the axis", distance)?;
             let radius = numbers.linear(&axis.edge_radius);
             let h = square.root().plus(&radius);
             let squares = h.times(&h).plus(&radius.times(&radius));
@@ -107,8 +103,8 @@ impl Held {
         };
         let [a, b, w, k] = [0, 1, 2, 3].map(|k| quantities[k].value);
         let (inertia, stiffness) = (a - 2.0 * b, w + k);
-        IdentifyError::require("the moment of inertia about the axis", inertia, inertia > 0.0, "above zero")?;
-        IdentifyError::require("what turns it back, N·m/rad", stiffness, stiffness > 0.0, "above zero")?;
+        IdentifyError::above_zero("the moment of inertia about the axis", inertia)?;
+        IdentifyError::above_zero("what turns it back, N·m/rad", stiffness)?;
         let rest = Rest { u: vec![0.0], mode: vec![1.0], rate: (stiffness / inertia).sqrt() };
         Ok(Self { quantities, rest })
     }

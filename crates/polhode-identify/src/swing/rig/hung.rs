@@ -49,7 +49,7 @@ impl Hung {
             let bottom = numbers.point(&wire.bottom);
             quantities.extend([0, 1, 2].map(|k| bottom[k].minus(&load.mass.center[k])));
             let length = numbers.linear(&wire.length);
-            IdentifyError::require("the length of a wire", length.value, length.value > 0.0, "above zero")?;
+            IdentifyError::above_zero("the length of a wire", length.value)?;
             quantities.push(length);
         }
         let rest = Rest { u: Vec::new(), mode: Vec::new(), rate: 0.0 };
@@ -84,7 +84,7 @@ impl Hung {
             return Ok(None);
         }
         let along = bottom(1) - bottom(0);
-        IdentifyError::require("the distance of two wires", along.norm(), along.norm() > 0.0, "above zero")?;
+        IdentifyError::above_zero("the distance of two wires", along.norm())?;
         let n = along / along.norm();
         let is_neutral = n.cross(&bottom(0)).norm() <= ON_LINE * length;
         Ok(is_neutral.then(|| n.into()))
@@ -177,7 +177,7 @@ impl Hung {
             "0.6 at least: otherwise it is as much a sway",
         )?;
         let square = modes.eigenvalues[best];
-        IdentifyError::require("the square of the twist's rate at rest", square, square > 0.0, "above zero")?;
+        IdentifyError::above_zero("the square of the twist's rate at rest", square)?;
         // Two wires let a body roll about the line of their lower ends, nearly freely if its centre is nearly there.
         let least = modes.eigenvalues.min() / square;
         IdentifyError::require(

@@ -22,6 +22,19 @@ pub fn plain_spaces(text: &str) -> String {
     text.replace(GROUP, " ")
 }
 
+/// Returns plain text without spaces inside numbers: groups of digits are joined, other no-break spaces are ordinary ones.
+pub fn plain_numbers(text: &str) -> String {
+    let parts = text.split(GROUP);
+    let mut joined = String::with_capacity(text.len());
+    for (k, part) in parts.enumerate() {
+        let is_inside =
+            joined.ends_with(|c: char| c.is_ascii_digit()) && part.starts_with(|c: char| c.is_ascii_digit());
+        joined.push_str(if k == 0 || is_inside { "" } else { " " });
+        joined.push_str(part);
+    }
+    joined
+}
+
 /// A name or title from outside, on one line: what would steer a terminal or turn the writing around is shown as its
 /// escape.
 pub fn printable(text: &str) -> String {
@@ -147,11 +160,15 @@ fn last_break(line: &str, room: usize) -> Option<usize> {
 
 /// `label            text`, wrapped under itself.
 pub fn labelled(label: &str, text: &str) -> String {
-    const LABEL: usize = 17;
-    let indent = " ".repeat(LABEL);
+    labelled_from(17, label, text)
+}
+
+/// Returns a label and a text that begins in a column, wrapped under itself.
+pub fn labelled_from(column: usize, label: &str, text: &str) -> String {
+    let indent = " ".repeat(column);
     let mut lines = wrap(text, &indent, WIDTH).into_iter();
     let first = lines.next().unwrap_or_default();
-    let gap = LABEL.saturating_sub(width(label)).max(1);
+    let gap = column.saturating_sub(width(label)).max(1);
     let head = format!("{label}{}{}\n", " ".repeat(gap), first.trim_start_matches(' '));
     head + &lines.map(|line| line + "\n").collect::<String>()
 }

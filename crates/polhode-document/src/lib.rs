@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`Document`] | sections of paragraphs, formulas, numbers, tables and pictures, with a writer for each format |
 //! | [`Report`] | the result of a request: its JSON and its document |
+//! | [`fact`] | what is known about a result, in a list that text, JSON and page rows are made from |
 //! | [`drawing`], [`graph`] | pictures of a document, as data |
 //! | [`figure`] | a sheet of marks with axes and letters, written as SVG or PNG: a [`Picture`] |
 //! | [`mathml`] | formulas and matrices for a browser |
@@ -18,6 +19,7 @@ mod csv;
 mod document;
 pub mod drawing;
 mod extra;
+pub mod fact;
 pub mod figure;
 pub mod finding;
 pub mod graph;

@@ -11,17 +11,18 @@ fn the_tippe_top_is_simulated() {
     let text =
         stdout(&scratch.run(&["simulate", &top, "--output", "run", "--table", "csv", "--table", "parquet"]));
     for line in [
-        "surface          sphere, radius 18 mm, centred at (0, 0, 4) mm in the body",
-        "ground           a level plane",
-        "law              friction µ = 0.3; g = (0, 0, -9.806 65) m/s²",
-        "contact          sliding at the start; changes (1)",
+        "It rolls or slides, with friction, on a level plane: sliding at the start; ",
+        "  surface             sphere, radius 18 mm, centred at (0, 0, 4) mm in the body",
+        "  ground              a level plane",
+        "  contact law         friction µ = 0.3",
         "the point of contact has come to rest, and friction holds it",
-        "drift            T + U less the work of friction and of the ground ",
+        "  energy balance ",
+        "T + U − works of the contact; relative, worst sample",
     ] {
         assert!(text.contains(line), "{line}\n{text}");
     }
     // Work and impulse by the theorems are no evidence.
-    assert!(!text.contains("T - work") && !text.contains("free motion"), "{text}");
+    assert!(!text.contains("T − work") && !text.contains("free motion"), "{text}");
     let summary: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(scratch.0.join("run/summary.json")).unwrap()).unwrap();
     let contact = &summary["contact"];

@@ -10,21 +10,18 @@
 //!
 //! A report reads no files. What it knows of physics it asks the core.
 
+mod answer;
 mod balance;
-mod contact;
 pub mod display;
-mod event;
 mod explain;
+mod facts;
 mod forces;
 mod free_facts;
-mod gimbals;
 mod global_error;
-mod heavy_top;
 mod history;
 mod intermediate;
 mod motion;
 mod omega;
-mod orbit;
 mod page;
 mod periods;
 mod plot;
@@ -32,7 +29,6 @@ mod required;
 mod sampling;
 mod spin;
 mod stability;
-mod symmetric_top;
 mod torque;
 
 pub use explain::{explain, explain_motion};

@@ -49,6 +49,9 @@ pub struct Request {
     /// some 10,000 steps and samples (3,000 of DOP853 or splitting) have a cheap estimate.
     #[cfg_attr(feature = "arguments", arg(long))]
     pub error: bool,
+    /// Print the details too: the method and its steps, the rounding of the inputs, Poinsot's picture.
+    #[cfg_attr(feature = "arguments", arg(short, long))]
+    pub verbose: bool,
 }
 
 /// Computes the motion of a scenario.
@@ -86,7 +89,7 @@ pub fn run_watched(
     };
     let trajectory = motion.map_err(|error| failed(&file, error))?;
     let at = states_at(request, &file)?;
-    Ok(Motion { file, trajectory, at })
+    Ok(Motion { file, trajectory, at, is_verbose: request.verbose })
 }
 
 /// The samples at the times of the request, in their order. The motion is computed to each as it is to those of the run.
@@ -122,6 +125,8 @@ pub struct Motion {
     pub trajectory: Trajectory,
     /// The body at the times that were asked for.
     pub at: Vec<Sample>,
+    /// True if the text has the details too.
+    pub is_verbose: bool,
 }
 
 impl Motion {
@@ -133,7 +138,7 @@ impl Motion {
     /// Returns the report, which borrows the motion.
     pub fn report(&self) -> MotionReport<'_> {
         let source = source(&self.file.path, self.scenario());
-        MotionReport::new(source, self.scenario(), &self.trajectory).at(&self.at)
+        MotionReport::new(source, self.scenario(), &self.trajectory).at(&self.at).verbose(self.is_verbose)
     }
 
     /// Returns the plots of the motion.

@@ -16,10 +16,15 @@ use polhode_shape::report::InertiaReport;
 use polhode_shape::{ExportBody, ExportFormat};
 
 /// Lines that tell of rounding or of the integrator's steps: they change with the core, and other tests bound them.
-const EVIDENCE: [&str; 11] = [
-    "drift ",
-    "steps ",
-    "coplanarity ",
+const EVIDENCE: [&str; 16] = [
+    "L in space  ",
+    "T           ",
+    "|L|         ",
+    "T − work  ",
+    "L − impulse  ",
+    "T + U  ",
+    "attitude error",
+    "error of ω",
     "T constant to",
     "L constant in space to",
     "T - T(t0)",

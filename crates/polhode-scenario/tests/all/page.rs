@@ -160,8 +160,8 @@ fn wheels_events_and_switches_are_on_the_page() {
         let row = |row: &Value| ["label", "value", "note"].map(|key| row[key].as_str().unwrap().to_owned());
         group["rows"].as_array().unwrap().iter().map(row).collect()
     };
-    let motion = rows(&data, "Motion");
-    let speed = motion.iter().find(|[label, ..]| label == "Ω of the wheel").unwrap();
+    let driven = rows(&data, "Torques and wheels");
+    let speed = driven.iter().find(|[label, ..]| label.starts_with("Ω of ")).unwrap();
     assert!(speed[1].starts_with("12 → ") && speed[2] == "in the body", "{speed:?}");
 
     let mut scenario = crate::common::thruster();
@@ -179,10 +179,10 @@ fn wheels_events_and_switches_are_on_the_page() {
     assert!(
         events[0]["name"] == "too fast" && number(&events[0]["time"]) == trajectory.events()[0].state.time
     );
-    let motion = rows(&data, "Motion");
+    let driven = rows(&data, "Torques and wheels");
     let brake =
-        motion.iter().find(|[_, value, _]| value.starts_with("brake: constant in body axes")).unwrap();
-    assert_eq!(brake[2], "constant, off until the event \"too fast\"");
+        driven.iter().find(|[_, value, _]| value.starts_with("brake: constant in body axes")).unwrap();
+    assert_eq!(brake[2], "model constant, off until the event \"too fast\"");
 }
 
 /// What `--plot` draws of pointings, work and a top's axis is on the page, of those motions alone that have it.

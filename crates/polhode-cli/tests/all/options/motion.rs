@@ -31,12 +31,14 @@ static SIMULATE: Subcommand = Subcommand {
         choice("--open", &["--open"], RUNS, &[]),
         choice("--error", &["--error"], &["long", "long before"], &[]),
         choice("--at", &["--at", "0.01"], RUNS, &[]),
+        choice("--verbose", &["--verbose"], RUNS, &[]),
         choice("--json", &["--json"], RUNS, &[]),
         choice("--plot", &["--plot", "omega=omega.svg"], RUNS, &[]),
     ],
     independent: &[
         ("--force", "--output", OLD_FOLDER),
         ("--json", "--open", "the browser is opened with and without it"),
+        ("--json", "--verbose", "JSON has the details with and without it"),
     ],
 };
 

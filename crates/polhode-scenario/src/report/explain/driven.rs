@@ -6,7 +6,7 @@ use polhode_document::Section;
 use polhode_document::number::{tidy_beside, ungrouped, without_noise};
 
 use super::working::{Working, cells, n, v};
-use crate::report::event;
+use crate::report::facts::ending_in_words;
 
 /// The motion is given: there is nothing to solve, but the torque may change along it.
 pub(crate) fn given(w: &Working<'_>, s: &mut Section) {
@@ -35,7 +35,7 @@ pub(crate) fn integrate(w: &Working<'_>, s: &mut Section) {
         Some(how) => {
             let held = if w.pendulum.is_some() { "With the pivot held, in three dimensions: " } else { "" };
             s.say(format!("{held}ω(t) {how}{}:", w.rows.words));
-            let ending = w.trajectory.as_deref().and_then(|t| event::ending_in_words(t, w.scenario));
+            let ending = w.trajectory.as_deref().and_then(|t| ending_in_words(t, w.scenario));
             if let Some(ending) = ending {
                 s.say(format!("The run is {ending}."));
             }

@@ -12,11 +12,11 @@ use polhode_document::unit::rate;
 use super::free::once_in;
 use super::tensor::along_body_axis;
 use super::working::{Working, factor, n, v};
-use crate::report::heavy_top;
+use crate::report::facts::heavy_top_of;
 
 /// The top that the scenario's body is.
 pub(crate) fn of(w: &Working<'_>) -> Option<HeavyTop> {
-    heavy_top::of(w.scenario, w.start)
+    heavy_top_of(w.scenario, w.start)
 }
 
 /// What Lagrange's equations keep.

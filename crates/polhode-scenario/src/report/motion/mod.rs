@@ -1,15 +1,44 @@
 //! The report of `polhode simulate`: how a body moves, and how good the numbers are.
 
-mod facts;
-mod summary;
 mod text;
 mod underflow;
 
 use polhode::body::Finding;
 use polhode::motion::{Sample, Scenario, Trajectory};
-use polhode_document::SourceInfo;
-use polhode_document::sparkline;
-use serde_json::Value;
+use polhode_document::fact::{self, Fact, Facts};
+use polhode_document::{SourceInfo, finding, sparkline};
+use polhode_shape::report::block::{self, Geometry};
+use serde_json::{Map, Value};
+
+use crate::report::VERSION;
+use crate::report::facts::{self, Known, state_at};
+
+/// Keys of `summary.json` after those of the body: `null` where a motion has no such thing.
+const KEYS: [&str; 23] = [
+    "complete",
+    "end",
+    "turns_about",
+    "orbit",
+    "start",
+    "run",
+    "motion",
+    "energy",
+    "drift",
+    "error",
+    "required",
+    "pendulum",
+    "heavy_top",
+    "final",
+    "pointings",
+    "at",
+    "torques",
+    "wheels",
+    "mass_history",
+    "contact",
+    "gimbals",
+    "events",
+    "findings",
+];
 
 /// A motion, ready to be read.
 ///
@@ -37,18 +66,25 @@ pub struct MotionReport<'a> {
     scenario: &'a Scenario,
     trajectory: &'a Trajectory,
     at: &'a [Sample],
+    is_verbose: bool,
 }
 
 impl<'a> MotionReport<'a> {
     /// The report of a scenario's motion; `trajectory` is what [`Scenario::simulate`] found.
     pub const fn new(source: SourceInfo, scenario: &'a Scenario, trajectory: &'a Trajectory) -> Self {
-        Self { source, scenario, trajectory, at: &[] }
+        Self { source, scenario, trajectory, at: &[], is_verbose: false }
     }
 
     /// With states at times of their own, which were asked for.
     #[must_use]
     pub fn at(self, samples: &'a [Sample]) -> Self {
         Self { at: samples, ..self }
+    }
+
+    /// Adds to the text how the motion was computed, and what else is only of interest at times.
+    #[must_use]
+    pub fn verbose(self, is_verbose: bool) -> Self {
+        Self { is_verbose, ..self }
     }
 
     /// One screen for people.
@@ -68,7 +104,23 @@ impl<'a> MotionReport<'a> {
 
     /// The content of `summary.json`: the body, the start, the run, the kind of motion, its error, its end.
     pub fn summary_json(&self) -> Value {
-        summary::of(self)
+        let known = Known::of(self.scenario, self.trajectory);
+        let mut sections = facts::of(&known);
+        let at = |sample| fact::object(&[], &[Facts::new("", state_at(&known, sample))]).remove("at");
+        let at = self.at.iter().map(at).collect::<Option<Value>>();
+        let findings = finding::to_json(&self.findings());
+        sections.push(Facts::new(
+            "",
+            vec![Fact::data("at", at.unwrap_or_default()), Fact::data("findings", findings)],
+        ));
+        let mut object = Map::new();
+        object.insert("polhode".to_owned(), VERSION.into());
+        object.insert("title".to_owned(), self.scenario.title().into());
+        object.insert("source".to_owned(), self.source.to_json());
+        let body = self.scenario.body();
+        block::insert(&mut object, body, Geometry::of_parts(self.scenario.parts(), body.mass()));
+        object.extend(fact::object(&KEYS, &sections));
+        Value::Object(object)
     }
 }
 

@@ -7,6 +7,7 @@ use super::rows::Rows;
 use super::shapes::{self, Budget};
 use super::turning::Turning;
 use super::{PageInput, PageSubject, body, contact, explanation, facts, free, motion, scene, top};
+use crate::report::facts::Known;
 use crate::report::motion::findings as motion_findings;
 
 /// What a page of many triangles may have, bytes.
@@ -46,7 +47,10 @@ pub(crate) fn json(input: &PageInput<'_>, room: Room, rows: &mut Rows) -> Value 
     }
     let mut budget = Budget::new(left);
     let body = body::json(&turning, input.whole.then_some(&mut budget));
-    let facts = facts::json(input, &turning, free_facts.as_ref(), &shown, budget.notes());
+    let known = match input.subject {
+        PageSubject::Scenario(scenario) => Known::of(scenario, input.trajectory),
+        PageSubject::Moments(principal) => Known::of_moments(principal, free_facts, input.trajectory),
+    };
     json!({
         "version": 1,
         "title": input.title,
@@ -55,9 +59,9 @@ pub(crate) fn json(input: &PageInput<'_>, room: Room, rows: &mut Rows) -> Value 
         "body": body,
         "motion": motion,
         "free": free,
-        "scene": scene::json(input, free_facts.as_ref()),
+        "scene": scene::json(&known, free_facts.as_ref()),
         "top": top::json(&input.subject),
-        "facts": facts,
+        "facts": facts::json(&known, &turning, &shown, budget.notes()),
         "findings": findings(input),
         "explanation": explanation,
     })

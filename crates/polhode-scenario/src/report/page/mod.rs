@@ -20,7 +20,6 @@ mod placed;
 mod rows;
 mod scene;
 mod shapes;
-mod sizes;
 mod surface;
 mod top;
 mod turning;

@@ -1,35 +1,23 @@
 //! What the 3-D view shows besides the body: how fast it should play, gravity, and a line on each picture.
 
 use polhode::motion::torque::TorqueModel;
-use polhode::motion::{HeavyTop, Scenario, Solution};
+use polhode::motion::{HeavyTop, Scenario};
 use polhode_document::json::{finite, numbers};
 use serde_json::{Value, json};
 
 use super::caption::Captions;
-use super::top::time_round;
-use super::{PageInput, PageSubject};
+use crate::report::facts::{Known, time_round};
 use crate::report::free_facts::FreeFacts;
 
 /// A precession of more nutations is not what the eye follows.
 const MOST_NUTATIONS: f64 = 100.0;
 
-pub(crate) fn json(input: &PageInput<'_>, free: Option<&FreeFacts>) -> Value {
-    let scenario = match input.subject {
-        PageSubject::Scenario(scenario) => Some(scenario),
-        PageSubject::Moments(_) => None,
-    };
-    let top = scenario.and_then(|s| top(s, input));
+pub(crate) fn json(known: &Known<'_>, free: Option<&FreeFacts>) -> Value {
     json!({
-        "period": top.as_ref().map_or_else(|| free.and_then(slow_period), precession_period),
-        "gravity": scenario.and_then(gravity).map(|g| numbers(&g.map(finite))),
-        "captions": Captions::of(scenario, input.trajectory, top.as_ref(), free).json(),
+        "period": known.heavy_top.as_ref().map_or_else(|| free.and_then(slow_period), precession_period),
+        "gravity": known.scenario.and_then(gravity).map(|g| numbers(&g.map(finite))),
+        "captions": Captions::of(known, free).json(),
     })
-}
-
-/// The heavy top whose motion is shown.
-fn top(scenario: &Scenario, input: &PageInput<'_>) -> Option<HeavyTop> {
-    let is_computed = !matches!(input.trajectory.solution(), Solution::Prescribed(_));
-    crate::report::heavy_top::of(scenario, input.trajectory.start().state).filter(|_| is_computed)
 }
 
 /// The time of a precession about the vertical, s; of a nutation where there is none.

@@ -64,7 +64,7 @@ impl TopAxis {
         let beside = if up.x.abs() < 0.9 { x } else { y };
         let first = (beside - up * up.dot(beside)).direction()?;
         let bounds =
-            crate::report::heavy_top::of(scenario, scenario.start()).map(|top| top.nutation_bounds());
+            crate::report::facts::heavy_top_of(scenario, scenario.start()).map(|top| top.nutation_bounds());
         Some(Self { axis, up, across: [first, up.cross(first)], bounds })
     }
 

@@ -5,15 +5,17 @@ use polhode::observe::{
     AxisConvention, FreeRegime, GeometricPhase, Herpolhode, LeastEnergySpin, TumblingPeriods,
 };
 use polhode_document::SourceInfo;
+use polhode_document::fact::{Facts, object};
 use polhode_document::finding;
 use polhode_document::json::{numbers, vector};
 use polhode_shape::report::block;
 use serde_json::{Map, Value, json};
 
 use super::{SpinReport, body, invariable_plane, states};
+use crate::report::VERSION;
+use crate::report::facts::symmetric_top;
 use crate::report::free_facts::FreeFacts;
 use crate::report::periods::Periods;
-use crate::report::{VERSION, symmetric_top};
 
 pub(crate) fn of(report: &SpinReport) -> Value {
     let principal = report.motion.principal();
@@ -44,7 +46,8 @@ fn motion(report: &SpinReport) -> Value {
     let motion = &motion;
     let [parameter, complementary] = motion.parameter();
     let momentum = motion.momentum();
-    let top = top.map(|(top, cones)| symmetric_top::to_json(&top, &cones));
+    let cones =
+        |(top, cones)| object(&[], &[Facts::new("", symmetric_top("top", &top, &cones))]).remove("top");
     let entries: [(&str, Value); 20] = [
         ("regime", regime.name().into()),
         ("permanent_axis", permanent_axis(regime).into()),
@@ -61,7 +64,7 @@ fn motion(report: &SpinReport) -> Value {
         ("parameter_m", parameter.into()),
         ("complementary_parameter", complementary.into()),
         ("periods", periods(motion)),
-        ("symmetric_top", top.map_or(Value::Null, Value::Object)),
+        ("symmetric_top", top.and_then(cones).unwrap_or_default()),
         ("geometric_phase", GeometricPhase::of(motion).map_or(Value::Null, phase)),
         ("least_energy_spin", LeastEnergySpin::of(motion).map_or(Value::Null, least_energy)),
         ("herpolhode", invariable_plane(motion).as_ref().map_or(Value::Null, herpolhode)),

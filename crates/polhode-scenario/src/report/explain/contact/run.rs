@@ -10,7 +10,7 @@ use polhode_document::number::error;
 use super::super::attitude;
 use super::super::working::{cells, n};
 use super::OnGround;
-use crate::report::event;
+use crate::report::facts::ending_in_words;
 
 /// More changes than these are not listed.
 const MOST: usize = 12;
@@ -30,7 +30,7 @@ pub(crate) fn section(g: &OnGround<'_, '_>) -> Section {
         motion.solution().title()
     ));
     changes(g, motion.changes(), &mut s);
-    if let Some(ending) = g.w.trajectory.as_deref().and_then(|t| event::ending_in_words(t, g.w.scenario)) {
+    if let Some(ending) = g.w.trajectory.as_deref().and_then(|t| ending_in_words(t, g.w.scenario)) {
         s.say(format!("The run is {ending}."));
     }
     let states: Vec<ContactState> = motion.channel(CONTACT).into_iter().flat_map(Series::iter).collect();

@@ -8,7 +8,7 @@ use polhode_document::unit::rate;
 
 use super::super::working::{exactly, factor, n, v};
 use super::OnGround;
-use crate::report::contact;
+use crate::report::facts;
 
 /// Step 1.
 pub(crate) fn axes(g: &OnGround<'_, '_>) -> Section {
@@ -28,8 +28,8 @@ pub(crate) fn axes(g: &OnGround<'_, '_>) -> Section {
     s.say(format!(
         "What touches: {}. The ground: {}. With n the normal of the ground, towards the body, the point of contact P is where the surface has the outer normal −n, at r from C. As the body turns, n does so in the \
          body, and r with it:",
-        contact::surface(surface),
-        contact::form(&g.contact.ground)
+        facts::surface(surface),
+        facts::form(&g.contact.ground)
     ));
     let (text, latex) = match surface.shape() {
         SurfaceShape::Ellipsoid { .. } => (

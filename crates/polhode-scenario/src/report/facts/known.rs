@@ -1,35 +1,47 @@
-//! What a motion's reports say, gathered once from the core.
+//! Results of the core for one motion, gathered once.
 
 use std::borrow::Cow;
 
+use polhode::body::PrincipalFrame;
+use polhode::math::{AngularMomentum, Body, Space};
 use polhode::motion::{
-    MassHistory, ParticleForce, Pendulum, Prescribed, Required, Rotor, Sample, Scenario, State, Swing,
-    Trajectory,
+    HeavyTop, MassHistory, ParticleForce, Pendulum, Prescribed, Required, Rotor, Sample, Scenario, State,
+    Swing, Trajectory,
 };
 use polhode::observe::{Cones, Drift, SymmetricTop};
 
+use super::heavy_top;
 use crate::report::free_facts::FreeFacts;
 
-/// Everything that is asked of the core for one motion.
+/// Everything that the reports of one motion ask of the core.
 #[derive(Clone, Debug)]
-pub(crate) struct Facts<'a> {
-    /// At the first sample too, if it changes.
-    pub rotor: Cow<'a, Rotor>,
+pub(crate) struct Known<'a> {
+    /// `None` if only the moments of the body are known.
+    pub scenario: Option<&'a Scenario>,
+    pub trajectory: &'a Trajectory,
+    /// Rotor at the first sample if the body changes; `None` without a scenario.
+    pub rotor: Option<Cow<'a, Rotor>>,
+    pub principal: PrincipalFrame<Body>,
     /// At the first sample; that of the scenario if there is none.
     pub start: State,
+    /// T at the start about the point that the body turns about, J.
+    pub kinetic_energy: f64,
+    /// L at the start about the same point, space axes, kg·m²/s.
+    pub momentum: AngularMomentum<Space>,
     /// The free motion that the start would have without torque.
     pub at_start: Option<FreeFacts>,
-    /// True if nothing but the body's own inertia decides the motion.
+    /// True if only the inertia of the body determines the motion.
     pub is_free: bool,
-    /// The constants of a free symmetric top.
+    /// Constants of a free symmetric top.
     pub top: Option<Top>,
     /// `None` for a prescribed motion, where nothing is solved.
     pub drift: Option<Drift>,
     pub needed: Option<Needed>,
     pub hanging: Option<(Pendulum, Swing)>,
+    pub heavy_top: Option<HeavyTop>,
 }
 
-/// A free symmetric top, its cones, and how well L, ω and the axis keep to one plane.
+/// A free symmetric top, its cones, and the largest departure of L, ω and the axis from one plane.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Top {
     pub motion: SymmetricTop,
@@ -37,18 +49,18 @@ pub(crate) struct Top {
     pub coplanarity: f64,
 }
 
-/// What a prescribed motion needs.
+/// Torque and forces that a prescribed motion needs.
 #[derive(Clone, Debug)]
 pub(crate) struct Needed {
     pub at_start: Required,
     /// The sample with the largest torque.
     pub largest: Option<Sample>,
-    /// On each particle at the start; empty unless particles are all that the body is made of.
+    /// Force on each particle at the start; empty unless the body consists of particles only.
     pub forces: Vec<ParticleForce>,
 }
 
-impl<'a> Facts<'a> {
-    pub(crate) fn of(scenario: &'a Scenario, trajectory: &Trajectory) -> Self {
+impl<'a> Known<'a> {
+    pub(crate) fn of(scenario: &'a Scenario, trajectory: &'a Trajectory) -> Self {
         let start = trajectory.samples().first().map_or(scenario.start(), |sample| sample.state);
         let then = |history: &MassHistory| history.rotor(start.time, scenario.pivot()).ok();
         let rotor = scenario.history().and_then(then).map_or(Cow::Borrowed(scenario.rotor()), Cow::Owned);
@@ -57,22 +69,67 @@ impl<'a> Facts<'a> {
         let at_start = FreeFacts::from_start(&rotor, start);
         let free = at_start.filter(|_| is_free);
         Self {
+            scenario: Some(scenario),
+            trajectory,
+            principal: *rotor.principal(),
+            kinetic_energy: rotor.kinetic_energy(start.omega),
+            momentum: rotor.angular_momentum_space(&start),
             at_start,
             top: free.and_then(|free| Top::of(free.top?, trajectory)),
-            rotor,
+            rotor: Some(rotor),
             start,
             is_free,
             drift: prescribed.is_none().then(|| Drift::of(trajectory)).flatten(),
             needed: prescribed.and_then(|motion| Needed::by(scenario, motion, trajectory)),
             hanging: scenario.pendulum().and_then(Result::ok).map(|p| (p, swing(scenario, &p, &start))),
+            heavy_top: heavy_top::of(scenario, start),
         }
     }
-}
 
-impl Facts<'_> {
+    /// The motion of a free body of which only the moments are known.
+    pub(crate) fn of_moments(
+        principal: &PrincipalFrame<Body>,
+        free: Option<FreeFacts>,
+        trajectory: &'a Trajectory,
+    ) -> Self {
+        let start = trajectory.start();
+        Self {
+            scenario: None,
+            trajectory,
+            rotor: None,
+            principal: *principal,
+            start: start.state,
+            kinetic_energy: start.kinetic_energy,
+            momentum: start.momentum,
+            at_start: free,
+            is_free: true,
+            top: free.and_then(|free| Top::of(free.top?, trajectory)),
+            drift: Drift::of(trajectory),
+            needed: None,
+            hanging: None,
+            heavy_top: None,
+        }
+    }
+
     /// The free motion, if it is one.
     pub(crate) fn free(&self) -> Option<&FreeFacts> {
         self.at_start.as_ref().filter(|_| self.is_free)
+    }
+
+    /// The point that L and T are about, in words.
+    pub(crate) fn about(&self) -> &'static str {
+        if self.rotor.as_ref().is_some_and(|rotor| rotor.is_pivoted()) { "pivot" } else { "centre of mass" }
+    }
+
+    /// First and last sample; `None` without samples.
+    pub(crate) fn ends(&self) -> Option<[&'a Sample; 2]> {
+        let samples = self.trajectory.samples();
+        Some([samples.first()?, samples.last()?])
+    }
+
+    /// Time of the last sample, else of the start, s.
+    pub(crate) fn end_time(&self) -> f64 {
+        self.ends().map_or(self.start.time, |[_, last]| last.state.time)
     }
 }
 
@@ -86,6 +143,12 @@ impl Top {
 }
 
 impl Needed {
+    /// Returns true if some later torque is larger than that at the start.
+    pub(crate) fn is_larger_later(&self) -> bool {
+        let at_start = self.at_start.torque.norm();
+        self.largest.is_some_and(|largest| largest.torque.norm() > at_start * (1.0 + 1e-9))
+    }
+
     fn by(scenario: &Scenario, motion: &Prescribed, trajectory: &Trajectory) -> Option<Self> {
         let rotor = scenario.rotor();
         let time = trajectory.samples().first().map_or(scenario.start().time, |sample| sample.state.time);

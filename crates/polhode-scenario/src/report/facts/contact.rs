@@ -1,13 +1,12 @@
-//! A body on the ground, in text and JSON.
+//! A body on the ground.
 
-use polhode::motion::channel::CONTACT;
 use polhode::motion::contact::{
     BodySurface, ContactEvent, ContactState, Friction, Grip, Ground, GroundShape, GroundSide, SurfaceShape,
 };
-use polhode::motion::{GroundContact, Scenario, Trajectory};
+use polhode::motion::{GroundContact, Series, Trajectory};
+use polhode_document::fact::{Fact, Quantity};
 use polhode_document::json::vector;
-use polhode_document::layout::{columns, labelled};
-use polhode_document::number::{count, error, number, vector as triple};
+use polhode_document::number::{number, vector as triple};
 use polhode_document::unit::{DIGITS, angle, length, place};
 use serde_json::{Value, json};
 
@@ -25,80 +24,84 @@ pub(crate) fn how(ground: &GroundContact) -> String {
     format!("{law} {}", place_of(&contact.ground))
 }
 
-/// What touches what, how, what changed about that, and where the body went; `None` of any other motion.
-pub(crate) fn facts(scenario: &Scenario, trajectory: &Trajectory) -> Option<Vec<(&'static str, String)>> {
-    let (ground, contact) = (scenario.ground()?, trajectory.channel(CONTACT)?);
-    let mut facts = given(ground);
-    facts.push(("at the start", contact.start().phase.name().to_owned()));
-    let change =
-        |event: &ContactEvent| ("change", format!("t = {} s: {}", number(event.time, DIGITS), event.change));
+/// The surface, the ground and the law, the changes of the contact, and its state at both ends.
+pub(super) fn facts(
+    ground: &GroundContact,
+    states: Series<'_, ContactState>,
+    trajectory: &Trajectory,
+) -> Vec<Fact> {
+    let contact = &ground.contact;
+    let gravity = contact.gravity.to_array();
     let changes = trajectory.changes();
+    let change = |event: &ContactEvent| {
+        let time = Quantity::Duration(event.time);
+        Fact::shown("change of contact", time).note(event.change.to_string())
+    };
+    let mut facts = vec![
+        Fact::new(
+            "contact.surface",
+            "surface",
+            Quantity::Data(surface_json(&contact.surface), surface(&contact.surface)),
+        ),
+        Fact::new(
+            "contact.ground",
+            "ground",
+            Quantity::Data(ground_json(&contact.ground), form(&contact.ground)),
+        ),
+        Fact::new("contact.law", "contact law", Quantity::Data(law_json(ground), law(ground))),
+        Fact::new("contact.gravity_m_s2", "g", Quantity::Vector(gravity, "m/s²")),
+        Fact::data("contact.changes", changes.iter().map(change_json).collect::<Value>()),
+        Fact::data("contact.energy_drift", Quantity::Error(trajectory.energy_drift(), "")),
+    ];
+    facts.extend(state("start", " at the start", &states.start(), true));
     facts.extend(changes.iter().take(MOST).map(change));
     if changes.len() > MOST {
-        facts.push(("changes", format!("{} in all: summary.json has them", count(changes.len() as u64))));
+        let all = Quantity::Count(changes.len() as u64);
+        facts.push(Fact::shown("changes of contact", all).note("in all: summary.json has them"));
     }
-    Some(facts)
+    match states.last() {
+        Some(last) => facts.extend(state("final", " at the end", &last, states.start() != last)),
+        None => facts.push(Fact::data("contact.final", None)),
+    }
+    facts
 }
 
-/// The surface, the ground and the law.
-fn given(ground: &GroundContact) -> Vec<(&'static str, String)> {
-    let contact = &ground.contact;
-    let gravity = triple(contact.gravity.to_array(), 6);
-    vec![
-        ("surface", surface(&contact.surface)),
-        ("ground", form(&contact.ground)),
-        ("law", format!("{}; g = {gravity} m/s²", law(ground))),
-    ]
+fn change_json(event: &ContactEvent) -> Value {
+    json!({ "time_s": event.time, "change": event.change.name(), "what": event.change.to_string() })
 }
 
-/// The same on the screen, with the balance of energy, where the centre of mass went, and what became of the energy.
-pub(crate) fn to_text(scenario: &Scenario, trajectory: &Trajectory) -> String {
-    let (Some(ground), Some(contact)) = (scenario.ground(), trajectory.channel(CONTACT)) else {
-        return String::new();
+fn state(key: &str, when: &str, s: &ContactState, is_shown: bool) -> Vec<Fact> {
+    let vector = |v: [f64; 3], unit| Quantity::Vector(v, unit);
+    let fact = |name: &str, label: &str, value: Quantity| {
+        let label = if label.is_empty() { String::new() } else { format!("{label}{when}") };
+        Fact::new(format!("contact.{key}.{name}"), label, value).shown_if(is_shown)
     };
-    let mut text: String = given(ground).iter().map(|(label, fact)| labelled(label, fact)).collect();
-    text.push_str(&changes(&contact.start(), trajectory.changes()));
-    let drift = error(trajectory.energy_drift());
-    let line = format!("T + U less the work of friction and of the ground {drift} (relative, worst sample)");
-    text + &labelled("drift", &line)
-}
-
-/// The phase at the start, and what changed about the contact.
-fn changes(start: &ContactState, all: &[ContactEvent]) -> String {
-    let phase = start.phase.name();
-    if all.is_empty() {
-        return labelled("contact", &format!("{phase} throughout"));
-    }
-    let head = format!("{phase} at the start; changes ({})", count(all.len() as u64));
-    let row =
-        |event: &ContactEvent| vec![format!("t = {} s", number(event.time, 12)), event.change.to_string()];
-    let rows: Vec<Vec<String>> = all.iter().take(MOST).map(row).collect();
-    let mut text = labelled("contact", &head);
-    text.extend(columns(&rows).into_iter().map(|line| format!("  {line}\n")));
-    if all.len() > MOST {
-        text.push_str("  …: summary.json has all\n");
-    }
-    text
-}
-
-/// Path of the centre of mass, forces and energy at both ends; `None` of any other motion.
-pub(crate) fn ends(trajectory: &Trajectory) -> Option<String> {
-    let contact = trajectory.channel(CONTACT)?;
-    let (first, last) = (contact.first()?, contact.last()?);
-    let [from, to] = [first, last].map(|s| triple(s.center.to_array(), 6));
-    let pair = |of: fn(&ContactState) -> f64| format!("{} → {}", number(of(&first), 6), number(of(&last), 6));
-    let mut energy = format!("T {} J, U {} J", pair(|s| s.kinetic_energy), pair(|s| s.potential_energy));
-    for (work, of) in [(last.friction_work, "friction"), (last.ground_work, "the moving ground")] {
-        if work != 0.0 {
-            energy.push_str(&format!(", work of {of} {} J", number(work, 6)));
-        }
-    }
-    let slip = format!("N {} N, slip {} m/s", pair(|s| s.normal_force), pair(|s| s.slip.norm()));
-    Some(
-        labelled("centre of mass", &format!("{from} → {to} m"))
-            + &labelled("contact", &slip)
-            + &labelled("energy", &energy),
-    )
+    vec![
+        fact("time_s", "", Quantity::Duration(s.state.time)),
+        fact("phase", "contact", Quantity::Word(s.phase.name(), s.phase.name().to_owned())),
+        fact("center_m", "centre", vector(s.center.to_array(), "m")).note("of mass, in space axes"),
+        fact("velocity_m_s", "", vector(s.velocity.to_array(), "m/s")),
+        fact("contact_m", "", vector(s.contact.to_array(), "m")),
+        fact("contact_body_m", "", vector(s.contact_in_body.to_array(), "m")),
+        fact("normal_force_n", "force", Quantity::Number(s.normal_force, "N"))
+            .note(format!("normal; slip {} m/s", number(s.slip.norm(), 6))),
+        fact("slip_m_s", "", vector(s.slip.to_array(), "m/s")),
+        fact("friction_n", "", vector(s.friction.to_array(), "N")),
+        fact("kinetic_energy_j", "", Quantity::Energy(s.kinetic_energy)),
+        fact("potential_energy_j", "", Quantity::Energy(s.potential_energy)),
+        Fact::new(
+            format!("contact.{key}.friction_work_j"),
+            "work of friction",
+            Quantity::Energy(s.friction_work),
+        )
+        .shown_if(s.friction_work != 0.0),
+        Fact::new(
+            format!("contact.{key}.ground_work_j"),
+            "work of the ground",
+            Quantity::Energy(s.ground_work),
+        )
+        .shown_if(s.ground_work != 0.0),
+    ]
 }
 
 /// `ellipsoid, semi-axes (200, 30, 20) mm, centred at (0, 0, 10) mm`
@@ -185,25 +188,6 @@ fn law(ground: &GroundContact) -> String {
     text
 }
 
-/// What touches what, what changed about it, energies, the state of the contact at both ends.
-pub(crate) fn to_json(scenario: &Scenario, trajectory: &Trajectory) -> Value {
-    let (Some(ground), Some(states)) = (scenario.ground(), trajectory.channel(CONTACT)) else {
-        return Value::Null;
-    };
-    let contact = &ground.contact;
-    let change = |event: &ContactEvent| json!({ "time_s": event.time, "change": event.change.name(), "what": event.change.to_string() });
-    json!({
-        "surface": surface_json(&contact.surface),
-        "ground": ground_json(&contact.ground),
-        "law": law_json(ground),
-        "gravity_m_s2": vector(contact.gravity),
-        "changes": trajectory.changes().iter().map(change).collect::<Value>(),
-        "energy_drift": trajectory.energy_drift(),
-        "start": state(&states.start()),
-        "final": states.last().as_ref().map_or(Value::Null, state),
-    })
-}
-
 fn surface_json(surface: &BodySurface) -> Value {
     let shape = match *surface.shape() {
         SurfaceShape::Sphere { radius } => json!({ "shape": "sphere", "radius_m": radius }),
@@ -264,22 +248,4 @@ fn with<const N: usize>(mut object: Value, more: [(&str, Value); N]) -> Value {
         object[key] = value;
     }
     object
-}
-
-fn state(s: &ContactState) -> Value {
-    json!({
-        "time_s": s.state.time,
-        "phase": s.phase.name(),
-        "center_m": vector(s.center),
-        "velocity_m_s": vector(s.velocity),
-        "contact_m": vector(s.contact),
-        "contact_body_m": vector(s.contact_in_body),
-        "normal_force_n": s.normal_force,
-        "slip_m_s": vector(s.slip),
-        "friction_n": vector(s.friction),
-        "kinetic_energy_j": s.kinetic_energy,
-        "potential_energy_j": s.potential_energy,
-        "friction_work_j": s.friction_work,
-        "ground_work_j": s.ground_work,
-    })
 }

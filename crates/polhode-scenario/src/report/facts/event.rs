@@ -1,14 +1,15 @@
 //! Events, and how a motion ended, as reports show them.
 
 use polhode::motion::{Crossing, Ending, Event, EventAction, Measure, Reference, Scenario, Trajectory};
+use polhode_document::fact::{Fact, Quantity};
 use polhode_document::json::{numbers, vector};
-use polhode_document::layout::{columns, labelled, printable};
-use polhode_document::number::{count, number, vector as triple};
+use polhode_document::layout::printable;
+use polhode_document::number::{number, vector as triple};
 use polhode_document::unit::DIGITS;
 use serde_json::{Value, json};
 
 /// More events than these fill the screen: JSON has them all.
-const MOST: usize = 12;
+const MOST: usize = 20;
 
 /// How a motion ended, if not at the end of the run, for people; with the time, and the event or the cause.
 pub(crate) fn ending_in_words(trajectory: &Trajectory, scenario: &Scenario) -> Option<String> {
@@ -27,8 +28,37 @@ pub(crate) fn ending_in_words(trajectory: &Trajectory, scenario: &Scenario) -> O
     }
 }
 
+/// Facts about the end of the motion, the events that happened, and those that did not.
+pub(super) fn facts(trajectory: &Trajectory, scenario: &Scenario) -> Vec<Fact> {
+    let crossings = trajectory.events();
+    let ending = ending_in_words(trajectory, scenario);
+    let mut facts = vec![
+        Fact::data("complete", Value::from(trajectory.ending().is_complete())),
+        Fact::new(
+            "end",
+            if ending.is_some() { "end of the run" } else { "" },
+            Quantity::Data(ending_json(trajectory, scenario), ending.unwrap_or_default()),
+        ),
+        Fact::data("events", json(trajectory, scenario)),
+    ];
+    facts.extend(crossings.iter().take(MOST).map(|crossing| {
+        let omega = triple(crossing.state.omega.to_array(), 6);
+        let sense = if crossing.rising { "rising" } else { "falling" };
+        let note = format!("{}, {sense}; ω = {omega} rad/s", printable(&crossing.name));
+        Fact::shown("event", format!("t = {} s", number(crossing.state.time, 12))).note(note)
+    }));
+    if crossings.len() > MOST {
+        let all = Quantity::Count(crossings.len() as u64);
+        facts.push(Fact::shown("events", all).note("in all: summary.json has them"));
+    }
+    let has_happened = |k: usize| crossings.iter().any(|crossing| crossing.event == k);
+    let missing = scenario.events().iter().enumerate().filter(|(k, _)| !has_happened(*k));
+    facts.extend(missing.map(|(_, event)| Fact::shown("never happened", printable(event.name()))));
+    facts
+}
+
 /// `time_s`, `reason` (`end_of_run`, `event`, `contact`, `failure`), and `event` or `cause`.
-pub(crate) fn ending_json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
+fn ending_json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
     let last = trajectory.samples().last().map(|sample| sample.state.time);
     match trajectory.ending() {
         Ending::Complete => json!({ "time_s": last, "reason": "end_of_run", "event": null, "cause": null }),
@@ -45,50 +75,8 @@ pub(crate) fn ending_json(trajectory: &Trajectory, scenario: &Scenario) -> Value
     }
 }
 
-/// The events that happened, as a table: when, what, in which direction, and ω there; and those that did not.
-pub(crate) fn table(trajectory: &Trajectory, scenario: &Scenario) -> String {
-    happened(trajectory) + &never(trajectory, scenario)
-}
-
-/// What was looked out for, and did not happen.
-fn never(trajectory: &Trajectory, scenario: &Scenario) -> String {
-    let has_happened = |k: usize| trajectory.events().iter().any(|crossing| crossing.event == k);
-    let missing = scenario.events().iter().enumerate().filter(|(k, _)| !has_happened(*k));
-    let names: Vec<String> = missing.map(|(_, event)| format!("\"{}\"", printable(event.name()))).collect();
-    let text = match names.as_slice() {
-        [] => return String::new(),
-        [one] => format!("the event {one}"),
-        many => format!("{} events: {}", many.len(), many.join(", ")),
-    };
-    labelled("never happened", &text)
-}
-
-fn happened(trajectory: &Trajectory) -> String {
-    let crossings = trajectory.events();
-    if crossings.is_empty() {
-        return String::new();
-    }
-    let row = |crossing: &Crossing| {
-        vec![
-            format!("t = {} s", number(crossing.state.time, 12)),
-            printable(&crossing.name),
-            if crossing.rising { "rising" } else { "falling" }.to_owned(),
-            format!("ω = {} rad/s", triple(crossing.state.omega.to_array(), 6)),
-        ]
-    };
-    let shown: Vec<Vec<String>> = crossings.iter().take(MOST).map(row).collect();
-    let mut text = format!("events ({})\n", count(crossings.len() as u64));
-    for line in columns(&shown) {
-        text.push_str(&format!("  {line}\n"));
-    }
-    if crossings.len() > MOST {
-        text.push_str("  …: summary.json has all\n");
-    }
-    text
-}
-
 /// Every event of the scenario, and when it happened.
-pub(crate) fn json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
+fn json(trajectory: &Trajectory, scenario: &Scenario) -> Value {
     let happened = |k: usize| -> Value {
         trajectory.events().iter().filter(|crossing| crossing.event == k).map(crossing).collect()
     };

@@ -1,0 +1,381 @@
+//! Facts about a result: one list, from which its text, its JSON and the rows of its page are made.
+
+use serde_json::{Map, Value, json};
+
+use crate::layout::{labelled_from, plain_numbers};
+use crate::number::{
+    count, error, has_digits, number, quaternion, tidy, typeset, vector, vector_within, within,
+};
+use crate::si_prefix::fitting;
+use crate::unit::{self, DIGITS};
+
+/// Column of a value on the screen.
+const COLUMN: usize = 22;
+
+/// An attitude with an error beyond this, rad, has no digit that is right.
+pub const LARGEST_ATTITUDE_ERROR: f64 = 0.1;
+
+/// Facts about one subject.
+#[derive(Clone, Debug)]
+pub struct Facts {
+    /// Title for people.
+    title: String,
+    /// Facts in the order of the text; keys that were not given before come in it too.
+    facts: Vec<Fact>,
+}
+
+/// One thing that is known about a result.
+///
+/// ```
+/// use polhode_document::fact::{Fact, Facts, Quantity, object};
+/// let period = Fact::new("motion.period_s", "period of ω", Quantity::Duration(7.655)).note("in the body");
+/// let growth = Fact::new("motion.growth_rate_per_s", "growth rate", None);
+/// let facts = [Facts::new("Motion", vec![period, growth])];
+/// assert_eq!(facts[0].to_text(false), "Motion\n  period of ω         7.655 s, in the body\n");
+/// let json = serde_json::json!({ "motion": { "period_s": 7.655, "growth_rate_per_s": null } });
+/// assert_eq!(object(&["motion"], &facts), *json.as_object().unwrap());
+/// ```
+#[derive(Clone, Debug)]
+pub struct Fact {
+    /// Path in the JSON, with dots between its keys; empty if only people see the fact.
+    key: String,
+    /// Name for people; empty if only programs see the fact.
+    label: String,
+    value: Quantity,
+    /// Estimated error of the value, in its SI unit: no digit after the first uncertain one is shown.
+    error: f64,
+    digits: usize,
+    note: String,
+    is_detail: bool,
+}
+
+/// Value of a fact: in SI units in the JSON, in a unit of fitting size for people.
+#[derive(Clone, Debug)]
+pub enum Quantity {
+    /// Not applicable: `null` in the JSON, no line for people.
+    None,
+    /// Number with its unit.
+    Number(f64, &'static str),
+    /// Three numbers with their unit.
+    Vector([f64; 3], &'static str),
+    /// Unit quaternion w, x, y, z; its error is that of the attitude, rad.
+    Attitude([f64; 4]),
+    /// Least and greatest of a number with its unit.
+    Range([f64; 2], &'static str),
+    /// Estimate of an error, with its unit.
+    Error(f64, &'static str),
+    /// Time or duration, s.
+    Duration(f64),
+    /// Angular velocity, rad/s.
+    Rate(f64),
+    /// Angle, rad; in degrees for people.
+    Angle(f64),
+    /// Least and greatest angle, rad.
+    Angles([f64; 2]),
+    /// Energy or work, J.
+    Energy(f64),
+    /// Number of things.
+    Count(u64),
+    /// Word of the JSON, and the same for people.
+    Word(&'static str, String),
+    /// Text for people and programs.
+    Text(String),
+    /// Part of the JSON with its own structure, and its text for people.
+    Data(Value, String),
+}
+
+impl From<Option<Self>> for Quantity {
+    fn from(value: Option<Self>) -> Self {
+        value.unwrap_or(Self::None)
+    }
+}
+
+impl From<Value> for Quantity {
+    fn from(json: Value) -> Self {
+        Self::Data(json, String::new())
+    }
+}
+
+impl From<String> for Quantity {
+    fn from(text: String) -> Self {
+        Self::Text(text)
+    }
+}
+
+impl Fact {
+    /// Creates a fact for people and programs.
+    pub fn new(key: impl Into<String>, label: impl Into<String>, value: impl Into<Quantity>) -> Self {
+        let (key, label, value) = (key.into(), label.into(), value.into());
+        // Components of a quaternion are below 1.
+        let digits = if matches!(value, Quantity::Attitude(_)) { DIGITS - 1 } else { DIGITS };
+        Self { key, label, value, error: 0.0, digits, note: String::new(), is_detail: false }
+    }
+
+    /// Creates a fact that only programs see.
+    pub fn data(key: impl Into<String>, value: impl Into<Quantity>) -> Self {
+        Self::new(key, "", value)
+    }
+
+    /// Creates a fact that only people see.
+    pub fn shown(label: impl Into<String>, value: impl Into<Quantity>) -> Self {
+        Self::new("", label, value)
+    }
+
+    /// Sets the explanation behind the value.
+    #[must_use]
+    pub fn note(self, note: impl Into<String>) -> Self {
+        Self { note: note.into(), ..self }
+    }
+
+    /// Sets the estimated error of the value, in its SI unit.
+    #[must_use]
+    pub fn within(self, error: f64) -> Self {
+        Self { error, ..self }
+    }
+
+    /// Sets how many significant digits people see at most.
+    #[must_use]
+    pub fn digits(self, digits: usize) -> Self {
+        Self { digits, ..self }
+    }
+
+    /// Leaves the fact out of the short text.
+    #[must_use]
+    pub fn detail(self) -> Self {
+        Self { is_detail: true, ..self }
+    }
+
+    /// Hides the fact from people unless a condition holds; programs see it.
+    #[must_use]
+    pub fn shown_if(self, condition: bool) -> Self {
+        Self { label: if condition { self.label } else { String::new() }, ..self }
+    }
+
+    fn is_shown(&self) -> bool {
+        !self.label.is_empty() && !matches!(self.value, Quantity::None)
+    }
+
+    /// Returns the row of a page: `label`, `value`, `unit` and `note`.
+    fn row(&self) -> Value {
+        let (value, unit) = self.value.in_unit(self.error, self.digits);
+        json!({ "label": self.label, "value": typeset(&value), "unit": unit, "note": typeset(&self.note) })
+    }
+
+    /// Returns the line of a text.
+    fn line(&self) -> String {
+        let (value, unit) = self.value.in_unit(self.error, self.digits);
+        let unit = if unit.is_empty() || unit == "°" { unit } else { format!("\u{a0}{unit}") };
+        let note = if self.note.is_empty() { String::new() } else { format!(", {}", self.note) };
+        labelled_from(COLUMN, &format!("  {}", self.label), &format!("{value}{unit}{note}"))
+    }
+}
+
+impl Facts {
+    /// Creates a section with its title for people.
+    pub fn new(title: impl Into<String>, facts: Vec<Fact>) -> Self {
+        Self { title: title.into(), facts }
+    }
+
+    /// Returns the title and a line for each fact; details only if they are wanted. Without facts it is empty.
+    pub fn to_text(&self, details: bool) -> String {
+        let shown = self.facts.iter().filter(|fact| fact.is_shown() && (details || !fact.is_detail));
+        let lines: String = shown.map(Fact::line).collect();
+        if lines.is_empty() { lines } else { plain_numbers(&format!("{}\n{lines}", self.title)) }
+    }
+
+    /// Returns the `title` and the `rows` of a page; `None` without facts for people.
+    pub fn to_rows(&self) -> Option<Value> {
+        let rows: Vec<Value> = self.facts.iter().filter(|fact| fact.is_shown()).map(Fact::row).collect();
+        (!rows.is_empty()).then(|| json!({ "title": self.title, "rows": rows }))
+    }
+}
+
+/// Returns the JSON of facts: an object with these keys in their order, `null` where a fact is missing.
+pub fn object(keys: &[&str], facts: &[Facts]) -> Map<String, Value> {
+    let mut object: Map<String, Value> = keys.iter().map(|key| ((*key).to_owned(), Value::Null)).collect();
+    for fact in facts.iter().flat_map(|facts| &facts.facts).filter(|fact| !fact.key.is_empty()) {
+        put(&mut object, &fact.key, fact.value.json());
+    }
+    object
+}
+
+fn put(object: &mut Map<String, Value>, path: &str, value: Value) {
+    let Some((key, rest)) = path.split_once('.') else {
+        object.insert(path.to_owned(), value);
+        return;
+    };
+    let inner = object.entry(key).or_insert(Value::Null);
+    if inner.is_null() {
+        *inner = Value::Object(Map::new());
+    }
+    if let Value::Object(inner) = inner {
+        put(inner, rest, value);
+    }
+}
+
+impl Quantity {
+    fn json(&self) -> Value {
+        match self {
+            Self::None => Value::Null,
+            Self::Number(x, _)
+            | Self::Error(x, _)
+            | Self::Duration(x)
+            | Self::Rate(x)
+            | Self::Angle(x)
+            | Self::Energy(x) => (*x).into(),
+            Self::Vector(v, _) => v.as_slice().into(),
+            Self::Attitude(q) => q.as_slice().into(),
+            Self::Range(ends, _) | Self::Angles(ends) => ends.as_slice().into(),
+            Self::Count(n) => (*n).into(),
+            Self::Word(word, _) => (*word).into(),
+            Self::Text(text) => text.as_str().into(),
+            Self::Data(json, _) => json.clone(),
+        }
+    }
+
+    /// Returns what an error is compared with: infinite where no error applies.
+    fn size(&self) -> f64 {
+        match self {
+            Self::Number(x, _) | Self::Duration(x) | Self::Rate(x) | Self::Angle(x) | Self::Energy(x) => {
+                x.abs()
+            }
+            Self::Vector(v, _) => v.iter().map(|x| x * x).sum::<f64>().sqrt(),
+            Self::Attitude(_) => LARGEST_ATTITUDE_ERROR,
+            Self::None
+            | Self::Range(..)
+            | Self::Error(..)
+            | Self::Angles(_)
+            | Self::Count(_)
+            | Self::Word(..)
+            | Self::Text(_)
+            | Self::Data(..) => f64::INFINITY,
+        }
+    }
+
+    /// Returns the value as text, and its unit.
+    fn in_unit(&self, sigma: f64, digits: usize) -> (String, String) {
+        match self {
+            _ if !has_digits(self.size(), sigma) => {
+                ("no digit is right (estimate)".to_owned(), String::new())
+            }
+            Self::None => (String::new(), String::new()),
+            Self::Number(x, "kg") => split(&unit::mass(*x)),
+            Self::Number(x, "m") => split(&unit::length(*x)),
+            Self::Number(x, "m³") => split(&unit::volume(*x)),
+            Self::Number(x, unit) => (within(*x, sigma, digits), (*unit).to_owned()),
+            Self::Vector(m, "m") => split(&unit::place(tidy(*m))),
+            Self::Vector(v, unit) => vector_in(tidy(*v), sigma, digits, unit),
+            Self::Attitude(q) => (quaternion(*q, sigma, digits), String::new()),
+            Self::Range(ends, unit) => {
+                let (prefix, size) = prefix(ends[1], unit);
+                (range(ends.map(|x| x / size)), format!("{prefix}{unit}"))
+            }
+            Self::Error(x, unit) => (error(*x), (*unit).to_owned()),
+            Self::Duration(s) if unit::longer(*s).is_some() => (unit::duration(*s, digits), String::new()),
+            Self::Duration(s) => prefixed(*s, sigma, digits, "s"),
+            Self::Rate(x) => {
+                let (value, unit) = prefixed(*x, sigma, digits, "rad/s");
+                let degrees = within(x.to_degrees(), sigma.to_degrees(), 6);
+                (value, format!("{unit} ({degrees} deg/s)"))
+            }
+            Self::Angle(rad) => (within(rad.to_degrees(), sigma.to_degrees(), digits), "°".to_owned()),
+            Self::Angles(ends) => (range(ends.map(f64::to_degrees)), "°".to_owned()),
+            Self::Energy(x) => prefixed(*x, sigma, digits, "J"),
+            Self::Count(n) => (count(*n), String::new()),
+            Self::Word(_, text) | Self::Text(text) | Self::Data(_, text) => (text.clone(), String::new()),
+        }
+    }
+}
+
+/// Splits a number from its unit.
+fn split(shown: &str) -> (String, String) {
+    let (value, unit) = shown.rsplit_once(' ').unwrap_or((shown, ""));
+    (value.to_owned(), unit.to_owned())
+}
+
+/// Returns the prefix with which a size is read, and its factor.
+fn prefix(size: f64, unit: &str) -> (&'static str, f64) {
+    fitting(size.abs(), unit).unwrap_or(("", 1.0))
+}
+
+fn prefixed(x: f64, sigma: f64, digits: usize, unit: &str) -> (String, String) {
+    let (prefix, size) = prefix(x, unit);
+    (within(x / size, sigma / size, digits), format!("{prefix}{unit}"))
+}
+
+/// Returns three numbers in one unit: moments with a power of ten before it where they are small or large.
+fn vector_in(v: [f64; 3], sigma: f64, digits: usize, unit: &str) -> (String, String) {
+    let largest = v.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
+    if unit != "kg·m²" {
+        let (prefix, size) = prefix(largest, unit);
+        return (vector_within(v.map(|x| x / size), sigma / size, digits), format!("{prefix}{unit}"));
+    }
+    let exponent = if largest > 0.0 && largest.is_finite() { largest.log10().floor() } else { 0.0 };
+    let power = 10_f64.powf(exponent);
+    if (-2.0..=4.0).contains(&exponent) || !power.is_normal() {
+        return (vector(v, digits), unit.to_owned());
+    }
+    let factor = typeset(&format!("1e{exponent}"));
+    (vector(v.map(|x| x / power), digits), format!("{} {unit}", factor.trim_start_matches('1')))
+}
+
+/// `10.2665 … 10.5486`, or one number if the ends agree.
+fn range(ends: [f64; 2]) -> String {
+    let [least, most] = ends.map(|x| number(x, 6));
+    if least == most { least } else { format!("{least} … {most}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn text(value: Quantity, error: f64) -> String {
+        let facts = Facts::new("", vec![Fact::shown("x", value).within(error)]);
+        facts.to_text(false).trim_start_matches(['\n', ' ', 'x']).trim_end().to_owned()
+    }
+
+    #[test]
+    fn units_have_a_size_that_people_read() {
+        use Quantity::{Angle, Angles, Duration, Energy, Number, Range, Rate, Vector};
+        for (value, shown) in [
+            (Energy(1.945_152e-7), "0.1945152 µJ"),
+            (Energy(0.002_337_246), "2.337246 mJ"),
+            (Energy(6.214_474e-22), "6.214474e-22 J"),
+            (Energy(0.0), "0 J"),
+            (Rate(1.109_695e-3), "1.109695 mrad/s (0.0635808 deg/s)"),
+            (Rate(8e12), "8e12 rad/s (4.58366e14 deg/s)"),
+            (Vector([3.14e-5, -0.001_103, 0.0], "rad/s"), "(0.0314, -1.103, 0) mrad/s"),
+            (Range([1.026_65e-5, 1.054_86e-5], "rad/s"), "10.2665 … 10.5486 µrad/s"),
+            (Range([0.4, 0.4], "rad/s"), "0.4 rad/s"),
+            (Duration(5.634_747e-12), "5.634747 ps"),
+            (Duration(463_841.0), "463841 s (5.36853 d)"),
+            (Duration(9_000.0), "9000 s"),
+            (Vector([4.5e-4, 0.0, -1.26e-5], "kg·m²"), "(4.5, 0, -0.126) ×10⁻⁴ kg·m²"),
+            (Vector([0.34, 0.31, 0.026], "kg·m²"), "(0.34, 0.31, 0.026) kg·m²"),
+            (Vector([0.0; 3], "kg·m²"), "(0, 0, 0) kg·m²"),
+            (Number(2.563_54e-5, "m³"), "25.6354 cm³"),
+            (Angle(std::f64::consts::FRAC_PI_6), "30°"),
+            (Angles([0.0, std::f64::consts::FRAC_PI_2]), "0 … 90°"),
+        ] {
+            assert_eq!(text(value, 0.0), shown);
+        }
+    }
+
+    #[test]
+    fn digits_end_where_the_error_begins() {
+        assert_eq!(text(Quantity::Number(1.234_567, "N"), 0.001), "1.235 N");
+        assert_eq!(text(Quantity::Rate(1.5), 0.01), "1.5 rad/s (85.9 deg/s)");
+    }
+
+    #[test]
+    fn details_are_for_pages_and_long_texts() {
+        let steps = Fact::new("run.steps", "steps", Quantity::Count(2001)).detail();
+        let facts = Facts::new("Solver", vec![steps, Fact::data("run.method", Quantity::None)]);
+        assert_eq!(facts.to_text(false), "");
+        assert_eq!(facts.to_text(true), "Solver\n  steps               2,001\n");
+        let rows = json!([{ "label": "steps", "value": "2,001", "unit": "", "note": "" }]);
+        assert_eq!(facts.to_rows(), Some(json!({ "title": "Solver", "rows": rows })));
+        let wanted = json!({ "at": null, "run": { "steps": 2001, "method": null } });
+        assert_eq!(Value::Object(object(&["at", "run"], &[facts])), wanted);
+    }
+}

@@ -1,0 +1,236 @@
+//! The answer to "how does it move": one to three lines, at the head of the text and as the caption of the page.
+
+use polhode::motion::channel::{CONTACT, GIMBALS};
+use polhode::motion::contact::ContactState;
+use polhode::motion::torque::TorqueModel;
+use polhode::motion::{GroundContact, HeavyTop, Mechanism, Motor, Regime, Sample, Scenario, Swing, TopPath};
+use polhode::observe::FreeRegime;
+use polhode_document::layout::printable;
+use polhode_document::number::{has_digits, number, within};
+use polhode_document::unit::{amplitude, length, time};
+
+use crate::report::facts::{Angles, Known, ending_in_words, in_gimbals, on_ground, target, time_round};
+use crate::report::free_facts::FreeFacts;
+use crate::report::torque::{Description, wheel_name};
+use crate::report::{global_error, intermediate};
+
+/// Digits of a number in an answer.
+const DIGITS: usize = 4;
+
+/// More angles than these are among the facts only.
+const MOST_ANGLES: usize = 2;
+
+/// The kind of the motion with its main numbers, what causes it, and how it ended if not at the end of the run.
+pub(crate) fn lines(known: &Known<'_>) -> Vec<String> {
+    let mut lines = match (&known.heavy_top, known.free(), known.scenario) {
+        (Some(top), _, _) => vec![heavy_top(top)],
+        (None, Some(free), _) => {
+            vec![free_motion(known, free), "No torque: L is constant in space.".to_owned()]
+        }
+        (None, None, Some(scenario)) => driven(known, scenario),
+        (None, None, None) => Vec::new(),
+    };
+    let ending = known.scenario.and_then(|scenario| ending_in_words(known.trajectory, scenario));
+    lines.extend(ending.map(|ending| format!("{}.", capitalised(&ending))));
+    lines
+}
+
+fn heavy_top(top: &HeavyTop) -> String {
+    let path = capitalised(top.path().description());
+    let [highest, lowest] = top.nutation_bounds().map(degrees);
+    let round = time_round(top).map(|period| format!(", and it precesses once in {}", time(period, DIGITS)));
+    let round = round.unwrap_or_default();
+    match (top.path(), top.nutation_period()) {
+        (TopPath::Sleeping { .. } | TopPath::Hanging, _) | (_, None) => format!("{path}."),
+        (TopPath::SteadySlow | TopPath::SteadyFast | TopPath::Conical, _) => {
+            format!("{path}: the axis stays at θ = {highest} from the vertical{round}.")
+        }
+        (TopPath::Planar, Some(period)) => {
+            format!("{path}: θ from {highest} to {lowest} and back in {}.", time(period, DIGITS))
+        }
+        (_, Some(period)) => {
+            let period = time(period, DIGITS);
+            format!("{path}. The axis nutates between θ₁ = {highest} and θ₂ = {lowest} in {period}{round}.")
+        }
+    }
+}
+
+fn free_motion(known: &Known<'_>, free: &FreeFacts) -> String {
+    let FreeRegime { regime, period, flip_interval, growth_rate } = free.regime;
+    let kind = capitalised(regime.description());
+    let in_body =
+        period.map_or_else(String::new, |t| format!("; period of ω in the body {}", time(t, DIGITS)));
+    match (regime, flip_interval, free.periods.precession, free.periods.rotation) {
+        (_, Some(flip), _, _) if growth_rate.is_some() => {
+            let off = intermediate::degrees_off(&known.principal, &known.start);
+            let flip = time(flip, DIGITS);
+            format!("Flips every {flip}: ω starts {off}° from the unstable intermediate axis{in_body}.")
+        }
+        (Regime::Permanent(_), _, _, Some(rotation)) => {
+            format!("{kind}, one turn in {}.", time(rotation, DIGITS))
+        }
+        (_, _, Some(precession), _) => format!("{kind} once in {}{in_body}.", time(precession, DIGITS)),
+        _ => format!("{kind}."),
+    }
+}
+
+fn driven(known: &Known<'_>, scenario: &Scenario) -> Vec<String> {
+    if let Some(needed) = &known.needed {
+        let at_start = number(needed.at_start.torque.norm(), DIGITS);
+        let largest = needed.largest.filter(|_| needed.is_larger_later());
+        let most = largest.map_or_else(String::new, |largest| {
+            let [most, when] = [largest.torque.norm(), largest.state.time].map(|x| number(x, DIGITS));
+            format!("at most {most} N·m (t = {when} s), ")
+        });
+        return vec![
+            format!("The motion needs a torque of {most}{at_start} N·m at the start."),
+            "The motion is prescribed; N is the torque that it needs: dL/dt = N.".to_owned(),
+        ];
+    }
+    if let Some(ground) = scenario.ground() {
+        return contact(known, ground);
+    }
+    if let Mechanism::Gimbals(gimbals) = scenario.mechanism() {
+        let turned =
+            known.trajectory.channel(GIMBALS).and_then(|states| Some([states.first()?, states.last()?]));
+        let turned = turned.map_or_else(String::new, |ends| {
+            let [outer, inner] = [0, 1].map(|k| {
+                let [from, to] = ends.map(|s| degrees(s.angles.get(k).copied().unwrap_or_default()));
+                format!("from {from} to {to}")
+            });
+            format!(": the outer axis turns {outer}, the inner one {inner}")
+        });
+        return vec![
+            format!("{}{turned}.", capitalised(&in_gimbals(gimbals))),
+            "N: torque about the crossing of the axes, of gimbals and weight.".to_owned(),
+        ];
+    }
+    let mut lines: Vec<String> = known.hanging.as_ref().map(|(_, swing)| swings(swing)).into_iter().collect();
+    lines.extend(angles(known, scenario));
+    if let (true, Some([first, last])) = (lines.is_empty(), known.ends()) {
+        lines.extend(change(known, first, last));
+    }
+    lines.push(cause(scenario));
+    lines
+}
+
+fn swings(swing: &Swing) -> String {
+    match *swing {
+        Swing::Rest => "Hangs at rest.".to_owned(),
+        Swing::Oscillation { amplitude: most, period } => {
+            format!("Swings between ±{} in {}.", amplitude(most), time(period, DIGITS))
+        }
+        Swing::Separatrix => "Comes to rest upside down, after infinite time.".to_owned(),
+        Swing::Revolution { period } => format!("Goes over the top, one turn in {}.", time(period, DIGITS)),
+    }
+}
+
+/// The largest of the angles that are of interest.
+fn angles(known: &Known<'_>, scenario: &Scenario) -> Vec<String> {
+    let samples = known.trajectory.samples();
+    let largest = scenario.pointings().iter().filter_map(|pointing| {
+        let angles = Angles::of(pointing, samples)?;
+        let (name, most) = (printable(pointing.name()), degrees(angles.largest));
+        let when = time(angles.time, DIGITS);
+        Some(format!("{}: at most {most} to {}, at t = {when}.", capitalised(&name), target(pointing)))
+    });
+    largest.take(MOST_ANGLES).collect()
+}
+
+/// |ω| at both ends.
+fn change(known: &Known<'_>, first: &Sample, last: &Sample) -> Option<String> {
+    let ([from, to], error) =
+        ([first, last].map(|s| s.state.omega.norm()), global_error::of_omega(known.trajectory));
+    let duration = time(last.state.time - first.state.time, DIGITS);
+    let [from_text, to_text] = [number(from, DIGITS), within(to, error, DIGITS)];
+    let is_known = has_digits(to, error) && last.state.time > first.state.time;
+    is_known.then(|| match from_text == to_text {
+        true => format!("|ω| is {from_text} rad/s at the start and after {duration}."),
+        false => format!("|ω| goes from {from_text} to {to_text} rad/s in {duration}."),
+    })
+}
+
+fn contact(known: &Known<'_>, ground: &GroundContact) -> Vec<String> {
+    let how = capitalised(on_ground(ground).trim_end_matches(','));
+    let ends = known.trajectory.channel(CONTACT).and_then(|states| Some([states.first()?, states.last()?]));
+    let changes = known.trajectory.changes();
+    let phase = known.trajectory.channel(CONTACT).map_or("", |states| states.start().phase.name());
+    let first = match changes {
+        [] => format!("{phase} throughout"),
+        [first, rest @ ..] => {
+            let more =
+                if rest.is_empty() { String::new() } else { format!("; {} changes in all", changes.len()) };
+            format!("{phase} at the start; t = {}: {}{more}", time(first.time, DIGITS), first.change)
+        }
+    };
+    let mut lines = vec![format!("{how}: {first}.")];
+    lines.extend(ends.map(|[first, last]| energy_and_height(&first, &last)));
+    lines
+}
+
+fn energy_and_height(first: &ContactState, last: &ContactState) -> String {
+    /// Least change of the height that is reported, relative to the height.
+    const RISE: f64 = 1e-3;
+    let [before, after] = [first, last].map(|s| number(s.kinetic_energy + s.potential_energy, DIGITS));
+    let energy = match before == after {
+        true => format!("T + U stays at {before} J"),
+        false => format!("T + U goes from {before} to {after} J"),
+    };
+    let [low, high] = [first.center.z, last.center.z];
+    let moves = match high - low {
+        change if change.abs() <= RISE * low.abs() => return format!("{energy}."),
+        change if change > 0.0 => "rises",
+        _ => "sinks",
+    };
+    format!("{energy}; the centre of mass {moves} by {}.", length((high - low).abs()))
+}
+
+/// Torques, wheels and changing mass: what turns the body.
+fn cause(scenario: &Scenario) -> String {
+    // What takes energy inside the body leaves L as it is.
+    let (inner, outer): (Vec<&TorqueModel>, Vec<_>) =
+        scenario.torques().iter().partition(|torque| matches!(torque, TorqueModel::EnergySink(_)));
+    let torques: Vec<String> = outer.into_iter().map(|torque| Description::of(torque).title).collect();
+    let wheels: Vec<String> = (0..scenario.wheels().len()).map(|k| wheel(scenario, k)).collect();
+    let outside = if torques.is_empty() && scenario.history().is_some() {
+        "No torque from outside".to_owned()
+    } else if torques.is_empty() {
+        "No torque from outside: L is constant in space".to_owned()
+    } else {
+        let law = if scenario.history().is_some() { "" } else { "; dL/dt = N" };
+        format!("Torque N: {}{law}", printable(&torques.join(" + ")))
+    };
+    let lost = if inner.is_empty() { "" } else { ". Friction inside the body takes kinetic energy" };
+    if scenario.history().is_some() {
+        return format!(
+            "{outside}. The mass of the body changes: what leaves takes angular momentum with it."
+        );
+    }
+    let inside =
+        if wheels.is_empty() { String::new() } else { format!(". L = Iω + h; {}", wheels.join("; ")) };
+    format!("{outside}{lost}{inside}.")
+}
+
+/// `the motor turns the wheel from 5 s to 25 s`
+fn wheel(scenario: &Scenario, k: usize) -> String {
+    let Some(wheel) = scenario.wheels().get(k) else { return String::new() };
+    let name = match wheel_name(scenario, k) {
+        name if name.starts_with("wheel") => format!("the {name}"),
+        name => format!("the wheel “{}”", printable(&name)),
+    };
+    let when = Description::of_wheel(wheel).when().map_or_else(String::new, |when| format!(" {when}"));
+    match wheel.motor() {
+        _ if wheel.is_driven() => format!("a motor turns {name}{when}"),
+        Motor::HeldSpeed => format!("{name} is held at its speed"),
+        _ => format!("{name} turns freely"),
+    }
+}
+
+fn degrees(rad: f64) -> String {
+    format!("{}°", number(rad.to_degrees(), DIGITS))
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

@@ -1,0 +1,145 @@
+//! The motion: its time, its kind, its state and energy at both ends.
+
+use polhode::motion::channel::ENERGY;
+use polhode::motion::{Mechanism, MethodReason, Sample, Scenario, Solution, State, StateError};
+use polhode_document::fact::{Fact, LARGEST_ATTITUDE_ERROR, Quantity};
+use polhode_document::json::{matrix, vector};
+use polhode_document::number::{count, has_digits, number};
+use polhode_document::unit::{duration, rate_within};
+use polhode_shape::report::block;
+use serde_json::json;
+
+use super::{Known, free, orbit};
+use crate::report::global_error;
+
+pub(super) fn facts(known: &Known<'_>) -> Vec<Fact> {
+    let mut facts = turns_about(known);
+    if let Some([first, last]) = known.ends() {
+        let samples = known.trajectory.samples().len() as u64;
+        let noun = if samples == 1 { "sample" } else { "samples" };
+        let time = format!("{} … {}", number(first.state.time, 6), duration(last.state.time, 6));
+        facts.push(
+            Fact::shown("time", time).note(format!("{} {noun}, {}", count(samples), how(known))).detail(),
+        );
+    }
+    facts.extend(free::facts(known));
+    facts.extend(ends(known));
+    facts.extend(energy(known));
+    facts
+}
+
+/// `closed form`, `integrated by the Taylor series`
+pub(crate) fn how(known: &Known<'_>) -> String {
+    match known.trajectory.solution() {
+        Solution::ClosedForm(_) => "closed form".to_owned(),
+        Solution::Prescribed(_) => "prescribed motion".to_owned(),
+        _ if *known.trajectory.reason() == MethodReason::Contact => "integrated phase by phase".to_owned(),
+        solution => format!("integrated by {}", solution.title()),
+    }
+}
+
+/// The point that L, T, N and the tensor of the motion are about.
+fn turns_about(known: &Known<'_>) -> Vec<Fact> {
+    let (Some(rotor), Some(scenario)) = (&known.rotor, known.scenario) else { return Vec::new() };
+    let about = json!({
+        "what": if scenario.pivot().is_some() { "pivot" } else { "center_of_mass" },
+        "point": vector(rotor.point()),
+        "tensor": matrix(rotor.inertia().matrix()),
+        "principal": block::principal(rotor.principal()),
+    });
+    vec![Fact::data("turns_about", about)]
+}
+
+/// State at the start and at the end.
+fn ends(known: &Known<'_>) -> Vec<Fact> {
+    let none = StateError { attitude: 0.0, omega: 0.0 };
+    let mut facts = state("start", " at the start", known.scenario, &known.start, none);
+    facts.push(Fact::data("start.momentum_space", Quantity::Vector(known.momentum.to_array(), "kg·m²/s")));
+    let velocity = known.scenario.map(|scenario| Quantity::Vector(scenario.velocity().to_array(), "m/s"));
+    facts.push(Fact::data("start.velocity_space", velocity));
+    let last = known.trajectory.samples().last();
+    facts.extend(last.map_or_else(Vec::new, |last| {
+        let error = known.trajectory.error().map_or(none, |estimate| estimate.end());
+        let facts = sample("final", " at the end", known.scenario, last, error);
+        let is_alone = known.trajectory.samples().len() < 2;
+        facts.into_iter().map(|fact| fact.shown_if(!is_alone)).collect()
+    }));
+    facts
+}
+
+/// State, momentum and torque of a sample.
+fn sample(
+    key: &str,
+    when: &str,
+    scenario: Option<&Scenario>,
+    sample: &Sample,
+    error: StateError,
+) -> Vec<Fact> {
+    let mut facts = state(key, when, scenario, &sample.state, error);
+    let mut put = |name: &str, v: [f64; 3], unit| {
+        facts.push(Fact::data(format!("{key}.{name}"), Quantity::Vector(v, unit)));
+    };
+    put("momentum_space", sample.momentum.to_array(), "kg·m²/s");
+    put("torque_body", sample.torque.to_array(), "N·m");
+    facts
+}
+
+fn state(key: &str, when: &str, scenario: Option<&Scenario>, state: &State, error: StateError) -> Vec<Fact> {
+    let path = |name: &str| format!("{key}.{name}");
+    let size = state.omega.norm();
+    let omega_error = error.omega * size;
+    let note = match has_digits(size, omega_error) {
+        true => format!("in body axes, |ω| = {}", rate_within(size, omega_error)),
+        false => "in body axes".to_owned(),
+    };
+    let attitude = Quantity::Attitude(state.attitude.canonical_quaternion());
+    let in_all_conventions = scenario.map(|scenario| Quantity::from(orbit::attitude(scenario, state)));
+    let omega = Quantity::Vector(state.omega.to_array(), "rad/s");
+    vec![
+        Fact::data(path("time_s"), Quantity::Duration(state.time)),
+        Fact::new(path("attitude_wxyz"), format!("attitude{when}"), attitude)
+            .within(error.attitude)
+            .digits(if key == "at" { 9 } else { 6 })
+            .note("as w, x, y, z")
+            .shown_if(key != "start"),
+        Fact::data(path("attitude"), in_all_conventions),
+        Fact::new(path("omega_body"), format!("ω{when}"), omega).within(omega_error).note(note),
+        Fact::data(path("omega_space"), Quantity::Vector(state.omega_space().to_array(), "rad/s")),
+    ]
+}
+
+/// A state that was requested, with its own section for people and its part of the list `at` for programs.
+pub(crate) fn state_at(known: &Known<'_>, at: &Sample) -> Vec<Fact> {
+    let error = global_error::at(known.trajectory, at.state.time);
+    let mut facts = sample("at", "", known.scenario, at, error);
+    let on_orbit = known.scenario.and_then(|scenario| orbit::angles(scenario, &at.state));
+    let is_known = has_digits(LARGEST_ATTITUDE_ERROR, error.attitude);
+    facts.extend(
+        on_orbit
+            .filter(|_| is_known)
+            .map(|angles| Fact::shown("roll, pitch, yaw", angles).note("in the orbit's axes")),
+    );
+    facts
+}
+
+/// Energies at both ends; with those of the centre of mass on the ground, with springs in gimbals.
+fn energy(known: &Known<'_>) -> Vec<Fact> {
+    let energy = known.trajectory.channel(ENERGY);
+    let (first, last) = (energy.and_then(|energy| energy.first()), energy.and_then(|energy| energy.last()));
+    let mechanism = known.scenario.map_or(Mechanism::Rotor, Scenario::mechanism);
+    let is_rotor = mechanism == Mechanism::Rotor;
+    // T goes with the square of ω.
+    let error = known.trajectory.error().map_or(0.0, |estimate| 2.0 * estimate.end().omega);
+    let acts = !known.is_free && known.trajectory.samples().len() > 1;
+    let fact = |key: &str, label: &str, joule: Option<f64>| {
+        Fact::new(format!("energy.{key}"), label, joule.map(Quantity::Energy)).shown_if(acts)
+    };
+    let kinetic_end = last.map(|e| e.kinetic);
+    vec![
+        fact("kinetic_start_j", "T at the start", first.map(|e| e.kinetic)).shown_if(acts && !is_rotor),
+        fact("kinetic_end_j", "T at the end", kinetic_end).within(error * kinetic_end.unwrap_or_default()),
+        fact("potential_start_j", "U at the start", first.and_then(|e| e.potential)),
+        fact("potential_end_j", "U at the end", last.and_then(|e| e.potential)),
+        fact("work_j", "work done", last.map(|e| e.work)).shown_if(acts && is_rotor),
+    ]
+}

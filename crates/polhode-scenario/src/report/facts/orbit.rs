@@ -1,0 +1,147 @@
+//! The orbit of a body, and where its directions point.
+
+use std::f64::consts::TAU;
+
+use polhode::motion::{Orbit, Pointing, Reference, Sample, Scenario, State};
+use polhode_document::fact::{Fact, Quantity};
+use polhode_document::json::{numbers, vector};
+use polhode_document::layout::printable;
+use polhode_document::number::number;
+use polhode_document::number::vector as shown;
+use polhode_document::unit::DIGITS;
+use serde_json::{Map, Value, json};
+
+use super::Known;
+use crate::report::global_error;
+
+/// The orbit, and each of the angles that are of interest: of the attitude at the end the digits that are right.
+pub(super) fn facts(known: &Known<'_>, scenario: &Scenario) -> Vec<Fact> {
+    let samples = known.trajectory.samples();
+    let error = global_error::of_attitude(known.trajectory);
+    let mut facts = scenario.orbit().map_or_else(Vec::new, |orbit| orbit_facts(orbit));
+    for (sample, when, error) in
+        known.ends().into_iter().flat_map(|[first, last]| [(first, "start", 0.0), (last, "end", error)])
+    {
+        let at = angles(scenario, &sample.state)
+            .map(|angles| Fact::shown(format!("angles at the {when}"), angles));
+        facts.extend(at.map(|fact| fact.within(error).note("roll, pitch, yaw in the orbit's axes (3-2-1)")));
+    }
+    for (pointing, angles) in scenario.pointings().iter().filter_map(|p| Some((p, Angles::of(p, samples)?))) {
+        let of = format!("{} of the body to {}", shown(pointing.body().to_array(), 4), to(pointing));
+        let name = printable(pointing.name());
+        facts.extend([
+            Fact::shown(format!("{name} at the start"), Quantity::Angle(angles.start)).note(of),
+            Fact::shown(format!("{name} at the end"), Quantity::Angle(angles.end)).within(error),
+            Fact::shown(format!("{name} at most"), Quantity::Angle(angles.largest))
+                .note(format!("at t = {} s (of the samples)", number(angles.time, 6))),
+        ]);
+    }
+    facts.push(Fact::data(
+        "pointings",
+        scenario.pointings().iter().map(|p| pointing_json(p, samples)).collect::<Value>(),
+    ));
+    facts
+}
+
+fn orbit_facts(orbit: &Orbit) -> Vec<Fact> {
+    let fact = |key: &str, label: &str, value: Quantity| Fact::new(format!("orbit.{key}"), label, value);
+    let km = format!("{} km", number(orbit.periapsis() / 1e3, DIGITS));
+    let shape = if orbit.eccentricity() == 0.0 { "circle of radius" } else { "least distance" };
+    vec![
+        fact("mu_m3_s2", "", Quantity::Number(orbit.mu(), "m³/s²")),
+        fact("eccentricity", "eccentricity", Quantity::Number(orbit.eccentricity(), "")),
+        fact("periapsis_m", shape, Quantity::Data(orbit.periapsis().into(), km)),
+        fact("period_s", "period", orbit.period().map(Quantity::Duration).into()),
+        fact("mean_motion_rad_s", "mean motion", orbit.mean_motion().map(Quantity::Rate).into()),
+        fact("start_position_m", "", Quantity::Vector(orbit.position(0.0).to_array(), "m")),
+        fact("start_velocity_m_s", "", Quantity::Vector(orbit.velocity(0.0).to_array(), "m/s")),
+    ]
+}
+
+/// An angle at the start, at the end and where it is largest.
+fn pointing_json(pointing: &Pointing, samples: &[Sample]) -> Value {
+    let angles = Angles::of(pointing, samples);
+    let space = match pointing.reference() {
+        Reference::Space(direction) => Some(vector(*direction)),
+        _ => None,
+    };
+    json!({
+        "name": pointing.name(),
+        "body": vector(pointing.body()),
+        "to": space.unwrap_or_else(|| pointing.reference().name().into()),
+        "start_rad": angles.map(|angles| angles.start),
+        "end_rad": angles.map(|angles| angles.end),
+        "largest_rad": angles.map(|angles| angles.largest),
+        "largest_time_s": angles.map(|angles| angles.time),
+    })
+}
+
+/// An attitude in every convention; on an orbit that relative to its axes too.
+pub(super) fn attitude(scenario: &Scenario, state: &State) -> Value {
+    let of = |attitude: polhode::math::Attitude| {
+        let [w, x, y, z] = attitude.canonical_quaternion();
+        let mut object = Map::new();
+        let mut put = |key: &str, value: Value| object.insert(key.to_owned(), value);
+        put("quaternion_wxyz", numbers(&[w, x, y, z]));
+        put("quaternion_xyzw", numbers(&[x, y, z, w]));
+        put("euler313_rad", numbers(&attitude.euler313()));
+        put("roll_pitch_yaw_rad", numbers(&attitude.roll_pitch_yaw()));
+        put("mrp", numbers(&attitude.mrp()));
+        put("matrix", polhode_document::json::matrix(attitude.matrix()));
+        object
+    };
+    let mut object = of(state.attitude);
+    if let Some(orbit) = scenario.orbit() {
+        let angles = on_orbit(orbit, state);
+        object.insert("orbit_roll_pitch_yaw_rad".to_owned(), numbers(&angles));
+    }
+    Value::Object(object)
+}
+
+/// Roll, pitch and yaw in the orbit's axes, in degrees; `None` without an orbit.
+pub(super) fn angles(scenario: &Scenario, state: &State) -> Option<Quantity> {
+    let rounded = |angles: [f64; 3]| angles.map(|angle| round(angle * 360.0 / TAU));
+    scenario.orbit().map(|orbit| Quantity::Vector(rounded(on_orbit(orbit, state)), "°"))
+}
+
+fn on_orbit(orbit: &Orbit, state: &State) -> [f64; 3] {
+    (orbit.local_axes(state.time).inverse() * state.attitude).roll_pitch_yaw()
+}
+
+/// Rounds to a millionth of a degree: less is rounding of what turns with the orbit.
+fn round(degrees: f64) -> f64 {
+    (degrees * 1e6).round() / 1e6
+}
+
+pub(crate) fn to(pointing: &Pointing) -> String {
+    match pointing.reference() {
+        Reference::Space(direction) => format!("{} of space", shown(direction.to_array(), 4)),
+        Reference::Nadir(_) => "the nadir".to_owned(),
+        Reference::Velocity(_) => "the velocity".to_owned(),
+        Reference::OrbitNormal(_) => "the orbit's normal".to_owned(),
+        Reference::Field(_) => "the field".to_owned(),
+        other => other.name().to_owned(),
+    }
+}
+
+/// An angle along a motion, rad.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Angles {
+    start: f64,
+    end: f64,
+    pub largest: f64,
+    /// When it is largest, s.
+    pub time: f64,
+}
+
+impl Angles {
+    /// `None` without samples.
+    pub(crate) fn of(pointing: &Pointing, samples: &[Sample]) -> Option<Self> {
+        let angle = |sample: &Sample| pointing.angle(&sample.state);
+        let (first, last) = (samples.first()?, samples.last()?);
+        let of = |sample: &Sample| (angle(sample), sample.state.time);
+        let larger = |most: (f64, f64), next: (f64, f64)| if next.0 > most.0 { next } else { most };
+        let (largest, time) = samples.iter().map(of).fold(of(first), larger);
+        Some(Self { start: angle(first), end: angle(last), largest, time })
+    }
+}

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use clap::{ArgGroup, Args};
+use polhode_document::Report as _;
 use polhode_document::layout::printable_lines;
 use polhode_robot::policy::date::Date;
 use polhode_robot::report::CheckReport;

@@ -4,13 +4,12 @@ use polhode::body::shape::Substance;
 use polhode::body::{Finding, InertiaTensor, MassProperties, Severity};
 use polhode::math::{Body, Position};
 use polhode_document::SourceInfo;
-use polhode_shape::report::InertiaReport;
-use polhode_shape::report::{PartRow, parts};
+use polhode_shape::mass_assumed;
+use polhode_shape::report::{InertiaReport, PartRow};
 use pyo3::prelude::*;
 
 use crate::error::Raise;
 use crate::mass_properties::PyMassProperties;
-use crate::mesh::assumed;
 use crate::substance::Given;
 
 /// A solid at a density of 1 kg/m³, SI.
@@ -57,7 +56,7 @@ pub(crate) fn step_solids(
         Some(Substance::Mass(mass)) => mass / whole,
         Some(Substance::Density(density)) => density,
         _ => {
-            findings.push(assumed());
+            findings.push(mass_assumed(None));
             1.0
         }
     };
@@ -69,21 +68,16 @@ pub(crate) fn step_solids(
     };
     let rows =
         solids.iter().map(row).collect::<Result<Vec<_>, polhode::body::BodyError>>().map_err(Raise::raise)?;
-    let bodies: Vec<_> = rows.iter().map(|row| row.properties).collect();
-    let properties = match bodies.as_slice() {
-        [only] => *only,
-        _ => MassProperties::combined(&bodies).map_err(Raise::raise)?,
-    };
     let several = if rows.len() > 1 { format!(", {} solids", rows.len()) } else { String::new() };
     let source = SourceInfo::new(path, "step")
         .described(format!("STEP{several}, exact shapes, measured by OpenCASCADE"))
         .with("parts", rows.len())
         .with("quadrature_error", said.error);
+    let report = InertiaReport::of_parts(source, &rows).map_err(Raise::raise)?;
     Ok(PyMassProperties::of(InertiaReport {
         surface_area: Some(solids.iter().map(|solid| solid.area).sum()),
-        extras: if rows.len() > 1 { vec![parts(&rows)] } else { Vec::new() },
         findings,
-        ..InertiaReport::new(source, properties).with_volume(Some(whole))
+        ..report
     }))
 }
 

@@ -1,8 +1,7 @@
 //! Bodies in files other than meshes, each kind with the options that it may need.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use polhode_document::SourceInfo;
 use polhode_scenario::read::ScenarioFile;
 use polhode_shape::cad;
 use polhode_shape::cad::{CadOptions, DecimalMark, ProductConvention};
@@ -10,10 +9,8 @@ use polhode_shape::molecule;
 use polhode_shape::molecule::{Isotopes, MoleculeFormat};
 use polhode_shape::particles;
 use polhode_shape::particles::ParticleOptions;
-use polhode_shape::report::{InertiaReport, error_estimate};
-use polhode_shape::voxel;
 use polhode_shape::voxel::VoxelOptions;
-use polhode_source::FormatError;
+use polhode_shape::voxel_report;
 use polhode_source::files::Disk;
 use polhode_source::{read_file, read_text_file};
 use pyo3::prelude::*;
@@ -21,7 +18,6 @@ use pyo3::prelude::*;
 use crate::error::{Raise, refused};
 use crate::interrupt::watched_apart;
 use crate::mass_properties::PyMassProperties;
-use crate::shape::in_body;
 
 /// The body of a scenario.
 #[pyfunction]
@@ -104,35 +100,9 @@ pub(crate) fn voxel_file(
     per_value: f64,
 ) -> PyResult<PyMassProperties> {
     let options = VoxelOptions { spacing, unit, origin };
-    let of_file_at = path.clone();
-    let read = watched_apart(py, move |_| {
-        let misread = |error| FormatError::of_content(&of_file_at, &[], error);
-        let mut voxels = voxel::open(&Disk, &of_file_at)?;
-        let grid = voxels.grid(&options).map_err(misread)?;
-        let kind = voxels.type_name();
-        Ok::<_, FormatError>((
-            voxels.counts(),
-            kind,
-            voxels.mass_properties(&grid, per_value).map_err(misread)?,
-        ))
+    let report = watched_apart(py, move |_| {
+        let is_npy = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npy"));
+        voxel_report(&Disk, &path, if is_npy { "npy" } else { "nrrd" }, &options, per_value)
     })?;
-    let (counts, kind, body) = read.map_err(Raise::raise)?;
-    let body = body.map_err(Raise::raise)?;
-    let properties = in_body(body.properties).map_err(Raise::raise)?;
-    let is_npy = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("npy"));
-    let [a, b, c] = counts;
-    let source = of_file(&path, if is_npy { "npy" } else { "nrrd" })
-        .described(format!("voxels, {a} × {b} × {c} of {kind}, {} filled", body.filled))
-        .with("voxels", counts.to_vec())
-        .with("type", kind)
-        .with("filled", body.filled);
-    Ok(PyMassProperties::of(InertiaReport {
-        extras: vec![error_estimate(&body.error_estimate, "what a voxel's value leaves open within it")],
-        ..InertiaReport::new(source, properties).with_volume(Some(body.volume))
-    }))
-}
-
-/// A file of a format, in the words of reports.
-pub(crate) fn of_file(path: &Path, format: &str) -> SourceInfo {
-    SourceInfo::new(path.display().to_string(), format)
+    Ok(PyMassProperties::of(report.map_err(Raise::raise)?.map_err(Raise::raise)?))
 }

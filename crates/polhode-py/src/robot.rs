@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use polhode_robot::inertia::{InertiaError, of_link, of_lumps};
+use polhode_robot::LinkError;
+use polhode_robot::inertia::{of_link, of_lumps};
 use polhode_robot::line_index::{FilePlace, Places};
 use polhode_robot::link_table::LinkTable;
 use polhode_robot::lump::{Lumping, slides};
@@ -107,8 +108,8 @@ fn positions(model: &RobotModel, joints: &[(String, JointValue)]) -> PyResult<Ve
 }
 
 /// The error with its place in the model, if it has one.
-fn raised(model: &RobotModel, error: &InertiaError) -> PyErr {
-    let (message, hint) = (error.to_string(), Some(error.hint()));
+fn raised(model: &RobotModel, error: &LinkError) -> PyErr {
+    let (message, hint) = (error.to_string(), Some(error.hint().to_owned()));
     match error.span() {
         Some(span) => {
             let FilePlace { file, line, column, .. } = Places::of(model).place(&span);

@@ -1,12 +1,12 @@
 //! Shapes with closed-form integrals, by name.
 
+use polhode::body::BodyError;
 use polhode::body::shape::{
     BoxShape, BoxShell, Capsule, Cone, ConeShell, Cylinder, CylinderShell, Disk, Ellipsoid, Plate, Rod,
     Shape, Sphere, SphereShell, Tetrahedron, Torus, TriangularPlate, TriangularPrism,
 };
-use polhode::body::{BodyError, MassProperties, PlacedPart};
-use polhode::math::{Body, Part, Position, Rotation};
 use polhode_document::SourceInfo;
+use polhode_shape::in_body;
 use polhode_shape::report::InertiaReport;
 use pyo3::prelude::*;
 
@@ -30,11 +30,6 @@ pub(crate) fn shape(kind: &str, lengths: Vec<f64>, ends: bool, given: Given) -> 
         surface_area: Some(shape.surface_area()).filter(|area| *area > 0.0),
         ..InertiaReport::new(SourceInfo::new(kind, "shape"), properties).with_volume(volume)
     }))
-}
-
-/// A shape's own axes are the body's.
-pub(crate) fn in_body(part: MassProperties<Part>) -> Result<MassProperties<Body>, BodyError> {
-    Ok(PlacedPart::new(part, Position::ZERO, Rotation::identity())?.in_body())
 }
 
 fn of_name(kind: &str, lengths: &[f64], ends: bool) -> PyResult<Result<Box<dyn Shape>, BodyError>> {

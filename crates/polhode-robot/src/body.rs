@@ -8,15 +8,16 @@
 //! Numbers with few digits can miss i1 + i2 ≥ i3 by their rounding, as those of a plate do. Such a tensor becomes the nearest
 //! possible one, and [`LinkBody::rounding`] says by how much; anything beyond is an error.
 
-use std::error::Error;
-use std::fmt;
-
 use polhode::body::{BodyError, InertiaTensor, MassProperties};
 use polhode::math::{Part, Position, Principal, Rotation};
 
-use crate::model::{ComputedMass, Inertial, Link, ModelFormat, Number, Slot, Span, Tensor};
+use crate::link_error::LinkError;
+use crate::model::{ComputedMass, Inertial, Link, ModelFormat, Number, Slot, Tensor};
 use crate::moments::{Moments, transposed};
 use crate::placement::Placement;
+
+/// Advice for links whose language makes something of a missing inertial.
+const WRITE: &str = "write its inertial";
 
 /// What rounding may have done to a tensor, as parts of i3: the digits that it is written with do no more than this, and single
 /// precision does so much however many digits are written. The checks ([`mod@crate::check`]) draw the line in the same place.
@@ -41,79 +42,6 @@ pub enum LinkMass {
     None,
 }
 
-/// Why a link's numbers are not a body.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LinkError {
-    /// A number that is missing, is none, or is not finite.
-    Number {
-        /// What it is: `"mass"`, `"izz"`.
-        what: String,
-        /// How it is written; `None` if it is not there.
-        text: Option<String>,
-        /// Where.
-        span: Span,
-    },
-    /// A link that says nothing of its mass, where the language makes something of that.
-    Assumed {
-        /// What.
-        rule: &'static str,
-        /// The link.
-        span: Span,
-    },
-    /// A link whose mass the language computes, from what cannot be read.
-    Computed {
-        /// Why.
-        why: String,
-        /// The link.
-        span: Span,
-    },
-    /// Unphysical numbers.
-    Impossible {
-        /// Why.
-        error: BodyError,
-        /// The inertial.
-        span: Span,
-    },
-}
-
-impl LinkError {
-    /// Where in the model's text.
-    pub fn span(&self) -> Span {
-        match self {
-            Self::Number { span, .. }
-            | Self::Assumed { span, .. }
-            | Self::Computed { span, .. }
-            | Self::Impossible { span, .. } => span.clone(),
-        }
-    }
-
-    /// What to do about it.
-    pub const fn hint(&self) -> &'static str {
-        match self {
-            Self::Assumed { .. } | Self::Computed { .. } => "write its inertial",
-            Self::Number { .. } | Self::Impossible { .. } => {
-                "polhode check says what is wrong, and what would repair it"
-            }
-        }
-    }
-}
-
-impl fmt::Display for LinkError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Number { what, text: None, .. } => write!(f, "it has no {what}"),
-            Self::Number { what, text: Some(text), .. } => {
-                write!(f, "its {what} is {text:?}, no finite number")
-            }
-            Self::Assumed { rule, .. } => write!(f, "it has no inertial: {rule}"),
-            Self::Computed { why, .. } => write!(f, "its mass cannot be computed: {why}"),
-            Self::Impossible { error, .. } => error.fmt(f),
-        }
-    }
-}
-
-impl Error for LinkError {}
-
 /// The mass properties of a link, in its own frame.
 ///
 /// # Errors
@@ -121,7 +49,10 @@ impl Error for LinkError {}
 pub fn link_mass(format: ModelFormat, link: &Link) -> Result<LinkMass, LinkError> {
     match (&link.computed, &link.inertial) {
         (Some(Ok(computed)), _) => of_computed(computed, link),
-        (Some(Err(why)), _) => Err(LinkError::Computed { why: why.clone(), span: link.span.clone() }),
+        (Some(Err(why)), _) => {
+            let message = format!("its mass cannot be computed: {why}");
+            Err(LinkError::new(message, WRITE).at(&link.span))
+        }
         (None, None) => assumed(format, link),
         (None, Some(inertial)) => of_inertial(format, inertial),
     }
@@ -136,7 +67,7 @@ fn of_computed(computed: &ComputedMass, link: &Link) -> Result<LinkMass, LinkErr
         let properties = MassProperties::<Part>::new(mass, Position::from_array(center), tensor)?;
         Ok(LinkMass::Body(LinkBody { properties, rounding }))
     });
-    body.map_err(|error| LinkError::Impossible { error, span: link.span.clone() })
+    body.map_err(|error| LinkError::impossible(&error, &link.span))
 }
 
 /// A link that says nothing of its mass is a frame, but for what languages make of it.
@@ -148,15 +79,15 @@ fn assumed(format: ModelFormat, link: &Link) -> Result<LinkMass, LinkError> {
             return Ok(LinkMass::None);
         }
     };
-    Err(LinkError::Assumed { rule, span: link.span.clone() })
+    Err(LinkError::new(format!("it has no inertial: {rule}"), WRITE).at(&link.span))
 }
 
 fn of_inertial(format: ModelFormat, inertial: &Inertial) -> Result<LinkMass, LinkError> {
-    let impossible = |error| LinkError::Impossible { error, span: inertial.span.clone() };
+    let impossible = |error| LinkError::impossible(&error, &inertial.span);
     let mass = number("mass", &inertial.mass)?;
     if let Some(Number { text, span, .. }) = inertial.pose.unreadable.first() {
-        let (what, text) = ("inertial frame".to_owned(), Some(text.clone()));
-        return Err(LinkError::Number { what, text, span: span.clone() });
+        let message = format!("its inertial frame is {text:?}, no finite number");
+        return Err(LinkError::of_number(message, span));
     }
     let (moments, products, printed) = elements(format, &inertial.tensor)?;
     if mass == 0.0 && moments.iter().chain(&products).all(|&element| element == 0.0) {
@@ -173,9 +104,7 @@ fn of_inertial(format: ModelFormat, inertial: &Inertial) -> Result<LinkMass, Lin
 /// Moments, products (elements of the tensor), and how far the digits leave the moments open.
 fn elements(format: ModelFormat, tensor: &Tensor) -> Result<([f64; 3], [f64; 3], f64), LinkError> {
     match tensor {
-        Tensor::Missing(span) => {
-            Err(LinkError::Number { what: "inertia tensor".to_owned(), text: None, span: span.clone() })
-        }
+        Tensor::Missing(span) => Err(LinkError::of_number("it has no inertia tensor", span)),
         Tensor::Diagonal(slots) => {
             let [a, b, c] = &**slots;
             let moments = [number("diaginertia", a)?, number("diaginertia", b)?, number("diaginertia", c)?];
@@ -197,11 +126,11 @@ fn elements(format: ModelFormat, tensor: &Tensor) -> Result<([f64; 3], [f64; 3],
 
 fn number(what: &str, slot: &Slot) -> Result<f64, LinkError> {
     slot.finite().ok_or_else(|| {
-        let (what, text) = match slot {
-            Slot::Missing { name, .. } => (name.clone(), None),
-            Slot::Given(number) => (what.to_owned(), Some(number.text.clone())),
+        let message = match slot {
+            Slot::Missing { name, .. } => format!("it has no {name}"),
+            Slot::Given(number) => format!("its {what} is {:?}, no finite number", number.text),
         };
-        LinkError::Number { what, text, span: slot.span() }
+        LinkError::of_number(message, &slot.span())
     })
 }
 

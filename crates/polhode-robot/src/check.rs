@@ -210,15 +210,5 @@ fn finding(
     message: String,
     rule: &str,
 ) -> Finding {
-    Finding {
-        code,
-        severity,
-        subject: link.name.text.clone(),
-        others: Vec::new(),
-        span,
-        message,
-        rule: rule.to_owned(),
-        numbers: Vec::new(),
-        repair: None,
-    }
+    Finding::new(code, severity, &link.name.text, span, message, rule)
 }

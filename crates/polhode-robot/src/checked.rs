@@ -3,14 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use polhode_document::json::pretty;
+use polhode_document::{Document, Report};
 use polhode_shape::failed;
 use polhode_source::Failure;
+use polhode_source::text::counted;
 use serde_json::Value;
 
 use crate::finding::{Finding, Severity};
 use crate::policy::{Judged, Remark, baseline};
 use crate::report::CheckReport;
-use crate::text::many;
 
 /// Result of a [`Request`](crate::Request).
 #[derive(Debug)]
@@ -86,17 +87,6 @@ impl Checked {
         self.files.iter().filter_map(|file| file.report.as_ref().ok())
     }
 
-    /// Returns true if something counts that is as severe as what fails: after the fixes, if these are written.
-    pub fn has_failed(&self) -> bool {
-        let fails = |findings: &[Finding]| findings.iter().any(|finding| finding.severity >= self.fail_on);
-        let remains = |report: &CheckReport| match &report.fixed {
-            Some(fixed) if fixed.out.is_some() => fails(&fixed.remaining),
-            _ => fails(report.findings()),
-        };
-        let mut remarks = self.remarks.iter().filter_map(|remark| remark.severity);
-        remarks.any(|severity| severity >= self.fail_on) || self.reports().any(remains)
-    }
-
     /// Returns the models with their fixes, if these were asked for.
     pub fn fixes(&self) -> impl Iterator<Item = Fix<'_>> {
         self.reports().filter_map(|report| {
@@ -128,12 +118,9 @@ impl Checked {
 
     /// Returns the results in a form.
     pub fn to_form(&self, form: Format) -> String {
-        let texts = |text: fn(&CheckReport) -> String| {
-            self.reports().map(text).collect::<Vec<_>>().join("\n") + &self.about_policy()
-        };
         match form {
-            Format::Text => texts(CheckReport::to_text),
-            Format::Table => texts(CheckReport::to_table),
+            Format::Text => self.to_text(None),
+            Format::Table => self.texts(CheckReport::to_table),
             Format::Json => pretty(&self.to_json()) + "\n",
             Format::Sarif => pretty(&self.to_sarif()) + "\n",
             Format::Junit => self.to_junit(),
@@ -158,8 +145,27 @@ impl Checked {
         }
     }
 
+    /// A text of each report, then what there is to say of the configuration and the baseline.
+    fn texts(&self, text: fn(&CheckReport) -> String) -> String {
+        self.reports().map(text).collect::<Vec<_>>().join("\n") + &self.about_policy()
+    }
+
+    /// Returns lines for people on excluded files, useless allowances, and known findings that are gone.
+    pub fn about_policy(&self) -> String {
+        let excluded = counted(self.excluded, "file");
+        let excluded =
+            (self.excluded > 0).then(|| format!("left out: {excluded}, by exclude of the configuration\n"));
+        let remark = |Remark { file, place: (line, column), code, severity, message }: &Remark| {
+            Some(format!("{}: {file}:{line}:{column} [{code}]: {message}\n", (*severity)?.name()))
+        };
+        let text: String = excluded.into_iter().chain(self.remarks.iter().filter_map(remark)).collect();
+        if text.is_empty() || self.files.is_empty() { text } else { format!("\n{text}") }
+    }
+}
+
+impl Report for Checked {
     /// Returns an object if one file was named, and a list otherwise; a file that cannot be read has an object with its error.
-    pub fn to_json(&self) -> Value {
+    fn to_json(&self) -> Value {
         let value = |file: &FileChecked| match &file.report {
             Ok(report) => report.to_json(),
             Err(failure) => failed(&file.path, failure),
@@ -170,15 +176,22 @@ impl Checked {
         }
     }
 
-    /// Returns lines for people on excluded files, useless allowances, and known findings that are gone.
-    pub fn about_policy(&self) -> String {
-        let excluded = many(self.excluded, "file");
-        let excluded =
-            (self.excluded > 0).then(|| format!("left out: {excluded}, by exclude of the configuration\n"));
-        let remark = |Remark { file, place: (line, column), code, severity, message }: &Remark| {
-            Some(format!("{}: {file}:{line}:{column} [{code}]: {message}\n", (*severity)?.name()))
+    fn to_document(&self) -> Document {
+        Document::of_text("Inertias of robot models", &self.to_text(None))
+    }
+
+    fn to_text(&self, _columns: Option<usize>) -> String {
+        self.texts(CheckReport::to_text)
+    }
+
+    /// Returns true if something counts that is as severe as what fails: after the fixes, if these are written.
+    fn has_failed(&self) -> bool {
+        let fails = |findings: &[Finding]| findings.iter().any(|finding| finding.severity >= self.fail_on);
+        let remains = |report: &CheckReport| match &report.fixed {
+            Some(fixed) if fixed.out.is_some() => fails(&fixed.remaining),
+            _ => fails(report.findings()),
         };
-        let text: String = excluded.into_iter().chain(self.remarks.iter().filter_map(remark)).collect();
-        if text.is_empty() || self.files.is_empty() { text } else { format!("\n{text}") }
+        let mut remarks = self.remarks.iter().filter_map(|remark| remark.severity);
+        remarks.any(|severity| severity >= self.fail_on) || self.reports().any(remains)
     }
 }

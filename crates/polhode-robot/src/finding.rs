@@ -17,6 +17,14 @@ pub enum Severity {
 }
 
 impl Severity {
+    /// All, the worst first.
+    pub const ALL: [Self; 3] = [Self::Impossible, Self::Suspect, Self::Note];
+
+    /// Returns the severity of a name in lower case.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|severity| severity.name() == name)
+    }
+
     /// In lower case.
     pub const fn name(self) -> &'static str {
         match self {
@@ -30,7 +38,7 @@ impl Severity {
 #[cfg(feature = "arguments")]
 impl clap::ValueEnum for Severity {
     fn value_variants<'a>() -> &'a [Self] {
-        &[Self::Impossible, Self::Suspect, Self::Note]
+        &Self::ALL
     }
 
     fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
@@ -59,6 +67,22 @@ pub struct Finding {
     pub numbers: Vec<(&'static str, f64)>,
     /// The fix, if exactly one is consistent with all evidence of the link.
     pub repair: Option<Repair>,
+}
+
+impl Finding {
+    /// Creates a finding about a link or joint alone, or with an empty `subject` about the model, without numbers and repair.
+    pub(crate) fn new(
+        code: &'static str,
+        severity: Severity,
+        subject: &str,
+        span: Span,
+        message: impl Into<String>,
+        rule: &str,
+    ) -> Self {
+        let (subject, rule, message) = (subject.to_owned(), rule.to_owned(), message.into());
+        let (others, numbers) = (Vec::new(), Vec::new());
+        Self { code, severity, subject, others, span, message, rule, numbers, repair: None }
+    }
 }
 
 /// A repair that is sure.

@@ -8,12 +8,14 @@ mod sarif;
 
 use std::borrow::Cow;
 
+use polhode_source::text::counted;
+
 use crate::checked::{Checked, FileChecked};
 use crate::finding::{Finding, Severity};
 use crate::line_index::{FilePlace, Places};
 use crate::model::{RobotModel, Span};
 use crate::policy::Reason;
-use crate::text::many;
+use crate::report::Counts;
 
 /// A finding as all formats have it.
 #[derive(Debug)]
@@ -138,34 +140,23 @@ impl Checked {
         let off = self.reports().map(|report| report.judged.off).sum();
         let mut lines = Vec::new();
         if self.excluded > 0 {
-            lines.push(format!("left out: {}, by exclude of the configuration", many(self.excluded, "file")));
+            lines.push(format!(
+                "left out: {}, by exclude of the configuration",
+                counted(self.excluded, "file")
+            ));
         }
         if off > 0 {
-            lines.push(format!("off: {} of rules that are off", many(off, "finding")));
+            lines.push(format!("off: {} of rules that are off", counted(off, "finding")));
         }
         lines
     }
 
     /// How many count, from impossible to note, how many are allowed, and how many known.
-    fn counts(&self) -> ([usize; 3], usize, usize) {
-        let (mut open, mut allowed, mut known) = ([0; 3], 0, 0);
-        for item in self.items() {
-            match item.settled {
-                Some(Reason::Known) => known += 1,
-                Some(Reason::Allowed(_)) => allowed += 1,
-                None => open[rank(item.severity)] += 1,
-            }
-        }
-        (open, allowed, known)
-    }
-}
-
-/// The place of a severity in counts, the worst first.
-const fn rank(severity: Severity) -> usize {
-    match severity {
-        Severity::Impossible => 0,
-        Severity::Suspect => 1,
-        Severity::Note => 2,
+    fn counts(&self) -> (Counts, usize, usize) {
+        let open = self.items().filter(|item| item.settled.is_none()).map(|item| item.severity);
+        let settled: Vec<&Reason> = self.items().filter_map(|item| item.settled).collect();
+        let known = settled.iter().filter(|why| ***why == Reason::Known).count();
+        (Counts::of(open), settled.len() - known, known)
     }
 }
 

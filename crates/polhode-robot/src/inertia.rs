@@ -1,7 +1,5 @@
 //! Reports of the bodies of a model: a link, what fixed joints hold together, a link with all that hangs from it, or the whole.
 
-use std::error::Error;
-use std::fmt;
 use std::fmt::Write as _;
 
 use polhode::body::{Finding, Severity};
@@ -13,84 +11,27 @@ use serde_json::{Map, Value, json};
 
 use crate::body::{LinkMass, link_mass};
 use crate::line_index::{FilePlace, Places};
-use crate::lump::{Drive, JointPosition, Lump, LumpError, Lumping, PositionBy, link_named, lump};
-use crate::model::{ModelFormat, RobotModel, Span};
-use crate::remarks::{Contradiction, remarks};
-
-/// Why there is no report.
-#[derive(Clone, Debug, PartialEq)]
-pub enum InertiaError {
-    /// A link is no body, a name is none, a joint's value cannot be told, or links cannot be joined.
-    Lump(LumpError),
-    /// A link without mass.
-    Massless {
-        /// The link.
-        link: String,
-        /// Where.
-        span: Span,
-    },
-    /// A link that says its numbers twice, and not the same.
-    Twice(Contradiction),
-}
-
-impl InertiaError {
-    /// Where in the model's text, if it is a place.
-    pub fn span(&self) -> Option<Span> {
-        match self {
-            Self::Lump(error) => error.span(),
-            Self::Massless { span, .. } => Some(span.clone()),
-            Self::Twice(twice) => Some(twice.span.clone()),
-        }
-    }
-
-    /// What to do about it.
-    pub fn hint(&self) -> String {
-        match self {
-            Self::Lump(error) => error.hint(),
-            Self::Massless { .. } => "name another, or join it to others".to_owned(),
-            Self::Twice(twice) => twice.hint().to_owned(),
-        }
-    }
-}
-
-impl fmt::Display for InertiaError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Lump(error) => error.fmt(f),
-            Self::Massless { link, .. } => write!(f, "the link {link:?} has no mass"),
-            Self::Twice(twice) => twice.fmt(f),
-        }
-    }
-}
-
-impl Error for InertiaError {}
-
-impl From<LumpError> for InertiaError {
-    fn from(error: LumpError) -> Self {
-        Self::Lump(error)
-    }
-}
-
-impl From<Contradiction> for InertiaError {
-    fn from(twice: Contradiction) -> Self {
-        Self::Twice(twice)
-    }
-}
+use crate::link_error::LinkError;
+use crate::lump::{Drive, JointPosition, Lump, Lumping, PositionBy, link_named, lump};
+use crate::model::RobotModel;
+use crate::remarks::remarks;
+use crate::report::format_name;
 
 /// A link, in its own frame.
 ///
 /// # Errors
-/// [`InertiaError`] if there is no such link, or it is no body.
-pub fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, InertiaError> {
+/// [`LinkError`] if the link is unknown, or is not a body.
+pub fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, LinkError> {
     let link = link_named(model, name)?;
     let findings = remarks(model, Some(name))?;
-    let Some(link) = model.links.get(link) else { return Err(LumpError::Massless { subtree: None }.into()) };
+    let Some(link) = model.links.get(link) else { return Err(LinkError::massless(None)) };
     let body = match link_mass(model.format, link) {
         Ok(LinkMass::Body(body)) => body,
         Ok(LinkMass::None) => {
-            return Err(InertiaError::Massless { link: name.to_owned(), span: link.span.clone() });
+            let message = format!("the link {name:?} has no mass");
+            return Err(LinkError::new(message, "name another, or join it to others").at(&link.span));
         }
-        Err(error) => return Err(LumpError::Link { link: name.to_owned(), error }.into()),
+        Err(error) => return Err(error.of_link(name)),
     };
     // The link's axes are the body's.
     let properties = body.properties.in_frame::<Body>(Rotation::identity());
@@ -106,12 +47,12 @@ pub fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, InertiaE
 /// `source.joints` has the values that are given, `source.followers` those that follow from them, rad or m.
 ///
 /// # Errors
-/// [`InertiaError`] as [`lump`] has it, or if the file says a number in two ways.
+/// [`LinkError`] as [`lump`] has it, or if the file says a number in two ways.
 pub fn of_lumps(
     model: &RobotModel,
     lumping: Lumping<'_>,
     positions: &[(String, f64)],
-) -> Result<Vec<InertiaReport>, InertiaError> {
+) -> Result<Vec<InertiaReport>, LinkError> {
     let lumps = lump(model, lumping, positions)?;
     let mut findings = remarks(model, None)?;
     if let Some(lump) = lumps.first() {
@@ -266,13 +207,7 @@ fn rounded(source: SourceInfo, rounding: f64) -> SourceInfo {
 
 /// The model as a source.
 pub(crate) fn source(model: &RobotModel) -> SourceInfo {
-    let format = match model.format {
-        ModelFormat::Urdf => "urdf",
-        ModelFormat::Sdf => "sdf",
-        ModelFormat::Mjcf => "mjcf",
-        ModelFormat::Usd => "usd",
-        ModelFormat::Osim => "osim",
-    };
+    let format = format_name(model.format).to_ascii_lowercase();
     SourceInfo::new(model.path.display().to_string(), format)
 }
 

@@ -84,15 +84,5 @@ fn of_note(note: &Note) -> Finding {
 }
 
 fn note(code: &'static str, subject: &str, span: &Span, message: &str, rule: &str) -> Finding {
-    Finding {
-        code,
-        severity: Severity::Note,
-        subject: subject.to_owned(),
-        others: Vec::new(),
-        span: span.clone(),
-        message: message.to_owned(),
-        rule: rule.to_owned(),
-        numbers: Vec::new(),
-        repair: None,
-    }
+    Finding::new(code, Severity::Note, subject, span.clone(), message, rule)
 }

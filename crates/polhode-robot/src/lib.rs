@@ -35,6 +35,7 @@ pub mod inspect;
 mod json;
 pub mod line_index;
 mod link_choice;
+mod link_error;
 pub mod link_table;
 mod link_tables;
 pub mod lump;
@@ -58,6 +59,7 @@ mod text;
 
 pub use checked::{Checked, FileChecked, Fix, Format};
 pub use link_choice::{JointValue, LinkChoice, Which};
+pub use link_error::LinkError;
 pub use link_tables::LinkTables;
 pub use request::Request;
 pub use run::{Inputs, Progress, run};
@@ -65,5 +67,5 @@ pub use run::{Inputs, Progress, run};
 /// JSON schema of [`Request`].
 pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
 
-/// JSON schema of [`Checked::to_json`].
+/// JSON schema of the report of [`Checked`].
 pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");

@@ -11,8 +11,9 @@ use polhode_source::unit::Dimension;
 use polhode_source::{Failure, shown};
 use serde::{Deserialize, Serialize};
 
-use crate::inertia::{InertiaError, of_link, of_lumps};
+use crate::inertia::{of_link, of_lumps};
 use crate::line_index::{FilePlace, Places};
+use crate::link_error::LinkError;
 use crate::link_table::LinkTable;
 use crate::lump::{Lumping, slides};
 use crate::model::RobotModel;
@@ -185,7 +186,7 @@ fn position(model: &RobotModel, name: &str, value: &str) -> Result<(String, f64)
 }
 
 /// A failure with its place in the model, if it has one.
-fn failure(model: &RobotModel, error: &InertiaError) -> Failure {
+fn failure(model: &RobotModel, error: &LinkError) -> Failure {
     let (message, hint) = (error.to_string(), error.hint());
     match error.span() {
         Some(span) => {

@@ -13,8 +13,9 @@ use polhode_shape::report::InertiaReport;
 use serde_json::{Map, Value, json};
 
 use crate::body::{LinkMass, link_mass};
-use crate::inertia::{InertiaError, of_lumps, of_model};
-use crate::lump::{LumpError, Lumping};
+use crate::inertia::{of_lumps, of_model};
+use crate::link_error::LinkError;
+use crate::lump::Lumping;
 use crate::model::{GeometryShape, Link, RobotModel};
 
 /// Digits of every number for people.
@@ -84,10 +85,10 @@ impl LinkTable {
     /// The table of a model, joints at these values by name, rad or m.
     ///
     /// # Errors
-    /// [`InertiaError`] if a link is no body, or they cannot be joined.
-    pub fn of(model: &RobotModel, positions: &[(String, f64)]) -> Result<Self, InertiaError> {
+    /// [`LinkError`] if a link is not a body, or they cannot be joined.
+    pub fn of(model: &RobotModel, positions: &[(String, f64)]) -> Result<Self, LinkError> {
         let mut whole = of_lumps(model, Lumping::All, positions)?.into_iter();
-        let whole = whole.next().ok_or(LumpError::Massless { subtree: None })?;
+        let whole = whole.next().ok_or_else(|| LinkError::massless(None))?;
         let rows = model.links.iter().map(|link| row(model, link)).collect::<Result<Vec<_>, _>>()?;
         Ok(Self { rows, whole, name: of_model(model) })
     }
@@ -201,14 +202,14 @@ impl LinkRow {
     }
 }
 
-fn row(model: &RobotModel, link: &Link) -> Result<LinkRow, InertiaError> {
+fn row(model: &RobotModel, link: &Link) -> Result<LinkRow, LinkError> {
     let name = &link.name.text;
     let (properties, rounding) = match link_mass(model.format, link) {
         Ok(LinkMass::None) => (None, 0.0),
         Ok(LinkMass::Body(body)) => {
             (Some(body.properties.in_frame::<Body>(Rotation::identity())), body.rounding)
         }
-        Err(error) => return Err(LumpError::Link { link: name.clone(), error }.into()),
+        Err(error) => return Err(error.of_link(name)),
     };
     let mut shapes: Vec<String> = Vec::new();
     for geometry in &link.geometry {

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use polhode_document::layout::printable;
+use polhode_document::{Document, Report};
 use polhode_shape::{failed, noticed};
 use polhode_source::{Failure, shown};
 use serde_json::Value;
@@ -16,23 +17,6 @@ pub struct LinkTables(pub Vec<(PathBuf, Result<LinkTable, Failure>)>);
 impl LinkTables {
     fn tables(&self) -> impl Iterator<Item = (&Path, &LinkTable)> {
         self.0.iter().filter_map(|(file, table)| Some((file.as_path(), table.as_ref().ok()?)))
-    }
-
-    /// Returns an object for one file, and a list for several; a file that failed has an object with its error.
-    pub fn to_json(&self) -> Value {
-        let value = |(file, table): &(PathBuf, Result<LinkTable, Failure>)| match table {
-            Ok(table) => table.to_json(),
-            Err(failure) => failed(file, failure),
-        };
-        match self.0.as_slice() {
-            [one] => value(one),
-            several => several.iter().map(value).collect(),
-        }
-    }
-
-    /// Returns all tables for people.
-    pub fn to_text(&self) -> String {
-        self.tables().map(|(_, table)| table.to_text()).collect::<Vec<_>>().join("\n")
     }
 
     /// Returns one table of all links as CSV; empty if there are none.
@@ -49,5 +33,27 @@ impl LinkTables {
             format!("info: {}: {description}\n{findings}", shown(file))
         };
         self.tables().map(of).collect()
+    }
+}
+
+impl Report for LinkTables {
+    /// Returns an object for one file, and a list for several; a file that failed has an object with its error.
+    fn to_json(&self) -> Value {
+        let value = |(file, table): &(PathBuf, Result<LinkTable, Failure>)| match table {
+            Ok(table) => table.to_json(),
+            Err(failure) => failed(file, failure),
+        };
+        match self.0.as_slice() {
+            [one] => value(one),
+            several => several.iter().map(value).collect(),
+        }
+    }
+
+    fn to_document(&self) -> Document {
+        Document::of_text("Links of robots", &self.to_text(None))
+    }
+
+    fn to_text(&self, _columns: Option<usize>) -> String {
+        self.tables().map(|(_, table)| table.to_text()).collect::<Vec<_>>().join("\n")
     }
 }

@@ -8,7 +8,6 @@
 //! The composite is [`polhode::body::assemble`]'s: masses and moments summed by parallel axes about a local point.
 
 mod drive;
-mod error;
 mod position;
 mod tree;
 
@@ -21,11 +20,11 @@ use self::drive::drives;
 use self::position::Positions;
 use self::tree::{Above, Tree};
 use crate::body::{LinkMass, link_mass};
-use crate::model::{JointKind, Link, ModelFormat, Pose, RobotModel, UnreadBodies};
+use crate::link_error::{LinkError, suggested};
+use crate::model::{JointKind, Link, ModelFormat, Name, Pose, RobotModel, Span, UnreadBodies};
 use crate::placement::Placement;
 
 pub use self::drive::Drive;
-pub use self::error::LumpError;
 pub use self::position::{JointPosition, PositionBy, slides};
 
 /// Which links become one body.
@@ -82,13 +81,13 @@ pub struct Lump {
 /// ```
 ///
 /// # Errors
-/// [`LumpError`] if a link is not a body, if bodies are not read, if the joints do not form a tree, or
+/// [`LinkError`] if a link is not a body, if bodies are not read, if the joints do not form a tree, or
 /// if a value has no joint, moves nothing or cannot be told.
 pub fn lump(
     model: &RobotModel,
     lumping: Lumping<'_>,
     positions: &[(String, f64)],
-) -> Result<Vec<Lump>, LumpError> {
+) -> Result<Vec<Lump>, LinkError> {
     let mut positions = Positions::of(model, positions)?;
     let tree = Tree::of(model)?;
     let (root, frame) = match lumping {
@@ -148,15 +147,11 @@ pub fn lump(
     if let (Some(lump), Some(above)) = (lumps.first_mut(), root.and_then(|root| tree.above.get(root))) {
         lump.drives = drives(model, above, &lump.properties);
     }
-    if lumps.is_empty() {
-        Err(LumpError::Massless { subtree: subtree.map(str::to_owned) })
-    } else {
-        Ok(lumps)
-    }
+    if lumps.is_empty() { Err(LinkError::massless(subtree)) } else { Ok(lumps) }
 }
 
 /// Refuses bodies that are not read in these links; `None` for all links and the world.
-fn require_bodies(model: &RobotModel, links: Option<&HashSet<&str>>) -> Result<(), LumpError> {
+fn require_bodies(model: &RobotModel, links: Option<&HashSet<&str>>) -> Result<(), LinkError> {
     let is_in = |unread: &&UnreadBodies| match (links, &unread.link) {
         (None, _) => true,
         (Some(links), Some(link)) => links.contains(link.as_str()),
@@ -164,7 +159,9 @@ fn require_bodies(model: &RobotModel, links: Option<&HashSet<&str>>) -> Result<(
     };
     match model.unread_bodies.iter().find(is_in) {
         Some(UnreadBodies { element, span, .. }) => {
-            Err(LumpError::UnreadBodies { element: element.clone(), span: span.clone() })
+            let message = format!("the bodies of <{element}> are not read, and their mass would be missing");
+            let hint = "save the model as MuJoCo has compiled it (mj_saveLastXML), and use that";
+            Err(LinkError::new(message, hint).at(span))
         }
         None => Ok(()),
     }
@@ -180,20 +177,20 @@ fn held(model: &RobotModel, joints: &[usize]) -> Vec<String> {
 }
 
 /// A link by its name.
-pub(crate) fn link_named(model: &RobotModel, name: &str) -> Result<usize, LumpError> {
+pub(crate) fn link_named(model: &RobotModel, name: &str) -> Result<usize, LinkError> {
     let names = || model.links.iter().map(|link| link.name.text.as_str());
-    names().position(|link| link == name).ok_or_else(|| LumpError::UnknownLink {
-        link: name.to_owned(),
-        meant: polhode_source::nearest(name, names()).map(str::to_owned),
-        links: links_by_use(model),
+    names().position(|link| link == name).ok_or_else(|| {
+        let meant = polhode_source::nearest(name, names());
+        let hint = suggested(meant, "its links are", &links_by_use(model));
+        LinkError::new(format!("there is no link {name:?}"), hint)
     })
 }
 
 /// The names of the links, those with an inertial first.
-fn links_by_use(model: &RobotModel) -> Vec<String> {
+fn links_by_use(model: &RobotModel) -> Vec<&str> {
     let (with, without): (Vec<&Link>, Vec<&Link>) =
         model.links.iter().partition(|link| link.inertial.is_some() || link.computed.is_some());
-    with.iter().chain(&without).map(|link| link.name.text.clone()).collect()
+    with.into_iter().chain(without).map(|link| link.name.text.as_str()).collect()
 }
 
 /// Where a link stands in its group's frame.
@@ -214,14 +211,14 @@ impl Group {
         Self { frame, links: Vec::new(), massless: Vec::new(), rounding: 0.0, parts: Vec::new() }
     }
 
-    fn add(&mut self, format: ModelFormat, link: &Link, place: Place) -> Result<(), LumpError> {
+    fn add(&mut self, format: ModelFormat, link: &Link, place: Place) -> Result<(), LinkError> {
         let name = &link.name.text;
-        match link_mass(format, link).map_err(|error| LumpError::Link { link: name.clone(), error })? {
+        match link_mass(format, link).map_err(|error| error.of_link(name))? {
             LinkMass::None => self.massless.push(name.clone()),
             LinkMass::Body(body) => {
                 let rotation = place.rotation * Rotation::identity();
                 let part = PlacedPart::new(body.properties, place.position, rotation);
-                self.parts.push(part.map_err(|error| LumpError::Joined { link: name.clone(), error })?);
+                self.parts.push(part.map_err(|error| not_joined(name, &error))?);
                 self.links.push(name.clone());
                 self.rounding = self.rounding.max(body.rounding);
             }
@@ -229,39 +226,48 @@ impl Group {
         Ok(())
     }
 
-    fn joined(self, positions: &[JointPosition], held: &[String]) -> Result<Lump, LumpError> {
+    fn joined(self, positions: &[JointPosition], held: &[String]) -> Result<Lump, LinkError> {
         let Self { frame, links, massless, rounding, parts } = self;
         let properties = assemble(&parts).map_err(|error| {
             // The first that the first cannot be joined to, or the last of a sum that is too large.
             let fails =
                 |part: &&PlacedPart| parts.first().is_some_and(|first| assemble(&[*first, **part]).is_err());
             let culprit = parts.iter().skip(1).position(|part| fails(&part)).map_or(links.len(), |k| k + 2);
-            let link = links.get(culprit.saturating_sub(1)).cloned().unwrap_or_default();
-            LumpError::Joined { link, error }
+            let link = links.get(culprit.saturating_sub(1)).map_or("", String::as_str);
+            not_joined(link, &error)
         })?;
         let (positions, held) = (positions.to_vec(), held.to_vec());
         Ok(Lump { frame, links, massless, positions, held, drives: Vec::new(), rounding, properties })
     }
 }
 
+/// Error of a link that is a body, but not together with the others.
+fn not_joined(link: &str, error: &BodyError) -> LinkError {
+    let message = format!("the link {link:?} cannot be joined to the others: {error}");
+    LinkError::new(message, "check the units of its mass and of the poses above it")
+}
+
 /// The name of the link whose frame is the model's: the only root of a URDF, unless it hangs on the world.
-fn common_frame(model: &RobotModel, tree: &Tree) -> Result<Option<String>, LumpError> {
+fn common_frame(model: &RobotModel, tree: &Tree) -> Result<Option<String>, LinkError> {
     let hangs = |k: &usize| tree.above.get(*k).is_some_and(|above| !above.joints.is_empty());
     if model.format != ModelFormat::Urdf || tree.roots().all(|k| hangs(&k)) {
         return Ok(None);
     }
     let mut roots = tree.roots().filter_map(|k| model.links.get(k));
     match (roots.next(), roots.next()) {
-        (Some(first), Some(second)) => Err(LumpError::TwoRoots {
-            links: [first.name.text.clone(), second.name.text.clone()],
-            span: second.name.span.clone(),
-        }),
+        (Some(first), Some(second)) => {
+            let [a, b] = [first, second].map(|link| &link.name.text);
+            let message =
+                format!("{a:?} and {b:?} both hang on nothing: where one stands from the other is not said");
+            let hint = "join them; --lump fixed needs no common frame";
+            Err(LinkError::new(message, hint).at(&second.name.span))
+        }
         (first, _) => Ok(first.map(|link| link.name.text.clone())),
     }
 }
 
 /// Where a root stands in the model, its joints at rest.
-fn in_model(model: &RobotModel, link: &Link, above: &Above) -> Result<Place, LumpError> {
+fn in_model(model: &RobotModel, link: &Link, above: &Above) -> Result<Place, LinkError> {
     match model.format {
         // These say it of the joint alone.
         ModelFormat::Urdf | ModelFormat::Osim => at_rest(model, link, above),
@@ -270,7 +276,7 @@ fn in_model(model: &RobotModel, link: &Link, above: &Above) -> Result<Place, Lum
 }
 
 /// Where a link stands in the frame of what it hangs on, its joints at rest.
-fn at_rest(model: &RobotModel, link: &Link, above: &Above) -> Result<Place, LumpError> {
+fn at_rest(model: &RobotModel, link: &Link, above: &Above) -> Result<Place, LinkError> {
     match above.joints(model).next() {
         Some(joint) => pose(&joint.pose, &joint.name.text, link),
         None => Ok(Place::identity()),
@@ -283,28 +289,31 @@ fn moved(
     model: &RobotModel,
     above: &Above,
     positions: &mut Positions<'_>,
-) -> Result<Place, LumpError> {
+) -> Result<Place, LinkError> {
     above.joints.iter().try_fold(place, |place, &k| {
         let Some(joint) = model.joints.get(k) else { return Ok(place) };
         if let Some(why) = &joint.coordinate.unread {
-            let (joint, span) = (joint.name.text.clone(), joint.name.span.clone());
-            return Err(LumpError::Unread { joint, why: why.clone(), span });
+            let Name { text, span } = &joint.name;
+            let message = format!("where the joint {text:?} holds its child is not known: {why}");
+            let hint = "ask for what hangs on it, or for links one by one";
+            return Err(LinkError::new(message, hint).at(span));
         }
         let q = positions.displacement(k)?;
-        let motion = Place::motion(joint, q)
-            .ok_or_else(|| LumpError::Pose { subject: joint.name.text.clone(), span: joint.span.clone() })?;
+        let motion = Place::motion(joint, q).ok_or_else(|| no_pose(&joint.name.text, &joint.span))?;
         Ok(place.then(motion))
     })
 }
 
 /// The placement of a pose in which every number could be read.
-fn pose(pose: &Pose, subject: &str, link: &Link) -> Result<Place, LumpError> {
-    let wrong = || LumpError::Pose {
-        subject: subject.to_owned(),
-        span: pose.span.clone().unwrap_or_else(|| link.span.clone()),
-    };
+fn pose(pose: &Pose, subject: &str, link: &Link) -> Result<Place, LinkError> {
+    let wrong = || no_pose(subject, pose.span.as_ref().unwrap_or(&link.span));
     if !pose.unreadable.is_empty() {
         return Err(wrong());
     }
     Place::of(pose).map_err(|_: BodyError| wrong())
+}
+
+fn no_pose(subject: &str, span: &Span) -> LinkError {
+    let message = format!("the pose or axis of {subject:?} is none");
+    LinkError::new(message, "give it numbers that are finite, and an axis a length").at(span)
 }

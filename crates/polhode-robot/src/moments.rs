@@ -3,6 +3,8 @@
 //! [`polhode::body::InertiaTensor`] refuses an unphysical tensor. Here such tensors are the subject: what a file says is
 //! taken apart as it stands, and the verdict comes later.
 
+use crate::pose::cross;
+
 /// The elements xx, yy, zz, xy, xz, yz of a symmetric matrix; of an inertia tensor, in kg·m², xy = −∫xy dm.
 pub type Elements = [f64; 6];
 
@@ -64,10 +66,6 @@ fn positive(v: [f64; 3]) -> [f64; 3] {
     if largest < 0.0 { v.map(|x| -x) } else { v }
 }
 
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
 /// The matrix of six elements.
 pub(crate) fn matrix(&[xx, yy, zz, xy, xz, yz]: &Elements) -> [[f64; 3]; 3] {
     [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
@@ -120,6 +118,7 @@ pub(crate) fn transposed(r: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
 
 /// The matrix of a unit quaternion (w, x, y, z).
 pub(crate) fn rotation_matrix([w, x, y, z]: [f64; 4]) -> [[f64; 3]; 3] {
+    // R = 1 + 2 w [v]× + 2 [v]×²
     [
         [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
         [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],

@@ -1,6 +1,7 @@
 //! Frames in frames: x_outer = p + R x_inner.
 
 use crate::model::Pose;
+use crate::moments::{rotation_matrix, transposed};
 
 impl Pose {
     /// No move and no turn, written nowhere.
@@ -14,13 +15,7 @@ impl Pose {
 
     /// R_outer_inner: its columns are the inner axes in outer components.
     pub fn matrix(&self) -> [[f64; 3]; 3] {
-        let [w, x, y, z] = self.rotation;
-        // R = 1 + 2 w [v]× + 2 [v]×²
-        [
-            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
-            [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
-            [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
-        ]
+        rotation_matrix(self.rotation)
     }
 
     /// A direction of the inner frame, in the outer one.
@@ -56,8 +51,8 @@ impl Pose {
     /// A tensor in the axes of the inner frame, along the axes of the outer one: R I Rᵀ.
     pub fn turned_tensor(&self, tensor: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
         let rows = tensor.map(|row| self.turned(row)); // I Rᵀ, as I is symmetric: row k is R I_k
-        let columns = transposed(rows).map(|column| self.turned(column));
-        transposed(columns)
+        let columns = transposed(&rows).map(|column| self.turned(column));
+        transposed(&columns)
     }
 }
 
@@ -141,8 +136,4 @@ pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn transposed(m: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
-    [0, 1, 2].map(|k| [m[0][k], m[1][k], m[2][k]])
 }

@@ -27,9 +27,9 @@ pub(crate) mod xml;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use polhode_source::ContentErrorKind;
 use polhode_source::FormatError;
 use polhode_source::files::{Disk, Files};
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use crate::model::{ModelFormat, Note, RobotModel};
 use files::{ModelFiles, Naming};
@@ -87,8 +87,7 @@ fn binary_usd(files: &dyn Files, path: &Path) -> Option<FormatError> {
     if !matches!(ending.as_str(), "usd" | "usdc" | "usdz") || !files.is_file(path) {
         return None;
     }
-    let what = "USD that is not text".to_owned();
-    let error = ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Whole);
+    let error = ContentErrorKind::unsupported("USD that is not text").of_whole();
     let file = path.file_name()?.to_string_lossy().into_owned();
     let error = error.hint(format!("write it as text: usdcat --flatten {file} --out robot.usda"));
     Some(FormatError::of_content(path, b"", error))
@@ -155,9 +154,8 @@ fn read(text: String, path: &Path, options: &ReadOptions<'_>) -> Result<RobotMod
     let notes = std::mem::take(&mut files.notes);
     let mut model = files.with_root(|root| {
         let Some(format) = language(root.name()) else {
-            let what = "<robot> (URDF), <sdf>, <mujoco> or <OpenSimDocument>".to_owned();
-            let kind = ContentErrorKind::Expected { what, found: format!("<{}>", root.name()) };
-            return Err(ContentError::new(kind, ContentPlace::Text(root.span())));
+            let what = "<robot> (URDF), <sdf>, <mujoco> or <OpenSimDocument>";
+            return Err(ContentErrorKind::expected(what, format!("<{}>", root.name())).at(root.span()));
         };
         let mut model = RobotModel { notes, ..RobotModel::empty(path, format) };
         match format {

@@ -66,7 +66,7 @@ pub struct Counts {
 }
 
 impl Counts {
-    fn of(severities: impl Iterator<Item = Severity>) -> Self {
+    pub(crate) fn of(severities: impl Iterator<Item = Severity>) -> Self {
         severities.fold(Self::default(), |mut counts, severity| {
             match severity {
                 Severity::Impossible => counts.impossible += 1,

@@ -12,6 +12,7 @@ use crate::program::Program;
 /// Models to check, and what of the findings counts.
 ///
 /// ```
+/// use polhode_document::Report as _;
 /// use polhode_robot::{Request, run};
 /// use polhode_source::files::Memory;
 /// let model = r#"<robot><link name="arm"><inertial><mass value="1.7"/>

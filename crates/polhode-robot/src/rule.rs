@@ -1,17 +1,10 @@
-//! All rules of the checks, in one table: what each asks, why, how to mend what breaks it, and an example.
+//! All rules of the checks, in one table, `rule/rules.txt`: what each requires, why, how to comply, and an example.
 //!
 //! `polhode check --explain`, the rules of SARIF and `book/rules.md` are made of it. A test holds it against the codes that are told:
 //! each is in the table, and each example breaks its rule until it is mended.
 
-mod geometry;
-mod mass;
-mod number;
-mod policy;
-mod reading;
-mod tensor;
-mod tree;
-
 use std::fmt::Write as _;
+use std::sync::LazyLock;
 
 use polhode_document::layout::{WIDTH, wrap};
 
@@ -34,39 +27,52 @@ pub struct Rule {
     pub example: Option<Example>,
 }
 
-/// A model that breaks a rule.
+/// A model that breaks a rule: what is wrong in it, and what is right in its place.
 #[derive(Debug)]
 pub struct Example {
-    /// The model, or what stands in its `<robot>`.
-    pub model: &'static str,
-    /// What is wrong in it, once.
-    pub old: &'static str,
-    /// What is right in its place.
-    pub new: &'static str,
+    /// Beginning of the model, or of the contents of its `<robot>`.
+    before: &'static str,
+    wrong: &'static str,
+    right: &'static str,
+    /// End of the model.
+    after: &'static str,
 }
 
 impl Example {
+    /// Reads a model with `[-what is wrong-]{+what is right+}`; nothing is in its place where that is left out.
+    fn read(text: &'static str) -> Option<Self> {
+        let (before, rest) = text.split_once("[-")?;
+        let (wrong, rest) = rest.split_once("-]")?;
+        let (right, after) = match rest.strip_prefix("{+") {
+            Some(rest) => rest.split_once("+}")?,
+            None => ("", rest),
+        };
+        Some(Self { before, wrong, right, after })
+    }
+
+    /// Returns the text with a part in its place.
+    fn with(&self, part: &str) -> String {
+        [self.before, part, self.after].concat()
+    }
+
     /// The model that breaks the rule, and the one that does not.
     pub fn models(&self) -> [String; 2] {
-        [self.model.to_owned(), self.model.replacen(self.old, self.new, 1)].map(|model| {
+        [self.wrong, self.right].map(|part| {
+            let model = self.with(part);
             let is_whole = ["<sdf", "<mujoco", "<robot", "#usda"].iter().any(|root| model.starts_with(root));
             if is_whole { model } else { format!("<robot name=\"r\">\n{model}\n</robot>") }
         })
     }
 }
 
+const TABLE: &str = include_str!("rule/rules.txt");
+
+static RULES: LazyLock<Vec<Rule>> =
+    LazyLock::new(|| TABLE.split("\n## ").skip(1).filter_map(Rule::read).collect());
+
 /// The rules, by subject: numbers, masses, tensors, geometry, the tree, what was read, what was allowed.
 pub fn rules() -> impl Iterator<Item = &'static Rule> {
-    let all: [&[Rule]; 7] = [
-        &number::RULES,
-        &mass::RULES,
-        &tensor::RULES,
-        &geometry::RULES,
-        &tree::RULES,
-        &reading::RULES,
-        &policy::RULES,
-    ];
-    all.into_iter().flatten()
+    RULES.iter()
 }
 
 /// The rule of this name.
@@ -75,6 +81,16 @@ pub fn rule(code: &str) -> Option<&'static Rule> {
 }
 
 impl Rule {
+    /// Reads a section of the table.
+    fn read(section: &'static str) -> Option<Self> {
+        let mut lines = section.splitn(5, '\n');
+        let (code, severity) = lines.next()?.split_once(' ')?;
+        let severity = Severity::named(severity)?;
+        let (title, why, mend, rest) = (lines.next()?, lines.next()?, lines.next()?, lines.next()?);
+        let example = Example::read(rest.strip_suffix('\n').unwrap_or(rest));
+        Some(Self { code, severity, title, why, mend, example })
+    }
+
     /// Lines for people.
     pub fn to_text(&self) -> String {
         let mut text = format!("{}   {}\n", self.code, self.severity.name());
@@ -89,10 +105,10 @@ impl Rule {
         }
         if let Some(example) = &self.example {
             text.push_str("\n  example:\n");
-            for line in example.model.lines() {
+            for line in example.with(example.wrong).lines() {
                 let _ = writeln!(text, "    {line}");
             }
-            for (label, part) in [("wrong", example.old), ("right", example.new)] {
+            for (label, part) in [("wrong", example.wrong), ("right", example.right)] {
                 let part = part.trim().replace('\n', &format!("\n{:11}", ""));
                 let _ = writeln!(text, "  {label}:   {}", if part.is_empty() { "(nothing)" } else { &part });
             }
@@ -116,7 +132,7 @@ impl Rule {
             let changed: Vec<&str> =
                 mended.lines().filter(|line| !model.lines().any(|old| old == *line)).collect();
             let _ = if changed.is_empty() {
-                let old = example.old.trim();
+                let old = example.wrong.trim();
                 writeln!(text, "Right without `{}`.", old.lines().next().unwrap_or(old))
             } else {
                 write!(text, "Right:\n\n```xml\n{}\n```\n", changed.join("\n"))
@@ -162,14 +178,13 @@ mod tests {
 
     #[test]
     fn each_rule_is_said_once_and_whole() {
+        let examples = rules().filter(|rule| rule.example.is_some()).count();
         let codes: BTreeSet<&str> = rules().map(|rule| rule.code).collect();
         assert_eq!(codes.len(), rules().count());
+        assert_eq!((codes.len(), TABLE.matches("[-").count()), (TABLE.matches("\n## ").count(), examples));
         for rule in rules() {
             assert!(!rule.title.is_empty() && !rule.title.ends_with('.'), "{}", rule.code);
             assert!(rule.why.ends_with('.') && rule.mend.ends_with('.'), "{}", rule.code);
-            if let Some(example) = &rule.example {
-                assert_eq!(example.model.matches(example.old).count(), 1, "{}", rule.code);
-            }
             assert!(rule.to_text().lines().all(|line| line.chars().count() <= 120), "{}", rule.to_text());
         }
     }

@@ -5,6 +5,7 @@
 use std::fmt::Write as _;
 
 use polhode_document::layout::{WIDTH, plain_spaces, printable, wrap};
+use polhode_source::text::counted;
 
 use crate::finding::{Finding, Severity};
 use crate::line_index::{FilePlace, Places};
@@ -59,8 +60,8 @@ impl CheckReport {
              {}\n{}   OK {} of {links}\n",
             printable(&self.model.path.to_string_lossy()),
             format_name(self.model.format),
-            many(links, "link"),
-            many(inertials, "inertial"),
+            counted(links, "link"),
+            counted(inertials, "inertial"),
             row("findings", self.counts()),
             row("links", by_link),
             links.saturating_sub(by_link.sum()),
@@ -84,17 +85,17 @@ impl CheckReport {
         }
         let known = settled.iter().filter(|settled| settled.why == Reason::Known).count();
         if known > 0 {
-            let _ = writeln!(text, "known: {}, in the baseline", many(known, "finding"));
+            let _ = writeln!(text, "known: {}, in the baseline", counted(known, "finding"));
         }
         if *off > 0 {
-            let _ = writeln!(text, "off: {} of rules that are off", many(*off, "finding"));
+            let _ = writeln!(text, "off: {} of rules that are off", counted(*off, "finding"));
         }
     }
 
     /// What `--fix` would do, where anything was found that is not only worth knowing.
     fn write_advice(&self, text: &mut String) {
         let Prospect { changes, remaining } = self.prospect();
-        let places = many(changes, "place");
+        let places = counted(changes, "place");
         let advice = match (changes, remaining) {
             (0, 0) => return,
             (0, _) => format!("{} a manual fix: no fix is certain.", needs(remaining)),
@@ -125,7 +126,7 @@ impl CheckReport {
         text.push_str(&self.not_repaired());
         let Some(out) = out else { return };
         let rest = remaining.iter().filter(|f| f.severity > Severity::Note).count();
-        let (out, changes) = (printable(out), many(repaired.changes, "place"));
+        let (out, changes) = (printable(out), counted(repaired.changes, "place"));
         let _ = match rest {
             0 if repaired.changes == 0 => writeln!(text, "wrote {out}: there was nothing to repair"),
             0 => writeln!(text, "wrote {out}: {changes} changed; no finding remains"),
@@ -160,12 +161,7 @@ fn paragraph(text: &mut String, label: &str, sentence: &str) {
     }
 }
 
-/// `1 link`, `2 links`
-pub(crate) fn many(count: usize, what: &str) -> String {
-    if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
-}
-
 /// `1 finding needs`, `2 findings need`
 fn needs(count: usize) -> String {
-    if count == 1 { "1 finding needs".to_owned() } else { format!("{count} findings need") }
+    format!("{} {}", counted(count, "finding"), if count == 1 { "needs" } else { "need" })
 }

@@ -18,6 +18,7 @@
 pub mod brep;
 pub mod cad;
 mod export;
+mod finding;
 mod inertia;
 pub mod material;
 pub mod mesh;
@@ -28,14 +29,15 @@ pub mod voxel;
 
 pub use export::{ExportBody, ExportError, ExportFormat, export};
 pub use inertia::{
-    Bodies, CadChoice, Corner, DensityFormula, FileBodies, Host, Kind, LengthUnit, Mark, MassUnit, MassesOf,
-    MaterialNamed, MeshChoice, MeshFile, MoleculeChoice, PartSubstance, Point, Request, Sign, Spacing,
-    SubstanceChoice, Turn, VoxelChoice, failed, noticed, run, run_in,
+    Bodies, CadChoice, Corner, DensityFormula, FileBodies, Host, Kind, LengthUnit, MassUnit, MaterialNamed,
+    MeshBody, MeshBodyError, MeshChoice, MeshFile, MeshOrigin, MeshUse, MeshWords, MoleculeChoice,
+    PartSubstance, Point, Request, Spacing, SubstanceChoice, Turn, VoxelChoice, failed, in_body,
+    mass_assumed, noticed, run, run_in, voxel_report,
 };
 pub use report::{InertiaReport, MoleculeReport};
 
 /// JSON schema of [`Request`].
 pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
 
-/// JSON schema of [`Bodies::to_json`]; reports of scenarios and robot models fit it too.
+/// JSON schema of the report of [`Bodies`]; reports of scenarios and robot models fit it too.
 pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");

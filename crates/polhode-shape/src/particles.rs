@@ -26,7 +26,7 @@ mod table;
 use std::ops::Range;
 
 use polhode::body::{
-    BodyError, Finding, InertiaTensor, MassProperties, Particle, Severity, mass_properties_of_particles,
+    BodyError, Finding, InertiaTensor, MassProperties, Particle, mass_properties_of_particles,
 };
 use polhode::math::{Body, Position};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace, told_unit};
@@ -34,6 +34,8 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace, told_unit};
 use header::{MASS, Products, TENSOR};
 use names::Names;
 use table::{Row, Table};
+
+use crate::finding::info;
 
 /// What a file may leave open; by default nothing is answered.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -148,7 +150,7 @@ pub fn read(bytes: &[u8], options: &ParticleOptions) -> Result<ParticleFile, Con
     let share = options.total_mass.map(|total| total / points.len() as f64);
     if let Some(total) = options.total_mass {
         let message = format!("{} points without masses share {total} kg equally", points.len());
-        findings.push(finding("particles.equal-masses", message));
+        findings.push(info("particles.equal-masses", message));
     }
     let particles = points.into_iter().map(|(line, mass, [x, y, z])| {
         Particle::new(share.unwrap_or(mass), Position::new(x, y, z)).map_err(|e| body_error(e, line))
@@ -169,9 +171,9 @@ fn tensor(
     let tensor = match products {
         Some(Products::Positive) => InertiaTensor::with_positive_products([xx, yy, zz], integrals),
         None if integrals != [0.0; 3] => {
-            let question = "are the products of inertia −∫xy dm or +∫xy dm?".to_owned();
-            let kind = ContentErrorKind::Unclear { question, found: fields::text_of(bytes, line) };
-            return Err(ContentError::new(kind, ContentPlace::Text(line.clone())).hint(
+            let question = "are the products of inertia −∫xy dm or +∫xy dm?";
+            let kind = ContentErrorKind::unclear(question, fields::text_of(bytes, line));
+            return Err(kind.at(line.clone()).hint(
                 "write a line # products = negative_integral (the elements of the tensor) or \
                  # products = positive_integral above the header",
             ));
@@ -182,17 +184,13 @@ fn tensor(
 }
 
 fn body_error(error: BodyError, line: Range<usize>) -> ContentError {
-    ContentError::new(ContentErrorKind::Body(Box::new(error)), ContentPlace::Text(line))
+    ContentErrorKind::Body(Box::new(error)).at(line)
 }
 
 fn value(what: &str, value: String, rule: String, place: ContentPlace) -> ContentError {
-    ContentError::new(ContentErrorKind::Value { what: what.to_owned(), value, rule }, place)
+    ContentError::new(ContentErrorKind::value(what, value, rule), place)
 }
 
 fn missing(what: &str, hint: &str) -> ContentError {
-    ContentError::new(ContentErrorKind::Missing { what: what.to_owned() }, ContentPlace::Whole).hint(hint)
-}
-
-fn finding(code: &'static str, message: String) -> Finding {
-    Finding { code, severity: Severity::Info, message, place: None }
+    ContentErrorKind::missing(what).of_whole().hint(hint)
 }

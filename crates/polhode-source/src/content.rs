@@ -126,6 +126,58 @@ impl ContentError {
     }
 }
 
+impl ContentErrorKind {
+    /// Something else, `found`, stands where `what` belongs; empty at the end of the file.
+    pub fn expected(what: impl Into<String>, found: impl Into<String>) -> Self {
+        Self::Expected { what: what.into(), found: found.into() }
+    }
+
+    /// A number, as it is written, that is infinite or not a number.
+    pub fn not_finite(what: impl Into<String>, found: impl Into<String>) -> Self {
+        Self::NotFinite { what: what.into(), found: found.into() }
+    }
+
+    /// An index of something of which there are `count`.
+    pub fn index(what: impl Into<String>, index: i64, count: usize) -> Self {
+        Self::Index { what: what.into(), index, count }
+    }
+
+    /// A count that the file does not fill or runs over.
+    pub fn count(what: impl Into<String>, declared: u64, present: u64) -> Self {
+        Self::Count { what: what.into(), declared, present }
+    }
+
+    /// A value that breaks a rule.
+    pub fn value(what: impl Into<String>, value: impl Into<String>, rule: impl Into<String>) -> Self {
+        Self::Value { what: what.into(), value: value.into(), rule: rule.into() }
+    }
+
+    /// Something that the file lacks.
+    pub fn missing(what: impl Into<String>) -> Self {
+        Self::Missing { what: what.into() }
+    }
+
+    /// Something that polhode does not read.
+    pub fn unsupported(what: impl Into<String>) -> Self {
+        Self::Unsupported { what: what.into() }
+    }
+
+    /// A question that the file leaves open.
+    pub fn unclear(question: impl Into<String>, found: impl Into<String>) -> Self {
+        Self::Unclear { question: question.into(), found: found.into() }
+    }
+
+    /// Returns the error at bytes of a text.
+    pub fn at(self, span: Range<usize>) -> ContentError {
+        ContentError::new(self, ContentPlace::Text(span))
+    }
+
+    /// Returns the error of the file as a whole.
+    pub fn of_whole(self) -> ContentError {
+        ContentError::new(self, ContentPlace::Whole)
+    }
+}
+
 /// Refuses a told unit, if there is one, that is not positive and finite.
 pub fn told_unit(what: &str, unit: Option<f64>) -> Result<(), ContentError> {
     match unit {

@@ -2,9 +2,10 @@
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser as _};
-use polhode_document::json::pretty;
 use polhode_shape::{Bodies, ExportFormat};
 use polhode_source::Failure;
+
+use crate::form::Form;
 
 /// Flags for the form of the answer.
 #[derive(Debug, Args)]
@@ -12,7 +13,7 @@ use polhode_source::Failure;
 pub(super) struct OutputFlags {
     /// Print JSON: one object for one file, an array for several; a file that fails has an object with its error.
     #[arg(long)]
-    pub(super) json: bool,
+    json: bool,
     /// Print a table, one line a file.
     #[arg(long)]
     pub(super) csv: bool,
@@ -31,6 +32,11 @@ impl OutputFlags {
         if self.csv { Some(ExportFormat::Csv) } else { self.as_format }
     }
 
+    /// Returns the form of answers for people and for programs that read the JSON.
+    pub(super) fn form(&self) -> Form {
+        Form { json: self.json, ..Form::default() }
+    }
+
     /// Returns true if the answer's form has no room for what was noticed.
     pub(super) fn has_no_room(&self) -> bool {
         self.format().is_some()
@@ -40,8 +46,7 @@ impl OutputFlags {
     pub(super) fn text(&self, bodies: &Bodies) -> Result<String, Failure> {
         match self.format() {
             Some(format) => bodies.to_format(format),
-            None if self.json => Ok(pretty(&bodies.to_json()) + "\n"),
-            None => Ok(bodies.to_text()),
+            None => Ok(self.form().text(bodies)),
         }
     }
 }

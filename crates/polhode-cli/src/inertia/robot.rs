@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use polhode_document::json::pretty;
 use polhode_robot::LinkTables;
 use polhode_shape::report::InertiaReport;
 use polhode_source::Failure;
@@ -45,13 +44,11 @@ pub(super) fn tables(
     };
     let print_all = || {
         let tables = LinkTables(files.iter().map(table).collect());
-        if output.json {
-            print(&(pretty(&tables.to_json()) + "\n"))?;
-        } else if output.csv {
+        if output.csv {
             tell(&tables.noticed());
             print(&tables.to_csv())?;
         } else {
-            print(&tables.to_text())?;
+            output.form().print(&tables)?;
         }
         let failures = tables.0.into_iter().filter_map(|(_, table)| Some(table.err()?.into()));
         CommandFailure::unless_empty(failures.collect())

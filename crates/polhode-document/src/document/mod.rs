@@ -77,6 +77,13 @@ pub enum Block {
 }
 
 impl Document {
+    /// Creates a document whose only section has the lines of a text.
+    pub fn of_text(title: &str, text: &str) -> Self {
+        let mut section = Section::new(0, title);
+        text.lines().for_each(|line| section.line(line));
+        Self { title: title.to_owned(), answer: Vec::new(), sections: vec![section], findings: Vec::new() }
+    }
+
     /// `{"polhode": …, "title": …, "answer": […], "sections": [{"number": …, "title": …, "blocks": […]}], "findings": […]}`
     pub fn to_json(&self) -> Value {
         let sections: Value = self.sections.iter().map(Section::to_json).collect();

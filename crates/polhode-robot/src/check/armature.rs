@@ -1,6 +1,5 @@
 //! Inertias of rotors that are not numbers of at least zero: `joint.armature`.
 
-use super::tree;
 use crate::finding::{Finding, Severity};
 use crate::model::RobotModel;
 
@@ -13,6 +12,6 @@ pub(super) fn check(model: &RobotModel, findings: &mut Vec<Finding>) {
         let message = "the inertia of its rotor is negative or not a finite number".to_owned();
         let rule = "a rotor adds inertia to its joint: kg·m², or kg if it slides";
         let (name, span) = (&joint.name.text, joint.span.clone());
-        findings.push(tree::finding("joint.armature", Severity::Suspect, name, span, message, rule));
+        findings.push(Finding::new("joint.armature", Severity::Suspect, name, span, message, rule));
     }
 }

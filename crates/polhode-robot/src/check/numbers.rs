@@ -67,17 +67,14 @@ pub(super) fn elsewhere(model: &RobotModel, findings: &mut Vec<Finding>) {
         let has_axis = matches!(joint.kind, JointKind::Revolute | JointKind::Prismatic);
         if has_axis && direction(joint.axis).is_none() {
             let zero = joint.axis == [0.0; 3];
-            findings.push(Finding {
-                code: "joint.axis",
-                severity: if zero { Severity::Suspect } else { Severity::Impossible },
-                subject: joint.name.text.clone(),
-                others: Vec::new(),
-                span: joint.span.clone(),
-                message: format!("its axis is {}", if zero { "zero" } else { "no three finite numbers" }),
-                rule: "a joint turns about, or slides along, an axis that has a direction".to_owned(),
-                numbers: Vec::new(),
-                repair: None,
-            });
+            let (severity, what) = match zero {
+                true => (Severity::Suspect, "zero"),
+                false => (Severity::Impossible, "no three finite numbers"),
+            };
+            let message = format!("its axis is {what}");
+            let rule = "a joint turns about, or slides along, an axis that has a direction";
+            let (subject, span) = (&joint.name.text, joint.span.clone());
+            findings.push(Finding::new("joint.axis", severity, subject, span, message, rule));
         }
     }
     // MuJoCo fits the sizes of primitives to meshes, and takes defaults.

@@ -8,7 +8,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::tree_order::sorted;
 use crate::finding::{Finding, Severity};
-use crate::model::{JointKind, Link, ModelFormat, Name, RobotModel, Span};
+use crate::model::{JointKind, Link, ModelFormat, Name, RobotModel};
 
 /// The links' order, and what hangs on what.
 #[derive(Debug)]
@@ -219,7 +219,7 @@ pub(super) fn check(model: &RobotModel, tree: &Tree) -> Vec<Finding> {
     if model.links.is_empty() {
         if is_urdf {
             let message = "no links".to_owned();
-            findings.push(finding(
+            findings.push(Finding::new(
                 "tree.empty",
                 Severity::Impossible,
                 "",
@@ -246,18 +246,6 @@ pub(super) fn check(model: &RobotModel, tree: &Tree) -> Vec<Finding> {
     findings
 }
 
-pub(super) fn finding(
-    code: &'static str,
-    severity: Severity,
-    subject: &str,
-    span: Span,
-    message: String,
-    rule: &str,
-) -> Finding {
-    let (subject, rule, others, numbers) = (subject.to_owned(), rule.to_owned(), Vec::new(), Vec::new());
-    Finding { code, severity, subject, others, span, message, rule, numbers, repair: None }
-}
-
 fn duplicates(model: &RobotModel, findings: &mut Vec<Finding>) {
     let mut twice = |names: &mut dyn Iterator<Item = &Name>, code, what: &str| {
         let mut seen: HashMap<&str, ()> = HashMap::new();
@@ -265,7 +253,7 @@ fn duplicates(model: &RobotModel, findings: &mut Vec<Finding>) {
             if seen.insert(&name.text, ()).is_some() {
                 let message = format!("a second {what} named {:?}", name.text);
                 let rule = "names are unique";
-                findings.push(finding(
+                findings.push(Finding::new(
                     code,
                     Severity::Impossible,
                     &name.text,
@@ -295,7 +283,7 @@ fn shared(model: &RobotModel, findings: &mut Vec<Finding>) {
         if links.contains_key(name.text.as_str()) {
             let message = format!("a link and a joint are both named {:?}", name.text);
             let span = name.span.clone();
-            findings.push(finding("tree.shared_name", severity, &name.text, span, message, rule));
+            findings.push(Finding::new("tree.shared_name", severity, &name.text, span, message, rule));
         }
     }
 }
@@ -316,7 +304,7 @@ fn unknown(model: &RobotModel, findings: &mut Vec<Finding>) {
             let message =
                 format!("joint {:?}: its {what} {:?} is no link of the model", joint.name.text, name.text);
             let rule = "a joint joins two links";
-            findings.push(finding(
+            findings.push(Finding::new(
                 "tree.unknown_link",
                 severity,
                 &joint.name.text,
@@ -352,7 +340,7 @@ fn round(model: &RobotModel, tree: &Tree, cycle: &[usize]) -> Option<Finding> {
         format if closes_loops(format) => (Severity::Note, CLOSED_LOOPS),
         _ => (Severity::Impossible, "the links of a robot make a tree"),
     };
-    let mut found = finding("tree.cycle", severity, &link.name.text, joint.span.clone(), message, rule);
+    let mut found = Finding::new("tree.cycle", severity, &link.name.text, joint.span.clone(), message, rule);
     found.numbers = vec![("links", cycle.len() as f64)];
     Some(found)
 }
@@ -373,7 +361,7 @@ fn two_parents(model: &RobotModel, tree: &Tree, k: usize, link: &Link, findings:
         _ => (Severity::Impossible, "a link hangs on one other: loops are not a tree"),
     };
     let message = format!("{:?} hangs on {first:?} and on {other:?}", link.name.text);
-    findings.push(finding(
+    findings.push(Finding::new(
         "tree.two_parents",
         severity,
         &link.name.text,
@@ -398,7 +386,7 @@ fn roots(model: &RobotModel, tree: &Tree, findings: &mut Vec<Finding>) {
     match roots.as_slice() {
         [] => {
             let message = "every link hangs on another".to_owned();
-            findings.push(finding("tree.no_root", Severity::Impossible, "", 0..0, message, rule));
+            findings.push(Finding::new("tree.no_root", Severity::Impossible, "", 0..0, message, rule));
         }
         [_] => {}
         [_, second, ..] => {
@@ -406,7 +394,8 @@ fn roots(model: &RobotModel, tree: &Tree, findings: &mut Vec<Finding>) {
             let more = if roots.len() > 5 { ", …" } else { "" };
             let message = format!("{} roots: {}{more}", roots.len(), names.join(", "));
             let (subject, span) = (&second.name.text, second.name.span.clone());
-            let mut found = finding("tree.two_roots", Severity::Impossible, subject, span, message, rule);
+            let mut found =
+                Finding::new("tree.two_roots", Severity::Impossible, subject, span, message, rule);
             found.numbers = vec![("roots", roots.len() as f64)];
             findings.push(found);
         }

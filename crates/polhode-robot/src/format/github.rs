@@ -2,11 +2,13 @@
 
 use std::fmt::Write as _;
 
+use polhode_source::text::counted;
+
 use super::{Item, about};
 use crate::checked::Checked;
 use crate::finding::Severity;
 use crate::policy::Reason;
-use crate::text::many;
+use crate::report::Counts;
 
 impl Checked {
     /// A line for each finding that counts; what is allowed or known is a line of the log.
@@ -39,8 +41,8 @@ impl Checked {
         for line in self.left_out() {
             let _ = writeln!(text, "::notice title=polhode check::{}", data(&line));
         }
-        let ([impossible, suspect, note], allowed, known) = self.counts();
-        let (files, note) = (many(self.files.len(), "file"), many(note, "note"));
+        let (Counts { impossible, suspect, note }, allowed, known) = self.counts();
+        let (files, note) = (counted(self.files.len(), "file"), counted(note, "note"));
         let _ = writeln!(
             text,
             "polhode check: {files}, {impossible} impossible, {suspect} suspect, {note}, {allowed} allowed, {known} known"

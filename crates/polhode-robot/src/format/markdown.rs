@@ -2,16 +2,18 @@
 
 use std::fmt::Write as _;
 
+use polhode_source::text::counted;
+
 use super::Item;
 use crate::checked::Checked;
 use crate::policy::Reason;
-use crate::text::many;
+use crate::report::Counts;
 
 impl Checked {
     /// The counts, what is left out, the table of what counts, and what is allowed.
     pub fn to_markdown(&self) -> String {
-        let ([impossible, suspect, note], allowed, known) = self.counts();
-        let (files, note) = (many(self.files.len(), "file"), many(note, "note"));
+        let (Counts { impossible, suspect, note }, allowed, known) = self.counts();
+        let (files, note) = (counted(self.files.len(), "file"), counted(note, "note"));
         let mut text = format!(
             "### polhode check\n\n{files}: **{impossible} impossible**, {suspect} suspect, {note}; {allowed} allowed, {known} \
              known.\n"

@@ -2,8 +2,10 @@
 
 use std::collections::HashMap;
 
-use super::error::LumpError;
-use crate::model::{Follows, Joint, JointKind, RobotModel};
+use polhode_document::layout::printable;
+
+use crate::link_error::{LinkError, suggested};
+use crate::model::{Follows, Joint, JointKind, Name, RobotModel};
 
 /// The value of a joint, and where it comes from.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,7 +63,7 @@ pub(super) struct Positions<'a> {
 
 impl<'a> Positions<'a> {
     /// Values by name; of two under the same name the later counts.
-    pub(super) fn of(model: &'a RobotModel, given: &[(String, f64)]) -> Result<Self, LumpError> {
+    pub(super) fn of(model: &'a RobotModel, given: &[(String, f64)]) -> Result<Self, LinkError> {
         let mut numbers = HashMap::new();
         for (k, joint) in model.joints.iter().enumerate() {
             numbers.entry(joint.name.text.as_str()).and_modify(|number| *number = None).or_insert(Some(k));
@@ -75,14 +77,13 @@ impl<'a> Positions<'a> {
                 return Err(unknown(model, name));
             }
             if let Some(other) = names.insert(k, name).filter(|other| other != name) {
-                return Err(LumpError::GivenTwice { names: [other.to_owned(), name.clone()] });
+                let message = format!("{other:?} and {name:?} are one joint, and each is given a value");
+                return Err(LinkError::new(message, "leave one of them out"));
             }
             if let Some(Joint { coordinate, name, .. }) = model.joints.get(k)
                 && let Some(follows) = &coordinate.follows
             {
-                let (joint, span) = (name.text.clone(), follows.span.clone());
-                let leader = follows.leader.as_ref().map(|leader| leader.text.clone());
-                return Err(LumpError::Follower { joint, leader, span });
+                return Err(follower(&name.text, follows));
             }
             for slots in [&mut positions.given, &mut positions.known] {
                 slots.get_mut(k).into_iter().for_each(|slot| *slot = Some(*value));
@@ -92,7 +93,7 @@ impl<'a> Positions<'a> {
     }
 
     /// The value of a joint: leaders are asked until one knows, and then the followers on the way back.
-    pub(super) fn value(&mut self, joint: usize) -> Result<f64, LumpError> {
+    pub(super) fn value(&mut self, joint: usize) -> Result<f64, LinkError> {
         let mut chain: Vec<(usize, &'a Follows)> = Vec::new();
         let mut at = joint;
         let mut value = loop {
@@ -104,11 +105,14 @@ impl<'a> Positions<'a> {
                 break own.coordinate.at_rest;
             };
             if chain.len() > self.model.joints.len() {
-                return Err(LumpError::FollowCircle {
-                    joint: own.name.text.clone(),
-                    leader: follows.leader.as_ref().map(|leader| leader.text.clone()).unwrap_or_default(),
-                    span: follows.span.clone(),
-                });
+                let leader = follows.leader.as_ref().map_or("", |leader| &leader.text);
+                let message = format!(
+                    "the joint {:?} follows {leader:?}, and joints follow each other in a circle there",
+                    own.name.text
+                );
+                return Err(
+                    LinkError::new(message, "let one of them lead, and follow none").at(&follows.span)
+                );
             }
             chain.push((at, follows));
             match &follows.leader {
@@ -118,13 +122,8 @@ impl<'a> Positions<'a> {
         };
         for (follower, follows) in chain.into_iter().rev() {
             value = follows.value(value).map_err(|why| {
-                let name = self.model.joints.get(follower).map(|joint| joint.name.text.clone());
-                LumpError::Law {
-                    joint: name.unwrap_or_default(),
-                    leader: follows.leader.as_ref().map(|leader| leader.text.clone()),
-                    why: why.to_owned(),
-                    span: follows.span.clone(),
-                }
+                let joint = self.model.joints.get(follower).map_or("", |joint| &joint.name.text);
+                lawless(joint, follows, why)
             })?;
             self.known.get_mut(follower).into_iter().for_each(|slot| *slot = Some(value));
         }
@@ -132,46 +131,48 @@ impl<'a> Positions<'a> {
     }
 
     /// How far a joint is from rest; zero if it takes no value.
-    pub(super) fn displacement(&mut self, k: usize) -> Result<f64, LumpError> {
+    pub(super) fn displacement(&mut self, k: usize) -> Result<f64, LinkError> {
         let Some(joint) = self.model.joints.get(k) else { return Ok(0.0) };
         match (takes_value(joint), &joint.coordinate.follows) {
             (true, _) => Ok(self.value(k)? - joint.coordinate.at_rest),
-            (false, Some(follows)) if joint.kind != JointKind::Fixed => Err(LumpError::Law {
-                joint: joint.name.text.clone(),
-                leader: follows.leader.as_ref().map(|leader| leader.text.clone()),
-                why: "it neither turns nor slides".to_owned(),
-                span: follows.span.clone(),
-            }),
+            (false, Some(follows)) if joint.kind != JointKind::Fixed => {
+                Err(lawless(&joint.name.text, follows, "it neither turns nor slides"))
+            }
             (false, _) => Ok(0.0),
         }
     }
 
     /// The joint that a follower names.
-    fn leader(&self, follower: &Joint, follows: &Follows) -> Result<usize, LumpError> {
+    fn leader(&self, follower: &Joint, follows: &Follows) -> Result<usize, LinkError> {
         let Some(name) = &follows.leader else { return Err(unknown(self.model, &follower.name.text)) };
         let found = self.numbers.get(name.text.as_str()).copied();
         let takes = |k: &usize| self.model.joints.get(*k).is_some_and(takes_value);
         match found.flatten().filter(takes) {
             Some(k) => Ok(k),
-            None => Err(LumpError::Leader {
-                joint: follower.name.text.clone(),
-                leader: name.text.clone(),
-                is_there: found.is_some(),
-                meant: meant(self.model, &name.text).map(str::to_owned),
-                span: follows.span.clone(),
-            }),
+            None => {
+                let why = match found {
+                    None => "and there is no such joint",
+                    Some(_) => "which is not one joint that turns or slides",
+                };
+                let message = format!("the joint {:?} follows {:?}, {why}", follower.name.text, name.text);
+                let hint = match meant(self.model, &name.text) {
+                    Some(meant) => format!("did you mean {}?", printable(meant)),
+                    None => "name a joint that turns or slides".to_owned(),
+                };
+                Err(LinkError::new(message, hint).at(&follows.span))
+            }
         }
     }
 
     /// The positions of some joints and of those that lead them, in the order of the file.
     ///
     /// # Errors
-    /// [`LumpError::Idle`] if a value is given that decides none of them.
+    /// [`LinkError`] if a value is given that decides none of them.
     pub(super) fn of_joints(
         mut self,
         joints: impl Iterator<Item = usize>,
         subtree: Option<&str>,
-    ) -> Result<Vec<JointPosition>, LumpError> {
+    ) -> Result<Vec<JointPosition>, LinkError> {
         let mut decides = vec![false; self.model.joints.len()];
         for joint in joints {
             let mut next = Some(joint);
@@ -192,8 +193,12 @@ impl<'a> Positions<'a> {
             match decides.get(k) {
                 Some(true) => positions.extend(self.position(k)?),
                 _ if is_given => {
-                    let joint = joint.name.text.clone();
-                    return Err(LumpError::Idle { joint, subtree: subtree.map(str::to_owned) });
+                    let what = match subtree {
+                        Some(link) => format!("that hangs from the link {link:?}"),
+                        None => "within what fixed joints hold together".to_owned(),
+                    };
+                    let message = format!("the joint {:?} moves nothing {what}", joint.name.text);
+                    return Err(LinkError::new(message, "leave it out"));
                 }
                 _ => {}
             }
@@ -202,7 +207,7 @@ impl<'a> Positions<'a> {
     }
 
     /// The value of a joint, and where it comes from; `None` if it takes none.
-    fn position(&mut self, k: usize) -> Result<Option<JointPosition>, LumpError> {
+    fn position(&mut self, k: usize) -> Result<Option<JointPosition>, LinkError> {
         let Some(joint) = self.model.joints.get(k).filter(|joint| takes_value(joint)) else {
             return Ok(None);
         };
@@ -223,9 +228,39 @@ impl<'a> Positions<'a> {
 }
 
 /// No joint of that name takes a value.
-fn unknown(model: &RobotModel, name: &str) -> LumpError {
-    let movable = movable(model).map(str::to_owned).collect();
-    LumpError::Joint { joint: name.to_owned(), meant: meant(model, name).map(str::to_owned), movable }
+fn unknown(model: &RobotModel, name: &str) -> LinkError {
+    let movable: Vec<&str> = movable(model).collect();
+    let hint = match movable.as_slice() {
+        [] => "no joint of this model takes a value".to_owned(),
+        movable => suggested(meant(model, name), "those that take a value are", movable),
+    };
+    LinkError::new(format!("there is no joint {name:?} that takes a value"), hint)
+}
+
+/// Error of a value for a joint that follows another one, or is held at a constant.
+fn follower(joint: &str, follows: &Follows) -> LinkError {
+    let (message, hint) = match &follows.leader {
+        Some(Name { text: leader, .. }) => (
+            format!("the joint {joint:?} follows {leader:?}, and takes no value of its own"),
+            format!("leave it out, and give a value to {}", printable(leader)),
+        ),
+        None => (
+            format!("the joint {joint:?} is held at a constant, and takes no value"),
+            "leave it out".to_owned(),
+        ),
+    };
+    LinkError::new(message, hint).at(&follows.span)
+}
+
+/// Error of a joint that follows another one, or is held, in a way that is not known.
+fn lawless(joint: &str, follows: &Follows, why: &str) -> LinkError {
+    let message = match &follows.leader {
+        Some(Name { text: leader, .. }) => {
+            format!("the joint {joint:?} follows {leader:?}, but not in a way that is known: {why}")
+        }
+        None => format!("the joint {joint:?} is held at a value that is not known: {why}"),
+    };
+    LinkError::new(message, "write numbers, or take the coupling out of the file").at(&follows.span)
 }
 
 /// The joint that was probably meant.
@@ -240,9 +275,10 @@ fn movable(model: &RobotModel) -> impl Iterator<Item = &str> {
 }
 
 /// The joint that takes a value under a name, its own or its coordinate's.
-fn named(model: &RobotModel, name: &str) -> Result<usize, LumpError> {
+fn named(model: &RobotModel, name: &str) -> Result<usize, LinkError> {
     if let Some(twice) = model.joints.iter().filter(|joint| joint.name.text == name).nth(1) {
-        return Err(LumpError::TwoJoints { joint: name.to_owned(), span: twice.name.span.clone() });
+        let message = format!("two joints are called {name:?}");
+        return Err(LinkError::new(message, "give each a name of its own").at(&twice.name.span));
     }
     let is_it = |joint: &Joint| {
         let coordinate = joint.coordinate.name.as_ref().is_some_and(|own| own.text == name);
@@ -250,11 +286,18 @@ fn named(model: &RobotModel, name: &str) -> Result<usize, LumpError> {
     };
     let mut found = model.joints.iter().enumerate().filter(|(_, joint)| is_it(joint));
     match (found.next(), found.next()) {
-        (Some((_, first)), Some((_, second))) => Err(LumpError::Ambiguous {
-            name: name.to_owned(),
-            joints: [first.name.text.clone(), second.name.text.clone()],
-            span: second.name.span.clone(),
-        }),
+        (Some((_, first)), Some((_, second))) => {
+            let joints = [first, second].map(|joint| joint.name.text.as_str());
+            let [a, b] = joints;
+            let hint = match joints.into_iter().find(|joint| *joint != name) {
+                Some(other) => {
+                    format!("{} has that coordinate: name joints that have a name alone", printable(other))
+                }
+                None => "give each a name of its own".to_owned(),
+            };
+            let message = format!("the joints {a:?} and {b:?} both take a value as {name:?}");
+            Err(LinkError::new(message, hint).at(&second.name.span))
+        }
         (Some((k, _)), None) => Ok(k),
         (None, _) => Err(unknown(model, name)),
     }
@@ -264,8 +307,8 @@ fn named(model: &RobotModel, name: &str) -> Result<usize, LumpError> {
 /// angle.
 ///
 /// # Errors
-/// [`LumpError`] if no joint takes a value under that name, or several do.
-pub fn slides(model: &RobotModel, name: &str) -> Result<bool, LumpError> {
+/// [`LinkError`] if no joint takes a value under that name, or several do.
+pub fn slides(model: &RobotModel, name: &str) -> Result<bool, LinkError> {
     let joint = model.joints.get(named(model, name)?);
     Ok(joint.is_some_and(|joint| joint.kind == JointKind::Prismatic))
 }

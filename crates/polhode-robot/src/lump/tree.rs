@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::error::LumpError;
-use crate::model::{Joint, RobotModel};
+use crate::link_error::LinkError;
+use crate::model::{Joint, Name, RobotModel};
 
 /// What each link hangs on, and an order in which every link comes after that.
 #[derive(Debug)]
@@ -32,21 +32,23 @@ impl Above {
 
 impl Tree {
     /// The tree of a model: found without recursion, so that no chain of joints is too long.
-    pub(super) fn of(model: &RobotModel) -> Result<Self, LumpError> {
+    pub(super) fn of(model: &RobotModel) -> Result<Self, LinkError> {
+        const SPELLING: &str = "check the spelling of the names";
+        const ONE_PLACE: &str = "only a tree has a place for each link: leave out the joint that closes it";
         let mut links = BTreeMap::new();
         for (k, link) in model.links.iter().enumerate() {
             if links.insert(link.name.text.as_str(), k).is_some() {
-                let (link, span) = (link.name.text.clone(), link.name.span.clone());
-                return Err(LumpError::Twice { link, span });
+                let message = format!("two links are called {:?}", link.name.text);
+                return Err(LinkError::new(message, SPELLING).at(&link.name.span));
             }
         }
         let mut above: Vec<Option<Above>> = vec![None; model.links.len()];
         for (k, joint) in model.joints.iter().enumerate() {
-            let find = |name: &crate::model::Name| {
-                links.get(name.text.as_str()).copied().ok_or_else(|| LumpError::NoLink {
-                    joint: joint.name.text.clone(),
-                    link: name.text.clone(),
-                    span: name.span.clone(),
+            let find = |name: &Name| {
+                links.get(name.text.as_str()).copied().ok_or_else(|| {
+                    let (joint, link) = (&joint.name.text, &name.text);
+                    let message = format!("the joint {joint:?} names {link:?}, and there is no such link");
+                    LinkError::new(message, SPELLING).at(&name.span)
                 })
             };
             let parent = joint.parent.as_ref().map(find).transpose()?;
@@ -54,11 +56,12 @@ impl Tree {
             let Some(slot) = above.get_mut(child) else { continue };
             let own = slot.get_or_insert_with(|| Above { parent, joints: Vec::new() });
             if own.parent != parent {
-                return Err(LumpError::TwoParents {
-                    link: joint.child.text.clone(),
-                    joint: joint.name.text.clone(),
-                    span: joint.child.span.clone(),
-                });
+                let Joint { name, child, .. } = joint;
+                let message = format!(
+                    "the link {:?} hangs on two others: the second time by the joint {:?}",
+                    child.text, name.text
+                );
+                return Err(LinkError::new(message, ONE_PLACE).at(&child.span));
             }
             own.joints.push(k);
         }
@@ -68,7 +71,8 @@ impl Tree {
         order.iter().for_each(|&k| reached.get_mut(k).into_iter().for_each(|reached| *reached = true));
         match model.links.iter().zip(&reached).find(|(_, reached)| !**reached) {
             Some((link, _)) => {
-                Err(LumpError::Circle { link: link.name.text.clone(), span: link.name.span.clone() })
+                let message = format!("the joints above the link {:?} run in a circle", link.name.text);
+                Err(LinkError::new(message, ONE_PLACE).at(&link.name.span))
             }
             None => Ok(Self { above, order }),
         }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use polhode_source::FormatError;
 use polhode_source::json_value;
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 use serde_json::{Value, json};
 
 use super::{Judged, Reason};
@@ -52,17 +52,12 @@ impl Baseline {
             let what = format!("a baseline's JSON ({error})");
             let found =
                 text.get(at..).and_then(|rest| rest.chars().next()).map(String::from).unwrap_or_default();
-            refused(ContentError::new(
-                ContentErrorKind::Expected { what, found },
-                ContentPlace::Text(at..at + 1),
-            ))
+            refused(ContentErrorKind::expected(what, found).at(at..at + 1))
         })?;
         let whole = |what: &str, found: &Value| {
             let found = if found.is_null() { "none".to_owned() } else { found.to_string() };
-            let kind = ContentErrorKind::Expected { what: what.to_owned(), found };
-            refused(
-                ContentError::new(kind, ContentPlace::Whole).hint("write it again: --write-baseline FILE"),
-            )
+            let kind = ContentErrorKind::expected(what, found);
+            refused(kind.of_whole().hint("write it again: --write-baseline FILE"))
         };
         if value[KEY] != VERSION {
             return Err(whole(&format!("{KEY:?}: {VERSION}"), &value[KEY]));

@@ -76,20 +76,11 @@ impl Comment {
             }
         };
         let title = rule(code).map_or("", |rule| rule.title);
-        Some(Finding {
-            code,
-            severity,
-            subject: match &self.scope {
-                Scope::Elements(names) => names.first().cloned().unwrap_or_default(),
-                _ => String::new(),
-            },
-            others: Vec::new(),
-            span: self.span.clone(),
-            message,
-            rule: title.to_owned(),
-            numbers: Vec::new(),
-            repair: None,
-        })
+        let subject = match &self.scope {
+            Scope::Elements(names) => names.first().map_or("", String::as_str),
+            Scope::File | Scope::Model => "",
+        };
+        Some(Finding::new(code, severity, subject, self.span.clone(), message, title))
     }
 }
 

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use polhode_source::FormatError;
 use polhode_source::nearest;
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -147,8 +147,7 @@ fn known_rule(code: &str, span: Range<usize>) -> Result<&'static str, ContentErr
 }
 
 fn expected(what: &str, found: &str, span: Range<usize>) -> ContentError {
-    let kind = ContentErrorKind::Expected { what: what.to_owned(), found: found.to_owned() };
-    ContentError::new(kind, ContentPlace::Text(span))
+    ContentErrorKind::expected(what, found).at(span)
 }
 
 /// A table, what it is called, and where it stands.
@@ -180,8 +179,8 @@ impl<'a> Table<'a> {
 
     fn require(&self, key: &str, example: &str) -> Result<Value<'a>, ContentError> {
         self.get(key).ok_or_else(|| {
-            let kind = ContentErrorKind::Missing { what: format!("{key} in {}", self.name) };
-            ContentError::new(kind, ContentPlace::Text(self.span.clone())).hint(format!("write {example}"))
+            let kind = ContentErrorKind::missing(format!("{key} in {}", self.name));
+            kind.at(self.span.clone()).hint(format!("write {example}"))
         })
     }
 
@@ -248,15 +247,14 @@ impl<'a> Value<'a> {
 
     /// A severity, `None` for off.
     fn severity(&self, may_be_off: bool) -> Result<Option<Severity>, ContentError> {
-        let all = [Severity::Impossible, Severity::Suspect, Severity::Note];
-        let names: Vec<&str> =
-            all.into_iter().map(Severity::name).chain(may_be_off.then_some("off")).collect();
+        let names = Severity::ALL.into_iter().map(Severity::name);
+        let names: Vec<&str> = names.chain(may_be_off.then_some("off")).collect();
         let what = format!("one of {}", names.join(", "));
         let word = self.text(&what)?;
         if may_be_off && word == "off" {
             return Ok(None);
         }
-        match all.into_iter().find(|severity| severity.name() == word) {
+        match Severity::named(word) {
             Some(severity) => Ok(Some(severity)),
             None => {
                 let error = self.wrong(&what);

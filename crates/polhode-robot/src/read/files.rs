@@ -148,9 +148,9 @@ impl ModelFiles {
         }
         let Some(&((file, byte), _)) = left.first() else { return Ok(()) };
         let Some(source) = self.sources.get(file) else { return Ok(()) };
-        let what = "a model that includes itself".to_owned();
+        let what = "a model that includes itself";
         let place = ContentPlace::Text(byte..byte + 1);
-        let error = ContentError::new(ContentErrorKind::Unsupported { what }, place);
+        let error = ContentError::new(ContentErrorKind::unsupported(what), place);
         Err(FormatError::of_content(&source.path, source.text.as_bytes(), error))
     }
 
@@ -264,7 +264,7 @@ fn refused(files: &[Waiting], number: usize, span: Span, file: &str, is_known: b
     } else {
         format!("a model of more than {MOST_FILES} files")
     };
-    let error = ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(span));
+    let error = ContentErrorKind::unsupported(what).at(span);
     match files.get(number) {
         Some(Waiting { source, .. }) => FormatError::of_content(&source.path, source.text.as_bytes(), error),
         None => FormatError::of_content(Path::new(file), b"", error),

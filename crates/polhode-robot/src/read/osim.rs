@@ -30,12 +30,12 @@ pub(super) fn read(root: Element<'_>, model: &mut RobotModel) -> Result<(), Cont
     let version = root.word("Version").and_then(|version| version.parse().ok()).unwrap_or(0);
     if version < FIRST_VERSION {
         let what = format!("OpenSim files before version {FIRST_VERSION}");
-        let error = ContentError::new(ContentErrorKind::Unsupported { what }, place());
+        let error = ContentError::new(ContentErrorKind::unsupported(what), place());
         return Err(error.hint("open it in OpenSim and save it: it becomes one of its version"));
     }
     let Some(own) = root.child("Model") else {
-        let what = "<Model>: this is another document of OpenSim".to_owned();
-        return Err(ContentError::new(ContentErrorKind::Missing { what }, place()));
+        let what = "<Model>: this is another document of OpenSim";
+        return Err(ContentError::new(ContentErrorKind::missing(what), place()));
     };
     model.name = own.word("name").map(str::to_owned);
     let frames = Frames::of(own);

@@ -5,7 +5,7 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use crate::coordinate::limits;
 use crate::finding::Severity;
@@ -25,8 +25,8 @@ pub(super) fn read(root: Element<'_>, roots: &Roots<'_>, model: &mut RobotModel)
         return Err(xacro(&model.path, span));
     }
     if let Some(span) = semantics(root) {
-        let what = "SRDF: what is said of a URDF's groups and poses, without its links".to_owned();
-        let error = ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(span));
+        let what = "SRDF: what is said of a URDF's groups and poses, without its links";
+        let error = ContentErrorKind::unsupported(what).at(span);
         return Err(error.hint("check the URDF that it is about"));
     }
     model.name = root.word("name").map(str::to_owned);
@@ -121,7 +121,7 @@ fn macros(root: Element<'_>) -> Option<Span> {
 
 /// The command that makes a model of it.
 fn xacro(path: &Path, span: Span) -> ContentError {
-    let what = "xacro: this file is a macro that makes a model, not the model".to_owned();
+    let what = "xacro: this file is a macro that makes a model, not the model";
     let file = path.file_name().map_or_else(|| "robot.urdf.xacro".into(), |name| name.to_string_lossy());
     let stem = file.split('.').next().unwrap_or("robot");
     let out = if *file == *format!("{stem}.urdf") {
@@ -129,8 +129,7 @@ fn xacro(path: &Path, span: Span) -> ContentError {
     } else {
         format!("{stem}.urdf")
     };
-    ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(span))
-        .hint(format!("expand it first: xacro {file} > {out}"))
+    ContentErrorKind::unsupported(what).at(span).hint(format!("expand it first: xacro {file} > {out}"))
 }
 
 fn link(element: Element<'_>, roots: &Roots<'_>, notes: &mut Vec<Note>) -> Link {

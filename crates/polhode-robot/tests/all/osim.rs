@@ -2,12 +2,12 @@
 
 use polhode_robot::body::{LinkMass, link_mass};
 use polhode_robot::inertia::of_lumps;
-use polhode_robot::lump::{LumpError, Lumping};
+use polhode_robot::lump::Lumping;
 use polhode_robot::model::{JointKind, ModelFormat, RobotModel, Tensor};
 
 use crate::common::{
-    applied, assert_close, assert_near, matrix_about, matrix_about_axis, plus, read, refused, times,
-    transposed, written,
+    applied, assert_close, assert_near, matrix_about, matrix_about_axis, plus, read, refused, require_says,
+    times, transposed, written,
 };
 use crate::mimic::{error, one};
 
@@ -183,7 +183,7 @@ fn a_custom_joint_stands_where_its_functions_are_at_zero() {
     ] {
         let model = custom(&all(&[wrong]));
         let refused = error(&model, Lumping::All, &[]);
-        assert!(matches!(&refused, LumpError::Unread { joint, .. } if joint == "knee"), "{refused}");
+        require_says(&refused, "where the joint \"knee\" holds its child is not known");
         assert!(refused.to_string().contains(why), "{refused}");
         // what hangs on it has its place
         assert_eq!(one(&model, Lumping::Subtree("shank"), &[]).properties.mass(), 3.7);
@@ -192,6 +192,6 @@ fn a_custom_joint_stands_where_its_functions_are_at_zero() {
         NEW.replace("PinJoint", "EllipsoidJoint"),
         NEW.replace("</frames></PinJoint>", "</frames><reverse>true</reverse></PinJoint>"),
     ] {
-        assert!(matches!(error(&read(&text), Lumping::All, &[]), LumpError::Unread { .. }));
+        require_says(&error(&read(&text), Lumping::All, &[]), "holds its child is not known");
     }
 }

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use polhode_document::Report as _;
 use polhode_robot::finding::Severity;
 use polhode_robot::policy::date::Date;
 use polhode_robot::program::Program;

@@ -17,7 +17,7 @@ pub mod stability;
 pub mod torque;
 
 use polhode::motion::{MotionError, Scenario};
-use polhode_document::{Document, Section, SourceInfo};
+use polhode_document::SourceInfo;
 use polhode_source::Failure;
 use std::path::Path;
 
@@ -35,11 +35,4 @@ fn failed(file: &ScenarioFile, error: MotionError) -> Failure {
 fn source(file: &Path, scenario: &Scenario) -> SourceInfo {
     let title = scenario.title().unwrap_or("scenario");
     SourceInfo::new(file.display().to_string(), "scenario").described(title)
-}
-
-/// A report's lines as a document.
-fn document(title: &str, text: &str) -> Document {
-    let mut section = Section::new(0, title);
-    text.lines().for_each(|line| section.line(line));
-    Document { title: title.to_owned(), answer: Vec::new(), sections: vec![section], findings: Vec::new() }
 }

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::schema::complete;
-use super::{document, failed, source};
+use super::{failed, source};
 use crate::read::ScenarioFile;
 use crate::report::{MotionFigures, MotionReport};
 
@@ -166,7 +166,7 @@ impl Report for Motion {
     }
 
     fn to_document(&self) -> Document {
-        document("Motion", &self.report().to_text())
+        Document::of_text("Motion", &self.report().to_text())
     }
 
     fn to_text(&self, columns: Option<usize>) -> String {

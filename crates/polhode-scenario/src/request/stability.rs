@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::schema::complete;
-use super::{document, source};
+use super::source;
 use crate::read::ScenarioFile;
 use crate::report::{GroundStabilityReport, StabilityReport};
 
@@ -97,7 +97,7 @@ impl Report for Stability {
     }
 
     fn to_document(&self) -> Document {
-        document("Stability", &self.to_text(None))
+        Document::of_text("Stability", &self.to_text(None))
     }
 
     fn to_text(&self, _columns: Option<usize>) -> String {

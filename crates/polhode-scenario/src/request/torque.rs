@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::schema::complete;
-use super::{document, source};
+use super::source;
 use crate::read::ScenarioFile;
 use crate::report::RequiredReport;
 
@@ -76,7 +76,7 @@ impl Report for RequiredReport {
     }
 
     fn to_document(&self) -> Document {
-        document("Torque", &Self::to_text(self))
+        Document::of_text("Torque", &Self::to_text(self))
     }
 
     fn to_text(&self, _columns: Option<usize>) -> String {

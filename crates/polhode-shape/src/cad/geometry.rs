@@ -25,11 +25,12 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 use polhode::body::shape::Substance;
-use polhode::body::{BodyError, Finding, InertiaTensor, MassProperties, Severity};
+use polhode::body::{BodyError, Finding, InertiaTensor, MassProperties};
 use polhode::math::{Body, Position};
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace, told_unit};
+use polhode_source::{ContentError, ContentErrorKind, told_unit};
 
 use super::numbers;
+use crate::finding::{info, warning};
 
 /// A program that prints the measures of a shape without mass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -187,8 +188,8 @@ fn inward(measures: &Measures, findings: &mut Vec<Finding>) -> Result<f64, Conte
             "not zero: the shape is not a solid, or too small for the digits that are printed".to_owned();
         return Err(bad("the volume", value.to_string(), rule, span.clone()));
     }
-    let message = "the volume is negative: the mesh is wound inward as a whole, and was turned".to_owned();
-    findings.push(Finding { code: "cad.inward", severity: Severity::Info, message, place: None });
+    let message = "the volume is negative: the mesh is wound inward as a whole, and was turned";
+    findings.push(info("cad.inward", message));
     Ok(-1.0)
 }
 
@@ -273,7 +274,7 @@ fn rounded(
             "the printed digits leave the moments of inertia open by up to {:.2} %: {remedy}",
             100.0 * rounding
         );
-        findings.push(Finding { code: "cad.rounding", severity: Severity::Warning, message, place: None });
+        findings.push(warning("cad.rounding", message));
     }
     Ok(())
 }
@@ -295,10 +296,7 @@ impl<T> Once<T> {
 
     /// Returns the measure, or an error that it is missing.
     fn require(self, what: &str, hint: &str) -> Result<T, ContentError> {
-        self.0.ok_or_else(|| {
-            let kind = ContentErrorKind::Missing { what: what.to_owned() };
-            ContentError::new(kind, ContentPlace::Whole).hint(hint)
-        })
+        self.0.ok_or_else(|| ContentErrorKind::missing(what).of_whole().hint(hint))
     }
 }
 
@@ -311,8 +309,7 @@ fn exactly<const N: usize>(
 ) -> Result<[Number; N], ContentError> {
     let expected = |found: &str, span: Range<usize>| {
         let what = format!("{N} {} for {what}", if N == 1 { "number" } else { "numbers" });
-        let kind = ContentErrorKind::Expected { what, found: found.trim().to_owned() };
-        ContentError::new(kind, ContentPlace::Text(span))
+        ContentErrorKind::expected(what, found.trim().to_owned()).at(span)
     };
     let is_between = |c: char| c.is_whitespace() || between.contains(&c);
     let mut all = Vec::with_capacity(N);
@@ -345,6 +342,5 @@ fn shortest<const N: usize>(text: &str, numbers: [Number; N]) -> [Number; N] {
 }
 
 fn bad(what: &str, value: String, rule: String, span: Range<usize>) -> ContentError {
-    let kind = ContentErrorKind::Value { what: what.to_owned(), value, rule };
-    ContentError::new(kind, ContentPlace::Text(span))
+    ContentErrorKind::value(what, value, rule).at(span)
 }

@@ -4,115 +4,48 @@
 //! that no English report has.
 
 /// Languages, and headings of mass properties as SolidWorks, Creo, Inventor, NX and CATIA write them in each.
-const LANGUAGES: [(&str, &[&str]); 13] = [
+const LANGUAGES: [(&str, &str); 13] = [
     (
         "German",
-        &[
-            "masse",
-            "masseneigenschaften",
-            "massenschwerpunkt",
-            "schwerpunkt",
-            "trägheitsmoment",
-            "trägheitstensor",
-            "trägheitshauptachsen",
-            "hauptträgheit",
-            "dichte",
-            "volumen",
-            "oberfläche",
-            "massenträgheit",
-        ],
+        "masse, masseneigenschaften, massenschwerpunkt, schwerpunkt, trägheitsmoment, \
+         trägheitstensor, trägheitshauptachsen, hauptträgheit, dichte, volumen, oberfläche, \
+         massenträgheit",
     ),
     (
         "French",
-        &[
-            "masse",
-            "propriétés de masse",
-            "centre de masse",
-            "centre de gravité",
-            "moments d'inertie",
-            "moments d’inertie",
-            "tenseur d'inertie",
-            "masse volumique",
-            "densité",
-            "axes principaux",
-            "superficie",
-        ],
+        "masse, propriétés de masse, centre de masse, centre de gravité, moments d'inertie, \
+         moments d’inertie, tenseur d'inertie, masse volumique, densité, axes principaux, \
+         superficie",
     ),
     (
         "Spanish",
-        &[
-            "masa",
-            "propiedades de masa",
-            "propiedades físicas",
-            "centro de masa",
-            "centro de gravedad",
-            "momentos de inercia",
-            "tensor de inercia",
-            "densidad",
-            "volumen",
-            "área de superficie",
-        ],
+        "masa, propiedades de masa, propiedades físicas, centro de masa, centro de gravedad, \
+         momentos de inercia, tensor de inercia, densidad, volumen, área de superficie",
     ),
     (
         "Italian",
-        &[
-            "massa",
-            "proprietà di massa",
-            "centro di massa",
-            "baricentro",
-            "momenti di inerzia",
-            "momenti d'inerzia",
-            "tensore di inerzia",
-            "densità",
-            "area superficiale",
-        ],
+        "massa, proprietà di massa, centro di massa, baricentro, momenti di inerzia, \
+         momenti d'inerzia, tensore di inerzia, densità, area superficiale",
     ),
     (
         "Portuguese",
-        &[
-            "massa",
-            "propriedades de massa",
-            "centro de massa",
-            "centro de gravidade",
-            "momentos de inércia",
-            "tensor de inércia",
-            "densidade",
-            "área de superfície",
-        ],
+        "massa, propriedades de massa, centro de massa, centro de gravidade, \
+         momentos de inércia, tensor de inércia, densidade, área de superfície",
     ),
     (
         "Dutch",
-        &["massa", "massa-eigenschappen", "massamiddelpunt", "zwaartepunt", "traagheidsmoment", "dichtheid"],
+        "massa, massa-eigenschappen, massamiddelpunt, zwaartepunt, traagheidsmoment, \
+         dichtheid",
     ),
-    ("Polish", &["masa", "środek masy", "środek ciężkości", "momenty bezwładności", "gęstość", "objętość"]),
-    ("Czech", &["hmotnost", "těžiště", "momenty setrvačnosti", "hustota", "objem"]),
-    ("Russian", &["масса", "центр масс", "центр тяжести", "моменты инерции", "плотность", "объем", "объём"]),
-    ("Turkish", &["kütle", "ağırlık merkezi", "kütle merkezi", "atalet moment", "yoğunluk", "hacim"]),
-    ("Korean", &["질량", "무게 중심", "관성 모멘트", "관성모멘트", "밀도", "부피"]),
-    (
-        "Japanese",
-        &["質量", "重心", "慣性モーメント", "慣性テンソル", "慣性主軸", "密度", "体積", "表面積", "質量特性"],
-    ),
+    ("Polish", "masa, środek masy, środek ciężkości, momenty bezwładności, gęstość, objętość"),
+    ("Czech", "hmotnost, těžiště, momenty setrvačnosti, hustota, objem"),
+    ("Russian", "масса, центр масс, центр тяжести, моменты инерции, плотность, объем, объём"),
+    ("Turkish", "kütle, ağırlık merkezi, kütle merkezi, atalet moment, yoğunluk, hacim"),
+    ("Korean", "질량, 무게 중심, 관성 모멘트, 관성모멘트, 밀도, 부피"),
+    ("Japanese", "質量, 重心, 慣性モーメント, 慣性テンソル, 慣性主軸, 密度, 体積, 表面積, 質量特性"),
     (
         "Chinese",
-        &[
-            "质量",
-            "質量",
-            "质心",
-            "質心",
-            "重心",
-            "惯性",
-            "慣性矩",
-            "慣性張量",
-            "转动惯量",
-            "轉動慣量",
-            "密度",
-            "体积",
-            "體積",
-            "表面积",
-            "表面積",
-            "惯性主轴",
-        ],
+        "质量, 質量, 质心, 質心, 重心, 惯性, 慣性矩, 慣性張量, 转动惯量, 轉動慣量, 密度, 体积, 體積, 表面积, 表面積, 惯性主轴",
     ),
 ];
 
@@ -133,9 +66,8 @@ pub(crate) fn foreign(text: &str) -> Option<(&'static str, &'static str)> {
         })
     };
     let found = LANGUAGES.map(|(language, words)| {
-        let mut there = words.iter().filter(|word| stands(word));
-        let longest = there.clone().max_by_key(|word| word.chars().count()).copied();
-        (there.by_ref().count(), language, longest)
+        let there: Vec<&str> = words.split(", ").filter(|word| stands(word)).collect();
+        (there.len(), language, there.into_iter().max_by_key(|word| word.chars().count()))
     });
     let (count, language, longest) = found.into_iter().rev().max_by_key(|(count, ..)| *count)?;
     longest.filter(|_| count > 0).map(|word| (language, word))

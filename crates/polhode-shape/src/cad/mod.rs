@@ -20,14 +20,17 @@ mod units;
 
 use std::ops::Range;
 
-use polhode::body::{BodyError, Finding, InertiaAbout, InertiaTensor, MassProperties, Severity};
+use polhode::body::{BodyError, Finding, InertiaAbout, InertiaTensor, MassProperties};
 use polhode::math::{Body, Position};
 use polhode_source::unit;
 use polhode_source::unit::{Dimension, UnitError};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace, told_unit};
+use serde::{Deserialize, Serialize};
 
 use proof::{Evidence, PLACES, Printed, Tensor};
 use scan::{CENTRAL, Group, ORIGIN, SCALARS, Scan};
+
+use crate::finding::{info, warning};
 
 pub use geometry::{GeometryProgram, GeometryReport};
 pub use proof::{SignProof, SignSource};
@@ -46,7 +49,9 @@ pub struct CadOptions {
 }
 
 /// The mark between the whole and its fraction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
 pub enum DecimalMark {
     /// 1.5
     Point,
@@ -72,9 +77,11 @@ impl DecimalMark {
 }
 
 /// What a product of inertia is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
 pub enum ProductConvention {
-    /// −∫xy dm: the element of the tensor.
+    /// -∫xy dm: the elements of the tensor.
     Negative,
     /// +∫xy dm
     Positive,
@@ -191,8 +198,7 @@ pub fn read(text: &str, options: &CadOptions) -> Result<CadReport, ContentError>
     let central = reader.tensor(&scan.tensors[CENTRAL], CENTRAL).map_err(untold)?;
     let origin = reader.tensor(&scan.tensors[ORIGIN], ORIGIN).map_err(untold)?;
     if central.is_none() && origin.is_none() {
-        let what = "moments of inertia".to_owned();
-        let error = ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole);
+        let error = ContentErrorKind::missing("moments of inertia").of_whole();
         return Err(untold(
             error.hint("paste the whole report, from the mass to the last moment of inertia"),
         ));
@@ -224,14 +230,14 @@ pub fn read(text: &str, options: &CadOptions) -> Result<CadReport, ContentError>
     let mut findings = findings(&evidence, &proof);
     if nowhere {
         let message = "the report has no centre of mass: it is taken as the origin, and only the tensor about it is known";
-        findings.push(finding("cad.no-center", Severity::Warning, message.to_owned()));
+        findings.push(warning("cad.no-center", message.to_owned()));
     }
     let mut scalar = |k: usize| -> Result<Option<Printed>, ContentError> {
         let (group, (_, name, dimension)) = (&scan.scalars[k], SCALARS[k]);
         let value: Option<[Printed; 1]> = reader.if_whole(group, dimension)?;
         if group.is_some() && value.is_none() {
             let message = format!("{name} has no unit and was not read");
-            findings.push(finding("cad.no-unit", Severity::Info, message));
+            findings.push(info("cad.no-unit", message));
         }
         Ok(value.map(|[p]| p).filter(|p| p.value > 0.0))
     };
@@ -247,7 +253,7 @@ pub fn read(text: &str, options: &CadOptions) -> Result<CadReport, ContentError>
                 six(volume.value),
                 six(product)
             );
-            findings.push(finding("cad.overridden", Severity::Warning, message));
+            findings.push(warning("cad.overridden", message));
         } else {
             return Err(contradictory(text, &scan.scalars[0], [density, volume].map(|p| p.value), product));
         }
@@ -273,17 +279,17 @@ fn other_mass(mass: Printed, volume: Printed, density: Printed) -> Option<f64> {
 fn contradictory(text: &str, mass: &Group<1>, [density, volume]: [f64; 2], product: f64) -> ContentError {
     let [found] = &mass.numbers;
     let span = found.as_ref().map_or(0..0, |found| found.span.clone());
-    let kind = ContentErrorKind::Value {
-        what: "the mass".to_owned(),
-        value: text[span.clone()].to_owned(),
-        rule: format!(
+    let kind = ContentErrorKind::value(
+        "the mass",
+        text[span.clone()].to_owned(),
+        format!(
             "density × volume of the report: {} kg/m³ × {} m³ = {} kg",
             six(density),
             six(volume),
             six(product)
         ),
-    };
-    ContentError::new(kind, ContentPlace::Text(span)).hint(
+    );
+    kind.at(span).hint(
         "paste the numbers of one body, with their units; leave out a density or volume that is not its own",
     )
 }
@@ -335,16 +341,12 @@ fn impossible(error: BodyError) -> ContentError {
     ContentError { kind: ContentErrorKind::Body(Box::new(error)), place: ContentPlace::Whole, hint }
 }
 
-fn finding(code: &'static str, severity: Severity, message: String) -> Finding {
-    Finding { code, severity, message, place: None }
-}
-
 fn findings(evidence: &Evidence, proof: &SignProof) -> Vec<Finding> {
     let mut findings = Vec::new();
     if evidence.central.is_none() {
         let message =
             "the tensor was moved from the origin to the centre of mass, which costs digits".to_owned();
-        findings.push(finding("cad.moved", Severity::Info, message));
+        findings.push(info("cad.moved", message));
     }
     if let Some(stated) = evidence.stated
         && stated != proof.convention
@@ -356,7 +358,7 @@ fn findings(evidence: &Evidence, proof: &SignProof) -> Vec<Finding> {
             proof.by.name(),
             proof.convention.name()
         );
-        findings.push(finding("cad.notation", Severity::Warning, message));
+        findings.push(warning("cad.notation", message));
     }
     let worst = proof.residual_negative.max(proof.residual_positive);
     if worst < proof::FAILS
@@ -368,7 +370,7 @@ fn findings(evidence: &Evidence, proof: &SignProof) -> Vec<Finding> {
             proof.convention.name(),
             proof.residual_negative.min(proof.residual_positive),
         );
-        findings.push(finding("cad.narrow-sign", Severity::Info, message));
+        findings.push(info("cad.narrow-sign", message));
     }
     // Told, although no sign fits.
     let least = proof.residual_negative.min(proof.residual_positive);
@@ -376,7 +378,7 @@ fn findings(evidence: &Evidence, proof: &SignProof) -> Vec<Finding> {
         let message = format!(
             "the report contradicts itself: with either sign it is off by {least:.2e} times its rounding"
         );
-        findings.push(finding("cad.contradiction", Severity::Warning, message));
+        findings.push(warning("cad.contradiction", message));
     }
     findings
 }
@@ -433,8 +435,7 @@ impl Reader<'_> {
                 let what = scan::element_name(which, 3 * j + i);
                 let value = self.text[found.span.clone()].to_owned();
                 let rule = format!("equal to {}", scan::element_name(which, 3 * i + j));
-                let kind = ContentErrorKind::Value { what, value, rule };
-                return Err(ContentError::new(kind, ContentPlace::Text(found.span.clone())));
+                return Err(ContentErrorKind::value(what, value, rule).at(found.span.clone()));
             }
         }
         Ok(Some(tensor))
@@ -502,8 +503,7 @@ impl Reader<'_> {
 
 /// Measures of a shape are read by [`GeometryReport`], with a substance.
 fn without_mass(program: GeometryProgram) -> ContentError {
-    let kind = ContentErrorKind::Missing { what: "mass".to_owned() };
-    ContentError::new(kind, ContentPlace::Whole).hint(format!(
+    ContentErrorKind::missing("mass").of_whole().hint(format!(
         "{} prints volume, centre and a tensor of density 1: say what the shape is made of, as by polhode inertia FILE --density \"2700 kg/m^3\"",
         program.name()
     ))
@@ -514,15 +514,14 @@ fn in_its_language(text: &str, error: ContentError) -> ContentError {
     let foreign = language::foreign(text).filter(|_| matches!(error.kind, ContentErrorKind::Missing { .. }));
     let Some((language, heading)) = foreign else { return error };
     let what = format!("{language} headings such as {heading:?}");
-    ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Whole).hint(format!(
+    ContentErrorKind::unsupported(what).of_whole().hint(format!(
         "let the program print in English, or translate; headings that are read: {}",
         language::KNOWN
     ))
 }
 
 fn missing(name: &str) -> ContentError {
-    let what = name.strip_prefix("the ").unwrap_or(name).to_owned();
-    ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole).hint(format!(
+    ContentErrorKind::missing(name.strip_prefix("the ").unwrap_or(name).to_owned()).of_whole().hint(format!(
         "paste the whole report, from the mass to the last moment of inertia, in English; headings that are read: {}",
         language::KNOWN
     ))
@@ -536,9 +535,9 @@ fn unknown_unit(text: &str, name: &str, dimension: Dimension, number: &Range<usi
         return None;
     }
     let start = number.end + (rest.len() - rest.trim_start().len());
-    let (what, found) = (format!("a unit of {}", name.strip_prefix("the ").unwrap_or(name)), word.to_owned());
+    let (what, found) = (format!("a unit of {}", name.strip_prefix("the ").unwrap_or(name)), word);
     let place = ContentPlace::Text(start..start + word.len());
-    let error = ContentError::new(ContentErrorKind::Expected { what, found }, place);
+    let error = ContentError::new(ContentErrorKind::expected(what, found), place);
     Some(match dimension {
         Dimension::MASS if word.eq_ignore_ascii_case("mg") => {
             error.hint("MG may be the milligram or the megagram: write mg or t")
@@ -557,12 +556,10 @@ fn no_unit(name: &str, dimension: Dimension, place: ContentPlace) -> ContentErro
             "paste the line with the unit, or answer with --unit and --mass-unit, such as --unit mm --mass-unit g"
         }
     };
-    let kind = ContentErrorKind::Unclear { question, found: String::new() };
-    ContentError::new(kind, place).hint(example)
+    ContentError::new(ContentErrorKind::unclear(question, ""), place).hint(example)
 }
 
 fn out_of_range(what: &str, number: &str, error: &UnitError) -> ContentErrorKind {
     let value = number.to_owned();
-    let rule = format!("a number in range: {error}");
-    ContentErrorKind::Value { what: what.to_owned(), value, rule }
+    ContentErrorKind::value(what, value, format!("a number in range: {error}"))
 }

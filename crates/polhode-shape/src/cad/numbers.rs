@@ -6,7 +6,7 @@
 
 use std::ops::Range;
 
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::DecimalMark;
 
@@ -90,8 +90,8 @@ pub(crate) fn decimal_mark(
         (Some((mark, span)), _, Some(told)) if mark != told => {
             let value = text[span.clone()].to_owned();
             let rule = format!("written with a decimal {}, as told", told.name());
-            let kind = ContentErrorKind::Value { what: "the number".to_owned(), value, rule };
-            Err(ContentError::new(kind, ContentPlace::Text(span.clone())).hint("leave out --decimal"))
+            let kind = ContentErrorKind::value("the number", value, rule);
+            Err(kind.at(span.clone()).hint("leave out --decimal"))
         }
         (Some((mark, _)), ..) | (None, _, Some(mark)) => Ok(mark),
         (None, None, None) => Ok(DecimalMark::Point),
@@ -100,16 +100,13 @@ pub(crate) fn decimal_mark(
 }
 
 fn question(found: String, span: &Range<usize>) -> ContentError {
-    let question = "is the decimal mark a point or a comma?".to_owned();
-    let kind = ContentErrorKind::Unclear { question, found };
-    ContentError::new(kind, ContentPlace::Text(span.clone()))
+    ContentErrorKind::unclear("is the decimal mark a point or a comma?", found)
+        .at(span.clone())
         .hint("answer with --decimal point or --decimal comma, or print more digits")
 }
 
 fn not_a_number(text: &str, span: &Range<usize>) -> ContentError {
-    let kind =
-        ContentErrorKind::Expected { what: "a number".to_owned(), found: text[span.clone()].to_owned() };
-    ContentError::new(kind, ContentPlace::Text(span.clone()))
+    ContentErrorKind::expected("a number", text[span.clone()].to_owned()).at(span.clone())
 }
 
 fn mantissa(number: &str) -> (&str, Option<&str>) {

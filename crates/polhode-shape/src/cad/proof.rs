@@ -17,7 +17,7 @@
 
 use polhode::body::{InertiaTensor, PrincipalFrame};
 use polhode::math::Body;
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::ProductConvention;
 
@@ -186,30 +186,28 @@ fn refused(trial: &SignProof) -> ContentError {
         "answer with --products negative or --products positive, or print more digits, or measure from an origin away \
          from the body's planes of symmetry"
     };
-    let kind = ContentErrorKind::ProductSign { by: by.name(), negative, positive };
-    ContentError::new(kind, ContentPlace::Whole).hint(hint)
+    ContentErrorKind::ProductSign { by: by.name(), negative, positive }.of_whole().hint(hint)
 }
 
 fn unproved() -> ContentError {
-    let question = "are the products of inertia −∫xy dm or +∫xy dm?".to_owned();
-    let found = "one tensor, and no principal moments".to_owned();
-    ContentError::new(ContentErrorKind::Unclear { question, found }, ContentPlace::Whole).hint(
+    let question = "are the products of inertia −∫xy dm or +∫xy dm?";
+    ContentErrorKind::unclear(question, "one tensor, and no principal moments").of_whole().hint(
         "answer with --products negative or --products positive, or paste the tensor about the origin too",
     )
 }
 
 fn contradicted(trial: &SignProof, told: ProductConvention) -> ContentError {
-    let kind = ContentErrorKind::Value {
-        what: "the told sign of the products of inertia".to_owned(),
-        value: told.name().to_owned(),
-        rule: format!(
+    let kind = ContentErrorKind::value(
+        "the told sign of the products of inertia",
+        told.name().to_owned(),
+        format!(
             "what {} prove: residuals {:.2e} (negative) and {:.2e} (positive)",
             trial.by.name(),
             trial.residual_negative,
             trial.residual_positive
         ),
-    };
-    ContentError::new(kind, ContentPlace::Whole).hint("leave out --products")
+    );
+    kind.of_whole().hint("leave out --products")
 }
 
 /// How far an equation is off, and how far rounding may carry it.

@@ -249,9 +249,9 @@ impl Scanner<'_> {
         };
         if slot.is_some() {
             let value = self.text[span.clone()].to_owned();
-            let rule = "given once: the text has more than one report, or one twice".to_owned();
-            let kind = ContentErrorKind::Value { what: name(target), value, rule };
-            return Err(ContentError::new(kind, ContentPlace::Text(span)).hint("paste one report at a time"));
+            let rule = "given once: the text has more than one report, or one twice";
+            let kind = ContentErrorKind::value(name(target), value, rule);
+            return Err(kind.at(span).hint("paste one report at a time"));
         }
         // "X Y Z  1 2 3 MM" has one unit for three numbers.
         let shared = self.heading_unit.as_ref().or(unit.as_ref());
@@ -266,7 +266,7 @@ impl Scanner<'_> {
     fn nothing_waits(&mut self, at: usize) -> Result<(), ContentError> {
         let Some(&target) = self.waiting.front() else { return Ok(()) };
         let found = self.text[at..].lines().next().unwrap_or_default().trim().to_owned();
-        let kind = ContentErrorKind::Expected { what: format!("a number for {}", name(target)), found };
+        let kind = ContentErrorKind::expected(format!("a number for {}", name(target)), found);
         let place = ContentPlace::Text(at..at);
         Err(ContentError::new(kind, place).hint("paste the whole report"))
     }
@@ -366,8 +366,7 @@ pub(crate) fn element_name(which: usize, k: usize) -> String {
 }
 
 fn nowhere(word: &str, at: usize) -> ContentError {
-    let question = "is this tensor about the centre of mass or about the origin?".to_owned();
-    let kind = ContentErrorKind::Unclear { question, found: String::new() };
-    ContentError::new(kind, ContentPlace::Text(at..at + word.len()))
+    ContentErrorKind::unclear("is this tensor about the centre of mass or about the origin?", "")
+        .at(at..at + word.len())
         .hint("paste the heading too, or write \"Moments of inertia at center of mass\" above the numbers")
 }

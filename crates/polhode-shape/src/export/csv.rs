@@ -7,38 +7,16 @@ use polhode_document::csv_name;
 use super::{ExportBody, elements, number};
 
 /// The names of the columns, with their units.
-const COLUMNS: [&str; 24] = [
-    "name",
-    "mass_kg",
-    "center_of_mass_x_m",
-    "center_of_mass_y_m",
-    "center_of_mass_z_m",
-    "inertia_about",
-    "inertia_axes",
-    "inertia_products",
-    "ixx_kg_m2",
-    "ixy_kg_m2",
-    "ixz_kg_m2",
-    "iyy_kg_m2",
-    "iyz_kg_m2",
-    "izz_kg_m2",
-    "i1_kg_m2",
-    "i2_kg_m2",
-    "i3_kg_m2",
-    "principal_quaternion_w",
-    "principal_quaternion_x",
-    "principal_quaternion_y",
-    "principal_quaternion_z",
-    "volume_m3",
-    "surface_area_m2",
-    "density_kg_m3",
-];
+const COLUMNS: &str = "name,mass_kg,center_of_mass_x_m,center_of_mass_y_m,center_of_mass_z_m,inertia_about,\
+    inertia_axes,inertia_products,ixx_kg_m2,ixy_kg_m2,ixz_kg_m2,iyy_kg_m2,iyz_kg_m2,\
+    izz_kg_m2,i1_kg_m2,i2_kg_m2,i3_kg_m2,principal_quaternion_w,principal_quaternion_x,\
+    principal_quaternion_y,principal_quaternion_z,volume_m3,surface_area_m2,density_kg_m3";
 
 /// The whole table.
 pub(crate) fn write(bodies: &[ExportBody]) -> String {
     // A mesh that was taken as something other than its solid adds a column to the table.
     let taken_as = bodies.iter().any(|body| body.taken_as.is_some()).then_some("mesh_taken_as");
-    let columns: Vec<_> = COLUMNS.into_iter().chain(taken_as).collect();
+    let columns: Vec<_> = [COLUMNS].into_iter().chain(taken_as).collect();
     let mut text = columns.join(",") + "\n";
     for body in bodies {
         let mut cells = row(body);

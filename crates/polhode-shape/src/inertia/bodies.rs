@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use polhode::body::Finding;
-use polhode_document::VERSION;
 use polhode_document::layout::printable;
+use polhode_document::{Document, Report, VERSION};
 use polhode_source::{Failure, shown};
 use serde_json::{Value, json};
 
@@ -37,21 +37,6 @@ impl Bodies {
         })
     }
 
-    /// Returns an object for one body, and a list for several; a file that failed has an object with its error.
-    pub fn to_json(&self) -> Value {
-        let of = |FileBodies { path, reports }: &FileBodies| match reports {
-            Ok(reports) => reports.iter().map(InertiaReport::to_json).collect(),
-            Err(failure) => vec![failed(path, failure)],
-        };
-        let mut values: Vec<Value> = self.files.iter().flat_map(of).collect();
-        if values.len() == 1 { values.remove(0) } else { Value::Array(values) }
-    }
-
-    /// Returns all reports for people.
-    pub fn to_text(&self) -> String {
-        self.reports().map(|(_, report)| report.to_text()).collect::<Vec<_>>().join("\n")
-    }
-
     /// Returns the bodies as another program reads them.
     ///
     /// # Errors
@@ -80,6 +65,26 @@ impl Bodies {
             text.extend(report.findings.iter().map(|finding| noticed(file, finding)));
         }
         text
+    }
+}
+
+impl Report for Bodies {
+    /// Returns an object for one body, and a list for several; a file that failed has an object with its error.
+    fn to_json(&self) -> Value {
+        let of = |FileBodies { path, reports }: &FileBodies| match reports {
+            Ok(reports) => reports.iter().map(InertiaReport::to_json).collect(),
+            Err(failure) => vec![failed(path, failure)],
+        };
+        let mut values: Vec<Value> = self.files.iter().flat_map(of).collect();
+        if values.len() == 1 { values.remove(0) } else { Value::Array(values) }
+    }
+
+    fn to_document(&self) -> Document {
+        Document::of_text("Mass properties", &self.to_text(None))
+    }
+
+    fn to_text(&self, _columns: Option<usize>) -> String {
+        self.reports().map(|(_, report)| report.to_text()).collect::<Vec<_>>().join("\n")
     }
 }
 

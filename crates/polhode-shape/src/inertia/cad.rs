@@ -7,10 +7,9 @@ use polhode_document::SourceInfo;
 use polhode_source::files::Files;
 use polhode_source::{Failure, read_text_file};
 
-use super::choice::{Mark, Sign};
 use super::request::Request;
 use crate::cad;
-use crate::cad::{CadOptions, CadReport, DecimalMark, GeometryProgram, GeometryReport, ProductConvention};
+use crate::cad::{CadOptions, CadReport, GeometryProgram, GeometryReport};
 use crate::mesh::AssumedMetres;
 use crate::report::{InertiaReport, sign_proof};
 
@@ -23,18 +22,7 @@ enum Read {
 pub(super) fn report(files: &dyn Files, file: &Path, request: &Request) -> Result<InertiaReport, Failure> {
     let (flags, substance) = (&request.cad, request.substance.given());
     let (length_unit, mass_unit) = (request.length_unit(), request.mass_unit());
-    let options = CadOptions {
-        decimal: flags.decimal.map(|mark| match mark {
-            Mark::Point => DecimalMark::Point,
-            Mark::Comma => DecimalMark::Comma,
-        }),
-        products: flags.products.map(|sign| match sign {
-            Sign::Negative => ProductConvention::Negative,
-            Sign::Positive => ProductConvention::Positive,
-        }),
-        mass_unit,
-        length_unit,
-    };
+    let options = CadOptions { decimal: flags.decimal, products: flags.products, mass_unit, length_unit };
     let read = read_text_file(files, file, |text| match GeometryProgram::of_text(text) {
         // Its tensor has one sign and one point, and only a substance is open.
         Some(program) if substance.is_some() => {

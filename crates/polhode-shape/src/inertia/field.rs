@@ -4,11 +4,11 @@ use std::cell::RefCell;
 
 use polhode::body::density::{Cubature, DensityField, FieldError, Solid, mass_properties_of_field};
 use polhode_document::Extra;
-use polhode_source::Failure;
 use polhode_source::expression::Expression;
 
 use super::host::Host;
-use super::voxel::in_body;
+use super::in_body;
+use super::mesh_error::MeshBodyError;
 use crate::mesh::SolidPart;
 use crate::report::{PartRow, error_estimate};
 
@@ -24,7 +24,7 @@ pub(super) fn found(
     formula: &Expression,
     tolerance: Option<f64>,
     host: &mut dyn Host,
-) -> Result<Found, Failure> {
+) -> Result<Found, MeshBodyError> {
     let cubature =
         Cubature { tolerance: tolerance.unwrap_or(Cubature::default().tolerance), ..Cubature::default() };
     let mut total = FieldError { mass: 0.0, center_of_mass: 0.0, inertia: 0.0 };
@@ -33,14 +33,13 @@ pub(super) fn found(
         host.begin_cubature(part.mesh.surface().triangles().len());
         let watched = Watched { formula, host: RefCell::new(&mut *host) };
         let body = mass_properties_of_field(Solid::Mesh(&part.mesh), &watched, cubature)
-            .map_err(|error| Failure::usage(error.to_string(), hint(&error)))?;
+            .map_err(MeshBodyError::Density)?;
         let FieldError { mass, center_of_mass, inertia } = body.error_estimate;
         // masses add; of the others the worst part's stands for all
         total.mass += mass;
         total.center_of_mass = total.center_of_mass.max(center_of_mass);
         total.inertia = total.inertia.max(inertia);
-        let properties =
-            in_body(body.properties).map_err(|error| Failure::usage(error.to_string(), hint(&error)))?;
+        let properties = in_body(body.properties).map_err(MeshBodyError::Density)?;
         rows.push(PartRow { name: part.name.clone(), properties, volume: Some(body.volume) });
     }
     Ok(Found { rows, error: error_estimate(&total, "by cubature of the formula") })
@@ -61,8 +60,4 @@ impl DensityField for Watched<'_> {
         self.formula.densities(points, densities);
         self.host.borrow_mut().sampled(points.len());
     }
-}
-
-fn hint(error: &polhode::body::BodyError) -> &'static str {
-    error.hint().unwrap_or("check --field and --tolerance")
 }

@@ -1,5 +1,8 @@
 //! The bodies of files, whatever kind these are.
 
+use polhode::body::{BodyError, MassProperties, PlacedPart};
+use polhode::math::{Body, Part, Position, Rotation};
+
 mod bodies;
 mod cad;
 mod choice;
@@ -7,7 +10,8 @@ mod field;
 mod host;
 mod kind;
 mod mesh;
-mod model;
+mod mesh_body;
+mod mesh_error;
 mod molecule;
 mod particles;
 mod request;
@@ -17,11 +21,22 @@ mod written;
 
 pub use bodies::{Bodies, FileBodies, failed, noticed};
 pub use choice::{
-    CadChoice, Corner, DensityFormula, Mark, MassesOf, MaterialNamed, MeshChoice, MoleculeChoice,
-    PartSubstance, Sign, Spacing, SubstanceChoice, VoxelChoice,
+    CadChoice, Corner, DensityFormula, MaterialNamed, MeshChoice, MoleculeChoice, PartSubstance, Spacing,
+    SubstanceChoice, VoxelChoice,
 };
 pub use host::Host;
 pub use kind::Kind;
+pub use mesh_body::{MeshBody, MeshOrigin, MeshUse, MeshWords, mass_assumed};
+pub use mesh_error::MeshBodyError;
 pub use request::{LengthUnit, MassUnit, Point, Request, Turn};
 pub use run::{run, run_in};
+pub use voxel::voxel_report;
 pub use written::MeshFile;
+
+/// Returns the body of one part whose axes and origin are the body's.
+///
+/// # Errors
+/// [`BodyError`] if the part is not a physical body.
+pub fn in_body(part: MassProperties<Part>) -> Result<MassProperties<Body>, BodyError> {
+    Ok(PlacedPart::new(part, Position::ZERO, Rotation::identity())?.in_body())
+}

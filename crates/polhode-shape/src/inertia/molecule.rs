@@ -6,10 +6,9 @@ use polhode::body::BodyError;
 use polhode_source::Failure;
 use polhode_source::files::Files;
 
-use super::choice::MassesOf;
 use super::request::Request;
 use crate::molecule;
-use crate::molecule::{Isotopes, MoleculeFormat};
+use crate::molecule::MoleculeFormat;
 use crate::report::InertiaReport;
 
 /// One report for each molecule of the file.
@@ -19,10 +18,7 @@ pub(super) fn reports(
     format: MoleculeFormat,
     request: &Request,
 ) -> Result<Vec<InertiaReport>, Failure> {
-    let isotopes = match request.molecule.isotopes {
-        Some(MassesOf::Average) => Isotopes::Average,
-        Some(MassesOf::Abundant) | None => Isotopes::Abundant,
-    };
+    let isotopes = request.molecule.isotopes.unwrap_or_default();
     let molecules = molecule::read(files, file, format)?;
     let unfit = |error: BodyError| Failure::usage(error.to_string(), "check the atoms' places");
     molecule::reports(&molecules, isotopes, file, format).map_err(unfit)

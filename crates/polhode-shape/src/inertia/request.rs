@@ -14,6 +14,7 @@ use super::kind::Kind;
 /// Files of bodies, and what they leave open.
 ///
 /// ```
+/// use polhode_document::Report as _;
 /// use polhode_shape::{Request, run};
 /// use polhode_source::files::Memory;
 /// let mesh = "v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use polhode_source::files::Files;
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 use polhode_source::{Failure, read_file, shown};
 
 use super::bodies::{Bodies, FileBodies};
@@ -193,9 +193,8 @@ impl Request {
 
 /// Error of a file without bytes.
 fn nothing_of(format: BrepFormat) -> ContentError {
-    let kind =
-        ContentErrorKind::Expected { what: format!("a {} file", format.title()), found: String::new() };
-    ContentError::new(kind, ContentPlace::Whole).hint("the file is empty: export it again")
+    let kind = ContentErrorKind::expected(format!("a {} file", format.title()), "");
+    kind.of_whole().hint("the file is empty: export it again")
 }
 
 /// `.stl, .obj, …`

@@ -2,13 +2,14 @@
 
 use std::path::Path;
 
-use polhode::body::{BodyError, MassProperties, PlacedPart};
-use polhode::math::{Body, Part, Position, Rotation};
+use polhode::body::BodyError;
+use polhode::body::density::VoxelMassProperties;
 use polhode_document::SourceInfo;
 use polhode_source::files::Files;
 use polhode_source::{Failure, FormatError};
 
 use super::choice::VoxelChoice;
+use super::in_body;
 use super::request::Request;
 use crate::report::{InertiaReport, error_estimate};
 use crate::voxel;
@@ -27,29 +28,39 @@ pub(super) fn report(
         origin: origin.as_ref().map(|corner| corner.value.0),
     };
     let scale = per_value.as_ref().map_or(1.0, |density| density.value.0.0);
-    let misread = |error| FormatError::of_content(file, &[], error);
-    let mut voxels = voxel::open(files, file)?;
-    let grid = voxels.grid(&options).map_err(misread)?;
-    let (counts, kind) = (voxels.counts(), voxels.type_name());
-    let result = voxels.mass_properties(&grid, scale).map_err(misread)?;
     let unfit = |error: BodyError| {
         Failure::usage(error.to_string(), "a voxel's value is a density, zero or positive: check --per-value")
     };
-    let body = result.map_err(unfit)?;
-    let [a, b, c] = counts;
-    let source = SourceInfo::new(file.display().to_string(), format)
-        .described(format!("voxels, {a} × {b} × {c} of {kind}, {} filled", body.filled))
-        .with("voxels", counts.to_vec())
-        .with("type", kind)
-        .with("filled", body.filled);
-    let error = error_estimate(&body.error_estimate, "what a voxel's value leaves open within it");
-    Ok(InertiaReport {
-        extras: vec![error],
-        ..InertiaReport::new(source, in_body(body.properties).map_err(unfit)?).with_volume(Some(body.volume))
-    })
+    voxel_report(files, file, format, &options, scale)?.map_err(unfit)
 }
 
-/// A file's axes are the body's.
-pub(super) fn in_body(part: MassProperties<Part>) -> Result<MassProperties<Body>, BodyError> {
-    Ok(PlacedPart::new(part, Position::ZERO, Rotation::identity())?.in_body())
+/// Returns the report of a voxel grid in a file of a format, `npy` or `nrrd`; `per_value` is the density that a value
+/// of 1 stands for, kg/m³. The inner error is that of densities that are not a physical body.
+///
+/// # Errors
+/// [`FormatError`] if the file cannot be read.
+pub fn voxel_report(
+    files: &dyn Files,
+    file: &Path,
+    format: &str,
+    options: &VoxelOptions,
+    per_value: f64,
+) -> Result<Result<InertiaReport, BodyError>, FormatError> {
+    let misread = |error| FormatError::of_content(file, &[], error);
+    let mut voxels = voxel::open(files, file)?;
+    let grid = voxels.grid(options).map_err(misread)?;
+    let (counts, kind) = (voxels.counts(), voxels.type_name());
+    let body = voxels.mass_properties(&grid, per_value).map_err(misread)?;
+    let report = |body: VoxelMassProperties| {
+        let [a, b, c] = counts;
+        let source = SourceInfo::new(file.display().to_string(), format)
+            .described(format!("voxels, {a} × {b} × {c} of {kind}, {} filled", body.filled))
+            .with("voxels", counts.to_vec())
+            .with("type", kind)
+            .with("filled", body.filled);
+        let error = error_estimate(&body.error_estimate, "what a voxel's value leaves open within it");
+        let report = InertiaReport::new(source, in_body(body.properties)?).with_volume(Some(body.volume));
+        Ok(InertiaReport { extras: vec![error], ..report })
+    };
+    Ok(body.and_then(report))
 }

@@ -7,8 +7,9 @@ use polhode::body::{Finding, Form, MassProperties, Severity};
 use polhode::math::Body;
 use polhode_source::{Failure, shown};
 
-use super::model::{Piece, unfit};
-use super::voxel::in_body;
+use super::in_body;
+use super::mesh_body::{MeshBody, Piece};
+use super::mesh_error::MeshBodyError;
 use crate::mesh::{MeshFormat, MeshPart};
 
 /// Mesh as it was used: welded, filled and wound outward, in the file's unit.
@@ -21,35 +22,32 @@ pub struct MeshFile {
 }
 
 impl MeshFile {
-    /// Of the surfaces of the pieces, in their file's unit. What is to be written bounds solids too; where rounding changes them, that is said.
-    pub(super) fn of(
-        pieces: &[Piece],
-        unit: f64,
-        target: &Path,
-        findings: &mut Vec<Finding>,
-    ) -> Result<Self, Failure> {
+    /// Writes the surfaces of a body, in their file's unit, and reads them again. A change by rounding is a finding.
+    pub(super) fn of(body: &mut MeshBody<'_>, target: &Path) -> Result<Self, Failure> {
         let format = written_format(target)?;
         let part = |piece: &Piece| match piece.shape.form() {
             Some(Form::Mesh(mesh)) => {
-                Some(MeshPart { name: piece.name.clone(), mesh: mesh.scaled(1.0 / unit) })
+                Some(MeshPart { name: piece.name.clone(), mesh: mesh.scaled(1.0 / body.unit) })
             }
             _ => None,
         };
-        let parts: Vec<_> = pieces.iter().filter_map(part).collect();
+        let parts: Vec<_> = body.pieces.iter().filter_map(part).collect();
         let (bytes, written) = format.checked_bytes(&parts, target)?;
-        let written = written.parts.into_iter().map(|part| part.mesh.scaled(unit));
-        let written = written.collect::<Result<Vec<_>, _>>().map_err(unfit)?;
-        let used = at_one_density(pieces.iter().map(|piece| piece.shape.as_ref()))?;
+        let written = written.parts.into_iter().map(|part| part.mesh.scaled(body.unit));
+        let written = written.collect::<Result<Vec<_>, _>>().map_err(MeshBodyError::Body)?;
+        let used = at_one_density(body.pieces.iter().map(|piece| piece.shape.as_ref()))?;
         let written = at_one_density(written.iter().map(|mesh| mesh as &dyn Shape))?;
-        findings.extend(rounded(&used, &written, target));
+        body.findings.extend(rounded(&used, &written, target));
         Ok(Self { path: target.to_owned(), bytes })
     }
 }
 
 /// All of them together, at 1 kg/m³.
-fn at_one_density<'a>(shapes: impl Iterator<Item = &'a dyn Shape>) -> Result<MassProperties<Body>, Failure> {
+fn at_one_density<'a>(
+    shapes: impl Iterator<Item = &'a dyn Shape>,
+) -> Result<MassProperties<Body>, MeshBodyError> {
     let each = shapes.map(|shape| shape.mass_properties(Substance::Density(1.0)).and_then(in_body));
-    MassProperties::combined(&each.collect::<Result<Vec<_>, _>>().map_err(unfit)?).map_err(unfit)
+    Ok(MassProperties::combined(&each.collect::<Result<Vec<_>, _>>()?)?)
 }
 
 /// What rounding to seven digits changes of a mesh, if that is much.

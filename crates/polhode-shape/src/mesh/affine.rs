@@ -74,15 +74,10 @@ impl Affine {
         };
         TriangleMesh::new(vertices, triangles).map_err(|e| {
             let kind = match e {
-                BodyError::Vertex { vertex, .. } => ContentErrorKind::NotFinite {
-                    what: "the coordinate of a placed vertex".to_owned(),
-                    found: format!("{vertex:?}"),
-                },
-                e => ContentErrorKind::Value {
-                    what: "the mesh".to_owned(),
-                    value: e.to_string(),
-                    rule: "triangles between its own vertices".to_owned(),
-                },
+                BodyError::Vertex { vertex, .. } => {
+                    ContentErrorKind::not_finite("the coordinate of a placed vertex", format!("{vertex:?}"))
+                }
+                e => ContentErrorKind::value("the mesh", e.to_string(), "triangles between its own vertices"),
             };
             ContentError::new(kind, ContentPlace::Within(place()))
         })

@@ -4,10 +4,10 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use polhode::body::mesh::{FilledMesh, HolesLeft};
-use polhode::body::{Finding, Severity};
 use polhode_source::FormatError;
 
 use super::{MeshContents, MeshLength, MeshPart, MeshRepair, RepairBound, solid};
+use crate::finding::info;
 
 impl MeshContents {
     /// The mesh with holes closed that are no larger than this: [`TriangleMesh::filled`](polhode::body::mesh::TriangleMesh::filled) of each part. Parts
@@ -36,14 +36,9 @@ impl MeshContents {
             let (name, filled) = match pieces().count() {
                 1 => (name.clone(), mesh.filled(size)),
                 count => {
-                    self.findings.push(Finding {
-                        code: "mesh.joined",
-                        severity: Severity::Info,
-                        message: format!(
-                            "{count} open parts of the file are pieces of one surface, and one part now"
-                        ),
-                        place: None,
-                    });
+                    let message =
+                        format!("{count} open parts of the file are pieces of one surface, and one part now");
+                    self.findings.push(info("mesh.joined", message));
                     (String::new(), solid::joined(pieces()).and_then(|all| all.filled(size)))
                 }
             };

@@ -27,13 +27,14 @@ mod write;
 use std::path::Path;
 
 use polhode::body::mesh::TriangleMesh;
-use polhode::body::{BodyError, Finding, Severity};
+use polhode::body::{BodyError, Finding};
 use polhode_source::FormatError;
 use polhode_source::file;
 use polhode_source::files::Files;
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use crate::brep::BrepFormat;
+use crate::finding::warning;
 
 pub use assumed_unit::{AssumedMetres, longest_side};
 pub use length::MeshLength;
@@ -212,8 +213,7 @@ impl MeshContents {
     ) -> Result<Self, FormatError> {
         if let Some(shapes) = BrepFormat::of_bytes(bytes) {
             let what = format!("{}, whatever the file is called: its shapes are exact", shapes.title());
-            let kind = ContentErrorKind::Unsupported { what };
-            let error = ContentError::new(kind, ContentPlace::Whole).hint(shapes.hint(path));
+            let error = ContentErrorKind::unsupported(what).of_whole().hint(shapes.hint(path));
             return Err(FormatError::of_content(path, bytes, error));
         }
         format.reader()(files, bytes, path)
@@ -223,9 +223,8 @@ impl MeshContents {
         if !self.parts.is_empty() {
             return Ok(self);
         }
-        let missing = ContentErrorKind::Missing { what: "triangles".to_owned() };
-        Err(ContentError::new(missing, ContentPlace::Whole)
-            .hint("export the solid body, not the empty document"))
+        let missing = ContentErrorKind::missing("triangles");
+        Err(missing.of_whole().hint("export the solid body, not the empty document"))
     }
 
     /// Triangles in all parts.
@@ -253,12 +252,8 @@ impl MeshContents {
     pub fn in_metres(mut self, given: Option<f64>) -> Self {
         let unit = given.or(self.unit).unwrap_or(1.0);
         if let Some(own) = self.unit.filter(|own| *own != unit) {
-            self.findings.push(Finding {
-                code: "mesh.unit",
-                severity: Severity::Warning,
-                message: format!("the file's own unit is {own} m, and {unit} m was used as you said"),
-                place: None,
-            });
+            let message = format!("the file's own unit is {own} m, and {unit} m was used as you said");
+            self.findings.push(warning("mesh.unit", message));
         }
         for part in &mut self.parts {
             part.mesh = std::mem::take(&mut part.mesh).scaled(unit);

@@ -8,14 +8,14 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use polhode::body::{Finding, Severity};
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::MeshContents;
 use super::parts;
 use super::points;
 use super::polygon::Polygons;
 use super::scan::{Scan, integer};
+use crate::finding::info;
 
 /// Reads the bytes of an OBJ file.
 ///
@@ -166,7 +166,7 @@ impl<'a> Reader<'a> {
             _ if REFUSED.contains(&word) => {
                 let what = format!("{:?} of OBJ: curved surfaces and included files", start.found());
                 return Err(start
-                    .error(ContentErrorKind::Unsupported { what })
+                    .error(ContentErrorKind::unsupported(what))
                     .hint("export the body as a mesh of triangles, in one file"));
             }
             _ => {
@@ -182,8 +182,8 @@ impl<'a> Reader<'a> {
     fn contents(mut self) -> Result<MeshContents, ContentError> {
         self.groups.end(self.triangles.len());
         if self.vertices.is_empty() {
-            let what = "vertices and no faces".to_owned();
-            return Err(ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole)
+            return Err(ContentErrorKind::missing("vertices and no faces")
+                .of_whole()
                 .hint("export the body as a mesh, with its faces"));
         }
         if self.triangles.is_empty() {
@@ -193,12 +193,7 @@ impl<'a> Reader<'a> {
         if self.lines + self.points > 0 {
             let message =
                 format!("{} lines and {} points bound no solid and were left out", self.lines, self.points);
-            findings.push(Finding {
-                code: "mesh.not_a_surface",
-                severity: Severity::Info,
-                message,
-                place: None,
-            });
+            findings.push(info("mesh.not_a_surface", message));
         }
         findings.extend(self.polygons.finding());
         let parts = parts::of_shared(self.vertices, self.groups.parts(self.triangles))?;
@@ -238,7 +233,7 @@ fn no_index(scan: Scan, at: usize) -> ContentError {
 
 #[cold]
 fn no_vertex(at: Scan, written: i64, count: usize) -> ContentError {
-    let error = at.error(ContentErrorKind::Index { what: "vertex".to_owned(), index: written, count });
+    let error = at.error(ContentErrorKind::index("vertex", written, count));
     match written {
         0 => error.hint("indices start at 1"),
         1.. => error.hint("a face comes behind its vertices"),

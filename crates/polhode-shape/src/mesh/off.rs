@@ -4,7 +4,7 @@
 //! (`n a b c …`, from 0). Before `OFF`, `ST`, `C` and `N` say that texture, colour or normal follow the coordinates on
 //! their lines; a face may have a colour too. Nobody uses the number of edges.
 
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::MeshContents;
 use super::parts;
@@ -56,7 +56,7 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
         let read = scan.integer(&format!("the number of {what}"))?;
         *count = u64::try_from(read).map_err(|_| {
             let (what, value) = (format!("the number of {what}"), read.to_string());
-            start.error(ContentErrorKind::Value { what, value, rule: "0 or more".to_owned() })
+            start.error(ContentErrorKind::value(what, value, "0 or more"))
         })?;
     }
     let [declared_vertices, declared_faces, _] = counts;
@@ -78,8 +78,8 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
         return Err(left_over(scan, declared_faces));
     }
     if triangles.is_empty() {
-        let kind = ContentErrorKind::Missing { what: "faces".to_owned() };
-        return Err(ContentError::new(kind, ContentPlace::Whole)
+        return Err(ContentErrorKind::missing("faces")
+            .of_whole()
             .hint("a cloud of points bounds no solid: export a mesh"));
     }
     let findings = polygons.finding().into_iter().collect();
@@ -94,9 +94,8 @@ fn keyword(scan: &mut Scan) -> Result<(), ContentError> {
     let length = word.windows(3).position(|three| three == b"OFF").unwrap_or(word.len());
     let (prefix, behind) = word.split_at(length);
     let unsupported = |what: &str| {
-        let what = what.to_owned();
         Err(start
-            .error(ContentErrorKind::Unsupported { what })
+            .error(ContentErrorKind::unsupported(what))
             .hint("export the mesh as OFF of three dimensions, in text"))
     };
     let dimensions = prefix.strip_prefix(b"ST").unwrap_or(prefix);
@@ -124,8 +123,7 @@ fn keyword(scan: &mut Scan) -> Result<(), ContentError> {
 fn row(scan: &mut Scan, what: &str, declared: u64, present: u64) -> Result<(), ContentError> {
     scan.skip_empty_lines();
     if scan.is_done() {
-        let kind = ContentErrorKind::Count { what: what.to_owned(), declared, present };
-        let error = ContentError::new(kind, ContentPlace::Text(scan.bytes.len()..scan.bytes.len()));
+        let error = ContentErrorKind::count(what, declared, present).at(scan.bytes.len()..scan.bytes.len());
         return Err(error.hint("the file is cut short, or its counts are wrong"));
     }
     Ok(())
@@ -152,16 +150,15 @@ fn face(scan: &mut Scan, vertices: usize, corners: &mut Vec<u32>) -> Result<(), 
     let start = *scan;
     let count = scan.integer("the number of the face's corners")?;
     if count < 3 {
-        let (what, value) = ("the number of a face's corners".to_owned(), count.to_string());
-        return Err(start.error(ContentErrorKind::Value { what, value, rule: "3 or more".to_owned() }));
+        let (what, value) = ("the number of a face's corners", count.to_string());
+        return Err(start.error(ContentErrorKind::value(what, value, "3 or more")));
     }
     for _ in 0..count {
         scan.skip_blanks();
         let start = *scan;
         let index = scan.integer("the index of a vertex")?;
         corners.push(parts::index(index, vertices).ok_or_else(|| {
-            let kind = ContentErrorKind::Index { what: "vertex".to_owned(), index, count: vertices };
-            start.error(kind).hint("indices start at 0")
+            start.error(ContentErrorKind::index("vertex", index, vertices)).hint("indices start at 0")
         })?);
     }
     while !scan.at_line_end() {
@@ -179,7 +176,7 @@ fn left_over(mut scan: Scan, declared: u64) -> ContentError {
         scan.skip_empty_lines();
         present += 1;
     }
-    let kind = ContentErrorKind::Count { what: "faces".to_owned(), declared, present };
+    let kind = ContentErrorKind::count("faces", declared, present);
     start.error(kind).hint("the counts at the start of the file are too small")
 }
 

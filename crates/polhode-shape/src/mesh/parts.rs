@@ -1,7 +1,7 @@
 //! Parts of a mesh file from vertices that they share.
 
 use polhode::body::mesh::TriangleMesh;
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::MeshPart;
 
@@ -55,9 +55,8 @@ fn mark(triangles: &[[u32; 3]], slots: &mut [u32]) -> Vec<u32> {
 
 fn mesh(vertices: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Result<TriangleMesh, ContentError> {
     TriangleMesh::new(vertices, triangles).map_err(|error| {
-        let (what, value) = ("the mesh".to_owned(), error.to_string());
-        let kind = ContentErrorKind::Value { what, value, rule: "between finite vertices".to_owned() };
-        ContentError::new(kind, ContentPlace::Whole)
+        let (what, value) = ("the mesh", error.to_string());
+        ContentErrorKind::value(what, value, "between finite vertices").of_whole()
     })
 }
 

@@ -7,13 +7,13 @@
 mod header;
 mod values;
 
-use polhode::body::{Finding, Severity};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::MeshContents;
 use super::parts;
 use super::points;
 use super::polygon::Polygons;
+use crate::finding::info;
 use header::{Element, Encoding, Header, Property, Scalar};
 use values::{Ascii, Binary, Stop, Values};
 
@@ -90,22 +90,19 @@ fn elements(header: &Header, mut values: impl Values) -> Result<MeshContents, Co
                     waiting.push((element, values));
                 } else if name == "edge" && element.count > 0 {
                     let message = format!("{} edges bound no solid and were left out", element.count);
-                    let (code, severity) = ("mesh.not_a_surface", Severity::Info);
-                    findings.push(Finding { code, severity, message, place: None });
+                    findings.push(info("mesh.not_a_surface", message));
                 }
                 pass_over(element, &mut values)?;
             }
         }
     }
-    let missing = |what: &str| {
-        ContentError::new(ContentErrorKind::Missing { what: what.to_owned() }, ContentPlace::Whole)
-    };
+    let missing = |what: &str| ContentErrorKind::missing(what).of_whole();
     if !has_vertices {
         return Err(missing("element vertex"));
     }
     if values.rest() > 0 {
-        let (what, declared) = ("bytes behind the last element".to_owned(), 0);
-        let kind = ContentErrorKind::Count { what, declared, present: values.rest() as u64 };
+        let (what, declared) = ("bytes behind the last element", 0);
+        let kind = ContentErrorKind::count(what, declared, values.rest() as u64);
         // To the place of the first of them.
         let _ = values.skip(Scalar::U8, 1);
         return Err(ContentError::new(kind, values.last(String::new()).1)
@@ -150,10 +147,7 @@ impl Surface {
                         if !vertex[*axis].is_finite() {
                             let (found, place) = values.last(format!("vertex {row}"));
                             let what = format!("the coordinate {}", property.name);
-                            return Err(ContentError::new(
-                                ContentErrorKind::NotFinite { what, found },
-                                place,
-                            ));
+                            return Err(ContentError::new(ContentErrorKind::not_finite(what, found), place));
                         }
                     }
                     None => pass_over_one(property, values)
@@ -200,8 +194,8 @@ impl Surface {
         let count = length(list, values).map_err(|stop| stop.or(|| ended(element, row, values)))?;
         if count < 3 {
             let (value, place) = values.last(format!("face {row}"));
-            let (what, rule) = ("the number of a face's corners".to_owned(), "3 or more".to_owned());
-            return Err(ContentError::new(ContentErrorKind::Value { what, value, rule }, place));
+            let (what, rule) = ("the number of a face's corners", "3 or more");
+            return Err(ContentError::new(ContentErrorKind::value(what, value, rule), place));
         }
         self.corners.clear();
         for k in 0..count {
@@ -250,7 +244,7 @@ impl Surface {
     #[cold]
     fn no_vertex(&self, element: &Element, row: u64, index: i64, values: &impl Values) -> ContentError {
         let (_, place) = values.last(format!("{} {row}", element.name));
-        let kind = ContentErrorKind::Index { what: "vertex".to_owned(), index, count: self.vertices.len() };
+        let kind = ContentErrorKind::index("vertex", index, self.vertices.len());
         ContentError::new(kind, place).hint("indices start at 0")
     }
 }
@@ -279,8 +273,8 @@ fn length(list: &Property, values: &mut impl Values) -> Result<u64, Stop> {
     let length = values.integer(list.length.unwrap_or(list.scalar))?;
     u64::try_from(length).map_err(|_| {
         let (value, place) = values.last(format!("the list {}", list.name));
-        let (what, rule) = ("the length of a list".to_owned(), "0 or more".to_owned());
-        Stop::Wrong(ContentError::new(ContentErrorKind::Value { what, value, rule }, place))
+        let (what, rule) = ("the length of a list", "0 or more");
+        Stop::Wrong(ContentError::new(ContentErrorKind::value(what, value, rule), place))
     })
 }
 
@@ -310,17 +304,14 @@ fn ended(element: &Element, row: u64, values: &impl Values) -> ContentError {
 fn no_property(element: &Element, found: Option<(usize, &Property)>, what: &str, rule: &str) -> ContentError {
     let name = &element.name;
     match found {
-        None => {
-            let what = format!("{what} of the element {name}");
-            ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Text(element.span.clone()))
-        }
+        None => ContentErrorKind::missing(format!("{what} of the element {name}")).at(element.span.clone()),
         Some((_, property)) => {
             let value = if property.length.is_some() { "a list" } else { "a number" };
             let integer = if property.scalar.is_integer() { "integer" } else { "floating-point" };
             let value = format!("{value} of {integer} type");
-            let (what, rule) = (format!("{what} of the element {name}"), rule.to_owned());
+            let (what, rule) = (format!("{what} of the element {name}"), rule);
             let place = ContentPlace::Text(property.span.clone());
-            ContentError::new(ContentErrorKind::Value { what, value, rule }, place)
+            ContentError::new(ContentErrorKind::value(what, value, rule), place)
         }
     }
 }

@@ -7,10 +7,10 @@
 //! and are not read; a finding says so.
 
 use polhode::body::mesh::TriangleMesh;
-use polhode::body::{Finding, Severity};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::{MeshContents, MeshPart};
+use crate::finding::info;
 
 /// Points as a part without triangles.
 ///
@@ -18,13 +18,11 @@ use super::{MeshContents, MeshPart};
 /// [`ContentError`] without a point, or for more points than can be numbered.
 pub fn cloud(points: Vec<[f64; 3]>) -> Result<MeshContents, ContentError> {
     if points.is_empty() {
-        let kind = ContentErrorKind::Missing { what: "points".to_owned() };
-        return Err(ContentError::new(kind, ContentPlace::Whole).hint("export the cloud again: it is empty"));
+        let kind = ContentErrorKind::missing("points");
+        return Err(kind.of_whole().hint("export the cloud again: it is empty"));
     }
-    let mesh = TriangleMesh::new(points, Vec::new()).map_err(|error| {
-        let kind = ContentErrorKind::Body(Box::new(error));
-        ContentError::new(kind, ContentPlace::Whole)
-    })?;
+    let mesh = TriangleMesh::new(points, Vec::new())
+        .map_err(|error| ContentErrorKind::Body(Box::new(error)).of_whole())?;
     let parts = vec![MeshPart { name: String::new(), mesh }];
     Ok(MeshContents { encoding: "text", name: String::new(), unit: None, parts, findings: Vec::new() })
 }
@@ -37,9 +35,9 @@ pub fn with_faces(contents: MeshContents) -> Result<MeshContents, ContentError> 
     if contents.parts.is_empty() || contents.triangles() > 0 {
         return Ok(contents);
     }
-    let kind = ContentErrorKind::Missing { what: "faces".to_owned() };
+    let kind = ContentErrorKind::missing("faces");
     let hint = "a cloud of points bounds no solid: export a mesh, or take the convex hull by --hull";
-    Err(ContentError::new(kind, ContentPlace::Whole).hint(hint))
+    Err(kind.of_whole().hint(hint))
 }
 
 /// Character between the numbers of a line.
@@ -99,9 +97,9 @@ impl Separator {
 /// different separators; for a first column that counts the points.
 pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     let text = str::from_utf8(bytes).map_err(|error| {
-        let (what, found) = ("text".to_owned(), String::new());
+        let (what, found) = ("text", "");
         let place = ContentPlace::Text(error.valid_up_to()..error.valid_up_to());
-        ContentError::new(ContentErrorKind::Expected { what, found }, place)
+        ContentError::new(ContentErrorKind::expected(what, found), place)
     })?;
     let (mut points, mut more, mut start) = (Vec::new(), 0_usize, 0);
     let mut separator = None;
@@ -115,7 +113,7 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
             let first = *separator.get_or_insert(own);
             if own != first {
                 let what = format!("{} between the numbers, as in the first line", first.name());
-                let kind = ContentErrorKind::Expected { what, found: content.to_owned() };
+                let kind = ContentErrorKind::expected(what, content);
                 return Err(ContentError::new(kind, place()).hint(ONE_KIND));
             }
             let mut fields = own.fields(content);
@@ -138,8 +136,7 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     if more > 0 {
         let message =
             format!("columns behind the third, of {more} lines, are not coordinates and were not read");
-        let (code, severity) = ("mesh.unread_columns", Severity::Info);
-        contents.findings.push(Finding { code, severity, message, place: None });
+        contents.findings.push(info("mesh.unread_columns", message));
     }
     Ok(contents)
 }
@@ -151,10 +148,9 @@ const ONE_KIND: &str =
 fn mixed(line: &str, place: ContentPlace) -> ContentError {
     let found = line.to_owned();
     let kind = if line.contains(',') {
-        ContentErrorKind::Unclear { question: "is this comma a decimal comma?".to_owned(), found }
+        ContentErrorKind::unclear("is this comma a decimal comma?", found)
     } else {
-        let what = "one kind of separator between the numbers".to_owned();
-        ContentErrorKind::Expected { what, found }
+        ContentErrorKind::expected("one kind of separator between the numbers", found)
     };
     ContentError::new(kind, place).hint(ONE_KIND)
 }
@@ -165,10 +161,10 @@ fn require_coordinates(points: &[[f64; 3]]) -> Result<(), ContentError> {
     if points.len() < 2 || !counts_from(0.0) && !counts_from(1.0) {
         return Ok(());
     }
-    let question = "is the first column a number of the point, or x?".to_owned();
+    let question = "is the first column a number of the point, or x?";
     let found = format!("{}, {}, … in the first of four columns or more", points[0][0], points[1][0]);
-    let kind = ContentErrorKind::Unclear { question, found };
-    Err(ContentError::new(kind, ContentPlace::Whole)
+    Err(ContentErrorKind::unclear(question, found)
+        .of_whole()
         .hint("delete the column that counts the points; if it is x, delete the columns behind the third"))
 }
 
@@ -176,7 +172,6 @@ fn require_coordinates(points: &[[f64; 3]]) -> Result<(), ContentError> {
 fn coordinate_of(word: Option<&str>) -> Result<f64, ContentErrorKind> {
     let number = word.and_then(|word| word.parse::<f64>().ok()).filter(|number| number.is_finite());
     number.ok_or_else(|| {
-        let (what, found) = ("the three coordinates of a point", word.unwrap_or_default());
-        ContentErrorKind::Expected { what: what.to_owned(), found: found.to_owned() }
+        ContentErrorKind::expected("the three coordinates of a point", word.unwrap_or_default())
     })
 }

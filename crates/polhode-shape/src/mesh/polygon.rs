@@ -12,10 +12,12 @@ mod ears;
 
 use std::mem;
 
-use polhode::body::{Finding, Severity};
+use polhode::body::Finding;
 use robust::{Coord, orient2d};
 
 use ears::Ears;
+
+use crate::finding::warning;
 
 /// Corners of the largest polygon that is made a fan.
 const SMALL: usize = 16;
@@ -59,7 +61,7 @@ impl Polygons {
             "{} faces were split into triangles that overlap: they cross themselves, have no area, or have thousands of dents",
             self.crossed
         );
-        Some(Finding { code: "mesh.crossed_polygons", severity: Severity::Warning, message, place: None })
+        Some(warning("mesh.crossed_polygons", message))
     }
 
     /// The corners as points of a plane in which the polygon turns left, without a rounding: two of the three coordinates.

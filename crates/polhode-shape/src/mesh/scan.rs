@@ -1,6 +1,6 @@
 //! The text of a mesh file, word by word: where the next one starts, and what to say if it is the wrong one.
 
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 /// A place in a text: `at` is the offset of the next byte.
 #[derive(Clone, Copy, Debug)]
@@ -172,9 +172,8 @@ impl<'a> Scan<'a> {
     fn no_float(self, what: &str) -> ContentError {
         let found = self.found();
         if found.parse::<f64>().is_ok() {
-            let kind = ContentErrorKind::NotFinite { what: format!("the {what}"), found };
             return self
-                .error(kind)
+                .error(ContentErrorKind::not_finite(format!("the {what}"), found))
                 .hint("the tool that made the mesh wrote no number here: repair it there");
         }
         let error = self.expected("a number");
@@ -188,14 +187,14 @@ impl<'a> Scan<'a> {
         let what = what.to_owned();
         let is_cut = found.is_empty() && self.bytes[self.at..].iter().all(|b| b" \t".contains(b));
         let found = if found.is_empty() && !is_cut { "the end of the line".to_owned() } else { found };
-        let error = self.error(ContentErrorKind::Expected { what, found });
+        let error = self.error(ContentErrorKind::expected(what, found));
         if is_cut { error.hint("the file is cut short") } else { error }
     }
 
     /// Something is wrong with the word that starts here.
     #[cold]
     pub(crate) fn error(self, kind: ContentErrorKind) -> ContentError {
-        ContentError::new(kind, ContentPlace::Text(self.at..self.at + { self }.word().len()))
+        kind.at(self.at..self.at + { self }.word().len())
     }
 
     /// The word that starts here, not more of it than a message shows.

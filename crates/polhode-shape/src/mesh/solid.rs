@@ -4,13 +4,14 @@ use std::path::Path;
 
 use polhode::body::mesh::{ClosedMesh, MeshFlaws, TriangleMesh};
 use polhode::body::shape::{Shape, Substance};
-use polhode::body::{BodyError, Finding, MassProperties, Severity};
+use polhode::body::{BodyError, Finding, MassProperties};
 use polhode::math::Part;
 use polhode_source::files::Files;
 use polhode_source::text::{counted, escaped};
 use polhode_source::{FormatError, FormatErrorKind};
 
 use super::{MeshContents, MeshFormat, MeshLength, MeshPart, union_hint};
+use crate::finding::{info, warning};
 
 /// A mesh file as solids, in metres.
 #[derive(Clone, Debug)]
@@ -225,13 +226,9 @@ fn solids(
                     None
                 };
                 let Some(mesh) = one else { return Err(Unsound { part, flaws }) };
-                let finding = Finding {
-                    code: "mesh.joined",
-                    severity: Severity::Info,
-                    message: format!("the {} parts of the file bound one solid together", parts.len()),
-                    place: None,
-                };
-                return Ok((vec![SolidPart { name: String::new(), mesh }], Some(finding)));
+                let message = format!("the {} parts of the file bound one solid together", parts.len());
+                let part = SolidPart { name: String::new(), mesh };
+                return Ok((vec![part], Some(info("mesh.joined", message))));
             }
         }
     }
@@ -249,8 +246,7 @@ fn overlap(parts: &[MeshPart], solids: &[SolidPart]) -> Option<Finding> {
         mesh: if solid.mesh.inverted() { solid.mesh.surface().clone() } else { part.mesh.clone() },
     });
     let error = joined(&outward.collect::<Vec<_>>()).and_then(|all| ClosedMesh::of(&all)).err()?;
-    let say =
-        |message| Finding { code: "mesh.parts_overlap", severity: Severity::Warning, message, place: None };
+    let say = |message: String| warning("mesh.parts_overlap", message);
     if matches!(error, BodyError::OverlapsUndecided { .. }) {
         return Some(say(error.to_string()));
     }

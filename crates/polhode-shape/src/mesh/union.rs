@@ -3,12 +3,13 @@
 use std::path::Path;
 
 use polhode::body::mesh::MeshUnion;
-use polhode::body::{BodyError, Finding, Severity};
+use polhode::body::{BodyError, Finding};
 use polhode_source::text::escaped;
 use polhode_source::{FormatError, FormatErrorKind};
 use serde_json::{Value, json};
 
 use super::{MeshContents, MeshRepair, RepairBound, solid};
+use crate::finding::{info, warning};
 
 /// A mesh file as the union of all its parts, in metres: what lies in several of them is there once.
 #[derive(Clone, Debug)]
@@ -84,8 +85,7 @@ impl UnitedMesh {
     fn united(&self) -> Finding {
         let (union, code) = (&self.union, "mesh.united");
         if union.solid().is_some() {
-            let message = "nothing was united, as was asked: no parts of the mesh overlap".to_owned();
-            return Finding { code, severity: Severity::Info, message, place: None };
+            return info(code, "nothing was united, as was asked: no parts of the mesh overlap");
         }
         let (volume, effect) = (union.volume(), union.effect(union.error(), 0.0));
         let what = match union.parts() {
@@ -106,7 +106,7 @@ impl UnitedMesh {
             effect.center,
             effect.inertia
         );
-        Finding { code, severity: Severity::Warning, message, place: None }
+        warning(code, message)
     }
 
     /// What repairs of the contents mean for the union: warnings, or notes of what was asked for in vain.

@@ -1,8 +1,7 @@
 //! Chemical elements, by number and by symbol.
 
 use std::fmt;
-
-use super::isotope_table::{ROWS, Row};
+use std::sync::LazyLock;
 
 /// A chemical element, hydrogen to oganesson.
 ///
@@ -51,8 +50,52 @@ impl Element {
     }
 }
 
+/// Data of an element.
+#[derive(Debug)]
+pub(crate) struct Row {
+    pub symbol: &'static str,
+    /// Standard atomic weight, abridged where the standard is an interval.
+    pub weight: Option<f64>,
+    /// Mass number of the most abundant isotope, or without a weight of the longest-lived one.
+    pub first: u16,
+    /// Mass number, atomic mass.
+    pub isotopes: Vec<(u16, f64)>,
+}
+
+/// Elements by atomic number, from hydrogen.
+static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| {
+    include_str!("isotopes.txt").lines().filter(|line| !line.starts_with('#')).filter_map(Row::read).collect()
+});
+
+impl Row {
+    /// Reads a line of the table.
+    fn read(line: &'static str) -> Option<Self> {
+        let mut words = line.split(' ');
+        let (symbol, weight, first) =
+            (words.next()?, words.next()?.parse().ok(), words.next()?.parse().ok()?);
+        let isotope = |word: &str| {
+            let (number, mass) = word.split_once(':')?;
+            Some((number.parse().ok()?, mass.parse().ok()?))
+        };
+        Some(Self { symbol, weight, first, isotopes: words.map(isotope).collect::<Option<_>>()? })
+    }
+}
+
 impl fmt::Display for Element {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.symbol())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_is_read_whole() {
+        let numbers = (1..=118).map(|number| Element::from_number(number).unwrap());
+        let words = include_str!("isotopes.txt").matches(':').count();
+        assert_eq!(numbers.map(|element| element.row().isotopes.len()).sum::<usize>(), words);
+        assert_eq!((ROWS.len(), ROWS.iter().filter(|row| row.weight.is_none()).count()), (118, 34));
     }
 }

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use super::element::Element;
 
 /// An isotope of known mass.
@@ -79,12 +81,14 @@ pub enum Species {
 }
 
 /// Which masses the atoms have whose isotope the file does not name.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
 pub enum Isotopes {
-    /// The mass of the most abundant isotope: what a spectrum's strongest lines belong to.
+    /// Those of the most abundant isotopes.
     #[default]
     Abundant,
-    /// The standard atomic weight.
+    /// Standard atomic weights.
     Average,
 }
 

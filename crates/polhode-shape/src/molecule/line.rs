@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 /// The lines that are left of a file. They end in `\n`, `\r\n` or `\r`.
 #[derive(Clone, Debug)]
@@ -20,9 +20,9 @@ impl<'a> Lines<'a> {
 
     /// An error where the file ends.
     pub(crate) fn ended(&self, what: impl Into<String>) -> ContentError {
-        let kind = ContentErrorKind::Expected { what: what.into(), found: String::new() };
+        let kind = ContentErrorKind::expected(what.into(), "");
         let end = self.bytes.len();
-        ContentError::new(kind, ContentPlace::Text(end..end)).hint("the file is cut short")
+        kind.at(end..end).hint("the file is cut short")
     }
 }
 
@@ -107,10 +107,7 @@ impl<'a> Field<'a> {
         });
         match value {
             Ok(value) if value.is_finite() => Ok(value),
-            Ok(_) => {
-                let kind = ContentErrorKind::NotFinite { what: what.to_owned(), found: text.to_owned() };
-                Err(ContentError::new(kind, ContentPlace::Text(self.span())))
-            }
+            Ok(_) => Err(ContentErrorKind::not_finite(what, text).at(self.span())),
             Err(_) => Err(self.expected(what)),
         }
     }
@@ -125,9 +122,8 @@ impl<'a> Field<'a> {
         } else {
             None
         };
-        let found = if found.is_empty() { " ".to_owned() } else { found };
-        let kind = ContentErrorKind::Expected { what: what.to_owned(), found };
-        let error = ContentError::new(kind, ContentPlace::Text(self.span()));
+        let kind = ContentErrorKind::expected(what, if found.is_empty() { " ".to_owned() } else { found });
+        let error = kind.at(self.span());
         match hint {
             Some(hint) => error.hint(hint),
             None => error,
@@ -137,8 +133,7 @@ impl<'a> Field<'a> {
     /// An error: this value breaks a rule.
     pub(crate) fn wrong(&self, what: &str, rule: impl Into<String>) -> ContentError {
         let value = self.text().into_owned();
-        let kind = ContentErrorKind::Value { what: what.to_owned(), value, rule: rule.into() };
-        ContentError::new(kind, ContentPlace::Text(self.span()))
+        ContentErrorKind::value(what, value, rule.into()).at(self.span())
     }
 }
 

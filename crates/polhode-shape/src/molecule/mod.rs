@@ -9,7 +9,6 @@
 
 mod element;
 mod isotope;
-mod isotope_table;
 mod line;
 pub mod mol;
 pub mod pdb;
@@ -29,6 +28,8 @@ use polhode_source::{FormatError, FormatErrorKind};
 
 use isotope::{Label, label};
 use line::{Field, decimals};
+
+use crate::finding::info;
 
 pub use element::Element;
 pub use isotope::{Isotope, Isotopes, Species};
@@ -150,7 +151,7 @@ impl Molecule {
             let message = format!(
                 "{element} has no {instead}: the mass is that of {first}, the longest-lived that NUBASE2020 has"
             );
-            findings.push(noticed("molecule.longest_lived", Severity::Info, message));
+            findings.push(info("molecule.longest_lived", message));
         }
         findings
     }
@@ -230,11 +231,6 @@ pub fn parse(bytes: &[u8], format: MoleculeFormat, path: &Path) -> Result<Vec<Mo
     Ok(molecules)
 }
 
-/// A remark about a molecule.
-fn noticed(code: &'static str, severity: Severity, message: String) -> Finding {
-    Finding { code, severity, message, place: None }
-}
-
 /// Atoms as they are read, and what is noticed about them.
 #[derive(Debug, Default)]
 struct Builder {
@@ -280,7 +276,7 @@ impl Builder {
     }
 
     fn notice(&mut self, code: &'static str, severity: Severity, message: String) {
-        self.findings.push(noticed(code, severity, message));
+        self.findings.push(Finding { code, severity, message, place: None });
     }
 
     /// The molecule of at least one atom; `None` without any. `unit` is that of [`Self::push`].

@@ -38,8 +38,7 @@ pub fn read(bytes: &[u8]) -> Result<Vec<Molecule>, ContentError> {
         lines.find(|line| line.bytes.starts_with(b"$$$$"));
     }
     if molecules.is_empty() {
-        let kind = ContentErrorKind::Missing { what: "molecule".to_owned() };
-        return Err(ContentError::new(kind, ContentPlace::Whole));
+        return Err(ContentErrorKind::missing("molecule").of_whole());
     }
     Ok(molecules)
 }
@@ -48,10 +47,7 @@ pub fn read(bytes: &[u8]) -> Result<Vec<Molecule>, ContentError> {
 fn table(lines: &mut Lines<'_>) -> Result<Molecule, ContentError> {
     let mut next = |what: &str| lines.next().ok_or_else(|| lines.ended(what));
     let name = next("the line of the name")?;
-    let unsupported = |what: &str| {
-        let kind = ContentErrorKind::Unsupported { what: what.to_owned() };
-        Err(ContentError::new(kind, ContentPlace::Text(name.trimmed().span())))
-    };
+    let unsupported = |what: &str| Err(ContentErrorKind::unsupported(what).at(name.trimmed().span()));
     match name.bytes {
         [b'<', ..] => return unsupported("XML as a connection table (a robot's SDF is another format)"),
         [b'$', b'R', b'X', b'N' | b'D', ..] => return unsupported("reactions"),
@@ -71,16 +67,16 @@ fn table(lines: &mut Lines<'_>) -> Result<Molecule, ContentError> {
         b"V3000" => v3000(lines, &mut builder)?,
         version @ (b"V2000" | b"") => v2000(lines, &counts, version.is_empty(), &mut builder)?,
         _ => {
-            let kind = ContentErrorKind::Expected {
-                what: "V2000 or V3000 in columns 35 to 39".to_owned(),
-                found: counts.columns(33..39).text().into_owned(),
-            };
-            let error = ContentError::new(kind, ContentPlace::Text(counts.columns(33..39).span()));
+            let kind = ContentErrorKind::expected(
+                "V2000 or V3000 in columns 35 to 39",
+                counts.columns(33..39).text().into_owned(),
+            );
+            let error = kind.at(counts.columns(33..39).span());
             return Err(error.hint("the counts are line 4: three lines are in front of it, blank or not"));
         }
     }
     let place = ContentPlace::Text(counts.span());
-    let missing = ContentErrorKind::Missing { what: "atoms with a mass in this molecule".to_owned() };
+    let missing = ContentErrorKind::missing("atoms with a mass in this molecule");
     builder.finish(&name.text(), ANGSTROM).ok_or_else(|| ContentError::new(missing, place))
 }
 
@@ -244,8 +240,7 @@ fn properties<'a>(lines: &mut Lines<'a>, atoms: usize, old: bool) -> Result<Prop
                     let at = index.checked_sub(1).filter(|at| *at < atoms);
                     let at = at.ok_or_else(|| {
                         let index = i64::try_from(index).unwrap_or(i64::MAX);
-                        let kind = ContentErrorKind::Index { what: "atom".to_owned(), index, count: atoms };
-                        ContentError::new(kind, ContentPlace::Text(atom.span()))
+                        ContentErrorKind::index("atom", index, atoms).at(atom.span())
                     })?;
                     named.insert(at, (number.integer("a mass number")?, number));
                 }
@@ -352,7 +347,6 @@ fn v3000_words<'a>(line: &Field<'a>, lines: &mut Lines<'a>) -> Result<Option<Vec
 
 fn count_error(place: &Field<'_>, what: &str, declared: usize, present: usize) -> ContentError {
     let (declared, present) = (declared as u64, present as u64);
-    let kind = ContentErrorKind::Count { what: what.to_owned(), declared, present };
-    let error = ContentError::new(kind, ContentPlace::Text(place.span()));
+    let error = ContentErrorKind::count(what, declared, present).at(place.span());
     if declared > present { error.hint("correct the number, or the file is cut short") } else { error }
 }

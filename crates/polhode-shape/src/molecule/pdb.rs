@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use polhode::body::Severity;
 use polhode_source::text::counted;
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::isotope::{Label, Species, label};
 use super::line::{Field, Lines};
@@ -79,8 +79,8 @@ pub fn read(bytes: &[u8]) -> Result<Molecule, ContentError> {
         let message = "the file has no hydrogen atoms: the body is without them".to_owned();
         builder.notice("molecule.no_hydrogen", Severity::Warning, message);
     }
-    let missing = ContentErrorKind::Missing { what: "atoms (ATOM or HETATM)".to_owned() };
-    builder.finish(&title, ANGSTROM).ok_or_else(|| ContentError::new(missing, ContentPlace::Whole))
+    let missing = ContentErrorKind::missing("atoms (ATOM or HETATM)");
+    builder.finish(&title, ANGSTROM).ok_or_else(|| missing.of_whole())
 }
 
 /// What is read of an atom's line.

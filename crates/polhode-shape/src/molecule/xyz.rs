@@ -29,9 +29,9 @@ const BOHR: f64 = 0.529_177_210_903e-10;
 /// [`ContentError`]: a count that the lines do not fill or run over, an unknown element, a coordinate that is NaN.
 pub fn read(bytes: &[u8]) -> Result<Molecule, ContentError> {
     let mut lines = Lines::new(bytes);
-    let whole = |kind| ContentError::new(kind, ContentPlace::Whole);
+    let whole = ContentErrorKind::of_whole;
     let first = lines.find(|line| !line.is_blank());
-    let first = first.ok_or_else(|| whole(ContentErrorKind::Missing { what: "atoms".to_owned() }))?;
+    let first = first.ok_or_else(|| whole(ContentErrorKind::missing("atoms")))?;
     let mut molecule = Builder::default();
     let (count, unit) = heading(&first, &mut molecule)?;
     let comment = lines.next().ok_or_else(|| lines.ended("the line of the comment"))?;
@@ -51,9 +51,7 @@ pub fn read(bytes: &[u8]) -> Result<Molecule, ContentError> {
         molecule.notice("molecule.frames", Severity::Warning, message);
     }
     let name = if columns.extended { String::new() } else { comment.text().into_owned() };
-    molecule
-        .finish(&name, unit)
-        .ok_or_else(|| whole(ContentErrorKind::Missing { what: "atoms with a mass".to_owned() }))
+    molecule.finish(&name, unit).ok_or_else(|| whole(ContentErrorKind::missing("atoms with a mass")))
 }
 
 /// The number of atoms, and the unit of length in metres.
@@ -112,7 +110,7 @@ impl Columns {
                 ("masses" | "mass" | "isotopes" | "isotope", _) => {
                     let what = format!("the masses of single atoms, in the column {name}");
                     let place = ContentPlace::Text(word.span());
-                    return Err(ContentError::new(ContentErrorKind::Unsupported { what }, place)
+                    return Err(ContentError::new(ContentErrorKind::unsupported(what), place)
                         .hint("name isotopes by their symbols, such as 13C or D, and leave the column out"));
                 }
                 _ => {}
@@ -185,9 +183,9 @@ fn more_frames(
 }
 
 fn count_error(first: &Field<'_>, declared: u64, present: u64) -> ContentError {
-    let kind = ContentErrorKind::Count { what: "atoms".to_owned(), declared, present };
+    let kind = ContentErrorKind::count("atoms", declared, present);
     let place = first.words().next().unwrap_or(*first).span();
-    ContentError::new(kind, ContentPlace::Text(place)).hint(if declared > present {
+    kind.at(place).hint(if declared > present {
         "correct the number, or the file is cut short (no blank lines between atoms)"
     } else {
         "correct the number"

@@ -9,7 +9,8 @@ use polhode_source::unit::{Dimension, Scale};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::fields::text_of;
-use super::{ParticleOptions, finding, missing};
+use super::{ParticleOptions, missing};
+use crate::finding::info;
 
 /// The numbers of a line, in this order wherever ten numbers stand.
 pub(crate) const NAMES: [&str; 10] = ["mass", "x", "y", "z", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
@@ -127,7 +128,7 @@ impl Header {
         let mut findings = Vec::new();
         if !ignored.is_empty() {
             let message = format!("columns not read: {}", ignored.join(", "));
-            findings.push(finding("particles.ignored-columns", message));
+            findings.push(info("particles.ignored-columns", message));
         }
         let scales = scales.map(|scale| scale.unwrap_or(Scale::Times(1.0)));
         Ok(Self { roles, scales, products, findings })
@@ -139,20 +140,19 @@ impl Header {
         columns: usize,
         options: &ParticleOptions,
     ) -> Result<Self, ContentError> {
-        let error = |kind| ContentError::new(kind, ContentPlace::Text(line.clone()));
+        let error = |kind: ContentErrorKind| kind.at(line.clone());
         let first = match columns {
             3 => 1,
             4 => MASS,
             _ => {
-                let rule = "x, y, z or mass, x, y, z in a file without a header".to_owned();
-                let what = "the number of columns".to_owned();
-                let kind = ContentErrorKind::Value { what, value: columns.to_string(), rule };
+                let rule = "x, y, z or mass, x, y, z in a file without a header";
+                let kind = ContentErrorKind::value("the number of columns", columns.to_string(), rule);
                 return Err(error(kind).hint("add a header, such as mass_kg,x_m,y_m,z_m"));
             }
         };
         let unclear = |what: &str, flag: &str| {
             let question = format!("in which unit is the {what}? There is no header.");
-            error(ContentErrorKind::Unclear { question, found: String::new() })
+            error(ContentErrorKind::unclear(question, ""))
                 .hint(format!("add a header, such as mass_kg,x_m,y_m,z_m, or answer with {flag}"))
         };
         let length = Scale::by(options.length_unit.ok_or_else(|| unclear("length", "--unit"))?);
@@ -167,7 +167,7 @@ impl Header {
             roles: (first..4).map(Role::Number).collect(),
             scales,
             products: None,
-            findings: vec![finding("particles.no-header", message)],
+            findings: vec![info("particles.no-header", message)],
         })
     }
 }
@@ -270,7 +270,7 @@ impl Column {
         options: &ParticleOptions,
         field: &Range<usize>,
     ) -> Result<f64, ContentError> {
-        let error = |kind| ContentError::new(kind, ContentPlace::Text(field.clone()));
+        let error = |kind: ContentErrorKind| kind.at(field.clone());
         let (dimension, told, flags) = match number {
             MASS => (Dimension::MASS, options.mass_unit, "--mass-unit"),
             1..4 => (Dimension::LENGTH, options.length_unit, "--unit"),
@@ -284,7 +284,7 @@ impl Column {
             return told.ok_or_else(|| {
                 let question = format!("in which unit is {}?", NAMES[number]);
                 let hint = EXAMPLES[number];
-                error(ContentErrorKind::Unclear { question, found: String::new() })
+                error(ContentErrorKind::unclear(question, ""))
                     .hint(format!("name the unit in the header, such as {hint}, or answer with {flags}"))
             });
         };
@@ -292,7 +292,7 @@ impl Column {
         unit::factor(&spelt, dimension).map_err(|wrong| {
             let what = format!("the unit of {}", NAMES[number]);
             let rule = format!("a unit that polhode knows: {wrong}");
-            let hinted = error(ContentErrorKind::Value { what, value: unit.clone(), rule });
+            let hinted = error(ContentErrorKind::value(what, unit.clone(), rule));
             match wrong.hint_for_name() {
                 Some(hint) => hinted.hint(hint),
                 None => hinted,

@@ -8,7 +8,8 @@ use polhode_source::text::{cut, escaped};
 use polhode_source::{ContentError, ContentPlace};
 
 use super::fields::text_of;
-use super::{finding, value};
+use super::value;
+use crate::finding::info;
 
 /// The places at which each name has stood so far.
 #[derive(Default)]
@@ -52,6 +53,6 @@ impl Names {
             "{:?} stands in {lines} lines{others}: every line counts as a part of its own",
             cut(&escaped(name))
         );
-        Some(finding("particles.repeated-names", message))
+        Some(info("particles.repeated-names", message))
     }
 }

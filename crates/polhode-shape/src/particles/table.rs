@@ -124,8 +124,7 @@ impl Table {
         }
         *mark = mark.or(found);
         if !number.is_finite() {
-            let kind = ContentErrorKind::NotFinite { what: what.to_owned(), found: text_of(bytes, field) };
-            return Err(ContentError::new(kind, ContentPlace::Text(field.clone())));
+            return Err(ContentErrorKind::not_finite(what, text_of(bytes, field)).at(field.clone()));
         }
         Ok(number)
     }
@@ -133,6 +132,5 @@ impl Table {
 
 fn not_a_number(bytes: &[u8], field: &Range<usize>) -> ContentError {
     let found = if field.is_empty() { "nothing".to_owned() } else { text_of(bytes, field) };
-    let kind = ContentErrorKind::Expected { what: "a number".to_owned(), found };
-    ContentError::new(kind, ContentPlace::Text(field.clone()))
+    ContentErrorKind::expected("a number", found).at(field.clone())
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use polhode::body::{Finding, MassProperties, PrincipalFrame, Symmetry};
+use polhode::body::{BodyError, Finding, MassProperties, PrincipalFrame, Symmetry};
 use polhode::math::{Body, Frame, Part, Position, Rotation};
 use polhode::motion::Scenario;
 use polhode_document::Extra;
@@ -18,6 +18,7 @@ use serde_json::{Map, Value, json};
 
 use crate::report::block;
 use crate::report::block::Geometry;
+use crate::report::{PartRow, parts};
 
 /// A body's mass properties, ready to be read.
 ///
@@ -85,6 +86,21 @@ impl InertiaReport {
             extras: Vec::new(),
             findings: Vec::new(),
         }
+    }
+
+    /// Returns the report of parts that are one body: their masses and volumes together, and each of several in a table.
+    ///
+    /// # Errors
+    /// [`BodyError`] without parts, or if their sum is not a physical body.
+    pub fn of_parts(source: SourceInfo, rows: &[PartRow]) -> Result<Self, BodyError> {
+        let bodies: Vec<_> = rows.iter().map(|row| row.properties).collect();
+        let properties = match bodies.as_slice() {
+            [only] => *only,
+            _ => MassProperties::combined(&bodies)?,
+        };
+        let volume: Option<f64> = rows.iter().map(|row| row.volume).sum();
+        let extras = if rows.len() > 1 { vec![parts(rows)] } else { Vec::new() };
+        Ok(Self { extras, ..Self::new(source, properties).with_volume(volume) })
     }
 
     /// The report of a scenario's body at the start, about its pivot too if it has one.

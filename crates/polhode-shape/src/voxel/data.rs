@@ -153,8 +153,8 @@ impl Layout {
     }
 
     fn wrong_count(&self, present: u64, hint: &str) -> ContentError {
-        let (what, declared) = ("bytes of voxels".to_owned(), self.declared);
-        ContentError::new(ContentErrorKind::Count { what, declared, present }, self.place()).hint(hint)
+        let (what, declared) = ("bytes of voxels", self.declared);
+        ContentError::new(ContentErrorKind::count(what, declared, present), self.place()).hint(hint)
     }
 
     fn broken(&self, error: &io::Error, present: u64) -> ContentError {
@@ -163,13 +163,13 @@ impl Layout {
                 self.wrong_count(present, "the compressed data are cut short")
             }
             (_, Some(_)) => {
-                let (what, found) = ("data that gzip has compressed".to_owned(), error.to_string());
-                ContentError::new(ContentErrorKind::Expected { what, found }, self.place())
+                let (what, found) = ("data that gzip has compressed", error.to_string());
+                ContentError::new(ContentErrorKind::expected(what, found), self.place())
                     .hint("the file is damaged: save it again, or with the encoding raw")
             }
             (_, None) => {
-                let (what, found) = ("voxels that can be read".to_owned(), error.to_string());
-                ContentError::new(ContentErrorKind::Expected { what, found }, self.place())
+                let (what, found) = ("voxels that can be read", error.to_string());
+                ContentError::new(ContentErrorKind::expected(what, found), self.place())
             }
         }
     }

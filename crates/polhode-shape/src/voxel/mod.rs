@@ -128,8 +128,8 @@ fn layout(head: &[u8], length: u64) -> Result<Layout, ContentError> {
         nrrd::read(head, length)
     } else {
         let found = String::from_utf8_lossy(&head[..head.len().min(6)]).into_owned();
-        let kind = ContentErrorKind::Expected { what: "the start of an NPY or NRRD file".to_owned(), found };
-        Err(ContentError::new(kind, ContentPlace::Whole).hint("voxels are read from .npy, .nrrd"))
+        let kind = ContentErrorKind::expected("the start of an NPY or NRRD file", found);
+        Err(kind.of_whole().hint("voxels are read from .npy, .nrrd"))
     }
 }
 
@@ -182,17 +182,15 @@ impl Voxels<'_> {
     /// [`ContentErrorKind::Missing`], with a question as its hint, if neither the file nor the options say the spacing or
     /// its unit; [`ContentErrorKind::Value`] if both do, or if no grid has such steps.
     pub fn grid(&self, options: &VoxelOptions) -> Result<VoxelGrid, ContentError> {
-        let whole = |kind| ContentError::new(kind, ContentPlace::Whole);
-        let missing = |what: &str| whole(ContentErrorKind::Missing { what: what.to_owned() });
+        let whole = ContentErrorKind::of_whole;
+        let missing = |what: &str| whole(ContentErrorKind::missing(what));
         let twice = |what: &str, value: String| {
-            let rule = "left out, since the file says it itself".to_owned();
-            whole(ContentErrorKind::Value { what: what.to_owned(), value, rule })
+            whole(ContentErrorKind::value(what, value, "left out, since the file says it itself"))
         };
         let Layout { placement: Placement { steps, origin, unit }, order, counts, .. } = &self.layout;
         if let (None, None, Some(given)) = (steps, origin, options.unit) {
-            let (what, rule) =
-                ("the unit".to_owned(), "left out, since no length of the file is without one".to_owned());
-            let refused = whole(ContentErrorKind::Value { what, value: given.to_string(), rule });
+            let (what, rule) = ("the unit", "left out, since no length of the file is without one");
+            let refused = whole(ContentErrorKind::value(what, given.to_string(), rule));
             return Err(refused.hint("the spacing and the origin that are given have units of their own"));
         }
         let unit = match (unit, options.unit) {
@@ -229,7 +227,7 @@ impl Voxels<'_> {
                 BodyError::Parameter { what, value, rule } => (what, value.to_string(), rule.to_owned()),
                 other => ("the grid", format!("{counts:?}"), other.to_string()),
             };
-            whole(ContentErrorKind::Value { what: what.to_owned(), value, rule })
+            whole(ContentErrorKind::value(what, value, rule))
         };
         VoxelGrid::new(origin, order.map(|axis| steps[axis]), order.map(|axis| counts[axis])).map_err(refused)
     }
@@ -310,20 +308,17 @@ fn declared_bytes(counts: [usize; 3], scalar: Scalar) -> Result<u64, ContentErro
     let declared = counts.iter().try_fold(scalar.size() as u64, |all, &n| all.checked_mul(n as u64));
     declared.ok_or_else(|| {
         let value = counts.map(|n| n.to_string()).join(" × ");
-        let rule = "addressable".to_owned();
-        let kind = ContentErrorKind::Value { what: "the number of voxels".to_owned(), value, rule };
-        ContentError::new(kind, ContentPlace::Whole)
+        ContentErrorKind::value("the number of voxels", value, "addressable").of_whole()
     })
 }
 
 /// The voxels must be there, and take the bytes that are there, if those are known.
 fn require_length(declared: u64, present: Option<u64>, start: u64) -> Result<(), ContentError> {
     if declared == 0 {
-        let kind = ContentErrorKind::Missing { what: "voxels".to_owned() };
-        return Err(ContentError::new(kind, ContentPlace::Whole));
+        return Err(ContentErrorKind::missing("voxels").of_whole());
     }
     let Some(present) = present.filter(|&present| present != declared) else { return Ok(()) };
-    let kind = ContentErrorKind::Count { what: "bytes of voxels".to_owned(), declared, present };
+    let kind = ContentErrorKind::count("bytes of voxels", declared, present);
     let hint = if present < declared {
         "the file is cut short"
     } else {

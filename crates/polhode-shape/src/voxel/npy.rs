@@ -23,16 +23,16 @@ pub(crate) fn read(bytes: &[u8], file_length: u64) -> Result<Layout, ContentErro
         _ => {
             let what = format!("version {}.{} of NPY", version[0], version[1]);
             let place = ContentPlace::Byte { offset: 6, what: "the version".to_owned() };
-            return Err(ContentError::new(ContentErrorKind::Unsupported { what }, place));
+            return Err(ContentError::new(ContentErrorKind::unsupported(what), place));
         }
     };
     let length = length.ok_or_else(|| cut("the length of the header", bytes.len()))?;
     let end = length.checked_add(start).filter(|&end| end <= bytes.len()).ok_or_else(|| {
         let (declared, present) = (length as u64, file_length.saturating_sub(start as u64));
         let kind = if present < declared {
-            ContentErrorKind::Count { what: "bytes of header".to_owned(), declared, present }
+            ContentErrorKind::count("bytes of header", declared, present)
         } else {
-            ContentErrorKind::Unsupported { what: format!("a header of {declared} bytes") }
+            ContentErrorKind::unsupported(format!("a header of {declared} bytes"))
         };
         ContentError::new(kind, ContentPlace::Byte { offset: 8, what: "the length of the header".to_owned() })
     })?;
@@ -46,7 +46,7 @@ pub(crate) fn read(bytes: &[u8], file_length: u64) -> Result<Layout, ContentErro
 }
 
 fn cut(what: &str, length: usize) -> ContentError {
-    let kind = ContentErrorKind::Expected { what: what.to_owned(), found: String::new() };
+    let kind = ContentErrorKind::expected(what, "");
     let place = ContentPlace::Byte { offset: length as u64, what: String::new() };
     ContentError::new(kind, place).hint("the file is cut short")
 }
@@ -77,9 +77,8 @@ impl Header {
                 _ => false,
             };
             if !new {
-                let what = "each of 'descr', 'fortran_order' and 'shape' once".to_owned();
-                let kind = ContentErrorKind::Expected { what, found: key.to_owned() };
-                return Err(ContentError::new(kind, place));
+                let what = "each of 'descr', 'fortran_order' and 'shape' once";
+                return Err(ContentError::new(ContentErrorKind::expected(what, key), place));
             }
             if !parser.take(b',') {
                 parser.punctuation(b'}')?;
@@ -90,12 +89,7 @@ impl Header {
         if parser.at < span.end {
             return Err(parser.expected("the end of the header"));
         }
-        let missing = |what: &str| {
-            ContentError::new(
-                ContentErrorKind::Missing { what: format!("'{what}'") },
-                ContentPlace::Text(span.clone()),
-            )
-        };
+        let missing = |what: &str| ContentErrorKind::missing(format!("'{what}'")).at(span.clone());
         let (scalar, big_endian) = descr.ok_or_else(|| missing("descr"))?;
         let fortran = fortran.ok_or_else(|| missing("fortran_order"))?;
         let counts = shape.ok_or_else(|| missing("shape"))?;
@@ -164,14 +158,12 @@ impl<'a> Dictionary<'a> {
         self.skip_space();
         let start = self.at;
         if self.bytes.get(start) == Some(&b'[') {
-            let what = "arrays of records".to_owned();
-            return Err(ContentError::new(ContentErrorKind::Unsupported { what }, self.place()));
+            return Err(ContentError::new(ContentErrorKind::unsupported("arrays of records"), self.place()));
         }
         let descr = self.string()?;
         let unsupported = || {
-            let kind = ContentErrorKind::Unsupported { what: format!("numbers of the type '{descr}'") };
-            ContentError::new(kind, ContentPlace::Text(start..start + descr.len() + 2))
-                .hint("convert it: numpy.save(name, array.astype('<f8'))")
+            let kind = ContentErrorKind::unsupported(format!("numbers of the type '{descr}'"));
+            kind.at(start..start + descr.len() + 2).hint("convert it: numpy.save(name, array.astype('<f8'))")
         };
         let (order, kind) = descr.split_at_checked(1).ok_or_else(unsupported)?;
         let scalar = match kind {
@@ -213,12 +205,8 @@ impl<'a> Dictionary<'a> {
         }
         let dimensions = counts.len();
         counts.try_into().map_err(|_| {
-            let kind = ContentErrorKind::Value {
-                what: "the number of dimensions".to_owned(),
-                value: dimensions.to_string(),
-                rule: "3".to_owned(),
-            };
-            ContentError::new(kind, ContentPlace::Text(start..self.at))
+            let kind = ContentErrorKind::value("the number of dimensions", dimensions.to_string(), "3");
+            kind.at(start..self.at)
         })
     }
 
@@ -231,6 +219,6 @@ impl<'a> Dictionary<'a> {
         let place = self.place();
         let rest = &self.bytes[self.at..];
         let found = String::from_utf8_lossy(&rest[..self.word().len().max(1).min(rest.len())]).into_owned();
-        ContentError::new(ContentErrorKind::Expected { what: what.to_owned(), found }, place)
+        ContentError::new(ContentErrorKind::expected(what, found), place)
     }
 }

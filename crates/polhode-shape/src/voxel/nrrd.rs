@@ -89,11 +89,8 @@ impl<'a> Header<'a> {
         loop {
             let rest = &bytes[at..];
             let Some(length) = rest.iter().position(|&b| b == b'\n') else {
-                let kind = ContentErrorKind::Expected {
-                    what: "an empty line at the end of the header".to_owned(),
-                    found: String::new(),
-                };
-                return Err(ContentError::new(kind, ContentPlace::Text(bytes.len()..bytes.len()))
+                return Err(ContentErrorKind::expected("an empty line at the end of the header", "")
+                    .at(bytes.len()..bytes.len())
                     .hint("the file is cut short, or its data are in another file, which is not read"));
             };
             let line = rest[..length].strip_suffix(b"\r").unwrap_or(&rest[..length]);
@@ -104,9 +101,9 @@ impl<'a> Header<'a> {
             }
             let place = ContentPlace::Text(start..start + line.len());
             let line = std::str::from_utf8(line).map_err(|_| {
-                let what = "a line of text".to_owned();
+                let what = "a line of text";
                 let found = String::from_utf8_lossy(line).into_owned();
-                ContentError::new(ContentErrorKind::Expected { what, found }, place.clone())
+                ContentError::new(ContentErrorKind::expected(what, found), place.clone())
             })?;
             if start == 0 {
                 require_version(line, place)?;
@@ -123,9 +120,9 @@ impl<'a> Header<'a> {
         match found.next() {
             None => Ok(first),
             Some(again) => {
-                let rule = "there once".to_owned();
+                let rule = "there once";
                 let (what, value) = (format!("the field {}", again.name), again.value.to_owned());
-                Err(again.error(ContentErrorKind::Value { what, value, rule }))
+                Err(again.error(ContentErrorKind::value(what, value, rule)))
             }
         }
     }
@@ -185,8 +182,8 @@ impl<'a> Header<'a> {
     fn counts(&self) -> Result<[usize; 3], ContentError> {
         let dimension = self.need("dimension")?;
         if dimension.value != "3" {
-            let (what, value) = ("the dimension".to_owned(), dimension.value.to_owned());
-            let error = dimension.error(ContentErrorKind::Value { what, value, rule: "3".to_owned() });
+            let (what, value) = ("the dimension", dimension.value.to_owned());
+            let error = dimension.error(ContentErrorKind::value(what, value, "3"));
             return Err(error.hint("a density is one number for each voxel of space"));
         }
         self.need("sizes")?.three("three whole numbers", |word| word.parse().ok())
@@ -296,10 +293,7 @@ impl<'a> Header<'a> {
 fn require_version(line: &str, place: ContentPlace) -> Result<(), ContentError> {
     match line.strip_prefix("NRRD") {
         Some("0001" | "0002" | "0003" | "0004" | "0005") => Ok(()),
-        _ => {
-            let what = "NRRD0001 to NRRD0005".to_owned();
-            Err(ContentError::new(ContentErrorKind::Expected { what, found: line.to_owned() }, place))
-        }
+        _ => Err(ContentError::new(ContentErrorKind::expected("NRRD0001 to NRRD0005", line), place)),
     }
 }
 
@@ -325,10 +319,8 @@ fn field(line: &str, start: usize) -> Result<Option<Field<'_>>, ContentError> {
         "sampleunits",
         "kinds",
     ];
-    let expected = |what: &str, found: &str| {
-        let kind = ContentErrorKind::Expected { what: what.to_owned(), found: found.to_owned() };
-        ContentError::new(kind, ContentPlace::Text(start..start + line.len()))
-    };
+    let expected =
+        |what: &str, found: &str| ContentErrorKind::expected(what, found).at(start..start + line.len());
     let Some((name, value)) = line.split_once(':') else {
         return Err(expected("field: value, or an empty line", line));
     };
@@ -343,25 +335,22 @@ fn field(line: &str, start: usize) -> Result<Option<Field<'_>>, ContentError> {
     }
     if !READ.contains(&name.as_str()) && name != "units" {
         let what = format!("the field {name}");
-        return Err(ContentError::new(
-            ContentErrorKind::Unsupported { what },
-            ContentPlace::Text(start..start + line.len()),
-        ));
+        return Err(ContentErrorKind::unsupported(what).at(start..start + line.len()));
     }
     Ok(Some(Field { name, value, span: offset..offset + value.len() }))
 }
 
 impl Field<'_> {
     fn error(&self, kind: ContentErrorKind) -> ContentError {
-        ContentError::new(kind, ContentPlace::Text(self.span.clone()))
+        kind.at(self.span.clone())
     }
 
     fn expected(&self, what: &str) -> ContentError {
-        self.error(ContentErrorKind::Expected { what: what.to_owned(), found: self.value.to_owned() })
+        self.error(ContentErrorKind::expected(what, self.value.to_owned()))
     }
 
     fn unsupported(&self, what: &str) -> ContentError {
-        self.error(ContentErrorKind::Unsupported { what: what.to_owned() })
+        self.error(ContentErrorKind::unsupported(what))
     }
 
     fn three<T>(&self, what: &str, read: impl Fn(&str) -> Option<T>) -> Result<[T; 3], ContentError> {
@@ -386,7 +375,7 @@ impl Field<'_> {
 }
 
 fn missing(what: &str) -> ContentError {
-    ContentError::new(ContentErrorKind::Missing { what: what.to_owned() }, ContentPlace::Whole)
+    ContentErrorKind::missing(what).of_whole()
 }
 
 /// `(x,y,z)`

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use polhode_document::Report as _;
 use polhode_shape::{Bodies, Kind, Request, run};
 use polhode_source::Failure;
 use polhode_source::files::{Disk, Memory};

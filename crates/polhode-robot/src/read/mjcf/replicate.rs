@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::equality::Origin;
 use super::{Branch, Reader};
@@ -73,6 +73,6 @@ impl<'a> Reader<'_, 'a, '_> {
         } else {
             return Ok(());
         };
-        Err(ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(element.span())))
+        Err(ContentErrorKind::unsupported(what).at(element.span()))
     }
 }

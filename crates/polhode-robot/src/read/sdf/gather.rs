@@ -5,7 +5,7 @@
 //!
 //! Source: sdformat.org/spec, `<include>`, and its "Model composition"; libsdformat, where these say less.
 
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::frames::{FrameKind, Frames, Scope};
 use super::pose;
@@ -165,7 +165,7 @@ pub(super) fn require_few(count: usize, element: Element<'_>) -> Result<(), Cont
         return Ok(());
     }
     let what = format!("more than {MOST_ELEMENTS} elements with all that is included");
-    Err(ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(element.span())))
+    Err(ContentErrorKind::unsupported(what).at(element.span()))
 }
 
 /// Refuses names that are longer together than the text can account for.
@@ -177,9 +177,8 @@ pub(super) fn require_short(
     if name_bytes <= most {
         return Ok(());
     }
-    let what =
-        "models nested so deep that their joined names are longer than the file many times over".to_owned();
-    let kind = ContentErrorKind::Unsupported { what };
+    let what = "models nested so deep that their joined names are longer than the file many times over";
+    let kind = ContentErrorKind::unsupported(what);
     let start = element.span().start;
-    Err(ContentError::new(kind, ContentPlace::Text(start..start + 1)))
+    Err(kind.at(start..start + 1))
 }

@@ -84,8 +84,8 @@ pub(super) fn require_short(bytes: usize, text: usize, span: Span) -> Result<(),
     if bytes <= FOR_EACH_BYTE * text + ANYHOW {
         return Ok(());
     }
-    let what = "paths that are longer together than the file many times over".to_owned();
-    Err(ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Text(span)))
+    let what = "paths that are longer together than the file many times over";
+    Err(ContentErrorKind::unsupported(what).at(span))
 }
 
 impl Layer {
@@ -152,7 +152,7 @@ impl Layer {
         if open.len() >= MOST_DEPTH {
             let what = format!("prims nested deeper than {MOST_DEPTH}");
             let place = ContentPlace::Text(first.span.clone());
-            return Err(ContentError::new(ContentErrorKind::Unsupported { what }, place));
+            return Err(ContentError::new(ContentErrorKind::unsupported(what), place));
         }
         let metadata = if reader.takes('(') { reader.metadata()? } else { HashMap::new() };
         reader.expect('{')?;
@@ -260,8 +260,7 @@ impl<'t, 's> Reader<'t, 's> {
     fn expected(&self, what: &str) -> ContentError {
         let span = self.peek().map_or(self.end..self.end, |token| token.span.clone());
         let found = self.peek().map_or_else(String::new, |token| token.kind.in_words());
-        let kind = ContentErrorKind::Expected { what: what.to_owned(), found };
-        ContentError::new(kind, ContentPlace::Text(span))
+        ContentErrorKind::expected(what, found).at(span)
     }
 
     /// Keys and values up to the `)`.

@@ -1,6 +1,6 @@
 //! The words of USD's text.
 
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use crate::model::Span;
 
@@ -78,11 +78,7 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token<'_>>, ContentError> {
         let (kind, span, length) = if let Some((opening, closing)) = quoted {
             let inner = rest.get(opening.len()..).unwrap_or("");
             let length = length_before(inner, closing).ok_or_else(|| {
-                let kind = ContentErrorKind::Expected {
-                    what: format!("the closing {closing}"),
-                    found: String::new(),
-                };
-                ContentError::new(kind, ContentPlace::Text(at..at + opening.len()))
+                ContentErrorKind::expected(format!("the closing {closing}"), "").at(at..at + opening.len())
             })?;
             let words = inner.get(..length).unwrap_or("");
             let kind = match opening {

@@ -1,6 +1,6 @@
 //! The units of a layer, and numbers in SI.
 
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::layer::{Layer, Value};
 use crate::model::{Note, Number};
@@ -43,13 +43,9 @@ fn positive(key: &str, value: &Value) -> Result<f64, ContentError> {
     {
         return Ok(unit);
     }
-    let kind = ContentErrorKind::Value {
-        what: key.to_owned(),
-        value: value.text(),
-        rule: "a positive finite number".to_owned(),
-    };
+    let kind = ContentErrorKind::value(key, value.text(), "a positive finite number");
     let hint = format!("write {key} = 1 for SI, or leave it out for USD's default");
-    Err(ContentError::new(kind, ContentPlace::Text(value.span.clone())).hint(hint))
+    Err(kind.at(value.span.clone()).hint(hint))
 }
 
 /// A number times a unit, with as many digits as it is written with where the unit is a power of ten.

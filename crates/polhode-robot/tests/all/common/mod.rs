@@ -6,6 +6,7 @@ pub(crate) mod schema;
 
 use std::path::PathBuf;
 
+use polhode_robot::LinkError;
 use polhode_robot::model::{RobotModel, Slot};
 use polhode_robot::read::{ReadOptions, read_text};
 use polhode_source::FormatError;
@@ -18,6 +19,12 @@ pub(crate) fn read(text: &str) -> RobotModel {
 
 pub(crate) fn refused(text: &str) -> FormatError {
     read_text(text, "nowhere/model.xml".as_ref(), &ReadOptions::default()).unwrap_err()
+}
+
+/// Requires words in an error's message.
+pub(crate) fn require_says(error: &LinkError, words: &str) {
+    let message = error.to_string();
+    assert!(message.contains(words), "{message}");
 }
 
 /// The text of a number, as it stands in the file, and its value.

@@ -16,7 +16,6 @@ use polhode_source::given::{Given, Times};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::document;
 use super::schema::complete;
 use crate::report::{MotionFigures, SpinReport, TumblerReport};
 use subject::Subject;
@@ -179,7 +178,7 @@ impl Report for Answer {
     }
 
     fn to_document(&self) -> Document {
-        document("Free motion", &self.to_text(None))
+        Document::of_text("Free motion", &self.to_text(None))
     }
 
     fn to_text(&self, columns: Option<usize>) -> String {

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use polhode_source::unit;
 use polhode_source::unit::Dimension;
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::super::units;
 use super::{Measures, Number, Once, bad, exactly, shortest};
@@ -166,8 +166,7 @@ fn upper(text: &str, all: &[Number; 16]) -> Result<[Number; 9], ContentError> {
 fn inside(text: &str, name: &str, part: Range<usize>) -> Result<Range<usize>, ContentError> {
     let expected = || {
         let found = text[part.clone()].lines().next().unwrap_or_default().trim().to_owned();
-        let kind = ContentErrorKind::Expected { what: format!("{name} (…)"), found };
-        ContentError::new(kind, ContentPlace::Text(part.clone())).hint(HINT)
+        ContentErrorKind::expected(format!("{name} (…)"), found).at(part.clone()).hint(HINT)
     };
     let line = &text[part.clone()];
     let trimmed = line.trim_start();
@@ -200,8 +199,7 @@ fn quantity(text: &str, part: Range<usize>, what: &str, power: i32) -> Result<Nu
     let dimension = Dimension::new(0, i8::try_from(power).unwrap_or(0), 0, 0);
     let factor = units::read(phrase, dimension).and_then(|unit| unit::factor(&unit, dimension).ok());
     let factor = factor.ok_or_else(|| {
-        let kind = ContentErrorKind::Expected { what: format!("a unit of {what}"), found: phrase.to_owned() };
-        ContentError::new(kind, ContentPlace::Text(start + split..part.end))
+        ContentErrorKind::expected(format!("a unit of {what}"), phrase).at(start + split..part.end)
     })?;
     let in_mm = factor / MILLIMETRE.powi(power);
     number.value *= in_mm;

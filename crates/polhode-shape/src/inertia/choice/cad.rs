@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::cad::{DecimalMark, ProductConvention};
+
 /// Answers to what a CAD report may leave open.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
@@ -9,32 +11,10 @@ use serde::{Deserialize, Serialize};
 pub struct CadChoice {
     /// What the products of inertia in a CAD report are, where nothing in it proves it.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "SIGN"))]
-    pub products: Option<Sign>,
+    pub products: Option<ProductConvention>,
     /// The decimal mark of a CAD report, where its numbers leave it open.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "MARK"))]
-    pub decimal: Option<Mark>,
-}
-
-/// Sign of products of inertia.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
-pub enum Sign {
-    /// -∫xy dm: the elements of the tensor.
-    Negative,
-    /// +∫xy dm
-    Positive,
-}
-
-/// Decimal mark.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
-pub enum Mark {
-    /// 1.5
-    Point,
-    /// 1,5
-    Comma,
+    pub decimal: Option<DecimalMark>,
 }
 
 impl CadChoice {

@@ -67,11 +67,6 @@ impl FromStr for DensityFormula {
 }
 
 impl MeshChoice {
-    /// The substances of parts.
-    pub(in crate::inertia) fn parts(&self) -> impl Iterator<Item = &PartSubstance> {
-        self.part.iter().map(|part| &part.value)
-    }
-
     /// The first that is given.
     pub(in crate::inertia) fn given(&self) -> Option<&'static str> {
         let flags = [

@@ -6,8 +6,8 @@ mod molecule;
 mod substance;
 mod voxel;
 
-pub use cad::{CadChoice, Mark, Sign};
+pub use cad::CadChoice;
 pub use mesh::{DensityFormula, MeshChoice};
-pub use molecule::{MassesOf, MoleculeChoice};
+pub use molecule::MoleculeChoice;
 pub use substance::{MaterialNamed, PartSubstance, SubstanceChoice};
 pub use voxel::{Corner, Spacing, VoxelChoice};

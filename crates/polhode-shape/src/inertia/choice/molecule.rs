@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::molecule::Isotopes;
+
 /// Options for molecules.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
@@ -9,18 +11,7 @@ use serde::{Deserialize, Serialize};
 pub struct MoleculeChoice {
     /// The masses of a molecule's atoms whose isotope its file does not name [default: abundant].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "WHICH"))]
-    pub isotopes: Option<MassesOf>,
-}
-
-/// Masses of atoms whose isotope is not named.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
-pub enum MassesOf {
-    /// Those of the most abundant isotopes.
-    Abundant,
-    /// Standard atomic weights.
-    Average,
+    pub isotopes: Option<Isotopes>,
 }
 
 impl MoleculeChoice {

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use polhode_source::unit;
 use polhode_source::unit::Dimension;
 use polhode_source::xml::Element;
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::value::{missing, positive, start, unsupported};
 
@@ -54,8 +54,8 @@ impl<'a> Library<'a> {
             Some((element, None)) => Ok(*element),
             Some((first, Some(other))) => {
                 let later = if first.span().start < other.span().start { other } else { first };
-                let (what, rule) = (format!("the id of <{name}>"), "that of one element".to_owned());
-                let kind = ContentErrorKind::Value { what, value: format!("{id:?}"), rule };
+                let (what, rule) = (format!("the id of <{name}>"), "that of one element");
+                let kind = ContentErrorKind::value(what, format!("{id:?}"), rule);
                 Err(ContentError::new(kind, start(*later)))
             }
             None => Err(missing(&format!("{name} {id:?}"), by)),
@@ -78,10 +78,10 @@ pub(crate) fn meter(asset: Element<'_>) -> Result<Option<f64>, ContentError> {
                     let name = name.unwrap_or_default();
                     let what = format!("meter of the unit {name:?}");
                     let rule = format!("{metres}, as the name says");
-                    let kind = ContentErrorKind::Value { what, value: written.value.to_owned(), rule };
+                    let kind = ContentErrorKind::value(what, written.value.to_owned(), rule);
                     let hint =
                         format!("write meter=\"{metres}\", or name the unit whose length is {meter} m");
-                    Err(ContentError::new(kind, ContentPlace::Text(written.span)).hint(hint))
+                    Err(kind.at(written.span).hint(hint))
                 }
                 _ => Ok(Some(meter)),
             }

@@ -27,6 +27,7 @@ use super::affine::Affine;
 use super::notes::Notes;
 use super::polygon::Polygons;
 use super::{MeshContents, MeshPart};
+use crate::finding::info;
 use library::{Library, meter};
 use surface::Surface;
 use value::{expected, missing, start, unsupported};
@@ -104,7 +105,7 @@ fn require_version(root: Element<'_>) -> Result<(), ContentError> {
     }
     match root.attribute("version") {
         Some(version) if !version.value.starts_with("1.4") && !version.value.starts_with("1.5") => {
-            let kind = ContentErrorKind::Unsupported { what: format!("COLLADA {}", version.value) };
+            let kind = ContentErrorKind::unsupported(format!("COLLADA {}", version.value));
             Err(ContentError::new(kind, polhode_source::ContentPlace::Text(version.span))
                 .hint("export it as COLLADA 1.4.1"))
         }
@@ -124,12 +125,6 @@ fn up_axis(asset: Element<'_>) -> Result<Option<UpAxis>, ContentError> {
 
 /// What a reader of the answer cannot see in it: that nothing was turned, and that the unit is the format's.
 fn remarks(unit: Option<f64>, up: Option<UpAxis>) -> Vec<Finding> {
-    let note = |code, message: &str| Finding {
-        code,
-        severity: Severity::Info,
-        message: message.to_owned(),
-        place: None,
-    };
     let axis = match up {
         Some(UpAxis::X) => Some("x"),
         Some(UpAxis::Y) => Some("y"),
@@ -137,9 +132,9 @@ fn remarks(unit: Option<f64>, up: Option<UpAxis>) -> Vec<Finding> {
     };
     let turned =
         axis.map(|axis| format!("in the file {axis} is up; its axes are kept, and nothing was turned"));
-    let turned = turned.map(|message| note("mesh.up_axis", &message));
+    let turned = turned.map(|message| info("mesh.up_axis", &message));
     let metres = "the file says no unit of length, which is the metre in COLLADA then";
-    let metres = unit.is_none().then(|| note("mesh.unit_default", metres));
+    let metres = unit.is_none().then(|| info("mesh.unit_default", metres));
     turned.into_iter().chain(metres).collect()
 }
 
@@ -202,9 +197,8 @@ impl<'a> Reader<'a> {
                 Step::Enter { node, map, asked } => {
                     let number = node.span().start;
                     if !above.insert(number) {
-                        let (what, value) = ("the node".to_owned(), node.word("id").unwrap_or("").to_owned());
-                        let rule = "no part of itself".to_owned();
-                        let kind = ContentErrorKind::Value { what, value, rule };
+                        let (what, value) = ("the node", node.word("id").unwrap_or("").to_owned());
+                        let kind = ContentErrorKind::value(what, value, "no part of itself");
                         return Err(ContentError::new(kind, start(asked)));
                     }
                     steps.push(Step::Leave(number));

@@ -16,9 +16,9 @@ pub(crate) fn of(element: Element<'_>) -> Result<Option<Affine>, ContentError> {
             // Programs that multiply such matrices write what they have rounded.
             let is_usual = last.iter().zip([0.0, 0.0, 0.0, 1.0]).all(|(e, usual)| (e - usual).abs() <= 1e-6);
             if !is_usual {
-                let (what, value) = ("the last row of the matrix".to_owned(), format!("{last:?}"));
-                let rule = "0, 0, 0 and 1".to_owned();
-                return Err(ContentError::new(ContentErrorKind::Value { what, value, rule }, start(element)));
+                let (what, value) = ("the last row of the matrix", format!("{last:?}"));
+                let rule = "0, 0, 0 and 1";
+                return Err(ContentError::new(ContentErrorKind::value(what, value, rule), start(element)));
             }
             Affine { columns: [[a, d, g], [b, e, h], [c, f, i]], origin: [x, y, z] }
         }

@@ -1,7 +1,7 @@
 //! Geometries: positions, and the faces between them.
 
 use polhode_source::xml::Element;
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::library::Library;
 use super::value::{count, declared, expected, finite, missing, start, unsupported, whole};
@@ -172,10 +172,9 @@ impl<'a> Corners<'a> {
         let words = || written.value.split_ascii_whitespace();
         let numbers = words().count();
         if !numbers.is_multiple_of(self.stride) {
-            let (what, value) = ("the count of the indices".to_owned(), numbers.to_string());
+            let (what, value) = ("the count of the indices", numbers.to_string());
             let rule = format!("a multiple of {}, as the inputs have it", self.stride);
-            let kind = ContentErrorKind::Value { what, value, rule };
-            return Err(ContentError::new(kind, start(list)));
+            return Err(ContentError::new(ContentErrorKind::value(what, value, rule), start(list)));
         }
         let all = words().skip(self.offset).step_by(self.stride);
         let corner = |word: &str| word.parse().ok().and_then(|corner| index(corner, vertices));
@@ -186,10 +185,7 @@ impl<'a> Corners<'a> {
         let wrong = written.numbers().nth(self.offset + corners.len() * self.stride);
         let Some(wrong) = wrong else { return Err(missing("vertex of that number", list)) };
         match wrong.text.parse() {
-            Ok(index) => {
-                let kind = ContentErrorKind::Index { what: "vertex".to_owned(), index, count: vertices };
-                Err(ContentError::new(kind, ContentPlace::Text(wrong.span)))
-            }
+            Ok(index) => Err(ContentErrorKind::index("vertex", index, vertices).at(wrong.span)),
             Err(_) => Err(expected("the number of a vertex", &wrong.text, wrong.span)),
         }
     }

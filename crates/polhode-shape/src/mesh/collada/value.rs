@@ -20,8 +20,8 @@ pub(crate) fn declared(element: Element<'_>, what: &str, present: usize) -> Resu
 }
 
 pub(crate) fn count(element: Element<'_>, what: &str, declared: usize, present: usize) -> ContentError {
-    let (what, declared, present) = (what.to_owned(), declared as u64, present as u64);
-    ContentError::new(ContentErrorKind::Count { what, declared, present }, start(element))
+    let (what, declared, present) = (what, declared as u64, present as u64);
+    ContentError::new(ContentErrorKind::count(what, declared, present), start(element))
 }
 
 pub(crate) fn positive(written: &Written<'_>) -> Result<f64, ContentError> {
@@ -54,18 +54,17 @@ pub(crate) fn finite(written: &Written<'_>) -> Result<Vec<f64>, ContentError> {
 }
 
 pub(crate) fn expected(what: &str, found: &str, at: Range<usize>) -> ContentError {
-    let (what, found) = (what.to_owned(), found.to_owned());
-    ContentError::new(ContentErrorKind::Expected { what, found }, ContentPlace::Text(at))
+    ContentErrorKind::expected(what, found).at(at)
 }
 
 pub(crate) fn missing(what: &str, at: Element<'_>) -> ContentError {
-    ContentError::new(ContentErrorKind::Missing { what: what.to_owned() }, start(at))
+    ContentError::new(ContentErrorKind::missing(what), start(at))
 }
 
 /// What polhode does not read of COLLADA: an element, or more words about it.
 pub(crate) fn unsupported(element: Element<'_>, what: &str) -> ContentError {
     let what = format!("<{}> of COLLADA{what}", element.name());
-    ContentError::new(ContentErrorKind::Unsupported { what }, start(element))
+    ContentError::new(ContentErrorKind::unsupported(what), start(element))
 }
 
 /// Where an element begins.

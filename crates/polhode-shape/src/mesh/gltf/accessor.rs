@@ -86,9 +86,9 @@ impl<'a, const N: usize> Elements<'a, N> {
         let size = (N * component.size()) as u64;
         let stride = view.stride.unwrap_or(size);
         if stride < size {
-            let (what, value) = ("byteStride".to_owned(), stride.to_string());
+            let (what, value) = ("byteStride", stride.to_string());
             let rule = format!("at least the {size} bytes of an element");
-            return Err(from.error(ContentErrorKind::Value { what, value, rule }));
+            return Err(from.error(ContentErrorKind::value(what, value, rule)));
         }
         // The last element ends before the view does: offset + stride (count − 1) + size ≤ length.
         let length = view.bytes().len() as u64;
@@ -97,8 +97,7 @@ impl<'a, const N: usize> Elements<'a, N> {
             None => 0,
         };
         if count > present {
-            let what = "elements".to_owned();
-            return Err(from.error(ContentErrorKind::Count { what, declared: count, present }));
+            return Err(from.error(ContentErrorKind::count("elements", count, present)));
         }
         Ok(Self { view, offset: offset as usize, stride: stride as usize, count: count as usize, component })
     }
@@ -132,8 +131,7 @@ pub(crate) fn vectors<'a, const N: usize>(
         values.iter_mut().flatten().for_each(|value| *value = (*value / one).max(-1.0));
     }
     if let Some(k) = values.iter().position(|element| element.iter().any(|x| !x.is_finite())) {
-        let found = format!("{:?}", values[k]);
-        let kind = ContentErrorKind::NotFinite { what: "the vector".to_owned(), found };
+        let kind = ContentErrorKind::not_finite("the vector", format!("{:?}", values[k]));
         return Err(ContentError::new(kind, element(json, k)));
     }
     Ok(values)
@@ -151,11 +149,7 @@ pub(crate) fn indices<'a>(
         return Err(json.need("componentType")?.refused("componentType", "unsigned for indices"));
     }
     if let Some(k) = values.iter().position(|[index]| *index >= vertices as f64) {
-        let kind = ContentErrorKind::Index {
-            what: "vertex".to_owned(),
-            index: values[k][0] as i64,
-            count: vertices,
-        };
+        let kind = ContentErrorKind::index("vertex", values[k][0] as i64, vertices);
         return Err(ContentError::new(kind, element(json, k)));
     }
     // f64 holds every u32.
@@ -203,8 +197,8 @@ fn elements<'a, const N: usize>(
             // NaN and −1 become 0 as a usize.
             let slot = (place >= 0.0).then_some(place as usize).and_then(|k| values.get_mut(k));
             *slot.ok_or_else(|| {
-                let (what, index) = ("element".to_owned(), place as i64);
-                at.error(ContentErrorKind::Index { what, index, count: count_all })
+                let (what, index) = ("element", place as i64);
+                at.error(ContentErrorKind::index(what, index, count_all))
             })? = replacement;
         }
     }

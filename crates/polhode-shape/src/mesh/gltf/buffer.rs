@@ -72,11 +72,7 @@ impl<'a> Buffers<'a> {
         let start = view.whole_or("byteOffset", 0)?;
         let length = view.need("byteLength")?.whole()?;
         if start.checked_add(length).is_none_or(|end| end > declared) {
-            let kind = ContentErrorKind::Count {
-                what: "bytes of the view".to_owned(),
-                declared: length,
-                present: declared.saturating_sub(start),
-            };
+            let kind = ContentErrorKind::count("bytes of the view", length, declared.saturating_sub(start));
             return Err(view.error(kind).hint(format!("buffers[{k}] ends before the view does")));
         }
         let stride = view.get("byteStride").map(|stride| stride.whole()).transpose()?;
@@ -99,7 +95,7 @@ impl<'a> Buffers<'a> {
             }
             return Ok(bytes);
         }
-        let kind = ContentErrorKind::Count { what: "bytes".to_owned(), declared, present: present as u64 };
+        let kind = ContentErrorKind::count("bytes", declared, present as u64);
         Err(buffer.error(kind).hint("the buffer is cut short"))
     }
 
@@ -115,7 +111,7 @@ impl<'a> Buffers<'a> {
             {
                 Err(buffer.error(compressed("EXT_meshopt_compression")).hint(UNPACK))
             }
-            (None, _) => Err(buffer.error(ContentErrorKind::Missing { what: "uri".to_owned() })),
+            (None, _) => Err(buffer.error(ContentErrorKind::missing("uri"))),
         }
     }
 
@@ -152,7 +148,7 @@ impl<'a> Buffers<'a> {
 pub(crate) const UNPACK: &str = "export it without compression, or unpack it first";
 
 pub(crate) fn compressed(name: &str) -> ContentErrorKind {
-    ContentErrorKind::Unsupported { what: format!("compressed meshes ({name})") }
+    ContentErrorKind::unsupported(format!("compressed meshes ({name})"))
 }
 
 /// The relative path of a URI, if it is one and does not climb.
@@ -193,7 +189,7 @@ fn decoded(data: &str, uri: &Json<'_>) -> Result<Vec<u8>, ContentError> {
         match digits.iter().enumerate().find(|(_, b)| !is_digit(b)) {
             Some((at, &byte)) => {
                 let what = format!("a base64 digit at {at} of the data");
-                uri.error(ContentErrorKind::Expected { what, found: char::from(byte).to_string() })
+                uri.error(ContentErrorKind::expected(what, char::from(byte).to_string()))
             }
             None => uri.refused("uri", "base64 of whole bytes: one digit is left over"),
         }

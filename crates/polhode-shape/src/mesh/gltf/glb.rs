@@ -19,9 +19,9 @@ pub(crate) fn open(bytes: &[u8]) -> Result<Container<'_>, ContentError> {
     match json.trim_ascii_start().starts_with(b"{") {
         true => Ok(Container { json: bytes, chunk: None, is_binary: false }),
         false => {
-            let what = "the { of a .gltf or the \"glTF\" of a .glb".to_owned();
+            let what = "the { of a .gltf or the \"glTF\" of a .glb";
             let found = String::from_utf8_lossy(&bytes[..bytes.len().min(16)]).into_owned();
-            Err(ContentError::new(ContentErrorKind::Expected { what, found }, at(0, "")))
+            Err(ContentError::new(ContentErrorKind::expected(what, found), at(0, "")))
         }
     }
 }
@@ -32,7 +32,7 @@ fn binary(bytes: &[u8]) -> Result<Container<'_>, ContentError> {
         return Err(short("bytes of the header", 12, bytes.len(), 0));
     };
     if version != 2 {
-        let kind = ContentErrorKind::Unsupported { what: format!("version {version} of the GLB container") };
+        let kind = ContentErrorKind::unsupported(format!("version {version} of the GLB container"));
         return Err(ContentError::new(kind, at(4, "the header")).hint("export it as glTF 2.0"));
     }
     if length as usize != bytes.len() {
@@ -41,8 +41,8 @@ fn binary(bytes: &[u8]) -> Result<Container<'_>, ContentError> {
     let json = match chunk(bytes, 12)? {
         Some((JSON, json)) => json,
         _ => {
-            let what = "chunk of JSON behind the header".to_owned();
-            return Err(ContentError::new(ContentErrorKind::Missing { what }, at(12, "")));
+            let what = "chunk of JSON behind the header";
+            return Err(ContentError::new(ContentErrorKind::missing(what), at(12, "")));
         }
     };
     let mut offset = 20 + json.len();
@@ -78,7 +78,7 @@ fn chunk(bytes: &[u8], offset: usize) -> Result<Option<Chunk<'_>>, ContentError>
 
 fn short(what: &str, declared: u64, present: usize, offset: usize) -> ContentError {
     let present = present as u64;
-    let kind = ContentErrorKind::Count { what: what.to_owned(), declared, present };
+    let kind = ContentErrorKind::count(what, declared, present);
     let hint = if declared > present {
         "the file is cut short"
     } else {

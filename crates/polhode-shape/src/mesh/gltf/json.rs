@@ -28,10 +28,7 @@ impl<'a> Json<'a> {
 
     /// The member of an object that has to be there.
     pub(crate) fn need(&self, key: &str) -> Result<Self, ContentError> {
-        self.get(key).ok_or_else(|| {
-            let kind = ContentErrorKind::Missing { what: key.to_owned() };
-            ContentError::new(kind, self.content_place())
-        })
+        self.get(key).ok_or_else(|| ContentError::new(ContentErrorKind::missing(key), self.content_place()))
     }
 
     /// The elements of an array; none if the member is not there.
@@ -61,7 +58,7 @@ impl<'a> Json<'a> {
             Some((k, value)) => Ok((k, Self { value, place: format!("{list}[{k}]") })),
             None => {
                 let index = i64::try_from(index).unwrap_or(i64::MAX);
-                Err(self.error(ContentErrorKind::Index { what: one.to_owned(), index, count: values.len() }))
+                Err(self.error(ContentErrorKind::index(one, index, values.len())))
             }
         }
     }
@@ -117,16 +114,12 @@ impl<'a> Json<'a> {
     }
 
     pub(crate) fn expected(&self, what: &str) -> ContentError {
-        self.error(ContentErrorKind::Expected { what: what.to_owned(), found: self.shown() })
+        self.error(ContentErrorKind::expected(what, self.shown()))
     }
 
     /// This value breaks a rule.
     pub(crate) fn refused(&self, what: &str, rule: &str) -> ContentError {
-        self.error(ContentErrorKind::Value {
-            what: what.to_owned(),
-            value: self.shown(),
-            rule: rule.to_owned(),
-        })
+        self.error(ContentErrorKind::value(what, self.shown(), rule))
     }
 
     fn content_place(&self) -> ContentPlace {

@@ -83,8 +83,8 @@ pub fn read(files: &dyn Files, bytes: &[u8], folder: &Path) -> Result<MeshConten
     };
     let name = scene.walk(&forest)?;
     if scene.parts.is_empty() {
-        let kind = ContentErrorKind::Missing { what: "triangles in its scene".to_owned() };
-        return Err(ContentError::new(kind, ContentPlace::Whole).hint("export the solids as triangle meshes"));
+        let kind = ContentErrorKind::missing("triangles in its scene");
+        return Err(kind.of_whole().hint("export the solids as triangle meshes"));
     }
     Ok(MeshContents {
         encoding: if container.is_binary { "binary" } else { "json" },
@@ -175,7 +175,8 @@ pub const LARGEST_TEXT: u64 = 256 << 20;
 fn parsed(json: &[u8], is_binary: bool) -> Result<Value, ContentError> {
     if json.len() as u64 > LARGEST_TEXT {
         let what = format!("a document whose JSON has more than {LARGEST_TEXT} bytes");
-        return Err(ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Whole)
+        return Err(ContentErrorKind::unsupported(what)
+            .of_whole()
             .hint("put the buffers into files or into a .glb, not into data: URIs"));
     }
     let text = json.strip_prefix("\u{feff}".as_bytes()).unwrap_or(json);
@@ -183,7 +184,7 @@ fn parsed(json: &[u8], is_binary: bool) -> Result<Value, ContentError> {
         let message = e.to_string();
         let what = message.split(" at line ").next().unwrap_or_default().to_owned();
         let (line, column) = (e.line(), e.column());
-        let kind = ContentErrorKind::Expected { what: "JSON".to_owned(), found: what };
+        let kind = ContentErrorKind::expected("JSON", what);
         if is_binary {
             let place = format!("the chunk of JSON, line {line}, column {column}");
             return ContentError::new(kind, ContentPlace::Within(place));
@@ -191,7 +192,7 @@ fn parsed(json: &[u8], is_binary: bool) -> Result<Value, ContentError> {
         let start: usize =
             text.split_inclusive(|&b| b == b'\n').take(line.saturating_sub(1)).map(<[u8]>::len).sum();
         let at = (json.len() - text.len() + start + column.saturating_sub(1)).min(json.len());
-        ContentError::new(kind, ContentPlace::Text(at..(at + 1).min(json.len())))
+        kind.at(at..(at + 1).min(json.len()))
     })
 }
 
@@ -203,7 +204,7 @@ fn require_version(root: &Json<'_>) -> Result<(), ContentError> {
     let too_new = needed.as_ref().map(|json| Ok(json.text()? != "2.0")).transpose()? == Some(true);
     if !is_two(&version)? || too_new {
         let number = needed.filter(|_| too_new).unwrap_or(version.clone());
-        let kind = ContentErrorKind::Unsupported { what: format!("glTF {}", number.text()?) };
+        let kind = ContentErrorKind::unsupported(format!("glTF {}", number.text()?));
         return Err(number.error(kind).hint("export it as glTF 2.0"));
     }
     Ok(())
@@ -232,7 +233,7 @@ fn require_extensions(root: &Json<'_>) -> Result<(), ContentError> {
             extension.error(buffer::compressed(name)).hint(buffer::UNPACK)
         } else {
             let what = format!("files that need the extension {name}");
-            extension.error(ContentErrorKind::Unsupported { what }).hint("export it without the extension")
+            extension.error(ContentErrorKind::unsupported(what)).hint("export it without the extension")
         });
     }
     Ok(())

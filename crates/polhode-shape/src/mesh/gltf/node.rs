@@ -52,9 +52,9 @@ impl<'a> Forest<'a> {
         match reached.iter().position(|reached| !reached) {
             None => Ok(()),
             Some(k) => {
-                let (what, value) = ("the node".to_owned(), k.to_string());
-                let rule = "a tree: it is, or hangs under, a node that is its own ancestor".to_owned();
-                Err(self.nodes[k].json.error(ContentErrorKind::Value { what, value, rule }))
+                let (what, value) = ("the node", k.to_string());
+                let rule = "a tree: it is, or hangs under, a node that is its own ancestor";
+                Err(self.nodes[k].json.error(ContentErrorKind::value(what, value, rule)))
             }
         }
     }
@@ -141,11 +141,7 @@ pub(crate) fn instances<'a>(
     let count = counts.into_iter().flatten().max().unwrap_or(0);
     if let Some(fewer) = counts.into_iter().flatten().find(|&other| other != count) {
         let (declared, present) = (count as u64, fewer as u64);
-        return Err(attributes.error(ContentErrorKind::Count {
-            what: "instances".to_owned(),
-            declared,
-            present,
-        }));
+        return Err(attributes.error(ContentErrorKind::count("instances", declared, present)));
     }
     budget.spend(count, size_of::<Affine>(), || instancing.place().to_owned())?;
     let instance = |k: usize| {
@@ -154,8 +150,7 @@ pub(crate) fn instances<'a>(
         let rotation = rotations.as_ref().map_or([0.0, 0.0, 0.0, 1.0], |all| all[k]);
         let rotation = unit(rotation, String::new, None).ok_or_else(|| {
             let (what, value) = (format!("the rotation of instance {k}"), format!("{rotation:?}"));
-            let rule = "a quaternion of length 1".to_owned();
-            attributes.error(ContentErrorKind::Value { what, value, rule })
+            attributes.error(ContentErrorKind::value(what, value, "a quaternion of length 1"))
         })?;
         Ok(map.after(&Affine::of_parts(translation, rotation, scale)))
     };

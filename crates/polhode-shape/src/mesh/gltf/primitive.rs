@@ -23,9 +23,9 @@ pub(crate) fn is_unmorphed(holder: &Json<'_>) -> Result<(), ContentError> {
     let weights = holder.list("weights")?;
     for weight in weights {
         if weight.number()? != 0.0 {
-            let what = "morph targets with a weight: the shape is another than its vertices".to_owned();
+            let what = "morph targets with a weight: the shape is another than its vertices";
             return Err(weight
-                .error(ContentErrorKind::Unsupported { what })
+                .error(ContentErrorKind::unsupported(what))
                 .hint("apply the shape keys in the tool that made the file, and export again"));
         }
     }
@@ -105,8 +105,8 @@ impl Surface {
             Mode::Strip | Mode::Fan => (corners >= 3, "3 or more"),
         };
         if !fits {
-            let (what, value) = ("the number of corners".to_owned(), corners.to_string());
-            return Err(primitive.error(ContentErrorKind::Value { what, value, rule: rule.to_owned() }));
+            let (what, value) = ("the number of corners", corners.to_string());
+            return Err(primitive.error(ContentErrorKind::value(what, value, rule)));
         }
         let count = if mode == Mode::Triangles { corners / 3 } else { corners - 2 };
         budget.spend(count, size_of::<[u32; 3]>(), || primitive.place().to_owned())?;

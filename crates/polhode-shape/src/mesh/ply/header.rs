@@ -130,7 +130,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Header, ContentError> {
         if length > LONGEST_LINE {
             let what = format!("a line of the header of more than {LONGEST_LINE} bytes");
             let place = ContentPlace::Text(at..at + 1);
-            return Err(ContentError::new(ContentErrorKind::Unsupported { what }, place)
+            return Err(ContentError::new(ContentErrorKind::unsupported(what), place)
                 .hint("break a long comment into several lines"));
         }
         let mut line = Line { scan: start.within(&bytes[..at + length], at) };
@@ -160,8 +160,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Header, ContentError> {
             }
             b"end_header" => {
                 let what = || "format: ascii, binary_little_endian or binary_big_endian".to_owned();
-                let missing =
-                    || ContentError::new(ContentErrorKind::Missing { what: what() }, ContentPlace::Whole);
+                let missing = || ContentErrorKind::missing(what()).of_whole();
                 let encoding = encoding.ok_or_else(missing)?;
                 return Ok(Header { encoding, elements, end: (at + line_end.len()).min(bytes.len()) });
             }
@@ -239,8 +238,8 @@ impl<'a> Line<'a> {
 }
 
 fn twice(what: &str, name: &str, span: &Range<usize>) -> ContentError {
-    let (what, value, rule) = (what.to_owned(), name.to_owned(), "declared once".to_owned());
-    ContentError::new(ContentErrorKind::Value { what, value, rule }, ContentPlace::Text(span.clone()))
+    let (what, value, rule) = (what, name.to_owned(), "declared once");
+    ContentErrorKind::value(what, value, rule).at(span.clone())
 }
 
 /// Where the line end is, or the end.

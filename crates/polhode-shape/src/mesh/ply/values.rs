@@ -191,6 +191,5 @@ impl Stop {
 
 /// A count that the file does not fill.
 pub(crate) fn short(what: String, declared: u64, present: u64, place: ContentPlace) -> ContentError {
-    ContentError::new(ContentErrorKind::Count { what, declared, present }, place)
-        .hint("the file is cut short")
+    ContentError::new(ContentErrorKind::count(what, declared, present), place).hint("the file is cut short")
 }

@@ -71,10 +71,8 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     package.model(&root)?;
     package.build()?;
     if package.parts.is_empty() {
-        let kind = ContentErrorKind::Missing { what: "triangles in its build".to_owned() };
-        return Err(
-            ContentError::new(kind, ContentPlace::Whole).hint("export the solid, not the empty plate")
-        );
+        let kind = ContentErrorKind::missing("triangles in its build");
+        return Err(kind.of_whole().hint("export the solid, not the empty plate"));
     }
     let Model { unit: (_, unit), title, .. } = package.models.swap_remove(0).1;
     let (parts, findings) = (package.parts, package.notes.findings());
@@ -125,9 +123,9 @@ impl Package<'_> {
         let name = path.strip_prefix('/').unwrap_or(path).to_owned();
         let model = Model::read(Xml::new(self.archive.stream(&name)?, &name), &mut self.notes)?;
         if let Some((first, root)) = self.models.first().filter(|(_, root)| root.unit != model.unit) {
-            let (what, value) = ("unit".to_owned(), model.unit.0.to_owned());
+            let (what, value) = ("unit", model.unit.0.to_owned());
             let rule = format!("{}, the unit of {first}", root.unit.0);
-            let kind = ContentErrorKind::Value { what, value, rule };
+            let kind = ContentErrorKind::value(what, value, rule);
             return Err(ContentError::new(kind, ContentPlace::Within(name)));
         }
         self.models.push((name, model));
@@ -152,9 +150,9 @@ impl Package<'_> {
                             continue;
                         }
                         if !above.insert(id) {
-                            let (what, value) = ("the component".to_owned(), format!("object {}", id.1));
-                            let rule = "no part of itself".to_owned();
-                            return Err(self.error(asked, ContentErrorKind::Value { what, value, rule }));
+                            let (what, value) = ("the component", format!("object {}", id.1));
+                            let rule = "no part of itself";
+                            return Err(self.error(asked, ContentErrorKind::value(what, value, rule)));
                         }
                         steps.push(Step::Leave(id));
                         for component in components.iter().rev() {
@@ -175,9 +173,9 @@ impl Package<'_> {
             None => from,
             Some(path) if self.archive.has(path) => self.model(path)?,
             Some(path) => {
-                let (what, value) = ("path".to_owned(), path.clone());
-                let rule = "a model file of the package".to_owned();
-                return Err(self.error(asked, ContentErrorKind::Value { what, value, rule }));
+                let (what, value) = ("path", path.clone());
+                let rule = "a model file of the package";
+                return Err(self.error(asked, ContentErrorKind::value(what, value, rule)));
             }
         };
         Ok(Step::Enter { id: (number, used.object), map: above.after(&used.transform), asked })
@@ -189,9 +187,9 @@ impl Package<'_> {
         let (file, model) = &self.models[id.0];
         let place = || place(&self.models, asked);
         let Some(object) = model.objects.get(&id.1) else {
-            let (what, value) = ("objectid".to_owned(), id.1.to_string());
+            let (what, value) = ("objectid", id.1.to_string());
             let rule = format!("the id of an object in {file}");
-            return Err(self.error(asked, ContentErrorKind::Value { what, value, rule }));
+            return Err(self.error(asked, ContentErrorKind::value(what, value, rule)));
         };
         if object.kind != "model" {
             const SENTENCE: [&str; 2] = [

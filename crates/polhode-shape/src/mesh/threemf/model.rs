@@ -69,9 +69,8 @@ impl Model {
                 Token::Start(element) => {
                     let is_model = is_core(&xml, &element, "model");
                     if !is_model || model.is_some() {
-                        let (what, found) =
-                            ("one model element of 3MF".to_owned(), element.name().0.to_owned());
-                        return Err(xml.error(ContentErrorKind::Expected { what, found }));
+                        let (what, found) = ("one model element of 3MF", element.name().0.to_owned());
+                        return Err(xml.error(ContentErrorKind::expected(what, found)));
                     }
                     model = Some(Self::element(&mut xml, &element, notes)?);
                 }
@@ -100,7 +99,7 @@ impl Model {
             let namespace = xml.prefixed(prefix);
             if namespace != PRODUCTION && namespace != CORE && !LOOKS.contains(&namespace) {
                 let what = format!("models that need the extension {prefix} ({namespace})");
-                let error = xml.error(ContentErrorKind::Unsupported { what });
+                let error = xml.error(ContentErrorKind::unsupported(what));
                 return Err(error.hint("export the model as plain triangle meshes"));
             }
         }
@@ -287,8 +286,8 @@ fn triangle(xml: &Xml<'_, '_>, element: &BytesStart<'_>, vertices: usize) -> Res
         };
         let index = whole(xml, attribute.key.0, &xml.value(&attribute)?)?;
         if index as usize >= vertices {
-            let (what, index) = ("vertex".to_owned(), i64::from(index));
-            return Err(xml.error(ContentErrorKind::Index { what, index, count: vertices }));
+            let (what, index) = ("vertex", i64::from(index));
+            return Err(xml.error(ContentErrorKind::index(what, index, vertices)));
         }
         if triangle[k].replace(index).is_some() {
             return Err(xml.refused("the triangle", attribute.key.0, "given once"));
@@ -375,10 +374,7 @@ fn once(xml: &Xml<'_, '_>, slot: &mut Option<String>, attribute: &Attribute<'_>)
 fn number(xml: &Xml<'_, '_>, what: &str, text: &str) -> Result<f64, ContentError> {
     match text.trim_ascii().parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
-        Ok(_) => {
-            let (what, found) = (what.to_owned(), text.to_owned());
-            Err(xml.error(ContentErrorKind::NotFinite { what, found }))
-        }
+        Ok(_) => Err(xml.error(ContentErrorKind::not_finite(what, text))),
         Err(_) => Err(xml.refused(what, &format!("{text:?}"), "a number")),
     }
 }

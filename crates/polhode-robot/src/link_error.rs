@@ -1,0 +1,81 @@
+//! Errors of links that are not bodies, alone or joined.
+
+use std::error::Error;
+use std::fmt;
+
+use polhode::body::BodyError;
+use polhode_document::layout::printable;
+
+use crate::model::Span;
+
+/// Error of a link, or of links joined, that are not a body: numbers that are missing or unphysical, unknown links or
+/// joints, joints that do not form a tree, values of joints that are unknown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LinkError {
+    message: String,
+    hint: String,
+    span: Option<Span>,
+}
+
+impl LinkError {
+    /// Creates an error at no place of the model's text.
+    pub(crate) fn new(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self { message: message.into(), hint: hint.into(), span: None }
+    }
+
+    /// Adds the place in the model's text.
+    pub(crate) fn at(self, span: &Span) -> Self {
+        Self { span: Some(span.clone()), ..self }
+    }
+
+    /// Creates the error of a link's own numbers.
+    pub(crate) fn of_number(message: impl Into<String>, span: &Span) -> Self {
+        Self::new(message, "polhode check says what is wrong, and what would repair it").at(span)
+    }
+
+    /// Creates the error of unphysical numbers.
+    pub(crate) fn impossible(error: &BodyError, span: &Span) -> Self {
+        Self::of_number(error.to_string(), span)
+    }
+
+    /// Creates the error of a model, or of a link and all that hangs from it, without mass.
+    pub(crate) fn massless(subtree: Option<&str>) -> Self {
+        let message = match subtree {
+            None => "no link has mass".to_owned(),
+            Some(link) => format!("neither the link {link:?} nor what hangs from it has mass"),
+        };
+        Self::new(message, "give a link an inertial")
+    }
+
+    /// Adds the link.
+    pub(crate) fn of_link(self, link: &str) -> Self {
+        Self { message: format!("the link {link:?} is no body: {}", self.message), ..self }
+    }
+
+    /// Returns the place in the model's text, if there is one.
+    pub fn span(&self) -> Option<Span> {
+        self.span.clone()
+    }
+
+    /// Returns the advice.
+    pub fn hint(&self) -> &str {
+        &self.hint
+    }
+}
+
+impl fmt::Display for LinkError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl Error for LinkError {}
+
+/// Returns advice: the likeliest name, and all names.
+pub(crate) fn suggested(meant: Option<&str>, introduction: &str, names: &[&str]) -> String {
+    const MOST: usize = 40;
+    let meant = meant.map_or_else(String::new, |meant| format!("did you mean {}? ", printable(meant)));
+    let listed: Vec<_> = names.iter().take(MOST).map(|name| printable(name)).collect();
+    let more = if names.len() > MOST { ", …" } else { "" };
+    format!("{meant}{introduction} {}{more}", listed.join(", "))
+}

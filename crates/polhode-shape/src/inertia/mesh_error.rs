@@ -1,0 +1,107 @@
+//! Errors of meshes that are not bodies.
+
+use std::error::Error;
+use std::fmt;
+
+use polhode::body::BodyError;
+use polhode_source::{Failure, FormatError};
+
+/// Error of a mesh that is not a body.
+#[derive(Clone, Debug)]
+pub enum MeshBodyError {
+    /// The file cannot be read, or bounds no solid.
+    Format(FormatError),
+    /// Numbers that are not a physical body.
+    Body(BodyError),
+    /// A formula whose value is not a density.
+    Density(BodyError),
+    /// A substance for a part that is not there.
+    UnknownPart {
+        /// Name of the part.
+        name: String,
+        /// Names of the parts that are there.
+        known: Vec<String>,
+    },
+    /// Two substances for one part.
+    PartTwice {
+        /// Name of the part.
+        name: String,
+    },
+    /// One mass for several parts of one name.
+    SharedMass {
+        /// Name of the parts.
+        name: String,
+        /// Number of parts.
+        count: usize,
+    },
+    /// A substance for the other parts, where every part has its own.
+    AllNamed,
+    /// The computation was interrupted.
+    Interrupted,
+}
+
+impl MeshBodyError {
+    /// Returns advice, in the words of the command; empty if there is none.
+    pub fn hint(&self) -> String {
+        match self {
+            Self::Format(error) => error.hint().unwrap_or_default(),
+            Self::Body(BodyError::FlatPoints { .. }) => {
+                "a hull needs four points that do not lie in one plane".to_owned()
+            }
+            Self::Body(_) => "check --density, --mass, --part and --unit".to_owned(),
+            Self::Density(error) => error.hint().unwrap_or("check --field and --tolerance").to_owned(),
+            Self::UnknownPart { known, .. } => {
+                let known: Vec<_> = known.iter().map(|name| format!("{name:?}")).collect();
+                format!("its parts are {}", known.join(", "))
+            }
+            Self::PartTwice { .. } => "a part is made of one thing: leave one of them out".to_owned(),
+            Self::SharedMass { .. } => {
+                "give a density or a material, which counts for each, or name the parts apart in the file"
+                    .to_owned()
+            }
+            Self::AllNamed => "leave it out, or leave out a --part".to_owned(),
+            Self::Interrupted => String::new(),
+        }
+    }
+}
+
+impl fmt::Display for MeshBodyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Format(error) => error.fmt(f),
+            Self::Body(error) | Self::Density(error) => error.fmt(f),
+            Self::UnknownPart { name, .. } => write!(f, "the mesh has no part named {name:?}"),
+            Self::PartTwice { name } => write!(f, "--part {name} is given twice"),
+            Self::SharedMass { name, count } => {
+                write!(f, "{count} parts of the mesh are named {name:?}: is the mass that of each?")
+            }
+            Self::AllNamed => f.write_str(
+                "--density, --mass or --material is for the parts without a --part of their own, and every part has one",
+            ),
+            Self::Interrupted => f.write_str("the computation is interrupted"),
+        }
+    }
+}
+
+impl Error for MeshBodyError {}
+
+impl From<FormatError> for MeshBodyError {
+    fn from(error: FormatError) -> Self {
+        Self::Format(error)
+    }
+}
+
+impl From<BodyError> for MeshBodyError {
+    fn from(error: BodyError) -> Self {
+        Self::Body(error)
+    }
+}
+
+impl From<MeshBodyError> for Failure {
+    fn from(error: MeshBodyError) -> Self {
+        match error {
+            MeshBodyError::Format(error) => error.into(),
+            error => Self::usage(error.to_string(), error.hint()),
+        }
+    }
+}

@@ -85,15 +85,8 @@ impl Budget {
                 *slot = group;
             }
         }
-        let mut origins = BTreeMap::new();
-        for (k, frame) in (0..rows.len()).filter_map(|k| Some((k, rows.tensor_frame(k)?))) {
-            let Some(other) = names.get(frame) else {
-                // As far as rows before it can exist.
-                origins.insert(k, usize::MAX);
-                continue;
-            };
-            origins.insert(k, *other as usize);
-        }
+        let origin = |k| Some((k, *names.get(rows.tensor_frame(k)?)? as usize));
+        let origins = (0..rows.len()).filter_map(origin).collect();
         drop(names);
         let frames = Vec::with_capacity(tree.inner);
         let mut budget = Self { rows, groups, growth, tree, frames, group_of, origins };
@@ -114,20 +107,16 @@ impl Budget {
         if is_empty {
             return Err(BudgetError::Empty);
         }
-        for row in 0..self.rows.len() {
-            let quantity = self.rows.quantity(row);
-            if quantity.errors != CopyErrors::Independent {
-                continue;
-            }
-            let given = quantity.count;
+        let is_independent = |row: usize| self.rows.quantity(row).errors == CopyErrors::Independent;
+        for row in (0..self.rows.len()).filter(|row| is_independent(*row)) {
+            let given = self.rows.quantity(row).count;
             if given > MOST_DRAWN && !self.factors(row).is_empty() {
                 return Err(BudgetError::Copies { row: row_name(&self.rows, row), given, most: MOST_DRAWN });
             }
         }
         for child in 0..self.rows.len() {
             let Some(parent) = self.tree.parent(child) else { continue };
-            let quantity = self.rows.quantity(parent);
-            if quantity.errors == CopyErrors::Independent && quantity.count > 1 {
+            if is_independent(parent) && self.rows.quantity(parent).count > 1 {
                 let [row, inside] = [parent, child].map(|k| row_name(&self.rows, k));
                 return Err(BudgetError::IndependentAssembly { row, inside });
             }
@@ -190,11 +179,6 @@ impl Budget {
     /// The row in which a row stands; `None` of the root.
     pub fn parent(&self, row: usize) -> Option<usize> {
         self.tree.parent(row)
-    }
-
-    /// All rows, each after that in which it stands: the root first.
-    pub fn order(&self) -> impl DoubleEndedIterator<Item = usize> + '_ {
-        self.tree.order()
     }
 
     /// True if a row is the frame of other rows.
@@ -261,9 +245,9 @@ impl Budget {
             TensorPoint::CenterOfMass => None,
             TensorPoint::At(point) => Some(*point),
             TensorPoint::OriginOf(frame) => {
-                let other = self.origins.get(&row).copied().filter(|other| *other < self.rows.len());
                 let missing = || BudgetError::MissingFrame { row: name(), frame: frame.clone() };
-                let (own, other) = (self.frame(row), self.frame(other.ok_or_else(missing)?));
+                let other = self.origins.get(&row).copied().ok_or_else(missing)?;
+                let (own, other) = (self.frame(row), self.frame(other));
                 Some(own.rotation.inverse() * (other.position - own.position))
             }
         };
@@ -306,14 +290,9 @@ fn check_row(
     if let Some(value) = rows.allowable(k) {
         require("the allowable mass", value, value > 0.0 && value.is_finite(), "positive and finite")?;
     }
-    let group = match rows.group(k) {
-        None => None,
-        Some(group) => Some(
-            *groups
-                .get(group)
-                .ok_or_else(|| BudgetError::MissingGroup { row: name(), group: group.to_owned() })?,
-        ),
-    };
+    let missing = |group: &str| BudgetError::MissingGroup { row: name(), group: group.to_owned() };
+    let number = |group| groups.get(group).copied().ok_or_else(|| missing(group));
+    let group = rows.group(k).map(number).transpose()?;
     factors(rows, k).map_err(|error| error.of(name()))?;
     Ok(group)
 }

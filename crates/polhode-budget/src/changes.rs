@@ -57,7 +57,12 @@ impl Budget {
             for factor in factors {
                 let change = match (&part, &own, &one, turns) {
                     (Some(part), Some(own), ..) if !factor.kind().is_of_frame() => {
-                        let by = part.change(self.rows.liquid(k), self.follows(k), &factor.error, scale);
+                        let by = part.change(
+                            self.rows.liquid(k),
+                            self.rows.tensor_follows_mass(k),
+                            &factor.error,
+                            scale,
+                        );
                         by.in_frame(place.rotation).of_whole(own, whole)
                     }
                     (.., Some(one), Some(turns)) => moved(turns, parent, &factor.error).of_whole(one, whole),

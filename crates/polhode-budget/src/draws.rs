@@ -1,8 +1,8 @@
 //! Bodies that the errors of a list allow, at random.
 
-use polhode::body::{BodyError, MassProperties};
+use polhode::body::MassProperties;
 use polhode::infer::random::Random;
-use polhode::math::{Body, Direction, Part, Position, Rotation};
+use polhode::math::{Body, Direction, Part};
 
 use crate::budget::{Budget, PlacedPart};
 use crate::draw::mass_sd;
@@ -12,7 +12,7 @@ use crate::row::CopyErrors;
 use crate::subtrees::combined;
 use crate::tensor::scaled;
 use crate::tree::row_name;
-use crate::uncertainty::{Factor, NUMBERS, RowError};
+use crate::uncertainty::{Factor, NONE, NUMBERS, RowError};
 
 /// The least number of draws of which a standard deviation says anything.
 const LEAST: usize = 10;
@@ -145,7 +145,7 @@ impl Budget {
                 let mut all = if copy == draws { core::mem::take(&mut unmoved) } else { unmoved.clone() };
                 if let Some(part) = &row.part {
                     let (drawn, changed) = part
-                        .drawn(row.mass_sd, self.rows.liquid(k), self.follows(k), &error)
+                        .drawn(row.mass_sd, self.rows.liquid(k), self.rows.tensor_follows_mass(k), &error)
                         .map_err(impossible)?;
                     if let Some(drawn) = drawn {
                         all.push(scaled(&drawn, self.factor(k, basis)).map_err(impossible)?);
@@ -154,8 +154,8 @@ impl Budget {
                 }
                 let Some(one) = combined(&all).map_err(BudgetError::Sum)? else { continue };
                 let copy = scaled(&one, copies).map_err(BudgetError::Sum)?;
-                let frame = self.rows.place(k).drawn(&error).ok_or_else(overflow)?;
-                let copy = placed(&copy, frame).map_err(impossible)?;
+                let (position, rotation) = self.rows.place(k).drawn(&error).ok_or_else(overflow)?;
+                let copy: MassProperties<Part> = copy.placed(position, rotation).map_err(impossible)?;
                 match parent.and_then(|parent| inside.get_mut(parent)) {
                     Some(inside) => inside.push(copy),
                     // The root's parent is the body.
@@ -175,7 +175,7 @@ impl Budget {
         shared: &[[f64; NUMBERS]],
         random: &mut Random,
     ) -> RowError {
-        let mut error = RowError::default();
+        let mut error = NONE;
         let group = self.group(k);
         for factor in factors {
             let rho = group.map_or(0.0, |group| self.groups[group].correlation(factor.kind()));
@@ -246,7 +246,7 @@ impl Budget {
                 let copies =
                     scaled(&one, f64::from(self.rows.quantity(k).count)).map_err(BudgetError::Sum)?;
                 let place = self.rows.place(k);
-                inside[parent].push(placed(&copies, (place.position, place.rotation)).map_err(impossible)?);
+                inside[parent].push(copies.placed(place.position, place.rotation).map_err(impossible)?);
             }
         }
         if all.rows.len() <= MOST_READY {
@@ -255,23 +255,11 @@ impl Budget {
         }
         Ok(Some(all))
     }
-
-    /// True if a row's tensor is proportional to its mass.
-    pub(crate) fn follows(&self, row: usize) -> bool {
-        self.rows.tensor_follows_mass(row)
-    }
 }
 
 /// Whether an error is of the part, and not of its frame.
 fn of_part(factor: &Factor) -> bool {
     !factor.kind().is_of_frame()
-}
-
-fn placed(
-    body: &MassProperties<Part>,
-    (position, rotation): (Position<Part>, Rotation<Part, Part>),
-) -> Result<MassProperties<Part>, BodyError> {
-    body.placed(position, rotation)
 }
 
 impl Draws {

@@ -39,27 +39,25 @@ impl Group {
         }
     }
 
+    /// ρ of each kind, in the order of the kinds.
+    pub(crate) const fn correlations(&self) -> [f64; 6] {
+        [self.mass, self.center, self.tensor, self.position, self.rotation, self.density]
+    }
+
     pub(crate) const fn correlation(&self, kind: ErrorKind) -> f64 {
-        match kind {
-            ErrorKind::Mass => self.mass,
-            ErrorKind::Center => self.center,
-            ErrorKind::Tensor => self.tensor,
-            ErrorKind::Position => self.position,
-            ErrorKind::Rotation => self.rotation,
-            ErrorKind::Density => self.density,
-        }
+        self.correlations()[kind as usize]
     }
 
     pub(crate) fn check(&self) -> Result<(), BudgetError> {
-        let kinds = [
-            ("the correlation of masses", self.mass),
-            ("the correlation of centres", self.center),
-            ("the correlation of tensors", self.tensor),
-            ("the correlation of positions", self.position),
-            ("the correlation of rotations", self.rotation),
-            ("the correlation of densities", self.density),
+        let names = [
+            "the correlation of masses",
+            "the correlation of centres",
+            "the correlation of tensors",
+            "the correlation of positions",
+            "the correlation of rotations",
+            "the correlation of densities",
         ];
-        match kinds.into_iter().find(|(_, value)| !(0.0..=1.0).contains(value)) {
+        match names.into_iter().zip(self.correlations()).find(|(_, value)| !(0.0..=1.0).contains(value)) {
             None => Ok(()),
             Some((what, value)) => {
                 Err(BudgetError::Table { name: self.name.clone(), what, value, rule: "from 0 to 1" })

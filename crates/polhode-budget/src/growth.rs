@@ -36,6 +36,15 @@ pub enum Basis {
     Predicted,
 }
 
+impl Basis {
+    /// Both, with their names.
+    pub(crate) const NAMED: [(&str, Self); 2] = [("basic", Self::Basic), ("predicted", Self::Predicted)];
+
+    pub(crate) const fn name(self) -> &'static str {
+        Self::NAMED[self as usize].0
+    }
+}
+
 /// The masses of a row with all in it, all copies counted, in the words of AIAA S-120A.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassStatement {
@@ -59,17 +68,10 @@ impl GrowthTable {
             if !(value >= 0.0 && value.is_finite()) {
                 return Err(BudgetError::Table { name, what, value, rule: RULE });
             }
-            match allowances.get(&name) {
-                Some(&before) if before != value => {
-                    return Err(BudgetError::Table {
-                        name,
-                        what,
-                        value,
-                        rule: "the same wherever it is given",
-                    });
-                }
-                _ => allowances.insert(name, value),
-            };
+            if allowances.get(&name).is_some_and(|before| *before != value) {
+                return Err(BudgetError::Table { name, what, value, rule: "the same wherever it is given" });
+            }
+            allowances.insert(name, value);
         }
         Ok(Self { allowances })
     }

@@ -50,6 +50,7 @@ mod comparison;
 mod draw;
 mod draws;
 mod error;
+mod errors;
 mod estimate;
 mod group;
 mod growth;

@@ -78,7 +78,12 @@ impl<F: Frame> PrincipalUncertainty<F> {
 
     /// The tilt of an axis, 0 to 2, from a direction; `None` if that is zero or not finite.
     pub fn tilt(&self, estimate: &Estimate<F>, axis: usize, from: Direction<F>) -> Option<Tilt<F>> {
-        let (k, n) = (axis % 3, from.direction()?);
+        from.direction().map(|n| self.tilt_from(estimate, axis, n))
+    }
+
+    /// The same from a unit vector.
+    pub(crate) fn tilt_from(&self, estimate: &Estimate<F>, axis: usize, n: Direction<F>) -> Tilt<F> {
+        let k = axis % 3;
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let [a, u, v] = [k, i, j].map(|k| self.frame.axis(k));
         let (n, along) = if n.dot(a) < 0.0 { (-n, -n.dot(a)) } else { (n, n.dot(a)) };
@@ -86,7 +91,7 @@ impl<F: Frame> PrincipalUncertainty<F> {
         let angle = across.atan2(along);
         let (Some(about_u), Some(about_v)) = (self.turn_gradient(i), self.turn_gradient(j)) else {
             let axis_sd = self.turn_sd[i].max(self.turn_sd[j]);
-            return Some(Tilt { angle, sd: None, axis_sd, gradient: None });
+            return Tilt { angle, sd: None, axis_sd, gradient: None };
         };
         // δa = θᵢ u × a + θⱼ v × a = θⱼ u − θᵢ v
         let covariance = |a, b| estimate.covariance_of(a, b);
@@ -96,7 +101,7 @@ impl<F: Frame> PrincipalUncertainty<F> {
         // dα = −n·δa/sin α
         let gradient = (across > 0.0)
             .then(|| sum(&scaled(&about_v, -n.dot(u) / across), &scaled(&about_u, n.dot(v) / across)));
-        Some(Tilt { angle, sd: gradient.map(|gradient| estimate.sd_of(&gradient)), axis_sd, gradient })
+        Tilt { angle, sd: gradient.map(|gradient| estimate.sd_of(&gradient)), axis_sd, gradient }
     }
 }
 

@@ -81,6 +81,15 @@ pub enum CopyErrors {
     Independent,
 }
 
+impl CopyErrors {
+    /// Both, with their names.
+    pub(crate) const NAMED: [(&str, Self); 2] = [("alike", Self::Alike), ("independent", Self::Independent)];
+
+    pub(crate) const fn name(self) -> &'static str {
+        Self::NAMED[self as usize].0
+    }
+}
+
 /// Where a frame is in another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {

@@ -224,11 +224,6 @@ impl Rows {
         (!self.name(row).contains('/')).then(|| self.name(enclosing))
     }
 
-    /// True if neither a parent nor a path says in which frame a row stands.
-    pub fn stands_in_none(&self, row: usize) -> bool {
-        self.frame_of(row).is_none()
-    }
-
     /// Copies of a row.
     pub fn quantity(&self, row: usize) -> Quantity {
         let Some(record) = self.records.get(row) else { return Quantity::ONE };
@@ -274,11 +269,6 @@ impl Rows {
         self.text_of(row, ABOUT_FRAME)
     }
 
-    /// True if a row's part is a liquid with errors.
-    pub fn is_uncertain_liquid(&self, row: usize) -> bool {
-        self.has(row, LIQUID)
-    }
-
     /// Sign of a row's products of inertia.
     pub(crate) fn sign(&self, row: usize) -> ProductSign {
         if self.has(row, INTEGRALS) { ProductSign::PositiveIntegral } else { ProductSign::NegativeIntegral }
@@ -305,18 +295,8 @@ impl Rows {
 
     /// True of a row whose numbers are all exact.
     pub fn is_exact(&self, row: usize) -> bool {
-        const ERRORS: u32 = MASS_SD
-            | CENTER_SD
-            | CENTER_COVARIANCE
-            | TENSOR_SD
-            | TENSOR_COVARIANCE
-            | JOINT
-            | POSITION_SD
-            | POSITION_COVARIANCE
-            | ROTATION_SD
-            | ROTATION_COVARIANCE
-            | APART
-            | LIQUID;
+        // All bits from that of the mass to those of the rotation.
+        const ERRORS: u32 = (FRACTION - MASS_SD) | APART | LIQUID;
         !self.has(row, ERRORS)
     }
 

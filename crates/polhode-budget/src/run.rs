@@ -9,9 +9,8 @@ use polhode_source::files::Files;
 use polhode_source::{Failure, shown};
 use serde_json::Value;
 
-use crate::LimitError;
 use crate::read::{Access, BudgetFile, OverTime, Questions, read_in};
-use crate::report::{BudgetDiff, BudgetReport, PlanOptions, Scope, history, workbook};
+use crate::report::{BudgetDiff, BudgetReport, Scope, history, workbook};
 use crate::request::{MadeFile, Output, Request};
 
 /// Computes what a parts list comes to, or what changed since another, and the files that the request names.
@@ -108,8 +107,7 @@ fn answered(
     let changes = begun.is_some_and(OverTime::has_changes);
     let text = match &request.output {
         Some(Output::Plan(target)) => {
-            let plan = report.to_plan(configuration, &plan_options(questions, begun));
-            let plan = plan.map_err(|why| Failure::usage(why.to_string(), why.hint()))?;
+            let plan = report.to_plan(configuration, questions, begun)?;
             if changes {
                 let message = "the list has [[burn]], [[drop]] or [[deploy]], and the members of a plan have bodies that do not change";
                 let hint = "--scenario writes what happens to the body as it is listed; without these sections the plan is of the body at first";
@@ -118,8 +116,7 @@ fn answered(
             Some((target.as_path(), plan))
         }
         Some(Output::Body) => {
-            let body = report.to_scenario(configuration);
-            let body = body.map_err(|why| Failure::usage(why.to_string(), why.hint()))?;
+            let body = report.to_scenario(configuration)?;
             Some((Path::new("body.toml"), if changes { AT_FIRST.to_owned() + &body } else { body }))
         }
         Some(Output::Time) => {
@@ -138,18 +135,6 @@ fn answered(
 
 /// First line of the body of a list to which something happens.
 const AT_FIRST: &str = "# As it is at first: polhode budget --scenario writes what happens to it\n";
-
-/// Options of the members of a plan: their number and seed are those of the draws.
-fn plan_options(questions: &Questions, begun: Option<&OverTime>) -> PlanOptions {
-    /// s
-    const DURATION: f64 = 60.0;
-    PlanOptions {
-        members: questions.draws.unwrap_or(BudgetReport::DRAWS),
-        seed: questions.seed,
-        spin: begun.and_then(|all| all.spin),
-        duration: begun.map_or(DURATION, |all| all.until),
-    }
-}
 
 fn nothing_happens(over_time: Option<&OverTime>) -> Failure {
     match over_time.and_then(|all| all.configuration.as_ref()) {
@@ -195,35 +180,20 @@ impl Budgeted {
     /// Returns the files of [`Request::output`], in the order in which they are to be written.
     ///
     /// # Errors
-    /// As [`Budgeted::write_parts`].
+    /// [`Failure`] if a file is too large.
     pub fn files(&self) -> Result<Vec<MadeFile>, Failure> {
         let mut bytes = Vec::new();
         let (name, written) = match (&self.output, self.report()) {
-            (Some(Output::Parts), _) => (Path::new("parts.csv"), self.write_parts(&mut bytes)?),
+            (Some(Output::Parts), Some(report)) => (Path::new("parts.csv"), report.write_csv(&mut bytes)),
             (Some(Output::Workbook(name)), Some(report)) => {
-                let sheets = report.to_sheets().map_err(|error| self.refused(&error.into()))?;
-                let mut out = io::Cursor::new(&mut bytes);
-                (&**name, workbook::write(&sheets, &mut out))
+                let written = report.to_sheets();
+                (&**name, written.and_then(|sheets| workbook::write(&sheets, io::Cursor::new(&mut bytes))))
             }
             _ => return Ok(self.made.clone()),
         };
         let failed = |error| Failure::usage(format!("cannot write {}: {error}", shown(name)), "");
         written.map_err(failed)?;
         Ok(vec![(name.to_owned(), bytes)])
-    }
-
-    /// Writes the table of [`Output::Parts`] row by row, to save memory; nothing of a difference.
-    ///
-    /// # Errors
-    /// [`Failure`] if the mass properties of a row overflow; inside those of `out`.
-    pub fn write_parts(&self, out: &mut dyn io::Write) -> Result<io::Result<()>, Failure> {
-        let written = self.report().map_or(Ok(Ok(())), |report| report.write_csv(out));
-        written.map_err(|error| self.refused(&error.into()))
-    }
-
-    fn refused(&self, error: &LimitError) -> Failure {
-        let failure = Failure::usage(error.to_string(), error.hint().unwrap_or_default());
-        self.read.iter().take(1).fold(failure, |failure, list| failure.about(list))
     }
 }
 

@@ -54,6 +54,14 @@ impl GivenTensor {
 }
 
 impl ProductSign {
+    /// Both, with their names.
+    pub(crate) const NAMED: [(&str, Self); 2] =
+        [("tensor elements", Self::NegativeIntegral), ("positive integrals", Self::PositiveIntegral)];
+
+    pub(crate) const fn name(self) -> &'static str {
+        Self::NAMED[self as usize].0
+    }
+
     /// By what a product is multiplied to be an element of the tensor.
     pub(crate) const fn factor(self) -> f64 {
         match self {

@@ -92,7 +92,7 @@ pub(crate) struct Factor {
 }
 
 /// Errors of the numbers of a row; the tensor's elements are those of the tensor itself, about the point that it is given for.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct RowError {
     pub(crate) mass: f64,
     pub(crate) center: [f64; 3],
@@ -102,6 +102,16 @@ pub(crate) struct RowError {
     /// As a part of the density.
     pub(crate) density: f64,
 }
+
+/// Errors of numbers that are exact.
+pub(crate) const NONE: RowError = RowError {
+    mass: 0.0,
+    center: [0.0; 3],
+    tensor: [0.0; 6],
+    position: [0.0; 3],
+    rotation: [0.0; 3],
+    density: 0.0,
+};
 
 /// Why an uncertainty is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -117,6 +127,20 @@ impl Factor {
 }
 
 impl ErrorKind {
+    /// All kinds in their order, with their names.
+    pub(crate) const NAMED: [(&str, Self); 6] = [
+        ("mass", Self::Mass),
+        ("center", Self::Center),
+        ("tensor", Self::Tensor),
+        ("position", Self::Position),
+        ("rotation", Self::Rotation),
+        ("density", Self::Density),
+    ];
+
+    pub(crate) const fn name(self) -> &'static str {
+        Self::NAMED[self as usize].0
+    }
+
     pub(crate) const fn of(number: usize) -> Self {
         match number {
             0 => Self::Mass,
@@ -150,48 +174,37 @@ impl Uncertainty {
     /// The errors as independent ones, where products have this sign.
     pub(crate) fn factors(&self, sign: f64) -> Result<Vec<Factor>, NotUncertainty> {
         let mut all = Vec::with_capacity(NUMBERS);
+        let mut put = |number, error| all.push(Factor { number, error });
         let tensor = |[xx, yy, zz, xy, xz, yz]: [f64; 6]| [xx, yy, zz, sign * xy, sign * xz, sign * yz];
         match &self.part {
             PartUncertainty::Separate { mass, center, tensor: spread, .. } => {
                 if let Some(mass) = deviation("the mass", *mass)? {
-                    all.push(Factor { number: 0, error: RowError { mass, ..RowError::default() } });
+                    put(0, RowError { mass, ..NONE });
                 }
-                center.factors("the centre of mass", |number, center| {
-                    all.push(Factor {
-                        number: 1 + number,
-                        error: RowError { center, ..RowError::default() },
-                    });
-                })?;
-                spread.factors("the inertia tensor", |number, elements| {
-                    let error = RowError { tensor: tensor(elements), ..RowError::default() };
-                    all.push(Factor { number: 4 + number, error });
+                center.factors("the centre of mass", |k, center| put(1 + k, RowError { center, ..NONE }))?;
+                spread.factors("the inertia tensor", |k, elements| {
+                    put(4 + k, RowError { tensor: tensor(elements), ..NONE });
                 })?;
             }
             PartUncertainty::Joint(covariance) => {
                 let what = "mass, centre and tensor";
                 for (number, column) in columns(covariance).map_err(|error| no_covariance(what, error))? {
                     let [mass, x, y, z, elements @ ..] = column;
-                    let error =
-                        RowError { mass, center: [x, y, z], tensor: tensor(elements), ..RowError::default() };
-                    all.push(Factor { number, error });
+                    let (center, tensor) = ([x, y, z], tensor(elements));
+                    put(number, RowError { mass, center, tensor, ..NONE });
                 }
             }
             PartUncertainty::Liquid(liquid) => {
                 if let Some(mass) = deviation("the amount of the liquid", liquid.errors.amount)? {
-                    all.push(Factor { number: 0, error: RowError { mass, ..RowError::default() } });
+                    put(0, RowError { mass, ..NONE });
                 }
                 if let Some(density) = deviation("the density of the liquid", liquid.errors.density)? {
-                    let error = RowError { density, ..RowError::default() };
-                    all.push(Factor { number: DENSITY, error });
+                    put(DENSITY, RowError { density, ..NONE });
                 }
             }
         }
-        self.position.factors("the position", |number, position| {
-            all.push(Factor { number: 10 + number, error: RowError { position, ..RowError::default() } });
-        })?;
-        self.rotation.factors("the rotation", |number, rotation| {
-            all.push(Factor { number: 13 + number, error: RowError { rotation, ..RowError::default() } });
-        })?;
+        self.position.factors("the position", |k, position| put(10 + k, RowError { position, ..NONE }))?;
+        self.rotation.factors("the rotation", |k, rotation| put(13 + k, RowError { rotation, ..NONE }))?;
         Ok(all)
     }
 }

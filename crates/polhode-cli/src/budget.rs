@@ -105,17 +105,7 @@ impl BudgetCommand {
                 stdout::write(|out| report.write_json(out).and_then(|()| out.write_all(b"\n")))?;
             }
             (None, _) => print(&form.text(&found))?,
-            (Some(Output::Parts), _) => {
-                let mut refused = None;
-                stdout::write(|out| {
-                    let written = found.write_parts(out);
-                    written.unwrap_or_else(|why| {
-                        refused = Some(why);
-                        Ok(())
-                    })
-                })?;
-                refused.map_or(Ok(()), |why| Err(Failure::from(why)))?;
-            }
+            (Some(Output::Parts), Some(report)) => stdout::write(|out| report.write_csv(out))?,
             (Some(output), _) => self.write(output, &found)?,
         }
         if found.has_failed() { Err(Failure::Findings) } else { Ok(()) }

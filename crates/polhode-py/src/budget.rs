@@ -7,9 +7,9 @@ use polhode::math::{Body, Part, Position, Rotation};
 use polhode_budget::Basis;
 use polhode_budget::read as budget;
 use polhode_budget::read::{BudgetFile, Questions};
-use polhode_budget::report::{BudgetReport, NoConfiguration, Scope};
+use polhode_budget::report::{BudgetReport, Scope};
 use polhode_document::layout::WIDTH;
-use polhode_source::FormatError;
+use polhode_source::{Failure, FormatError};
 use pyo3::prelude::*;
 
 use crate::arrays::matrix;
@@ -68,7 +68,7 @@ pub(crate) fn budget_list(
     let draws = report.draws().map(|bodies| matrix(py, &bodies)).collect::<PyResult<_>>()?;
     let names = report.names();
     let scenarios = names.iter().map(|name| report.to_scenario(name.as_deref()));
-    let scenarios = scenarios.collect::<Result<_, _>>().map_err(|why| no_configuration(&why))?;
+    let scenarios = scenarios.collect::<Result<_, _>>().map_err(|failure| raised(&failure))?;
     let [json, text, markdown, page] = py.detach(|| {
         let document = report.to_document();
         let json = report.to_json().to_string();
@@ -96,7 +96,7 @@ fn report(file: BudgetFile, asked: &Asked, axes: Option<Rotation<Body, Part>>) -
     }
     let configuration = asked.configuration.as_deref();
     BudgetReport::of_file(file, &questions, configuration, Scope::Full, &mut |_, _| ())
-        .map_err(|failure| refused(failure.message(), failure.hint().as_deref()))
+        .map_err(|failure| raised(&failure))
 }
 
 /// Of a dataframe the row is said, from 0, and not a place in the text that it became.
@@ -109,6 +109,6 @@ fn of_table(error: &FormatError, head: usize) -> PyErr {
     refused(message, error.hint().as_deref())
 }
 
-fn no_configuration(why: &NoConfiguration) -> PyErr {
-    refused(why, Some(&why.hint()))
+fn raised(failure: &Failure) -> PyErr {
+    refused(failure.message(), failure.hint().as_deref())
 }

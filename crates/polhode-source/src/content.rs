@@ -118,6 +118,21 @@ impl ContentError {
         Self { kind, place, hint: None }
     }
 
+    /// Error about the file as a whole.
+    pub fn of_file(kind: ContentErrorKind) -> Self {
+        Self::new(kind, ContentPlace::Whole)
+    }
+
+    /// Error of something that the file lacks.
+    pub fn missing(what: impl Into<String>) -> Self {
+        Self::of_file(ContentErrorKind::Missing { what: what.into() })
+    }
+
+    /// Error of something that is not read.
+    pub fn unsupported(what: impl Into<String>) -> Self {
+        Self::of_file(ContentErrorKind::Unsupported { what: what.into() })
+    }
+
     /// The same with a hint.
     #[must_use]
     pub fn hint(mut self, hint: impl Into<String>) -> Self {

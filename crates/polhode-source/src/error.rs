@@ -12,6 +12,7 @@ use polhode::motion::MotionError;
 
 use crate::content::{ContentError, ContentPlace};
 use crate::expression::ExpressionError;
+use crate::suggestion::nearest;
 use crate::text::{cut, escaped, is_utf16, visible};
 use crate::unit::UnitError;
 
@@ -213,6 +214,19 @@ impl FormatError {
         self
     }
 
+    /// The same with this hint, if there is one.
+    pub fn with_hint_of(self, hint: Option<impl Into<String>>) -> Self {
+        match hint {
+            Some(hint) => self.with_hint(hint),
+            None => self,
+        }
+    }
+
+    /// The same with the question whether a name near to this word was meant, if one is near.
+    pub fn suggesting<'a>(self, word: &str, names: impl IntoIterator<Item = &'a str>) -> Self {
+        self.with_hint_of(nearest(word, names).map(|near| format!("did you mean \"{near}\"?")))
+    }
+
     /// The same about a file that another file names.
     pub fn named_in(self, path: &Path, place: Place) -> Self {
         self.named_at(path, Spot::Text(place))
@@ -322,6 +336,12 @@ impl fmt::Display for FormatErrorKind {
             Self::Content(e) if matches!(e.place, ContentPlace::Text(_)) => e.kind.fmt(f),
             Self::Content(e) => e.fmt(f),
         }
+    }
+}
+
+impl From<ContentError> for FormatErrorKind {
+    fn from(error: ContentError) -> Self {
+        Self::Content(error)
     }
 }
 

@@ -1,16 +1,15 @@
 //! Errors of the search for ballast.
 
-use core::fmt;
-
 use crate::error::BudgetError;
+use crate::errors::errors;
 use crate::limit::LimitError;
 
-/// Error of a question that the search cannot answer.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum BallastError {
+errors! {
+    /// Error of a question that the search cannot answer.
+    BallastError;
+
     /// There is no site.
-    NoSites,
+    NoSites => ("there is no site for ballast");
     /// A number that is not allowed.
     Value {
         /// Name of the site, or `None` for a number of the question.
@@ -21,61 +20,25 @@ pub enum BallastError {
         value: f64,
         /// Condition that it has to meet.
         rule: &'static str,
-    },
+    } => ("{what}{} is {value}, and has to be {rule}", of_site(site.as_deref()));
     /// A limit that ballast cannot be found for.
     Limit {
         /// The limit.
         limit: String,
         /// Why not.
         why: &'static str,
-    },
+    } => ("no ballast can be sought for the limit \"{limit}\": {why}");
     /// A number that was computed from the list and its limits is NaN or infinite.
     NotFinite {
         /// Name of the number.
         quantity: &'static str,
-    },
+    } => ("{quantity} is not finite");
     /// A limit that says nothing.
-    NotLimit(LimitError),
+    NotLimit(error: LimitError) => ("{error}");
     /// The list has no such estimate.
-    Budget(BudgetError),
+    Budget(error: BudgetError) => ("{error}");
 }
 
-impl fmt::Display for BallastError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoSites => write!(f, "there is no site for ballast"),
-            Self::Value { site, what, value, rule } => {
-                let of = site.as_ref().map_or_else(String::new, |site| format!(" of the site \"{site}\""));
-                write!(f, "{what}{of} is {value}, and has to be {rule}")
-            }
-            Self::Limit { limit, why } => {
-                write!(f, "no ballast can be sought for the limit \"{limit}\": {why}")
-            }
-            Self::NotFinite { quantity } => write!(f, "{quantity} is not finite"),
-            Self::NotLimit(error) => error.fmt(f),
-            Self::Budget(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for BallastError {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        match self {
-            Self::NotLimit(error) => Some(error),
-            Self::Budget(error) => Some(error),
-            _ => None,
-        }
-    }
-}
-
-impl From<LimitError> for BallastError {
-    fn from(error: LimitError) -> Self {
-        Self::NotLimit(error)
-    }
-}
-
-impl From<BudgetError> for BallastError {
-    fn from(error: BudgetError) -> Self {
-        Self::Budget(error)
-    }
+fn of_site(site: Option<&str>) -> String {
+    site.map_or_else(String::new, |site| format!(" of the site \"{site}\""))
 }

@@ -59,6 +59,13 @@ pub struct Answer {
     pub differs: Option<bool>,
 }
 
+impl Answer {
+    /// The margin to the nearer side.
+    pub(crate) fn least_margin(&self) -> Option<Margin> {
+        self.margins.into_iter().flatten().min_by(|a, b| a.value.total_cmp(&b.value))
+    }
+}
+
 /// What is left to a limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Margin {

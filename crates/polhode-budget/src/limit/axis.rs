@@ -5,6 +5,16 @@ use polhode::math::{Body, Direction};
 
 use super::undefined::Undefined;
 
+/// Directions along the axes, with their names.
+pub(crate) const DIRECTIONS: [(&str, [f64; 3]); 6] = [
+    ("x", [1.0, 0.0, 0.0]),
+    ("y", [0.0, 1.0, 0.0]),
+    ("z", [0.0, 0.0, 1.0]),
+    ("-x", [-1.0, 0.0, 0.0]),
+    ("-y", [0.0, -1.0, 0.0]),
+    ("-z", [0.0, 0.0, -1.0]),
+];
+
 /// A principal axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PrincipalAxis {

@@ -114,46 +114,40 @@ impl Measure {
     }
 
     pub(super) fn check(&self) -> Result<(), (&'static str, f64, &'static str)> {
-        let point = |at: &Position<Body>| match at.to_array().into_iter().find(|x| !x.is_finite()) {
-            None => Ok(()),
-            Some(x) => Err(("the point", x, "finite")),
+        let fixed = |about: &About| match about {
+            About::CenterOfMass => None,
+            About::Point(at) => Some(*at),
         };
-        let about = |about: &About| if let About::Point(at) = about { point(at) } else { Ok(()) };
-        let direction = |u: &Direction<Body>| match u.direction() {
-            Some(_) => Ok(()),
-            None => Err(("the length of a direction", u.norm(), "finite and not zero")),
+        let (directions, point, axes) = match self {
+            Self::Mass => (vec![], None, vec![]),
+            Self::CenterFromPoint(point) => (vec![], Some(*point), vec![]),
+            Self::Center { along, from: point }
+            | Self::CenterFromLine { point, along }
+            | Self::StaticUnbalance { point, along }
+            | Self::CoupleUnbalance { point, along } => (vec![*along], Some(*point), vec![]),
+            Self::Moment { axis, about } => (vec![*axis], fixed(about), vec![]),
+            Self::Product { axes, about, .. } => (axes.to_vec(), fixed(about), vec![]),
+            Self::PrincipalMoment(k) => (vec![], None, vec![*k]),
+            Self::PrincipalRatio(both) => (vec![], None, both.to_vec()),
+            Self::Tilt { axis: PrincipalAxis::Number(k), from } => (vec![*from], None, vec![*k]),
+            Self::Tilt { axis: PrincipalAxis::Nearest, from: axis }
+            | Self::SpinRatio(axis)
+            | Self::SpinStability(axis) => (vec![*axis], None, vec![]),
         };
-        let moment = |k: usize| {
-            if k < 3 { Ok(()) } else { Err(("the number of a principal axis", k as f64, "0, 1 or 2")) }
-        };
-        match self {
-            Self::Mass => Ok(()),
-            Self::Center { along, from } => direction(along).and_then(|()| point(from)),
-            Self::CenterFromPoint(at) => point(at),
-            Self::CenterFromLine { point: at, along }
-            | Self::StaticUnbalance { point: at, along }
-            | Self::CoupleUnbalance { point: at, along } => point(at).and_then(|()| direction(along)),
-            Self::Moment { axis, about: at } => direction(axis).and_then(|()| about(at)),
-            Self::Product { axes: [u, v], about: at, .. } => {
-                direction(u)?;
-                direction(v)?;
-                about(at)?;
-                let cosine = unit(*u).dot(unit(*v));
-                if cosine.abs() <= PERPENDICULAR {
-                    Ok(())
-                } else {
-                    Err(("the cosine of the angle of the axes", cosine, "0"))
-                }
+        if let Some(u) = directions.iter().find(|u| u.direction().is_none()) {
+            return Err(("the length of a direction", u.norm(), "finite and not zero"));
+        }
+        if let Some(x) = point.and_then(|at| at.to_array().into_iter().find(|x| !x.is_finite())) {
+            return Err(("the point", x, "finite"));
+        }
+        if let Some(k) = axes.iter().find(|k| **k >= 3) {
+            return Err(("the number of a principal axis", *k as f64, "0, 1 or 2"));
+        }
+        match directions[..] {
+            [u, v] if unit(u).dot(unit(v)).abs() > PERPENDICULAR => {
+                Err(("the cosine of the angle of the axes", unit(u).dot(unit(v)), "0"))
             }
-            Self::PrincipalMoment(k) => moment(*k),
-            Self::PrincipalRatio([i, j]) => moment(*i).and_then(|()| moment(*j)),
-            Self::Tilt { axis, from } => {
-                if let PrincipalAxis::Number(k) = axis {
-                    moment(*k)?;
-                }
-                direction(from)
-            }
-            Self::SpinRatio(axis) | Self::SpinStability(axis) => direction(axis),
+            _ => Ok(()),
         }
     }
 

@@ -8,6 +8,7 @@ mod share;
 mod undefined;
 
 pub use answer::{AllMet, Answer, Evidence, LimitAnswers, Margin, Trial};
+pub(crate) use axis::DIRECTIONS;
 pub use axis::PrincipalAxis;
 pub use error::LimitError;
 pub(crate) use measure::across_axes;

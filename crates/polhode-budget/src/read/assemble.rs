@@ -86,7 +86,7 @@ fn one(
 ) -> Result<Budget, FormatError> {
     let suffix = configuration.map_or_else(String::new, |name| format!(" in the configuration {name}"));
     lines.push(format!("{} rows{suffix}", rows.len()));
-    let is_flat = rows.len() > 1 && (0..rows.len()).all(|k| rows.stands_in_none(k));
+    let is_flat = rows.len() > 1 && (0..rows.len()).all(|k| rows.frame_of(k).is_none());
     if is_flat {
         let name = whole(&rows, plan.title.as_deref());
         lines.push(format!("all rows stand in one frame, \"{name}\", as none names another"));

@@ -7,8 +7,8 @@ use polhode_source::{FormatError, FormatErrorKind};
 use super::cell::Cell;
 use super::cells::Cells;
 use super::key::{
-    ABOUT, ALLOWABLE, AT_X, AT_Y, AT_Z, CAD, COPIES, FILE, GROUP, GROWTH, IXX, IXY, IXZ, IYY, IYZ, IZZ, MASS,
-    MATURITY, MESH, NAME, PARENT, PATH, QUANTITY, SCENARIO, SHAPE, SUBTOTAL, TURN_X, TURN_Y, TURN_Z, X, Y, Z,
+    ABOUT, CAD, COPIES, FILE, GROUP, IXX, IXY, IXZ, IYY, IYZ, IZZ, MASS, MATURITY, MESH, NAME, PARENT, PATH,
+    QUANTITY, SCENARIO, SHAPE, SUBTOTAL, X, Y, Z,
 };
 use super::plan::Plan;
 use super::rows::Rows;
@@ -38,11 +38,6 @@ impl<'a> Blame<'_, '_, 'a> {
             }
             BudgetError::Cycle { .. } | BudgetError::TwoRoots { .. } => &[PARENT, NAME, PATH],
             BudgetError::Part { error, .. } => part_keys(error),
-            BudgetError::Deviation { what, .. } | BudgetError::Covariance { what, .. } => error_keys(what),
-            BudgetError::Value { what, .. } if what.contains("position") => &[AT_X, AT_Y, AT_Z],
-            BudgetError::Value { what, .. } if what.contains("quantity") => &[QUANTITY],
-            BudgetError::Value { what, .. } if what.contains("growth") => &[GROWTH, MATURITY],
-            BudgetError::Value { what, .. } if what.contains("allowable") => &[ALLOWABLE],
             BudgetError::MaturityCode { .. } => &[MATURITY],
             BudgetError::MissingGroup { .. } => &[GROUP],
             BudgetError::IndependentAssembly { .. } => &[COPIES, QUANTITY],
@@ -80,7 +75,7 @@ impl<'a> Blame<'_, '_, 'a> {
         let near = |word: &str, all: &mut dyn Iterator<Item = &str>| nearest(word, all).map(str::to_owned);
         match error {
             BudgetError::MaturityCode { code, .. } => {
-                near(code, &mut self.plan.codes.iter().map(String::as_str))
+                near(code, &mut self.plan.growth.codes().map(|(code, _)| code))
             }
             BudgetError::MissingGroup { group, .. } => {
                 near(group, &mut self.plan.groups.iter().map(|group| group.name.as_str()))
@@ -90,17 +85,6 @@ impl<'a> Blame<'_, '_, 'a> {
             }
             _ => None,
         }
-    }
-}
-
-/// The columns of numbers whose errors cannot be.
-fn error_keys(what: &str) -> &'static [usize] {
-    match what {
-        "the centre of mass" => &[X, Y, Z],
-        "the inertia tensor" => &TENSOR,
-        "the position" => &[AT_X, AT_Y, AT_Z],
-        "the rotation" => &[TURN_X, TURN_Y, TURN_Z],
-        _ => &FORM,
     }
 }
 

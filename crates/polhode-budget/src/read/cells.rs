@@ -7,10 +7,10 @@ use polhode_source::text::{cut, is_unseen};
 use polhode_source::unit::{Dimension, unit_of};
 
 use super::cell::{Cell, Content};
-use super::heading::{ColumnUnit, Columns, Spread};
+use super::heading::{Column, ColumnUnit, Columns, Spread};
 use super::key::{COUNT, Holds, KEYS};
-use super::measured::{Amount, measured};
-use super::number::{Unit, Wrong};
+use super::measured::measured;
+use super::number::{Amount, Measured, Wrong};
 use super::sheet::Sheet;
 
 /// The cells of a row, at least one of which is read.
@@ -111,11 +111,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 
     fn wrong(&self, cell: &Cell<'_>, wrong: Wrong) -> FormatError {
-        let error = self.sheet.error(cell, wrong.kind);
-        match wrong.hint {
-            Some(hint) => error.with_hint(hint),
-            None => error,
-        }
+        wrong.at(|kind| self.sheet.error(cell, kind))
     }
 
     /// The text of a cell, unless there is nothing in it that could be read.
@@ -167,48 +163,26 @@ impl<'s, 'a> Reader<'s, 'a> {
         let Some(cell) = cells.cell(key) else { return Ok(None) };
         let Some(column) = self.columns.get(cell.column) else { return Ok(None) };
         let text = self.pointed(cell)?;
-        let (value, error, has_unit) = match (&column.unit, KEYS.get(key).map(|key| key.holds)) {
-            (ColumnUnit::None, Some(Holds::Measured(dimension))) => {
-                self.measured(cell, &text, &Unit::SI, dimension)?
-            }
-            (ColumnUnit::Unit(unit), Some(Holds::Measured(dimension))) => {
-                let (value, error, _) = self.measured(cell, &text, unit, dimension)?;
-                (value, error, true)
-            }
-            (_, holds) => {
-                let dimension = holds.and_then(Holds::dimension).unwrap_or(Dimension::NONE);
-                let read = column.number(&text, dimension).map_err(|wrong| self.wrong(cell, wrong))?;
-                (read.0, None, read.1 || dimension == Dimension::NONE)
-            }
+        let holds = KEYS.get(key).map(|key| key.holds);
+        let dimension = holds.and_then(Holds::dimension).unwrap_or(Dimension::NONE);
+        let read = if matches!(holds, Some(Holds::Measured(_))) && !column.is_percent() {
+            // Of a heading with the unit of a thin part's density that is what cells have.
+            let dimension = if column.has_unit() { column.unit().dimension } else { dimension };
+            measured(&text, column.unit(), dimension, self.heading(cell)).map(|read| column.of_cell(read))
+        } else {
+            column.number(&text, dimension)
         };
-        self.used(key, cell, has_unit || value == 0.0)?;
+        let Measured { value, error, has_unit } = read.map_err(|wrong| self.wrong(cell, wrong))?;
+        let error = error.map(|amount| self.covered(cell, amount)).transpose()?;
+        self.used(key, cell, has_unit || dimension == Dimension::NONE || value == 0.0)?;
         Ok(Some(Given { value, error, cell }))
-    }
-
-    fn measured(
-        &mut self,
-        cell: &Cell<'_>,
-        text: &str,
-        unit: &Unit,
-        dimension: Dimension,
-    ) -> Result<(f64, Option<Amount>, bool), FormatError> {
-        // Of a heading with the unit of a thin part's density that is what cells have.
-        let dimension = if unit.dimension == Dimension::NONE { dimension } else { unit.dimension };
-        let read = measured(text, unit, dimension, self.heading(cell));
-        let read = read.map_err(|wrong| self.wrong(cell, wrong))?;
-        let error = read.error.map(|amount| self.covered(cell, amount)).transpose()?;
-        Ok((read.value, error, read.has_unit))
     }
 
     /// The standard deviation, of what stands after ±.
     fn covered(&mut self, cell: &Cell<'_>, amount: Amount) -> Result<Amount, FormatError> {
         self.plus_minus = true;
         let k = self.coverage_factor;
-        let amount = match amount {
-            Amount::Absolute(amount) => Amount::Absolute(amount / k),
-            Amount::Relative(fraction) => Amount::Relative(fraction / k),
-        };
-        self.not_negative(cell, amount)
+        self.not_negative(cell, amount.map(|amount| amount / k))
     }
 
     fn not_negative(&self, cell: &Cell<'_>, amount: Amount) -> Result<Amount, FormatError> {
@@ -234,9 +208,10 @@ impl<'s, 'a> Reader<'s, 'a> {
         let Some(column) = self.columns.get(cell.column) else { return Ok(None) };
         let dimension = KEYS.get(key).and_then(|key| key.holds.dimension()).unwrap_or(Dimension::NONE);
         let text = self.pointed(cell)?;
-        let (number, has_unit) = column.number(&text, dimension).map_err(|wrong| self.wrong(cell, wrong))?;
-        let is_relative = matches!(column.unit, ColumnUnit::Percent) || text.ends_with('%');
-        if !has_unit && number != 0.0 && self.has_unit(key) {
+        let read = column.number(&text, dimension).map_err(|wrong| self.wrong(cell, wrong))?;
+        let Measured { value: number, has_unit, .. } = read;
+        let is_relative = column.is_percent() || text.ends_with('%');
+        if !has_unit && number != 0.0 && self.columns.of_key(key).is_some_and(Column::has_unit) {
             let error = self.invalid(cell, "given with its unit, as the number that it is the error of is");
             return Err(error.with_hint(format!("write the unit into the heading, or {text} %")));
         }
@@ -262,23 +237,13 @@ impl<'s, 'a> Reader<'s, 'a> {
         let used = self.plus_minus;
         let deviation = self.deviation(cells, key, Some(given))?;
         self.plus_minus = used;
-        Ok(deviation.map(|deviation| match deviation.amount {
-            Amount::Absolute(amount) => Amount::Absolute(k * amount),
-            Amount::Relative(fraction) => Amount::Relative(k * fraction),
-        }))
+        Ok(deviation.map(|deviation| deviation.amount.map(|amount| k * amount)))
     }
 
     /// Whether a number is in percent, by its cell or by its heading.
     pub(crate) fn is_percent(&self, cell: &Cell<'_>) -> bool {
         let column = self.columns.get(cell.column);
-        cell.text.contains('%') || column.is_some_and(|column| matches!(column.unit, ColumnUnit::Percent))
-    }
-
-    /// Whether the heading of a key has a unit.
-    fn has_unit(&self, key: usize) -> bool {
-        let place = self.columns.places.get(key).copied().flatten();
-        let column = place.and_then(|place| self.columns.get(place));
-        column.is_some_and(|column| matches!(column.unit, ColumnUnit::Unit(_)))
+        cell.text.contains('%') || column.is_some_and(Column::is_percent)
     }
 
     /// Refuses numbers without units beside such with units, under headings without.
@@ -292,9 +257,7 @@ impl<'s, 'a> Reader<'s, 'a> {
             (true, false) => &mut used.united,
             (true, true) => return Ok(()),
         };
-        if slot.is_none() {
-            *slot = Some(cell.clone());
-        }
+        slot.get_or_insert_with(|| cell.clone());
         let (Some(bare), Some(united)) = (&used.bare, &used.united) else { return Ok(()) };
         let rule = format!("given with its unit, as \"{}\" in row {} is", cut(&united.text), united.row);
         let bare = bare.clone();

@@ -1,12 +1,12 @@
 //! Parts lists in text: fields between commas, semicolons or tabs, in quotes if they hold any.
 
+use polhode_source::ContentError;
 use polhode_source::FormatError;
 use polhode_source::toml::source::Source;
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::cell::SheetRow;
 use super::fields::{Field, Fields};
-use super::sheet::{Body, Origin, Sheet};
+use super::sheet::{Body, Sheet};
 
 /// More cells than any parts list has.
 const MOST_CELLS: usize = 16_000_000;
@@ -18,9 +18,7 @@ pub(crate) fn sheet(
     is_heading: fn(&str) -> bool,
 ) -> Result<(Sheet<'_>, u8), FormatError> {
     let located = |error| FormatError::of_content(source.path, source.text.as_bytes(), error);
-    let unsupported = |what: String| {
-        located(ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Whole))
-    };
+    let unsupported = |what: String| located(ContentError::unsupported(what));
     if source.text.len() > u32::MAX as usize {
         return Err(unsupported(format!("a text of more than {} bytes", u32::MAX)));
     }
@@ -47,9 +45,8 @@ pub(crate) fn sheet(
         }
         number += newlines(source.text.get(start..fields.at).unwrap_or_default());
     }
-    let body = Body::Text { text: source.text, separator };
-    let sheet = Sheet { origin: Origin::Text(source), rows: rows.into(), body, decimal_comma: false };
-    Ok((sheet, separator))
+    let body = Body::Text { source, separator };
+    Ok((Sheet { rows: rows.into(), body, decimal_comma: false }, separator))
 }
 
 fn newlines(text: &str) -> usize {

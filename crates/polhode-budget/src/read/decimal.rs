@@ -1,8 +1,7 @@
 //! Whether numbers in text have a decimal comma: declared, or proved by the numbers themselves.
 
 use polhode_source::text::cut;
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
-use polhode_source::{FormatError, FormatErrorKind};
+use polhode_source::{ContentError, ContentErrorKind, FormatError};
 
 use super::cell::{Cell, Content};
 use super::heading::Columns;
@@ -24,11 +23,6 @@ pub(crate) fn comma(
         return Ok(false);
     }
     let (mut point, mut comma, mut open) = (None, None, None);
-    let keep = |slot: &mut Option<_>, cell| {
-        if slot.is_none() {
-            *slot = Some(cell);
-        }
-    };
     for row in sheet.rows.iter().skip(columns.row + 1) {
         for cell in sheet.row(row) {
             let is_number = columns
@@ -39,9 +33,9 @@ pub(crate) fn comma(
                 continue;
             }
             match mark(&cell.text) {
-                Some(Mark::Point) => keep(&mut point, cell),
-                Some(Mark::Comma) => keep(&mut comma, cell),
-                Some(Mark::Open) => keep(&mut open, cell),
+                Some(Mark::Point) => _ = point.get_or_insert(cell),
+                Some(Mark::Comma) => _ = comma.get_or_insert(cell),
+                Some(Mark::Open) => _ = open.get_or_insert(cell),
                 None => {}
             }
         }
@@ -69,7 +63,7 @@ pub(crate) fn comma(
 
 fn unclear(sheet: &Sheet<'_>, cell: &Cell<'_>, question: String) -> FormatError {
     let kind = ContentErrorKind::Unclear { question, found: cut(&cell.text) };
-    sheet.error(cell, FormatErrorKind::Content(ContentError::new(kind, ContentPlace::Whole)))
+    sheet.error(cell, ContentError::of_file(kind).into())
 }
 
 /// What a number proves.

@@ -5,13 +5,12 @@ use std::collections::BTreeMap;
 use polhode_source::nearest;
 use polhode_source::text::{cut, visible};
 use polhode_source::unit::{Dimension, UnitError};
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
-use polhode_source::{FormatError, FormatErrorKind};
+use polhode_source::{ContentError, FormatError, FormatErrorKind};
 
 use super::cell::{Cell, Content};
 use super::key::{COUNT, DENSITY, Holds, KEYS, NAME, PATH};
 use super::measured::{hundredths, percent};
-use super::number::{Unit, Wrong};
+use super::number::{Measured, Unit, Wrong};
 use super::sheet::Sheet;
 
 /// A column that is read.
@@ -43,6 +42,9 @@ pub(crate) enum ColumnUnit {
     Unit(Unit),
     Percent,
 }
+
+/// The unit of numbers under a heading without one.
+static SI: Unit = Unit::SI;
 
 /// The columns of a table.
 #[derive(Debug)]
@@ -158,31 +160,51 @@ impl Columns {
     pub(crate) fn get(&self, column: usize) -> Option<&Column> {
         self.all.get(column)?.as_ref()
     }
+
+    /// The column of the numbers of a key.
+    pub(crate) fn of_key(&self, key: usize) -> Option<&Column> {
+        self.get((*self.places.get(key)?)?)
+    }
 }
 
 impl Column {
     /// A number that has no error, in the unit of the column: SI, or a fraction.
-    pub(crate) fn number(&self, text: &str, dimension: Dimension) -> Result<(f64, bool), Wrong> {
+    pub(crate) fn number(&self, text: &str, dimension: Dimension) -> Result<Measured, Wrong> {
         let may_be_fraction = dimension == Dimension::NONE || self.spread.is_some();
-        if let Some(fraction) = percent(text).filter(|_| may_be_fraction) {
-            return fraction.map(|fraction| (fraction, true));
+        let fraction = percent(text).filter(|_| may_be_fraction);
+        let fraction = fraction.or_else(|| self.is_percent().then(|| hundredths(text)));
+        match fraction {
+            Some(fraction) => Ok(Measured { value: fraction?, error: None, has_unit: true }),
+            None => Ok(self.of_cell(self.unit().read(text, dimension)?)),
         }
+    }
+
+    /// What a cell has, which needs no unit of its own if the heading has one.
+    pub(crate) fn of_cell(&self, read: Measured) -> Measured {
+        Measured { has_unit: read.has_unit || self.has_unit(), ..read }
+    }
+
+    /// The unit of numbers without one.
+    pub(crate) fn unit(&self) -> &Unit {
         match &self.unit {
-            ColumnUnit::Percent => hundredths(text).map(|fraction| (fraction, true)),
-            ColumnUnit::None => Ok(Unit::SI.read(text, dimension).map(|read| (read.value, read.has_unit))?),
-            ColumnUnit::Unit(unit) => Ok(unit.read(text, dimension).map(|read| (read.value, true))?),
+            ColumnUnit::Unit(unit) => unit,
+            ColumnUnit::None | ColumnUnit::Percent => &SI,
         }
+    }
+
+    pub(crate) const fn has_unit(&self) -> bool {
+        matches!(self.unit, ColumnUnit::Unit(_))
+    }
+
+    pub(crate) const fn is_percent(&self) -> bool {
+        matches!(self.unit, ColumnUnit::Percent)
     }
 }
 
 /// The error of a name that is no unit there.
 pub(crate) fn no_unit(error: UnitError, at: impl Fn(FormatErrorKind) -> FormatError) -> FormatError {
     let hint = error.hint_for_name();
-    let error = at(FormatErrorKind::Unit(error));
-    match hint {
-        Some(hint) => error.with_hint(hint),
-        None => error,
-    }
+    at(FormatErrorKind::Unit(error)).with_hint_of(hint)
 }
 
 /// A heading as messages print it.
@@ -250,10 +272,8 @@ fn nameless(sheet: &Sheet<'_>) -> FormatError {
     if let Some(cell) = slip {
         return unknown(sheet, cell, &plain(&cell.text));
     }
-    let what = "column with the heading \"name\", or \"path\", by which its headings are known".to_owned();
-    let kind =
-        FormatErrorKind::Content(ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole));
+    let what = "column with the heading \"name\", or \"path\", by which its headings are known";
     sheet
-        .row_error(sheet.rows.first().map(|_| 0), kind)
+        .row_error(sheet.rows.first().map(|_| 0), ContentError::missing(what).into())
         .with_hint("write name,mass [kg] above the first part")
 }

@@ -1,10 +1,10 @@
 //! A plan that names a file of parts, and what that file says besides them: together one set of keys.
 
 use polhode_source::text::cut;
+use polhode_source::toml::document;
 use polhode_source::toml::reader::Table;
 use polhode_source::toml::source::{Rest, Source};
-use polhode_source::toml::tree::Entries;
-use polhode_source::toml::{list_units, tree};
+use polhode_source::toml::tree::{self, Entries};
 use polhode_source::{FormatError, FormatErrorKind, Place, Spot};
 
 use super::plan::table_file::Sheets;
@@ -50,12 +50,8 @@ impl Naming<'_> {
                 };
             }
             let Some(place) = error.place().and_then(of_other) else { return error };
-            let hint = error.hint();
-            let error = FormatError::at(beside.path, Some(Spot::Text(place)), error.kind().clone());
-            moved(match hint {
-                Some(hint) => error.with_hint(hint),
-                None => error,
-            })
+            let there = FormatError::at(beside.path, Some(Spot::Text(place)), error.kind().clone());
+            moved(there.with_hint_of(error.hint()))
         };
         match plan::plan(&Table::root(source, &entries), &others, sheets) {
             Ok(plan) => Ok(plan.moved(apart)),
@@ -65,8 +61,7 @@ impl Naming<'_> {
 
     /// Is it TOML, and does it say nothing that the plan says?
     fn check(&self, beside: Source<'_>) -> Result<(), FormatError> {
-        let entries = tree::parse(beside.text).map_err(|error| beside.syntax(&error))?;
-        list_units::check(beside, &entries)?;
+        let entries = document(beside)?;
         let twice = entries.iter().filter(|(key, _)| self.entries.contains_key(*key));
         let Some((key, entry)) = twice.min_by_key(|(_, entry)| entry.key.start) else { return Ok(()) };
         let value = cut(beside.text.get(entry.node.span.clone()).unwrap_or_default());

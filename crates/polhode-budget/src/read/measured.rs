@@ -3,38 +3,7 @@
 use polhode_source::unit;
 use polhode_source::unit::{Dimension, UnitError};
 
-use super::number::{Unit, Wrong, is_parted};
-
-/// A number, and how well it is known.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Measured {
-    /// SI.
-    pub value: f64,
-    /// What stands after ±.
-    pub error: Option<Amount>,
-    /// Whether all its parts that need one have a unit in the cell.
-    pub has_unit: bool,
-}
-
-/// An amount of a number.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Amount {
-    /// SI.
-    Absolute(f64),
-    /// Of the number itself.
-    Relative(f64),
-}
-
-impl Amount {
-    /// Of this number; of zero a fraction is none.
-    pub(crate) fn of(self, value: f64) -> Option<f64> {
-        match self {
-            Self::Absolute(amount) => Some(amount),
-            Self::Relative(fraction) if value != 0.0 || fraction == 0.0 => Some(fraction * value.abs()),
-            Self::Relative(_) => None,
-        }
-    }
-}
+use super::number::{Amount, Measured, Unit, Wrong, is_parted};
 
 pub(crate) const MARKS: [&str; 3] = ["±", "+/-", "+-"];
 
@@ -49,8 +18,7 @@ pub(crate) fn measured(
     let is_marked = text.bytes().any(|b| b == b'+' || !b.is_ascii());
     let marked = || MARKS.iter().find_map(|mark| text.split_once(mark));
     let Some((left, right)) = is_marked.then(marked).flatten() else {
-        let read = unit.read(text, dimension)?;
-        return Ok(Measured { value: read.value, error: None, has_unit: read.has_unit });
+        return Ok(unit.read(text, dimension)?);
     };
     // (1.2 ± 0.1) kg
     let (left, right) = match (left.trim().strip_prefix('('), right.split_once(')')) {
@@ -60,8 +28,7 @@ pub(crate) fn measured(
     let (left, right) = (left.trim(), right.trim());
     if let Some(fraction) = percent(right) {
         let read = unit.read(left, dimension)?;
-        let error = Some(Amount::Relative(fraction?));
-        return Ok(Measured { value: read.value, error, has_unit: read.has_unit });
+        return Ok(Measured { error: Some(Amount::Relative(fraction?)), ..read });
     }
     let last = unit::unit_of(right);
     let value = match (unit::unit_of(left).is_empty(), last.is_empty()) {

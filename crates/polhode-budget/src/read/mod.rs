@@ -50,7 +50,7 @@ use polhode_source::files::Files;
 use polhode_source::toml::reader::Table;
 use polhode_source::toml::source::Source;
 use polhode_source::toml::{list_units, tree};
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace, shown};
+use polhode_source::{ContentError, shown};
 
 use crate::{Ballast, Basis, Budget, Limit};
 pub use access::Access;
@@ -61,8 +61,8 @@ use rows::Rows;
 pub(crate) use shape::quoted;
 use sheet::Sheet;
 
-pub use plan::sequence::PlannedChange;
-pub use prescribed::{FilledTank, OverTime, Prescribed};
+pub use plan::sequence::{OverTime, PlannedChange};
+pub use prescribed::{FilledTank, Prescribed};
 
 /// A parts list as files give it, and what is asked of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -208,10 +208,8 @@ fn bytes_of(files: &dyn Files, path: &Path) -> Result<Vec<u8>, FormatError> {
 
 fn text<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a str, FormatError> {
     if xlsx::is_compound(bytes) {
-        let what = "workbooks of this kind: XLS, or XLSX with a password".to_owned();
-        let kind = ContentErrorKind::Unsupported { what };
-        let error = ContentError::new(kind, ContentPlace::Whole).hint("save it as XLSX, without a password");
-        return Err(FormatError::of_content(path, bytes, error));
+        let error = ContentError::unsupported("workbooks of this kind: XLS, or XLSX with a password");
+        return Err(FormatError::of_content(path, bytes, error.hint("save it as XLSX, without a password")));
     }
     str::from_utf8(bytes).map_err(|error| FormatError::not_utf8(path, bytes, error.valid_up_to()))
 }

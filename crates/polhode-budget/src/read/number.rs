@@ -1,9 +1,9 @@
 //! Numbers in cells, and their units.
 
-use polhode_source::FormatErrorKind;
 use polhode_source::text::{cut, visible};
 use polhode_source::unit;
 use polhode_source::unit::{Dimension, UnitError};
+use polhode_source::{FormatError, FormatErrorKind};
 
 /// A unit, as a column has it.
 #[derive(Clone, Debug)]
@@ -17,17 +17,46 @@ pub(crate) struct Unit {
 /// Why a text is not the number that belongs there, and a hint.
 #[derive(Debug)]
 pub(crate) struct Wrong {
-    pub kind: FormatErrorKind,
-    pub hint: Option<String>,
+    kind: FormatErrorKind,
+    hint: Option<String>,
 }
 
-/// A number as it was read.
+/// A number as it was read, and how well it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Read {
+pub(crate) struct Measured {
     /// SI.
     pub value: f64,
-    /// Whether the cell has a unit of its own.
+    /// What stands after ±.
+    pub error: Option<Amount>,
+    /// Whether all its parts that need one have a unit in the cell.
     pub has_unit: bool,
+}
+
+/// An amount of a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Amount {
+    /// SI.
+    Absolute(f64),
+    /// Of the number itself.
+    Relative(f64),
+}
+
+impl Amount {
+    pub(crate) fn map(self, change: impl Fn(f64) -> f64) -> Self {
+        match self {
+            Self::Absolute(amount) => Self::Absolute(change(amount)),
+            Self::Relative(fraction) => Self::Relative(change(fraction)),
+        }
+    }
+
+    /// Of this number; of zero a fraction is none.
+    pub(crate) fn of(self, value: f64) -> Option<f64> {
+        match self {
+            Self::Absolute(amount) => Some(amount),
+            Self::Relative(fraction) if value != 0.0 || fraction == 0.0 => Some(fraction * value.abs()),
+            Self::Relative(_) => None,
+        }
+    }
 }
 
 impl Unit {
@@ -40,19 +69,20 @@ impl Unit {
     }
 
     /// What a number of it is in SI, as the cell has it.
-    pub(crate) fn read(&self, text: &str, dimension: Dimension) -> Result<Read, UnitError> {
+    pub(crate) fn read(&self, text: &str, dimension: Dimension) -> Result<Measured, UnitError> {
+        let read = |value, has_unit| Ok(Measured { value, error: None, has_unit });
         if let Some(value) = self.plain(text) {
-            return Ok(Read { value, has_unit: false });
+            return read(value, false);
         }
         if is_parted(text) {
             return Err(UnitError::NotANumber { text: text.to_owned() });
         }
         if !self.name.is_empty() && unit::number_of(text).is_some() && unit::unit_of(text).is_empty() {
             let value = unit::parse(&format!("{text} {}", self.name), self.dimension)?;
-            return Ok(Read { value, has_unit: false });
+            return read(value, false);
         }
         let value = unit::parse(text, dimension)?;
-        Ok(Read { value, has_unit: !unit::unit_of(text).is_empty() })
+        read(value, !unit::unit_of(text).is_empty())
     }
 
     /// What a number in plain digits is: the double nearest to the exact product, if it is found by one operation.
@@ -110,6 +140,11 @@ fn decimal(factor: f64) -> Option<(u64, i32)> {
 }
 
 impl Wrong {
+    /// The error at a place that makes errors of kinds.
+    pub(crate) fn at(self, place: impl FnOnce(FormatErrorKind) -> FormatError) -> FormatError {
+        place(self.kind).with_hint_of(self.hint)
+    }
+
     /// A text that breaks a rule.
     pub(crate) fn rule(heading: &str, text: &str, rule: &str, hint: &str) -> Self {
         let value = cut(text).chars().map(visible).collect();

@@ -1,7 +1,6 @@
 //! What has mass in a row.
 
-use polhode::body::MassProperties;
-use polhode::math::{Part, Position};
+use polhode::math::Position;
 use polhode_source::FormatError;
 
 use super::cells::{Cells, Given, MOST_DEVIATION};
@@ -28,18 +27,6 @@ fn of_shapes() -> impl Iterator<Item = usize> {
 /// Columns of meshes.
 const OF_MESHES: [usize; 4] = [UNIT, WELD, FILL, UNION];
 
-/// What a row's part is, in its own columns or elsewhere.
-pub(crate) enum Told {
-    /// Its shape, its mesh or its file.
-    Properties(MassProperties<Part>),
-    Columns {
-        mass: f64,
-        center: [f64; 3],
-        tensor: GivenTensor,
-        is_point: bool,
-    },
-}
-
 impl<'s, 'a> Rows<'s, 'a> {
     /// The part of a row and how well it is known; `None` of a frame.
     pub(crate) fn part(
@@ -52,14 +39,14 @@ impl<'s, 'a> Rows<'s, 'a> {
             return Err(self.reader.invalid(second, "left out where another column says what the part is"));
         }
         let mass = self.reader.number(cells, MASS)?;
-        let told = match (form, mass) {
+        let part = match (form, mass) {
             (Some(_), _) => {
                 self.without(
                     cells,
                     MOMENTS.into_iter().chain(PRODUCTS),
                     "left out where the part's form says it",
                 )?;
-                self.formed(cells, mass)?
+                GivenPart::of(&self.formed(cells, mass)?)
             }
             (None, Some(mass)) => {
                 let rule = "left out of a part without a shape, a mesh or a file";
@@ -69,11 +56,10 @@ impl<'s, 'a> Rows<'s, 'a> {
             (None, None) => {
                 let rule = "left out of a row without mass, or given with it";
                 let all = [MASS].into_iter().chain(CENTER).chain(MOMENTS).chain(PRODUCTS);
-                self.any_of(cells, all.chain(of_shapes()).chain(OF_MESHES), rule)?;
-                return Ok(None);
+                let cell = cells.any(all.chain(of_shapes()).chain(OF_MESHES));
+                return cell.map_or(Ok(None), |cell| Err(self.reader.invalid(cell, rule)));
             }
         };
-        let part = self.given(told);
         let uncertainty = self.uncertainty(cells, &part, mass)?;
         Ok(Some((part, uncertainty)))
     }
@@ -91,33 +77,14 @@ impl<'s, 'a> Rows<'s, 'a> {
         }
     }
 
-    /// Refuses the first cell of these columns or of their errors.
-    fn any_of(
-        &self,
-        cells: &Cells<'_, 'a>,
-        keys: impl IntoIterator<Item = usize>,
-        rule: &str,
-    ) -> Result<(), FormatError> {
-        cells.any(keys).map_or(Ok(()), |cell| Err(self.reader.invalid(cell, rule)))
-    }
-
-    fn given(&mut self, told: Told) -> GivenPart {
-        match told {
-            Told::Columns { mass, center, tensor, is_point } => {
-                self.taken.points += usize::from(is_point);
-                GivenPart { mass, center_of_mass: Position::from_array(center), tensor }
-            }
-            Told::Properties(properties) => GivenPart::of(&properties),
-        }
-    }
-
     /// A part of which columns give mass, centre and tensor.
-    fn columns_of(&mut self, cells: &Cells<'_, 'a>, mass: f64) -> Result<Told, FormatError> {
+    fn columns_of(&mut self, cells: &Cells<'_, 'a>, mass: f64) -> Result<GivenPart, FormatError> {
         let values = self.reader.all_or_none(cells, CENTER)?;
         let center = values.map_or([0.0; 3], |all| all.map(|given| given.map_or(0.0, |given| given.value)));
         let tensor = self.tensor(cells, mass, center)?;
-        let is_point = tensor.is_none();
-        Ok(Told::Columns { mass, center, tensor: tensor.unwrap_or(GivenTensor::ZERO), is_point })
+        self.taken.points += usize::from(tensor.is_none());
+        let tensor = tensor.unwrap_or(GivenTensor::ZERO);
+        Ok(GivenPart { mass, center_of_mass: Position::from_array(center), tensor })
     }
 
     /// How well mass, centre and tensor are known.

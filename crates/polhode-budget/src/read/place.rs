@@ -3,13 +3,13 @@
 use polhode::math::{Part, Position, Rotation, RotationError};
 use polhode_source::files::Memory;
 use polhode_source::toml::reader::Table;
-use polhode_source::toml::rotation;
 use polhode_source::toml::source::Source;
-use polhode_source::toml::{list_units, tree};
+use polhode_source::toml::{document, rotation};
 use polhode_source::{FormatError, FormatErrorKind};
 
 use super::cell::Cell;
 use super::cells::{Cells, Given, Reader};
+use super::heading::Column;
 use super::key::{AT_X, AT_Y, AT_Z, PITCH, QW, QX, QY, QZ, ROLL, ROTATE, TURN_X, TURN_Y, TURN_Z, YAW};
 use crate::{Place, Spread};
 
@@ -66,12 +66,9 @@ impl<'s, 'a> Reader<'s, 'a> {
         let mut all = [None; N];
         for (slot, key) in all.iter_mut().zip(keys) {
             *slot = self.number(cells, key)?;
-            let place = self.columns.places.get(key).copied().flatten();
-            if let (None, Some(place)) = (&slot, place) {
-                let heading = self.columns.get(place).map_or("", |column| column.heading.as_str());
-                let error =
-                    self.invalid(present, format!("given with {heading}, which is empty in this row"));
-                return Err(error.with_hint("write 0 if it is zero"));
+            if let (None, Some(Column { heading, .. })) = (&slot, self.columns.of_key(key)) {
+                let rule = format!("given with {heading}, which is empty in this row");
+                return Err(self.invalid(present, rule).with_hint("write 0 if it is zero"));
             }
         }
         Ok(Some(all))
@@ -119,12 +116,11 @@ impl<'s, 'a> Reader<'s, 'a> {
         let nothing = Memory::default();
         let source = Source::new(&nothing, self.sheet.path(), &text);
         let read = || {
-            let entries = tree::parse(&text).map_err(|error| {
-                source
-                    .syntax(&error)
-                    .with_hint("write axis = [0, 0, 1], angle = '90 deg'; or use columns roll, pitch, yaw")
+            let entries = document(source).map_err(|error| match error.kind() {
+                FormatErrorKind::Toml { .. } => error
+                    .with_hint("write axis = [0, 0, 1], angle = '90 deg'; or use columns roll, pitch, yaw"),
+                _ => error,
             })?;
-            list_units::check(source, &entries)?;
             rotation(&Table::root(source, &entries).require("rotate", "rotate")?)
         };
         read().map_err(|error| self.sheet.moved(error, &[], cell))

@@ -6,9 +6,7 @@ use polhode_source::unit::Dimension;
 
 use super::cell::{Cell, Content};
 use super::cells::Reader;
-use super::heading::ColumnUnit;
 use super::key::KEYS;
-use super::number::Unit;
 
 impl<'s, 'a> Reader<'s, 'a> {
     /// Half of the last digit that is printed of a number, in SI.
@@ -25,12 +23,8 @@ impl<'s, 'a> Reader<'s, 'a> {
         };
         let half = format!("5e{}{unit}", -decimals - 1);
         let dimension = KEYS.get(column.key).and_then(|key| key.holds.dimension()).unwrap_or(Dimension::NONE);
-        let column_unit = match &column.unit {
-            ColumnUnit::Unit(unit) => unit,
-            _ => &Unit::SI,
-        };
         // What is too small for a double is nothing.
-        Ok(column_unit.read(&half, dimension).map_or(0.0, |read| read.value))
+        Ok(column.unit().read(&half, dimension).map_or(0.0, |read| read.value))
     }
 }
 

@@ -4,8 +4,7 @@ use std::collections::HashMap;
 
 use polhode::body::MassProperties;
 use polhode::math::Part;
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
-use polhode_source::{FormatError, FormatErrorKind};
+use polhode_source::{ContentError, FormatError};
 
 use super::access::Access;
 use super::cell::Cell;
@@ -14,7 +13,7 @@ use super::heading::Columns;
 use super::key::{
     ALLOWABLE, CONFIGURATION, COPIES, GROUP, GROWTH, MASS, MATURITY, NAME, PARENT, PATH, QUANTITY, SUBTOTAL,
 };
-use super::measured::Amount;
+use super::number::Amount;
 use super::plan::Plan;
 use super::plan::growth::{BARE_GROWTH, BARE_GROWTH_HINT};
 use super::sheet::Sheet;
@@ -93,9 +92,8 @@ impl<'s, 'a> Rows<'s, 'a> {
     }
 
     fn too_many(&self, cell: &Cell<'_>) -> FormatError {
-        let what = format!("more than {MOST_CONFIGURATIONS} configurations");
-        let error = ContentError::new(ContentErrorKind::Unsupported { what }, ContentPlace::Whole);
-        self.reader.sheet.error(cell, FormatErrorKind::Content(error))
+        let error = ContentError::unsupported(format!("more than {MOST_CONFIGURATIONS} configurations"));
+        self.reader.sheet.error(cell, error.into())
     }
 
     fn row(&mut self, cells: &Cells<'_, 'a>) -> Result<(Row, Vec<String>), FormatError> {
@@ -146,11 +144,10 @@ impl<'s, 'a> Rows<'s, 'a> {
         const TOTAL: &str = "write a sum into the column subtotal of the row that all its parts stand in";
         let name = [NAME, PATH].iter().find_map(|key| cells.cell(*key));
         let Some(cell) = name else {
-            let what = format!("name in row {}", cells.first.row);
-            let kind = ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole);
-            let error = self.reader.sheet.error(cells.first, FormatErrorKind::Content(kind));
+            let missing = ContentError::missing(format!("name in row {}", cells.first.row));
             let is_total = cells.cell(MASS).is_some() || cells.cell(SUBTOTAL).is_some();
-            return Err(if is_total { error.with_hint(TOTAL) } else { error });
+            let error = self.reader.sheet.error(cells.first, missing.into());
+            return Err(error.with_hint_of(is_total.then_some(TOTAL)));
         };
         if self.reader.sheet.is_remark(cells.first) {
             let error = self.reader.invalid(cells.first, "without # in front, below the headings");
@@ -183,16 +180,12 @@ impl<'s, 'a> Rows<'s, 'a> {
             quantity.count = given.value as u32;
         }
         if let (Some(text), Some(cell)) = (self.reader.text(cells, COPIES)?, cells.cell(COPIES)) {
-            quantity.errors = match text {
-                "alike" => CopyErrors::Alike,
-                "independent" => CopyErrors::Independent,
-                _ => {
-                    let error = self.reader.invalid(cell, "alike or independent");
-                    return Err(error.with_hint(
-                        "alike: one estimate stands for all; independent: each was weighed by itself",
-                    ));
-                }
-            };
+            let named = CopyErrors::NAMED.into_iter().find(|(name, _)| *name == text);
+            let (_, errors) = named.ok_or_else(|| {
+                let hint = "alike: one estimate stands for all; independent: each was weighed by itself";
+                self.reader.invalid(cell, "alike or independent").with_hint(hint)
+            })?;
+            quantity.errors = errors;
         }
         self.taken.alike_copies += usize::from(quantity.count > 1 && cells.cell(COPIES).is_none());
         Ok(quantity)

@@ -10,9 +10,9 @@ use polhode_scenario::read::part::part;
 use polhode_shape::cad;
 use polhode_shape::mesh::MeshFormat;
 use polhode_source::files::{Confined, Files as _, NotOpened};
+use polhode_source::toml::document;
 use polhode_source::toml::reader::Table;
 use polhode_source::toml::source::Source;
-use polhode_source::toml::{list_units, tree};
 use polhode_source::unit;
 use polhode_source::{FormatError, FormatErrorKind};
 
@@ -22,7 +22,6 @@ use super::heading::ColumnUnit;
 use super::key::{
     CAD, DENSITY, ENDS, FILE, FILL, KEYS, MATERIAL, MESH, SCENARIO, SHAPE, SIZES, UNION, UNIT, WELD, X, Y, Z,
 };
-use super::part::Told;
 use super::rows::Rows;
 
 /// What a file that a row names holds.
@@ -56,7 +55,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         &mut self,
         cells: &Cells<'c, 'a>,
         mass: Option<Given<'c, 'a>>,
-    ) -> Result<Told, FormatError> {
+    ) -> Result<MassProperties<Part>, FormatError> {
         let all = [(SHAPE, Form::Shape), (MESH, Form::Mesh), (CAD, Form::Cad), (SCENARIO, Form::Scenario)];
         let by_key = all.into_iter().find_map(|(key, form)| Some((cells.cell(key)?, form)));
         let by_file = || cells.cell(FILE).map(|cell| (cell, form_of(&cell.text)));
@@ -86,11 +85,9 @@ impl<'s, 'a> Rows<'s, 'a> {
             }
         };
         let center = self.reader.all_or_none(cells, [X, Y, Z])?;
-        let Some(center) = center else { return Ok(Told::Properties(properties)) };
+        let Some(center) = center else { return Ok(properties) };
         let center = Position::from_array(center.map(|given| given.map_or(0.0, |given| given.value)));
-        let moved = MassProperties::new(properties.mass(), center, *properties.inertia());
-        moved
-            .map(Told::Properties)
+        MassProperties::new(properties.mass(), center, *properties.inertia())
             .map_err(|error| self.reader.sheet.error(cell, FormatErrorKind::Body(error)))
     }
 
@@ -145,25 +142,18 @@ impl<'s, 'a> Rows<'s, 'a> {
             };
             table.put("density", &density, cell);
         }
-        for key in [MATERIAL, UNIT] {
-            if let Some(text) = self.reader.text(cells, key)? {
-                cells.cell(key).into_iter().for_each(|cell| table.put(KEYS[key].name, &quoted(text), cell));
-            }
-        }
-        for key in [ENDS, UNION] {
-            if let (Some(text), Some(cell)) = (self.reader.text(cells, key)?, cells.cell(key)) {
-                let truth = match text.to_ascii_lowercase().as_str() {
-                    "true" | "yes" => "true",
-                    "false" | "no" => "false",
+        for key in [MATERIAL, UNIT, ENDS, UNION].into_iter().chain(SIZES).chain([WELD, FILL]) {
+            let Some(cell) = cells.cell(key) else { continue };
+            let value = match key {
+                MATERIAL | UNIT => quoted(self.reader.whole(cell)?),
+                ENDS | UNION => match self.reader.whole(cell)?.to_ascii_lowercase().as_str() {
+                    "true" | "yes" => "true".to_owned(),
+                    "false" | "no" => "false".to_owned(),
                     _ => return Err(self.reader.invalid(cell, "true or false")),
-                };
-                table.put(KEYS[key].name, truth, cell);
-            }
-        }
-        for key in SIZES.into_iter().chain([WELD, FILL]) {
-            if let Some(cell) = cells.cell(key) {
-                table.put(&KEYS[key].name.replace(' ', "_"), &self.reader.sizes(cell)?, cell);
-            }
+                },
+                _ => self.reader.sizes(cell)?,
+            };
+            table.put(&KEYS[key].name.replace(' ', "_"), &value, cell);
         }
         if let Some(known) = self.known.get(&table.text) {
             return Ok(*known);
@@ -172,8 +162,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         let source = Source::new(&files, self.reader.sheet.path(), &table.text);
         let mut findings = Vec::new();
         let mut read = || {
-            let entries = tree::parse(&table.text).map_err(|error| source.syntax(&error))?;
-            list_units::check(source, &entries)?;
+            let entries = document(source)?;
             part(Table::root(source, &entries), 1, &mut findings)
         };
         let read = read().map_err(|error| self.reader.sheet.moved(error, &table.cells, form))?;

@@ -17,31 +17,19 @@ use super::xlsx::{Cells, Workbook};
 /// A million rows are common: cells are kept as text or packed, and made row by row.
 #[derive(Debug)]
 pub(crate) struct Sheet<'a> {
-    pub origin: Origin<'a>,
     pub rows: Cow<'a, [SheetRow]>,
     pub body: Body<'a>,
     /// Whether numbers in text have a comma where others have a point.
     pub decimal_comma: bool,
 }
 
-/// Storage of the cells of a table.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Body<'a> {
-    /// Fields of a text, between separators.
-    Text {
-        text: &'a str,
-        separator: u8,
-    },
-    Workbook(Cells<'a>),
-}
-
-/// Where a table is from.
+/// Where a table is from, and its cells.
 #[derive(Clone, Debug)]
-pub(crate) enum Origin<'a> {
-    /// A text file.
-    Text(Source<'a>),
+pub(crate) enum Body<'a> {
+    /// Fields of a text file, between separators.
+    Text { source: Source<'a>, separator: u8 },
     /// A sheet of a workbook.
-    Workbook { path: &'a Path, sheet: String },
+    Workbook { path: &'a Path, sheet: String, cells: Cells<'a> },
 }
 
 impl<'a> Sheet<'a> {
@@ -52,31 +40,30 @@ impl<'a> Sheet<'a> {
         name: &str,
     ) -> Option<(Self, Vec<String>)> {
         let (rows, cells, lines) = workbook.sheet(name)?;
-        let origin = Origin::Workbook { path, sheet: name.to_owned() };
-        let (rows, body) = (rows.into(), Body::Workbook(cells));
-        Some((Self { origin, rows, body, decimal_comma: false }, lines))
+        let body = Body::Workbook { path, sheet: name.to_owned(), cells };
+        Some((Self { rows: rows.into(), body, decimal_comma: false }, lines))
     }
 
     pub(crate) fn path(&self) -> &Path {
-        match &self.origin {
-            Origin::Text(source) => source.path,
-            Origin::Workbook { path, .. } => path,
+        match &self.body {
+            Body::Text { source, .. } => source.path,
+            Body::Workbook { path, .. } => path,
         }
     }
 
     /// The cells of a row.
     pub(crate) fn row(&self, row: &SheetRow) -> Vec<Cell<'a>> {
         match &self.body {
-            Body::Text { text, separator } => fields::cells(text, *separator, row),
-            Body::Workbook(cells) => cells.row(row),
+            Body::Text { source, separator } => fields::cells(source.text, *separator, row),
+            Body::Workbook { cells, .. } => cells.row(row),
         }
     }
 
     /// Where a cell is.
     pub(crate) fn spot(&self, cell: &Cell<'_>) -> Spot {
-        match &self.origin {
-            Origin::Text(source) => Spot::Text(source.place(cell.span.clone())),
-            Origin::Workbook { sheet, .. } => Spot::Cell(cell_name(sheet, cell.column, cell.row)),
+        match &self.body {
+            Body::Text { source, .. } => Spot::Text(source.place(cell.span.clone())),
+            Body::Workbook { sheet, .. } => Spot::Cell(cell_name(sheet, cell.column, cell.row)),
         }
     }
 
@@ -94,11 +81,11 @@ impl<'a> Sheet<'a> {
 
     /// Whether a line of a text begins with #, and not in quotes.
     pub(crate) fn is_remark(&self, first: &Cell<'_>) -> bool {
-        match &self.origin {
-            Origin::Text(source) => {
+        match &self.body {
+            Body::Text { source, .. } => {
                 first.column == 0 && source.text.as_bytes().get(first.span.start) == Some(&b'#')
             }
-            Origin::Workbook { .. } => false,
+            Body::Workbook { .. } => false,
         }
     }
 

@@ -2,17 +2,16 @@
 
 use polhode::body::{BodyError, InertiaAbout, InertiaTensor, MassProperties};
 use polhode::math::{Part, Position};
-use polhode_source::nearest;
 use polhode_source::unit;
 use polhode_source::unit::Dimension;
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 use polhode_source::{FormatError, FormatErrorKind};
 
 use super::cell::{Cell, Content};
 use super::cells::{Cells, Given};
 use super::key::{ABOUT, KEYS, MASS, PRODUCTS};
 use super::part::{CENTER, MOMENTS, PRODUCTS as ELEMENTS};
-use super::plan::{self, About};
+use super::plan::point_named;
 use super::rows::Rows;
 use crate::{GivenTensor, ProductSign, TensorPoint};
 
@@ -52,30 +51,22 @@ impl<'s, 'a> Rows<'s, 'a> {
         tensor: &Cell<'a>,
         center: [f64; 3],
     ) -> Result<TensorPoint, FormatError> {
-        let about = match cells.cell(ABOUT) {
-            Some(cell) => self.named_point(cell)?,
-            None => match &self.plan.about {
-                Some(about) => about.clone(),
-                // They are one point.
-                None if center == [0.0; 3] => About::Center,
-                None => {
-                    let question =
-                        "is the tensor about the part's centre of mass, or about which other point?";
-                    return Err(self.unclear(tensor, question).with_hint(
-                        "write about = \"center\" or about = \"origin\" into the head, or add a column about",
-                    ));
-                }
-            },
-        };
-        Ok(match about {
-            About::Center => TensorPoint::CenterOfMass,
-            About::Point(point) => TensorPoint::At(Position::from_array(point)),
-            About::Frame(frame) => TensorPoint::OriginOf(frame),
-        })
+        match (cells.cell(ABOUT), &self.plan.about) {
+            (Some(cell), _) => self.named_point(cell),
+            (None, Some(about)) => Ok(about.clone()),
+            // They are one point.
+            (None, None) if center == [0.0; 3] => Ok(TensorPoint::CenterOfMass),
+            (None, None) => {
+                let question = "is the tensor about the part's centre of mass, or about which other point?";
+                Err(self.unclear(tensor, question).with_hint(
+                    "write about = \"center\" or about = \"origin\" into the head, or add a column about",
+                ))
+            }
+        }
     }
 
     /// `center`, `origin`, the name of a frame, or three lengths: `10 mm, 0, 0`.
-    fn named_point(&self, cell: &Cell<'a>) -> Result<About, FormatError> {
+    fn named_point(&self, cell: &Cell<'a>) -> Result<TensorPoint, FormatError> {
         let label = self.reader.label_of(cell)?;
         let inside = label.trim_matches(['[', ']', '(', ')']);
         let begins = ['-', '+', '.', '\u{2212}'];
@@ -84,7 +75,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         let marks: &[char] = if comma { &[';'] } else { &[',', ';'] };
         let pieces: Vec<&str> = inside.split(marks).map(str::trim).collect();
         if !is_point || pieces.len() != 3 {
-            return Ok(About::named(&label));
+            return Ok(point_named(&label));
         }
         let pointed: Vec<String> = pieces
             .iter()
@@ -99,7 +90,7 @@ impl<'s, 'a> Rows<'s, 'a> {
             let read = unit::parse(piece, Dimension::LENGTH);
             *slot = read.map_err(|error| self.reader.sheet.error(cell, FormatErrorKind::Unit(error)))?;
         }
-        Ok(About::Point(point))
+        Ok(TensorPoint::At(Position::from_array(point)))
     }
 
     /// What the products of a row are: as it says, as the file says, or as only one sign makes a possible body.
@@ -113,15 +104,13 @@ impl<'s, 'a> Rows<'s, 'a> {
         about: &TensorPoint,
     ) -> Result<ProductSign, FormatError> {
         if let Some(cell) = cells.cell(PRODUCTS) {
-            let names = plan::PRODUCTS.map(|(name, _)| name);
+            let names = ProductSign::NAMED.map(|(name, _)| name);
             let text = self.reader.whole(cell)?;
-            return plan::sign_of(text).ok_or_else(|| {
+            let sign = ProductSign::NAMED.iter().find(|(name, _)| *name == text).map(|(_, sign)| *sign);
+            return sign.ok_or_else(|| {
                 let error = self.reader.invalid(cell, format!("one of {}", names.join(", ")));
-                match nearest(text, names) {
-                    Some(near) => error.with_hint(format!("did you mean \"{near}\"?")),
-                    None => error
-                        .with_hint("a positive integral is +∫xy dm; the element of the tensor is −∫xy dm"),
-                }
+                let hint = "a positive integral is +∫xy dm; the element of the tensor is −∫xy dm";
+                error.with_hint(hint).suggesting(text, names)
             });
         }
         let Some(cell) = ELEMENTS.iter().find_map(|key| cells.cell(*key)).filter(|_| products != [0.0; 3])
@@ -185,12 +174,9 @@ impl<'s, 'a> Rows<'s, 'a> {
 
     fn unclear(&self, cell: &Cell<'a>, question: &str) -> FormatError {
         let heading = self.reader.heading(cell);
-        let kind = ContentErrorKind::Unclear {
-            question: question.to_owned(),
-            found: format!("{heading} = {}", polhode_source::text::cut(&cell.text)),
-        };
-        let kind = FormatErrorKind::Content(ContentError::new(kind, ContentPlace::Whole));
-        self.reader.sheet.error(cell, kind)
+        let found = format!("{heading} = {}", polhode_source::text::cut(&cell.text));
+        let kind = ContentErrorKind::Unclear { question: question.to_owned(), found };
+        self.reader.sheet.error(cell, ContentError::of_file(kind).into())
     }
 }
 

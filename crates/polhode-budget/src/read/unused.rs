@@ -2,7 +2,6 @@
 
 use std::collections::HashSet;
 
-use polhode_source::nearest;
 use polhode_source::{FormatError, FormatErrorKind};
 
 use super::NamedBudget;
@@ -38,10 +37,7 @@ pub(crate) fn declared(
     let mut groups = plan.groups.iter().zip(&plan.places.groups);
     if let Some((group, place)) = groups.find(|(group, _)| !of_rows.contains(group.name.as_str())) {
         let error = unused(place, "group", &group.name, "the group of a row, or of a tank");
-        return Err(match nearest(&group.name, of_rows) {
-            Some(near) => error.with_hint(format!("did you mean \"{near}\"?")),
-            None => error,
-        });
+        return Err(error.suggesting(&group.name, of_rows));
     }
     let has_reports = [CAD, FILE].iter().any(|key| columns.places.get(*key).is_some_and(Option::is_some));
     match &plan.places.cad {

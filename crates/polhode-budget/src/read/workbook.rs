@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use polhode_source::FormatError;
+use polhode_source::toml::document;
 use polhode_source::toml::reader::Table;
 use polhode_source::toml::source::Source;
-use polhode_source::toml::{list_units, tree};
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
+use polhode_source::{ContentError, ContentErrorKind};
 
 use super::access::Access;
 use super::heading::Columns;
@@ -42,7 +42,7 @@ pub(crate) fn read(
         .collect();
     let name = match wanted[..] {
         [one] => one,
-        [] => return Err(fail(missing(format!("sheet \"{PARTS}\"")))),
+        [] => return Err(fail(ContentError::missing(format!("sheet \"{PARTS}\"")))),
         _ => {
             let others: Vec<&str> = wanted.iter().copied().filter(|name| *name != PARTS).collect();
             let question = format!("which of the sheets {} are the parts?", wanted.join(", "));
@@ -51,11 +51,11 @@ pub(crate) fn read(
                 "call it \"{PARTS}\", and write ignore = {:?} into the sheet \"plan\", for those that are for people",
                 others
             );
-            return Err(fail(ContentError::new(kind, ContentPlace::Whole).hint(hint)));
+            return Err(fail(ContentError::of_file(kind).hint(hint)));
         }
     };
     let Some((mut parts, mut lines)) = sheet(name) else {
-        return Err(fail(missing(format!("sheet \"{name}\""))));
+        return Err(fail(ContentError::missing(format!("sheet \"{name}\""))));
     };
     let not_read: Vec<&str> =
         names.into_iter().filter(|name| plan.ignore.iter().any(|other| other == name)).collect();
@@ -88,16 +88,11 @@ fn of_sections(
         return told.plan(source, Some(&tables), &|error| sections.moved(error));
     }
     let read = || {
-        let entries = tree::parse(&sections.toml).map_err(|error| source.syntax(&error))?;
-        list_units::check(source, &entries)?;
+        let entries = document(source)?;
         plan::plan(&Table::root(source, &entries), &[], Some(&tables))
     };
     match read() {
         Ok(plan) => Ok(plan.moved(|error| sections.moved(error))),
         Err(error) => Err(sections.moved(error)),
     }
-}
-
-fn missing(what: String) -> ContentError {
-    ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole)
 }

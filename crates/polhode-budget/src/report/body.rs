@@ -1,56 +1,29 @@
 //! The body of a configuration, for other commands: as a part of a scenario, and with its errors as a plan of a sweep.
 
-use core::fmt::{self, Write as _};
+use core::fmt::Write as _;
 
 use polhode::body::MassProperties;
 use polhode::infer::correlated::Correlated;
 use polhode::math::{AngularVelocity, Body};
 use polhode_document::layout::printable;
+use polhode_source::Failure;
 use polhode_source::toml::BodyPart;
 
-use super::case::{Case, ten};
-use super::{BudgetReport, basis_name};
+use super::BudgetReport;
+use super::case::Case;
+use super::numbers::ten;
 use crate::Estimate;
+use crate::read::{OverTime, Questions};
 
-/// What a plan of a sweep has besides the body and its errors.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlanOptions {
-    /// How many members there are.
-    pub members: usize,
-    /// Of their draws.
-    pub seed: u64,
-    /// What the body has at first; it is at rest without.
-    pub spin: Option<AngularVelocity<Body>>,
-    /// For how long it moves, s.
-    pub duration: f64,
-}
-
-/// There is no such configuration, or it has to be said which.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NoConfiguration {
-    /// What was asked for.
-    pub asked: Option<String>,
-    /// What there is.
-    pub names: Vec<String>,
-}
-
-/// Why there is no plan.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum NoPlan {
-    /// Of no body.
-    Configuration(NoConfiguration),
-    /// No number of the body has an error.
-    Exact,
-    /// Of a point, which has no attitude.
-    Point,
-}
+/// For how long the members of a plan move to which nothing happens, s.
+const DURATION: f64 = 60.0;
 
 impl BudgetReport {
     /// The body of a configuration, which has to be said if there are several.
     ///
     /// # Errors
-    /// [`NoConfiguration`] without it, or of another.
-    pub fn body(&self, configuration: Option<&str>) -> Result<MassProperties<Body>, NoConfiguration> {
+    /// [`Failure`] without it, or of another.
+    pub fn body(&self, configuration: Option<&str>) -> Result<MassProperties<Body>, Failure> {
         self.case(configuration).map(|case| case.estimate(self.options.basis).properties)
     }
 
@@ -58,7 +31,7 @@ impl BudgetReport {
     ///
     /// # Errors
     /// As [`BudgetReport::body`].
-    pub fn to_scenario(&self, configuration: Option<&str>) -> Result<String, NoConfiguration> {
+    pub fn to_scenario(&self, configuration: Option<&str>) -> Result<String, Failure> {
         let case = self.case(configuration)?;
         let estimate = case.estimate(self.options.basis);
         let mut part = self.part(case, estimate);
@@ -72,20 +45,35 @@ impl BudgetReport {
 
     /// A plan of a sweep whose members have the body's ten numbers with their covariance to first order; of a tensor that is no body's the nearest that is.
     ///
+    /// There are as many members as draws, of the same seed. They turn and move as a sequence begins.
+    ///
     /// # Errors
-    /// [`NoPlan`] where [`BudgetReport::body`] gives none, of a body that is known exactly, and of a point.
-    pub fn to_plan(&self, configuration: Option<&str>, options: &PlanOptions) -> Result<String, NoPlan> {
-        let case = self.case(configuration).map_err(NoPlan::Configuration)?;
+    /// [`Failure`] where [`BudgetReport::body`] gives none, of a body that is known exactly, and of a point.
+    pub(crate) fn to_plan(
+        &self,
+        configuration: Option<&str>,
+        questions: &Questions,
+        begun: Option<&OverTime>,
+    ) -> Result<String, Failure> {
+        let case = self.case(configuration)?;
         let estimate = case.estimate(self.options.basis);
         if !is_uncertain(estimate) {
-            return Err(NoPlan::Exact);
+            return Err(Failure::usage(
+                "no part has an uncertainty: there is nothing to draw",
+                "write errors into the list, such as 1.2 ± 0.1 kg; --body has the body as it is",
+            ));
         }
         let has_extent = estimate.properties.inertia().matrix() != [[0.0; 3]; 3];
         if !has_extent && (4..10).all(|k| estimate.sd(k) == 0.0) {
-            return Err(NoPlan::Point);
+            return Err(Failure::usage(
+                "all mass is at one point, which has no attitude: no member could turn",
+                "give a part its extent, or its place beside another",
+            ));
         }
         let mut toml = self.part(case, estimate).to_toml();
-        let PlanOptions { members, seed, spin, duration } = options;
+        let (members, seed) = (questions.draws.unwrap_or(Self::DRAWS), questions.seed);
+        let spin = begun.and_then(|all| all.spin);
+        let duration = begun.map_or(DURATION, |all| all.until);
         toml += match spin {
             Some(_) => "\n# As its sequence begins\n",
             None => "\n# At rest: write how it turns, and for how long\n",
@@ -95,8 +83,11 @@ impl BudgetReport {
             toml,
             "[start]\nspin = {{ body = [{x:?}, {y:?}, {z:?}] }}\n\n[run]\nduration = {duration:?}\nsamples = 61\n"
         );
-        let law = Correlated::mass_first(ten(&estimate.properties).to_vec(), &covariance_rows(estimate));
-        let moved = law.map_or(0, |law| law.impossible(*seed, TRIED));
+        let law = Correlated::mass_first(
+            ten(&estimate.properties).to_vec(),
+            &estimate.covariance.map(|row| row.to_vec()),
+        );
+        let moved = law.map_or(0, |law| law.impossible(seed, TRIED));
         let _ = write!(
             toml,
             "\n[sweep]\nmembers = {members}\nsampling = \"monte carlo\"\nseed = {seed}\n\n\
@@ -120,82 +111,41 @@ impl BudgetReport {
 
     fn part(&self, case: &Case, estimate: &Estimate<Body>) -> BodyPart<'static> {
         let title = case.name.as_ref().map_or_else(String::new, |name| format!(", {name}"));
-        let basis = basis_name(self.options.basis);
+        let basis = self.options.basis.name();
         let meaning = "in kg, m, kg m^2, along the axes of the body, from their origin";
         let comment = format!("{}{title}, {basis} masses: {meaning}", self.title);
         BodyPart::of_body(comment, "whole", &estimate.properties)
     }
 
-    fn case(&self, configuration: Option<&str>) -> Result<&Case, NoConfiguration> {
+    fn case(&self, configuration: Option<&str>) -> Result<&Case, Failure> {
         let found = match (configuration, &self.cases[..]) {
             (None, [only]) => Some(only),
             (None, _) => None,
             (Some(name), cases) => cases.iter().find(|case| case.name.as_deref() == Some(name)),
         };
-        found.ok_or_else(|| NoConfiguration {
-            asked: configuration.map(str::to_owned),
-            names: self.cases.iter().filter_map(|case| case.name.clone()).collect(),
-        })
+        let names: Vec<&str> = self.cases.iter().filter_map(|case| case.name.as_deref()).collect();
+        found.ok_or_else(|| no_configuration(configuration, &names))
     }
 }
 
 /// Draws that are tried, so that a plan says how many are moved.
 const TRIED: usize = 1000;
 
-fn covariance_rows(estimate: &Estimate<Body>) -> Vec<Vec<f64>> {
-    estimate.covariance.iter().map(|row| row.to_vec()).collect()
-}
-
 fn is_uncertain(estimate: &Estimate<Body>) -> bool {
     estimate.covariance != [[0.0; 10]; 10]
 }
 
-impl NoConfiguration {
-    /// What to do.
-    pub fn hint(&self) -> String {
-        let names: Vec<String> = self.names.iter().map(|name| format!("\"{}\"", printable(name))).collect();
-        match (names.is_empty(), &self.asked) {
-            (true, _) => "leave it out: the file has no configurations".to_owned(),
-            (false, Some(_)) => format!("there are {}", names.join(", ")),
-            (false, None) => format!("name one of {}", names.join(", ")),
-        }
-    }
+/// Returns the failure of a configuration that the report does not have, or of none among several.
+pub(super) fn no_configuration(asked: Option<&str>, names: &[&str]) -> Failure {
+    let there_are: Vec<String> = names.iter().map(|name| format!("\"{}\"", printable(name))).collect();
+    let message = match asked {
+        Some(name) => format!("there is no configuration \"{}\"", printable(name)),
+        None => "there are several configurations, and a body is one of them".to_owned(),
+    };
+    let hint = match (names.is_empty(), asked) {
+        (true, _) => "leave it out: the file has no configurations".to_owned(),
+        (false, Some(_)) => format!("there are {}", there_are.join(", ")),
+        (false, None) => format!("name one of {}", there_are.join(", ")),
+    };
+    Failure::usage(message, hint)
 }
-
-impl fmt::Display for NoConfiguration {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.asked {
-            Some(name) => write!(f, "there is no configuration \"{}\"", printable(name)),
-            None => f.write_str("there are several configurations, and a body is one of them"),
-        }
-    }
-}
-
-impl std::error::Error for NoConfiguration {}
-
-impl NoPlan {
-    /// What to do.
-    pub fn hint(&self) -> String {
-        match self {
-            Self::Configuration(why) => why.hint(),
-            Self::Exact => {
-                "write errors into the list, such as 1.2 ± 0.1 kg; --body has the body as it is".to_owned()
-            }
-            Self::Point => "give a part its extent, or its place beside another".to_owned(),
-        }
-    }
-}
-
-impl fmt::Display for NoPlan {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Configuration(why) => why.fmt(f),
-            Self::Exact => f.write_str("no part has an uncertainty: there is nothing to draw"),
-            Self::Point => {
-                f.write_str("all mass is at one point, which has no attitude: no member could turn")
-            }
-        }
-    }
-}
-
-impl std::error::Error for NoPlan {}

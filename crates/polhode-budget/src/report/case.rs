@@ -3,16 +3,14 @@
 use polhode::body::MassPropertiesGradient;
 use polhode::math::{Body, Direction};
 
-use super::BudgetOptions;
 use super::changing::Changing;
 use super::found::Found;
+use crate::read::Questions;
 use crate::{
     Basis, Budget, BudgetError, ComparedNumber, Comparison, Draws, Estimate, Evidence, Limit, LimitAnswers,
     LimitError, MassStatement, Measure, NUMBERS, PrincipalUncertainty, Sensitivities, Sensitivity, Subtotal,
     Tilt,
 };
-
-pub(crate) use super::numbers::ten;
 
 /// A configuration, and what is computed of it.
 #[derive(Clone, Debug)]
@@ -23,8 +21,8 @@ pub(crate) struct Case {
     pub statements: Vec<MassStatement>,
     /// Of the basic masses, and of the predicted ones.
     estimates: [Estimate<Body>; 2],
-    /// Of the basis that is asked for.
-    principal: PrincipalUncertainty<Body>,
+    /// Principal moments and axes on the basis of the options, which is the one that is drawn.
+    pub principal: PrincipalUncertainty<Body>,
     /// Of each principal axis.
     pub tilts: [AxisTilt; 3],
     pub results: Vec<SpreadResult>,
@@ -45,7 +43,7 @@ pub(crate) struct AxisTilt {
     /// 0 to 2: x, y, z.
     pub from: usize,
     pub direction: Direction<Body>,
-    pub tilt: Option<Tilt<Body>>,
+    pub tilt: Tilt<Body>,
 }
 
 /// A number, its standard deviation to first order, and what that comes from, the greatest first.
@@ -91,17 +89,18 @@ impl Case {
         name: Option<String>,
         budget: Budget,
         limits: &[Limit],
-        options: &BudgetOptions,
+        options: &Questions,
         reached: &mut dyn FnMut(usize),
     ) -> Result<Self, LimitError> {
         let statements = budget.mass_statements()?;
         let estimates = [budget.estimate(Basis::Basic)?, budget.estimate(Basis::Predicted)?];
-        let estimate = &estimates[index(options.basis)];
+        let estimate = &estimates[options.basis as usize];
         let principal = estimate.principal();
         let tilts = tilts(estimate, options);
         let results = results(&budget, options.basis, estimate, &tilts, limits)?;
-        let drawn = if options.draws > 0 {
-            let draws = budget.draws_watched(options.basis, options.seed, options.draws, reached)?;
+        let count = options.draws.unwrap_or(0);
+        let drawn = if count > 0 {
+            let draws = budget.draws_watched(options.basis, options.seed, count, reached)?;
             let comparison = draws.compare(estimate);
             let is_finite = |one: &&ComparedNumber| one.sd.is_finite() && one.sd_error.is_finite();
             if let Some(one) = comparison.numbers.iter().find(|one| !is_finite(one)) {
@@ -141,7 +140,7 @@ impl Case {
     }
 
     pub(crate) const fn estimate(&self, basis: Basis) -> &Estimate<Body> {
-        &self.estimates[index(basis)]
+        &self.estimates[basis as usize]
     }
 
     /// What the list states that a row comes to, whatever is in its tanks.
@@ -151,11 +150,6 @@ impl Case {
 
     pub(crate) fn principal(&self, basis: Basis) -> PrincipalUncertainty<Body> {
         self.estimate(basis).principal()
-    }
-
-    /// Of the basis that is drawn.
-    pub(crate) const fn drawn_principal(&self) -> &PrincipalUncertainty<Body> {
-        &self.principal
     }
 
     /// A row's name without the root's before it.
@@ -194,7 +188,7 @@ impl Case {
 fn tried(
     budget: &Budget,
     limits: &[Limit],
-    options: &BudgetOptions,
+    options: &Questions,
     estimates: &[Estimate<Body>; 2],
     draws: &Draws,
     reached: &mut dyn FnMut(usize),
@@ -204,13 +198,13 @@ fn tried(
         Basis::Predicted => Basis::Basic,
     };
     let others = if limits.iter().any(|limit| limit.basis == other) {
-        Some(budget.draws_watched(other, options.seed, options.draws, reached)?)
+        Some(budget.draws_watched(other, options.seed, draws.bodies.len(), reached)?)
     } else {
         None
     };
     let evidence = |basis: Basis| {
         let draws = if basis == options.basis { Some(draws) } else { others.as_ref() };
-        draws.map(|draws| Evidence { estimate: &estimates[index(basis)], draws })
+        draws.map(|draws| Evidence { estimate: &estimates[basis as usize], draws })
     };
     LimitAnswers::new(limits, LEVEL, evidence(Basis::Basic), evidence(Basis::Predicted))
 }
@@ -218,21 +212,14 @@ fn tried(
 /// Level of confidence of the intervals of limits.
 pub(crate) const LEVEL: f64 = 0.95;
 
-pub(crate) const fn index(basis: Basis) -> usize {
-    match basis {
-        Basis::Basic => 0,
-        Basis::Predicted => 1,
-    }
-}
-
 /// Each principal axis beside another axis of the body, or of the asked axes, so that all are as near as can be.
-fn tilts(estimate: &Estimate<Body>, options: &BudgetOptions) -> [AxisTilt; 3] {
+fn tilts(estimate: &Estimate<Body>, options: &Questions) -> [AxisTilt; 3] {
     const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
     let principal = estimate.principal();
     let unit = |k: usize| {
         let mut axis = [0.0; 3];
         axis[k] = 1.0;
-        match options.along {
+        match options.axes {
             Some(r) => r * Direction::from_array(axis),
             None => Direction::from_array(axis),
         }
@@ -245,7 +232,8 @@ fn tilts(estimate: &Estimate<Body>, options: &BudgetOptions) -> [AxisTilt; 3] {
         .fold(ORDERS[0], |best, order| if near(&order) > near(&best) { order } else { best });
     [0, 1, 2].map(|k| {
         let direction = unit(order[k]);
-        AxisTilt { from: order[k], direction, tilt: principal.tilt(estimate, k, direction) }
+        let unit = direction.direction().unwrap_or(direction);
+        AxisTilt { from: order[k], direction, tilt: principal.tilt_from(estimate, k, unit) }
     })
 }
 
@@ -269,7 +257,7 @@ fn results(
         asked.push((format!("i{}", k + 1), "kg·m²", ResultKind::Principal, principal.moment_gradient(k)));
     }
     for (k, AxisTilt { from, tilt, .. }) in tilts.iter().enumerate() {
-        if let Some(gradient) = tilt.and_then(|tilt| tilt.gradient) {
+        if let Some(gradient) = tilt.gradient {
             let name = format!("tilt of {} from {}", k + 1, AXES[*from]);
             asked.push((name, "rad", ResultKind::Principal, gradient));
         }

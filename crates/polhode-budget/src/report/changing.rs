@@ -8,7 +8,8 @@ use polhode_document::number::{number, tidy};
 use serde_json::{Value, json};
 
 use super::numbers::{rates, ten};
-use crate::{Burn, Change, Sequence, SequenceError, SequenceRow};
+use crate::tensor::rows;
+use crate::{Burn, Change, Sequence, SequenceError, SequenceRow, Tank};
 
 /// Parts of a full tank in the tables, and in JSON and pictures.
 const SHOWN_FILLS: usize = 4;
@@ -44,7 +45,7 @@ pub(crate) struct OverTime {
     configurations: Vec<Option<String>>,
     /// When something begins, ends or happens.
     happenings: Vec<(f64, String)>,
-    shown: Vec<SequenceRow>,
+    /// Rows of all stretches in which nothing begins or ends, each in [`PIECES`] pieces.
     pub all: Vec<SequenceRow>,
 }
 
@@ -56,7 +57,8 @@ impl Changing {
         until: Option<f64>,
     ) -> Result<Self, SequenceError> {
         let tanks =
-            (0..sequence.tanks.len()).map(|k| FilledTank::new(sequence, k)).collect::<Result<_, _>>()?;
+            (0..).zip(&sequence.tanks).map(|(k, (tank, mass))| FilledTank::new(sequence, k, tank, *mass));
+        let tanks = tanks.collect::<Result<_, _>>()?;
         let over_time = until.map(|until| OverTime::new(configuration, sequence, until)).transpose()?;
         Ok(Self { tanks, over_time })
     }
@@ -122,7 +124,7 @@ impl Changing {
                 data["rates"] = json!({
                     "mass": row.rates.mass,
                     "center_of_mass": row.rates.center_of_mass.to_array(),
-                    "inertia": symmetric(row.rates.inertia),
+                    "inertia": matrix(rows(row.rates.inertia)),
                 });
                 data
             };
@@ -146,10 +148,6 @@ fn row_to_json(row: &SequenceRow) -> Value {
     })
 }
 
-fn symmetric([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Value {
-    matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-}
-
 /// Headings of mass and centre, and of the tensor about it; and of their rates.
 const PLACE: [&str; 4] = ["M (kg)", "x (mm)", "y (mm)", "z (mm)"];
 const PLACE_RATES: [&str; 4] = ["dM/dt (kg/s)", "dx/dt (mm/s)", "dy/dt (mm/s)", "dz/dt (mm/s)"];
@@ -167,9 +165,8 @@ fn cells(values: [f64; 10]) -> [Vec<String>; 2] {
 }
 
 impl FilledTank {
-    fn new(sequence: &Sequence<'_>, k: usize) -> Result<Self, SequenceError> {
+    fn new(sequence: &Sequence<'_>, k: usize, tank: &Tank, at_first: f64) -> Result<Self, SequenceError> {
         let mut base = Sequence::of(sequence.budget, sequence.basis, sequence.tanks.iter().cloned());
-        let (tank, at_first) = sequence.tanks.get(k).ok_or_else(|| missing(k))?;
         let capacity = tank.liquid.capacity();
         base.burns = vec![Burn { tank: tank.name.clone(), from: 0.0, until: 1.0, flow: 1.0 }];
         let row = |j: usize| {
@@ -182,7 +179,7 @@ impl FilledTank {
             Ok((fill, level, more(base.at(0.0)?)))
         };
         let rows = (0..=FILLS).map(row).collect::<Result<_, SequenceError>>()?;
-        Ok(Self { name: tank.name.clone(), capacity, at_first: *at_first, rows })
+        Ok(Self { name: tank.name.clone(), capacity, at_first, rows })
     }
 
     fn add_to(&self, section: &mut Section) {
@@ -228,10 +225,6 @@ fn more(mut row: SequenceRow) -> SequenceRow {
     row
 }
 
-fn missing(k: usize) -> SequenceError {
-    SequenceError::MissingTank { tank: (k + 1).to_string() }
-}
-
 /// Which of some numbers changes most, relative to a size of it.
 fn greatest(
     points: &[(f64, [f64; 10])],
@@ -263,20 +256,22 @@ fn curve(
 
 impl OverTime {
     fn new(configuration: Option<&str>, sequence: &Sequence<'_>, until: f64) -> Result<Self, SequenceError> {
-        let [shown, all] = [SHOWN_PIECES, PIECES].map(|pieces| sequence.rows([0.0, until], pieces));
-        let quoted = |name: &str| printable(name);
+        let all = sequence.rows([0.0, until], PIECES)?;
         let mut happenings: Vec<(f64, String)> = Vec::new();
         for burn in &sequence.burns {
             let flow = number(burn.flow, DIGITS);
-            happenings.push((burn.from, format!("{flow} kg/s begin to leave {}", quoted(&burn.tank))));
-            happenings.push((burn.until, format!("{flow} kg/s cease to leave {}", quoted(&burn.tank))));
+            happenings.push((burn.from, format!("{flow} kg/s begin to leave {}", printable(&burn.tank))));
+            happenings.push((burn.until, format!("{flow} kg/s cease to leave {}", printable(&burn.tank))));
         }
         for change in &sequence.changes {
             let what = match change {
                 Change::Drop { rows, .. } => {
-                    format!("{} dropped", rows.iter().map(|row| quoted(row)).collect::<Vec<_>>().join(", "))
+                    format!(
+                        "{} dropped",
+                        rows.iter().map(|row| printable(row)).collect::<Vec<_>>().join(", ")
+                    )
                 }
-                Change::Become { name, .. } => format!("becomes {}", quoted(name)),
+                Change::Become { name, .. } => format!("becomes {}", printable(name)),
             };
             happenings.push((change.time(), what));
         }
@@ -292,7 +287,7 @@ impl OverTime {
                 Change::Become { name, .. } => Some(name.clone()),
             });
         }
-        Ok(Self { until, tanks, configurations, happenings, shown: shown?, all: all? })
+        Ok(Self { until, tanks, configurations, happenings, all })
     }
 
     /// The configuration that it is in a row.
@@ -308,7 +303,8 @@ impl OverTime {
             self.happenings.iter().map(|(time, what)| vec![seconds(*time), what.clone()]).collect(),
         );
         let mut shown: Vec<&SequenceRow> = Vec::new();
-        for row in &self.shown {
+        let stretches = self.all.chunks(PIECES + 1);
+        for row in stretches.flat_map(|stretch| stretch.iter().step_by(PIECES / SHOWN_PIECES)) {
             // Where a stretch ends and the next begins as it ended there is one row.
             let again = shown.last().is_some_and(|last| {
                 last.time == row.time && last.properties == row.properties && last.rates == row.rates

@@ -4,6 +4,7 @@ use polhode_document::Section;
 use polhode_document::number::{count, number};
 
 use super::case::{Case, Drawn};
+use super::limits::shown_unit;
 use crate::{ComparedNumber, NUMBERS};
 
 pub(crate) fn section(case: &Case) -> Option<Section> {
@@ -14,7 +15,7 @@ pub(crate) fn section(case: &Case) -> Option<Section> {
         "{draws} bodies, each made of possible parts, have errors as the list states them: masses are drawn log-normal, centres, places and tensors normal. What first order leaves out shows beside them."
     ));
     let row = |(k, n): (usize, &ComparedNumber)| {
-        let (unit, scale) = if n.unit == "m" { ("mm", 1e3) } else { (n.unit, 1.0) };
+        let (unit, scale) = shown_unit(n.unit);
         let shown = |x: f64, digits: usize| number(scale * x, digits);
         vec![
             n.name.to_owned(),
@@ -60,11 +61,11 @@ pub(crate) fn difference_in_words(case: &Case) -> Option<String> {
 /// Whether there is a liquid with errors.
 fn has_liquid(case: &Case) -> bool {
     let rows = case.budget.rows();
-    (0..rows.len()).any(|row| rows.is_uncertain_liquid(row))
+    (0..rows.len()).any(|row| rows.liquid(row).is_some())
 }
 
 /// Whether first order says what the error of a number is, by its place among those that are compared.
 fn is_comparable(case: &Case, k: usize) -> bool {
     let Some(moment) = k.checked_sub(NUMBERS.len()) else { return true };
-    case.drawn_principal().is_first_order(moment)
+    case.principal.is_first_order(moment)
 }

@@ -11,6 +11,10 @@ pub(crate) struct Found {
 }
 
 impl Found {
+    pub(crate) fn is_left_out(&self, limit: &Limit) -> bool {
+        self.left_out.iter().any(|(name, _)| *name == limit.name)
+    }
+
     pub(crate) fn new(budget: &Budget, ballast: &Ballast, limits: &[Limit]) -> Result<Self, BallastError> {
         let (mut sought, mut left_out) = (limits.to_vec(), Vec::new());
         loop {

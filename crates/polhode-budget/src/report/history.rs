@@ -48,7 +48,7 @@ pub(crate) fn files(file: &BudgetFile, basis: Basis, target: &Path) -> Result<[M
 /// Returns the failure of a motion. Most often nothing states where mass leaves.
 fn no_history(error: &SequenceError, over_time: &OverTime) -> Failure {
     let hint = match (error, &over_time.outflow) {
-        (SequenceError::Motion(_), Outflow::None) if !over_time.burns().is_empty() => {
+        (SequenceError::Motion(_), Outflow::None) if !over_time.burns.is_empty() => {
             "say where what leaves goes: [[exit]] with position, or in_place = true under [sequence]"
         }
         (SequenceError::Motion(_), Outflow::InPlace) => {

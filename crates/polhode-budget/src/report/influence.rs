@@ -7,7 +7,7 @@ use polhode_document::{Block, Section};
 
 use super::case::{Case, ResultKind, SpreadResult};
 use super::limits::shown_unit;
-use crate::{ErrorKind, Sensitivity, Source};
+use crate::{Sensitivity, Source};
 
 /// Bars of a result, and cells of the table.
 const BARS: usize = 6;
@@ -62,7 +62,7 @@ fn tornado(case: &Case, title: &str, caption: &'static str, results: &[&SpreadRe
                 from: -sd,
                 to: sd,
                 size: format!("{} %", number(100.0 * share(result, by), 2)),
-                kind: kind_place(by.kind),
+                kind: by.kind as usize,
             }
         };
         BarPanel {
@@ -81,23 +81,8 @@ fn tornado(case: &Case, title: &str, caption: &'static str, results: &[&SpreadRe
 
 const CAPTION: &str = "Each bar is as long as what one standard deviation of an error makes of the number, to both sides; beside it is its part of the variance.";
 
+/// Names of the kinds of errors, in their order.
 const KINDS: [&str; 6] = ["mass", "centre", "tensor", "position", "rotation", "density"];
-
-const fn kind_place(kind: ErrorKind) -> usize {
-    match kind {
-        ErrorKind::Mass => 0,
-        ErrorKind::Center => 1,
-        ErrorKind::Tensor => 2,
-        ErrorKind::Position => 3,
-        ErrorKind::Rotation => 4,
-        ErrorKind::Density => 5,
-    }
-}
-
-/// `mass`, `center`, …, as JSON has it.
-pub(crate) const fn kind_name(kind: ErrorKind) -> &'static str {
-    ["mass", "center", "tensor", "position", "rotation", "density"][kind_place(kind)]
-}
 
 /// A row or a group.
 pub(crate) fn source_name(case: &Case, by: &Sensitivity) -> String {
@@ -109,7 +94,7 @@ pub(crate) fn source_name(case: &Case, by: &Sensitivity) -> String {
 
 /// `battery, mass`
 fn named(case: &Case, by: &Sensitivity) -> String {
-    format!("{}, {}", source_name(case, by), KINDS[kind_place(by.kind)])
+    format!("{}, {}", source_name(case, by), KINDS[by.kind as usize])
 }
 
 pub(crate) fn share(result: &SpreadResult, by: &Sensitivity) -> f64 {

@@ -8,11 +8,14 @@ use polhode_document::finding;
 use polhode_document::json::{matrix, pretty, pretty_at};
 use serde_json::{Value, json};
 
-use super::case::{AXES, Case, Drawn, SpreadResult, ten};
+use super::ballast::OfCase;
+use super::case::{AXES, Case, Drawn, SpreadResult};
 use super::changing::Changing;
-use super::influence::{kind_name, share, source_name};
+use super::influence::{share, source_name};
+use super::numbers::ten;
 use super::whole::{asked, correlation};
-use super::{BudgetReport, ballast, basis_name, limits, parts, principal};
+use super::{BudgetReport, limits, parts, principal};
+use crate::tensor::rows;
 use crate::{Basis, ComparedNumber, Estimate, MassStatement, NUMBERS};
 
 /// Errors of a number that are told one by one; the rest is told as a sum.
@@ -55,7 +58,7 @@ impl BudgetReport {
             "kind": "budget",
             "title": self.title,
             "sources": self.sources,
-            "basis": basis_name(self.options.basis),
+            "basis": self.options.basis.name(),
             "configurations": self.cases.iter().map(|case| self.case_to_json(case, &rows(case))).collect::<Value>(),
             "findings": finding::to_json(&self.findings()),
         })
@@ -68,7 +71,7 @@ impl BudgetReport {
             "name": case.name,
             "mass": statement(&case.whole_statement()),
             "limits": limits::to_json(case, &self.limits),
-            "ballast": ballast::to_json(case, self.ballast.as_ref(), &self.limits),
+            "ballast": self.ballast.as_ref().and_then(|all| Some(OfCase::new(case, &self.limits)?.to_json(all))),
             "changing": case.changing.as_ref().map(Changing::to_json),
             "estimate": estimate_to_json(estimate),
             "basic": estimate_to_json(case.estimate(Basis::Basic)),
@@ -77,19 +80,19 @@ impl BudgetReport {
             "principal": principal_to_json(case, basis),
             "errors": case.results.iter().map(|result| errors(case, result)).collect::<Value>(),
             "draws": case.drawn.as_ref().map(|drawn| self.drawn_to_json(drawn)),
-            "picture": parts::solids(case, basis).map(|solids| solids.to_json()),
+            "picture": parts::solids(case, basis).to_json(),
             "rows": rows,
         })
     }
 
     fn asked_to_json(&self, estimate: &Estimate<Body>) -> Value {
         asked(estimate, &self.options).map_or(Value::Null, |asked| {
-            let [xx, yy, zz, xy, xz, yz] = asked.inertia;
+            let [_, x, y, z, inertia @ ..] = asked.numbers;
             json!({
                 "about": self.options.about.map(Position::to_array),
-                "axes": self.options.along.map(Rotation::matrix),
-                "center_of_mass": asked.place[1..],
-                "inertia": matrix([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]),
+                "axes": self.options.axes.map(Rotation::matrix),
+                "center_of_mass": [x, y, z],
+                "inertia": matrix(rows(inertia)),
                 "covariance": asked.covariance,
             })
         })
@@ -159,9 +162,9 @@ fn principal_to_json(case: &Case, basis: Basis) -> Value {
         json!({
             "from": AXES[axis.from],
             "direction": axis.direction.to_array(),
-            "angle": axis.tilt.map(|tilt| tilt.angle),
-            "sd": axis.tilt.and_then(|tilt| tilt.sd),
-            "axis_sd": axis.tilt.map(|tilt| tilt.axis_sd),
+            "angle": axis.tilt.angle,
+            "sd": axis.tilt.sd,
+            "axis_sd": axis.tilt.axis_sd,
         })
     };
     let moment_sd = [0, 1, 2].map(|k| principal::moment_sd(&found, k));
@@ -185,7 +188,7 @@ fn errors(case: &Case, result: &SpreadResult) -> Value {
     let one = |by: &crate::Sensitivity| {
         json!({
             "source": source_name(case, by),
-            "of": kind_name(by.kind),
+            "of": by.kind.name(),
             "variance": by.variance,
             "share": share(result, by),
         })

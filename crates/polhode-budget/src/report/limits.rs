@@ -5,7 +5,6 @@ use polhode_document::layout::printable;
 use polhode_document::number::{GROUP, count, number, with_error};
 use serde_json::{Value, json};
 
-use super::basis_name;
 use super::case::{Case, LEVEL};
 use crate::{Answer, Limit, LimitAnswers, Margin, Share};
 
@@ -72,16 +71,6 @@ pub(crate) fn broken<'a>(case: &'a Case, limits: &'a [Limit]) -> impl Iterator<I
     answers.zip(limits).filter(|(answer, _)| !answer.met).map(|(_, limit)| limit.name.as_str())
 }
 
-trait LeastMargin {
-    fn least_margin(&self) -> Option<Margin>;
-}
-
-impl LeastMargin for Answer {
-    fn least_margin(&self) -> Option<Margin> {
-        self.margins.into_iter().flatten().min_by(|a, b| a.value.total_cmp(&b.value))
-    }
-}
-
 pub(crate) fn shown_unit(unit: &'static str) -> (&'static str, f64) {
     match unit {
         "m" => ("mm", 1e3),
@@ -140,7 +129,7 @@ pub(crate) fn to_json(case: &Case, limits: &[Limit]) -> Value {
         json!({
             "name": limit.name,
             "unit": limit.of.unit(),
-            "basis": basis_name(limit.basis),
+            "basis": limit.basis.name(),
             "least": limit.least,
             "most": limit.most,
             "value": answer.value.ok(),

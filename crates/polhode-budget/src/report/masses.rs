@@ -48,70 +48,50 @@ pub(crate) fn margin_in_words(case: &Case) -> Option<String> {
 
 /// Rows by the row in which they stand.
 struct Tree {
-    /// Start of the children of each row in `children`; they end at the next start.
-    starts: Vec<u32>,
-    children: Vec<u32>,
-    depth: Vec<u32>,
+    children: Vec<Vec<usize>>,
+    depth: Vec<usize>,
     /// Each row before those in it, and all in it before its next sibling.
-    order: Vec<u32>,
+    order: Vec<usize>,
 }
 
 impl Tree {
     fn of(case: &Case) -> Self {
         let (budget, count) = (&case.budget, case.statements.len());
-        let mut starts = vec![0; count + 1];
-        (0..count).filter_map(|k| budget.parent(k)).for_each(|parent| starts[parent + 1] += 1);
-        (0..count).for_each(|k| starts[k + 1] += starts[k]);
-        let mut children = vec![0; starts[count] as usize];
-        let mut next = starts.clone();
-        for k in 0..count {
-            if let Some(parent) = budget.parent(k) {
-                children[next[parent] as usize] = k as u32; // a budget has fewer than 2³² rows
-                next[parent] += 1;
-            }
+        let mut children = vec![Vec::new(); count];
+        for (k, parent) in (0..count).filter_map(|k| Some((k, budget.parent(k)?))) {
+            children[parent].push(k);
         }
-        let mut tree = Self { starts, children, depth: vec![0; count], order: Vec::with_capacity(count) };
+        let (mut depth, mut order) = (vec![0; count], Vec::with_capacity(count));
         let mut open = vec![budget.root()];
         while let Some(k) = open.pop() {
-            tree.order.push(k as u32);
-            let depth = tree.depth[k] + 1;
-            for at in (tree.starts[k] as usize..tree.starts[k + 1] as usize).rev() {
-                let child = tree.children[at] as usize;
-                tree.depth[child] = depth;
+            order.push(k);
+            for &child in children[k].iter().rev() {
+                depth[child] = depth[k] + 1;
                 open.push(child);
             }
         }
-        tree
-    }
-
-    /// The rows in a row.
-    fn inside(&self, row: usize) -> impl ExactSizeIterator<Item = usize> + '_ {
-        let range = self.starts[row] as usize..self.starts[row + 1] as usize;
-        self.children[range].iter().map(|child| *child as usize)
-    }
-
-    fn order(&self) -> impl Iterator<Item = usize> + '_ {
-        self.order.iter().map(|row| *row as usize)
+        Self { children, depth, order }
     }
 
     /// So many levels as there is room for, of a level too long its heaviest rows, and whatever is too heavy.
     fn shown(&self, case: &Case) -> Vec<usize> {
         let deepest = self.depth.iter().copied().max().unwrap_or(0);
         // How many rows are at most so deep.
-        let mut within = vec![0; deepest as usize + 1];
-        self.depth.iter().for_each(|depth| within[*depth as usize] += 1);
+        let mut within = vec![0; deepest + 1];
+        self.depth.iter().for_each(|depth| within[*depth] += 1);
         (1..within.len()).for_each(|level| within[level] += within[level - 1]);
-        let level = within.iter().rposition(|count| *count <= SHOWN).unwrap_or(0) as u32;
+        let level = within.iter().rposition(|count| *count <= SHOWN).unwrap_or(0);
         let mut is_shown: Vec<bool> = self.depth.iter().map(|depth| *depth <= level).collect();
-        let mut heaviest: Vec<usize> = self.order().filter(|&k| self.depth[k] == level + 1).collect();
+        let ordered = || self.order.iter().copied();
+        let mut heaviest: Vec<usize> = ordered().filter(|&k| self.depth[k] == level + 1).collect();
         heaviest.sort_by(|&a, &b| case.statements[b].predicted.total_cmp(&case.statements[a].predicted));
-        let room = SHOWN.saturating_sub(within[level as usize]);
+        let room = SHOWN.saturating_sub(within[level]);
         heaviest
             .iter()
             .take(room)
             .chain(&case.exceeded().take(SHOWN).collect::<Vec<_>>())
             .for_each(|&k| is_shown[k] = true);
-        self.order().filter(|&k| is_shown[k]).collect()
+        ordered().filter(|&k| is_shown[k]).collect()
     }
 }
 
@@ -130,7 +110,7 @@ fn table(section: &mut Section, case: &Case, tree: &Tree, shown: &[usize]) {
         // What a path says before is said by where the row stands.
         let parent = case.budget.parent(k).map(|parent| rows.name(parent));
         let short = parent.and_then(|parent| name.strip_prefix(parent)?.strip_prefix('/')).unwrap_or(name);
-        format!("{}{}", INDENT.to_string().repeat(2 * tree.depth[k] as usize), printable(short))
+        format!("{}{}", INDENT.to_string().repeat(2 * tree.depth[k]), printable(short))
     };
     let masses = |of: &dyn Fn(&MassStatement) -> Option<f64>| -> Vec<String> {
         let values: Vec<Option<f64>> = statements.iter().map(|statement| of(statement)).collect();
@@ -173,11 +153,12 @@ fn waterfall(case: &Case, tree: &Tree) -> Bars {
     while let Some((place, &k)) = front
         .iter()
         .enumerate()
-        .filter(|(_, k)| tree.inside(**k).len() > 0 && !rows.has_part(**k) && rows.quantity(**k).count == 1)
-        .filter(|(_, k)| front.len() - 1 + tree.inside(**k).len() <= BARS)
+        .filter(|(_, k)| !tree.children[**k].is_empty() && !rows.has_part(**k))
+        .filter(|(_, k)| rows.quantity(**k).count == 1)
+        .filter(|(_, k)| front.len() - 1 + tree.children[**k].len() <= BARS)
         .max_by(|(_, a), (_, b)| case.statements[**a].basic.total_cmp(&case.statements[**b].basic))
     {
-        front.splice(place..=place, tree.inside(k));
+        front.splice(place..=place, tree.children[k].iter().copied());
     }
     let mut bars: Vec<Bar> = Vec::new();
     let mut sum = 0.0;

@@ -23,37 +23,21 @@ mod whole;
 pub mod workbook;
 
 use polhode::body::{Finding, Severity};
-use polhode::math::{Body, Part, Position, Rotation};
 use polhode_document::layout::printable;
 use polhode_document::number::{GROUP, count, number, with_error};
 use polhode_document::{Document, Section};
 
-use crate::read::Prescribed;
+use crate::read::{Prescribed, Questions};
 use crate::{
     Ballast, BallastError, Basis, Budget, BudgetError, Limit, LimitError, RowName, Sequence, SequenceError,
 };
+use ballast::OfCase;
 use case::Case;
 use changing::Changing;
 use found::Found;
 
-pub use body::{NoConfiguration, NoPlan, PlanOptions};
 pub use diff::BudgetDiff;
 pub use of_file::Scope;
-
-/// What is asked of a parts list.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BudgetOptions {
-    /// Which masses count.
-    pub basis: Basis,
-    /// A point that the tensor is wanted about, besides the centre of mass.
-    pub about: Option<Position<Body>>,
-    /// Axes that it is wanted along, and that tilts are from: R_body_axes.
-    pub along: Option<Rotation<Body, Part>>,
-    /// How many possible bodies are drawn; none of 0.
-    pub draws: usize,
-    /// Of the draws.
-    pub seed: u64,
-}
 
 /// Statements of a parts list besides its rows and its limits.
 #[derive(Clone, Debug, Default)]
@@ -70,7 +54,7 @@ pub struct BudgetReport {
     title: String,
     /// What was read, line by line.
     sources: Vec<String>,
-    options: BudgetOptions,
+    options: Questions,
     limits: Vec<Limit>,
     ballast: Option<Ballast>,
     /// What it says besides, for differences.
@@ -81,14 +65,17 @@ pub struct BudgetReport {
 impl BudgetReport {
     /// Computes what is asked of each configuration, at least one, and tries the limits by its draws, if there are any; `sources` say what was read.
     ///
+    /// Without a number of draws none are drawn.
+    ///
     /// # Errors
-    /// As [`Budget::estimate`], [`Budget::draws`] and [`Budget::limits`], and if the point of [`BudgetOptions::about`] is so far that the tensor about it is no number.
+    /// As [`Budget::estimate`], [`Budget::draws`] and [`Budget::limits`], and if the point of
+    /// [`Questions::about`] is so far that the tensor about it is not finite.
     pub fn new(
         title: Option<&str>,
         sources: Vec<String>,
         configurations: Vec<(Option<String>, Budget)>,
         limits: Vec<Limit>,
-        options: BudgetOptions,
+        options: Questions,
     ) -> Result<Self, LimitError> {
         Self::watched(title, sources, configurations, limits, options, &mut |_| ())
     }
@@ -103,7 +90,7 @@ impl BudgetReport {
         sources: Vec<String>,
         configurations: Vec<(Option<String>, Budget)>,
         limits: Vec<Limit>,
-        options: BudgetOptions,
+        options: Questions,
         reached: &mut dyn FnMut(usize),
     ) -> Result<Self, LimitError> {
         let case = |(name, budget)| Case::new(name, budget, &limits, &options, reached);
@@ -192,7 +179,7 @@ impl BudgetReport {
     /// The ten numbers of each drawn body, in the order of [`NUMBERS`](crate::NUMBERS), of each configuration; none without draws.
     pub fn draws(&self) -> impl Iterator<Item = Vec<[f64; 10]>> + '_ {
         let bodies = |case: &Case| match &case.drawn {
-            Some(drawn) => drawn.draws.bodies.iter().map(case::ten).collect(),
+            Some(drawn) => drawn.draws.bodies.iter().map(numbers::ten).collect(),
             None => Vec::new(),
         };
         self.cases.iter().map(bodies)
@@ -207,7 +194,9 @@ impl BudgetReport {
         }
         for case in &self.cases {
             let mut of_case: Vec<Section> = limits::section(case, &self.limits).into_iter().collect();
-            of_case.extend(self.ballast.as_ref().and_then(|all| ballast::section(case, all, &self.limits)));
+            of_case.extend(
+                self.ballast.as_ref().and_then(|all| Some(OfCase::new(case, &self.limits)?.section(all))),
+            );
             of_case.extend([
                 masses::section(case),
                 whole::section(case, &self.options),
@@ -216,7 +205,7 @@ impl BudgetReport {
             of_case.extend(case.changing.iter().flat_map(Changing::sections));
             of_case.extend(influence::section(case));
             of_case.extend(compared::section(case));
-            of_case.extend(parts::section(case, basis));
+            of_case.push(parts::section(case, basis));
             if let Some(name) = case.name.as_ref().filter(|_| self.cases.len() > 1) {
                 for section in &mut of_case {
                     section.title = format!("{}: {}", printable(name), section.title);
@@ -238,23 +227,23 @@ impl BudgetReport {
 
     fn answer(&self, case: &Case) -> Vec<String> {
         let basis = self.options.basis;
-        if let Some(name) = case.name.as_deref().filter(|_| self.cases.len() > 1) {
+        let name = case.name.as_deref().filter(|_| self.cases.len() > 1);
+        let center = whole::center_in_words(case, basis);
+        let mut lines = if name.is_some() {
             let estimate = case.estimate(basis);
             let mass = with_error(estimate.properties.mass(), estimate.sd(0));
-            let mut parts =
-                vec![format!("{} mass {mass} kg", basis_name(basis)), whole::center_in_words(case, basis)];
-            parts.extend(limits::answer_in_words(case));
-            parts.extend(ballast::in_words(case, &self.limits));
-            parts.extend(case.changing.as_ref().and_then(Changing::in_words));
-            return vec![format!("{}: {}", printable(name), parts.join("; "))];
-        }
-        let mut lines = vec![mass_in_words(case), whole::center_in_words(case, basis)];
-        lines.push(principal::in_words(case, &case.principal(basis)));
-        lines.extend(masses::margin_in_words(case));
+            vec![format!("{} mass {mass} kg", basis.name()), center]
+        } else {
+            let moments = principal::in_words(case, &case.principal(basis));
+            [mass_in_words(case), center, moments].into_iter().chain(masses::margin_in_words(case)).collect()
+        };
         lines.extend(limits::answer_in_words(case));
-        lines.extend(ballast::in_words(case, &self.limits));
+        lines.extend(OfCase::new(case, &self.limits).map(OfCase::in_words));
         lines.extend(case.changing.as_ref().and_then(Changing::in_words));
-        lines
+        match name {
+            Some(name) => vec![format!("{}: {}", printable(name), lines.join("; "))],
+            None => lines,
+        }
     }
 
     fn findings(&self) -> Vec<Finding> {
@@ -301,11 +290,11 @@ impl BudgetReport {
 }
 
 /// Refuses a point so far that the tensor about it, or its variance, is no number.
-fn about_in_range(case: &Case, options: &BudgetOptions) -> Result<(), BudgetError> {
+fn about_in_range(case: &Case, options: &Questions) -> Result<(), BudgetError> {
     let Some(point) = options.about else { return Ok(()) };
     let asked = whole::asked(case.estimate(options.basis), options);
     let is_finite = |asked: whole::Asked| {
-        asked.place.iter().chain(&asked.inertia).chain(asked.covariance.as_flattened()).all(|x| x.is_finite())
+        asked.numbers.iter().chain(asked.covariance.as_flattened()).all(|x| x.is_finite())
     };
     if asked.is_none_or(is_finite) {
         return Ok(());
@@ -335,11 +324,4 @@ fn mass_in_words(case: &Case) -> String {
         number(allowance, 4),
         number(100.0 * allowance / whole.basic, 3)
     )
-}
-
-const fn basis_name(basis: Basis) -> &'static str {
-    match basis {
-        Basis::Basic => "basic",
-        Basis::Predicted => "predicted",
-    }
 }

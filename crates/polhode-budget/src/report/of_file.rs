@@ -2,7 +2,8 @@
 
 use polhode_source::Failure;
 
-use super::{BudgetOptions, BudgetReport, NoConfiguration, Statements};
+use super::body::no_configuration;
+use super::{BudgetReport, Statements};
 use crate::read::{BudgetFile, Questions};
 
 /// Extent of a report.
@@ -45,36 +46,26 @@ impl BudgetReport {
         let BudgetFile { title, configurations, limits, ballast, prescribed, .. } = file;
         let mut all: Vec<_> = configurations.into_iter().map(|one| (one.name, one.budget)).collect();
         if let Some(wanted) = configuration {
-            let names = all.iter().filter_map(|(name, _)| name.clone()).collect();
-            all.retain(|(name, _)| name.as_deref() == Some(wanted));
-            if all.is_empty() {
-                let why = NoConfiguration { asked: Some(wanted.to_owned()), names };
-                return Err(Failure::usage(why.to_string(), why.hint()));
+            if all.iter().all(|(name, _)| name.as_deref() != Some(wanted)) {
+                let names: Vec<&str> = all.iter().filter_map(|(name, _)| name.as_deref()).collect();
+                return Err(no_configuration(Some(wanted), &names));
             }
+            all.retain(|(name, _)| name.as_deref() == Some(wanted));
         }
         let rows = all.iter().map(|(_, budget)| budget.rows().len()).max().unwrap_or(0);
         let draws = || questions.draws.unwrap_or_else(|| Self::affordable_draws(rows));
-        let options = BudgetOptions {
-            basis: questions.basis,
-            about: questions.about,
-            along: questions.axes,
-            draws: if is_drawn { draws() } else { 0 },
-            seed: questions.seed,
-        };
-        let (basis, count) = (options.basis, options.draws);
+        let count = if is_drawn { draws() } else { 0 };
+        let options = Questions { draws: Some(count), ..questions.clone() };
         let mut drawn = |drawn| reached(drawn, count);
-        let mut report = Self::watched(title.as_deref(), sources, all, limits, options, &mut drawn)
-            .map_err(|error| Failure::usage(error.to_string(), error.hint().unwrap_or_default()))?;
+        let mut report = Self::watched(title.as_deref(), sources, all, limits, options, &mut drawn)?;
         if scope == Scope::Diff {
             return Ok(report.with_statements(Statements { draws: Some(stated), ballast, prescribed }));
         }
         for name in report.names() {
             let Some(prescribed) = prescribed.as_ref().filter(|_| has_states) else { break };
-            let Some(sequence) = prescribed.sequence(name.as_deref(), basis) else { continue };
+            let Some(sequence) = prescribed.sequence(name.as_deref(), questions.basis) else { continue };
             let over_time = prescribed.over_time.as_ref().filter(|all| all.configuration == name);
-            report = report
-                .with_sequence(name.as_deref(), &sequence, over_time.map(|all| all.until))
-                .map_err(|error| Failure::usage(error.to_string(), error.hint().unwrap_or_default()))?;
+            report = report.with_sequence(name.as_deref(), &sequence, over_time.map(|all| all.until))?;
         }
         match ballast.filter(|_| scope == Scope::Full) {
             None => Ok(report),

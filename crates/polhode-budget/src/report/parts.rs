@@ -19,10 +19,9 @@ const SHORT: f64 = 10.0;
 /// Groups that have a colour.
 const GROUPS: usize = 7;
 
-/// `None` of a list whose parts are no numbers.
-pub(crate) fn section(case: &Case, basis: Basis) -> Option<Section> {
+pub(crate) fn section(case: &Case, basis: Basis) -> Section {
     let mut section = Section::new(6, "Where the parts are");
-    let drawn = solids(case, basis)?;
+    let drawn = solids(case, basis);
     let extent =
         drawn.solids.iter().flat_map(|solid| solid.center).fold(0.0_f64, |most, x| most.max(x.abs()));
     let (unit, scale) = if extent < SHORT { ("mm", 1e3) } else { ("m", 1.0) };
@@ -41,11 +40,11 @@ pub(crate) fn section(case: &Case, basis: Basis) -> Option<Section> {
     if drawn.solids.iter().any(is_somewhere) {
         section.draw(Drawing::Solids(drawn));
     }
-    Some(section)
+    section
 }
 
-pub(crate) fn solids(case: &Case, basis: Basis) -> Option<Solids> {
-    let (left_out, all) = heaviest(case, basis)?;
+pub(crate) fn solids(case: &Case, basis: Basis) -> Solids {
+    let (left_out, all) = heaviest(case, basis);
     let head = |(k, _): &(usize, MassProperties<Body>)| head(case, *k);
     let heads: Vec<usize> = all.iter().map(head).collect();
     let mut groups: Vec<usize> = Vec::new();
@@ -66,7 +65,7 @@ pub(crate) fn solids(case: &Case, basis: Basis) -> Option<Solids> {
         0 => String::new(),
         n => format!(" Of all parts the {MOST} heaviest are drawn, and {} are not.", count(n as u64)),
     };
-    Some(Solids {
+    Solids {
         title: "Parts, centre of mass and principal axes".to_owned(),
         caption: format!(
             "Each part is drawn as the box that has its mass, centre of mass and inertia tensor; a point is a small cube. All views but the last have one scale.{of_many}"
@@ -75,17 +74,19 @@ pub(crate) fn solids(case: &Case, basis: Basis) -> Option<Solids> {
         groups: groups.iter().map(|&k| case.short(k).to_owned()).collect(),
         center: whole.center_of_mass().to_array(),
         axes: [0, 1, 2].map(|k| frame.axis(k).to_array()),
-    })
+    }
 }
 
 /// Row and mass properties of a part.
 type Part = (usize, MassProperties<Body>);
 
-/// The parts with the greatest masses, the greatest first, and how many others there are; `None` if one overflows.
-fn heaviest(case: &Case, basis: Basis) -> Option<(usize, Vec<Part>)> {
+/// The parts with the greatest masses, the greatest first, and how many others there are.
+fn heaviest(case: &Case, basis: Basis) -> (usize, Vec<Part>) {
+    // Parts that overflow make no report.
+    let own = |k: usize| case.budget.own(k, basis).ok().flatten();
     let (mut masses, mut count) = (Vec::new(), 0);
     for k in 0..case.budget.rows().len() {
-        let Some(part) = case.budget.own(k, basis).ok()? else { continue };
+        let Some(part) = own(k) else { continue };
         count += 1;
         masses.push((k, part.mass()));
         if masses.len() > 2 * MOST {
@@ -93,8 +94,8 @@ fn heaviest(case: &Case, basis: Basis) -> Option<(usize, Vec<Part>)> {
         }
     }
     shorten(&mut masses);
-    let parts = masses.into_iter().map(|(k, _)| Some((k, case.budget.own(k, basis).ok()??)));
-    Some((count - count.min(MOST), parts.collect::<Option<_>>()?))
+    let parts = masses.into_iter().filter_map(|(k, _)| Some((k, own(k)?)));
+    (count - count.min(MOST), parts.collect())
 }
 
 fn shorten(masses: &mut Vec<(usize, f64)>) {

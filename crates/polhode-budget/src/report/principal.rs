@@ -6,9 +6,9 @@ use polhode_document::Section;
 use polhode_document::drawing::{Drawing, Triangle};
 use polhode_document::number::{number, with_error};
 
-use super::BudgetOptions;
-use super::case::{AXES, Case};
+use super::case::{AXES, AxisTilt, Case};
 use crate::PrincipalUncertainty;
+use crate::read::Questions;
 
 /// Probabilities of the regions of moments: one and two standard deviations of one number.
 const PROBABILITIES: [f64; 2] = [0.68, 0.95];
@@ -19,7 +19,7 @@ const DOTS: usize = 800;
 /// From this turn on (rad) first order says nothing of axes.
 const FAR: f64 = 0.3;
 
-pub(crate) fn section(case: &Case, options: &BudgetOptions) -> Section {
+pub(crate) fn section(case: &Case, options: &Questions) -> Section {
     let mut section = Section::new(3, "Principal moments and axes");
     let principal = case.principal(options.basis);
     let row = |k: usize| vec![format!("i{}", k + 1), moment(case, &principal, k), "kg·m²".to_owned()];
@@ -48,12 +48,11 @@ pub(crate) fn section(case: &Case, options: &BudgetOptions) -> Section {
             return cells;
         }
         let [x, y, z] = principal.frame.axis(k).to_array().map(|x| format!("{x:.5}"));
-        let tilt = &case.tilts[k];
-        let (angle, sd) = tilt.tilt.map_or((f64::NAN, None), |tilt| (tilt.angle, tilt.sd));
-        let mut cells = vec![format!("axis {}", k + 1), x, y, z, AXES[tilt.from].to_owned()];
-        cells.push(match sd.filter(|sd| *sd < FAR) {
-            Some(sd) => with_error(angle.to_degrees(), sd.to_degrees()),
-            None => number(angle.to_degrees(), 3),
+        let AxisTilt { from, tilt, .. } = &case.tilts[k];
+        let mut cells = vec![format!("axis {}", k + 1), x, y, z, AXES[*from].to_owned()];
+        cells.push(match tilt.sd.filter(|sd| *sd < FAR) {
+            Some(sd) => with_error(tilt.angle.to_degrees(), sd.to_degrees()),
+            None => number(tilt.angle.to_degrees(), 3),
         });
         if let Some(all) = quantiles {
             cells.push(all[k].map_or_else(String::new, |all| {
@@ -68,7 +67,7 @@ pub(crate) fn section(case: &Case, options: &BudgetOptions) -> Section {
         headers.push("5, 50, 95 % of draws");
     }
     section.table(&headers, (0..3).map(row).collect());
-    if options.along.is_some() {
+    if options.axes.is_some() {
         section.say(
             "Tilts are from the axes that were asked for; x, y and z of an axis are along those of the body.",
         );

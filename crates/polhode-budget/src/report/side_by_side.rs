@@ -2,12 +2,13 @@
 
 use polhode_document::Section;
 use polhode_document::layout::printable;
-use polhode_document::number::{tidy, with_error};
+use polhode_document::number::with_error;
 
-use super::case::{Case, ten};
+use super::case::Case;
+use super::numbers::{shown, ten, tidied};
 use super::principal;
-use super::whole::length;
-use crate::{Basis, NUMBERS};
+use super::whole::unit_of_length;
+use crate::Basis;
 
 pub(crate) fn section(cases: &[Case], basis: Basis) -> Section {
     let mut section = Section::new(1, "The configurations beside each other");
@@ -17,23 +18,20 @@ pub(crate) fn section(cases: &[Case], basis: Basis) -> Section {
     headers.extend(names.iter().map(String::as_str));
     headers.push("unit");
     // Of one unit, whatever is longest.
-    let (short, scale) = cases
+    let length = cases
         .iter()
-        .map(|case| length(case.estimate(basis)))
+        .map(|case| unit_of_length(case.estimate(basis)))
         .fold(("mm", 1e3), |all, one| if one.1 < all.1 { one } else { all });
     let mut rows: Vec<Vec<String>> = Vec::new();
     let mut row = |name: &str, unit: &str, cell: &dyn Fn(&Case) -> String| {
         let cells = cases.iter().map(cell);
         rows.push([name.to_owned()].into_iter().chain(cells).chain([unit.to_owned()]).collect());
     };
-    for (k, (name, unit)) in NUMBERS.iter().enumerate() {
-        let (unit, scale) = if *unit == "m" { (short, scale) } else { (*unit, 1.0) };
+    for k in 0..10 {
+        let (name, unit, scale) = shown(k, length);
         row(name, unit, &|case| {
             let estimate = case.estimate(basis);
-            let mut values = ten(&estimate.properties);
-            let center = tidy([values[1], values[2], values[3]]);
-            values[1..4].copy_from_slice(&center);
-            with_error(scale * values[k], scale * estimate.sd(k))
+            with_error(scale * tidied(ten(&estimate.properties))[k], scale * estimate.sd(k))
         });
     }
     for k in 0..3 {

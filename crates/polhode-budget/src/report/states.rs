@@ -9,19 +9,6 @@ use super::table::to_csv;
 use super::workbook::Cell;
 use crate::SequenceRow;
 
-/// What a kilogram more in the tank makes of all but the mass.
-const PER_KG: [&str; 9] = [
-    "center_x_m_per_kg",
-    "center_y_m_per_kg",
-    "center_z_m_per_kg",
-    "inertia_xx_kg_m2_per_kg",
-    "inertia_yy_kg_m2_per_kg",
-    "inertia_zz_kg_m2_per_kg",
-    "inertia_xy_kg_m2_per_kg",
-    "inertia_xz_kg_m2_per_kg",
-    "inertia_yz_kg_m2_per_kg",
-];
-
 /// Times, the ten numbers and their rates, with headings.
 pub(crate) fn history(rows: &[SequenceRow]) -> Vec<Vec<Cell>> {
     let headings = MassRow::COLUMNS.iter().chain(&MassRow::RATE_COLUMNS).map(|name| Cell::of(name));
@@ -64,9 +51,11 @@ impl BudgetReport {
 
     pub(crate) fn by_fill(&self) -> Option<Vec<Vec<Cell>>> {
         let columns = ["configuration", "tank", "fill", "liquid_kg", "level_m"];
-        let mut table = vec![
-            columns.iter().chain(&MassRow::COLUMNS[1..]).chain(&PER_KG).map(|name| Cell::of(name)).collect(),
-        ];
+        let [_, numbers @ ..] = &MassRow::COLUMNS;
+        let headings = columns.iter().chain(numbers).map(|name| Cell::of(name));
+        // What a kilogram more in the tank makes of all but the mass.
+        let per_kg = numbers.iter().skip(1).map(|name| Cell::Text(format!("{name}_per_kg")));
+        let mut table = vec![headings.chain(per_kg).collect()];
         for case in &self.cases {
             let tanks = case.changing.iter().flat_map(Changing::by_fill);
             table.extend(tanks.map(|(tank, fill, liquid, level, row)| {

@@ -5,10 +5,11 @@ use std::io;
 use polhode_document::csv_name;
 use polhode_document::number::exact;
 
-use super::case::{Case, ten};
+use super::BudgetReport;
+use super::case::Case;
+use super::numbers::ten;
 use super::workbook::{Cell, Sheet};
-use super::{BudgetReport, basis_name};
-use crate::{Basis, BudgetError, NUMBERS};
+use crate::{Basis, NUMBERS};
 
 /// What stands above the columns.
 const COLUMNS: [&str; 19] = [
@@ -39,11 +40,9 @@ impl BudgetReport {
     /// its own centre of mass with Ixy = −∫ x y dm.
     ///
     /// # Errors
-    /// As [`crate::Budget::subtrees`]; inside those of `out`.
-    pub fn write_csv(&self, out: &mut dyn io::Write) -> Result<io::Result<()>, BudgetError> {
-        if let Err(error) = out.write_all(line(&headings(&COLUMNS)).as_bytes()) {
-            return Ok(Err(error));
-        }
+    /// Those of `out`.
+    pub fn write_csv(&self, out: &mut dyn io::Write) -> io::Result<()> {
+        out.write_all(line(&headings(&COLUMNS)).as_bytes())?;
         self.each_row(&mut |row| out.write_all(line(&row).as_bytes()))
     }
 
@@ -51,16 +50,13 @@ impl BudgetReport {
     /// errors and covariance, and the body over time and by what is in its tanks, as far as known.
     ///
     /// # Errors
-    /// As [`crate::Budget::subtrees`].
-    pub fn to_sheets(&self) -> Result<Vec<Sheet>, BudgetError> {
+    /// None of a report, of which all rows have been summed.
+    pub(crate) fn to_sheets(&self) -> io::Result<Vec<Sheet>> {
         let mut parts = vec![headings(&COLUMNS)];
-        let written = self.each_row(&mut |row| {
+        self.each_row(&mut |row| {
             parts.push(row);
             Ok(())
         })?;
-        if written.is_err() {
-            return Ok(Vec::new()); // a list takes all rows
-        }
         let mut whole = vec![headings(&["configuration", "basis", "number", "unit", "value", "sd"])];
         let mut names = vec!["configuration", "basis", "covariance of", "unit"];
         names.extend(NUMBERS.iter().map(|(name, _)| *name));
@@ -71,7 +67,7 @@ impl BudgetReport {
             for (k, (name, unit)) in NUMBERS.iter().enumerate() {
                 let row = [
                     Cell::of_option(case.name.as_deref()),
-                    Cell::of(basis_name(basis)),
+                    Cell::of(basis.name()),
                     Cell::of(name),
                     Cell::of(unit),
                 ];
@@ -92,13 +88,10 @@ impl BudgetReport {
         Ok(all)
     }
 
-    fn each_row(
-        &self,
-        each: &mut dyn FnMut(Vec<Cell>) -> io::Result<()>,
-    ) -> Result<io::Result<()>, BudgetError> {
+    fn each_row(&self, each: &mut dyn FnMut(Vec<Cell>) -> io::Result<()>) -> io::Result<()> {
         let basis = self.options.basis;
         for case in &self.cases {
-            let subtrees = case.budget.subtrees(basis)?;
+            let subtrees = case.budget.subtrees(basis).map_err(io::Error::other)?;
             let rows = case.budget.rows();
             for (k, statement) in case.statements.iter().enumerate() {
                 let number = |number: Option<f64>| number.map_or(Cell::Empty, Cell::Number);
@@ -112,16 +105,14 @@ impl BudgetReport {
                     Cell::Number(statement.predicted),
                     number(statement.allowable),
                     number(statement.margin()),
-                    Cell::of(basis_name(basis)),
+                    Cell::of(basis.name()),
                 ];
-                let numbers = subtrees.of(k)?.as_ref().map(ten);
+                let numbers = subtrees.of(k).map_err(io::Error::other)?.as_ref().map(ten);
                 cells.extend((0..10).map(|k| number(numbers.map(|numbers| numbers[k]))));
-                if let Err(error) = each(cells) {
-                    return Ok(Err(error));
-                }
+                each(cells)?;
             }
         }
-        Ok(Ok(()))
+        Ok(())
     }
 }
 

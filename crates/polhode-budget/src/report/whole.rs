@@ -1,32 +1,31 @@
 //! Mass, centre and tensor of the whole.
 
-use polhode::math::{Frame, Rotation};
+use polhode::math::{Body, Frame, Rotation};
 use polhode_document::Section;
 use polhode_document::drawing::{Correlations, Drawing};
 use polhode_document::number::{number, tidy, with_error};
 
-use super::case::{Case, ten};
-use super::{BudgetOptions, basis_name};
+use super::case::Case;
+use super::numbers::{shown, ten, tidied};
+use crate::read::Questions;
+use crate::tensor::elements;
 use crate::{Basis, Estimate, EstimateAbout, NUMBERS};
 
 /// Where lengths are read in mm, m.
 const SHORT: f64 = 10.0;
 
-pub(crate) fn section(case: &Case, options: &BudgetOptions) -> Section {
+pub(crate) fn section(case: &Case, options: &Questions) -> Section {
     let mut section = Section::new(2, "Mass properties of the whole");
     let estimate = case.estimate(options.basis);
     if case.grows() {
-        section.say(format!("Of {} masses.", basis_name(options.basis)));
+        section.say(format!("Of {} masses.", options.basis.name()));
     }
     section.say("The tensor is about the centre of mass, along the axes of the body; Ixy = −∫ x y dm. After ± is the standard deviation.");
     let values = ten(&estimate.properties);
     numbers(&mut section, &values, &estimate.covariance);
     if let Some(about) = asked(estimate, options) {
         section.say(asked_in_words(options));
-        let matrix = about.inertia;
-        let [xx, yy, zz, xy, xz, yz] = matrix;
-        let [mass, x, y, z] = about.place;
-        numbers(&mut section, &[mass, x, y, z, xx, yy, zz, xy, xz, yz], &about.covariance);
+        numbers(&mut section, &about.numbers, &about.covariance);
     }
     correlations(&mut section, &estimate.covariance);
     section
@@ -35,46 +34,38 @@ pub(crate) fn section(case: &Case, options: &BudgetOptions) -> Section {
 /// `Centre of mass (1.2 ± 0.3, −0.4 ± 0.3, 102.1 ± 0.8) mm`
 pub(crate) fn center_in_words(case: &Case, basis: Basis) -> String {
     let estimate = case.estimate(basis);
-    let (unit, scale) = length(estimate);
+    let (unit, scale) = unit_of_length(estimate);
     let center = tidy(estimate.properties.center_of_mass().to_array());
     let each = [0, 1, 2].map(|k| with_error(scale * center[k], scale * estimate.sd(k + 1)));
     format!("Centre of mass ({}) {unit}", each.join(", "))
 }
 
 /// The unit of the centre, and how many of it are one m.
-pub(crate) fn length<F: Frame>(estimate: &Estimate<F>) -> (&'static str, f64) {
+pub(crate) fn unit_of_length<F: Frame>(estimate: &Estimate<F>) -> (&'static str, f64) {
     if estimate.properties.center_of_mass().max_abs() < SHORT { ("mm", 1e3) } else { ("m", 1.0) }
 }
 
 /// What is wanted about another point or along other axes.
 pub(crate) struct Asked {
-    /// Mass and centre of mass, along the axes, from the body's origin.
-    pub place: [f64; 4],
-    /// xx, yy, zz, xy, xz, yz
-    pub inertia: [f64; 6],
+    /// Along the axes, the centre of mass from the body's origin.
+    pub numbers: [f64; 10],
     pub covariance: [[f64; 10]; 10],
 }
 
-pub(crate) fn asked(estimate: &Estimate<polhode::math::Body>, options: &BudgetOptions) -> Option<Asked> {
-    if options.about.is_none() && options.along.is_none() {
+pub(crate) fn asked(estimate: &Estimate<Body>, options: &Questions) -> Option<Asked> {
+    if options.about.is_none() && options.axes.is_none() {
         return None;
     }
-    let into_axes = options.along.map_or_else(Rotation::identity, Rotation::inverse);
+    let into_axes = options.axes.map_or_else(Rotation::identity, Rotation::inverse);
     let turned = estimate.along(into_axes);
-    let [x, y, z] = turned.properties.center_of_mass().to_array();
-    let place = [turned.properties.mass(), x, y, z];
-    let (matrix, covariance) = match options.about {
-        Some(point) => {
-            let EstimateAbout { inertia, covariance } = turned.about(into_axes * point);
-            (inertia.matrix(), covariance)
-        }
-        None => (turned.properties.inertia().matrix(), turned.covariance),
-    };
-    let [[xx, xy, xz], [_, yy, yz], [.., zz]] = matrix;
-    Some(Asked { place, inertia: [xx, yy, zz, xy, xz, yz], covariance })
+    let mut numbers = ten(&turned.properties);
+    let Some(point) = options.about else { return Some(Asked { numbers, covariance: turned.covariance }) };
+    let EstimateAbout { inertia, covariance } = turned.about(into_axes * point);
+    numbers[4..].copy_from_slice(&elements(inertia.matrix()));
+    Some(Asked { numbers, covariance })
 }
 
-fn asked_in_words(options: &BudgetOptions) -> String {
+fn asked_in_words(options: &Questions) -> String {
     let point = options.about.map_or_else(
         || "the centre of mass".to_owned(),
         |point| {
@@ -82,7 +73,7 @@ fn asked_in_words(options: &BudgetOptions) -> String {
             format!("the point ({x}, {y}, {z}) m")
         },
     );
-    let axes = match options.along {
+    let axes = match options.axes {
         Some(_) => "along the axes that were asked for, from the same origin",
         None => "along the axes of the body",
     };
@@ -90,14 +81,12 @@ fn asked_in_words(options: &BudgetOptions) -> String {
 }
 
 fn numbers(section: &mut Section, values: &[f64; 10], covariance: &[[f64; 10]; 10]) {
-    let center = tidy([values[1], values[2], values[3]]);
-    let short = center.iter().all(|x| x.abs() < SHORT);
+    let values = tidied(*values);
+    let length = if values[1..4].iter().all(|x| x.abs() < SHORT) { ("mm", 1e3) } else { ("m", 1.0) };
     let row = |k: usize| {
-        let (name, unit) = NUMBERS[k];
-        let (unit, scale) = if unit == "m" && short { ("mm", 1e3) } else { (unit, 1.0) };
-        let value = if (1..4).contains(&k) { center[k - 1] } else { values[k] };
+        let (name, unit, scale) = shown(k, length);
         let sd = covariance[k][k].max(0.0).sqrt();
-        vec![name.to_owned(), with_error(scale * value, scale * sd), unit.to_owned()]
+        vec![name.to_owned(), with_error(scale * values[k], scale * sd), unit.to_owned()]
     };
     section.table(&["number", "value ± sd", "unit"], (0..10).map(row).collect());
 }

@@ -1,6 +1,6 @@
 //! A sequence of which everything has its place.
 
-use std::collections::HashMap;
+use std::collections::HashSet;
 
 use polhode::body::MassProperties;
 use polhode::math::Body;
@@ -58,10 +58,9 @@ impl<'a> Timeline<'a> {
             match change {
                 Change::Drop { rows, .. } => {
                     for row in rows {
-                        let there = budget.place_of(row).is_some();
-                        let by = || "a change".to_owned();
-                        if !there {
-                            return Err(SequenceError::MissingRow { by: by(), row: row.clone() });
+                        if budget.rows.position(row).is_none() {
+                            let by = "a change".to_owned();
+                            return Err(SequenceError::MissingRow { by, row: row.clone() });
                         }
                         if budget.is_within(row, &gone) {
                             return Err(SequenceError::Gone { what: row.clone(), time });
@@ -171,7 +170,7 @@ impl<'a> Stage<'a> {
                 by: format!("the tank \"{}\"", tank.name),
                 row: tank.frame.clone(),
             };
-            let k = budget.place_of(&tank.frame).ok_or_else(missing)?;
+            let k = budget.rows.position(&tank.frame).ok_or_else(missing)?;
             let placed = budget.frame(k);
             if placed.frames * f64::from(budget.rows.quantity(k).count) != 1.0 {
                 let (tank, row) = (tank.name.clone(), tank.frame.clone());
@@ -205,9 +204,9 @@ impl<'a> Stage<'a> {
 
 impl Sequence<'_> {
     fn check(&self) -> Result<(), SequenceError> {
-        let mut names = HashMap::new();
+        let mut names = HashSet::new();
         for (tank, _) in &self.tanks {
-            if names.insert(tank.name.as_str(), ()).is_some() {
+            if !names.insert(tank.name.as_str()) {
                 return Err(SequenceError::DuplicateTank { tank: tank.name.clone() });
             }
         }
@@ -215,7 +214,7 @@ impl Sequence<'_> {
             if holds { Ok(()) } else { Err(SequenceError::Value { what, value, rule }) }
         };
         for burn in &self.burns {
-            if !names.contains_key(burn.tank.as_str()) {
+            if !names.contains(burn.tank.as_str()) {
                 return Err(SequenceError::MissingTank { tank: burn.tank.clone() });
             }
             let rule = "finite and not negative: nothing is known of what comes into a tank";
@@ -223,22 +222,15 @@ impl Sequence<'_> {
             let holds = burn.from < burn.until && burn.from.is_finite() && burn.until.is_finite();
             require("the end of a burn", burn.until, holds, "finite, and after its beginning")?;
         }
-        let times = self.changes.iter().map(Change::time);
-        times
-            .into_iter()
-            .try_for_each(|time| require("the time of a change", time, time.is_finite(), "finite"))
+        let mut times = self.changes.iter().map(Change::time);
+        times.try_for_each(|time| require("the time of a change", time, time.is_finite(), "finite"))
     }
 }
 
 impl Budget {
-    /// The place of a row by its name.
-    fn place_of(&self, name: &str) -> Option<usize> {
-        self.rows.position(name)
-    }
-
     /// Does a row stand in one of these, or is it one?
     fn is_within(&self, name: &str, rows: &[&str]) -> bool {
-        let mut at = self.place_of(name);
+        let mut at = self.rows.position(name);
         while let Some(k) = at {
             if rows.contains(&self.rows.name(k)) {
                 return true;

@@ -33,28 +33,29 @@ pub enum Down {
 }
 
 impl Down {
+    /// All directions in their order, with their names.
+    pub(crate) const NAMED: [(&str, Self); 6] = [
+        ("-x", Self::MinusX),
+        ("-y", Self::MinusY),
+        ("-z", Self::MinusZ),
+        ("x", Self::PlusX),
+        ("y", Self::PlusY),
+        ("z", Self::PlusZ),
+    ];
+
+    pub(crate) const fn name(self) -> &'static str {
+        Self::NAMED[self as usize].0
+    }
+
     /// The direction upwards.
     pub(super) const fn opposite(self) -> Self {
-        match self {
-            Self::MinusX => Self::PlusX,
-            Self::MinusY => Self::PlusY,
-            Self::MinusZ => Self::PlusZ,
-            Self::PlusX => Self::MinusX,
-            Self::PlusY => Self::MinusY,
-            Self::PlusZ => Self::MinusZ,
-        }
+        Self::NAMED[(self as usize + 3) % 6].1
     }
 
     /// The axis, and the sign of the direction upwards.
     pub(super) const fn axis(self) -> (usize, f64) {
-        match self {
-            Self::MinusX => (0, 1.0),
-            Self::MinusY => (1, 1.0),
-            Self::MinusZ => (2, 1.0),
-            Self::PlusX => (0, -1.0),
-            Self::PlusY => (1, -1.0),
-            Self::PlusZ => (2, -1.0),
-        }
+        let place = self as usize;
+        (place % 3, if place < 3 { 1.0 } else { -1.0 })
     }
 }
 

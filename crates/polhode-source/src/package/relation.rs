@@ -26,18 +26,9 @@ pub fn relations(archive: &mut Archive<'_>, path: &str) -> Result<Vec<Relation>,
     loop {
         match xml.next(&mut buffer)? {
             Token::Start(element) if element.local_name().into_inner() == "Relationship" => {
-                let mut relation = Relation::default();
-                for attribute in xml.attributes(&element) {
-                    let attribute = attribute?;
-                    let value = xml.value(&attribute)?.into_owned();
-                    match attribute.key.0 {
-                        "Id" => relation.id = value,
-                        "Type" => relation.kind = value,
-                        "Target" => relation.target = value,
-                        _ => {}
-                    }
-                }
-                all.push(relation);
+                let values = xml.values(&element, ["Id", "Type", "Target"])?;
+                let [id, kind, target] = values.map(|value| value.unwrap_or_default().into_owned());
+                all.push(Relation { id, kind, target });
             }
             Token::Eof => return Ok(all),
             Token::Start(_) | Token::Text(_) | Token::End | Token::Other => {}

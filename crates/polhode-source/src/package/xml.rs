@@ -139,6 +139,24 @@ impl<'s, 'a> Xml<'s, 'a> {
         attribute.normalized_value(XmlVersion::Implicit1_0).map_err(|e| self.broken(&e))
     }
 
+    /// The texts of those attributes of an element that have these names.
+    pub fn values<'e, const N: usize>(
+        &self,
+        element: &'e BytesStart<'_>,
+        names: [&str; N],
+    ) -> Result<[Option<Cow<'e, str>>; N], ContentError> {
+        let mut values = [const { None }; N];
+        for attribute in self.attributes(element) {
+            let attribute = attribute?;
+            let value = self.value(&attribute)?;
+            let slots = names.iter().zip(&mut values);
+            slots
+                .filter(|(name, _)| **name == attribute.key.0)
+                .for_each(|(_, slot)| *slot = Some(value.clone()));
+        }
+        Ok(values)
+    }
+
     /// Something is wrong in the line that has been reached.
     pub fn error(&self, kind: ContentErrorKind) -> ContentError {
         ContentError::new(kind, ContentPlace::Within(self.place()))

@@ -338,10 +338,16 @@ impl<'a> Value<'a> {
 
     /// One of several names.
     pub fn choice(&self, names: &[&'static str]) -> Result<&'static str, FormatError> {
-        self.asks(|| What::Choice(names.to_vec()));
+        self.named(&names.iter().map(|name| (*name, *name)).collect::<Vec<_>>())
+    }
+
+    /// The value that one of several names stands for.
+    pub fn named<T: Copy>(&self, named: &[(&'static str, T)]) -> Result<T, FormatError> {
+        let names: Vec<&'static str> = named.iter().map(|(name, _)| *name).collect();
+        self.asks(|| What::Choice(names.clone()));
         let text = self.written_string()?;
-        match names.iter().find(|name| **name == text) {
-            Some(name) => Ok(name),
+        match named.iter().find(|(name, _)| *name == text) {
+            Some((_, value)) => Ok(*value),
             None => {
                 let error = self.invalid(format!("one of {}", names.join(", ")));
                 let near =
@@ -349,10 +355,8 @@ impl<'a> Value<'a> {
                 let only = || {
                     names.first().filter(|_| names.len() == 1).map(|name| self.write(&format!("\"{name}\"")))
                 };
-                Err(match meant::name(text, names).or_else(near).or_else(only) {
-                    Some(hint) => error.with_hint(hint),
-                    None => error,
-                })
+                let hint = meant::name(text, &names).or_else(near).or_else(only);
+                Err(error.with_hint_of(hint))
             }
         }
     }

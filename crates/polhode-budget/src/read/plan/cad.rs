@@ -6,6 +6,7 @@ use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit;
 use polhode_source::unit::Dimension;
 
+use crate::ProductSign;
 use crate::read::heading::no_unit;
 
 /// Reads `[cad]`.
@@ -18,13 +19,14 @@ pub(crate) fn options(table: &Table<'_>) -> Result<CadOptions, FormatError> {
         ..CadOptions::default()
     };
     if let Some(value) = table.get("decimal") {
-        let comma = value.choice(&["point", "comma"])? == "comma";
-        options.decimal = Some(if comma { DecimalMark::Comma } else { DecimalMark::Point });
+        let marks = [("point", DecimalMark::Point), ("comma", DecimalMark::Comma)];
+        options.decimal = Some(value.named(&marks)?);
     }
     if let Some(value) = table.get("products") {
-        let positive = value.choice(&super::PRODUCTS.map(|(name, _)| name))? == "positive integrals";
-        options.products =
-            Some(if positive { ProductConvention::Positive } else { ProductConvention::Negative });
+        options.products = Some(match value.named(&ProductSign::NAMED)? {
+            ProductSign::NegativeIntegral => ProductConvention::Negative,
+            ProductSign::PositiveIntegral => ProductConvention::Positive,
+        });
     }
     Ok(options)
 }

@@ -6,8 +6,8 @@ use polhode_source::unit::Dimension;
 
 use super::fraction;
 use crate::read::cells::{MOST_DEVIATION, too_uncertain};
-use crate::read::measured::{Amount, MARKS, measured, percent};
-use crate::read::number::{Unit, Wrong};
+use crate::read::measured::{MARKS, measured, percent};
+use crate::read::number::{Amount, Unit, Wrong};
 use crate::{LiquidErrors, Measured};
 
 /// A number and its standard deviation, SI.
@@ -164,10 +164,6 @@ fn marked<'a>(value: &Value<'a>) -> Option<&'a str> {
     value.string().ok().filter(|text| MARKS.iter().any(|mark| text.contains(mark)))
 }
 
-fn wrong(value: &Value<'_>, Wrong { kind, hint }: Wrong) -> FormatError {
-    let error = value.error(kind);
-    match hint {
-        Some(hint) => error.with_hint(hint),
-        None => error,
-    }
+fn wrong(value: &Value<'_>, wrong: Wrong) -> FormatError {
+    wrong.at(|kind| value.error(kind))
 }

@@ -9,8 +9,8 @@ use crate::GrowthTable;
 pub(crate) const BARE_GROWTH: &str = "in percent, as it is above 1";
 pub(crate) const BARE_GROWTH_HINT: &str = "15 % is 0.15, and 15 is 1500 %";
 
-/// `E = "25 %"`, `C = 0.15`: the table, and its codes.
-pub(crate) fn table(value: &Value<'_>) -> Result<(GrowthTable, Vec<String>), FormatError> {
+/// `E = "25 %"`, `C = 0.15`
+pub(crate) fn table(value: &Value<'_>) -> Result<GrowthTable, FormatError> {
     let mut codes = Vec::new();
     for (code, allowance) in value.table()?.each("growth") {
         let fraction = super::fraction(&allowance)?;
@@ -23,8 +23,5 @@ pub(crate) fn table(value: &Value<'_>) -> Result<(GrowthTable, Vec<String>), For
         }
         codes.push((code.to_owned(), fraction));
     }
-    let names = codes.iter().map(|(code, _)| code.clone()).collect();
-    let table = GrowthTable::new(codes)
-        .map_err(|error| value.error(FormatErrorKind::subject(&error, error.hint())))?;
-    Ok((table, names))
+    GrowthTable::new(codes).map_err(|error| value.error(FormatErrorKind::subject(&error, error.hint())))
 }

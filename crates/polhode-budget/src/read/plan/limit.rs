@@ -5,7 +5,7 @@ use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit::Dimension;
 
-use super::{PRODUCTS, sign_of};
+use crate::limit::DIRECTIONS;
 use crate::{About, Basis, Limit, Measure, PrincipalAxis, ProductSign};
 
 /// kg·m
@@ -16,8 +16,11 @@ const KEYS: [&str; 13] = [
     "numbers",
 ];
 
-/// What a limit may be on, what that measures, and the keys that say more.
-const MEASURES: [(&str, Dimension, &[&str]); 12] = [
+/// What a limit is on, what that measures, and the keys that say more.
+type Kind = (&'static str, Dimension, &'static [&'static str]);
+
+/// What a limit may be on.
+const MEASURES: [Kind; 12] = [
     ("mass", Dimension::MASS, &[]),
     ("center", Dimension::LENGTH, &["along", "from"]),
     ("center distance", Dimension::LENGTH, &["along", "from"]),
@@ -53,9 +56,7 @@ pub(crate) fn limits(value: &Value<'_>, products: Option<ProductSign>) -> Result
 fn limit(table: &Table<'_>, products: Option<ProductSign>) -> Result<Limit, FormatError> {
     table.allow(&KEYS)?;
     let kind = table.require("of", "of = \"mass\"")?;
-    let name = kind.choice(&MEASURES.map(|(name, ..)| name))?;
-    let (_, dimension, details) =
-        MEASURES.into_iter().find(|(known, ..)| *known == name).unwrap_or(MEASURES[0]);
+    let (name, dimension, details) = kind.named(&MEASURES.map(|kind| (kind.0, kind)))?;
     for key in DETAILS.into_iter().filter(|key| !details.contains(key)) {
         if let Some(value) = table.get(key) {
             let rule = format!("left out of a limit on \"{name}\"");
@@ -70,15 +71,12 @@ fn limit(table: &Table<'_>, products: Option<ProductSign>) -> Result<Limit, Form
     Ok(Limit {
         name: match table.get("name") {
             Some(value) => value.string()?.to_owned(),
-            None => described(name, table)?,
+            None => described(name, table),
         },
         of: measure(name, table, products, is_even)?,
         least,
         most,
-        basis: match table.get("basis").map(|value| value.choice(&["basic", "predicted"])).transpose()? {
-            Some("basic") => Basis::Basic,
-            _ => Basis::Predicted,
-        },
+        basis: table.get("basis").map_or(Ok(Basis::Predicted), |value| value.named(&Basis::NAMED))?,
     })
 }
 
@@ -126,12 +124,9 @@ fn measure(
         "product" => {
             let value = table.require("axes", "axes = [\"x\", \"y\"]")?;
             let [first, second] = value.fixed::<2>("two directions")?;
-            let sign = match table.get("products") {
-                Some(value) => sign_of(value.choice(&PRODUCTS.map(|(name, _)| name))?),
-                None => products,
-            };
+            let given = table.get("products").map(|value| value.named(&ProductSign::NAMED)).transpose()?;
             // Of limits to both sides the sign does not matter.
-            let sign = sign.or(is_even.then_some(ProductSign::NegativeIntegral));
+            let sign = given.or(products).or(is_even.then_some(ProductSign::NegativeIntegral));
             let sign = sign.ok_or_else(|| table.missing("products", "products = \"positive integrals\""))?;
             let axes = [direction(&first)?, direction(&second)?];
             if axes[0].dot(axes[1]).abs() > 1e-9 * axes[0].norm() * axes[1].norm() {
@@ -155,9 +150,9 @@ fn measure(
 }
 
 /// `center along z`
-fn described(name: &str, table: &Table<'_>) -> Result<String, FormatError> {
+fn described(name: &str, table: &Table<'_>) -> String {
     let along = table.get("along").and_then(|value| value.string().ok());
-    Ok(along.map_or_else(|| name.to_owned(), |along| format!("{name} along {along}")))
+    along.map_or_else(|| name.to_owned(), |along| format!("{name} along {along}"))
 }
 
 /// 1, 2, 3: of the least moment, of the greatest.
@@ -175,10 +170,7 @@ fn about(table: &Table<'_>) -> Result<About, FormatError> {
     if value.is_array() {
         return point(&value).map(About::Point);
     }
-    match value.choice(&["center", "origin"])? {
-        "center" => Ok(About::CenterOfMass),
-        _ => Ok(About::Point(Position::ZERO)),
-    }
+    value.named(&[("center", About::CenterOfMass), ("origin", About::Point(Position::ZERO))])
 }
 
 pub(crate) fn point(value: &Value<'_>) -> Result<Position<Body>, FormatError> {
@@ -188,17 +180,7 @@ pub(crate) fn point(value: &Value<'_>) -> Result<Position<Body>, FormatError> {
 /// `"z"`, `"-x"`, or three numbers.
 pub(crate) fn direction(value: &Value<'_>) -> Result<Direction<Body>, FormatError> {
     if !value.is_array() {
-        let name = value.choice(&["x", "y", "z", "-x", "-y", "-z"])?;
-        let size = if name.starts_with('-') { -1.0 } else { 1.0 };
-        let mut all = [0.0; 3];
-        all[if name.ends_with('x') {
-            0
-        } else if name.ends_with('y') {
-            1
-        } else {
-            2
-        }] = size;
-        return Ok(Direction::from_array(all));
+        return value.named(&DIRECTIONS).map(Direction::from_array);
     }
     let direction = Direction::from_array(value.numbers()?);
     match direction.direction() {

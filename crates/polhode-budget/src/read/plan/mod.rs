@@ -13,13 +13,14 @@ mod states;
 pub(crate) mod table_file;
 pub(crate) mod tank;
 
+use polhode::math::Position;
 use polhode_shape::cad::CadOptions;
 use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit::Dimension;
 
 use super::Questions;
-use crate::{Ballast, Group, GrowthTable, Limit, ProductSign};
+use crate::{Ballast, Group, GrowthTable, Limit, ProductSign, TensorPoint};
 use sequence::PlannedSequence;
 use table_file::{Sheets, TableOrigin};
 use tank::PlannedTank;
@@ -31,7 +32,7 @@ pub(crate) struct Plan {
     /// What products of inertia are, where a row does not say it.
     pub products: Option<ProductSign>,
     /// The point that tensors are about, where a row does not say it.
-    pub about: Option<About>,
+    pub about: Option<TensorPoint>,
     /// How many standard deviations stand after ±.
     pub coverage_factor: Option<f64>,
     /// Whether numbers in text have a comma where others have a point.
@@ -42,8 +43,6 @@ pub(crate) struct Plan {
     pub configurations: Option<Vec<String>>,
     pub groups: Vec<Group>,
     pub growth: GrowthTable,
-    /// Its codes.
-    pub codes: Vec<String>,
     pub cad: CadOptions,
     pub questions: Questions,
     pub limits: Vec<Limit>,
@@ -59,16 +58,6 @@ pub(crate) struct Places {
     pub ignore: Vec<FormatError>,
     pub groups: Vec<FormatError>,
     pub cad: Option<FormatError>,
-}
-
-/// The point that a tensor is about.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum About {
-    Center,
-    /// Of the row's own frame, m.
-    Point([f64; 3]),
-    /// The origin of the frame of that row.
-    Frame(String),
 }
 
 /// The keys of a plan.
@@ -108,7 +97,7 @@ pub(crate) fn plan(
     root.allow(&[&KEYS[..], others].concat())?;
     let mut plan = Plan {
         title: root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?,
-        products: root.get("products").map(|value| products(&value)).transpose()?,
+        products: root.get("products").map(|value| value.named(&ProductSign::NAMED)).transpose()?,
         about: root.get("about").map(|value| about(&value)).transpose()?,
         ignore: root.get("ignore").map_or(Ok(Vec::new()), |value| names(&value))?,
         configurations: root.get("configurations").map(|value| names(&value)).transpose()?,
@@ -128,10 +117,10 @@ pub(crate) fn plan(
         plan.coverage_factor = Some(factor);
     }
     if let Some(value) = root.get("decimal") {
-        plan.decimal_comma = Some(value.choice(&["point", "comma"])? == "comma");
+        plan.decimal_comma = Some(value.named(&[("point", false), ("comma", true)])?);
     }
     if let Some(value) = root.get("growth") {
-        (plan.growth, plan.codes) = growth::table(&value)?;
+        plan.growth = growth::table(&value)?;
     }
     if let Some(value) = root.get("group") {
         plan.groups = group::groups(&value)?;
@@ -181,9 +170,8 @@ impl Plan {
             tank.places = tank.places.clone().map(&moved);
         }
         if let Some(sequence) = &mut self.sequence {
-            let burns = sequence.burns.iter_mut().flat_map(|(_, places)| places);
-            let changes = sequence.changes.iter_mut().map(|(_, place)| place);
-            for place in burns.chain(changes).chain([&mut sequence.place]) {
+            let burns = sequence.burns.iter_mut().flatten();
+            for place in burns.chain(&mut sequence.changes).chain([&mut sequence.place]) {
                 *place = moved(place.clone());
             }
         }
@@ -191,40 +179,20 @@ impl Plan {
     }
 }
 
-/// `products = "tensor elements"`
-fn products(value: &Value<'_>) -> Result<ProductSign, FormatError> {
-    Ok(match value.choice(&PRODUCTS.map(|(name, _)| name))? {
-        "positive integrals" => ProductSign::PositiveIntegral,
-        _ => ProductSign::NegativeIntegral,
-    })
-}
-
-/// What a product of inertia may be.
-pub(crate) const PRODUCTS: [(&str, ProductSign); 2] = [
-    ("tensor elements", ProductSign::NegativeIntegral),
-    ("positive integrals", ProductSign::PositiveIntegral),
-];
-
-pub(crate) fn sign_of(name: &str) -> Option<ProductSign> {
-    PRODUCTS.iter().find(|(known, _)| *known == name).map(|(_, sign)| *sign)
-}
-
 /// `about = "center"`, `"origin"`, the name of a frame, or a point.
-fn about(value: &Value<'_>) -> Result<About, FormatError> {
+fn about(value: &Value<'_>) -> Result<TensorPoint, FormatError> {
     if value.is_array() {
-        return Ok(About::Point(value.quantities(Dimension::LENGTH)?));
+        return Ok(TensorPoint::At(Position::from_array(value.quantities(Dimension::LENGTH)?)));
     }
-    Ok(About::named(value.string()?))
+    value.string().map(point_named)
 }
 
-impl About {
-    /// By its name.
-    pub(crate) fn named(name: &str) -> Self {
-        match name {
-            "center" => Self::Center,
-            "origin" => Self::Point([0.0; 3]),
-            frame => Self::Frame(frame.to_owned()),
-        }
+/// The point that a tensor is about, by its name.
+pub(crate) fn point_named(name: &str) -> TensorPoint {
+    match name {
+        "center" => TensorPoint::CenterOfMass,
+        "origin" => TensorPoint::At(Position::ZERO),
+        frame => TensorPoint::OriginOf(frame.to_owned()),
     }
 }
 

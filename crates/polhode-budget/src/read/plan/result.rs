@@ -29,10 +29,7 @@ pub(crate) fn questions(table: &Table<'_>) -> Result<Questions, FormatError> {
         questions.seed = value.count()?;
     }
     if let Some(value) = table.get("basis") {
-        questions.basis = match value.choice(&["basic", "predicted"])? {
-            "basic" => Basis::Basic,
-            _ => Basis::Predicted,
-        };
+        questions.basis = value.named(&Basis::NAMED)?;
     }
     Ok(questions)
 }

@@ -4,7 +4,6 @@ use polhode::math::{AngularVelocity, Body};
 use polhode::motion::Outflow;
 use polhode_scenario::read::mass_history;
 use polhode_source::FormatError;
-use polhode_source::nearest;
 use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit::Dimension;
 
@@ -15,19 +14,38 @@ use crate::Burn;
 /// kg/s
 const FLOW: Dimension = Dimension::new(1, 0, -1, 0);
 
+/// What happens to the body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OverTime {
+    /// The configuration that it begins as.
+    pub configuration: Option<String>,
+    /// To when it is wanted, from 0 on, s.
+    pub until: f64,
+    /// What the body has at first.
+    pub spin: Option<AngularVelocity<Body>>,
+    /// Where mass leaves.
+    pub outflow: Outflow,
+    /// What leaves tanks.
+    pub burns: Vec<Burn>,
+    /// What happens at once.
+    pub changes: Vec<PlannedChange>,
+}
+
+impl OverTime {
+    /// Whether the body is another at the end.
+    pub const fn has_changes(&self) -> bool {
+        !self.burns.is_empty() || !self.changes.is_empty()
+    }
+}
+
 /// What is to happen, as a file says it: rows and configurations are not known yet.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PlannedSequence {
-    /// The one that it begins as.
-    pub configuration: Option<String>,
-    /// s
-    pub until: f64,
-    pub spin: Option<AngularVelocity<Body>>,
-    pub outflow: Outflow,
-    /// Each with an error at its tank and at its flow.
-    pub burns: Vec<(Burn, [FormatError; 2])>,
-    /// Each with an error at its place.
-    pub changes: Vec<(PlannedChange, FormatError)>,
+    pub stated: OverTime,
+    /// Errors at the tank and at the flow of each burn.
+    pub burns: Vec<[FormatError; 2]>,
+    /// An error at the place of each change.
+    pub changes: Vec<FormatError>,
     /// An error at `configuration`, or at the section.
     pub place: FormatError,
 }
@@ -77,23 +95,17 @@ pub(crate) fn sequence(
     let configuration = table.get("configuration");
     let spin = table.get("spin").map(|value| value.quantities(Dimension::ANGULAR_VELOCITY)).transpose()?;
     let until = table.require("until", "until = \"60 s\"")?.positive(Dimension::TIME)?;
-    let burns = burns(root, tanks, until)?;
+    let (burns, of_burns): (Vec<_>, Vec<_>) = burns(root, tanks, until)?.into_iter().unzip();
     let outflow = outflow(root, &table)?;
     if let Some(value) = root.get("exit").or(table.get("in_place")).filter(|_| burns.is_empty()) {
         return Err(value.invalid("left out without [[burn]]"));
     }
-    Ok(Some(PlannedSequence {
-        configuration: configuration
-            .as_ref()
-            .map(|value| value.string().map(|text| text.trim().to_owned()))
-            .transpose()?,
-        until,
-        spin: spin.map(AngularVelocity::from_array),
-        outflow,
-        burns,
-        changes: changes(root, until)?,
-        place: configuration.as_ref().unwrap_or(&section).invalid("right"),
-    }))
+    let place = configuration.as_ref().unwrap_or(&section).invalid("right");
+    let configuration = configuration.map(|value| value.string().map(|text| text.trim().to_owned()));
+    let (configuration, spin) = (configuration.transpose()?, spin.map(AngularVelocity::from_array));
+    let (changes, of_changes) = changes(root, until)?.into_iter().unzip();
+    let stated = OverTime { configuration, until, spin, outflow, burns, changes };
+    Ok(Some(PlannedSequence { stated, burns: of_burns, changes: of_changes, place }))
 }
 
 fn outflow(root: &Table<'_>, table: &Table<'_>) -> Result<Outflow, FormatError> {
@@ -120,11 +132,7 @@ fn burns(
         let name = tank.string()?.trim();
         let names = tanks.iter().map(|tank| tank.name.as_str());
         if !names.clone().any(|other| other == name) {
-            let error = tank.invalid("the name of a [[tank]]");
-            return Err(match nearest(name, names) {
-                Some(near) => error.with_hint(format!("did you mean \"{near}\"?")),
-                None => error,
-            });
+            return Err(tank.invalid("the name of a [[tank]]").suggesting(name, names));
         }
         let from = table.get("from").map_or(Ok(0.0), |from| time(&from))?;
         let end = table.require("until", "until = \"40 s\"")?;

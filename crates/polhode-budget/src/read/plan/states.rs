@@ -6,8 +6,7 @@ use polhode_source::nearest;
 use polhode_source::text::cut;
 use polhode_source::toml::reader::Value;
 use polhode_source::unit::{Dimension, unit_of};
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
-use polhode_source::{FormatError, FormatErrorKind};
+use polhode_source::{ContentError, FormatError, FormatErrorKind};
 
 use super::size::not_negative;
 use crate::read::cell::{Cell, Content};
@@ -35,8 +34,8 @@ struct States {
 
 /// What a row cannot be.
 enum Wrong {
-    /// A number of this name: the rule.
-    Rule(&'static str, &'static str),
+    /// A number of this name: the rule, and a hint.
+    Rule(&'static str, &'static str, Option<&'static str>),
     Body(BodyError),
 }
 
@@ -46,18 +45,18 @@ const SIGN: &str = "say products = \"tensor elements\" or \"positive integrals\"
 impl States {
     fn add(&mut self, state: &State, sign: Option<ProductSign>) -> Result<(), Wrong> {
         if self.rows.last().is_some_and(|row| row.mass() >= state.mass) {
-            return Err(Wrong::Rule("mass", RISES));
+            return Err(Wrong::Rule("mass", RISES, None));
         }
         if let Some(level) = state.level {
             if self.levels.last().is_some_and(|last| *last >= level) {
-                return Err(Wrong::Rule("level", RISES));
+                return Err(Wrong::Rule("level", RISES, None));
             }
             self.levels.push(level);
         }
         let products = match sign {
             Some(ProductSign::PositiveIntegral) => state.products.map(|product| -product),
             None if state.products != [0.0; 3] => {
-                return Err(Wrong::Rule("products", "beside what their sign is"));
+                return Err(Wrong::Rule("products", "beside what their sign is", Some(SIGN)));
             }
             _ => state.products,
         };
@@ -102,11 +101,9 @@ pub(crate) fn of_tables(value: &Value<'_>, sign: Option<ProductSign>) -> Result<
         };
         states.add(&state, sign).map_err(|wrong| match wrong {
             Wrong::Body(error) => given.body(error),
-            Wrong::Rule("products", rule) => {
-                products.as_ref().unwrap_or(&given).invalid(rule).with_hint(SIGN)
+            Wrong::Rule(name, rule, hint) => {
+                table.get(name).as_ref().unwrap_or(&given).invalid(rule).with_hint_of(hint)
             }
-            Wrong::Rule("level", rule) => level.as_ref().unwrap_or(&given).invalid(rule),
-            Wrong::Rule(_, rule) => given.invalid(rule),
         })?;
     }
     states.table(|kind| value.error(kind))
@@ -173,18 +170,13 @@ pub(crate) fn of_sheet(sheet: &Sheet<'_>, sign: Option<ProductSign>) -> Result<L
             let column = columns.iter().find(|column| keys.contains(&column.key))?;
             cells.iter().find(|cell| cell.column == column.place)
         };
-        states.add(&state, sign).map_err(|wrong| {
-            let error = |keys, name, rule| match at(keys) {
-                Some(cell) => sheet.invalid(cell, name, rule),
-                None => empty(sheet, k + 1, name),
-            };
-            match wrong {
-                Wrong::Body(error) => sheet.row_error(Some(k + 1), FormatErrorKind::Body(error)),
-                Wrong::Rule("products", rule) => {
-                    error(PRODUCTS..NAMES.len(), "products", rule).with_hint(SIGN)
-                }
-                Wrong::Rule("level", rule) => error(LEVEL..CENTER, "level", rule),
-                Wrong::Rule(name, rule) => error(MASS..LEVEL, name, rule),
+        states.add(&state, sign).map_err(|wrong| match wrong {
+            Wrong::Body(error) => sheet.row_error(Some(k + 1), FormatErrorKind::Body(error)),
+            Wrong::Rule(name, rule, hint) => {
+                let first = NAMES.iter().position(|known| *known == name);
+                let cell = at(first.map_or(PRODUCTS..NAMES.len(), |first| first..first + 1));
+                let error = cell.map(|cell| sheet.invalid(cell, name, rule));
+                error.unwrap_or_else(|| empty(sheet, k + 1, name)).with_hint_of(hint)
             }
         })?;
     }
@@ -192,9 +184,8 @@ pub(crate) fn of_sheet(sheet: &Sheet<'_>, sign: Option<ProductSign>) -> Result<L
 }
 
 fn empty(sheet: &Sheet<'_>, row: usize, name: &str) -> FormatError {
-    let what = format!("{name} in this row");
-    let error = ContentError::new(ContentErrorKind::Missing { what }, ContentPlace::Whole);
-    sheet.row_error(Some(row), FormatErrorKind::Content(error)).with_hint("write 0 if it is zero")
+    let error = ContentError::missing(format!("{name} in this row"));
+    sheet.row_error(Some(row), error.into()).with_hint("write 0 if it is zero")
 }
 
 fn columns(sheet: &Sheet<'_>, headings: &[Cell<'_>]) -> Result<Vec<Column>, FormatError> {
@@ -219,10 +210,8 @@ fn columns(sheet: &Sheet<'_>, headings: &[Cell<'_>]) -> Result<Vec<Column>, Form
     }
     let has = |keys: core::ops::Range<usize>| all.iter().filter(|column| keys.contains(&column.key)).count();
     let missing = |what: &str| {
-        let kind = ContentErrorKind::Missing { what: what.to_owned() };
-        let kind = FormatErrorKind::Content(ContentError::new(kind, ContentPlace::Whole));
         Err(sheet
-            .row_error((!sheet.rows.is_empty()).then_some(0), kind)
+            .row_error((!sheet.rows.is_empty()).then_some(0), ContentError::missing(what).into())
             .with_hint("the headings are mass [kg],level [mm],x [mm],y [mm],z [mm],ixx [kg m^2] and so on"))
     };
     if has(MASS..LEVEL) == 0 {
@@ -256,12 +245,9 @@ impl Column {
         };
         let read = self.unit.as_ref().unwrap_or(&Unit::SI).read(&text, dimension(self.key));
         let read = read.map_err(|error| {
-            let error = sheet.error(cell, FormatErrorKind::Unit(error));
-            if has_comma && !sheet.decimal_comma {
-                error.with_hint("decimal = \"comma\" in the list says that numbers have a decimal comma")
-            } else {
-                error
-            }
+            let hint = "decimal = \"comma\" in the list says that numbers have a decimal comma";
+            let is_undeclared = has_comma && !sheet.decimal_comma;
+            sheet.error(cell, FormatErrorKind::Unit(error)).with_hint_of(is_undeclared.then_some(hint))
         })?;
         // Zero is zero in every unit.
         let is_united = !unit_of(&text).is_empty();

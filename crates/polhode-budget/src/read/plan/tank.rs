@@ -1,6 +1,5 @@
 //! `[[tank]]`: what liquids are in, and how much of them.
 
-use polhode_source::nearest;
 use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit::Dimension;
 use polhode_source::{FormatError, FormatErrorKind};
@@ -8,8 +7,8 @@ use polhode_source::{FormatError, FormatErrorKind};
 use super::contents::{Known, contents, quantity, relative};
 use super::size::{DENSITIES, SIZES, in_range, not_negative};
 use super::table_file::{ReadTable, Sheets, table_of};
-use super::{PRODUCTS, Plan, names, sign_of};
-use crate::{Down, Liquid, LiquidErrors, TankShape, Vessel};
+use super::{Plan, names};
+use crate::{Down, Liquid, LiquidErrors, ProductSign, TankShape, Vessel};
 
 /// A tank as a file gives it: which row it stands in is not known yet.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,20 +57,12 @@ const KEYS: [&str; 19] = [
 /// The keys that only shapes have.
 const OF_SHAPES: [&str; 7] = ["size", "radius", "semi_axes", "length", "ends", "density", "settles"];
 
+/// Shapes, and the keys of their sizes.
 const SHAPES: [(&str, &[&str]); 4] = [
     ("box", &["size"]),
     ("sphere", &["radius"]),
     ("ellipsoid", &["semi_axes"]),
     ("cylinder", &["radius", "length", "ends"]),
-];
-
-const DOWN: [(&str, Down); 6] = [
-    ("-x", Down::MinusX),
-    ("-y", Down::MinusY),
-    ("-z", Down::MinusZ),
-    ("x", Down::PlusX),
-    ("y", Down::PlusY),
-    ("z", Down::PlusZ),
 ];
 
 /// Reads all tanks, of what the plan says besides, and perhaps of sheets of its workbook.
@@ -113,11 +104,8 @@ fn tank(
             if let Some(value) = OF_SHAPES.into_iter().find_map(|key| table.get(key)) {
                 return Err(value.invalid("left out beside a table").with_hint("it goes with shape"));
             }
-            let sign = match table.get("products") {
-                Some(value) => sign_of(value.choice(&PRODUCTS.map(|(name, _)| name))?),
-                None => plan.products,
-            };
-            let (states, read) = table_of(&states, sign, plan.decimal_comma, sheets)?;
+            let sign = table.get("products").map(|value| value.named(&ProductSign::NAMED)).transpose()?;
+            let (states, read) = table_of(&states, sign.or(plan.products), plan.decimal_comma, sheets)?;
             let density = table.get("density_sd").map(|value| relative(&value)).transpose()?;
             (Liquid::Table(states), density.unwrap_or(Known::EXACT), read)
         }
@@ -161,11 +149,7 @@ fn group(value: &Value<'_>, errors: &LiquidErrors, plan: &Plan) -> Result<String
     let name = value.string()?.trim();
     let names = || plan.groups.iter().map(|group| group.name.as_str());
     if !names().any(|other| other == name) {
-        let error = value.invalid("the name of a [[group]]");
-        return Err(match nearest(name, names()) {
-            Some(near) => error.with_hint(format!("did you mean \"{near}\"?")),
-            None => error,
-        });
+        return Err(value.invalid("the name of a [[group]]").suggesting(name, names()));
     }
     if errors.amount == 0.0 && errors.density == 0.0 {
         return Err(value.invalid("left out of a tank of which nothing has an error"));
@@ -178,8 +162,7 @@ fn vessel(
     shape: &Value<'_>,
     coverage_factor: f64,
 ) -> Result<(Vessel, Known), FormatError> {
-    let name = shape.choice(&SHAPES.map(|(name, _)| name))?;
-    let sizes = SHAPES.iter().find(|(known, _)| *known == name).map_or(&[][..], |(_, sizes)| sizes);
+    let (name, sizes) = shape.named(&SHAPES.map(|shape| (shape.0, shape)))?;
     for key in OF_SHAPES.into_iter().filter(|key| !["density", "settles"].contains(key)) {
         if let Some(value) = table.get(key).filter(|_| !sizes.contains(&key)) {
             let hint = format!("its sizes are {}", sizes.join(", "));
@@ -218,8 +201,7 @@ fn vessel(
     let density = table.require("density", "density = \"1.01 g/cm^3\"")?;
     let known = quantity(&density, table.get("density_sd").as_ref(), Dimension::DENSITY, coverage_factor)?;
     in_range(&density, known.value, DENSITIES)?;
-    let settles = table.require("settles", "settles = \"-z\"")?.choice(&DOWN.map(|(name, _)| name))?;
-    let down = DOWN.iter().find(|(name, _)| *name == settles).map_or(Down::MinusZ, |(_, down)| *down);
+    let down = table.require("settles", "settles = \"-z\"")?.named(&Down::NAMED)?;
     let vessel = Vessel::new(shape, known.value, down);
     Ok((vessel.map_err(|error| table.error(FormatErrorKind::subject(&error, error.hint())))?, known))
 }

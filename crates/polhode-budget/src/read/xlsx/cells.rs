@@ -129,11 +129,8 @@ impl RawSheet {
                     sheet.hidden_columns.extend(hidden(&xml, &element)?);
                 }
                 Token::Start(element) if is(&element, "mergeCell") => {
-                    for attribute in xml.attributes(&element) {
-                        let attribute = attribute?;
-                        if attribute.key.0 == "ref" {
-                            sheet.merge(&xml.value(&attribute)?);
-                        }
+                    if let [Some(range)] = xml.values(&element, ["ref"])? {
+                        sheet.merge(&range);
                     }
                 }
                 Token::Eof => return Ok(sheet),
@@ -243,18 +240,13 @@ impl RawSheet {
 
 /// The number of a row, and whether it is hidden.
 fn row(xml: &Xml<'_, '_>, element: &BytesStart<'_>, at: &Position) -> Result<(usize, bool), ContentError> {
-    let (mut number, mut is_hidden) = (at.row + 1, false);
-    for attribute in xml.attributes(element) {
-        let attribute = attribute?;
-        let value = xml.value(&attribute)?;
-        match attribute.key.0 {
-            "r" => number = value.parse().map_err(|_| xml.refused("row", &value, "a number"))?,
-            "hidden" => is_hidden = truth(&value),
-            _ => {}
-        }
-    }
+    let [number, hidden] = xml.values(element, ["r", "hidden"])?;
+    let number = match number {
+        Some(number) => number.parse().map_err(|_| xml.refused("row", &number, "a number"))?,
+        None => at.row + 1,
+    };
     if number > at.row && number <= MOST_ROWS {
-        return Ok((number, is_hidden));
+        return Ok((number, hidden.is_some_and(|hidden| truth(&hidden))));
     }
     let rule = format!("below the row before, and {MOST_ROWS} at most");
     Err(xml.refused("row", &number.to_string(), &rule))
@@ -265,18 +257,9 @@ fn hidden(
     xml: &Xml<'_, '_>,
     element: &BytesStart<'_>,
 ) -> Result<Option<RangeInclusive<usize>>, ContentError> {
-    let (mut from, mut to, mut is_hidden) = (0, 0, false);
-    for attribute in xml.attributes(element) {
-        let attribute = attribute?;
-        let value = xml.value(&attribute)?;
-        match attribute.key.0 {
-            "min" => from = value.parse().unwrap_or(0),
-            "max" => to = value.parse().unwrap_or(0),
-            "hidden" => is_hidden = truth(&value),
-            _ => {}
-        }
-    }
-    Ok(is_hidden.then_some(from..=to))
+    let [from, to, hidden] = xml.values(element, ["min", "max", "hidden"])?;
+    let [from, to] = [from, to].map(|end| end.and_then(|end| end.parse().ok()).unwrap_or(0));
+    Ok(hidden.filter(|hidden| truth(hidden)).map(|_| from..=to))
 }
 
 /// What a cell says besides its value.
@@ -292,24 +275,17 @@ fn head(
     at: &Position,
     formats: &[Format],
 ) -> Result<Head, ContentError> {
-    let mut head = Head { column: at.column, format: Format::GENERAL, kind: Kind::Number };
-    for attribute in xml.attributes(element) {
-        let attribute = attribute?;
-        let value = xml.value(&attribute)?;
-        match attribute.key.0 {
-            "r" => match parsed(&value) {
-                Some((row, column)) if row == at.row && column >= at.column => head.column = column,
-                _ => return Err(xml.refused("cell", &value, "in its row, behind the cell before")),
-            },
-            "s" => head.format = format_of(&value, formats),
-            "t" => head.kind = Kind::named(&value),
-            _ => {}
-        }
+    let [name, style, kind] = xml.values(element, ["r", "s", "t"])?;
+    let column = match name.as_deref().map(|name| (name, parsed(name))) {
+        None => at.column,
+        Some((_, Some((row, column)))) if row == at.row && column >= at.column => column,
+        Some((name, _)) => return Err(xml.refused("cell", name, "in its row, behind the cell before")),
+    };
+    if column >= MOST_COLUMNS {
+        return Err(xml.refused("column", &column.to_string(), &format!("one of {MOST_COLUMNS}")));
     }
-    if head.column < MOST_COLUMNS {
-        return Ok(head);
-    }
-    Err(xml.refused("column", &head.column.to_string(), &format!("one of {MOST_COLUMNS}")))
+    let format = style.map_or(Format::GENERAL, |style| format_of(&style, formats));
+    Ok(Head { column, format, kind: kind.map_or(Kind::Number, |kind| Kind::named(&kind)) })
 }
 
 /// The format of a number among those of the workbook.

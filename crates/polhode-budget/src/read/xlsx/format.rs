@@ -99,33 +99,19 @@ pub(crate) fn read(mut xml: Xml<'_, '_>) -> Result<Vec<Format>, ContentError> {
     loop {
         match xml.next(&mut buffer)? {
             Token::Start(element) if is(&element, "numFmt") => {
-                let (mut number, mut code) = (None, String::new());
-                for attribute in xml.attributes(&element) {
-                    let attribute = attribute?;
-                    let value = xml.value(&attribute)?;
-                    match attribute.key.0 {
-                        "numFmtId" => number = value.parse::<u32>().ok(),
-                        "formatCode" => code = value.into_owned(),
-                        _ => {}
-                    }
-                }
-                codes.extend(number.map(|number| (number, Format::of_code(&code))));
+                let [number, code] = xml.values(&element, ["numFmtId", "formatCode"])?;
+                let number = number.and_then(|number| number.parse::<u32>().ok());
+                codes.extend(number.map(|number| (number, Format::of_code(&code.unwrap_or_default()))));
             }
             Token::Start(element) if is(&element, "cellXfs") => is_of_cells = true,
             Token::Start(element) if is(&element, "cellStyles") || is(&element, "dxfs") => {
                 is_of_cells = false;
             }
             Token::Start(element) if is_of_cells && is(&element, "xf") => {
-                let mut format = Format::GENERAL;
-                for attribute in xml.attributes(&element) {
-                    let attribute = attribute?;
-                    if attribute.key.0 == "numFmtId"
-                        && let Ok(number) = xml.value(&attribute)?.parse::<u32>()
-                    {
-                        format = codes.get(&number).cloned().unwrap_or_else(|| Format::built_in(number));
-                    }
-                }
-                formats.push(format);
+                let [number] = xml.values(&element, ["numFmtId"])?;
+                let number = number.and_then(|number| number.parse::<u32>().ok());
+                let of = |number| codes.get(&number).cloned().unwrap_or_else(|| Format::built_in(number));
+                formats.push(number.map_or(Format::GENERAL, of));
             }
             Token::Eof => return Ok(formats),
             Token::Start(_) | Token::Text(_) | Token::End | Token::Other => {}

@@ -10,10 +10,10 @@ mod plain;
 mod strings;
 mod value;
 
+use polhode_source::ContentError;
 use polhode_source::package::archive::Archive;
 use polhode_source::package::relation::{Relation, relations};
 use polhode_source::package::xml::{Token, Xml};
-use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::cell::SheetRow;
 use cells::RawSheet;
@@ -51,7 +51,7 @@ impl Workbook {
         let mut archive = Archive::open(bytes)?;
         let root = of_kind(&relations(&mut archive, "_rels/.rels")?, "officeDocument", "");
         let path = root.filter(|path| archive.has(path)).ok_or_else(|| {
-            missing("workbook")
+            ContentError::missing("workbook")
                 .hint("it is an archive, but none of sheets: polhode budget reads CSV, XLSX and TOML")
         })?;
         let (folder, file) = path.rsplit_once('/').unwrap_or(("", &path));
@@ -141,8 +141,4 @@ fn joined(folder: &str, name: &str) -> String {
         None if folder.is_empty() => name.to_owned(),
         None => format!("{folder}/{name}"),
     }
-}
-
-fn missing(what: &str) -> ContentError {
-    ContentError::new(ContentErrorKind::Missing { what: what.to_owned() }, ContentPlace::Whole)
 }

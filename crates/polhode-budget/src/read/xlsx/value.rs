@@ -52,9 +52,6 @@ pub(crate) struct Written<'f> {
     pub start: usize,
 }
 
-/// The number of a string that the workbook does not have.
-pub(crate) struct NoString(pub String);
-
 /// What stands in a cell that was just entered; its text goes behind `texts`.
 pub(crate) fn value(
     xml: &mut Xml<'_, '_>,
@@ -94,16 +91,16 @@ pub(crate) fn value(
     let written = Written { kind, format, formula: formula.as_deref(), is_text, start };
     written
         .content(strings, texts)
-        .map_err(|NoString(number)| xml.refused("the string", &number, "one of the workbook's"))
+        .map_err(|number| xml.refused("the string", &number, "one of the workbook's"))
 }
 
 impl Written<'_> {
-    /// What the cell has to say; `strings` are as many as the workbook has.
+    /// What the cell has to say; `strings` are as many as the workbook has, and the number of one that it does not have is the error.
     pub(crate) fn content(
         self,
         strings: usize,
         texts: &mut String,
-    ) -> Result<Option<(RawText, Content)>, NoString> {
+    ) -> Result<Option<(RawText, Content)>, String> {
         let Self { kind, format, formula, is_text, start } = self;
         let result = texts.get(start..).unwrap_or_default().trim();
         let content = match (kind, format) {
@@ -116,7 +113,7 @@ impl Written<'_> {
             }
             (Kind::Shared, _) => {
                 let number = result.parse::<usize>().ok().filter(|number| *number < strings);
-                let number = number.ok_or_else(|| NoString(result.to_owned()))?;
+                let number = number.ok_or_else(|| result.to_owned())?;
                 texts.truncate(start);
                 return Ok(Some((RawText::Shared(number), Content::Text)));
             }

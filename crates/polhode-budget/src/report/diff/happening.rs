@@ -15,7 +15,7 @@ pub(crate) fn items(sequence: &OverTime, digits: usize) -> Vec<Item> {
     all.extend(configuration.map(|name| Item::new("sequence, configuration", name)));
     let spin = sequence.spin.map(|spin| format!("{} rad/s", vector(spin.to_array(), digits)));
     all.extend(spin.map(|spin| Item::new("sequence, spin", spin)));
-    all.extend(in_time(sequence.burns(), |burn| burn.from).map(|burn| {
+    all.extend(in_time(&sequence.burns, |burn| burn.from).map(|burn| {
         let words = format!(
             "{} kg/s from {} until {}",
             number(burn.flow, digits),
@@ -24,7 +24,7 @@ pub(crate) fn items(sequence: &OverTime, digits: usize) -> Vec<Item> {
         );
         Item::of_several("burn", format!(" of the tank {}", burn.tank), words)
     }));
-    all.extend(in_time(sequence.changes(), PlannedChange::time).map(|change| match change {
+    all.extend(in_time(&sequence.changes, PlannedChange::time).map(|change| match change {
         PlannedChange::Drop { time, rows } => {
             Item::of_several("drop", format!(" of {}", names(rows)), seconds(*time))
         }

@@ -3,9 +3,8 @@
 use polhode_document::number::number;
 
 use super::words::{direction, point};
-use crate::report::basis_name;
 use crate::report::limits::shown_unit;
-use crate::{About, Limit, Measure, PrincipalAxis, ProductSign};
+use crate::{About, Limit, Measure, PrincipalAxis};
 
 /// `center distance along z: most 2 mm, of predicted masses`
 pub(crate) fn in_words(limit: &Limit, digits: usize) -> String {
@@ -16,7 +15,7 @@ pub(crate) fn in_words(limit: &Limit, digits: usize) -> String {
     let bounds: Vec<String> =
         bound("least", limit.least).into_iter().chain(bound("most", limit.most)).collect();
     let of = measure(&limit.of, digits);
-    format!("{of}: {}, of {} masses", bounds.join(", "), basis_name(limit.basis))
+    format!("{of}: {}, of {} masses", bounds.join(", "), limit.basis.name())
 }
 
 fn measure(of: &Measure, digits: usize) -> String {
@@ -35,12 +34,8 @@ fn measure(of: &Measure, digits: usize) -> String {
             format!("moment along {}{}", direction(*axis, digits), about_in_words(about, digits))
         }
         Measure::Product { axes: [a, b], sign, about } => {
-            let sign = match sign {
-                ProductSign::NegativeIntegral => "tensor elements",
-                ProductSign::PositiveIntegral => "positive integrals",
-            };
             let axes = format!("{} and {}", direction(*a, digits), direction(*b, digits));
-            format!("product of {axes}{}, {sign}", about_in_words(about, digits))
+            format!("product of {axes}{}, {}", about_in_words(about, digits), sign.name())
         }
         Measure::PrincipalMoment(k) => format!("principal moment {}", k + 1),
         Measure::PrincipalRatio([a, b]) => format!("principal ratio of {} and {}", a + 1, b + 1),

@@ -13,13 +13,14 @@ mod words;
 
 use polhode_document::VERSION;
 use polhode_document::layout::printable;
-use polhode_document::number::{count, counted, number, tidy, with_error};
+use polhode_document::number::{count, counted, number, with_error};
 use polhode_document::{Document, Section};
 use serde_json::{Value, json};
 
-use super::case::{Case, ten};
+use super::BudgetReport;
+use super::case::Case;
+use super::numbers::{shown, ten, tidied};
 use super::principal;
-use super::{BudgetReport, basis_name};
 use crate::{Basis, Estimate, NUMBERS};
 use change::{Change, from_to, signed};
 use stated::Stated;
@@ -126,7 +127,7 @@ impl<'a> BudgetDiff<'a> {
         let mass = if before == after {
             "the mass is the same".to_owned()
         } else {
-            format!("{} mass {}", basis_name(self.basis), from_to(before, after, "kg"))
+            format!("{} mass {}", self.basis.name(), from_to(before, after, "kg"))
         };
         match (pair.changes.len(), rows.len()) {
             (0, _) => format!("no row changed; {mass}"),
@@ -136,29 +137,20 @@ impl<'a> BudgetDiff<'a> {
 
     fn whole(&self, pair: &Pair<'_>, section: &mut Section) {
         let [before, after] = pair.cases.map(|case| case.estimate(self.basis));
-        let values = [before, after].map(|estimate| ten(&estimate.properties));
-        let centers = values.map(|all| tidy([all[1], all[2], all[3]]));
-        let mut rows: Vec<Vec<String>> = (0..10)
-            .map(|k| {
-                let (name, unit) = NUMBERS[k];
-                let (unit, scale) = if unit == "m" { ("mm", 1e3) } else { (unit, 1.0) };
-                let of = |side: usize| {
-                    let value = if (1..4).contains(&k) { centers[side][k - 1] } else { values[side][k] };
-                    scale * value
-                };
-                let sd = [before, after].map(|estimate| scale * estimate.sd(k));
-                let change = of(1) - of(0);
-                let cells = [0, 1].map(|side| with_error(of(side), sd[side]));
-                let [was, is] = cells;
-                vec![name.to_owned(), was, is, signed(change), unit.to_owned()]
-            })
-            .collect();
+        let values = [before, after].map(|estimate| tidied(ten(&estimate.properties)));
+        let mut rows: Vec<Vec<String>> = Vec::new();
+        for k in 0..10 {
+            let (name, unit, scale) = shown(k, ("mm", 1e3));
+            let [was, is] = values.map(|values| scale * values[k]);
+            let sd = [before, after].map(|estimate| scale * estimate.sd(k));
+            let cells = [with_error(was, sd[0]), with_error(is, sd[1]), signed(is - was), unit.to_owned()];
+            rows.push([name.to_owned()].into_iter().chain(cells).collect());
+        }
         let moments = [before, after].map(Estimate::principal);
         for k in 0..3 {
-            let of = |side: usize| moments[side].frame.moments()[k];
-            let cells = [0, 1].map(|side| principal::moment(pair.cases[side], &moments[side], k));
-            let [was, is] = cells;
-            rows.push(vec![format!("i{}", k + 1), was, is, signed(of(1) - of(0)), "kg·m²".to_owned()]);
+            let by = moments[1].frame.moments()[k] - moments[0].frame.moments()[k];
+            let [was, is] = [0, 1].map(|side| principal::moment(pair.cases[side], &moments[side], k));
+            rows.push(vec![format!("i{}", k + 1), was, is, signed(by), "kg·m²".to_owned()]);
         }
         section.table(&["number", "before", "after", "change", "unit"], rows);
         let margin = |case: &Case| {
@@ -174,10 +166,6 @@ impl<'a> BudgetDiff<'a> {
 
     /// As data.
     pub fn to_json(&self) -> Value {
-        let change = |change: &Change| {
-            let (what, before, after, by) = change.what.to_json();
-            json!({ "row": change.row, "what": what, "before": before, "after": after, "by": by })
-        };
         let pair = |pair: &Pair<'_>| {
             let whole = pair.cases.map(|case| {
                 let estimate = case.estimate(self.basis);
@@ -188,7 +176,7 @@ impl<'a> BudgetDiff<'a> {
             let [before, after] = whole;
             json!({
                 "name": pair.name(),
-                "changes": pair.changes.iter().map(change).collect::<Value>(),
+                "changes": pair.changes.iter().map(Change::to_json).collect::<Value>(),
                 "stated": stated::to_json(&pair.stated),
                 "numbers": NUMBERS.map(|(name, _)| name),
                 "before": before,
@@ -199,7 +187,7 @@ impl<'a> BudgetDiff<'a> {
             "polhode": VERSION,
             "kind": "budget diff",
             "titles": self.titles,
-            "basis": basis_name(self.basis),
+            "basis": self.basis.name(),
             "only_before": self.alone[0],
             "only_after": self.alone[1],
             "stated": stated::to_json(&self.stated),
@@ -219,7 +207,7 @@ impl Pair<'_> {
             section.say("No row changed.");
             return;
         }
-        let row = |change: &Change| vec![printable(&change.row), change.what.words()];
+        let row = |change: &Change| vec![printable(&change.row), change.words.clone()];
         section.table(&["part", "what became of it"], self.changes.iter().take(SHOWN).map(row).collect());
         if self.changes.len() > SHOWN {
             section

@@ -4,114 +4,138 @@ use std::collections::{HashMap, HashSet};
 
 use polhode::body::MassProperties;
 use polhode::math::Part;
+use polhode_document::layout::printable;
+use polhode_document::number::number;
+use serde_json::{Value, json};
 
-use super::change::{Change, What};
-use super::errors;
+use super::change::{Change, Changes, from_to};
+use super::errors::{self, Deviation};
 use crate::report::case::Case;
-use crate::{GivenTensor, Growth, Row};
+use crate::{CopyErrors, GivenTensor, Growth, Row, Subtotal};
 
 /// Rounding of numbers in other units.
 const ROUNDING: f64 = 1e-12;
 
 /// In the order of the rows of the second, then what is no more.
-pub(crate) fn changes([before, after]: [&Case; 2]) -> Vec<Change> {
-    let (old, new) = (before.budget.rows(), after.budget.rows());
+pub(crate) fn changes(cases: [&Case; 2]) -> Vec<Change> {
+    let [old, new] = cases.map(|case| case.budget.rows());
     let old_names: HashMap<&str, usize> = (0..old.len()).map(|k| (old.name(k), k)).collect();
     let new_names: HashSet<&str> = (0..new.len()).map(|k| new.name(k)).collect();
     let mut all = Vec::new();
     for k in 0..new.len() {
-        let mut add = |what| all.push(Change { row: new.name(k).to_owned(), what });
+        let mut changes = Changes { row: new.name(k), all: &mut all };
         match old_names.get(new.name(k)) {
-            None => add(What::Added(own(after, k))),
-            Some(&other) => differences([before, after], [other, k]).into_iter().for_each(add),
+            None => appeared(&mut changes, "added", cases[1], k),
+            Some(&other) => differences(&mut changes, cases, [other, k]),
         }
     }
     for k in (0..old.len()).filter(|k| !new_names.contains(old.name(*k))) {
-        all.push(Change { row: old.name(k).to_owned(), what: What::Removed(own(before, k)) });
+        appeared(&mut Changes { row: old.name(k), all: &mut all }, "removed", cases[0], k);
     }
     all
 }
 
-/// The mass of all copies of a row's own part.
-fn own(case: &Case, row: usize) -> f64 {
+/// Adds a row that only one list has, with the mass of all copies of its own part.
+fn appeared(changes: &mut Changes<'_>, what: &'static str, case: &Case, row: usize) {
     let copies = f64::from(case.budget.rows().quantity(row).count);
-    case.budget.given(row).map_or(0.0, |part| copies * part.mass())
+    let mass = case.budget.given(row).map_or(0.0, |part| copies * part.mass());
+    let words = match mass {
+        0.0 => format!("{what}, a frame"),
+        mass => format!("{what}, with {} kg", number(mass, 6)),
+    };
+    let both = if what == "added" { [None, Some(mass)] } else { [Some(mass), None] };
+    changes.pair(what, both, words);
 }
 
-fn differences(cases: [&Case; 2], rows: [usize; 2]) -> Vec<What> {
+fn differences(changes: &mut Changes<'_>, cases: [&Case; 2], rows: [usize; 2]) {
     let [before, after] = [0, 1].map(|side| cases[side].budget.rows().get(rows[side]));
     let [before, after] = [&before, &after];
-    let mut all = Vec::new();
     let parents = [0, 1].map(|side| {
         let budget = &cases[side].budget;
         budget.parent(rows[side]).map(|parent| budget.rows().name(parent).to_owned())
     });
     if parents[0] != parents[1] {
-        all.push(What::Parent(parents));
+        let [was, is] =
+            parents.each_ref().map(|name| name.as_deref().map_or_else(|| "nothing".to_owned(), printable));
+        changes.pair("parent", parents, format!("stood in {was}, stands in {is}"));
     }
+    let [was, is] = [before, after].map(|row| row.quantity);
+    if was.count != is.count {
+        changes.pair("quantity", [was.count, is.count], format!("{} to {} of it", was.count, is.count));
+    }
+    let copies = |errors: &CopyErrors| errors.name().to_owned();
+    let in_json = |errors: &CopyErrors| errors.name().into();
+    changes.unequal(["copies"; 2], [Some(was.errors), Some(is.errors)], copies, in_json);
+    part(changes, cases, rows, [before, after]);
+    let growths = [0, 1].map(|side| cases[side].budget.growth(rows[side]));
+    if !near(growths[0], growths[1]) {
+        let [was, is] = growths.map(|growth| number(100.0 * growth, 4));
+        changes.pair("growth", growths, format!("growth allowance {was} % to {is} %"));
+    }
+    let allowable = [before.allowable, after.allowable];
+    changes.unequal(
+        ["allowable", "allowable mass"],
+        allowable,
+        |x| format!("{} kg", number(*x, 6)),
+        |x| (*x).into(),
+    );
     let codes = [before, after].map(|row| match &row.growth {
-        Growth::Code(code) => Some(code.clone()),
+        Growth::Code(code) => Some(code),
         Growth::None | Growth::Fraction(_) => None,
     });
-    let counts = [before.quantity.count, after.quantity.count];
-    if counts[0] != counts[1] {
-        all.push(What::Quantity(counts));
+    changes.unequal(["maturity"; 2], codes, |code| printable(code), |code| code.as_str().into());
+    let subtotals = [0, 1].map(|side| cases[side].subtotal(rows[side]));
+    let stated = |one: &Subtotal| format!("{} ± {} kg", number(one.mass, 9), number(one.tolerance, 3));
+    let in_json = |one: &Subtotal| json!({ "mass": one.mass, "tolerance": one.tolerance });
+    changes.unequal(["subtotal"; 2], subtotals, stated, in_json);
+    let groups = [&before.group, &after.group].map(Option::as_ref);
+    changes.unequal(["group"; 2], groups, |group| printable(group), |group| group.as_str().into());
+    if let Some(all) = errors::changed([before, after]) {
+        let of = |one: &Deviation, side: usize| (one.name.to_owned(), Value::from(one.sd[side]));
+        let both = [0, 1].map(|side| Value::Object(all.iter().map(|one| of(one, side)).collect()));
+        let words: Vec<String> = all.iter().map(Deviation::words).collect();
+        let words = if words.is_empty() {
+            "its errors are correlated otherwise".to_owned()
+        } else {
+            format!("sd of {}", words.join(", of "))
+        };
+        changes.pair("uncertainty", both, words);
     }
-    let copies = [before.quantity.errors, after.quantity.errors];
-    if copies[0] != copies[1] {
-        all.push(What::Copies(copies));
-    }
+}
+
+/// The mass of one copy of a row's own part, its place and its tensor.
+fn part(changes: &mut Changes<'_>, cases: [&Case; 2], rows: [usize; 2], [before, after]: [&Row; 2]) {
     let parts = [0, 1].map(|side| cases[side].budget.given(rows[side]));
+    let masses = parts.map(|part| part.map_or(0.0, |part| part.mass()));
+    if !near(masses[0], masses[1]) {
+        let word = if masses[1] > masses[0] { "heavier" } else { "lighter" };
+        changes.pair("mass", masses, format!("{word}: {}", from_to(masses[0], masses[1], "kg")));
+    }
     let mut distance = (after.place.position - before.place.position).norm();
     let size = after.place.position.max_abs().max(before.place.position.max_abs());
     let mut is_moved = distance > ROUNDING * size;
-    match parts {
-        [Some(was), Some(is)] => {
-            if !near(was.mass(), is.mass()) {
-                all.push(What::Mass([was.mass(), is.mass()]));
-            }
-            let by = (is.center_of_mass() - was.center_of_mass()).norm();
-            let size = is.center_of_mass().max_abs().max(was.center_of_mass().max_abs());
-            if by > ROUNDING * size {
-                // Both together, along the axes of the frame in which it stands.
-                let [was, is] = [(before, was), (after, is)]
-                    .map(|(row, part)| row.place.position + row.place.rotation * part.center_of_mass());
-                (is_moved, distance) = (true, (is - was).norm());
-            }
-            // What is only heavier has the tensor that goes with it.
-            all.extend(tensor_change([before, after], [&was, &is]).map(What::Tensor));
+    if let [Some(was), Some(is)] = parts {
+        let by = (is.center_of_mass() - was.center_of_mass()).norm();
+        let size = is.center_of_mass().max_abs().max(was.center_of_mass().max_abs());
+        if by > ROUNDING * size {
+            // Both together, along the axes of the frame in which it stands.
+            let [was, is] = [(before, was), (after, is)]
+                .map(|(row, part)| row.place.position + row.place.rotation * part.center_of_mass());
+            (is_moved, distance) = (true, (is - was).norm());
         }
-        [None, Some(is)] => all.push(What::Mass([0.0, is.mass()])),
-        [Some(was), None] => all.push(What::Mass([was.mass(), 0.0])),
-        [None, None] => {}
+        // What is only heavier has the tensor that goes with it.
+        if let Some(by) = tensor_change([before, after], [&was, &is]) {
+            let percent = number(100.0 * by, 3);
+            changes.by("tensor", by, format!("its inertia tensor changed by up to {percent} % of itself"));
+        }
     }
     if is_moved {
-        all.push(What::Moved(distance));
+        changes.by("moved", distance, format!("moved by {} mm", number(1e3 * distance, 4)));
     }
     let angle = (after.place.rotation * before.place.rotation.inverse()).angle();
     if angle > ROUNDING {
-        all.push(What::Turned(angle));
+        changes.by("turned", angle, format!("turned by {} deg", number(angle.to_degrees(), 4)));
     }
-    let growths = [0, 1].map(|side| cases[side].budget.growth(rows[side]));
-    if !near(growths[0], growths[1]) {
-        all.push(What::Growth(growths));
-    }
-    if before.allowable != after.allowable {
-        all.push(What::Allowable([before.allowable, after.allowable]));
-    }
-    if codes[0] != codes[1] {
-        all.push(What::Maturity(codes));
-    }
-    let subtotals = [0, 1].map(|side| cases[side].subtotal(rows[side]));
-    if subtotals[0] != subtotals[1] {
-        all.push(What::Subtotal(subtotals));
-    }
-    let groups = [before, after].map(|row| row.group.clone());
-    if groups[0] != groups[1] {
-        all.push(What::Group(groups));
-    }
-    all.extend(errors::changed([before, after]).map(What::Uncertainty));
-    all
 }
 
 fn near(a: f64, b: f64) -> bool {

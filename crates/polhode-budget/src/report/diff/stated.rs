@@ -10,9 +10,9 @@ use serde_json::{Value, json};
 use super::item::Item;
 use super::words::point;
 use super::{happening, limit, site, tank};
-use crate::Group;
+use crate::report::BudgetReport;
 use crate::report::case::Case;
-use crate::report::{BudgetReport, basis_name};
+use crate::{ErrorKind, Group};
 
 /// Something that is stated differently, in words; `None` where it is not stated.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,14 +56,14 @@ fn of_report(report: &BudgetReport, digits: usize) -> Vec<Item> {
     }
     let options = &report.options;
     all.extend(options.about.map(|at| Item::new("result, about", point(at.to_array(), digits))));
-    all.extend(options.along.map(|axes| {
+    all.extend(options.axes.map(|axes| {
         let wxyz = quaternion(axes.canonical_quaternion(), 0.0, digits);
         Item::new("result, axes", format!("quaternion ({wxyz})"))
     }));
-    let draws = stated.draws.unwrap_or(options.draws);
+    let draws = stated.draws.or(options.draws).unwrap_or(0);
     all.push(Item::new("result, draws", draws.to_string()));
     all.push(Item::new("result, seed", options.seed.to_string()));
-    all.push(Item::new("result, basis", basis_name(options.basis)));
+    all.push(Item::new("result, basis", options.basis.name()));
     all
 }
 
@@ -77,11 +77,11 @@ pub(crate) fn of_cases(cases: [&Case; 2]) -> Vec<Stated> {
 fn of_lists(cases: &[Case], digits: usize) -> Vec<Item> {
     let percent = |x: f64| format!("{} %", number(100.0 * x, digits));
     let mut all: Vec<Item> = Vec::new();
-    for list in cases.iter().map(|case| case.budget.list()) {
-        let groups = list.groups.iter();
+    for budget in cases.iter().map(|case| &case.budget) {
+        let groups = budget.groups().iter();
         let groups =
             groups.map(|group| Item::new(format!("group {}", group.name), group_in_words(group, digits)));
-        let growth = list.growth.codes();
+        let growth = budget.growth_table().codes();
         let growth = growth.map(|(code, growth)| Item::new(format!("growth {code}"), percent(growth)));
         let items: Vec<Item> = groups.chain(growth).filter(|item| !all.contains(item)).collect();
         all.extend(items);
@@ -156,16 +156,9 @@ fn unequal([before, after]: [&[[String; 2]]; 2]) -> [Vec<usize>; 2] {
 
 /// `mass 0.9, position 0.5`
 fn group_in_words(group: &Group, digits: usize) -> String {
-    let all = [
-        ("mass", group.mass),
-        ("center", group.center),
-        ("tensor", group.tensor),
-        ("position", group.position),
-        ("rotation", group.rotation),
-        ("density", group.density),
-    ];
-    let stated = all.iter().filter(|(_, x)| *x != 0.0);
-    let words: Vec<String> = stated.map(|(name, x)| format!("{name} {}", number(*x, digits))).collect();
+    let all = ErrorKind::NAMED.into_iter().zip(group.correlations());
+    let stated = all.filter(|(_, x)| *x != 0.0);
+    let words: Vec<String> = stated.map(|((name, _), x)| format!("{name} {}", number(x, digits))).collect();
     if words.is_empty() { "no correlation".to_owned() } else { words.join(", ") }
 }
 

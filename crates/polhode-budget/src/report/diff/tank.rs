@@ -7,7 +7,7 @@ use polhode_document::number::{number, vector};
 use super::item::Item;
 use super::words::{names, point};
 use crate::read::{FilledTank, Prescribed};
-use crate::{Down, Liquid, LiquidTable, Measured, TankShape, Vessel};
+use crate::{Liquid, LiquidTable, Measured, TankShape, Vessel};
 
 /// Returns the statements about the tanks of all configurations.
 pub(crate) fn items(prescribed: &Prescribed, digits: usize) -> Vec<Item> {
@@ -71,15 +71,8 @@ fn of_vessel(vessel: &Vessel, digits: usize) -> [String; 3] {
             mm(high)
         ),
     };
-    let settles = match vessel.down() {
-        Down::MinusX => "-x",
-        Down::MinusY => "-y",
-        Down::MinusZ => "-z",
-        Down::PlusX => "x",
-        Down::PlusY => "y",
-        Down::PlusZ => "z",
-    };
-    [shape, format!("density {} kg/m³", number(vessel.density(), digits)), format!("settles {settles}")]
+    let density = format!("density {} kg/m³", number(vessel.density(), digits));
+    [shape, density, format!("settles {}", vessel.down().name())]
 }
 
 fn of_table(table: &LiquidTable, digits: usize) -> Vec<String> {

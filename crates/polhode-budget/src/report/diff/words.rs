@@ -3,6 +3,8 @@
 use polhode::math::{Body, Direction};
 use polhode_document::number::vector;
 
+use crate::limit::DIRECTIONS;
+
 /// `(10, 0, -2.5) mm`
 pub(crate) fn point(at: [f64; 3], digits: usize) -> String {
     format!("{} mm", vector(at.map(|x| 1e3 * x), digits))
@@ -10,16 +12,8 @@ pub(crate) fn point(at: [f64; 3], digits: usize) -> String {
 
 /// `z`, `-x`, or three numbers.
 pub(crate) fn direction(along: Direction<Body>, digits: usize) -> String {
-    const NAMES: [(&str, [f64; 3]); 6] = [
-        ("x", [1.0, 0.0, 0.0]),
-        ("y", [0.0, 1.0, 0.0]),
-        ("z", [0.0, 0.0, 1.0]),
-        ("-x", [-1.0, 0.0, 0.0]),
-        ("-y", [0.0, -1.0, 0.0]),
-        ("-z", [0.0, 0.0, -1.0]),
-    ];
     let all = along.to_array();
-    let named = NAMES.iter().find(|(_, unit)| *unit == all);
+    let named = DIRECTIONS.iter().find(|(_, unit)| *unit == all);
     named.map_or_else(|| vector(all, digits), |(name, _)| (*name).to_owned())
 }
 

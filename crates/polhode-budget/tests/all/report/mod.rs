@@ -8,7 +8,8 @@ mod tanks;
 mod whole;
 
 use polhode::math::{Direction, Part, Position, Rotation};
-use polhode_budget::report::{BudgetOptions, BudgetReport};
+use polhode_budget::read::Questions;
+use polhode_budget::report::BudgetReport;
 use polhode_budget::{
     Basis, Budget, CopyErrors, GivenPart, GivenTensor, Group, Growth, GrowthTable, Limit, Measure,
     PartUncertainty, PartsList, Place, PrincipalAxis, ProductSign, Quantity, Row, Spread, TensorPoint,
@@ -16,8 +17,8 @@ use polhode_budget::{
 };
 use serde_json::Value;
 
-fn options(draws: usize) -> BudgetOptions {
-    BudgetOptions { basis: Basis::Predicted, about: None, along: None, draws, seed: 1 }
+fn options(draws: usize) -> Questions {
+    Questions { draws: Some(draws), ..Questions::default() }
 }
 
 fn at(x: f64, y: f64, z: f64) -> Position<Part> {
@@ -140,7 +141,7 @@ fn limits() -> Vec<Limit> {
     ]
 }
 
-fn report(options: BudgetOptions) -> BudgetReport {
+fn report(options: Questions) -> BudgetReport {
     let sources = vec!["satellite.csv: the list is complete".to_owned()];
     BudgetReport::new(Some("A CubeSat"), sources, vec![(None, satellite(true))], limits(), options).unwrap()
 }
@@ -162,7 +163,7 @@ fn near(got: &[f64], want: &[f64], tolerance: f64) {
 }
 
 /// A report of one list of points.
-fn of_points(rows: Vec<Row>, limits: Vec<Limit>, options: BudgetOptions) -> BudgetReport {
+fn of_points(rows: Vec<Row>, limits: Vec<Limit>, options: Questions) -> BudgetReport {
     let list = PartsList { rows, ..PartsList::default() };
     BudgetReport::new(None, Vec::new(), vec![(None, list.budget().unwrap())], limits, options).unwrap()
 }

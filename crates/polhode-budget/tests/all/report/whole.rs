@@ -1,7 +1,8 @@
 //! What a list comes to, and what is said of it.
 
 use polhode::math::{Body, Part, Position, Rotation};
-use polhode_budget::report::{BudgetOptions, BudgetReport};
+use polhode_budget::read::Questions;
+use polhode_budget::report::BudgetReport;
 use polhode_budget::{Basis, GivenPart, PartsList, Row};
 
 use super::{at, near, numbers, options, report, satellite, text};
@@ -48,7 +49,7 @@ fn json_has_what_the_core_says() {
 fn a_tensor_is_given_about_the_point_and_along_the_axes_that_are_asked_for() {
     let r = Rotation::<Body, Part>::from_roll_pitch_yaw([0.3, -0.2, 0.7]).unwrap();
     let point = polhode::math::Position::new(0.1, -0.2, 0.3);
-    let asked = BudgetOptions { about: Some(point), along: Some(r), ..options(0) };
+    let asked = Questions { about: Some(point), axes: Some(r), ..options(0) };
     let report = report(asked);
     let found = &report.to_json()["configurations"][0]["asked"];
     let whole = satellite(true).mass_properties(Basis::Predicted).unwrap();
@@ -109,7 +110,7 @@ fn of_a_long_list_the_upper_levels_are_shown() {
     assert!(text.contains("info: no part has an uncertainty"), "{text}");
     assert_eq!(long.to_json()["configurations"][0]["rows"].as_array().unwrap().len(), 441);
     let mut csv = Vec::new();
-    long.write_csv(&mut csv).unwrap().unwrap();
+    long.write_csv(&mut csv).unwrap();
     assert_eq!(String::from_utf8(csv).unwrap().lines().count(), 442);
 }
 
@@ -117,7 +118,7 @@ fn of_a_long_list_the_upper_levels_are_shown() {
 fn a_point_beyond_numbers_is_refused() {
     let budget = satellite(true);
     let about = Some(Position::new(1e200, 2.0, -1.0));
-    let asked = BudgetOptions { about, ..options(0) };
+    let asked = Questions { about, ..options(0) };
     let error = BudgetReport::new(None, Vec::new(), vec![(None, budget)], Vec::new(), asked).unwrap_err();
     let words = error.to_string();
     assert!(words.contains(" is 1e200, and has to be so small that") || words.contains("1000000"), "{words}");

@@ -9,7 +9,7 @@ pub(crate) const ELEMENTS: [&str; 6] = ["xx", "yy", "zz", "xy", "xz", "yz"];
 /// Places of the elements in the matrix.
 pub(crate) const PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
-/// The matrix.
+/// Returns the matrix, row by row.
 pub(crate) const fn matrix([xx, yy, zz, xy, xz, yz]: Six) -> [[f64; 3]; 3] {
     [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
 }

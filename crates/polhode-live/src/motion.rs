@@ -9,8 +9,8 @@ use polhode::motion::{ErrorEffort, MotionError, Run, Scenario, Trajectory};
 use polhode_document::VERSION;
 use polhode_scenario::read::{Draft, ScenarioFile};
 use polhode_scenario::report::{PageInput, PageSubject, explain_motion, page_rows};
-use polhode_source::FormatError;
 use polhode_source::files::Disk;
+use polhode_source::{FormatError, Place};
 
 use crate::answer::Refusal;
 use crate::edit::edited;
@@ -169,21 +169,16 @@ fn of_format(error: &FormatError, draft: &Draft, text: &str) -> TextError {
     if error.path() == draft.path() {
         return at_place(error, text);
     }
-    let named = error.origin().map(|(_, place)| place);
-    TextError {
-        from: named.map(|place| utf16::of_byte(text, place.span.start)),
-        to: named.map(|place| utf16::of_byte(text, place.span.end)),
-        line: named.map(|place| place.line),
-        column: named.map(|place| place.column),
-        message: error.to_string(),
-        hint: error.hint(),
-    }
+    of_place(error.origin().map(|(_, place)| place), error.to_string(), error, text)
 }
 
 fn at_place(error: &FormatError, text: &str) -> TextError {
-    let place = error.place();
+    of_place(error.place(), error.message(), error, text)
+}
+
+fn of_place(place: Option<&Place>, message: String, error: &FormatError, text: &str) -> TextError {
     TextError {
-        message: error.message(),
+        message,
         hint: error.hint(),
         from: place.map(|place| utf16::of_byte(text, place.span.start)),
         to: place.map(|place| utf16::of_byte(text, place.span.end)),

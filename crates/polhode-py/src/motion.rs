@@ -13,7 +13,7 @@ use polhode_document::VERSION;
 use polhode_scenario::report::{
     MotionReport, PageInput, PageSubject, explain_motion, has_triangles, page_data, page_data_within, page_of,
 };
-use polhode_table::output::{Column, Table};
+use polhode_table::output::Table;
 use pyo3::prelude::*;
 
 use crate::arrays::{ErrorColumns, States, error_columns, numbers, table};
@@ -21,6 +21,7 @@ use crate::derivatives::{Derived, derived_run, parameters};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
 use crate::interrupt::watched;
+use crate::required::columns;
 use crate::scenario::{
     self, PythonMeasure, PythonTorque, Raised, has_raised, heard, with_functions, with_measures,
 };
@@ -121,15 +122,12 @@ impl PyMotion {
         &self,
         py: Python<'py>,
     ) -> Vec<(String, &'static str, &'static str, Bound<'py, PyArray1<f64>>)> {
-        let columns = || {
-            let table = Table::of(&self.trajectory, &(&self.scenario).into());
-            let values = |column: &Column<'_>| (0..table.rows()).map(|row| column.value(row)).collect();
-            let each = table.columns().iter();
-            let each = each.map(|c| (c.name.to_string(), c.unit, c.description, values(c)));
+        let all = || {
+            let each = columns(&Table::of(&self.trajectory, &(&self.scenario).into())).into_iter();
             let work = ("work_j".to_owned(), "J", "work of the torque since the start", self.work());
             each.chain([work]).collect()
         };
-        let columns: Vec<(String, &str, &str, Vec<f64>)> = py.detach(columns);
+        let columns: Vec<(String, &str, &str, Vec<f64>)> = py.detach(all);
         let given = columns.into_iter();
         given
             .map(|(name, unit, description, values)| {

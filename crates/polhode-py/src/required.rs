@@ -6,7 +6,7 @@ use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use polhode::body::Particle;
 use polhode::math::{Body, Position};
 use polhode_scenario::report::RequiredReport;
-use polhode_table::output::{Column as TableColumn, required};
+use polhode_table::output::{Column as TableColumn, Table, required};
 use pyo3::prelude::*;
 
 use crate::arrays::{numbers, rows};
@@ -54,11 +54,8 @@ pub(crate) fn required_torque<'py>(
     let (report, columns) = py
         .detach(|| {
             let report = RequiredReport::new(source(&path, &file), &file.scenario, &[], &points)?;
-            let table = required(report.samples(), report.rotor(), report.points(), file.scenario.shaft());
-            let values = |column: &TableColumn<'_>| (0..table.rows()).map(|row| column.value(row)).collect();
-            let columns = table.columns().iter();
-            let columns = columns.map(|c| (c.name.to_string(), c.unit, c.description, values(c)));
-            let columns: Vec<(String, &str, &str, Vec<f64>)> = columns.collect();
+            let columns =
+                columns(&required(report.samples(), report.rotor(), report.points(), file.scenario.shaft()));
             Ok((report, columns))
         })
         .map_err(placed)?;
@@ -69,4 +66,10 @@ pub(crate) fn required_torque<'py>(
         columns: columns.into_iter().map(array).collect(),
         findings: remarks(file.scenario.findings()),
     })
+}
+
+/// Name, unit, description and values of each column.
+pub(crate) fn columns(table: &Table<'_>) -> Vec<(String, &'static str, &'static str, Vec<f64>)> {
+    let values = |column: &TableColumn<'_>| (0..table.rows()).map(|row| column.value(row)).collect();
+    table.columns().iter().map(|c| (c.name.to_string(), c.unit, c.description, values(c))).collect()
 }

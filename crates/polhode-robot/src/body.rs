@@ -13,8 +13,9 @@ use polhode::math::{Part, Position, Principal, Rotation};
 
 use crate::link_error::LinkError;
 use crate::model::{ComputedMass, Inertial, Link, ModelFormat, Number, Slot, Tensor};
-use crate::moments::{Moments, transposed};
+use crate::moments::Moments;
 use crate::placement::Placement;
+use crate::pose::transposed;
 
 /// Advice for links whose language makes something of a missing inertial.
 const WRITE: &str = "write its inertial";

@@ -112,23 +112,10 @@ pub(crate) fn parallel_axes(mass: f64, [x, y, z]: [f64; 3]) -> Elements {
     [y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z].map(|e| mass * e)
 }
 
-pub(crate) fn transposed(r: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
-    std::array::from_fn(|i| std::array::from_fn(|j| r[j][i]))
-}
-
-/// The matrix of a unit quaternion (w, x, y, z).
-pub(crate) fn rotation_matrix([w, x, y, z]: [f64; 4]) -> [[f64; 3]; 3] {
-    // R = 1 + 2 w [v]× + 2 [v]×²
-    [
-        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
-        [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
-        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
-    ]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pose::{rotation_matrix, transposed};
 
     fn rebuilt(moments: &Moments) -> Elements {
         // R has the axes as columns.

@@ -41,7 +41,7 @@ pub type PayloadReport = Found<Payload, NextMotion>;
 pub type SwingReport = Found<SwingEstimate, NextSwing>;
 
 impl<F, E> Found<F, E> {
-    /// What was found.
+    /// Returns the estimate.
     pub const fn found(&self) -> &F {
         &self.found
     }

@@ -12,7 +12,7 @@ use polhode_robot::finding::{Finding, Severity};
 use polhode_robot::geometry::Shapes;
 use polhode_robot::inspect::inspect;
 use polhode_robot::line_index::{FilePlace, Places};
-use polhode_robot::model::{Joint, Link, ModelFormat, Pose, RobotModel};
+use polhode_robot::model::{Joint, Link, ModelFormat, Pose, RobotModel, Span};
 use polhode_robot::read::{ReadOptions, read_model, read_text};
 use polhode_robot::repair::proved;
 use polhode_scenario::report::display::equivalent_box;
@@ -111,13 +111,16 @@ impl RobotInspection {
         let numbers = numbers(&model);
         let places = Places::of(&model);
         let severities = severities(&found);
-        let mut findings: Vec<RobotFinding> = found.iter().map(|one| shown(one, &numbers, &places)).collect();
-        findings.extend(stands.unplaced.iter().filter_map(|&k| unplaced(&model, k, &places)));
+        let mut findings: Vec<RobotFinding> =
+            found.iter().map(|one| RobotFinding::of(one, &numbers, &places)).collect();
+        let unplaced = stands.unplaced.iter();
+        findings.extend(unplaced.filter_map(|&k| RobotFinding::of_unplaced(&model, k, &places)));
         let LinkShapes { shapes: looks, not_shown } = LinkShapes::of(&model, &shapes);
         let is_said = |shape: &NotShown| {
             found.iter().any(|one| one.code == "geometry.unreadable" && one.span == shape.span)
         };
-        findings.extend(not_shown.iter().filter(|shape| !is_said(shape)).map(|shape| hidden(shape, &places)));
+        let hidden = not_shown.iter().filter(|shape| !is_said(shape));
+        findings.extend(hidden.map(|shape| RobotFinding::of_hidden(shape, &places)));
         let repaired = proved(&model, &found, |text| {
             read_text(text, path, &options).map(|model| inspect(&model, &shapes).findings)
         });
@@ -171,52 +174,40 @@ fn severities(findings: &[Finding]) -> HashMap<&str, Severity> {
     severities
 }
 
-fn shown(finding: &Finding, numbers: &HashMap<&str, usize>, places: &Places<'_>) -> RobotFinding {
-    let FilePlace { file, is_included, line, column } = places.place(&finding.span);
-    RobotFinding {
-        link: numbers.get(finding.subject.as_str()).copied(),
-        code: finding.code,
-        severity: match finding.severity {
+impl RobotFinding {
+    /// A finding at a place of the model's files.
+    fn at(
+        places: &Places<'_>,
+        span: &Span,
+        link: Option<usize>,
+        [code, severity]: [&'static str; 2],
+        message: String,
+    ) -> Self {
+        let FilePlace { file, is_included, line, column } = places.place(span);
+        let name = file.file_name().unwrap_or(file.as_os_str());
+        let file = is_included.then(|| name.to_string_lossy().into_owned());
+        Self { link, code, severity, message, file, line, column }
+    }
+
+    fn of(finding: &Finding, numbers: &HashMap<&str, usize>, places: &Places<'_>) -> Self {
+        let severity = match finding.severity {
             Severity::Impossible => "impossible",
             Severity::Suspect => "suspect",
             Severity::Note => "note",
-        },
-        message: finding.message.clone(),
-        file: included(file, is_included),
-        line,
-        column,
+        };
+        let link = numbers.get(finding.subject.as_str()).copied();
+        Self::at(places, &finding.span, link, [finding.code, severity], finding.message.clone())
     }
-}
 
-/// The name of a file, if it is one that the model includes.
-fn included(file: &std::path::Path, is_included: bool) -> Option<String> {
-    let name = file.file_name().unwrap_or(file.as_os_str());
-    is_included.then(|| name.to_string_lossy().into_owned())
-}
+    fn of_hidden(shape: &NotShown, places: &Places<'_>) -> Self {
+        let message = format!("a shape is not shown: {}", shape.why);
+        Self::at(places, &shape.span, Some(shape.link), ["page.mesh", "note"], message)
+    }
 
-fn unplaced(model: &RobotModel, link: usize, places: &Places<'_>) -> Option<RobotFinding> {
-    let FilePlace { line, column, file, is_included } = places.place(&model.links.get(link)?.name.span);
-    Some(RobotFinding {
-        link: Some(link),
-        code: "page.unplaced",
-        severity: "note",
-        message: "it is shown at the origin: joints do not say where it stands".to_owned(),
-        file: included(file, is_included),
-        line,
-        column,
-    })
-}
-
-fn hidden(shape: &NotShown, places: &Places<'_>) -> RobotFinding {
-    let FilePlace { file, is_included, line, column } = places.place(&shape.span);
-    RobotFinding {
-        link: Some(shape.link),
-        code: "page.mesh",
-        severity: "note",
-        message: format!("a shape is not shown: {}", shape.why),
-        file: included(file, is_included),
-        line,
-        column,
+    fn of_unplaced(model: &RobotModel, link: usize, places: &Places<'_>) -> Option<Self> {
+        let message = "it is shown at the origin: joints do not say where it stands".to_owned();
+        let span = &model.links.get(link)?.name.span;
+        Some(Self::at(places, span, Some(link), ["page.unplaced", "note"], message))
     }
 }
 

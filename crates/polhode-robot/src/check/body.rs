@@ -5,7 +5,8 @@ use super::material::is_plausible;
 use super::print::Print;
 use crate::geometry::Volume;
 use crate::model::{Inertial, Link, ModelFormat, Number, Slot, Span};
-use crate::moments::{Elements, Moments, elements, norm, rotated, rotation_matrix, scaled, transposed};
+use crate::moments::{Elements, Moments, elements, norm, rotated, scaled};
+use crate::pose::{rotation_matrix, transposed};
 
 /// The names of a tensor's elements, in the order of [`Elements`].
 pub(super) const NAMES: [&str; 6] = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"];

@@ -5,7 +5,8 @@
 //! link's axes beside an attitude that is left over, and with (x, y, z, w) where (w, x, y, z) belongs.
 
 use super::explanation::{Candidates, Change, LOOSE, Slip};
-use crate::moments::{rotated, rotation_matrix, transposed};
+use crate::moments::rotated;
+use crate::pose::{rotation_matrix, transposed};
 
 pub(super) fn explain(candidates: &mut Candidates) {
     let body = candidates.body;

@@ -12,7 +12,7 @@ pub(crate) fn samples(scenario: &Scenario) -> Vec<State> {
     }
 }
 
-/// Of each column its name, its unit, what it is.
+/// Name, unit and description of each column.
 const HEADS: [[&str; 3]; 8] = [
     ["time_s", "s", "time"],
     ["attitude_w", "", ATTITUDE],

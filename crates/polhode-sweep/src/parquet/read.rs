@@ -30,7 +30,7 @@ fn pairs(file: &SerializedFileReader<Bytes>) -> Vec<KeyValue> {
 /// The rows of a file.
 ///
 /// # Errors
-/// If these bytes are no such file.
+/// [`ParquetError`] for bytes of anything else.
 pub(super) fn read(bytes: Vec<u8>) -> Result<Batch, ParquetError> {
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
     let pairs = pairs(&file);

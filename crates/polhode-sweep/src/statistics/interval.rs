@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-/// Half the interval about the mean of n numbers with standard deviation s: t s/√n, t of Student's distribution. `None` of fewer than two.
+/// Half the interval about the mean of n numbers with standard deviation s: t s/√n, t of Student's
+/// distribution. `None` of fewer than two.
 pub(super) fn half_of_mean(n: u64, deviation: f64, confidence: f64) -> Option<f64> {
     (n > 1).then(|| student(n - 1, confidence) * deviation / (n as f64).sqrt())
 }

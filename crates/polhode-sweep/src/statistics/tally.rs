@@ -22,7 +22,7 @@ const MOST_TEXTS: usize = 1000;
 /// What one pass finds.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tally {
-    /// Of all members.
+    /// Counts and moments of all members.
     pub(super) all: Set,
     /// The first members that failed, and why.
     pub(super) failures: Vec<(u64, String)>,
@@ -33,12 +33,12 @@ pub(super) struct Tally {
     pub(super) sets: BTreeMap<u64, Set>,
 }
 
-/// What one pass finds of some members.
+/// Counts and moments of some members.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Set {
-    /// Of each column of numbers.
+    /// Moments of each column of numbers.
     pub(super) moments: Vec<Moments>,
-    /// How often each text stands in a column.
+    /// Number of members with each text, by column.
     pub(super) texts: BTreeMap<String, BTreeMap<String, u64>>,
 }
 

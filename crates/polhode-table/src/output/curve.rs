@@ -16,7 +16,8 @@ pub fn momentum(trace: &MomentumTrace) -> Table<'_> {
     of(["momentum_body", "_kg_m2_s"], "kg·m²/s", &trace.curve)
 }
 
-/// The path of ω on the invariable plane: its component across L along space axes, and in two right-handed axes of the plane.
+/// The path of ω on the invariable plane: its component across L along space axes, and in two
+/// right-handed axes of the plane.
 pub fn herpolhode(herpolhode: &Herpolhode) -> Table<'_> {
     let mut table = of(["across_space", "_rad_s"], "rad/s", &herpolhode.curve);
     let plane = herpolhode.in_plane();

@@ -7,7 +7,7 @@ use polhode::motion::{Orbit, Pointing, Sample, Scenario, StateError, Trajectory,
 
 use super::Table;
 
-/// What a table has to know beside the trajectory: wheels inside the body, its orbit, and the angles that are of interest.
+/// Wheels inside the body, its orbit, and the angles of interest, which a trajectory does not have.
 #[derive(Clone, Debug, Default)]
 pub struct Surroundings {
     /// The wheels of the body, in its order.
@@ -29,10 +29,15 @@ impl From<&Scenario> for Surroundings {
 }
 
 impl<'a> Table<'a> {
-    /// The table of a trajectory. Its columns, in order: after those of every motion the potential energy where every torque has a potential; of a body on
-    /// the ground or in gimbals what it does there, with energies and works; the estimates of the error where there are any; what each of the body's wheels
-    /// does, numbered from 1, of one whose speed is held only its momentum, for its inertia is not known; on an orbit the attitude relative to it, and where
-    /// the body is; and the angles that are of interest.
+    /// The table of a trajectory. Its columns are, in order:
+    ///
+    /// - those of every motion
+    /// - the potential energy, where every torque has a potential
+    /// - the channels of a body on the ground or in gimbals, with energies and works
+    /// - the estimates of the error, where there are any
+    /// - momentum and speed of each wheel, numbered from 1; a wheel held at its speed has only the momentum
+    /// - attitude relative to the orbit, and place on it
+    /// - the angles of interest
     pub fn of(trajectory: &'a Trajectory, surroundings: &Surroundings) -> Self {
         let samples = trajectory.samples();
         let mut table = Self::new("trajectory", samples.len());

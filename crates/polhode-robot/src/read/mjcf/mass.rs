@@ -4,7 +4,8 @@
 //! Source: MuJoCo 3.x, `mjCBody::InertiaFromGeom` and `mjCBody::Compile`.
 
 use crate::model::{ComputedMass, Inertial, Link, Slot, Tensor};
-use crate::moments::{Elements, Moments, parallel_axes, rotated, scaled, transposed};
+use crate::moments::{Elements, Moments, parallel_axes, rotated, scaled};
+use crate::pose::transposed;
 
 use super::compiler::Settings;
 

@@ -91,7 +91,7 @@ fn positions(model: &RobotModel, joints: &[(String, JointValue)]) -> PyResult<Ve
     let value = |(name, value): &(String, JointValue)| match value {
         JointValue::Number(value) => Ok((name.clone(), *value)),
         JointValue::Text(text) => {
-            let slides = slides(model, name).map_err(|error| raised(model, &error.into()))?;
+            let slides = slides(model, name).map_err(|error| raised(model, &error))?;
             let dimension = if slides { Dimension::LENGTH } else { Dimension::ANGLE };
             let parsed = unit::parse(text, dimension).map_err(|error| {
                 let hint = if slides {

@@ -170,7 +170,7 @@ impl LinkChoice {
 
 /// The value of a joint, rad or m.
 fn position(model: &RobotModel, name: &str, value: &str) -> Result<(String, f64), Failure> {
-    let slides = slides(model, name).map_err(|error| failure(model, &error.into()))?;
+    let slides = slides(model, name).map_err(|error| failure(model, &error))?;
     let dimension = if slides { Dimension::LENGTH } else { Dimension::ANGLE };
     match quantity(value, dimension) {
         Ok(q) => Ok((name.to_owned(), q)),

@@ -131,7 +131,7 @@ impl Information {
 
 /// The columns of a matrix.
 pub(crate) fn columns(matrix: &DMatrix<f64>) -> Vec<DVector<f64>> {
-    matrix.column_iter().map(|column| column.into_owned()).collect()
+    matrix.column_iter().map(nalgebra::Matrix::into_owned).collect()
 }
 
 /// Threshold below which a change along an unknown direction is rounding, relative to its terms.

@@ -1,6 +1,6 @@
 //! Numbers of random draws: all of them in `cargo xtask test --nightly`, a quarter in the gate.
 
-/// Number of draws of a test that has so many at night.
+/// Number of draws of a test that has `at_night` of them at night.
 pub(crate) fn draws(at_night: u64) -> u64 {
     if is_night() { at_night } else { at_night / 4 }
 }

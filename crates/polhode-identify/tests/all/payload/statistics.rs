@@ -85,8 +85,8 @@ impl Statistics {
         (self.squares[k] / self.count - mean * mean).sqrt()
     }
 
-    /// At night: bias below 0.15 deviations, deviations within 10 % of the bound, normalised square within
-    /// 10 % of one. With a quarter of the draws twice that, except of what is said.
+    /// Holds the bias below 0.15 deviations, deviations within 10 % of the bound, and the normalised square
+    /// within 10 % of one; with a quarter of the draws within twice that, except for stated deviations.
     pub(super) fn hold(&self, bound: &[f64]) {
         let ([least, most], [least_said, most_said]) = (self.of_draws(bound), self.of_said(bound));
         assert!(self.bias() < tolerance(0.15), "{self}");

@@ -59,7 +59,7 @@ fn ends(known: &Known<'_>) -> Vec<Fact> {
     facts.push(Fact::data("start.velocity_space", velocity));
     let last = known.trajectory.samples().last();
     facts.extend(last.map_or_else(Vec::new, |last| {
-        let error = known.trajectory.error().map_or(none, |estimate| estimate.end());
+        let error = known.trajectory.error().map_or(none, polhode::motion::GlobalError::end);
         let facts = sample("final", " at the end", known.scenario, last, error);
         let is_alone = known.trajectory.samples().len() < 2;
         facts.into_iter().map(|fact| fact.shown_if(!is_alone)).collect()

@@ -18,7 +18,7 @@ use crate::report::global_error;
 pub(super) fn facts(known: &Known<'_>, scenario: &Scenario) -> Vec<Fact> {
     let samples = known.trajectory.samples();
     let error = global_error::of_attitude(known.trajectory);
-    let mut facts = scenario.orbit().map_or_else(Vec::new, |orbit| orbit_facts(orbit));
+    let mut facts = scenario.orbit().map_or_else(Vec::new, orbit_facts);
     for (sample, when, error) in
         known.ends().into_iter().flat_map(|[first, last]| [(first, "start", 0.0), (last, "end", error)])
     {

@@ -32,11 +32,11 @@ pub(super) struct StepJacobian<E> {
 /// Row 2 twice.
 const SECOND_TWICE: [usize; 8] = [4, 5, 6, 7, 4, 5, 6, 7];
 
-/// u of row 2, (u1, u2, u3), (u2, u3, u1) or (u3, u1, u2), and beside it the same cycled once more.
+/// Places of u in row 2 as (u1, u2, u3), (u2, u3, u1) or (u3, u1, u2), then the same cycled once more.
 const DIAGONALS: [[usize; 8]; 3] =
     [[4, 5, 6, 7, 5, 6, 4, 7], [5, 6, 4, 7, 6, 4, 5, 7], [6, 4, 5, 7, 4, 5, 6, 7]];
 
-/// The factors that meet Ωᵢ in ω̇, from row 1, and beside them the same cycled.
+/// Places of the factors that meet Ωᵢ in ω̇, in row 1, then the same cycled.
 const EULER_WITH_CYCLED: [[usize; 8]; 3] = {
     let [[a, b, c, d], [e, f, g, h], [i, j, k, l]] = [CROSS[0].from, CROSS[1].from, CROSS[2].from];
     [[a, b, c, d, b, c, a, d], [e, f, g, h, f, g, e, h], [i, j, k, l, j, k, i, l]]
@@ -181,8 +181,8 @@ impl<S: Machine> Recurrence for OneBody<S> {
         let mut y = self.sum(&jacobian.of_start[1], omega) + self.with_cycled(constant);
         if LAYOUT == WITH_FIXED_VECTOR {
             let x0 = self.pack(&motion[0].x);
-            for k in 0..3 {
-                y = jacobian.diagonal[k].mul_add(self.permuted(x0, DIAGONALS[k]), y);
+            for (factors, places) in jacobian.diagonal.into_iter().zip(DIAGONALS) {
+                y = factors.mul_add(self.permuted(x0, places), y);
             }
         }
         self.plus_newest::<LAYOUT>(jacobian, [x, y], [s.eight(0.0), self.with_cycled(low)], low_omega)

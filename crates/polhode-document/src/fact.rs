@@ -15,6 +15,9 @@ const COLUMN: usize = 22;
 /// An attitude with an error beyond this, rad, has no digit that is right.
 pub const LARGEST_ATTITUDE_ERROR: f64 = 0.1;
 
+/// Words for a value whose error is as large as itself.
+pub const NO_RIGHT_DIGIT: &str = "no digit is right (estimate)";
+
 /// Facts about one subject.
 #[derive(Clone, Debug)]
 pub struct Facts {
@@ -255,9 +258,7 @@ impl Quantity {
     /// Returns the value as text, and its unit.
     fn in_unit(&self, sigma: f64, digits: usize) -> (String, String) {
         match self {
-            _ if !has_digits(self.size(), sigma) => {
-                ("no digit is right (estimate)".to_owned(), String::new())
-            }
+            _ if !has_digits(self.size(), sigma) => (NO_RIGHT_DIGIT.to_owned(), String::new()),
             Self::None => (String::new(), String::new()),
             Self::Number(x, "kg") => split(&unit::mass(*x)),
             Self::Number(x, "m") => split(&unit::length(*x)),

@@ -8,14 +8,14 @@ use crate::common::{Scratch, example, json, number, refused, stdout};
 fn the_gyrocompass_is_simulated() {
     let scratch = Scratch::new("gimbals");
     let compass = example("gyrocompass.toml");
-    let arguments = ["simulate", &compass, "--output", "run", "--table", "csv", "--table", "parquet"];
+    let arguments = ["simulate", &compass, "--output", "run", "--table", "csv", "--table", "parquet", "-v"];
     let text = stdout(&scratch.run(&arguments));
     for line in [
-        "method           the equations of a rotor in gimbals have Taylor series",
-        "base             turns at (0, 4.489 474e-5, 5.746 265e-5) rad/s; g = (0, 0, -9.806 65) m/s²",
-        "inner gimbal     axis (1, 0, 0) with all angles zero, locked at 0 rad (0°)",
-        "drift            T + U less the work of axes and base ",
-        "outer axis       0.523 599 rad (30°) → ",
+        "the equations of a rotor in gimbals have Taylor series",
+        "ω of the base       (0, 44.89474, 57.46265) µrad/s",
+        "inner axis          (1, 0, 0), with all angles zero, locked at 0 rad (0°)",
+        "T + U − works of the axes and the base; relative, worst sample",
+        "outer angle         30° → ",
     ] {
         assert!(text.contains(line), "{line}\n{text}");
     }

@@ -8,7 +8,7 @@ fn the_stage_burns_and_what_does_not_know_it_says_so() {
     let stage = example("spinning-stage.toml");
     let text = stdout(&scratch.run(&["simulate", &stage, "--output", "run"]));
     assert!(text.contains("425 → 150 kg, through an exit, with jet damping"), "{text}");
-    assert!(text.contains("the mass properties change with time") && !text.contains("free motion"), "{text}");
+    assert!(text.contains("The mass of the body changes") && !text.contains("free motion"), "{text}");
     let summary: serde_json::Value =
         serde_json::from_str(&std::fs::read_to_string(scratch.0.join("run/summary.json")).unwrap()).unwrap();
     let history = &summary["mass_history"];
@@ -67,8 +67,8 @@ fn the_line_of_the_mass_says_what_happens_in_the_run() {
         });
         scratch.write("stage.toml", &text);
         let said = stdout(&scratch.run(&["simulate", "stage.toml", "--output", "run", "--force"]));
-        let from = said.find("\nmass ").unwrap();
-        let line = &said[from..from + said[from..].find("\ndrift").unwrap()];
+        let from = said.find("\n  mass ").unwrap();
+        let line = &said[from..from + said[from..].find("\nEvidence").unwrap()];
         line.split_whitespace().skip(1).collect::<Vec<_>>().join(" ")
     };
     let [run, burn] = ["duration = \"60 s\"", "until = \"45 s\""];

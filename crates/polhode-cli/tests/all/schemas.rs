@@ -102,7 +102,7 @@ fn requests_fit() {
     check_request::<polhode_judge::Request>(polhode_judge::REQUEST_SCHEMA, &full);
     let full = json!({ "plan": "plan.toml", "threads": 4 });
     check_request::<polhode_sweep::Request>(polhode_sweep::REQUEST_SCHEMA, &full);
-    let full = json!({ "file": "top.toml", "at": ["0 s, 1 s", "2:3:0.5"], "error": true });
+    let full = json!({ "file": "top.toml", "at": ["0 s, 1 s", "2:3:0.5"], "error": true, "verbose": true });
     check_request::<simulate::Request>(simulate::REQUEST_SCHEMA, &full);
     let full = json!({
         "file": "body.toml", "moments": "1, 2, 3", "inertia": "1, 2, 2.5, 0.1, 0, 0", "omega": "(0, 0, 30) deg/s",

@@ -5,6 +5,7 @@ use polhode::motion::contact::ContactState;
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{GroundContact, HeavyTop, Mechanism, Motor, Regime, Sample, Scenario, Swing, TopPath};
 use polhode::observe::FreeRegime;
+use polhode_document::fact::LARGEST_ATTITUDE_ERROR;
 use polhode_document::layout::printable;
 use polhode_document::number::{has_digits, number, within};
 use polhode_document::unit::{amplitude, length, time};
@@ -125,8 +126,11 @@ fn swings(swing: &Swing) -> String {
     }
 }
 
-/// The largest of the angles that are of interest.
+/// The largest of the angles that are of interest; none of a motion whose attitude has no right digit at the end.
 fn angles(known: &Known<'_>, scenario: &Scenario) -> Vec<String> {
+    if !has_digits(LARGEST_ATTITUDE_ERROR, global_error::of_attitude(known.trajectory)) {
+        return Vec::new();
+    }
     let samples = known.trajectory.samples();
     let largest = scenario.pointings().iter().filter_map(|pointing| {
         let angles = Angles::of(pointing, samples)?;

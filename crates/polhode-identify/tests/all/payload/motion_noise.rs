@@ -70,8 +70,9 @@ fn errors_hold_where_the_motion_is_hardly_larger_than_its_noise() {
         said.add(&found.about_center, &truth);
     }
     let ratio = said.of_draws(&said.mean_said());
+    // A mean of 200 draws has a standard error of 0.07 deviations, and ten numbers are compared.
     println!("much motion noise: {said} {ratio:?}, possible {all}");
-    assert!(said.bias() < tolerance(0.15) && is_about_one(said.normalised(), 0.1), "{said}");
+    assert!(said.bias() < tolerance(0.17) && is_about_one(said.normalised(), 0.1), "{said}");
 }
 
 /// Logs that are hardly more than noise have an answer that holds, with less that is known; hardly one is refused, of a motion that is hidden altogether.

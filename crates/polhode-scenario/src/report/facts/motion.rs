@@ -112,12 +112,13 @@ fn state(key: &str, when: &str, scenario: Option<&Scenario>, state: &State, erro
 pub(crate) fn state_at(known: &Known<'_>, at: &Sample) -> Vec<Fact> {
     let error = global_error::at(known.trajectory, at.state.time);
     let mut facts = sample("at", "", known.scenario, at, error);
-    let on_orbit = known.scenario.and_then(|scenario| orbit::angles(scenario, &at.state));
+    let on_orbit = known.scenario.and_then(|scenario| orbit::angles(scenario, &at.state, error.attitude));
     let is_known = has_digits(LARGEST_ATTITUDE_ERROR, error.attitude);
     facts.extend(
         on_orbit
             .filter(|_| is_known)
-            .map(|angles| Fact::shown("roll, pitch, yaw", angles).note("in the orbit's axes")),
+            .map(|angles| Fact::shown("roll, pitch, yaw", angles).within(error.attitude.to_degrees()))
+            .map(|fact| fact.note("in the orbit's axes")),
     );
     facts
 }
@@ -135,11 +136,12 @@ fn energy(known: &Known<'_>) -> Vec<Fact> {
         Fact::new(format!("energy.{key}"), label, joule.map(Quantity::Energy)).shown_if(acts)
     };
     let kinetic_end = last.map(|e| e.kinetic);
+    let error = error * kinetic_end.unwrap_or_default();
     vec![
         fact("kinetic_start_j", "T at the start", first.map(|e| e.kinetic)).shown_if(acts && !is_rotor),
-        fact("kinetic_end_j", "T at the end", kinetic_end).within(error * kinetic_end.unwrap_or_default()),
+        fact("kinetic_end_j", "T at the end", kinetic_end).within(error),
         fact("potential_start_j", "U at the start", first.and_then(|e| e.potential)),
         fact("potential_end_j", "U at the end", last.and_then(|e| e.potential)),
-        fact("work_j", "work done", last.map(|e| e.work)).shown_if(acts && is_rotor),
+        fact("work_j", "work done", last.map(|e| e.work)).within(error).shown_if(acts && is_rotor),
     ]
 }

@@ -5,8 +5,8 @@ use std::time::Instant;
 
 use crate::process::{self, FEATURES, cargo, joined};
 use crate::{
-    Outcome, api, arrows, book, circles, dependencies, dist, examples, layers, packages, python, readme,
-    solutions, viewer, workflows,
+    Outcome, api, arrows, book, circles, dependencies, dist, examples, files, layers, packages, python,
+    readme, root, solutions, viewer, workflows,
 };
 
 /// A name and a task.
@@ -60,21 +60,15 @@ pub(crate) fn run() -> Outcome {
     Ok(())
 }
 
-/// Runs every step with all random draws, and the tests that are too long for the gate.
+/// Runs every step with all random draws, then the tests that are too long for the gate: lists of 100,000 rows, and
+/// random changes of each target's stored inputs.
 pub(crate) fn run_nightly() -> Outcome {
     process::NIGHTLY.store(true, Ordering::Relaxed);
     run()?;
-    process::run(&mut cargo(&[
-        "test",
-        "--workspace",
-        "--locked",
-        "--features",
-        FEATURES,
-        "--test",
-        "*",
-        "--",
-        "--ignored",
-    ]))
+    let programs = files(&root().join("fuzz/fuzz_targets"), "rs")?;
+    let targets: Vec<_> = programs.iter().filter_map(|path| path.file_stem()?.to_str()).collect();
+    let all = ["test", "--workspace", "--locked", "--features", FEATURES, "--test", "*", "--", "--ignored"];
+    process::run(cargo(&all).env("POLHODE_FUZZ", targets.join(" ")))
 }
 
 /// Runs two programs of tests at a time: at the end of each the last test is alone.

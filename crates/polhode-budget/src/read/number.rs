@@ -24,11 +24,11 @@ pub(crate) struct Wrong {
 /// A number as it was read, and how well it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Measured {
-    /// SI.
+    /// Value in SI units.
     pub value: f64,
-    /// What stands after ±.
+    /// Uncertainty after ±.
     pub error: Option<Amount>,
-    /// Whether all its parts that need one have a unit in the cell.
+    /// True if every part that needs a unit has one in the cell.
     pub has_unit: bool,
 }
 

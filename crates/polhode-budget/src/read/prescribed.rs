@@ -59,7 +59,7 @@ impl Prescribed {
         self.stages.iter().find(|(stage, _)| stage.name.as_deref() == name)
     }
 
-    /// Whether a tank is in a configuration.
+    /// Returns true if a tank is in a configuration.
     fn has(&self, configuration: Option<&str>, tank: &str) -> bool {
         self.stage(configuration).is_some_and(|(_, tanks)| tanks.iter().any(|one| one.tank.name == tank))
     }

@@ -23,7 +23,7 @@ pub(crate) struct Sheet<'a> {
     pub decimal_comma: bool,
 }
 
-/// Where a table is from, and its cells.
+/// Table with its source and its cells.
 #[derive(Clone, Debug)]
 pub(crate) enum Body<'a> {
     /// Fields of a text file, between separators.

@@ -179,7 +179,7 @@ impl<'a> OfCase<'a> {
     }
 }
 
-/// Where the pieces are, and how heavy.
+/// Places and masses of the pieces.
 fn pieces(section: &mut Section, ballast: &Ballast, found: &FoundBallast) {
     let counts = found.pieces.iter().any(|piece| piece.count > 1);
     let row = |piece: &Piece| {

@@ -27,7 +27,7 @@ pub use scenario::{BodySize, NoBody};
 #[derive(Clone, Debug)]
 pub struct Found<F, E> {
     title: String,
-    /// What was read, line by line.
+    /// Lines that say what was read.
     sources: Vec<String>,
     found: F,
     next: Option<NextExperiment<E>>,

@@ -85,7 +85,7 @@ pub enum Species {
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
 pub enum Isotopes {
-    /// Those of the most abundant isotopes.
+    /// Masses of the most abundant isotopes.
     #[default]
     Abundant,
     /// Standard atomic weights.

@@ -14,25 +14,25 @@ use crate::Burn;
 /// kg/s
 const FLOW: Dimension = Dimension::new(1, 0, -1, 0);
 
-/// What happens to the body.
+/// Events of the body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OverTime {
     /// The configuration that it begins as.
     pub configuration: Option<String>,
-    /// To when it is wanted, from 0 on, s.
+    /// End of the sequence, which begins at 0, s.
     pub until: f64,
-    /// What the body has at first.
+    /// Angular velocity at the start.
     pub spin: Option<AngularVelocity<Body>>,
-    /// Where mass leaves.
+    /// Places where mass leaves.
     pub outflow: Outflow,
-    /// What leaves tanks.
+    /// Flows that leave tanks.
     pub burns: Vec<Burn>,
     /// What happens at once.
     pub changes: Vec<PlannedChange>,
 }
 
 impl OverTime {
-    /// Whether the body is another at the end.
+    /// True if the body is another one at the end.
     pub const fn has_changes(&self) -> bool {
         !self.burns.is_empty() || !self.changes.is_empty()
     }

@@ -5,17 +5,18 @@ use std::time::Instant;
 
 use crate::process::{self, FEATURES, cargo, joined};
 use crate::{
-    Outcome, api, arrows, book, circles, dependencies, dist, examples, files, layers, packages, python,
-    readme, root, solutions, viewer, workflows,
+    Outcome, api, arrows, book, circles, dependencies, dist, examples, files, layers, packages, prose,
+    python, readme, root, solutions, viewer, workflows,
 };
 
 /// A name and a task.
 type Step = (&'static str, fn() -> Outcome);
 
 /// The steps up to what everything else is run with, cheapest first.
-const FIRST: [Step; 6] = [
+const FIRST: [Step; 7] = [
     ("format", || process::run(&mut cargo(&["fmt", "--all", "--check"]))),
     ("layers", || layers::check().and_then(|()| arrows::check()).and_then(|()| circles::check())),
+    ("prose", prose::check),
     ("licences", dependencies::check),
     ("packages", packages::check),
     ("lints", || {

@@ -16,6 +16,7 @@ mod licence;
 mod notices;
 mod packages;
 mod process;
+mod prose;
 mod python;
 mod readme;
 mod solutions;
@@ -35,6 +36,7 @@ usage: cargo xtask TASK
   test       everything, in order, up to the first failure; --nightly with all random draws and with the long tests; --ray is a gate of its
              own: sweeps on Ray and Dask whose workers are killed, Linux alone
   layers     the modules' order: which may import which, what each may do, how long files are, and that no files or folders use each other in a circle
+  prose      wording of comments, messages and book, counted; --list PATTERN, --write takes lower counts over
   licences   how many crates are linked, and under which licences
   examples   the built command on every scenario in examples/
   readme     the README's commands
@@ -58,6 +60,9 @@ fn main() -> ExitCode {
         ["test", "--nightly"] => gate::run_nightly(),
         ["test", "--ray"] => python::check_with_ray(),
         ["layers"] => layers::check().and_then(|()| arrows::check()).and_then(|()| circles::check()),
+        ["prose"] => prose::check(),
+        ["prose", "--list", pattern] => prose::list(pattern),
+        ["prose", "--write"] => prose::write(),
         ["licences"] => dependencies::check(),
         ["examples"] => examples::check(),
         ["readme"] => readme::check(),

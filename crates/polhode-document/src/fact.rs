@@ -136,6 +136,12 @@ impl Fact {
         Self { error, ..self }
     }
 
+    /// Tells people that no digit of the value is right.
+    #[must_use]
+    pub fn without_digits(self) -> Self {
+        self.within(f64::INFINITY)
+    }
+
     /// Sets how many significant digits people see at most.
     #[must_use]
     pub fn digits(self, digits: usize) -> Self {
@@ -264,7 +270,7 @@ impl Quantity {
             Self::Number(x, "m") => split(&unit::length(*x)),
             Self::Number(x, "m³") => split(&unit::volume(*x)),
             Self::Number(x, unit) => (within(*x, sigma, digits), (*unit).to_owned()),
-            Self::Vector(m, "m") => split(&unit::place(tidy(*m))),
+            Self::Vector(m, "m") => split(&unit::place_within(tidy(*m), sigma)),
             Self::Vector(v, unit) => vector_in(tidy(*v), sigma, digits, unit),
             Self::Attitude(q) => (quaternion(*q, sigma, digits), String::new()),
             Self::Range(ends, unit) => {
@@ -366,6 +372,9 @@ mod tests {
     fn digits_end_where_the_error_begins() {
         assert_eq!(text(Quantity::Number(1.234_567, "N"), 0.001), "1.235 N");
         assert_eq!(text(Quantity::Rate(1.5), 0.01), "1.5 rad/s (85.9 deg/s)");
+        assert_eq!(text(Quantity::Vector([0.012_345_6, 0.0, -0.02], "m"), 1e-5), "(12.35, 0, -20) mm");
+        let place = Fact::shown("x", Quantity::Text("30° → 31°".to_owned())).without_digits();
+        assert!(Facts::new("", vec![place]).to_text(false).contains(NO_RIGHT_DIGIT));
     }
 
     #[test]

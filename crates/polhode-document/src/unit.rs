@@ -108,7 +108,14 @@ pub fn lengths(m: [f64; 3]) -> String {
 
 /// A point: `(10, 0, -20) mm`
 pub fn place(m: [f64; 3]) -> String {
-    in_brackets(m, fitting(&LENGTH, largest(m)))
+    place_within(m, 0.0)
+}
+
+/// A point as [`place`]; no digit of a coordinate after the first that its error, m, makes uncertain.
+pub fn place_within(m: [f64; 3], error: f64) -> String {
+    let unit = fitting(&LENGTH, largest(m));
+    let (m, error) = (m.map(|x| x * unit.per_si), error * unit.per_si);
+    format!("{} {}", crate::number::vector_within(m, error, DIGITS), unit.name)
 }
 
 /// The coordinates of a point in a body whose largest radius of gyration is `size`, m, as [`lengths`].
@@ -120,15 +127,12 @@ pub fn lengths_in(size: f64, m: [f64; 3]) -> String {
 /// A point in a body whose largest radius of gyration is `size`, m, as [`place`].
 pub fn place_in(size: f64, m: [f64; 3]) -> String {
     let m = m.map(|x| beside(x, size));
-    in_brackets(m, unit_in(size, m))
+    let unit = unit_in(size, m);
+    format!("{} {}", crate::number::vector(m.map(|x| x * unit.per_si), DIGITS), unit.name)
 }
 
 fn aligned(m: [f64; 3], unit: Unit) -> String {
     format!("{}  {}", alike(&m.map(|x| x * unit.per_si), DIGITS).join("  "), unit.name)
-}
-
-fn in_brackets(m: [f64; 3], unit: Unit) -> String {
-    format!("{} {}", crate::number::vector(m.map(|x| x * unit.per_si), DIGITS), unit.name)
 }
 
 /// The size of a body for [`place_in`]: its largest radius of gyration, m.

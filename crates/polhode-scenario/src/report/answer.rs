@@ -92,8 +92,8 @@ fn driven(known: &Known<'_>, scenario: &Scenario) -> Vec<String> {
         return contact(known, ground);
     }
     if let Mechanism::Gimbals(gimbals) = scenario.mechanism() {
-        let turned =
-            known.trajectory.channel(GIMBALS).and_then(|states| Some([states.first()?, states.last()?]));
+        let states = known.trajectory.channel(GIMBALS).filter(|_| is_end_known(known));
+        let turned = states.and_then(|states| Some([states.first()?, states.last()?]));
         let turned = turned.map_or_else(String::new, |ends| {
             let [outer, inner] = [0, 1].map(|k| {
                 let [from, to] = ends.map(|s| degrees(s.angles.get(k).copied().unwrap_or_default()));
@@ -128,7 +128,7 @@ fn swings(swing: &Swing) -> String {
 
 /// The largest of the angles that are of interest; none of a motion whose attitude has no right digit at the end.
 fn angles(known: &Known<'_>, scenario: &Scenario) -> Vec<String> {
-    if !has_digits(LARGEST_ATTITUDE_ERROR, global_error::of_attitude(known.trajectory)) {
+    if !is_end_known(known) {
         return Vec::new();
     }
     let samples = known.trajectory.samples();
@@ -139,6 +139,11 @@ fn angles(known: &Known<'_>, scenario: &Scenario) -> Vec<String> {
         Some(format!("{}: at most {most} to {}, at t = {when}.", capitalised(&name), target(pointing)))
     });
     largest.take(MOST_ANGLES).collect()
+}
+
+/// Returns true if a digit of the attitude at the end is right.
+fn is_end_known(known: &Known<'_>) -> bool {
+    has_digits(LARGEST_ATTITUDE_ERROR, global_error::of_attitude(known.trajectory))
 }
 
 /// |ω| at both ends.
@@ -168,11 +173,12 @@ fn contact(known: &Known<'_>, ground: &GroundContact) -> Vec<String> {
         }
     };
     let mut lines = vec![format!("{how}: {first}.")];
-    lines.extend(ends.map(|[first, last]| energy_and_height(&first, &last)));
+    lines.extend(ends.map(|[first, last]| energy_and_height(&first, &last, is_end_known(known))));
     lines
 }
 
-fn energy_and_height(first: &ContactState, last: &ContactState) -> String {
+/// Energy at both ends, and the height that the centre of mass gains if the attitude at the end is known.
+fn energy_and_height(first: &ContactState, last: &ContactState, is_known: bool) -> String {
     /// Least change of the height that is reported, relative to the height.
     const RISE: f64 = 1e-3;
     let [before, after] = [first, last].map(|s| number(s.kinetic_energy + s.potential_energy, DIGITS));
@@ -182,7 +188,7 @@ fn energy_and_height(first: &ContactState, last: &ContactState) -> String {
     };
     let [low, high] = [first.center.z, last.center.z];
     let moves = match high - low {
-        change if change.abs() <= RISE * low.abs() => return format!("{energy}."),
+        change if !is_known || change.abs() <= RISE * low.abs() => return format!("{energy}."),
         change if change > 0.0 => "rises",
         _ => "sinks",
     };

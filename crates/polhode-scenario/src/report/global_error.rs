@@ -1,6 +1,8 @@
 //! The estimated error of a motion, for people and for programs.
 
 use polhode::motion::{GlobalError, StateError, Trajectory};
+use polhode_document::fact::{Fact, LARGEST_ATTITUDE_ERROR};
+use polhode_document::number::has_digits;
 use serde_json::{Value, json};
 
 /// `{"attitude_rad": …, "omega": …}`
@@ -25,4 +27,9 @@ pub(crate) fn of_omega(trajectory: &Trajectory) -> f64 {
 /// The error of the attitude at the end, rad; zero without an estimate.
 pub(crate) fn of_attitude(trajectory: &Trajectory) -> f64 {
     trajectory.error().map_or(0.0, |estimate: &GlobalError| estimate.end().attitude)
+}
+
+/// Shows words for a fact that follows from an attitude with an error, rad, if the attitude has no right digit.
+pub(crate) fn known_to(error: f64, fact: Fact) -> Fact {
+    if has_digits(LARGEST_ATTITUDE_ERROR, error) { fact } else { fact.without_digits() }
 }

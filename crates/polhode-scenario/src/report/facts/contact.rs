@@ -10,6 +10,8 @@ use polhode_document::number::{number, vector as triple};
 use polhode_document::unit::{DIGITS, angle, length, place};
 use serde_json::{Value, json};
 
+use crate::report::global_error::{self, known_to};
+
 /// More changes than these fill the screen: JSON has them all.
 const MOST: usize = 12;
 
@@ -53,14 +55,17 @@ pub(super) fn facts(
         Fact::data("contact.changes", changes.iter().map(change_json).collect::<Value>()),
         Fact::data("contact.energy_drift", Quantity::Error(trajectory.energy_drift(), "")),
     ];
-    facts.extend(state("start", " at the start", &states.start(), true));
+    facts.extend(state("start", " at the start", &states.start(), 0.0, true));
     facts.extend(changes.iter().take(MOST).map(change));
     if changes.len() > MOST {
         let all = Quantity::Count(changes.len() as u64);
         facts.push(Fact::shown("changes of contact", all).note("in all: summary.json has them"));
     }
     match states.last() {
-        Some(last) => facts.extend(state("final", " at the end", &last, states.start() != last)),
+        Some(last) => {
+            let error = global_error::of_attitude(trajectory);
+            facts.extend(state("final", " at the end", &last, error, states.start() != last));
+        }
         None => facts.push(Fact::data("contact.final", None)),
     }
     facts
@@ -70,7 +75,10 @@ fn change_json(event: &ContactEvent) -> Value {
     json!({ "time_s": event.time, "change": event.change.name(), "what": event.change.to_string() })
 }
 
-fn state(key: &str, when: &str, s: &ContactState, is_shown: bool) -> Vec<Fact> {
+/// State of the contact, of a body whose attitude has an error, rad.
+fn state(key: &str, when: &str, s: &ContactState, error: f64, is_shown: bool) -> Vec<Fact> {
+    // A body that rolls moves by its lever times the angle that it turns.
+    let lever = (s.center - s.contact).norm();
     let vector = |v: [f64; 3], unit| Quantity::Vector(v, unit);
     let fact = |name: &str, label: &str, value: Quantity| {
         let label = if label.is_empty() { String::new() } else { format!("{label}{when}") };
@@ -79,11 +87,12 @@ fn state(key: &str, when: &str, s: &ContactState, is_shown: bool) -> Vec<Fact> {
     vec![
         fact("time_s", "", Quantity::Duration(s.state.time)),
         fact("phase", "contact", Quantity::Word(s.phase.name(), s.phase.name().to_owned())),
-        fact("center_m", "centre", vector(s.center.to_array(), "m")).note("of mass, in space axes"),
+        known_to(error, fact("center_m", "centre", vector(s.center.to_array(), "m")).within(lever * error))
+            .note("of mass, in space axes"),
         fact("velocity_m_s", "", vector(s.velocity.to_array(), "m/s")),
         fact("contact_m", "", vector(s.contact.to_array(), "m")),
         fact("contact_body_m", "", vector(s.contact_in_body.to_array(), "m")),
-        fact("normal_force_n", "force", Quantity::Number(s.normal_force, "N"))
+        known_to(error, fact("normal_force_n", "force", Quantity::Number(s.normal_force, "N")))
             .note(format!("normal; slip {} m/s", number(s.slip.norm(), 6))),
         fact("slip_m_s", "", vector(s.slip.to_array(), "m/s")),
         fact("friction_n", "", vector(s.friction.to_array(), "N")),

@@ -4,9 +4,11 @@ use polhode::motion::gimbal::{Axis, Gimbal, GimbalState, Gimbals, Hold};
 use polhode::motion::{Mechanism, Series, Trajectory};
 use polhode_document::fact::{Fact, Quantity};
 use polhode_document::json::{matrix, numbers, vector};
-use polhode_document::number::{number, vector as triple};
+use polhode_document::number::{number, vector as triple, within};
 use polhode_document::unit::{DIGITS, angle, rate};
 use serde_json::{Value, json};
+
+use crate::report::global_error::{self, known_to};
 
 /// Names of the axes.
 const NAMES: [&str; 3] = ["outer", "inner", "rotor"];
@@ -51,20 +53,21 @@ pub(super) fn facts(
         fact("final", "", states.last().as_ref().map_or(Quantity::None, |last| state(last).into())),
     ];
     if let (Some(first), Some(last)) = (states.first(), states.last()) {
-        facts.extend(ends(&first, &last));
+        facts.extend(ends(&first, &last, global_error::of_attitude(trajectory)));
     }
     facts
 }
 
-/// Axes at both ends, and the works.
-fn ends(first: &GimbalState, last: &GimbalState) -> Vec<Fact> {
+/// Axes at both ends, and the works; the attitude at the end has an error, rad.
+fn ends(first: &GimbalState, last: &GimbalState, error: f64) -> Vec<Fact> {
     let axis = |(k, name): (usize, &str)| {
         let holding = match last.holding[k] {
             0.0 => String::new(),
             torque => format!("; held with {} N·m", number(torque, 6)),
         };
-        let [from, to] = [first, last].map(|s| number(s.angles[k].to_degrees(), 6));
-        Fact::shown(format!("{name} angle"), format!("{from}° → {to}°"))
+        let [from, to] = [first, last].map(|s| s.angles[k].to_degrees());
+        let (from, to) = (number(from, 6), within(to, error.to_degrees(), 6));
+        known_to(error, Fact::shown(format!("{name} angle"), format!("{from}° → {to}°")))
             .note(format!("at the end {}{holding}", rate(last.rates[k])))
     };
     let works = [

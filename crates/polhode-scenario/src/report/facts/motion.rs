@@ -2,7 +2,7 @@
 
 use polhode::motion::channel::ENERGY;
 use polhode::motion::{Mechanism, MethodReason, Sample, Scenario, Solution, State, StateError};
-use polhode_document::fact::{Fact, LARGEST_ATTITUDE_ERROR, Quantity};
+use polhode_document::fact::{Fact, Quantity};
 use polhode_document::json::{matrix, vector};
 use polhode_document::number::{count, has_digits, number};
 use polhode_document::unit::{duration, rate_within};
@@ -10,7 +10,7 @@ use polhode_shape::report::block;
 use serde_json::json;
 
 use super::{Known, free, orbit};
-use crate::report::global_error;
+use crate::report::global_error::{self, known_to};
 
 pub(super) fn facts(known: &Known<'_>) -> Vec<Fact> {
     let mut facts = turns_about(known);
@@ -112,14 +112,11 @@ fn state(key: &str, when: &str, scenario: Option<&Scenario>, state: &State, erro
 pub(crate) fn state_at(known: &Known<'_>, at: &Sample) -> Vec<Fact> {
     let error = global_error::at(known.trajectory, at.state.time);
     let mut facts = sample("at", "", known.scenario, at, error);
-    let on_orbit = known.scenario.and_then(|scenario| orbit::angles(scenario, &at.state, error.attitude));
-    let is_known = has_digits(LARGEST_ATTITUDE_ERROR, error.attitude);
-    facts.extend(
-        on_orbit
-            .filter(|_| is_known)
-            .map(|angles| Fact::shown("roll, pitch, yaw", angles).within(error.attitude.to_degrees()))
-            .map(|fact| fact.note("in the orbit's axes")),
-    );
+    let on_orbit = known.scenario.and_then(|scenario| orbit::angles(scenario, &at.state));
+    facts.extend(on_orbit.map(|angles| {
+        let fact = Fact::shown("roll, pitch, yaw", angles).within(error.attitude.to_degrees());
+        known_to(error.attitude, fact).note("in the orbit's axes")
+    }));
     facts
 }
 
@@ -129,7 +126,7 @@ fn energy(known: &Known<'_>) -> Vec<Fact> {
     let (first, last) = (energy.and_then(|energy| energy.first()), energy.and_then(|energy| energy.last()));
     let mechanism = known.scenario.map_or(Mechanism::Rotor, Scenario::mechanism);
     let is_rotor = mechanism == Mechanism::Rotor;
-    // T goes with the square of ω.
+    // T goes with the square of ω; T + U changes by the work, so U has the error of T.
     let error = known.trajectory.error().map_or(0.0, |estimate| 2.0 * estimate.end().omega);
     let acts = !known.is_free && known.trajectory.samples().len() > 1;
     let fact = |key: &str, label: &str, joule: Option<f64>| {
@@ -141,7 +138,10 @@ fn energy(known: &Known<'_>) -> Vec<Fact> {
         fact("kinetic_start_j", "T at the start", first.map(|e| e.kinetic)).shown_if(acts && !is_rotor),
         fact("kinetic_end_j", "T at the end", kinetic_end).within(error),
         fact("potential_start_j", "U at the start", first.and_then(|e| e.potential)),
-        fact("potential_end_j", "U at the end", last.and_then(|e| e.potential)),
+        known_to(
+            global_error::of_attitude(known.trajectory),
+            fact("potential_end_j", "U at the end", last.and_then(|e| e.potential)).within(error),
+        ),
         fact("work_j", "work done", last.map(|e| e.work)).within(error).shown_if(acts && is_rotor),
     ]
 }

@@ -3,16 +3,16 @@
 use std::f64::consts::TAU;
 
 use polhode::motion::{Orbit, Pointing, Reference, Sample, Scenario, State};
-use polhode_document::fact::{Fact, LARGEST_ATTITUDE_ERROR, NO_RIGHT_DIGIT, Quantity};
+use polhode_document::fact::{Fact, Quantity};
 use polhode_document::json::{numbers, vector};
 use polhode_document::layout::printable;
+use polhode_document::number::number;
 use polhode_document::number::vector as shown;
-use polhode_document::number::{has_digits, number};
 use polhode_document::unit::DIGITS;
 use serde_json::{Map, Value, json};
 
 use super::Known;
-use crate::report::global_error;
+use crate::report::global_error::{self, known_to};
 
 /// The orbit, and each of the angles that are of interest: of the attitude at the end the digits that are right.
 pub(super) fn facts(known: &Known<'_>, scenario: &Scenario) -> Vec<Fact> {
@@ -22,19 +22,22 @@ pub(super) fn facts(known: &Known<'_>, scenario: &Scenario) -> Vec<Fact> {
     for (sample, when, error) in
         known.ends().into_iter().flat_map(|[first, last]| [(first, "start", 0.0), (last, "end", error)])
     {
-        let at = angles(scenario, &sample.state, error)
+        let at = angles(scenario, &sample.state)
             .map(|angles| Fact::shown(format!("angles at the {when}"), angles));
         let note = "roll, pitch, yaw in the orbit's axes (3-2-1)";
-        facts.extend(at.map(|fact| fact.within(error.to_degrees()).note(note)));
+        facts.extend(at.map(|fact| known_to(error, fact.within(error.to_degrees())).note(note)));
     }
     for (pointing, angles) in scenario.pointings().iter().filter_map(|p| Some((p, Angles::of(p, samples)?))) {
         let of = format!("{} of the body to {}", shown(pointing.body().to_array(), 4), to(pointing));
         let name = printable(pointing.name());
+        let angle = |when: &str, angle: f64, error: f64| {
+            known_to(error, Fact::shown(format!("{name} {when}"), Quantity::Angle(angle)).within(error))
+        };
+        let most = global_error::at(known.trajectory, angles.time).attitude;
         facts.extend([
-            Fact::shown(format!("{name} at the start"), Quantity::Angle(angles.start)).note(of),
-            Fact::shown(format!("{name} at the end"), known_to(error, Quantity::Angle(angles.end)))
-                .within(error),
-            Fact::shown(format!("{name} at most"), Quantity::Angle(angles.largest))
+            angle("at the start", angles.start, 0.0).note(of),
+            angle("at the end", angles.end, error),
+            angle("at most", angles.largest, most)
                 .note(format!("at t = {} s (of the samples)", number(angles.time, 6))),
         ]);
     }
@@ -100,16 +103,10 @@ pub(super) fn attitude(scenario: &Scenario, state: &State) -> Value {
     Value::Object(object)
 }
 
-/// Roll, pitch and yaw in the orbit's axes, in degrees, of an attitude with an error, rad; `None` without an orbit.
-pub(super) fn angles(scenario: &Scenario, state: &State, error: f64) -> Option<Quantity> {
+/// Roll, pitch and yaw in the orbit's axes, in degrees; `None` without an orbit.
+pub(super) fn angles(scenario: &Scenario, state: &State) -> Option<Quantity> {
     let rounded = |angles: [f64; 3]| angles.map(|angle| round(angle * 360.0 / TAU));
-    let angles = |orbit| Quantity::Vector(rounded(on_orbit(orbit, state)), "°");
-    scenario.orbit().map(|orbit| known_to(error, angles(orbit)))
-}
-
-/// A value that follows from an attitude with an error, rad; words if the attitude has no right digit.
-fn known_to(error: f64, value: Quantity) -> Quantity {
-    if has_digits(LARGEST_ATTITUDE_ERROR, error) { value } else { Quantity::Text(NO_RIGHT_DIGIT.to_owned()) }
+    scenario.orbit().map(|orbit| Quantity::Vector(rounded(on_orbit(orbit, state)), "°"))
 }
 
 fn on_orbit(orbit: &Orbit, state: &State) -> [f64; 3] {

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::layout::{labelled_from, plain_numbers};
+use crate::layout::{labelled_from, plain_spaces};
 use crate::number::{
     count, error, has_digits, number, quaternion, tidy, typeset, vector, vector_within, within,
 };
@@ -189,7 +189,7 @@ impl Facts {
     pub fn to_text(&self, details: bool) -> String {
         let shown = self.facts.iter().filter(|fact| fact.is_shown() && (details || !fact.is_detail));
         let lines: String = shown.map(Fact::line).collect();
-        if lines.is_empty() { lines } else { plain_numbers(&format!("{}\n{lines}", self.title)) }
+        if lines.is_empty() { lines } else { plain_spaces(&format!("{}\n{lines}", self.title)) }
     }
 
     /// Returns the `title` and the `rows` of a page; `None` without facts for people.

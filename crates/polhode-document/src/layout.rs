@@ -1,6 +1,6 @@
 //! Lines of text: wrapping, labels, aligned columns, matrices.
 
-use crate::number::{GROUP, alike};
+use crate::number::{NO_BREAK, alike};
 
 /// The width that text is laid out for where nobody asks for another.
 pub const WIDTH: usize = 100;
@@ -19,20 +19,7 @@ pub fn width(text: &str) -> usize {
 
 /// The text with every no-break space an ordinary one: the last step of plain text.
 pub fn plain_spaces(text: &str) -> String {
-    text.replace(GROUP, " ")
-}
-
-/// Returns plain text without spaces inside numbers: groups of digits are joined, other no-break spaces are ordinary ones.
-pub fn plain_numbers(text: &str) -> String {
-    let parts = text.split(GROUP);
-    let mut joined = String::with_capacity(text.len());
-    for (k, part) in parts.enumerate() {
-        let is_inside =
-            joined.ends_with(|c: char| c.is_ascii_digit()) && part.starts_with(|c: char| c.is_ascii_digit());
-        joined.push_str(if k == 0 || is_inside { "" } else { " " });
-        joined.push_str(part);
-    }
-    joined
+    text.replace(NO_BREAK, " ")
 }
 
 /// A name or title from outside, on one line: what would steer a terminal or turn the writing around is shown as its
@@ -91,7 +78,7 @@ fn tied(text: &str) -> Vec<String> {
             Some(last)
                 if UNITS.contains(&unit) && last.ends_with(|c: char| c.is_ascii_digit() || c == ')') =>
             {
-                last.push(GROUP);
+                last.push(NO_BREAK);
                 last.push_str(word);
             }
             _ => words.push(word.to_owned()),
@@ -214,7 +201,7 @@ pub fn matrix_rows(rows: &[[f64; 3]; 3], digits: usize) -> Vec<String> {
 
 fn is_number(cell: &str) -> bool {
     cell.chars().any(|c| c.is_ascii_digit())
-        && cell.chars().all(|c| c.is_ascii_digit() || matches!(c, '-' | '.' | 'e' | GROUP))
+        && cell.chars().all(|c| c.is_ascii_digit() || matches!(c, '-' | '.' | 'e'))
 }
 
 #[cfg(test)]

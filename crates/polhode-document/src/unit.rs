@@ -3,7 +3,7 @@
 use polhode::body::MassProperties;
 use polhode::math::Frame;
 
-use crate::number::{GROUP, alike, number, ungrouped, within};
+use crate::number::{NO_BREAK, alike, number, within};
 use crate::si_prefix;
 
 /// A unit and how many SI units it is.
@@ -58,11 +58,11 @@ pub const DIGITS: usize = 7;
 /// A time with its digits, and in hours or days where that says more: `464832 s (5.38 d)`.
 pub fn duration(seconds: f64, digits: usize) -> String {
     let shown = format!(
-        "{}{GROUP}s",
-        if digits > DIGITS { ungrouped(seconds, digits) } else { number(seconds, digits) }
+        "{}{NO_BREAK}s",
+        if digits > DIGITS { number(seconds, digits) } else { number(seconds, digits) }
     );
     match longer(seconds) {
-        Some((name, unit)) => format!("{shown}{GROUP}({}{GROUP}{name})", number(seconds / unit, 6)),
+        Some((name, unit)) => format!("{shown}{NO_BREAK}({}{NO_BREAK}{name})", number(seconds / unit, 6)),
         None => shown,
     }
 }
@@ -75,10 +75,10 @@ pub fn longer(seconds: f64) -> Option<(&'static str, f64)> {
 /// A time in one unit: `97.55 ms`, `5.369 d`.
 pub fn time(seconds: f64, digits: usize) -> String {
     if let Some((name, unit)) = longer(seconds) {
-        return format!("{}{GROUP}{name}", number(seconds / unit, digits));
+        return format!("{}{NO_BREAK}{name}", number(seconds / unit, digits));
     }
     let (prefix, size) = si_prefix::fitting(seconds.abs(), "s").unwrap_or(("", 1.0));
-    format!("{}{GROUP}{prefix}s", number(seconds / size, digits))
+    format!("{}{NO_BREAK}{prefix}s", number(seconds / size, digits))
 }
 
 /// `0.412 618 3 kg`

@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use polhode::infer::judge::{AttitudeSense, DeclaredByName, DeclaredReading, OmegaAxes, SignedAxes};
-use polhode_document::number::ungrouped as number;
+use polhode_document::number::number;
 use polhode_source::files::Files;
 use polhode_source::{Failure, read_text_file, shown};
 use polhode_table::log::{self, RunLog};

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use polhode::body::{Finding, Severity};
 use polhode::math::{Body, Rotation};
 use polhode_document::SourceInfo;
-use polhode_document::number::ungrouped as number;
+use polhode_document::number::number;
 use polhode_shape::report::InertiaReport;
 use serde_json::{Map, Value, json};
 

@@ -8,7 +8,7 @@ use polhode_document::SourceInfo;
 use polhode_document::csv_name;
 use polhode_document::layout::{columns, plain_spaces, printable};
 use polhode_document::number::exact as decimal;
-use polhode_document::number::ungrouped as number;
+use polhode_document::number::number;
 use polhode_shape::report::InertiaReport;
 use serde_json::{Map, Value, json};
 

@@ -1,7 +1,7 @@
 //! A model's links, one a line: mass, centre, moments, the box that has them, density, verdict.
 
 use polhode_document::layout::{columns, plain_spaces, printable};
-use polhode_document::number::ungrouped as number;
+use polhode_document::number::number;
 
 use crate::check::LinkGeometry;
 use crate::model::{Inertial, Link, Slot, Tensor};

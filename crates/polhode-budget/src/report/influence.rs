@@ -2,7 +2,7 @@
 
 use polhode_document::drawing::{Bar, BarPanel, Bars, Drawing};
 use polhode_document::layout::printable;
-use polhode_document::number::{GROUP, number};
+use polhode_document::number::{NO_BREAK, number};
 use polhode_document::{Block, Section};
 
 use super::case::{Case, ResultKind, SpreadResult};
@@ -25,7 +25,7 @@ pub(crate) fn section(case: &Case) -> Option<Section> {
         let (unit, scale) = shown_unit(result.unit);
         let mut cells = vec![printable(&result.name), format!("{} {unit}", number(scale * result.sd, 2))];
         cells.extend(result.by.iter().take(CELLS).map(|by| {
-            format!("{}: {}{GROUP}%", printable(&named(case, by)), number(100.0 * share(result, by), 2))
+            format!("{}: {}{NO_BREAK}%", printable(&named(case, by)), number(100.0 * share(result, by), 2))
         }));
         cells.resize(2 + CELLS, String::new());
         cells

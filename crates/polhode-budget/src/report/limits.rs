@@ -2,7 +2,7 @@
 
 use polhode_document::Section;
 use polhode_document::layout::printable;
-use polhode_document::number::{GROUP, count, number, with_error};
+use polhode_document::number::{NO_BREAK, count, number, with_error};
 use serde_json::{Value, json};
 
 use super::case::{Case, LEVEL};
@@ -18,7 +18,7 @@ pub(crate) fn section(case: &Case, limits: &[Limit]) -> Option<Section> {
             (Ok(value), Err(_)) => number(scale * value, 4),
             (Err(why), _) => why.to_string(),
         };
-        let unit = if unit.is_empty() { String::new() } else { format!("{GROUP}{unit}") };
+        let unit = if unit.is_empty() { String::new() } else { format!("{NO_BREAK}{unit}") };
         vec![
             printable(&limit.name),
             format!("{}{unit}", allowed(limit, scale)),
@@ -92,7 +92,7 @@ pub(crate) fn allowed(limit: &Limit, scale: f64) -> String {
 /// `87.2 % (85.1 … 89.0 %)`
 fn probability(share: &Share) -> String {
     let [low, high] = share.interval.map(end);
-    format!("{}{GROUP}({low} … {high}{GROUP}%)", percent(share.estimate()))
+    format!("{}{NO_BREAK}({low} … {high}{NO_BREAK}%)", percent(share.estimate()))
 }
 
 /// In percent: near 0 and 1 with the decimals in which it is neither.
@@ -109,7 +109,7 @@ fn end(p: f64) -> String {
 }
 
 fn percent(p: f64) -> String {
-    format!("{}{GROUP}%", end(p))
+    format!("{}{NO_BREAK}%", end(p))
 }
 
 pub(crate) fn to_json(case: &Case, limits: &[Limit]) -> Value {

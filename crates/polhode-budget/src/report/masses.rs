@@ -3,7 +3,7 @@
 use polhode_document::Section;
 use polhode_document::drawing::{Bar, BarPanel, Bars, Drawing};
 use polhode_document::layout::{INDENT, printable};
-use polhode_document::number::{GROUP, alike, count, number};
+use polhode_document::number::{NO_BREAK, alike, count, number};
 
 use super::case::Case;
 use crate::MassStatement;
@@ -38,7 +38,7 @@ pub(crate) fn margin_in_words(case: &Case) -> Option<String> {
     let whole = case.whole_statement();
     let (allowable, margin, part) = (whole.allowable?, whole.margin()?, whole.relative_margin()?);
     let words = format!(
-        "Allowable {} kg: the margin is {} kg, {}{GROUP}% of the basic mass",
+        "Allowable {} kg: the margin is {} kg, {}{NO_BREAK}% of the basic mass",
         number(allowable, DIGITS),
         number(margin, 4),
         number(100.0 * part, 3)

@@ -24,7 +24,7 @@ pub mod workbook;
 
 use polhode::body::{Finding, Severity};
 use polhode_document::layout::printable;
-use polhode_document::number::{GROUP, count, number, with_error};
+use polhode_document::number::{NO_BREAK, count, number, with_error};
 use polhode_document::{Document, Section};
 
 use crate::read::{Prescribed, Questions};
@@ -319,7 +319,7 @@ fn mass_in_words(case: &Case) -> String {
     let whole = case.whole_statement();
     let allowance = whole.growth_allowance();
     format!(
-        "Predicted mass {}: basic {basic}, and a growth allowance of {} kg ({}{GROUP}%)",
+        "Predicted mass {}: basic {basic}, and a growth allowance of {} kg ({}{NO_BREAK}%)",
         of(Basis::Predicted),
         number(allowance, 4),
         number(100.0 * allowance / whole.basic, 3)

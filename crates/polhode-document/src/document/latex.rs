@@ -90,7 +90,7 @@ fn drawn(graph: &Graph) -> String {
     let at =
         |x: f64, y: f64| format!("({:.3},{:.3})", 10.0 * part(x, [left, right]), 5.0 * part(y, [low, high]));
     let curve: String = graph.points.iter().map(|&[x, y]| at(x, y)).collect();
-    let shown = |x: f64| format!("${}$", power(&crate::number::ungrouped(x, 3)));
+    let shown = |x: f64| format!("${}$", power(&crate::number::number(x, 3)));
     let lines = [
         format!("\\draw[gray] (0,0) rectangle (10,5);\n\\draw[thick] plot coordinates {{{curve}}};"),
         format!(

@@ -1,7 +1,7 @@
 //! Units with the power of ten that is taken out of their numbers.
 
 use super::ticks::{exponent, power_of_ten, reduced};
-use crate::number::{GROUP, number, typeset};
+use crate::number::{NO_BREAK, number, typeset};
 use crate::si_prefix::prefixes;
 
 /// With a power of ten that has no prefix in use a factor stands before the unit.
@@ -14,7 +14,7 @@ pub fn unit(exponent: i32, unit: &str) -> String {
     match prefix(exponent, unit) {
         _ if exponent == 0 => unit.to_owned(),
         Some(prefix) => format!("{prefix}{unit}"),
-        None => format!("{}{GROUP}{unit}", power_of_ten(exponent)).trim_end().to_owned(),
+        None => format!("{}{NO_BREAK}{unit}", power_of_ten(exponent)).trim_end().to_owned(),
     }
 }
 
@@ -25,7 +25,7 @@ pub fn value(x: f64, digits: usize, name: &str) -> String {
         Some(prefix) => (reduced(x, power), format!("{prefix}{name}")),
         None => (x, name.to_owned()),
     };
-    format!("{}{GROUP}{unit}", typeset(&number(shown, digits)))
+    format!("{}{NO_BREAK}{unit}", typeset(&number(shown, digits)))
 }
 
 #[cfg(test)]

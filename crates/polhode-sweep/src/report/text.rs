@@ -2,7 +2,7 @@
 
 use polhode::body::Finding;
 use polhode_document::layout::{columns, labelled, plain_spaces, printable};
-use polhode_document::number::{count, error, number, ungrouped};
+use polhode_document::number::{count, error, number};
 use polhode_document::{Document, Section};
 
 use super::{SweepIntervals, SweepQuestion, SweepShare, SweepStatistic, SweepSummary};
@@ -195,9 +195,9 @@ fn tables(summary: &SweepSummary) -> [Table; 2] {
 }
 
 fn row(statistic: &SweepStatistic, members: u64) -> Vec<String> {
-    let shown = |x: Option<f64>| x.map_or_else(String::new, |x| ungrouped(x, 4));
+    let shown = |x: Option<f64>| x.map_or_else(String::new, |x| number(x, 4));
     let of = if statistic.count < members { format!(" ({})", count(statistic.count)) } else { String::new() };
-    let half = statistic.mean_interval.map(|[low, high]| format!("± {}", ungrouped(0.5 * (high - low), 2)));
+    let half = statistic.mean_interval.map(|[low, high]| format!("± {}", number(0.5 * (high - low), 2)));
     let [low, median, high] = [0.05, 0.5, 0.95].map(|p| shown(statistic.quantile(p)));
     vec![
         format!("  {}{of}", printable(&statistic.name)),

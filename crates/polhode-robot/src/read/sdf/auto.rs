@@ -9,7 +9,7 @@
 
 use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{Part, Position};
-use polhode_document::number::ungrouped as number;
+use polhode_document::number::number;
 
 use crate::finding::Severity;
 use crate::geometry::{Shapes, Volume, VolumeKind};

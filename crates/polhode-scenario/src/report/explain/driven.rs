@@ -3,7 +3,7 @@
 use polhode::body::Symmetry;
 use polhode::motion::{Sample, Solution, Trajectory};
 use polhode_document::Section;
-use polhode_document::number::{tidy_beside, ungrouped, without_noise};
+use polhode_document::number::{number, tidy_beside, without_noise};
 
 use super::working::{Working, cells, n, v};
 use crate::report::facts::ending_in_words;
@@ -59,9 +59,9 @@ pub(crate) fn how(w: &Working<'_>) -> Option<String> {
         solution => {
             let error = match (solution, solution.tolerance()) {
                 (Solution::Splitting { order, step, .. }, _) => {
-                    format!("order {}, steps of {} s", order.number(), ungrouped(*step, 3))
+                    format!("order {}, steps of {} s", order.number(), number(*step, 3))
                 }
-                (_, Some(tolerance)) => format!("error of each step below {}", ungrouped(tolerance, 3)),
+                (_, Some(tolerance)) => format!("error of each step below {}", number(tolerance, 3)),
                 (_, None) => String::new(),
             };
             format!("by numerical integration ({}, {error})", solution.title())

@@ -2,7 +2,7 @@
 
 use polhode::motion::{Method, Solution};
 use polhode_document::fact::{Fact, Quantity};
-use polhode_document::number::{count, ungrouped};
+use polhode_document::number::{count, number};
 use serde_json::json;
 
 use super::Known;
@@ -73,7 +73,7 @@ pub(super) fn solver(known: &Known<'_>) -> Vec<Fact> {
     let splitting = match solution {
         Solution::Splitting { order, step, .. } => Some(Quantity::Data(
             json!({ "order": order.number(), "step_s": step }),
-            format!("order {}, steps of {} s", order.number(), ungrouped(*step, 3)),
+            format!("order {}, steps of {} s", order.number(), number(*step, 3)),
         )),
         _ => None,
     };

@@ -2,7 +2,7 @@
 
 use polhode_document::fact::Facts;
 use polhode_document::finding;
-use polhode_document::layout::{WIDTH, labelled, plain_numbers, printable, wrap};
+use polhode_document::layout::{WIDTH, labelled, plain_spaces, printable, wrap};
 use polhode_document::number::{count, number};
 use polhode_document::sparkline::Sparkline;
 use polhode_document::unit::duration;
@@ -22,7 +22,7 @@ pub(crate) fn write(report: &MotionReport<'_>, picture: usize) -> String {
         let title = format!("t = {} s", number(sample.state.time, 9));
         Facts::new(title, state_at(&known, sample)).to_text(true)
     }));
-    plain_numbers(&(text + &finding::to_text(&report.findings())))
+    plain_spaces(&(text + &finding::to_text(&report.findings())))
 }
 
 /// `T-handle in free fall   0 … 20 s, 2,001 samples, closed form`

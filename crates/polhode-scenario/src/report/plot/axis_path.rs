@@ -14,7 +14,7 @@ use polhode_document::figure::legend::Key;
 use polhode_document::figure::range::range;
 use polhode_document::figure::sheet::{Anchor, Colour, Mark, Pen, Point, Sheet};
 use polhode_document::figure::ticks::Ticks;
-use polhode_document::number::ungrouped;
+use polhode_document::number::number;
 
 use super::chart::Heading;
 use super::error::PlotError;
@@ -126,7 +126,7 @@ pub(crate) fn draw(
 ) -> Result<(), PlotError> {
     let path = top.path(motion.samples())?;
     let [least, most] = top.bounds.unwrap_or_else(|| range(path.iter().map(|e| top.tilt(*e))));
-    let degrees = |angle: f64| ungrouped(angle.to_degrees(), 5);
+    let degrees = |angle: f64| number(angle.to_degrees(), 5);
     let bounds = match most - least > NOTHING {
         true => format!("θ from {}° to {}°", degrees(least), degrees(most)),
         false => format!("θ = {}°", degrees(least)),

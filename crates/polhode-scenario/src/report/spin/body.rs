@@ -2,7 +2,7 @@
 
 use polhode::body::{InertiaTensor, PrincipalFrame, Symmetry};
 use polhode::math::{Body, Direction};
-use polhode_document::number::{GROUP, number};
+use polhode_document::number::{NO_BREAK, number};
 use polhode_document::unit::DIGITS;
 
 /// True if some distribution of mass has these moments.
@@ -12,7 +12,7 @@ pub(crate) fn is_possible(principal: &PrincipalFrame<Body>) -> bool {
 
 /// `1, 2, 3 kg·m²: possible (1 + 2 = 3: a flat plate)`
 pub(crate) fn in_words(principal: &PrincipalFrame<Body>) -> String {
-    let possibility = possibility(principal).replace(' ', &GROUP.to_string());
+    let possibility = possibility(principal).replace(' ', &NO_BREAK.to_string());
     format!("{}: {possibility}", moments(principal))
 }
 

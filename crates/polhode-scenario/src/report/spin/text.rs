@@ -6,7 +6,7 @@ use polhode::observe::{Cones, FreeRegime, GeometricPhase, LeastEnergySpin, Symme
 use polhode_document::SourceInfo;
 use polhode_document::finding;
 use polhode_document::layout::{labelled, plain_spaces};
-use polhode_document::number::{number, tidy, ungrouped, vector};
+use polhode_document::number::{number, tidy, vector};
 use polhode_document::sparkline::Sparkline;
 use polhode_document::unit;
 use polhode_document::unit::{CLOSED, DIGITS, duration};
@@ -53,15 +53,15 @@ fn kind(motion: &FreeMotion) -> String {
     let kind = labelled("motion", motion.regime().description());
     let constants = format!(
         "|L| = {} kg·m²/s, 2T = {} J",
-        ungrouped(motion.momentum().norm(), DIGITS),
-        ungrouped(2.0 * motion.kinetic_energy(), DIGITS)
+        number(motion.momentum().norm(), DIGITS),
+        number(2.0 * motion.kinetic_energy(), DIGITS)
     );
     kind + &labelled("", &constants)
 }
 
 fn instability(FreeFacts { motion, regime, .. }: &FreeFacts) -> String {
     let Some(growth) = regime.growth_rate else { return String::new() };
-    let growth = ungrouped(growth, 6);
+    let growth = number(growth, 6);
     let line = if motion.regime() == Regime::Permanent(PermanentAxis::Intermediate) {
         format!("an exact, unstable equilibrium: ω stays as it is; growth rate {growth} /s of any departure")
     } else {
@@ -153,7 +153,7 @@ fn herpolhode(motion: &FreeMotion) -> String {
     let circles = !matches!(motion.regime(), Regime::AtRest | Regime::Permanent(_));
     let Some(herpolhode) = invariable_plane(motion).filter(|_| circles) else { return String::new() };
     let [least, greatest] = herpolhode.annulus;
-    let [shown, most, height] = [least, greatest, herpolhode.height].map(|rate| ungrouped(rate, 6));
+    let [shown, most, height] = [least, greatest, herpolhode.height].map(|rate| number(rate, 6));
     let radii = if shown == most { shown } else { format!("{shown} … {most}") };
     labelled("herpolhode", &format!("ω is {radii} rad/s across L, and {height} rad/s along it"))
 }

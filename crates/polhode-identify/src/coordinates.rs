@@ -1,10 +1,13 @@
-//! Coordinates in which every point is a possible body.
+//! Unconstrained coordinates of physically consistent inertia tensors.
 //!
-//! A tensor I is possible if and only if the second moments G = ½ tr(I) 1 − I = ∫ x xᵀ dm are positive semidefinite. With
+//! A tensor I is physically consistent if and only if the second moments G = ½ tr(I) 1 − I = ∫ x xᵀ
+//! dm are positive semidefinite. With
 //!
 //! G = U Uᵀ,  U = ((e^a, d, e), (0, e^b, f), (0, 0, e^c))
 //!
-//! every (a, b, c, d, e, f) is a possible tensor, and every body that is no lamina has one; a lamina is the limit of one of a, b, c → −∞.
+//! every (a, b, c, d, e, f) gives a consistent tensor. Conversely, every body except a lamina has
+//! such coordinates. A lamina is the limit a, b or c → −∞.
+//!
 //! Source: C. Rucker, P. M. Wensing, IEEE Robot. Autom. Lett. 7 (2022) 2747.
 
 use nalgebra::DMatrix;
@@ -12,29 +15,31 @@ use polhode::math::symmetric_eigen;
 
 use crate::six::{PLACES, Six, matrix, moments_of, of_eigen, tensor_of};
 
-/// The numbers that all rows share, part by part.
+/// Map between the shared physical parameters and unconstrained coordinates, part by part.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Coordinates {
     parts: Vec<Part>,
 }
 
-/// Some of the shared numbers.
+/// Kind of a group of consecutive shared parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Part {
-    /// Numbers that may be anything.
+    /// Unconstrained parameters, and their count.
     Free(usize),
-    /// A number that is positive, by its logarithm.
+    /// Positive parameter; its coordinate is its logarithm.
     Positive,
-    /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz of a possible body, about its centre of mass.
+    /// Physically consistent tensor Ixx, Iyy, Izz, Ixy, Ixz, Iyz about the centre of mass;
+    /// coordinates of the factor U.
     Tensor,
-    /// The same by the symmetric root S of G = S², which may have any elements: plates and rods have one as every body has, and no direction is another than the rest.
+    /// Physically consistent tensor by the symmetric root S of G = S². S is any symmetric matrix,
+    /// so plates and rods have finite coordinates, and no axis is special.
     RootedTensor,
-    /// xx, yy, zz, xy, xz, yz of a symmetric matrix that is positive semidefinite.
+    /// Positive semidefinite symmetric matrix xx, yy, zz, xy, xz, yz; coordinates of the factor U.
     Positive3,
 }
 
 impl Part {
-    /// How many numbers it has, and as many coordinates.
+    /// Returns the number of parameters, which is also the number of coordinates.
     pub(crate) const fn count(self) -> usize {
         match self {
             Self::Free(count) => count,
@@ -49,7 +54,8 @@ impl Coordinates {
         Self { parts }
     }
 
-    /// The coordinates of physical numbers. A tensor at the edge of what is possible, or beyond, is moved to the nearest that is inside.
+    /// Returns the coordinates of physical parameters. A tensor at or beyond the boundary of
+    /// physical consistency is moved to the nearest one inside.
     pub(crate) fn of(&self, physical: &[f64]) -> Vec<f64> {
         let mut all = Vec::with_capacity(physical.len());
         for (part, numbers) in self.each(physical) {
@@ -64,7 +70,7 @@ impl Coordinates {
         all
     }
 
-    /// The physical numbers.
+    /// Returns the physical parameters of the coordinates.
     pub(crate) fn physical(&self, coordinates: &[f64]) -> Vec<f64> {
         let mut all = Vec::with_capacity(coordinates.len());
         for (part, x) in self.each(coordinates) {
@@ -79,7 +85,7 @@ impl Coordinates {
         all
     }
 
-    /// ∂physical/∂coordinates
+    /// Returns the Jacobian ∂physical/∂coordinates.
     pub(crate) fn jacobian(&self, coordinates: &[f64]) -> DMatrix<f64> {
         let n = coordinates.len();
         let mut matrix = DMatrix::zeros(n, n);
@@ -112,17 +118,17 @@ fn six(numbers: &[f64]) -> Six {
     core::array::from_fn(|k| numbers[k])
 }
 
-/// U of a, b, c, d, e, f.
+/// Returns the factor U of the coordinates a, b, c, d, e, f.
 fn upper([a, b, c, d, e, f]: Six) -> [[f64; 3]; 3] {
     [[libm::exp(a), d, e], [0.0, libm::exp(b), f], [0.0, 0.0, libm::exp(c)]]
 }
 
-/// U Uᵀ
+/// Returns the product U Uᵀ.
 fn product(u: &[[f64; 3]; 3]) -> Six {
     PLACES.map(|(i, j)| (0..3).map(|k| u[i][k] * u[j][k]).sum())
 }
 
-/// ∂/∂(a … f) of a linear function of G: dG = dU Uᵀ + U dUᵀ
+/// Sets the derivatives of a linear function of G with respect to a … f: dG = dU Uᵀ + U dUᵀ.
 fn product_columns(x: Six, linear: impl Fn(Six) -> Six, set: &mut impl FnMut(usize, usize, f64)) {
     let u = upper(x);
     for (column, &(row, k)) in PLACES.iter().enumerate() {
@@ -139,7 +145,7 @@ fn product_columns(x: Six, linear: impl Fn(Six) -> Six, set: &mut impl FnMut(usi
     }
 }
 
-/// ∂I/∂S: dG = S dS + dS S
+/// Sets the derivatives ∂I/∂S: dG = S dS + dS S.
 fn square_columns(x: Six, set: &mut impl FnMut(usize, usize, f64)) {
     let s = matrix(x);
     for column in 0..6 {
@@ -153,23 +159,24 @@ fn square_columns(x: Six, set: &mut impl FnMut(usize, usize, f64)) {
     }
 }
 
-/// Eigenvalues and eigenvectors of second moments, values that are too small put at the least that a start may have; and that least.
+/// Returns the eigenvalues and eigenvectors of second moments, and the lower bound on the
+/// eigenvalues. Smaller eigenvalues are raised to the bound, [`THIN`] times the largest.
 fn inside(g: Six) -> ([f64; 3], [[f64; 3]; 3], f64) {
     let (values, vectors) = symmetric_eigen(g);
     let least = THIN * values.iter().fold(f64::MIN_POSITIVE, |most, v| most.max(v.abs()));
     (values.map(|value| value.max(least)), vectors, least)
 }
 
-/// S of second moments, of which those that are too small are put at the least that a start may have.
+/// Returns the root S of second moments whose small eigenvalues are raised by [`inside`].
 fn root(g: Six) -> Six {
     let (values, vectors, _) = inside(g);
     of_eigen(values.map(f64::sqrt), vectors)
 }
 
-/// How small a second moment may be, relative to the largest, to begin with: a plate 1 mm thick and 10 m wide.
+/// Smallest second moment at the start, relative to the largest: a plate 1 mm thick and 10 m wide.
 const THIN: f64 = 1e-8;
 
-/// a … f of second moments, of which those that are too small are put at the least that a start may have.
+/// Returns a … f of second moments whose small eigenvalues are raised by [`inside`].
 fn factor(g: Six) -> Six {
     let (values, vectors, least) = inside(g);
     let [xx, yy, zz, xy, xz, yz] = of_eigen(values, vectors);

@@ -1,4 +1,4 @@
-//! Matrix decompositions, of finite matrices only.
+//! Matrix decompositions of finite matrices.
 //!
 //! nalgebra's singular value decomposition panics on NaN, and its other decompositions return NaN.
 //! Every call goes through this module; clippy refuses nalgebra's own methods elsewhere
@@ -11,14 +11,14 @@ use nalgebra::{DMatrix, DVector, DefaultAllocator, DimMin, Dyn, OMatrix};
 
 use crate::error::IdentifyError;
 
-/// A = U diag(s) Vᵀ.
+/// Singular value decomposition A = U diag(s) Vᵀ.
 pub(crate) struct Svd {
     pub(crate) u: DMatrix<f64>,
     pub(crate) values: DVector<f64>,
     pub(crate) v_t: DMatrix<f64>,
 }
 
-/// Refuses NaN and infinities.
+/// Returns an error if a number is NaN or infinite.
 ///
 /// # Errors
 /// [`IdentifyError::NotFinite`], which names the quantity.
@@ -30,7 +30,7 @@ pub(crate) fn require_finite<'a>(
     if is_finite { Ok(()) } else { Err(IdentifyError::NotFinite { quantity }) }
 }
 
-/// The singular value decomposition.
+/// Returns the singular value decomposition of a finite matrix.
 pub(crate) fn svd(quantity: &'static str, matrix: DMatrix<f64>) -> Result<Svd, IdentifyError> {
     require_finite(quantity, &matrix)?;
     let decomposition = matrix.svd(true, true);
@@ -40,13 +40,13 @@ pub(crate) fn svd(quantity: &'static str, matrix: DMatrix<f64>) -> Result<Svd, I
     Ok(Svd { u, values: decomposition.singular_values, v_t })
 }
 
-/// A = Q R.
+/// Returns the decomposition A = Q R of a finite matrix.
 pub(crate) fn qr(quantity: &'static str, matrix: DMatrix<f64>) -> Result<QR<f64, Dyn, Dyn>, IdentifyError> {
     require_finite(quantity, &matrix)?;
     Ok(matrix.qr())
 }
 
-/// A = Pᵀ L U.
+/// Returns the decomposition A = Pᵀ L U of a finite matrix.
 pub(crate) fn lu<D>(
     quantity: &'static str,
     matrix: OMatrix<f64, D, D>,
@@ -59,7 +59,7 @@ where
     Ok(matrix.lu())
 }
 
-/// Eigenvalues and eigenvectors of a symmetric matrix.
+/// Returns the eigenvalues and eigenvectors of a finite symmetric matrix.
 pub(crate) fn symmetric_eigen(
     quantity: &'static str,
     matrix: DMatrix<f64>,
@@ -68,7 +68,7 @@ pub(crate) fn symmetric_eigen(
     Ok(matrix.symmetric_eigen())
 }
 
-/// A = L Lᵀ; `None` of a matrix that is not positive definite.
+/// Returns the decomposition A = L Lᵀ; `None` for a matrix that is not positive definite.
 pub(crate) fn cholesky(
     quantity: &'static str,
     matrix: DMatrix<f64>,

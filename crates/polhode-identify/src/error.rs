@@ -1,113 +1,114 @@
-//! What can go wrong.
+//! Errors of the identification.
 
 use core::fmt;
 
 use polhode::body::BodyError;
 use polhode::motion::MotionError;
 
-/// Why there is no estimate.
+/// Reason for a missing estimate.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum IdentifyError {
-    /// A number of the input that cannot be.
+    /// Input value outside its range.
     Value {
-        /// What it is.
+        /// Name of the quantity.
         what: &'static str,
-        /// As it was given.
+        /// Value as entered.
         value: f64,
-        /// What it has to be.
+        /// Requirement on the value, such as `above zero`.
         rule: &'static str,
     },
-    /// Fewer measurements than numbers to be found.
+    /// Fewer measurements than unknown parameters require.
     TooFew {
-        /// What there is too little of.
+        /// Name of the scarce measurements.
         what: &'static str,
-        /// How many there are.
+        /// Number of measurements present.
         given: usize,
-        /// How many it takes.
+        /// Number of measurements required.
         needed: usize,
     },
-    /// What has to be told.
+    /// Required input that is absent.
     Missing {
-        /// What it is.
+        /// Name of the input.
         what: &'static str,
     },
-    /// What was found is no possible body, or what was given.
+    /// Input or estimated body that is not physically consistent.
     Body(BodyError),
-    /// The model has no motion there.
+    /// Failed integration of the motion model.
     Motion(MotionError),
-    /// A number that was computed is NaN or infinite.
+    /// Computed quantity that is NaN or infinite.
     NotFinite {
-        /// Name of the number.
+        /// Name of the quantity.
         quantity: &'static str,
     },
-    /// Every flight has the same body added: free motion determines only ratios.
+    /// The same body is added in every flight, so free motion determines only ratios.
     OneBody {
-        /// Flights, all of which have it.
+        /// Number of flights, all of them with the added body.
         flights: usize,
     },
-    /// Rates that move as free bodies do if they are in another unit, and not as they are.
+    /// Angular rates that fit free motion only in another unit.
     Unit {
-        /// By what they have to be multiplied.
+        /// Factor that converts the readings to the other unit.
         factor: f64,
-        /// How many times smaller what is left is then.
+        /// Ratio of the residuals: unit as read to the other unit.
         better: f64,
     },
-    /// Rates that fit what else is known if an axis of the gyro is reversed, and not as they are.
+    /// Angular rates that fit only with an axis of the gyro reversed.
     LeftHanded {
-        /// Which: `x`, `y`, `z`, `all of them`; or `one of them`, if that does not show.
+        /// Reversed axes: `x`, `y`, `z`, `all of them`; or `one of them` if the data do not show
+        /// which.
         axes: &'static str,
-        /// How many times smaller what is left is then.
+        /// Ratio of the residuals: axes as read to reversed axes.
         better: f64,
     },
-    /// A flight with hardly a reading inside the gyro's range.
+    /// Flight with too few readings inside the gyro's range.
     Saturated {
-        /// Which.
+        /// Name of the flight.
         flight: String,
-        /// Readings that are inside.
+        /// Number of readings inside the range.
         inside: usize,
-        /// Of how many.
+        /// Number of all readings of the flight.
         given: usize,
     },
-    /// No motion fits, and a flight is not free.
+    /// No free motion fits, and an external torque acts during a flight.
     NotFree {
-        /// Which.
+        /// Name of the flight.
         flight: String,
-        /// From when to when nothing turns it, s.
+        /// Beginning and end of the torque-free interval, s.
         free: [f64; 2],
     },
-    /// Free rotation that does not change.
+    /// Constant rates in every flight, which determine neither moments nor bias.
     Steady {
-        /// The noise of the readings, beyond which they do not differ, rad/s.
+        /// Standard deviation of the readings, rad/s; the changes of the rates are not larger.
         noise: f64,
     },
-    /// A swing whose amplitude grows: its damping is negative beyond chance.
+    /// Swing with growing amplitude: its damping is significantly negative.
     Growing {
         /// Name of the test.
         test: String,
-        /// `viscous damping` or `quadratic damping`.
+        /// Kind of damping: `viscous damping` or `quadratic damping`.
         number: String,
-        /// Estimated damping.
+        /// Estimated damping, in `unit`.
         value: f64,
-        /// Its standard deviation.
+        /// Standard deviation of the damping, in `unit`.
         sd: f64,
-        /// Unit of both.
+        /// Unit of the damping; `1` if dimensionless.
         unit: &'static str,
     },
-    /// A log whose readings are all zero.
+    /// Log whose readings are all zero.
     AllZero {
         /// Measured quantity: `force`, `torque`.
         what: &'static str,
     },
-    /// The method went on without an end.
+    /// Least-squares iteration that did not converge.
     NoConvergence {
-        /// After so many steps.
+        /// Number of steps taken.
         steps: usize,
     },
 }
 
 impl IdentifyError {
-    /// What its reader may do.
+    /// Returns a hint how to fix the error, if there is one.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
             Self::TooFew { .. } => Some("measure for longer, more often, or find fewer numbers"),
@@ -140,12 +141,12 @@ impl IdentifyError {
         }
     }
 
-    /// That a number is above zero.
+    /// Checks that a number is above zero.
     pub(crate) fn above_zero(what: &'static str, value: f64) -> Result<(), Self> {
         Self::require(what, value, value > 0.0, "above zero")
     }
 
-    /// That a number keeps a rule.
+    /// Checks that a number is finite and satisfies a rule.
     pub(crate) fn require(
         what: &'static str,
         value: f64,

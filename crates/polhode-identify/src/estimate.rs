@@ -1,4 +1,4 @@
-//! Numbers that were found, with what is known of them.
+//! Estimated parameters with their uncertainty.
 
 use core::f64::consts::PI;
 use core::fmt;
@@ -9,58 +9,60 @@ use crate::decomposition::symmetric_eigen;
 use crate::error::IdentifyError;
 use crate::least_squares::{Information, KNOWN, changes_along};
 
-/// Numbers that were found, and their errors.
+/// Estimated parameters, their covariance and their unobservable directions.
 ///
-/// What the measurements do not determine is a direction in [`Estimate::unknown`]: along it the numbers could be moved, and the measurements would be
-/// predicted as well. The covariance is that of the rest.
+/// The measurements do not determine the directions in [`Estimate::unknown`]: a change along one of
+/// them predicts the same measurements. The covariance describes all other directions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
-    /// In a fixed order.
+    /// Parameters in a fixed order.
     pub numbers: Vec<Number>,
-    /// Covariance of the numbers, in their units.
+    /// Covariance of the parameters, in the products of their units.
     pub covariance: Vec<Vec<f64>>,
-    /// Directions in which nothing is known, each of length 1 in the numbers' units.
+    /// Unobservable directions, each of length 1 in the parameters' units.
     pub unknown: Vec<Vec<f64>>,
 }
 
-/// A number that was found.
+/// Estimated parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Number {
-    /// What it is: `Ixx`, `bias x`, `wire length` …
+    /// Name of the parameter: `Ixx`, `bias x`, `wire length` …
     pub name: String,
-    /// Its unit: `kg·m²`, `rad/s`; `1` of a ratio.
+    /// Unit: `kg·m²`, `rad/s`; `1` for a ratio.
     pub unit: &'static str,
-    /// In that unit.
+    /// Estimated value, in `unit`.
     pub value: f64,
-    /// Standard deviation; `None` if the number changes along a direction that is unknown.
+    /// Standard deviation, in `unit`; `None` if the parameter changes along an unobservable
+    /// direction.
     pub sd: Option<f64>,
-    /// Largest standard deviation of a determined number: [`ANGLE`] of an angle, the width of the possible range of a ratio
-    /// of moments, infinite otherwise.
+    /// Upper bound on the standard deviation of a determined parameter: [`ANGLE`] for an angle, the
+    /// width of the possible range for a ratio of moments, infinite otherwise.
     pub largest_sd: f64,
 }
 
-/// Standard deviation of an angle of which nothing is known, uniform in ±π: π/√3 rad.
+/// Standard deviation of an angle that is uniform in ±π: π/√3 rad.
 pub const ANGLE: f64 = PI / 1.732_050_807_568_877_2;
 
-/// An eigenvalue of correlations below this is rounding.
+/// Threshold below which an eigenvalue of the correlation matrix is rounding.
 const NONE: f64 = 1e-14;
 
-/// Reason of a number that is not determined.
+/// Reason why a parameter is not determined.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Undetermined {
-    /// It changes along a direction that is unknown.
+    /// The parameter changes along an unobservable direction.
     UnknownDirection,
-    /// Its standard deviation is larger than its possible range allows.
+    /// The standard deviation is larger than the possible range allows.
     BeyondRange {
-        /// Standard deviation of the number.
+        /// Standard deviation of the parameter.
         sd: f64,
-        /// The largest standard deviation of a determined number.
+        /// Upper bound on the standard deviation of a determined parameter.
         largest: f64,
     },
 }
 
 impl Undetermined {
-    /// Returns the reason for this standard deviation; `None` if the number is determined.
+    /// Returns the reason that follows from a standard deviation; `None` if the parameter is
+    /// determined.
     pub fn of(sd: Option<f64>, largest: f64) -> Option<Self> {
         match sd {
             None => Some(Self::UnknownDirection),
@@ -93,7 +95,7 @@ impl Number {
         Self { name, unit, value, sd, largest_sd }
     }
 
-    /// Returns the reason if it is not determined.
+    /// Returns the reason why the parameter is not determined; `None` if it is determined.
     pub fn undetermined(&self) -> Option<Undetermined> {
         Undetermined::of(self.sd, self.largest_sd)
     }
@@ -121,7 +123,7 @@ impl Estimate {
         }
     }
 
-    /// The covariance and the unknown directions, as an information.
+    /// Returns the covariance and the unobservable directions as an [`Information`].
     pub(crate) fn information(&self) -> Result<Information, IdentifyError> {
         let n = self.numbers.len();
         let c = &self.covariance;
@@ -139,18 +141,19 @@ impl Estimate {
         Ok(Information::with(n, &known, &unknown))
     }
 
-    /// A number by its name.
+    /// Returns the parameter with a name.
     pub fn get(&self, name: &str) -> Option<&Number> {
         self.numbers.iter().find(|number| number.name == name)
     }
 
-    /// The correlation of two numbers: `None` if one of them is not known, or has no error.
+    /// Returns the correlation of two parameters; `None` if one is not determined or has no error.
     pub fn correlation(&self, i: usize, j: usize) -> Option<f64> {
         let (a, b) = (self.numbers.get(i)?.sd?, self.numbers.get(j)?.sd?);
         (a > 0.0 && b > 0.0).then(|| self.covariance[i][j] / (a * b))
     }
 
-    /// Standard deviation of what changes with the numbers by this gradient: √(gᵀ C g); `None` if it changes along an unknown direction.
+    /// Returns the standard deviation √(gᵀ C g) of a function with gradient g; `None` if the
+    /// function changes along an unobservable direction.
     pub fn deviation(&self, gradient: &[f64]) -> Option<f64> {
         if self.unknown.iter().any(|unknown| changes_along(gradient, unknown)) {
             return None;
@@ -163,8 +166,10 @@ impl Estimate {
         Some(variance.max(0.0).sqrt())
     }
 
-    /// The same numbers, of which the first `count` are in units of a linear function of them, u·x: x/(u·x) has the covariance G C Gᵀ/(u·x)² with
-    /// G = 1 − x uᵀ/(u·x), which is known even if the size of x is not.
+    /// Returns the parameters with the first `count` of them, x, divided by a linear function u·x.
+    ///
+    /// x/(u·x) has the covariance G C Gᵀ/(u·x)² with G = 1 − x uᵀ/(u·x). It is determined even if
+    /// the size of x is not.
     pub(crate) fn relative(mut self, count: usize, u: &[f64]) -> Self {
         let n = self.numbers.len();
         let size: f64 = self.numbers.iter().zip(u).map(|(number, u)| u * number.value).sum();
@@ -190,7 +195,7 @@ impl Estimate {
             }
             self.covariance = (0..n).map(|i| (0..n).map(|j| self.covariance[j][i]).collect()).collect();
         }
-        // The size itself is no matter now.
+        // An unobservable size of x does not change x/(u·x).
         let others: Vec<&Vec<f64>> =
             self.unknown.iter().filter(|unknown| !is_along(unknown, &x[..count])).collect();
         for (k, number) in self.numbers.iter_mut().enumerate() {
@@ -205,7 +210,7 @@ impl Estimate {
         self
     }
 
-    /// All errors times a factor.
+    /// Returns the estimate with all errors multiplied by a factor.
     pub(crate) fn widened(mut self, factor: f64) -> Self {
         for number in &mut self.numbers {
             number.sd = number.sd.map(|sd| sd * factor);
@@ -215,7 +220,7 @@ impl Estimate {
     }
 }
 
-/// Whether a direction is that of the first numbers, all alike.
+/// Returns true if a direction is parallel to the vector of the first numbers.
 fn is_along(direction: &[f64], numbers: &[f64]) -> bool {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let cosine = dot(direction, numbers) / (dot(direction, direction) * dot(numbers, numbers)).sqrt();

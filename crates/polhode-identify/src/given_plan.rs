@@ -1,4 +1,4 @@
-//! The plan of a request: its file, or the text that its options stand for, which is read as a plan.
+//! Plan of a request: a plan file, or a plan text composed from the command's options.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -8,23 +8,24 @@ use serde_json::Value;
 
 use crate::request::Request;
 
-/// Extensions of logs; every other file is a plan.
+/// Extensions of log files; every other file is a plan.
 const LOGS: [&str; 8] = ["csv", "tsv", "txt", "dat", "parquet", "json", "jsonl", "ndjson"];
 
-/// Plan of measurements that a request gives.
+/// Measurement plan of a request.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum GivenPlan {
-    /// A file with a plan.
+    /// Path of a plan file.
     File(PathBuf),
-    /// The text of the plan that the options stand for.
+    /// Text of a plan composed from the options.
     Text(String),
 }
 
 impl Request {
-    /// Returns the plan: the file that is given, or the text that the options stand for.
+    /// Returns the plan: the plan file of the request, or the text composed from its options.
     ///
     /// # Errors
-    /// [`Failure`] for options that are missing, contradict each other, or say something of another kind of measurement.
+    /// [`Failure`] for options that are missing, contradict each other, or belong to another kind
+    /// of measurement.
     pub fn plan(&self) -> Result<GivenPlan, Failure> {
         let (gyro, swings) = (first(self.of_gyro()), self.swings_option());
         if let (true, Some(option)) = (self.strict, swings) {
@@ -66,7 +67,7 @@ impl Request {
         }
     }
 
-    /// Returns the first option of swings that is given; with --body the mass is that of any body.
+    /// Returns the first swing option of the request; with `--body`, `--mass` is not one.
     fn swings_option(&self) -> Option<&'static str> {
         let named = self.named().map(|(name, value)| (name, value.is_some()));
         let mut all = self.rigs().into_iter().chain(named).filter(|(_, is_given)| *is_given);
@@ -77,12 +78,12 @@ impl Request {
         [("--columns", self.columns.is_some()), ("--whole", self.whole), ("--drag", self.drag.is_some())]
     }
 
-    /// Options that name a rig, and whether they are given.
+    /// Returns the options that name a rig, each with true if it is set.
     const fn rigs(&self) -> [(&'static str, bool); 3] {
         [("--bifilar", self.bifilar), ("--trifilar", self.trifilar), ("--pendulum", self.pendulum)]
     }
 
-    /// Options of swings that have a value.
+    /// Returns the swing options that take a value.
     const fn named(&self) -> [(&'static str, &Option<String>); 7] {
         [
             ("--mass", &self.mass),
@@ -157,7 +158,7 @@ impl Request {
         }
         let _ = write!(plan, "\n[swing.numbers]\ndistance = {distance}\n\n[[swing.test]]\n");
         match wires {
-            // three wires at the corners of a triangle are 1/√3 of its side from the middle
+            // An equilateral triangle's corners lie at 1/√3 of its side from the centre.
             Some(length) => {
                 let (rig, times) =
                     if rig == "--bifilar" { ("bifilar", 0.5) } else { ("trifilar", 3.0_f64.sqrt() / 3.0) };
@@ -216,17 +217,18 @@ fn is_log(file: &Path) -> bool {
     extension.is_some_and(|extension| LOGS.contains(&&*extension))
 }
 
-/// The first option that is given.
+/// Returns the first option that is set.
 fn first(options: impl IntoIterator<Item = (&'static str, bool)>) -> Option<&'static str> {
     options.into_iter().find(|(_, is_given)| *is_given).map(|(name, _)| name)
 }
 
-/// A TOML string.
+/// Returns the text as a quoted TOML string.
 fn quoted(text: &str) -> String {
     Value::from(text).to_string()
 }
 
-/// `"1.24 kg"`, or `{ value = "1.24 kg", sd = "1 g" }` of `1.24 kg ± 1 g`.
+/// Returns a quantity in TOML: `"1.24 kg"`, or `{ value = "1.24 kg", sd = "1 g" }` for
+/// `1.24 kg ± 1 g`.
 fn measured(name: &str, text: &str) -> Result<String, Failure> {
     Ok(match parts(name, text)? {
         (value, Some(sd)) => format!("{{ value = {}, sd = {} }}", quoted(&value), quoted(&sd)),
@@ -234,7 +236,7 @@ fn measured(name: &str, text: &str) -> Result<String, Failure> {
     })
 }
 
-/// A value, and its standard deviation, if it has one.
+/// Splits a quantity into its value and its optional standard deviation.
 pub(crate) fn parts(name: &str, text: &str) -> Result<(String, Option<String>), Failure> {
     let Some((sign, at)) = ["±", "+-", "+/-"].iter().find_map(|sign| Some((sign, text.find(sign)?))) else {
         return Ok((text.trim().to_owned(), None));

@@ -1,4 +1,4 @@
-//! How well a body is known.
+//! Uncertainty of a body in dimensionless units.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -9,26 +9,31 @@ use crate::least_squares::Information;
 use crate::principal::PrincipalEstimate;
 use crate::six::{PLACES, between};
 
-/// How well a body is known: the covariance of its numbers, in units of the body.
+/// Uncertainty of a body: summary of the covariance of its dimensionless parameters.
 ///
-/// The numbers are i1 … i23, the tensor's elements along the principal axes over the greatest moment, those off the diagonal times √2, so that their length does not
-/// depend on the axes. Where the size of the tensor does not show they are those of its shape. Of a payload also the mass over itself, and the centre of mass
-/// along the principal axes over √(i3/m).
+/// The parameters i1 … i23 are the tensor's elements along the principal axes, divided by the
+/// greatest moment. Off-diagonal elements have the factor √2, so that the norm does not depend on
+/// the axes. Where the size of the tensor is unobservable, they describe its shape only. A payload
+/// has four more parameters: the mass divided by its estimate, and the centre of mass along the
+/// principal axes divided by √(i3/m).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Knowledge {
-    /// In how many directions of these numbers nothing is known.
+    /// Number of unobservable directions of these parameters.
     pub unknown: usize,
-    /// The root of the largest eigenvalue of the covariance, across what is not known.
+    /// Square root of the largest eigenvalue of the covariance, orthogonal to the unobservable
+    /// directions.
     pub largest_sd: f64,
-    /// The geometric mean of the standard deviations along the principal directions of what is known.
+    /// Geometric mean of the standard deviations along the principal directions of the covariance.
     pub mean_sd: f64,
-    /// The direction of the largest: numbers by name, of length 1, and largest part first.
+    /// Unit vector of the direction with the largest standard deviation: components by name,
+    /// largest first.
     pub least_known: Vec<(&'static str, f64)>,
-    /// Standard deviations of i1, i2, i3 over the greatest moment: `None` where it is not known.
+    /// Standard deviations of i1, i2, i3 divided by the greatest moment; `None` where unobservable.
     pub moment_sd: [Option<f64>; 3],
 }
 
-/// The numbers of a body in units of the body, as a linear function of errors of an estimate's.
+/// Linear map from errors of an estimate's parameters to errors of a body's dimensionless
+/// parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct BodyUnits {
     names: Vec<&'static str>,
@@ -37,13 +42,15 @@ pub(crate) struct BodyUnits {
 
 const TENSOR: [&str; 6] = ["i1", "i2", "i3", "i12", "i13", "i23"];
 const PAYLOAD: [&str; 4] = ["mass", "center 1", "center 2", "center 3"];
-/// Below this, relative to its terms, what an unknown direction has of a number is rounding.
+/// Threshold below which an unobservable direction's component is rounding, relative to its terms.
 const ROUNDING: f64 = 1e-6;
-/// A standard deviation below this part of the largest is that of a number that is exact.
+/// Threshold below which a standard deviation belongs to an exact parameter, relative to the
+/// largest.
 const EXACT: f64 = 1e-10;
 
 impl BodyUnits {
-    /// Of the six numbers from `first`; of the tensor's shape alone if it has no size. `None` of a point, which has no moments.
+    /// Returns the map for the six tensor elements from index `first`. Without `has_size` it covers
+    /// the shape alone. `None` for a point mass, which has no moments.
     pub(crate) fn of_tensor(estimate: &Estimate, first: usize, has_size: bool) -> Option<Self> {
         let p = PrincipalEstimate::of_tensor(estimate, first);
         let greatest = p.axes.map(|axis| between(axis, axis))[2];
@@ -63,7 +70,7 @@ impl BodyUnits {
         Some(Self { names: TENSOR.to_vec(), rows })
     }
 
-    /// Of mass, centre and tensor about it.
+    /// Returns the map for mass, centre and tensor about the centre.
     pub(crate) fn of_payload(estimate: &Estimate) -> Option<Self> {
         let tensor = Self::of_tensor(estimate, PAYLOAD.len(), true)?;
         let p = PrincipalEstimate::of_tensor(estimate, PAYLOAD.len());
@@ -77,14 +84,15 @@ impl BodyUnits {
         Some(Self { names: PAYLOAD.into_iter().chain(TENSOR).collect(), rows })
     }
 
-    /// By other numbers, of which these have a derivative.
+    /// Returns the map for other parameters, given the Jacobian of the estimate's with respect to
+    /// them.
     pub(crate) fn after(&self, jacobian: &DMatrix<f64>) -> Self {
         Self { names: self.names.clone(), rows: &self.rows * jacobian }
     }
 
-    /// How well they are known.
+    /// Returns the uncertainty of the body's parameters.
     pub(crate) fn knowledge(&self, information: &Information) -> Result<Knowledge, IdentifyError> {
-        // a column of zeros, as what is exact has none
+        // A column of zeros: an exact estimate has a root without columns.
         let root = &self.rows * &information.root.clone().insert_column(0, 0.0);
         let hidden = self.hidden(&information.unknown)?;
         let across = &root - &hidden * (hidden.transpose() * &root);
@@ -115,7 +123,8 @@ impl BodyUnits {
         })
     }
 
-    /// An orthonormal basis of what unknown directions have of the body.
+    /// Returns an orthonormal basis of the images of the unobservable directions in the body's
+    /// parameters.
     fn hidden(&self, unknown: &DMatrix<f64>) -> Result<DMatrix<f64>, IdentifyError> {
         let m = self.rows.nrows();
         let seen = unknown.column_iter().filter_map(|direction| {
@@ -159,7 +168,7 @@ mod tests {
         let units = BodyUnits::of_tensor(&estimate, 0, true).unwrap();
         let known = estimate.information().and_then(|all| units.knowledge(&all)).unwrap();
         assert_eq!(known.unknown, 0);
-        // √2 · 0.3/4, of the element 23
+        // Element 23: √2 · 0.3/4.
         assert!((known.largest_sd - 2.0_f64.sqrt() * 0.3 / 4.0).abs() < 1e-12, "{known:?}");
         assert_eq!(known.least_known[0].0, "i23");
         for (got, want) in known.moment_sd.into_iter().zip([0.1, 0.2, 0.05]) {
@@ -181,7 +190,7 @@ mod tests {
 
     #[test]
     fn of_a_shape_the_size_is_no_direction() {
-        // nothing is known of the size, along 2, 3, 4, and of i1 + i2
+        // Unobservable: the size, along (2, 3, 4), and i1 + i2.
         let (size, other) = (vec![2.0, 3.0, 4.0, 0.0, 0.0, 0.0], vec![1.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
         let estimate = estimate([0.01, 0.01, 0.0, 0.0001, 0.0025, 0.0025], vec![size, other]);
         let shape = BodyUnits::of_tensor(&estimate, 0, false).unwrap();

@@ -1,12 +1,13 @@
-//! From measured motion to mass properties, with honest errors.
+//! Estimation of mass properties from measured motion, with error estimates.
 //!
-//! What is measured is predicted by a model of the body's motion, and the body is where the sum of squares of what is left is least. Every body that the method
-//! looks at is a possible one. What the measurements do not determine is said, and not filled in ([`Estimate::unknown`]); whether what is left is noise is
-//! tested ([`ResidualTest`]).
+//! A model of the body's motion predicts the measurements, and nonlinear least squares minimizes
+//! the residuals. Every iterate is a physically consistent body. Directions that the measurements
+//! do not determine are reported ([`Estimate::unknown`]) and not filled in. A test compares the
+//! residuals with the noise ([`ResidualTest`]).
 //!
-//! [`run`] answers a [`Request`]: it reads what was measured, and finds the body.
+//! [`run`] executes a [`Request`]: it reads the measurements and estimates the body.
 //!
-//! - [`tumble`]: the free motion of a thrown body, by a gyro on it or by tracked attitudes
+//! - [`tumble`]: free motion of a thrown body, from a gyro or tracked attitudes
 //! - [`swing`]: periods of a body on wires, a pivot or an edge
 //! - [`payload`]: wrenches and motion at a robot's wrist
 
@@ -39,5 +40,6 @@ pub use request::{REQUEST_SCHEMA, Request};
 pub use residuals::ResidualTest;
 pub use run::{Identified, REPORT_SCHEMA, run};
 
-/// Gravity at the Earth's surface, m/s²: 9.780 at the equator, 9.832 at the poles, and less on mountains.
+/// Plausible range of gravity at the Earth's surface, m/s²: 9.780 at the equator, 9.832 at the
+/// poles, less on mountains.
 pub const ON_EARTH: core::ops::Range<f64> = 9.7..9.9;

@@ -1,4 +1,4 @@
-//! The next experiment: what would be known with each that could be made, best first.
+//! Ranking of possible next experiments by the uncertainty that would remain after each.
 
 use core::cmp::Ordering;
 
@@ -8,35 +8,43 @@ use crate::error::IdentifyError;
 use crate::knowledge::{BodyUnits, Knowledge};
 use crate::least_squares::Information;
 
-/// Experiments that could be made next, by what would be known then: the covariance that follows from what was measured and the derivatives of what would be, with
-/// noise of the same size. Which measurement helps depends on the body, so this is that of the body that was found.
+/// Possible next experiments, ranked by the uncertainty that would remain.
+///
+/// The predicted covariance follows from the measurements so far and the derivatives of the new
+/// ones, with noise of the same size. The ranking holds for the estimated body, because the benefit
+/// of a measurement depends on the body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NextExperiment<E> {
-    /// What is known now.
+    /// Uncertainty after the measurements so far.
     pub now: Knowledge,
-    /// Best first: the fewer directions in which nothing is known the better. Then the largest standard deviation counts; but as long as there are unknown directions
-    /// the mean one, for what is known is another part of the numbers after each experiment.
+    /// Candidates, best first.
+    ///
+    /// Fewer unobservable directions are better. Among equals, the smaller largest standard
+    /// deviation is better. While unobservable directions remain, the mean standard deviation
+    /// counts instead, because each experiment then determines another subset of the parameters.
     pub candidates: Vec<Candidate<E>>,
-    /// Places of candidates that together make all known, each the best after those before it. None if all is known, or these do not do it.
+    /// Indices of candidates that together make all directions observable, chosen greedily. Empty
+    /// if all are observable already, or if the candidates do not suffice.
     pub together: Vec<usize>,
-    /// Experiments that cannot be made, and why.
+    /// Infeasible experiments, each with the reason.
     pub refused: Vec<(E, IdentifyError)>,
 }
 
-/// An experiment that could be made.
+/// Feasible next experiment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate<E> {
-    /// What is done.
+    /// Description of the experiment.
     pub experiment: E,
-    /// What would be known then.
+    /// Predicted uncertainty after the experiment.
     pub then: Knowledge,
 }
 
-/// What counts as help: the part of the largest standard deviation that is left.
+/// Threshold of a useful experiment: ratio of the largest standard deviation after to before.
 const HELP: f64 = 0.99;
 
 impl<E> NextExperiment<E> {
-    /// The experiment that helps most; `None` if none makes a direction known, or brings what is known least below 0.99 of what it is.
+    /// Returns the most useful experiment; `None` if none makes a direction observable or lowers
+    /// the largest standard deviation below 0.99 of its present value.
     pub fn best(&self) -> Option<&Candidate<E>> {
         let (now, first) = (&self.now, self.candidates.first()?);
         let helps = match (first.then.unknown, now.unknown) {
@@ -47,11 +55,11 @@ impl<E> NextExperiment<E> {
     }
 }
 
-/// Experiments as they are compared.
+/// Comparison of experiments under construction.
 pub(crate) struct Comparison<'a, E> {
     units: &'a BodyUnits,
     information: &'a Information,
-    /// With the rows that they would add.
+    /// Feasible experiments, each with the rows of derivatives that it would add.
     made: Vec<(Candidate<E>, DMatrix<f64>)>,
     refused: Vec<(E, IdentifyError)>,
 }
@@ -61,7 +69,7 @@ impl<'a, E> Comparison<'a, E> {
         Self { units, information, made: Vec::new(), refused: Vec::new() }
     }
 
-    /// One experiment, with the rows that it would add.
+    /// Adds one experiment with its rows of derivatives, or the error that makes it infeasible.
     pub(crate) fn add(&mut self, experiment: E, rows: Result<DMatrix<f64>, IdentifyError>) {
         match rows.and_then(|rows| Ok((self.after(self.information, &rows)?, rows))) {
             Ok((then, rows)) => self.made.push((Candidate { experiment, then }, rows)),
@@ -69,7 +77,7 @@ impl<'a, E> Comparison<'a, E> {
         }
     }
 
-    /// Returns the knowledge with more rows.
+    /// Returns the uncertainty after adding rows.
     fn after(&self, information: &Information, rows: &DMatrix<f64>) -> Result<Knowledge, IdentifyError> {
         self.units.knowledge(&information.with_rows(rows)?)
     }
@@ -105,7 +113,7 @@ impl<'a, E> Comparison<'a, E> {
     }
 }
 
-/// `x − z` of (1, 0, −1), however long.
+/// Returns a direction as text: `x − z` for (1, 0, −1) of any length.
 pub(crate) fn signed_axes(v: [f64; 3]) -> String {
     let mut text = String::new();
     for (part, axis) in v.into_iter().zip(["x", "y", "z"]).filter(|(part, _)| part.abs() > 0.1) {

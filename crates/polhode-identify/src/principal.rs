@@ -1,4 +1,4 @@
-//! Principal moments and axes of a tensor that was found, with their errors.
+//! Principal moments and axes of an estimated tensor, with their errors.
 
 use polhode::body::ratio_region;
 use polhode::math::symmetric_eigen;
@@ -6,30 +6,32 @@ use polhode::math::symmetric_eigen;
 use crate::estimate::{ANGLE, Estimate, Undetermined};
 use crate::six::between;
 
-/// Principal moments and axes, to first order in the errors of the tensor.
+/// Principal moments and axes, with errors to first order in the tensor's error δI.
 ///
-/// With the tensor's error δI, δiⱼ = vⱼ·δI vⱼ, and the axes turn by εₖ = vᵢ·δI vⱼ/(iⱼ − iᵢ) about vₖ, (i, j, k) cyclic.
+/// Moments change by δiⱼ = vⱼ·δI vⱼ. The axes turn about vₖ by εₖ = vᵢ·δI vⱼ/(iⱼ − iᵢ), (i, j, k)
+/// cyclic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PrincipalEstimate {
-    /// Ascending, in the tensor's unit.
+    /// Principal moments in ascending order, in the tensor's unit.
     pub moments: [f64; 3],
-    /// Their standard deviations; `None` where their size is not known.
+    /// Standard deviations of the moments; `None` where the size is unobservable.
     pub moment_sd: [Option<f64>; 3],
-    /// Their covariance; `None` where the size of one is not known.
+    /// Covariance of the moments; `None` if the size of one is unobservable.
     pub moment_covariance: Option<[[f64; 3]; 3]>,
-    /// i1/i3 and i2/i3.
+    /// Ratios i1/i3 and i2/i3.
     pub ratios: [f64; 2],
-    /// Their standard deviations.
+    /// Standard deviations of the ratios.
     pub ratio_sd: [Option<f64>; 2],
-    /// Correlation of the ratios.
+    /// Correlation of the two ratios.
     pub ratio_correlation: Option<f64>,
-    /// (i1 + i2 − i3)/i3: zero of a lamina, and never negative.
+    /// Relative thickness (i1 + i2 − i3)/i3: zero for a lamina, never negative.
     pub thickness: f64,
-    /// Its standard deviation.
+    /// Standard deviation of the thickness.
     pub thickness_sd: Option<f64>,
-    /// Unit vectors, right-handed.
+    /// Principal axes: unit vectors, right-handed.
     pub axes: [[f64; 3]; 3],
-    /// Standard deviation of the turn of all axes about each, rad; `None` where the measurements do not say it, infinite where the other two moments are equal.
+    /// Standard deviation of the rotation of all axes about each axis, rad. `None` where
+    /// unobservable; infinite where the other two moments are equal.
     pub turn_sd: [Option<f64>; 3],
 }
 
@@ -39,13 +41,14 @@ const RATIO_RANGES: [f64; 2] = [1.0, 0.5];
 const THICKNESS_RANGE: f64 = 1.0;
 
 impl PrincipalEstimate {
-    /// [`ratio_region`] of the ratios that were found; `None` where they are not known.
+    /// Returns [`ratio_region`] for the estimated ratios; `None` where they are not determined.
     pub fn ratio_region(&self, probability: f64) -> Option<Vec<[f64; 2]>> {
         let [Some(first), Some(second)] = self.ratio_sd else { return None };
         ratio_region(self.ratios, [first, second], self.ratio_correlation.unwrap_or(0.0), probability)
     }
 
-    /// Returns the reason if i1/i3 (`k` = 0) or i2/i3 (`k` = 1) is not determined.
+    /// Returns the reason why i1/i3 (`k` = 0) or i2/i3 (`k` = 1) is not determined; `None` if it
+    /// is.
     ///
     /// # Panics
     /// If `k` is neither 0 nor 1.
@@ -53,12 +56,12 @@ impl PrincipalEstimate {
         Undetermined::of(self.ratio_sd[k], RATIO_RANGES[k])
     }
 
-    /// Returns the reason if the thickness is not determined.
+    /// Returns the reason why the thickness is not determined; `None` if it is.
     pub fn undetermined_thickness(&self) -> Option<Undetermined> {
         Undetermined::of(self.thickness_sd, THICKNESS_RANGE)
     }
 
-    /// Returns the reason if the turn of all axes about axis `k` is not determined.
+    /// Returns the reason why the rotation about axis `k` is not determined; `None` if it is.
     ///
     /// # Panics
     /// If `k` is above 2.
@@ -66,10 +69,11 @@ impl PrincipalEstimate {
         Undetermined::of(self.turn_sd[k], ANGLE)
     }
 
-    /// Of an estimate whose numbers from `first` are Ixx, Iyy, Izz, Ixy, Ixz, Iyz.
+    /// Computes the principal moments and axes of six parameters Ixx, Iyy, Izz, Ixy, Ixz, Iyz from
+    /// index `first`.
     ///
     /// # Panics
-    /// If there are no six numbers from `first`.
+    /// If there are no six parameters from `first`.
     pub fn of_tensor(estimate: &Estimate, first: usize) -> Self {
         let tensor = core::array::from_fn(|k| estimate.numbers[first + k].value);
         let (moments, mut axes) = symmetric_eigen(tensor);

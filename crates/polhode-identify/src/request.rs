@@ -1,4 +1,4 @@
-//! Requests to `identify`.
+//! Requests to `identify`: the options of the command.
 #![allow(rustdoc::broken_intra_doc_links, reason = "the help of the command shows brackets as they are")]
 
 use std::path::PathBuf;
@@ -41,56 +41,62 @@ pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 #[allow(clippy::struct_excessive_bools, reason = "each is an option of the command")]
 pub struct Request {
-    /// A plan; or logs of a gyro: CSV, Parquet or JSON lines.
+    /// Plan file, or gyro logs: CSV, Parquet or JSON lines.
     #[cfg_attr(feature = "arguments", arg(value_name = "FILE"))]
     pub files: Vec<PathBuf>,
-    /// Which columns of the log are what: "time ms = t, omega deg/s = gx gy gz".
+    /// Columns of the log, with quantity and unit: "time ms = t, omega deg/s = gx gy gz".
     #[cfg_attr(feature = "arguments", arg(long, value_name = "COLUMNS", help_heading = GYRO))]
     pub columns: Option<String>,
-    /// The whole log is one flight; else flights are found in it.
+    /// Treat the whole log as one flight; the default finds the flights in it.
     #[cfg_attr(feature = "arguments", arg(long, help_heading = GYRO))]
     pub whole: bool,
-    /// Find the drag of the air too: "linear" or "quadratic".
+    /// Estimate the air drag too: "linear" or "quadratic".
     #[cfg_attr(feature = "arguments", arg(long, value_name = "LAW", help_heading = GYRO))]
     pub drag: Option<String>,
-    /// Two parallel wires of one length hold the body, its centre in the middle between them: moment about the vertical.
+    /// Bifilar suspension: two parallel wires of equal length, the centre of mass midway between
+    /// them; moment about the vertical.
     #[cfg_attr(feature = "arguments", arg(long, help_heading = SWINGS))]
     pub bifilar: bool,
-    /// Three parallel wires of one length hold the body, its centre in the middle: moment about the vertical.
+    /// Trifilar suspension: three parallel wires of equal length, the centre of mass in the middle;
+    /// moment about the vertical.
     #[cfg_attr(feature = "arguments", arg(long, help_heading = SWINGS))]
     pub trifilar: bool,
-    /// The body swings about a level axis: moment about the parallel axis through its centre of mass.
+    /// Compound pendulum: the body swings about a level axis; moment about the parallel axis
+    /// through its centre of mass.
     #[cfg_attr(feature = "arguments", arg(long, help_heading = SWINGS))]
     pub pendulum: bool,
-    /// The body's mass; with --body, that of a body that was thrown.
+    /// Mass of the body; with --body, mass of the thrown body.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "MASS", help_heading = SWINGS))]
     pub mass: Option<String>,
-    /// From one wire to another of --bifilar or --trifilar; from the axis of --pendulum to the centre of mass.
+    /// Distance between wires (--bifilar, --trifilar), or from the axis to the centre of mass
+    /// (--pendulum).
     #[cfg_attr(feature = "arguments", arg(long, value_name = "LENGTH", help_heading = SWINGS))]
     pub distance: Option<String>,
-    /// Of the wires.
+    /// Length of the wires.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "LENGTH", help_heading = SWINGS))]
     pub length: Option<String>,
-    /// How many whole periods were counted.
+    /// Number of whole periods counted.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "COUNT", help_heading = SWINGS))]
     pub swings: Option<String>,
-    /// The time of all of them, with its standard deviation: "31.4 s ± 0.1 s".
+    /// Total time of the periods, with its standard deviation: "31.4 s ± 0.1 s".
     #[cfg_attr(feature = "arguments", arg(long, value_name = "TIME", help_heading = SWINGS))]
     pub time: Option<String>,
-    /// The amplitude about the middle of the time, "10 deg ± 1 deg"; or at its beginning and end, "12 deg, 9 deg ± 1 deg".
+    /// Amplitude at the middle of the time, "10 deg ± 1 deg"; or at its beginning and end, "12 deg,
+    /// 9 deg ± 1 deg".
     #[cfg_attr(feature = "arguments", arg(long, value_name = "ANGLES", help_heading = SWINGS))]
     pub amplitude: Option<String>,
-    /// Gravity, if it is not 9.80665 m/s^2.
+    /// Gravity, if not 9.80665 m/s^2.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "ACCELERATION", help_heading = SWINGS))]
     pub gravity: Option<String>,
-    /// Print the body as a part of a scenario file. Of a tumble also its first flight; what free motion does not show has to be said.
+    /// Print the body as part of a scenario file; for a tumble, also its first flight. Options must
+    /// state values that free motion does not determine.
     #[cfg_attr(feature = "arguments", arg(long, group = "form"))]
     pub body: bool,
-    // `requires` alone would let the other forms pass.
-    /// The greatest principal moment of a body of which tumbles show only ratios, for --body.
+    // `requires` alone would accept the other output forms.
+    /// Greatest principal moment, for --body when tumbles determine only ratios.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "MOMENT", requires = "body", conflicts_with_all = ["json", "markdown", "html"]))]
     pub greatest_moment: Option<Given<Positive<Inertia>>>,
-    /// Exit with status 1 if what is left is more than noise.
+    /// Exit with status 1 if the residuals are larger than the noise or correlated.
     #[cfg_attr(feature = "arguments", arg(long))]
     pub strict: bool,
 }

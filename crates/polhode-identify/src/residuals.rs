@@ -1,39 +1,45 @@
-//! Whether what is left is noise.
+//! Statistical test of the residuals against the noise.
 //!
-//! A wrong model does not show in small error bars: it shows in residuals that are larger than the noise, or that follow each other.
+//! A wrong model need not enlarge the error bars. It appears as residuals that are larger than the
+//! noise, or that are correlated in time.
 
-/// What is left of a kind of measurement, held against noise.
+/// Comparison of the residuals of one kind of measurement with its noise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResidualTest {
-    /// What was measured: `angular velocity`, `attitude`, `period`, `force` …
+    /// Measured quantity: `angular velocity`, `attitude`, `period`, `force` …
     pub what: &'static str,
-    /// How many numbers were measured, and how many are left after what they were used for.
+    /// Number of scalar measurements.
     pub count: usize,
-    /// count less the share of the numbers that were found from them.
+    /// Degrees of freedom: `count` minus the share of the parameters estimated from these
+    /// measurements.
     pub degrees_of_freedom: f64,
-    /// Standard deviation of the noise that they were weighed by.
+    /// Standard deviation of the noise used as weight.
     pub noise: f64,
-    /// True if that was told; else it was found from how the readings jump.
+    /// True if the noise was specified; false if it was estimated from differences between
+    /// readings.
     pub noise_is_told: bool,
-    /// How well the noise is known: its variance is that of so many squares, ± √(2/so many) of itself. Infinite if it was told.
+    /// Degrees of freedom of the noise variance, n: its relative standard deviation is √(2/n).
+    /// Infinite if the noise was specified.
     pub noise_degrees_of_freedom: f64,
-    /// χ²/degrees of freedom. If the model is right and the noise was told: 1 ± √(2/degrees of freedom).
+    /// Reduced χ²: χ² divided by the degrees of freedom. For a right model and specified noise: 1 ±
+    /// √(2/degrees of freedom).
     pub reduced_chi_square: f64,
-    /// Correlation of residuals that follow each other in one channel: ± 1/√count of white noise, about −found/count, as a smooth motion was fitted to it.
+    /// Correlation of successive residuals in one channel. White noise gives ± 1/√count about
+    /// −found/count, where `found` counts the fitted parameters.
     pub lag_correlation: Option<f64>,
 }
 
-/// How many standard deviations are no chance.
+/// Significance threshold, standard deviations.
 const NO_CHANCE: f64 = 5.0;
 
-/// Of the variance of noise that was found, what is independent of the residuals at least.
+/// Lower bound on the part of the estimated noise variance that is independent of the residuals.
 const LEAST_SHARE: f64 = 0.25;
 
-/// A standard deviation, and how well it is known.
+/// Standard deviation of noise, and its uncertainty.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Noise {
     pub(crate) deviation: f64,
-    /// Of how many independent squares its variance has the error: infinite if it was told.
+    /// Degrees of freedom of the variance: infinite if the noise was specified.
     pub(crate) degrees_of_freedom: f64,
 }
 
@@ -53,7 +59,8 @@ impl ResidualTest {
         self.is_too_large() || self.is_correlated()
     }
 
-    /// Of runs of residuals in standard deviations, each of one channel in the order of time.
+    /// Computes the test from runs of residuals in standard deviations, each run one channel in
+    /// order of time. `found` counts the parameters estimated from them.
     pub(crate) fn of(what: &'static str, noise: Noise, found: f64, runs: &[Vec<f64>]) -> Self {
         let count: usize = runs.iter().map(Vec::len).sum();
         let sum: f64 = runs.iter().flatten().map(|r| r * r).sum();
@@ -72,46 +79,55 @@ impl ResidualTest {
         }
     }
 
-    /// By how many standard deviations of chance the residuals are larger than the noise: normally distributed if the model is right.
+    /// Returns the excess of the residuals over the noise, in standard deviations: normally
+    /// distributed if the model is right.
     pub fn excess(&self) -> f64 {
-        // the cube root of χ² is nearly normal, also for few degrees of freedom: Wilson and Hilferty
+        // The cube root of χ² is nearly normal, also for few degrees of freedom (Wilson and
+        // Hilferty).
         let variance = |degrees: f64| 2.0 / (9.0 * degrees);
         if self.noise_is_told {
             let variance = variance(self.degrees_of_freedom);
             return (libm::cbrt(self.reduced_chi_square) - (1.0 - variance)) / variance.sqrt();
         }
-        // The noise is of the same readings. No estimate of their variance is better than that by the residuals, so the error of the other over it is independent
-        // of it, and has the difference of their variances (Hausman, Econometrica 46 (1978) 1251).
+        // The noise estimate uses the same readings. The variance estimate from the residuals is
+        // efficient, so the difference of the two estimates is independent of it. Its variance is
+        // the difference of their variances (Hausman, Econometrica 46 (1978) 1251).
         let (noise, own) = (1.0 / self.noise_degrees_of_freedom, 1.0 / self.degrees_of_freedom);
         let variance = variance(1.0 / (noise - own).max(LEAST_SHARE * noise));
         ((1.0 - variance) - libm::cbrt(1.0 / self.reduced_chi_square)) / variance.sqrt()
     }
 
-    /// Of a change of told measurements, what has to be left of its χ² until the residuals are larger than the noise beyond chance, in the mean.
+    /// Returns the noncentrality of χ² that on average makes the residuals significantly larger
+    /// than the specified noise.
     pub(crate) fn least_noncentrality(&self) -> f64 {
         let (degrees, variance) = (self.degrees_of_freedom, 2.0 / (9.0 * self.degrees_of_freedom));
         degrees * ((1.0 - variance + NO_CHANCE * variance.sqrt()).powi(3) - 1.0)
     }
 
-    /// Residuals are smaller than the noise that was told, beyond chance: it is less than that, or the measurements are no independent ones.
+    /// Returns true if the residuals are significantly smaller than the specified noise: the noise
+    /// is smaller, or the measurements are not independent.
     pub fn is_too_small(&self) -> bool {
         self.noise_is_told && self.excess() < -NO_CHANCE
     }
 
-    /// Residuals are larger than the noise, beyond chance.
+    /// Returns true if the residuals are significantly larger than the noise.
     pub fn is_too_large(&self) -> bool {
         self.excess() > NO_CHANCE
     }
 
-    /// Residuals follow each other, beyond chance: they are no white noise, and there is more in the motion than in the model.
+    /// Returns true if successive residuals are significantly correlated: the model lacks a part of
+    /// the motion.
     pub fn is_correlated(&self) -> bool {
         let count = self.count as f64;
         let by_fit = (self.degrees_of_freedom - count) / count;
         self.lag_correlation.is_some_and(|r| (r - by_fit).abs() > NO_CHANCE / count.sqrt())
     }
 
-    /// By what errors grow for what the residuals show: the root of χ²/degrees of freedom where it is above 1 beyond chance, or where the noise was not told; and
-    /// of (1 + r)/(1 − r) where residuals follow each other with correlation r, as the next then brings little news.
+    /// Returns the factor by which the errors grow because of the residuals.
+    ///
+    /// One part is the square root of the reduced χ², where it is significantly above 1 or the
+    /// noise was not specified. The other part is √((1 + r)/(1 − r)) for residuals with significant
+    /// positive lag correlation r, because successive readings then carry less information.
     pub fn widening(&self) -> f64 {
         let size = if self.is_too_large() || !self.noise_is_told { self.reduced_chi_square } else { 1.0 };
         let news = match self.lag_correlation {
@@ -121,7 +137,7 @@ impl ResidualTest {
         (size * news).sqrt()
     }
 
-    /// By what errors grow for what all kinds of measurement show: 1 if nothing was measured.
+    /// Returns the largest factor of all kinds of measurement; 1 if nothing was measured.
     pub(crate) fn widening_of<'a>(tests: impl IntoIterator<Item = &'a Self>) -> f64 {
         tests.into_iter().map(Self::widening).reduce(f64::max).unwrap_or(1.0)
     }

@@ -1,4 +1,4 @@
-//! A request answered.
+//! Execution of a request.
 
 use std::path::{Path, PathBuf};
 
@@ -14,14 +14,14 @@ use crate::read;
 use crate::report::{BodySize, IdentifyReport};
 use crate::request::Request;
 
-/// Name of a plan that is made of options.
+/// Display name of a plan composed from options.
 const OPTIONS: &str = "the flags";
 
-/// Finds the body that was measured.
+/// Estimates the body from the measurements of a request.
 ///
 /// # Errors
 /// [`Failure`] for files that cannot be read, measurements that do not fit a body, and a requested
-/// body that is not known.
+/// body that is not determined.
 pub fn run(request: &Request, files: &dyn Files) -> Result<Identified, Failure> {
     let plan = match request.plan()? {
         GivenPlan::File(plan) => read::read(files, &plan)?,
@@ -43,11 +43,10 @@ pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");
 /// Result of a [`Request`].
 #[derive(Clone, Debug)]
 pub struct Identified {
-    /// Report of the estimate.
     pub report: IdentifyReport,
-    /// The body as a part of a scenario file, if it was requested.
+    /// Body as part of a scenario file, if requested.
     pub body: Option<String>,
-    /// True if residuals that are more than noise are a failure.
+    /// True if residuals larger than the noise count as a failure (`--strict`).
     pub is_strict: bool,
 }
 
@@ -65,7 +64,7 @@ impl Report for Identified {
     }
 }
 
-/// Mass and greatest moment that the request states.
+/// Returns the mass and greatest moment stated in the request.
 fn size(request: &Request) -> Result<BodySize, Failure> {
     const HINT: &str = "as in --mass \"350 g\"";
     let mass = |text: &String| {
@@ -77,7 +76,7 @@ fn size(request: &Request) -> Result<BodySize, Failure> {
         let mass: Result<Positive<Mass>, String> = value.parse();
         mass.map(|mass| mass.0.0).map_err(|why| Failure::usage(format!("--mass: {why}"), HINT))
     };
-    // Without a file it is the mass of what was swung, which is found.
+    // Without a file, `--mass` is the mass of the swung body, and the report contains it.
     let given = request.mass.as_ref().filter(|_| !request.files.is_empty());
     let greatest_moment = request.greatest_moment.as_ref().map(|moment| moment.value.0.0);
     Ok(BodySize { mass: given.map(mass).transpose()?, greatest_moment })

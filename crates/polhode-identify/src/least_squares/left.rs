@@ -1,20 +1,20 @@
-//! What is left of a change of the residuals.
+//! Effect of a change of the measurements on the fit.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::{Information, Rows};
 use crate::error::IdentifyError;
 
-/// What becomes of a change of residuals, in standard deviations.
+/// Effect of a change d of the measurements on the fit, in standard deviations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Response {
-    /// ‖(1 − H) d‖: what is left of the change d once all numbers have followed it.
+    /// Remainder ‖(1 − H) d‖ after all parameters have been refitted.
     pub(crate) left: f64,
-    /// By how much the shared numbers follow: √(δpᵀ C⁻¹ δp), δp = C Jᵀ d.
+    /// Shift of the shared parameters, √(δpᵀ C⁻¹ δp) with δp = C Jᵀ d.
     pub(crate) followed: f64,
 }
 
-/// What becomes of a change of some groups' residuals.
+/// Computes the effect of changes of some groups' residuals.
 pub(crate) fn response(
     groups: &[Rows],
     found: &Information,
@@ -27,18 +27,19 @@ pub(crate) fn response(
         square += rest.norm_squared();
         gradient += by_shared.tr_mul(&rest);
     }
-    // ‖d‖² − dᵀ J (JᵀJ)⁻¹ Jᵀ d
+    // The remainder is ‖d‖² − dᵀ J (JᵀJ)⁻¹ Jᵀ d.
     let followed = found.root.tr_mul(&gradient).norm_squared();
     let is_rounding = square - followed < ROUNDING * square;
     let left = if is_rounding { 0.0 } else { (square - followed).sqrt() };
     Ok(Response { left, followed: followed.sqrt() })
 }
 
-/// Differences of squares below this of them are none.
+/// Threshold below which a difference of squares is rounding, relative to them.
 const ROUNDING: f64 = 1e-10;
 
 impl Rows {
-    /// Derivatives by the shared numbers, and a change of the residuals, once the group's own numbers have followed.
+    /// Returns the derivatives by the shared parameters, and the change of the residuals, with the
+    /// group's own parameters eliminated.
     fn without_own_of(&self, change: &[f64]) -> Result<(DMatrix<f64>, DVector<f64>), IdentifyError> {
         let triangle = self.with_residuals(change).triangle(&[])?;
         let (local, shared) = self.sizes();

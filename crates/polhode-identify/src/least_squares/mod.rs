@@ -1,7 +1,9 @@
-//! Nonlinear least squares with numbers that all rows share and numbers that belong to groups of rows: Levenberg's and Marquardt's method on triangles.
+//! Nonlinear least squares with shared parameters and local parameters of groups of rows.
 //!
-//! Rows r = measured − predicted and J = ∂predicted/∂p become an upper triangle (QR) group by group, so no normal equations lose half of the digits, and
-//! what a measurement does not determine shows as a singular value that is zero.
+//! The method is Levenberg–Marquardt on triangular factors. Each group has rows of residuals r =
+//! measured − predicted and derivatives J = ∂predicted/∂p. QR reduces them to an upper triangle.
+//! Normal equations, which lose half of the digits, are never formed. A parameter direction that
+//! the measurements do not determine appears as a singular value of zero.
 
 mod left;
 mod more;
@@ -21,23 +23,24 @@ use crate::error::IdentifyError;
 
 /// Measurements, and the model that predicts them.
 pub(crate) trait Problem {
-    /// How many groups there are.
+    /// Returns the number of groups.
     fn groups(&self) -> usize;
 
-    /// Adds the rows of a group at these shared numbers and its own; always the same rows in the same order.
+    /// Adds the rows of a group for these shared and local parameters; always the same rows in the
+    /// same order.
     ///
     /// # Errors
-    /// Where the model has no answer: such a step is not taken.
+    /// If the model cannot be evaluated; the fit then rejects the step.
     fn rows(&self, group: usize, shared: &[f64], local: &[f64], rows: &mut Rows)
     -> Result<(), IdentifyError>;
 
-    /// The rows of all groups, in their order.
+    /// Returns the rows of all groups, in order.
     fn all_rows(&self, shared: &[f64], local: &[Vec<f64>]) -> Vec<Result<Rows, IdentifyError>> {
         (0..self.groups()).map(|group| rows_of(self, group, shared, &local[group])).collect()
     }
 }
 
-/// The rows of a group.
+/// Returns the rows of a group.
 pub(crate) fn rows_of<P: Problem + ?Sized>(
     problem: &P,
     group: usize,
@@ -48,42 +51,44 @@ pub(crate) fn rows_of<P: Problem + ?Sized>(
     problem.rows(group, shared, local, &mut rows).map(|()| rows)
 }
 
-/// Where the numbers are.
+/// Current point of the iteration: values of all parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct Place {
-    /// Coordinates of the shared numbers.
+    /// Coordinates of the shared parameters.
     pub(crate) shared: Vec<f64>,
-    /// Each group's own.
+    /// Local parameters of each group.
     pub(crate) local: Vec<Vec<f64>>,
 }
 
-/// Steps at most.
+/// Maximum number of steps.
 const MOST_STEPS: usize = 200;
-/// A step that takes less than this from ½χ², in units of χ² a row, is none: 1e-4 of a standard deviation.
+/// Convergence threshold: a step must lower ½χ² by more than this, in units of χ² per row.
+/// Corresponds to 1e-4 of a standard deviation.
 const NOTHING: f64 = 1e-9;
-/// The same of a place that another fit starts from: a tenth of a standard deviation.
+/// Convergence threshold for a starting point of another fit: a tenth of a standard deviation.
 const NEARLY_NOTHING: f64 = 1e-2;
-/// The least damping: directions that nothing determines are not followed.
+/// Lower bound on the damping; it suppresses steps in undetermined directions.
 const LEAST_DAMPING: f64 = 1e-9;
 
-/// So many steps that together take less than `LITTLE` from ½χ², 0.06 of a standard deviation, are enough.
+/// Convergence along a flat valley: stop when [`VALLEY`] steps together lower ½χ² by less than
+/// [`LITTLE`], 0.06 of a standard deviation.
 const VALLEY: usize = 25;
 const LITTLE: f64 = 2e-3;
 
-/// What the rows come to at a place.
+/// Value of the cost and its linearization at a point.
 struct Evaluation {
-    /// Of each group, in the physical numbers.
+    /// Upper triangle of each group, by the physical parameters.
     triangles: Vec<DMatrix<f64>>,
-    /// ½ of what the rows cost.
+    /// Cost: ½χ², with outliers weighted.
     cost: f64,
-    /// How many there are.
+    /// Number of rows.
     rows: f64,
 }
 
-/// The place of least squares, from a start.
+/// Minimizes the sum of squares from a start.
 ///
 /// # Errors
-/// Where the model has no answer at the start, or the method does not end.
+/// If the model cannot be evaluated at the start, or the iteration does not converge.
 pub(crate) fn fit(
     problem: &impl Problem,
     coordinates: &Coordinates,
@@ -93,10 +98,10 @@ pub(crate) fn fit(
     descend(problem, coordinates, start, outliers, NOTHING)
 }
 
-/// A place near that of least squares, for another fit to start from.
+/// Finds a point near the minimum, as the start of another fit.
 ///
 /// # Errors
-/// As [`fit`].
+/// Same as [`fit`].
 pub(crate) fn approach(
     problem: &impl Problem,
     coordinates: &Coordinates,
@@ -119,7 +124,8 @@ fn descend(
     let (mut damping, mut factor) = (1e-3, 2.0);
     let mut before = here.cost;
     for taken in 1..=MOST_STEPS {
-        // Towards the edge of what is possible a valley may have no end: bodies that are plates or rods.
+        // Towards the boundary of physical consistency (plates and rods) the minimum may lie at
+        // infinity.
         if taken % VALLEY == 0 {
             if before - here.cost <= LITTLE {
                 return Ok(Solution::new(place, coordinates, here.triangles));
@@ -148,7 +154,7 @@ fn descend(
             _ => {
                 damping *= factor;
                 factor *= 2.0;
-                // No smaller step takes anything: rounding is all that is left.
+                // No smaller step lowers the cost: rounding dominates.
                 if damping > 1e16 {
                     return Ok(Solution::new(place, coordinates, here.triangles));
                 }
@@ -158,7 +164,8 @@ fn descend(
     Err(IdentifyError::NoConvergence { steps: MOST_STEPS })
 }
 
-/// The place of least squares, with measurements beyond `limit` times the spread of what is left counted in proportion first, and then left out.
+/// Minimizes the sum of squares robustly. Measurements beyond `limit` times the spread of the
+/// residuals first have a linear cost, and are then left out.
 pub(crate) fn fit_robustly(
     problem: &impl Problem,
     coordinates: &Coordinates,
@@ -173,9 +180,9 @@ pub(crate) fn fit_robustly(
     Ok((fit(problem, coordinates, start, left_out)?, left_out))
 }
 
-/// Up to this many times the spread a measurement counts in full before outliers are known.
+/// Threshold of full weight in the first rounds, in units of the spread.
 const FULL: f64 = 4.0;
-/// How often the spread is found again.
+/// Number of times that the spread is estimated again.
 const ROUNDS: usize = 2;
 
 fn all_rows(
@@ -207,7 +214,8 @@ fn evaluate(
     Ok(evaluation)
 }
 
-/// What becomes of each number below `count`, in their order, by as many threads as there are processors: sums do not depend on how many.
+/// Computes `one` for each index below `count`, in parallel. The results are in order and do not
+/// depend on the number of threads.
 pub(crate) fn side_by_side<T: Send>(count: usize, one: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from).min(count);
     if threads < 2 {
@@ -215,7 +223,7 @@ pub(crate) fn side_by_side<T: Send>(count: usize, one: impl Fn(usize) -> T + Syn
     }
     let one = &one;
     std::thread::scope(|scope| {
-        // Every so manieth is one thread's, as neighbours are alike.
+        // Each thread takes every n-th index, because neighbours take similar time.
         let parts: Vec<_> = (0..threads)
             .map(|k| scope.spawn(move || (k..count).step_by(threads).map(one).collect::<Vec<T>>()))
             .collect();
@@ -224,7 +232,8 @@ pub(crate) fn side_by_side<T: Send>(count: usize, one: impl Fn(usize) -> T + Syn
         for k in 0..count {
             match &mut parts[k % threads] {
                 Ok(part) => all.extend(part.next()),
-                // A panic of the model goes on where it would without threads.
+                // If the model panicked, evaluate it here, so that the panic propagates as without
+                // threads.
                 Err(_) => all.push(one(k)),
             }
         }
@@ -232,7 +241,7 @@ pub(crate) fn side_by_side<T: Send>(count: usize, one: impl Fn(usize) -> T + Syn
     })
 }
 
-/// A triangle with its columns of shared numbers in their coordinates.
+/// Transforms the shared columns of a triangle to coordinates.
 fn in_coordinates(triangle: &DMatrix<f64>, jacobian: &DMatrix<f64>) -> DMatrix<f64> {
     let (shared, coordinates) = jacobian.shape();
     let local = triangle.ncols() - shared - 1;
@@ -243,7 +252,7 @@ fn in_coordinates(triangle: &DMatrix<f64>, jacobian: &DMatrix<f64>) -> DMatrix<f
     columns
 }
 
-/// The largest norm that each column had: what a step is measured by.
+/// Largest norm so far of each column: the scale of the damping.
 #[derive(Default)]
 struct Scale {
     shared: Vec<f64>,
@@ -271,7 +280,7 @@ impl Scale {
     }
 }
 
-/// A step, and by how much the linear model expects it to lower the cost.
+/// Step, and the decrease of the cost that the linear model predicts.
 struct Step {
     shared: DVector<f64>,
     local: Vec<DVector<f64>>,
@@ -288,9 +297,10 @@ impl Place {
     }
 }
 
-/// (JᵀJ + damping D²) step = Jᵀr, by triangles: each group's own numbers are eliminated first.
+/// Solves (JᵀJ + damping D²) step = Jᵀr by triangles, after elimination of each group's local
+/// parameters.
 ///
-/// `None` where that is singular.
+/// Returns `None` if the system is singular.
 fn step(
     triangles: &[DMatrix<f64>],
     scale: &Scale,
@@ -323,7 +333,7 @@ fn step(
             None => return Ok(None),
         }
     }
-    // ½ (‖r‖² − ‖r − J step‖²)
+    // Predicted decrease: ½ (‖r‖² − ‖r − J step‖²).
     let mut expected = 0.0;
     for (triangle, own) in triangles.iter().zip(&local) {
         let n = own.len();
@@ -334,22 +344,22 @@ fn step(
     Ok(expected.is_finite().then_some(Step { shared: step_shared, local, expected }))
 }
 
-/// The least scale of a number, relative to the largest.
+/// Lower bound on the scale of a parameter, relative to the largest.
 const LEAST_SCALE: f64 = 1e-3;
 
-/// Rows that hold each number back: root × scale on the diagonal.
+/// Returns the damping rows: root × scale on the diagonal.
 fn damping_rows(scale: &[f64], root: f64, first: usize, width: usize) -> DMatrix<f64> {
     let mut rows = DMatrix::zeros(scale.len(), width);
-    // What hardly depends on a number, by rounding or in earnest, may not throw it far.
+    // A parameter with little or no effect must not take large steps.
     let least = LEAST_SCALE * scale.iter().copied().fold(0.0, f64::max);
     for (k, scale) in scale.iter().enumerate() {
-        // A column of zeros is a number that nothing depends on: it stays where it is.
+        // A column of zeros belongs to a parameter without effect: it keeps its value.
         rows[(k, first + k)] = if *scale > 0.0 { root * scale.max(least) } else { 1.0 };
     }
     rows
 }
 
-/// x of R x = b, R the upper triangle of the first rows.
+/// Solves R x = b, with R the upper triangle of the first rows.
 fn back_substituted(r: &DMatrix<f64>, b: &DVector<f64>) -> Option<DVector<f64>> {
     let n = r.ncols();
     if r.nrows() < n {

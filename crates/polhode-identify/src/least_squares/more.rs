@@ -1,4 +1,4 @@
-//! What is known when more has been measured.
+//! Update of the information by further measurements.
 
 use nalgebra::DMatrix;
 
@@ -6,16 +6,20 @@ use super::{Information, columns};
 use crate::decomposition::{Svd, qr, svd};
 use crate::error::IdentifyError;
 
-/// A component of an unknown direction below this, relative to the largest, is rounding: other rows would seem to say something of it.
+/// Threshold below which a component of an unobservable direction is rounding, relative to the
+/// largest. Without it, other rows would seem to determine it.
 const NO_PART: f64 = 1e-12;
-/// What rows say of an unknown direction, relative to their terms, is rounding below this.
+/// Threshold below which the effect of an unobservable direction on rows is rounding, relative to
+/// its terms.
 const ROUNDING: f64 = 1e-7;
 
 impl Information {
-    /// With rows R of derivatives besides, in standard deviations.
+    /// Returns the information after rows R of further derivatives, in standard deviations.
     ///
-    /// Before, x = L z + U y, with z of variance 1 and y unknown. With R U = P S Qᵀ the rows Pᵀ R say y along Q, and nothing of z; the others say something of z:
-    /// its variance is then W Wᵀ, W⁻ᵀ W⁻¹ = 1 + Aᵀ (1 − P Pᵀ) A, A = R L. So x = (L − U Q S⁻¹ Pᵀ A) W z + U Q S⁻¹ e + what stays unknown.
+    /// Before, x = L z + U y, with z of unit variance and y unobservable. Let R U = P S Qᵀ. Then
+    /// the rows Pᵀ R determine y along Q and contain no information on z. The other rows reduce the
+    /// variance of z to W Wᵀ with W⁻ᵀ W⁻¹ = 1 + Aᵀ (1 − P Pᵀ) A, A = R L. So x = (L − U Q S⁻¹ Pᵀ A)
+    /// W z + U Q S⁻¹ e, plus the directions that remain unobservable.
     pub(crate) fn with_rows(&self, rows: &DMatrix<f64>) -> Result<Self, IdentifyError> {
         const DERIVATIVES: &str = "a derivative of what another experiment would measure";
         let (n, known) = (self.root.nrows(), self.root.ncols());
@@ -32,7 +36,8 @@ impl Information {
         let (mut root, mut rest, mut found) = (self.root.clone(), a.clone(), Vec::new());
         if !seen.is_empty() {
             let u = DMatrix::from_columns(&seen);
-            // as many rows as columns at least, for all right vectors
+            // At least as many rows as columns, so that the decomposition returns all right
+            // vectors.
             let mut of_unknown = DMatrix::zeros(rows.nrows().max(u.ncols()), u.ncols());
             of_unknown.rows_mut(0, rows.nrows()).copy_from(&(rows * &u));
             let Svd { u: p, values, v_t } = svd(DERIVATIVES, of_unknown)?;
@@ -55,7 +60,7 @@ impl Information {
         if known > 0 {
             let mut all = DMatrix::identity(known + rest.nrows(), known);
             all.rows_mut(known, rest.nrows()).copy_from(&rest);
-            // L W = (W⁻ᵀ Lᵀ)ᵀ; the triangle's diagonal is not below 1
+            // L W = (W⁻ᵀ Lᵀ)ᵀ; the diagonal of the triangle is at least 1.
             let turned = qr(DERIVATIVES, all)?.r().tr_solve_upper_triangular(&root.transpose());
             root = turned.map_or(root, |turned| turned.transpose());
         }
@@ -96,7 +101,8 @@ mod tests {
 
     #[test]
     fn rows_may_come_one_by_one() {
-        // what each says of what is unknown has several directions, and the last is said twice
+        // Each row determines a combination of several unobservable directions; the last row is
+        // repeated.
         let rows = DMatrix::from_row_slice(
             5,
             4,

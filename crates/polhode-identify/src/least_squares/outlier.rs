@@ -1,23 +1,26 @@
-//! What counts as an outlier, and what it weighs.
+//! Treatment and weight of outliers.
 
 use super::rows::Rows;
 
-/// How measurements far off are treated. With s the root mean square of a measurement's residuals, in standard deviations:
+/// Treatment of outliers. Let s be the root mean square of one measurement's residuals, in standard
+/// deviations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Outliers {
-    /// All count alike.
+    /// All measurements have full weight.
     Kept,
-    /// Beyond this s the cost rises in proportion to s: Huber's function.
+    /// Huber's function: beyond this s the cost grows linearly in s.
     Damped(f64),
-    /// Beyond this s a measurement is left out.
+    /// Measurements beyond this s are left out.
     LeftOut(f64),
 }
 
-/// The median of √(χ²/3) with three degrees of freedom.
+/// Median of √(χ²/3) with three degrees of freedom.
 const MEDIAN: f64 = 0.888;
 
-/// By how much what is left is larger than the noise, by the median: 1 at least. What outliers are is measured by it, as a model that is not quite right is no
-/// reason to leave everything out.
+/// Returns the ratio of the residuals to the noise, by the median; at least 1.
+///
+/// It is the scale for outliers: a slightly wrong model must not cause most measurements to be left
+/// out.
 pub(crate) fn spread<'a>(all: impl IntoIterator<Item = &'a Rows>) -> f64 {
     let mut sizes: Vec<f64> = all
         .into_iter()
@@ -33,7 +36,7 @@ pub(crate) fn spread<'a>(all: impl IntoIterator<Item = &'a Rows>) -> f64 {
 }
 
 impl Outliers {
-    /// ½ of what the rows cost, and the weight of each measurement.
+    /// Returns the cost ½χ² of the rows, and the weight of each measurement.
     pub(crate) fn weigh(self, rows: &Rows) -> (f64, Vec<f64>) {
         let mut cost = 0.0;
         let weights = rows.measurements().map(|residuals| {

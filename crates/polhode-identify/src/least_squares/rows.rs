@@ -1,18 +1,19 @@
-//! Rows of a least-squares problem, and the triangle that they come to.
+//! Rows of a least-squares problem, and their reduction to a triangle.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::decomposition::qr;
 use crate::error::IdentifyError;
 
-/// Rows of one group: derivatives of the prediction by the group's own numbers and by the shared ones, and the residual, measured less predicted,
-/// all in standard deviations.
+/// Rows of one group, in standard deviations: derivatives of the prediction by local and by shared
+/// parameters, and the residual (measured − predicted).
 #[derive(Clone, Debug)]
 pub(crate) struct Rows {
     local: usize,
     shared: usize,
     elements: Vec<f64>,
-    /// Where each measurement begins, in rows: what comes from one instrument at one time is an outlier or none.
+    /// First row of each measurement. One measurement is one instrument at one time; it is kept or
+    /// left out as a whole.
     begins: Vec<usize>,
 }
 
@@ -25,17 +26,18 @@ impl Rows {
         self.local + self.shared + 1
     }
 
-    /// How many there are.
+    /// Returns the number of rows.
     pub(crate) fn count(&self) -> usize {
         self.elements.len() / self.width()
     }
 
-    /// What follows is another measurement.
+    /// Starts a new measurement with the next row.
     pub(crate) fn begin_measurement(&mut self) {
         self.begins.push(self.count());
     }
 
-    /// Adds a row of zeros with a residual: its derivatives by the group's own numbers, and by the shared ones, to be filled in.
+    /// Adds a row of zeros with a residual. Returns its derivatives by local and by shared
+    /// parameters, to be filled in.
     pub(crate) fn push(&mut self, residual: f64) -> (&mut [f64], &mut [f64]) {
         let start = self.elements.len();
         self.elements.resize(start + self.width(), 0.0);
@@ -45,14 +47,14 @@ impl Rows {
         derivatives.split_at_mut(self.local)
     }
 
-    /// The derivatives of the last row: none before the first.
+    /// Returns the derivatives of the last row; empty before the first.
     pub(crate) fn last(&mut self) -> (&mut [f64], &mut [f64]) {
         let end = self.elements.len().saturating_sub(1);
         let start = (end + 1).saturating_sub(self.width());
         self.elements[start..end].split_at_mut(self.local.min(end - start))
     }
 
-    /// The norm of each column of derivatives by a shared number.
+    /// Returns the norm of each column of derivatives by a shared parameter.
     pub(crate) fn shared_norms(&self) -> Vec<f64> {
         let mut squares = vec![0.0; self.shared];
         for row in self.elements.chunks_exact(self.width()) {
@@ -61,24 +63,24 @@ impl Rows {
         squares.into_iter().map(f64::sqrt).collect()
     }
 
-    /// Sets the derivatives by a shared number to zero.
+    /// Sets the derivatives by a shared parameter to zero.
     pub(crate) fn clear_shared(&mut self, number: usize) {
         let (width, column) = (self.width(), self.local + number);
         self.elements.chunks_exact_mut(width).for_each(|row| row[column] = 0.0);
     }
 
-    /// Measurement by measurement, its residuals.
+    /// Returns the residuals of each measurement.
     pub(crate) fn measurements(&self) -> impl Iterator<Item = Vec<f64>> + '_ {
         let ends = self.begins.iter().skip(1).copied().chain([self.count()]);
         self.begins.iter().zip(ends).map(|(&from, to)| (from..to).map(|row| self.residual(row)).collect())
     }
 
-    /// How many numbers are the group's own, and how many shared.
+    /// Returns the numbers of local and of shared parameters.
     pub(super) const fn sizes(&self) -> (usize, usize) {
         (self.local, self.shared)
     }
 
-    /// The same with other residuals.
+    /// Returns the rows with other residuals.
     pub(super) fn with_residuals(&self, residuals: &[f64]) -> Self {
         let mut other = self.clone();
         other.elements.chunks_exact_mut(self.width()).zip(residuals).for_each(|(row, residual)| {
@@ -91,7 +93,8 @@ impl Rows {
         self.elements[(row + 1) * self.width() - 1]
     }
 
-    /// JᵀJ by the shared numbers, J of second differences over √6 of measurements that count and follow each other: (x₀ − 2 x₁ + x₂)/√6.
+    /// Returns JᵀJ by the shared parameters for second differences (x₀ − 2 x₁ + x₂)/√6 of
+    /// successive measurements with positive weight.
     pub(crate) fn information_of_differences(&self, weights: &[f64]) -> DMatrix<f64> {
         let width = self.width();
         let counted: Vec<&[f64]> = (0..self.begins.len())
@@ -112,15 +115,16 @@ impl Rows {
         sum
     }
 
-    /// Derivatives by the shared numbers of what the rows say once the group's own are found from them too.
+    /// Returns the derivatives by the shared parameters after elimination of the local ones.
     pub(crate) fn without_own(&self) -> Result<DMatrix<f64>, IdentifyError> {
         let triangle = self.triangle(&[])?;
         let rows = triangle.nrows().saturating_sub(self.local);
         Ok(triangle.view((triangle.nrows() - rows, self.local), (rows, self.shared)).into_owned())
     }
 
-    /// The rows, each measurement times the root of its weight, as an upper triangle with the same normal equations: columns are the group's own numbers,
-    /// the shared ones, the residual.
+    /// Reduces the rows to an upper triangle with the same normal equations. Each measurement is
+    /// multiplied by the square root of its weight. Columns: local parameters, shared parameters,
+    /// residual.
     pub(crate) fn triangle(&self, weights: &[f64]) -> Result<DMatrix<f64>, IdentifyError> {
         let width = self.width();
         let mut triangle = DMatrix::zeros(0, width);
@@ -141,10 +145,10 @@ impl Rows {
     }
 }
 
-/// Rows that are made a triangle at a time.
+/// Number of rows that are reduced in one QR decomposition.
 const BLOCK: usize = 128;
 
-/// The triangle of two sets of rows.
+/// Returns the triangle of two stacked sets of rows.
 pub(crate) fn stacked(above: &DMatrix<f64>, below: &DMatrix<f64>) -> Result<DMatrix<f64>, IdentifyError> {
     let width = below.ncols();
     let mut rows = DMatrix::zeros(above.nrows() + below.nrows(), width);

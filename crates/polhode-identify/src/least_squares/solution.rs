@@ -1,4 +1,4 @@
-//! The place of least squares, and how well it is known.
+//! Least-squares solution and its uncertainty.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -8,32 +8,35 @@ use crate::coordinates::Coordinates;
 use crate::decomposition::{Svd, svd};
 use crate::error::IdentifyError;
 
-/// Where the sum of squares is least.
+/// Minimum of the sum of squares.
 #[derive(Clone, Debug)]
 pub(crate) struct Solution {
-    /// The shared numbers.
+    /// Shared parameters, in physical units.
     pub(crate) shared: Vec<f64>,
     pub(crate) place: Place,
-    /// Of each group, in the physical numbers.
+    /// Upper triangle of each group, by the physical parameters.
     triangles: Vec<DMatrix<f64>>,
 }
 
-/// What of some numbers is known: an information matrix, by its singular values.
+/// Information on some parameters: covariance and unobservable directions.
 #[derive(Clone, Debug)]
 pub(crate) struct Information {
-    /// Covariance of what is known.
+    /// Covariance, without the unobservable directions.
     pub(crate) covariance: DMatrix<f64>,
-    /// A root of it: columns are independent directions, each of one standard deviation.
+    /// Factor of the covariance, C = L Lᵀ. Columns are independent directions of one standard
+    /// deviation.
     pub(crate) root: DMatrix<f64>,
-    /// Directions in which nothing is known: columns.
+    /// Unobservable directions, as unit columns.
     pub(crate) unknown: DMatrix<f64>,
 }
 
-/// A singular value below this, relative to the largest, is zero: columns have norm 1 then.
+/// Threshold below which a singular value is zero, relative to the largest, with columns scaled to
+/// norm 1.
 const ZERO: f64 = 1e-9;
-/// A component of an unknown direction below this is rounding: a number that is known would seem to change along what is not.
+/// Threshold below which a component of an unobservable direction is rounding. Without it,
+/// determined parameters would seem to change along the direction.
 const NO_PART: f64 = 1e-7;
-/// The same of a known direction.
+/// Threshold below which a component of an observable direction is rounding.
 const ROUNDING: f64 = 1e-13;
 
 impl Solution {
@@ -41,7 +44,7 @@ impl Solution {
         Self { shared: coordinates.physical(&place.shared), place, triangles }
     }
 
-    /// Of the shared numbers, with each group's own unknown.
+    /// Returns the information on the shared parameters, with the local ones unknown.
     pub(crate) fn information(&self) -> Result<Information, IdentifyError> {
         let shared = self.shared.len();
         let mut all = DMatrix::zeros(0, shared);
@@ -55,7 +58,8 @@ impl Solution {
         Information::of(&all)
     }
 
-    /// How many numbers were found from a group's rows: its own, and its share of the shared ones.
+    /// Returns the effective number of parameters estimated from a group's rows: its local ones,
+    /// and its share of the shared ones.
     pub(crate) fn found_by(&self, group: usize, information: &Information) -> f64 {
         let (triangle, n) = (&self.triangles[group], self.place.local[group].len());
         if triangle.nrows() <= n {
@@ -65,13 +69,14 @@ impl Solution {
         n as f64 + (rest * &information.covariance * rest.transpose()).trace()
     }
 
-    /// Covariance of a group's own numbers, with that of the shared ones.
+    /// Returns the covariance of a group's local parameters, including the effect of the shared
+    /// ones.
     pub(crate) fn local_covariance(&self, group: usize, information: &Information) -> Option<DMatrix<f64>> {
         let (triangle, n) = (&self.triangles[group], self.place.local[group].len());
         if triangle.nrows() < n {
             return None;
         }
-        // R_l δl = e − R_s δs
+        // Error propagation: R_l δl = e − R_s δs.
         let r = triangle.view((0, 0), (n, n)).into_owned();
         let by_shared = triangle.view((0, n), (n, self.shared.len()));
         let middle = DMatrix::identity(n, n) + by_shared * &information.covariance * by_shared.transpose();
@@ -81,7 +86,7 @@ impl Solution {
 }
 
 impl Information {
-    /// Of rows of derivatives, in standard deviations.
+    /// Computes the information of rows of derivatives, in standard deviations.
     pub(crate) fn of(rows: &DMatrix<f64>) -> Result<Self, IdentifyError> {
         let n = rows.ncols();
         let norms: Vec<f64> = rows.column_iter().map(|column| column.norm()).collect();
@@ -105,7 +110,8 @@ impl Information {
         Ok(Self::with(n, &known, &unknown))
     }
 
-    /// Of independent directions, each of one standard deviation, and of those in which nothing is known.
+    /// Composes the information from independent directions of one standard deviation and from
+    /// unobservable directions.
     pub(crate) fn with(n: usize, known: &[DVector<f64>], unknown: &[DVector<f64>]) -> Self {
         let columns = |all: &[DVector<f64>]| DMatrix::from_fn(n, all.len(), |i, k| all[k][i]);
         let (root, mut unknown) = (columns(known), columns(unknown));
@@ -113,13 +119,13 @@ impl Information {
         Self { covariance: &root * root.transpose(), root, unknown }
     }
 
-    /// Of other numbers, with their derivative by these.
+    /// Transforms the information to other parameters, by their Jacobian with respect to these.
     pub(crate) fn of_other(&self, jacobian: &DMatrix<f64>) -> Self {
         let directions = |of: &DMatrix<f64>| columns(&(jacobian * of));
         Self::with(jacobian.nrows(), &directions(&self.root), &directions(&self.unknown))
     }
 
-    /// Standard deviation of gᵀp: `None` if it changes along what is not known.
+    /// Returns the standard deviation of gᵀp; `None` if it changes along an unobservable direction.
     pub(crate) fn deviation(&self, gradient: &[f64]) -> Option<f64> {
         if self.unknown.column_iter().any(|unknown| changes_along(gradient, unknown.as_slice())) {
             return None;
@@ -129,12 +135,13 @@ impl Information {
     }
 }
 
-/// The columns of a matrix.
+/// Returns the columns of a matrix.
 pub(crate) fn columns(matrix: &DMatrix<f64>) -> Vec<DVector<f64>> {
     matrix.column_iter().map(nalgebra::Matrix::into_owned).collect()
 }
 
-/// Threshold below which a change along an unknown direction is rounding, relative to its terms.
+/// Threshold below which a change along an unobservable direction is rounding, relative to its
+/// terms.
 pub(crate) const KNOWN: f64 = 1e-6;
 
 /// Returns true if a gradient has a component along a direction.

@@ -1,4 +1,4 @@
-//! The numbers of a payload about the sensor's origin, and about its own centre of mass.
+//! Parameters of a payload about the sensor's origin, and about its own centre of mass.
 
 use nalgebra::DMatrix;
 use polhode::math::symmetric_eigen;
@@ -27,13 +27,13 @@ pub(super) fn about_origin(numbers: &[f64], information: &Information) -> Estima
     Estimate::new(names("moment", "kg·m", " about the origin", numbers.len()), numbers, information)
 }
 
-/// The same of m, c and the tensor about the centre of mass.
+/// Returns the estimate as m, c and the tensor about the centre of mass.
 pub(super) fn about_center(numbers: &[f64], information: &Information) -> Estimate {
     let (values, jacobian) = to_center(numbers);
     Estimate::new(names("center", "m", "", numbers.len()), &values, &information.of_other(&jacobian))
 }
 
-/// Second moments, less what rounding has below zero where c is far off.
+/// Returns second moments without negative eigenvalues, which rounding causes if c is large.
 fn not_negative(g: [f64; 6]) -> [f64; 6] {
     let (values, vectors) = symmetric_eigen(g);
     if values[0] >= 0.0 {
@@ -42,7 +42,8 @@ fn not_negative(g: [f64; 6]) -> [f64; 6] {
     of_eigen(values.map(|value| value.max(0.0)), vectors)
 }
 
-/// m, c, I about the centre of mass, …, and their derivative by m, m c, I about the origin, …
+/// Converts m, m c and I about the origin to m, c and I about the centre of mass; further
+/// parameters stay the same. Returns the values and their Jacobian.
 pub(super) fn to_center(numbers: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
     let n = numbers.len();
     let m = numbers[0];
@@ -58,7 +59,7 @@ pub(super) fn to_center(numbers: &[f64]) -> (Vec<f64>, DMatrix<f64>) {
     let square: f64 = c.iter().map(|c| c * c).sum();
     for (k, (i, j)) in PLACES.into_iter().enumerate() {
         values[4 + k] = own[k];
-        // I_c = I − (h² δ_ij − h_i h_j)/m
+        // Parallel-axis theorem: I_c = I − (h² δ_ij − h_i h_j)/m
         let same = if i == j { 1.0 } else { 0.0 };
         jacobian[(4 + k, 0)] = square * same - c[i] * c[j];
         for l in 0..3 {

@@ -1,4 +1,4 @@
-//! What a wrist carries, as it was found.
+//! Result of a payload identification.
 
 use polhode::body::MassProperties;
 use polhode::math::Body;
@@ -10,52 +10,57 @@ use crate::estimate::Estimate;
 use crate::principal::PrincipalEstimate;
 use crate::residuals::ResidualTest;
 
-/// A payload that was found. The origin is the sensor's, axes are the sensor's.
+/// Estimated payload, about the sensor's origin and along its axes.
 ///
-/// Errors are those of least squares without the constraint, widened by what the residuals show. The constraint brings no possible body farther from the
-/// answer, in the norm of these errors, as the possible bodies are a convex set: so the ellipsoid of a confidence holds the truth at least as often as it says,
-/// at the edge too. There [`Edge`] says what more is known.
+/// Errors are those of unconstrained least squares, widened by the residuals. The physically
+/// consistent bodies are a convex set, so in the norm of these errors the constraint moves the
+/// estimate closer to every consistent body. A confidence ellipsoid therefore contains the truth at
+/// least as often as stated, at the boundary too. [`Edge`] gives tighter errors there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Payload {
-    /// `mass`; `moment x` … (m c); `Ixx about the origin` …; `bias fx` …, if it was to be found. The wrench is linear in these.
+    /// Parameters in which the wrench is linear: `mass`; `moment x` … (m c); `Ixx about the origin`
+    /// …; `bias fx` …, if estimated.
     pub about_origin: Estimate,
-    /// `mass`; `center x` …; `Ixx` … about the centre of mass; `bias fx` …
+    /// The same estimate as `mass`; `center x` …; `Ixx` … about the centre of mass; `bias fx` …
     pub about_center: Estimate,
-    /// The payload, if all of it is known.
+    /// Mass properties; `None` unless all of them are determined.
     pub body: Option<MassProperties<Body>>,
-    /// Least squares without regard to what is possible.
+    /// Least squares without the constraint of physical consistency.
     pub unconstrained: Unconstrained,
-    /// If the answer is at the edge of what is possible.
+    /// Boundary of physical consistency on which the estimate lies, if any.
     pub edge: Option<Edge>,
     /// Times of the rows, s.
     pub times: Vec<f64>,
-    /// Of forces, and of torques. With a covariance, torques are those that forces do not predict.
+    /// Residual tests of forces and of torques. With a full covariance, the torques are conditional
+    /// on the forces.
     pub tests: [ResidualTest; 2],
-    /// Measured less predicted, of each row: fx, fy, fz in N, τx, τy, τz in N·m.
+    /// Residuals (measured − predicted) of each row: fx, fy, fz in N, τx, τy, τz in N·m.
     pub residuals: Vec<[f64; 6]>,
-    /// Wrenches that were left out.
+    /// Wrenches left out as outliers.
     pub left_out: Vec<LeftOut>,
-    /// What is odd.
+    /// Suspicious properties of the log.
     pub findings: Vec<PayloadFinding>,
 }
 
 impl Payload {
-    /// Principal moments and axes about the centre of mass; `None` of a point, which has none.
+    /// Returns principal moments and axes about the centre of mass; `None` for a point mass, which
+    /// has none.
     pub fn principal(&self) -> Option<PrincipalEstimate> {
         let principal = PrincipalEstimate::of_tensor(&self.about_center, 4);
         (principal.moments[2] > 0.0).then_some(principal)
     }
 }
 
-/// Numbers of least squares that need not be a body's.
+/// Unconstrained least-squares parameters, which need not be physically consistent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unconstrained {
-    /// In the order of [`Payload::about_origin`].
+    /// Values in the order of [`Payload::about_origin`].
     pub numbers: Vec<f64>,
-    /// Whether they are a possible body's.
+    /// True if the values are physically consistent.
     pub is_possible: bool,
-    /// The least eigenvalue of ∫ x xᵀ dm about the centre of mass, kg·m²: negative of what is impossible. `None` if the mass is not positive.
+    /// Smallest eigenvalue of ∫ x xᵀ dm about the centre of mass, kg·m²: negative if inconsistent.
+    /// `None` if the mass is not positive.
     pub least_second_moment: Option<f64>,
-    /// By how much χ² rises where the body has to be possible.
+    /// Increase of χ² caused by the constraint.
     pub chi_square_rise: f64,
 }

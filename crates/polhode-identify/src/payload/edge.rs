@@ -1,4 +1,4 @@
-//! The edge of what is possible: plates, rods, points.
+//! Boundary of physical consistency: laminae, rods, points.
 
 use core::fmt;
 
@@ -12,19 +12,19 @@ use crate::error::IdentifyError;
 use crate::estimate::Estimate;
 use crate::least_squares::{Information, columns};
 
-/// What the answer has no extent in.
+/// Kind of a body without extent in some directions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EdgeKind {
-    /// One direction: a plate.
+    /// No extent in one direction: a plate.
     Lamina,
-    /// Two: a rod.
+    /// No extent in two directions: a thin bar.
     Rod,
-    /// All three.
+    /// No extent in any direction.
     Point,
 }
 
 impl EdgeKind {
-    /// In how many directions there is no extent.
+    /// Returns the number of directions without extent.
     pub(super) const fn thin(self) -> usize {
         match self {
             Self::Lamina => 1,
@@ -44,45 +44,50 @@ impl fmt::Display for EdgeKind {
     }
 }
 
-/// The likeliest possible payload has no extent in some directions, as noise, unconstrained, would make its second moment there negative.
+/// Boundary of physical consistency on which the estimate lies. The estimate has no extent in some
+/// directions, because noise makes the unconstrained second moment there negative.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edge {
-    /// Which edge.
+    /// Kind of the boundary.
     pub kind: EdgeKind,
-    /// In which directions there is no extent.
+    /// Directions without extent.
     pub thin: Vec<Thin>,
-    /// The numbers about the centre, if the payload is on this very edge: errors of what moves along the edge, which are smaller. `None` where those
-    /// directions do not follow from the measurements.
+    /// Estimate about the centre, if the payload really lies on this boundary. Its errors are
+    /// smaller, because it varies only along the boundary. `None` if the measurements do not
+    /// determine these directions.
     pub along: Option<Estimate>,
 }
 
-/// A direction without extent.
+/// Direction without extent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thin {
     /// Unit vector, sensor axes.
     pub direction: [f64; 3],
-    /// ∫ x² dm along it, from the centre of mass, as unconstrained least squares has it: mostly negative, kg·m².
+    /// Second moment ∫ x² dm along the direction, from the centre of mass, of unconstrained least
+    /// squares: mostly negative, kg·m².
     pub unconstrained: f64,
-    /// Standard deviation of that.
+    /// Standard deviation of the second moment, kg·m².
     pub sd: f64,
-    /// ∫ x² dm is not more than this, with a confidence of 95 %: 1.645 standard deviations above what was found, or above zero.
+    /// Upper bound on ∫ x² dm at 95 % confidence, kg·m²: 1.645 standard deviations above the
+    /// estimate or above zero, whichever is larger.
     pub at_most: f64,
 }
 
 impl Thin {
-    /// The thickness of a plate, alike throughout, with the moment that it has at most: √(12 ∫ x² dm / m), m.
+    /// Returns the thickness of a uniform plate of this mass with the largest second moment
+    /// `at_most`: √(12 ∫ x² dm / m), m.
     pub fn thickness_at_most(&self, mass: f64) -> f64 {
         (12.0 * self.at_most / mass).sqrt()
     }
 }
 
-/// Quantile of the normal distribution, 95 %.
+/// One-sided 95 % quantile of the normal distribution.
 const ONE_SIDED: f64 = 1.645;
-/// A second moment below this many standard deviations is none.
+/// Threshold below which a second moment is zero, standard deviations.
 const NONE: f64 = 1e-3;
 
 impl Edge {
-    /// Of an answer, where unconstrained numbers are not possible.
+    /// Returns the boundary of an estimate; `None` if the estimate lies inside.
     pub(super) fn of(
         numbers: &[f64],
         unconstrained: &[f64],
@@ -115,7 +120,7 @@ impl Edge {
         Ok(Some(Self { kind, thin, along }))
     }
 
-    /// All errors times a factor.
+    /// Returns the boundary with all errors multiplied by a factor.
     pub(super) fn widened(mut self, factor: f64) -> Self {
         for thin in &mut self.thin {
             thin.sd *= factor;
@@ -126,7 +131,7 @@ impl Edge {
     }
 }
 
-/// What is known of a body of this kind.
+/// Returns the information on a body of this kind.
 pub(super) fn of_kind(
     numbers: &[f64],
     kind: EdgeKind,
@@ -136,7 +141,8 @@ pub(super) fn of_kind(
     along(numbers, &vectors[..kind.thin()], information)
 }
 
-/// What is known where nᵀ G n' keeps at zero for all normals n, n'. `None` where that does not follow from the measurements.
+/// Returns the information under the constraint nᵀ G n' = 0 for all normals n, n'. `None` if the
+/// measurements do not determine these elements.
 fn along(
     numbers: &[f64],
     normals: &[[f64; 3]],
@@ -147,7 +153,7 @@ fn along(
         .flat_map(|i| (0..=i).map(move |j| (i, j)))
         .map(|(i, j)| gradient(numbers, normals[i], normals[j]))
         .collect();
-    // δ = root e, e of variance 1: what of e moves along the edge
+    // With δ = root e, e of unit variance, the components of e across the boundary are removed.
     let mut across = DMatrix::zeros(information.root.ncols(), slopes.len());
     for (k, slope) in slopes.into_iter().enumerate() {
         if information.deviation(&slope).is_none() {
@@ -161,7 +167,7 @@ fn along(
     Ok(Some(Information::with(n, &columns(&rest), &columns(&information.unknown))))
 }
 
-/// Gradient of aᵀ G b by the numbers, G = ½ tr(I) 1 − I − h hᵀ/m.
+/// Returns the gradient of aᵀ G b by the parameters, with G = ½ tr(I) 1 − I − h hᵀ/m.
 pub(super) fn gradient(numbers: &[f64], a: [f64; 3], b: [f64; 3]) -> Vec<f64> {
     let m = numbers[0];
     let c = [1, 2, 3].map(|k| numbers[k] / m);

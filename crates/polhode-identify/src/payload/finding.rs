@@ -1,77 +1,78 @@
-//! What is odd about a log.
+//! Suspicious properties of a log.
 
 use core::fmt;
 
 use super::edge::EdgeKind;
 
-/// Something that is probably wrong with the log, or with the model.
+/// Probable error in the log or in the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum PayloadFinding {
-    /// Least squares has a mass that is negative beyond noise: the wrench is that on the other side, or gravity points up.
-    /// Noise of the motion is not regarded then.
+    /// Significantly negative mass: the wrench has the opposite sense, or gravity points up. Noise
+    /// of the motion is ignored in this case.
     NegativeMass {
-        /// kg
+        /// Estimated mass, kg.
         mass: f64,
-        /// kg
+        /// Standard deviation of the mass, kg.
         sd: f64,
     },
-    /// Unconstrained least squares is no possible body, beyond noise: the model is wrong somewhere.
+    /// Unconstrained least squares is significantly inconsistent with a physical body: the model is
+    /// wrong.
     ImpossibleBeyondNoise {
-        /// By how much χ² rises where the body has to be possible.
+        /// Increase of χ² caused by the constraint.
         chi_square_rise: f64,
     },
-    /// The payload is not what it was said to be, beyond noise.
+    /// Payload significantly different from the stated kind.
     NotOfKind {
-        /// What it was said to be.
+        /// Stated kind.
         kind: EdgeKind,
-        /// By how much χ² rises where it has to be that.
+        /// Increase of χ² caused by this kind.
         chi_square_rise: f64,
     },
-    /// Gravity is not of one size.
+    /// Gravity of varying magnitude.
     GravityVaries {
-        /// m/s²
+        /// Smallest magnitude, m/s².
         least: f64,
-        /// m/s²
+        /// Largest magnitude, m/s².
         most: f64,
     },
-    /// Gravity is not that of the Earth, nor zero.
+    /// Gravity that is neither that of the Earth nor zero.
     UnusualGravity {
-        /// m/s²
+        /// Magnitude, m/s².
         size: f64,
     },
-    /// Residuals are too large, and far smaller if a mistake was made.
+    /// Large residuals that one mistake in the log would explain.
     Likely {
-        /// Which.
+        /// Most likely mistake.
         mistake: Mistake,
-        /// χ²/degrees of freedom as it is.
+        /// Reduced χ² of the log as read.
         as_given: f64,
-        /// And with the mistake undone.
+        /// Reduced χ² with the mistake corrected.
         undone: f64,
     },
-    /// More than one row in ten is far off: none was left out.
+    /// More than one outlier in ten rows; none was left out.
     ManyOutliers {
-        /// How many.
+        /// Number of outliers.
         count: usize,
     },
 }
 
-/// A mistake in a log.
+/// Mistake in a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mistake {
     /// Accelerations in units of 9.80665 m/s².
     AccelerationInG,
-    /// Accelerations are what an accelerometer reads, a − g, already.
+    /// Accelerations as an accelerometer reads them, a − g.
     AccelerationHasGravity,
-    /// Gravity points up.
+    /// Gravity that points up.
     GravityReversed,
     /// Angular velocity in °/s.
     OmegaInDegrees,
     /// Angular acceleration in °/s².
     AlphaInDegrees,
-    /// Both.
+    /// Angular velocity in °/s and angular acceleration in °/s².
     AnglesInDegrees,
-    /// Angular acceleration of the opposite sign.
+    /// Angular acceleration with the opposite sign.
     AlphaReversed,
     /// Torques in N·cm.
     TorqueInCentimetres,
@@ -133,7 +134,7 @@ impl fmt::Display for PayloadFinding {
     }
 }
 
-/// Four digits.
+/// Formats a number with four significant digits.
 fn short(x: f64) -> String {
     let size = if x == 0.0 { 0.0 } else { x.abs().log10().floor() };
     let decimals = (3.0 - size).clamp(0.0, 15.0) as usize;

@@ -1,4 +1,4 @@
-//! From a log to a payload.
+//! Estimation of a payload from a log.
 
 use nalgebra::{DMatrix, DVector};
 use polhode::body::{InertiaTensor, MassProperties};
@@ -19,30 +19,33 @@ use crate::error::IdentifyError;
 use crate::least_squares::{Information, columns};
 use crate::residuals::{Noise, ResidualTest};
 
-/// Passes over the rows at most.
+/// Maximum number of passes over the rows.
 const MOST_PASSES: usize = 60;
-/// Passes that improve noise that is unknown: it has settled by then, unless the model is wrong.
+/// Number of passes that update unknown noise. It converges by then, unless the model is wrong.
 const NOISE_PASSES: usize = 20;
-/// The numbers have settled where a pass moves them by no more than this, in standard deviations.
+/// Convergence threshold: largest change of the parameters in a pass, standard deviations.
 const SETTLED: f64 = 1e-4;
-/// This much is taken where passes end.
+/// Convergence threshold that is accepted when passes run out.
 const NEARLY_SETTLED: f64 = 0.03;
-/// Directions of which more than this share of what the rows say is noise of the motion are unknown. Where passes do not settle, as of a direction that is near the
-/// first of these, or whose number goes off, the next is taken: less is known then.
+/// Thresholds of unobservable directions: largest share of the information that may be noise of the
+/// motion. If the passes do not converge with one, the next is tried. Convergence fails for
+/// directions near the threshold and for diverging parameters; a lower threshold removes them.
 const MOSTLY_NOISE: [f64; 4] = [0.5, 0.25, 0.1, 0.03];
-/// Rows that say less than this of a direction, relative to their terms, say nothing.
+/// Threshold below which the information on a direction is rounding, relative to its terms.
 const ROUNDING: f64 = 1e-7;
-/// Noise below this, relative to the largest that was measured, is rounding.
+/// Lower bound on the noise, relative to the largest measurement.
 const NO_NOISE: f64 = 1e-9;
-/// A number that an unknown direction moves by less than this, in its standard deviations, is known.
+/// Change along an unobservable direction below which a parameter still counts as determined, in
+/// its standard deviations.
 const HARDLY: f64 = 0.3;
-/// A rise of χ² on at most six degrees of freedom that is no chance: one in a million.
+/// Significant increase of χ² with at most six degrees of freedom: probability one in a million.
 const NO_CHANCE: f64 = 38.0;
 
-/// Mass, centre and tensor of what a force–torque sensor carries.
+/// Estimates mass, centre and tensor of the payload of a force–torque sensor.
 ///
 /// # Errors
-/// With fewer rows than it takes, or where the method does not end, as it may where the motion is hidden by its noise.
+/// [`IdentifyError::TooFew`] for too few rows; [`IdentifyError::NoConvergence`] if the iteration
+/// does not converge, for example if noise hides the motion.
 pub fn identify_payload(log: &PayloadLog) -> Result<Payload, IdentifyError> {
     let settled = settle(log)?;
     let (information, root) = settled.information()?;
@@ -87,25 +90,25 @@ pub fn identify_payload(log: &PayloadLog) -> Result<Payload, IdentifyError> {
     })
 }
 
-/// Numbers and motions that do not change any more.
+/// State of the iteration: parameters and motions, at the end converged.
 struct Settled<'a> {
     log: &'a PayloadLog,
     mostly_noise: f64,
     regression: Regression<'a>,
     outliers: Outliers,
-    /// Of the wrench.
+    /// Covariance of the wrench.
     noise: Matrix6,
-    /// At these numbers.
+    /// Rows at these parameters.
     pass: Pass,
     numbers: DVector<f64>,
 }
 
-/// Of one triangle.
+/// Fit to one triangle.
 struct Fit {
-    /// Without regard to what is possible.
+    /// Unconstrained parameters.
     free: DVector<f64>,
     numbers: DVector<f64>,
-    /// By how much χ² of the numbers is above that of the free ones.
+    /// Increase of χ² of the parameters over the unconstrained ones.
     rise: f64,
 }
 
@@ -136,7 +139,8 @@ fn settle_with(log: &PayloadLog, mostly_noise: f64) -> Result<Settled<'_>, Ident
         WrenchNoise::Covariance(covariance) => covariance,
     };
     let mut numbers = DVector::zeros(count);
-    // Numbers, and noise if it is unknown, are near before the noise of the motion is regarded; residuals are judged when it is.
+    // Parameters, and unknown noise, first converge without noise of the motion. Residuals are
+    // judged once it is included.
     let near = if unknown_noise { 3 } else { 0 };
     let ready = near + usize::from(log.motion_deviations().iter().any(|&sd| sd > 0.0));
     for number in 0..MOST_PASSES {
@@ -150,11 +154,11 @@ fn settle_with(log: &PayloadLog, mostly_noise: f64) -> Result<Settled<'_>, Ident
             Settled { log, mostly_noise, regression, outliers, noise: wrench_noise, pass, numbers };
         let (information, root) = settled.information()?;
         let Fit { numbers: next, rise, free } = settled.fit(&information, &root)?;
-        // Of a wrench on the wrong side no motion is likely, and the likeliest goes off.
+        // A wrench of the wrong sense has no plausible motion: the iteration would diverge.
         if number == near && is_negative(free.as_slice(), &information).is_none() {
             settled.regression.regard_motion_noise();
         }
-        // relative to what the constraint costs, as the interior-point method is
+        // Relative to the cost of the constraint, like the accuracy of the interior-point method.
         let step = (settled.rows() * (&next - &settled.numbers)).norm() / (1.0 + rise.max(0.0).sqrt());
         let is_improved = unknown_noise && (1..NOISE_PASSES).contains(&number);
         let next_noise = if is_improved { settled.found_noise(&information) } else { settled.noise };
@@ -169,19 +173,20 @@ fn settle_with(log: &PayloadLog, mostly_noise: f64) -> Result<Settled<'_>, Ident
     Err(IdentifyError::NoConvergence { steps: MOST_PASSES })
 }
 
-/// Rows more than numbers take, for noise to be found from them.
+/// Number of rows beyond those for the parameters that a noise estimate needs.
 const LEAST_FOR_NOISE: usize = 10;
 
 impl Settled<'_> {
-    /// Derivatives of all rows, as a triangle.
+    /// Returns the derivatives of all rows as a triangle.
     fn rows(&self) -> DMatrix<f64> {
         self.pass.triangle.columns(0, self.numbers.len()).into_owned()
     }
 
-    /// What is known of the numbers. What would be known if the motion were nothing but its noise is not: with the share s of it in what the rows say of a
-    /// direction, the variance there is 1/(1 − s)² times as large.
+    /// Returns the information on the parameters, without information that is only noise of the
+    /// motion. If noise has the share s in a direction's information, its variance is multiplied by
+    /// 1/(1 − s)².
     ///
-    /// Besides, the root of (RᵀR)⁻¹ in the directions that are known: what steps are made of.
+    /// The second value is the factor of (RᵀR)⁻¹ in the observable directions, used for steps.
     fn information(&self) -> Result<(Information, DMatrix<f64>), IdentifyError> {
         let information = Information::of(&self.rows())?;
         if !self.regression.has_motion_noise() {
@@ -218,11 +223,11 @@ impl Settled<'_> {
     fn fit(&self, information: &Information, root: &DMatrix<f64>) -> Result<Fit, IdentifyError> {
         let n = self.numbers.len();
         let triangle = &self.pass.triangle;
-        // without the last row, which is what no numbers explain
+        // Without the last row, which no parameters can explain.
         let rows = triangle.nrows().min(n);
         let mut r = triangle.view((0, 0), (rows, n)).into_owned();
         let mut z: DVector<f64> = triangle.view((0, n), (rows, 1)).column(0).into_owned();
-        // What the rows say of directions that are unknown is noise, if not rounding.
+        // Remove the rows' components along unobservable directions: noise or rounding.
         let norms: Vec<f64> = r.column_iter().map(|column| column.norm()).collect();
         for direction in information.unknown.column_iter() {
             let said = &r * direction;
@@ -234,7 +239,8 @@ impl Settled<'_> {
                 z -= &unit * part;
             }
         }
-        // Rᵀ z by the covariance, then the same of what is left, as the covariance has squared numbers
+        // Solves Rᵀ z by the covariance, then repeats for the remainder: the covariance squares the
+        // condition number.
         let mut free = self.numbers.clone();
         for _ in 0..4 {
             let left = &z - &r * (&free - &self.numbers);
@@ -253,7 +259,7 @@ impl Settled<'_> {
         Ok(Fit { free, numbers, rise })
     }
 
-    /// How many numbers were found from force and from torque.
+    /// Returns the effective numbers of parameters estimated from force and from torque.
     fn found(&self, information: &Information) -> [f64; 2] {
         let n = self.numbers.len();
         [&self.pass.force, &self.pass.torque].map(|t| (t.columns(0, n) * &information.root).norm_squared())
@@ -298,7 +304,7 @@ impl Settled<'_> {
     }
 }
 
-/// Whether the mass is negative beyond noise.
+/// Returns a finding if the mass is significantly negative.
 fn is_negative(numbers: &[f64], information: &Information) -> Option<PayloadFinding> {
     let mut by_mass = vec![0.0; numbers.len()];
     by_mass[0] = 1.0;
@@ -315,7 +321,7 @@ fn findings(
     let mut all = Vec::new();
     all.extend(is_negative(&unconstrained.numbers, information));
     let chi_square_rise = unconstrained.chi_square_rise;
-    // against what is left without the constraint
+    // Compared with the residuals of the unconstrained fit.
     let (chi_square, count) = tests.iter().fold((-chi_square_rise, 0.0), |(sum, count), test| {
         (sum + test.reduced_chi_square * test.degrees_of_freedom, count + test.degrees_of_freedom)
     });
@@ -335,7 +341,8 @@ fn findings(
     all
 }
 
-/// Of m, c and the tensor about the centre of mass: at the edge, what rounding took is given back.
+/// Returns the body of m, c and the tensor about the centre of mass. At the boundary a relative
+/// 1e-12 compensates for rounding.
 fn body(values: &[f64]) -> Result<MassProperties<Body>, IdentifyError> {
     let center = Position::new(values[1], values[2], values[3]);
     let own = |scale: f64| {

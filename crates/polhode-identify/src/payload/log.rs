@@ -1,4 +1,4 @@
-//! What was measured at the wrist.
+//! Measurements at the wrist.
 
 use polhode::math::{
     Acceleration, AngularAcceleration, AngularVelocity, Attitude, Body, Force, Space, Torque,
@@ -9,23 +9,24 @@ use super::motion::Motion;
 use super::small::{self, Matrix6, Vector6};
 use crate::error::IdentifyError;
 
-/// The wrench at one time, and the motion of the sensor. Everything is about the sensor's origin, along the sensor's axes: these are the payload's body
-/// axes.
+/// Wrench and sensor motion at one time. All vectors are about the sensor's origin and along its
+/// axes, which are the payload's body axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PayloadRow {
-    /// s, ascending.
+    /// Time, s; ascending.
     pub time: f64,
     /// Angular velocity of the sensor relative to space, rad/s.
     pub omega: AngularVelocity<Body>,
-    /// Its derivative, rad/s².
+    /// Angular acceleration of the sensor, rad/s².
     pub alpha: AngularAcceleration<Body>,
-    /// Acceleration of the sensor's origin relative to space, without gravity: zero at rest, m/s².
+    /// Acceleration of the sensor's origin relative to space, without gravity, m/s²: zero at rest.
     pub acceleration: Acceleration<Body>,
-    /// The acceleration of free fall, pointing down, m/s². [`gravity_along`] turns it to the sensor's axes.
+    /// Gravitational acceleration, pointing down, m/s². [`gravity_along`] expresses it in the
+    /// sensor's axes.
     pub gravity: Acceleration<Body>,
-    /// N.
+    /// Force, N; sense as in [`WrenchSense`].
     pub force: Force<Body>,
-    /// N·m, about the sensor's origin.
+    /// Torque about the sensor's origin, N·m.
     pub torque: Torque<Body>,
 }
 
@@ -43,12 +44,12 @@ pub fn gravity_along(attitude: Attitude, gravity: Acceleration<Space>) -> Accele
     attitude.inverse() * gravity
 }
 
-/// Whose wrench it is.
+/// Sense of the measured wrench.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WrenchSense {
-    /// What the sensor does to the payload: at rest the force points up.
+    /// Wrench of the sensor on the payload: at rest the force points up.
     OnPayload,
-    /// What the payload does to the sensor: at rest the force points down, as a scale reads.
+    /// Wrench of the payload on the sensor: at rest the force points down, as on a scale.
     OnSensor,
 }
 
@@ -60,7 +61,7 @@ impl WrenchSense {
         }
     }
 
-    /// The other.
+    /// Returns the opposite sense.
     pub const fn other(self) -> Self {
         match self {
             Self::OnPayload => Self::OnSensor,
@@ -69,36 +70,37 @@ impl WrenchSense {
     }
 }
 
-/// Noise of the wrench: white, of mean zero but for the bias.
+/// White noise of the wrench, with zero mean apart from the bias.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(clippy::large_enum_variant, reason = "there is one of each log")]
 pub enum WrenchNoise {
-    /// Not known: one standard deviation of the forces and one of the torques, from second differences of what the model leaves. A model that is wrong in a
-    /// way that is smooth in time then still shows.
+    /// Noise estimated from second differences of the residuals: one standard deviation for forces
+    /// and one for torques. Model errors that are smooth in time remain detectable.
     Unknown,
     /// Standard deviations of each component.
     Deviations {
-        /// N
+        /// Force, N.
         force: f64,
-        /// N·m
+        /// Torque, N·m.
         torque: f64,
     },
-    /// Covariance of fx, fy, fz, τx, τy, τz.
+    /// Covariance of fx, fy, fz, τx, τy, τz, in N and N·m.
     Covariance([[f64; 6]; 6]),
 }
 
-/// Standard deviations of each component of the motion, which is measured too. Zero, the default, is a motion that is known.
+/// Standard deviations of each component of the measured motion. Zero, the default, means an exact
+/// motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MotionNoise {
-    /// rad/s
+    /// Angular velocity, rad/s.
     pub omega: f64,
-    /// rad/s²
+    /// Angular acceleration, rad/s².
     pub alpha: f64,
-    /// Of the acceleration less gravity, m/s².
+    /// Acceleration minus gravity, m/s².
     pub acceleration: f64,
 }
 
-/// A log of wrenches and motion that can be used, and what is known of it.
+/// Checked log of wrenches and motion, with its noise and options.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PayloadLog {
     rows: Vec<PayloadRow>,
@@ -110,11 +112,12 @@ pub struct PayloadLog {
 }
 
 impl PayloadLog {
-    /// Rows in the order of time, without bias; the noise of the wrench unknown, that of the motion zero.
+    /// Creates a log from rows in order of time, with no bias, unknown wrench noise and exact
+    /// motion.
     ///
     /// # Errors
-    /// Where a number is not finite or times do not ascend.
-    /// [`IdentifyError::AllZero`] where all forces, or all torques, are zero.
+    /// [`IdentifyError::Value`] for numbers that are not finite or times that do not ascend.
+    /// [`IdentifyError::AllZero`] if all forces, or all torques, are zero.
     pub fn new(rows: Vec<PayloadRow>, sense: WrenchSense) -> Result<Self, IdentifyError> {
         let mut before = f64::NEG_INFINITY;
         for row in &rows {
@@ -133,7 +136,7 @@ impl PayloadLog {
             IdentifyError::require("a time", row.time, row.time > before, "finite and after the one before")?;
             before = row.time;
         }
-        // A connected sensor has noise: zeros are columns that nothing wrote.
+        // A connected sensor has noise, so zeros mean an empty column.
         let zero = |of: fn(&PayloadRow) -> [f64; 3]| rows.iter().all(|row| of(row) == [0.0; 3]);
         if !rows.is_empty() && zero(|row| row.force.to_array()) {
             return Err(IdentifyError::AllZero { what: "force" });
@@ -151,24 +154,26 @@ impl PayloadLog {
         })
     }
 
-    /// The sensor reads a constant wrench besides, which is to be found.
+    /// Adds a constant wrench bias of the sensor to the estimated parameters.
     #[must_use]
     pub const fn with_bias(mut self) -> Self {
         self.has_bias = true;
         self
     }
 
-    /// The payload is known to be of this kind, a sheet or a thin bar. Errors are those of such a body.
+    /// Constrains the payload to this kind, such as a sheet or a thin bar. Errors are those of such
+    /// a body.
     #[must_use]
     pub const fn with_kind(mut self, kind: EdgeKind) -> Self {
         self.kind = Some(kind);
         self
     }
 
-    /// The noise of the wrench is known.
+    /// Sets the noise of the wrench.
     ///
     /// # Errors
-    /// Where a standard deviation is not positive, or the covariance not symmetric and positive definite.
+    /// [`IdentifyError::Value`] for a standard deviation that is not positive, or a covariance that
+    /// is not symmetric and positive definite.
     pub fn with_noise(mut self, noise: WrenchNoise) -> Result<Self, IdentifyError> {
         match noise {
             WrenchNoise::Unknown => {}
@@ -198,10 +203,10 @@ impl PayloadLog {
         Ok(self)
     }
 
-    /// The motion is measured, with noise.
+    /// Sets the noise of the measured motion.
     ///
     /// # Errors
-    /// Where a standard deviation is negative.
+    /// [`IdentifyError::Value`] for a negative standard deviation.
     pub fn with_motion_noise(mut self, noise: MotionNoise) -> Result<Self, IdentifyError> {
         for (what, sd) in [
             ("the noise of an angular velocity", noise.omega),
@@ -214,17 +219,17 @@ impl PayloadLog {
         Ok(self)
     }
 
-    /// As they were given.
+    /// Returns the rows as passed to [`PayloadLog::new`].
     pub fn rows(&self) -> &[PayloadRow] {
         &self.rows
     }
 
-    /// How many numbers are to be found.
+    /// Returns the number of estimated parameters.
     pub(super) const fn unknowns(&self) -> usize {
         if self.has_bias { 16 } else { 10 }
     }
 
-    /// Of ω, α and a − g.
+    /// Returns the standard deviations of ω, α and a − g.
     pub(super) fn motion_deviations(&self) -> [f64; 9] {
         let MotionNoise { omega, alpha, acceleration } = self.motion_noise;
         [omega, omega, omega, alpha, alpha, alpha, acceleration, acceleration, acceleration]
@@ -243,7 +248,7 @@ impl PayloadRow {
     }
 }
 
-/// A diagonal covariance.
+/// Returns the diagonal covariance of these standard deviations.
 pub(super) fn diagonal(force: f64, torque: f64) -> Matrix6 {
     let mut c = [[0.0; 6]; 6];
     for (k, row) in c.iter_mut().enumerate() {

@@ -1,4 +1,4 @@
-//! Mistakes in a log, tried.
+//! Test of typical mistakes in a log.
 
 use nalgebra::DMatrix;
 
@@ -20,16 +20,18 @@ const ALL: [Mistake; 9] = [
     Mistake::TorqueInCentimetres,
     Mistake::TorqueInMillimetres,
 ];
-/// How much smaller χ² has to be: half, if noise is left; else it may be anything that moves the wrench, and a mistake leaves far less.
+/// Ratio of χ² that proves a mistake. The first holds if about noise remains. Otherwise many
+/// changes lower χ², but correcting a mistake lowers it far more, so the last holds.
 const BETTER: f64 = 0.5;
 const NOISE: f64 = 2.0;
 const FAR_BETTER: f64 = 1e-3;
-/// What may be left of the square of a torque in another unit: over 1000 it is small whatever is wrong, and so is what is left of it.
+/// Upper bound on the unexplained share of the squared torque, for a change of its unit. Division
+/// by 1000 makes any torque and its residual small.
 const EXPLAINED: f64 = 0.1;
-/// Rows that are tried.
+/// Maximum number of rows used in the tests.
 const TRIED: usize = 1000;
 
-/// The mistake that explains the wrench best, if it does so much better.
+/// Returns the mistake whose correction explains the wrench best, if χ² falls enough.
 pub(super) fn likeliest(log: &PayloadLog, noise: &Matrix6, weights: &[f64]) -> Option<PayloadFinding> {
     let as_given = fit(log, noise, weights, None)?.chi_square;
     let tried = ALL.into_iter().filter_map(|mistake| {
@@ -43,12 +45,12 @@ pub(super) fn likeliest(log: &PayloadLog, noise: &Matrix6, weights: &[f64]) -> O
     (undone < better * as_given).then_some(PayloadFinding::Likely { mistake, as_given, undone })
 }
 
-/// Unconstrained least squares.
+/// Unconstrained least-squares fit.
 struct Fit {
     mass: f64,
-    /// By degrees of freedom.
+    /// Reduced χ².
     chi_square: f64,
-    /// What is left of the torques, over them: squares.
+    /// Unexplained share of the squared torque.
     torque_left: f64,
 }
 
@@ -85,7 +87,7 @@ fn fit(log: &PayloadLog, noise: &Matrix6, weights: &[f64], mistake: Option<Mista
 }
 
 fn undo(mistake: Mistake, a: [f64; 3], g: [f64; 3], motion: &mut Motion, wrench: &mut Vector6) {
-    /// m/s²
+    /// Standard gravity, m/s².
     const G: f64 = 9.806_65;
     let degrees = core::f64::consts::PI / 180.0;
     let m = &mut motion.0;

@@ -1,35 +1,46 @@
-//! What a force–torque sensor carries: mass, centre and tensor from wrench and motion.
+//! Payload of a force–torque sensor: mass, centre and tensor from wrench and motion.
 //!
 //! # Model
 //!
-//! About the sensor's origin and along its axes, which are the payload's body axes, with ω, α = ω̇, the acceleration a of the origin, gravity g, and
+//! All quantities are about the sensor's origin and along its axes, which are the payload's body
+//! axes. The motion is given by ω, α = ω̇, the acceleration a of the origin, and gravity g. The
+//! parameters are
 //!
 //! - m, mass, kg
-//! - h = m c, the moment of mass, kg·m; c is the centre of mass from the sensor's origin
-//! - I, the tensor about the sensor's origin, kg·m²
-//! - b, the sensor's bias, if it is to be found
+//! - h = m c, first moment of mass, kg·m; c is the centre of mass from the sensor's origin
+//! - I, inertia tensor about the sensor's origin, kg·m²
+//! - b, bias of the sensor, if estimated
 //!
-//! the wrench on the payload is f = m (a − g) + α × h + ω × (ω × h), N, and τ = h × (a − g) + I α + ω × I ω, N·m: linear in ten numbers. The sensor reads
-//! it, or what is opposite ([`WrenchSense`]), and b.
+//! The wrench on the payload is f = m (a − g) + α × h + ω × (ω × h), N, and τ = h × (a − g) + I α +
+//! ω × I ω, N·m. It is linear in ten parameters. The sensor reads this wrench or its opposite
+//! ([`WrenchSense`]), plus b.
 //!
 //! # Method
 //!
-//! Least squares in standard deviations of the noise, with these numbers confined to those of possible bodies: m > 0, and second moments about the centre that
-//! are positive semidefinite. That is a convex problem with one answer, which an interior-point method finds. Noise of the measured motion, if it is
-//! declared ([`MotionNoise`]), is taken from the likeliest motion, found together with the numbers, so it does not draw them to zero. Wrenches that are far off
-//! are left out, and listed.
+//! The method is weighted least squares, constrained to physically consistent bodies: m > 0, and
+//! positive semidefinite second moments about the centre. This convex problem has one solution,
+//! which an interior-point method finds.
 //!
-//! Motion has to come with its derivatives: rows without ω, α or a do not exist. Who has attitudes and positions alone has to differentiate them, and
-//! declares the noise that this leaves.
+//! If noise of the measured motion is declared ([`MotionNoise`]), the most likely motion is
+//! estimated together with the parameters. This avoids the bias towards zero. Outliers among the
+//! wrenches are left out and listed.
 //!
-//! # What comes out
+//! Rows must contain ω, α and a. Users with attitudes and positions only must differentiate them,
+//! and declare the resulting noise.
 //!
-//! [`Payload`] has the numbers with their covariance. What the motion does not determine is in [`Estimate::unknown`](crate::Estimate::unknown), and numbers that
-//! change along it have no standard deviation; their values are those of the least body that explains the wrench. The same goes for directions in which all that
-//! moves is the noise of the motion. Plates and rods are at the edge of what is
-//! possible: [`Edge`] says so, with the errors of what moves along the edge and a bound for what is across; who knows that it is a plate or a rod says so
-//! ([`PayloadLog::with_kind`]). A wrong model widens all errors,
-//! and shows in [`Payload::tests`]; the commonest mistakes are tried and named ([`PayloadFinding`]).
+//! # Result
+//!
+//! [`Payload`] has the parameters with their covariance.
+//! [`Estimate::unknown`](crate::Estimate::unknown) lists the directions that the motion does not
+//! determine, or in which it contains only noise. Parameters that change along them have no
+//! standard deviation; their values are those of the smallest body that explains the wrench.
+//!
+//! Plates and rods lie on the boundary of physical consistency. [`Edge`] reports this, with the
+//! errors along the boundary and an upper bound across it. A payload known to be a plate or a rod
+//! can be declared as such ([`PayloadLog::with_kind`]).
+//!
+//! A wrong model widens all errors and is visible in [`Payload::tests`]. Typical mistakes are
+//! tested and named ([`PayloadFinding`]).
 //!
 //! ```
 //! use polhode::math::{Acceleration, AngularAcceleration, AngularVelocity, Force, Torque};
@@ -61,8 +72,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Sources: C. G. Atkeson, C. H. An, J. M. Hollerbach, Int. J. Robot. Res. 5 (1986) 101, for the model; P. M. Wensing, S. Kim, J.-J. E. Slotine, IEEE Robot.
-//! Autom. Lett. 3 (2018) 60, for what is possible; C. Rucker, P. M. Wensing, IEEE Robot. Autom. Lett. 7 (2022) 2747, for coordinates of the same set.
+//! Sources: C. G. Atkeson, C. H. An, J. M. Hollerbach, Int. J. Robot. Res. 5 (1986) 101 (model); P.
+//! M. Wensing, S. Kim, J.-J. E. Slotine, IEEE Robot. Autom. Lett. 3 (2018) 60 (physical
+//! consistency); C. Rucker, P. M. Wensing, IEEE Robot. Autom. Lett. 7 (2022) 2747 (coordinates of
+//! the same set).
 
 mod about;
 mod answer;

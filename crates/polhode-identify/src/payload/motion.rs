@@ -1,19 +1,20 @@
-//! Newton's and Euler's equations about the sensor's origin.
+//! Newton–Euler equations about the sensor's origin.
 //!
-//! With s = a − g, h = m c and the tensor I about the origin
+//! With s = a − g, h = m c and the tensor I about the origin,
 //!
 //! f = m s + α × h + ω × (ω × h),  τ = h × s + I α + ω × I ω
 //!
-//! is linear in m, h and I. Source: C. G. Atkeson, C. H. An, J. M. Hollerbach, Int. J. Robot. Res. 5 (1986) 101, eqs. 4–9.
+//! is linear in m, h and I. Source: C. G. Atkeson, C. H. An, J. M. Hollerbach, Int. J. Robot. Res.
+//! 5 (1986) 101, eqs. 4–9.
 
 use super::small::{Vector6, cross, dot};
 use crate::six::PLACES;
 
-/// ω, α and a − g at one time.
+/// Motion at one time: ω, α and a − g.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Motion(pub(super) [f64; 9]);
 
-/// Derivatives of the wrench by the numbers: m, m c, Ixx, Iyy, Izz, Ixy, Ixz, Iyz.
+/// Derivatives of the wrench by the parameters m, m c, Ixx, Iyy, Izz, Ixy, Ixz, Iyz.
 pub(super) type Regressor = [[f64; 10]; 6];
 
 const UNITS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -24,7 +25,8 @@ impl Motion {
         [[m[0], m[1], m[2]], [m[3], m[4], m[5]], [m[6], m[7], m[8]]]
     }
 
-    /// The wrench on the payload of each number alone.
+    /// Returns the regressor: column k is the wrench on the payload for parameter k = 1 and all
+    /// others 0.
     pub(super) fn regressor(&self) -> Regressor {
         let [w, a, s] = self.parts();
         let mut all = [[0.0; 10]; 6];
@@ -48,12 +50,12 @@ impl Motion {
         all
     }
 
-    /// Moved along a direction.
+    /// Returns the motion plus a multiple of a direction.
     pub(super) fn moved(&self, direction: &[f64; 9], by: f64) -> Self {
         Self(core::array::from_fn(|k| self.0[k] + by * direction[k]))
     }
 
-    /// Derivative of the wrench on the payload by ω, α and a − g.
+    /// Returns the derivative of the wrench on the payload by ω, α and a − g.
     pub(super) fn jacobian(&self, numbers: &[f64]) -> [[f64; 9]; 6] {
         let [w, ..] = self.parts();
         let m = numbers[0];
@@ -86,12 +88,12 @@ impl Motion {
     }
 }
 
-/// What a regressor makes of numbers.
+/// Returns the wrench of a regressor and parameters.
 pub(super) fn wrench_of(regressor: &Regressor, numbers: &[f64]) -> Vector6 {
     regressor.map(|row| dot(&row, numbers))
 }
 
-/// E v, where E has ones at an element of the tensor.
+/// Returns E v, where E has ones at one element of the tensor and its transpose.
 fn element_times(k: usize, v: [f64; 3]) -> [f64; 3] {
     let (i, j) = PLACES[k];
     let mut product = [0.0; 3];
@@ -143,7 +145,7 @@ mod tests {
             let there = wrench_of(&MOTION.moved(&direction, 0.5).regressor(), &NUMBERS);
             let back = wrench_of(&MOTION.moved(&direction, -0.5).regressor(), &NUMBERS);
             for i in 0..6 {
-                // exact, as the wrench is of second degree
+                // Exact, because the wrench is quadratic in the motion.
                 assert!((there[i] - back[i] - jacobian[i][k]).abs() < 1e-13);
             }
         }

@@ -1,4 +1,4 @@
-//! The motion of the wrist that would help most.
+//! Choice of the most useful next motion of the wrist.
 
 use nalgebra::DMatrix;
 use polhode::math::{Acceleration, AngularAcceleration, AngularVelocity, Force, Torque};
@@ -14,38 +14,41 @@ use crate::knowledge::BodyUnits;
 use crate::next::{Comparison, NextExperiment};
 use crate::residuals::ResidualTest;
 
-/// A motion that could be made next, in as many rows as the log has.
+/// Possible next motion, with as many rows as the log.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NextMotion {
-    /// At rest.
+    /// Rest in one orientation.
     Rest {
-        /// Where gravity points, along the sensor's axes.
+        /// Direction of gravity, a unit vector along the sensor's axes.
         down: [f64; 3],
     },
-    /// To and fro about an axis through the sensor's origin, which stays in its place: the angle is amplitude × sin(rate × t).
+    /// Oscillation about an axis through the sensor's origin, which is at rest. The angle is
+    /// amplitude × sin(rate × t).
     Turn {
-        /// Along the sensor's axes, of length 1.
+        /// Axis of rotation, a unit vector along the sensor's axes.
         axis: [f64; 3],
-        /// Where gravity points in the middle of the swing.
+        /// Direction of gravity at zero angle.
         down: [f64; 3],
-        /// rad
+        /// Amplitude, rad.
         amplitude: f64,
-        /// rad/s
+        /// Angular frequency, rad/s.
         rate: f64,
     },
 }
 
-/// Rows of a motion that are computed, at even phases; they count as often as there are rows in the log.
+/// Number of rows that are computed per motion, at equal phases. Their weight represents the number
+/// of rows in the log.
 const ROWS: usize = 96;
-/// The widest swing of a wrist, rad.
+/// Upper bound on the amplitude of a wrist, rad.
 const WIDEST: f64 = core::f64::consts::FRAC_PI_2;
-/// Of a log without rotation: 45° to and fro in 2 s.
+/// Amplitude and rate for a log without rotation: ±45°, period 2 s.
 const AT_REST: [f64; 2] = [core::f64::consts::FRAC_PI_4, core::f64::consts::PI];
-/// Rates below this are none, rad/s.
+/// Threshold below which rates are zero, rad/s or rad/s².
 const STILL: f64 = 1e-6;
 
-/// Motions that could be made next, best first: with the root mean squares of ω and dω/dt of the log, its gravity and its noise. Noise of the motion counts in
-/// the weights of rows only. `None` of a point, which has no moments to compare.
+/// Ranks possible next motions, best first. They have the root mean square ω and dω/dt, the gravity
+/// and the noise of the log. Noise of the motion affects only the weights of rows. `None` for a
+/// point mass, which has no moments.
 pub fn next_motion(
     log: &PayloadLog,
     found: &Payload,
@@ -62,7 +65,8 @@ pub fn next_motion(
     Ok(Some(next.finish()?))
 }
 
-/// Six ways to be at rest, and turns about nine axes, each level and upright.
+/// Returns six orientations at rest, and oscillations about nine axes, each with the axis level and
+/// upright.
 fn candidates(log: &PayloadLog) -> Vec<NextMotion> {
     let [amplitude, rate] = swing(log);
     let units = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -82,7 +86,8 @@ fn candidates(log: &PayloadLog) -> Vec<NextMotion> {
     all
 }
 
-/// Amplitude and rate of a swing with the root mean squares of the log: ω = a ν/√2, dω/dt = a ν²/√2.
+/// Returns the amplitude a and rate ν of an oscillation with the root mean squares of the log: ω =
+/// a ν/√2, dω/dt = a ν²/√2.
 fn swing(log: &PayloadLog) -> [f64; 2] {
     let count = log.rows().len() as f64;
     let mean = |square: fn(&PayloadRow) -> f64| (log.rows().iter().map(square).sum::<f64>() / count).sqrt();
@@ -97,13 +102,14 @@ fn swing(log: &PayloadLog) -> [f64; 2] {
 }
 
 impl NextMotion {
-    /// ω, rad/s, α, rad/s², and gravity of this size, m/s², along the sensor's axes, at a time in s.
+    /// Returns ω, rad/s, α, rad/s², and gravity of magnitude `gravity`, m/s², along the sensor's
+    /// axes, at a time in s.
     pub fn at(self, time: f64, gravity: f64) -> [[f64; 3]; 3] {
         match self {
             Self::Rest { down } => [[0.0; 3], [0.0; 3], down.map(|x| gravity * x)],
             Self::Turn { axis, down, amplitude, rate } => {
                 let (sin, cos) = libm::sincos(rate * time);
-                // what is fixed in space turns back as the sensor turns: Rodrigues
+                // Space-fixed vectors rotate backwards in the sensor's axes (Rodrigues' formula).
                 let (s, c) = libm::sincos(-amplitude * sin);
                 let (along, across) = (dot(&axis, &down), cross(axis, down));
                 let seen = |i: usize| c * down[i] + s * across[i] + (1.0 - c) * along * axis[i];
@@ -117,7 +123,7 @@ impl NextMotion {
     }
 }
 
-/// A log of the motion, with the wrenches that are predicted, and by how many rows each of its rows counts.
+/// Returns a log of the motion with predicted wrenches, and the weight of each of its rows.
 fn simulated(
     log: &PayloadLog,
     numbers: &[f64],
@@ -186,7 +192,7 @@ mod tests {
         for time in [0.13, 0.6, 1.3] {
             let [omega, alpha, g] = turn.at(time, 9.81);
             let [[w0, _, g0], [w1, _, g1]] = [time - h, time + h].map(|time| turn.at(time, 9.81));
-            // dg/dt = −ω × g along axes that turn
+            // In rotating axes dg/dt = −ω × g.
             let change = cross(omega, g);
             for i in 0..3 {
                 assert!(((g1[i] - g0[i]) / (2.0 * h) + change[i]).abs() < 1e-7);

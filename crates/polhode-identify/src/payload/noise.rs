@@ -1,19 +1,22 @@
-//! The noise of the wrench, from what the model leaves.
+//! Noise of the wrench, estimated from the residuals.
 
 use super::outliers::median;
 use super::small::Vector6;
 
-/// Median of |x|, in standard deviations of x.
+/// Median of |x| for normal x, in standard deviations.
 const MEDIAN: f64 = 0.6745;
-/// How far a difference is an outlier, in standard deviations.
+/// Outlier threshold of differences, standard deviations.
 const FAR: f64 = 5.0;
 
-/// What is left of the variance at least, where the motion seems to bring all of it.
+/// Lower bound on the variance after subtraction of the motion's part, relative to the total.
 const LEAST: f64 = 0.02;
 
-/// Standard deviation of three channels from first on, from second differences of rows that count: (x₀ − 2 x₁ + x₂)/√6 has that of white x, and nothing of
-/// what is smooth. Less the variance that the measured motion brings. `found` is how much of the sum of their squares
-/// went with the numbers that were found, in variances: of a smooth motion next to nothing.
+/// Estimates the standard deviation of the three channels from `first` on.
+///
+/// It uses second differences (x₀ − 2 x₁ + x₂)/√6 of rows with positive weight. They have the
+/// variance of white x and suppress smooth signals. `propagated` is the variance caused by the
+/// measured motion, which is subtracted. `found` is the effective number of parameters fitted to
+/// the differences, nearly 0 for a smooth motion.
 pub(super) fn from_differences(
     left: &[Vector6],
     weights: &[f64],
@@ -35,7 +38,8 @@ pub(super) fn from_differences(
     (variance - propagated).max(LEAST * variance).sqrt()
 }
 
-/// Of the variance that second differences of so many rows show: of the differences, 1 + 2 (4² + 1²)/6² are one, as they share readings.
+/// Returns the degrees of freedom of the variance from second differences of this many rows.
+/// Differences share readings, so 1 + 2 (4² + 1²)/6² of them count as one.
 pub(super) fn degrees_of_freedom(rows: usize) -> f64 {
     3.0 * (rows.saturating_sub(2) as f64) / (1.0 + 34.0 / 36.0)
 }

@@ -1,22 +1,22 @@
-//! Wrenches that are far off: damped until the numbers have settled, then left out.
+//! Outliers among wrenches: down-weighted until the parameters converge, then left out.
 
 use super::small::{Vector6, dot};
 
-/// A wrench that was left out.
+/// Wrench that was left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeftOut {
-    /// Its row, from 0.
+    /// Index of the row, from 0.
     pub row: usize,
     /// Root mean square of its six residuals, in standard deviations.
     pub size: f64,
 }
 
-/// Which rows count, as passes go by.
+/// Weighting of rows over the passes.
 pub(super) struct Outliers {
     phase: Phase,
-    /// Whether the last pass changed which rows count.
+    /// True if the last pass changed the set of used rows.
     pub(super) changed: bool,
-    /// So many were far off that none was left out.
+    /// Number of outliers, if it was too large and none was left out.
     pub(super) too_many: Option<usize>,
 }
 
@@ -27,13 +27,14 @@ enum Phase {
     Settled,
 }
 
-/// Root mean square of six residuals: beyond this one row of three million.
+/// Outlier threshold on the root mean square of six residuals; by chance exceeded by one row in
+/// three million.
 const LIMIT: f64 = 2.7;
-/// Where damping begins.
+/// Threshold of full weight while outliers are down-weighted.
 const DAMPED: f64 = 1.5;
-/// √(median of χ² of 6 degrees of freedom, by 6).
+/// Median of √(χ²/6) with 6 degrees of freedom.
 const MEDIAN: f64 = 0.944;
-/// Passes in which rows are damped, and in which the choice may change.
+/// Number of passes with down-weighting, and of passes in which the set of used rows may change.
 const DAMPED_PASSES: usize = 8;
 const CUT_PASSES: usize = 6;
 
@@ -42,10 +43,10 @@ impl Outliers {
         Self { phase: Phase::Kept, changed: false, too_many: None }
     }
 
-    /// Weights of rows by their residuals at numbers that fit.
+    /// Sets the weights of rows from their residuals.
     pub(super) fn weigh(&mut self, residuals: &[Vector6], weights: &mut [f64]) {
         let sizes: Vec<f64> = residuals.iter().map(size).collect();
-        // where most rows are far off the noise is larger than it is said to be, or the model is wrong
+        // If most rows have large residuals, the noise is larger than stated or the model is wrong.
         let scale = (median(&sizes) / MEDIAN).max(1.0);
         let far = sizes.iter().filter(|&&s| s > LIMIT * scale).count();
         self.changed = false;
@@ -82,7 +83,7 @@ impl Outliers {
     }
 }
 
-/// Root mean square.
+/// Returns the root mean square of the six residuals.
 pub(super) fn size(residual: &Vector6) -> f64 {
     (dot(residual, residual) / 6.0).sqrt()
 }

@@ -1,15 +1,19 @@
-//! The least sum of squares among possible bodies: a convex problem, solved by an interior-point method.
+//! Least squares constrained to physically consistent bodies: a convex problem, solved by an
+//! interior-point method.
 //!
-//! Numbers p = (m, h = m c, I about the origin, …) are those of a possible body if and only if the pseudo-inertia
+//! Parameters p = (m, h = m c, I about the origin, …) are physically consistent if and only if the
+//! pseudo-inertia
 //!
 //! P(p) = ((m, hᵀ), (h, Σ)),  Σ = ½ tr(I) 1 − I
 //!
-//! is positive semidefinite. For μ → 0 the method follows the least ½‖z − R δ‖² − μ ln det P(p + δ), which is within 4 μ of the least possible. With
-//! P = L Lᵀ and A_j = L⁻¹ (∂P/∂p_j) L⁻ᵀ, Newton's step is that of least squares: ‖z − R δ‖² + μ ‖A δ − 1‖², so nothing is squared, and it depends on
-//! no unit. Unlike coordinates of P's factor it has one minimum, also where that is a lamina or a rod.
+//! is positive semidefinite. For μ → 0 the method follows the minimum of ½‖z − R δ‖² − μ ln det P(p
+//! + δ), which is within 4 μ of the constrained minimum. With P = L Lᵀ and A_j = L⁻¹ (∂P/∂p_j) L⁻ᵀ,
+//! the Newton step minimizes ‖z − R δ‖² + μ ‖A δ − 1‖². This least-squares form does not square the
+//! condition number, and it does not depend on units. Unlike in coordinates of a factor of P, there
+//! is a single minimum, even if it is a lamina or a rod.
 //!
-//! Source: P. M. Wensing, S. Kim, J.-J. E. Slotine, IEEE Robot. Autom. Lett. 3 (2018) 60, for P; S. Boyd, L. Vandenberghe, *Convex Optimization* (2004),
-//! § 11.3.
+//! Sources: P. M. Wensing, S. Kim, J.-J. E. Slotine, IEEE Robot. Autom. Lett. 3 (2018) 60, for P;
+//! S. Boyd, L. Vandenberghe, *Convex Optimization* (2004), § 11.3.
 
 use nalgebra::{DMatrix, DVector};
 use polhode::math::symmetric_eigen;
@@ -19,27 +23,29 @@ use crate::decomposition::qr;
 use crate::error::IdentifyError;
 use crate::six::{PLACES, of_eigen, tensor_of};
 
-/// The least ½χ² is found to within four times this, relative to 1 + ½χ².
+/// Final barrier parameter μ, relative to 1 + ½χ². The minimum of ½χ² is accurate to four times
+/// this.
 const LEAST_MU: f64 = 1e-10;
-/// From one μ to the next.
+/// Reduction factor of μ.
 const FALL: f64 = 0.1;
-/// Steps at most.
+/// Maximum number of Newton steps.
 const MOST_STEPS: usize = 1000;
 
 type Matrix4 = [[f64; 4]; 4];
 
-/// Whether P is positive definite.
+/// Returns true if P is positive definite.
 pub(super) fn is_possible(numbers: &[f64]) -> bool {
     cholesky(&pseudo_inertia(numbers)).is_some()
 }
 
-/// G = Σ − h hᵀ/m: second moments about the centre of mass, xx, yy, zz, xy, xz, yz.
+/// Returns the second moments G = Σ − h hᵀ/m about the centre of mass: xx, yy, zz, xy, xz, yz.
 pub(super) fn moments_about_center(numbers: &[f64]) -> [f64; 6] {
     let p = pseudo_inertia(numbers);
     PLACES.map(|(i, j)| p[1 + i][1 + j] - p[0][1 + i] * p[0][1 + j] / numbers[0])
 }
 
-/// Where ‖z − R (p − from)‖² is least among possible bodies. What is unknown, columns, is taken from the least such body: that of the least trace of P.
+/// Minimizes ‖z − R (p − from)‖² over physically consistent bodies. Along the unobservable
+/// directions (columns of `unknown`) it takes the body with the smallest trace of P.
 pub(super) fn least_squares(
     r: &DMatrix<f64>,
     z: &DVector<f64>,
@@ -64,7 +70,8 @@ pub(super) fn least_squares(
             Some(0.5 * rest(place).norm_squared() - 2.0 * mu * barrier + pull.dot(place))
         };
         let here = value(&place).ok_or_else(|| not_finite.clone())?;
-        // The function is self-concordant: shorter steps than 1/(1 + ν) are never needed, but for rounding.
+        // The function is self-concordant, so steps shorter than 1/(1 + ν) are necessary only
+        // because of rounding.
         let shortest = 0.25 / (1.0 + (step.decrement / mu).sqrt());
         let lowers = |taken: f64| {
             value(&(&place + &step.delta * taken))
@@ -90,11 +97,11 @@ pub(super) fn least_squares(
 
 struct Newton {
     delta: DVector<f64>,
-    /// Its square length in the norm of the second derivative: twice what the step is expected to bring.
+    /// Squared length in the norm of the second derivative: twice the predicted decrease.
     decrement: f64,
 }
 
-/// `None` where the equations are singular.
+/// Computes the Newton step; `None` if the equations are singular.
 fn newton(
     r: &DMatrix<f64>,
     z: &DVector<f64>,
@@ -123,7 +130,7 @@ fn newton(
     Ok(is_finite.then_some(Newton { delta, decrement }))
 }
 
-/// The gradient of a small multiple of tr P, along what is unknown alone.
+/// Returns the gradient of a small multiple of tr P, projected on the unobservable directions.
 fn pull(unknown: &DMatrix<f64>, n: usize) -> Result<DVector<f64>, IdentifyError> {
     let mut trace = DVector::zeros(n);
     trace[0] = 1.0;
@@ -136,10 +143,10 @@ fn pull(unknown: &DMatrix<f64>, n: usize) -> Result<DVector<f64>, IdentifyError>
     Ok(pull)
 }
 
-/// How much of the trace counts: what is unknown has no other cost.
+/// Weight of the trace. In unobservable directions there is no other cost.
 const SMALL: f64 = 1e-3;
 
-/// A possible body well inside, near numbers that may be impossible.
+/// Returns a strictly consistent body near parameters that may be inconsistent.
 fn inside(free: &DVector<f64>) -> DVector<f64> {
     let mut place = free.clone();
     let size = free.rows(0, 10).amax().max(f64::MIN_POSITIVE);
@@ -165,7 +172,7 @@ fn pseudo_inertia(numbers: &[f64]) -> Matrix4 {
     p
 }
 
-/// ∂P/∂p_j: rows, columns, values of what is not zero.
+/// Returns the nonzero elements of ∂P/∂p_j: row, column, value.
 fn elements(j: usize) -> impl Iterator<Item = (usize, usize, f64)> {
     let list: [Option<(usize, usize, f64)>; 3] = match j {
         0 => [Some((0, 0, 1.0)), None, None],
@@ -179,13 +186,14 @@ fn elements(j: usize) -> impl Iterator<Item = (usize, usize, f64)> {
     list.into_iter().flatten()
 }
 
-/// A_j = L⁻¹ (∂P/∂p_j) L⁻ᵀ as ten numbers with the same norm: the diagonal, then √2 times the rest.
+/// Returns A_j = L⁻¹ (∂P/∂p_j) L⁻ᵀ as ten elements with the same norm: the diagonal, then √2 times
+/// the upper triangle.
 fn scaled_element(l: &Matrix4, j: usize) -> [f64; 10] {
     let mut a = [[0.0; 4]; 4];
     for (row, column, value) in elements(j) {
         a[row][column] = value;
     }
-    // L⁻¹ from the left, then from the right by symmetry
+    // Multiply by L⁻¹ from the left, then by symmetry from the right.
     for _ in 0..2 {
         for i in 0..4 {
             let above = a;

@@ -1,11 +1,13 @@
-//! Rows of the wrench as a triangle, at numbers and motions that are improved pass by pass.
+//! Rows of the wrench as a triangle, for parameters and motions that are improved in every pass.
 //!
-//! Where the motion u = (ω, α, a − g) is measured with noise Σ, the regressor X(u) has noise too, and plain least squares is drawn to zero. The likeliest
-//! motion û is found with the numbers p: with J = ∂F/∂u and V the noise of the wrench,
+//! If the motion u = (ω, α, a − g) is measured with noise of covariance Σ, the regressor X(u) is
+//! noisy too, and plain least squares is biased towards zero. So the most likely motion û is
+//! estimated together with the parameters p. With J = ∂F/∂u and V the covariance of the wrench,
 //!
 //! V' = V + J Σ Jᵀ,  û = u + Σ Jᵀ V'⁻¹ (y − F(p, û) − J (u − û)),
 //!
-//! and the rows are X(û) for the response y − J (u − û), with noise V'. Where this has settled, p and û have the largest likelihood.
+//! and the rows are X(û) for the response y − J (u − û), with covariance V'. At convergence, p and
+//! û maximize the likelihood.
 //!
 //! Source: W. A. Fuller, *Measurement Error Models* (1987), § 3.2.
 
@@ -17,38 +19,39 @@ use super::small::{self, Matrix6, Vector6};
 use crate::error::IdentifyError;
 use crate::least_squares::{Rows, stacked};
 
-/// What is improved pass by pass.
+/// State that is improved in every pass.
 pub(super) struct Regression<'a> {
     log: &'a PayloadLog,
     deviations: [f64; 9],
     motions: Vec<Motion>,
-    /// Of each row.
+    /// Weight of each row.
     pub(super) weights: Vec<f64>,
 }
 
-/// The rows at some numbers.
+/// Rows at given parameters.
 pub(super) struct Pass {
-    /// Of the forces, and of what the torques say besides: derivatives by the numbers, and the residual.
+    /// Triangles of forces, and of torques given the forces: derivatives by the parameters, and the
+    /// residual.
     pub(super) force: DMatrix<f64>,
     pub(super) torque: DMatrix<f64>,
-    /// Of both together.
+    /// Triangle of forces and torques together.
     pub(super) triangle: DMatrix<f64>,
-    /// JᵀJ of second differences of force and of torque, if noise is to be found from them.
+    /// JᵀJ of second differences of force and of torque, if the noise is estimated from them.
     pub(super) differences: [DMatrix<f64>; 2],
-    /// In standard deviations, row by row.
+    /// Residuals in standard deviations, row by row.
     pub(super) residuals: Vec<Vector6>,
-    /// In N and N·m.
+    /// Residuals in N and N·m, row by row.
     pub(super) left: Vec<Vector6>,
-    /// Variance that the motion brings, on average: of a force, of a torque.
+    /// Mean variance caused by the motion: of a force, N², and of a torque, (N·m)².
     pub(super) propagated: [f64; 2],
 }
 
-/// A row, whitened by L.
+/// One row with its whitening factor L.
 struct Whitened {
     l: Matrix6,
     regressor: Regressor,
     jacobian: [[f64; 9]; 6],
-    /// y − J (u − û) − X(û) p
+    /// Residual y − J (u − û) − X(û) p.
     left: Vector6,
 }
 
@@ -66,12 +69,12 @@ impl<'a> Regression<'a> {
         self.deviations.iter().any(|&sd| sd > 0.0)
     }
 
-    /// From now on the motion has the noise that it is said to have.
+    /// Includes the stated noise of the motion from now on.
     pub(super) fn regard_motion_noise(&mut self) {
         self.deviations = self.log.motion_deviations();
     }
 
-    /// All rows. `judge` weighs them by their residuals.
+    /// Computes all rows. `judge` sets the weights from the residuals.
     pub(super) fn pass(
         &mut self,
         numbers: &[f64],
@@ -147,7 +150,7 @@ impl<'a> Regression<'a> {
         Ok(Whitened { l, regressor, jacobian, left })
     }
 
-    /// û at these numbers.
+    /// Updates the most likely motion û of a row for these parameters.
     fn improve_motion(&mut self, row: usize, numbers: &[f64], noise: &Matrix6) -> Result<(), IdentifyError> {
         let white = self.whitened(row, numbers, noise, noise)?;
         let pulled = small::backward(&white.l, small::forward(&white.l, white.left));
@@ -159,7 +162,8 @@ impl<'a> Regression<'a> {
         Ok(())
     }
 
-    /// Nᵀ N, N the rows that there would be if the motion were nothing but the noise that û still has. Of every row, or of some, then times as many.
+    /// Returns Nᵀ N, where N are the rows if the motion consisted only of the remaining noise of û.
+    /// A long log is sampled and the result scaled up.
     pub(super) fn noise_information(
         &self,
         numbers: &[f64],
@@ -173,7 +177,8 @@ impl<'a> Regression<'a> {
         for row in (0..count).step_by(stride).filter(|&row| self.weights[row] > 0.0) {
             let white = self.whitened(row, numbers, noise, &own)?;
             for direction in self.remaining(&white, &own) {
-                // half the difference over two steps: exact, as the wrench is of second degree
+                // Half the difference over two steps: exact, because the wrench is quadratic in the
+                // motion.
                 let there = self.motions[row].moved(&direction, 1.0).regressor();
                 let back = self.motions[row].moved(&direction, -1.0).regressor();
                 let columns: [Vector6; 10] = core::array::from_fn(|k| {
@@ -189,7 +194,8 @@ impl<'a> Regression<'a> {
         Ok(sum)
     }
 
-    /// A root of the covariance of û: with the gain K = Σ Jᵀ V'⁻¹ it is (1 − K J) Σ (1 − K J)ᵀ + K V Kᵀ.
+    /// Returns a factor of the covariance of û: (1 − K J) Σ (1 − K J)ᵀ + K V Kᵀ with the gain K = Σ
+    /// Jᵀ V'⁻¹.
     fn remaining(&self, white: &Whitened, own: &Matrix6) -> Vec<[f64; 9]> {
         let gain = |of: Vector6| -> [f64; 9] {
             let pulled = small::backward(&white.l, small::forward(&white.l, of));
@@ -214,7 +220,8 @@ impl<'a> Regression<'a> {
     }
 }
 
-/// Adds the rows of one wrench, those of the force and those of the torque: columns L⁻¹ X, with those of the bias.
+/// Adds the rows of one wrench to those of the force and of the torque: columns L⁻¹ X, and those of
+/// the bias.
 pub(super) fn push(
     log: &PayloadLog,
     l: &Matrix6,
@@ -240,11 +247,11 @@ pub(super) fn push(
     }
 }
 
-/// L of L Lᵀ.
+/// Returns the Cholesky factor L of a covariance L Lᵀ.
 fn cholesky(covariance: &Matrix6) -> Result<Matrix6, IdentifyError> {
     let quantity = "the Cholesky factor of the wrench's covariance";
     small::cholesky(covariance).ok_or(IdentifyError::NotFinite { quantity })
 }
 
-/// Rows that show how much noise the motion brings.
+/// Maximum number of rows sampled for the noise of the motion.
 const SAMPLED: usize = 200;

@@ -1,7 +1,8 @@
-//! Payloads that are known to be laminae, rods or points: least squares along the edge of what is possible.
+//! Payloads known to be laminae, rods or points: least squares along the boundary of physical
+//! consistency.
 //!
-//! With U of three rows and as many columns as there are directions with extent, Σ = U Uᵀ + m c cᵀ is every such body. U may be turned from the right
-//! without a change, so steps are those of least length.
+//! Let U have three rows and one column per direction with extent. Every such body has Σ = U Uᵀ + m
+//! c cᵀ. U and U Q give the same body for every rotation Q, so the minimum-norm step is taken.
 
 use nalgebra::{DMatrix, DVector};
 use polhode::math::symmetric_eigen;
@@ -12,18 +13,18 @@ use crate::decomposition::{Svd, svd};
 use crate::error::IdentifyError;
 use crate::six::PLACES;
 
-/// Steps at most.
+/// Maximum number of steps.
 const MOST_STEPS: usize = 100;
-/// A step that takes less than this from ½χ² is none.
+/// Convergence threshold: stop when a step lowers ½χ² by less than this, relative to 1 + ½χ².
 const NOTHING: f64 = 1e-12;
 
-/// m, c, the columns of U one after the other, and what else there is.
+/// Current point: m, c, the columns of U in order, and any further parameters.
 struct Place {
     extent: usize,
     numbers: DVector<f64>,
 }
 
-/// Where ‖z − R (p − from)‖² is least among bodies of a kind, from a possible body.
+/// Minimizes ‖z − R (p − from)‖² over bodies of a kind, from a physically consistent start.
 pub(super) fn least_squares(
     r: &DMatrix<f64>,
     z: &DVector<f64>,
@@ -57,7 +58,7 @@ pub(super) fn least_squares(
     Ok(place.physical())
 }
 
-/// δ of (JᵀJ + damping D²) δ = Jᵀ r, D the norms of columns.
+/// Solves (JᵀJ + damping D²) δ = Jᵀ r, where D has the norms of the columns.
 fn step(
     jacobian: &DMatrix<f64>,
     residual: &DVector<f64>,
@@ -87,7 +88,7 @@ impl Place {
         let (values, vectors) = symmetric_eigen(moments_about_center(physical.as_slice()));
         let mut numbers = vec![m, physical[1] / m, physical[2] / m, physical[3] / m];
         for k in 3 - extent..3 {
-            // none is zero to begin with, as no step would lead away from there
+            // Columns must not start at zero, because their derivatives vanish there.
             let size = values[k].max(1e-6 * values[2]).max(0.0).sqrt();
             numbers.extend(vectors[k].map(|v| size * v));
         }
@@ -103,7 +104,7 @@ impl Place {
         [0, 1, 2].map(|i| self.numbers[4 + 3 * k + i])
     }
 
-    /// m, m c, the tensor about the origin, …
+    /// Returns m, m c, the tensor about the origin, and any further parameters.
     fn physical(&self) -> DVector<f64> {
         let (m, c) = (self.numbers[0], self.center());
         let mut all = vec![m, m * c[0], m * c[1], m * c[2]];
@@ -144,7 +145,7 @@ impl Place {
     }
 }
 
-/// tr(G) 1 − G, G = ½ (a bᵀ + b aᵀ)
+/// Returns tr(G) 1 − G for G = ½ (a bᵀ + b aᵀ).
 fn tensor(a: [f64; 3], b: [f64; 3]) -> [f64; 6] {
     let dot: f64 = (0..3).map(|k| a[k] * b[k]).sum();
     PLACES.map(|(i, j)| if i == j { dot } else { 0.0 } - 0.5 * (a[i] * b[j] + a[j] * b[i]))

@@ -1,9 +1,9 @@
-//! Matrices of six rows, one for each time: on the stack.
+//! Small matrices on the stack, mostly with six rows.
 
 pub(super) type Vector6 = [f64; 6];
 pub(super) type Matrix6 = [[f64; 6]; 6];
 
-/// L of L Lᵀ: `None` of a matrix that is not positive definite.
+/// Returns the Cholesky factor L of L Lᵀ; `None` for a matrix that is not positive definite.
 pub(super) fn cholesky<const N: usize>(a: &[[f64; N]; N]) -> Option<[[f64; N]; N]> {
     let mut l = [[0.0; N]; N];
     for i in 0..N {
@@ -21,7 +21,7 @@ pub(super) fn cholesky<const N: usize>(a: &[[f64; N]; N]) -> Option<[[f64; N]; N
     Some(l)
 }
 
-/// The first pivot of an elimination that is not positive, or the last.
+/// Returns the first pivot that is not positive, or else the last pivot.
 pub(super) fn least_pivot(a: &Matrix6) -> f64 {
     let mut a = *a;
     for k in 0..6 {
@@ -37,7 +37,7 @@ pub(super) fn least_pivot(a: &Matrix6) -> f64 {
     a[5][5]
 }
 
-/// L⁻¹ b
+/// Returns L⁻¹ b.
 pub(super) fn forward(l: &Matrix6, mut b: Vector6) -> Vector6 {
     for i in 0..6 {
         let rest = b[i] - (0..i).map(|k| l[i][k] * b[k]).sum::<f64>();
@@ -46,7 +46,7 @@ pub(super) fn forward(l: &Matrix6, mut b: Vector6) -> Vector6 {
     b
 }
 
-/// L⁻ᵀ b
+/// Returns L⁻ᵀ b.
 pub(super) fn backward(l: &Matrix6, mut b: Vector6) -> Vector6 {
     for i in (0..6).rev() {
         let rest = b[i] - (i + 1..6).map(|k| l[k][i] * b[k]).sum::<f64>();
@@ -55,7 +55,7 @@ pub(super) fn backward(l: &Matrix6, mut b: Vector6) -> Vector6 {
     b
 }
 
-/// a × b
+/// Returns a × b.
 pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

@@ -1,44 +1,46 @@
-//! Flights in a long log: where the body turns, and nothing turns it.
+//! Detection of flights in a long log: intervals of fast rotation without external torque.
 //!
-//! While the body is free, I ω̇ + ω × I ω = 0 but for noise and air. A hand that throws or catches it makes this torque as large as I ω². So stretches in which
-//! the body turns fast give a first tensor, and with that the torque of every stretch of the log is looked at.
+//! In free motion I ω̇ + ω × I ω = 0, except for noise and air drag. A hand that throws or catches
+//! the body exerts a torque of the order of I ω². Intervals of fast rotation give a first tensor.
+//! With this tensor the torque of every interval of the log is computed.
 
 use super::first_guess::{Rates, cross_momentum, momentum, tensor};
 use super::flight::GyroReading;
 use super::range::GyroRange;
 use crate::error::IdentifyError;
 
-/// How flights are found.
+/// Options of the flight detection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlightSearch {
-    /// In flight the body turns at least so fast, rad/s.
+    /// Lower bound on the angular speed in flight, rad/s.
     pub slowest: f64,
-    /// A flight lasts at least so long, s.
+    /// Lower bound on the duration of a flight, s.
     pub shortest: f64,
-    /// In flight the torque is at most this part of |I ω²|.
+    /// Upper bound on the torque in flight, relative to the mean moment times ω².
     pub torque: f64,
-    /// The gyro's range; found from the readings if none is given.
+    /// Range of the gyro; estimated from the readings if `None`.
     pub gyro_range: Option<GyroRange>,
 }
 
 impl Default for FlightSearch {
-    /// 3 rad/s, 0.3 s, a fifth.
+    /// Returns the default: 3 rad/s, 0.3 s, torque ratio 0.2, range from the readings.
     fn default() -> Self {
         Self { slowest: 3.0, shortest: 0.3, torque: 0.2, gyro_range: None }
     }
 }
 
-/// Readings between which a torque is seen.
+/// Number of readings in an interval for the torque estimate.
 const STRETCH: usize = 5;
 
-/// The first and the last time of each flight in a log, s. Readings at a limit of the gyro end no flight; what turns the body then is not known.
+/// Returns the first and last time of each flight in a log, s. Readings at a limit of the gyro do
+/// not end a flight, although the torque is unknown there.
 pub fn find_flights(readings: &[GyroReading], search: &FlightSearch) -> Result<Vec<[f64; 2]>, IdentifyError> {
     let range = search.gyro_range.unwrap_or_else(|| GyroRange::shown_by(readings));
     let is_inside: Vec<bool> = readings.iter().map(|reading| range.holds(reading)).collect();
     let times: Vec<f64> = readings.iter().map(|r| r.time).collect();
     let omega: Vec<[f64; 3]> = readings.iter().map(|r| r.omega.to_array()).collect();
     let fast: Vec<bool> = readings.iter().map(|r| r.omega.norm() >= search.slowest).collect();
-    // The middle halves of what is fast are likely flights.
+    // The middle half of each fast interval is probably flight.
     let cores: Vec<Vec<Rates>> = runs(&fast, |k| gap(&times, k))
         .into_iter()
         .filter(|run| times[run.end - 1] - times[run.start] >= search.shortest)
@@ -77,8 +79,8 @@ pub fn find_flights(readings: &[GyroReading], search: &FlightSearch) -> Result<V
         .collect())
 }
 
-/// The tensor with which most of the cores are nearly free: of all of them first, then again and again of those half that are nearest to free, as hands turn
-/// the rest.
+/// Estimates the tensor for which most of the cores are nearly free. Starts from all cores, then
+/// iterates with the half that has the smallest torque, because hands turn the others.
 pub(super) fn tensor_of_most(mut cores: Vec<Vec<Rates>>) -> Result<[f64; 6], IdentifyError> {
     const ROUNDS: usize = 6;
     let mut found = tensor(&cores.concat())?;
@@ -99,12 +101,14 @@ fn mean_torque(tensor: &[f64; 6], core: &[Rates]) -> f64 {
     if count > 0.0 { sum / count } else { f64::INFINITY }
 }
 
-/// Whether the log has a gap before a reading: three times as long as the one before it, or more.
+/// Returns true if the time step before a reading is more than three times the previous step: a
+/// gap.
 fn gap(times: &[f64], k: usize) -> bool {
     k >= 2 && times[k] - times[k - 1] > 3.0 * (times[k - 1] - times[k - 2])
 }
 
-/// |I Δω/Δt + mean ω × I ω| over |I| mean ω², of a stretch.
+/// Returns the torque |I Δω/Δt + mean of ω × I ω| of an interval, divided by the mean moment times
+/// the mean of ω².
 fn torque(tensor: &[f64; 6], times: &[f64], omega: &[[f64; 3]]) -> f64 {
     let times_tensor =
         |rows: [[f64; 6]; 3]| rows.map(|row| row.iter().zip(tensor).map(|(a, b)| a * b).sum::<f64>());
@@ -128,8 +132,8 @@ fn torque(tensor: &[f64; 6], times: &[f64], omega: &[[f64; 3]]) -> f64 {
     if duration > 0.0 && square > 0.0 { size / (mean * square) } else { f64::INFINITY }
 }
 
-/// From when to when a flight is free, which it is in the middle: where the torque is at most a part of |I ω²|, beyond what noise of the readings makes.
-/// `None` if it is nowhere.
+/// Returns the interval in which a flight is free, s; `None` if it is free nowhere. The torque must
+/// be at most `limit` times the mean moment times ω², plus an allowance for noise.
 pub(super) fn free_span(rates: &Rates, tensor: &[f64; 6], limit: f64, noise: f64) -> Option<[f64; 2]> {
     let last = rates.times.len().checked_sub(STRETCH)?;
     let is_free = |k: usize| {
@@ -140,17 +144,18 @@ pub(super) fn free_span(rates: &Rates, tensor: &[f64; 6], limit: f64, noise: f64
     };
     let free: Vec<usize> = (0..=last).filter(|&k| is_free(k)).collect();
     let (first, last_free) = (*free.first()?, *free.last()?);
-    // A reading that is wrong is in as many stretches as a stretch has readings; half of the first free stretch may not be free.
+    // One wrong reading affects at most `STRETCH` intervals, so that few do not count. In the first
+    // free interval, the first half may still not be free.
     let half = STRETCH / 2;
     let begin = if first > STRETCH { first + half } else { 0 };
     let end = if last - last_free > STRETCH { last_free + STRETCH - half } else { rates.times.len() };
     Some([rates.times[begin], rates.times[end - 1]])
 }
 
-/// √6: two readings of three components each.
+/// Noise factor of the difference of two readings with three components each: √6.
 const NOISE_OF_ENDS: f64 = 2.449_489_742_783_178;
 
-/// Where something holds without a break.
+/// Returns the maximal index ranges without a break in which `holds` is true.
 fn runs(holds: &[bool], breaks_before: impl Fn(usize) -> bool) -> Vec<core::ops::Range<usize>> {
     let mut runs: Vec<core::ops::Range<usize>> = Vec::new();
     for (k, _) in holds.iter().enumerate().filter(|(_, holds)| **holds) {

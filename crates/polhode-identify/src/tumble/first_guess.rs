@@ -1,6 +1,7 @@
-//! A tensor to begin with, from Euler's equations in the mean over short stretches.
+//! Initial estimate of the tensor, from Euler's equations integrated over short intervals.
 //!
-//! I (ω(t₂) − ω(t₁)) + ∫ ω × I ω dt = 0 is linear in the six elements: the tensor, but for its scale, is the direction in which the sum of squares is least.
+//! I (ω(t₂) − ω(t₁)) + ∫ ω × I ω dt = 0 is linear in the six elements of I. Its least-squares
+//! solution determines the tensor up to scale.
 
 use nalgebra::{DMatrix, DVector};
 use polhode::math::{Body, Rotation};
@@ -10,20 +11,26 @@ use super::gap::gaps;
 use crate::decomposition::{Svd, lu, svd};
 use crate::error::IdentifyError;
 
-/// Readings in a stretch: the turn of a fast body in 50 ms, and more than the noise of two readings.
+/// Number of steps in an interval: enough for ω to change by more than the noise of two readings; a
+/// fast body turns noticeably in 50 ms.
 const STRETCH: usize = 5;
-/// How much the tensor of a sphere counts beside the measurements: what they do not say at all is taken from it.
+/// Weight of the regularization towards a sphere. It decides only where the measurements determine
+/// nothing.
 const SPHERE: f64 = 1e-4;
 
-/// The tensor of all flights. Where known tensors a and b are added to some, the scale s is that at which they agree:
-/// t J_b − s J_a = b − a, I = s J_a − a.
+/// Estimates the tensor of all flights.
+///
+/// If known tensors a and b are added in some flights, the scale s follows from agreement of both:
+/// t J_b − s J_a = b − a, I = s J_a − a. Here J_a and J_b are the tensors with the added body, up
+/// to scale.
 pub(crate) fn tensor_with_scale(flights: &[Flight]) -> Result<[f64; 6], IdentifyError> {
     let of = |wanted: &dyn Fn(&Flight) -> bool| {
         let wanted = flights.iter().filter(|flight| wanted(flight));
         tensor(&wanted.flat_map(|flight| Rates::of(flight).without_gaps()).collect::<Vec<_>>())
     };
     let added = || flights.iter().map(Flight::added);
-    // Flights without anything added are preferred: nothing is subtracted from their tensor.
+    // Flights without an added body are preferred, because nothing must be subtracted from their
+    // tensor.
     let a = added().find(|added| *added == [0.0; 6]).or_else(|| added().next()).unwrap_or_default();
     let Some(b) = added().find(|added| *added != a) else { return of(&|_| true) };
     let (of_a, of_b) = (of(&|flight| flight.added() == a)?, of(&|flight| flight.added() == b)?);
@@ -42,7 +49,7 @@ pub(crate) fn tensor_with_scale(flights: &[Flight]) -> Result<[f64; 6], Identify
     Ok(of_a.map(|element| element * size))
 }
 
-/// A of ω_gyro = A ω_tracked, by the rotation of least squares of the rates.
+/// Estimates the rotation A of ω_gyro = A ω_tracked by least squares.
 ///
 /// Source: Kabsch, Acta Cryst. A32 (1976) 922.
 pub(crate) fn tracked_axes(flights: &[Flight]) -> Result<Rotation<Body, Body>, IdentifyError> {
@@ -61,7 +68,7 @@ pub(crate) fn tracked_axes(flights: &[Flight]) -> Result<Rotation<Body, Body>, I
         .unwrap_or_else(|_| Rotation::identity()))
 }
 
-/// The tensor of least squares, of trace 3, not necessarily a possible one.
+/// Returns the least-squares tensor with trace 3, which need not be physically consistent.
 pub(super) fn tensor(flights: &[Rates]) -> Result<[f64; 6], IdentifyError> {
     let mut square = DMatrix::zeros(6, 6);
     for Rates { times, omega } in flights {
@@ -87,7 +94,7 @@ pub(super) fn tensor(flights: &[Rates]) -> Result<[f64; 6], IdentifyError> {
             square += rows.transpose() * rows;
         }
     }
-    // least squares of A (sphere + x), with x held at zero where A says nothing
+    // Least squares of A (sphere + x), regularized so that x = 0 where A determines nothing.
     let sphere = DVector::from_row_slice(&[1.0, 1.0, 1.0, 0.0, 0.0, 0.0]);
     let size = if square.trace() > 0.0 { square.trace() } else { 1.0 };
     let hold = SPHERE * size / 6.0;
@@ -100,7 +107,7 @@ pub(super) fn tensor(flights: &[Rates]) -> Result<[f64; 6], IdentifyError> {
     Ok(core::array::from_fn(|k| found[k] * scale))
 }
 
-/// Rates along the body's axes.
+/// Time series of angular velocity along body axes.
 #[derive(Clone)]
 pub(crate) struct Rates {
     pub(crate) times: Vec<f64>,
@@ -108,7 +115,7 @@ pub(crate) struct Rates {
 }
 
 impl Rates {
-    /// Of a gyro, or of attitudes where there is none.
+    /// Returns the rates of the gyro, or those of the attitudes if there is no gyro.
     pub(crate) fn of(flight: &Flight) -> Self {
         if !flight.gyro().is_empty() {
             return Self {
@@ -119,18 +126,18 @@ impl Rates {
         Self::of_attitudes(flight)
     }
 
-    /// A component.
+    /// Returns one component of the rates.
     pub(super) fn channel(&self, k: usize) -> Vec<f64> {
         self.omega.iter().map(|omega| omega[k]).collect()
     }
 
-    /// Its middle half.
+    /// Returns the middle half of the series.
     pub(super) fn middle(&self) -> Self {
         let quarter = self.times.len() / 4;
         self.part(quarter..self.times.len() - quarter)
     }
 
-    /// The parts between gaps, those that are too short for a stretch left out.
+    /// Returns the parts between gaps, without those too short for an interval.
     pub(super) fn without_gaps(&self) -> Vec<Self> {
         let mut from = 0;
         let mut parts = Vec::new();
@@ -147,7 +154,7 @@ impl Rates {
         Self { times: self.times[part.clone()].to_vec(), omega: self.omega[part].to_vec() }
     }
 
-    /// log(R₁ᵀR₂)/Δt half way between.
+    /// Computes rates from successive attitudes: log(R₁ᵀR₂)/Δt at the middle time.
     fn of_attitudes(flight: &Flight) -> Self {
         let pairs = flight.attitudes().windows(2);
         pairs.fold(Self { times: Vec::new(), omega: Vec::new() }, |mut rates, pair| {
@@ -159,7 +166,7 @@ impl Rates {
         })
     }
 
-    /// ω at a time: a straight line through the readings around it.
+    /// Returns ω at a time, by a line fitted to the three readings on each side.
     pub(crate) fn at(&self, time: f64) -> [f64; 3] {
         const AROUND: usize = 3;
         let next = self.times.partition_point(|&t| t < time);
@@ -180,12 +187,12 @@ fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     core::array::from_fn(|k| a[k] - b[k])
 }
 
-/// I ω as rows of what multiplies xx, yy, zz, xy, xz, yz.
+/// Returns I ω as rows of coefficients of xx, yy, zz, xy, xz, yz.
 pub(super) fn momentum([x, y, z]: [f64; 3]) -> [[f64; 6]; 3] {
     [[x, 0.0, 0.0, y, z, 0.0], [0.0, y, 0.0, x, 0.0, z], [0.0, 0.0, z, 0.0, x, y]]
 }
 
-/// ω × I ω
+/// Returns ω × I ω as rows of coefficients of xx, yy, zz, xy, xz, yz.
 pub(super) fn cross_momentum(omega: [f64; 3]) -> [[f64; 6]; 3] {
     let rows = momentum(omega);
     let [x, y, z] = omega;

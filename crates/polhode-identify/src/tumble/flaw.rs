@@ -1,31 +1,31 @@
-//! What may be wrong with readings of flights, though a body is found from the rest.
+//! Flaws in the readings of flights that do not prevent an estimate.
 
 use core::fmt;
 
 use super::range::Reached;
 
-/// Something that is wrong with the readings of flights.
+/// Flaw in the readings of flights.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Flaw {
-    /// The gyro's range ended: the readings there were not used.
+    /// Readings at the limit of the gyro's range, which were discarded.
     Saturated(Reached),
-    /// No readings for three times as long as usual, or more.
+    /// Gap in the readings, more than three times the usual step.
     Gap {
-        /// In which flight.
+        /// Name of the flight.
         flight: String,
-        /// The last reading before, s.
+        /// Time of the last reading before the gap, s.
         from: f64,
-        /// The first one after, s.
+        /// Time of the first reading after the gap, s.
         to: f64,
     },
-    /// A hand turns the body at the beginning or the end of a flight: it was thrown later, or caught before.
+    /// External torque at the beginning or end of a flight: it was thrown later, or caught earlier.
     Hand {
-        /// In which flight.
+        /// Name of the flight.
         flight: String,
-        /// From when to when nothing turns it, s.
+        /// Beginning and end of the torque-free interval, s.
         free: [f64; 2],
-        /// The first and the last reading, s.
+        /// Times of the first and last reading, s.
         given: [f64; 2],
     },
 }

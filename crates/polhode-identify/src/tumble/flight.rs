@@ -1,4 +1,4 @@
-//! What was measured of a body while nothing but itself turned it.
+//! Measurements of a body in free flight.
 
 use polhode::math::{AngularVelocity, Attitude, Body};
 use polhode::motion::Wheel;
@@ -6,7 +6,7 @@ use polhode::motion::torque::TorqueModel;
 
 use crate::error::IdentifyError;
 
-/// One flight of a body: a gyro's readings, or attitudes, or both, while it was free.
+/// Flight of a body: gyro readings, attitudes or both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flight {
     name: String,
@@ -17,40 +17,42 @@ pub struct Flight {
     torques: Vec<TorqueModel>,
 }
 
-/// A reading of a gyro.
+/// Reading of a gyro.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GyroReading {
-    /// s
+    /// Time, s.
     pub time: f64,
-    /// Along the sensor's axes, rad/s, as it was read.
+    /// Angular velocity along the sensor's axes, rad/s, as read.
     pub omega: AngularVelocity<Body>,
 }
 
-/// A measured attitude: of axes fixed in the body, in space.
+/// Measured attitude of body-fixed axes relative to space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AttitudeReading {
-    /// s
+    /// Time, s.
     pub time: f64,
-    /// From the axes of the body that are tracked to space.
+    /// Rotation from the tracked body axes to space.
     pub attitude: Attitude,
 }
 
-/// Readings that a flight needs at least: what it starts with takes three numbers.
+/// Minimum number of readings in a flight: its initial ω has three parameters.
 pub(crate) const LEAST_READINGS: usize = 4;
 
 impl Flight {
-    /// A flight by its gyro's readings, in the order of time.
+    /// Creates a flight from gyro readings in order of time.
     ///
     /// # Errors
-    /// [`IdentifyError::TooFew`] for fewer than four readings; [`IdentifyError::Value`] for times that do not ascend and numbers that are not finite.
+    /// [`IdentifyError::TooFew`] for fewer than four readings; [`IdentifyError::Value`] for times
+    /// that do not ascend and numbers that are not finite.
     pub fn of_gyro(name: impl Into<String>, gyro: Vec<GyroReading>) -> Result<Self, IdentifyError> {
         Self::new(name, gyro, Vec::new())
     }
 
-    /// A flight by a gyro's readings and by attitudes, each in the order of time; one of the two may be empty.
+    /// Creates a flight from gyro readings and attitudes, each in order of time; one of the two may
+    /// be empty.
     ///
     /// # Errors
-    /// As [`Flight::of_gyro`].
+    /// Same as [`Flight::of_gyro`].
     pub fn new(
         name: impl Into<String>,
         gyro: Vec<GyroReading>,
@@ -81,72 +83,76 @@ impl Flight {
         })
     }
 
-    /// The same flight of the body with something added whose tensor is known: Ixx, Iyy, Izz, Ixy, Ixz, Iyz by which the tensor about the common centre of mass is
-    /// greater, kg·m², along the sensor's axes. Flights with and without it say how large the moments are.
+    /// Returns the flight with an added body of known inertia.
+    ///
+    /// `added` is the increase Ixx, Iyy, Izz, Ixy, Ixz, Iyz of the tensor about the common centre
+    /// of mass, kg·m², along the sensor's axes. Flights with and without the added body determine
+    /// the size of the moments.
     #[must_use]
     pub fn with_added(self, added: [f64; 6]) -> Self {
         Self { added, ..self }
     }
 
-    /// The same flight with wheels that turn in the body with known momentum: they say how large the moments are.
+    /// Returns the flight with wheels of known momentum in the body. They determine the size of the
+    /// moments.
     #[must_use]
     pub fn with_wheels(self, wheels: Vec<Wheel>) -> Self {
         Self { wheels, ..self }
     }
 
-    /// The same flight under known torques: they say how large the moments are.
+    /// Returns the flight with known torques. They determine the size of the moments.
     #[must_use]
     pub fn with_torques(self, torques: Vec<TorqueModel>) -> Self {
         Self { torques, ..self }
     }
 
-    /// What it is called.
+    /// Returns the name of the flight.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The gyro's readings.
+    /// Returns the gyro readings in order of time.
     pub fn gyro(&self) -> &[GyroReading] {
         &self.gyro
     }
 
-    /// The measured attitudes.
+    /// Returns the measured attitudes in order of time.
     pub fn attitudes(&self) -> &[AttitudeReading] {
         &self.attitudes
     }
 
-    /// By how much the tensor is greater in this flight, kg·m².
+    /// Returns the known increase of the tensor in this flight, kg·m².
     pub const fn added(&self) -> [f64; 6] {
         self.added
     }
 
-    /// The wheels that turn in the body.
+    /// Returns the wheels in the body, whose momentum is known.
     pub fn wheels(&self) -> &[Wheel] {
         &self.wheels
     }
 
-    /// The torques that are known.
+    /// Returns the known torques on the body.
     pub fn torques(&self) -> &[TorqueModel] {
         &self.torques
     }
 
-    /// True if something known in it says how large the moments are.
+    /// Returns true if an added body, a wheel or a torque determines the size of the moments.
     pub(crate) fn has_scale(&self) -> bool {
         self.added != [0.0; 6] || !self.wheels.is_empty() || !self.torques.is_empty()
     }
 
-    /// The first and the last time, s.
+    /// Returns the first and last time of all readings, s.
     pub(crate) fn span(&self) -> [f64; 2] {
         let times = self.gyro.iter().map(|r| r.time).chain(self.attitudes.iter().map(|r| r.time));
         times.fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], t| [from.min(t), to.max(t)])
     }
 
-    /// The same with some of the gyro's readings.
+    /// Returns the flight with only those gyro readings for which `holds` is true.
     pub(crate) fn of_gyro_readings(&self, holds: impl Fn(&GyroReading) -> bool) -> Self {
         Self { gyro: self.gyro.iter().copied().filter(holds).collect(), ..self.clone() }
     }
 
-    /// The same with the components of all rates times factors.
+    /// Returns the flight with each component of all rates multiplied by a factor.
     pub(crate) fn with_rates_times(&self, factors: [f64; 3]) -> Self {
         let times = |reading: &GyroReading| {
             let omega = reading.omega.to_array();
@@ -156,7 +162,7 @@ impl Flight {
         Self { gyro: self.gyro.iter().map(times).collect(), ..self.clone() }
     }
 
-    /// The part of it from one time to another; `None` if too little is in it.
+    /// Returns the part of the flight between two times; `None` if it has too few readings.
     pub(crate) fn cut(&self, from: f64, to: f64) -> Option<Self> {
         let inside = |time: f64| (from..=to).contains(&time);
         let gyro: Vec<_> = self.gyro.iter().copied().filter(|r| inside(r.time)).collect();

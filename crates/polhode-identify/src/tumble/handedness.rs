@@ -1,14 +1,19 @@
-//! What a gyro whose axes are left-handed reads.
+//! Readings of a gyro with left-handed axes.
 //!
-//! With one axis reversed, or all of them, which is the same turned, Euler's equations are those of time that runs back: I ω̇ = −I ω × ω. In free motion another body
-//! does the same forwards. Along principal axes I₁ ω̇₁ = (I₂ − I₃) ω₂ ω₃, and with second moments G, I₁ = G₂ + G₃, the coefficient is (G₃ − G₂)/(G₃ + G₂): it changes
-//! its sign with 1/G in place of G. So free motion alone does not show it.
+//! One reversed axis, or three (the same up to a rotation), turn Euler's equations into those of
+//! reversed time: I ω̇ = −I ω × ω. Another body has the same free motion forwards in time. Along
+//! principal axes I₁ ω̇₁ = (I₂ − I₃) ω₂ ω₃. With second moments G, I₁ = G₂ + G₃, and the
+//! coefficient is (G₃ − G₂)/(G₃ + G₂). It changes its sign when 1/G replaces G. So free motion
+//! alone cannot reveal left-handed axes.
 
 use super::flight::Flight;
 use super::tumble::Tumble;
 
-/// Which axes may be reversed in a gyro that is left-handed, and by what its readings have to be multiplied then: none of flights that show no more than free motion.
-/// Something known in the body has a direction along the gyro's axes; attitudes have not.
+/// Returns the axes that may be reversed in a left-handed gyro, with the factors of its readings.
+/// The list is empty for flights that show free motion only.
+///
+/// An added body, wheel or torque is known along the gyro's axes, so it identifies the axis.
+/// Attitudes do not.
 pub(super) fn left_handed(flights: &[Flight]) -> &'static [(&'static str, [f64; 3])] {
     if flights.iter().any(Flight::has_scale) {
         &[
@@ -25,8 +30,9 @@ pub(super) fn left_handed(flights: &[Flight]) -> &'static [(&'static str, [f64; 
 }
 
 impl Tumble {
-    /// i1/i3 and i2/i3 of the body whose free motion would be read if the gyro's axes are left-handed, unless the measurements tell the one from the other: moments
-    /// I₁ G₁, I₂ G₂, I₃ G₃ but for their scale.
+    /// Returns i1/i3 and i2/i3 of the body that would give the same readings if the gyro's axes
+    /// were left-handed. Its moments are I₁ G₁, I₂ G₂, I₃ G₃ up to scale. `None` if the
+    /// measurements exclude it.
     pub fn left_handed_ratios(&self) -> Option<[f64; 2]> {
         let is_by_gyro =
             self.flights.iter().all(|f| !f.gyro_residuals.is_empty() && f.attitude_residuals.is_empty());

@@ -1,4 +1,4 @@
-//! From flights to the body.
+//! Estimation of a body from its flights.
 
 use polhode::math::{Body, Rotation};
 
@@ -19,27 +19,31 @@ use crate::error::IdentifyError;
 use crate::least_squares::{Outliers, Place, approach, fit_robustly};
 use crate::residuals::{Noise, ResidualTest};
 
-/// By how many radians flights turn in the pieces of the first fit, and how many times more in each further one.
+/// Largest rotation of a piece in the first fit, rad, and its growth factor in each further fit.
 const FIRST_TURN: f64 = 3.0;
 const GROWTH: f64 = 4.0;
-/// Up to this many standard deviations a reading counts in full in the fits of pieces.
+/// Threshold of full weight in the fits of pieces, standard deviations.
 const FULL: f64 = 4.0;
 
-/// The body whose free motion predicts the readings best.
+/// Estimates the body whose free motion predicts the readings best.
 ///
-/// Found are the tensor along the gyro's axes (its scale only where flights differ by a known tensor), what is asked for of the gyro, and each flight's ω.
-/// Flights are first cut into short pieces, so that no phase is a turn off to begin with.
+/// The parameters are the tensor along the gyro's axes, the requested gyro errors, and each
+/// flight's ω. The scale of the tensor is determined only if something known distinguishes flights
+/// (an added body, a wheel, a torque). Flights are first cut into short pieces, so that no
+/// predicted phase is wrong by a turn.
 ///
 /// # Errors
-/// [`IdentifyError::TooFew`] for fewer readings than numbers to be found;
-/// [`IdentifyError::Missing`] for attitudes without their noise; a parameter's error for options,
-/// and for readings between which the body turns by half a turn or more; [`IdentifyError::OneBody`]
-/// if all flights have the same body added; [`IdentifyError::Saturated`] for a flight with hardly a
-/// reading inside the gyro's range; [`IdentifyError::Unit`] and [`IdentifyError::LeftHanded`] if
-/// the rates move as they have to in another unit, or with an axis reversed, only;
-/// [`IdentifyError::NotFree`] if nothing fits and a hand turns the body in a flight;
-/// [`IdentifyError::Steady`] for free rotation that does not change;
-/// [`IdentifyError::NoConvergence`].
+/// - [`IdentifyError::TooFew`] for fewer readings than parameters
+/// - [`IdentifyError::Missing`] for attitudes without their noise
+/// - [`IdentifyError::Value`] for invalid options, and if the body turns by half a turn or more
+///   between readings
+/// - [`IdentifyError::OneBody`] if all flights have the same body added
+/// - [`IdentifyError::Saturated`] for a flight with too few readings inside the gyro's range
+/// - [`IdentifyError::Unit`] and [`IdentifyError::LeftHanded`] if the rates fit only in another
+///   unit, or with an axis reversed
+/// - [`IdentifyError::NotFree`] if nothing fits and a hand turns the body in a flight
+/// - [`IdentifyError::Steady`] for constant rates
+/// - [`IdentifyError::NoConvergence`] if the fit does not converge
 pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, IdentifyError> {
     let readings: Vec<GyroReading> =
         flights.iter().flat_map(|flight| flight.gyro().iter().copied()).collect();
@@ -69,7 +73,7 @@ pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<T
     Ok(Tumble { flaws: flaws(all, &range, &found)?, ..found })
 }
 
-/// As [`identify_tumbles`], of rates that are taken as they are.
+/// Same as [`identify_tumbles`], without tests of unit, handedness and range.
 fn identified(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, IdentifyError> {
     let has_gyro = flights.iter().any(|flight| !flight.gyro().is_empty());
     let has_attitudes = flights.iter().any(|flight| !flight.attitudes().is_empty());
@@ -129,9 +133,9 @@ fn identified(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, Ide
     }
 }
 
-/// Refuses flights that all have the same body added, and nothing else known.
+/// Returns an error if all flights have the same body added, and nothing else is known.
 ///
-/// They show I + added without its size, and so neither the size of I nor its ratios.
+/// They determine I + added up to scale, and so neither the size of I nor its ratios.
 fn require_two_bodies(flights: &[Flight]) -> Result<(), IdentifyError> {
     let is_same = |flight: &Flight| {
         flight.added() == flights[0].added() && flight.wheels().is_empty() && flight.torques().is_empty()
@@ -142,7 +146,7 @@ fn require_two_bodies(flights: &[Flight]) -> Result<(), IdentifyError> {
     Ok(())
 }
 
-/// That free rotation changes by more than noise.
+/// Returns an error if the rates do not change by more than the noise.
 fn require_change(flights: &[Flight], noise: Noise) -> Result<(), IdentifyError> {
     let from_mean = |flight: &Flight, k: usize| -> Vec<f64> {
         let rates = || flight.gyro().iter().map(|reading| reading.omega.to_array()[k]);
@@ -158,7 +162,7 @@ fn require_change(flights: &[Flight], noise: Noise) -> Result<(), IdentifyError>
     Err(IdentifyError::Steady { noise: noise.deviation })
 }
 
-/// The parts of the shared numbers.
+/// Returns the coordinates of the shared parameters.
 fn coordinates(problem: &Tumbles<'_>) -> Coordinates {
     let mut parts = vec![Part::Tensor];
     parts.extend(problem.drag.map(|_| Part::Positive3));
@@ -166,7 +170,7 @@ fn coordinates(problem: &Tumbles<'_>) -> Coordinates {
     Coordinates::new(parts)
 }
 
-/// Of drag that takes a hundredth of the rate in a second.
+/// Returns initial drag that lowers the rate by about 1 % in a second.
 fn first_drag(tensor: &[f64]) -> [f64; 6] {
     let mean = (tensor[0] + tensor[1] + tensor[2]) / 3.0;
     [0.01 * mean, 0.01 * mean, 0.01 * mean, 0.0, 0.0, 0.0]
@@ -189,14 +193,14 @@ fn gyro_noise(flights: &[Flight], options: &TumbleOptions) -> Result<Noise, Iden
     }
 }
 
-/// A part of a flight.
+/// Part of a flight.
 struct Piece {
     flight: Flight,
-    /// Of which flight.
+    /// Index of the flight.
     number: usize,
 }
 
-/// Flights cut where they have turned so far, rad.
+/// Cuts flights into pieces that turn by at most `turn`, rad.
 fn pieces(flights: &[Flight], turn: f64) -> Vec<Piece> {
     let mut pieces = Vec::new();
     for (number, flight) in flights.iter().enumerate() {
@@ -204,11 +208,12 @@ fn pieces(flights: &[Flight], turn: f64) -> Vec<Piece> {
         let [from, to] = flight.span();
         let mean = rates.omega.iter().map(|w| (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]).sqrt()).sum::<f64>()
             / rates.omega.len().max(1) as f64;
-        // A piece has readings: where time or rates are in a wrong unit the turns are without end.
+        // At most one piece per reading: in a wrong unit the rotation may be arbitrarily large.
         let most = (flight.gyro().len() + flight.attitudes().len()) as f64;
         let count = ((to - from) * mean / turn).ceil().clamp(1.0, most);
         let width = (to - from) / count;
-        // An end belongs to the piece before it; what is too little for a piece, to the next, or the last.
+        // A boundary belongs to the piece before it. Readings too few for a piece join the next
+        // piece, or the last.
         let mut starts = vec![from];
         let end = |k: f64| if k == count { to } else { from + k * width };
         let mut own: Vec<Flight> = Vec::new();
@@ -231,7 +236,8 @@ fn pieces(flights: &[Flight], turn: f64) -> Vec<Piece> {
 }
 
 impl Reference {
-    /// The start of a flight, with the first attitude that was measured. A clock that is found may move readings to before the first.
+    /// Returns the start of a flight with its first measured attitude. With an estimated clock the
+    /// time is earlier, because the clock may move readings before the first.
     fn of(flight: &Flight, clock: bool) -> Self {
         let [from, _] = flight.span();
         let attitude = flight.attitudes().first().map_or_else(Rotation::identity, |reading| reading.attitude);
@@ -239,10 +245,11 @@ impl Reference {
     }
 }
 
-/// How far a clock that is found may be off, s.
+/// Upper bound on the offset of an estimated clock, s.
 const MOST_CLOCK: f64 = 0.25;
 
-/// A flight's own numbers to begin with: from the shorter piece that was fitted around its reference, or from the readings there.
+/// Returns the initial values of a flight's local parameters: from the nearest piece of the
+/// previous fit, or from the readings at its reference.
 fn first_local(
     problem: &Tumbles<'_>,
     k: usize,
@@ -259,7 +266,8 @@ fn first_local(
     let omega = fitted.map_or_else(|| Rates::of(&piece.flight).at(time), |state| state.omega.to_array());
     let mut local = omega.to_vec();
     if problem.local(k) == 6 {
-        // The first attitude is that of the tracked axes, and a little later: R = R_measured A⁻¹ exp(−ω Δt)
+        // The first attitude belongs to the tracked axes, and to a slightly later time: R =
+        // R_measured A⁻¹ exp(−ω Δt).
         let axes: Rotation<Body, Body> = problem.tracked.unwrap_or_else(Rotation::identity);
         let later = piece.flight.attitudes().first().map_or(0.0, |reading| reading.time - time);
         local.extend((axes.inverse() * turn(omega.map(|w| -w * later))).log().to_array());
@@ -267,7 +275,7 @@ fn first_local(
     local
 }
 
-/// How far a time is outside of a span.
+/// Returns the distance of a time from an interval, s; 0 inside.
 fn beyond([from, to]: [f64; 2], time: f64) -> f64 {
     (from - time).max(time - to).max(0.0)
 }

@@ -1,4 +1,4 @@
-//! What is wrong with readings: flights are looked at.
+//! Detection of flaws in the readings.
 
 use super::cut::{free_span, tensor_of_most};
 use super::first_guess::Rates;
@@ -9,12 +9,12 @@ use super::range::GyroRange;
 use super::tumble::Tumble;
 use crate::error::IdentifyError;
 
-/// Up to this part of |I ω²| a torque may be the air's.
+/// Largest torque that air drag may cause, relative to the mean moment times ω².
 const TORQUE: f64 = 0.2;
-/// Standard deviations of the noise that are no torque.
+/// Allowance for noise in the torque, standard deviations.
 const NOISE: f64 = 6.0;
 
-/// What is wrong with flights, of which so much was found.
+/// Returns the flaws of flights, given the estimate.
 pub(super) fn flaws(
     flights: &[Flight],
     range: &GyroRange,
@@ -38,7 +38,8 @@ pub(super) fn flaws(
     Ok(flaws)
 }
 
-/// Flights in which a hand turns the body at the beginning or the end. Of each flight the times of readings that were left out, if it was fitted.
+/// Returns the flights that a hand turns at the beginning or end. `left_out` has the times of
+/// discarded readings of each fitted flight.
 pub(super) fn hands(
     flights: &[Flight],
     range: &GyroRange,
@@ -49,7 +50,7 @@ pub(super) fn hands(
     let free: Vec<(&Flight, &[f64], Rates)> = flights
         .iter()
         .zip(left_out)
-        // What is known to turn the body is no hand.
+        // A known wheel or torque is not a hand.
         .filter(|(f, _)| !f.gyro().is_empty() && f.wheels().is_empty() && f.torques().is_empty())
         .map(|(f, left_out)| (f, left_out, Rates::of(&f.of_gyro_readings(|reading| range.holds(reading)))))
         .filter(|(.., rates)| rates.times.len() >= LEAST)
@@ -68,7 +69,8 @@ pub(super) fn hands(
     Ok(free.into_iter().filter_map(hand).collect())
 }
 
-/// The first and the last time of readings without those at the ends that were left out, if there are several.
+/// Returns the first and last time of the readings, without discarded readings at the ends if there
+/// are at least [`SEVERAL`].
 fn used_span(times: &[f64], left_out: &[f64]) -> [f64; 2] {
     let is_used = |time: &f64| !left_out.contains(time);
     let last = times.len() - 1;
@@ -77,8 +79,8 @@ fn used_span(times: &[f64], left_out: &[f64]) -> [f64; 2] {
     [times[first_used.unwrap_or(0)], times[last_used.unwrap_or(last)]]
 }
 
-/// Readings at the end of a flight that were left out.
+/// Minimum number of discarded readings at an end that shortens the flight.
 const SEVERAL: usize = 4;
 
-/// Readings of a flight in which a hand can be seen.
+/// Minimum number of readings for the detection of a hand.
 const LEAST: usize = 20;

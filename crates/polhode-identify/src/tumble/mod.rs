@@ -1,4 +1,4 @@
-//! Tumbles: the free motion of a thrown body, by a gyro on it or by tracked attitudes.
+//! Tumbles: free motion of a thrown body, measured by a gyro on it or by tracked attitudes.
 
 mod cut;
 mod first_guess;

@@ -1,4 +1,4 @@
-//! Tumbles as a problem of least squares.
+//! Least-squares problem of tumbles.
 
 use nalgebra::{Matrix3, Vector3};
 use polhode::math::{AngularVelocity, Attitude, Body, Rotation};
@@ -14,69 +14,71 @@ use crate::least_squares::{Problem, Rows, rows_of, side_by_side};
 use crate::residuals::Noise;
 use crate::six::{Six, matrix};
 
-/// Flights, and what predicts their readings.
+/// Flights, and the model that predicts their readings.
 ///
-/// Shared numbers: the tensor's six elements, drag's if there is any, what is found of the gyro, and the tracked axes in the gyro's, as a rotation vector. Each flight's own: ω at
-/// its reference time and, if attitudes were measured, a rotation vector by which the attitude there differs from the reference.
+/// Shared parameters: the six elements of the tensor, those of drag if there is any, the estimated
+/// gyro errors, and the tracked axes relative to the gyro's as a rotation vector. Local parameters
+/// of a flight: ω at its reference time and, with attitudes, the rotation vector from the reference
+/// attitude to the estimated one.
 pub(crate) struct Tumbles<'a> {
     pub(crate) flights: &'a [Flight],
     pub(crate) references: Vec<Reference>,
     pub(crate) gyro: GyroErrors,
-    /// rad/s
+    /// Noise of a gyro component, rad/s.
     pub(crate) gyro_noise: Noise,
-    /// rad
+    /// Standard deviation of an attitude component, rad.
     pub(crate) attitude_noise: f64,
-    /// How drag grows with ω, if there is any.
+    /// Law of drag against ω, if drag is estimated.
     pub(crate) drag: Option<DragLaw>,
-    /// The tracked axes, to begin with; `None` if they are the gyro's.
+    /// Initial estimate of the tracked axes; `None` if they are the gyro's.
     pub(crate) tracked: Option<Rotation<Body, Body>>,
 }
 
-/// Where a flight's own numbers are counted from.
+/// Reference point of a flight's local parameters.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reference {
-    /// s
+    /// Time, s.
     pub(crate) time: f64,
     pub(crate) attitude: Attitude,
 }
 
-/// Rows of a reading.
+/// Number of rows per reading.
 pub(crate) const CHANNELS: usize = 3;
 
 impl Tumbles<'_> {
-    /// How many numbers drag has.
+    /// Returns the number of drag parameters.
     pub(crate) const fn drag_count(&self) -> usize {
         if self.drag.is_some() { 6 } else { 0 }
     }
 
-    /// Where the gyro's numbers begin.
+    /// Returns the index of the first gyro parameter.
     const fn gyro_from(&self) -> usize {
         6 + self.drag_count()
     }
 
-    /// Where the tracked axes' numbers begin.
+    /// Returns the index of the first parameter of the tracked axes.
     const fn axes_from(&self) -> usize {
         self.gyro_from() + self.gyro.count()
     }
 
-    /// How many numbers all flights share.
+    /// Returns the number of shared parameters.
     pub(crate) const fn shared(&self) -> usize {
         self.axes_from() + if self.tracked.is_some() { 3 } else { 0 }
     }
 
-    /// How many a flight has of its own.
+    /// Returns the number of local parameters of a flight.
     pub(crate) fn local(&self, flight: usize) -> usize {
         if self.flights[flight].attitudes().is_empty() { 3 } else { 6 }
     }
 
-    /// The state at a flight's reference.
+    /// Returns the state at a flight's reference time.
     pub(crate) fn state(&self, flight: usize, local: &[f64]) -> State {
         let Reference { time, attitude } = self.references[flight];
         let attitude = local.get(3..6).map_or(attitude, |t| turned(attitude, [t[0], t[1], t[2]]));
         State { time, attitude, omega: AngularVelocity::from_array([local[0], local[1], local[2]]) }
     }
 
-    /// What flies.
+    /// Returns the body with the torques on it in a flight.
     pub(crate) fn flown(&self, flight: usize, shared: &[f64]) -> Flown<'_> {
         let flight = &self.flights[flight];
         let added = flight.added();
@@ -132,7 +134,7 @@ impl Tumbles<'_> {
     ) -> Result<(), IdentifyError> {
         let noise = self.attitude_noise;
         let times: Vec<f64> = flight.attitudes().iter().map(|r| r.time).collect();
-        // The derivative of exp(θ) at the local rotation vector, in axes of the body
+        // Derivative of exp(θ) by the local rotation vector, in body axes.
         let by_local = right_jacobian([local[3], local[4], local[5]]);
         let (axes, by_axes) = self.tracked.map_or((Rotation::identity(), IDENTITY), |first| {
             let theta = core::array::from_fn(|k| shared[self.axes_from() + k]);
@@ -141,7 +143,8 @@ impl Tumbles<'_> {
         let back = axes.inverse().matrix();
         for (reading, at) in flight.attitudes().iter().zip(flown.derived(start, &times)?) {
             rows.begin_measurement();
-            // measured = R A exp(ε): ε is what is left. A turn of R A by θ in the body's axes is A⁻¹ θ in the tracked ones.
+            // measured = R A exp(ε) with residual ε. A rotation of R A by θ in body axes is A⁻¹ θ
+            // in the tracked axes.
             let predicted = at.of.state.attitude * axes;
             let left = (predicted.inverse() * reading.attitude).log().to_array();
             for i in 0..CHANNELS {
@@ -195,25 +198,25 @@ impl Problem for Tumbles<'_> {
     }
 }
 
-/// a += factor b
+/// Adds factor × b to a.
 fn add(a: &mut [f64], b: &[f64], factor: f64) {
     for (a, b) in a.iter_mut().zip(b) {
         *a += factor * b;
     }
 }
 
-/// ω̇ = I⁻¹ (I ω × ω)
+/// Returns ω̇ = I⁻¹ (I ω × ω).
 fn acceleration(tensor: Six, omega: [f64; 3]) -> Result<[f64; 3], IdentifyError> {
     let tensor = Matrix3::from(matrix(tensor));
     let omega = Vector3::from(omega);
-    // A body about an axis of which nothing turns it has no acceleration there.
+    // A singular tensor (a rod about its own axis) gives no angular acceleration.
     let solved = lu("the tensor", tensor)?.solve(&(tensor * omega).cross(&omega));
     Ok(solved.unwrap_or_default().into())
 }
 
 const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// J of exp(θ + δ) = exp(θ) exp(J δ): 1 − (1 − cos θ)/θ² [θ]× + (θ − sin θ)/θ³ [θ]×²
+/// Returns J of exp(θ + δ) = exp(θ) exp(J δ): 1 − (1 − cos θ)/θ² [θ]× + (θ − sin θ)/θ³ [θ]×².
 fn right_jacobian([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
     let square = x * x + y * y + z * z;
     let angle = square.sqrt();

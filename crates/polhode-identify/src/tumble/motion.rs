@@ -1,4 +1,4 @@
-//! The motion of a flight, with its derivatives.
+//! Motion of a flight, with its derivatives.
 
 use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{Attitude, Body, Direction, Position, Rotation};
@@ -10,7 +10,7 @@ use polhode::motion::{
 use crate::error::IdentifyError;
 use crate::six::{ELEMENTS, Six, matrix};
 
-/// What turns a body in flight, besides itself.
+/// Body in flight, with drag, wheels and known torques.
 #[derive(Clone, Debug)]
 pub(crate) struct Flown<'a> {
     pub(crate) tensor: Six,
@@ -19,17 +19,17 @@ pub(crate) struct Flown<'a> {
     pub(crate) torques: &'a [TorqueModel],
 }
 
-/// A state with its derivatives: rows θ1 θ2 θ3 ω1 ω2 ω3 of attitude = R exp θ and ω.
+/// State with its derivatives. Rows are θ1 θ2 θ3 ω1 ω2 ω3, with attitude R exp θ.
 pub(crate) struct Derived {
     pub(crate) of: StateDerivatives,
-    /// By the elements of drag's matrix.
+    /// Derivatives by the elements of the drag matrix.
     pub(crate) by_drag: [[f64; 6]; 6],
 }
 
-/// Bound on the error of a step: far below the noise of any gyro, and of any tracker.
+/// Tolerance of the integration per step, far below the noise of any gyro or tracker.
 const TOLERANCE: f64 = 1e-10;
 
-/// By how many factors of e drag may slow a body in a flight.
+/// Upper bound on the decay by drag during a flight: number of factors of e.
 const HEAVIEST: f64 = 20.0;
 
 impl Flown<'_> {
@@ -39,7 +39,7 @@ impl Flown<'_> {
         Ok(Rotor::free(&body).with_wheels(self.wheels)?)
     }
 
-    /// All torques, drag's last.
+    /// Returns all torques, drag last.
     fn torques(&self) -> Result<Vec<TorqueModel>, IdentifyError> {
         let mut torques = self.torques.to_vec();
         if let Some((law, drag)) = self.drag {
@@ -48,7 +48,7 @@ impl Flown<'_> {
         Ok(torques)
     }
 
-    /// At each of the times, which ascend and are none before the start.
+    /// Returns the states and derivatives at ascending times, none before the start.
     pub(crate) fn derived(&self, start: State, times: &[f64]) -> Result<Vec<Derived>, IdentifyError> {
         let (rotor, torques) = (self.rotor()?, self.torques()?);
         if torques.is_empty() && self.wheels.is_empty() {
@@ -76,7 +76,8 @@ impl Flown<'_> {
         Ok(each.map(|(of, columns)| Derived { of, by_drag: by_drag(columns) }).collect())
     }
 
-    /// That drag does not stop the body at once, which is no flight and takes the integrator for ever: ∫ dt drag/moment ≤ 20.
+    /// Returns an error if drag stops the body almost immediately: ∫ drag/moment dt must be at most
+    /// 20. Such motion is not a flight, and the integration would take very long.
     fn require_light_drag(&self, rotor: &Rotor, start: State, times: &[f64]) -> Result<(), IdentifyError> {
         let (Some((law, matrix)), Some(last)) = (self.drag, times.last()) else { return Ok(()) };
         let trace = matrix[0] + matrix[1] + matrix[2];
@@ -92,7 +93,7 @@ impl Flown<'_> {
         }
     }
 
-    /// The state at a time that is not before the start.
+    /// Returns the state at a time not before the start.
     pub(crate) fn state_at(&self, start: State, time: f64) -> Result<State, IdentifyError> {
         let (rotor, torques) = (self.rotor()?, self.torques()?);
         let motion = Trajectory::compute(&rotor, &torques, start, &[time], Method::Auto, TOLERANCE)?;
@@ -104,12 +105,12 @@ impl Flown<'_> {
     }
 }
 
-/// R exp(θ)
+/// Returns R exp(θ).
 pub(crate) fn turned(attitude: Attitude, theta: [f64; 3]) -> Attitude {
     attitude * turn(theta)
 }
 
-/// exp(θ); where θ is not finite none, which a step that far does not get.
+/// Returns exp(θ); the identity if θ is not finite, in which case the step is rejected elsewhere.
 pub(crate) fn turn(theta: [f64; 3]) -> Rotation<Body, Body> {
     Rotation::exp(Direction::from_array(theta)).unwrap_or_else(|_| Rotation::identity())
 }

@@ -1,4 +1,4 @@
-//! The flight that would help most.
+//! Choice of the most useful next flight.
 
 use nalgebra::DMatrix;
 use polhode::motion::State;
@@ -15,21 +15,21 @@ use crate::least_squares::{Problem, rows_of};
 use crate::next::{Comparison, NextExperiment};
 use crate::residuals::Noise;
 
-/// A flight that could be made next: as long, as fast, and read as often as one that was made.
+/// Possible next flight: same duration, speed and sampling as an earlier one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NextFlight {
-    /// Its axis of spin at the beginning, of length 1, along the principal axes.
+    /// Initial axis of rotation, a unit vector along the principal axes.
     pub about: [f64; 3],
-    /// ω at the beginning, along the sensor's axes, rad/s.
+    /// Initial ω along the sensor's axes, rad/s.
     pub omega: [f64; 3],
-    /// The name of the flight that it is like, with what is added to the body there.
+    /// Name of the earlier flight that it repeats, with the same added body.
     pub like: String,
 }
 
-/// How far from a principal axis a throw about it is: 10°.
+/// Angle between a principal axis and a throw about it, rad: 10°.
 const OFF: f64 = 0.175;
 
-/// Near each principal axis, half way between two, and between all three.
+/// Returns directions near each principal axis, midway between two, and between all three.
 fn directions() -> [[f64; 3]; 7] {
     let near = libm::cos(OFF);
     let off = libm::sin(OFF) * core::f64::consts::FRAC_1_SQRT_2;
@@ -45,10 +45,10 @@ fn directions() -> [[f64; 3]; 7] {
     ]
 }
 
-/// Flights that could be made next, best first. `None` where there are no moments to compare.
+/// Ranks possible next flights, best first. `None` if the moments of the body are zero.
 ///
 /// # Errors
-/// [`IdentifyError::NotFinite`]
+/// [`IdentifyError::NotFinite`] if a covariance or derivative is not finite.
 pub fn next_flight(
     flights: &[Flight],
     options: &TumbleOptions,
@@ -84,7 +84,8 @@ pub fn next_flight(
     Ok(Some(next.finish()?))
 }
 
-/// Of flights in which the same turns the body, the one with the median number of readings.
+/// Returns one flight per group with equal added body, wheels and torques: that with the median
+/// number of readings.
 fn templates(flights: &[Flight]) -> Vec<usize> {
     let is_like = |a: &Flight, b: &Flight| {
         a.added() == b.added() && a.wheels() == b.wheels() && a.torques() == b.torques()
@@ -106,7 +107,7 @@ fn templates(flights: &[Flight]) -> Vec<usize> {
         .collect()
 }
 
-/// Derivatives by the shared numbers, with the flight's own eliminated.
+/// Returns the derivatives by the shared parameters, with the flight's local ones eliminated.
 fn rows(problem: &Tumbles<'_>, shared: &[f64], omega: [f64; 3]) -> Result<DMatrix<f64>, IdentifyError> {
     let mut local = vec![0.0; problem.local(0)];
     local[..3].copy_from_slice(&omega);

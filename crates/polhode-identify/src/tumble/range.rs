@@ -1,32 +1,34 @@
-//! The range of a gyro: a reading at its limit is no measurement.
+//! Range of a gyro: readings at its limits are not measurements.
 
 use super::flight::{Flight, GyroReading, LEAST_READINGS};
 use crate::error::IdentifyError;
 
-/// The least and the greatest reading that a gyro has of each component, rad/s: infinite where there is no limit that shows.
+/// Saturation limits of each component of a gyro, rad/s: infinite where no limit is evident.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GyroRange {
-    /// Readings at this or below are none.
+    /// Lower saturation limits; readings at or below them are discarded.
     pub low: [f64; 3],
-    /// Readings at this or above are none.
+    /// Upper saturation limits; readings at or above them are discarded.
     pub high: [f64; 3],
 }
 
-/// Equal readings that make a limit, at least.
+/// Minimum number of equal readings at a limit.
 const LEAST_EQUAL: usize = 4;
-/// How many times more often a limit is read than a value is on average.
+/// Minimum frequency of a limit, relative to the mean frequency of a value.
 const OFTEN: f64 = 4.0;
-/// Steps of the readings next to a limit, in which half as many readings are at most: of the smooth top of a motion twice as many are.
+/// Width of the band below a limit, in resolution steps. At a limit the band has at most half as
+/// many readings as the limit itself; at a smooth maximum it has about twice as many.
 const STEPS: f64 = 8.0;
 
 impl GyroRange {
-    /// From −limit to +limit.
+    /// Returns the range from −limit to +limit.
     pub const fn within(limit: f64) -> Self {
         Self { low: [-limit; 3], high: [limit; 3] }
     }
 
-    /// The limits that readings show: the greatest or least of a component, if it is read again and again and what is next to it is not. Where limits of
-    /// several components are the same, each needs fewer readings. A few readings beyond, which are faults, do not hide it.
+    /// Estimates the limits from readings. An extreme value of a component is a limit if it occurs
+    /// often and the values next to it do not. Equal limits of several components need fewer
+    /// readings each. A few faulty readings beyond a limit do not hide it.
     pub fn shown_by(readings: &[GyroReading]) -> Self {
         let mut range = Self::within(f64::INFINITY);
         let mut tops: Vec<(usize, bool, Top)> = Vec::new();
@@ -56,12 +58,12 @@ impl GyroRange {
         range
     }
 
-    /// Whether a reading is inside.
+    /// Returns true if a reading is inside the range.
     pub fn holds(&self, reading: &GyroReading) -> bool {
         (0..3).all(|axis| self.side(reading, axis).is_none())
     }
 
-    /// The limit that a component has reached.
+    /// Returns the limit that a component has reached, if any.
     fn side(&self, reading: &GyroReading, axis: usize) -> Option<f64> {
         let value = reading.omega.to_array()[axis];
         [self.low[axis], self.high[axis]]
@@ -69,7 +71,7 @@ impl GyroRange {
             .find(|limit| if *limit < 0.0 { value <= *limit } else { value >= *limit })
     }
 
-    /// The flights without readings at a limit.
+    /// Returns the flights without readings at a limit.
     pub(super) fn inside(&self, flights: &[Flight]) -> Result<Vec<Flight>, IdentifyError> {
         let each = flights.iter().map(|flight| {
             let (given, inside) =
@@ -87,7 +89,7 @@ impl GyroRange {
         each.collect()
     }
 
-    /// What is at which limit, in the order of components.
+    /// Returns the limits that were reached, in order of components.
     pub(super) fn reached(&self, flights: &[Flight]) -> Vec<Reached> {
         let mut all: Vec<Reached> = Vec::new();
         for flight in flights {
@@ -112,34 +114,34 @@ impl GyroRange {
     }
 }
 
-/// Readings that are at a limit of a gyro.
+/// Readings at one limit of a gyro.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reached {
-    /// Of which component: 0, 1, 2.
+    /// Component: 0, 1 or 2.
     pub axis: usize,
-    /// rad/s
+    /// Limit, rad/s.
     pub limit: f64,
-    /// How many there are in all flights.
+    /// Number of readings at the limit, in all flights.
     pub count: usize,
-    /// The flight of the first.
+    /// Name of the flight with the first of them.
     pub flight: String,
-    /// Its time, s.
+    /// Time of the first of them, s.
     pub time: f64,
 }
 
-/// The greatest value that is read again and again.
+/// Largest value that occurs repeatedly.
 struct Top {
     value: f64,
-    /// How often it is read.
+    /// Number of readings with this value.
     equal: usize,
-    /// How many readings are a few steps below.
+    /// Number of readings at most [`STEPS`] steps below it.
     next: usize,
-    /// How often a value is read on average.
+    /// Mean number of readings per distinct value.
     mean: f64,
 }
 
 impl Top {
-    /// Of values, of which a few may be beyond: one in two hundred.
+    /// Finds the largest repeated value. At most one reading in two hundred may lie beyond it.
     fn of(mut values: Vec<f64>) -> Option<Self> {
         values.sort_by(|a, b| b.total_cmp(a));
         let distinct: Vec<&[f64]> = values.chunk_by(|a, b| a == b).collect();
@@ -171,7 +173,7 @@ mod tests {
 
     use super::*;
 
-    /// Smooth rates, rounded to steps and held within a limit.
+    /// Returns smooth rates, rounded to steps and clamped to a limit.
     fn readings(step: f64, limit: f64, hold: usize) -> Vec<GyroReading> {
         (0..600)
             .map(|k| {

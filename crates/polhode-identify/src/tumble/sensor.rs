@@ -1,34 +1,36 @@
-//! What a gyro makes of a rate.
+//! Model of a gyro.
 
 use crate::six::PLACES;
 
-/// What of a gyro is found with the body: reading = (1 + S) ω + b.
+/// Gyro errors that are estimated with the body: reading = (1 + S) ω + b.
 ///
-/// The axes in which the body is found are the gyro's: a gyro that is turned as a whole reads another body's tensor, and nothing else.
+/// The body is expressed in the gyro's axes. A rotation of the whole gyro changes only these axes,
+/// so it is not an error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct GyroErrors {
-    /// b, rad/s
+    /// True if the bias b is estimated, rad/s.
     pub bias: bool,
-    /// The diagonal of S.
+    /// True if the scale errors are estimated: the diagonal of S.
     pub scale: bool,
-    /// The rest of S, which is symmetric: axes that are not at right angles.
+    /// True if the skew is estimated: the off-diagonal elements of S, which is symmetric.
     pub skew: bool,
-    /// τ, s: what is read at the gyro's time t is the rate at t + τ on the clock of the attitudes.
+    /// True if the clock offset τ is estimated, s: a reading at gyro time t is the rate at time t +
+    /// τ of the attitudes.
     pub clock: bool,
 }
 
-/// Their numbers.
+/// Values of the gyro errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Gyro {
     bias: [f64; 3],
-    /// xx, yy, zz, xy, xz, yz of S.
+    /// Elements xx, yy, zz, xy, xz, yz of S.
     matrix: [f64; 6],
-    /// τ
+    /// Clock offset τ, s.
     pub(crate) clock: f64,
 }
 
 impl GyroErrors {
-    /// How many numbers there are.
+    /// Returns the number of estimated parameters.
     pub(crate) const fn count(self) -> usize {
         3 * (self.bias as usize + self.scale as usize + self.skew as usize) + self.clock as usize
     }
@@ -51,7 +53,7 @@ impl GyroErrors {
         names
     }
 
-    /// The numbers that are found, in their places.
+    /// Returns the gyro errors for these estimated parameters; the others are 0.
     pub(crate) fn gyro(self, numbers: &[f64]) -> Gyro {
         let mut gyro = Gyro::default();
         let mut threes = numbers.chunks_exact(3);
@@ -70,7 +72,7 @@ impl GyroErrors {
         gyro
     }
 
-    /// ∂reading/∂numbers, by rows x, y, z.
+    /// Returns ∂reading/∂parameters, rows x, y, z.
     pub(crate) fn derivatives(self, gyro: &Gyro, omega: [f64; 3], acceleration: [f64; 3]) -> [Vec<f64>; 3] {
         let mut rows = [Vec::new(), Vec::new(), Vec::new()];
         if self.bias {
@@ -107,7 +109,7 @@ impl GyroErrors {
 }
 
 impl Gyro {
-    /// 1 + S
+    /// Returns 1 + S.
     pub(crate) fn matrix(&self) -> [[f64; 3]; 3] {
         let mut m = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         for (&(i, j), &s) in PLACES.iter().zip(&self.matrix) {
@@ -119,7 +121,7 @@ impl Gyro {
         m
     }
 
-    /// (1 + S) ω + b
+    /// Returns the predicted reading (1 + S) ω + b.
     pub(crate) fn reading(&self, omega: [f64; 3]) -> [f64; 3] {
         let read = self.times_matrix(omega);
         core::array::from_fn(|i| read[i] + self.bias[i])

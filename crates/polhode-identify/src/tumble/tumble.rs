@@ -1,4 +1,4 @@
-//! What was found of tumbles.
+//! Result of the estimation from tumbles.
 
 use polhode::motion::State;
 use polhode::motion::torque::DragLaw;
@@ -13,44 +13,46 @@ use crate::principal::PrincipalEstimate;
 use crate::residuals::{Noise, ResidualTest};
 use crate::six::{ELEMENTS, between};
 
-/// A body that was found by its tumbles.
+/// Body estimated from its tumbles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tumble {
-    /// The tensor's elements, drag's, and what was found of the gyro. If nothing known says how large they are, tensor and drag are those over the greatest
-    /// moment, and the unknown direction is that in which all of them grow alike.
+    /// Elements of the tensor, of drag, and gyro errors.
+    ///
+    /// If nothing known determines the size, tensor and drag are divided by the greatest moment,
+    /// and the unobservable direction scales all of them.
     pub estimate: Estimate,
-    /// Principal moments and axes.
+    /// Principal moments and axes, with errors.
     pub principal: PrincipalEstimate,
-    /// True if the moments are in kg·m², false if only their ratios are known.
+    /// True if the moments are in kg·m²; false if only their ratios are determined.
     pub scale_is_known: bool,
-    /// Flight by flight.
+    /// Fit of each flight, in order.
     pub flights: Vec<FlightFit>,
-    /// Whether what is left is noise, by kind of reading.
+    /// Tests of the residuals against the noise, by kind of reading.
     pub residuals: Vec<ResidualTest>,
-    /// By what all errors were widened for what the residuals show.
+    /// Factor by which all errors were widened because of the residuals.
     pub widening: f64,
-    /// What is wrong with the readings.
+    /// Flaws in the readings.
     pub flaws: Vec<Flaw>,
 }
 
-/// What was found of a flight.
+/// Fit of one flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlightFit {
-    /// What it is called.
+    /// Name of the flight.
     pub name: String,
-    /// In the middle; the attitude means something only if attitudes were measured.
+    /// State at the reference time; the attitude is meaningful only if attitudes were measured.
     pub state: State,
-    /// Standard deviations of ω there, rad/s.
+    /// Standard deviations of ω at the reference time, rad/s.
     pub omega_sd: [f64; 3],
-    /// χ²/degrees of freedom of its readings, without those that were left out.
+    /// Reduced χ² of the readings that were used.
     pub reduced_chi_square: f64,
-    /// How many readings were used.
+    /// Number of readings used.
     pub used: usize,
-    /// The times of readings that were left out, s.
+    /// Times of readings that were left out, s.
     pub left_out: Vec<f64>,
-    /// Measured less predicted, rad/s, at the gyro's times.
+    /// Residuals of the gyro (measured − predicted), rad/s, at its times.
     pub gyro_residuals: Vec<[f64; 3]>,
-    /// The same of attitudes, rad.
+    /// Residuals of the attitudes, rad, at their times.
     pub attitude_residuals: Vec<[f64; 3]>,
 }
 
@@ -130,7 +132,7 @@ impl Tumble {
         let estimate = if scale_is_known {
             estimate
         } else {
-            // the greatest moment is v·I v
+            // The greatest moment is v·I v.
             let greatest = principal.moments[2];
             principal.moments = principal.moments.map(|moment| moment / greatest);
             let mut estimate =
@@ -142,7 +144,8 @@ impl Tumble {
     }
 }
 
-/// Width of the possible range of an element over the greatest moment: [0, 1] on the diagonal, [−½, ½] off it.
+/// Width of the possible range of an element divided by the greatest moment: [0, 1] on the
+/// diagonal, [−½, ½] off it.
 const ELEMENT_RANGE: f64 = 1.0;
 
 const fn drag_unit(law: DragLaw, scale_is_known: bool) -> &'static str {
@@ -154,7 +157,7 @@ const fn drag_unit(law: DragLaw, scale_is_known: bool) -> &'static str {
     }
 }
 
-/// Channel by channel, the residuals that were used.
+/// Appends the residuals of used readings, one run per channel.
 fn runs(residuals: &[[f64; 3]], weights: &[f64], runs: &mut Vec<Vec<f64>>) {
     if residuals.is_empty() {
         return;

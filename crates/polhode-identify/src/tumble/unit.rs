@@ -1,6 +1,7 @@
-//! Rates in another unit than they are taken for, or along axes that are left-handed.
+//! Detection of rates in a wrong unit, or along left-handed axes.
 //!
-//! ω̇ is quadratic in ω: rates that are all κ times too large turn κ times too slowly for free motion, of any body. Axes that are left-handed are κ = −1.
+//! ω̇ is quadratic in ω. If all rates are too large by a factor κ, the axis moves too slowly by κ
+//! for free motion of any body. Left-handed axes correspond to κ = −1.
 
 use core::cell::OnceCell;
 
@@ -13,20 +14,22 @@ use super::tumble::Tumble;
 use crate::error::IdentifyError;
 use crate::residuals::ResidualTest;
 
-/// Flights that are looked at, of those with something known in them and of those without.
+/// Maximum number of flights tested, separately with and without a known scale.
 const MOST: usize = 4;
-/// Rates are wrong if others leave so many times less, or if they leave nothing but noise.
+/// Minimum ratio of residuals that proves an error; the second value holds if only noise remains.
 const BETTER: f64 = 10.0;
 const BETTER_IF_NOISE: f64 = 2.0;
-/// Of the rates; more is no motion of a free body.
+/// Upper bound on the residual of free motion, relative to the rates.
 const SMALL: f64 = 0.05;
-/// Of what rates vary by: as much is left if they are taken for steady.
+/// Upper bound on the residual, relative to the variation of the rates; a constant rate leaves 1.
 const STEADY: f64 = 0.3;
 const DEGREES: f64 = 180.0 / core::f64::consts::PI;
-/// By what rates have to be multiplied: in deg/s, in rpm, in rev/s; and in rad/s, where they were taken for deg/s.
+/// Conversion factors to rad/s of rates in deg/s, rpm, rev/s; and of rates in rad/s that were read
+/// as deg/s.
 const UNITS: [f64; 4] = [1.0 / DEGREES, core::f64::consts::PI / 30.0, core::f64::consts::TAU, DEGREES];
 
-/// That the rates of the first flights do not move as they have to in another unit, or reversed, where they do not as they are.
+/// Returns an error if the rates of the first flights fit in another unit or with reversed axes,
+/// but do not fit as read.
 ///
 /// # Errors
 /// [`IdentifyError::Unit`], [`IdentifyError::LeftHanded`]
@@ -45,7 +48,7 @@ pub(super) fn require_right(
     }
     let left = |factors: [f64; 3], drag: Option<DragLaw>| {
         let scaled: Vec<Flight> = first.iter().map(|flight| flight.with_rates_times(factors)).collect();
-        // What turns too fast to be followed in this unit is in another.
+        // Rates too fast for the sampling in this unit belong to another unit.
         if require_fine(&scaled).is_err() {
             return (f64::INFINITY, false);
         }
@@ -56,17 +59,17 @@ pub(super) fn require_right(
             (share_left(&scaled, &found), is_noise)
         })
     };
-    // Without drag the motions are in closed form: only what is better so is looked at with it.
+    // Without drag the motion has a closed form. So candidates are first screened without it.
     let without = options.drag.map(|_| left([1.0; 3], None).0);
     let is_likely =
         |factors| without.is_none_or(|as_they_are| left(factors, None).0 * BETTER_IF_NOISE < as_they_are);
     let as_they_are = OnceCell::new();
-    // What hardly varies fits in every unit.
+    // Nearly constant rates fit in every unit.
     let most = f64::min(SMALL, STEADY * varying(&first));
     let better = |(other, is_noise): (f64, bool)| {
         let (as_they_are, _) = *as_they_are.get_or_init(|| left([1.0; 3], options.drag));
         let better = if is_noise { BETTER_IF_NOISE } else { BETTER };
-        // Where nothing was found as they are, only what fits well says more.
+        // If the fit of the rates as read failed, only a fit down to the noise is evidence.
         let says = is_noise || as_they_are.is_finite();
         (says && other < most && other * better < as_they_are).then(|| as_they_are.min(1.0) / other)
     };
@@ -86,7 +89,8 @@ pub(super) fn require_right(
     }
 }
 
-/// That a flight turns by less than half a turn from reading to reading: what turns faster cannot be followed.
+/// Returns an error if a flight turns by half a turn or more between readings: such motion is
+/// undersampled.
 ///
 /// # Errors
 /// [`IdentifyError::Value`]
@@ -107,7 +111,8 @@ pub(super) fn require_fine(flights: &[Flight]) -> Result<(), IdentifyError> {
     Ok(())
 }
 
-/// How far rates are from their mean in each flight, over the rates.
+/// Returns the root mean square deviation of the rates from each flight's mean, relative to the
+/// rates.
 fn varying(flights: &[Flight]) -> f64 {
     let (mut varying, mut all) = (0.0, 0.0);
     for flight in flights {
@@ -122,7 +127,7 @@ fn varying(flights: &[Flight]) -> f64 {
     (varying / all).sqrt()
 }
 
-/// What is left, over the rates.
+/// Returns the root mean square residual, relative to the rates.
 fn share_left(flights: &[Flight], found: &Tumble) -> f64 {
     let square = |all: &mut dyn Iterator<Item = [f64; 3]>| all.flatten().map(|x| x * x).sum::<f64>();
     let left = square(&mut found.flights.iter().flat_map(|flight| flight.gyro_residuals.iter().copied()));

@@ -1,54 +1,59 @@
-//! How a swing goes on: its amplitude and phase in the course of time, with their derivatives.
+//! Amplitude and phase of a damped swing against time, with their derivatives.
 //!
-//! dA/dt = −a A h₁(A) − β A² h₂(A),  dφ/dt = ω(A) − a²/(2 ω) − (2/3π) a β A − (1/6 − 40/27π²) β² A² ω
+//! dA/dt = −a A h₁(A) − β A² h₂(A),  dφ/dt = ω(A) − a²/(2 ω) − (2/3π) a β A − (1/6 − 40/27π²) β² A²
+//! ω
 //!
-//! The last terms are those of the second order in the damping, of a harmonic motion. φ is that of the first harmonic: the middle is passed at whole quarters, and
-//! with quadratic damping the turning points are (10/9π) β A before theirs. (From one to the next is then π (1 + β² A²/6)/ω, A the geometric mean of both, as
-//! integration of the damped motion shows.)
+//! The terms after ω(A) are of second order in the damping and hold for harmonic motion. φ is the
+//! phase of the first harmonic, so the middle position is passed at odd multiples of π/2. With
+//! quadratic damping the turning points precede multiples of π by (10/9π) β A. Integration of the
+//! damped motion shows that the time between turning points is π (1 + β² A²/6)/ω, with A the
+//! geometric mean of both amplitudes.
 
 use core::f64::consts::PI;
 
 use super::family::Family;
 use crate::error::IdentifyError;
 
-/// The numbers of a swing besides those of the body and the rig.
+/// Initial amplitude and damping of a swing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Decay {
     /// Amplitude at the beginning, rad.
     pub(super) amplitude: f64,
-    /// a, 1/s.
+    /// Coefficient a of viscous damping, 1/s.
     pub(super) viscous: f64,
-    /// β.
+    /// Coefficient β of quadratic damping, dimensionless.
     pub(super) quadratic: f64,
 }
 
-/// Derivatives are by amplitude, a, β, then by the numbers to be found.
+/// Number of derivatives by amplitude, a and β. They precede the derivatives by the shared
+/// parameters.
 pub(super) const OWN: usize = 3;
 
-/// What the state is a function of.
+/// Independent variable of the integration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Clock {
-    /// Time: the state is amplitude and phase.
+    /// Time, s; the state is amplitude and phase.
     Time,
-    /// Phase: the state is amplitude and time.
+    /// Phase, rad; the state is amplitude and time.
     Phase,
 }
 
-/// States at equal steps of the clock, from 0.
+/// States at equal steps of the independent variable, from 0.
 #[derive(Clone, Debug)]
 pub(super) struct Course {
     step: f64,
     states: Vec<State>,
 }
 
-/// Amplitude, phase or time, and the derivatives of both; and the same differentiated by the clock.
+/// Amplitude, phase or time, and the derivatives of both; `slope` is their derivative by the
+/// independent variable.
 #[derive(Clone, Debug)]
 struct State {
     state: Vec<f64>,
     slope: Vec<f64>,
 }
 
-/// Amplitude, and phase or time, at a place; with derivatives.
+/// Amplitude, and phase or time, at one value of the independent variable, with derivatives.
 #[derive(Clone, Debug)]
 pub(super) struct Point {
     pub(super) amplitude: f64,
@@ -57,7 +62,7 @@ pub(super) struct Point {
     pub(super) other_by: Vec<f64>,
 }
 
-/// Steps; what changes is smooth, as it is averaged over swings.
+/// Number of integration steps; the averaged equations are smooth, so few suffice.
 const STEPS: usize = 96;
 
 impl Course {
@@ -85,7 +90,7 @@ impl Course {
         Ok(Self { step, states })
     }
 
-    /// At a value of the clock: by Hermite's polynomials.
+    /// Returns the state at a value of the independent variable, by Hermite interpolation.
     pub(super) fn at(&self, clock: f64) -> Point {
         let place = if self.step > 0.0 { clock / self.step } else { 0.0 };
         let k = (place.max(0.0) as usize).min(self.states.len() - 2);
@@ -112,7 +117,7 @@ fn moved(state: &[f64], slope: &[f64], by: f64) -> Vec<f64> {
     state.iter().zip(slope).map(|(x, v)| x + by * v).collect()
 }
 
-/// The equations, and those of the derivatives.
+/// Returns the right-hand side of the equations and of their derivatives.
 fn slope(family: &Family, decay: Decay, clock: Clock, state: &[f64]) -> Result<Vec<f64>, IdentifyError> {
     let Decay { viscous: a, quadratic: b, .. } = decay;
     let amplitude = state[0];
@@ -127,7 +132,8 @@ fn slope(family: &Family, decay: Decay, clock: Clock, state: &[f64]) -> Result<V
     let [h1, h2] = family.decay(&at);
     let (w, mixed) = (rate.value, 2.0 / (3.0 * PI));
     let square = 1.0 / 6.0 - 40.0 / (27.0 * PI * PI);
-    // Amplitude: f = −dA/dt, and phase: g = dφ/dt, with derivatives by A, a, β and the numbers.
+    // Amplitude: f = −dA/dt, and phase: g = dφ/dt, with derivatives by A, a, β and the shared
+    // parameters.
     let f = a * amplitude * h1.value + b * amplitude * amplitude * h2.value;
     let g = w - 0.5 * a * a / w - mixed * a * b * amplitude - square * b * b * amplitude * amplitude * w;
     let g_by_rate = 1.0 + 0.5 * (a / w).powi(2) - square * b * b * amplitude * amplitude;

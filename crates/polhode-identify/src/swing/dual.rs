@@ -1,8 +1,8 @@
-//! Numbers with their derivatives.
+//! Forward-mode differentiation: numbers with their derivatives.
 
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// A number with its derivatives by N others.
+/// Number with its derivatives by N variables.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dual<const N: usize> {
     pub(super) value: f64,
@@ -14,7 +14,7 @@ impl<const N: usize> Dual<N> {
         Self { value, by: [0.0; N] }
     }
 
-    /// The k-th of the others.
+    /// Returns variable k with a value.
     pub(super) fn variable(value: f64, k: usize) -> Self {
         let mut this = Self::constant(value);
         if let Some(by) = this.by.get_mut(k) {
@@ -27,7 +27,7 @@ impl<const N: usize> Dual<N> {
         Self { value: factor * self.value, by: self.by.map(|by| factor * by) }
     }
 
-    /// f(self), from f and f′.
+    /// Returns f(self), given f and its derivative f′.
     fn chain(self, f: f64, slope: f64) -> Self {
         Self { value: f, by: self.by.map(|by| slope * by) }
     }
@@ -37,7 +37,7 @@ impl<const N: usize> Dual<N> {
         self.chain(f, -f * f)
     }
 
-    /// The angle of the point (x, self).
+    /// Returns the polar angle of the point (x, self).
     pub(super) fn atan2(self, x: Self) -> Self {
         let square = self.value * self.value + x.value * x.value;
         let by = core::array::from_fn(|k| (x.value * self.by[k] - self.value * x.by[k]) / square);
@@ -80,7 +80,7 @@ impl<const N: usize> Neg for Dual<N> {
     }
 }
 
-/// A number with its derivatives by all that is to be found: as many as there are.
+/// Number with its derivatives by all estimated parameters, whose count is known at run time only.
 #[derive(Clone, Debug)]
 pub(super) struct Gradient {
     pub(super) value: f64,
@@ -92,7 +92,7 @@ impl Gradient {
         Self { value, by: vec![0.0; count] }
     }
 
-    /// a self + b other, with the value given.
+    /// Returns a number with this value and the derivatives a ∂self + b ∂other.
     fn mixed(&self, other: &Self, value: f64, a: f64, b: f64) -> Self {
         Self { value, by: self.by.iter().zip(&other.by).map(|(x, y)| a * x + b * y).collect() }
     }
@@ -118,13 +118,13 @@ impl Gradient {
         Self { value: factor * self.value, by: self.by.iter().map(|by| factor * by).collect() }
     }
 
-    /// √self of what is positive.
+    /// Returns the square root of a positive number.
     pub(super) fn root(&self) -> Self {
         let root = self.value.sqrt();
         Self { value: root, by: self.by.iter().map(|by| by / (2.0 * root)).collect() }
     }
 
-    /// Σ factors × terms
+    /// Returns Σ factor × term.
     pub(super) fn sum<'a>(count: usize, terms: impl IntoIterator<Item = (f64, &'a Self)>) -> Self {
         let mut all = Self::constant(0.0, count);
         for (factor, term) in terms {

@@ -1,12 +1,15 @@
-//! All motions up to an amplitude: ω, the harmonics and the decay as polynomials in A².
+//! Family of motions up to an amplitude: ω, harmonics and decay as polynomials in A².
 //!
-//! The other half of a swing is that of the amplitude −A, so ω(A) is even, the k-th harmonic as A^k times an even function for k = 0, 1, 2, and as A or A²
-//! times one beyond. With J = (1/2π) ∮ I θ̇ dθ and the torques −2 a I θ̇ − β I |θ̇| θ̇ the amplitude falls, averaged over a swing, as
+//! The amplitude −A describes the other half of a swing. So ω(A) is even. The harmonics k = 0, 1, 2
+//! are A^k times an even function, and higher ones A or A² times one. With J = (1/2π) ∮ I θ̇ dθ and
+//! the torques −2 a I θ̇ − β I |θ̇| θ̇, the amplitude averaged over a swing decays as
 //!
-//! dA/dt = −a A h₁ − β A² h₂,  a A h₁ = 2 a S/S′,  β A² h₂ = β Q/S′,  S = (1/2π) ∮ θ̇² dt,  Q = (1/2π) ∮ |θ̇|³ dt,
+//! dA/dt = −a A h₁ − β A² h₂,  a A h₁ = 2 a S/S′,  β A² h₂ = β Q/S′,  S = (1/2π) ∮ θ̇² dt,  Q =
+//! (1/2π) ∮ |θ̇|³ dt.
 //!
-//! which of a harmonic motion is dA/dt = −a A − (4/3π) β ω A². Source: P.-T. Lin, Y.-S. Bao, the law dA/dt = −a A − b A²; N. N. Bogoliubov, Y. A. Mitropolsky,
-//! Asymptotic Methods in the Theory of Non-linear Oscillations, for the averages.
+//! For harmonic motion this is dA/dt = −a A − (4/3π) β ω A². Sources: P.-T. Lin, Y.-S. Bao, for the
+//! law dA/dt = −a A − b A²; N. N. Bogoliubov, Y. A. Mitropolsky, Asymptotic Methods in the Theory
+//! of Non-linear Oscillations, for the averages.
 
 use core::f64::consts::PI;
 
@@ -17,33 +20,33 @@ use super::orbit::{Grid, Motion, Orbit};
 use super::rig::Oscillator;
 use crate::error::IdentifyError;
 
-/// Motions of one oscillator.
+/// Motions of one oscillator at several amplitudes.
 #[derive(Clone, Debug)]
 pub(super) struct Family {
-    /// The largest amplitude.
+    /// Largest amplitude, rad.
     pub(super) most: f64,
-    /// A row for each amplitude: ω, h₁, h₂, harmonics over A or A².
+    /// One row per amplitude. Columns: ω, h₁, h₂, harmonics divided by A or A².
     values: DMatrix<f64>,
-    /// Of each of these columns, its derivatives by the numbers to be found, a row for each amplitude.
+    /// Derivatives of each of these columns by the estimated parameters, one row per amplitude.
     by: Vec<DMatrix<f64>>,
 }
 
-/// The columns.
+/// Column indices in `values`.
 const RATE: usize = 0;
 const VISCOUS: usize = 1;
 const QUADRATIC: usize = 2;
 const HARMONICS: usize = 3;
 
-/// A quantity at an amplitude.
+/// Quantity at an amplitude.
 #[derive(Clone, Debug)]
 pub(super) struct Value {
     pub(super) value: f64,
-    /// Its derivative by the amplitude.
+    /// Derivative by the amplitude.
     pub(super) slope: f64,
     pub(super) by: Vec<f64>,
 }
 
-/// Weights of the rows at an amplitude, and their derivatives by it.
+/// Interpolation weights of the rows at an amplitude, and their derivatives by it.
 #[derive(Clone, Debug)]
 pub(super) struct Weights {
     amplitude: f64,
@@ -51,7 +54,7 @@ pub(super) struct Weights {
     slopes: Vec<f64>,
 }
 
-/// Amplitudes of which the motions are solved, from the smallest.
+/// Amplitudes at which the motion is solved, in ascending order.
 #[derive(Clone, Debug)]
 pub(super) struct Amplitudes {
     pub(super) most: f64,
@@ -60,7 +63,8 @@ pub(super) struct Amplitudes {
 }
 
 impl Amplitudes {
-    /// Enough for this accuracy of ω up to `most`, if what limits the polynomials is the amplitude π of a pendulum.
+    /// Returns enough amplitudes for full accuracy of ω up to `most`. Convergence is limited by the
+    /// singularity at a pendulum's amplitude of π.
     pub(super) fn up_to(most: f64) -> Self {
         let distance = 2.0 * (PI / most).powi(2) - 1.0;
         let fall = libm::log(distance + (distance * distance - 1.0).sqrt());
@@ -70,13 +74,14 @@ impl Amplitudes {
     }
 }
 
-/// Zeros of Chebyshev's polynomial, from the smallest.
+/// Returns the zeros of the Chebyshev polynomial, in ascending order.
 fn node(i: usize, count: usize) -> f64 {
     -libm::cos(PI * (i as f64 + 0.5) / count as f64)
 }
 
 impl Family {
-    /// From guesses of the motions, if there are any; the motions are the guesses for what is nearby.
+    /// Solves the motions, from guesses if there are any. Also returns the motions, as guesses for
+    /// similar parameters.
     pub(super) fn new(
         oscillator: &dyn Oscillator,
         amplitudes: &Amplitudes,
@@ -124,7 +129,7 @@ impl Family {
         }
         let mut family = Self { most: amplitudes.most, values, by };
         family.set_decay(&squares, amplitudes);
-        // Harmonics that are rounding at the largest amplitude are left out.
+        // Leave out harmonics that are rounding at the largest amplitude.
         let largest = amplitudes.amplitudes[count - 1];
         let matters = (0..harmonics)
             .rev()
@@ -138,7 +143,8 @@ impl Family {
         family
     }
 
-    /// h₁ and h₂ from s = S/A² and q = Q/A³ at all amplitudes: h₁ = s/(s + x s′), h₂ = q/(2 (s + x s′)), x = A².
+    /// Computes h₁ and h₂ from s = S/A² and q = Q/A³ at all amplitudes: h₁ = s/(s + x s′), h₂ =
+    /// q/(2 (s + x s′)), x = A².
     fn set_decay(&mut self, squares: &[[Gradient; 2]], amplitudes: &Amplitudes) {
         let found = self.by[RATE].ncols();
         for (i, [s, q]) in squares.iter().enumerate() {
@@ -157,14 +163,14 @@ impl Family {
         }
     }
 
-    /// At an amplitude.
+    /// Returns the interpolation weights at an amplitude.
     pub(super) fn at(&self, amplitude: f64) -> Weights {
         let count = self.values.nrows();
         let (x, x_slope) = {
             let over = amplitude / self.most;
             (2.0 * over * over - 1.0, 4.0 * over / self.most)
         };
-        // Chebyshev's polynomials and their derivatives there; w_i = (1/n) (1 + 2 Σ T_k(x_i) T_k(x))
+        // Chebyshev polynomials and their derivatives at x; w_i = (1/n) (1 + 2 Σ T_k(x_i) T_k(x)).
         let polynomials = |x: f64| {
             let mut all = vec![(1.0, 0.0); count];
             for k in 1..count {
@@ -208,17 +214,17 @@ impl Family {
         }
     }
 
-    /// ω
+    /// Returns ω at an amplitude.
     pub(super) fn rate(&self, at: &Weights) -> Value {
         self.column(RATE, at)
     }
 
-    /// h₁ and h₂
+    /// Returns h₁ and h₂ at an amplitude.
     pub(super) fn decay(&self, at: &Weights) -> [Value; 2] {
         [self.column(VISCOUS, at), self.column(QUADRATIC, at)]
     }
 
-    /// Coefficients of cos kφ.
+    /// Returns the coefficients of cos kφ at an amplitude.
     pub(super) fn harmonics(&self, at: &Weights) -> Vec<Value> {
         (0..self.by.len() - HARMONICS)
             .map(|k| {
@@ -231,15 +237,15 @@ impl Family {
     }
 }
 
-/// A or A², and its derivative: what the k-th harmonic is in proportion to.
+/// Returns the leading power of harmonic k, A or A², and its derivative.
 fn power(amplitude: f64, k: usize) -> (f64, f64) {
     if k % 2 == 1 { (amplitude, 1.0) } else { (amplitude * amplitude, 2.0 * amplitude) }
 }
 
-/// Parts of the way at most.
+/// Maximum number of continuation steps.
 const MOST_PARTS: usize = 12;
 
-/// The motion at an amplitude from one at a smaller, by steps that are halved where they fail.
+/// Solves the motion at an amplitude by continuation from a smaller one; failing steps are halved.
 fn climbed(
     oscillator: &dyn Oscillator,
     grid: &Grid,
@@ -259,7 +265,7 @@ fn climbed(
         match guess(from.as_ref(), to).solved(oscillator, grid, to) {
             Ok(orbit) if to >= amplitude => return Ok(orbit),
             Ok(orbit) => from = Some((to, orbit.motion)),
-            // a step too far may also end at another motion, with slack wires
+            // Too large a step may also converge to another motion with slack wires.
             Err(error) => {
                 step *= 0.5;
                 refused = error;
@@ -269,7 +275,7 @@ fn climbed(
     Err(refused)
 }
 
-/// S/A² and Q/A³.
+/// Returns S/A² and Q/A³.
 fn mean_powers(
     amplitude: f64,
     rate: &Gradient,
@@ -285,7 +291,8 @@ fn mean_powers(
     for (k, c) in all.iter().enumerate() {
         s = s.plus(&c.times(c).scaled((k * k) as f64));
     }
-    // Q = (ω²/π) ∫0^π |Σ k c_k sin kφ|³ dφ, by Simpson's rule: at both ends the integrand has three zeros.
+    // Q = (ω²/π) ∫0^π |Σ k c_k sin kφ|³ dφ by Simpson's rule; the integrand has triple zeros at
+    // both ends.
     let mut q = Gradient::constant(0.0, found);
     const PARTS: usize = 96;
     for part in 1..PARTS {

@@ -1,4 +1,4 @@
-//! What hangs in a rig: the body as it was placed, and a fixture that hangs with it.
+//! Suspended mass: the body in its placement, and a fixture that moves with it.
 
 use polhode::math::{Body, Position, Rotation, Space};
 
@@ -6,28 +6,30 @@ use super::dual::Gradient;
 use super::number::{CENTER, Linear, MASS, Numbers, Point, TENSOR};
 use crate::six::PLACES;
 
-/// How the body is placed in a rig: r_rig = R r_body + origin. The axes of the rig are those of space while it hangs at rest, z up.
+/// Placement of the body in a rig: r_rig = R r_body + origin. The rig's axes are those of space at
+/// rest, z up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
-    /// R
+    /// Rotation R from body axes to rig axes.
     pub rotation: Rotation<Space, Body>,
-    /// Where the origin of the body's axes is in the rig, m.
+    /// Position of the body's origin in the rig, m.
     pub origin: Position<Space>,
 }
 
 impl Placement {
-    /// The body's axes are those of the rig.
+    /// Placement with the body's axes and origin equal to those of the rig.
     pub const AS_IT_IS: Self = Self { rotation: Rotation::identity(), origin: Position::ZERO };
 }
 
-/// What hangs in the rig besides the body: a platform, a frame, a body whose inertia is known.
+/// Object that moves with the body in the rig: a platform, a frame, a body of known inertia.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fixture {
     /// Mass, kg.
     pub mass: Linear,
-    /// Centre of mass in the rig.
+    /// Centre of mass in the rig, m.
     pub center: Point,
-    /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz about its centre of mass, along the axes of the rig, products as −∫xy dm, kg·m².
+    /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz about its centre of mass, along the axes of the rig, products
+    /// as −∫xy dm, kg·m².
     pub inertia: [Linear; 6],
 }
 
@@ -39,7 +41,7 @@ pub(super) struct HungMass {
     pub(super) inertia: [Gradient; 6],
 }
 
-/// The element at a place.
+/// Index of the tensor element at each row and column.
 const ELEMENT: [[usize; 3]; 3] = [[0, 3, 4], [3, 1, 5], [4, 5, 2]];
 
 impl HungMass {
@@ -66,7 +68,8 @@ impl HungMass {
         }
     }
 
-    /// Both, joined: I = I₁ + I₂ + μ (d² 1 − d dᵀ), μ = m₁ m₂/(m₁ + m₂), d from one centre to the other.
+    /// Returns the sum of both masses: I = I₁ + I₂ + μ (d² 1 − d dᵀ), μ = m₁ m₂/(m₁ + m₂), with d
+    /// from one centre to the other.
     pub(super) fn joined(&self, other: &Self) -> Self {
         let mass = self.mass.plus(&other.mass);
         let share = other.mass.over(&mass);
@@ -77,13 +80,13 @@ impl HungMass {
         Self { mass, center, inertia }
     }
 
-    /// nᵀ I n about the centre.
+    /// Returns the moment nᵀ I n about the centre.
     pub(super) fn about(&self, n: [f64; 3]) -> Gradient {
         let terms = (0..3).flat_map(|i| (0..3).map(move |j| (i, j)));
         Gradient::sum(self.mass.by.len(), terms.map(|(i, j)| (n[i] * n[j], &self.inertia[ELEMENT[i][j]])))
     }
 
-    /// With a moment about the axis n more.
+    /// Returns the mass with an additional moment of inertia about the axis n.
     pub(super) fn with_moment(mut self, n: [f64; 3], moment: &Gradient) -> Self {
         for (element, (i, j)) in self.inertia.iter_mut().zip(PLACES) {
             *element = element.plus(&moment.scaled(n[i] * n[j]));
@@ -92,7 +95,7 @@ impl HungMass {
     }
 }
 
-/// m (d² 1 − d dᵀ)
+/// Returns the tensor m (d² 1 − d dᵀ) of a point mass.
 fn point_mass(m: &Gradient, d: &[Gradient; 3]) -> [Gradient; 6] {
     let square = d[0].times(&d[0]).plus(&d[1].times(&d[1])).plus(&d[2].times(&d[2]));
     PLACES.map(|(i, j)| {

@@ -1,4 +1,4 @@
-//! From swing tests to a body.
+//! Estimation of a body from swing tests.
 
 use nalgebra::DMatrix;
 use polhode::body::{InertiaTensor, MassProperties};
@@ -14,55 +14,65 @@ use crate::estimate::{Estimate, Number};
 use crate::least_squares::{Information, Outliers, Place, Solution, fit, rows_of};
 use crate::residuals::{Noise, ResidualTest};
 
-/// What swing tests say of a body.
+/// Result of the estimation from swing tests.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SwingEstimate {
-    /// Mass, centre, tensor about the centre of mass, gravity, and the numbers of the plan. What is exact has the standard deviation 0.
+    /// Mass, centre, tensor about the centre of mass, gravity, and the numbers of the plan. Exact
+    /// values have the standard deviation 0.
     pub estimate: Estimate,
-    /// The body: a possible one. What [`Estimate::unknown`] says is not known of it is as good as any other.
+    /// Physically consistent body. Along the directions in [`Estimate::unknown`] its values are
+    /// arbitrary.
     pub body: MassProperties<Body>,
-    /// Of each test.
+    /// Result of each test, in the order of the plan.
     pub tests: Vec<SwingResult>,
-    /// Times and amplitudes of all counted swings, with the numbers that were measured besides.
+    /// Test of all counted times and amplitudes, and of the measured numbers of the plan; `None`
+    /// without redundancy.
     pub counted: Option<ResidualTest>,
-    /// What is left of the numbers that were measured besides, in their order, in standard deviations.
+    /// Residuals of the measured numbers, in order, in standard deviations.
     pub left_of_numbers: Vec<f64>,
-    /// By what all errors were multiplied, as residuals show more than noise.
+    /// Factor by which all errors were multiplied because of the residuals.
     pub widening: f64,
-    /// Mistakes that could have been made, and whether what is left of counted swings would show them: none where nothing is left.
+    /// Possible mistakes, with their detectability by the residuals of counted swings; empty
+    /// without redundancy.
     pub mistakes: Vec<Mistake>,
 }
 
-/// What becomes of a test.
+/// Result of one test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SwingResult {
-    /// What it is called.
+    /// Name of the test.
     pub name: String,
-    /// The body's moment of inertia about the axis of the swing, through the body's centre of mass: nᵀ I n; `None` of a test without the body.
+    /// Moment of inertia nᵀ I n of the body about the axis of the swing through the body's centre
+    /// of mass; `None` for a test without the body.
     pub moment: Option<Number>,
-    /// Amplitude, in a log phase and zero, and the damping a and β.
+    /// Local parameters: amplitude; for a log also phase and zero; then the damping a and β.
     pub own: Vec<Number>,
-    /// What is left.
+    /// Test of the residuals against the noise.
     pub residuals: ResidualTest,
-    /// True of a log. Counted swings are too few to test the model but all together: [`SwingEstimate::counted`].
+    /// True for a log. Counted swings are too few for a test of their own;
+    /// [`SwingEstimate::counted`] tests all of them.
     pub is_logged: bool,
-    /// Of each number that was measured, in their order, in standard deviations: measured less predicted. Of counted swings times come first, then amplitudes.
+    /// Residuals (measured − predicted) of each reading, in order, in standard deviations. For
+    /// counted swings the times precede the amplitudes.
     pub left: Vec<f64>,
 }
 
 impl SwingEstimate {
-    /// What tests the model: each log, and all counted swings together if there are more of them than it takes.
+    /// Returns the tests of the model: one per log, and one for all counted swings if they are
+    /// redundant.
     pub fn model_tests(&self) -> impl Iterator<Item = &ResidualTest> {
         self.tests.iter().filter(|test| test.is_logged).map(|test| &test.residuals).chain(&self.counted)
     }
 }
 
-/// The body that swing tests are of.
+/// Estimates the body of a plan of swing tests.
 ///
-/// Every number of the plan is found again together with the tensor, weighed with its own error: what several tests share stays correlated in the covariance.
+/// Every measured number of the plan is estimated again together with the tensor, weighted by its
+/// own error. So the covariance contains the correlation between tests that share numbers.
 ///
 /// # Errors
-/// [`IdentifyError`] if a number cannot be, a rig cannot hold the body as described, or its motion is no twist.
+/// [`IdentifyError`] if a value is out of range, a rig cannot hold the body as described, or its
+/// motion is not a twist.
 pub fn identify_swings(plan: &SwingPlan) -> Result<SwingEstimate, IdentifyError> {
     plan.check()?;
     let mut swings = Swings::new(plan)?;
@@ -75,7 +85,7 @@ pub fn identify_swings(plan: &SwingPlan) -> Result<SwingEstimate, IdentifyError>
     said(plan, &swings, &solution)
 }
 
-/// How large a body is that swings about as it was seen: the same moment about all axes.
+/// Returns start values with a spherical tensor whose size fits the observed rates best.
 fn start(plan: &SwingPlan, swings: &Swings) -> Result<Vec<f64>, IdentifyError> {
     let places = plan.places();
     let tensor = places[TENSOR].unwrap_or(0);
@@ -103,12 +113,12 @@ fn start(plan: &SwingPlan, swings: &Swings) -> Result<Vec<f64>, IdentifyError> {
     best.map(|(_, shared)| shared).ok_or(refused)
 }
 
-/// Radii of gyration that are tried, m.
+/// Range of the trial radii of gyration, m, and their number.
 const SMALLEST: f64 = 1e-3;
 const LARGEST: f64 = 30.0;
 const SIZES: u32 = 48;
 
-/// All that is to be said of a solution.
+/// Composes the result from the least-squares solution.
 fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingEstimate, IdentifyError> {
     let places = plan.places();
     let found = solution.information()?;
@@ -171,16 +181,16 @@ fn moment(values: &[f64], by_elements: &[f64; 6], estimate: &Estimate) -> Number
     Number::new("moment about the axis".to_owned(), "kg·m²", value, estimate.deviation(&gradient))
 }
 
-/// What is left of a group, in standard deviations.
+/// Returns the residuals of a group, in standard deviations.
 fn residuals(swings: &Swings<'_>, solution: &Solution, group: usize) -> Result<Vec<f64>, IdentifyError> {
     let rows = rows_of(swings, group, &solution.shared, &solution.place.local[group])?;
     Ok(rows.measurements().flatten().collect())
 }
 
-/// Residuals that are too few for a test of their own.
+/// Residuals of tests that are too small for a test of their own.
 #[derive(Default)]
 struct Together {
-    /// One run each, as they do not follow each other.
+    /// One run per residual, because they are not a time series.
     runs: Vec<Vec<f64>>,
     found: f64,
 }
@@ -191,7 +201,7 @@ impl Together {
         self.found += found;
     }
 
-    /// If more was measured than found.
+    /// Returns the test if there are more measurements than parameters.
     fn test(&self) -> Option<ResidualTest> {
         (self.runs.len() as f64 > self.found + 0.5).then(|| {
             ResidualTest::of(
@@ -204,7 +214,7 @@ impl Together {
     }
 }
 
-/// Refuses a swing whose damping is negative beyond chance: its amplitude would grow.
+/// Returns an error if a damping is significantly negative, so that the amplitude would grow.
 fn require_decay(result: &SwingResult) -> Result<(), IdentifyError> {
     let damping = result.own.iter().filter(|number| number.name.ends_with("damping"));
     for Number { name, unit, value, sd, .. } in damping {
@@ -216,10 +226,10 @@ fn require_decay(result: &SwingResult) -> Result<(), IdentifyError> {
     Ok(())
 }
 
-/// Standard deviations that are beyond chance.
+/// Significance threshold, standard deviations.
 const NO_CHANCE: f64 = 5.0;
 
-/// A test's own numbers.
+/// Returns the local parameters of a test.
 fn own(measurement: &Measurement, solution: &Solution, group: usize, found: &Information) -> Vec<Number> {
     let damping = measurement.damping();
     let mut names = vec![("amplitude", "rad")];
@@ -241,7 +251,7 @@ fn own(measurement: &Measurement, solution: &Solution, group: usize, found: &Inf
     names.into_iter().zip(&solution.place.local[group]).enumerate().map(number).collect()
 }
 
-/// With rows and columns of zeros for what is exact.
+/// Returns the information with rows and columns of zeros for exact parameters.
 fn with_exact(found: &Information, places: &[Option<usize>]) -> Information {
     let shared = places.iter().flatten().count();
     found.of_other(&DMatrix::from_fn(places.len(), shared, |i, j| f64::from(u8::from(places[i] == Some(j)))))

@@ -1,108 +1,110 @@
-//! What is measured of a swing.
+//! Measurements of a swing.
 
 use core::f64::consts::TAU;
 
 use crate::decomposition::lu;
 use crate::error::IdentifyError;
 
-/// What was measured of a swing.
+/// Measurement of a swing.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Measurement {
-    /// Periods that were counted.
+    /// Counted periods.
     Counted(Counted),
-    /// The motion in the course of time.
+    /// Time series of the motion.
     Logged(Logged),
 }
 
-/// Which damping a swing has: dA/dt is as A of what is viscous, as A² of what is quadratic.
+/// Law of damping. dA/dt is proportional to A for viscous and to A² for quadratic damping.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Damping {
-    /// None that matters.
+    /// Negligible damping.
     None,
-    /// −2 a I θ̇: the amplitude falls as exp(−a t).
+    /// Torque −2 a I θ̇: the amplitude decays as exp(−a t).
     Viscous,
-    /// −β I |θ̇| θ̇: the amplitude falls as 1/(1 + (4/3π) β A₀ φ), φ the phase.
+    /// Torque −β I |θ̇| θ̇: the amplitude decays as 1/(1 + (4/3π) β A₀ φ), φ the phase.
     Quadratic,
-    /// Both.
+    /// Viscous and quadratic damping.
     Both,
 }
 
-/// Times of counted periods, and amplitudes that were read.
+/// Times of counted periods, and amplitude readings.
 ///
-/// Counts begin with the first swing that is timed, best where it passes the middle: with quadratic damping turning points come a little late, one after the other.
-/// They need not be whole.
+/// Counts start at 0 with the first timed swing. Time the passages of the middle: with quadratic
+/// damping turning points are slightly shifted, each by another amount. Counts of intervals are
+/// whole numbers; those of amplitude readings need not be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Counted {
-    /// Times that were measured.
+    /// Measured times.
     pub intervals: Vec<Interval>,
-    /// Amplitudes that were read: half of the angle from one turning point to the other. One at least, and two where there is damping.
+    /// Amplitude readings: half of the angle between turning points. At least one, plus one per
+    /// damping coefficient.
     pub amplitudes: Vec<AmplitudeReading>,
-    /// The damping.
+    /// Law of damping.
     pub damping: Damping,
 }
 
-/// The time from one count to another.
+/// Time from one count to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
-    /// Count at its beginning.
+    /// Count at the beginning: number of periods since the first timed swing.
     pub from: f64,
-    /// Count at its end.
+    /// Count at the end.
     pub to: f64,
-    /// Time, s.
+    /// Duration, s.
     pub time: f64,
-    /// Standard deviation of the time, s.
+    /// Standard deviation of the duration, s.
     pub sd: f64,
 }
 
-/// An amplitude that was read.
+/// Amplitude reading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AmplitudeReading {
-    /// After so many periods.
+    /// Number of periods before the reading.
     pub at: f64,
     /// Amplitude, rad.
     pub amplitude: f64,
-    /// Standard deviation, rad.
+    /// Standard deviation of the amplitude, rad.
     pub sd: f64,
 }
 
-/// What a log is of.
+/// Quantity in a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Signal {
-    /// The angle, rad, from a zero that is found.
+    /// Angle, rad, from a zero that is estimated.
     Angle,
-    /// Its rate, rad/s, with a bias that is found: a gyro along the axis.
+    /// Angular rate, rad/s, with a bias that is estimated: a gyro along the axis.
     Rate,
 }
 
-/// A log of the angle or of its rate.
+/// Log of the angle or of its rate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Logged {
     /// Times, s, ascending.
     pub times: Vec<f64>,
     /// Values, rad or rad/s.
     pub values: Vec<f64>,
-    /// Standard deviation of a value.
+    /// Standard deviation of a value, rad or rad/s.
     pub sd: f64,
-    /// What they are.
+    /// Quantity of the values.
     pub signal: Signal,
-    /// The damping.
+    /// Law of damping.
     pub damping: Damping,
 }
 
-/// What a measurement shows before anything is fitted.
+/// Estimates from a measurement before the fit.
 #[derive(Clone, Debug)]
 pub(super) struct Look {
     /// Angular frequency, rad/s.
     pub(super) rate: f64,
-    /// Its standard deviation, about, relative.
+    /// Approximate relative standard deviation of the angular frequency.
     pub(super) relative: f64,
-    /// Amplitude at the beginning and at the end, rad.
+    /// Amplitudes at the beginning and at the end, rad.
     pub(super) amplitudes: [f64; 2],
-    /// From the one to the other, s.
+    /// Time between these two amplitudes, s.
     pub(super) duration: f64,
-    /// Phase at the beginning.
+    /// Phase at the beginning, rad.
     pub(super) phase: f64,
-    /// The middle of the signal.
+    /// Middle of the signal, rad or rad/s.
     pub(super) middle: f64,
 }
 
@@ -115,14 +117,15 @@ impl Damping {
         matches!(self, Self::Quadratic | Self::Both)
     }
 
-    /// How many numbers it has.
+    /// Returns the number of damping coefficients.
     pub(super) fn count(self) -> usize {
         usize::from(self.is_viscous()) + usize::from(self.is_quadratic())
     }
 }
 
 impl Counted {
-    /// `count` periods that took a time (s), while the amplitude (rad) fell from one reading to another: viscous damping.
+    /// Creates a count of periods that took a time (s) while the amplitude (rad) fell from the
+    /// first to the last reading, with viscous damping.
     pub fn new(count: f64, (time, time_sd): (f64, f64), [first, last]: [f64; 2], amplitude_sd: f64) -> Self {
         let reading = |at, amplitude| AmplitudeReading { at, amplitude, sd: amplitude_sd };
         Self {
@@ -141,10 +144,10 @@ impl Measurement {
         }
     }
 
-    /// A look at it.
+    /// Returns the estimates before the fit.
     ///
     /// # Errors
-    /// If a number cannot be, or there is too little.
+    /// If a value is out of range, or there are too few readings.
     pub(super) fn look(&self) -> Result<Look, IdentifyError> {
         match self {
             Self::Counted(counted) => counted.look(),
@@ -212,7 +215,7 @@ impl Counted {
     }
 }
 
-/// Samples of a log at least.
+/// Minimum number of samples in a log.
 const FEWEST: usize = 16;
 
 impl Logged {
@@ -260,7 +263,8 @@ impl Logged {
         })
     }
 
-    /// Times when it passes the middle, from beyond the margin on one side to beyond it on the other.
+    /// Returns the times when the signal passes the middle from outside the margin on one side to
+    /// outside it on the other.
     fn crossings(&self, middle: f64, margin: f64) -> Vec<f64> {
         let mut all = Vec::new();
         let mut side = 0.0;
@@ -270,7 +274,7 @@ impl Logged {
                 continue;
             }
             if side * value < 0.0 {
-                // a straight line through all samples between
+                // Fit a line through all samples between the two sides.
                 let (a, b) = (last, k);
                 let n = (b - a + 1) as f64;
                 let t: f64 = self.times[a..=b].iter().sum::<f64>() / n;
@@ -289,7 +293,8 @@ impl Logged {
         all
     }
 
-    /// Amplitude and phase, at the log's beginning, of a sinusoid of this rate with any mean.
+    /// Returns amplitude and phase, at the log's beginning, of the sinusoid of this rate with an
+    /// offset that fits the samples between two times.
     fn sinusoid(&self, rate: f64, from: f64, to: f64) -> Result<[f64; 2], IdentifyError> {
         let mut matrix = nalgebra::Matrix3::zeros();
         let mut right = nalgebra::Vector3::zeros();

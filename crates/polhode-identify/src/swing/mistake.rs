@@ -1,4 +1,4 @@
-//! Mistakes in a plan of swing tests, and whether what is left would show them.
+//! Possible mistakes in a plan of swing tests, and their detectability by the residuals.
 
 use super::measurement::{Counted, Measurement};
 use super::plan::SwingPlan;
@@ -7,61 +7,65 @@ use crate::error::IdentifyError;
 use crate::least_squares::{Information, Problem, Response, Solution, response, rows_of};
 use crate::residuals::ResidualTest;
 
-/// A mistake that could have been made, and whether it would show.
+/// Possible mistake, with its effect on the result and on the residuals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mistake {
-    /// What would be wrong.
+    /// Kind of the mistake.
     pub kind: MistakeKind,
-    /// Its test, by its place in the plan; `None` of what several tests share.
+    /// Index of the affected test in the plan; `None` for a number that tests share.
     pub test: Option<usize>,
-    /// By how many standard deviations the body and the other shared numbers would be off, all together.
+    /// Shift of the body and the other shared parameters, in standard deviations of their joint
+    /// distribution.
     pub shift: f64,
-    /// By how many standard deviations it would move what is left: the root of the noncentrality of χ².
+    /// Shift of the residuals, in standard deviations: the square root of the noncentrality of χ².
     pub left: f64,
-    /// How many it takes until the residuals are larger than noise beyond chance, in the mean.
+    /// Shift of the residuals that on average makes them significantly larger than the noise.
     pub needed: f64,
 }
 
-/// What could be wrong, to first order in the measurements.
+/// Kind of a mistake; effects are of first order in the measurements.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MistakeKind {
-    /// One swing more or less was counted than there was.
+    /// Count off by one swing.
     Miscount,
-    /// Amplitudes were read from one side to the other, so they are twice too large.
+    /// Amplitudes read from side to side, so twice too large.
     SideToSide,
-    /// A length was measured across, so it is twice too large.
+    /// Length measured across, as a diameter, so twice too large.
     Twice {
-        /// The number's name.
+        /// Name of the length in the plan.
         number: String,
     },
     /// All times are 1 % too long.
     Clock,
 }
 
-/// By how much all times are too long.
+/// Relative error of all times.
 const CLOCK: f64 = 0.01;
 
-/// Numbers that are off by less are none the worse.
+/// Threshold of a relevant shift, standard deviations.
 const MATTERS: f64 = 1.0;
 
 impl Mistake {
-    /// Whether it would make the numbers wrong.
+    /// Returns true if the mistake would shift the estimate noticeably.
     pub fn matters(&self) -> bool {
         self.shift >= MATTERS
     }
 
-    /// Whether the residuals would show it.
+    /// Returns true if the residuals would reveal the mistake.
     pub fn shows(&self) -> bool {
         self.left >= self.needed
     }
 
-    /// Whether it would make the numbers wrong without showing.
+    /// Returns true if the mistake would shift the estimate noticeably and remain undetected.
     pub fn is_hidden(&self) -> bool {
         self.matters() && !self.shows()
     }
 }
 
-/// What becomes of each mistake: a change d of the residuals, in standard deviations, leaves (1 − H) d of itself, H the projection on what the numbers that are found can do.
+/// Computes the effect of each possible mistake.
+///
+/// A change d of the measurements, in standard deviations, changes the residuals by (1 − H) d,
+/// where H projects on the changes that the parameters can produce.
 ///
 /// Source: Baarda, A testing procedure for use in geodetic networks, 1968 (internal reliability).
 pub(super) fn mistakes(
@@ -87,7 +91,7 @@ pub(super) fn mistakes(
         let change =
             |changed: &dyn Fn(usize) -> bool, doubled: bool| [(k + 1, counted.change(changed, doubled))];
         let miscount = |i: usize| mistake(MistakeKind::Miscount, Some(k), &change(&|row| row == i, false));
-        // Of several intervals, that of which it shows least.
+        // Of several intervals, report the one whose miscount is hardest to detect.
         let miscounts = (0..times).map(miscount).collect::<Result<Vec<_>, _>>()?;
         all.extend(miscounts.into_iter().min_by(|a, b| a.left.total_cmp(&b.left)));
         if amplitudes > 0 {
@@ -108,7 +112,8 @@ pub(super) fn mistakes(
 }
 
 impl Counted {
-    /// By how much the rows change, in standard deviations: of intervals with one swing more, of amplitudes that are twice too large.
+    /// Returns the change of the rows, in standard deviations, for intervals with one swing too
+    /// many, or for amplitudes twice too large.
     fn change(&self, miscounted: &dyn Fn(usize) -> bool, doubled: bool) -> Vec<f64> {
         let time = self.intervals.iter().enumerate().map(|(k, interval)| {
             let swing = interval.time / (interval.to - interval.from);

@@ -1,7 +1,9 @@
-//! Swing tests: from the periods of a body that hangs on wires or turns about an axis to its inertia tensor.
+//! Swing tests: inertia tensor from the periods of a body on wires or about an axis.
 //!
-//! A [`SwingPlan`] has the body's mass and centre, numbers that rigs share, and tests: each a [`Rig`], the body's [`Placement`] in it, and what was measured.
-//! The motion is that of the equations, at its amplitude, not of a small-angle formula; [`identify_swings`] fits all tests at once.
+//! A [`SwingPlan`] contains the body's mass and centre, numbers that rigs share, and tests. Each
+//! test has a [`Rig`], the body's [`Placement`] in it, and a measurement. [`identify_swings`] fits
+//! all tests together. It solves the full equations of motion at the measured amplitude and does
+//! not use small-angle formulas.
 
 mod course;
 mod dual;

@@ -1,4 +1,4 @@
-//! The swing test that would help most.
+//! Choice of the most useful next swing test.
 
 use nalgebra::DMatrix;
 use polhode::math::{Body, Direction, Position, Rotation, Space};
@@ -14,31 +14,33 @@ use crate::knowledge::BodyUnits;
 use crate::least_squares::{Problem, rows_of};
 use crate::next::{Comparison, NextExperiment, signed_axes};
 
-/// What could be measured next.
+/// Possible next measurement.
 #[derive(Clone, Debug, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "there are few")]
 pub enum NextSwing {
-    /// Another swing in a rig of the plan: the body is turned about its centre of mass, which stays where it was.
+    /// Another swing in a rig of the plan. The body is rotated about its centre of mass, which
+    /// keeps its position.
     Test {
-        /// The axis of the body that is then the axis of the swing: whole numbers along x, y, z.
+        /// Direction along the body's x, y, z, in whole numbers, that becomes the axis of the
+        /// swing.
         about: [i8; 3],
         /// The name of the test whose rig it is.
         like: String,
         /// The test, with what would be measured if the body is as it was found.
         test: SwingTest,
     },
-    /// A number of the plan, measured once more with the same error.
+    /// Repeated measurement of a number of the plan, with the same error.
     Number {
-        /// Its name.
+        /// Name of the number.
         name: String,
-        /// Its standard deviation.
+        /// Standard deviation of the measurement, in `unit`.
         sd: f64,
-        /// And unit.
+        /// Unit of the number.
         unit: &'static str,
     },
 }
 
-/// x, y, z, and what is between two or three of them.
+/// Directions of x, y, z, and between two or three of them.
 const AXES: [[i8; 3]; 13] = [
     [1, 0, 0],
     [0, 1, 0],
@@ -55,11 +57,13 @@ const AXES: [[i8; 3]; 13] = [
     [-1, 1, 1],
 ];
 
-/// What could be measured next, best first: each rig of the plan with the body turned to swing about others of its axes, and each measured number once more.
-/// `None` where there is no tensor to compare.
+/// Ranks possible next measurements, best first.
+///
+/// Candidates are each rig of the plan with the body rotated to swing about other axes, and each
+/// measured number once more. `None` if the tensor is zero.
 ///
 /// # Errors
-/// [`IdentifyError::NotFinite`]
+/// [`IdentifyError::NotFinite`] if a covariance or derivative is not finite.
 pub fn next_swing(
     plan: &SwingPlan,
     found: &SwingEstimate,
@@ -96,7 +100,7 @@ pub fn next_swing(
     Ok(Some(next.finish()?))
 }
 
-/// The first test of the body in each rig.
+/// Returns the first test with the body in each rig, with its index.
 fn templates(plan: &SwingPlan) -> Vec<(usize, &SwingTest)> {
     let mut all: Vec<(usize, &SwingTest)> = Vec::new();
     for (k, test) in plan.tests().iter().enumerate().filter(|(_, test)| test.body.is_some()) {
@@ -110,12 +114,13 @@ fn templates(plan: &SwingPlan) -> Vec<(usize, &SwingTest)> {
     all
 }
 
-/// The placement with the body turned about its centre c by Q, as little as it takes: r_rig = R (c + Q (r − c)) + origin.
+/// Returns the placement with the body rotated about its centre c by the smallest rotation Q that
+/// is needed: r_rig = R (c + Q (r − c)) + origin.
 fn turned(test: &SwingTest, about: [i8; 3], found: &SwingEstimate) -> Option<Placement> {
     let Placement { rotation, origin } = test.body?;
     let wanted = Direction::<Body>::from_array(about.map(f64::from)).direction()?;
     let axis: Direction<Body> = rotation.inverse() * Direction::<Space>::from_array(test.rig.axis());
-    // an axis has no sign
+    // The sign of an axis does not matter.
     let wanted = if wanted.dot(axis) < 0.0 { -wanted } else { wanted };
     let turn = match wanted.cross(axis).direction() {
         Some(about) => Rotation::<Body, Body>::about(about, wanted.angle_to(axis)).ok()?,
@@ -125,7 +130,8 @@ fn turned(test: &SwingTest, about: [i8; 3], found: &SwingEstimate) -> Option<Pla
     Some(Placement { rotation: rotation * turn, origin: origin + rotation * (c - turn * c) })
 }
 
-/// The test with what would be measured, and its rows: derivatives by all numbers, with the test's own eliminated.
+/// Returns the test with predicted readings, and its rows: derivatives by all parameters, with the
+/// local ones eliminated.
 fn predicted(
     plan: &SwingPlan,
     mut test: SwingTest,
@@ -147,7 +153,7 @@ fn predicted(
     Ok((test, all))
 }
 
-/// A measurement less what is left of it, in standard deviations: what is predicted.
+/// Returns the measurement minus its residuals, which are in standard deviations: the prediction.
 fn moved(measurement: &Measurement, left: &[f64]) -> Measurement {
     let mut moved = measurement.clone();
     match &mut moved {

@@ -1,38 +1,38 @@
-//! Numbers that several tests share, and lengths and points made of them.
+//! Numbers that several tests share, and lengths and points composed of them.
 
 use super::dual::Gradient;
 
-/// A number as it was measured.
+/// Measured number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
-    /// The value.
+    /// Measured value, or the initial value of an unknown number.
     pub value: f64,
-    /// Its standard deviation: 0 of what is exact, infinite of what is to be found (the search begins at the value).
+    /// Standard deviation: 0 for an exact number, infinite for an unknown number.
     pub sd: f64,
 }
 
 impl Measured {
-    /// A value with its standard deviation.
+    /// Creates a number from a value and its standard deviation.
     pub const fn new(value: f64, sd: f64) -> Self {
         Self { value, sd }
     }
 
-    /// A number without an error.
+    /// Creates an exact number, with standard deviation 0.
     pub const fn exact(value: f64) -> Self {
         Self { value, sd: 0.0 }
     }
 
-    /// A number that was not measured, and about what it is.
+    /// Creates an unknown number from an initial value.
     pub const fn unknown(start: f64) -> Self {
         Self { value: start, sd: f64::INFINITY }
     }
 }
 
-/// A number of a plan, as [`SwingPlan::number`](super::SwingPlan::number) gives it.
+/// Identifier of a number, returned by [`SwingPlan::number`](super::SwingPlan::number).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NumberId(pub(super) usize);
 
-/// A constant and multiples of numbers of the plan: x + Σ factor × number.
+/// Linear combination of numbers of the plan, with a constant: x + Σ factor × number.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Linear {
     constant: f64,
@@ -40,14 +40,14 @@ pub struct Linear {
 }
 
 impl Linear {
-    /// With a multiple of a number besides.
+    /// Adds a multiple of a number.
     #[must_use]
     pub fn plus(mut self, factor: f64, number: NumberId) -> Self {
         self.terms.push((number, factor));
         self
     }
 
-    /// A multiple of all.
+    /// Multiplies the constant and all terms by a factor.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {
         self.constant *= factor;
@@ -68,7 +68,7 @@ impl From<NumberId> for Linear {
     }
 }
 
-/// A point of a rig in m: x, y, z, each made of numbers of the plan.
+/// Point of a rig, m: x, y, z, each a linear combination of numbers of the plan.
 ///
 /// ```
 /// use polhode_identify::swing::{Measured, Point, SwingPlan};
@@ -82,7 +82,7 @@ impl From<NumberId> for Linear {
 pub struct Point(pub(super) [Linear; 3]);
 
 impl Point {
-    /// Moved by a number of the plan times a vector.
+    /// Returns the point shifted by a number of the plan times a vector.
     #[must_use]
     pub fn along(self, number: NumberId, vector: [f64; 3]) -> Self {
         let mut factors = vector.into_iter();
@@ -105,14 +105,15 @@ impl From<[Linear; 3]> for Point {
     }
 }
 
-/// Where the body's numbers are among all: mass, centre, Ixx Iyy Izz Ixy Ixz Iyz, gravity; then those of the plan.
+/// Indices among all numbers: mass, centre, Ixx Iyy Izz Ixy Ixz Iyz, gravity; then the numbers of
+/// the plan.
 pub(super) const MASS: usize = 0;
 pub(super) const CENTER: usize = 1;
 pub(super) const TENSOR: usize = 4;
 pub(super) const GRAVITY: usize = 10;
 pub(super) const PLAN: usize = 11;
 
-/// All numbers of a plan at a place, those that are to be found with a derivative.
+/// Values of all numbers of a plan; estimated ones carry a derivative.
 #[derive(Clone, Debug)]
 pub(super) struct Numbers {
     all: Vec<Gradient>,
@@ -120,7 +121,8 @@ pub(super) struct Numbers {
 }
 
 impl Numbers {
-    /// From all values, and the place of each among those that are to be found.
+    /// Creates them from all values, with the index of each estimated one among the estimated
+    /// parameters.
     pub(super) fn new(values: &[f64], places: &[Option<usize>]) -> Self {
         let count = places.iter().flatten().count();
         let all = values.iter().zip(places).map(|(&value, place)| {
@@ -133,7 +135,7 @@ impl Numbers {
         Self { all: all.collect(), count }
     }
 
-    /// How many are to be found.
+    /// Returns the number of estimated parameters.
     pub(super) const fn count(&self) -> usize {
         self.count
     }
@@ -161,7 +163,8 @@ impl Numbers {
 }
 
 impl Linear {
-    /// The largest index of a number in it, and whether all is finite.
+    /// Returns true if all coefficients are finite and all numbers belong to a plan with `count`
+    /// numbers.
     pub(super) fn is_of(&self, count: usize) -> bool {
         self.constant.is_finite()
             && self.terms.iter().all(|&(NumberId(k), factor)| k < count && factor.is_finite())

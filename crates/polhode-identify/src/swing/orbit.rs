@@ -1,7 +1,8 @@
-//! A motion that repeats itself, at a given amplitude: by collocation.
+//! Periodic motion of a given amplitude, by collocation.
 //!
-//! It begins and ends half a period at rest, so u(τ) = Σ c_k cos kτ, τ = ω t; the equations hold at τ_j = π j/(N − 1). Newton's method finds all u(τ_j) and ω;
-//! the same matrix gives their derivatives by whatever the equations depend on.
+//! The motion is at rest at the beginning and after half a period, so u(τ) = Σ c_k cos kτ with τ =
+//! ω t. The equations hold at τ_j = π j/(N − 1). Newton's method solves for all u(τ_j) and ω. The
+//! same matrix gives their derivatives by the quantities in the equations.
 
 use core::f64::consts::PI;
 
@@ -11,20 +12,22 @@ use super::rig::{Equations, Oscillator};
 use crate::decomposition::lu;
 use crate::error::IdentifyError;
 
-/// Times of half a period, and what takes values there to derivatives.
+/// Collocation points in half a period, with matrices from values to derivatives.
 #[derive(Clone, Debug)]
 pub(super) struct Grid {
     first: DMatrix<f64>,
     second: DMatrix<f64>,
-    /// Values to coefficients of cos kτ.
+    /// Matrix from values to coefficients of cos kτ.
     pub(super) harmonics: DMatrix<f64>,
 }
 
 impl Grid {
-    /// With enough times for a motion of this amplitude: a pendulum's harmonics fall by its nome.
+    /// Returns a grid with enough points for this amplitude, rad. A pendulum's harmonics fall off
+    /// as powers of its nome.
     pub(super) fn of_amplitude(amplitude: f64) -> Self {
         let m = libm::sin(0.5 * amplitude).powi(2);
-        // K′/K by means; q = exp(−π K′/K), the k-th harmonic is as q^(k/2)
+        // K′/K by arithmetic–geometric means; q = exp(−π K′/K), and harmonic k is of the order
+        // q^(k/2).
         let ratio = mean(1.0, (1.0 - m).sqrt()) / mean(1.0, m.sqrt());
         let fall = 0.5 * PI * ratio;
         Self::new((34.0 / fall).ceil().clamp(8.0, 120.0) as usize)
@@ -47,7 +50,7 @@ impl Grid {
     }
 }
 
-/// The arithmetic–geometric mean.
+/// Returns the arithmetic–geometric mean.
 fn mean(mut a: f64, mut b: f64) -> f64 {
     for _ in 0..40 {
         (a, b) = (0.5 * (a + b), (a * b).sqrt());
@@ -58,31 +61,33 @@ fn mean(mut a: f64, mut b: f64) -> f64 {
     a
 }
 
-/// A motion: u at the times of the grid, a row each, and ω.
+/// Motion: u at the collocation points, one row each, and ω.
 #[derive(Clone, Debug)]
 pub(super) struct Motion {
     pub(super) u: DMatrix<f64>,
     pub(super) rate: f64,
 }
 
-/// The motion of an amplitude, and its derivatives by the quantities at that amplitude.
+/// Motion of a given amplitude, and its derivatives by the oscillator's quantities at this
+/// amplitude.
 #[derive(Clone, Debug)]
 pub(super) struct Orbit {
     pub(super) motion: Motion,
     pub(super) rate_by: Vec<f64>,
-    /// The angle at the times of the grid.
+    /// Angle at the collocation points, rad.
     pub(super) angle: DVector<f64>,
-    /// A row each.
+    /// Derivatives of the angle, one row per collocation point.
     pub(super) angle_by: DMatrix<f64>,
 }
 
-/// Steps of Newton's method at most.
+/// Maximum number of Newton steps.
 const MOST_STEPS: usize = 25;
-/// A step relative to the amplitude after which the next, quadratically smaller, is rounding.
+/// Convergence threshold of a step, relative to the amplitude; after quadratic convergence the next
+/// step is rounding.
 const CONVERGED: f64 = 1e-8;
 
 impl Motion {
-    /// The small motion about rest, at this amplitude.
+    /// Returns the small oscillation about rest, scaled to an amplitude.
     pub(super) fn small(oscillator: &dyn Oscillator, grid: &Grid, amplitude: f64) -> Self {
         let (rest, last) = (oscillator.rest(), grid.count() - 1);
         let u = DMatrix::from_fn(grid.count(), rest.u.len(), |j, i| {
@@ -91,7 +96,8 @@ impl Motion {
         Self { u, rate: rest.rate }
     }
 
-    /// A guess at another amplitude: what changes its sign after half a period grows by the ratio, what does not by its square.
+    /// Extrapolates to another amplitude. The part that changes sign after half a period scales
+    /// with the ratio, the other part with its square.
     pub(super) fn grown(&self, oscillator: &dyn Oscillator, ratio: f64) -> Self {
         let (rest, count) = (oscillator.rest(), self.u.nrows());
         let u = DMatrix::from_fn(count, rest.u.len(), |j, i| {
@@ -102,7 +108,7 @@ impl Motion {
         Self { u, rate: rest.rate + ratio * ratio * (self.rate - rest.rate) }
     }
 
-    /// The motion of an amplitude, from a guess.
+    /// Solves the motion of an amplitude, from a guess.
     pub(super) fn solved(
         mut self,
         oscillator: &dyn Oscillator,
@@ -124,7 +130,7 @@ impl Motion {
         Err(IdentifyError::NoConvergence { steps: MOST_STEPS })
     }
 
-    /// Takes a step, and says how large it is.
+    /// Applies a step and returns its relative size.
     fn take(&mut self, step: &DVector<f64>, amplitude: f64) -> f64 {
         let width = self.u.ncols();
         let mut size = 0.0_f64;
@@ -141,7 +147,7 @@ impl Motion {
         size.max(change.abs() / self.rate.abs())
     }
 
-    /// One step more, and the derivatives.
+    /// Takes one more Newton step and computes the derivatives.
     fn differentiated(
         mut self,
         oscillator: &dyn Oscillator,
@@ -177,7 +183,8 @@ fn row(matrix: &DMatrix<f64>, j: usize) -> Vec<f64> {
     matrix.row(j).iter().copied().collect()
 }
 
-/// All equations at all times, and that of the amplitude: half of what the angle changes in half a period.
+/// All equations at all collocation points, and the amplitude condition: half the change of the
+/// angle in half a period.
 struct System {
     value: DVector<f64>,
     matrix: DMatrix<f64>,

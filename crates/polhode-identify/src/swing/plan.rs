@@ -1,4 +1,4 @@
-//! A plan of swing tests of one body.
+//! Plan of swing tests of one body.
 
 use super::hung_mass::{Fixture, HungMass, Placement};
 use super::measurement::Measurement;
@@ -40,34 +40,35 @@ pub struct SwingPlan {
     pub(super) tests: Vec<SwingTest>,
 }
 
-/// One test.
+/// One swing test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SwingTest {
-    /// What it is called.
+    /// Name of the test.
     pub name: String,
-    /// How the body is placed in the rig; `None` in a test of the rig without the body.
+    /// Placement of the body in the rig; `None` for a test of the rig without the body.
     pub body: Option<Placement>,
-    /// What hangs there besides.
+    /// Object that moves with the body, if any.
     pub fixture: Option<Fixture>,
-    /// The rig.
+    /// Suspension of the body.
     pub rig: Rig,
-    /// What the air does.
+    /// Effects of the air other than damping.
     pub air: Air,
-    /// What was measured.
+    /// Readings of the swing.
     pub measurement: Measurement,
 }
 
-/// What the air does besides damping: a correction that is stated, with its error if it is made of a number of the plan.
+/// Stated corrections for the air other than damping; they have an error if they depend on a number
+/// of the plan.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Air {
     /// The moment of inertia of the air that moves along, about the axis of the swing, kg·m²: 0 where it is not given.
     pub moment: Linear,
-    /// The mass of the air displaced, kg: the weight is less by it. 0 where it is not given.
+    /// Mass of the displaced air, kg, which reduces the weight; default 0.
     pub displaced: Linear,
 }
 
 impl SwingTest {
-    /// A test of the body alone, in air that does nothing.
+    /// Creates a test of the body alone, without corrections for the air.
     pub fn new(name: impl Into<String>, body: Placement, rig: Rig, measurement: Measurement) -> Self {
         Self { name: name.into(), body: Some(body), fixture: None, rig, air: Air::default(), measurement }
     }
@@ -90,7 +91,8 @@ impl SwingTest {
         self.rig.oscillator(numbers, &Load { mass, weight })
     }
 
-    /// nᵀ I n of the body, n the axis of the swing: its derivatives by the elements.
+    /// Returns the derivatives of nᵀ I n by the tensor's elements, with n the axis of the swing in
+    /// body axes.
     pub(super) fn moment_gradient(&self) -> Option<[f64; 6]> {
         let r = self.body?.rotation.matrix();
         let axis = self.rig.axis();
@@ -103,40 +105,42 @@ impl SwingTest {
 const STANDARD: f64 = 9.80665;
 
 impl SwingPlan {
-    /// Of a body with its mass (kg) and its centre of mass (m) as they were measured; gravity is the standard one, exactly, unless it is said.
+    /// Creates a plan for a body with its measured mass (kg) and centre of mass (m). Gravity is
+    /// exactly the standard value; [`SwingPlan::with_gravity`] changes it.
     pub fn new(mass: Measured, center: [Measured; 3]) -> Self {
         Self { mass, center, gravity: Measured::exact(STANDARD), numbers: Vec::new(), tests: Vec::new() }
     }
 
-    /// Gravity as it was measured, m/s².
+    /// Sets the measured gravity, m/s².
     #[must_use]
     pub fn with_gravity(mut self, gravity: Measured) -> Self {
         self.gravity = gravity;
         self
     }
 
-    /// A number that rigs may share: a radius, a length, a stiffness.
+    /// Adds a number that rigs may share, such as a radius, a length or a stiffness, and returns
+    /// its identifier.
     pub fn number(&mut self, name: impl Into<String>, unit: &'static str, measured: Measured) -> NumberId {
         self.numbers.push((name.into(), unit, measured));
         NumberId(self.numbers.len() - 1)
     }
 
-    /// One test more.
+    /// Adds one test.
     pub fn add(&mut self, test: SwingTest) {
         self.tests.push(test);
     }
 
-    /// The same body and numbers in other tests.
+    /// Returns the plan with other tests.
     pub(super) fn with_tests(&self, tests: Vec<SwingTest>) -> Self {
         Self { tests, ..self.clone() }
     }
 
-    /// Its tests.
+    /// Returns the tests in order.
     pub fn tests(&self) -> &[SwingTest] {
         &self.tests
     }
 
-    /// All numbers as they were measured; the tensor's are not.
+    /// Returns all numbers as measured; the elements of the tensor are unknown.
     pub(super) fn measured(&self) -> Vec<Measured> {
         let mut all = vec![self.mass];
         all.extend(self.center);
@@ -146,7 +150,7 @@ impl SwingPlan {
         all
     }
 
-    /// The name and the unit of each.
+    /// Returns the name and unit of each number.
     pub(super) fn names(&self) -> Vec<(String, &'static str)> {
         let mut all = vec![("mass".to_owned(), "kg")];
         all.extend(["x", "y", "z"].map(|axis| (format!("center {axis}"), "m")));
@@ -156,7 +160,9 @@ impl SwingPlan {
         all
     }
 
-    /// Of each measured number that has an error, in their order: the name and half of the value in standard deviations of what is a length, and no coordinate.
+    /// Returns an entry for each measured number with an error, in order. It is the name and half
+    /// the value in standard deviations if the number is a length of the plan, and `None`
+    /// otherwise.
     pub(super) fn lengths(&self) -> impl Iterator<Item = Option<(&str, f64)>> {
         let is_measured = |measured: &Measured| measured.sd > 0.0 && measured.sd.is_finite();
         let body = [self.mass].into_iter().chain(self.center).chain([self.gravity]);
@@ -191,7 +197,7 @@ impl SwingPlan {
         Ok(())
     }
 
-    /// Coordinates of the numbers that are to be found, in their order.
+    /// Returns the coordinates of the estimated parameters, in order.
     pub(super) fn coordinates(&self) -> Coordinates {
         let mut parts = Vec::new();
         for (k, measured) in self.measured().into_iter().enumerate() {
@@ -206,7 +212,7 @@ impl SwingPlan {
         Coordinates::new(parts)
     }
 
-    /// The place of each number among those that are to be found.
+    /// Returns the index of each number among the estimated parameters; `None` for exact numbers.
     pub(super) fn places(&self) -> Vec<Option<usize>> {
         let mut next = 0;
         let place = |measured: Measured| {

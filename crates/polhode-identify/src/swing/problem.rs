@@ -1,4 +1,4 @@
-//! Swing tests as a problem of least squares.
+//! Least-squares problem of swing tests.
 
 use core::cell::RefCell;
 use core::f64::consts::{PI, TAU};
@@ -12,16 +12,16 @@ use super::plan::{SwingPlan, SwingTest};
 use crate::error::IdentifyError;
 use crate::least_squares::{Problem, Rows};
 
-/// What is fitted.
+/// Stage of the fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Stage {
-    /// Each test's rate at its mean amplitude: what the rest begins from.
+    /// Rate of each test at its mean amplitude; start for the complete fit.
     Rates,
-    /// All that was measured.
+    /// All measurements.
     All,
 }
 
-/// Group 0 are the numbers that were measured; then one of each test.
+/// Least-squares problem: group 0 has the measured numbers, each further group one test.
 pub(super) struct Swings<'a> {
     pub(super) stage: Stage,
     tests: Vec<Prepared<'a>>,
@@ -39,21 +39,22 @@ struct Prepared<'a> {
     sought: RefCell<Option<[bool; 6]>>,
 }
 
-/// What an element of the tensor may change by all that is possible, in standard deviations of a test, is nothing below this.
+/// Threshold of influence: the largest possible change of a tensor element must change the test by
+/// this many standard deviations.
 const NOTHING: f64 = 1e-2;
 
 /// Elements of the tensor that move a test by less than this part of what the others do are not sought in it: it would be in vain, and one that nothing
 /// else holds would be carried far. The prediction has them all the same.
 const SMALL: f64 = 1e-5;
-/// The same while rates are far off.
+/// Relative threshold in the first stage, while rates are far off.
 const COARSE: f64 = 1e-3;
 
-/// How far the rate of a place nearby may differ, relatively.
+/// Largest relative change of the rate for which the last motions are used as guesses.
 const NEARBY: f64 = 0.02;
 
-/// Amplitudes may grow by this beyond what is seen at first.
+/// Ratio of the largest computed amplitude to the largest observed one.
 const ROOM: f64 = 1.1;
-/// The least amplitude up to which motions are solved, rad.
+/// Minimum of the largest computed amplitude, rad.
 const LEAST: f64 = 0.05;
 
 impl<'a> Swings<'a> {
@@ -81,7 +82,7 @@ impl<'a> Swings<'a> {
         Ok(Self { stage: Stage::Rates, tests, measured: plan.measured(), places: plan.places() })
     }
 
-    /// All numbers, from those that are to be found.
+    /// Returns all numbers, given the estimated parameters.
     pub(super) fn all(&self, shared: &[f64]) -> Vec<f64> {
         let value =
             |(measured, place): (&Measured, &Option<usize>)| place.map_or(measured.value, |k| shared[k]);
@@ -92,7 +93,8 @@ impl<'a> Swings<'a> {
         Numbers::new(&self.all(shared), &self.places)
     }
 
-    /// How far the rates of small motions are from those that are seen: Σ (ln ω − ln ω_seen)².
+    /// Returns the misfit of the small-oscillation rates to the observed ones: Σ (ln ω − ln
+    /// ω_seen)².
     pub(super) fn misfit(&self, shared: &[f64]) -> Result<f64, IdentifyError> {
         let numbers = self.numbers(shared);
         let mut sum = 0.0;
@@ -103,7 +105,7 @@ impl<'a> Swings<'a> {
         Ok(sum)
     }
 
-    /// Each group's own numbers, where the search begins.
+    /// Returns the initial local parameters of each group.
     pub(super) fn locals(&self) -> Vec<Vec<f64>> {
         let own = self.tests.iter().map(|prepared| match self.stage {
             Stage::Rates => Vec::new(),
@@ -124,8 +126,9 @@ impl<'a> Swings<'a> {
         }
     }
 
-    /// Leaves out derivatives by elements of the tensor that do not matter to a test: in the end those that do not where the search begins, as one that moves
-    /// begins to matter by its own error.
+    /// Clears derivatives by tensor elements without influence on a test. In the complete fit the
+    /// selection is made at the start and kept, because an element that drifts would gain influence
+    /// by its own error.
     fn without_what_is_nothing(&self, prepared: &Prepared, rows: &mut Rows, trace: f64) {
         let tensor = self.places[TENSOR].unwrap_or(0);
         let mut kept = prepared.sought.borrow_mut();
@@ -147,7 +150,7 @@ impl<'a> Swings<'a> {
     }
 }
 
-/// Derivatives in standard deviations.
+/// Writes derivatives in standard deviations.
 fn write(by: &[f64], scale: f64, row: &mut [f64]) {
     row.iter_mut().zip(by).for_each(|(element, value)| *element = value * scale);
 }
@@ -166,7 +169,7 @@ impl Prepared<'_> {
         Ok(family)
     }
 
-    /// A₀, in a log φ₀ and the zero, then a and β as far as there are.
+    /// Returns the initial A₀; for a log also φ₀ and the zero; then a and β if present.
     fn own(&self) -> Vec<f64> {
         let Look { rate, amplitudes: [first, last], duration, phase, middle, .. } = self.look;
         let damping = self.test.measurement.damping();
@@ -193,7 +196,7 @@ impl Prepared<'_> {
         Decay { amplitude: own[0], viscous, quadratic: rest.next().unwrap_or(0.0) }
     }
 
-    /// Derivatives by amplitude, a and β as those by the group's own numbers.
+    /// Writes derivatives by amplitude, a and β into the row of local parameters.
     fn write_own(&self, by: &[f64], scale: f64, row: &mut [f64]) {
         let damping = self.test.measurement.damping();
         row[0] = by[0] * scale;
@@ -236,7 +239,7 @@ impl Problem for Swings<'_> {
     }
 }
 
-/// One test whose rows are written.
+/// Test whose rows are written.
 struct Target<'a> {
     prepared: &'a Prepared<'a>,
     family: &'a Family,
@@ -292,7 +295,7 @@ impl Target<'_> {
                 .collect();
             let residual = value - own[2] - signal.value;
             self.push(rows, residual, logged.sd, &by);
-            // the phase at the beginning, and the zero
+            // Derivatives by the initial phase and the zero.
             let (row, _) = rows.last();
             row[1] = signal.by_phase / logged.sd;
             row[2] = 1.0 / logged.sd;
@@ -300,7 +303,8 @@ impl Target<'_> {
         Ok(())
     }
 
-    /// θ = Σ c_k cos kφ, or its rate −ω Σ k c_k sin kφ, with what the damping adds to it.
+    /// Returns θ = Σ c_k cos kφ, or its rate −ω Σ k c_k sin kφ, plus the effect of damping on the
+    /// shape.
     fn signal(&self, signal: Signal, here: &Point, phase: f64, decay: Decay) -> Predicted {
         let at = self.family.at(here.amplitude);
         let phase = phase + here.other;
@@ -330,7 +334,8 @@ impl Target<'_> {
     }
 }
 
-/// A signal, with its derivatives by amplitude and phase, by the numbers of the decay, and by those that are shared.
+/// Predicted signal, with its derivatives by amplitude, phase, decay parameters and shared
+/// parameters.
 struct Predicted {
     value: f64,
     by_amplitude: f64,

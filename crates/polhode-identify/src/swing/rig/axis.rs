@@ -1,4 +1,4 @@
-//! A body that turns about an axis that is held.
+//! Body that turns about a fixed axis.
 
 use nalgebra::DMatrix;
 use polhode::math::{Direction, Space};
@@ -8,14 +8,16 @@ use super::super::number::{Linear, Numbers, Point};
 use super::{Equations, Load, Oscillator, Rest};
 use crate::error::IdentifyError;
 
-/// An axis that a body turns about: level, as of a compound pendulum or a knife edge; or upright, as of a torsion spindle.
+/// Fixed axis of rotation: level for a compound pendulum or a knife edge, upright for a torsion
+/// spindle.
 ///
-/// Of a level axis through P, with the centre of mass a distance l below, and an edge that is round with radius ρ and rolls on a level plane, h = l + ρ:
+/// Consider a level axis through P, with the centre of mass at a distance l below it. The edge is
+/// round with radius ρ and rolls on a level plane, and h = l + ρ. Then
 ///
-/// T = ½ \[I + m (h² + ρ² − 2 ρ h cos θ)\] θ̇²,  V = −W h cos θ + ½ κ θ²
+/// T = ½ \[I + m (h² + ρ² − 2 ρ h cos θ)\] θ̇²,  V = −W h cos θ + ½ κ θ²,
 ///
-/// with I the moment of inertia about the parallel axis through the centre of mass and W the weight less the buoyancy. With ρ = κ = 0 the period is
-/// 4 K(sin² ½A) √((I + m h²)/(W h)).
+/// where I is the moment of inertia about the parallel axis through the centre of mass, and W is
+/// the weight minus the buoyancy. With ρ = κ = 0 the period is 4 K(sin² ½A) √((I + m h²)/(W h)).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     point: Point,
@@ -26,7 +28,8 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// A level axis through a point of the rig, in a direction along its axes: a compound pendulum.
+    /// Creates a level axis through a point of the rig, with a direction in the rig: a compound
+    /// pendulum.
     pub fn level(point: impl Into<Point>, direction: Direction<Space>) -> Self {
         Self {
             point: point.into(),
@@ -37,7 +40,8 @@ impl Axis {
         }
     }
 
-    /// An upright axis with a spring or a wire that turns it back: N·m/rad. Weight has no part in it.
+    /// Creates an upright axis with the stiffness of a spring or wire, N·m/rad. Weight has no
+    /// effect.
     pub fn upright(
         point: impl Into<Point>,
         direction: Direction<Space>,
@@ -46,14 +50,15 @@ impl Axis {
         Self { is_level: false, ..Self::level(point, direction).with_stiffness(stiffness) }
     }
 
-    /// The pivot is an edge of this radius (m) that rolls on a level plane; the point is where it touches at rest.
+    /// Sets the radius (m) of an edge that rolls on a level plane; the point of the axis is the
+    /// contact point at rest.
     #[must_use]
     pub fn with_edge(mut self, radius: impl Into<Linear>) -> Self {
         self.edge_radius = radius.into();
         self
     }
 
-    /// With a stiffness besides the weight, N·m/rad: of a flexure.
+    /// Sets the stiffness of a flexure that acts in addition to the weight, N·m/rad.
     #[must_use]
     pub fn with_stiffness(mut self, stiffness: impl Into<Linear>) -> Self {
         self.stiffness = stiffness.into();
@@ -72,8 +77,8 @@ impl Axis {
     }
 }
 
-/// Its equation: (a − 2 b cos θ) θ̈ + b sin θ θ̇² + w sin θ + κ θ = 0,
-/// a = I + m (h² + ρ²), b = m ρ h, w = W h.
+/// Equation of motion (a − 2 b cos θ) θ̈ + b sin θ θ̇² + w sin θ + κ θ = 0 with a = I + m (h² +
+/// ρ²), b = m ρ h, w = W h.
 pub(super) struct Held {
     quantities: [Gradient; 4],
     rest: Rest,

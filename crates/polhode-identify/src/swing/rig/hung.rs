@@ -1,4 +1,4 @@
-//! A body on wires: equations of motion, rest, and the small twist about it.
+//! Body on wires: equations of motion, equilibrium, and the small twist about it.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -9,34 +9,40 @@ use super::{Equations, Load, Oscillator, Rest};
 use crate::decomposition::{Svd, cholesky, lu, svd, symmetric_eigen};
 use crate::error::IdentifyError;
 
-/// u = (p, e, λ): where the centre of mass is, the quaternion from the axes of the rig to those of space, and each wire's tension over its length.
+/// Body on wires, with u = (p, e, λ): position of the centre of mass, quaternion from rig axes to
+/// space, and tension divided by length of each wire.
 pub(super) struct Hung {
     wires: usize,
     quantities: Vec<Gradient>,
-    /// The direction of two wires' bottoms from each other if nothing turns the body back about it: then it does not roll.
+    /// Unit vector between the lower ends of two wires if roll about it is neutral; the roll is
+    /// then locked.
     held: Option<[f64; 3]>,
     rest: Rest,
 }
 
-/// The centre of mass is on the line of two bottoms if it is as near as this, relative to the wires.
+/// Threshold below which the centre of mass lies on the line of two lower ends, relative to the
+/// wires' length.
 const ON_LINE: f64 = 1e-9;
 
-/// Quantities: mass, weight, tensor about the centre, stiffness; then each wire's top, bottom from the centre, length.
+/// Layout of the quantities: mass, weight, tensor about the centre, stiffness; then for each wire
+/// its top, its bottom relative to the centre, its length.
 const WIRES: usize = 9;
 const OF_WIRE: usize = 7;
-/// Numbers of p and e.
+/// Number of components of p and e.
 const PLACE: usize = 7;
-/// u, the rates of e, accelerations of p and e, of three wires.
+/// Number of variables: u, the rates of e, and the accelerations of p and e, for three wires.
 const STATE: usize = PLACE + 3 + 4 + 7;
 const ALL: usize = STATE + WIRES + 3 * OF_WIRE;
 
-/// How far a body at rest may be turned from the attitude in which it was described: cos ½·30°.
+/// Lower bound on the cosine of half the rotation between equilibrium and the described attitude:
+/// cos ½·30°.
 const AS_DESCRIBED: f64 = 0.966;
 
-/// What the centre's height above two wires may be wrong by, in the square of a rate over that of the twist.
+/// Allowance for an error of the centre's height on two wires: largest negative squared rate,
+/// relative to that of the twist.
 const NEARLY_FREE: f64 = 0.1;
 
-/// The least part of a motion's kinetic energy that makes it a twist.
+/// Lower bound on the share of the twist in a mode's kinetic energy.
 const TWIST: f64 = 0.6;
 
 impl Hung {
@@ -64,7 +70,8 @@ impl Hung {
         core::array::from_fn(|j| self.quantities[WIRES + OF_WIRE * k + j].value)
     }
 
-    /// Whether the body may be turned about where the wires hold it, and nothing turns it back.
+    /// Returns the axis of a neutral roll: a rotation about the wires' attachment without restoring
+    /// torque.
     fn neutral_roll(&self) -> Result<Option<[f64; 3]>, IdentifyError> {
         let bottom = |k: usize| {
             let [_, _, _, x, y, z, _] = self.wire(k);
@@ -90,7 +97,7 @@ impl Hung {
         Ok(is_neutral.then(|| n.into()))
     }
 
-    /// Where all forces balance, from the attitude as it was described.
+    /// Returns the equilibrium, by Newton's method from the described attitude.
     fn at_rest(&self) -> Result<Vec<f64>, IdentifyError> {
         let n = self.width();
         let mut u = vec![0.0; n];
@@ -110,7 +117,7 @@ impl Hung {
             let equations = self.equations(&u, &still, &still, false);
             let matrix = lu("a derivative of the rig's equations at rest", equations.by_u)?;
             let Some(step) = matrix.solve(&DVector::from_vec(equations.value)) else { break };
-            // Tops are far from bottoms by lengths, quaternions by 1: neither may go too far at once.
+            // Limit the step: positions are of the order of lengths, quaternions of the order of 1.
             let far = (0..PLACE).fold(0.0, |most: f64, k| most.max(step[k].abs()));
             if !far.is_finite() {
                 break;
@@ -131,7 +138,7 @@ impl Hung {
         Err(IdentifyError::NoConvergence { steps: 60 })
     }
 
-    /// The motion about rest, of those that are possible, that is most a twist.
+    /// Returns the mode of small oscillation about equilibrium with the largest share of twist.
     fn small_twist(&self, u: Vec<f64>) -> Result<Rest, IdentifyError> {
         let n = self.width();
         let still = vec![0.0; n];
@@ -144,7 +151,7 @@ impl Hung {
             columns
         };
         let (stiffness, mass) = (moved(&equations.by_u), moved(&equations.by_acceleration));
-        // Directions in which no wire changes its length, and no roll that is held.
+        // Directions in which no wire changes its length, without a locked roll.
         let mut square = DMatrix::zeros(6, 6);
         square.rows_mut(0, self.wires).copy_from(&stiffness.rows(PLACE, self.wires));
         if let Some(n) = self.held {
@@ -166,7 +173,7 @@ impl Hung {
         let stiffness = &inverse * stiffness * inverse.transpose();
         let modes = symmetric_eigen("the rig's stiffness matrix", stiffness)?;
         let shapes = &basis * inverse.transpose() * modes.eigenvectors;
-        // With shapes of unit kinetic energy, what is in the twist.
+        // Share of the twist in shapes of unit kinetic energy.
         let about_axis = self.quantities[4].value;
         let share = |k: usize| about_axis * shapes[(5, k)] * shapes[(5, k)];
         let best = (0..free).max_by(|&a, &b| share(a).total_cmp(&share(b))).unwrap_or(0);
@@ -178,7 +185,8 @@ impl Hung {
         )?;
         let square = modes.eigenvalues[best];
         IdentifyError::above_zero("the square of the twist's rate at rest", square)?;
-        // Two wires let a body roll about the line of their lower ends, nearly freely if its centre is nearly there.
+        // Two wires let a body roll about the line of their lower ends, almost freely if its centre
+        // is close to the line.
         let least = modes.eigenvalues.min() / square;
         IdentifyError::require(
             "the square of the rate of a small motion besides the twist, over the twist's",
@@ -197,7 +205,7 @@ impl Hung {
     }
 }
 
-/// ∂e/∂φ of a turn φ about axes of the rig: ½ e (0, φ).
+/// Returns ∂e/∂φ for a rotation φ about axes of the rig: ½ e (0, φ).
 fn quaternion_of_turns(u: &[f64]) -> DMatrix<f64> {
     let [w, x, y, z] = [u[3], u[4], u[5], u[6]].map(|e| 0.5 * e);
     DMatrix::from_row_slice(4, 3, &[-x, -y, -z, w, -z, y, z, w, -x, -y, x, w])
@@ -213,7 +221,7 @@ fn dot<const N: usize>(a: &Triple<N>, b: &Triple<N>) -> Dual<N> {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// 2 × the vector part of e* f
+/// Returns twice the vector part of e* f.
 fn twice_vector<const N: usize>(e: &[Dual<N>; 4], f: &[Dual<N>; 4]) -> Triple<N> {
     let v = [e[1], e[2], e[3]];
     let g = [f[1], f[2], f[3]];
@@ -231,7 +239,7 @@ fn rotation<const N: usize>([w, x, y, z]: &[Dual<N>; 4]) -> [Triple<N>; 3] {
     ]
 }
 
-/// All equations: of the centre, of the turn, |e| = 1, of the wires.
+/// Returns the residuals of all equations: translation, rotation, |e| = 1, wire lengths.
 fn residuals<const N: usize>(
     u: &[Dual<N>],
     rate: &[Dual<N>; 4],
@@ -244,7 +252,7 @@ fn residuals<const N: usize>(
     let r = rotation(&e);
     let back = |v: &Triple<N>| [0, 1, 2].map(|k| r[0][k] * v[0] + r[1][k] * v[1] + r[2][k] * v[2]);
     let mut force = [q[0] * *ax, q[0] * *ay, q[0] * *az + q[1]];
-    // The twist's torque in space: −κ θ ∇θ.
+    // Torque of the twist in space: −κ θ ∇θ.
     let [w, x, y, z] = e;
     let over = (w * w + z * z).reciprocal();
     let twist = q[8] * z.atan2(w).scaled(2.0);
@@ -273,7 +281,7 @@ fn residuals<const N: usize>(
             turn[k] = turn[k] + moment[k];
         });
     }
-    // A torque of any size holds the roll: in place of its equation, no roll.
+    // A constraint torque locks the roll, so its equation is replaced by zero roll.
     if let Some(n) = held {
         let along = |v: &Triple<N>| v[0].scaled(n[0]) + v[1].scaled(n[1]) + v[2].scaled(n[2]);
         let change = q[1] * w * along(&[x, y, z]) - along(&turn);

@@ -1,4 +1,4 @@
-//! How a body is hung, and its equations of motion there.
+//! Suspensions of a body, and their equations of motion.
 
 mod axis;
 mod hung;
@@ -15,48 +15,50 @@ use super::hung_mass::HungMass;
 use super::number::Numbers;
 use crate::error::IdentifyError;
 
-/// How a body is hung.
+/// Suspension of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Rig {
-    /// On one, two or three wires, or more exactly on rods without mass that turn freely at both ends: bifilar and trifilar suspensions, a torsion wire.
+    /// One, two or three wires, strictly massless rods with free joints at both ends: bifilar and
+    /// trifilar suspensions, a torsion wire.
     Wires(Wires),
-    /// About an axis that is held: compound pendulum, knife edge, torsion spindle.
+    /// Fixed axis: compound pendulum, knife edge, torsion spindle.
     Axis(Axis),
 }
 
-/// What is to be known of a hung body besides its mass and tensor.
+/// Mass properties and weight of the suspended object.
 #[derive(Clone, Debug)]
 pub(super) struct Load {
     pub(super) mass: HungMass,
-    /// Its weight less the buoyancy, N.
+    /// Weight minus buoyancy, N.
     pub(super) weight: Gradient,
 }
 
-/// Equations F(u, u̇, ü; q) = 0 of a motion that swings about a state of rest; u may hold forces besides places.
+/// Equations F(u, u̇, ü; q) = 0 of an oscillation about equilibrium; u may contain forces as well
+/// as positions.
 pub(super) trait Oscillator {
-    /// How many equations there are, and numbers u.
+    /// Returns the number of equations and of variables u.
     fn width(&self) -> usize;
 
-    /// The quantities q, which do not change with time.
+    /// Returns the constant quantities q.
     fn quantities(&self) -> &[Gradient];
 
-    /// F and its derivatives; those by q if they are wanted.
+    /// Returns F and its derivatives; those by q only if requested.
     fn equations(&self, u: &[f64], rate: &[f64], acceleration: &[f64], by_quantities: bool) -> Equations;
 
-    /// The angle that swings, and its derivatives by u.
+    /// Returns the angle of the swing, rad, and its derivatives by u.
     fn angle(&self, u: &[f64]) -> (f64, Vec<f64>);
 
-    /// Whether the motion may have this state.
+    /// Checks that the motion may have this state.
     ///
     /// # Errors
-    /// Where a wire is slack.
+    /// If a wire is slack.
     fn check(&self, u: &[f64]) -> Result<(), IdentifyError>;
 
-    /// The state of rest and the small motion about it.
+    /// Returns the equilibrium and the small oscillation about it.
     fn rest(&self) -> &Rest;
 }
 
-/// F with its derivatives.
+/// Residual F with its derivatives.
 #[derive(Clone, Debug)]
 pub(super) struct Equations {
     pub(super) value: Vec<f64>,
@@ -66,7 +68,7 @@ pub(super) struct Equations {
     pub(super) by_quantities: DMatrix<f64>,
 }
 
-/// A state of rest, and the small motion u + angle × mode × cos(rate t).
+/// Equilibrium u, and the small oscillation u + angle × mode × cos(rate t).
 #[derive(Clone, Debug)]
 pub(super) struct Rest {
     pub(super) u: Vec<f64>,
@@ -86,7 +88,7 @@ impl Rig {
         })
     }
 
-    /// The axis of the twist in the rig.
+    /// Returns the axis of the swing, in rig axes.
     pub(super) fn axis(&self) -> [f64; 3] {
         match self {
             Self::Wires(_) => [0.0, 0.0, 1.0],
@@ -94,7 +96,7 @@ impl Rig {
         }
     }
 
-    /// The largest amplitude that is computed.
+    /// Returns the largest amplitude that is supported, rad.
     pub(super) const fn most(&self) -> f64 {
         match self {
             Self::Wires(_) => 1.75,

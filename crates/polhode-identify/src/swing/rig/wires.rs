@@ -1,59 +1,67 @@
-//! Suspensions on wires, as they are given.
+//! Descriptions of wire suspensions.
 
 use super::super::number::{Linear, Point};
 use crate::error::IdentifyError;
 
-/// A wire: straight, without mass, of a length that does not change.
+/// Straight, massless and inextensible wire.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wire {
-    /// Where it is held above, along the axes of space, from any origin that all wires share.
+    /// Upper end along the axes of space, m, from an origin that all wires share.
     pub top: Point,
-    /// Where it holds the body, in the rig.
+    /// Lower end in the rig, m.
     pub bottom: Point,
-    /// Its length, m.
+    /// Length, m.
     pub length: Linear,
 }
 
-/// One, two or three wires.
+/// Suspension on one, two or three wires.
 ///
-/// The motion is the one that repeats itself and is mostly a twist about the vertical: the body turns, rises, tilts and sways as it has to with wires of
-/// unequal lengths, the centre of mass anywhere and any products of inertia. It is solved from the equations
+/// The computed motion is periodic and mostly a twist about the vertical. The body also rises,
+/// tilts and sways as the wires require; lengths, centre of mass and products of inertia are
+/// arbitrary. The equations are
 ///
 /// m p̈ = −W ẑ − Σ λ r,  I Ω̇ + Ω × I Ω = −Σ d × Rᵀ λ r − Rᵀ κ ∇θ,  r = p + R d − a,  |r| = length
 ///
-/// with the centre of mass p, wires from a to d (from the centre), and tensions λ × length. A swing that was let go in another way sways besides, with other
-/// periods; counted over many swings that averages out, and in a log it shows in the residuals.
+/// with the centre of mass p, wires from a to d (from the centre), and tensions λ × length. A swing
+/// released differently also sways, with other periods. This averages out over many counted swings,
+/// and it is visible in the residuals of a log.
 ///
-/// On two wires the body also rolls about the line of their lower ends, as a pendulum. If the centre of mass is exactly on that line, nothing turns it back:
-/// then it is taken as held in the attitude as it was described.
+/// On two wires the body also rolls about the line of their lower ends, like a pendulum. If the
+/// centre of mass is exactly on that line, the roll is neutral. It is then locked in the described
+/// attitude.
 ///
-/// Two parallel wires of length L at distances r to both sides of the centre have for small angles T = 2π √(I L/(W r²)). Sources: T. R. Kane, G.-S. Tseng, Int. J.
-/// Mech. Sci. 9 (1967) 83; M. R. Jardin, E. R. Mueller, J. Aircraft 46 (2009) 763.
+/// For small angles, two parallel wires of length L at distances r on both sides of the centre give
+/// T = 2π √(I L/(W r²)). Sources: T. R. Kane, G.-S. Tseng, Int. J. Mech. Sci. 9 (1967) 83; M. R.
+/// Jardin, E. R. Mueller, J. Aircraft 46 (2009) 763.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wires {
-    /// All wires.
+    /// One, two or three wires.
     pub wires: Vec<Wire>,
-    /// What the wires' own twist adds, N·m/rad: no torque in the attitude in which the axes of the rig are those of space.
+    /// Torsional stiffness of the wires, N·m/rad: no torque in the attitude with the rig's axes
+    /// equal to those of space.
     pub stiffness: Linear,
 }
 
 impl Wires {
-    /// Wires, which do not resist twist.
+    /// Creates a suspension on wires without torsional stiffness.
     pub fn new(wires: Vec<Wire>) -> Self {
         Self { wires, stiffness: Linear::default() }
     }
 
-    /// Two wires of one length, held at ± `above` along x, holding at ± `below`, m.
+    /// Creates two wires of equal length, fixed at ± `above` along x and holding the body at ±
+    /// `below`, m.
     pub fn bifilar(above: impl Into<Linear>, below: impl Into<Linear>, length: impl Into<Linear>) -> Self {
         Self::around(2, &above.into(), &below.into(), &length.into())
     }
 
-    /// Three wires of one length at 0°, 120° and 240° from x, at distances `above` and `below` from the middle, m.
+    /// Creates three wires of equal length at 0°, 120° and 240° from x, at distances `above` and
+    /// `below` from the middle, m.
     pub fn trifilar(above: impl Into<Linear>, below: impl Into<Linear>, length: impl Into<Linear>) -> Self {
         Self::around(3, &above.into(), &below.into(), &length.into())
     }
 
-    /// One wire that resists twist, and holds the body at a point of the rig; its length in m.
+    /// Creates one wire with torsional stiffness, N·m/rad, that holds the body at a point of the
+    /// rig; length in m.
     pub fn torsion(at: impl Into<Point>, length: impl Into<Linear>, stiffness: impl Into<Linear>) -> Self {
         let wire = Wire { top: Point::default(), bottom: at.into(), length: length.into() };
         Self { wires: vec![wire], stiffness: stiffness.into() }
@@ -62,7 +70,7 @@ impl Wires {
     fn around(count: u32, above: &Linear, below: &Linear, length: &Linear) -> Self {
         let wire = |k: u32| {
             let angle = core::f64::consts::TAU * f64::from(k) / f64::from(count);
-            // of two wires the second is exactly opposite
+            // The second of two wires is exactly opposite.
             let (y, x) = if count == 2 { (0.0, 1.0 - 2.0 * f64::from(k)) } else { libm::sincos(angle) };
             let at = |radius: &Linear| {
                 Point::from([radius.clone().scaled(x), radius.clone().scaled(y), Linear::default()])
@@ -82,7 +90,7 @@ impl Wires {
     }
 }
 
-/// That all are made of numbers of the plan.
+/// Returns an error unless all are finite combinations of the plan's numbers.
 pub(in super::super) fn all_of<'a>(
     all: impl IntoIterator<Item = &'a Linear>,
     count: usize,

@@ -1,11 +1,11 @@
-//! That all that a plan says has an effect: what has none is a slip.
+//! Checks that every entry of a plan has an effect; an entry without effect is probably a mistake.
 
 use polhode_source::FormatError;
 use polhode_source::toml::reader::Table;
 
 use crate::tumble::Flight;
 
-/// Of `[tumble]`: what is said of readings that no flight has.
+/// Checks that `[tumble]` has no options for readings that no flight has.
 pub(crate) fn require(tumble: &Table<'_>, flights: &[Flight]) -> Result<(), FormatError> {
     let has_gyro = flights.iter().any(|flight| !flight.gyro().is_empty());
     let has_attitudes = flights.iter().any(|flight| !flight.attitudes().is_empty());

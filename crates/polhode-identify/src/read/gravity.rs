@@ -1,15 +1,15 @@
-//! Gravity in the sensor's axes.
+//! Source of gravity in the sensor's axes.
 
 use polhode::infer::judge::AttitudeSense;
 use polhode::math::{Acceleration, Space};
 use polhode_source::toml::reader::Value;
 
-/// Where gravity comes from.
+/// Source of gravity.
 pub(crate) enum Gravity<'a> {
-    /// Columns, along the sensor's axes.
+    /// Columns along the sensor's axes.
     Logged,
-    /// There is none.
+    /// No gravity.
     None,
-    /// Told along axes of space, and turned to the sensor's by logged attitudes.
+    /// Vector of the plan along axes of space, rotated to the sensor's axes by logged attitudes.
     Turned { value: Box<Value<'a>>, told: Acceleration<Space>, sense: AttitudeSense },
 }

@@ -1,4 +1,4 @@
-//! Logs of gyros and of tracked attitudes, as a plan names them.
+//! Logs of gyros and of tracked attitudes that a plan names.
 
 use std::path::PathBuf;
 
@@ -11,7 +11,7 @@ use polhode_table::log::{Columns, MeasuredLog, ReadColumns, read_measured};
 use super::read_log::ReadLog;
 use crate::tumble::{AttitudeReading, Flight, GyroReading};
 
-/// Logs, each read once.
+/// Logs of a plan, each read once.
 #[derive(Default)]
 pub(crate) struct Logs {
     pub read: Vec<ReadLog>,
@@ -34,7 +34,7 @@ impl Measured {
 }
 
 impl Logs {
-    /// Its number; each log is read once.
+    /// Returns the index of a log, which is read on first use.
     pub(crate) fn read(
         &mut self,
         log: &Value<'_>,
@@ -66,7 +66,7 @@ impl Logs {
     }
 }
 
-/// The readings of a log; what it leaves open has to be told.
+/// Converts a log to readings. An unspecified quaternion convention is an error.
 fn readings(log: &Value<'_>, measured: &MeasuredLog) -> Result<Measured, FormatError> {
     if measured.omega_axes == Some(OmegaAxes::Space) {
         return Err(log

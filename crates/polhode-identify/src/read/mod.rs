@@ -1,4 +1,4 @@
-//! What was measured of a body, and how: plans of `polhode identify`, as TOML.
+//! Plans of `polhode identify` in TOML: measurements of a body.
 //!
 //! ```toml
 //! title = "A racket, thrown"
@@ -9,7 +9,8 @@
 //! drag = "quadratic"
 //! ```
 //!
-//! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an error that points at its place.
+//! A quantity is a string with its unit, or a number in SI units. An unknown key and an impossible
+//! or ambiguous value are errors with a place in the file.
 
 mod effect;
 mod gravity;
@@ -38,19 +39,19 @@ pub use payload::PayloadPlan;
 pub use read_log::ReadLog;
 pub use tumble::TumblePlan;
 
-/// A plan: what was measured, ready to be identified.
+/// Plan of an identification: measurements, ready to be identified.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// Its title.
+    /// Title of the plan.
     pub title: Option<String>,
-    /// What was measured.
+    /// Kind and data of the measurement.
     pub measurement: Measurement,
-    /// Logs of swings that were read; those of other measurements are in them.
+    /// Logs of swings; those of other kinds are part of `measurement`.
     pub logs: Vec<ReadLog>,
 }
 
 impl Plan {
-    /// Returns what was read of logs, line by line.
+    /// Returns a description of the logs, line by line.
     pub fn sources(&self) -> Vec<String> {
         let lines = |logs: &[ReadLog]| logs.iter().flat_map(ReadLog::lines).collect();
         match &self.measurement {
@@ -68,34 +69,35 @@ impl Plan {
     }
 }
 
-/// What was measured of a body.
+/// Measurement of a body.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 #[allow(clippy::large_enum_variant, reason = "there is one of each plan")]
 pub enum Measurement {
-    /// Its free motion.
+    /// Free motion.
     Tumble(TumblePlan),
-    /// The periods of its swings.
+    /// Periods of swings.
     Swing(SwingPlan),
-    /// Wrenches at a wrist that carries it, and their motion.
+    /// Wrenches at a wrist, with its motion.
     Payload(PayloadPlan),
 }
 
-/// The tables, one of which a plan has.
+/// Tables for kinds of measurement; a plan has exactly one.
 const KINDS: [&str; 3] = ["tumble", "swing", "payload"];
 
 /// Reads a plan.
 ///
 /// # Errors
-/// [`FormatError`], with the place, if it, or a file that it names, cannot be read or describes nothing that could be measured.
+/// [`FormatError`], with the place, if the plan or a named file cannot be read, or if the content
+/// is invalid.
 pub fn read(files: &dyn Files, path: &Path) -> Result<Plan, FormatError> {
     from_text(files, path, &text_of(files, path)?)
 }
 
-/// Reads a plan from its text; logs are relative to the path, which errors name.
+/// Reads a plan from its text. Logs are relative to the path, which errors name.
 ///
 /// # Errors
-/// As [`read()`].
+/// Same as [`read()`].
 pub fn from_text(files: &dyn Files, path: &Path, text: &str) -> Result<Plan, FormatError> {
     let source = Source::new(files, path, text);
     let entries = document(source)?;
@@ -117,7 +119,7 @@ pub fn from_text(files: &dyn Files, path: &Path, text: &str) -> Result<Plan, For
     Ok(Plan { title, measurement, logs })
 }
 
-/// An error of what was to be measured, at a value.
+/// Returns an identification error at the place of a value.
 fn at(value: &Value<'_>, error: &IdentifyError) -> FormatError {
     value.error(FormatErrorKind::subject(error, error.hint()))
 }

@@ -1,4 +1,4 @@
-//! Logs of numbers, CSV or Parquet: which columns are read is found in the names, or told.
+//! Logs of numbers in CSV or Parquet. Their columns are identified by name, or by the plan.
 
 use bytes::Bytes;
 use polhode_source::FormatError;
@@ -11,13 +11,14 @@ use polhode_table::log::{PARQUET, parquet};
 use super::read_log::ReadLog;
 use super::wrench_columns::{Columns, Header, Wrong};
 
-/// Numbers of a row at most: the time, six vectors or five and a quaternion.
+/// Maximum number of columns: the time, and six vectors or five and a quaternion.
 pub(crate) const MOST: usize = 20;
 
-/// A row in SI: the numbers of its columns, in the order in which they were found, the time first.
+/// Row in SI units: its columns in the order in which they were identified, the time first.
 pub(crate) type Row = [f64; MOST];
 
-/// Reads the file that a value names: the columns by its header, then each row, with its place.
+/// Reads the log that a value names: identifies the columns by the header, then passes each row
+/// with its place to `row`.
 pub(crate) fn read(
     log: &Value<'_>,
     find: impl Fn(&Header<'_>) -> Result<Columns, Wrong>,

@@ -1,4 +1,4 @@
-//! `[payload]`: what a force–torque sensor carries, by its wrenches and its motion.
+//! Table `[payload]`: wrenches and motion of a force–torque sensor.
 
 use polhode::infer::judge::AttitudeSense;
 use polhode::math::Acceleration;
@@ -12,19 +12,19 @@ use super::read_log::ReadLog;
 use super::wrench_log;
 use crate::payload::{EdgeKind, MotionNoise, PayloadLog, WrenchNoise, WrenchSense};
 
-/// A payload, ready to be identified.
+/// Payload measurement, ready to be identified.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PayloadPlan {
-    /// What was measured, and what is known of it.
+    /// Rows, noise and options.
     pub log: PayloadLog,
-    /// Where it was read from.
+    /// Origin of the rows.
     pub source: ReadLog,
 }
 
 const KEYS: [&str; 10] =
     ["log", "columns", "units", "wrench", "gravity", "attitude", "bias", "noise", "motion_noise", "kind"];
 
-/// Reads `[payload]`.
+/// Reads the table `[payload]`.
 pub(crate) fn plan(table: &Table<'_>) -> Result<PayloadPlan, FormatError> {
     table.allow(&KEYS)?;
     let sense = match table
@@ -60,7 +60,8 @@ pub(crate) fn plan(table: &Table<'_>) -> Result<PayloadPlan, FormatError> {
     Ok(PayloadPlan { log, source: read.source })
 }
 
-/// Where gravity comes from: columns, or `gravity` along axes of space and attitudes.
+/// Returns the source of gravity: columns, or the entry `gravity` along axes of space with
+/// attitudes.
 fn gravity<'a>(table: &Table<'a>) -> Result<Gravity<'a>, FormatError> {
     let Some(value) = table.get("gravity") else {
         return match table.get("attitude") {
@@ -85,7 +86,8 @@ fn gravity<'a>(table: &Table<'a>) -> Result<Gravity<'a>, FormatError> {
     Ok(Gravity::Turned { value: Box::new(value), told, sense })
 }
 
-/// `noise = { force = "0.05 N", torque = "2e-3 N m" }`, or `{ covariance = […] }`, six rows of fx, fy, fz, tx, ty, tz in N and N·m
+/// Reads `noise = { force = "0.05 N", torque = "2e-3 N m" }`, or `{ covariance = […] }` with six
+/// rows of fx, fy, fz, tx, ty, tz in N and N·m.
 fn wrench_noise(value: &Value<'_>) -> Result<WrenchNoise, FormatError> {
     let table = value.table()?;
     table.allow(&["force", "torque", "covariance"])?;
@@ -116,7 +118,8 @@ fn wrench_noise(value: &Value<'_>) -> Result<WrenchNoise, FormatError> {
     })
 }
 
-/// `motion_noise = { omega = "0.01 rad/s", alpha = "0.2 rad/s^2", acceleration = "0.05 m/s^2" }`
+/// Reads
+/// `motion_noise = { omega = "0.01 rad/s", alpha = "0.2 rad/s^2", acceleration = "0.05 m/s^2" }`.
 fn motion_noise(value: &Value<'_>) -> Result<MotionNoise, FormatError> {
     let table = value.table()?;
     table.allow(&["omega", "alpha", "acceleration"])?;

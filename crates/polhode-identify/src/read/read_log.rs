@@ -1,22 +1,22 @@
-//! What was read of a log.
+//! Summary of the columns of a log.
 
 use std::path::PathBuf;
 
 use polhode_source::shown;
 
-/// A log that was read, and what of it.
+/// Log with its used and ignored columns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadLog {
-    /// Where it is.
+    /// Path of the log.
     pub path: PathBuf,
-    /// Columns, and as what they were read: `"time, s: Time (s)"`.
+    /// Quantities with their columns: `"time, s: Time (s)"`.
     pub read: Vec<String>,
-    /// Columns that were not read.
+    /// Names of columns without use.
     pub ignored: Vec<String>,
 }
 
 impl ReadLog {
-    /// Returns what was read of it, line by line.
+    /// Returns the summary, line by line.
     pub fn lines(&self) -> impl Iterator<Item = String> + use<> {
         let path = shown(&self.path);
         let read = format!("{path}: {}", self.read.join("; "));

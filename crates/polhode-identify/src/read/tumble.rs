@@ -1,4 +1,5 @@
-//! `[tumble]`: the free motion of a thrown body, by a gyro on it or by tracked attitudes.
+//! Table `[tumble]`: free motion of a thrown body, measured by a gyro on it or by tracked
+//! attitudes.
 
 use polhode::motion::torque::DragLaw;
 use polhode::motion::{Motor, Wheel};
@@ -11,18 +12,18 @@ use super::read_log::ReadLog;
 use super::{at, effect};
 use crate::tumble::{Flight, FlightSearch, GyroErrors, GyroRange, GyroReading, TumbleOptions, find_flights};
 
-/// Tumbles of a body, ready to be identified.
+/// Tumble measurement, ready to be identified.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TumblePlan {
-    /// What was measured.
+    /// Readings of each flight.
     pub flights: Vec<Flight>,
-    /// How it is read.
+    /// Options of the estimation.
     pub options: TumbleOptions,
-    /// The logs that it was read from.
+    /// Logs with the readings.
     pub logs: Vec<ReadLog>,
-    /// True if the flights were found in the logs.
+    /// True if the flights were detected in the logs.
     pub found: bool,
-    /// Flights that a log does not show to their beginning or end.
+    /// Sentences on flights that begin or end outside a log.
     pub cut_off: Vec<String>,
 }
 
@@ -30,7 +31,7 @@ const KEYS: [&str; 9] =
     ["log", "columns", "flights", "flight", "gyro", "attitude", "drag", "outliers", "search"];
 const FLIGHT_KEYS: [&str; 7] = ["name", "log", "columns", "from", "to", "added", "wheel"];
 
-/// Reads `[tumble]`.
+/// Reads the table `[tumble]`.
 pub(crate) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
     table.allow(&KEYS)?;
     let mut options = options(table)?;
@@ -57,7 +58,7 @@ pub(crate) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
         Some(value) => value.choice(&["find", "whole"])? == "find",
         None => false,
     };
-    // What would have no effect is a slip.
+    // An entry without effect is probably a mistake.
     if let Some(value) = table.get("search").filter(|_| !found) {
         return Err(value.invalid("beside flights = \"find\"").with_hint("nothing else is searched for"));
     }
@@ -77,7 +78,7 @@ pub(crate) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
             let several = if each.len() > 1 { format!("{}: ", log.string()?) } else { String::new() };
             flights.extend(of_log(log, &several, measured, found.then_some(&search), &mut cut_off)?);
         }
-        // What a hand does to a gyro shows its range as well.
+        // Handling before and after a flight also reveals the gyro's range.
         let readings: Vec<GyroReading> =
             logs.measured.iter().flat_map(|log| log.gyro.iter().copied()).collect();
         options.gyro_range = options.gyro_range.or(found.then(|| GyroRange::shown_by(&readings)));
@@ -91,7 +92,7 @@ pub(crate) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
     Ok(TumblePlan { flights, options, logs: logs.read, found, cut_off })
 }
 
-/// The flights of a log: those that are found, or all of it.
+/// Returns the flights of a log: those detected, or the whole log as one.
 fn of_log(
     log: &Value<'_>,
     prefix: &str,
@@ -173,7 +174,7 @@ fn search(table: &Table<'_>) -> Result<FlightSearch, FormatError> {
     })
 }
 
-/// Reads `[[tumble.flight]]`.
+/// Reads a table `[[tumble.flight]]`.
 fn one(
     flight: &Table<'_>,
     plan: &Table<'_>,
@@ -214,7 +215,8 @@ fn one(
     Ok(made)
 }
 
-/// `added = { moments = […], products = […] }`: by how much the tensor about the common centre of mass is greater, along the sensor's axes.
+/// Reads `added = { moments = […], products = […] }`: increase of the tensor about the common
+/// centre of mass, along the sensor's axes.
 fn added(value: &Value<'_>) -> Result<[f64; 6], FormatError> {
     let table = value.table()?;
     table.allow(&["moments", "products"])?;
@@ -233,7 +235,7 @@ fn added(value: &Value<'_>) -> Result<[f64; 6], FormatError> {
     Ok([xx, yy, zz, xy, xz, yz])
 }
 
-/// `wheel = { axis = […], momentum = … }`: held at its speed in the body.
+/// Reads `wheel = { axis = […], momentum = … }`: a wheel at constant speed in the body.
 fn wheel(value: &Value<'_>) -> Result<Wheel, FormatError> {
     let table = value.table()?;
     table.allow(&["axis", "momentum"])?;

@@ -1,4 +1,4 @@
-//! Which columns of a log of wrenches are what, and in which units: by their names, or as the plan says.
+//! Columns of a log of wrenches, and their units: identified by name, or specified in the plan.
 
 use std::ops::Range;
 
@@ -18,13 +18,13 @@ const COLUMN_KEYS: [&str; 8] =
     ["time", "omega", "alpha", "acceleration", "gravity", "force", "torque", "attitude"];
 const UNIT_KEYS: [&str; 7] = ["time", "omega", "alpha", "acceleration", "gravity", "force", "torque"];
 
-/// What the plan says of columns.
+/// Columns and units specified in the plan.
 pub(crate) struct Told<'a> {
     pub columns: Option<Table<'a>>,
     pub units: Option<Table<'a>>,
 }
 
-/// An error in the plan, or in the log.
+/// Error in the plan or in the log.
 pub(crate) enum Wrong {
     Plan(FormatError),
     Log(ContentError),
@@ -51,7 +51,8 @@ impl From<ContentError> for Wrong {
     }
 }
 
-/// Where numbers stand, and what one of each unit is in SI: the time, ω, α, a, f, τ, then gravity or the quaternion.
+/// Identified columns with their factors to SI units. Order: time, ω, α, a, f, τ, then gravity or
+/// the quaternion.
 #[derive(Default)]
 pub(crate) struct Columns {
     pub places: Vec<usize>,
@@ -61,7 +62,7 @@ pub(crate) struct Columns {
 }
 
 impl Columns {
-    /// In a header.
+    /// Identifies the columns of a header.
     pub(crate) fn find(header: &Header<'_>, told: &Told<'_>, gravity: &Gravity<'_>) -> Result<Self, Wrong> {
         if let Some(columns) = &told.columns {
             columns.allow(&COLUMN_KEYS)?;
@@ -116,13 +117,13 @@ impl Columns {
         Ok(found)
     }
 
-    /// What is left of a header is not read.
+    /// Records all other columns as ignored.
     pub(crate) fn ignore_others(&mut self, header: &Header<'_>) {
         let others = header.names.iter().enumerate().filter(|(k, _)| !self.places.contains(k));
         self.ignored = others.map(|(_, name)| (*name).to_owned()).collect();
     }
 
-    /// The columns of a quantity.
+    /// Adds the columns of a quantity.
     pub(crate) fn add(
         &mut self,
         quantity: &Quantity,
@@ -149,7 +150,7 @@ impl Columns {
     }
 }
 
-/// Names of columns, and where they stand in a text.
+/// Names of columns, and their places in a text.
 pub(crate) struct Header<'a> {
     pub names: Vec<&'a str>,
     pub places: &'a [Range<usize>],
@@ -165,7 +166,7 @@ impl Header<'_> {
         ContentError::new(ContentErrorKind::Value { what, value, rule }, self.place(column))
     }
 
-    /// Columns that the plan names.
+    /// Returns the columns that the plan names.
     fn told(&self, quantity: &Quantity, value: &Value<'_>) -> Result<Vec<usize>, Wrong> {
         let names = match (quantity.axes.len(), value.is_array()) {
             (1, false) => vec![*value],
@@ -192,7 +193,7 @@ impl Header<'_> {
         Ok(places)
     }
 
-    /// Columns whose names say what they are.
+    /// Returns the columns whose names identify the quantity.
     fn named(&self, quantity: &Quantity) -> Result<Vec<usize>, ContentError> {
         let mut places = Vec::new();
         for axis in quantity.axes {
@@ -201,7 +202,7 @@ impl Header<'_> {
             for (k, name) in self.names.iter().enumerate() {
                 match rest(name, quantity, axis).map(|rest| written_unit(rest, quantity.dimension)) {
                     None => {}
-                    // with an underscore it may be anything
+                    // After an underscore the text need not be a unit.
                     Some(Err((unit, error))) if !name.ends_with([']', ')']) => {
                         nearly = Some((k, unit, error));
                     }
@@ -246,7 +247,7 @@ impl Header<'_> {
         }
     }
 
-    /// What one of a column's unit is in SI.
+    /// Returns the factor from a column's unit to SI.
     fn unit(&self, column: usize, quantity: &Quantity, told: Option<&Value<'_>>) -> Result<f64, Wrong> {
         if quantity.dimension == Dimension::NONE {
             return Ok(1.0);

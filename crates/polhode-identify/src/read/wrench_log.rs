@@ -1,4 +1,4 @@
-//! The log of a force–torque sensor and its motion: a column for each number.
+//! Log of a force–torque sensor and its motion, one column per number.
 
 use polhode::infer::judge::AttitudeSense;
 use polhode::math::{Acceleration, AngularAcceleration, AngularVelocity, Attitude, Body, Force, Torque};
@@ -12,13 +12,13 @@ use super::read_log::ReadLog;
 use super::wrench_columns::{Columns, Told};
 use crate::payload::{PayloadRow, gravity_along};
 
-/// A log that was read.
+/// Rows of a log, with its summary.
 pub(crate) struct Read {
     pub rows: Vec<PayloadRow>,
     pub source: ReadLog,
 }
 
-/// Reads the file that a value names.
+/// Reads the log that a value names.
 pub(crate) fn read(
     log: &Value<'_>,
     columns: Option<Table<'_>>,

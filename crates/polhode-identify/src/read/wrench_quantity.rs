@@ -1,18 +1,19 @@
-//! What a log of wrenches has, by which names, and units in names: `fx_n`, `force_x_n`, `Fx [N]`.
+//! Quantities in a log of wrenches, their column names, and units in names: `fx_n`, `force_x_n`,
+//! `Fx [N]`.
 
 use polhode_source::unit;
 use polhode_source::unit::{Dimension, UnitError};
 
-/// What is logged.
+/// Quantity in a log.
 pub(crate) struct Quantity {
-    /// Its key in `columns` and `units`.
+    /// Key in `columns` and `units`.
     pub key: &'static str,
     pub what: &'static str,
     pub dimension: Dimension,
     pub axes: &'static [&'static str],
-    /// Names that it has before the axis.
+    /// Accepted names before the axis.
     pub names: &'static [&'static str],
-    /// Names of a header that would do.
+    /// Example of column names in a header.
     pub example: &'static str,
 }
 
@@ -85,7 +86,7 @@ pub(crate) const ATTITUDE: Quantity = Quantity {
     example: "qw,qx,qy,qz",
 };
 
-/// Units as names of columns have them.
+/// Spelling of units in column names.
 const SUFFIXES: [(&str, &str); 7] = [
     ("rad_s", "rad/s"),
     ("deg_s", "deg/s"),
@@ -96,11 +97,11 @@ const SUFFIXES: [(&str, &str); 7] = [
     ("n_m", "N m"),
 ];
 
-/// What stands behind the quantity and the axis in a name, if it begins with them.
+/// Returns the part of a name after quantity and axis, if the name begins with them.
 pub(crate) fn rest<'a>(name: &'a str, quantity: &Quantity, axis: &str) -> Option<&'a str> {
     quantity.names.iter().find_map(|own| {
         let (head, rest) = (name.get(..own.len())?, name.get(own.len()..)?);
-        // t is a time, and T a temperature
+        // Lower-case t is a time; upper-case T may be a temperature.
         let is_own =
             if *own == "t" && axis.is_empty() { head == *own } else { head.eq_ignore_ascii_case(own) };
         let rest = if axis.is_empty() { rest } else { rest.strip_prefix('_').unwrap_or(rest) };
@@ -110,10 +111,10 @@ pub(crate) fn rest<'a>(name: &'a str, quantity: &Quantity, axis: &str) -> Option
     })
 }
 
-/// In SI; else the unit, and what is wrong with it.
+/// Factor to SI, if a unit is present; or the unit and its error.
 pub(crate) type Written = Result<Option<f64>, (String, UnitError)>;
 
-/// The unit at the end of a name: `_rad_s`, ` [rad/s]`; none if there is nothing.
+/// Returns the unit at the end of a name, such as `_rad_s` or ` [rad/s]`; `None` if there is none.
 pub(crate) fn written_unit(rest: &str, dimension: Dimension) -> Written {
     let rest = rest.trim();
     let unit = match (rest.strip_prefix(['[', '(']), rest.strip_prefix('_')) {
@@ -131,7 +132,7 @@ pub(crate) fn written_unit(rest: &str, dimension: Dimension) -> Written {
     unit::factor(&unit, dimension).map(Some).map_err(|error| (unit, error))
 }
 
-/// The same of a name that may begin with anything.
+/// Same as [`written_unit`], for a name that begins with any text.
 pub(crate) fn trailing_unit(name: &str, dimension: Dimension) -> Written {
     if let Some(open) = name.find(['[', '(']) {
         return written_unit(&name[open..], dimension);

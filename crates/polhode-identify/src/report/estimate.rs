@@ -1,4 +1,4 @@
-//! Numbers that were found, with their errors.
+//! Estimated parameters with their errors, as text and JSON.
 
 use polhode::body::{Finding, Severity};
 use polhode_document::Section;
@@ -12,7 +12,7 @@ pub(crate) fn cell(value: f64, sd: Option<f64>) -> String {
     sd.map_or_else(|| "not known".to_owned(), |sd| with_error(value, sd))
 }
 
-/// The same of a number that may be beyond its range: `not determined` then.
+/// Same as [`cell`], or `not determined` for a value beyond its range.
 pub(crate) fn bounded_cell(value: f64, sd: Option<f64>, undetermined: Option<Undetermined>) -> String {
     match undetermined {
         Some(Undetermined::BeyondRange { .. }) => "not determined".to_owned(),
@@ -20,23 +20,23 @@ pub(crate) fn bounded_cell(value: f64, sd: Option<f64>, undetermined: Option<Und
     }
 }
 
-/// The value and the standard deviation of a number.
+/// Returns value and standard deviation of a number as text.
 pub(crate) fn number_cell(number: &Number) -> String {
     bounded_cell(number.value, number.sd, number.undetermined())
 }
 
-/// i1/i3 (`k` = 0) or i2/i3 (`k` = 1).
+/// Returns i1/i3 (`k` = 0) or i2/i3 (`k` = 1) as text.
 pub(crate) fn ratio_cell(p: &PrincipalEstimate, k: usize) -> String {
     bounded_cell(p.ratios[k], p.ratio_sd[k], p.undetermined_ratio(k))
 }
 
-/// A row for each number: name, value ± sd, unit.
+/// Adds a table with a row per number: name, value ± sd, unit.
 pub(crate) fn table(section: &mut Section, numbers: &[Number]) {
     let row = |number: &Number| vec![number.name.clone(), number_cell(number), number.unit.to_owned()];
     section.table(&["number", "value ± sd", "unit"], numbers.iter().map(row).collect());
 }
 
-/// The pairs that hang together most, and the directions of which nothing is known.
+/// Adds the strongest correlations, and the unobservable directions.
 pub(crate) fn relations(section: &mut Section, estimate: &Estimate) {
     const STRONG: f64 = 0.9;
     const MOST: usize = 8;
@@ -94,18 +94,19 @@ pub(crate) fn residuals(section: &mut Section, tests: &[ResidualTest]) {
     }
 }
 
-/// A finding, which is at no place of a file.
+/// Returns a finding without a place in a file.
 pub(crate) const fn finding(code: &'static str, severity: Severity, message: String) -> Finding {
     Finding { code, severity, message, place: None }
 }
 
-/// Numbers sections from 1, in their order.
+/// Numbers sections from 1, in order.
 pub(crate) fn numbered(mut sections: Vec<Section>) -> Vec<Section> {
     sections.iter_mut().zip(1..).for_each(|(section, k)| section.number = k);
     sections
 }
 
-/// What is left that is no noise, or not the noise that was told.
+/// Returns findings on residuals that are larger than the noise, correlated, or smaller than the
+/// specified noise.
 pub(crate) fn model_findings(tests: &[ResidualTest]) -> Vec<Finding> {
     let widening = tests.iter().map(ResidualTest::widening).fold(1.0, f64::max);
     let odd = tests.iter().filter(|test| test.shows_model_error());
@@ -122,7 +123,7 @@ pub(crate) fn model_findings(tests: &[ResidualTest]) -> Vec<Finding> {
     .collect()
 }
 
-/// What is left that is less than the noise that was told.
+/// Returns findings on residuals that are smaller than the specified noise.
 pub(crate) fn small_findings<'a>(tests: impl IntoIterator<Item = &'a ResidualTest>) -> Vec<Finding> {
     let small = tests.into_iter().filter(|test| test.is_too_small());
     small
@@ -174,9 +175,10 @@ pub(crate) fn to_json(estimate: &Estimate) -> Value {
     })
 }
 
-/// Numbers as data.
+/// Returns numbers as JSON.
 ///
-/// Value and error of a number beyond its range are null; each number that is not determined has a reason.
+/// Value and error of a number beyond its range are null. Each number that is not determined has a
+/// reason.
 pub(crate) fn numbers_to_json(numbers: &[Number]) -> Value {
     let each = |number: &Number| {
         let undetermined = number.undetermined();
@@ -194,7 +196,7 @@ pub(crate) fn numbers_to_json(numbers: &[Number]) -> Value {
     numbers.iter().map(each).collect()
 }
 
-/// `None` of a number beyond its range.
+/// Returns the value, or `None` if it is beyond its range.
 fn in_range(value: Option<f64>, undetermined: Option<Undetermined>) -> Option<f64> {
     value.filter(|_| !matches!(undetermined, Some(Undetermined::BeyondRange { .. })))
 }

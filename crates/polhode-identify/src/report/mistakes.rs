@@ -1,4 +1,4 @@
-//! Mistakes that could have been made in swing tests, and whether they would show.
+//! Possible mistakes in swing tests, and their detectability.
 
 use polhode_document::Section;
 use polhode_document::layout::printable;
@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::swing::{Mistake, MistakeKind, SwingEstimate};
 
-/// Mistakes that would not show, as a sentence; `None` if all would.
+/// Returns a sentence on mistakes that would remain undetected; `None` if there are none.
 pub(crate) fn unseen(found: &SwingEstimate) -> Option<String> {
     const MOST: usize = 4;
     let unseen: Vec<&Mistake> = found.mistakes.iter().filter(|mistake| mistake.is_hidden()).collect();
@@ -24,7 +24,7 @@ pub(crate) fn unseen(found: &SwingEstimate) -> Option<String> {
     })
 }
 
-/// All of them, with how far they would move what is left.
+/// Adds a table of all mistakes with their effects.
 pub(crate) fn table(section: &mut Section, found: &SwingEstimate) {
     let Some(first) = found.mistakes.first() else { return };
     section.say(format!(

@@ -1,4 +1,4 @@
-//! What was found of a body by measuring it, for people and for programs.
+//! Reports of an identified body, as text and JSON.
 
 mod estimate;
 mod mistakes;
@@ -23,21 +23,21 @@ use crate::{IdentifyError, NextExperiment};
 
 pub use scenario::{BodySize, NoBody};
 
-/// A body that was found by one kind of measurement, with what it was found from.
+/// Result of one kind of measurement, with its sources.
 #[derive(Clone, Debug)]
 pub struct Found<F, E> {
     title: String,
-    /// Lines that say what was read.
+    /// Lines that describe the input.
     sources: Vec<String>,
     found: F,
     next: Option<NextExperiment<E>>,
 }
 
-/// A body that was found by its tumbles.
+/// Report of a body identified from tumbles.
 pub type TumbleReport = Found<Tumble, NextFlight>;
-/// A payload that was found.
+/// Report of an identified payload.
 pub type PayloadReport = Found<Payload, NextMotion>;
-/// A body that was found by its swings.
+/// Report of a body identified from swings.
 pub type SwingReport = Found<SwingEstimate, NextSwing>;
 
 impl<F, E> Found<F, E> {
@@ -46,7 +46,7 @@ impl<F, E> Found<F, E> {
         &self.found
     }
 
-    /// A section with what was read.
+    /// Returns a section that describes the input.
     fn measured(&self) -> Section {
         let mut section = Section::new(1, "What was measured");
         self.sources.iter().for_each(|line| section.say(format!("{line}.")));
@@ -54,23 +54,23 @@ impl<F, E> Found<F, E> {
     }
 }
 
-/// What was found of a body, whatever was measured.
+/// Report of an identified body, for any kind of measurement.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum IdentifyReport {
-    /// By its free motion.
+    /// Body identified from its free motion.
     Tumble(TumbleReport),
-    /// By wrenches at a wrist that carries it.
+    /// Payload identified from wrenches at a wrist.
     Payload(PayloadReport),
-    /// By its swings.
+    /// Body identified from its swings.
     Swing(SwingReport),
 }
 
 impl IdentifyReport {
-    /// Identifies the body that a plan measures, and says which further experiment would help most.
+    /// Identifies the body of a plan, and determines the most useful next experiment.
     ///
     /// # Errors
-    /// [`IdentifyError`] if the measurements are no body's motion, or too few.
+    /// [`IdentifyError`] if the measurements do not fit the motion of a body, or are too few.
     pub fn of(plan: &Plan) -> Result<Self, IdentifyError> {
         let (title, sources) = (plan.title.as_deref(), plan.sources());
         match &plan.measurement {
@@ -85,10 +85,11 @@ impl IdentifyReport {
         }
     }
 
-    /// Identifies a body by its flights, and says which further one would help most; `sources` say what was read.
+    /// Identifies a body from its flights, and determines the most useful next flight. `sources`
+    /// describe the input.
     ///
     /// # Errors
-    /// As [`identify_tumbles`].
+    /// Same as [`identify_tumbles`].
     pub fn of_flights(
         title: Option<&str>,
         sources: Vec<String>,
@@ -101,10 +102,11 @@ impl IdentifyReport {
         Ok(Self::Tumble(Found { title, sources, found, next }))
     }
 
-    /// Identifies a payload by the wrenches of a log, and says which further motion would help most.
+    /// Identifies a payload from the wrenches of a log, and determines the most useful next motion.
+    /// `sources` describe the input.
     ///
     /// # Errors
-    /// As [`identify_payload`].
+    /// Same as [`identify_payload`].
     pub fn of_payload(
         title: Option<&str>,
         sources: Vec<String>,
@@ -116,7 +118,7 @@ impl IdentifyReport {
         Ok(Self::Payload(Found { title, sources, found, next }))
     }
 
-    /// The body, where all of it is known.
+    /// Returns the body if all its mass properties are determined.
     pub fn body(&self) -> Option<MassProperties<Body>> {
         match self {
             Self::Tumble(_) => None,
@@ -133,20 +135,21 @@ impl IdentifyReport {
         }
     }
 
-    /// The report as data.
+    /// Returns the report as JSON.
     pub fn to_json(&self) -> Value {
         self.of_kind().to_json()
     }
 
-    /// The report as a document: text, Markdown, a page.
+    /// Returns the report as a document, which can be printed as text, Markdown or HTML.
     pub fn to_document(&self) -> Document {
         self.of_kind().to_document()
     }
 
-    /// The body as a part of a scenario file. Of a tumble that shows only ratios its size and its mass have to be said.
+    /// Returns the body as part of a scenario file. For a tumble, `size` must give the mass, and
+    /// the greatest moment if only ratios are determined.
     ///
     /// # Errors
-    /// If not all of it is known, or what was found is said as well.
+    /// [`NoBody`] if the body is not completely determined, or if `size` gives an estimated value.
     pub fn to_scenario(&self, size: &BodySize) -> Result<String, NoBody> {
         match self {
             Self::Tumble(report) => report.to_scenario(size),
@@ -159,7 +162,8 @@ impl IdentifyReport {
         }
     }
 
-    /// True if what is left is more than noise: the model is not all that moves the body.
+    /// Returns true if the residuals are larger than the noise or correlated: the model is
+    /// incomplete.
     pub fn has_model_error(&self) -> bool {
         self.of_kind().has_failed()
     }

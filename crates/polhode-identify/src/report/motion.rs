@@ -1,4 +1,4 @@
-//! Motions of a wrist, in words.
+//! Descriptions of a wrist's motions.
 
 use polhode_document::number::number;
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! The next experiment that would help most.
+//! Report of the most useful next experiment.
 
 use polhode_document::Section;
 use polhode_document::number::{count, number};
@@ -6,20 +6,20 @@ use serde_json::{Value, json};
 
 use crate::{Candidate, Knowledge, NextExperiment};
 
-/// Experiments that are shown.
+/// Maximum number of experiments shown.
 const SHOWN: usize = 6;
-/// Parts of a direction below this are not named.
+/// Threshold below which components of a direction are not listed.
 const PART: f64 = 0.3;
 
-/// What an experiment is called: for people, and as data.
+/// Name of an experiment, for people and for programs.
 pub(crate) trait Named {
-    /// What it is to do, in words that go on from "that helps most is".
+    /// Returns the experiment as a phrase that continues "Most would help".
     fn name(&self) -> String;
 
-    /// What more is to be known to do it.
+    /// Returns further settings of the experiment, if any.
     fn details(&self) -> Option<String>;
 
-    /// What it is as data.
+    /// Returns the experiment as JSON.
     fn to_json(&self) -> Value;
 }
 
@@ -59,7 +59,8 @@ pub(crate) fn section<E: Named>(next: &NextExperiment<E>) -> Section {
     s
 }
 
-/// The best candidates: where not all is known axes are not either, and moments along them mean nothing.
+/// Adds a table of the best candidates. If directions are unobservable, the principal axes are too,
+/// and moments along them have no meaning.
 fn table<E: Named>(s: &mut Section, next: &NextExperiment<E>) {
     let is_known = next.now.unknown == 0;
     let row = |name: String, known: &Knowledge| {
@@ -72,7 +73,7 @@ fn table<E: Named>(s: &mut Section, next: &NextExperiment<E>) {
         }
         row
     };
-    // two of one name differ in what more is to be known
+    // Candidates of equal name differ in their details.
     let names: Vec<String> = next.candidates.iter().map(|c| c.experiment.name()).collect();
     let is_clear = |name: &String| names.iter().filter(|other| *other == name).count() == 1;
     let shown = next.candidates.iter().zip(&names).take(SHOWN).map(|(candidate, name)| {
@@ -100,7 +101,7 @@ fn sd(sd: Option<f64>) -> String {
     sd.map_or_else(|| "not known".to_owned(), percent)
 }
 
-/// `along 0.71 i3, 0.61 i2`
+/// Returns a direction as text: `along 0.71 i3, 0.61 i2`.
 fn direction(now: &Knowledge) -> String {
     let parts = now.least_known.iter().filter(|(_, part)| part.abs() >= PART);
     let parts: Vec<String> =
@@ -108,7 +109,8 @@ fn direction(now: &Knowledge) -> String {
     format!("along {}", parts.join(", "))
 }
 
-/// Elements off the diagonal, along principal axes, are turns of these.
+/// Returns a parameter's name with its meaning. Off-diagonal elements along principal axes are
+/// rotations of these axes.
 fn meaning(name: &str) -> &str {
     match name {
         "i12" => "i12 (a turn about axis 3)",
@@ -135,7 +137,7 @@ fn gain(now: &Knowledge, then: &Knowledge) -> String {
     )
 }
 
-/// `{"units": …, "now": {…}, "candidates": […], "refused": […]}`
+/// Returns JSON: `{"units": …, "now": {…}, "candidates": […], "refused": […]}`.
 pub(crate) fn to_json<E: Named>(next: &NextExperiment<E>) -> Value {
     let candidate = |candidate: &Candidate<E>| {
         let mut json = candidate.experiment.to_json();

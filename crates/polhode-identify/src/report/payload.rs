@@ -1,4 +1,4 @@
-//! Payloads.
+//! Report of payloads.
 
 use polhode::body::{Finding, MassProperties, Severity};
 use polhode::math::Body;
@@ -16,7 +16,7 @@ use super::{PayloadReport, estimate, next};
 use crate::ResidualTest;
 use crate::payload::{Edge, EdgeKind, PayloadFinding, Thin};
 
-/// Wrenches that were left out, as many as are shown.
+/// Maximum number of left-out wrenches that are shown.
 const SHOWN: usize = 10;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -82,17 +82,17 @@ impl Report for PayloadReport {
         }
     }
 
-    /// Returns true if the residuals are more than noise.
+    /// Returns true if the residuals are larger than the noise or correlated.
     fn has_failed(&self) -> bool {
         self.found.tests.iter().any(ResidualTest::shows_model_error)
     }
 }
 
 impl PayloadReport {
-    /// The body as a part of a scenario file.
+    /// Returns the body as part of a scenario file.
     ///
     /// # Errors
-    /// If not all of it is known.
+    /// [`NoBody`] if it is not completely determined.
     pub fn to_scenario(&self) -> Result<String, NoBody> {
         let body = self.found.body.as_ref().ok_or(NoBody::Unknown { by: "the motion" })?;
         let meaning = "in kg, m, kg m^2, along the axes of the sensor, from its origin";
@@ -238,7 +238,7 @@ impl PayloadReport {
         s
     }
 
-    /// What is left of forces and of torques in the course of time.
+    /// Returns plots of the residuals of forces and of torques against time.
     fn scatters(&self) -> impl Iterator<Item = Scatter> {
         let of = |(k, test): (usize, &ResidualTest)| {
             let points = |i: usize| {
@@ -306,7 +306,7 @@ impl PayloadReport {
     }
 }
 
-/// As plans have it.
+/// Returns the kind as written in plans.
 const fn kind_key(kind: EdgeKind) -> &'static str {
     match kind {
         EdgeKind::Lamina => "plate",

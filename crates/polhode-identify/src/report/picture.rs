@@ -1,4 +1,4 @@
-//! Pictures of what was found.
+//! Pictures of the estimate.
 
 use polhode_document::Section;
 use polhode_document::drawing::{Correlations, Drawing, Triangle};
@@ -6,10 +6,11 @@ use serde_json::{Value, json};
 
 use crate::{Estimate, PrincipalEstimate};
 
-/// Probabilities of the regions of moments: one and two standard deviations of one number.
+/// Probabilities of the regions of moments: those of one and two standard deviations of a single
+/// number.
 const PROBABILITIES: [f64; 2] = [0.68, 0.95];
 
-/// The body on the triangle of moments, if its ratios are known.
+/// Returns the body on the triangle of moments, if its ratios are determined.
 pub(crate) fn triangle(p: &PrincipalEstimate) -> Option<Triangle> {
     if p.ratio_sd.iter().any(Option::is_none) {
         return None;
@@ -25,12 +26,12 @@ pub(crate) fn draw_triangle(section: &mut Section, p: &PrincipalEstimate) {
     }
 }
 
-/// The ellipse by its covariance, and where it is on the triangle.
+/// Returns the triangle with the body and its confidence ellipse as JSON.
 pub(crate) fn triangle_to_json(p: &PrincipalEstimate) -> Value {
     triangle(p).map_or(Value::Null, |triangle| triangle.to_json())
 }
 
-/// Correlations of the numbers that have an error.
+/// Returns the correlations of the numbers, except exact ones.
 fn correlations(estimate: &Estimate) -> Correlations {
     let is_exact = |k: &usize| estimate.numbers[*k].sd == Some(0.0);
     let shown: Vec<usize> = (0..estimate.numbers.len()).filter(|k| !is_exact(k)).collect();
@@ -47,7 +48,8 @@ pub(crate) fn draw_correlations(section: &mut Section, estimate: &Estimate) {
     }
 }
 
-/// Row by row, in the order of the numbers; null where a number has no error.
+/// Returns the correlation matrix row by row, in order of the numbers; null where a number has no
+/// error.
 pub(crate) fn correlations_to_json(estimate: &Estimate) -> Value {
     let n = estimate.numbers.len();
     let row = |i: usize| (0..n).map(|j| estimate.correlation(i, j)).collect::<Vec<_>>();

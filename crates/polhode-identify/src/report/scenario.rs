@@ -1,38 +1,38 @@
-//! The body that was found, as a scenario file.
+//! Export of the estimated body as a scenario file.
 
 use core::fmt;
 
-/// What is said of a body besides what was found.
+/// Properties of a body that the user states in addition to the estimate.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BodySize {
-    /// kg
+    /// Mass, kg.
     pub mass: Option<f64>,
-    /// kg·m²
+    /// Greatest principal moment, kg·m².
     pub greatest_moment: Option<f64>,
 }
 
-/// Why there is no scenario of a body.
+/// Reason why a body cannot be written as a scenario.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NoBody {
-    /// Not all of it is known.
+    /// Body that is not completely determined.
     Unknown {
-        /// What was measured.
+        /// Kind of measurement.
         by: &'static str,
     },
-    /// Tumbles do not show the mass.
+    /// Mass required; tumbles do not determine it.
     Mass,
-    /// These tumbles do not show how large the moments are.
+    /// Greatest moment required; these tumbles determine only ratios.
     Size,
-    /// It was found, and cannot be said.
+    /// Stated value that was estimated.
     Found {
-        /// `mass`, `greatest-moment`
+        /// Name of the option: `mass`, `greatest-moment`.
         what: &'static str,
     },
 }
 
 impl NoBody {
-    /// What to do.
+    /// Returns a hint how to fix the error.
     pub const fn hint(&self) -> &'static str {
         match self {
             Self::Unknown { .. } => "leave --body out to see what is unknown",

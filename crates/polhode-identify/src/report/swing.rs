@@ -1,4 +1,4 @@
-//! Swing tests.
+//! Report of swing tests.
 
 use polhode::body::{Finding, MassProperties, Severity};
 use polhode::math::Body;
@@ -17,14 +17,15 @@ use super::{SwingReport, estimate, mistakes, next};
 use crate::swing::{Measurement, NextSwing, SwingResult, SwingTest};
 use crate::{Number, ON_EARTH, PrincipalEstimate, ResidualTest};
 
-/// Where the tensor's elements begin among the numbers.
+/// Index of the first tensor element among the numbers.
 const TENSOR: usize = 4;
-/// Standard deviations below zero from which on a negative damping is reported; identification itself refuses five.
+/// Reporting threshold of negative damping, standard deviations. Identification itself refuses
+/// five.
 const GROWS: f64 = 3.0;
-/// The width that a test takes of the space between two.
+/// Width of a test's points, relative to the distance between tests.
 const WIDTH: f64 = 0.6;
 
-/// A number with its error and its unit, if it has one.
+/// Returns a number with its error and its unit, if any.
 fn with_unit(found: &Number, sd: f64) -> String {
     let unit = if found.unit == "1" { String::new() } else { format!(" {}", found.unit) };
     format!("{}{unit}", with_error(found.value, sd))
@@ -88,7 +89,7 @@ impl Report for SwingReport {
         }
     }
 
-    /// Returns true if the residuals are more than noise.
+    /// Returns true if the residuals are larger than the noise or correlated.
     fn has_failed(&self) -> bool {
         self.found.model_tests().any(ResidualTest::shows_model_error)
     }
@@ -99,23 +100,23 @@ impl SwingReport {
         PrincipalEstimate::of_tensor(&self.found.estimate, TENSOR)
     }
 
-    /// The body as a part of a scenario file.
+    /// Returns the body as part of a scenario file.
     ///
     /// # Errors
-    /// If not all of it is known.
+    /// [`NoBody`] if it is not completely determined.
     pub fn to_scenario(&self) -> Result<String, NoBody> {
         let body = self.known().ok_or(NoBody::Unknown { by: "what was swung" })?;
         let meaning = "in kg, m, kg m^2, along the axes of the body, from their origin";
         Ok(BodyPart::of_body(format!("{}: {meaning}", self.title), "body", &body).to_toml())
     }
 
-    /// The body, if all of it is known.
+    /// Returns the body if it is completely determined.
     pub fn known(&self) -> Option<MassProperties<Body>> {
         let mut numbers = self.found.estimate.numbers.iter().take(TENSOR + 6);
         numbers.all(|number| number.sd.is_some()).then_some(self.found.body)
     }
 
-    /// What is known of the tensor: its elements that have an error.
+    /// Returns true if all elements of the tensor are determined.
     fn is_known(&self) -> bool {
         self.found.estimate.numbers[TENSOR..].iter().take(6).all(|number| number.sd.is_some())
     }
@@ -172,7 +173,7 @@ impl SwingReport {
         findings
     }
 
-    /// How many axes were swung.
+    /// Returns a sentence on the number of axes that were swung.
     fn swung(&self) -> String {
         let axes = self.found.tests.iter().filter(|test| test.moment.is_some()).count();
         match axes {
@@ -242,7 +243,7 @@ impl SwingReport {
         s
     }
 
-    /// What is left, test by test: of logs all values, beside each other.
+    /// Returns a plot of the residuals test by test; all values of a log are next to each other.
     fn scatter(&self) -> Option<Scatter> {
         let points = self.found.tests.iter().enumerate().flat_map(|(k, test)| {
             let count = test.left.len().max(1) as f64;
@@ -313,14 +314,14 @@ impl Named for NextSwing {
     }
 }
 
-/// `40 swings would take 63.9 s`; of a log nothing.
+/// Returns text such as `40 swings would take 63.9 s`; `None` for a log.
 fn predicted(test: &SwingTest) -> Option<String> {
     let Measurement::Counted(counted) = &test.measurement else { return None };
     let first = counted.intervals.first()?;
     Some(format!("{} swings would take {} s", number(first.to - first.from, 4), number(first.time, 4)))
 }
 
-/// Times and amplitudes as they would be; null of a log.
+/// Returns predicted times and amplitudes; null for a log.
 fn counted(test: &SwingTest) -> Value {
     let Measurement::Counted(counted) = &test.measurement else { return Value::Null };
     json!({

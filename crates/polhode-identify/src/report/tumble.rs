@@ -1,4 +1,4 @@
-//! Tumbles.
+//! Report of tumbles.
 
 use polhode::body::{Finding, Severity};
 use polhode_document::VERSION;
@@ -16,9 +16,9 @@ use super::{TumbleReport, estimate, next};
 use crate::ResidualTest;
 use crate::tumble::{Flaw, FlightFit, NextFlight};
 
-/// Flights that are shown in a table.
+/// Maximum number of flights shown in a table.
 const SHOWN: usize = 40;
-/// Turns that a scenario has.
+/// Duration of an exported scenario, turns.
 const TURNS: f64 = 10.0;
 
 impl Report for TumbleReport {
@@ -83,17 +83,18 @@ impl Report for TumbleReport {
         }
     }
 
-    /// Returns true if the residuals are more than noise.
+    /// Returns true if the residuals are larger than the noise or correlated.
     fn has_failed(&self) -> bool {
         self.found.residuals.iter().any(ResidualTest::shows_model_error)
     }
 }
 
 impl TumbleReport {
-    /// The body as a part of a scenario file, and where nothing else turned it its first flight.
+    /// Returns the body as part of a scenario file. The first flight is included if all flights
+    /// were free.
     ///
     /// # Errors
-    /// If not all of it is known and said.
+    /// [`NoBody`] if a value is neither estimated nor stated.
     pub fn to_scenario(&self, size: &BodySize) -> Result<String, NoBody> {
         let tumble = &self.found;
         let is_known = [0, 1].iter().all(|&k| tumble.principal.undetermined_ratio(k).is_none())
@@ -119,7 +120,7 @@ impl TumbleReport {
         Ok(part.to_toml() + &self.flown().unwrap_or_default())
     }
 
-    /// The start of the first flight, if the body was free in all of them.
+    /// Returns the start of the first flight as TOML, if the body was free in all flights.
     fn flown(&self) -> Option<String> {
         let has_drag = self.found.estimate.numbers.iter().any(|number| number.name.starts_with("drag"));
         let flight = self.found.flights.first().filter(|_| !self.found.scale_is_known && !has_drag)?;
@@ -202,7 +203,7 @@ impl TumbleReport {
         self.found.flights.iter().max_by(|a, b| a.reduced_chi_square.total_cmp(&b.reduced_chi_square))
     }
 
-    /// What is left of a flight, reading by reading.
+    /// Returns a plot of a flight's residuals, reading by reading.
     fn scatter(&self, flight: &FlightFit) -> Option<Scatter> {
         let is_gyro = !flight.gyro_residuals.is_empty();
         let of = if is_gyro { &flight.gyro_residuals } else { &flight.attitude_residuals };
@@ -246,7 +247,8 @@ impl TumbleReport {
     }
 }
 
-/// The root of the mean square of what is left of a gyro's components, rad/s; of attitudes, rad, where there is no gyro.
+/// Returns the root mean square residual of a gyro's components, rad/s; of attitudes, rad, without
+/// a gyro.
 fn rms(flight: &FlightFit) -> f64 {
     let of =
         if flight.gyro_residuals.is_empty() { &flight.attitude_residuals } else { &flight.gyro_residuals };

@@ -35,7 +35,7 @@ pub enum MistakeKind {
         /// Name of the length in the plan.
         number: String,
     },
-    /// All times are 1 % too long.
+    /// All times too long by 1 %.
     Clock,
 }
 

@@ -24,9 +24,9 @@ pub enum NextSwing {
         /// Direction along the body's x, y, z, in whole numbers, that becomes the axis of the
         /// swing.
         about: [i8; 3],
-        /// The name of the test whose rig it is.
+        /// Name of the test with the same rig.
         like: String,
-        /// The test, with what would be measured if the body is as it was found.
+        /// Test with the readings that are predicted for the estimated body.
         test: SwingTest,
     },
     /// Repeated measurement of a number of the plan, with the same error.

@@ -61,7 +61,7 @@ pub struct SwingTest {
 /// of the plan.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Air {
-    /// The moment of inertia of the air that moves along, about the axis of the swing, kg·m²: 0 where it is not given.
+    /// Added moment of inertia of the moving air about the axis of the swing, kg·m²; default 0.
     pub moment: Linear,
     /// Mass of the displaced air, kg, which reduces the weight; default 0.
     pub displaced: Linear,

@@ -33,9 +33,10 @@ struct Prepared<'a> {
     test: &'a SwingTest,
     look: Look,
     amplitudes: Amplitudes,
-    /// The small motion's rate and the motions of the last place, from which those of a place nearby are found.
+    /// Rate of the small oscillation and the motions of the last evaluation, which are guesses for
+    /// similar parameters.
     last: RefCell<(f64, Vec<Motion>)>,
-    /// Which elements of the tensor are sought in this test.
+    /// True for each element of the tensor that this test estimates.
     sought: RefCell<Option<[bool; 6]>>,
 }
 
@@ -43,8 +44,9 @@ struct Prepared<'a> {
 /// this many standard deviations.
 const NOTHING: f64 = 1e-2;
 
-/// Elements of the tensor that move a test by less than this part of what the others do are not sought in it: it would be in vain, and one that nothing
-/// else holds would be carried far. The prediction has them all the same.
+/// Threshold of influence relative to the most influential element. Elements below it are not
+/// estimated from the test. The test cannot determine them, and without other tests they would
+/// drift far. The prediction still includes them.
 const SMALL: f64 = 1e-5;
 /// Relative threshold in the first stage, while rates are far off.
 const COARSE: f64 = 1e-3;
@@ -349,8 +351,10 @@ impl Predicted {
         Self { value: 0.0, by_amplitude: 0.0, by_phase: 0.0, by_decay: [0.0; OWN], by: vec![0.0; count] }
     }
 
-    /// What damping adds to the shape of a harmonic motion, to its first order: β A² Σ g_n sin nφ, g_n = 8/(π n (n² − 1) (n² − 4)), n = 3, 5 …;
-    /// and to the rate, besides that one's derivative, dA/dt cos φ with dA/dt = −a A − (4/3π) β ω A².
+    /// Adds the first-order effect of damping on the shape of a harmonic motion.
+    ///
+    /// The angle gains β A² Σ g_n sin nφ with g_n = 8/(π n (n² − 1) (n² − 4)), n = 3, 5 … The rate
+    /// gains its derivative and dA/dt cos φ, with dA/dt = −a A − (4/3π) β ω A².
     fn damped(&mut self, signal: Signal, amplitude: f64, phase: f64, rate: f64, decay: Decay) {
         let square = amplitude * amplitude;
         for n in [3.0, 5.0, 7.0, 9.0, 11.0] {

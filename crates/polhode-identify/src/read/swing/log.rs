@@ -1,4 +1,5 @@
-//! `logged = { log = "swing.csv", … }`: the angle of a swing, or its rate, in the course of time; or `{ times = […], values = […], … }`.
+//! Entry `logged = { log = "swing.csv", … }`: angle or rate of a swing against time; or
+//! `{ times = […], values = […], … }`.
 
 use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value};
@@ -28,10 +29,11 @@ const RATE: Quantity = Quantity {
     example: "rate_rad_s",
 };
 
-/// Of the file only.
+/// Keys for a file only.
 const OF_FILE: [&str; 4] = ["columns", "units", "from", "to"];
 
-/// Reads `logged = { log, signal, sd, columns, units, from, to, damping }`, or with `times` and `values` in place of the file.
+/// Reads `logged = { log, signal, sd, columns, units, from, to, damping }`, or `times` and `values`
+/// instead of a file.
 pub(crate) fn logged(value: &Value<'_>) -> Result<(Logged, Option<ReadLog>), FormatError> {
     let table = value.table()?;
     table.allow(&[&["log", "times", "values", "signal", "sd", "damping"], &OF_FILE[..]].concat())?;
@@ -84,7 +86,7 @@ pub(crate) fn logged(value: &Value<'_>) -> Result<(Logged, Option<ReadLog>), For
     Ok((Logged { times, values, sd, signal, damping }, Some(read)))
 }
 
-/// As many values as times, which ascend.
+/// Reads ascending times and an equal number of values.
 fn lists(
     times: &Value<'_>,
     table: &Table<'_>,

@@ -1,4 +1,4 @@
-//! `[swing]`: the periods of a body that hangs on wires or turns about an axis.
+//! Table `[swing]`: periods of a body on wires or about an axis.
 
 mod log;
 mod number;
@@ -14,7 +14,7 @@ use crate::swing::{
 };
 use number::{Numbers, measured};
 
-/// Reads `[swing]`.
+/// Reads the table `[swing]`.
 pub(crate) fn plan(table: &Table<'_>, logs: &mut Vec<ReadLog>) -> Result<SwingPlan, FormatError> {
     table.allow(&["mass", "center", "gravity", "numbers", "test"])?;
     let mass = table.require("mass", "mass = { value = \"3.2 kg\", sd = \"1 g\" }")?;
@@ -75,7 +75,7 @@ fn center(value: &Value<'_>) -> Result<[Measured; 3], FormatError> {
     Ok(center)
 }
 
-/// Reads `[[swing.test]]`.
+/// Reads a table `[[swing.test]]`.
 fn test<'a>(
     table: &Table<'a>,
     name: &str,
@@ -103,10 +103,10 @@ fn test<'a>(
     Ok(SwingTest { name: name.to_owned(), body, fixture, rig, air, measurement })
 }
 
-/// Limit on the number of swings.
+/// Upper bound on the number of swings.
 const MOST_SWINGS: f64 = 1e9;
 
-/// `counted = { swings, time, sd, amplitude, amplitude_sd, damping }`
+/// Reads `counted = { swings, time, sd, amplitude, amplitude_sd, damping }`.
 fn counted(value: &Value<'_>) -> Result<Counted, FormatError> {
     let table = value.table()?;
     table.allow(&["swings", "time", "sd", "amplitude", "amplitude_sd", "damping"])?;
@@ -147,7 +147,8 @@ fn damping(value: &Value<'_>) -> Result<Damping, FormatError> {
     })
 }
 
-/// One; those at the beginning and at the end; or `{ after = 10, value = "11 deg" }` of any count.
+/// Reads amplitudes: one for the middle; two for the beginning and the end; or
+/// `{ after = 10, value = "11 deg" }` for any count.
 fn amplitudes(value: &Value<'_>, swings: f64, sd: f64) -> Result<Vec<AmplitudeReading>, FormatError> {
     let reading = |at, value: &Value<'_>| {
         value.positive(Dimension::ANGLE).map(|amplitude| AmplitudeReading { at, amplitude, sd })

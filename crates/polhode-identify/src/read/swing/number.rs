@@ -1,4 +1,4 @@
-//! Measured numbers, and those that tests share by name.
+//! Measured numbers, and numbers that tests share by name.
 
 use polhode::math::Direction;
 use polhode_source::nearest;
@@ -9,7 +9,7 @@ use polhode_source::{FormatError, FormatErrorKind};
 
 use crate::swing::{Linear, Measured, NumberId, Point, SwingPlan};
 
-/// What a number of a rig may be.
+/// Dimensions of shared numbers, with their SI units.
 const UNITS: [(Dimension, &str); 4] = [
     (Dimension::LENGTH, "m"),
     (Dimension::STIFFNESS, "N·m/rad"),
@@ -17,10 +17,11 @@ const UNITS: [(Dimension, &str); 4] = [
     (Dimension::INERTIA, "kg·m²"),
 ];
 
-/// The names of what every answer has.
+/// Reserved names: parameters of every result.
 const OWN: [&str; 8] = ["mass", "gravity", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
 
-/// `"3.2 kg"`, exact; `{ value = "3.2 kg", sd = "1 g" }`; or `{ about = "3 kg" }`, to be found.
+/// Reads `"3.2 kg"`, exact; `{ value = "3.2 kg", sd = "1 g" }`; or `{ about = "3 kg" }`, to be
+/// estimated.
 pub(crate) fn measured(value: &Value<'_>, dimension: Dimension) -> Result<Measured, FormatError> {
     let measured = read(value, dimension)?;
     let is_plausible = measured.value.abs() <= LARGEST && !(measured.sd.is_finite() && measured.sd > LARGEST);
@@ -30,7 +31,7 @@ pub(crate) fn measured(value: &Value<'_>, dimension: Dimension) -> Result<Measur
     }
 }
 
-/// Limit on the numbers of a rig and a body, SI.
+/// Upper bound on the numbers of a rig and a body, SI.
 const LARGEST: f64 = 1e12;
 
 fn read(value: &Value<'_>, dimension: Dimension) -> Result<Measured, FormatError> {
@@ -53,7 +54,7 @@ fn read(value: &Value<'_>, dimension: Dimension) -> Result<Measured, FormatError
     }
 }
 
-/// The plan as it grows, with the numbers that it has by name.
+/// Plan under construction, with its shared numbers by name.
 pub(crate) struct Numbers<'a> {
     pub plan: SwingPlan,
     named: Vec<Named<'a>>,
@@ -68,7 +69,7 @@ struct Named<'a> {
 }
 
 impl<'a> Numbers<'a> {
-    /// Reads `[swing.numbers]`.
+    /// Reads the table `[swing.numbers]`.
     pub(crate) fn new(plan: SwingPlan, table: Option<&Table<'a>>) -> Result<Self, FormatError> {
         let mut numbers = Self { plan, named: Vec::new() };
         for (name, value) in table.into_iter().flat_map(|table| table.each("a number")) {
@@ -86,7 +87,7 @@ impl<'a> Numbers<'a> {
         Ok(numbers)
     }
 
-    /// That every number has a part in a test.
+    /// Checks that every shared number is used in a test.
     pub(crate) fn all_used(&self) -> Result<(), FormatError> {
         match self.named.iter().find(|named| !named.is_used) {
             Some(Named { name, value, .. }) => Err(value
@@ -96,7 +97,8 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// A quantity of a test: a number, exact or measured or to be found; the name of a shared one, perhaps after a minus; or
+    /// Reads a quantity of a test: a number (exact, measured or to be estimated); the name of a
+    /// shared number, with an optional minus sign; or
     /// `{ number = "r", times = 0.5, plus = "1 cm" }`.
     pub(crate) fn linear(
         &mut self,
@@ -125,7 +127,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// A quantity that is 0 where it is not given.
+    /// Reads a quantity with default 0.
     pub(crate) fn or_zero(
         &mut self,
         table: &Table<'a>,
@@ -138,7 +140,7 @@ impl<'a> Numbers<'a> {
             .map_or(Ok(Linear::default()), |value| self.linear(&value, dimension, &format!("{test}: {key}")))
     }
 
-    /// `["1 cm", "r", "-r"]`, or `{ at = […], along = [0, 1, 0], distance = "r" }`.
+    /// Reads a point: `["1 cm", "r", "-r"]`, or `{ at = […], along = [0, 1, 0], distance = "r" }`.
     pub(crate) fn point(&mut self, value: &Value<'a>, called: &str) -> Result<Point, FormatError> {
         let Ok(table) = value.table() else {
             let elements = value.fixed::<3>("lengths, or names of numbers")?;
@@ -194,7 +196,7 @@ impl<'a> Numbers<'a> {
     }
 }
 
-/// The name in a text that is no quantity, and its sign.
+/// Splits a text into sign and name; `None` for a quantity.
 fn reference(text: &str) -> Option<(f64, &str)> {
     let text = text.trim();
     let (sign, name) = match text.strip_prefix(['-', '−']) {
@@ -204,13 +206,13 @@ fn reference(text: &str) -> Option<(f64, &str)> {
     name.starts_with(|c: char| c.is_alphabetic() || c == '_').then_some((sign, name))
 }
 
-/// What a shared number is, by its unit.
+/// Returns the dimension and SI unit of a shared number, from its unit.
 fn dimension_of(value: &Value<'_>) -> Result<(Dimension, &'static str), FormatError> {
     let number = match value.table() {
         Ok(table) => table.get("value").or_else(|| table.get("about")).unwrap_or(*value),
         Err(_) => *value,
     };
-    // what is missing there is said where the number is read
+    // Reading the number reports a missing entry.
     let Ok(text) = number.string() else {
         return if number.table().is_ok() {
             Err(measured(value, Dimension::LENGTH).err().unwrap_or_else(|| value.invalid("a number")))
@@ -228,7 +230,7 @@ fn dimension_of(value: &Value<'_>) -> Result<(Dimension, &'static str), FormatEr
     })
 }
 
-/// A direction of length 1.
+/// Reads a direction and normalizes it.
 pub(crate) fn unit_vector(value: &Value<'_>) -> Result<[f64; 3], FormatError> {
     let given: Direction<polhode::math::Body> = Direction::from_array(value.numbers()?);
     match given.direction() {

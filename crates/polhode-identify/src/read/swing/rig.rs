@@ -1,4 +1,4 @@
-//! How a body hangs in a test: its rig, its place there, and what hangs with it.
+//! Suspension of a body in a test: rig, placement and fixture.
 
 use polhode::math::{Body, Direction, Position, Rotation, Space};
 use polhode_source::FormatError;
@@ -10,10 +10,10 @@ use crate::swing::{Air, Axis, Fixture, Linear, Measured, Placement, Rig, SwingTe
 
 const RIGS: [&str; 6] = ["bifilar", "trifilar", "torsion", "wires", "compound", "spindle"];
 const COMMON: [&str; 8] = ["name", "comment", "rig", "body", "fixture", "air", "counted", "logged"];
-/// Where the body is in a rig with wires.
+/// Keys for the placement of the body in a rig with wires.
 const PLACE: [&str; 3] = ["up", "across", "point"];
 
-/// The rig, and the body's place in it, if the body hangs there.
+/// Reads the rig, and the placement of the body; `None` with `body = false`.
 pub(crate) fn rig<'a>(
     test: &Table<'a>,
     name: &str,
@@ -76,7 +76,7 @@ fn radii<'a>(
     let mut at =
         |value: &Value<'a>| numbers.linear(value, Dimension::LENGTH, &format!("{name}: {}", value.key()));
     if let Some(radius) = test.get("radius") {
-        // one number, measured once
+        // Above and below share one measured number.
         let radius = at(&radius)?;
         return Ok((radius.clone(), radius));
     }
@@ -100,7 +100,7 @@ fn stiffness<'a>(test: &Table<'a>, name: &str, numbers: &mut Numbers<'a>) -> Res
     numbers.linear(&stiffness, Dimension::STIFFNESS, &format!("{name}: stiffness"))
 }
 
-/// `wires = [{ top = […], bottom = […], length = … }]`
+/// Reads `wires = [{ top = […], bottom = […], length = … }]`.
 fn wires<'a>(test: &Table<'a>, name: &str, numbers: &mut Numbers<'a>) -> Result<Vec<Wire>, FormatError> {
     let all =
         test.require("wires", "wires = [{ top = [0, 0, 1.5], bottom = [0, 0, 0], length = \"1.5 m\" }]")?;
@@ -122,7 +122,7 @@ fn wires<'a>(test: &Table<'a>, name: &str, numbers: &mut Numbers<'a>) -> Result<
     Ok(wires)
 }
 
-/// The rig's axes are the body's.
+/// Reads the axis of a rig whose axes are those of the body.
 fn axis<'a>(
     test: &Table<'a>,
     kind: &str,
@@ -141,12 +141,13 @@ fn axis<'a>(
     Ok(Axis::level(pivot, direction).with_edge(edge).with_stiffness(stiffness))
 }
 
-/// `up` and `across` are directions in the body along the rig's z and x, `point` is the point of the body that is in the rig's origin.
+/// Reads the placement: `up` and `across` are body directions along the rig's z and x; `point` is
+/// the body point at the rig's origin.
 fn placement(test: &Table<'_>, kind: &str) -> Result<Placement, FormatError> {
     let up = unit_vector(&test.require("up", "up = [0, 0, 1], the direction in the body that is vertical")?)?;
     let across = match test.get("across") {
         Some(across) => across,
-        // about one wire all directions are alike
+        // About a single wire all horizontal directions are equivalent.
         None if kind == "torsion" && test.get("at").is_none() && test.get("fixture").is_none() => {
             return placed(up, any_across(up), test);
         }
@@ -166,7 +167,7 @@ fn placement(test: &Table<'_>, kind: &str) -> Result<Placement, FormatError> {
     placed(up, x, test)
 }
 
-/// A direction at a right angle.
+/// Returns a vector at right angles to another.
 fn any_across([x, y, z]: [f64; 3]) -> [f64; 3] {
     if x.abs() < 0.6 { [0.0, z, -y] } else { [-z, 0.0, x] }
 }
@@ -184,9 +185,10 @@ fn placed(up: [f64; 3], across: [f64; 3], test: &Table<'_>) -> Result<Placement,
     Ok(Placement { rotation, origin: Position::from_array(origin) })
 }
 
-/// That a body alone on two wires is below the line of their lower ends, as far as its centre is known: otherwise it turns over.
+/// Checks that the centre of a body alone on two wires is not significantly above the line of their
+/// lower ends; otherwise it turns over.
 pub(crate) fn hangs(test: &Table<'_>, made: &SwingTest, center: [Measured; 3]) -> Result<(), FormatError> {
-    /// Standard deviations that are no chance.
+    /// Significance threshold, standard deviations.
     const NO_CHANCE: f64 = 5.0;
     let (Some(placement), None) = (made.body, &made.fixture) else { return Ok(()) };
     let rig = test.require("rig", "rig = \"bifilar\"")?;
@@ -206,7 +208,7 @@ pub(crate) fn hangs(test: &Table<'_>, made: &SwingTest, center: [Measured; 3]) -
     Err(place.invalid(rule).with_hint(hint))
 }
 
-/// `fixture = { mass, center, moments, products }`, along the axes of the rig.
+/// Reads `fixture = { mass, center, moments, products }`, along the axes of the rig.
 pub(crate) fn fixture<'a>(
     test: &Table<'a>,
     name: &str,
@@ -230,7 +232,7 @@ pub(crate) fn fixture<'a>(
     Ok(Some(Fixture { mass, center, inertia }))
 }
 
-/// `air = { moment, displaced }`
+/// Reads `air = { moment, displaced }`.
 pub(crate) fn air<'a>(test: &Table<'a>, name: &str, numbers: &mut Numbers<'a>) -> Result<Air, FormatError> {
     let Some(value) = test.get("air") else { return Ok(Air::default()) };
     let table = value.table()?;

@@ -1,4 +1,4 @@
-//! How long 10,000 rows take: `cargo run --release -p polhode-identify --example payload_time`.
+//! Run time of 10,000 rows: `cargo run --release -p polhode-identify --example payload_time`.
 
 use std::time::Instant;
 

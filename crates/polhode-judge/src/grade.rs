@@ -1,4 +1,4 @@
-//! Runs of the suite's cases, graded.
+//! Grades for runs of the suite's cases.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -14,18 +14,19 @@ use crate::report::{Card, CardCase, CardRun};
 use crate::runs::Judge;
 use crate::suite::{CASES, SuiteCase};
 
-/// Why cases were not run, in the folder of the runs.
+/// Name of the file with reasons for cases without run, in the folder of the runs.
 const NOT_RUN: &str = "not-run.txt";
-/// What files of runs end in.
+/// File extensions of runs.
 const ENDINGS: [&str; 4] = ["csv", "parquet", "jsonl", "ndjson"];
 
-/// A run, and the step that its name says, s.
+/// Path of a run, and the time step in its name, s.
 type RunFile = (PathBuf, Option<f64>);
 
 /// Grades the runs of the suite's cases in a folder.
 ///
 /// # Errors
-/// [`Failure`] if the folder cannot be listed, has no run of a case, or has one of no case.
+/// [`Failure`] if the folder cannot be listed, has no run of any case, or has a run of an unknown
+/// case.
 pub(crate) fn grade(folder: &Path, judge: Judge<'_>) -> Result<Card, Failure> {
     let runs = runs(folder, judge.files)?;
     let reasons = reasons(folder, judge.files)?;
@@ -53,7 +54,8 @@ pub(crate) fn grade(folder: &Path, judge: Judge<'_>) -> Result<Card, Failure> {
     ))
 }
 
-/// The runs of one case. One that cannot be judged, or ends too soon, fails the case, and says why.
+/// Judges the runs of one case. A run that cannot be judged, or that ends too early, fails the case
+/// with a reason.
 fn judged(
     case: &SuiteCase,
     runs: &[RunFile],
@@ -82,8 +84,8 @@ fn judged(
     Ok(CardRun::Judged(judged))
 }
 
-/// What the suite asks for, unless the columns say something else: a program that is a step late, or turns the other way, has no other
-/// meaning but is wrong.
+/// Adds the suite's conventions where the columns do not specify others. A run that is one step
+/// late, or that rotates the other way, is then wrong instead of differently interpreted.
 fn as_asked(says: &DeclaredReading) -> DeclaredReading {
     let asked = DeclaredReading {
         sense: Some(AttitudeSense::BodyToSpace),
@@ -97,14 +99,15 @@ fn as_asked(says: &DeclaredReading) -> DeclaredReading {
     DeclaredReading { by_name: DeclaredByName::default(), ..says.or(&asked) }
 }
 
-/// Message about a run that names another scenario than this case.
+/// Returns a message if a run names another scenario than this case.
 fn other_scenario(log: &RunLog, case: &str) -> Option<String> {
     let said = log.scenario.as_ref()?;
     let is_case = said.file_stem().is_some_and(|stem| stem == case);
     (!is_case).then(|| format!("it says that it is a run of {:?}", said.display()))
 }
 
-/// What is missing of a run, where it does not reach the end of its case, to within two rows, or has fewer than ten rows.
+/// Returns a message if a run ends more than two rows before the end of its case, or has fewer than
+/// ten rows.
 fn too_short(times: &[f64], wanted: &[f64]) -> Option<String> {
     let span = |times: &[f64]| times.last().zip(times.first()).map_or(0.0, |(last, first)| last - first);
     let row = |times: &[f64]| span(times) / times.len().saturating_sub(1).max(1) as f64;
@@ -115,7 +118,7 @@ fn too_short(times: &[f64], wanted: &[f64]) -> Option<String> {
     (times.len() < 10).then(|| format!("it has {} rows, and ten at least are needed", times.len()))
 }
 
-/// Of each case its files, with the step that their names say.
+/// Returns the files of each case, with the step in their names.
 fn runs(folder: &Path, files: &dyn Files) -> Result<BTreeMap<String, Vec<RunFile>>, Failure> {
     let unreadable = |error: io::Error| {
         Failure::usage(format!("{} cannot be listed: {error}", shown(folder)), "name a folder of runs")
@@ -157,7 +160,7 @@ fn runs(folder: &Path, files: &dyn Files) -> Result<BTreeMap<String, Vec<RunFile
     Ok(found)
 }
 
-/// `NAME: reason`, line by line.
+/// Reads lines `NAME: reason`.
 fn reasons(folder: &Path, files: &dyn Files) -> Result<BTreeMap<String, String>, Failure> {
     let path = folder.join(NOT_RUN);
     if files.look(&path).is_err_and(|error| error.kind() == io::ErrorKind::NotFound) {

@@ -1,7 +1,7 @@
 //! Judges whether another program computes the motion of a rigid body correctly.
 //!
-//! [`run`] answers a [`Request`]: it holds logs against the exact motion, and says what is wrong.
-//! [`suite`] has the scenarios by which programs are graded.
+//! [`run`] executes a [`Request`]: it compares logs with the exact motion and reports the errors
+//! and their causes. [`suite`] contains the scenarios for grading programs.
 #![forbid(unsafe_code)]
 
 mod grade;

@@ -1,4 +1,4 @@
-//! What is asked of `judge`.
+//! Requests to `judge`: the options of the command.
 #![allow(rustdoc::broken_intra_doc_links, reason = "the help of the command shows brackets as they are")]
 
 use std::path::PathBuf;
@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 /// JSON schema of a [`Request`].
 pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
 
-/// Logs of other programs to judge, and what the user says of them.
+/// Logs of other programs to be judged, and the interpretation options.
 ///
 /// ```
 /// use polhode_document::Report as _;
@@ -33,65 +33,69 @@ pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct Request {
-    /// The scenario (a TOML file) and the runs of it; the runs alone where they name their scenario.
+    /// Scenario (a TOML file) and its runs; the runs alone if they name their scenario.
     #[cfg_attr(feature = "arguments", arg(value_name = "SCENARIO|RUN", required_unless_present_any = ["suite", "write_suite"]))]
     pub files: Vec<PathBuf>,
-    /// What the user says of a run's numbers.
+    /// Interpretation of a run's numbers.
     #[serde(flatten)]
     #[cfg_attr(feature = "arguments", command(flatten))]
     pub read_as: ReadAs,
-    /// The program's time step, s or with its unit [default: what the run says, else the distance of its rows].
+    /// Time step of the program, s or with its unit [default: that in the run, else the spacing of
+    /// its rows].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "T"))]
     pub step: Option<Given<Positive<Time>>>,
-    /// Folder that the scenario which a log names, and the files of that scenario, may lie in besides the log's own folder.
+    /// Additional folder in which logs may open their scenario and its files, besides the log's own
+    /// folder.
     #[serde(rename = "root")]
     #[cfg_attr(feature = "arguments", arg(long = "root", value_name = "DIR"))]
     pub roots: Vec<PathBuf>,
-    /// Greatest error of an attitude, rad or with its unit, and of ω as a part of its largest:
-    /// above it the exit status is 1, and a case of the suite has failed [default: 0.01 rad].
+    /// Largest right error of an attitude, rad or with its unit, and of ω relative to its largest
+    /// value. Above it the exit status is 1, and a case of the suite fails [default: 0.01 rad].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "ANGLE"))]
     pub limit: Option<Given<Positive<Angle>>>,
-    /// Grade the runs of the suite's cases in this folder: NAME.csv, or NAME@STEP.csv for several steps (also .parquet and .jsonl); cases
-    /// that a program cannot run are lines `NAME: reason` of not-run.txt.
+    /// Grade the runs of the suite's cases in this folder: NAME.csv, or NAME@STEP.csv for several
+    /// steps (also .parquet and .jsonl). Cases that a program cannot run are lines `NAME: reason`
+    /// in not-run.txt.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "DIR", conflicts_with_all = ["files", "write_suite"]))]
     pub suite: Option<PathBuf>,
 }
 
 impl Request {
-    /// Returns the greatest error that is right, rad: 0.01 unless the user gives one.
+    /// Returns the largest right error, rad: 0.01 unless the user specifies one.
     pub fn limit(&self) -> f64 {
-        /// What can just be seen.
+        /// Error that is just visible, rad.
         const LIMIT: f64 = 0.01;
         self.limit.as_ref().map_or(LIMIT, |limit| limit.value.0.into())
     }
 }
 
-/// What the user says of a run's numbers; the rest is found.
+/// Interpretation of a run's numbers that the user specifies; the rest is detected.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct ReadAs {
-    /// Which columns are what: time, quaternion wxyz|xyzw, matrix or euler 3-2-1 [deg], and omega body|space [deg/s].
+    /// Columns of quantities: time, quaternion wxyz|xyzw, matrix or euler 3-2-1 [deg], and omega
+    /// body|space [deg/s].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "WHAT=NAMES, …"))]
     pub columns: Option<Given<Columns>>,
-    /// The order of quaternions [default: found].
+    /// Order of quaternion components [default: detected].
     #[cfg_attr(feature = "arguments", arg(long, value_enum))]
     pub quaternion: Option<Order>,
-    /// Which way rotations go: body components to space, or the inverse [default: found].
+    /// Sense of rotations: body components to space, or the inverse [default: detected].
     #[cfg_attr(feature = "arguments", arg(long, value_enum))]
     pub sense: Option<Sense>,
-    /// Along which axes the angular velocity is [default: found].
+    /// Axes of the angular velocity [default: detected].
     #[cfg_attr(feature = "arguments", arg(long, value_enum))]
     pub omega: Option<Axes>,
-    /// The run's axes x, y, z as axes of the scenario, such as x,z,-y [default: found].
+    /// Axes x, y, z of the run as axes of the scenario, such as x,z,-y [default: detected].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "A,B,C", allow_hyphen_values = true))]
     pub axes: Option<Given<AxesOfRun>>,
-    /// The run's time at the scenario's time 0, s or with its unit [default: found].
+    /// Time of the run at the scenario's time 0, s or with its unit [default: detected].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "T", allow_hyphen_values = true))]
     pub time_origin: Option<Given<Time>>,
 }
 
-/// Order of the components of quaternions.
+/// Order of quaternion components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
@@ -113,7 +117,7 @@ pub enum Sense {
     SpaceToBody,
 }
 
-/// Axes that angular velocities are along.
+/// Axes of angular velocities.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
@@ -141,7 +145,7 @@ impl FromStr for AxesOfRun {
 }
 
 impl ReadAs {
-    /// Returns what is said of a run's numbers; the user's word counts more than the run's.
+    /// Returns the specified interpretation; the user's options take precedence over the run's own.
     pub fn declared(&self, says: &DeclaredReading) -> DeclaredReading {
         let order = self.quaternion.map(|order| match order {
             Order::Wxyz => QuaternionOrder::ScalarFirst,

@@ -1,4 +1,4 @@
-//! A request answered.
+//! Execution of a request.
 
 use polhode_document::{Document, Report};
 use polhode_source::Failure;
@@ -13,7 +13,8 @@ use crate::runs::Judge;
 /// Judges the runs of a request against their scenario, or grades those of the suite.
 ///
 /// # Errors
-/// [`Failure`] for files that cannot be read, runs that are of no or of several scenarios, and runs that cannot be judged.
+/// [`Failure`] for files that cannot be read, runs without a scenario or of several, and runs that
+/// cannot be judged.
 pub fn run(request: &Request, files: &dyn Files) -> Result<Judged, Failure> {
     let judge = Judge { request, files };
     match &request.suite {
@@ -28,9 +29,9 @@ pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");
 /// Result of a [`Request`].
 #[derive(Debug)]
 pub enum Judged {
-    /// Of runs of one scenario, and the greatest error that is right, rad.
+    /// Report on runs of one scenario, and the largest right error, rad.
     Runs(Box<JudgeReport>, f64),
-    /// Of runs of the suite's cases.
+    /// Grade card of the suite's cases.
     Suite(Card),
 }
 

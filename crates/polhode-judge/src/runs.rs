@@ -1,4 +1,4 @@
-//! Runs of one scenario: logs read, their scenario found, each judged.
+//! Runs of one scenario: reading of the logs, choice of the scenario, judgement.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ use polhode_table::log::{self, RunLog};
 use crate::report::{JudgeReport, JudgedRun, judge_hint};
 use crate::request::Request;
 
-/// A request, and where its files are.
+/// Request with its file system.
 #[derive(Clone, Copy)]
 pub(crate) struct Judge<'a> {
     pub request: &'a Request,
@@ -64,7 +64,8 @@ impl<'a> Judge<'a> {
         Ok(JudgeReport::new(&scenario.scenario, judged))
     }
 
-    /// The scenario that runs name, relative to them. A log is data: it opens no file outside its folder and the roots.
+    /// Returns the scenario that the runs name, relative to them. A log is data, so it opens no
+    /// file outside its folder and the roots.
     fn named(self, logs: &[(&Path, RunLog)]) -> Result<ScenarioFile, Failure> {
         let mut found: Option<(PathBuf, Confined<'a>)> = None;
         for (run, log) in logs {
@@ -108,9 +109,10 @@ impl<'a> Judge<'a> {
         Ok(ScenarioFile::read(&files, &scenario)?)
     }
 
-    /// Checks that the scenario that a run names is the given one: the same path, or a file with the same text.
+    /// Checks that the scenario that a run names is the given one: the same path, or a file with
+    /// the same text.
     ///
-    /// A file that may not be opened, or is missing, counts as a different one.
+    /// A file that must not be opened, or that is missing, counts as different.
     fn require_of(self, scenario: &ScenarioFile, run: &Path, log: &RunLog) -> Result<(), Failure> {
         let Some(said) = &log.scenario else { return Ok(()) };
         if is_path_of(self.files, folder(run), said, &scenario.path) {
@@ -149,7 +151,7 @@ impl<'a> Judge<'a> {
         Err(Failure::usage(message, hint).about(run))
     }
 
-    /// A run with what there is to say of it. `step` is the step that its name says.
+    /// Judges a run. `step` is the step in its name, s.
     pub(crate) fn judged(
         self,
         file: &ScenarioFile,
@@ -165,12 +167,13 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// The folder of a file.
+/// Returns the folder of a file.
 fn folder(file: &Path) -> &Path {
     file.parent().unwrap_or(Path::new(""))
 }
 
-/// Why a run cannot be judged, and what helps: what is wrong with the scenario's own motion is not the run's fault.
+/// Returns the failure with a hint. It refers to the scenario if the scenario's own motion is the
+/// cause.
 fn refused(file: &ScenarioFile, path: &Path, error: JudgeError) -> Failure {
     match error {
         JudgeError::Motion(error) => match file.placed(&error) {

@@ -1,4 +1,4 @@
-//! The suite that programs are graded by: scenarios, and what a program has to know to run them.
+//! Suite for grading programs: scenarios, and the data that a program needs to run them.
 
 use std::path::Path;
 
@@ -7,23 +7,23 @@ use polhode_source::FormatError;
 use polhode_source::files::Memory;
 use serde_json::{Value, json};
 
-/// A case of the suite.
+/// Case of the suite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SuiteCase {
-    /// Its name, which is that of its files.
+    /// Name of the case and of its files.
     pub name: &'static str,
-    /// The scenario.
+    /// Text of the scenario file.
     pub text: &'static str,
 }
 
-/// A case of `suite/` by its name.
+/// Includes cases of `suite/` by name.
 macro_rules! cases {
     ($($name:literal)*) => {
         &[$(SuiteCase { name: $name, text: include_str!(concat!("../suite/", $name, ".toml")) }),*]
     };
 }
 
-/// The cases: free motion of every kind, then motion under torque.
+/// All cases: free motion of every kind, then motion under torque.
 pub const CASES: &[SuiteCase] = cases! {
     "free-long-axis" "free-short-axis" "free-separatrix-long" "free-separatrix-short" "free-flips"
     "permanent-least" "permanent-intermediate" "permanent-greatest"
@@ -34,10 +34,10 @@ pub const CASES: &[SuiteCase] = cases! {
 };
 
 impl SuiteCase {
-    /// The scenario.
+    /// Parses the scenario of the case.
     ///
     /// # Errors
-    /// [`FormatError`] as of every scenario; the suite's own have none.
+    /// [`FormatError`] for an invalid scenario; the suite's own are valid.
     pub fn scenario(&self) -> Result<ScenarioFile, FormatError> {
         ScenarioFile::parse(
             &Memory::default(),
@@ -46,25 +46,28 @@ impl SuiteCase {
         )
     }
 
-    /// What it tests: the comment that its file begins with.
+    /// Returns the purpose of the test: the first comment of the file.
     pub fn what(&self) -> &'static str {
         self.text.lines().next().unwrap_or_default().trim_start_matches(['#', ' '])
     }
 
-    /// The case as data: the body, its start, its times and what turns it, as numbers in SI, for programs that read no TOML. Components are along
-    /// body axes unless a name says otherwise, the tensor is about the centre of mass, and a held body has its centre of mass from the
-    /// pivot. `torque` has kinds:
+    /// Returns the case as JSON, with numbers in SI units, for programs that do not read TOML:
+    /// body, start, times, and torques. Components are along body axes unless a name says
+    /// otherwise, and the tensor is about the centre of mass. For a body on a pivot, the centre of
+    /// mass is relative to the pivot. The kinds in `torque` are:
     ///
     /// - `constant-body`, `constant-space`: `torque_n_m`
     /// - `formula`: `torque_n_m`, three formulas of t in s, along the axes that `axes` names
     /// - `damping`: N = −c ω, component by component, `coefficient_n_m_s`
-    /// - `gravity`: `acceleration_m_s2` in space, of a body that is held
-    /// - `gravity-gradient`: N = 3 µ/r³ u × I u, with u = cos(n t) `radial` + sin(n t) `motion` in space, `mu_m3_s2`, `radius_m` and n, `rate_rad_s`
-    /// - `wheel`: J about `axis` (`moment_kg_m2`, a part of the body's tensor), `speed_rad_s` relative to the body at the start, which is held, or
-    ///   changes under `motor_torque_n_m`
+    /// - `gravity`: `acceleration_m_s2` in space, for a body on a pivot
+    /// - `gravity-gradient`: N = 3 µ/r³ u × I u, with u = cos(n t) `radial` + sin(n t) `motion` in
+    ///   space, `mu_m3_s2`, `radius_m` and n, `rate_rad_s`
+    /// - `wheel`: J about `axis` (`moment_kg_m2`, included in the body's tensor), with initial
+    ///   speed `speed_rad_s` relative to the body; the speed is constant, or changes under
+    ///   `motor_torque_n_m`
     ///
     /// # Errors
-    /// As [`SuiteCase::scenario`].
+    /// Same as [`SuiteCase::scenario`].
     pub fn to_json(&self) -> Result<Value, FormatError> {
         let ScenarioFile { scenario, .. } = self.scenario()?;
         let (body, start) = (scenario.body(), scenario.start());
@@ -92,16 +95,16 @@ impl SuiteCase {
     }
 }
 
-/// All cases as data: `{"suite": "polhode", "version": 1, "cases": […]}`
+/// Returns all cases as JSON: `{"suite": "polhode", "version": 1, "cases": […]}`.
 ///
 /// # Errors
-/// As [`SuiteCase::scenario`].
+/// Same as [`SuiteCase::scenario`].
 pub fn to_json() -> Result<Value, FormatError> {
     let cases = CASES.iter().map(SuiteCase::to_json).collect::<Result<Vec<_>, _>>()?;
     Ok(json!({ "suite": "polhode", "version": 1, "cases": cases }))
 }
 
-/// What turns the body of a file of the suite: its numbers are all bare, and so in SI.
+/// Returns the torques in a file of the suite. All its numbers are without unit, so in SI.
 fn torques(file: &toml::Table) -> Value {
     let tables = |key: &str| file.get(key).and_then(toml::Value::as_array).cloned().unwrap_or_default();
     let wheels = tables("wheel").into_iter().map(|wheel| wheel_of(&wheel));
@@ -158,7 +161,8 @@ fn wheel_of(wheel: &toml::Value) -> Value {
     found
 }
 
-/// `0.6[N m]*sin(2[rad/s]*t)` as `0.6*sin(2*t)`: the units of the suite are SI.
+/// Removes the units of a formula: `0.6[N m]*sin(2[rad/s]*t)` gives `0.6*sin(2*t)`. The units of
+/// the suite are SI.
 fn without_units(formula: &str) -> String {
     let mut depth = 0;
     let outside = |c: &char| {
@@ -170,7 +174,7 @@ fn without_units(formula: &str) -> String {
     formula.chars().filter(outside).collect()
 }
 
-/// Numbers and lists of numbers; `null` for all else.
+/// Returns numbers and lists of numbers; `null` for everything else.
 fn json(value: Option<&toml::Value>) -> Value {
     match value {
         Some(toml::Value::Integer(number)) => (*number as f64).into(),

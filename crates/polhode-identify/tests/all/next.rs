@@ -1,4 +1,4 @@
-//! The next flight: what it is said to bring, against flights that were made.
+//! Next flight: predicted uncertainty, compared with simulated flights.
 
 use polhode_identify::tumble::{Flight, TumbleOptions, identify_tumbles, next_flight};
 
@@ -19,7 +19,8 @@ fn flight(omega: [f64; 3], noise: &mut Normal) -> Flight {
     Flight::of_gyro("one", gyro(&motion(TENSOR, omega), 1.2, noise, SD)).unwrap()
 }
 
-/// The largest standard deviation after another flight, and how many directions are not known.
+/// Returns the largest standard deviation after another flight, and the number of unobservable
+/// directions.
 fn after(flights: &[Flight], more: Flight) -> (f64, usize) {
     let mut all = flights.to_vec();
     all.push(more);
@@ -32,7 +33,7 @@ fn after(flights: &[Flight], more: Flight) -> (f64, usize) {
 #[test]
 fn the_flight_that_is_suggested_brings_what_is_said() {
     let mut noise = Normal::new(31);
-    // two that say little of one another's axes
+    // Two flights that contain little information on each other's axes.
     let flights: Vec<Flight> = STARTS[1..3].iter().map(|omega| flight(*omega, &mut noise)).collect();
     let found = identify_tumbles(&flights, &OPTIONS).unwrap();
     let next = next_flight(&flights, &OPTIONS, &found).unwrap().unwrap();

@@ -10,7 +10,7 @@ use polhode_identify::read::{Measurement, PayloadPlan, read};
 use polhode_source::FormatError;
 use polhode_source::files::Disk;
 
-/// A folder of its own, gone at the end.
+/// Temporary folder, deleted at the end.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -41,7 +41,7 @@ const HEAD: &str = "time_s,wx_rad_s,wy_rad_s,wz_rad_s,alphax_rad_s2,alphay_rad_s
                     fx_n,fy_n,fz_n,tx_n_m,ty_n_m,tz_n_m,gx_m_s2,gy_m_s2,gz_m_s2\n";
 const SIDE: &str = "wrench = 'on sensor'\n";
 
-/// Rows in which no number stands twice.
+/// Returns rows in which all numbers differ.
 fn rows() -> String {
     let mut text = String::new();
     for row in 0..3 {
@@ -76,7 +76,7 @@ fn columns_are_found_by_their_names() {
     assert!(plan.source.ignored.is_empty());
     assert_eq!(plan.source.read[1], "the angular velocity: wx_rad_s, wy_rad_s, wz_rad_s");
 
-    // In another order, with other names and units, and columns of other things.
+    // Other order, names and units, and additional columns.
     let other = "Tz [mN m],note,t [ms],T [degC],force_x_N,force_y_N,force_z_N,Tx [N m],Ty [N m],omega_x_deg_s,\
                  omega_y_deg_s,gyro_z (rad/s),fx_raw,angular_acceleration_x_rad_s2,alpha_y_rad_s2,alpha_z_rad_s2,\
                  acc_x [g0],acc_y_m_s2,acc_z_m_s2,gravity_x_m_s2,gravity_y_m_s2,gravity_z_m_s2\n\
@@ -110,7 +110,7 @@ fn columns_and_units_may_be_told() {
     assert!((row.time - 0.000_5).abs() < 1e-18);
     assert!((row.omega.y - 2.25_f64.to_radians()).abs() < 1e-15);
     assert_eq!((row.force.z, row.torque.x, row.gravity.z), (12_250.0, 13.25, 18.25));
-    // Without units nothing is guessed.
+    // Without units there is an error; they are not guessed.
     let error = folder.read(&log, &format!("{SIDE}{columns}")).unwrap_err();
     assert!(error.to_string().contains("log.csv:1:1: in which unit is stamp?"), "{error}");
 }
@@ -134,7 +134,7 @@ fn gravity_is_turned_to_the_sensor() {
             "{sense}: {got:?} is not {want:?}"
         );
     }
-    // Where there is none it needs no attitude.
+    // Without gravity no attitude is needed.
     let log = format!("{head}{numbers},1,0,0,0\n");
     let plan = folder.read(log, &format!("{SIDE}gravity = [0, 0, 0]\n")).unwrap();
     assert_eq!(plan.log.rows()[0].gravity, Acceleration::ZERO);
@@ -267,7 +267,7 @@ fn mistakes_of_logs_have_their_place() {
         let (plan, at) = error.origin().unwrap();
         assert!(plan.ends_with("plan.toml") && [at.line, at.column] == [2, 7], "{error}");
     }
-    // A quaternion of no direction.
+    // A zero quaternion.
     let head = HEAD.replace("gx_m_s2,gy_m_s2,gz_m_s2", "qw,qx,qy,qz");
     let keys = format!("{SIDE}gravity = [0, 0, -9.81]\nattitude = 'body-to-space'\n");
     let log = format!("{head}0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,0,0,0,0\n");
@@ -275,7 +275,7 @@ fn mistakes_of_logs_have_their_place() {
     assert!(error.to_string().contains("log.csv:2:1") && error.to_string().contains("not zero"), "{error}");
 }
 
-/// The numbers of a CSV as a Parquet file, a column of doubles each.
+/// Returns the numbers of a CSV as a Parquet file with one column of doubles each.
 fn parquet_of(csv: &str) -> Vec<u8> {
     use parquet::data_type::DoubleType;
     use parquet::file::properties::WriterProperties;
@@ -311,7 +311,7 @@ fn parquet_is_read_as_csv_is() {
         (folder.read(&log, SIDE).unwrap(), folder.read(parquet_of(&log), SIDE).unwrap());
     assert_eq!(by_csv.log, by_parquet.log);
     assert_eq!(by_csv.source.read, by_parquet.source.read);
-    // What is not a number has its row and column.
+    // A value that is NaN is reported with its row and column.
     let broken = log.replace("\n0.5,", "\nNaN,");
     let error = folder.read(parquet_of(&broken), SIDE).unwrap_err();
     assert!(error.to_string().contains("time_s of row 2"), "{error}");
@@ -347,7 +347,7 @@ fn a_covariance_of_the_wrench_may_be_told() {
     assert!(error.message().contains("the other side of the diagonal"), "{error}");
 }
 
-/// A gyro's log, and attitudes, of no particular motion.
+/// Reads a plan with a gyro log and attitudes of arbitrary motion.
 fn tumble(name: &str, plan: &str) -> Result<polhode_identify::read::TumblePlan, FormatError> {
     let folder = Folder::new(name);
     let mut gyro = String::from("time_s,gyro_x,gyro_y,gyro_z\n");
@@ -409,7 +409,7 @@ fn what_has_no_effect_on_tumbles_is_refused() {
         assert_eq!(error.place().map(|at| [at.line, at.column]), Some(place), "{plan}: {error}");
         assert!(error.message().contains(says), "{plan}: {error}");
     }
-    // All of it has an effect where it belongs.
+    // All entries have an effect in the right plan.
     let plan =
         format!("{gyro}gyro = {{ range = '2000 deg/s' }}\n{}{}", flight("to = 0.2"), flight("from = 0.2"));
     let read = tumble("effect", &plan).unwrap();

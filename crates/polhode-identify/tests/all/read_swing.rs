@@ -1,4 +1,4 @@
-//! Plans of swing tests: what is read, and where mistakes are.
+//! Plans of swing tests: content, and places of mistakes.
 
 use std::fs;
 use std::path::Path;
@@ -61,7 +61,8 @@ fn a_plan_is_read() {
     assert!((counted.amplitudes[0].amplitude - 5_f64.to_radians()).abs() < 1e-15);
 }
 
-/// Whatever the axes of the rig are in the body, the moment about the vertical is that of `up`; the numbers come back under their names.
+/// The moment about the vertical is that of `up`, whatever the orientation of the rig in the body.
+/// Numbers keep their names.
 #[test]
 fn a_plan_says_what_it_means() {
     let plan = r#"[swing]
@@ -89,7 +90,7 @@ wires = [{ top = ["half", 0, "l"], bottom = ["half", 0, 0], length = "l" }, { to
     let Measurement::Swing(one_by_one) = read("wires", &one_by_one).unwrap().measurement else { panic!() };
     let found = identify_swings(&bifilar).unwrap();
     let moment = found.tests[0].moment.as_ref().unwrap();
-    // T = 2π √(I L/(W r²)) and a little more at this amplitude
+    // T = 2π √(I L/(W r²)), and slightly more at this amplitude.
     let about = (103.2 / 50.0 / std::f64::consts::TAU).powi(2) * 2.0 * 9.80665 * 0.15 * 0.15 / 1.2;
     assert!((moment.value / about - 1.0).abs() < 0.02 && moment.value < about, "{moment:?} {about}");
     let of = |i: usize| found.estimate.numbers[i].value;
@@ -102,7 +103,7 @@ wires = [{ top = ["half", 0, "l"], bottom = ["half", 0, 0], length = "l" }, { to
     assert!((other.value / moment.value - 1.0).abs() < 1e-9, "{other:?} {moment:?}");
 }
 
-/// The plan with a piece exchanged is refused there.
+/// Checks that the plan with a replaced part is refused at that part.
 #[track_caller]
 fn refuses(from: &str, to: &str, cited: &str, says: &str, hint: &str) {
     assert!(GOOD.contains(from), "{from}");
@@ -155,7 +156,7 @@ fn mistakes_are_shown_where_they_are() {
     refuses("{ about = 0 }", "{ about = 0, sd = 1 }", "1 }", "about", "");
 }
 
-/// A centre above the lower ends of two wires is a sign that is wrong.
+/// A centre above the lower ends of two wires indicates a wrong sign.
 #[test]
 fn a_body_on_two_wires_hangs() {
     let of = |point: &str| {

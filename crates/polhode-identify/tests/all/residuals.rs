@@ -1,4 +1,4 @@
-//! Whether the residuals of a right model are taken for noise as often as they should be.
+//! Acceptance rate of the residuals of a right model.
 
 use std::fmt;
 
@@ -6,7 +6,7 @@ use polhode_identify::ResidualTest;
 
 use crate::draws::{draws, is_about_one, tolerance};
 
-/// By how much the residuals of many draws were larger than the noise, in standard deviations.
+/// Excess of the residuals over the noise in many draws, standard deviations.
 #[derive(Default)]
 pub(super) struct Excess {
     all: Vec<f64>,
@@ -28,13 +28,14 @@ impl Excess {
         (self.all.iter().map(|z| (z - mean).powi(2)).sum::<f64>() / self.all.len() as f64).sqrt()
     }
 
-    /// The share beyond one in twenty of a normal distribution.
+    /// Returns the share above the 95 % quantile of a normal distribution.
     fn beyond(&self) -> f64 {
         self.all.iter().filter(|z| **z > 1.645).count() as f64 / self.all.len() as f64
     }
 
-    /// Holds the mean against zero, the deviation against one, the share beyond 1.645 against one in
-    /// twenty, and none beyond 5. The standard errors of these with 300 draws are 0.06, 0.04 and 0.013.
+    /// Checks the mean against zero, the deviation against one, the share beyond 1.645 against one
+    /// in twenty, and that none is beyond 5. With 300 draws the standard errors are 0.06, 0.04 and
+    /// 0.013.
     pub(super) fn hold(&self) {
         println!("{self}");
         assert!(self.all.len() as u64 >= draws(300) && self.odd == 0, "{self}");

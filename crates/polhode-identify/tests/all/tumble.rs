@@ -1,4 +1,4 @@
-//! Tumbles of a body that is known.
+//! Tumbles of a known body.
 
 use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{AngularVelocity, Attitude, Body, Direction, Position, Rotation};
@@ -15,7 +15,7 @@ use crate::draws::{draws, is_about_one, tolerance};
 use crate::noise::Normal;
 use crate::residuals::Excess;
 
-/// Three distinct moments, all products, in kg·m².
+/// Generic tensor, kg·m²: three distinct moments, all products nonzero.
 pub(crate) const TENSOR: [f64; 6] = [3.1e-3, 4.2e-3, 5.3e-3, 0.4e-3, -0.3e-3, 0.2e-3];
 pub(crate) const BIAS: [f64; 3] = [0.013, -0.021, 0.008];
 
@@ -28,7 +28,7 @@ pub(crate) fn motion(tensor: [f64; 6], omega: [f64; 3]) -> FreeMotion {
     FreeMotion::of(&Rotor::free(&body), start).unwrap()
 }
 
-/// Readings at 100 Hz of a gyro with noise and bias.
+/// Returns readings at 100 Hz of a gyro with noise and bias.
 pub(crate) fn gyro(motion: &FreeMotion, duration: f64, noise: &mut Normal, sd: f64) -> Vec<GyroReading> {
     (0..(100.0 * duration) as usize)
         .map(|k| {
@@ -55,7 +55,7 @@ pub(crate) fn ratios(tensor: [f64; 6]) -> [f64; 2] {
     [m[0] / m[2], m[1] / m[2]]
 }
 
-/// The tensor in units of its greatest moment.
+/// Returns the tensor divided by its greatest moment.
 pub(crate) fn relative(tensor: [f64; 6]) -> [f64; 6] {
     let (m, _) = polhode::math::symmetric_eigen(tensor);
     tensor.map(|element| element / m[2])
@@ -68,7 +68,7 @@ fn without_noise_the_body_is_found_again() {
     for (number, truth) in found.estimate.numbers.iter().zip(relative(TENSOR).into_iter().chain(BIAS)) {
         assert!((number.value - truth).abs() < 1e-7, "{number:?} {truth}");
     }
-    // Only ratios are known: the tensor itself is the direction in which nothing is.
+    // Only ratios are determined: the tensor itself is the unobservable direction.
     assert!(!found.scale_is_known);
     assert_eq!(found.estimate.unknown.len(), 1, "{:?}", found.estimate.unknown);
     assert!(found.estimate.get("Ixx/I3").unwrap().sd.is_some_and(|sd| sd > 0.0));
@@ -81,13 +81,13 @@ fn without_noise_the_body_is_found_again() {
     }
 }
 
-/// Of the ratios of moments, with what is said of them.
+/// Returns the errors of the ratios of moments, and their stated standard deviations.
 fn errors(found: &Tumble, truth: [f64; 2]) -> ([f64; 2], [f64; 2]) {
     let p = &found.principal;
     ([p.ratios[0] - truth[0], p.ratios[1] - truth[1]], p.ratio_sd.map(Option::unwrap))
 }
 
-/// 1 on average of errors that are what they are said to be.
+/// Returns the normalized squared error, 1 on average for correct stated errors.
 fn normalised_square(found: &Tumble, truth: [f64; 2]) -> f64 {
     let (errors, sds) = errors(found, truth);
     let [a, b] = [errors[0] / sds[0], errors[1] / sds[1]];
@@ -121,7 +121,7 @@ fn errors_are_what_they_are_said_to_be() {
     assert!(is_about_one(normalised, 0.1), "{normalised}");
 }
 
-/// Noise that is found from few readings is known badly: that alone is no sign of a wrong model.
+/// Noise estimated from few readings is uncertain. This alone does not indicate a wrong model.
 #[test]
 fn short_flights_are_found_to_be_what_they_are() {
     let seeds = draws(300);
@@ -149,7 +149,7 @@ pub(crate) fn rotor(tensor: [f64; 6]) -> Rotor {
     Rotor::free(&MassProperties::new(0.37, Position::ZERO, inertia).unwrap())
 }
 
-/// States at 100 Hz under torques.
+/// Returns states at 100 Hz under torques.
 pub(crate) fn states(rotor: &Rotor, torques: &[TorqueModel], omega: [f64; 3], duration: f64) -> Vec<State> {
     let attitude = Attitude::exp(Direction::new(0.3, -0.5, 0.2)).unwrap();
     let start = State { time: 0.2, attitude, omega: AngularVelocity::from_array(omega) };
@@ -167,7 +167,8 @@ pub(crate) fn readings(states: &[State], noise: &mut Normal, sd: f64) -> Vec<Gyr
     states.iter().map(read).collect()
 }
 
-/// Each of the first numbers within 4 of its own standard deviations, which are small.
+/// Checks that the first numbers are within 4 of their standard deviations, and that these are
+/// small.
 pub(crate) fn holds(found: &Tumble, truth: &[f64], small: f64) {
     let size = truth.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     for (number, truth) in found.estimate.numbers.iter().zip(truth) {
@@ -225,7 +226,7 @@ fn one_added_body_determines_no_scale() {
 
 #[test]
 fn what_the_readings_hardly_show_is_not_determined() {
-    // Nearly steady rotation about the greatest axis: its nutation is below the noise.
+    // Almost steady rotation about the greatest axis: the nutation is below the noise.
     let tensor = [3.1e-3, 4.2e-3, 5.3e-3, 0.0, 0.0, 0.0];
     let log = gyro(&motion(tensor, [0.015, 0.02, 9.0]), 1.2, &mut Normal::new(23), 0.012);
     let flights = [Flight::of_gyro("steady", log).unwrap()];
@@ -274,7 +275,7 @@ fn drag_is_found_with_the_body() {
     let truth: Vec<f64> = TENSOR.iter().chain(&drag).map(|x| x / moments[2]).collect();
     holds(&found, &truth, 0.02);
     assert!(!found.residuals[0].is_too_large() && !found.residuals[0].is_correlated());
-    // Without it the residuals show that something is missing.
+    // Without drag in the model the residuals reveal the error.
     let without = identify_tumbles(&flights, &TumbleOptions::default()).unwrap();
     assert!(without.residuals[0].is_too_large() && without.residuals[0].is_correlated());
     assert!(without.widening > 2.0, "{}", without.widening);
@@ -282,7 +283,7 @@ fn drag_is_found_with_the_body() {
 
 #[test]
 fn tracked_attitudes_and_a_gyro_are_read_together() {
-    // the tracked axes in the gyro's, and the gyro's clock
+    // Orientation of the tracked axes relative to the gyro's, and the clock offset.
     let axes: Rotation<Body, Body> = Rotation::exp(Direction::new(0.4, -0.9, 0.5)).unwrap();
     let clock = 0.013;
     let mut noise = Normal::new(10);
@@ -310,7 +311,7 @@ fn tracked_attitudes_and_a_gyro_are_read_together() {
     let late = number("gyro clock");
     assert!((late.value - clock).abs() < 4.0 * late.sd.unwrap() && late.sd.unwrap() < 1e-3, "{late:?}");
     assert!(found.residuals.iter().all(|test| !test.is_too_large() && !test.is_correlated()));
-    // With attitudes alone the tensor is that along the tracked axes, and found as well.
+    // With attitudes alone the tensor is along the tracked axes, and is determined too.
     let alone =
         flights.map(|flight| Flight::new("tracked", Vec::new(), flight.attitudes().to_vec()).unwrap());
     let found = identify_tumbles(&alone, &options).unwrap();
@@ -323,14 +324,15 @@ fn tracked_attitudes_and_a_gyro_are_read_together() {
 
 #[test]
 fn the_scale_of_a_gyro_along_principal_axes_does_not_show_in_free_motion() {
-    // i1 ω̇1 = (i2 − i3) ω2 ω3 has three coefficients, and moments with scales have five numbers.
+    // i1 ω̇1 = (i2 − i3) ω2 ω3 has three coefficients; moments with scales have five parameters.
     let tensor = [3.1e-3, 4.2e-3, 5.3e-3, 0.0, 0.0, 0.0];
     let mut noise = Normal::new(11);
     let flights = STARTS
         .map(|start| Flight::of_gyro("one", gyro(&motion(tensor, start), 1.2, &mut noise, 1e-6)).unwrap());
     let gyro = GyroErrors { bias: true, scale: true, ..GyroErrors::default() };
     match identify_tumbles(&flights, &TumbleOptions { gyro, ..TumbleOptions::default() }) {
-        // To 1e-6 of the rates what is unknown is nearly so: its error is as large as itself, or none is given.
+        // With noise of 1e-6 of the rates the direction is almost unobservable: its error is large,
+        // or `None`.
         Ok(found) => {
             let scale = found.estimate.get("gyro scale x").unwrap();
             assert!(scale.sd.is_none_or(|sd| sd > 1e-3), "{scale:?}");
@@ -367,7 +369,7 @@ fn what_cannot_be_a_flight_is_refused() {
 
 #[test]
 fn a_rate_in_degrees_is_no_free_motion() {
-    // deg/s taken for rad/s: with all rates κ times too large the body would move κ times too slowly for them
+    // Readings in deg/s taken for rad/s: rates too large by κ would require slower changes by κ.
     let mut noise = Normal::new(13);
     let flights = STARTS.map(|start| {
         let log = gyro(&motion(TENSOR, start), 1.2, &mut noise, 0.01);

@@ -1,4 +1,4 @@
-//! Tumbles whose readings are not what they should be.
+//! Tumbles with flawed readings.
 
 use polhode::math::{AngularVelocity, Body, Direction, Rotation};
 use polhode::motion::{Motor, Wheel};
@@ -13,7 +13,7 @@ use crate::tumble::{
     BIAS, STARTS, TENSOR, flights, gyro, holds, motion, ratios, readings, relative, rotor, states,
 };
 
-/// The same with another log.
+/// Returns the flight with a modified log.
 fn with(flight: &Flight, change: impl Fn(&GyroReading) -> GyroReading) -> Flight {
     Flight::of_gyro(flight.name(), flight.gyro().iter().map(change).collect()).unwrap()
 }
@@ -81,13 +81,13 @@ fn a_range_that_is_told_holds_as_well_as_one_that_shows() {
     let gyro_range = Some(GyroRange::within(limit));
     let told = identify_tumbles(&clipped, &TumbleOptions { gyro_range, ..TumbleOptions::default() }).unwrap();
     assert_eq!(told, identified(&clipped));
-    // A range without end takes flat tops for readings, and then the residuals show them.
+    // An infinite range accepts clipped readings, and the residuals reveal them.
     let none = Some(GyroRange::within(f64::INFINITY));
     let without = identify_tumbles(&clipped, &TumbleOptions { gyro_range: none, ..TumbleOptions::default() });
     assert!(
         without.is_ok_and(|found| found.flights.iter().any(|f| !f.left_out.is_empty()) || !is_noise(&found))
     );
-    // A flight of which nothing is inside is refused.
+    // A flight without readings inside the range is refused.
     let narrow = Some(GyroRange::within(1.5));
     let error = identify_tumbles(&clipped, &TumbleOptions { gyro_range: narrow, ..TumbleOptions::default() });
     assert!(matches!(error, Err(IdentifyError::Saturated { .. })), "{error:?}");
@@ -136,7 +136,7 @@ fn a_hole_of_time_stamps_is_said_and_does_no_harm() {
     }
 }
 
-/// A flight with a hand at its ends, which turns the body with a torque of its own for so long, s.
+/// Returns a flight with a hand's torque at its ends, for these durations, s.
 fn handled(before: f64, after: f64, noise: &mut Normal) -> Flight {
     let free = motion(TENSOR, STARTS[0]);
     let (throw, catch) = (0.5, 1.5);
@@ -172,7 +172,7 @@ fn a_flight_that_begins_or_ends_in_a_hand_is_said() {
         assert!(free[0] > 0.5 - 0.03 && free[0] < 0.58, "{free:?}");
         assert!(free[1] < 1.5 + 0.03 && free[1] > 1.42, "{free:?}");
         assert!(!is_noise(&found) || found.flights[0].left_out.len() > 5, "{:?}", found.residuals);
-        // The part that is said to be free is.
+        // The reported interval is free.
         let cut = all[0].gyro().iter().copied().filter(|r| (free[0]..=free[1]).contains(&r.time));
         all[0] = Flight::of_gyro("cut", cut.collect()).unwrap();
         let found = identified(&all);
@@ -189,7 +189,7 @@ fn noise_and_air_are_no_hand() {
     }
 }
 
-/// One axis of the gyro with the other sign.
+/// Returns the readings with one axis of the gyro reversed.
 fn mirrored(flight: &Flight, axis: usize) -> Vec<GyroReading> {
     let mirror = |r: &GyroReading| {
         let mut omega = r.omega.to_array();
@@ -207,7 +207,8 @@ fn free_motion_by_a_left_handed_gyro_is_that_of_another_body() {
             .map(|f| Flight::of_gyro("mirrored", mirrored(f, axis)).unwrap())
             .collect();
         let found = identified(&left);
-        // Nothing shows, but the body is the other one, and that one's other one is ours.
+        // No flaw is visible, but the estimate is the mirrored body, and its own mirrored body is
+        // the true one.
         assert!(is_noise(&found) && found.flaws.is_empty(), "{:?}", found.residuals);
         let (p, other) = (&found.principal, found.left_handed_ratios().unwrap());
         assert!((p.ratios[1] - ratios(TENSOR)[1]).abs() > 0.05, "{:?}", p.ratios);
@@ -215,7 +216,7 @@ fn free_motion_by_a_left_handed_gyro_is_that_of_another_body() {
             assert!((other[k] - truth).abs() < 0.01, "{axis}: {other:?}, {truth}");
         }
     }
-    // A body that is told with its scale has no other.
+    // The alternative body exists for a right-handed log too.
     assert!(identified(&flights(28, 0.01)).left_handed_ratios().is_some());
 }
 
@@ -229,7 +230,7 @@ fn where_more_is_known_left_handed_axes_are_asked_about() {
             "{error}"
         );
     };
-    // by a wheel
+    // Scale known from a wheel.
     let wheel = Wheel::new(Direction::new(0.2, 0.3, 0.9), 0.02, Motor::HeldSpeed).unwrap();
     let body = rotor(TENSOR).with_wheels(&[wheel]).unwrap();
     let flights = STARTS.map(|start| {
@@ -240,7 +241,7 @@ fn where_more_is_known_left_handed_axes_are_asked_about() {
         .each_ref()
         .map(|flight| Flight::of_gyro("wheel", mirrored(flight, 2)).unwrap().with_wheels(vec![wheel]));
     is_asked(&left[..2], &TumbleOptions::default(), "z");
-    // by something added
+    // Scale known from an added body.
     let added = [2.1e-3, 0.7e-3, 2.4e-3, 0.3e-3, -0.2e-3, 0.1e-3];
     let both = std::array::from_fn(|k| TENSOR[k] + added[k]);
     let mut left = Vec::new();
@@ -252,7 +253,7 @@ fn where_more_is_known_left_handed_axes_are_asked_about() {
         left.push(Flight::of_gyro("with", mirrored(&one(both, &mut noise), 1)).unwrap().with_added(added));
     }
     is_asked(&left, &TumbleOptions::default(), "y");
-    // by attitudes
+    // Handedness known from attitudes.
     let axes: Rotation<Body, Body> = Rotation::exp(Direction::new(0.4, -0.9, 0.5)).unwrap();
     let tracked = STARTS.map(|start| {
         let motion = motion(TENSOR, start);
@@ -297,7 +298,7 @@ fn rotation_that_does_not_change_shows_nothing() {
             let error = identify_tumbles(&flights, &TumbleOptions::default()).unwrap_err();
             assert!(matches!(error, IdentifyError::Steady { .. }), "{seed}: {error}");
         }
-        // A little off the axis it wobbles, and is no sphere.
+        // Slightly off the axis the body wobbles, so it is not a sphere.
         let wobbling: Vec<Flight> = STARTS.iter().map(|start| flight(TENSOR, start)).collect();
         assert!(identify_tumbles(&wobbling, &TumbleOptions::default()).is_ok(), "{seed}");
     }

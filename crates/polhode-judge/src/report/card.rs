@@ -1,4 +1,4 @@
-//! The grade card of a program: all cases of the suite.
+//! Grade card of a program: results of all cases of the suite.
 
 use polhode::infer::judge::AccuracyOrder;
 use polhode_document::layout::printable;
@@ -9,40 +9,41 @@ use serde_json::{Value, json};
 use super::{JudgedRun, accuracy_order, graph, json, words};
 use polhode_document::VERSION;
 
-/// The grade card of a program: all cases of the suite.
+/// Grade card of a program: results of all cases of the suite.
 #[derive(Clone, Debug)]
 pub struct Card {
-    /// What was graded: a folder.
+    /// Name of the graded folder.
     pub name: String,
-    /// The cases, in the suite's order.
+    /// Cases in the suite's order.
     pub cases: Vec<CardCase>,
-    /// A case is passed if neither an attitude of its best run is off by more than this, rad, nor ω by more than this part of the largest.
+    /// Tolerance of a passed case: largest attitude error of its best run, rad, and largest error
+    /// of ω relative to its largest value.
     pub limit: f64,
 }
 
-/// One case of the suite.
+/// Result of one case of the suite.
 #[derive(Clone, Debug)]
 pub struct CardCase {
-    /// Its name.
+    /// Name of the case.
     pub name: String,
-    /// What it is.
+    /// Title of the scenario.
     pub title: String,
-    /// What came of it.
+    /// Outcome of the runs.
     pub run: CardRun,
 }
 
-/// What came of a case.
+/// Outcome of a case.
 #[derive(Clone, Debug)]
 pub enum CardRun {
-    /// The runs of the program, one for each of its steps.
+    /// Judged runs of the program, one per step.
     Judged(Vec<JudgedRun>),
-    /// It was not run, and why.
+    /// Reason why the case was not run.
     NotRun(String),
-    /// A run is there, and cannot be read or judged; and why.
+    /// Reason why a run cannot be read or judged.
     Unreadable(String),
 }
 
-/// What a case is worth.
+/// Grade of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Grade {
     Passed,
@@ -61,7 +62,7 @@ impl Grade {
 }
 
 impl CardCase {
-    /// The run with the smallest error: that of the smallest step, where steps matter.
+    /// Returns the run with the smallest error, mostly that of the smallest step.
     fn best(&self) -> Option<&JudgedRun> {
         match &self.run {
             CardRun::Judged(runs) => runs.iter().min_by(|a, b| a.worst().total_cmp(&b.worst())),
@@ -120,22 +121,22 @@ impl CardCase {
 }
 
 impl Card {
-    /// How many cases have this grade.
+    /// Returns the number of cases with this grade.
     fn count(&self, grade: Grade) -> usize {
         self.cases.iter().filter(|case| case.grade(self.limit) == grade).count()
     }
 
-    /// Whether a case was run and not passed.
+    /// Returns true if a case was run and failed.
     pub fn has_failed(&self) -> bool {
         self.count(Grade::Failed) > 0
     }
 
-    /// Whether any case was run.
+    /// Returns true if any case was run.
     pub fn was_run(&self) -> bool {
         self.count(Grade::NotRun) < self.cases.len()
     }
 
-    /// The programs that the runs say they are by.
+    /// Returns the programs named in the runs.
     fn engines(&self) -> Vec<String> {
         let runs = self.cases.iter().filter_map(|case| match &case.run {
             CardRun::Judged(runs) => Some(runs),
@@ -148,7 +149,7 @@ impl Card {
         engines
     }
 
-    /// The card as data.
+    /// Returns the card as JSON.
     pub fn to_json(&self) -> Value {
         json!({
             "polhode": VERSION,
@@ -162,7 +163,7 @@ impl Card {
         })
     }
 
-    /// The card as a document: text, Markdown, a page.
+    /// Returns the card as a document, which can be printed as text, Markdown or HTML.
     pub fn to_document(&self) -> Document {
         let [passed, failed, not_run] =
             [Grade::Passed, Grade::Failed, Grade::NotRun].map(|grade| self.count(grade));

@@ -1,13 +1,13 @@
-//! The error over the time.
+//! Graph of the error against time.
 
 use polhode_document::graph::Graph;
 
 use super::JudgedRun;
 
-/// How many points are drawn: the largest error of each part of the time.
+/// Maximum number of points; each is the largest error of its time interval.
 const POINTS: usize = 240;
 
-/// lg of the attitude's error, rad, over the time; `None` where nothing can be told from zero.
+/// Returns log₁₀ of the attitude error, rad, against time; `None` if too few errors are above zero.
 pub(crate) fn of_error(run: &JudgedRun) -> Option<Graph> {
     let judgement = &run.judgement;
     let (times, angles) = (&judgement.motion.times, judgement.errors.angles());

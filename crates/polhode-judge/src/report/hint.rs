@@ -1,8 +1,8 @@
-//! What helps where a run cannot be judged.
+//! Hints for runs that cannot be judged.
 
 use polhode::infer::judge::JudgeError;
 
-/// What helps where a run cannot be judged, by the options of the command.
+/// Returns a hint how to judge a run after an error, by the options of the command.
 pub fn judge_hint(error: &JudgeError) -> Option<&'static str> {
     Some(match error {
         JudgeError::Motion(error) => return error.hint(),
@@ -15,7 +15,7 @@ pub fn judge_hint(error: &JudgeError) -> Option<&'static str> {
         JudgeError::OnGround | JudgeError::InGimbals => "`polhode simulate` computes its motion",
         JudgeError::BeforeStart { .. } => "--time-origin says the run's time at the scenario's time 0",
         JudgeError::Ends { .. } => "leave the event that stops the scenario out, or judge the rows before it",
-        // One order was tried: it is known.
+        // If only one quaternion order was tried, it is known.
         JudgeError::NoReading { tried }
             if tried.windows(2).all(|pair| pair[0].reading.order == pair[1].reading.order) =>
         {

@@ -1,4 +1,4 @@
-//! Judgements as data.
+//! Judgements as JSON.
 
 use polhode::body::Finding;
 use polhode::infer::judge::{
@@ -12,7 +12,8 @@ use serde_json::{Value, json};
 
 use super::{JudgedRun, words};
 
-/// `{"polhode": …, "title": …, "runs": […], "order_of_accuracy": …, "findings": […]}`
+/// Returns the report:
+/// `{"polhode": …, "title": …, "runs": […], "order_of_accuracy": …, "findings": […]}`.
 pub(crate) fn report(
     title: &str,
     runs: &[JudgedRun],
@@ -28,7 +29,7 @@ pub(crate) fn report(
     })
 }
 
-/// Of one run, without its rows.
+/// Returns one run without its rows.
 pub(crate) fn run(run: &JudgedRun) -> Value {
     let judgement = &run.judgement;
     let times = &judgement.motion.times;
@@ -139,7 +140,7 @@ fn causes(run: &JudgedRun) -> Value {
     })
 }
 
-/// `no_gyroscopic_term`: the name of a cause, without its numbers.
+/// Returns the identifier of a cause, such as `no_gyroscopic_term`, without its numbers.
 fn id(cause: &Cause) -> String {
     let name = format!("{cause:?}");
     let mut id = String::new();

@@ -1,4 +1,4 @@
-//! What there is to say of runs of other programs, for people and for programs.
+//! Reports on runs of other programs, as text and JSON.
 
 mod card;
 mod graph;
@@ -19,35 +19,36 @@ pub use card::{Card, CardCase, CardRun};
 pub use hint::judge_hint;
 pub use verdicts::JudgeReport;
 
-/// A run of another program, judged.
+/// Judged run of another program.
 #[derive(Clone, Debug)]
 pub struct JudgedRun {
-    /// What it is called: its file's name, if it has one.
+    /// Name of the run: that of its file, if any.
     pub name: String,
-    /// Its file.
+    /// Path of the file.
     pub path: Option<String>,
-    /// The program that made it, and how, if the run says so.
+    /// Program and method that produced the run, if the run names them.
     pub engine: Option<String>,
-    /// The program's time step, s.
+    /// Time step of the program, s.
     pub step: Option<f64>,
-    /// Whether that was said; else it is the distance of the rows, which is the step of a program that writes every step.
+    /// True if the step was specified. Otherwise it is the spacing of the rows, which equals the
+    /// step if every step is written.
     pub step_is_said: bool,
-    /// What was found.
+    /// Errors and interpretation of the run.
     pub judgement: Judgement,
-    /// What may be the cause.
+    /// Possible causes of the error.
     pub causes: Causes,
-    /// Columns that were not read.
+    /// Columns without use.
     pub ignored: Vec<String>,
 }
 
-/// What a run is called that is no file.
+/// Name of a run without file.
 const UNNAMED: &str = "run";
 
 impl JudgedRun {
-    /// A log of a scenario's motion, of a file or not, judged; `step` is the program's time step, if it is said, s.
+    /// Judges a log of a scenario's motion. `step` is the program's time step, s, if specified.
     ///
     /// # Errors
-    /// As [`Judgement::of`]; [`judge_hint`] says what helps.
+    /// Same as [`Judgement::of`]; [`judge_hint`] returns a hint.
     pub fn of(
         file: Option<&Path>,
         scenario: &Scenario,
@@ -64,57 +65,58 @@ impl JudgedRun {
         Ok(Self { name, path, engine: None, step, step_is_said, judgement, causes, ignored: Vec::new() })
     }
 
-    /// The largest angle between an attitude and the exact one, rad.
+    /// Returns the largest angle between an attitude and the exact one, rad.
     fn largest(&self) -> f64 {
         self.judgement.largest_attitude_error()
     }
 
-    /// The largest |δω| of the rows, as a part of the largest exact |ω|; `None` without ω.
+    /// Returns the largest |δω|, relative to the largest exact |ω|; `None` without ω.
     fn omega_off(&self) -> Option<f64> {
         let rates = self.judgement.errors.rates.as_ref()?;
         Some(rates.omega.iter().copied().fold(0.0, f64::max))
     }
 
-    /// The worse of both: the attitude's in rad, ω's as a part of the largest.
+    /// Returns the larger of the attitude error, rad, and the relative error of ω.
     pub fn worst(&self) -> f64 {
         self.largest().max(self.omega_off().unwrap_or(0.0))
     }
 
-    /// Whether it cannot be told from the exact motion.
+    /// Returns true if the run is indistinguishable from the exact motion.
     pub fn is_exact(&self) -> bool {
         self.is_attitude_exact() && self.omega_off().is_none_or(|off| off <= self.omega_floor())
     }
 
-    /// True if the attitudes cannot be told from the exact ones.
+    /// Returns true if the attitudes are indistinguishable from the exact ones.
     fn is_attitude_exact(&self) -> bool {
         self.largest() <= 3.0 * self.judgement.floor()
     }
 
-    /// Error of ω, as a part of the largest, that rounding it and its time makes.
+    /// Returns the error of ω, relative to its largest value, that rounding of ω and of time
+    /// explains.
     fn omega_floor(&self) -> f64 {
         OMEGA_EXACT.max(3.0 * self.judgement.floor())
     }
 
-    /// True if a mistake of the program was found, and the error can be told from zero.
+    /// Returns true if the program has a detected mistake, and the error is above the floor.
     pub fn has_mistake(&self) -> bool {
         let is_explained = self.causes.mistake().is_some() && !self.is_attitude_exact();
         is_explained || !self.judgement.readings.mistakes.is_empty()
     }
 }
 
-/// Error of ω that rounding it makes, as a part of the largest.
+/// Relative error of ω caused by its rounding.
 const OMEGA_EXACT: f64 = 1e-12;
 
-/// The distance of rows that are even, s.
+/// Returns the spacing of equidistant rows, s; `None` if they are not equidistant.
 fn spacing(times: &[f64]) -> Option<f64> {
     let (first, last) = (times.first()?, times.last()?);
     let mean = (last - first) / (times.len() - 1) as f64;
-    // Times may be written in single precision.
+    // Times may have single precision.
     let rounding = 1e-3 * mean + 2e-7 * first.abs().max(last.abs());
     times.windows(2).all(|pair| (pair[1] - pair[0] - mean).abs() <= rounding).then_some(mean)
 }
 
-/// The order of accuracy of runs of one scenario by one program with several steps, which they say themselves.
+/// Returns the order of accuracy from runs of one program with several specified steps.
 fn accuracy_order(runs: &[JudgedRun]) -> Option<AccuracyOrder> {
     let [first, others @ ..] = runs else { return None };
     if others.iter().any(|run| run.engine != first.engine) || runs.iter().any(|run| !run.step_is_said) {

@@ -1,4 +1,4 @@
-//! One scenario and the runs of it that other programs made.
+//! Report on one scenario and its runs by other programs.
 
 use polhode::body::Finding;
 use polhode::infer::judge::AccuracyOrder;
@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use super::{JudgedRun, accuracy_order, graph, json, words};
 
-/// One scenario and the runs of it that other programs made, judged.
+/// Report on one scenario and its judged runs by other programs.
 #[derive(Clone, Debug)]
 pub struct JudgeReport {
     title: String,
@@ -19,33 +19,35 @@ pub struct JudgeReport {
     findings: Vec<Finding>,
 }
 
-/// How many readings, and causes, are shown of each run: the best.
+/// Maximum number of interpretations and of causes shown per run, best first.
 const SHOWN: usize = 8;
 
 impl JudgeReport {
-    /// Of a scenario and its runs; the order of accuracy is that of runs with different steps.
+    /// Creates the report of a scenario and its runs. Runs with different steps give the order of
+    /// accuracy.
     pub fn new(scenario: &Scenario, runs: Vec<JudgedRun>) -> Self {
         let order = accuracy_order(&runs);
         let title = scenario.title().unwrap_or("scenario").to_owned();
         Self { title, runs, order, findings: scenario.findings().to_vec() }
     }
 
-    /// The worst of all runs, as [`JudgedRun::worst`].
+    /// Returns the largest [`JudgedRun::worst`] of all runs.
     pub fn worst(&self) -> f64 {
         self.runs.iter().map(JudgedRun::worst).fold(0.0, f64::max)
     }
 
-    /// True if a mistake was found, or an error above a limit: of an attitude in rad, of ω as a part of its largest.
+    /// Returns true if a mistake was found, or an error exceeds the limit: attitude in rad, ω
+    /// relative to its largest value.
     pub fn is_beyond(&self, limit: f64) -> bool {
         self.worst() > limit || self.runs.iter().any(JudgedRun::has_mistake)
     }
 
-    /// The report as data.
+    /// Returns the report as JSON.
     pub fn to_json(&self) -> Value {
         json::report(&self.title, &self.runs, self.order.as_ref(), &self.findings)
     }
 
-    /// The report as a document: text, Markdown, a page.
+    /// Returns the report as a document, which can be printed as text, Markdown or HTML.
     pub fn to_document(&self) -> Document {
         let named = |run: &JudgedRun, what: String| match self.runs.len() {
             1 => what,
@@ -189,7 +191,7 @@ impl JudgeReport {
         s
     }
 
-    /// The causes that were tried; none where none was.
+    /// Returns a section on the causes that were tested; `None` without any.
     fn causes(&self) -> Option<Section> {
         let mut s = Section::new(5, "Likeliest causes");
         for run in self.runs.iter().filter(|run| !run.causes.tried.is_empty()) {

@@ -1,4 +1,4 @@
-//! Sentences about one run.
+//! Sentences on one run.
 
 use polhode::infer::judge::{AttitudeSense, Growth, PartKind, Reading, SignedAxes, SplitPart, Untried};
 use polhode_document::layout::printable;
@@ -6,7 +6,8 @@ use polhode_document::number::{error, number, vector};
 
 use super::JudgedRun;
 
-/// `2.1e-9 rad off at the end, 3.2e-9 rad at most; grows as t^1.00`
+/// Returns the error in words, such as
+/// `2.1e-9 rad off at the end, 3.2e-9 rad at most; grows as t^1.00`.
 pub(crate) fn how_far(run: &JudgedRun) -> String {
     let judgement = &run.judgement;
     if run.is_exact() {
@@ -28,10 +29,11 @@ pub(crate) fn how_far(run: &JudgedRun) -> String {
     format!("{} rad off at the end, {} rad at most{growth}{omega}", error(last), error(largest))
 }
 
-/// A run that is off by no more has no cause, rad.
+/// Threshold below which an error needs no cause, rad.
 const LATE: f64 = 1e-7;
 
-/// How it was read, where that is not the plain way: so that a mistake that looks like another meaning is seen.
+/// Returns the interpretation of the run, unless it is the default. It reveals mistakes that look
+/// like another convention.
 pub(crate) fn read_as(run: &JudgedRun) -> Option<String> {
     let readings = &run.judgement.readings;
     let Reading { sense, axes, time_origin, time_factor, .. } = readings.reading;
@@ -51,7 +53,7 @@ pub(crate) fn read_as(run: &JudgedRun) -> Option<String> {
     Some(format!("read as {}{omega}{own}{names}", readings.reading))
 }
 
-/// `ω × I ω is left out: explains 99.9 % of the error`
+/// Returns the cause in words, such as `ω × I ω is left out: explains 99.9 % of the error`.
 pub(crate) fn why(run: &JudgedRun) -> String {
     let causes = &run.causes;
     let mistakes: Vec<String> = run.judgement.readings.mistakes.iter().map(ToString::to_string).collect();
@@ -88,7 +90,7 @@ pub(crate) fn why(run: &JudgedRun) -> String {
     }
 }
 
-/// `99.7 %`: not rounded to all.
+/// Returns a share such as `99.7 %`, never rounded up to 100 %.
 pub(crate) fn share(part: f64) -> String {
     let percent = 100.0 * part;
     if percent > 99.9 && percent < 100.0 {
@@ -98,7 +100,7 @@ pub(crate) fn share(part: f64) -> String {
     }
 }
 
-/// `it turns too fast, by 1.2e-7 of ω`
+/// Returns a part of the error in words, such as `it turns too fast, by 1.2e-7 of ω`.
 pub(crate) fn part(part: &SplitPart) -> String {
     let Some(value) = part.value else { return "none, or it looks like larger parts".to_owned() };
     match part.kind {
@@ -112,7 +114,7 @@ pub(crate) fn part(part: &SplitPart) -> String {
     }
 }
 
-/// `start`
+/// Returns the name of a part, such as `start`.
 pub(crate) const fn part_name(kind: PartKind) -> &'static str {
     match kind {
         PartKind::Start => "start",
@@ -123,7 +125,7 @@ pub(crate) const fn part_name(kind: PartKind) -> &'static str {
     }
 }
 
-/// `0.002 s`, `0.01 s (of the rows)`
+/// Returns the step in words: `0.002 s`, or `0.01 s (of the rows)`.
 pub(crate) fn step(run: &JudgedRun) -> String {
     match (run.step, run.step_is_said) {
         (Some(step), true) => format!("{} s", number(step, 6)),

@@ -1,4 +1,5 @@
-//! Axes, edges and air against motions that are integrated here: Newton's and Euler's equations with the forces that hold the body.
+//! Axes, edges and air, compared with motions integrated here from Newton's and Euler's equations
+//! with constraint forces.
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use polhode::math::{Body, Direction, Position, Rotation, Space};
@@ -12,7 +13,7 @@ const G: f64 = 9.80665;
 const AIR: [f64; 2] = [2.3e-3, 0.041];
 const PIVOT: [f64; 3] = [0.11, 0.02, 0.23];
 
-/// The period at an amplitude by the library, of the generic body in air.
+/// Returns the library's period of the generic body in air at an amplitude, s.
 fn period(rig: Rig, amplitude: f64) -> f64 {
     let nothing = Measurement::Counted(Counted::new(1.0, (1.0, 0.1), [0.1; 2], 0.1));
     let mut test = SwingTest::new("one", Placement::AS_IT_IS, rig, nothing);
@@ -27,7 +28,8 @@ fn inertia() -> Matrix3<f64> {
     Matrix3::new(t[4], t[7], t[8], t[7], t[5], t[9], t[8], t[9], t[6])
 }
 
-/// How far a state is from where it began, after a time, by Runge's and Kutta's steps.
+/// Returns the distance of a state from its start after a time, integrated with classical
+/// Runge–Kutta steps.
 fn departure(begin: &DVector<f64>, time: f64, slope: impl Fn(&DVector<f64>) -> DVector<f64>) -> f64 {
     const STEPS: u32 = 4000;
     let h = time / f64::from(STEPS);
@@ -42,7 +44,8 @@ fn departure(begin: &DVector<f64>, time: f64, slope: impl Fn(&DVector<f64>) -> D
     (s - begin).norm()
 }
 
-/// In three dimensions, along axes of the body: θ about n and the rate w, held at a point by a force and turned about n alone by a torque across.
+/// Motion in three dimensions along body axes: θ about n and the rate w. A force holds the pivot,
+/// and a torque across n restricts rotation to n.
 #[test]
 fn a_body_about_a_held_axis() {
     let n = Vector3::new(0.3, 0.9, -0.2).normalize();
@@ -52,13 +55,13 @@ fn a_body_about_a_held_axis() {
     let lever = Vector3::from(PIVOT) - Vector3::new(TRUTH[1], TRUTH[2], TRUTH[3]);
     let heavy = inertia() + n * n.transpose() * AIR[0];
     for (is_level, stiffness, amplitude) in [(true, 0.0, 1.3), (true, 1.7, 0.8), (false, 1.7, 0.9)] {
-        // at rest the centre is as low as it can be
+        // At rest the centre is at its lowest position.
         let rest = (lever - n * n.dot(&lever)).normalize();
         let slope = |s: &DVector<f64>| {
             let (angle, w) = (s[0], Vector3::new(s[1], s[2], s[3]));
-            // up at this angle, in the body
+            // The upward direction at this angle, body axes.
             let up = if is_level { rest * angle.cos() - n.cross(&rest) * angle.sin() } else { n };
-            // v̇, ẇ, force, torque across
+            // Unknowns: v̇, ẇ, force, torque across n.
             let mut a = DMatrix::zeros(11, 11);
             let mut b = DVector::zeros(11);
             let cross = lever.cross_matrix();
@@ -70,7 +73,7 @@ fn a_body_about_a_held_axis() {
             a.view_mut((3, 9), (3, 1)).copy_from(&-e1);
             a.view_mut((3, 10), (3, 1)).copy_from(&-e2);
             b.rows_mut(3, 3).copy_from(&(n * (-stiffness * angle) - w.cross(&(heavy * w))));
-            // the pivot stays where it is
+            // The pivot does not move.
             a.view_mut((6, 0), (3, 3)).copy_from(&Matrix3::identity());
             a.view_mut((6, 3), (3, 3)).copy_from(&-cross);
             b.rows_mut(6, 3).copy_from(&-w.cross(&w.cross(&lever)));
@@ -90,7 +93,8 @@ fn a_body_about_a_held_axis() {
     }
 }
 
-/// In the plane across the axis: the centre of mass and the angle, with the force at the line of contact.
+/// Motion in the plane normal to the axis: centre of mass and angle, with the force at the line of
+/// contact.
 #[test]
 fn an_edge_that_rolls() {
     let n = Vector3::new(0.3, 0.9, -0.2).normalize();
@@ -101,7 +105,8 @@ fn an_edge_that_rolls() {
         let h = below + radius;
         let slope = |s: &DVector<f64>| {
             let (angle, rate) = (s[0], s[1]);
-            // from the centre of mass to the middle of the edge, and to the line of contact
+            // Vector from the centre of mass to the centre of the edge; the line of contact lies
+            // below it.
             let (x, y) = (-h * angle.sin(), h * angle.cos());
             let a = DMatrix::from_row_slice(
                 5,
@@ -122,7 +127,7 @@ fn an_edge_that_rolls() {
                     moment,
                     y - radius,
                     -x, //
-                    // the middle goes by −radius × angle, level
+                    // The centre of the edge moves horizontally by −radius × angle.
                     1.0,
                     0.0,
                     -y + radius,
@@ -147,7 +152,7 @@ fn an_edge_that_rolls() {
 
 #[test]
 fn a_body_that_would_turn_over_is_refused() {
-    // three wires that spread upwards, or come together
+    // Three wires that spread upwards, or converge.
     let on = |above: f64, below: f64, high: f64| {
         let mut plan = SwingPlan::new(Measured::exact(2.0), [0.0, 0.0, high].map(Measured::exact));
         let rig = Rig::Wires(Wires::trifilar(above, below, 0.9));
@@ -163,7 +168,7 @@ fn a_body_that_would_turn_over_is_refused() {
         let error = on(above, below, high).unwrap_err().to_string();
         assert!(error.contains("its centre is too high for these wires"), "{above} {below} {high}: {error}");
     }
-    // one wire that holds it from below
+    // One wire attached below the centre.
     let mut plan = SwingPlan::new(Measured::exact(2.0), [0.0, 0.0, 0.1].map(Measured::exact));
     let mut counted = Counted::new(20.0, (25.0, 0.05), [0.1; 2], 0.01);
     counted.damping = Damping::None;
@@ -173,12 +178,13 @@ fn a_body_that_would_turn_over_is_refused() {
     assert!(error.contains("too high") || error.contains("cosine"), "{error}");
 }
 
-/// Small swings; of a body that swings about no principal axis the formula is a little off.
+/// Small swings. The formula is slightly inaccurate for a body that does not swing about a
+/// principal axis.
 #[test]
 fn rods_on_wires_are_found() {
     let size = 0.0127;
     let mut plan = SwingPlan::new(Measured::exact(1.7), [0.0; 3].map(Measured::exact));
-    // the rod along x; each test turns the body: rows are the rig's axes in the body
+    // The rod is along x. Each test rotates the body; rows are the rig's axes in the body.
     let c = core::f64::consts::FRAC_1_SQRT_2;
     for (rows, radius) in [
         ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], 0.15),
@@ -187,7 +193,7 @@ fn rods_on_wires_are_found() {
         ([[c, c, 0.0], [0.0, 0.0, -1.0], [-c, c, 0.0]], 0.1),
         ([[c, 0.0, c], [0.0, 1.0, 0.0], [-c, 0.0, c]], 0.1),
         ([[0.6, 0.0, -0.8], [0.0, 1.0, 0.0], [0.8, 0.0, 0.6]], 0.1),
-        // about the rod itself
+        // Swing about the rod itself.
         ([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]], 0.05),
     ] {
         let up = rows[2];
@@ -195,7 +201,7 @@ fn rods_on_wires_are_found() {
         let length = 2.0;
         let time = 20.0 * core::f64::consts::TAU * (moment * length / (1.7 * G)).sqrt() / radius;
         let rotation: Rotation<Space, Body> = Rotation::from_matrix(rows).unwrap();
-        // hung below its wires by 40 mm
+        // Suspended 40 mm below the wires.
         let placement = Placement { rotation, origin: Position::new(0.0, 0.0, -0.04) };
         let mut counted = Counted::new(20.0, (time, 0.02), [0.05; 2], 0.01);
         counted.damping = Damping::None;

@@ -1,4 +1,5 @@
-//! What the small-angle formula misses, logs of the exact motion, wrong models, shared numbers, and what is not known.
+//! Large amplitudes, logs of the exact motion, wrong models, shared numbers, and unobservable
+//! directions.
 
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use polhode::math::{Direction, Position, Rotation};
@@ -10,7 +11,8 @@ use crate::swing::*;
 
 const G: f64 = 9.80665;
 
-/// A bifilar pendulum of a body about its axis of symmetry: mass, moments, r, L.
+/// Returns a bifilar pendulum of a body about its axis of symmetry, with mass, moments, wire
+/// distance r and length L.
 fn bifilar(mass: f64, moments: [f64; 3], r: f64, length: f64) -> (Hanging, State) {
     let top = |x| Vector3::new(x, 0.0, length);
     let hanging = Hanging {
@@ -27,7 +29,7 @@ fn bifilar(mass: f64, moments: [f64; 3], r: f64, length: f64) -> (Hanging, State
     (hanging, still)
 }
 
-/// Turned by an angle, and as high as the wires want it.
+/// Returns the state rotated by an angle, at the height that the wires require.
 fn turned(still: State, angle: f64, r: f64, length: f64) -> State {
     let chord = 2.0 * r * (0.5 * angle).sin();
     let rise = length - (length * length - chord * chord).sqrt();
@@ -38,7 +40,7 @@ fn turned(still: State, angle: f64, r: f64, length: f64) -> State {
     }
 }
 
-/// The time after which the exact motion is back at its turning point.
+/// Returns the time after which the exact motion is back at its turning point.
 fn period(hanging: &Hanging, start: State, about: f64) -> f64 {
     let steps = 4000;
     let h = about / f64::from(steps);
@@ -47,7 +49,7 @@ fn period(hanging: &Hanging, start: State, about: f64) -> f64 {
         state = hanging.step(&state, h);
         t += h;
     }
-    // rates near the turning point are straight to the second order
+    // Near the turning point the rate is linear in time, to second order.
     for _ in 0..4 {
         let small = 1e-4 * about;
         let there = hanging.step(&state, small);
@@ -61,7 +63,7 @@ fn period(hanging: &Hanging, start: State, about: f64) -> f64 {
 
 #[test]
 fn at_45_degrees_the_small_angle_formula_is_some_eight_percent_off_and_this_is_not() {
-    // a uniform rod of 30 cm, held at its ends by wires of 2 m; long wires: 8.15 %
+    // Uniform rod of 30 cm, held at its ends by wires of 2 m. For long wires the error is 8.15 %.
     let (mass, r, length) = (1.7, 0.15, 2.0);
     let inertia = mass * r * r / 3.0;
     let (hanging, still) = bifilar(mass, [1e-5, inertia, inertia], r, length);
@@ -80,7 +82,7 @@ fn at_45_degrees_the_small_angle_formula_is_some_eight_percent_off_and_this_is_n
     assert!((moment.value / inertia - 1.0).abs() < 1e-10, "{moment:?}");
 }
 
-/// A log of the exact damped motion.
+/// Returns the moment and a plan with a log of the exact damped motion.
 fn log(viscous: f64, quadratic: f64, sd: f64, signal: Signal, seed: u64) -> (f64, SwingPlan) {
     let (mass, r, length) = (2.3, 0.17, 0.9);
     let moments = [0.031, 0.052, 0.047];
@@ -116,17 +118,17 @@ fn logs_of_the_exact_damped_motion_are_fitted_to_their_noise() {
             let found = identify_swings(&plan).unwrap();
             let moment = found.tests[0].moment.as_ref().unwrap();
             let sd = moment.sd.unwrap();
-            // the Cramér–Rao bound of a sinusoid that decays so: 8e-6 of an angle
+            // The Cramér–Rao bound of a sinusoid with this decay is 8e-6 for an angle.
             assert!(sd < 1e-5 * truth, "{moment:?}");
             squares += ((moment.value - truth) / sd).powi(2) / seeds as f64;
             let test = &found.tests[0].residuals;
             assert!(!test.is_too_large() && !test.is_correlated(), "{test:?}");
             let own = |name: &str| found.tests[0].own.iter().find(|n| n.name == name).unwrap().value;
-            // the rise takes part in the motion, but not in what damps it
+            // The rise contributes to the motion but not to its damping.
             assert!((own("viscous damping") - viscous).abs() < 0.07 * viscous + 5e-4);
             assert!((own("quadratic damping") - quadratic).abs() < 0.03 * quadratic + 8e-4);
         }
-        // of 12 squares the mean is 1 ± 0.4
+        // The mean of 12 squares is 1 ± 0.4.
         assert!((0.2..2.4).contains(&squares), "{squares}");
     }
 }
@@ -145,7 +147,8 @@ fn wrong_damping_shows_in_the_residuals_of_a_log() {
     assert!(test.is_too_large() && test.is_correlated() && found.widening > 2.0, "{test:?}");
 }
 
-/// Counted swings of a bifilar pendulum at two amplitudes, as the exact motion has them.
+/// Returns the estimate from counted swings of a bifilar pendulum at two amplitudes, with times of
+/// the exact motion.
 fn two_amplitudes(said: [f64; 2]) -> SwingEstimate {
     let (mass, r, length) = (2.3, 0.17, 0.9);
     let (hanging, still) = bifilar(mass, [0.031, 0.052, 0.047], r, length);
@@ -188,7 +191,8 @@ fn what_tests_share_correlates_their_moments() {
     }
     let found = identify_swings(&plan).unwrap().estimate;
     let correlation = found.correlation(4, 6).unwrap();
-    // all of r and L, little of the times: (2 σ_r/r)² against (2 σ_t/t)²
+    // Errors of r and L are fully shared, errors of the times are small: (2 σ_r/r)² against (2
+    // σ_t/t)².
     assert!(correlation > 0.98, "{correlation}");
     let relative = found.get("Izz").unwrap().sd.unwrap() / found.get("Izz").unwrap().value;
     let expected = ((2.0_f64 * 1e-3 / 0.17).powi(2) + (1e-3_f64 / 0.9).powi(2)).sqrt();
@@ -219,7 +223,8 @@ fn what_cannot_be_is_refused() {
     let swings = || Counted::new(50.0, (66.0, 0.02), [0.3, 0.25], 5e-3);
     let good = || Rig::Wires(Wires::bifilar(0.1, 0.1, 1.0));
     assert!(plan(good(), swings()).is_ok());
-    // no wire, a wire too short, one that is slack, one that resists no twist, too large an amplitude, no reading
+    // No wire, a wire too short, a slack one, one without stiffness, too large an amplitude, no
+    // reading.
     assert!(plan(Rig::Wires(Wires::new(Vec::new())), swings()).is_err());
     assert!(plan(Rig::Wires(Wires::bifilar(0.5, 0.1, 0.3)), swings()).is_err());
     let wire = |x: f64, y: f64, bottom: f64| Wire {
@@ -274,11 +279,12 @@ fn plates_are_possible_bodies() {
             squares += ((number.value - truth) / number.sd.unwrap()).powi(2) / 30.0;
         }
     }
-    // at the edge errors can only go inwards: smaller than the bound, not larger
+    // At the boundary errors can only point inwards, so they are below the bound.
     assert!(squares < 1.6, "{squares}");
 }
 
-/// Counted swings of a body with this tensor about an axis each, the times with noise of so many standard deviations.
+/// Returns a plan with counted swings of a body with this tensor, one axis each. `noise` scales the
+/// noise of the times.
 fn swung(tensor: [f64; 6], noise: f64, seed: u64) -> SwingPlan {
     let mut draw = Noise::new(seed, 1.0);
     let mut plan = SwingPlan::new(Measured::exact(1.7), [Measured::exact(0.0); 3]);
@@ -295,7 +301,7 @@ fn swung(tensor: [f64; 6], noise: f64, seed: u64) -> SwingPlan {
         let [x, y, z] = axis;
         let own = [x * x, y * y, z * z, 2.0 * x * y, 2.0 * x * z, 2.0 * y * z];
         let moment: f64 = own.iter().zip(&tensor).map(|(a, b)| a * b).sum();
-        // a torsion spindle through the centre has the period 2π √(I/κ)
+        // A torsion spindle through the centre has the period 2π √(I/κ).
         let stiffness = 0.35;
         let time = core::f64::consts::TAU * ((moment + 4e-3) / stiffness).sqrt();
         let read = 20.0 * time + 0.01 * noise * draw.normal();
@@ -303,7 +309,7 @@ fn swung(tensor: [f64; 6], noise: f64, seed: u64) -> SwingPlan {
         counted.damping = Damping::None;
         let rig = Rig::Axis(Axis::upright([0.0; 3], Direction::from_array(axis), stiffness));
         let mut test = SwingTest::new("axis", Placement::AS_IT_IS, rig, Measurement::Counted(counted));
-        // the spindle's own moment
+        // Moment of the spindle itself.
         test.air.moment = 4e-3.into();
         plan.add(test);
     }
@@ -326,7 +332,8 @@ fn rods_along_any_direction_are_found() {
             );
         }
         assert!(found.widening < 1.0 + 1e-9);
-        // With noise the answer is at the edge, where some of these times would be of no body.
+        // With noise the estimate is at the boundary, because some of these times are inconsistent
+        // with any body.
         for seed in 0..10 {
             let found = identify_swings(&swung(tensor, 1.0, seed))
                 .unwrap_or_else(|e| panic!("{direction:?} {seed}: {e}"));
@@ -354,19 +361,19 @@ fn mistakes_show_as_far_as_is_said() {
     for k in 0..7 {
         let mut plan = swung(tensor, 0.0, 1);
         let Measurement::Counted(counted) = &mut plan.tests[k].measurement else { unreachable!() };
-        // 21 swings that were counted as 20
+        // 21 swings counted as 20.
         counted.intervals[0].time *= 21.0 / 20.0;
         let said = of(&MistakeKind::Miscount, Some(k));
         let found = identify_swings(&plan).unwrap();
         assert!((chi(&found) / said.left - 1.0).abs() < 0.08, "{said:?} {}", chi(&found));
         assert_eq!(found.counted.as_ref().unwrap().is_too_large(), said.shows(), "{said:?}");
         hidden += usize::from(said.is_hidden());
-        // Of a spindle the period does not depend on the amplitude.
+        // The period of a spindle does not depend on the amplitude.
         let said = of(&MistakeKind::SideToSide, Some(k));
         assert!(!said.matters() && !said.shows(), "{said:?}");
     }
     assert_eq!(hidden, 0);
-    // A clock that is fast makes another body, as does a stiffness.
+    // A fast clock shifts the estimate, as does a wrong stiffness.
     let said = of(&MistakeKind::Clock, None);
     assert!(said.matters(), "{said:?}");
     let mut plan = swung(tensor, 0.0, 1);
@@ -376,7 +383,7 @@ fn mistakes_show_as_far_as_is_said() {
     }
     let found = identify_swings(&plan).unwrap();
     assert!((chi(&found) - said.left).abs() < 0.1 * said.left + 0.2, "{said:?} {}", chi(&found));
-    // Without a seventh axis only amplitudes test each other: no miscount shows.
+    // Without a seventh axis only the amplitudes are redundant: no miscount is detectable.
     let mut plan = swung(tensor, 0.0, 1);
     plan.tests.pop();
     let found = identify_swings(&plan).unwrap();

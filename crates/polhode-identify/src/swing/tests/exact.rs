@@ -1,24 +1,25 @@
-//! The exact motion of a body on wires, integrated here: positions of the wires, multipliers from the constraints' second derivatives, Runge and Kutta's steps.
+//! Exact motion of a body on wires: multipliers from the second derivatives of the constraints,
+//! integrated with classical Runge–Kutta steps.
 
 use nalgebra::{DMatrix, DVector, Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::decomposition::lu;
 
-/// A body on wires.
+/// Body on wires.
 pub(super) struct Hanging {
     pub(super) mass: f64,
     pub(super) inertia: Matrix3<f64>,
     pub(super) gravity: f64,
     pub(super) stiffness: f64,
-    /// Top, bottom from the centre of mass.
+    /// Upper end, and lower end relative to the centre of mass, m.
     pub(super) wires: Vec<(Vector3<f64>, Vector3<f64>)>,
-    /// 2 a: torque −2 a I_zz θ̇ about the vertical.
+    /// Viscous coefficient 2 a, 1/s: torque −2 a I_zz θ̇ about the vertical.
     pub(super) viscous: f64,
-    /// β
+    /// Coefficient β of quadratic damping.
     pub(super) quadratic: f64,
 }
 
-/// Place, attitude, velocity, turn rate in the body.
+/// Position, attitude, velocity, and angular velocity in the body.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct State {
     pub(super) p: Vector3<f64>,
@@ -42,7 +43,7 @@ impl Hanging {
     fn slope(&self, s: &State) -> State {
         let r = UnitQuaternion::from_quaternion(s.e).to_rotation_matrix().into_inner();
         let n = self.wires.len();
-        // ∇θ in space by differences of the angle itself would do; here from tan ½θ = z/w
+        // ∇θ in space, from tan ½θ = z/w.
         let square = s.e.w * s.e.w + s.e.k * s.e.k;
         let gradient = Vector3::new(
             (s.e.w * s.e.j + s.e.i * s.e.k) / square,
@@ -52,7 +53,7 @@ impl Hanging {
         let rate = s.twist_rate();
         let brake = self.inertia[(2, 2)] * (self.viscous * rate + self.quadratic * rate.abs() * rate);
         let torque = r.transpose() * gradient * (-self.stiffness * s.twist() - brake);
-        // unknown: v̇, ẇ, λ
+        // Unknowns: v̇, ẇ, λ.
         let mut a = DMatrix::zeros(6 + n, 6 + n);
         let mut b = DVector::zeros(6 + n);
         a.view_mut((0, 0), (3, 3)).fill_with_identity();

@@ -1,4 +1,4 @@
-//! Motions against exact integration, and closed forms.
+//! Motions compared with exact integration and with closed forms.
 
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use polhode::math::elliptic::EllipticParameter;
@@ -12,7 +12,7 @@ use crate::swing::rig::{Axis, Load, Oscillator, Rig, Wire, Wires};
 
 const G: f64 = 9.80665;
 
-/// Mass, centre, tensor, gravity: generic.
+/// Generic values: mass, centre, tensor, gravity.
 pub(super) const TRUTH: [f64; 11] =
     [3.2, 0.013, -0.008, 0.021, 0.041, 0.056, 0.071, 0.0043, -0.0061, 0.0052, G];
 
@@ -68,7 +68,7 @@ fn coordinates(wires: &[Wire]) -> Vec<([f64; 3], [f64; 3])> {
     wires.iter().map(|wire| (at(&wire.top), at(&wire.bottom))).collect()
 }
 
-/// The state at a turning point.
+/// Returns the state at a turning point.
 fn turning(u: &[f64]) -> State {
     State {
         p: Vector3::new(u[0], u[1], u[2]),
@@ -78,7 +78,7 @@ fn turning(u: &[f64]) -> State {
     }
 }
 
-/// How far the exact motion is, after the period, from where it began.
+/// Returns the distance of the exact motion from its start after one period.
 fn departure(wires: Vec<Wire>, stiffness: f64, amplitude: f64) -> f64 {
     let exact = hanging(&coordinates(&wires), stiffness);
     let rig = Rig::Wires(Wires { wires, stiffness: stiffness.into() });
@@ -88,7 +88,7 @@ fn departure(wires: Vec<Wire>, stiffness: f64, amplitude: f64) -> f64 {
     let last = motions.last().unwrap();
     let start: Vec<f64> = last.u.row(0).iter().copied().collect();
     let begin = turning(&start);
-    // that motion's own amplitude is the largest of the nodes
+    // The motion's amplitude is that of the largest node.
     let end = turning(&last.u.row(last.u.nrows() - 1).iter().copied().collect::<Vec<f64>>());
     let own = 0.5 * (begin.twist() - end.twist());
     let rate = family.rate(&family.at(own)).value;
@@ -110,7 +110,7 @@ fn the_exact_motion_comes_back_after_the_period() {
         [(unequal(), 0.0, 0.8), (three(), 0.0, 0.8), (three(), 0.11, 0.3), (unequal(), 0.07, 1.2)]
     {
         let off = departure(wires, stiffness, amplitude);
-        // steps of Runge and Kutta: 1e-11
+        // The integration error is 1e-11.
         assert!(off < 1e-9, "{amplitude}: {off}");
     }
     let one = vec![Wire { top: [0.0; 3].into(), bottom: [0.01, -0.006, 0.25].into(), length: 0.6.into() }];

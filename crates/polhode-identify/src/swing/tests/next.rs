@@ -1,4 +1,4 @@
-//! The next test: what it is said to bring, against plans with it.
+//! Next test: predicted uncertainty, compared with plans that contain the test.
 
 use super::statistics::{Noise, platform};
 use crate::swing::*;
@@ -64,14 +64,14 @@ fn after_one_axis_another_is_swung() {
     assert_eq!(next.now.unknown, 5);
     let best = next.best().unwrap();
     assert_eq!(best.then.unknown, 4);
-    // an axis at right angles says most that is new
+    // An axis at right angles gives most new information.
     match &best.experiment {
         NextSwing::Test { about, like, .. } => {
             assert!(about[2] == 0 && like == "about z", "{about:?} {like}");
         }
         other @ NextSwing::Number { .. } => panic!("{other:?}"),
     }
-    // and five more make all known
+    // Five more tests determine everything.
     assert_eq!(next.together.len(), 5, "{:?}", next.together);
     let again =
         next.candidates.iter().find(|c| matches!(c.experiment, NextSwing::Test { about: [0, 0, 1], .. }));

@@ -1,4 +1,4 @@
-//! Errors against their truth, over many seeds.
+//! Errors compared with the truth, over many seeds.
 
 use core::cell::OnceCell;
 
@@ -13,7 +13,7 @@ use crate::swing::family::{Amplitudes, Family};
 use crate::swing::number::Numbers;
 use crate::swing::*;
 
-/// Normal deviates.
+/// Generator of normal deviates.
 pub(super) struct Noise(u64, f64);
 
 impl Noise {
@@ -38,7 +38,7 @@ impl Noise {
 /// Body, fixture and rig of a test.
 type Hung = (Option<Placement>, Option<Fixture>, Rig);
 
-/// What there is to a plan besides its numbers as they were measured.
+/// Plan without the measured values of its numbers.
 pub(super) struct Setup {
     pub(super) names: Vec<(&'static str, f64, f64)>,
     pub(super) tests: fn(&[NumberId]) -> Vec<Hung>,
@@ -48,7 +48,7 @@ pub(super) struct Setup {
     pub(super) amplitude_sd: f64,
     pub(super) mass_sd: f64,
     pub(super) center_sd: f64,
-    /// How each test truly ends: of many plans it is computed once.
+    /// True end of each test, computed once for many plans.
     pub(super) ends: OnceCell<Vec<course::Point>>,
 }
 
@@ -57,7 +57,7 @@ impl Setup {
         TRUTH.iter().copied().chain(self.names.iter().map(|(_, value, _)| *value)).collect()
     }
 
-    /// A plan as noise lets it be measured; without noise, the truth with its errors.
+    /// Returns a plan with noisy values; without noise, the truth with its standard deviations.
     pub(super) fn plan(&self, noise: &mut impl FnMut() -> f64) -> SwingPlan {
         let mut measured = |value: f64, sd: f64| {
             let error = if sd.is_finite() { sd * noise() } else { 0.0 };
@@ -104,19 +104,20 @@ impl Setup {
     }
 }
 
-/// What came of many seeds.
+/// Statistics over many seeds.
 #[derive(Debug)]
 pub(super) struct Outcome {
     pub(super) bias: f64,
     pub(super) spread: f64,
     pub(super) nees: f64,
     pub(super) sds: f64,
-    /// Mean and deviation of the excess over noise, in what it is said to have.
+    /// Mean and standard deviation of [`ResidualTest::excess`].
     pub(super) excess: [f64; 2],
 }
 
-/// Bias in standard deviations, the errors' root mean square over the bound's, the mean normalised squared error, and by how much at most a standard deviation
-/// differs from the bound.
+/// Returns the statistics: bias in standard deviations, root mean square error relative to the
+/// bound, mean normalized squared error, and largest relative deviation of a standard deviation
+/// from the bound.
 pub(super) fn outcome(setup: &Setup, seeds: u64) -> Outcome {
     let truth = setup.truth();
     let bound = identify_swings(&setup.plan(&mut || 0.0)).unwrap();
@@ -146,7 +147,7 @@ pub(super) fn outcome(setup: &Setup, seeds: u64) -> Outcome {
         }
         if sign > 0.0 {
             excess.extend(result.counted.as_ref().map(ResidualTest::excess));
-            // scaled, as kg·m² and m differ by much
+            // Scaled, because kg·m² and m differ by orders of magnitude.
             let sd = DVector::from_fn(n, |i, _| covariance[(i, i)].sqrt());
             let scaled = DMatrix::from_fn(n, n, |i, j| covariance[(i, j)] / (sd[i] * sd[j]));
             let z = error.component_div(&sd);
@@ -167,10 +168,12 @@ pub(super) fn outcome(setup: &Setup, seeds: u64) -> Outcome {
     }
 }
 
-/// Seeds whose noise is also taken with the other sign: what is left of the mean error is bias, and no chance.
+/// Number of seeds whose noise is also used with the opposite sign. The mean of both errors is
+/// bias, not chance.
 const PAIRS: u64 = 12;
 
-/// Nine pendulums about generic axes, on an edge; the pivots' distance is made of one number.
+/// Nine pendulums about generic axes, on an edge. One shared number determines the distance of
+/// their pivots.
 pub(super) fn pendulums() -> Setup {
     Setup {
         names: vec![("reach", 0.25, 2e-4), ("edge", 1.5e-3, 1e-4)],
@@ -208,7 +211,7 @@ pub(super) fn pendulums() -> Setup {
     }
 }
 
-/// Seven placements on a platform of three wires, and the platform alone.
+/// Seven placements on a platform on three wires, and the platform alone.
 pub(super) fn platform() -> Setup {
     Setup {
         names: vec![("radius", 0.2, 3e-4), ("length", 1.1, 5e-4), ("platform", 0.011, f64::INFINITY)],
@@ -229,7 +232,7 @@ pub(super) fn platform() -> Setup {
                 [0.8, -0.1, 0.6],
                 [0.7, -0.7, 0.2],
             ] {
-                // turned so that this axis of the body is upright
+                // Rotated so that this axis of the body is vertical.
                 let n = Direction::<polhode::math::Space>::from_array(axis).direction().unwrap();
                 let z = Direction::new(0.0, 0.0, 1.0);
                 let rotation = Rotation::about(n.cross(z), n.angle_to(z)).unwrap();

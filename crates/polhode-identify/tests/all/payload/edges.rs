@@ -1,4 +1,4 @@
-//! Plates and rods: at the edge of what is possible.
+//! Plates and rods: the boundary of physical consistency.
 
 use nalgebra::{DMatrix, DVector};
 use polhode::math::symmetric_eigen;
@@ -14,13 +14,15 @@ fn without_noise_a_plate_is_a_plate() {
     for carried in [Carried::plate(), Carried::rod()] {
         let exact = rows(&carried, Course::Generic(1.0), 60, SENSE);
         let found = found(&log(exact));
-        // what is possible ends here: the answer is inside by a millionth of a standard deviation
+        // The solution lies on the boundary, and the estimate inside by a millionth of a standard
+        // deviation.
         close(&found, &carried.about_center(), 1e-6);
         assert!(found.body.is_some());
     }
 }
 
-/// Second moments of what was found are at the edge or inside, whatever the noise; plain least squares is not, mostly.
+/// Estimated second moments are always at the boundary or inside. Plain least squares mostly is
+/// not.
 #[test]
 fn every_answer_is_possible() {
     for (carried, course, force, least) in [
@@ -48,7 +50,7 @@ fn every_answer_is_possible() {
     }
 }
 
-/// Normals of a body's plane, or line: directions without extent.
+/// Returns the normals of a body's plane or line: directions without extent.
 fn normals(carried: &Carried, count: usize) -> Vec<[f64; 3]> {
     let n = carried.about_center();
     let half = 0.5 * (n[4] + n[5] + n[6]);
@@ -57,7 +59,8 @@ fn normals(carried: &Carried, count: usize) -> Vec<[f64; 3]> {
     vectors[..count].to_vec()
 }
 
-/// What of numbers moves along the edge: 1 − C Kᵀ (K C Kᵀ)⁻¹ K, K the derivative of nᵀ G n'.
+/// Returns the projection on directions along the boundary: 1 − C Kᵀ (K C Kᵀ)⁻¹ K, with K the
+/// derivative of nᵀ G n'.
 fn along(covariance: &DMatrix<f64>, normals: &[[f64; 3]]) -> DMatrix<f64> {
     let mut rows = Vec::new();
     for i in 0..normals.len() {
@@ -78,7 +81,8 @@ fn along(covariance: &DMatrix<f64>, normals: &[[f64; 3]]) -> DMatrix<f64> {
     DMatrix::identity(n, n) - covariance * k.transpose() * inner * &k
 }
 
-/// What moves along the edge has no bias, the deviation of the bound, and the errors that are said. What moves across it is bounded from one side.
+/// Along the boundary, estimates have no bias, the deviation of the bound, and the stated errors.
+/// Across it they are bounded from one side.
 #[test]
 fn errors_along_the_edge_are_honest() {
     for (carried, thin, kind) in [(Carried::plate(), 1, EdgeKind::Lamina), (Carried::rod(), 2, EdgeKind::Rod)]
@@ -111,18 +115,19 @@ fn errors_along_the_edge_are_honest() {
         assert_eq!(held, at_edge);
         let [least, most] = said.of_said(&limit);
         assert!(0.9 < least && most < 1.1 && is_about_one(said.normalised(), 0.1));
-        // the constraint brings the answer nearer: never are errors larger than they are said to be
+        // The constraint moves the estimate closer to the truth, so errors are never larger than
+        // stated.
         let whole = whole.normalised();
         assert!(0.8 < whole && whole < 1.0 + tolerance(0.05), "{whole}");
     }
 }
 
-/// A plate of some thickness: the bound holds it in 95 % of draws at least.
+/// A plate of some thickness: the upper bound holds in at least 95 % of the draws.
 #[test]
 fn the_bound_of_thickness_holds() {
     let mut carried = Carried::plate();
     let normal = normals(&carried, 1)[0];
-    // half of each particle to each side
+    // Half of each particle on each side.
     let half = 0.004;
     carried.0 = carried
         .0
@@ -143,7 +148,7 @@ fn the_bound_of_thickness_holds() {
     assert!(edges > draws(400) / 8 && f64::from(held) >= 0.95 * edges as f64, "{held} of {edges}");
 }
 
-/// What is known to be a plate or a rod is found as one, without bias.
+/// A payload declared as a plate or a rod is estimated as one, without bias.
 #[test]
 fn a_kind_that_is_known_leaves_no_bias() {
     for (carried, thin, kind) in [(Carried::plate(), 1, EdgeKind::Lamina), (Carried::rod(), 2, EdgeKind::Rod)]

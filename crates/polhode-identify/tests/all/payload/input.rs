@@ -1,4 +1,4 @@
-//! Input that is refused.
+//! Rejected input.
 
 use polhode::math::{Force, Torque};
 use polhode_identify::IdentifyError;

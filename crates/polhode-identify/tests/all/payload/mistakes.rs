@@ -80,7 +80,7 @@ fn wrong_units_and_signs_are_found() {
     assert!(right.findings.is_empty(), "{:?}", right.findings);
 }
 
-/// Torques over 1000 leave little, whatever is wrong: that makes them no torques in N·mm.
+/// Division of the torques by 1000 makes all residuals small. This alone must not suggest N·mm.
 #[test]
 fn what_is_wrong_otherwise_is_no_mistake_of_units() {
     let wrong: [fn(&mut PayloadRow); 5] = [
@@ -99,7 +99,7 @@ fn what_is_wrong_otherwise_is_no_mistake_of_units() {
     }
 }
 
-/// The axes one further.
+/// Cyclic permutation of the axes.
 fn turned<Q>(v: Vector<Q, Body>) -> Vector<Q, Body> {
     Vector::new(v.y, v.z, v.x)
 }
@@ -116,7 +116,7 @@ fn odd_gravity_is_said() {
     assert!(matches!(found(&log(rows)).findings[0], PayloadFinding::GravityVaries { .. }));
 }
 
-/// A model that is wrong does not have small errors: friction of a cable, say, that follows the turning.
+/// A wrong model does not give small errors. Example: cable friction that follows the rotation.
 #[test]
 fn what_is_not_in_the_model_widens_errors() {
     for noise in [KNOWN, WrenchNoise::Unknown] {

@@ -1,4 +1,4 @@
-//! Payloads.
+//! Tests of payloads.
 
 mod edges;
 mod input;
@@ -32,7 +32,7 @@ fn found(log: &PayloadLog) -> Payload {
     identify_payload(log).unwrap()
 }
 
-/// Relative to the largest of numbers of one unit.
+/// Checks numbers with a tolerance relative to the largest number of the same unit.
 fn close(found: &Payload, truth: &[f64; 10], tolerance: f64) {
     let size = |k: usize| match k {
         0 => truth[0],
@@ -74,7 +74,7 @@ fn numbers_about_the_origin_are_those_about_the_centre() {
     }
 }
 
-/// 600 draws give a mean to 0.04 and a deviation to 3 % of a deviation.
+/// With 600 draws the standard error of a mean is 0.04 deviations, that of a deviation 3 %.
 #[test]
 fn errors_are_what_they_are_said_to_be() {
     let carried = Carried::generic();
@@ -105,7 +105,7 @@ fn errors_are_what_they_are_said_to_be() {
     }
 }
 
-/// Noise that is found from few rows is known badly: that alone is no sign of a wrong model.
+/// Noise estimated from few rows is uncertain. This alone does not indicate a wrong model.
 #[test]
 fn short_logs_are_found_to_be_what_they_are() {
     let carried = Carried::generic();
@@ -133,7 +133,7 @@ fn a_covariance_of_the_channels_counts() {
     let carried = Carried::generic();
     let exact = rows(&carried, Course::Generic(1.0), 100, SENSE);
     let truth = carried.about_center();
-    // torque noise that follows the forces, as that of a beam sensor does
+    // Torque noise correlated with the forces, as in a beam sensor.
     let mix = |row: &PayloadRow, plain: &PayloadRow| {
         let (df, dt) = (row.force - plain.force, row.torque - plain.torque);
         let mut mixed = *row;

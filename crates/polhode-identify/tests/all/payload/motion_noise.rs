@@ -1,4 +1,4 @@
-//! Motion that is measured with noise.
+//! Noise in the measured motion.
 
 use polhode_identify::payload::{MotionNoise, PayloadLog, WrenchNoise, identify_payload};
 use polhode_identify::{IdentifyError, ResidualTest};
@@ -11,7 +11,7 @@ use crate::draws::{draws, is_about_one, tolerance};
 const SHAKEN: [f64; 3] = [0.05, 2.0, 0.1];
 const NOISE: MotionNoise = MotionNoise { omega: 0.05, alpha: 2.0, acceleration: 0.1 };
 
-/// Not said, it draws the numbers aside, and shows in the residuals; said, it does neither.
+/// Undeclared noise biases the parameters and increases the residuals; declared noise does neither.
 #[test]
 fn noise_of_the_motion_does_not_draw_numbers_aside() {
     let carried = Carried::generic();
@@ -32,7 +32,8 @@ fn noise_of_the_motion_does_not_draw_numbers_aside() {
     assert!(said.bias() < tolerance(0.15) && is_about_one(said.normalised(), 0.1), "{said}");
 }
 
-/// About z, with noise about x and y: what would be found from that noise alone is unknown.
+/// Rotation about z, with noise about x and y: parameters that only this noise would determine are
+/// unobservable.
 #[test]
 fn what_only_noise_moves_is_unknown() {
     let carried = Carried::generic();
@@ -50,7 +51,8 @@ fn what_only_noise_moves_is_unknown() {
     }
 }
 
-/// Where a good part of what the rows say is noise, errors are larger than the rows by themselves would have it, and are still what they are said to be.
+/// If much of the information is noise, errors are larger than the rows alone suggest, and still
+/// correct.
 #[test]
 fn errors_hold_where_the_motion_is_hardly_larger_than_its_noise() {
     let carried = Carried::generic();
@@ -70,12 +72,13 @@ fn errors_hold_where_the_motion_is_hardly_larger_than_its_noise() {
         said.add(&found.about_center, &truth);
     }
     let ratio = said.of_draws(&said.mean_said());
-    // A mean of 200 draws has a standard error of 0.07 deviations, and ten numbers are compared.
+    // A mean of 200 draws has a standard error of 0.07 deviations, and ten parameters are compared.
     println!("much motion noise: {said} {ratio:?}, possible {all}");
     assert!(said.bias() < tolerance(0.17) && is_about_one(said.normalised(), 0.1), "{said}");
 }
 
-/// Logs that are hardly more than noise have an answer that holds, with less that is known; hardly one is refused, of a motion that is hidden altogether.
+/// Logs of little more than noise give a valid estimate with fewer determined parameters. Few are
+/// refused, those with a completely hidden motion.
 #[test]
 fn logs_that_are_mostly_noise_have_an_answer() {
     let (mut refused, mut all) = (0, 0);

@@ -1,4 +1,4 @@
-//! The next motion: what it is said to bring, against logs with it.
+//! Next motion: predicted uncertainty, compared with logs that contain the motion.
 
 use polhode::math::{Acceleration, AngularAcceleration, AngularVelocity, Force, Torque};
 use polhode_identify::payload::{NextMotion, PayloadRow, next_motion};
@@ -6,7 +6,7 @@ use polhode_identify::payload::{NextMotion, PayloadRow, next_motion};
 use super::wrist::{Carried, Course, noisy, rows};
 use super::{FORCE, SENSE, TORQUE, found, log};
 
-/// Rows of a motion, as many as there were, after them.
+/// Returns rows of a motion, as many as before, after the given rows.
 fn made(carried: &Carried, motion: NextMotion, before: &[PayloadRow]) -> Vec<PayloadRow> {
     let last = before.last().unwrap().time;
     let row = |k: usize| {
@@ -44,7 +44,8 @@ fn the_motion_that_is_suggested_brings_what_is_said() {
             let both = log(before.iter().chain(&more).copied().collect());
             let now = next_motion(&both, &found(&both)).unwrap().unwrap().now;
             assert_eq!(now.unknown, candidate.then.unknown);
-            // numbers are scaled by those of the body that was found, which another motion moves as long as it is not known
+            // Parameters are scaled by the estimated body, which another motion changes while it is
+            // not fully determined.
             let size = |known: &polhode_identify::Knowledge| {
                 if known.unknown > 0 { known.mean_sd } else { known.largest_sd }
             };
@@ -56,7 +57,7 @@ fn the_motion_that_is_suggested_brings_what_is_said() {
     }
 }
 
-/// A bias of the sensor, and noise of the motion: what is told, counts.
+/// A bias of the sensor and noise of the motion are taken into account.
 #[test]
 fn a_log_at_rest_is_to_be_turned() {
     let carried = Carried::generic();

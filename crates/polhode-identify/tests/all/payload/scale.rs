@@ -1,4 +1,4 @@
-//! Payloads of all sizes, and motions that are odd.
+//! Payloads of all sizes, and unusual motions.
 
 use polhode::math::{Acceleration, Force, Torque};
 use polhode_identify::IdentifyError;
@@ -7,7 +7,7 @@ use polhode_identify::payload::{MotionNoise, PayloadLog, WrenchNoise, identify_p
 use super::wrist::{Carried, Course, noisy, rows, shaken};
 use super::{KNOWN, SENSE, found};
 
-/// Mass, length and noise in proportion: the same draws, the same answer in other units.
+/// Mass, length and noise in proportion: the same draws give the same estimate in other units.
 #[test]
 fn units_do_not_matter() {
     let plain = Carried::rod();
@@ -46,14 +46,14 @@ fn units_do_not_matter() {
     }
 }
 
-/// In free fall the mass does nothing: m c and the tensor about the origin are known.
+/// In free fall the mass has no effect; m c and the tensor about the origin are determined.
 #[test]
 fn in_free_fall_the_mass_is_unknown() {
     let carried = Carried::generic();
     let mut measured = rows(&carried, Course::Generic(1.0), 80, SENSE);
     let truth = carried.about_origin();
     for row in &mut measured {
-        // the wrench of m (a − g), c × m (a − g) taken away
+        // Subtract the wrench of m (a − g) and c × m (a − g).
         let s = (row.acceleration - row.gravity).to_array();
         let h = [truth[1], truth[2], truth[3]];
         row.force += Force::from_array(s.map(|s| -truth[0] * s));
@@ -95,7 +95,8 @@ fn three_rows_are_enough_without_noise() {
     super::close(&found, &carried.about_center(), 1e-10);
 }
 
-/// Weak signals, large noise, the wrong side: whatever the numbers, there is an answer and it is a possible body.
+/// Weak signals, large noise or the wrong sense: every estimate exists and is physically
+/// consistent.
 #[test]
 fn there_is_an_answer_whatever_the_noise() {
     for (k, carried) in [Carried::generic(), Carried::plate(), Carried::rod()].iter().enumerate() {
@@ -118,7 +119,8 @@ fn there_is_an_answer_whatever_the_noise() {
     }
 }
 
-/// With noise of the motion as well, up to where it hides the motion: an answer that is possible, unless the method says that it has none.
+/// The same with noise of the motion, even if it hides the motion: the estimate is consistent, or
+/// an error is returned.
 #[test]
 fn with_noise_of_the_motion_there_is_an_answer_or_none() {
     let exact = rows(&Carried::generic(), Course::Generic(0.5), 60, SENSE);

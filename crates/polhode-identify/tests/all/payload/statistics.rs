@@ -1,4 +1,4 @@
-//! Errors of many draws, held against what is said of them and against the Cramér–Rao bound.
+//! Errors of many draws, compared with stated errors and with the Cramér–Rao bound.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use polhode_identify::payload::PayloadRow;
 
 use crate::draws::{is_about_one, tolerance};
 
-/// Of ten numbers, or sixteen.
+/// Statistics of ten or sixteen parameters.
 pub(super) struct Statistics {
     count: f64,
     sum: Vec<f64>,
@@ -42,7 +42,7 @@ impl Statistics {
         self.normalise(&error, &sd, &covariance);
     }
 
-    /// An error by itself.
+    /// Adds the error of one draw.
     pub(super) fn add_error(&mut self, error: &DVector<f64>, sd: &[f64], covariance: &DMatrix<f64>) {
         self.count += 1.0;
         for k in 0..sd.len() {
@@ -53,7 +53,8 @@ impl Statistics {
         self.normalise(error, sd, covariance);
     }
 
-    /// Over the rank of the covariance, which is less than n along an edge.
+    /// Adds the normalized squared error divided by the rank of the covariance, which is less than
+    /// n along a boundary.
     fn normalise(&mut self, error: &DVector<f64>, sd: &[f64], covariance: &DMatrix<f64>) {
         let n = sd.len();
         let scaled = DMatrix::from_fn(n, n, |i, j| covariance[(i, j)] / (sd[i] * sd[j]));
@@ -70,12 +71,12 @@ impl Statistics {
         self.normalised += square / rank;
     }
 
-    /// Normalised squared error by the number of numbers.
+    /// Returns the mean normalized squared error per parameter.
     pub(super) fn normalised(&self) -> f64 {
         self.normalised / self.count
     }
 
-    /// The largest |bias| of a number, in standard deviations of the draws.
+    /// Returns the largest |bias| of a parameter, in standard deviations of the draws.
     pub(super) fn bias(&self) -> f64 {
         (0..self.sum.len()).map(|k| (self.sum[k] / self.count).abs() / self.deviation(k)).fold(0.0, f64::max)
     }
@@ -85,8 +86,9 @@ impl Statistics {
         (self.squares[k] / self.count - mean * mean).sqrt()
     }
 
-    /// Holds the bias below 0.15 deviations, deviations within 10 % of the bound, and the normalised square
-    /// within 10 % of one; with a quarter of the draws within twice that, except for stated deviations.
+    /// Checks bias below 0.15 deviations, deviations within 10 % of the bound, and normalized
+    /// squares within 10 % of one. A quarter of the draws doubles these tolerances, except for
+    /// stated deviations.
     pub(super) fn hold(&self, bound: &[f64]) {
         let ([least, most], [least_said, most_said]) = (self.of_draws(bound), self.of_said(bound));
         assert!(self.bias() < tolerance(0.15), "{self}");
@@ -95,17 +97,17 @@ impl Statistics {
         assert!(is_about_one(self.normalised(), 0.1), "{self}");
     }
 
-    /// Least and largest ratio of the deviation of the draws to a bound.
+    /// Returns the smallest and largest ratio of the deviation of the draws to a bound.
     pub(super) fn of_draws(&self, bound: &[f64]) -> [f64; 2] {
         range((0..bound.len()).map(|k| self.deviation(k) / bound[k]))
     }
 
-    /// Standard deviations that are said, on average.
+    /// Returns the root mean square of the stated standard deviations.
     pub(super) fn mean_said(&self) -> Vec<f64> {
         self.said.iter().map(|said| (said / self.count).sqrt()).collect()
     }
 
-    /// Least and largest ratio of the deviation that is said to a bound.
+    /// Returns the smallest and largest ratio of the stated deviation to a bound.
     pub(super) fn of_said(&self, bound: &[f64]) -> [f64; 2] {
         range((0..bound.len()).map(|k| (self.said[k] / self.count).sqrt() / bound[k]))
     }
@@ -127,7 +129,8 @@ fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     values.fold([f64::INFINITY, 0.0], |[a, b], x| [a.min(x), b.max(x)])
 }
 
-/// Standard deviations that no unbiased estimate is below: (Σ Xᵀ X/σ²)⁻¹, with the numbers about the centre of mass. The wrench's derivatives are differences.
+/// Returns the Cramér–Rao bound (Σ Xᵀ X/σ²)⁻¹ on the standard deviations, for parameters about the
+/// centre of mass. Derivatives of the wrench are finite differences.
 pub(super) fn bound(
     rows: &[PayloadRow],
     force: f64,
@@ -178,7 +181,8 @@ pub(super) fn covariance_bound(
     information.try_inverse().unwrap()
 }
 
-/// Newton and Euler about the centre of mass: f = m a_c, τ = I α + ω × I ω + c × f.
+/// Returns the wrench from Newton's and Euler's equations about the centre of mass: f = m a_c, τ =
+/// I α + ω × I ω + c × f.
 fn wrench(row: &PayloadRow, center: &[f64; 10]) -> [f64; 6] {
     use nalgebra::{Matrix3, Vector3};
     let v = Vector3::from;

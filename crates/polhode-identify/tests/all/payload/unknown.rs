@@ -1,4 +1,4 @@
-//! What cannot be known is said.
+//! Unobservable parameters are reported.
 
 use polhode_identify::payload::{Payload, PayloadLog, WrenchNoise};
 
@@ -49,7 +49,7 @@ fn one_pose_with_bias_says_hardly_anything() {
     assert!(known(&found).is_empty() && found.body.is_none());
 }
 
-/// About z, upright: τx, τy have Ixz, Iyz and m c_x, m c_y; τz has Izz.
+/// Rotation about the vertical z: τx, τy contain Ixz, Iyz and m c_x, m c_y; τz contains Izz.
 #[test]
 fn about_one_axis_three_elements_are_known() {
     let carried = Carried::generic();
@@ -74,7 +74,7 @@ fn about_one_axis_three_elements_are_known() {
                 assert!((number.value - truth).abs() < 5.0 * sd, "{number:?} {truth}");
             }
         }
-        // about the centre of mass Izz is known, as it takes c_x and c_y only
+        // About the centre of mass Izz is determined, because it requires only c_x and c_y.
         assert!(found.about_center.get("Izz").unwrap().sd.is_some());
         assert!(found.about_center.get("Ixz").unwrap().sd.is_none());
     }

@@ -1,4 +1,4 @@
-//! A wrist that moves, and particles that it carries: their wrench is summed particle by particle.
+//! Moving wrist with a payload of particles, whose wrench is summed particle by particle.
 
 use polhode::math::{
     Acceleration, AngularAcceleration, AngularVelocity, Attitude, Body, Direction, Force, Position, Space,
@@ -8,11 +8,11 @@ use polhode_identify::payload::{PayloadRow, WrenchSense, gravity_along};
 
 use crate::noise::Normal;
 
-/// Masses and places from the sensor's origin.
+/// Particles: mass, kg, and position from the sensor's origin, m.
 pub(super) struct Carried(pub(super) Vec<(f64, [f64; 3])>);
 
 impl Carried {
-    /// Three distinct moments, products, an offset centre.
+    /// Three distinct moments, nonzero products, an offset centre.
     pub(super) fn generic() -> Self {
         Self(vec![
             (0.41, [0.13, -0.07, 0.21]),
@@ -23,7 +23,7 @@ impl Carried {
         ])
     }
 
-    /// In a plane that lies along no axis.
+    /// Particles in a plane that is parallel to no axis.
     pub(super) fn plate() -> Self {
         let (a, b) = ([0.6, 0.64, -0.48], [0.8, -0.48, 0.36]);
         let at = |u: f64, v: f64| std::array::from_fn(|k| [0.03, -0.02, 0.11][k] + u * a[k] + v * b[k]);
@@ -35,14 +35,14 @@ impl Carried {
         ])
     }
 
-    /// On a line that lies along no axis.
+    /// Particles on a line that is parallel to no axis.
     pub(super) fn rod() -> Self {
         let a = [0.48, -0.6, 0.64];
         let at = |u: f64| std::array::from_fn(|k| [0.03, -0.02, 0.11][k] + u * a[k]);
         Self(vec![(0.52, at(0.14)), (0.37, at(-0.11)), (0.61, at(0.03)), (0.29, at(-0.18))])
     }
 
-    /// m, m c, the tensor about the origin.
+    /// Returns m, m c and the tensor about the origin.
     pub(super) fn about_origin(&self) -> [f64; 10] {
         let mut n = [0.0; 10];
         for (m, [x, y, z]) in &self.0 {
@@ -52,7 +52,7 @@ impl Carried {
         n
     }
 
-    /// m, c, the tensor about the centre of mass.
+    /// Returns m, c and the tensor about the centre of mass.
     pub(super) fn about_center(&self) -> [f64; 10] {
         let n = self.about_origin();
         let c = [n[1] / n[0], n[2] / n[0], n[3] / n[0]];
@@ -75,18 +75,18 @@ impl Carried {
     }
 }
 
-/// How the wrist moves.
+/// Motion of the wrist.
 #[derive(Clone, Copy)]
 pub(super) enum Course {
-    /// Turning and shaken in all directions, so many times as fast.
+    /// Rotation and acceleration in all directions, with this speed factor.
     Generic(f64),
-    /// At rest in different attitudes.
+    /// Rest in several attitudes.
     Poses,
-    /// Turning about z, which is upright.
+    /// Rotation about the vertical z.
     OneAxis,
 }
 
-/// Rows without noise.
+/// Returns rows without noise.
 pub(super) fn rows(carried: &Carried, course: Course, count: usize, sense: WrenchSense) -> Vec<PayloadRow> {
     let mut attitude = Attitude::about(Direction::new(0.3, -0.7, 0.5), 0.4).unwrap();
     let step = 0.01;
@@ -132,7 +132,7 @@ pub(super) fn rows(carried: &Carried, course: Course, count: usize, sense: Wrenc
     all
 }
 
-/// Two sines in each direction, and their derivative.
+/// Returns two sines in each direction, and their derivative.
 fn series(t: f64, rate: f64, size: [[f64; 2]; 3], phase: f64) -> ([f64; 3], [f64; 3]) {
     let (mut value, mut slope) = ([0.0; 3], [0.0; 3]);
     for i in 0..3 {
@@ -146,7 +146,7 @@ fn series(t: f64, rate: f64, size: [[f64; 2]; 3], phase: f64) -> ([f64; 3], [f64
     (value, slope)
 }
 
-/// White noise of the wrench: standard deviations of force and torque.
+/// Adds white noise to the wrench, with standard deviations of force and torque.
 pub(super) fn noisy(rows: &[PayloadRow], force: f64, torque: f64, seed: u64) -> Vec<PayloadRow> {
     let mut normal = Normal::new(seed);
     let mut three = |sd: f64| [sd * normal.next(), sd * normal.next(), sd * normal.next()];
@@ -159,7 +159,7 @@ pub(super) fn noisy(rows: &[PayloadRow], force: f64, torque: f64, seed: u64) -> 
         .collect()
 }
 
-/// White noise of the motion: standard deviations of ω, α and a.
+/// Adds white noise to the motion, with standard deviations of ω, α and a.
 pub(super) fn shaken(rows: &[PayloadRow], [omega, alpha, a]: [f64; 3], seed: u64) -> Vec<PayloadRow> {
     let mut normal = Normal::new(seed + 77_000);
     let mut three = |sd: f64| [sd * normal.next(), sd * normal.next(), sd * normal.next()];

@@ -1,4 +1,4 @@
-//! What a member costs before anything is computed of its motion: its values, and its scenario.
+//! Cost of a member without its motion: drawing of its values, and construction of its scenario.
 
 #![allow(clippy::unwrap_used, reason = "a measurement may")]
 

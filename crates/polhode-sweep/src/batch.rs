@@ -1,88 +1,89 @@
-//! Rows of members, column by column: what goes into a computation, and what comes out.
+//! Tables of members in columns: inputs and outcomes of a computation.
 
 use std::fmt;
 
-/// A table of columns of equal length.
+/// Table of columns of equal length.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Batch {
     columns: Vec<Column>,
 }
 
-/// A column, its name, its unit in SI ("" for a number without one), and what it holds.
+/// Column of a table: name, SI unit, description and values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// The name, as `omega_body_x_rad_s`.
+    /// Name, such as `omega_body_x_rad_s`.
     pub name: String,
-    /// The unit, as `rad/s`; empty if there is none.
+    /// SI unit, such as `rad/s`; empty for a dimensionless number.
     pub unit: String,
-    /// What it is, for people.
+    /// Description for people.
     pub description: String,
-    /// What it holds.
+    /// Values, one per row.
     pub values: Values,
 }
 
-/// What a column holds. What there is not (a period of a motion that has none) is `None`, never NaN.
+/// Values of a column. A missing value, such as the period of a motion without one, is `None`,
+/// never NaN.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Values {
-    /// Whole numbers.
+    /// Integers, without missing values.
     Whole(Vec<u64>),
-    /// Numbers, all there.
+    /// Numbers, without missing values.
     Numbers(Vec<f64>),
-    /// Numbers, where there are any.
+    /// Numbers, with `None` for missing values.
     Perhaps(Vec<Option<f64>>),
-    /// Text, where there is any.
+    /// Text, with `None` for missing values.
     Text(Vec<Option<String>>),
 }
 
-/// Name of the column with the numbers of members.
+/// Name of the column with member numbers.
 pub(crate) const MEMBER: &str = "member";
 
-/// Why columns are no table.
+/// Reason why columns do not form a table.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BatchError {
-    /// A column is longer or shorter than the first.
+    /// Column whose length differs from that of the first.
     Length {
-        /// Its name.
+        /// Name of the column.
         column: String,
-        /// How many rows it has.
+        /// Number of rows in the column.
         rows: usize,
-        /// How many the first has.
+        /// Number of rows in the first column.
         expected: usize,
     },
-    /// Two columns have the same name.
+    /// Name that two columns share.
     Twice {
-        /// The name.
+        /// Duplicate name.
         column: String,
     },
-    /// A column is missing.
+    /// Column that is absent.
     Missing {
-        /// Its name.
+        /// Name of the column.
         column: String,
     },
-    /// A column holds something else.
+    /// Column with values of the wrong kind.
     Kind {
-        /// Its name.
+        /// Name of the column.
         column: String,
-        /// What belongs there.
+        /// Description of the right kind.
         expected: &'static str,
     },
 }
 
 impl Column {
-    /// A column of this name, unit and description.
+    /// Creates a column from name, unit, description and values.
     pub(crate) fn new([name, unit, description]: [&str; 3], values: Values) -> Self {
         let [name, unit, description] = [name, unit, description].map(str::to_owned);
         Self { name, unit, description, values }
     }
 
-    /// The column with the numbers of members.
+    /// Creates the column of member numbers.
     pub(crate) fn of_members(numbers: Vec<u64>) -> Self {
         Self::new([MEMBER, "", "the member's number, from 0"], Values::Whole(numbers))
     }
 }
 
 impl Batch {
-    /// A table.
+    /// Creates a table.
     ///
     /// # Errors
     /// [`BatchError`] if columns differ in length, or two have the same name.
@@ -100,20 +101,20 @@ impl Batch {
         Ok(Self { columns })
     }
 
-    /// The columns, in their order.
+    /// Returns the columns in order.
     pub fn columns(&self) -> &[Column] {
         &self.columns
     }
 
-    /// How many rows there are.
+    /// Returns the number of rows, 0 without columns.
     pub fn rows(&self) -> usize {
         self.columns.first().map_or(0, |column| column.values.len())
     }
 
-    /// The column of a name.
+    /// Returns the column with a name.
     ///
     /// # Errors
-    /// [`BatchError::Missing`]
+    /// [`BatchError::Missing`] if there is none.
     pub fn column(&self, name: &str) -> Result<&Column, BatchError> {
         let missing = || BatchError::Missing { column: name.to_owned() };
         self.columns.iter().find(|column| column.name == name).ok_or_else(missing)
@@ -121,7 +122,7 @@ impl Batch {
 }
 
 impl Values {
-    /// How many there are.
+    /// Returns the number of values, including missing ones.
     pub fn len(&self) -> usize {
         match self {
             Self::Whole(values) => values.len(),
@@ -131,7 +132,7 @@ impl Values {
         }
     }
 
-    /// The number of a row, if there is one.
+    /// Returns the number in a row; `None` for a missing value and for other kinds.
     pub(crate) fn number(&self, row: usize) -> Option<f64> {
         match self {
             Self::Numbers(values) => values.get(row).copied(),
@@ -140,7 +141,7 @@ impl Values {
         }
     }
 
-    /// True if there are none.
+    /// Returns true if there are no rows.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

@@ -1,4 +1,4 @@
-//! What keeps a sweep from being run or kept.
+//! Errors of running or storing a sweep.
 
 use std::fmt;
 use std::io;
@@ -8,79 +8,79 @@ use polhode_source::{Failure, shown};
 
 use crate::batch::BatchError;
 
-/// What keeps a sweep from being run or kept.
+/// Error of running or storing a sweep.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum SweepError {
-    /// The folder is there already.
+    /// Folder that exists already.
     Exists {
-        /// The folder.
+        /// Path of the folder.
         folder: PathBuf,
     },
-    /// Somebody else is writing to the folder.
+    /// Folder that another process is writing to.
     InUse {
-        /// The folder.
+        /// Path of the folder.
         folder: PathBuf,
     },
-    /// The folder holds the results of another plan.
+    /// Folder with the results of another plan.
     Changed {
-        /// The folder.
+        /// Path of the folder.
         folder: PathBuf,
-        /// What differs.
+        /// Difference to this plan.
         what: String,
     },
-    /// The folder holds something else than a sweep.
+    /// Folder with content other than a sweep.
     NotASweep {
-        /// The folder.
+        /// Path of the folder.
         folder: PathBuf,
-        /// What is found there, or is not.
+        /// Unexpected or missing content.
         why: String,
     },
-    /// A file of the sweep is not as it was written.
+    /// File of the sweep that differs from what was written.
     Damaged {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// Description of the damage.
         why: &'static str,
     },
-    /// A file cannot be read.
+    /// File that cannot be read.
     Read {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// Why not.
+        /// Error of the system.
         error: io::Error,
     },
-    /// A file cannot be written.
+    /// File that cannot be written.
     Write {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// Why not.
+        /// Error of the system.
         error: io::Error,
     },
-    /// A part is missing or damaged.
+    /// Part that is missing or damaged.
     Incomplete {
-        /// The part.
+        /// Number of the part.
         part: u64,
     },
-    /// Rows that are not those of the part.
+    /// Rows that do not belong to the part.
     Rows {
-        /// The part.
+        /// Number of the part.
         part: u64,
-        /// What is wrong.
+        /// Description of the mismatch.
         why: String,
     },
-    /// A plan has no times for which to compute.
+    /// Plan without times for the simulation.
     NoRun,
-    /// Columns that are no table.
+    /// Columns that do not form a table.
     Batch(BatchError),
 }
 
-/// There is no room.
+/// Errors of the system that mean lack of space.
 const FULL: [io::ErrorKind; 3] =
     [io::ErrorKind::StorageFull, io::ErrorKind::QuotaExceeded, io::ErrorKind::FileTooLarge];
 
 impl SweepError {
-    /// What to do about it.
+    /// Returns a hint how to fix the error, if there is one.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
             Self::Exists { .. } => Some(
@@ -103,12 +103,12 @@ impl SweepError {
         }
     }
 
-    /// For `map_err`, about reading a file.
+    /// Returns a function for `map_err` that reports an error of reading a file.
     pub(crate) fn reading(path: &Path) -> impl FnOnce(io::Error) -> Self {
         move |error| Self::Read { path: path.to_owned(), error }
     }
 
-    /// For `map_err`, about writing a file.
+    /// Returns a function for `map_err` that reports an error of writing a file.
     pub(crate) fn writing(path: &Path) -> impl FnOnce(io::Error) -> Self {
         move |error| Self::Write { path: path.to_owned(), error }
     }

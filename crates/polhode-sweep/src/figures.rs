@@ -1,4 +1,4 @@
-//! The figures of a sweep: how outcomes are distributed, on what they depend, and what the questions are about.
+//! Figures of a sweep: distributions of outcomes, their dependence on inputs, and the questions.
 
 mod questions;
 
@@ -11,24 +11,24 @@ use polhode_document::layout::printable;
 
 use crate::report::{SweepSample, SweepStatistic, SweepSummary};
 
-/// The figures of a sweep: [`SweepFigures::histograms`] of its outcomes, [`SweepFigures::pairs`] of inputs and outcomes, and
-/// [`SweepFigures::questions`].
+/// Figures of a sweep: [`SweepFigures::histograms`] of its outcomes, [`SweepFigures::pairs`] of
+/// inputs and outcomes, and [`SweepFigures::questions`].
 #[derive(Clone, Copy, Debug)]
 pub struct SweepFigures<'a> {
     summary: &'a SweepSummary,
     sample: &'a SweepSample,
 }
 
-/// A panel, three beside each other.
+/// Width and height of a panel, px, with three panels in a row.
 const PANEL: [f64; 2] = [336.0, 232.0];
 const COLUMNS: usize = 3;
 const MARGIN: f64 = 14.0;
-/// What stands above all panels.
+/// Height of the heading above all panels, px.
 const HEAD: f64 = 30.0;
 const MOST_HISTOGRAMS: usize = 9;
 const MOST_PAIRS: usize = 6;
 
-/// Outcomes that say most, first; others follow in their order.
+/// Outcomes shown first, most informative first; others follow in their order.
 const FIRST: [&str; 9] = [
     "period_s",
     "rotation_period_s",
@@ -40,7 +40,7 @@ const FIRST: [&str; 9] = [
     "largest_torque_n_m",
     "end_time_s",
 ];
-/// How the names of outcomes begin that say little in a histogram.
+/// Prefixes of outcomes shown last, because their histograms are little informative.
 const LAST: [&str; 12] = [
     "mass_",
     "moment_",
@@ -56,21 +56,22 @@ const LAST: [&str; 12] = [
     "growth_rate",
 ];
 
-/// The colours of regimes, in the order in which the summary has them.
+/// Colours of regimes, in the order of the summary.
 const REGIMES: [Colour; 4] = [Colour::AXES[0], Colour::AXES[1], Colour::AXES[2], Colour::ORANGE];
 
 impl<'a> SweepFigures<'a> {
-    /// Those of a sweep; `sample` are some of its members.
+    /// Creates the figures of a sweep; `sample` contains some of its members.
     pub const fn new(summary: &'a SweepSummary, sample: &'a SweepSample) -> Self {
         Self { summary, sample }
     }
 
-    /// How outcomes are distributed: a panel for each of those that say most.
+    /// Draws the distributions of outcomes, one panel for each of the most informative ones.
     pub fn histograms(&self) -> Picture {
         let mut shown: Vec<_> =
             self.summary.outcomes.iter().filter_map(|s| Some((s, s.histogram.as_ref()?))).collect();
         shown.sort_by_key(|(statistic, _)| importance(&statistic.name));
-        // The end of a free motion has the energy of its start: the same picture twice says nothing.
+        // The end of a free motion has the energy of its start: identical histograms are shown
+        // once.
         let all = shown.clone();
         let alike = |(k, (a, _)): &(usize, (&SweepStatistic, _))| {
             all.iter().take(*k).any(|(b, _)| a.mean == b.mean && a.quantiles == b.quantiles)
@@ -85,7 +86,7 @@ impl<'a> SweepFigures<'a> {
         })
     }
 
-    /// The strongest dependencies of outcomes on inputs: a dot for each of some members.
+    /// Draws the strongest dependencies of outcomes on inputs, with one dot per sampled member.
     pub fn pairs(&self) -> Picture {
         let mut shown: Vec<(&str, &str, f64)> = Vec::new();
         for pair in &self.summary.correlations {
@@ -101,7 +102,7 @@ impl<'a> SweepFigures<'a> {
         })
     }
 
-    /// A sheet of panels under one heading.
+    /// Draws panels under one heading.
     fn panels(
         &self,
         what: &str,
@@ -137,13 +138,14 @@ impl<'a> SweepFigures<'a> {
         Picture { sheet }
     }
 
-    /// A column of the summary, as it is shown.
+    /// Returns a column of the summary as it is shown.
     fn shown(&self, name: &str) -> Option<Shown> {
         let mut all = self.summary.inputs.iter().chain(&self.summary.outcomes);
         all.find(|statistic| statistic.name == name).map(Shown::of)
     }
 
-    /// Where each member of the sample is by two columns, if it has both and is within the axes.
+    /// Returns the place of each sampled member in two columns; `None` if a value is missing or
+    /// outside the axes.
     fn places<'s>(
         &'s self,
         axes: &'s Axes,
@@ -202,10 +204,10 @@ impl<'a> SweepFigures<'a> {
     }
 }
 
-/// A column as it is shown: angles in degrees.
+/// Column as it is shown: angles in degrees.
 struct Shown {
     statistic: SweepStatistic,
-    /// What its numbers are multiplied by.
+    /// Factor from the values of the column to the shown values.
     factor: f64,
 }
 
@@ -230,7 +232,7 @@ impl Shown {
     }
 }
 
-/// The place of an outcome among the histograms.
+/// Returns the rank of an outcome among the histograms, smallest first.
 fn importance(name: &str) -> usize {
     if name.starts_with("event_") && name.ends_with("_first_s") {
         return 0;
@@ -242,7 +244,8 @@ fn importance(name: &str) -> usize {
     }
 }
 
-/// An axis over what the histogram of a column shows, `length` px long, with a mark every `step` px or so.
+/// Returns an axis over the range of a column's histogram. `length` is in px, and ticks are about
+/// `step` px apart.
 fn axis_of(statistic: &SweepStatistic, length: f64, step: f64) -> Axis {
     let ends = [statistic.min.unwrap_or(0.0), statistic.max.unwrap_or(1.0)];
     let (ends, log) = statistic.histogram.as_ref().map_or((ends, false), |h| ([h.least, h.greatest], h.log));
@@ -254,7 +257,8 @@ fn axis_of(statistic: &SweepStatistic, length: f64, step: f64) -> Axis {
     }
 }
 
-/// What a column is about, with room for its unit: `largest omega` of `largest_omega_rad_s`.
+/// Returns a column's quantity, shortened to leave room for its unit: `largest omega` for
+/// `largest_omega_rad_s`.
 fn quantity(statistic: &SweepStatistic, room: f64) -> String {
     let SweepStatistic { name, unit, .. } = statistic;
     let suffix: String = unit.to_lowercase().chars().map(|c| if c == '²' { '2' } else { c }).collect();

@@ -1,10 +1,12 @@
-//! Many bodies: a plan says what differs from member to member, and a dataset holds what becomes of each.
+//! Parameter sweeps: a plan varies a scenario from member to member, and a dataset stores the
+//! outcome of each member.
 //!
-//! - [`Plan`]: a scenario and what is varied; member k is a pure function of the plan and k
-//! - [`Batch`]: rows of members, column by column
-//! - [`inputs`] and [`simulate`]: from members to rows, and from rows to rows with what becomes of them
-//! - [`Dataset`]: all rows in a folder, whoever computes them and however often they are interrupted
-//! - [`run`] answers a [`Request`] in memory: the plan, all members, and what they come to
+//! - [`Plan`]: scenario and varied inputs; member k is a pure function of the plan and k
+//! - [`Batch`]: table of members in columns
+//! - [`inputs`] and [`simulate`]: input rows of members, and the same rows with outcomes
+//! - [`Dataset`]: all rows in a folder, resumable after any interruption and shareable between
+//!   processes
+//! - [`run`] executes a [`Request`] in memory: the plan, all members, and their statistics
 
 mod batch;
 mod dataset;

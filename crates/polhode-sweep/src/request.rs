@@ -1,4 +1,4 @@
-//! Requests to `sweep`.
+//! Requests to `sweep`: the options of the command.
 #![allow(rustdoc::broken_intra_doc_links, reason = "the help of the command shows brackets as they are")]
 
 use std::num::NonZeroUsize;
@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 /// JSON schema of a [`Request`].
 pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
 
-/// A plan of many members, and the threads that compute them.
+/// Plan of many members, and the number of threads.
 ///
 /// ```
 /// use polhode_document::Report as _;
@@ -27,15 +27,16 @@ pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct Request {
-    /// The plan, a TOML file with a [sweep] and a [run] section.
+    /// Plan: a TOML file with a [sweep] and a [run] section.
     pub plan: PathBuf,
-    /// How many threads compute [default: all].
+    /// Number of threads [default: all].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "N"))]
     pub threads: Option<NonZeroUsize>,
 }
 
 impl Request {
-    /// Returns how many threads compute: as many as this machine has unless the user says it. No result depends on it.
+    /// Returns the number of threads: that of the machine, unless the user specifies one. Results
+    /// do not depend on it.
     pub fn threads(&self) -> usize {
         self.threads.or_else(|| available_parallelism().ok()).map_or(1, NonZeroUsize::get)
     }

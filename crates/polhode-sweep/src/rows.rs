@@ -1,7 +1,7 @@
-//! Rows of members: from their numbers to inputs, and from inputs to outcomes.
+//! Tables of members: inputs from member numbers, and outcomes from inputs.
 //!
-//! A row of outcomes is a function of the plan and of the row's own inputs. It knows no other row,
-//! no clock and no thread, so that a table can be cut and computed anywhere.
+//! A row of outcomes is a function of the plan and of the row's own inputs. It does not depend on
+//! other rows, on time or on threads. So a table can be split and computed anywhere.
 
 use std::ops::Range;
 
@@ -12,7 +12,8 @@ use crate::batch::{Batch, BatchError, Column, MEMBER, Values};
 use crate::outcome::{self, Outcome};
 use crate::plan::{Plan, Variable};
 
-/// The inputs of some members: `member`, and a column for each variable of the plan, in SI.
+/// Returns the inputs of some members: `member`, and one column per variable of the plan, in SI
+/// units.
 pub fn inputs(plan: &Plan, members: Range<u64>) -> Batch {
     let numbers: Vec<u64> = members.collect();
     let mut variables: Vec<Vec<f64>> = vec![Vec::with_capacity(numbers.len()); plan.variables().len()];
@@ -23,7 +24,8 @@ pub fn inputs(plan: &Plan, members: Range<u64>) -> Batch {
     }
     let columns = plan.variables().iter().zip(variables);
     let columns = columns.map(|(variable, values)| of_variable(variable, Values::Numbers(values)));
-    // A plan's variables have different names: this cannot fail, and an empty table would be seen at once.
+    // The variables of a plan have different names, so this cannot fail; an empty table would be
+    // noticed immediately.
     Batch::new(std::iter::once(Column::of_members(numbers)).chain(columns).collect()).unwrap_or_default()
 }
 
@@ -31,14 +33,15 @@ fn of_variable(variable: &Variable, values: Values) -> Column {
     Column::new([&variable.name, &variable.unit, &variable.description], values)
 }
 
-/// Adds outcomes to the rows of `inputs`: how each member ended, the kind of motion, periods, final
-/// state, extrema, events, cost.
+/// Adds outcomes to the rows of `inputs`: status, regime, periods, final state, extrema, events,
+/// cost.
 ///
-/// A member without a body or a motion, and one whose computation fails, is a row that says so in `status` and `cause`.
+/// A member without a body or a motion, or whose computation fails, is a row with `status` and
+/// `cause`.
 ///
 /// # Errors
-/// [`BatchError`] if the column `member` or a variable of the plan is missing or holds something
-/// else, or a variable has the name of an outcome.
+/// [`BatchError`] if the column `member` or a variable of the plan is missing or has values of the
+/// wrong kind, or if a variable has the name of an outcome.
 pub fn simulate(plan: &Plan, inputs: &Batch) -> Result<Batch, BatchError> {
     let members = Members::of(plan, inputs)?;
     let outcomes: Vec<Outcome> =
@@ -47,22 +50,22 @@ pub fn simulate(plan: &Plan, inputs: &Batch) -> Result<Batch, BatchError> {
     Batch::new(members.columns.into_iter().chain(outcomes).collect())
 }
 
-/// The motions of the members of `inputs`: a row for each of the sample times, as far as a motion goes.
+/// Returns the motions of the members of `inputs`: a row per sample time, until the motion ends.
 ///
 /// # Errors
-/// As [`simulate`].
+/// Same as [`simulate`].
 pub fn trajectories(plan: &Plan, inputs: &Batch) -> Result<Batch, BatchError> {
     let members = Members::of(plan, inputs)?;
     let samples = members.scenarios(plan).map(|scenario| scenario.ok().map(|s| outcome::samples(&s)));
     outcome::table(&members.numbers, samples.map(Option::unwrap_or_default))
 }
 
-/// The inputs of some members.
+/// Inputs of some members.
 struct Members {
-    /// `member` and the variables of the plan.
+    /// Column `member` and the variables of the plan.
     columns: Vec<Column>,
     numbers: Vec<u64>,
-    /// Row by row.
+    /// Values of the variables, row by row.
     values: Vec<Vec<f64>>,
 }
 

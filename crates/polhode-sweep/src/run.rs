@@ -1,4 +1,4 @@
-//! A request answered in memory.
+//! Execution of a request in memory.
 
 use polhode::body::Finding;
 use polhode_document::{Document, Report};
@@ -16,7 +16,7 @@ use crate::statistics;
 
 /// Computes all members of a plan, and their statistics.
 ///
-/// It keeps the rows in memory; a [`Dataset`](crate::Dataset) keeps them in a folder.
+/// The rows are kept in memory; a [`Dataset`](crate::Dataset) keeps them in a folder.
 ///
 /// # Errors
 /// [`Failure`] for a plan that cannot be read or has no times.
@@ -39,7 +39,7 @@ pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");
 /// Result of a [`Request`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Swept {
-    /// Statistics of the members.
+    /// Statistics over the members.
     pub summary: SweepSummary,
     /// Findings about the plan.
     pub findings: Vec<Finding>,

@@ -1,9 +1,9 @@
-//! What a summary says of each way of drawing members.
+//! Names of sampling methods, and the validity of their confidence intervals.
 
 use crate::plan::Sampling;
 use crate::report::SweepIntervals;
 
-/// Its name in files.
+/// Returns the name of a sampling method in files.
 pub(crate) const fn name(sampling: Sampling) -> &'static str {
     match sampling {
         Sampling::Grid => "grid",
@@ -13,7 +13,7 @@ pub(crate) const fn name(sampling: Sampling) -> &'static str {
     }
 }
 
-/// Whether there are intervals, or why there are none.
+/// Returns the kind of confidence intervals, or the reason why there are none.
 pub(crate) const fn intervals(sampling: Sampling, replicates: u64, confidence: f64) -> SweepIntervals {
     if replicates > 1 {
         return SweepIntervals::OfSets { confidence, sets: replicates };

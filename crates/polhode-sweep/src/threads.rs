@@ -1,4 +1,4 @@
-//! Parts of a sweep in threads.
+//! Processing of a sweep's parts in threads.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -6,9 +6,9 @@ use std::thread;
 
 use crate::error::SweepError;
 
-/// Does something with each part, in the order of their numbers; a thread has one part in hand at a time.
+/// Processes each part, in ascending order; a thread processes one part at a time.
 ///
-/// After an error, which is returned, and after `stop` only the parts in hand are finished.
+/// After an error, which is returned, and after `stop`, only the parts in progress are completed.
 pub(crate) fn each(
     parts: u64,
     threads: usize,
@@ -33,7 +33,7 @@ pub(crate) fn each(
     };
     thread::scope(|scope| {
         for _ in 1..threads.min(usize::try_from(parts).unwrap_or(usize::MAX)) {
-            // Where the system gives no more threads, those that there are do it all.
+            // If the system refuses more threads, the existing ones do all the work.
             if thread::Builder::new().spawn_scoped(scope, turn).is_err() {
                 break;
             }

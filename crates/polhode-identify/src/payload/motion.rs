@@ -1,6 +1,6 @@
 //! Newton–Euler equations about the sensor's origin.
 //!
-//! With s = a − g, h = m c and the tensor I about the origin,
+//! Define s = a − g, h = m c, and the tensor I about the origin. Then
 //!
 //! f = m s + α × h + ω × (ω × h),  τ = h × s + I α + ω × I ω
 //!

@@ -7,9 +7,9 @@
 //! dA/dt = −a A h₁ − β A² h₂,  a A h₁ = 2 a S/S′,  β A² h₂ = β Q/S′,  S = (1/2π) ∮ θ̇² dt,  Q =
 //! (1/2π) ∮ |θ̇|³ dt.
 //!
-//! For harmonic motion this is dA/dt = −a A − (4/3π) β ω A². Sources: P.-T. Lin, Y.-S. Bao, for the
-//! law dA/dt = −a A − b A²; N. N. Bogoliubov, Y. A. Mitropolsky, Asymptotic Methods in the Theory
-//! of Non-linear Oscillations, for the averages.
+//! Harmonic motion has dA/dt = −a A − (4/3π) β ω A². Sources: P.-T. Lin, Y.-S. Bao, for the law
+//! dA/dt = −a A − b A²; N. N. Bogoliubov, Y. A. Mitropolsky, Asymptotic Methods in the Theory of
+//! Non-linear Oscillations, for the averages.
 
 use core::f64::consts::PI;
 
@@ -291,7 +291,7 @@ fn mean_powers(
     for (k, c) in all.iter().enumerate() {
         s = s.plus(&c.times(c).scaled((k * k) as f64));
     }
-    // Q = (ω²/π) ∫0^π |Σ k c_k sin kφ|³ dφ by Simpson's rule; the integrand has triple zeros at
+    // `Q = (ω²/π) ∫0^π |Σ k c_k sin kφ|³ dφ` by Simpson's rule; the integrand has triple zeros at
     // both ends.
     let mut q = Gradient::constant(0.0, found);
     const PARTS: usize = 96;

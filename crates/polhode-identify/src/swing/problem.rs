@@ -305,8 +305,8 @@ impl Target<'_> {
         Ok(())
     }
 
-    /// Returns θ = Σ c_k cos kφ, or its rate −ω Σ k c_k sin kφ, plus the effect of damping on the
-    /// shape.
+    /// Returns `θ = Σ c_k cos kφ`, or its rate `−ω Σ k c_k sin kφ`, plus the effect of damping on
+    /// the shape.
     fn signal(&self, signal: Signal, here: &Point, phase: f64, decay: Decay) -> Predicted {
         let at = self.family.at(here.amplitude);
         let phase = phase + here.other;

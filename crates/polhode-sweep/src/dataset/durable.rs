@@ -1,13 +1,13 @@
-//! Files that are there whole or not at all, whatever happens, power cuts included.
+//! Atomic and durable files: complete or absent, even after a power failure.
 
 use std::fs::{self, File};
 use std::io;
 use std::path::Path;
 
-/// How the names of files in the making end.
+/// Suffix of incomplete files.
 pub(super) const PARTIAL: &str = ".partial";
 
-/// Writes a file beside its place, waits until it is on the disk, and moves it there.
+/// Writes a temporary file next to the path, waits until it is on disk, and renames it.
 pub(super) fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut name = path.as_os_str().to_owned();
     name.push(PARTIAL);
@@ -23,19 +23,19 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     path.parent().map_or(Ok(()), sync_folder)
 }
 
-/// Waits until the names in a folder are on the disk.
+/// Waits until the names in a folder are on disk.
 #[cfg(unix)]
 pub(super) fn sync_folder(folder: &Path) -> io::Result<()> {
     File::open(folder)?.sync_all()
 }
 
-/// Elsewhere a folder cannot be waited for.
+/// Does nothing: other systems have no such operation for folders.
 #[cfg(not(unix))]
 pub(super) fn sync_folder(_: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Removes a file if it is there.
+/// Removes a file if it exists.
 pub(super) fn remove(path: &Path) -> io::Result<()> {
     match fs::remove_file(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),

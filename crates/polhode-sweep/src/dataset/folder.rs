@@ -1,6 +1,7 @@
-//! The folder of a sweep: which files it can hold, and who may write to it.
+//! Folder of a sweep: its possible files, and exclusive access for one writer.
 //!
-//! A writer holds a lock on `sweep.lock` as long as it lives: the system lets go of it when the process ends, however it ends.
+//! A writer holds a lock on `sweep.lock`. The system releases it when the process ends for any
+//! reason.
 
 use std::fs::{self, File, TryLockError};
 use std::io;
@@ -9,24 +10,24 @@ use std::path::{Path, PathBuf};
 use super::durable::{self, PARTIAL};
 use crate::error::SweepError;
 
-/// What was asked for; made last when a sweep begins.
+/// File with the request; written last when a sweep begins.
 pub(super) const MANIFEST: &str = "sweep.json";
-/// A copy of the plan.
+/// Copy of the plan.
 pub(super) const PLAN: &str = "plan.toml";
-/// What was found, made last when a sweep ends.
+/// File with the summary; written last when a sweep ends.
 pub(super) const SUMMARY: &str = "summary.json";
-/// Pictures of what was found.
+/// Figures of the results.
 pub(super) const HISTOGRAMS: &str = "histograms.svg";
 pub(super) const PAIRS: &str = "pairs.svg";
 pub(super) const QUESTIONS: &str = "questions.svg";
 const LOCK: &str = "sweep.lock";
-/// Folders of parts.
+/// Names of the folders with parts.
 pub(super) const MEMBERS: &str = "members";
 pub(super) const TRAJECTORIES: &str = "trajectories";
 
 const FILES: [&str; 7] = [MANIFEST, PLAN, SUMMARY, HISTOGRAMS, PAIRS, QUESTIONS, LOCK];
 
-/// A folder that no other sweep writes to while this lives.
+/// Folder locked against other writers.
 #[derive(Debug)]
 pub(super) struct Folder {
     path: PathBuf,
@@ -34,7 +35,7 @@ pub(super) struct Folder {
 }
 
 impl Folder {
-    /// A new folder.
+    /// Creates a new folder.
     pub(super) fn create(path: &Path) -> Result<Self, SweepError> {
         if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
             fs::create_dir_all(parent).map_err(SweepError::writing(parent))?;
@@ -49,13 +50,13 @@ impl Folder {
         Self::lock(path)
     }
 
-    /// A folder that is there, if it holds nothing but a sweep, or the beginning of one.
+    /// Opens an existing folder that contains only a sweep, or the beginning of one.
     pub(super) fn open(path: &Path) -> Result<Self, SweepError> {
         Self::require_sweep(path)?;
         Self::lock(path)
     }
 
-    /// Refuses what is no folder, or holds something else than a sweep.
+    /// Returns an error unless the path is a folder that contains only a sweep.
     fn require_sweep(path: &Path) -> Result<(), SweepError> {
         let strange = |why: String| SweepError::NotASweep { folder: path.to_owned(), why };
         if !fs::symlink_metadata(path).map_err(SweepError::reading(path))?.is_dir() {
@@ -78,23 +79,23 @@ impl Folder {
         }
     }
 
-    /// The place of a file.
+    /// Returns the path of a file in the folder.
     pub(super) fn join(&self, name: &str) -> PathBuf {
         self.path.join(name)
     }
 
-    /// Where it is.
+    /// Returns the path of the folder.
     pub(super) fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Writes a file, durably.
+    /// Writes a file durably.
     pub(super) fn write(&self, name: &str, bytes: &[u8]) -> Result<(), SweepError> {
         let path = self.join(name);
         durable::write(&path, bytes).map_err(SweepError::writing(&path))
     }
 
-    /// Makes a folder inside, durably.
+    /// Creates a subfolder durably.
     pub(super) fn make(&self, name: &str) -> Result<(), SweepError> {
         let path = self.join(name);
         let made = match fs::create_dir(&path) {
@@ -105,7 +106,8 @@ impl Folder {
         made.map_err(SweepError::writing(&path))
     }
 
-    /// Removes everything of a sweep but the lock, the manifest first: without it the rest counts for nothing.
+    /// Removes all files of a sweep except the lock. The manifest is removed first, because without
+    /// it the other files are ignored.
     pub(super) fn clear(&self) -> Result<(), SweepError> {
         let remove = |path: &Path| durable::remove(path).map_err(SweepError::writing(path));
         for name in FILES.into_iter().filter(|name| *name != LOCK) {
@@ -130,7 +132,7 @@ impl Folder {
         Ok(())
     }
 
-    /// Removes what writers that were killed left half made.
+    /// Removes incomplete files of writers that were killed.
     pub(super) fn sweep_out(&self) -> Result<(), SweepError> {
         for folder in [self.path.clone(), self.join(MEMBERS), self.join(TRAJECTORIES)] {
             for path in files(&folder).map_err(SweepError::reading(&folder))? {
@@ -143,18 +145,18 @@ impl Folder {
     }
 }
 
-/// The name of a part's file.
+/// Returns the file name of a part.
 pub(super) fn part_name(part: u64) -> String {
     format!("part-{part:05}.parquet")
 }
 
-/// The number of a part, from the name of its file.
+/// Returns the number of a part from its file name.
 fn part_number(name: &str) -> Option<u64> {
     let number = name.strip_prefix("part-")?.strip_suffix(".parquet")?.parse().ok()?;
     (part_name(number) == name).then_some(number)
 }
 
-/// The files in a folder, in order; none if it is not there.
+/// Returns the files in a folder, sorted; empty if the folder does not exist.
 fn files(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let entries = match fs::read_dir(folder) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
@@ -171,7 +173,7 @@ fn files(folder: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(paths)
 }
 
-/// Something in a folder that no sweep makes.
+/// Returns an entry of a folder that does not belong to a sweep.
 fn foreign_file(path: &Path) -> io::Result<Option<String>> {
     for entry in fs::read_dir(path)? {
         let entry = entry?;

@@ -1,4 +1,4 @@
-//! `sweep.json`: what was asked for.
+//! Manifest `sweep.json`: the request and its division into parts.
 
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use crate::outcome::is_stepped;
 use crate::plan::Plan;
 use crate::sampling;
 
-/// What was asked for, and how it is divided.
+/// Description of the request, and its division into parts.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Manifest {
     digest: String,
@@ -22,7 +22,7 @@ pub(crate) struct Manifest {
 }
 
 impl Manifest {
-    /// That of a plan.
+    /// Returns the manifest of a plan.
     pub(crate) fn of(plan: &Plan) -> Result<Self, SweepError> {
         let nominal = plan.nominal();
         let samples = nominal.run().ok_or(SweepError::NoRun)?.times.len();
@@ -51,7 +51,7 @@ impl Manifest {
         })
     }
 
-    /// What differs in a manifest that was written: `None` if nothing does. It is one that can be read.
+    /// Returns the difference to a manifest that was written and parsed; `None` if they are equal.
     pub(super) fn difference(&self, written: &Value) -> Option<String> {
         if *written == self.to_json() {
             return None;
@@ -68,12 +68,12 @@ impl Manifest {
         Some("its plan.toml, or a file that the plan names, is not the same".to_owned())
     }
 
-    /// How many parts there are.
+    /// Returns the number of parts.
     pub(crate) const fn parts(&self) -> u64 {
         self.members.div_ceil(self.rows_per_part)
     }
 
-    /// The members of a part; none if there is no such part.
+    /// Returns the members of a part; empty if there is no such part.
     pub(crate) fn rows(&self, part: u64) -> Range<u64> {
         let first = part.saturating_mul(self.rows_per_part).min(self.members);
         first..first.saturating_add(self.rows_per_part).min(self.members)
@@ -87,7 +87,7 @@ impl Manifest {
         self.trajectories
     }
 
-    /// What every part says about itself.
+    /// Returns the metadata of a part's file.
     pub(super) fn part_metadata(&self, part: u64) -> Vec<(String, String)> {
         let seed = self.seed.map(|seed| ("polhode.seed".to_owned(), seed.to_string()));
         let own = [
@@ -98,14 +98,16 @@ impl Manifest {
     }
 }
 
-/// How many members a part has: by the plan alone, so that files do not depend on who computes them.
+/// Returns the number of members per part. It depends on the plan alone, so that files do not
+/// depend on the machine.
 ///
-/// A part is what a killed sweep loses and what a thread does at a time: small enough for either, and not so small that a folder is
-/// full of crumbs. Motions in closed form take microseconds, those in steps take milliseconds.
+/// A part is the unit of work of a thread, and the loss if a sweep is killed. Parts are small
+/// enough for both, and large enough to keep the number of files low. Closed-form motions take
+/// microseconds, integrated ones milliseconds.
 fn rows_per_part(members: u64, stepped: bool, samples: usize) -> u64 {
-    /// Of trajectories, what fits well into memory.
+    /// Maximum number of samples in a part with trajectories, limited by memory.
     const MOST_SAMPLES: u64 = 1 << 20;
-    /// Parts of an ordinary sweep.
+    /// Number of parts of an ordinary sweep.
     const PARTS: u64 = 64;
     let [least, most] = if stepped { [8, 4096] } else { [512, 1 << 16] };
     let even = members.div_ceil(PARTS).next_power_of_two().clamp(least, most);

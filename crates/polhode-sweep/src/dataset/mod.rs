@@ -1,4 +1,4 @@
-//! The results of a sweep in a folder.
+//! Storage of a sweep's results in a folder.
 //!
 //! ```text
 //! DIR/sweep.json                        what was asked for; a folder without it is one in which nothing has begun
@@ -8,9 +8,10 @@
 //! DIR/summary.json, histograms.svg, pairs.svg, questions.svg   when all parts are there
 //! ```
 //!
-//! Which members a part has follows from the plan alone, a part is a pure function of the plan and its number, and its file
-//! appears whole or not at all. So the parts that are there are the checkpoint: whatever happens to the processes that make
-//! them, and wherever they run, what is missing is made, and the folder ends with the same bytes.
+//! The division into parts follows from the plan alone. A part is a pure function of the plan and
+//! its number, and its file is written atomically. So the existing parts are the checkpoint: after
+//! any interruption, and on any machine, only missing parts are computed. The final folder is
+//! identical byte for byte.
 
 mod durable;
 mod folder;
@@ -39,7 +40,7 @@ use folder::{
 
 pub(crate) use manifest::Manifest;
 
-/// The results of a sweep in a folder, which nobody else writes to while this lives.
+/// Results of a sweep in a folder, locked against other writers.
 ///
 /// ```
 /// use polhode_source::files::Disk;
@@ -77,14 +78,14 @@ pub struct Dataset {
     manifest: Manifest,
 }
 
-/// How a run of a sweep went.
+/// Progress of a sweep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
-    /// Members that are there, those of earlier runs included.
+    /// Number of finished members, including those of earlier runs.
     pub done: u64,
-    /// Members of the sweep.
+    /// Number of all members of the sweep.
     pub members: u64,
-    /// Parts that were there, but damaged or of something else, and were computed anew.
+    /// Number of existing parts that were damaged or foreign, and were computed again.
     pub remade: u64,
 }
 
@@ -98,12 +99,14 @@ impl Dataset {
         begun(Folder::create(folder)?, manifest, plan)
     }
 
-    /// Goes on with a sweep, or begins it if there is none.
+    /// Continues a sweep, or begins it if there is none.
     ///
     /// # Errors
-    /// [`SweepError::Changed`] for results of another plan, [`SweepError::Damaged`] where the copy of the plan or the manifest is not as
-    /// it was written, [`SweepError::InUse`] while somebody else writes,
-    /// [`SweepError::NotASweep`] for a folder of something else; else as [`Dataset::create`].
+    /// - [`SweepError::Changed`] for results of another plan
+    /// - [`SweepError::Damaged`] if the copy of the plan or the manifest was modified
+    /// - [`SweepError::InUse`] while another process writes
+    /// - [`SweepError::NotASweep`] for a folder with other content
+    /// - otherwise the same as [`Dataset::create`]
     pub fn resume(folder: &Path, plan: &Plan) -> Result<Self, SweepError> {
         let manifest = Manifest::of(plan)?;
         if is_missing(folder)? {
@@ -122,7 +125,7 @@ impl Dataset {
         if let Some(what) = manifest.difference(&value) {
             return Err(SweepError::Changed { folder: folder.path().to_owned(), what });
         }
-        // It was written whole, and before everything else.
+        // It was written completely, before all other files.
         if written != manifest.to_text().as_bytes() {
             return Err(SweepError::Damaged { path, why: "it is not as polhode wrote it" });
         }
@@ -131,35 +134,36 @@ impl Dataset {
         Ok(Self { folder, manifest })
     }
 
-    /// Throws the results of an earlier sweep away, if there are any, and begins.
+    /// Discards the results of an earlier sweep, if any, and begins.
     ///
     /// # Errors
-    /// As [`Dataset::resume`], but for [`SweepError::Changed`].
+    /// Same as [`Dataset::resume`], except [`SweepError::Changed`].
     pub fn replace(folder: &Path, plan: &Plan) -> Result<Self, SweepError> {
         let manifest = Manifest::of(plan)?;
         let folder = if is_missing(folder)? { Folder::create(folder)? } else { Folder::open(folder)? };
         begun(folder, manifest, plan)
     }
 
-    /// How many parts there are.
+    /// Returns the number of parts.
     pub const fn parts(&self) -> u64 {
         self.manifest.parts()
     }
 
-    /// The members of a part; none if there is no such part.
+    /// Returns the members of a part; empty if there is no such part.
     pub fn rows(&self, part: u64) -> Range<u64> {
         self.manifest.rows(part)
     }
 
-    /// True if the plan wants trajectories, so that [`Dataset::write_trajectories`] is due too.
+    /// Returns true if the plan requests trajectories, so that [`Dataset::write_trajectories`] is
+    /// needed too.
     pub const fn wants_trajectories(&self) -> bool {
         self.manifest.trajectories()
     }
 
-    /// The parts that are not there, or are damaged, ascending.
+    /// Returns the parts that are missing or damaged, ascending.
     ///
     /// # Errors
-    /// [`SweepError::Read`]
+    /// [`SweepError::Read`] if a file cannot be read.
     pub fn missing(&self) -> Result<Vec<u64>, SweepError> {
         let mut missing = Vec::new();
         for part in 0..self.parts() {
@@ -170,11 +174,11 @@ impl Dataset {
         Ok(missing)
     }
 
-    /// Keeps the rows of a part, as [`simulate`](crate::simulate) gives them, durably. Trajectories, if the plan wants them, are
-    /// written before.
+    /// Stores the rows of a part, as returned by [`simulate`](crate::simulate), durably.
+    /// Trajectories, if requested, must be written before.
     ///
     /// # Errors
-    /// [`SweepError::Rows`] if they are others, [`SweepError::Write`].
+    /// [`SweepError::Rows`] if they are not the rows of this part, [`SweepError::Write`].
     pub fn write(&self, part: u64, rows: &Batch) -> Result<(), SweepError> {
         let expected = self.rows(part);
         let Values::Whole(members) = &rows.column("member")?.values else {
@@ -187,21 +191,22 @@ impl Dataset {
         self.keep(MEMBERS, part, rows)
     }
 
-    /// Keeps the trajectories of a part, as [`trajectories`](crate::trajectories) gives them, durably.
+    /// Stores the trajectories of a part, as returned by [`trajectories`](crate::trajectories),
+    /// durably.
     ///
     /// # Errors
-    /// [`SweepError::Write`]
+    /// [`SweepError::Write`] if the file cannot be written.
     pub fn write_trajectories(&self, part: u64, rows: &Batch) -> Result<(), SweepError> {
         self.keep(TRAJECTORIES, part, rows)
     }
 
-    /// Computes what is missing, in threads of this process; `stop` ends it after the parts in hand. `progress` is told after each
-    /// part how far it is.
+    /// Computes the missing parts in threads of this process. After `stop` only the parts in
+    /// progress are completed. `progress` is called after each part.
     ///
     /// The files do not depend on the number of threads.
     ///
     /// # Errors
-    /// The first that a thread met.
+    /// The first error in any thread.
     pub fn compute(
         &self,
         plan: &Plan,
@@ -222,10 +227,11 @@ impl Dataset {
         Ok(Progress { done: done.into_inner(), members, remade: remade.into_inner() })
     }
 
-    /// Reads all parts, and writes what they come to: the summary and its pictures. [`Dataset::missing`] has nothing left to say.
+    /// Reads all parts, and writes the summary and the figures. All parts must exist.
     ///
     /// # Errors
-    /// [`SweepError::Incomplete`] if a part is not there; [`SweepError::Read`], [`SweepError::Write`].
+    /// [`SweepError::Incomplete`] if a part is missing; [`SweepError::Read`],
+    /// [`SweepError::Write`].
     pub fn finish(&self, plan: &Plan, threads: usize) -> Result<SweepSummary, SweepError> {
         let (summary, sample) = statistics::of(plan, self.parts(), threads, &|part| self.read(part))?;
         let figures = SweepFigures::new(&summary, &sample);
@@ -238,7 +244,7 @@ impl Dataset {
         Ok(summary)
     }
 
-    /// Makes a part, unless it is there; true if it was, and is not to be trusted.
+    /// Computes a part unless it exists. Returns true if a damaged or foreign file was replaced.
     fn make(&self, plan: &Plan, part: u64) -> Result<bool, SweepError> {
         if self.is_whole(part)? {
             return Ok(false);
@@ -252,14 +258,14 @@ impl Dataset {
         Ok(was_damaged)
     }
 
-    /// The rows of a part, which has to be there.
+    /// Reads the rows of a part, which must exist.
     fn read(&self, part: u64) -> Result<Batch, SweepError> {
         let path = self.place(MEMBERS, part);
         let rows = parquet::load(&path, &self.manifest.part_metadata(part));
         rows.map_err(SweepError::reading(&path))?.ok_or(SweepError::Incomplete { part })
     }
 
-    /// True if a part is there with all that belongs to it.
+    /// Returns true if all files of a part exist and are valid.
     fn is_whole(&self, part: u64) -> Result<bool, SweepError> {
         let is_whole = |kind: &str| {
             let path = self.place(kind, part);
@@ -279,7 +285,7 @@ impl Dataset {
     }
 }
 
-/// A folder in which a sweep has begun: the manifest comes last.
+/// Begins a sweep in a folder; the manifest is written last.
 fn begun(folder: Folder, manifest: Manifest, plan: &Plan) -> Result<Dataset, SweepError> {
     folder.clear()?;
     folder.write(PLAN, plan.text().as_bytes())?;
@@ -291,7 +297,8 @@ fn begun(folder: Folder, manifest: Manifest, plan: &Plan) -> Result<Dataset, Swe
     Ok(Dataset { folder, manifest })
 }
 
-/// Refuses to go on where the copy of the plan is not the plan: whoever reads the results would trust it.
+/// Returns an error if the copy of the plan differs from the plan, because readers of the results
+/// rely on it.
 fn require_copy(folder: &Folder, plan: &Plan) -> Result<(), SweepError> {
     let path = folder.join(PLAN);
     match fs::read(&path) {

@@ -1,4 +1,4 @@
-//! What the questions of a sweep are about: who says yes, and how the share settles.
+//! Figures for the questions of a sweep: answers against inputs, and convergence of the share.
 
 use polhode_document::Picture;
 use polhode_document::figure::axes::{Area, Axes, Axis};
@@ -10,14 +10,16 @@ use polhode_document::number::number;
 use super::{Shown, SweepFigures, axis_of};
 use crate::report::SweepQuestion;
 
-/// Questions that are shown.
+/// Maximum number of questions shown.
 const MOST: usize = 8;
-/// Of members that fulfil the condition, and that do not.
+/// Name and colour of members that do not fulfil the condition, and of those that do.
 const ANSWERS: [(bool, &str, Colour); 2] = [(false, "no", Colour::AXES[0]), (true, "yes", Colour::AXES[1])];
 
 impl SweepFigures<'_> {
-    /// Two panels for each question: the outcome that it is about over the input that decides most, and the share of members that
-    /// fulfil it for ever more members. `None` without questions.
+    /// Draws two panels for each question; `None` without questions.
+    ///
+    /// The first panel shows the condition's outcome against the most decisive input. The second
+    /// shows the share that fulfils the condition against the number of members.
     pub fn questions(&self) -> Option<Picture> {
         let questions: Vec<_> = self.summary.questions.iter().take(MOST).collect();
         if questions.is_empty() {
@@ -34,7 +36,7 @@ impl SweepFigures<'_> {
         }))
     }
 
-    /// The outcome over the input, each member in the colour of its answer.
+    /// Draws the outcome against the input, each member in the colour of its answer.
     fn deciding(&self, sheet: &mut Sheet, area: Area, k: usize, question: &SweepQuestion) {
         let Some(answers) = self.sample.answers.get(k) else { return };
         let keys = ANSWERS.map(|(_, name, colour)| Key::dot(Pen::solid(colour, 5.0), name));
@@ -65,8 +67,8 @@ impl SweepFigures<'_> {
         }
     }
 
-    /// The input by which those who say yes differ most from the others: by their means, or by how far they are from the mean of all, over
-    /// the standard deviation.
+    /// Returns the most decisive input. It has the largest difference between both answers, either
+    /// of the means or of the mean distances from the overall mean, in standard deviations.
     fn input(&self, answers: &[Option<bool>]) -> Option<(String, Shown)> {
         let difference = |name: &String| -> Option<f64> {
             let k = self.sample.names.iter().position(|other| other == name)?;
@@ -88,7 +90,7 @@ impl SweepFigures<'_> {
         Some((name.clone(), self.shown(name)?))
     }
 
-    /// The first outcome that stands in a condition and varies.
+    /// Returns the first outcome in a condition that varies.
     fn outcome(&self, condition: &str) -> Option<(String, Shown)> {
         let words = condition.split(|c: char| !c.is_alphanumeric() && c != '_');
         let is_outcome = |word: &&str| !self.sample.inputs.iter().any(|input| input == word);
@@ -97,7 +99,7 @@ impl SweepFigures<'_> {
     }
 }
 
-/// The share among the first members, in %, with its interval.
+/// Draws the share among the first members, in %, with its interval.
 fn settling(sheet: &mut Sheet, area: Area, question: &SweepQuestion) {
     let percent = |x: f64| 100.0 * x;
     let share = question.share.map_or_else(String::new, |share| match question.interval {
@@ -110,7 +112,8 @@ fn settling(sheet: &mut Sheet, area: Area, question: &SweepQuestion) {
     let area = area.below(heading(sheet, area, &printable(&question.name), &share, &[]));
     let steps = &question.convergence;
     let (Some(first), Some(last)) = (steps.first(), steps.last()) else { return };
-    // The first stretches hold few members: what is shown is where the second half of them lies, and the last interval.
+    // The first stretches contain few members. The axis covers the range without the first eighth,
+    // and the final interval.
     let settled = steps.iter().skip(steps.len() / 8);
     let ends = settled.flat_map(|step| step.interval.unwrap_or([step.share; 2]));
     let ends = ends.chain(question.interval.into_iter().flatten());
@@ -140,7 +143,7 @@ fn settling(sheet: &mut Sheet, area: Area, question: &SweepQuestion) {
             opacity: 1.0,
         });
     } else if let Some([low, high]) = question.interval {
-        // That of sets holds for all members only.
+        // Intervals from sets hold for all members only.
         let dashed = Pen::solid(Colour::AXES[0], 1.0).dashed(&[3.0, 2.5]);
         for end in [low, high] {
             sheet.line(vec![at(first.members, end), at(last.members, end)], dashed);

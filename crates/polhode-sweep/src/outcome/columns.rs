@@ -1,14 +1,14 @@
-//! The columns of outcomes: what each is called, its unit, what it is.
+//! Columns of outcomes: names, units, descriptions.
 
 use polhode::motion::{Event, Scenario};
 
 use super::member::{Outcome, Pointed, Status};
 use crate::batch::{Column, Values};
 
-/// A column of numbers: its name, its unit, what it is, and its value.
+/// Column of numbers: name, unit, description, and function that returns the value.
 type Number = (&'static str, &'static str, &'static str, fn(&Outcome) -> Option<f64>);
 
-/// A table of outcomes of a plan of this scenario.
+/// Returns the columns of outcomes for a plan with this scenario.
 pub(crate) fn of(nominal: &Scenario, outcomes: &[Outcome]) -> Vec<Column> {
     let events = nominal.events();
     let text = |name: &str, description: &str, value: fn(&Outcome) -> Option<String>| {
@@ -119,7 +119,8 @@ const AXIS_1: &str =
 const AXIS_3: &str =
     "between L and the principal axis of the greatest moment; free motion: of all time, else of the samples";
 
-/// How the columns of each event begin: its name in letters, digits and `_`, or its number where two would be alike.
+/// Returns the column prefix of each event: its name in letters, digits and `_`, with its number if
+/// names coincide.
 fn stems(events: &[Event]) -> Vec<String> {
     let plain = |event: &Event| {
         let letters = event.name().chars().map(|c| if c.is_alphanumeric() { c } else { '_' });

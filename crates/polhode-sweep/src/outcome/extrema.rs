@@ -1,29 +1,29 @@
-//! The extrema of a motion.
+//! Extrema of a motion.
 
 use polhode::body::Symmetry;
 use polhode::math::{AngularMomentum, Body, Direction};
 use polhode::motion::{Rotor, Sample, Solution, Trajectory};
 use polhode::observe::Drift;
 
-/// The extrema of a motion: of a free one over all time, of any other over its samples.
+/// Extrema of a motion: over all time for free motion, over the samples otherwise.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Extrema {
-    /// |ω|, rad/s
+    /// Smallest and largest |ω|, rad/s.
     pub(super) omega: Option<[f64; 2]>,
-    /// The angle between L and the principal axis of the least moment, rad.
+    /// Smallest and largest angle between L and the principal axis of the least moment, rad.
     pub(super) from_least: Option<[f64; 2]>,
-    /// And of the greatest.
+    /// Smallest and largest angle between L and the principal axis of the greatest moment, rad.
     pub(super) from_greatest: Option<[f64; 2]>,
-    /// The largest |N|, N·m.
+    /// Largest |N|, N·m.
     pub(super) torque: Option<f64>,
-    /// As [`Drift::work_energy`].
+    /// Work–energy error, as in [`Drift::work_energy`].
     pub(super) energy_drift: Option<f64>,
-    /// As [`Drift::momentum`].
+    /// Momentum error, as in [`Drift::momentum`].
     pub(super) momentum_drift: Option<f64>,
 }
 
 impl Extrema {
-    /// Over the start and the samples of a trajectory.
+    /// Computes the extrema over the start and the samples of a trajectory.
     pub(super) fn of(rotor: &Rotor, trajectory: &Trajectory, drift: Option<Drift>) -> Self {
         let samples = || std::iter::once(trajectory.start()).chain(trajectory.samples());
         let principal = rotor.principal();
@@ -45,18 +45,18 @@ impl Extrema {
     }
 }
 
-/// The angle between an axis and L, rad; `None` if L is zero.
+/// Returns the angle between an axis and L, rad; `None` if L is zero.
 pub(super) fn angle(axis: Direction<Body>, momentum: AngularMomentum<Body>) -> Option<f64> {
     (momentum != AngularMomentum::ZERO).then(|| axis.angle_to(momentum))
 }
 
-/// The least and the largest; `None` of nothing, and where one is not a number.
+/// Returns the smallest and largest value; `None` if empty, or if one is not finite.
 fn range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
     let ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)]);
     ends.iter().all(|x| x.is_finite()).then_some(ends)
 }
 
-/// True if the tensor says where this extreme axis is.
+/// Returns true if the tensor determines this extreme axis.
 pub(super) const fn is_determined(symmetry: Symmetry, axis: usize) -> bool {
     match symmetry {
         Symmetry::Asymmetric => true,

@@ -1,19 +1,19 @@
-//! A free motion, of which everything is known in closed form: no samples are needed.
+//! Outcomes of free motion in closed form, without samples.
 
 use polhode::motion::{FreeMotion, Method, Regime, Rotor, Scenario};
 
 use super::extrema::{Extrema, angle, is_determined};
 use super::instant::Instant;
 
-/// What becomes of a free motion.
+/// Outcomes of a free motion.
 pub(super) struct Found {
     pub(super) start: Instant,
     pub(super) end: Instant,
     pub(super) extrema: Extrema,
 }
 
-/// The free motion of a scenario and the time that it ends at, if nothing but its inertia moves it and nothing has to be looked
-/// out for on the way.
+/// Returns the free motion of a scenario and its end time, s. `None` if torques act, or if events
+/// or pointings need samples.
 pub(super) fn motion(scenario: &Scenario, rotor: &Rotor) -> Option<(FreeMotion, f64)> {
     let run = scenario.run()?;
     let end = run.times.last().copied().filter(|end| end.is_finite())?;
@@ -25,7 +25,7 @@ pub(super) fn motion(scenario: &Scenario, rotor: &Rotor) -> Option<(FreeMotion, 
     FreeMotion::of(rotor, scenario.start()).ok().map(|motion| (motion, end))
 }
 
-/// Its ends and its extrema; `None` where energy or momentum leave the range of f64.
+/// Returns the start, end and extrema; `None` if energy or momentum overflow.
 pub(super) fn outcome(motion: &FreeMotion, end: f64) -> Option<Found> {
     let (start, last) = (motion.start(), motion.at(end));
     let [l0, l1] = [start, last].map(|state| state.attitude * motion.angular_momentum(&state));
@@ -54,7 +54,8 @@ pub(super) fn outcome(motion: &FreeMotion, end: f64) -> Option<Found> {
     Some(Found { start: first, end: last, extrema })
 }
 
-/// |ω|² = a1² cn² + a2² sn² + a3² dn² is a linear function of sn², so that its ends are at sn = 0 and sn = 1.
+/// Returns the extrema of |ω|. |ω|² = a1² cn² + a2² sn² + a3² dn² is linear in sn², so they are at
+/// sn = 0 and sn = 1.
 fn omega(motion: &FreeMotion) -> [f64; 2] {
     if let Regime::Permanent(_) | Regime::AtRest = motion.regime() {
         return [motion.start().omega.norm(); 2];
@@ -64,8 +65,8 @@ fn omega(motion: &FreeMotion) -> [f64; 2] {
     [at_0.min(at_1), at_0.max(at_1)]
 }
 
-/// The least and the largest angle between L and a principal axis, 0 or 2; `None` if the body does not determine the axis, or
-/// there is no L.
+/// Returns the smallest and largest angle between L and principal axis 0 or 2, rad. `None` if the
+/// tensor does not determine the axis, or L is zero.
 fn angles(motion: &FreeMotion, axis: usize) -> Option<[f64; 2]> {
     use std::f64::consts::{FRAC_PI_2, PI};
     let principal = motion.principal();
@@ -81,7 +82,7 @@ fn angles(motion: &FreeMotion, axis: usize) -> Option<[f64; 2]> {
         let [least, most] = motion.nutation_range();
         return Some(if at_start > FRAC_PI_2 { [PI - most, PI - least] } else { [least, most] });
     }
-    // L along the other extreme axis is i1 a1 cn, and swings between both ends.
+    // L along the other extreme axis is i1 a1 cn, which oscillates between ± its amplitude.
     let ([i1, ..], [a1, ..]) = (motion.labelled_moments(), motion.amplitudes());
     let swing = libm::asin((i1 * a1 / momentum.norm()).min(1.0));
     Some([FRAC_PI_2 - swing, FRAC_PI_2 + swing])

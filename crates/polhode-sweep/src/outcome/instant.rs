@@ -1,13 +1,13 @@
-//! A motion at one time.
+//! Motion at one time.
 
 use polhode::motion::State;
 
-/// A motion at one time.
+/// Motion at one time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Instant {
     pub(super) state: State,
-    /// J
+    /// Rotational kinetic energy, J.
     pub(super) kinetic_energy: f64,
-    /// |L|, kg·m²/s
+    /// Angular momentum |L|, kg·m²/s.
     pub(super) momentum: f64,
 }

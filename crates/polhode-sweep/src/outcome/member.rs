@@ -1,4 +1,4 @@
-//! What becomes of one member.
+//! Outcome of one member.
 
 use polhode::motion::{
     Ending, ErrorEffort, Event, FreeMotion, GlobalError, Mechanism, MotionError, Pointing, Regime, Rotor,
@@ -12,57 +12,57 @@ use super::extrema::Extrema;
 use super::free;
 use super::instant::Instant;
 
-/// What becomes of one member. What it does not have, or did not come to, is `None`.
+/// Outcome of one member. Quantities that do not exist or were not reached are `None`.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Outcome {
     pub(super) status: Status,
     pub(super) cause: Option<String>,
-    /// kg
+    /// Mass, kg.
     pub(super) mass: Option<f64>,
-    /// About the point that the body turns about, kg·m².
+    /// Principal moments about the point of rotation, kg·m².
     pub(super) moments: Option<[f64; 3]>,
     pub(super) regime: Option<Regime>,
     pub(super) end_regime: Option<Regime>,
-    /// Of a free motion.
+    /// Periods, for free motion.
     pub(super) free: Option<FreePeriods>,
     pub(super) start: Option<Instant>,
     pub(super) end: Option<Instant>,
     pub(super) extrema: Option<Extrema>,
-    /// Estimated, of the end.
+    /// Estimated error of the final state.
     pub(super) error: Option<StateError>,
-    /// One for each event of the scenario.
+    /// Occurrences of each event of the scenario.
     pub(super) events: Vec<Happened>,
     pub(super) steps: Option<StepStatistics>,
-    /// One for each pointing of the scenario.
+    /// Angles of each pointing of the scenario.
     pub(super) pointings: Vec<Pointed>,
 }
 
-/// How the motion of a member ended.
+/// Status of a member's motion at its end.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) enum Status {
     Complete,
-    /// By the event of this name, or by a change of the contact with the ground.
+    /// Stopped by the event with this name, or by a change of the contact with the ground.
     Stopped(String),
     #[default]
     Failed,
 }
 
-/// The periods of a free motion, s, and what else its regime has.
+/// Periods of a free motion, s, and its regime.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FreePeriods {
     pub(super) regime: FreeRegime,
     pub(super) periods: Periods,
 }
 
-/// When an event happened.
+/// Occurrences of an event.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Happened {
     pub(super) count: u32,
-    /// s
+    /// Time of the first occurrence, s.
     pub(super) first: Option<f64>,
 }
 
-/// An angle along the samples of a motion, rad.
+/// Angle along the samples of a motion, rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pointed {
     pub(super) least: f64,
@@ -71,11 +71,11 @@ pub(super) struct Pointed {
 }
 
 impl Outcome {
-    /// Of a member's scenario, or of what is wrong with it.
+    /// Computes the outcome of a member's scenario, or of the error in it.
     pub(crate) fn of(scenario: Result<&Scenario, &FormatError>) -> Self {
         let scenario = match scenario {
             Ok(scenario) => scenario,
-            // Without the path: the row is the same wherever the plan lies.
+            // Without the path, so that the row does not depend on the plan's location.
             Err(error) => return Self { cause: Some(error.message()), ..Self::default() },
         };
         let rotor = scenario.rotor();
@@ -87,7 +87,7 @@ impl Outcome {
         body.moved(scenario, rotor)
     }
 
-    /// With what becomes of it, or why nothing does.
+    /// Adds the outcome of the motion, or the cause of its failure.
     fn moved(self, scenario: &Scenario, rotor: &Rotor) -> Self {
         if let Some((motion, end)) = free::motion(scenario, rotor) {
             return match free::outcome(&motion, end) {
@@ -106,7 +106,7 @@ impl Outcome {
         Self { status: Status::Failed, cause: Some(error.to_string()), ..self }
     }
 
-    /// With what a trajectory says. One that failed keeps its start, and when which events happened.
+    /// Adds the outcome of a trajectory. A failed one keeps its start and events.
     fn with(self, scenario: &Scenario, rotor: &Rotor, trajectory: &Trajectory) -> Self {
         let (first, last) = (trajectory.start(), trajectory.samples().last());
         let can_be_free = scenario.prescribed().is_none()
@@ -153,7 +153,7 @@ impl Outcome {
         Self { regime: Some(regime.regime), free, ..self }
     }
 
-    /// With the ends and the extrema of a free motion.
+    /// Adds the ends and extrema of a free motion.
     fn with_found(self, motion: &FreeMotion, found: &free::Found) -> Self {
         Self {
             status: Status::Complete,
@@ -174,7 +174,7 @@ impl Instant {
     }
 }
 
-/// Of the start and the samples; `None` without samples.
+/// Returns the angles over start and samples; `None` without samples.
 fn pointed(pointing: &Pointing, trajectory: &Trajectory) -> Option<Pointed> {
     let angle = |sample: &Sample| pointing.angle(&sample.state);
     let angles = || std::iter::once(trajectory.start()).chain(trajectory.samples()).map(angle);

@@ -1,4 +1,4 @@
-//! Outcomes of members, and the columns that hold them.
+//! Outcomes of members, and their columns.
 
 mod columns;
 mod extrema;
@@ -13,7 +13,7 @@ pub(crate) use columns::of as columns_of;
 pub(crate) use member::Outcome;
 pub(crate) use trajectory::{samples, table};
 
-/// True if members' motions are computed in steps, as far as can be seen before.
+/// Returns true if members' motions are probably integrated in steps.
 pub(crate) fn is_stepped(scenario: &Scenario) -> bool {
     let method = scenario.run().map_or(Method::Auto, |run| run.method);
     let driven =

@@ -1,10 +1,10 @@
-//! The motions of members: a row for each sample.
+//! Trajectories of members: one row per sample.
 
 use polhode::motion::{Scenario, State};
 
 use crate::batch::{Batch, BatchError, Column, Values};
 
-/// The states of a motion at its sample times, as far as it goes.
+/// Returns the states of a motion at its sample times, until it ends.
 pub(crate) fn samples(scenario: &Scenario) -> Vec<State> {
     match scenario.simulate() {
         Some(Ok(trajectory)) => trajectory.samples().iter().map(|sample| sample.state).collect(),
@@ -26,7 +26,7 @@ const HEADS: [[&str; 3]; 8] = [
 const ATTITUDE: &str = "R_space_body as a unit quaternion, Hamilton, scalar first";
 const OMEGA: &str = "angular velocity relative to space, along body axes";
 
-/// The rows of members, each of whom has some.
+/// Returns the rows of members, each with its states.
 pub(crate) fn table(members: &[u64], samples: impl Iterator<Item = Vec<State>>) -> Result<Batch, BatchError> {
     let mut numbers = Vec::new();
     let mut values: [Vec<f64>; 8] = Default::default();

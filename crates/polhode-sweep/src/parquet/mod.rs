@@ -1,6 +1,7 @@
-//! Rows as Apache Parquet, and back.
+//! Tables as Apache Parquet files, in both directions.
 //!
-//! The bytes depend on the rows and the metadata alone. A checksum of the file is among the metadata.
+//! The bytes depend on the rows and the metadata alone. The metadata contains a checksum of the
+//! file.
 
 mod read;
 mod seal;
@@ -13,13 +14,13 @@ use crate::batch::Batch;
 
 pub(crate) use write::write;
 
-/// The text of a key of a file's metadata.
+/// Key–value pairs of a file's metadata.
 pub(crate) type Pairs = Vec<(String, String)>;
 
-/// How the keys of our metadata begin.
+/// Prefix of keys in the metadata of polhode.
 const PREFIX: &str = "polhode.";
 
-/// The keys that [`write()`] makes itself.
+/// Keys that [`write()`] adds itself.
 const VERSION: &str = "polhode.version";
 const CONVENTIONS: &str = "polhode.conventions";
 const UNITS: &str = "polhode.units";
@@ -27,24 +28,25 @@ const DESCRIPTIONS: &str = "polhode.descriptions";
 const CHECKSUM: &str = "polhode.checksum";
 const OURS: [&str; 5] = [VERSION, CONVENTIONS, UNITS, DESCRIPTIONS, CHECKSUM];
 
-/// The rows of a file, if it is there, is whole, and has this metadata; `None` if it has to be made again.
+/// Returns the rows of a file; `None` if it is missing, damaged or has other metadata.
 ///
 /// # Errors
-/// What keeps the file from being read, but that it is not there.
+/// Errors of reading the file, except that it does not exist.
 pub(crate) fn load(path: &Path, metadata: &Pairs) -> io::Result<Option<Batch>> {
     let rows = |bytes| read::read(bytes).ok();
     Ok(whole(path, metadata)?.and_then(rows))
 }
 
-/// True if a file is there, is whole, and has this metadata: its rows can be read.
+/// Returns true if a file exists, is undamaged, and has this metadata, so that its rows can be
+/// read.
 ///
 /// # Errors
-/// As [`load`].
+/// Same as [`load`].
 pub(crate) fn is_whole(path: &Path, metadata: &Pairs) -> io::Result<bool> {
     Ok(whole(path, metadata)?.is_some())
 }
 
-/// The bytes of such a file.
+/// Returns the bytes of such a file.
 fn whole(path: &Path, metadata: &Pairs) -> io::Result<Option<Vec<u8>>> {
     match std::fs::read(path) {
         Ok(bytes) => Ok(is_sound(&bytes, metadata).then_some(bytes)),
@@ -53,7 +55,7 @@ fn whole(path: &Path, metadata: &Pairs) -> io::Result<Option<Vec<u8>>> {
     }
 }
 
-/// True of bytes with the right checksum and this metadata.
+/// Returns true if bytes have the right checksum and this metadata.
 fn is_sound(bytes: &[u8], metadata: &Pairs) -> bool {
     seal::is_right(bytes) && read::metadata(bytes.to_vec()).is_ok_and(|found| found == *metadata)
 }

@@ -1,4 +1,4 @@
-//! A file to rows.
+//! Decoding of a file to rows.
 
 use ::parquet::basic::{Repetition, Type as Physical};
 use ::parquet::column::reader::{ColumnReader, ColumnReaderImpl};
@@ -12,10 +12,10 @@ use serde_json::{Map, Value};
 use super::{DESCRIPTIONS, OURS, PREFIX, Pairs, UNITS};
 use crate::batch::{Batch, Column, Values};
 
-/// The pairs of metadata with which a file was written.
+/// Returns the pairs of metadata with which a file was written.
 ///
 /// # Errors
-/// As [`read()`].
+/// Same as [`read()`].
 pub(super) fn metadata(bytes: Vec<u8>) -> Result<Pairs, ParquetError> {
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
     let own = |pair: &KeyValue| pair.key.starts_with(PREFIX) && !OURS.contains(&pair.key.as_str());
@@ -27,10 +27,10 @@ fn pairs(file: &SerializedFileReader<Bytes>) -> Vec<KeyValue> {
     file.metadata().file_metadata().key_value_metadata().cloned().unwrap_or_default()
 }
 
-/// The rows of a file.
+/// Returns the rows of a file.
 ///
 /// # Errors
-/// [`ParquetError`] for bytes of anything else.
+/// [`ParquetError`] for bytes of another format.
 pub(super) fn read(bytes: Vec<u8>) -> Result<Batch, ParquetError> {
     let file = SerializedFileReader::new(Bytes::from(bytes))?;
     let pairs = pairs(&file);
@@ -56,7 +56,7 @@ pub(super) fn read(bytes: Vec<u8>) -> Result<Batch, ParquetError> {
     Batch::new(columns).map_err(|error| ParquetError::General(error.to_string()))
 }
 
-/// The JSON object of texts that stands under a key.
+/// Returns the JSON object of texts under a key.
 fn texts(pairs: &[KeyValue], key: &str) -> Map<String, Value> {
     let text = pairs.iter().find(|pair| pair.key == key).and_then(|pair| pair.value.as_deref());
     match text.map(serde_json::from_str) {
@@ -75,7 +75,7 @@ fn empty(kind: Physical, optional: bool) -> Result<Values, ParquetError> {
     }
 }
 
-/// Reads all rows of a column of a group.
+/// Reads all rows of a column in a row group.
 fn append(values: &mut Values, reader: ColumnReader, rows: usize) -> Result<(), ParquetError> {
     let wrong =
         || Err(ParquetError::General("a column holds something else than its schema says".to_owned()));
@@ -105,7 +105,7 @@ fn append(values: &mut Values, reader: ColumnReader, rows: usize) -> Result<(), 
     Ok(())
 }
 
-/// The values that are there, and a level for each row of an optional column.
+/// Reads the existing values, and the definition level of each row of an optional column.
 fn all<T: DataType>(
     mut reader: ColumnReaderImpl<T>,
     rows: usize,
@@ -122,7 +122,7 @@ fn all<T: DataType>(
     Ok((values, levels))
 }
 
-/// A value for each level that is not zero.
+/// Returns a value for each nonzero level, `None` for the others.
 fn spread<T>(values: Vec<T>, levels: &[i16]) -> Vec<Option<T>> {
     let mut values = values.into_iter();
     levels.iter().map(|level| if *level > 0 { values.next() } else { None }).collect()

@@ -1,15 +1,15 @@
-//! A checksum of a whole file, within the file: CRC-32 with zeros in its own place.
+//! Checksum of a whole file, stored in the file: CRC-32 with zeros in place of the checksum.
 //!
-//! It stands last among the metadata, and is found without reading the file as Parquet: a damaged file is not to be trusted with
-//! that.
+//! It is the last entry of the metadata, and is located without parsing, because a damaged file
+//! must not be parsed.
 
-/// What the checksum stands after.
+/// Text before the checksum.
 const MARK: &[u8] = b"crc32:";
-/// The value before it is known.
+/// Placeholder before the checksum is known.
 pub(super) const OPEN: &str = "crc32:00000000";
 const DIGITS: usize = 8;
 
-/// Puts the checksum in its place; false if there is none.
+/// Writes the checksum in its place; returns false if there is no place.
 pub(super) fn close(file: &mut [u8]) -> bool {
     let Some(digits) = digits(file) else { return false };
     let sum = sum(file, &digits);
@@ -18,18 +18,18 @@ pub(super) fn close(file: &mut [u8]) -> bool {
     true
 }
 
-/// True if the checksum is that of the file.
+/// Returns true if the checksum matches the file.
 pub(super) fn is_right(file: &[u8]) -> bool {
     digits(file).is_some_and(|digits| file.get(digits.clone()) == Some(sum(file, &digits).as_bytes()))
 }
 
-/// Where the digits are.
+/// Returns the place of the digits.
 fn digits(file: &[u8]) -> Option<std::ops::Range<usize>> {
     let first = file.windows(MARK.len()).rposition(|window| window == MARK)? + MARK.len();
     (first + DIGITS <= file.len()).then_some(first..first + DIGITS)
 }
 
-/// The checksum with zeros in its place: eight hexadecimal digits.
+/// Returns the checksum with zeros in its place, as eight hexadecimal digits.
 fn sum(file: &[u8], digits: &std::ops::Range<usize>) -> String {
     let mut hasher = crc32fast::Hasher::new();
     hasher.update(file.get(..digits.start).unwrap_or_default());

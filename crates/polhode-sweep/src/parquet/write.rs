@@ -1,6 +1,7 @@
-//! Rows to a file.
+//! Encoding of rows to a file.
 //!
-//! Bytes of equal weight stand together (`BYTE_STREAM_SPLIT`) before LZ4 packs them; text has a dictionary.
+//! Bytes of equal significance are stored together (`BYTE_STREAM_SPLIT`) before LZ4 compression;
+//! text uses a dictionary.
 
 use std::io;
 use std::sync::Arc;
@@ -18,10 +19,11 @@ use serde_json::{Map, Value};
 use super::{CHECKSUM, CONVENTIONS, DESCRIPTIONS, Pairs, UNITS, VERSION, seal};
 use crate::batch::{Batch, Column, Values};
 
-/// The bytes of a file of rows, with the pairs of `metadata` besides units, descriptions, conventions, version and checksum.
+/// Returns the bytes of a file of rows. Metadata: `metadata`, and units, descriptions, conventions,
+/// version and checksum.
 ///
 /// # Errors
-/// If rows cannot be written as Parquet: a number of a member beyond 2⁶³.
+/// If the rows cannot be written as Parquet: a member number of 2⁶³ or more.
 pub(crate) fn write(batch: &Batch, metadata: &Pairs) -> io::Result<Vec<u8>> {
     let mut bytes = encode(batch, metadata).map_err(io_error)?;
     if seal::close(&mut bytes) { Ok(bytes) } else { Err(io::Error::other("a file without its checksum")) }
@@ -65,7 +67,7 @@ fn values(writer: &mut SerializedColumnWriter<'_>, values: &Values) -> Result<()
     Ok(())
 }
 
-/// 1 for each value that is there, 0 for each that is not.
+/// Returns the definition levels: 1 for an existing value, 0 for a missing one.
 fn levels<T>(values: &[Option<T>]) -> Vec<i16> {
     values.iter().map(|value| i16::from(value.is_some())).collect()
 }

@@ -1,4 +1,4 @@
-//! What a plan's results depend on, as one name.
+//! Digest of everything that a plan's results depend on.
 
 use std::fmt::Write as _;
 
@@ -9,11 +9,12 @@ use polhode_source::read_file;
 
 use hmac_sha256::Hash as Sha256;
 
-/// Counted up when members of the same plan become others.
+/// Version of the drawing method; increase it when members of the same plan change.
 const FORMAT: &str = "polhode plan 1";
 
-/// SHA-256 of the format, the program's version, the text, and the files that the text names, each with its length before it; and of
-/// the mass properties of each part, which know what is in the files that those files name.
+/// Returns the SHA-256 hash of the format, the program's version, the plan's text, the files that
+/// it names, and the mass properties of each part. Each item is preceded by its length. The mass
+/// properties cover files that are named indirectly.
 pub(crate) fn digest(files: &dyn Files, template: &Template) -> Result<String, FormatError> {
     let mut hash = Sha256::new();
     let mut put = |bytes: &[u8]| {

@@ -1,16 +1,17 @@
-//! Numbers of a distribution from uniform ones: the inverse of its distribution function.
+//! Random numbers of a distribution from uniform numbers, by the inverse of the distribution
+//! function.
 //!
-//! All of them rise with the uniform number, so that layers and evenly spread points stay what they are.
+//! All quantile functions increase, so that layers and low-discrepancy points keep their structure.
 
 use polhode_scenario::read::Distribution;
 
 use super::normal;
 
-/// F⁻¹(u), 0 < u < 1.
+/// Returns the quantile F⁻¹(u), 0 < u < 1.
 pub(crate) fn quantile(distribution: &Distribution, u: f64) -> f64 {
     match *distribution {
         Distribution::Normal { mean, sd, from, to } => {
-            // What rounding puts beyond a bound is at the bound.
+            // Rounding must not move a value beyond a bound.
             (mean + sd * truncated((from - mean) / sd, (to - mean) / sd, u)).clamp(from, to)
         }
         Distribution::Uniform { from, to } => (from + (to - from) * u).clamp(from, to),
@@ -31,14 +32,15 @@ pub(crate) fn quantile(distribution: &Distribution, u: f64) -> f64 {
             let k = ((u * values.len() as f64) as usize).min(values.len().saturating_sub(1));
             values.get(k).copied().unwrap_or_default()
         }
-        // Distributions are added here when they are added to the plan's format.
+        // Distributions added to the plan's format must be added here.
         _ => 0.0,
     }
 }
 
-/// The standard normal z between a < b with P(z) = Φ(a) + u (Φ(b) − Φ(a)).
+/// Returns the standard normal z between a and b with Φ(z) = Φ(a) + u (Φ(b) − Φ(a)).
 ///
-/// Above the mean it is turned over: P is near 1 there, and has lost the digits of 1 − P.
+/// Above the mean it uses the mirrored problem: Φ is close to 1 there, and 1 − Φ has lost its
+/// digits.
 fn truncated(a: f64, b: f64, u: f64) -> f64 {
     if a == f64::NEG_INFINITY && b == f64::INFINITY {
         return normal::quantile(u);
@@ -55,7 +57,7 @@ fn truncated(a: f64, b: f64, u: f64) -> f64 {
     if q > 0.0 { -normal::quantile(q.min(0.5)) } else { a.max(FARTHEST) }
 }
 
-/// Φ(−38) is the smallest double.
+/// Standard deviations at which Φ(−z) is the smallest double.
 const FARTHEST: f64 = 38.0;
 
 #[cfg(test)]
@@ -64,7 +66,7 @@ mod tests {
 
     const UNIFORM: [f64; 6] = [1e-9, 0.013, 0.27, 0.5, 0.81, 0.9993];
 
-    /// By mpmath with 30 digits.
+    /// Compared with mpmath, 30 digits.
     #[test]
     fn quantiles_agree_with_many_digits() {
         let infinity = f64::INFINITY;

@@ -1,4 +1,4 @@
-//! From uniform numbers to the values of a variable.
+//! Values of a variable from uniform numbers.
 
 use core::f64::consts::TAU;
 
@@ -8,10 +8,10 @@ use polhode_scenario::read::{Dispersion, Law, Spread, Vary};
 use super::second_moments::Root;
 use super::{distribution, normal};
 
-/// The most uniform numbers that a variable takes.
+/// Maximum number of uniform numbers per variable.
 pub(crate) const MOST_COORDINATES: usize = 16;
 
-/// What a variable's values are made by.
+/// Law of a variable's values, with its nominal value.
 #[derive(Clone, Debug)]
 pub(crate) struct Draw {
     law: Law,
@@ -21,7 +21,7 @@ pub(crate) struct Draw {
 }
 
 impl Draw {
-    /// Of a variable of a plan.
+    /// Creates the law of a variable of a plan.
     pub(crate) fn new(vary: &Vary) -> Self {
         Self {
             law: vary.law.clone(),
@@ -31,12 +31,12 @@ impl Draw {
         }
     }
 
-    /// How many uniform numbers it takes.
+    /// Returns the number of uniform numbers that a draw needs.
     pub(crate) const fn coordinates(&self) -> usize {
         self.coordinates
     }
 
-    /// Adds the values that belong to uniform numbers.
+    /// Appends the values for these uniform numbers.
     pub(crate) fn put(&self, uniform: &[f64], values: &mut Vec<f64>) {
         match (&self.law, uniform) {
             (Law::Number(law), &[u]) => values.push(distribution::quantile(law, u)),
@@ -64,11 +64,11 @@ impl Draw {
         }
     }
 
-    /// A unit vector: cos θ is uniform from that of the widest angle to 1, φ all around.
+    /// Returns a unit vector, uniform on the sphere or on a cap: cos θ and φ are uniform.
     fn direction(&self, spread: Spread, u: f64, v: f64) -> [f64; 3] {
         let around =
             Direction::<Body>::from_array(self.vector()).direction().map(polhode::math::Vector::to_array);
-        // 1 − cos θ, of which 1 − cos α = 2 sin²(α/2) is the greatest
+        // 1 − cos θ, with maximum 1 − cos α = 2 sin²(α/2).
         let (versine, axis) = match (spread, around) {
             (Spread::Within(angle), Some(axis)) => {
                 let half = libm::sin(0.5 * angle);
@@ -82,7 +82,7 @@ impl Draw {
         core::array::from_fn(|k| sine * (x * a[k] + y * b[k]) + cosine * axis[k])
     }
 
-    /// A quaternion (w, x, y, z) with w ≥ 0.
+    /// Returns a quaternion (w, x, y, z) with w ≥ 0.
     fn rotation(&self, spread: Spread, uniform: [f64; 3]) -> [f64; 4] {
         let nominal = match *self.nominal {
             [w, x, y, z] => Attitude::from_quaternion([w, x, y, z]).unwrap_or(Attitude::identity()),
@@ -107,14 +107,15 @@ impl Draw {
             values.extend(drawn.center);
         }
         match (dispersion, self.nominal.get(4..)) {
-            // As it is written, without the rounding of its root.
+            // Keep the tensor as in the plan, without the rounding of its root.
             (Dispersion::Apart { inertia: 0.0, .. }, Some(tensor)) => values.extend_from_slice(tensor),
             _ => values.extend(drawn.tensor),
         }
     }
 }
 
-/// A rotation of which each is as likely as any other (Shoemake, Uniform random rotations, Graphics Gems III, 1992):
+/// Returns a uniformly distributed rotation (Shoemake, Uniform random rotations, Graphics Gems III,
+/// 1992):
 ///
 /// q = (√u cos 2πw, √(1−u) sin 2πv, √(1−u) cos 2πv, √u sin 2πw)
 fn shoemake([u, v, w]: [f64; 3]) -> [f64; 4] {
@@ -124,8 +125,8 @@ fn shoemake([u, v, w]: [f64; 3]) -> [f64; 4] {
     if q[0] < 0.0 { q.map(|c| 0.0 - c) } else { q }
 }
 
-/// Two unit vectors across a third and across each other, right-handed with it (Duff and others, Building an orthonormal basis,
-/// revisited, JCGT 6, 2017).
+/// Returns two unit vectors that form a right-handed orthonormal basis with a third (Duff and
+/// others, Building an orthonormal basis, revisited, JCGT 6, 2017).
 fn across([x, y, z]: [f64; 3]) -> [[f64; 3]; 2] {
     let sign = 1.0_f64.copysign(z);
     let a = -1.0 / (sign + z);

@@ -1,8 +1,9 @@
-//! Plans: a scenario, and what differs from member to member.
+//! Plans: a scenario, and variables that differ between members.
 //!
-//! A member's values are a function of the plan and of the member's number alone: of uniform numbers, each of which follows from
-//! the seed, the variable's key and the member's number ([`uniform`]), by the inverse of a distribution function
-//! ([`distribution`]) or by what belongs to directions, rotations and mass properties ([`draw`], [`second_moments`]).
+//! A member's values are a pure function of the plan and of the member's number. Uniform numbers
+//! follow from the seed, the variable's key and the member's number ([`uniform`]). They are
+//! converted by the inverse of a distribution function ([`distribution`]), or by methods for
+//! directions, rotations and mass properties ([`draw`], [`second_moments`]).
 
 mod digest;
 mod distribution;
@@ -33,7 +34,7 @@ pub use polhode_scenario::read::{Sampling, TargetColumn as Variable};
 pub(crate) use mix::mix;
 pub(crate) use question::Condition;
 
-/// A scenario, and what differs from member to member.
+/// Scenario with variables that differ between members.
 ///
 /// ```
 /// use polhode_source::files::Disk;
@@ -71,29 +72,30 @@ pub struct Plan {
     replicates: u64,
     questions: Vec<Condition>,
     vary: Vec<(Vary, Draw)>,
-    /// The uniform numbers of a member, those of each variable after those of the one before.
+    /// Uniform numbers of a member, in the order of the variables.
     coordinates: Vec<Coordinate>,
     variables: Vec<Variable>,
     trajectories: bool,
     digest: String,
 }
 
-/// How many members are tried before a plan counts as read.
+/// Maximum number of members that are tested when a plan is read.
 const TRIED: u64 = 64;
 
 impl Plan {
-    /// Reads a plan; the files that it names are found relative to it.
+    /// Reads a plan; the files that it names are relative to it.
     ///
     /// # Errors
-    /// [`FormatError`] if it is no scenario with a `[sweep]`, or if none of its members is one.
+    /// [`FormatError`] if it is not a scenario with a `[sweep]`, or if none of its members is a
+    /// valid scenario.
     pub fn read(files: &dyn Files, path: &Path) -> Result<Self, FormatError> {
         Self::new(files, Template::read(files, path)?)
     }
 
-    /// Reads a plan from its text; `path` is for messages, and for the files that it names.
+    /// Reads a plan from its text; `path` is for messages, and for the files that the plan names.
     ///
     /// # Errors
-    /// As [`Plan::read`].
+    /// Same as [`Plan::read`].
     pub fn parse(files: &dyn Files, text: String, path: &Path) -> Result<Self, FormatError> {
         Self::new(files, Template::parse(files, text, path)?)
     }
@@ -132,58 +134,60 @@ impl Plan {
         plan.tried().map(|_| plan)
     }
 
-    /// The text of its file.
+    /// Returns the text of the plan file.
     pub fn text(&self) -> &str {
         self.template.text()
     }
 
-    /// The scenario as it is written, before anything varies.
+    /// Returns the nominal scenario, as written, without variation.
     pub const fn nominal(&self) -> &Scenario {
         self.template.nominal()
     }
 
-    /// True if the motions of members are to be kept too.
+    /// Returns true if trajectories of members are requested.
     pub const fn wants_trajectories(&self) -> bool {
         self.trajectories
     }
 
-    /// How many members there are.
+    /// Returns the number of members.
     pub const fn members(&self) -> u64 {
         self.members
     }
 
-    /// How they are drawn.
+    /// Returns the sampling method.
     pub const fn sampling(&self) -> Sampling {
         self.sampling
     }
 
-    /// What the draws follow from; `None` where nothing is drawn.
+    /// Returns the seed of the random numbers; `None` for a grid.
     pub fn seed(&self) -> Option<u64> {
         (self.sampling != Sampling::Grid).then_some(self.seed)
     }
 
-    /// Of how many sets of points, each drawn for itself, the members are: 1 but for replicates of a Latin hypercube or of Sobol's points.
+    /// Returns the number of independently drawn sets of points: 1, except for replicates of a
+    /// Latin hypercube or of Sobol points.
     pub const fn replicates(&self) -> u64 {
         self.replicates
     }
 
-    /// What is asked of the outcomes.
+    /// Returns the questions on the outcomes.
     pub(crate) fn questions(&self) -> &[Condition] {
         &self.questions
     }
 
-    /// The names of rotations that differ, without `_w`, `_x`, `_y`, `_z`.
+    /// Returns the names of varied rotations, without `_w`, `_x`, `_y`, `_z`.
     pub(crate) fn rotations(&self) -> impl Iterator<Item = &str> {
         let rotations = self.vary.iter().filter(|(vary, _)| matches!(vary.law, Law::Rotation(_)));
         rotations.filter_map(|(vary, _)| vary.target.columns().first()?.name.strip_suffix("_w"))
     }
 
-    /// What differs.
+    /// Returns the varied quantities, one column each.
     pub fn variables(&self) -> &[Variable] {
         &self.variables
     }
 
-    /// What differs, of a member: a number for each variable, SI. Depends on nothing but the plan and the member's number.
+    /// Returns the values of a member: one number per variable, SI units. They depend on the plan
+    /// and the member's number only.
     pub fn values(&self, member: u64) -> Vec<f64> {
         let mut values = Vec::with_capacity(self.variables.len());
         if self.sampling == Sampling::Grid {
@@ -202,7 +206,7 @@ impl Plan {
         values
     }
 
-    /// The values of a grid's member: the last variable changes first.
+    /// Appends the values of a grid member; the last variable changes fastest.
     fn combination(&self, member: u64, values: &mut Vec<f64>) {
         let mut rest = member;
         for (vary, _) in self.vary.iter().rev() {
@@ -215,16 +219,16 @@ impl Plan {
         values.reverse();
     }
 
-    /// The scenario with these values of the variables.
+    /// Returns the scenario with these values of the variables.
     ///
     /// # Errors
-    /// [`FormatError`] if there is no such body or motion: this member fails, others may not.
+    /// [`FormatError`] if the body or motion is invalid. Other members may still be valid.
     pub fn scenario(&self, values: &[f64]) -> Result<Scenario, FormatError> {
         let mut rest = values;
         let mut targets = Vec::with_capacity(self.vary.len());
         for (k, (vary, _)) in self.vary.iter().enumerate() {
             let columns = vary.target.columns().len();
-            // What is too much is the last one's, which refuses it.
+            // Surplus values go to the last target, which rejects them.
             let is_last = k + 1 == self.vary.len();
             let (own, others) = rest.split_at(if is_last { rest.len() } else { columns.min(rest.len()) });
             targets.push((&vary.target, own));
@@ -233,19 +237,20 @@ impl Plan {
         self.template.scenario(targets)
     }
 
-    /// A name for everything that results depend on: the plan's text, the contents of the files that it names, and the program's version.
+    /// Returns the digest of everything that results depend on: the plan's text, the contents of
+    /// the files that it names, and the program's version.
     pub fn digest(&self) -> String {
         self.digest.clone()
     }
 
-    /// What was noticed: about the scenario as it is written, and about members that are none.
+    /// Returns findings about the nominal scenario, and about invalid members.
     pub fn findings(&self) -> Vec<Finding> {
         let mut findings = self.nominal().findings().to_vec();
         findings.extend(self.tried().ok().flatten());
         findings
     }
 
-    /// Tries some members from all over the plan.
+    /// Tests some members from the whole plan.
     fn tried(&self) -> Result<Option<Finding>, FormatError> {
         let count = self.members.min(TRIED);
         let number = |k: u64| (u128::from(k) * u128::from(self.members) / u128::from(count.max(1))) as u64;

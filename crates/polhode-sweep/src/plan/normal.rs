@@ -1,16 +1,16 @@
-//! The normal distribution, both ways.
+//! Normal distribution: probability and quantile.
 
 #![allow(clippy::excessive_precision, reason = "coefficients as they were published")]
 
-/// Φ(z) = ½ erfc(−z/√2)
+/// Returns the probability Φ(z) = ½ erfc(−z/√2).
 pub(crate) fn probability(z: f64) -> f64 {
     0.5 * libm::erfc(-z * core::f64::consts::FRAC_1_SQRT_2)
 }
 
-/// Φ⁻¹(p) for 0 < p < 1, to about 1e-16 relative.
+/// Returns the quantile Φ⁻¹(p) for 0 < p < 1, relative error about 1e-16.
 ///
-/// Algorithm AS 241, PPND16 (Wichura, Applied Statistics 37, 1988): rational functions of q = p − ½ in the middle, of
-/// r = √(−ln min(p, 1 − p)) outside.
+/// Algorithm AS 241, PPND16 (Wichura, Applied Statistics 37, 1988): rational functions of q = p − ½
+/// in the centre, and of r = √(−ln min(p, 1 − p)) in the tails.
 pub(crate) fn quantile(p: f64) -> f64 {
     let q = p - 0.5;
     if q.abs() <= 0.425 {
@@ -93,7 +93,7 @@ const F: [f64; 8] = [
 mod tests {
     use super::*;
 
-    /// By mpmath with 40 digits.
+    /// Compared with mpmath, 40 digits.
     #[test]
     fn both_ways_agree_with_many_digits() {
         for (p, z) in [
@@ -130,7 +130,7 @@ mod tests {
             (2.2, 0.9860965524865014),
             (6.0, 0.9999999990134123),
         ] {
-            // erfc of z carries the rounding of z: z² ε
+            // The error of erfc includes the rounding of z: z² ε.
             assert!(
                 (probability(z) - p).abs() <= (4.0 + z * z) * 2e-16 * p,
                 "{z}: {} is not {p}",

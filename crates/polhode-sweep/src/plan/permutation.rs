@@ -1,26 +1,28 @@
-//! Permutations of 0 … n − 1 that need no memory: the layers of a Latin hypercube.
+//! Permutations of 0 … n − 1 without memory: the layers of a Latin hypercube.
 
 use super::mix::mix;
 
-/// A permutation of 0 … n − 1 that follows from a key.
+/// Permutation of 0 … n − 1 that follows from a key.
 ///
-/// A Feistel network permutes the numbers of an even count of binary digits, of which the n are at least a quarter; where it leads
-/// out of them, it is applied again, which has to come back.
+/// A Feistel network permutes all numbers with an even count of binary digits. At least a quarter
+/// of them are below n. A result of n or more is permuted again until it is below n (cycle
+/// walking).
 #[derive(Clone, Debug)]
 pub(crate) struct Permutation {
     n: u64,
-    /// Binary digits of either half.
+    /// Number of binary digits of each half.
     half: u32,
     keys: [u64; ROUNDS],
-    /// Binary digits of the place within a layer.
+    /// Number of binary digits for the place within a layer.
     fine: u32,
 }
 
-/// Four rounds of random functions cannot be told from a random permutation (Luby and Rackoff); these are short, and so more.
+/// Number of rounds. Four rounds of random functions are indistinguishable from a random
+/// permutation (Luby and Rackoff); these functions are short, so eight are used.
 const ROUNDS: usize = 8;
 
 impl Permutation {
-    /// Of 0 … n − 1, n up to 2⁴⁰.
+    /// Creates a permutation of 0 … n − 1, n up to 2⁴⁰.
     pub(crate) fn new(n: u64, key: u64) -> Self {
         let digits = u64::BITS - n.saturating_sub(1).leading_zeros();
         let half = digits.div_ceil(2).max(1);
@@ -31,7 +33,7 @@ impl Permutation {
         Self { n, half, keys, fine: 48_u32.saturating_sub(digits) }
     }
 
-    /// Where k < n goes.
+    /// Returns the image of k < n.
     pub(crate) fn of(&self, k: u64) -> u64 {
         let mut x = self.network(k);
         while x >= self.n {
@@ -49,9 +51,11 @@ impl Permutation {
         left << self.half | right
     }
 
-    /// The number of a member, in its layer of n: random bits say where.
+    /// Returns the number of a member in its layer of n; random bits determine the place within the
+    /// layer.
     ///
-    /// u = (π(k) + (r + ½) 2⁻ᶠ) / n. With f digits below the layer's number, no rounding reaches the next layer.
+    /// u = (π(k) + (r + ½) 2⁻ᶠ) / n. With f digits below the layer's number, rounding cannot reach
+    /// the next layer.
     pub(crate) fn draw(&self, member: u64, random: u64) -> f64 {
         let within = random.unbounded_shr(u64::BITS - self.fine) as f64 + 0.5;
         let scale = (1_u64 << self.fine) as f64;
@@ -93,7 +97,8 @@ mod tests {
         }
     }
 
-    /// Over many keys a number goes everywhere alike: χ² of 5 places with 4 degrees of freedom is below 18.5 in 99.9 %.
+    /// Uniformity over many keys: χ² of 5 places with 4 degrees of freedom is below 18.5 in 99.9 %
+    /// of cases.
     #[test]
     fn small_permutations_are_fair() {
         const KEYS: u64 = 20_000;

@@ -9,23 +9,23 @@ use polhode_source::unit::Dimension;
 use super::Variable;
 use crate::batch::{Batch, Column, Values};
 
-/// A condition on the columns of a member, by its name.
+/// Named condition on the columns of a member.
 #[derive(Clone, Debug)]
 pub(crate) struct Condition {
-    /// What the plan calls it.
+    /// Name in the plan.
     pub(crate) name: String,
-    /// As it is written.
+    /// Text of the condition in the plan.
     pub(crate) text: String,
     formula: Formula,
-    /// The columns that occur in it, by their place among the formula's variables.
+    /// Columns in the condition, with their indices among the formula's variables.
     pub(crate) columns: Vec<(usize, String)>,
 }
 
 impl Condition {
-    /// The condition of a question on inputs and outcomes.
+    /// Compiles a question on inputs and outcomes.
     ///
     /// # Errors
-    /// [`FormatError`] if it is none.
+    /// [`FormatError`] if it is not a condition.
     pub(crate) fn new(
         template: &Template,
         question: &Question,
@@ -43,7 +43,8 @@ impl Condition {
         Ok(Self { name: question.name.clone(), text: question.condition.clone(), formula, columns })
     }
 
-    /// Whether each row of a table fulfils it; `None` of a row that lacks one of its columns, or of which a part of it is no number.
+    /// Evaluates the condition for each row of a table; `None` if a column is missing or the result
+    /// is NaN.
     pub(crate) fn answers(&self, rows: &Batch) -> Vec<Option<bool>> {
         let columns: Vec<(usize, Option<&Values>)> =
             self.columns.iter().map(|(k, name)| (*k, rows.column(name).ok().map(|c| &c.values))).collect();
@@ -61,7 +62,7 @@ impl Condition {
     }
 }
 
-/// What a column of this unit measures.
+/// Returns the dimension of a unit.
 fn dimension(unit: &str) -> Dimension {
     unit::measured(&format!("1 {unit}")).map_or(Dimension::NONE, |(_, dimension)| dimension)
 }

@@ -1,18 +1,21 @@
-//! Dispersed mass properties, every one of them possible.
+//! Random mass properties that are always physically consistent.
 //!
-//! A tensor is possible if and only if its second moments Σ = ∫ x xᵀ dm = ½ tr(I) 1 − I have no negative eigenvalue. With a
-//! root S of Σ (S Sᵀ = Σ), and a matrix E of independent normal numbers of standard deviation s,
+//! A tensor is physically consistent if and only if its second moments Σ = ∫ x xᵀ dm = ½ tr(I) 1 −
+//! I have no negative eigenvalue. Let S be a root of Σ (S Sᵀ = Σ), and E a matrix of independent
+//! normal numbers with standard deviation s. Then
 //!
 //! Σ' = S (1 + E) (1 + E)ᵀ Sᵀ / y,  y = 1 + n s²  (1)
 //!
-//! has none either, whatever E is. Since E[(1 + E)(1 + E)ᵀ] = y 1, its mean is Σ. The diagonal elements of (1 + E)(1 + E)ᵀ have the
-//! variance 4 s² + 2 n s⁴, so that along every axis that Σ allows a second moment has the relative standard deviation
+//! has none either, for every E. Since E[(1 + E)(1 + E)ᵀ] = y 1, its mean is Σ. The diagonal
+//! elements of (1 + E)(1 + E)ᵀ have the variance 4 s² + 2 n s⁴. So the second moment along every
+//! axis has the relative standard deviation
 //!
 //! d = √(4 s² + 2 n s⁴) / y,  hence  y = 1 / √(1 − n d²/2)  (2)
 //!
-//! E has no axes of its own (Q E Qᵀ is distributed as E), so that a body that is turned has the turned distribution. n is 3, or 4
-//! where mass and centre of mass are dispersed with the tensor: then (1) is done to the pseudo-inertia about the centre of mass,
-//! J = ∫ (x, 1)(x, 1)ᵀ dm, whose last row has the first moments and the mass.
+//! E is isotropic (Q E Qᵀ has the same distribution), so a rotated body has the rotated
+//! distribution. n is 3, or 4 if mass and centre of mass are dispersed together with the tensor. In
+//! that case (1) applies to the pseudo-inertia about the centre of mass, J = ∫ (x, 1)(x, 1)ᵀ dm,
+//! whose last row contains the first moments and the mass.
 
 use polhode::body::{MassProperties, PrincipalFrame};
 use polhode::math::Body;
@@ -20,32 +23,32 @@ use polhode_scenario::read::Dispersion;
 
 use super::normal;
 
-/// A row or a column of E.
+/// Row or column of E.
 type Row<const N: usize> = [f64; N];
 
-/// Mass, centre of mass, and xx, yy, zz, xy, xz, yz of the tensor about it.
+/// Mass, centre of mass, and tensor about it: xx, yy, zz, xy, xz, yz.
 pub(crate) struct Drawn {
     pub(crate) mass: f64,
     pub(crate) center: [f64; 3],
     pub(crate) tensor: [f64; 6],
 }
 
-/// A root of second moments, and what they belong to.
+/// Root of the second moments of a body, with its mass and centre.
 #[derive(Clone, Debug)]
 pub(crate) struct Root {
-    /// The symmetric root of Σ.
+    /// Symmetric root of Σ.
     root: [[f64; 3]; 3],
     mass: f64,
     center: [f64; 3],
 }
 
 impl Root {
-    /// Of a body.
+    /// Computes the root for a body.
     pub(crate) fn of(body: &MassProperties<Body>) -> Self {
         let principal = PrincipalFrame::of(body.inertia());
         let moments = principal.moments();
         let half_trace = 0.5 * (moments[0] + moments[1] + moments[2]);
-        // S = Σ_k √σ_k n_k n_kᵀ; what rounding leaves below zero is zero.
+        // S = Σ_k √σ_k n_k n_kᵀ; negative σ from rounding are set to zero.
         let mut root = [[0.0; 3]; 3];
         for (k, moment) in moments.into_iter().enumerate() {
             let (n, size) = (principal.axis(k).to_array(), (half_trace - moment).max(0.0).sqrt());
@@ -58,7 +61,8 @@ impl Root {
         Self { root, mass: body.mass(), center: body.center_of_mass().to_array() }
     }
 
-    /// The body of uniform numbers, as many as [`Vary::coordinates`](polhode_scenario::read::Vary::coordinates) says.
+    /// Draws a body from uniform numbers, whose count is
+    /// [`Vary::coordinates`](polhode_scenario::read::Vary::coordinates).
     pub(crate) fn draw(&self, dispersion: Dispersion, uniform: &[f64]) -> Drawn {
         match (dispersion, uniform.len()) {
             (Dispersion::Together(d), 16) => self.together(d, uniform),
@@ -68,7 +72,7 @@ impl Root {
             (Dispersion::Apart { mass, center_of_mass, inertia }, _) => {
                 let mut z = uniform.iter().map(|u| normal::quantile(*u));
                 let mut next = || z.next().unwrap_or_default();
-                // ln m' is normal, and the mean of m' is m: σ² = ln(1 + d²), median m/√(1 + d²)
+                // ln m' is normal, and the mean of m' is m: σ² = ln(1 + d²), median m/√(1 + d²).
                 let square = mass * mass;
                 let factor = libm::exp(libm::log1p(square).sqrt() * next()) / (1.0 + square).sqrt();
                 let center = self.center.map(|c| c + center_of_mass * next());
@@ -78,21 +82,23 @@ impl Root {
         }
     }
 
-    /// (1) for a tensor.
+    /// Draws a tensor by (1).
     fn tensor(&self, d: f64, uniform: &[f64]) -> [f64; 6] {
         let (spread, y) = spread::<3>(d, uniform);
         inertia(&product(&self.root, &spread), y)
     }
 
-    /// (1) for mass, first moments and second moments.
+    /// Draws mass, first moments and second moments by (1).
     fn together(&self, d: f64, uniform: &[f64]) -> Drawn {
         let (spread, y) = spread::<4>(d, uniform);
         let [a, b, c, last] = spread;
-        // P (1 + E) with P = diag(S, √m): the last row has the mass, the others the second moments.
+        // P (1 + E) with P = diag(S, √m): the last row contains the mass, the others the second
+        // moments.
         let last = last.map(|element| self.mass.sqrt() * element);
         let rows = product(&self.root, &[a, b, c]);
         let square = dot(&last, &last);
-        // h = Σ_k P_ik P_4k, m' = |P_4|²; about the new centre of mass what is along P_4 is gone.
+        // h = Σ_k P_ik P_4k, m' = |P_4|². About the new centre of mass, components along P_4 are
+        // removed.
         let along = rows.map(|row| dot(&row, &last) / square);
         let mut across = rows;
         for (row, share) in across.iter_mut().zip(along) {
@@ -106,7 +112,7 @@ impl Root {
     }
 }
 
-/// 1 + E, and y, by (2).
+/// Returns 1 + E, and y from (2).
 fn spread<const N: usize>(d: f64, uniform: &[f64]) -> ([Row<N>; N], f64) {
     let n = N as f64;
     let y = 1.0 / (1.0 - 0.5 * n * d * d).sqrt();
@@ -122,7 +128,7 @@ fn spread<const N: usize>(d: f64, uniform: &[f64]) -> ([Row<N>; N], f64) {
     (spread, y)
 }
 
-/// S M of a symmetric S and three rows M.
+/// Returns S M for a symmetric S and three rows M.
 fn product<const N: usize>(s: &[[f64; 3]; 3], m: &[Row<N>; 3]) -> [Row<N>; 3] {
     s.map(|[a, b, c]| {
         let mut row = [0.0; N];
@@ -133,7 +139,7 @@ fn product<const N: usize>(s: &[[f64; 3]; 3], m: &[Row<N>; 3]) -> [Row<N>; 3] {
     })
 }
 
-/// I = tr(Σ) 1 − Σ with Σ = B Bᵀ / y: xx, yy, zz, xy, xz, yz.
+/// Returns I = tr(Σ) 1 − Σ with Σ = B Bᵀ / y: xx, yy, zz, xy, xz, yz.
 fn inertia<const N: usize>(b: &[Row<N>; 3], y: f64) -> [f64; 6] {
     let sigma = |i: usize, j: usize| dot(&b[i], &b[j]) / y;
     let [xx, yy, zz] = [sigma(0, 0), sigma(1, 1), sigma(2, 2)];
@@ -162,12 +168,12 @@ mod tests {
         MassProperties::new(3.2, Position::new(0.3, -0.2, 0.7), tensor).unwrap()
     }
 
-    /// About no axis in particular.
+    /// Returns a rotation about a generic axis.
     fn turn() -> Rotation<Body, Body> {
         Rotation::about(Direction::new(0.3, -0.8, 0.5), 1.1).unwrap()
     }
 
-    /// Draws of a body.
+    /// Returns draws of a body.
     fn draws(
         body: &MassProperties<Body>,
         dispersion: Dispersion,
@@ -188,14 +194,15 @@ mod tests {
         InertiaTensor::with_negative_products([xx, yy, zz], [xy, xz, yz])
     }
 
-    /// Mean and standard deviation.
+    /// Returns mean and standard deviation.
     fn moments(values: &[f64]) -> (f64, f64) {
         let n = values.len() as f64;
         let mean = values.iter().sum::<f64>() / n;
         (mean, (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (n - 1.0)).sqrt())
     }
 
-    /// A satellite as flat as most: i1 + i2 − i3 is half of the standard deviation that drawing each moment with 10 % gives it.
+    /// Flat satellite: i1 + i2 − i3 is half of its standard deviation if each moment is drawn with
+    /// 10 %.
     const FLAT: [f64; 3] = [1.0, 1.9, 2.7265];
 
     #[test]
@@ -215,7 +222,7 @@ mod tests {
                 InertiaTensor::<Body>::diagonal([moment(0), moment(1), moment(2)]).is_err()
             })
             .count();
-        // Φ(−½) = 30.85 %; the standard deviation of the count is 0.15 %
+        // Φ(−½) = 30.85 %; the standard deviation of the count is 0.15 %.
         let share = apart as f64 / DRAWS as f64;
         assert!((share - 0.3085).abs() < 0.006, "{share}");
     }
@@ -237,7 +244,7 @@ mod tests {
         }
     }
 
-    /// Second moments along axes that are the columns of a rotation, from the tensor.
+    /// Returns the second moments of a tensor along axes that are the columns of a rotation.
     fn along(drawn: [f64; 6], axes: Rotation<Body, Body>) -> [[f64; 3]; 3] {
         let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = tensor(drawn).unwrap().in_frame(axes).matrix();
         let half = 0.5 * (xx + yy + zz);
@@ -260,7 +267,7 @@ mod tests {
                 .map(|drawn| along(drawn.tensor, back))
                 .collect();
             let root = (DRAWS as f64).sqrt();
-            // What (1) gives between different axes: Var A_ij = (2 s² + 3 s⁴)/y², 3 s² = y − 1.
+            // Off-diagonal elements by (1): Var A_ij = (2 s² + 3 s⁴)/y², 3 s² = y − 1.
             let y = 1.0 / (1.0 - 1.5 * d * d).sqrt();
             let s2 = (y - 1.0) / 3.0;
             let across = (2.0 * s2 + 3.0 * s2 * s2).sqrt() / y;
@@ -271,7 +278,7 @@ mod tests {
                     let size = (SIGMA[i] * SIGMA[j]).sqrt();
                     let (expected, spread) = if i == j { (size, d) } else { (0.0, across) };
                     assert!((mean - expected).abs() < 4.0 * sd / root, "{d}: mean {mean} of {i}{j}");
-                    // The standard deviation of a standard deviation is some 0.8 of it by √(2n).
+                    // The relative error of a standard deviation is about 0.8/√(2n).
                     assert!((sd / size - spread).abs() < 0.012 * spread, "{d}: {} of {i}{j}", sd / size);
                 }
             }
@@ -287,7 +294,8 @@ mod tests {
         let root = (DRAWS as f64).sqrt();
         let (mean, sd) = moments(&drawn.iter().map(|drawn| drawn.mass).collect::<Vec<_>>());
         assert!((mean - m).abs() < 4.0 * sd / root && (sd / m - d).abs() < 0.012 * d, "{mean}, {sd}");
-        // To first order the centre of mass moves by (E_i4 + E_4i) k_i, k_i = √(σ_i/m), and s = d/2.
+        // To first order the centre of mass moves by (E_i4 + E_4i) k_i, k_i = √(σ_i/m), and s =
+        // d/2.
         let center = body.center_of_mass().to_array();
         for k in 0..3 {
             let (mean, sd) = moments(&drawn.iter().map(|drawn| drawn.center[k]).collect::<Vec<_>>());
@@ -296,7 +304,7 @@ mod tests {
                 (mean - center[k]).abs() < 4.0 * sd / root && (sd / expected - 1.0).abs() < 0.015,
                 "{sd}"
             );
-            // The second moment about the body's own centre of mass has the mean and the spread that are said.
+            // The second moment about the nominal centre of mass has the stated mean and deviation.
             let second: Vec<f64> = drawn
                 .iter()
                 .map(|drawn| {
@@ -323,7 +331,7 @@ mod tests {
             let (mean, sd) = moments(&drawn.iter().map(|drawn| drawn.center[k]).collect::<Vec<_>>());
             assert!((mean - c).abs() < 4.0 * sd / root && (sd / 0.004 - 1.0).abs() < 0.012);
         }
-        // The tensor is the body's but for the rounding of its root.
+        // The tensor equals the body's, except for the rounding of its root.
         let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = body.inertia().matrix();
         for (value, expected) in drawn[17].tensor.into_iter().zip([xx, yy, zz, xy, xz, yz]) {
             assert!((value - expected).abs() < 1e-14 * 3.4);

@@ -1,24 +1,25 @@
-//! Sobol's sequence, scrambled as Owen does it: points that fill the cube more evenly than random ones, and are random nevertheless.
+//! Sobol sequence with Owen scrambling: random points that fill the cube more evenly than
+//! independent ones.
 
 use polhode_scenario::read::SOBOL_DIMENSIONS;
 
 use super::mix::mix;
 
-/// One dimension of the sequence, its digits scrambled.
+/// One dimension of the sequence, with scrambled digits.
 #[derive(Clone, Debug)]
 pub(crate) struct Scrambled {
-    /// Direction numbers: what each binary digit of the index does to the point.
+    /// Direction numbers: the effect of each binary digit of the index on the point.
     directions: [u32; 32],
     key: u64,
 }
 
 impl Scrambled {
-    /// Dimension `dimension`, from 0, with digits scrambled by a key.
+    /// Creates dimension `dimension`, from 0, with digits scrambled by a key.
     pub(crate) fn new(dimension: usize, key: u64) -> Self {
         Self { directions: directions(dimension), key }
     }
 
-    /// The point of an index as 32 binary digits.
+    /// Returns the point of an index as 32 binary digits.
     pub(crate) fn point(&self, index: u32) -> u32 {
         let mut point = 0;
         let mut rest = index;
@@ -29,11 +30,11 @@ impl Scrambled {
         self.scrambled(point)
     }
 
-    /// Owen's nested scrambling: each digit is turned over or not, at random, by all digits before it (Owen, Randomly permuted
-    /// (t, m, s)-nets and (t, s)-sequences, 1995).
+    /// Applies Owen's nested scrambling: all preceding digits determine at random whether a digit
+    /// is inverted (Owen, Randomly permuted (t, m, s)-nets and (t, s)-sequences, 1995).
     fn scrambled(&self, point: u32) -> u32 {
         (0..u32::BITS).fold(0, |scrambled, digit| {
-            // The digits before this one, behind a one that says how many they are.
+            // The digits before this one, preceded by a one that marks their number.
             let before = (u64::from(point) | 1 << 32) >> (32 - digit);
             let turned = mix(self.key ^ mix(before)) as u32 & 1;
             scrambled << 1 | (point >> (31 - digit) & 1) ^ turned
@@ -41,7 +42,8 @@ impl Scrambled {
     }
 }
 
-/// v_i of a dimension; from the polynomial x^s + a_1 x^(s−1) + … + 1 and the first s of m_i (Bratley and Fox, 1988):
+/// Returns the direction numbers v_i of a dimension, from the polynomial x^s + a_1 x^(s−1) + … + 1
+/// and the first s of m_i (Bratley and Fox, 1988):
 ///
 /// m_i = 2 a_1 m_(i−1) ⊕ … ⊕ 2^(s−1) a_(s−1) m_(i−s+1) ⊕ 2^s m_(i−s) ⊕ m_(i−s),  v_i = m_i 2^(32−i)
 fn directions(dimension: usize) -> [u32; 32] {
@@ -69,8 +71,9 @@ fn directions(dimension: usize) -> [u32; 32] {
     directions
 }
 
-/// Primitive polynomials, as numbers whose binary digits are their coefficients, and initial numbers m_i of dimensions 2 to 64
-/// (Joe and Kuo, Constructing Sobol sequences with better two-dimensional projections, 2008; new-joe-kuo-6.21201).
+/// Primitive polynomials, as numbers whose binary digits are the coefficients, and initial numbers
+/// m_i, for dimensions 2 to 64 (Joe and Kuo, Constructing Sobol sequences with better
+/// two-dimensional projections, 2008; new-joe-kuo-6.21201).
 #[rustfmt::skip]
 const POLYNOMIALS: [(u32, &[u32]); SOBOL_DIMENSIONS - 1] = [
     (3, &[1]), (7, &[1, 3]), (11, &[1, 3, 1]), (13, &[1, 1, 1]), (19, &[1, 1, 3, 3]), (25, &[1, 3, 5, 13]),
@@ -104,7 +107,8 @@ const POLYNOMIALS: [(u32, &[u32]); SOBOL_DIMENSIONS - 1] = [
 mod tests {
     use super::*;
 
-    /// Without scrambling they are the points of scipy.stats.qmc.Sobol(64, scramble=False), in the order of the index's Gray code.
+    /// Unscrambled points equal those of scipy.stats.qmc.Sobol(64, scramble=False), in the order of
+    /// the index's Gray code.
     #[test]
     fn the_sequence_is_that_of_scipy() {
         let unscrambled = |dimension: usize, index: u32| {
@@ -141,7 +145,8 @@ mod tests {
         }
     }
 
-    /// A (0, 2)-sequence: of 2^(a+b) points one lies in each box of 2^−a × 2^−b, also after scrambling.
+    /// A (0, 2)-sequence: each box of 2^−a × 2^−b contains one of 2^(a+b) points, also after
+    /// scrambling.
     #[test]
     fn two_dimensions_are_a_net() {
         let [x, y] = [0, 1].map(|dimension| Scrambled::new(dimension, mix(dimension as u64)));

@@ -1,4 +1,5 @@
-//! Uniform numbers above 0 and below 1, each a function of a key and a member's number, and of nothing else.
+//! Uniform numbers between 0 and 1, both excluded. Each is a function of a key and a member's
+//! number only.
 
 use polhode_scenario::read::Sampling;
 
@@ -6,41 +7,41 @@ use super::permutation::Permutation;
 use super::sobol;
 use hmac_sha256::Hash as Sha256;
 
-/// One of the uniform numbers that a member is made of.
+/// One of the uniform numbers of a member.
 #[derive(Clone, Debug)]
 pub(crate) struct Coordinate {
-    /// For draws.
+    /// Key of the random numbers.
     key: u64,
-    /// Of each set of points.
+    /// Arrangement of each set of points.
     orders: Vec<Order>,
-    /// How many members a set has.
+    /// Number of members in a set.
     size: u64,
 }
 
-/// Sets of points, each drawn for itself.
+/// Independently drawn sets of points.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sets {
     pub(crate) count: u64,
-    /// How many members each has.
+    /// Number of members in each set.
     pub(crate) size: u64,
 }
 
-/// Where in the unit interval a member's number lies.
+/// Arrangement of the members' numbers in the unit interval.
 #[derive(Clone, Debug)]
 enum Order {
-    /// Anywhere.
+    /// Independent of other members.
     Anywhere,
-    /// In the layer that the permutation gives it.
+    /// One layer per member, given by the permutation.
     Layer(Permutation),
-    /// Where Sobol's sequence of this dimension, scrambled, has it.
+    /// Point of the scrambled Sobol sequence of this dimension.
     Sobol(sobol::Scrambled),
 }
 
 impl Coordinate {
-    /// The coordinate `index` of what is called `name`, the `dimension`th of all; draws follow from the seed.
+    /// Creates the coordinate `index` of a variable, with place `dimension` among all coordinates.
     ///
-    /// A name has its own draws, so that another variable beside it does not change them; but for Sobol's points, whose
-    /// dimension is its place among all.
+    /// Random numbers follow from the seed and the variable's name, so that other variables do not
+    /// change them. For Sobol points they also depend on the dimension.
     pub(crate) fn new(
         sampling: Sampling,
         sets: Sets,
@@ -61,13 +62,14 @@ impl Coordinate {
         Self { key: key("draws", 0), orders: (0..sets.count).map(order).collect(), size: sets.size }
     }
 
-    /// The number of a member: 52 binary digits and a half of the last, so that neither 0 nor 1 is among them.
+    /// Returns the number of a member: 52 binary digits plus half of the last, so that 0 and 1 are
+    /// excluded.
     pub(crate) fn uniform(&self, member: u64) -> f64 {
         let random = philox(self.key, member);
         let (set, within) = (member / self.size.max(1), member % self.size.max(1));
         match usize::try_from(set).ok().and_then(|set| self.orders.get(set)) {
             Some(Order::Layer(permutation)) => permutation.draw(within, random),
-            // Below the 32 digits of the sequence they are random.
+            // Digits below the 32 of the sequence are random.
             Some(Order::Sobol(sequence)) => {
                 unit(u64::from(sequence.point(within as u32)) << 20 | random >> 44)
             }
@@ -76,26 +78,27 @@ impl Coordinate {
     }
 }
 
-/// (n + ½) 2⁻⁵² of a number of 52 binary digits.
+/// Returns (n + ½) 2⁻⁵² for a number n of 52 binary digits.
 pub(crate) fn unit(n: u64) -> f64 {
     const SCALE: f64 = 1.0 / (1_u64 << 52) as f64;
     (n as f64 + 0.5) * SCALE
 }
 
-/// A key for draws of a purpose.
+/// Returns a key for a purpose.
 fn key(seed: u64, name: &str, index: usize, purpose: &str) -> u64 {
     let hash = Sha256::hash(format!("{seed}\n{name}\n{index}\n{purpose}").as_bytes());
     hash.iter().take(8).fold(0, |key, byte| key << 8 | u64::from(*byte))
 }
 
-/// 64 random bits: half of the block of Philox4×32-10 with this key and counter.
+/// Returns 64 random bits: half of the block of Philox4×32-10 with this key and counter.
 fn philox(key: u64, counter: u64) -> u64 {
     let [a, b, ..] =
         philox4x32([key as u32, (key >> 32) as u32], [counter as u32, (counter >> 32) as u32, 0, 0]);
     u64::from(b) << 32 | u64::from(a)
 }
 
-/// Philox4×32-10 (Salmon, Moraes, Dror and Shaw, Parallel random numbers: as easy as 1, 2, 3, SC11).
+/// Returns a block of Philox4×32-10 (Salmon, Moraes, Dror and Shaw, Parallel random numbers: as
+/// easy as 1, 2, 3, SC11).
 fn philox4x32(mut key: [u32; 2], mut counter: [u32; 4]) -> [u32; 4] {
     const ROUNDS: u32 = 10;
     for _ in 0..ROUNDS {
@@ -112,7 +115,7 @@ fn philox4x32(mut key: [u32; 2], mut counter: [u32; 4]) -> [u32; 4] {
 mod tests {
     use super::*;
 
-    /// The known answers that Random123 is distributed with (kat_vectors).
+    /// Known answers distributed with Random123 (`kat_vectors`).
     #[test]
     fn philox_gives_its_known_answers() {
         for (key, counter, answer) in [

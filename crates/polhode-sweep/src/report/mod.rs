@@ -1,4 +1,4 @@
-//! The report of `polhode sweep`: what many members come to.
+//! Report of `polhode sweep`: statistics over many members.
 
 mod summary;
 mod text;
@@ -7,227 +7,228 @@ use polhode::body::Finding;
 use polhode_document::Document;
 use serde_json::Value;
 
-/// What a sweep comes to.
+/// Summary of a sweep.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweepSummary {
-    /// What it is about.
+    /// Title of the plan.
     pub title: Option<String>,
-    /// A name for everything that the results depend on.
+    /// Digest of everything that the results depend on.
     pub digest: String,
-    /// How many members there are.
+    /// Number of members.
     pub members: u64,
-    /// How they were drawn: `grid`, `monte_carlo`, `latin_hypercube` or `sobol`.
+    /// Sampling method: `grid`, `monte_carlo`, `latin_hypercube` or `sobol`.
     pub sampling: &'static str,
-    /// What the draws follow from; `None` where nothing is drawn.
+    /// Seed of the random numbers; `None` for a grid.
     pub seed: Option<u64>,
-    /// Whether there are confidence intervals.
+    /// Kind of the confidence intervals.
     pub intervals: SweepIntervals,
-    /// How the motions ended.
+    /// Number of members by status of the motion.
     pub statuses: Vec<SweepShare>,
-    /// Which kind of free motion the starts have.
+    /// Number of members by regime of free motion at the start.
     pub regimes: Vec<SweepShare>,
-    /// And the ends.
+    /// Number of members by regime of free motion at the end.
     pub end_regimes: Vec<SweepShare>,
-    /// What was asked, and the answers.
+    /// Questions of the plan, with their answers.
     pub questions: Vec<SweepQuestion>,
-    /// The mean of each attitude.
+    /// Mean of each attitude.
     pub attitudes: Vec<SweepAttitude>,
-    /// The first members that failed, and why.
+    /// First members that failed, with the cause.
     pub failures: Vec<(u64, String)>,
-    /// What differs from member to member.
+    /// Statistics of the varied inputs.
     pub inputs: Vec<SweepStatistic>,
-    /// What becomes of them.
+    /// Statistics of the outcomes.
     pub outcomes: Vec<SweepStatistic>,
-    /// How many members the correlations are of.
+    /// Number of members used for the correlations.
     pub sampled: usize,
-    /// The strongest dependencies of outcomes on inputs.
+    /// Strongest dependencies of outcomes on inputs.
     pub correlations: Vec<SweepCorrelation>,
 }
 
-/// Whether there are confidence intervals.
+/// Kind of the confidence intervals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SweepIntervals {
-    /// There are.
+    /// Intervals for independent members.
     Given {
-        /// The probability that an interval holds what it is about.
+        /// Confidence level.
         confidence: f64,
     },
-    /// There are, from how far sets of members that were drawn each for itself differ.
+    /// Intervals from the differences between independently drawn sets of members.
     OfSets {
-        /// The probability that an interval holds what it is about.
+        /// Confidence level.
         confidence: f64,
-        /// How many sets there are.
+        /// Number of sets.
         sets: u64,
     },
-    /// There are none.
+    /// No intervals.
     None {
-        /// Why not.
+        /// Reason.
         why: &'static str,
     },
 }
 
-/// How many members have something in common.
+/// Number of members with a common property.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweepShare {
-    /// What.
+    /// Name of the property.
     pub name: String,
-    /// How many.
+    /// Number of members.
     pub count: u64,
-    /// An interval of the proportion.
+    /// Confidence interval of the proportion.
     pub interval: Option<[f64; 2]>,
 }
 
-/// A condition on the columns of a member, and how many fulfil it.
+/// Condition on the columns of a member, and the number of members that fulfil it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweepQuestion {
-    /// What the plan calls it.
+    /// Name in the plan.
     pub name: String,
-    /// The condition.
+    /// Text of the condition.
     pub condition: String,
-    /// How many members fulfil it.
+    /// Number of members that fulfil it.
     pub count: u64,
-    /// How many have all columns that it is about.
+    /// Number of members with all columns of the condition.
     pub of: u64,
-    /// The share of the members that have them; `None` if none has.
+    /// Share among the members with all columns; `None` without such members.
     pub share: Option<f64>,
-    /// An interval of the probability.
+    /// Confidence interval of the probability.
     pub interval: Option<[f64; 2]>,
-    /// The share among the first members, for ever more of them.
+    /// Share among the first members, for increasing numbers of them.
     pub convergence: Vec<SweepStep>,
 }
 
-/// The share that fulfils a condition among the first members.
+/// Share that fulfils a condition among the first members.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SweepStep {
-    /// How many members.
+    /// Number of members.
     pub members: u64,
-    /// The share.
+    /// Share among these members.
     pub share: f64,
-    /// Its interval.
+    /// Confidence interval of the share.
     pub interval: Option<[f64; 2]>,
 }
 
-/// The mean of an attitude: the columns `NAME_from_mean_rad`, `NAME_from_mean_x_rad` … are turns from it.
+/// Mean of an attitude. The columns `NAME_from_mean_rad`, `NAME_from_mean_x_rad` … contain
+/// rotations from it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweepAttitude {
-    /// What the columns of its quaternion begin with.
+    /// Common prefix of the quaternion's columns.
     pub name: String,
-    /// (w, x, y, z), w ≥ 0.
+    /// Mean quaternion (w, x, y, z), w ≥ 0.
     pub mean: [f64; 4],
 }
 
-/// The numbers of one column.
+/// Statistics of one column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweepStatistic {
-    /// The column.
+    /// Name of the column.
     pub name: String,
-    /// Its unit in SI; empty if there is none.
+    /// SI unit; empty for a dimensionless number.
     pub unit: String,
-    /// What it is.
+    /// Description of the column.
     pub description: String,
-    /// How many members have it.
+    /// Number of members with a value.
     pub count: u64,
-    /// Their mean.
+    /// Mean value, in `unit`.
     pub mean: Option<f64>,
-    /// An interval of the mean.
+    /// Confidence interval of the mean.
     pub mean_interval: Option<[f64; 2]>,
-    /// √(Σ (x − mean)² / (n − 1)).
+    /// Sample standard deviation √(Σ (x − mean)² / (n − 1)).
     pub standard_deviation: Option<f64>,
-    /// The least.
+    /// Smallest value.
     pub min: Option<f64>,
-    /// The largest.
+    /// Largest value.
     pub max: Option<f64>,
-    /// Some quantiles, in ascending order.
+    /// Quantiles in ascending order.
     pub quantiles: Vec<SweepQuantile>,
-    /// How they are distributed; `None` if they do not vary.
+    /// Histogram; `None` if the values do not vary.
     pub histogram: Option<SweepHistogram>,
 }
 
-/// A quantile: at (n − 1) p between the numbers in ascending order, from 0.
+/// Quantile: interpolated at the rank (n − 1) p among the sorted values, from 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SweepQuantile {
-    /// p
+    /// Probability p.
     pub probability: f64,
-    /// The number there.
+    /// Value of the quantile.
     pub value: f64,
-    /// Order statistics that hold the quantile of the distribution between them, where there are enough members.
+    /// Confidence interval between two order statistics; an end is `None` with too few members.
     pub interval: [Option<f64>; 2],
 }
 
-/// How many numbers are in each of some bins of equal width, or of equal ratio.
+/// Histogram with bins of equal width, or of equal ratio.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweepHistogram {
-    /// Where the first bin begins.
+    /// Lower end of the first bin.
     pub least: f64,
-    /// Where the last bin ends.
+    /// Upper end of the last bin.
     pub greatest: f64,
-    /// Whether bins have equal ratios.
+    /// True if bins have equal ratios.
     pub log: bool,
-    /// Numbers in each bin.
+    /// Number of values in each bin.
     pub counts: Vec<u64>,
-    /// Numbers below the first.
+    /// Number of values below the first bin.
     pub below: u64,
-    /// Numbers above the last.
+    /// Number of values above the last bin.
     pub above: u64,
 }
 
-/// How an outcome depends on an input.
+/// Dependence of an outcome on an input.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SweepCorrelation {
-    /// The input's column.
+    /// Column of the input.
     pub input: String,
-    /// The outcome's column.
+    /// Column of the outcome.
     pub outcome: String,
     /// Spearman's rank correlation, −1 … 1.
     pub value: f64,
 }
 
-/// Some members, column by column, for pictures.
+/// Sample of the members in columns, for figures.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SweepSample {
-    /// The columns.
+    /// Names of the columns.
     pub names: Vec<String>,
-    /// Their numbers, one for each member, where there is one.
+    /// Values, one per member; `None` if missing.
     pub columns: Vec<Vec<Option<f64>>>,
-    /// The regime of each member.
+    /// Regime of each member.
     pub regimes: Vec<Option<String>>,
-    /// Which of the columns are inputs.
+    /// Names of the columns that are inputs.
     pub inputs: Vec<String>,
-    /// Of each question, what each member answers, where it can.
+    /// Answers of each member to each question; `None` without answer.
     pub answers: Vec<Vec<Option<bool>>>,
 }
 
 impl SweepSummary {
-    /// One screen for people.
+    /// Returns the summary as text that fits on a screen.
     pub fn to_text(&self) -> String {
         text::write(self)
     }
 
-    /// The same as a document, with what was noticed about the plan.
+    /// Returns the summary as a document, with findings about the plan.
     pub fn to_document(&self, findings: Vec<Finding>) -> Document {
         text::document(self, findings)
     }
 
-    /// The content of `summary.json`.
+    /// Returns the content of `summary.json`.
     pub fn to_json(&self) -> Value {
         summary::of(self)
     }
 }
 
 impl SweepSample {
-    /// How many members there are.
+    /// Returns the number of sampled members.
     pub fn rows(&self) -> usize {
         self.regimes.len()
     }
 }
 
 impl SweepStatistic {
-    /// The quantile of a probability, if it is there.
+    /// Returns the quantile of a probability, if it was computed.
     pub fn quantile(&self, probability: f64) -> Option<f64> {
         self.quantiles.iter().find(|q| q.probability == probability).map(|q| q.value)
     }
 
-    /// True if the members do not all have the same number.
+    /// Returns true if the members have different values.
     pub fn varies(&self) -> bool {
         self.min < self.max
     }

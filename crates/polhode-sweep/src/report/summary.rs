@@ -1,4 +1,4 @@
-//! `summary.json` of a sweep.
+//! Content of a sweep's `summary.json`.
 
 use polhode_document::VERSION;
 use polhode_document::json::numbers;

@@ -1,4 +1,4 @@
-//! A sweep on one screen, and as a document.
+//! Summary of a sweep as text and as a document.
 
 use polhode::body::Finding;
 use polhode_document::layout::{columns, labelled, plain_spaces, printable};
@@ -7,21 +7,21 @@ use polhode_document::{Document, Section};
 
 use super::{SweepIntervals, SweepQuestion, SweepShare, SweepStatistic, SweepSummary};
 
-/// Dependencies that are shown: weaker ones say little.
+/// Smallest correlation that is shown.
 const LEAST_CORRELATION: f64 = 0.1;
 const MOST_CORRELATIONS: usize = 6;
 
-/// What only its worst says something of.
+/// Outcomes for which only the worst value is shown.
 const DRIFT: [&str; 2] = ["energy_drift", "momentum_drift"];
 const ERROR: [&str; 2] = ["error_attitude_rad", "error_omega"];
 
 /// Headers of a table, after its name.
 const HEAD: [&str; 7] = ["mean", "", "least", "5 %", "median", "95 %", "largest"];
 
-/// A line with a label; one without goes on from the line before.
+/// Line with a label; an empty label continues the line before.
 type Labelled = (String, String);
 
-/// Returns the screen.
+/// Returns the summary as text.
 pub(crate) fn write(summary: &SweepSummary) -> String {
     let lines = |lines: Vec<Labelled>| -> String {
         lines.iter().map(|(label, line)| labelled(label, line)).collect()
@@ -41,7 +41,7 @@ pub(crate) fn write(summary: &SweepSummary) -> String {
     plain_spaces(&text)
 }
 
-/// Returns the same as a document.
+/// Returns the summary as a document.
 pub(crate) fn document(summary: &SweepSummary, findings: Vec<Finding>) -> Document {
     let joined = |(label, line): Labelled| {
         if label.is_empty() { line } else { format!("{label}: {line}") }
@@ -58,7 +58,7 @@ fn title(summary: &SweepSummary) -> String {
     printable(summary.title.as_deref().unwrap_or("sweep"))
 }
 
-/// `1,000 members drawn independently, seed 7`
+/// Returns the sampling in words: `1,000 members drawn independently, seed 7`.
 fn drawn(summary: &SweepSummary) -> String {
     let noun = if summary.members == 1 { "member" } else { "members" };
     let drawn = match summary.sampling {
@@ -71,7 +71,7 @@ fn drawn(summary: &SweepSummary) -> String {
     format!("{} {noun} {drawn}{seed}", count(summary.members))
 }
 
-/// Status of the members, answers to questions, and kinds of motion.
+/// Returns the status of the members, answers to questions, and regimes.
 fn answers(summary: &SweepSummary) -> Vec<Labelled> {
     let shares = |shares: &[SweepShare]| shares_of(shares, summary.members);
     let mut lines = vec![("status".to_owned(), shares(&summary.statuses))];
@@ -88,7 +88,7 @@ fn answers(summary: &SweepSummary) -> Vec<Labelled> {
     lines
 }
 
-/// The worst errors, the strongest dependencies, and what intervals mean.
+/// Returns the largest errors, the strongest dependencies, and the meaning of the intervals.
 fn notes(summary: &SweepSummary) -> Vec<Labelled> {
     let mut lines = Vec::new();
     let mut say = |label: &str, line: String| lines.push((label.to_owned(), line));
@@ -125,7 +125,7 @@ fn notes(summary: &SweepSummary) -> Vec<Labelled> {
     lines
 }
 
-/// `12.3 % (10.9 … 13.8 %) have largest_angle > 90 deg: 123 of 1,000`
+/// Returns an answer in words: `12.3 % (10.9 … 13.8 %) have largest_angle > 90 deg: 123 of 1,000`.
 fn answer(question: &SweepQuestion, members: u64) -> String {
     let condition = printable(&question.condition);
     let Some(share) = question.share else { return format!("no member has all columns of {condition}") };
@@ -141,7 +141,7 @@ fn answer(question: &SweepQuestion, members: u64) -> String {
     format!("{} %{interval} have {condition}: {yes} of {of}{lacking}", percent(share))
 }
 
-/// `complete 998 (99.8 %, 99.3 … 99.9 %), failed 2 (0.2 %)`
+/// Returns shares in words: `complete 998 (99.8 %, 99.3 … 99.9 %), failed 2 (0.2 %)`.
 fn shares_of(shares: &[SweepShare], members: u64) -> String {
     let one = |share: &SweepShare| {
         let percent = |x: f64| number(100.0 * x, 5);
@@ -154,10 +154,10 @@ fn shares_of(shares: &[SweepShare], members: u64) -> String {
     shares.iter().map(one).collect::<Vec<_>>().join("; ")
 }
 
-/// The statistics of inputs, or of outcomes.
+/// Table of statistics of inputs, or of outcomes.
 struct Table {
     name: &'static str,
-    /// A row for each column that varies.
+    /// One row for each column that varies.
     rows: Vec<Vec<String>>,
     /// Columns that do not vary, with their values.
     same: String,

@@ -1,22 +1,23 @@
-//! What members answer to the questions of a plan: how many fulfil a condition, and how that number settles.
+//! Answers to the questions of a plan: number of members that fulfil a condition, and its
+//! convergence.
 
 use super::interval;
 use super::{CONFIDENCE, Design};
 use crate::plan::Condition;
 use crate::report::{SweepQuestion, SweepStep};
 
-/// Stretches of members after which the share is told.
+/// Number of stretches of members for the convergence of a share.
 const STEPS: u64 = 64;
 
-/// How many of some members fulfil a condition.
+/// Number of members that fulfil a condition.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Count {
     pub(super) yes: u64,
-    /// Members that have all columns of the condition.
+    /// Number of members with all columns of the condition.
     pub(super) of: u64,
 }
 
-/// The answers to one question, by stretches of members and by sets.
+/// Answers to one question, by stretch of members and by set.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Answers {
     stretches: Vec<Count>,
@@ -24,7 +25,7 @@ pub(super) struct Answers {
 }
 
 impl Answers {
-    /// Of members of these numbers, where they have an answer.
+    /// Counts the answers of members with these numbers; `None` is not counted.
     pub(super) fn of(answers: &[Option<bool>], numbers: &[u64], members: u64, design: Design) -> Self {
         let steps = STEPS.min(members).max(1);
         let sets = if let Design::Sets { count, .. } = design { count } else { 0 };
@@ -55,7 +56,7 @@ impl Answers {
         add(&mut self.sets, &other.sets);
     }
 
-    /// The answer, and what it was after each stretch of members.
+    /// Returns the answer, and its value after each stretch of members.
     pub(super) fn finish(&self, condition: &Condition, members: u64, design: Design) -> SweepQuestion {
         let share = |count: Count| (count.of > 0).then(|| count.yes as f64 / count.of as f64);
         let steps = self.stretches.len() as u64;
@@ -80,18 +81,20 @@ impl Answers {
 }
 
 impl Design {
-    /// The interval of a proportion, from how many of all, and from how many of each set.
+    /// Returns the confidence interval of a proportion, from all members or from each set.
     pub(super) fn share(self, total: Count, sets: impl Iterator<Item = Count>) -> Option<[f64; 2]> {
         match self {
             Self::Independent => Some(interval::of_share(total.yes, total.of)),
             Self::Sets { .. } => {
                 let shares: Vec<f64> =
                     sets.filter(|set| set.of > 0).map(|set| set.yes as f64 / set.of as f64).collect();
-                // Where all sets say the same, they do not show how rare the other is: as of independent members, which is wider.
+                // If all sets agree, they contain no information on rare cases. Use the wider
+                // interval of independent members.
                 if shares.windows(2).all(|pair| pair[0] == pair[1]) {
                     return (shares.len() > 1).then(|| interval::of_share(total.yes, total.of));
                 }
-                // Shares are whole members of few: one set more that has one more, and one that has one less.
+                // Shares of small sets are coarse. Add two sets, with one member more and one
+                // member less than the mean.
                 let sets = shares.len() as f64;
                 let (mean, step) = (shares.iter().sum::<f64>() / sets, sets / total.of as f64);
                 let shares = [&shares[..], &[mean - step, mean + step]].concat();

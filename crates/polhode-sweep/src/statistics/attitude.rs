@@ -1,4 +1,4 @@
-//! How attitudes are spread: their mean, and how far each is turned from it.
+//! Distribution of attitudes: their mean, and the rotation of each from it.
 
 use polhode::math::{Attitude, Body, Rotation};
 
@@ -6,19 +6,20 @@ use super::passes::Parts;
 use crate::batch::{Batch, Column, Values};
 use crate::error::SweepError;
 
-/// The mean of some attitudes.
+/// Mean of attitudes.
 #[derive(Clone, Debug)]
 pub(super) struct MeanAttitude {
-    /// The columns are `STEM_w`, `STEM_x`, `STEM_y`, `STEM_z`.
+    /// Prefix of the columns `STEM_w`, `STEM_x`, `STEM_y`, `STEM_z`.
     pub(super) stem: String,
     mean: Attitude,
 }
 
-/// The sum of q qᵀ, which does not know the sign of q.
+/// Sum of q qᵀ, which is independent of the sign of q.
 type Outer = [[f64; 4]; 4];
 
-/// The mean of each of these attitudes, the q that makes Σ (q · qₖ)² greatest (Markley, Cheng, Crassidis and Oshman, Averaging
-/// quaternions, 2007): the eigenvector of Σ qₖ qₖᵀ of the greatest eigenvalue.
+/// Returns the mean of each attitude: the q that maximizes Σ (q · qₖ)², the eigenvector of Σ qₖ qₖᵀ
+/// with the greatest eigenvalue (Markley, Cheng, Crassidis and Oshman, Averaging quaternions,
+/// 2007).
 pub(super) fn means(parts: &Parts<'_>, stems: &[String]) -> Result<Vec<MeanAttitude>, SweepError> {
     let of = |part| {
         let batch = (parts.read)(part)?;
@@ -34,20 +35,20 @@ pub(super) fn means(parts: &Parts<'_>, stems: &[String]) -> Result<Vec<MeanAttit
 }
 
 impl MeanAttitude {
-    /// The mean as (w, x, y, z), w ≥ 0.
+    /// Returns the mean as (w, x, y, z), w ≥ 0.
     pub(super) fn quaternion(&self) -> [f64; 4] {
         self.mean.canonical_quaternion()
     }
 
-    /// A table with the turns from the mean in place of the quaternions: the angle of each, and its components along the axes of the
-    /// body in the mean attitude.
+    /// Replaces the quaternions of a table by rotations from the mean: the angle, and its
+    /// components along the body axes in the mean attitude.
     pub(super) fn put(&self, batch: Batch) -> Batch {
         let turns: Vec<Option<[f64; 4]>> = quaternions(&batch, &self.stem)
             .into_iter()
             .map(|q| {
                 let turn = self.mean.inverse() * Attitude::from_quaternion(q?).ok()?;
                 let [w, x, y, z] = Rotation::<Body, Body>::canonical_quaternion(turn);
-                // A vector of the length of the angle: 2 atan(|v|/w) v/|v|
+                // Rotation vector of length angle: 2 atan(|v|/w) v/|v|.
                 let sine = libm::hypot(libm::hypot(x, y), z);
                 let angle = 2.0 * libm::atan2(sine, w);
                 let factor = if sine > 0.0 { angle / sine } else { 2.0 };
@@ -62,11 +63,11 @@ impl MeanAttitude {
             Column::new([&name, "rad", if k == 0 { &angle } else { &turn }], Values::Perhaps(values))
         });
         let rest = batch.columns().iter().filter(|column| !components(stem).contains(&column.name)).cloned();
-        // Names of columns do not end in _from_mean_rad.
+        // Other columns do not end in `_from_mean_rad`.
         Batch::new(rest.chain(columns).collect()).unwrap_or(batch)
     }
 
-    /// The names of the columns that it puts.
+    /// Returns the names of the columns that [`MeanAttitude::put`] adds.
     pub(super) fn columns(&self) -> [String; 4] {
         ["", "_x", "_y", "_z"].map(|suffix| format!("{}_from_mean{suffix}_rad", self.stem))
     }
@@ -76,7 +77,7 @@ fn components(stem: &str) -> [String; 4] {
     ["w", "x", "y", "z"].map(|component| format!("{stem}_{component}"))
 }
 
-/// The quaternion of each row that has one.
+/// Returns the quaternion of each row; `None` if missing.
 fn quaternions(batch: &Batch, stem: &str) -> Vec<Option<[f64; 4]>> {
     let columns = components(stem).map(|name| batch.column(&name).ok().map(|column| &column.values));
     let quaternion = |row: usize| {
@@ -97,7 +98,8 @@ fn sum(a: &Outer, b: &Outer) -> Outer {
     std::array::from_fn(|i| std::array::from_fn(|j| a[i][j] + b[i][j]))
 }
 
-/// By squaring: A², A⁴, … has the ratio of its eigenvalues squared each time, and is v vᵀ in the end. `None` of a sum of nothing.
+/// Returns the eigenvector of the greatest eigenvalue by repeated squaring: A², A⁴, … converges to
+/// v vᵀ. `None` for an empty sum.
 fn greatest_eigenvector(mut a: Outer) -> Option<[f64; 4]> {
     for _ in 0..40 {
         let trace = a[0][0] + a[1][1] + a[2][2] + a[3][3];
@@ -121,7 +123,7 @@ mod tests {
 
     #[test]
     fn the_mean_of_turns_about_an_axis_is_that_of_their_angles() {
-        // of either sign, about an axis without symmetry
+        // Quaternions of either sign, about an axis without symmetry.
         let base = Attitude::from_quaternion([0.3, -0.5, 0.7, 0.2]).unwrap();
         let turn = |angle: f64| {
             let axis = polhode::math::Direction::<Body>::new(0.36, -0.48, 0.8);

@@ -1,4 +1,4 @@
-//! Histograms, over the part of the range that most numbers are in.
+//! Histograms over the central part of the range.
 
 use super::passes::Parts;
 use super::selection::Selection;
@@ -7,12 +7,12 @@ use super::{interval, values};
 use crate::error::SweepError;
 use crate::report::SweepHistogram;
 
-/// Bins of a histogram.
+/// Number of bins of a histogram.
 const BINS: usize = 40;
-/// Beyond this ratio of the 99 % to the 1 % quantile bins are of equal ratio.
+/// Ratio of the 99 % to the 1 % quantile above which bins have equal ratios.
 const DECADES: f64 = 100.0;
 
-/// Where the bins of a column are.
+/// Bins of a column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bins {
     least: f64,
@@ -21,7 +21,10 @@ pub(super) struct Bins {
 }
 
 impl Bins {
-    /// From the 1 % to the 99 % quantile, or to the ends if they are no further from it than that range is long; `None` for a column that does not vary.
+    /// Chooses the bins; `None` for a column that does not vary.
+    ///
+    /// They cover the 1 % to the 99 % quantile. An end extends to the extreme value if that is no
+    /// further away than the length of this range.
     pub(super) fn of(moments: &Moments, selection: &Selection) -> Option<Self> {
         let rank = |p: f64| interval::around(moments.count, p);
         let (low, high) = (selection.at(rank(0.01).0)?, selection.at(rank(0.99).1)?);
@@ -34,7 +37,8 @@ impl Bins {
         (least < greatest && (greatest - least).is_finite()).then_some(Self { least, greatest, log })
     }
 
-    /// The bin of a number: the first is for what is below, the last for what is above.
+    /// Returns the bin of a value: the first is for values below the range, the last for values
+    /// above.
     fn place(&self, x: f64) -> usize {
         if x < self.least {
             return 0;
@@ -48,7 +52,7 @@ impl Bins {
     }
 }
 
-/// The histograms of all columns that have one.
+/// Returns the histograms of all columns with bins.
 pub(super) fn count(
     parts: &Parts<'_>,
     names: &[&str],

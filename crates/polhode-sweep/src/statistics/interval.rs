@@ -1,14 +1,15 @@
-//! Confidence intervals of independent members.
+//! Confidence intervals.
 
 use std::f64::consts::PI;
 
-/// Half the interval about the mean of n numbers with standard deviation s: t s/√n, t of Student's
-/// distribution. `None` of fewer than two.
+/// Returns the half width t s/√n of the interval of the mean of n values with standard deviation s,
+/// t from Student's distribution. `None` for fewer than two.
 pub(super) fn half_of_mean(n: u64, deviation: f64, confidence: f64) -> Option<f64> {
     (n > 1).then(|| student(n - 1, confidence) * deviation / (n as f64).sqrt())
 }
 
-/// Of the mean of what is drawn in several sets, each for itself, from the mean of each set: m ± t s/√k. `None` of fewer than two.
+/// Returns the interval m ± t s/√k of the mean over k independently drawn sets, from the mean of
+/// each set. `None` for fewer than two.
 pub(super) fn of_sets(means: &[f64], confidence: f64) -> Option<[f64; 2]> {
     let k = means.len() as f64;
     let mean = means.iter().sum::<f64>() / k;
@@ -17,12 +18,13 @@ pub(super) fn of_sets(means: &[f64], confidence: f64) -> Option<[f64; 2]> {
     Some([mean - half, mean + half])
 }
 
-/// Φ⁻¹(0.975)
+/// Standard normal quantile Φ⁻¹(0.975).
 const Z: f64 = 1.959_963_984_540_054;
 
-/// Wilson's interval of a proportion at 95 %: (p + z²/2n ± z √(p (1 − p)/n + z²/4n²)) / (1 + z²/n).
+/// Returns Wilson's 95 % interval of a proportion: (p + z²/2n ± z √(p (1 − p)/n + z²/4n²)) / (1 +
+/// z²/n).
 ///
-/// Wilson, J. Am. Stat. Assoc. 22 (1927) 209.
+/// Source: Wilson, J. Am. Stat. Assoc. 22 (1927) 209.
 pub(super) fn of_share(count: u64, n: u64) -> [f64; 2] {
     if n == 0 {
         return [0.0, 1.0];
@@ -33,18 +35,19 @@ pub(super) fn of_share(count: u64, n: u64) -> [f64; 2] {
     [((middle - half) / whole).max(0.0), ((middle + half) / whole).min(1.0)]
 }
 
-/// The ranks between which a quantile of n numbers is, from 0, and how far it is from the first to the second: at (n − 1) p.
+/// Returns the ranks (from 0) on both sides of a quantile of n values, and the fraction between
+/// them; the quantile is at (n − 1) p.
 pub(super) fn around(n: u64, p: f64) -> (u64, u64, f64) {
     let place = n.saturating_sub(1) as f64 * p;
     let below = place.floor();
     (below as u64, (below as u64 + 1).min(n.saturating_sub(1)), place - below)
 }
 
-/// Ranks (from 0) of the order statistics that hold the quantile of the distribution between them with the confidence, at least;
-/// `None` where n is too small for an end.
+/// Returns the ranks (from 0) of order statistics that enclose the distribution's quantile with at
+/// least this confidence. An end is `None` if n is too small.
 ///
-/// With B ~ Binomial(n, p) the numbers below the quantile, the lower is the largest k with P(B ≤ k) ≤ α/2, and the upper the smallest
-/// with P(B ≤ k) ≥ 1 − α/2.
+/// Let B ~ Binomial(n, p) be the number of values below the quantile. The lower rank is the largest
+/// k with P(B ≤ k) ≤ α/2, the upper rank the smallest with P(B ≤ k) ≥ 1 − α/2.
 pub(super) fn of_quantile(n: u64, p: f64, confidence: f64) -> [Option<u64>; 2] {
     let tail = 0.5 * (1.0 - confidence);
     let (size, q) = (n as f64, 1.0 - p);
@@ -67,9 +70,10 @@ pub(super) fn of_quantile(n: u64, p: f64, confidence: f64) -> [Option<u64>; 2] {
     [lower, None]
 }
 
-/// t with P(|T| ≤ t) = confidence, for Student's distribution.
+/// Returns t with P(|T| ≤ t) = confidence for Student's distribution.
 ///
-/// Up to 200 degrees of freedom by the finite sums of Abramowitz & Stegun 26.7.3 and 26.7.4, beyond by 26.7.5 at 95 %.
+/// Up to 200 degrees of freedom it uses the finite sums of Abramowitz & Stegun 26.7.3 and 26.7.4,
+/// above that the expansion 26.7.5 at 95 %.
 fn student(freedom: u64, confidence: f64) -> f64 {
     let v = freedom as f64;
     if freedom > 200 {
@@ -77,7 +81,7 @@ fn student(freedom: u64, confidence: f64) -> f64 {
         let g = [(z.powi(3) + z) / 4.0, (5.0 * z.powi(5) + 16.0 * z.powi(3) + 3.0 * z) / 96.0];
         return z + g[0] / v + g[1] / (v * v);
     }
-    // P is a rising function of θ = atan(t/√v).
+    // P increases with θ = atan(t/√v).
     let (mut low, mut high) = (0.0, 0.5 * PI);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
@@ -86,12 +90,12 @@ fn student(freedom: u64, confidence: f64) -> f64 {
     libm::tan(0.5 * (low + high)) * v.sqrt()
 }
 
-/// P(|T| ≤ √v tan θ)
+/// Returns P(|T| ≤ √v tan θ).
 fn within(freedom: u64, theta: f64) -> f64 {
     let (sin, cos) = (libm::sin(theta), libm::cos(theta));
     let odd = freedom % 2 == 1;
     let (mut term, mut sum) = if odd { (cos, 0.0) } else { (1.0, 0.0) };
-    // 1, 1/2 cos², 1·3/2·4 cos⁴ … or cos, 2/3 cos³, 2·4/3·5 cos⁵ …
+    // Terms: 1, 1/2 cos², 1·3/2·4 cos⁴ … or cos, 2/3 cos³, 2·4/3·5 cos⁵ …
     for k in 0..freedom / 2 {
         sum += term;
         let j = 2 * k + if odd { 2 } else { 1 };
@@ -133,7 +137,7 @@ mod tests {
 
     #[test]
     fn order_statistics_hold_the_quantile() {
-        // By summing the binomial distribution directly.
+        // Compared with a direct sum of the binomial distribution.
         let cumulated = |n: u64, p: f64, k: u64| {
             (0..=k)
                 .map(|j| {
@@ -156,7 +160,7 @@ mod tests {
         assert_eq!(of_quantile(20, 0.01, 0.95)[0], None);
         assert_eq!(of_quantile(20, 0.99, 0.95)[1], None);
         let [Some(low), Some(high)] = of_quantile(1_000_000_000, 0.5, 0.95) else { unreachable!() };
-        // n p ± z √(n p q)
+        // Expected ranks: n p ± z √(n p q).
         assert!((500_000_000 - low).abs_diff(30_990) < 20 && (high - 500_000_000).abs_diff(30_990) < 20);
     }
 }

@@ -1,12 +1,14 @@
-//! What a sweep comes to: counts, means, quantiles, intervals, the strongest dependencies.
+//! Statistics of a sweep: counts, means, quantiles, intervals, the strongest dependencies.
 //!
-//! All of it exactly, in memory that does not grow with the number of members, in passes over the parts:
+//! All results are exact. Memory does not grow with the number of members. Several passes over the
+//! parts compute:
 //!
-//! 1. counts, moments, extremes, and a sample of members (`tally.rs`);
-//! 2. six passes that close in on the order statistics, eleven bits of each number at a time (`selection.rs`);
-//! 3. histograms (`histogram.rs`).
+//! 1. counts, moments, extremes, and a sample of members (`tally.rs`)
+//! 2. order statistics, in six passes of eleven bits each (`selection.rs`)
+//! 3. histograms (`histogram.rs`)
 //!
-//! Nothing depends on the number of threads: counts add in any order, moments are added in the order of the parts.
+//! Results do not depend on the number of threads: counts may be added in any order, and moments
+//! are added in the order of the parts.
 
 mod answers;
 mod attitude;
@@ -33,11 +35,12 @@ use passes::Parts;
 use selection::Selection;
 use tally::{Moments, Tally};
 
-/// Of the probability of each interval.
+/// Confidence level of all intervals.
 const CONFIDENCE: f64 = 0.95;
-/// Which quantiles there are.
+/// Probabilities of the quantiles.
 const PROBABILITIES: [f64; 7] = [0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99];
-/// Outcomes whose dependence on inputs says nothing: what the body is, what its motion cost to compute, and how good that is.
+/// Outcomes excluded from correlations: properties of the body, cost and accuracy of the
+/// computation.
 const PLAIN: [&str; 11] = [
     "mass_kg",
     "moment_1_kg_m2",
@@ -51,17 +54,17 @@ const PLAIN: [&str; 11] = [
     "steps_rejected",
     "evaluations",
 ];
-/// The outcome that is an attitude: four numbers that mean nothing one by one.
+/// Prefix of the outcome that is an attitude; its four components have no meaning individually.
 const END_ATTITUDE: &str = "end_attitude";
 
-/// How members are drawn, as far as intervals depend on it.
+/// Sampling design, as far as confidence intervals depend on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Design {
-    /// Each for itself.
+    /// Independent members.
     Independent,
-    /// In sets of `size`, each set for itself.
+    /// Independent sets of `size` members.
     Sets { size: u64, count: u64 },
-    /// One set, or none that is drawn.
+    /// A single set, or a grid.
     Fixed,
 }
 
@@ -74,7 +77,7 @@ impl Design {
         }
     }
 
-    /// The set of a member.
+    /// Returns the index of a member's set.
     const fn set(self, member: u64) -> u64 {
         match self {
             Self::Sets { size, .. } => member / size,
@@ -97,7 +100,7 @@ pub(crate) fn each(
     Ok(parts.in_order(|part| Ok(vec![read(part)?]), merge)?.unwrap_or_default())
 }
 
-/// What the rows of so many parts come to, and some of their members.
+/// Returns the statistics of all parts, and a sample of their members.
 pub(crate) fn of(
     plan: &Plan,
     parts: u64,
@@ -174,7 +177,7 @@ pub(crate) fn of(
     Ok((summary, sample))
 }
 
-/// The columns of numbers: name, unit, description.
+/// Returns name, unit and description of each column of numbers.
 fn numeric(batch: &Batch) -> impl Iterator<Item = (&str, &str, &str)> {
     let numbers = batch.columns().iter().filter(|column| {
         matches!(column.values, Values::Numbers(_) | Values::Perhaps(_)) && column.name != MEMBER
@@ -182,7 +185,7 @@ fn numeric(batch: &Batch) -> impl Iterator<Item = (&str, &str, &str)> {
     numbers.map(|column| (column.name.as_str(), column.unit.as_str(), column.description.as_str()))
 }
 
-/// The numbers of some rows of the column of a name, those that are there.
+/// Returns the values of some rows in a column, without missing ones.
 fn values_of<'a>(batch: &'a Batch, name: &str, rows: Range<usize>) -> Box<dyn Iterator<Item = f64> + 'a> {
     match batch.column(name).map(|column| &column.values) {
         Ok(Values::Numbers(values)) => Box::new(values.get(rows).unwrap_or_default().iter().copied()),
@@ -193,12 +196,12 @@ fn values_of<'a>(batch: &'a Batch, name: &str, rows: Range<usize>) -> Box<dyn It
     }
 }
 
-/// The numbers of the column of a name, those that are there.
+/// Returns the values of a column, without missing ones.
 fn values<'a>(batch: &'a Batch, name: &str) -> Box<dyn Iterator<Item = f64> + 'a> {
     values_of(batch, name, 0..batch.rows())
 }
 
-/// The order statistics that quantiles and their intervals need, from 0.
+/// Returns the ranks (from 0) of the order statistics that quantiles and their intervals need.
 fn ranks(moments: &Moments, independent: bool) -> Vec<u64> {
     let n = moments.count;
     let mut ranks = Vec::new();
@@ -215,7 +218,7 @@ fn ranks(moments: &Moments, independent: bool) -> Vec<u64> {
 }
 
 impl Design {
-    /// The interval of a mean, from the moments of all, and from those of each set.
+    /// Returns the confidence interval of a mean, from the moments of all members and of each set.
     fn mean<'a, I: Iterator<Item = &'a Moments>>(
         self,
         moments: &Moments,
@@ -247,7 +250,7 @@ fn statistic(moments: &Moments, selection: &Selection, independent: bool) -> Swe
         let (a, b) = (selection.at(below)?, selection.at(above)?);
         let ends = if independent { interval::of_quantile(n, p, CONFIDENCE) } else { [None; 2] };
         let interval = ends.map(|rank| rank.and_then(|rank| selection.at(rank)));
-        // In this form it is between both whatever their size.
+        // This form lies between both values whatever their magnitudes.
         let value = if a == b { a } else { a * (1.0 - part) + b * part };
         Some(SweepQuantile { probability: p, value, interval })
     };
@@ -266,7 +269,7 @@ fn statistic(moments: &Moments, selection: &Selection, independent: bool) -> Swe
     }
 }
 
-/// What there is of each text, the most frequent first.
+/// Returns the share of each text in a column, most frequent first.
 fn shares(tally: &Tally, column: &str, members: u64, design: Design) -> Vec<SweepShare> {
     let size = if let Design::Sets { size, .. } = design { size } else { members };
     let share = |(name, &count): (&String, &u64)| {

@@ -8,14 +8,14 @@ use crate::batch::Batch;
 use crate::error::SweepError;
 use crate::threads;
 
-/// The parts of a sweep, and who reads them.
+/// Parts of a sweep, and the function that reads them.
 pub(super) struct Parts<'a> {
     pub(super) count: u64,
     pub(super) threads: usize,
     pub(super) read: &'a (dyn Fn(u64) -> Result<Batch, SweepError> + Sync),
 }
 
-/// What has been merged, and what waits for the part before it.
+/// Merged results, and results that wait for an earlier part.
 struct Ordered<T> {
     next: u64,
     waiting: BTreeMap<u64, T>,
@@ -23,8 +23,8 @@ struct Ordered<T> {
 }
 
 impl Parts<'_> {
-    /// Something of each part, merged in the order of the parts: sums of numbers then do not depend on the threads. `None` of no
-    /// parts.
+    /// Computes a result for each part and merges them in the order of the parts. So sums of
+    /// floating-point numbers do not depend on the threads. `None` without parts.
     pub(super) fn in_order<T: Send>(
         &self,
         of: impl Fn(u64) -> Result<T, SweepError> + Sync,
@@ -50,7 +50,7 @@ impl Parts<'_> {
         Ok(ordered.into_inner().ok().and_then(|ordered| ordered.merged))
     }
 
-    /// Counts over all parts: each thread has an array of its own, and they are added.
+    /// Adds counts over all parts; each thread has its own array.
     pub(super) fn counts(
         &self,
         length: usize,

@@ -1,16 +1,17 @@
-//! Which outcomes depend on which inputs: Spearman's rank correlation.
+//! Spearman's rank correlation between inputs and outcomes.
 
 use crate::report::SweepSample;
 
-/// How many pairs are named, and of each input.
+/// Maximum number of pairs, and of pairs with the same input.
 const MOST: usize = 12;
 const MOST_OF_ONE: usize = 4;
-/// An outcome whose ranks are those of one input is a function of it alone: a correlation says nothing that its formula does not.
+/// Threshold above which an outcome is a monotonic function of one input, which its definition
+/// states already.
 const FUNCTION: f64 = 1.0 - 1e-12;
-/// Fewer rows say nothing.
+/// Minimum number of rows.
 const LEAST_ROWS: usize = 10;
 
-/// The pairs of an input and an outcome with the strongest correlations, the strongest first.
+/// Returns the pairs of an input and an outcome with the strongest correlations, strongest first.
 pub(super) fn strongest(
     sample: &SweepSample,
     inputs: &[String],
@@ -27,7 +28,7 @@ pub(super) fn strongest(
         let Some(x) = column(input) else { continue };
         for outcome in &sample.names {
             let is_outcome = !inputs.contains(outcome) && !apart.contains(&outcome.as_str());
-            // What the body is and has at the start is made of inputs and of nothing else.
+            // Outcomes at the start are functions of the inputs by definition.
             let is_given =
                 outcome.starts_with("start_") || starts.iter().any(|start| column(outcome) == Some(*start));
             let Some(y) = column(outcome).filter(|_| is_outcome && !is_given) else { continue };
@@ -40,7 +41,7 @@ pub(super) fn strongest(
     let mut kept: Vec<(String, String, f64)> = Vec::new();
     for pair in pairs {
         let of_one: Vec<_> = kept.iter().filter(|(input, ..)| *input == pair.0).collect();
-        // Two outcomes that are the same number in every member say one thing.
+        // Identical outcomes are listed once.
         let is_new = !of_one.iter().any(|(.., value)| *value == pair.2);
         if kept.len() < MOST && of_one.len() < MOST_OF_ONE && is_new {
             kept.push(pair);
@@ -49,7 +50,8 @@ pub(super) fn strongest(
     kept
 }
 
-/// The correlation of the ranks of the rows that have both; `None` of few rows, and where one does not vary.
+/// Returns the rank correlation over rows with both values; `None` for too few rows, or if one does
+/// not vary.
 fn correlation(x: &[Option<f64>], y: &[Option<f64>]) -> Option<f64> {
     let both: Vec<(f64, f64)> = x.iter().zip(y).filter_map(|(x, y)| x.zip(*y)).collect();
     if both.len() < LEAST_ROWS {
@@ -63,7 +65,7 @@ fn correlation(x: &[Option<f64>], y: &[Option<f64>]) -> Option<f64> {
     (aa > 0.0 && bb > 0.0).then(|| sum(&a, &b) / (aa.sqrt() * bb.sqrt()))
 }
 
-/// The rank of each, from 0; equal numbers share the mean of theirs.
+/// Returns the ranks from 0; equal values share their mean rank.
 fn ranks(values: &[f64]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     let value = |k: usize| values.get(k).copied().unwrap_or_default();
@@ -94,7 +96,7 @@ mod tests {
         assert!((correlation(&x, &monotonic).unwrap_or_default() + 1.0).abs() < 1e-15);
         assert_eq!(correlation(&x, &vec![Some(2.0); 40]), None);
         assert_eq!(correlation(&x, &vec![None; 40]), None);
-        // 1 − 6 Σ d² / n (n² − 1), without equal ranks
+        // Without ties: 1 − 6 Σ d² / n (n² − 1).
         let a: Vec<Option<f64>> = (0..11).map(|k| Some(f64::from(k))).collect();
         let b: Vec<Option<f64>> = (0..11).map(|k| Some(f64::from(k * 7 % 11))).collect();
         let d2: f64 = (0..11).map(|k| f64::from(k - k * 7 % 11).powi(2)).sum();

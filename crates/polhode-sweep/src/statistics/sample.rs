@@ -1,23 +1,24 @@
-//! A few members, drawn by their numbers: for pictures and for what depends on what.
+//! Sample of the members, chosen by their numbers, for figures and correlations.
 
 use crate::batch::{Batch, MEMBER, Values};
 use crate::plan::mix;
 use crate::report::SweepSample;
 
-/// How many, about.
+/// Approximate size of the sample.
 const SIZE: u64 = 4096;
 
-/// Rows of the drawn members, and the regime of each.
+/// Rows of the sampled members, with their regimes.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sampled {
     rows: Vec<Vec<Option<f64>>>,
     regimes: Vec<Option<String>>,
-    /// Of each question.
+    /// Answers of the sampled members to each question.
     answers: Vec<Vec<Option<bool>>>,
 }
 
 impl Sampled {
-    /// Of a part of a sweep of so many members, whose rows answer each question so.
+    /// Samples a part of a sweep with `members` members; `answers` are its rows' answers to each
+    /// question.
     pub(super) fn of(batch: &Batch, names: &[&str], members: u64, answers: &[Vec<Option<bool>>]) -> Self {
         let Ok(Values::Whole(numbers)) = batch.column(MEMBER).map(|column| &column.values) else {
             return Self::default();
@@ -45,7 +46,7 @@ impl Sampled {
         self.answers.iter_mut().zip(other.answers).for_each(|(mine, theirs)| mine.extend(theirs));
     }
 
-    /// Column by column.
+    /// Returns the sample in columns.
     pub(super) fn finish(&self, names: &[&str], inputs: &[String]) -> SweepSample {
         let column = |k: usize| self.rows.iter().map(|row| row.get(k).copied().flatten()).collect();
         SweepSample {
@@ -58,11 +59,12 @@ impl Sampled {
     }
 }
 
-/// By a hash of the number, as every so-manieth of a grid would have the same value of a variable.
+/// Returns true if a member is sampled. A hash of the number decides, because regular steps through
+/// a grid would repeat one value of a variable.
 fn is_drawn(member: u64, members: u64) -> bool {
     if members <= SIZE {
         return true;
     }
-    // SplitMix64
+    // Generator SplitMix64.
     mix(member.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15)) < u64::MAX / members * SIZE
 }

@@ -1,22 +1,24 @@
 //! Order statistics of columns too long to sort: radix selection.
 //!
-//! The bits of a number, turned so that they order as the number does, are found from above, eleven at a time. Each pass counts, among
-//! the numbers that begin with bits already found, how many continue in each way; the count below a rank says how it continues.
+//! The bits of a number are transformed so that integer order equals numerical order. They are
+//! determined from the most significant one, eleven in each pass. A pass counts the continuations
+//! of all numbers that begin with the bits already known. The cumulative count determines the
+//! continuation for a rank.
 
 use super::passes::Parts;
 use super::values;
 use crate::error::SweepError;
 
-/// Bits that a pass finds.
+/// Number of bits per pass.
 const DIGIT: u32 = 11;
 const WAYS: usize = 1 << DIGIT;
-/// Passes for 64 bits.
+/// Number of passes for 64 bits.
 const PASSES: u32 = 6;
 
-/// Numbers of a column at some ranks.
+/// Values of a column at some ranks.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Selection {
-    /// Ranks from 0, ascending, and the numbers there.
+    /// Ranks from 0, ascending, with their values.
     found: Vec<(u64, f64)>,
 }
 
@@ -24,19 +26,19 @@ pub(super) struct Selection {
 #[derive(Clone, Debug)]
 struct Group {
     prefix: u64,
-    /// The rank among all, and among the group.
+    /// Rank among all numbers, and rank within the group.
     ranks: Vec<(u64, u64)>,
 }
 
 impl Selection {
-    /// The number at a rank that was asked for.
+    /// Returns the value at a selected rank.
     pub(super) fn at(&self, rank: u64) -> Option<f64> {
         let k = self.found.binary_search_by_key(&rank, |(rank, _)| *rank).ok()?;
         self.found.get(k).map(|(_, value)| *value)
     }
 }
 
-/// The numbers of each column at its ranks (from 0, ascending, each once).
+/// Returns the values of each column at its ranks (from 0, ascending, distinct).
 pub(super) fn select(
     parts: &Parts<'_>,
     names: &[&str],
@@ -48,7 +50,7 @@ pub(super) fn select(
         .map(|ranks| if ranks.is_empty() { Vec::new() } else { vec![group(ranks)] })
         .collect();
     for pass in 0..PASSES {
-        // The bits below this pass's; the last pass has fewer to find.
+        // Number of bits below those of this pass; the last pass has fewer bits.
         let below = 64_u32.saturating_sub(DIGIT * (pass + 1));
         let width = 64 - DIGIT * pass - below;
         let firsts: Vec<usize> = columns
@@ -91,7 +93,7 @@ pub(super) fn select(
 }
 
 impl Group {
-    /// By how its numbers continue.
+    /// Splits the group by the next bits.
     fn split(&self, counts: &[u64], width: u32) -> Vec<Self> {
         let mut groups: Vec<Self> = Vec::new();
         let mut ranks = self.ranks.iter().peekable();
@@ -110,13 +112,13 @@ impl Group {
     }
 }
 
-/// Bits that order as the numbers do, −0 before 0.
+/// Returns bits whose integer order is the numerical order, with −0 before 0.
 const fn key(value: f64) -> u64 {
     let bits = value.to_bits();
     if bits >> 63 == 1 { !bits } else { bits | 1 << 63 }
 }
 
-/// The number of such bits.
+/// Returns the number of such bits.
 const fn number(key: u64) -> f64 {
     f64::from_bits(if key >> 63 == 1 { key & !(1 << 63) } else { !key })
 }
@@ -136,7 +138,7 @@ mod tests {
 
     #[test]
     fn ranks_are_those_of_sorting() {
-        // Every size and sign, many of them twice, some not there.
+        // Numbers of every magnitude and sign, many duplicates, some missing.
         let mut state = 12_345_u64;
         let mut draw = || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

@@ -1,4 +1,4 @@
-//! What one pass finds: counts, moments, extremes.
+//! Results of one pass: counts, moments, extremes.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -10,26 +10,26 @@ use crate::batch::{Batch, MEMBER, Values};
 use crate::error::SweepError;
 use crate::plan::Plan;
 
-/// Failures that a summary shows.
+/// Maximum number of failures in a summary.
 const SHOWN: usize = 5;
 
-/// The column that says why a member failed.
+/// Name of the column with causes of failures.
 const CAUSE: &str = "cause";
 
-/// Different texts of a column that are counted.
+/// Maximum number of different texts counted in a column.
 const MOST_TEXTS: usize = 1000;
 
-/// What one pass finds.
+/// Results of one pass.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tally {
     /// Counts and moments of all members.
     pub(super) all: Set,
-    /// The first members that failed, and why.
+    /// First members that failed, with the cause.
     pub(super) failures: Vec<(u64, String)>,
     pub(super) sample: Sampled,
-    /// To each question.
+    /// Answers to each question.
     pub(super) answers: Vec<Answers>,
-    /// Of each set of points, if there are several.
+    /// Counts and moments of each set, if there are several.
     pub(super) sets: BTreeMap<u64, Set>,
 }
 
@@ -43,13 +43,13 @@ pub(super) struct Set {
 }
 
 impl Set {
-    /// How often a text stands in a column.
+    /// Returns the number of members with a text in a column.
     pub(super) fn count(&self, column: &str, text: &str) -> u64 {
         self.texts.get(column).and_then(|counts| counts.get(text)).copied().unwrap_or(0)
     }
 }
 
-/// Of numbers: how many, their mean, Σ (x − mean)², the least and the largest.
+/// Moments of values: count, mean, Σ (x − mean)², smallest and largest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Moments {
     pub(super) count: u64,
@@ -60,7 +60,7 @@ pub(super) struct Moments {
 }
 
 impl Tally {
-    /// Of the rows of a part.
+    /// Computes the results for the rows of a part.
     pub(super) fn of(batch: &Batch, names: &[&str], plan: &Plan, design: Design) -> Result<Self, SweepError> {
         let members = plan.members();
         let answers: Vec<_> = plan.questions().iter().map(|condition| condition.answers(batch)).collect();
@@ -87,7 +87,7 @@ impl Tally {
         Ok(tally)
     }
 
-    /// With that of the parts after it.
+    /// Adds the results of the following parts.
     pub(super) fn merge(mut self, other: Self) -> Self {
         self.all.merge(other.all);
         self.answers.iter_mut().zip(&other.answers).for_each(|(mine, theirs)| mine.merge(theirs));
@@ -107,7 +107,7 @@ impl Tally {
 }
 
 impl Set {
-    /// Of some rows of a part.
+    /// Computes counts and moments of some rows of a part.
     fn of(batch: &Batch, names: &[&str], rows: Range<usize>) -> Self {
         let moments = names.iter().map(|name| Moments::of(|| values_of(batch, name, rows.clone()))).collect();
         let mut texts: BTreeMap<String, BTreeMap<String, u64>> = BTreeMap::new();
@@ -157,7 +157,8 @@ impl Moments {
         Self { count, mean, squares, min, max }
     }
 
-    /// Σ (x − mean)² of both: M = Ma + Mb + δ² na nb / n, δ = mean_b − mean_a (Chan, Golub & LeVeque 1979).
+    /// Combines two sets of values: M = Ma + Mb + δ² na nb / n, δ = mean_b − mean_a (Chan, Golub &
+    /// LeVeque 1979).
     pub(super) fn merge(&self, other: &Self) -> Self {
         if other.count == 0 || self.count == 0 {
             return if self.count == 0 { *other } else { *self };
@@ -174,13 +175,13 @@ impl Moments {
         }
     }
 
-    /// √(Σ (x − mean)² / (n − 1)); `None` of fewer than two.
+    /// Returns √(Σ (x − mean)² / (n − 1)); `None` for fewer than two values.
     pub(super) fn standard_deviation(&self) -> Option<f64> {
         (self.count > 1).then(|| (self.squares / (self.count - 1) as f64).sqrt())
     }
 }
 
-/// A sum with its rounding errors added (Neumaier 1974).
+/// Returns a sum with compensation of rounding errors (Neumaier 1974).
 fn sum(values: impl Iterator<Item = f64>) -> f64 {
     let (mut sum, mut rest) = (0.0_f64, 0.0);
     for x in values {

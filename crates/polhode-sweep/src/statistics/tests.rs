@@ -29,7 +29,7 @@ spin = {{ body = [0, 0, 0] }}
     Plan::parse(&Disk, text, "plan.toml".as_ref()).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Of a normal and a uniform distribution, in 400 sweeps.
+/// Coverage of intervals for a normal and a uniform distribution, in 400 sweeps.
 #[test]
 fn intervals_hold_the_truth_as_often_as_they_say() {
     let (mut mean, mut median, mut tail) = (0, 0, 0);
@@ -45,12 +45,14 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
         median += holds(quantile(3), 0.5);
         tail += holds(quantile(5), 2.75);
     }
-    // 380 expected of the first, some more of the others, whose ranks are whole numbers; standard deviation 4.4.
+    // 380 are expected for the mean, slightly more for quantiles, whose ranks are integers;
+    // standard deviation 4.4.
     assert!((363..=397).contains(&mean), "{mean}");
     assert!((363..400).contains(&median) && (363..400).contains(&tail), "{median} {tail}");
 }
 
-/// A plan of which everything is known: z is uniform on −2 … 3, and so is the answer to each question.
+/// Returns a plan with known truth: z is uniform on −2 … 3, and the probability of each question is
+/// known.
 fn asked(sampling: &str, replicates: u64, seed: u32) -> Plan {
     let text = format!(
         r#"
@@ -85,7 +87,8 @@ attitude = {{ roll_pitch_yaw = [0.3, -0.4, 0.5] }}
     Plan::parse(&Disk, text, "plan.toml".as_ref()).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Probabilities and means, in 100 sweeps of each kind; by sets as by independent members.
+/// Coverage for probabilities and means, in 100 sweeps of each kind, with sets and with independent
+/// members.
 #[test]
 fn probabilities_are_where_their_intervals_say() {
     for (sampling, replicates) in [("monte carlo", 1), ("latin hypercube", 16), ("sobol", 16)] {
@@ -96,18 +99,18 @@ fn probabilities_are_where_their_intervals_say() {
             let (summary, _) = of(&plan, 4, 1, &read).unwrap();
             let holds = |[low, high]: [f64; 2], truth: f64| u32::from(low <= truth && truth <= high);
             let [fast, none, both] = summary.questions.as_slice() else { panic!("three questions") };
-            // What is no number has no answer.
+            // A condition that is NaN has no answer.
             assert_eq!((none.of, none.share, none.interval), (0, None, None));
             held[0] += holds(fast.interval.unwrap(), 0.24);
             held[1] += holds(both.interval.unwrap(), 0.3);
-            // of z²'s kind: the mean angle of the turns is known by symmetry only, that of their components is 0
+            // The components of the rotations have mean 0; their mean angle is not compared here.
             let turned = summary.inputs.iter().find(|s| s.name == "start_attitude_from_mean_y_rad").unwrap();
             held[2] += u32::from(turned.mean.unwrap().abs() < 0.05);
             let last = fast.convergence.last().unwrap();
             assert_eq!((last.members, Some(last.share)), (320, fast.share));
             assert_eq!(fast.of, 320);
         }
-        // 95 expected, or some more; standard deviation 2.2.
+        // 95 or slightly more are expected; standard deviation 2.2.
         assert!(held[..2].iter().all(|held| (88..=100).contains(held)), "{sampling}: {held:?}");
         assert_eq!(held[2], 100, "{sampling}");
     }
@@ -121,14 +124,14 @@ fn a_single_set_and_a_grid_have_answers_without_intervals() {
     let fast = &summary.questions[0];
     assert!(fast.interval.is_none() && (fast.share.unwrap() - 0.24).abs() < 0.01);
     assert_eq!((sample.answers.len(), sample.answers[0].len()), (3, 320));
-    // Threads change nothing, and a mean attitude is near the one that is written.
+    // Results do not depend on threads, and the mean attitude is close to that in the plan.
     let (again, _) = of(&plan, 4, 1, &read).unwrap();
     assert_eq!(summary, again);
     let mean = polhode::math::Attitude::from_quaternion(summary.attitudes[0].mean).unwrap();
     let written = plan.nominal().start().attitude;
     assert!(mean.angle_to(written) < 0.02, "{}", mean.angle_to(written));
     let angles = summary.inputs.iter().find(|s| s.name == "start_attitude_from_mean_rad").unwrap();
-    // The mean length of a normal vector: σ √(8/π)
+    // Mean length of a normal vector: σ √(8/π).
     let expected = 10_f64.to_radians() * (8.0 / std::f64::consts::PI).sqrt();
     assert!((angles.mean.unwrap() / expected - 1.0).abs() < 0.05);
     assert!(!summary.inputs.iter().any(|s| s.name == "start_attitude_w"));

@@ -1,4 +1,5 @@
-//! The page of the book about plans: its plan is read, and it has every key that the reader knows and no other.
+//! The book's page on plans: its plan is readable, and its tables contain exactly the keys of the
+//! reader.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -14,7 +15,7 @@ fn page() -> String {
     fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/sweep.md")).unwrap()
 }
 
-/// The `names` in the first cells of the tables between two headings.
+/// Returns the `names` in the first cells of the tables between two headings.
 fn first_cells(page: &str, from: &str, to: &str) -> BTreeSet<String> {
     let start = page.find(from).unwrap_or_else(|| panic!("no {from}"));
     let end = start + page[start..].find(to).unwrap_or_else(|| panic!("no {to}"));
@@ -24,7 +25,7 @@ fn first_cells(page: &str, from: &str, to: &str) -> BTreeSet<String> {
         .collect()
 }
 
-/// The keys that the reader knows where `zzz` stands.
+/// Returns the keys that the reader accepts in place of `zzz`.
 fn known(sweep: &str) -> BTreeSet<String> {
     let error = Plan::parse(&Disk, format!("{BALL}{sweep}"), "probe.toml".as_ref()).unwrap_err();
     match error.kind() {

@@ -1,4 +1,5 @@
-//! Datasets: the same files whoever makes them and however often they are interrupted, and statistics of what is in them.
+//! Datasets: identical files for any number of threads and interruptions, and statistics of their
+//! contents.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -8,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use polhode_source::files::Disk;
 use polhode_sweep::{Dataset, Plan, SweepError, SweepSummary, Values, inputs, simulate, trajectories};
 
-/// A folder of a test's own, removed when it is done.
+/// Temporary folder of a test, removed at the end.
 struct Scratch(PathBuf);
 
 impl Scratch {
@@ -59,7 +60,7 @@ uniform = {{ from = -2, to = 3 }}
     Plan::parse(&Disk, text, "plan.toml".as_ref()).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Every file of a folder, by its path inside.
+/// Returns every file of a folder, by its relative path.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut found = BTreeMap::new();
     for entry in fs::read_dir(folder).unwrap() {
@@ -95,7 +96,7 @@ fn files_are_the_same_whoever_makes_them() {
     let parts = one.keys().filter(|name| name.starts_with("members/")).count();
     assert!(parts > 5 && one.contains_key("trajectories/part-00000.parquet"), "{:?}", one.keys());
 
-    // From outside, in any order, as a cluster would.
+    // Written from outside in any order, as on a cluster.
     let folder = scratch.join("cluster");
     let dataset = Dataset::create(&folder, &plan).unwrap();
     let mut missing = dataset.missing().unwrap();
@@ -152,7 +153,7 @@ fn damage_is_found_and_made_good() {
     let mut flipped = fs::read(part(2)).unwrap();
     flipped[1000] ^= 1;
     fs::write(part(2), flipped).unwrap();
-    // Whole, but not where it belongs.
+    // Undamaged, but in the wrong place.
     fs::copy(part(0), part(3)).unwrap();
     fs::write(folder.join("members/part-00000.parquet.partial"), "half").unwrap();
     let dataset = Dataset::resume(&folder, &plan).unwrap();
@@ -179,7 +180,7 @@ fn a_folder_is_one_sweeps_and_one_writers() {
     assert!(matches!(error, SweepError::Exists { .. }), "{error}");
     let error = Dataset::resume(&folder, &plan_b).unwrap_err();
     assert!(error.to_string().contains("600 members, this plan has 601"), "{error}");
-    // The same text with other whitespace is another plan: its copy would not be this one.
+    // The same text with other whitespace is another plan, because the copies differ.
     let text = format!("{}\n", plan_a.text());
     let spaced = Plan::parse(&Disk, text, "plan.toml".as_ref()).unwrap();
     let error = Dataset::resume(&folder, &spaced).unwrap_err();
@@ -189,10 +190,11 @@ fn a_folder_is_one_sweeps_and_one_writers() {
     compute(&Dataset::replace(&folder, &plan_b).unwrap(), &plan_b, 1);
     assert_eq!(fs::read_to_string(folder.join("plan.toml")).unwrap(), plan_b.text());
 
-    // What is not a sweep's is never touched.
+    // Foreign files are never touched.
     fs::write(folder.join("notes.txt"), "mine").unwrap();
     let [resumed, replaced] = [Dataset::resume, Dataset::replace].map(|open| open(&folder, &plan_b));
-    // A new sweep there is not told to continue it or to replace it, which are refused.
+    // The hint for a new sweep there does not suggest `--resume` or `--force`, which would be
+    // refused.
     for result in [resumed, replaced, Dataset::create(&folder, &plan_b)] {
         let error = result.unwrap_err();
         assert!(error.to_string().contains("notes.txt"), "{error}");
@@ -214,7 +216,7 @@ fn a_plan_without_times_is_refused() {
     assert!(!scratch.join("d").exists());
 }
 
-/// The statistics of a sweep, against sorting and adding what its members are.
+/// Statistics of a sweep, compared with sorting and adding the members' values.
 #[test]
 fn statistics_are_those_of_the_rows() {
     let scratch = Scratch::new("statistics");
@@ -224,7 +226,7 @@ fn statistics_are_those_of_the_rows() {
     assert_eq!(summary.inputs.len(), 2);
     let mut varied = 0;
     let all = summary.inputs.iter().chain(&summary.outcomes);
-    // Turns from a mean are no column of a row.
+    // Rotations from a mean are not columns of a row.
     for statistic in all.filter(|statistic| !statistic.name.contains("_from_mean")) {
         let name = &statistic.name;
         let mut values: Vec<f64> = match &rows.column(name).unwrap().values {
@@ -276,7 +278,7 @@ fn statistics_are_those_of_the_rows() {
             let inside = values.iter().filter(|x| (h.least..=h.greatest).contains(*x)).count();
             assert_eq!(h.counts.iter().sum::<u64>(), inside as u64, "{name}");
         }
-        // t of Student's distribution is about z (1 + 1.2/n).
+        // Student's t is about z (1 + 1.2/n).
         let [low, high] = statistic.mean_interval.unwrap();
         assert!(
             (high - low - 2.0 * 1.959_964 * deviation / n.sqrt()).abs()

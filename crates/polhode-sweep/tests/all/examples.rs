@@ -1,4 +1,5 @@
-//! The plans of examples/sweeps: every one is read, its members are bodies, and one of them moves.
+//! Plans in `examples/sweeps`: every plan is readable, its members are bodies, and one of them
+//! moves.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -29,7 +30,7 @@ fn every_plan_is_read_and_its_members_move() {
     }
 }
 
-/// Whatever a file is cut to, it is read or refused, at a place that it has.
+/// A file cut at any character is read, or refused with a valid place.
 #[test]
 fn a_plan_cut_anywhere_is_answered() {
     for path in plans() {

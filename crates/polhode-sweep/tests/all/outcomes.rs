@@ -1,4 +1,4 @@
-//! What becomes of members: rows of outcomes against the motions themselves.
+//! Outcomes of members, compared with the motions themselves.
 
 use polhode::motion::{ErrorEffort, FreeMotion, Trajectory};
 use polhode_source::files::Disk;
@@ -33,7 +33,7 @@ key = "start.spin.body[2]"
 normal = { mean = "0.2 rad/s", sd = "1 rad/s" }
 "#;
 
-/// With a torque, and things to look out for.
+/// Sections with a torque, events and pointings.
 const DRIVEN: &str = r#"
 [run]
 duration = "6 s"
@@ -101,7 +101,7 @@ fn a_free_member_is_its_motion() {
         let motion = FreeMotion::of(rotor, scenario.start()).unwrap();
         let trajectory = scenario.simulate().unwrap().unwrap();
         let last = trajectory.samples().last().unwrap();
-        // The very bits of the motion's end.
+        // The end of the motion, bit for bit.
         let [w, x, y, z] = last.state.attitude.canonical_quaternion();
         for (name, value) in [
             ("end_time_s", 37.0),
@@ -128,7 +128,7 @@ fn a_free_member_is_its_motion() {
         let [attitude, omega] = ["error_attitude_rad", "error_omega"].map(|name| number(name, k));
         assert!(attitude > 1e-16 && attitude < 1e-14 && omega > 1e-16 && omega < 1e-14);
 
-        // Extrema in closed form against a look at every thousandth of a period.
+        // Closed-form extrema, compared with 1000 samples per period.
         let times: Vec<f64> = (0..=1000).map(|j| motion.period().unwrap() * f64::from(j) / 1000.0).collect();
         let dense = Trajectory::of_motion(motion, &times).unwrap();
         let look = |of: &dyn Fn(&polhode::motion::Sample) -> f64| {
@@ -147,7 +147,7 @@ fn a_free_member_is_its_motion() {
             (["least_angle_to_axis_1_rad", "largest_angle_to_axis_1_rad"], look(&angle(0))),
             (["least_angle_to_axis_3_rad", "largest_angle_to_axis_3_rad"], look(&angle(2))),
         ] {
-            // What samples miss is of second order in their distance.
+            // The error of sampled extrema is of second order in the step.
             let [a, b] = names.map(|name| number(name, k));
             assert!(a <= least + 1e-7 && close(a, least, 1e-4), "{} of {k}: {a} {least}", names[0]);
             assert!(b >= largest - 1e-7 && close(b, largest, 1e-4), "{} of {k}: {b} {largest}", names[1]);
@@ -205,7 +205,7 @@ fn a_row_knows_no_other() {
     for rest in [FREE, DRIVEN] {
         let plan = plan(rest);
         let whole = all(&plan);
-        // Some members, in another order, one of them twice.
+        // Some members in another order, one of them twice.
         let chosen = [17_usize, 3, 11, 3, 0];
         let given = inputs(&plan, 0..plan.members());
         let pick = |batch: &Batch| {
@@ -221,7 +221,7 @@ fn a_row_knows_no_other() {
             Batch::new(batch.columns().iter().map(column).collect()).unwrap()
         };
         assert_eq!(simulate(&plan, &pick(&given)).unwrap(), pick(&whole));
-        // Columns in another order, and more of them, change nothing either.
+        // Reordered and additional columns change nothing.
         let mut columns = given.columns().to_vec();
         columns.reverse();
         columns.push(Column { name: "note".to_owned(), ..columns[0].clone() });

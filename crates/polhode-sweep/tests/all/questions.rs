@@ -1,4 +1,4 @@
-//! Questions of a plan, sets of points, and numbers that vary as one.
+//! Questions of a plan, sets of points, and variables that change together.
 
 use polhode_source::files::Disk;
 use polhode_sweep::{Plan, inputs, simulate};
@@ -70,7 +70,7 @@ fn numbers_that_cannot_be_one_are_refused() {
     refuses(&with("['body.part[0].mass']"), "one key, or an array", "write key");
     let rotations = "[sweep]\nmembers = 8\nsampling = 'monte carlo'\n[[sweep.vary]]\nkey = ['body', 'body.part[0]']\ndispersion = '10 %'\n";
     refuses(rotations, "one key", "its own key");
-    // Either part is dispersed already.
+    // Each part is dispersed already.
     let twice = with("['body.part[0].mass', 'body.part[1].mass']")
         + "[[sweep.vary]]\nkey = 'body.part[1]'\ndispersion = '10 %'\n";
     refuses(&twice, "something else than what varies", "varies once");
@@ -87,7 +87,7 @@ fn sets_are_drawn_each_for_itself_and_the_first_is_that_without_others() {
         let of = |plan: &Plan, from: u64| (from..from + 16).map(|k| plan.values(k)[0]).collect::<Vec<_>>();
         assert_eq!(of(&alone, 0), of(&four, 0), "{sampling}");
         for set in 0..4 {
-            // One in each layer of sixteen.
+            // One number in each of sixteen layers.
             let mut layers: Vec<u64> = of(&four, 16 * set).iter().map(|u| (16.0 * u) as u64).collect();
             assert!(set == 0 || of(&four, 16 * set) != of(&four, 0));
             layers.sort_unstable();

@@ -1,4 +1,4 @@
-//! The report of a sweep: text, JSON and pictures of numbers made by hand.
+//! Report of a sweep: text, JSON and figures of artificial numbers.
 
 use polhode_sweep::SweepFigures;
 use polhode_sweep::{
@@ -6,7 +6,7 @@ use polhode_sweep::{
     SweepSample, SweepShare, SweepStatistic, SweepStep, SweepSummary,
 };
 
-/// Numbers from 1 to n, times a factor.
+/// Returns the statistics of the numbers from 1 to n, times a factor.
 fn statistic(name: &str, unit: &str, n: u64, factor: f64) -> SweepStatistic {
     let at = |x: f64| factor * (1.0 + x * (n - 1) as f64);
     let quantile = |p: f64| SweepQuantile {
@@ -163,7 +163,7 @@ fn pictures_are_svg_whatever_names_say() {
             !svg.contains("NaN") && !svg.contains("inf") && !svg.contains("<script") && !svg.contains("<b>")
         );
     }
-    // The title is the column's name, the axis says quantity and unit.
+    // The title is the column's name; the axis has quantity and unit.
     let svg = figures.histograms().to_svg();
     for words in [">period_s<", ">period (s)<", ">members (10³)<"] {
         assert!(svg.contains(words), "{words}: {svg}");

@@ -74,7 +74,7 @@ fn numbers_about_the_origin_are_those_about_the_centre() {
     }
 }
 
-/// With 600 draws the standard error of a mean is 0.04 deviations, that of a deviation 3 %.
+/// The standard error with 600 draws is 0.04 deviations for a mean and 3 % for a deviation.
 #[test]
 fn errors_are_what_they_are_said_to_be() {
     let carried = Carried::generic();

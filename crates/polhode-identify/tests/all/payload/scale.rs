@@ -46,7 +46,7 @@ fn units_do_not_matter() {
     }
 }
 
-/// In free fall the mass has no effect; m c and the tensor about the origin are determined.
+/// The mass has no effect in free fall; m c and the tensor about the origin are determined.
 #[test]
 fn in_free_fall_the_mass_is_unknown() {
     let carried = Carried::generic();

@@ -74,7 +74,7 @@ fn about_one_axis_three_elements_are_known() {
                 assert!((number.value - truth).abs() < 5.0 * sd, "{number:?} {truth}");
             }
         }
-        // About the centre of mass Izz is determined, because it requires only c_x and c_y.
+        // About the centre of mass Izz is determined, because it requires only `c_x` and `c_y`.
         assert!(found.about_center.get("Izz").unwrap().sd.is_some());
         assert!(found.about_center.get("Ixz").unwrap().sd.is_none());
     }

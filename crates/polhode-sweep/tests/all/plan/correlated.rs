@@ -1,4 +1,4 @@
-//! Numbers that are drawn together.
+//! Correlated variables.
 
 use super::mistakes::refuses_vary;
 use super::vary;
@@ -24,7 +24,7 @@ correlated.covariance = [
 ]
 "#;
 
-/// Mean and covariance of what members of these columns have.
+/// Returns mean and covariance of members' values.
 fn moments(values: &[Vec<f64>]) -> (Vec<f64>, Vec<Vec<f64>>) {
     let (n, columns) = (values.len() as f64, values[0].len());
     let mean: Vec<f64> = (0..columns).map(|k| values.iter().map(|v| v[k]).sum::<f64>() / n).collect();
@@ -55,7 +55,7 @@ fn numbers_of_a_group_have_their_means_deviations_and_correlations() {
     let scenario = plan.scenario(&values[17]).unwrap();
     assert_eq!((scenario.start().omega.x, scenario.body().mass()), (values[17][0], values[17][1]));
     assert_eq!(scenario.run().unwrap().times.last(), Some(&values[17][2]));
-    // The mean is as it is written, if it is not given.
+    // Without a given mean, the nominal value is the mean.
     let written = vary(100, "sobol", 3, &SPIN.replace(r#"mean = ["20 deg/s", "3.2 kg", "30 s"], "#, ""));
     let (mean, _) = moments(&(0..100).map(|member| written.values(member)).collect::<Vec<_>>());
     assert!((mean[0] - 0.3).abs() < 0.01 && (mean[1] - 3.2).abs() < 0.01 && (mean[2] - 20.0).abs() < 0.3);
@@ -103,12 +103,13 @@ fn a_body_is_drawn_by_the_covariance_of_its_ten_numbers() {
         }
     }
     assert!(values.iter().all(|v| v[9] == yz && plan.scenario(v).is_ok()));
-    // Of a mass that is known to 70 % none is negative either.
+    // A mass with a standard deviation of 70 % is never negative either.
     let wide = vary(2000, "monte carlo", 5, &BODY.replace("0.04 kg^2", "5 kg^2"));
     assert!((0..2000).all(|member| wide.values(member)[0] > 0.0));
 }
 
-/// A member is a function of its number, whoever asks for it and beside whatever else.
+/// A member is a function of its number, independent of the number of members and of other
+/// variables.
 #[test]
 fn draws_are_those_of_the_members_number() {
     for sampling in ["monte carlo", "latin hypercube"] {
@@ -124,7 +125,7 @@ fn draws_are_those_of_the_members_number() {
     assert_ne!(few.values(3), vary(10, "monte carlo", 4, SPIN).values(3));
 }
 
-/// Unless it is asked for, nothing is moved to where a body is possible: what is none is a member that fails, and is counted.
+/// By default an impossible body is not moved to a possible one: the member fails, and is counted.
 #[test]
 fn what_is_no_body_fails() {
     let tensor = "[[sweep.vary]]\nkey = 'body.inertia'\ncorrelated = { sd = ['0.4 kg m^2', 0, 0, 0, 0, 0], correlation = [[1,0,0,0,0,0],[0,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,0,1]] }\n";
@@ -133,9 +134,10 @@ fn what_is_no_body_fails() {
     assert!(finding.message.contains("members tried are not possible"), "{}", finding.message);
     let is_possible = |member: &u64| plan.scenario(&plan.values(*member)).is_ok();
     let failed = (0..4000).filter(|member| !is_possible(member)).count();
-    // Ixx is 1.1 ± 0.4, and without products would have to be above 0.6: 10.6 %; with them a little more.
+    // Ixx is 1.1 ± 0.4, and without products must be above 0.6, which fails in 10.6 %; with
+    // products slightly more often.
     assert!((0.09..0.2).contains(&(failed as f64 / 4000.0)), "{failed}");
-    // Those that fail become laminas, and the others stay.
+    // Members that failed become laminas; the others do not change.
     let nearest = vary(4000, "monte carlo", 1, &tensor.replace("{ sd", "{ impossible = 'nearest', sd"));
     assert!(nearest.findings().iter().all(|finding| finding.code != "sweep.members"));
     for member in 0..4000 {

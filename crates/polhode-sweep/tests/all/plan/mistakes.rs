@@ -1,11 +1,12 @@
-//! What every mistake in a plan is answered with.
+//! Error messages for every mistake in a plan.
 
 use polhode_source::files::Disk;
 use polhode_sweep::Plan;
 
 use super::{SCENARIO, SPIN};
 
-/// Refuses a plan, in which « and » mark the place of the mistake, with that message and a hint that starts so.
+/// Checks that a plan is refused with a message, and a hint that begins with this text. « and »
+/// mark the place of the mistake.
 #[track_caller]
 fn refuses(sweep: &str, message: &str, hint: &str) {
     let marked = format!("{SCENARIO}{sweep}");
@@ -21,7 +22,7 @@ fn refuses(sweep: &str, message: &str, hint: &str) {
     assert!(given.starts_with(hint) && hint.is_empty() == given.is_empty(), "hint: {given}");
 }
 
-/// The same for one variable of a Monte Carlo plan.
+/// Same as [`refuses`] for one variable of a Monte Carlo plan.
 #[track_caller]
 pub(super) fn refuses_vary(vary: &str, message: &str, hint: &str) {
     refuses(
@@ -83,7 +84,7 @@ fn where_one_motion_is_asked_for_a_plan_is_its_scenario_as_written_and_says_so()
     assert_eq!(finding.code, "sweep.nominal");
     assert!(finding.message.starts_with("a plan of 10 members: this is the scenario as it is written"));
     assert_eq!(scenario, polhode_scenario::read::parse(SCENARIO, path).unwrap().noting([finding.clone()]));
-    // Nothing in it is ignored.
+    // All entries are checked.
     let wrong = polhode_scenario::read::parse(&text.replace("= 10", "= 0"), path).unwrap_err();
     assert_eq!(wrong.to_string(), "plan.toml:19:11: members = 0 must be at least 1");
 }
@@ -373,7 +374,7 @@ fn a_grid_has_values_and_no_distributions() {
 
 #[test]
 fn sobol_has_so_many_dimensions_and_no_more() {
-    // 16 numbers for a body, 3 for an attitude
+    // 16 numbers for a body.
     let part = "[[body.part]]\nshape = 'tensor'\nmass = 1\nmoments = [1, 2, 2.5]\n";
     let body: String = (0..5).map(|_| part).collect();
     let vary: String =

@@ -1,4 +1,4 @@
-//! Plans: what is read, what members are, and what is refused.
+//! Plans: reading, values of members, and refused input.
 
 mod correlated;
 mod mistakes;
@@ -73,7 +73,7 @@ relative = "10 %"
     assert_eq!(plan.digest().len(), 64);
 }
 
-/// Plans with that sampling and these variables.
+/// Returns a plan with this sampling and these variables.
 fn vary(members: u64, sampling: &str, seed: u64, vary: &str) -> Plan {
     let members =
         if sampling == "grid" { String::new() } else { format!("members = {members}\nseed = {seed}") };
@@ -94,12 +94,13 @@ fn a_variable_has_draws_of_its_own_and_a_seed_has_others() {
             assert_ne!(one.values(member), other.values(member));
         }
     }
-    // A number that is drawn depends on the member's number, not on how many there are.
+    // A random number depends on the member's number, not on the number of members.
     let (few, many) = (vary(10, "monte carlo", 3, SPIN), vary(1_000_000_000, "monte carlo", 3, SPIN));
     assert!((0..10).all(|member| few.values(member) == many.values(member)));
 }
 
-/// Those of the first sampling are also those of a few lines of Python after SHA-256 and Philox4×32-10.
+/// Draws never change. Those of the first sampling agree with a short Python implementation of
+/// SHA-256 and Philox4×32-10.
 #[test]
 fn draws_are_the_same_for_ever() {
     let drawn = ["monte carlo", "latin hypercube", "sobol"]
@@ -287,7 +288,7 @@ fn the_digest_names_everything_that_results_depend_on() {
     std::fs::write(&path, text).unwrap();
     let plan = Plan::read(&Disk, &path).unwrap();
     assert_eq!(plan.digest(), Plan::read(&Disk, &path).unwrap().digest());
-    // A member opens no file again.
+    // Members do not read files again.
     std::fs::write(&mesh, "OFF\n").unwrap();
     let heavy = plan.scenario(&[6.0]).unwrap();
     assert!((heavy.body().mass() - 1.0).abs() < 1e-15);

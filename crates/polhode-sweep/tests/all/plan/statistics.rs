@@ -1,5 +1,5 @@
-//! Draws are distributed as they should be. Seeds are fixed; a threshold is one that a right generator passes for 999 seeds in
-//! a thousand.
+//! Distribution of draws. Seeds are fixed; each threshold is one that a right generator passes for
+//! 999 of 1000 seeds.
 
 use std::f64::consts::PI;
 
@@ -7,7 +7,8 @@ use super::{plan, vary};
 
 const DRAWS: u64 = 20_000;
 
-/// The greatest difference between the share of values below x and F(x), times √n: below 1.95 in 99.9 % of all samples.
+/// Returns the Kolmogorov–Smirnov statistic: largest difference between the share of values below x
+/// and F(x), times √n. It is below 1.95 in 99.9 % of samples.
 fn kolmogorov(mut values: Vec<f64>, f: impl Fn(f64) -> f64) -> f64 {
     values.sort_by(f64::total_cmp);
     let n = values.len() as f64;
@@ -18,12 +19,12 @@ fn kolmogorov(mut values: Vec<f64>, f: impl Fn(f64) -> f64) -> f64 {
     values.iter().enumerate().map(apart).fold(0.0, f64::max) * n.sqrt()
 }
 
-/// Φ
+/// Returns Φ(z).
 fn normal(z: f64) -> f64 {
     0.5 * libm::erfc(-z / 2.0_f64.sqrt())
 }
 
-/// Columns of values by the law of one variable.
+/// Returns the columns of values of one variable.
 fn columns(key: &str, law: &str, seed: u64) -> Vec<Vec<f64>> {
     let plan = vary(DRAWS, "monte carlo", seed, &format!("[[sweep.vary]]\nkey = \"{key}\"\n{law}\n"));
     let rows: Vec<Vec<f64>> = (0..DRAWS).map(|member| plan.values(member)).collect();
@@ -45,7 +46,7 @@ fn numbers_follow_their_distributions() {
     assert!(kolmogorov(cut, |x| (normal((x - 0.3) / 0.05) - a) / (b - a)) < greatest);
     let log = spin("log_normal = { median = 0.3, sigma = 0.7 }");
     assert!(kolmogorov(log, |x| normal((x / 0.3).ln() / 0.7)) < greatest);
-    // mean 0.3 and sd 0.1 of the number itself
+    // Mean 0.3 and standard deviation 0.1 of the number itself.
     let log = spin("log_normal = { mean = 0.3, sd = 0.1 }");
     let n = log.len() as f64;
     let mean = log.iter().sum::<f64>() / n;
@@ -73,7 +74,8 @@ fn neighbours_and_variables_are_not_correlated() {
     for sampling in ["monte carlo", "latin hypercube", "sobol"] {
         let plan = vary(DRAWS, sampling, 5, &text);
         let rows: Vec<Vec<f64>> = (0..DRAWS).map(|member| plan.values(member)).collect();
-        // Correlation of uniform numbers; of independent ones it is normal with 1/√n.
+        // Correlation of uniform numbers; for independent ones it is normal with standard deviation
+        // 1/√n.
         let correlation = |pairs: &dyn Fn(usize) -> (f64, f64), n: usize| {
             (0..n).map(pairs).map(|(a, b)| 12.0 * (a - 1.5) * (b - 1.5)).sum::<f64>() / n as f64
         };
@@ -96,9 +98,10 @@ fn attitudes_are_uniform() {
     let [w, x, y, z] = &columns("start.attitude", "random = \"uniform\"", 3)[..] else { panic!("four") };
     assert!(w.iter().all(|w| *w >= 0.0));
     let angles = w.iter().map(|w| 2.0 * w.acos()).collect();
-    // The angle of a rotation that is as likely as any other: (θ − sin θ)/π
+    // Distribution of the angle of a uniform rotation: (θ − sin θ)/π.
     assert!(kolmogorov(angles, |t| (t - t.sin()) / PI) < 1.95);
-    // Every element of the matrix is uniform from −1 to 1, as the coordinate of a point on a sphere is.
+    // Every element of the matrix is uniform from −1 to 1, like the coordinate of a point on a
+    // sphere.
     let element = |f: &dyn Fn(usize) -> f64| kolmogorov((0..w.len()).map(f).collect(), |c| 0.5 * (c + 1.0));
     assert!(element(&|k| 1.0 - 2.0 * (y[k] * y[k] + z[k] * z[k])) < 1.95);
     assert!(element(&|k| 1.0 - 2.0 * (x[k] * x[k] + y[k] * y[k])) < 1.95);
@@ -158,7 +161,7 @@ fn directions_within_an_angle_fill_the_cap() {
     assert!((0..x.len()).all(|k| (x[k].hypot(y[k]).hypot(z[k]) / size - 1.0).abs() < 1e-15));
     let least = 35.0_f64.to_radians().cos();
     assert!(kolmogorov(cosines, |c| (c - least) / (1.0 - least)) < 1.95);
-    // Across the middle they cancel: the mean of the part across is zero within 4 of its standard deviations.
+    // Transverse components cancel: their mean is zero within 4 standard deviations.
     let across = |v: &[f64], k: usize| v[k] / size;
     for (axis, v) in [x, y, z].into_iter().enumerate() {
         let mean = (0..v.len()).map(|k| across(v, k)).sum::<f64>() / v.len() as f64;
@@ -167,7 +170,8 @@ fn directions_within_an_angle_fill_the_cap() {
     }
 }
 
-/// The square of the L2 star discrepancy (Warnock, 1972): how far the share of points in boxes at the origin is from their volume.
+/// Returns the squared L2 star discrepancy (Warnock, 1972): the deviation of the share of points in
+/// boxes at the origin from their volume.
 fn discrepancy(points: &[Vec<f64>]) -> f64 {
     let (n, d) = (points.len() as f64, points[0].len() as i32);
     let once: f64 = points.iter().map(|p| p.iter().map(|x| 1.0 - x * x).product::<f64>()).sum();
@@ -180,7 +184,7 @@ fn discrepancy(points: &[Vec<f64>]) -> f64 {
     3.0_f64.powi(-d) - 2.0_f64.powi(1 - d) / n * once + twice / (n * n)
 }
 
-/// Points of the unit cube of four dimensions.
+/// Returns points of the four-dimensional unit cube.
 fn points(sampling: &str, seed: u64, members: u64) -> Vec<Vec<f64>> {
     let keys =
         ["start.spin.body[0]", "start.spin.body[1]", "start.spin.body[2]", "body.part[0].center_of_mass[0]"];
@@ -194,18 +198,19 @@ fn points(sampling: &str, seed: u64, members: u64) -> Vec<Vec<f64>> {
 
 #[test]
 fn sobol_points_are_spread_more_evenly_than_random_ones() {
-    // Of independent points the mean is (2⁻ᵈ − 3⁻ᵈ)/n.
+    // For independent points the mean is (2⁻ᵈ − 3⁻ᵈ)/n.
     let expected = (1.0 / 16.0 - 1.0 / 81.0) / 512.0;
     let mean =
         |sampling: &str| (0..8).map(|seed| discrepancy(&points(sampling, seed, 512))).sum::<f64>() / 8.0;
     let (random, sobol) = (mean("monte carlo"), mean("sobol"));
     assert!((random / expected - 1.0).abs() < 0.7, "{random} for {expected}");
     assert!(sobol < 0.1 * random, "{sobol}, {random}");
-    // The mean over 40 seeds of scipy.stats.qmc.Sobol(4, scramble=True) is 6.38e-6, each within 0.16e-6.
+    // The mean over 40 seeds of scipy.stats.qmc.Sobol(4, scramble=True) is 6.38e-6, each within
+    // 0.16e-6.
     assert!((sobol - 6.38e-6).abs() < 4.0 * 0.16e-6 / 8.0_f64.sqrt(), "{sobol}");
 }
 
-/// The variance of an estimated mean over seeds.
+/// Returns the variance of an estimated mean over seeds.
 fn variance(sampling: &str, f: impl Fn(&[f64]) -> f64) -> f64 {
     const SEEDS: u64 = 100;
     let mean = |seed| points(sampling, seed, 64).iter().map(|p| f(p)).sum::<f64>() / 64.0;
@@ -218,9 +223,10 @@ fn variance(sampling: &str, f: impl Fn(&[f64]) -> f64) -> f64 {
 fn layers_take_the_variance_out_of_what_is_additive() {
     let additive = |p: &[f64]| p[0] * p[0] + (3.0 * p[1]).sin() + p[2].exp() - p[3];
     let (random, layers) = (variance("monte carlo", additive), variance("latin hypercube", additive));
-    // Within layers it falls by some n²: 64² = 4096 times.
+    // With layers it decreases by about n²: 64² = 4096.
     assert!(layers < random / 1000.0, "{layers}, {random}");
-    // What is a product of centred numbers is no better for it: Stein's theorem leaves all of it.
+    // The product of centred numbers has no additive part, so layers do not reduce its variance
+    // (Stein's theorem).
     let product = |p: &[f64]| p.iter().map(|x| 2.0 * x - 1.0).product::<f64>();
     let (random, layers) = (variance("monte carlo", product), variance("latin hypercube", product));
     assert!(layers > 0.4 * random && layers < 2.5 * random, "{layers}, {random}");

@@ -73,7 +73,7 @@ impl PrincipalEstimate {
     /// index `first`.
     ///
     /// # Panics
-    /// If there are no six parameters from `first`.
+    /// If fewer than six parameters follow `first`.
     pub fn of_tensor(estimate: &Estimate, first: usize) -> Self {
         let tensor = core::array::from_fn(|k| estimate.numbers[first + k].value);
         let (moments, mut axes) = symmetric_eigen(tensor);

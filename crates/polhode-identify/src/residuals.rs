@@ -54,7 +54,8 @@ impl Noise {
 }
 
 impl ResidualTest {
-    /// Returns true if the residuals are larger than the noise, or correlated: the model is incomplete.
+    /// Returns true if the residuals are larger than the noise or correlated: the model is
+    /// incomplete.
     pub fn shows_model_error(&self) -> bool {
         self.is_too_large() || self.is_correlated()
     }

@@ -143,7 +143,7 @@ fn pull(unknown: &DMatrix<f64>, n: usize) -> Result<DVector<f64>, IdentifyError>
     Ok(pull)
 }
 
-/// Weight of the trace. In unobservable directions there is no other cost.
+/// Weight of the trace, which is the only cost in unobservable directions.
 const SMALL: f64 = 1e-3;
 
 /// Returns a strictly consistent body near parameters that may be inconsistent.

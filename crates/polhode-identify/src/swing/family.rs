@@ -4,8 +4,8 @@
 //! are A^k times an even function, and higher ones A or A² times one. With J = (1/2π) ∮ I θ̇ dθ and
 //! the torques −2 a I θ̇ − β I |θ̇| θ̇, the amplitude averaged over a swing decays as
 //!
-//! dA/dt = −a A h₁ − β A² h₂,  a A h₁ = 2 a S/S′,  β A² h₂ = β Q/S′,  S = (1/2π) ∮ θ̇² dt,  Q =
-//! (1/2π) ∮ |θ̇|³ dt.
+//! dA/dt = −a A h₁ − β A² h₂,  a A h₁ = 2 a S/S′,  β A² h₂ = β Q/S′,
+//! S = (1/2π) ∮ θ̇² dt,  Q = (1/2π) ∮ |θ̇|³ dt.
 //!
 //! Harmonic motion has dA/dt = −a A − (4/3π) β ω A². Sources: P.-T. Lin, Y.-S. Bao, for the law
 //! dA/dt = −a A − b A²; N. N. Bogoliubov, Y. A. Mitropolsky, Asymptotic Methods in the Theory of

@@ -1,9 +1,8 @@
 //! Detection of flights in a long log: intervals of fast rotation without external torque.
 //!
 //! Free motion satisfies I ω̇ + ω × I ω = 0, except for noise and air drag. A hand that throws or
-//! catches
-//! the body exerts a torque of the order of I ω². Intervals of fast rotation give a first tensor.
-//! With this tensor the torque of every interval of the log is computed.
+//! catches the body exerts a torque of the order of I ω². Intervals of fast rotation give a first
+//! tensor. With this tensor the torque of every interval of the log is computed.
 
 use super::first_guess::{Rates, cross_momentum, momentum, tensor};
 use super::flight::GyroReading;

@@ -115,7 +115,7 @@ pub(crate) struct Rates {
 }
 
 impl Rates {
-    /// Returns the rates of the gyro, or those of the attitudes if there is no gyro.
+    /// Returns the rates of the gyro, or those of the attitudes without a gyro.
     pub(crate) fn of(flight: &Flight) -> Self {
         if !flight.gyro().is_empty() {
             return Self {

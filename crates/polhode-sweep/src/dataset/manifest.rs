@@ -73,7 +73,7 @@ impl Manifest {
         self.members.div_ceil(self.rows_per_part)
     }
 
-    /// Returns the members of a part; empty if there is no such part.
+    /// Returns the members of a part; empty for a part beyond the last.
     pub(crate) fn rows(&self, part: u64) -> Range<u64> {
         let first = part.saturating_mul(self.rows_per_part).min(self.members);
         first..first.saturating_add(self.rows_per_part).min(self.members)

@@ -149,7 +149,7 @@ impl Dataset {
         self.manifest.parts()
     }
 
-    /// Returns the members of a part; empty if there is no such part.
+    /// Returns the members of a part; empty for a part beyond the last.
     pub fn rows(&self, part: u64) -> Range<u64> {
         self.manifest.rows(part)
     }

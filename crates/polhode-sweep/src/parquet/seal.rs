@@ -9,7 +9,7 @@ const MARK: &[u8] = b"crc32:";
 pub(super) const OPEN: &str = "crc32:00000000";
 const DIGITS: usize = 8;
 
-/// Writes the checksum in its place; returns false if there is no place.
+/// Writes the checksum in its place; returns false if the place is missing.
 pub(super) fn close(file: &mut [u8]) -> bool {
     let Some(digits) = digits(file) else { return false };
     let sum = sum(file, &digits);

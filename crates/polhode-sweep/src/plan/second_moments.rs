@@ -48,7 +48,7 @@ impl Root {
         let principal = PrincipalFrame::of(body.inertia());
         let moments = principal.moments();
         let half_trace = 0.5 * (moments[0] + moments[1] + moments[2]);
-        // S = Σ_k √σ_k n_k n_kᵀ; negative σ from rounding are set to zero.
+        // `S = Σ_k √σ_k n_k n_kᵀ`; negative σ from rounding are set to zero.
         let mut root = [[0.0; 3]; 3];
         for (k, moment) in moments.into_iter().enumerate() {
             let (n, size) = (principal.axis(k).to_array(), (half_trace - moment).max(0.0).sqrt());

@@ -42,8 +42,8 @@ impl Scrambled {
     }
 }
 
-/// Returns the direction numbers v_i of a dimension, from the polynomial x^s + a_1 x^(s−1) + … + 1
-/// and the first s of m_i (Bratley and Fox, 1988):
+/// Returns the direction numbers `v_i` of a dimension, from the polynomial
+/// `x^s + a_1 x^(s−1) + … + 1` and the first s of `m_i` (Bratley and Fox, 1988):
 ///
 /// m_i = 2 a_1 m_(i−1) ⊕ … ⊕ 2^(s−1) a_(s−1) m_(i−s+1) ⊕ 2^s m_(i−s) ⊕ m_(i−s),  v_i = m_i 2^(32−i)
 fn directions(dimension: usize) -> [u32; 32] {

@@ -26,13 +26,13 @@ pub struct Wire {
 /// released differently also sways, with other periods. This averages out over many counted swings,
 /// and it is visible in the residuals of a log.
 ///
-/// On two wires the body also rolls about the line of their lower ends, like a pendulum. If the
+/// A body on two wires also rolls about the line of their lower ends, like a pendulum. If the
 /// centre of mass is exactly on that line, the roll is neutral. It is then locked in the described
 /// attitude.
 ///
-/// For small angles, two parallel wires of length L at distances r on both sides of the centre give
-/// T = 2π √(I L/(W r²)). Sources: T. R. Kane, G.-S. Tseng, Int. J. Mech. Sci. 9 (1967) 83; M. R.
-/// Jardin, E. R. Mueller, J. Aircraft 46 (2009) 763.
+/// Two parallel wires of length L at distances r on both sides of the centre have the small-angle
+/// period T = 2π √(I L/(W r²)). Sources: T. R. Kane, G.-S. Tseng, Int. J. Mech. Sci. 9 (1967) 83;
+/// M. R. Jardin, E. R. Mueller, J. Aircraft 46 (2009) 763.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wires {
     /// One, two or three wires.

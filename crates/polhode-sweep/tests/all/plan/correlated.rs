@@ -125,7 +125,8 @@ fn draws_are_those_of_the_members_number() {
     assert_ne!(few.values(3), vary(10, "monte carlo", 4, SPIN).values(3));
 }
 
-/// By default an impossible body is not moved to a possible one: the member fails, and is counted.
+/// The default does not move an impossible body to a possible one: the member fails, and is
+/// counted.
 #[test]
 fn what_is_no_body_fails() {
     let tensor = "[[sweep.vary]]\nkey = 'body.inertia'\ncorrelated = { sd = ['0.4 kg m^2', 0, 0, 0, 0, 0], correlation = [[1,0,0,0,0,0],[0,1,0,0,0,0],[0,0,1,0,0,0],[0,0,0,1,0,0],[0,0,0,0,1,0],[0,0,0,0,0,1]] }\n";

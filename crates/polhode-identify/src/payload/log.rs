@@ -30,7 +30,8 @@ pub struct PayloadRow {
     pub torque: Torque<Body>,
 }
 
-/// Gravity along the sensor's axes: g_body = Rᵀ g_space.
+/// Returns gravity along the sensor's axes: `g_body = Rᵀ g_space`, with R the attitude (sensor to
+/// space).
 ///
 /// ```
 /// use polhode::math::{Acceleration, Attitude, Direction};

@@ -132,7 +132,8 @@ pub(crate) fn written_unit(rest: &str, dimension: Dimension) -> Written {
     unit::factor(&unit, dimension).map(Some).map_err(|error| (unit, error))
 }
 
-/// Same as [`written_unit`], for a name that begins with any text.
+/// Returns the unit at the end of a name that begins with any text; otherwise the same as
+/// [`written_unit`].
 pub(crate) fn trailing_unit(name: &str, dimension: Dimension) -> Written {
     if let Some(open) = name.find(['[', '(']) {
         return written_unit(&name[open..], dimension);

@@ -12,7 +12,7 @@ pub(crate) fn cell(value: f64, sd: Option<f64>) -> String {
     sd.map_or_else(|| "not known".to_owned(), |sd| with_error(value, sd))
 }
 
-/// Same as [`cell`], or `not determined` for a value beyond its range.
+/// Returns the same text as [`cell`], or `not determined` for a value beyond its range.
 pub(crate) fn bounded_cell(value: f64, sd: Option<f64>, undetermined: Option<Undetermined>) -> String {
     match undetermined {
         Some(Undetermined::BeyondRange { .. }) => "not determined".to_owned(),

@@ -73,7 +73,7 @@ pub fn identify_tumbles(flights: &[Flight], options: &TumbleOptions) -> Result<T
     Ok(Tumble { flaws: flaws(all, &range, &found)?, ..found })
 }
 
-/// Same as [`identify_tumbles`], without tests of unit, handedness and range.
+/// Estimates the body like [`identify_tumbles`], without tests of unit, handedness and range.
 fn identified(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, IdentifyError> {
     let has_gyro = flights.iter().any(|flight| !flight.gyro().is_empty());
     let has_attitudes = flights.iter().any(|flight| !flight.attitudes().is_empty());

@@ -172,8 +172,8 @@ pub(super) fn outcome(setup: &Setup, seeds: u64) -> Outcome {
 /// bias, not chance.
 const PAIRS: u64 = 12;
 
-/// Nine pendulums about generic axes, on an edge. One shared number determines the distance of
-/// their pivots.
+/// Returns nine pendulums about generic axes, on an edge. One shared number determines the distance
+/// of their pivots.
 pub(super) fn pendulums() -> Setup {
     Setup {
         names: vec![("reach", 0.25, 2e-4), ("edge", 1.5e-3, 1e-4)],
@@ -211,7 +211,7 @@ pub(super) fn pendulums() -> Setup {
     }
 }
 
-/// Seven placements on a platform on three wires, and the platform alone.
+/// Returns seven placements on a platform on three wires, and the platform alone.
 pub(super) fn platform() -> Setup {
     Setup {
         names: vec![("radius", 0.2, 3e-4), ("length", 1.1, 5e-4), ("platform", 0.011, f64::INFINITY)],

@@ -99,7 +99,7 @@ fn what_is_wrong_otherwise_is_no_mistake_of_units() {
     }
 }
 
-/// Cyclic permutation of the axes.
+/// Permutes the components cyclically.
 fn turned<Q>(v: Vector<Q, Body>) -> Vector<Q, Body> {
     Vector::new(v.y, v.z, v.x)
 }

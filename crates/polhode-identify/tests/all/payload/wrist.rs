@@ -12,7 +12,7 @@ use crate::noise::Normal;
 pub(super) struct Carried(pub(super) Vec<(f64, [f64; 3])>);
 
 impl Carried {
-    /// Three distinct moments, nonzero products, an offset centre.
+    /// Returns a body with three distinct moments, nonzero products and an offset centre.
     pub(super) fn generic() -> Self {
         Self(vec![
             (0.41, [0.13, -0.07, 0.21]),

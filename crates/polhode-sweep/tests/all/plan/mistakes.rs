@@ -22,7 +22,7 @@ fn refuses(sweep: &str, message: &str, hint: &str) {
     assert!(given.starts_with(hint) && hint.is_empty() == given.is_empty(), "hint: {given}");
 }
 
-/// Same as [`refuses`] for one variable of a Monte Carlo plan.
+/// Calls [`refuses`] for one variable of a Monte Carlo plan.
 #[track_caller]
 pub(super) fn refuses_vary(vary: &str, message: &str, hint: &str) {
     refuses(

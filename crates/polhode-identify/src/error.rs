@@ -108,7 +108,7 @@ pub enum IdentifyError {
 }
 
 impl IdentifyError {
-    /// Returns a hint how to fix the error, if there is one.
+    /// Returns a hint on how to fix the error, if there is one.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
             Self::TooFew { .. } => Some("measure for longer, more often, or find fewer numbers"),

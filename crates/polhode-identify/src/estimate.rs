@@ -23,7 +23,7 @@ pub struct Estimate {
     pub unknown: Vec<Vec<f64>>,
 }
 
-/// Estimated parameter.
+/// Estimated parameter with its uncertainty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Number {
     /// Name of the parameter: `Ixx`, `bias x`, `wire length` …

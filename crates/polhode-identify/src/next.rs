@@ -55,7 +55,7 @@ impl<E> NextExperiment<E> {
     }
 }
 
-/// Comparison of experiments under construction.
+/// Builder of a [`NextExperiment`]: the experiments compared so far.
 pub(crate) struct Comparison<'a, E> {
     units: &'a BodyUnits,
     information: &'a Information,

@@ -21,8 +21,8 @@ pub struct ResidualTest {
     /// Degrees of freedom of the noise variance, n: its relative standard deviation is √(2/n).
     /// Infinite if the noise was specified.
     pub noise_degrees_of_freedom: f64,
-    /// Reduced χ²: χ² divided by the degrees of freedom. For a right model and specified noise: 1 ±
-    /// √(2/degrees of freedom).
+    /// Reduced χ²: χ² divided by its degrees of freedom ν. For a right model and specified noise it
+    /// is about 1 ± √(2/ν).
     pub reduced_chi_square: f64,
     /// Correlation of successive residuals in one channel. White noise gives ± 1/√count about
     /// −found/count, where `found` counts the fitted parameters.

@@ -49,8 +49,9 @@ pub struct Request {
     #[serde(rename = "root")]
     #[cfg_attr(feature = "arguments", arg(long = "root", value_name = "DIR"))]
     pub roots: Vec<PathBuf>,
-    /// Largest right error of an attitude, rad or with its unit, and of ω relative to its largest
-    /// value. Above it the exit status is 1, and a case of the suite fails [default: 0.01 rad].
+    /// Largest acceptable error of an attitude, rad or with its unit, and of ω relative to its
+    /// largest value. Above it the exit status is 1, and a case of the suite fails [default: 0.01
+    /// rad].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "ANGLE"))]
     pub limit: Option<Given<Positive<Angle>>>,
     /// Grade the runs of the suite's cases in this folder: NAME.csv, or NAME@STEP.csv for several
@@ -61,7 +62,7 @@ pub struct Request {
 }
 
 impl Request {
-    /// Returns the largest right error, rad: 0.01 unless the user specifies one.
+    /// Returns the largest acceptable error, rad: 0.01 unless the user specifies one.
     pub fn limit(&self) -> f64 {
         /// Error that is just visible, rad.
         const LIMIT: f64 = 0.01;

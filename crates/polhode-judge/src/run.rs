@@ -29,7 +29,7 @@ pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");
 /// Result of a [`Request`].
 #[derive(Debug)]
 pub enum Judged {
-    /// Report on runs of one scenario, and the largest right error, rad.
+    /// Report on runs of one scenario, and the largest acceptable error, rad.
     Runs(Box<JudgeReport>, f64),
     /// Grade card of the suite's cases.
     Suite(Card),

@@ -141,7 +141,7 @@ impl Values {
         }
     }
 
-    /// Returns true without rows.
+    /// Returns true if there are no rows.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

@@ -80,7 +80,7 @@ const FULL: [io::ErrorKind; 3] =
     [io::ErrorKind::StorageFull, io::ErrorKind::QuotaExceeded, io::ErrorKind::FileTooLarge];
 
 impl SweepError {
-    /// Returns a hint how to fix the error, if there is one.
+    /// Returns a hint on how to fix the error, if there is one.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
             Self::Exists { .. } => Some(

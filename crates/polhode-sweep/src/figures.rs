@@ -40,7 +40,7 @@ const FIRST: [&str; 9] = [
     "largest_torque_n_m",
     "end_time_s",
 ];
-/// Prefixes of outcomes shown last, because their histograms are little informative.
+/// Prefixes of outcomes shown last, because their histograms contain little information.
 const LAST: [&str; 12] = [
     "mass_",
     "moment_",

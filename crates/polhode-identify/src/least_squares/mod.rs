@@ -1,9 +1,9 @@
 //! Nonlinear least squares with shared parameters and local parameters of groups of rows.
 //!
-//! The method is Levenberg–Marquardt on triangular factors. Each group has rows of residuals r =
-//! measured − predicted and derivatives J = ∂predicted/∂p. QR reduces them to an upper triangle.
-//! Normal equations, which lose half of the digits, are never formed. A parameter direction that
-//! the measurements do not determine appears as a singular value of zero.
+//! The method is Levenberg–Marquardt on triangular factors. Each group has rows of residuals
+//! r = measured − predicted and derivatives J = ∂predicted/∂p. QR reduces them to an upper
+//! triangle. Normal equations, which lose half of the digits, are never formed. A parameter
+//! direction that the measurements do not determine appears as a singular value of zero.
 
 mod left;
 mod more;

@@ -18,8 +18,11 @@ impl Information {
     ///
     /// Before, x = L z + U y, with z of unit variance and y unobservable. Let R U = P S Qᵀ. Then
     /// the rows Pᵀ R determine y along Q and contain no information on z. The other rows reduce the
-    /// variance of z to W Wᵀ with W⁻ᵀ W⁻¹ = 1 + Aᵀ (1 − P Pᵀ) A, A = R L. So x = (L − U Q S⁻¹ Pᵀ A)
-    /// W z + U Q S⁻¹ e, plus the directions that remain unobservable.
+    /// variance of z to W Wᵀ with W⁻ᵀ W⁻¹ = 1 + Aᵀ (1 − P Pᵀ) A, A = R L. So
+    ///
+    /// x = (L − U Q S⁻¹ Pᵀ A) W z + U Q S⁻¹ e,
+    ///
+    /// plus the directions that remain unobservable.
     pub(crate) fn with_rows(&self, rows: &DMatrix<f64>) -> Result<Self, IdentifyError> {
         const DERIVATIVES: &str = "a derivative of what another experiment would measure";
         let (n, known) = (self.root.nrows(), self.root.ncols());

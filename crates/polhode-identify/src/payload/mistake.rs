@@ -20,8 +20,9 @@ const ALL: [Mistake; 9] = [
     Mistake::TorqueInCentimetres,
     Mistake::TorqueInMillimetres,
 ];
-/// Ratio of χ² that proves a mistake. The first holds if about noise remains. Otherwise many
-/// changes lower χ², but correcting a mistake lowers it far more, so the last holds.
+/// Ratios of χ², corrected to as read, that prove a mistake: [`BETTER`] if the corrected reduced χ²
+/// is below [`NOISE`], otherwise [`FAR_BETTER`]. Many changes lower a large χ², but correcting a
+/// mistake lowers it far more.
 const BETTER: f64 = 0.5;
 const NOISE: f64 = 2.0;
 const FAR_BETTER: f64 = 1e-3;

@@ -11,9 +11,12 @@
 //! - I, inertia tensor about the sensor's origin, kg·m²
 //! - b, bias of the sensor, if estimated
 //!
-//! The wrench on the payload is f = m (a − g) + α × h + ω × (ω × h), N, and τ = h × (a − g) + I α +
-//! ω × I ω, N·m. It is linear in ten parameters. The sensor reads this wrench or its opposite
-//! ([`WrenchSense`]), plus b.
+//! The wrench on the payload, N and N·m, is
+//!
+//! f = m (a − g) + α × h + ω × (ω × h),  τ = h × (a − g) + I α + ω × I ω.
+//!
+//! It is linear in ten parameters. The sensor reads this wrench or its opposite ([`WrenchSense`]),
+//! plus b.
 //!
 //! # Method
 //!

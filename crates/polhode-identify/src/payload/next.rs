@@ -86,8 +86,8 @@ fn candidates(log: &PayloadLog) -> Vec<NextMotion> {
     all
 }
 
-/// Returns the amplitude a and rate ν of an oscillation with the root mean squares of the log: ω =
-/// a ν/√2, dω/dt = a ν²/√2.
+/// Returns the amplitude a and rate ν of an oscillation with the root mean squares of the log:
+/// ω = a ν/√2, dω/dt = a ν²/√2.
 fn swing(log: &PayloadLog) -> [f64; 2] {
     let count = log.rows().len() as f64;
     let mean = |square: fn(&PayloadRow) -> f64| (log.rows().iter().map(square).sum::<f64>() / count).sqrt();

@@ -6,9 +6,12 @@
 //!
 //! P(p) = ((m, hᵀ), (h, Σ)),  Σ = ½ tr(I) 1 − I
 //!
-//! is positive semidefinite. For μ → 0 the method follows the minimum of ½‖z − R δ‖² − μ ln det P(p
-//! + δ), which is within 4 μ of the constrained minimum. With P = L Lᵀ and A_j = L⁻¹ (∂P/∂p_j) L⁻ᵀ,
-//! the Newton step minimizes ‖z − R δ‖² + μ ‖A δ − 1‖². This least-squares form does not square the
+//! is positive semidefinite. For μ → 0 the method follows the minimum of
+//!
+//! ½‖z − R δ‖² − μ ln det P(p + δ),
+//!
+//! which is within 4 μ of the constrained minimum. With P = L Lᵀ and A_j = L⁻¹ (∂P/∂p_j) L⁻ᵀ, the
+//! Newton step minimizes ‖z − R δ‖² + μ ‖A δ − 1‖². This least-squares form does not square the
 //! condition number, and it does not depend on units. Unlike in coordinates of a factor of P, there
 //! is a single minimum, even if it is a lamina or a rod.
 //!

@@ -194,8 +194,8 @@ impl<'a> Regression<'a> {
         Ok(sum)
     }
 
-    /// Returns a factor of the covariance of û: (1 − K J) Σ (1 − K J)ᵀ + K V Kᵀ with the gain K = Σ
-    /// Jᵀ V'⁻¹.
+    /// Returns a factor of the covariance of û: (1 − K J) Σ (1 − K J)ᵀ + K V Kᵀ with the gain
+    /// K = Σ Jᵀ V'⁻¹.
     fn remaining(&self, white: &Whitened, own: &Matrix6) -> Vec<[f64; 9]> {
         let gain = |of: Vector6| -> [f64; 9] {
             let pulled = small::backward(&white.l, small::forward(&white.l, of));

@@ -1,8 +1,8 @@
 //! Payloads known to be laminae, rods or points: least squares along the boundary of physical
 //! consistency.
 //!
-//! Let U have three rows and one column per direction with extent. Every such body has Σ = U Uᵀ + m
-//! c cᵀ. U and U Q give the same body for every rotation Q, so the minimum-norm step is taken.
+//! Every such body has Σ = U Uᵀ + m c cᵀ, where U has three rows and one column per direction with
+//! extent. U and U Q give the same body for every rotation Q, so the minimum-norm step is taken.
 
 use nalgebra::{DMatrix, DVector};
 use polhode::math::symmetric_eigen;

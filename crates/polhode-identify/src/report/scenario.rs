@@ -32,7 +32,7 @@ pub enum NoBody {
 }
 
 impl NoBody {
-    /// Returns a hint how to fix the error.
+    /// Returns a hint on how to fix the error.
     pub const fn hint(&self) -> &'static str {
         match self {
             Self::Unknown { .. } => "leave --body out to see what is unknown",

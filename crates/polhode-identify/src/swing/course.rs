@@ -1,7 +1,8 @@
 //! Amplitude and phase of a damped swing against time, with their derivatives.
 //!
-//! dA/dt = −a A h₁(A) − β A² h₂(A),  dφ/dt = ω(A) − a²/(2 ω) − (2/3π) a β A − (1/6 − 40/27π²) β² A²
-//! ω
+//! dA/dt = −a A h₁(A) − β A² h₂(A)
+//!
+//! dφ/dt = ω(A) − a²/(2 ω) − (2/3π) a β A − (1/6 − 40/27π²) β² A² ω
 //!
 //! The terms after ω(A) are of second order in the damping and hold for harmonic motion. φ is the
 //! phase of the first harmonic, so the middle position is passed at odd multiples of π/2. With

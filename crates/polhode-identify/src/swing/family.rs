@@ -143,8 +143,9 @@ impl Family {
         family
     }
 
-    /// Computes h₁ and h₂ from s = S/A² and q = Q/A³ at all amplitudes: h₁ = s/(s + x s′), h₂ =
-    /// q/(2 (s + x s′)), x = A².
+    /// Computes h₁ and h₂ from s = S/A² and q = Q/A³ at all amplitudes. With x = A²:
+    ///
+    /// h₁ = s/(s + x s′),  h₂ = q/(2 (s + x s′))
     fn set_decay(&mut self, squares: &[[Gradient; 2]], amplitudes: &Amplitudes) {
         let found = self.by[RATE].ncols();
         for (i, [s, q]) in squares.iter().enumerate() {

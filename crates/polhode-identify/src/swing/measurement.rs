@@ -29,9 +29,9 @@ pub enum Damping {
 
 /// Times of counted periods, and amplitude readings.
 ///
-/// Counts start at 0 with the first timed swing. Time the passages of the middle: with quadratic
-/// damping turning points are slightly shifted, each by another amount. Counts of intervals are
-/// whole numbers; those of amplitude readings need not be.
+/// Counts start at 0 with the first timed swing. Time the passages through the middle position:
+/// with quadratic damping turning points are slightly shifted, each by another amount. Counts of
+/// intervals are whole numbers; those of amplitude readings need not be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Counted {
     /// Measured times.

@@ -1,8 +1,11 @@
 //! Periodic motion of a given amplitude, by collocation.
 //!
-//! The motion is at rest at the beginning and after half a period, so u(τ) = Σ c_k cos kτ with τ =
-//! ω t. The equations hold at τ_j = π j/(N − 1). Newton's method solves for all u(τ_j) and ω. The
-//! same matrix gives their derivatives by the quantities in the equations.
+//! The motion is at rest at the beginning and after half a period, so with τ = ω t
+//!
+//! u(τ) = Σ c_k cos kτ.
+//!
+//! The equations hold at τ_j = π j/(N − 1). Newton's method solves for all u(τ_j) and ω. The same
+//! matrix gives their derivatives by the quantities in the equations.
 
 use core::f64::consts::PI;
 

@@ -144,8 +144,8 @@ pub(super) fn free_span(rates: &Rates, tensor: &[f64; 6], limit: f64, noise: f64
     };
     let free: Vec<usize> = (0..=last).filter(|&k| is_free(k)).collect();
     let (first, last_free) = (*free.first()?, *free.last()?);
-    // One wrong reading affects at most `STRETCH` intervals, so that few do not count. In the first
-    // free interval, the first half may still not be free.
+    // One wrong reading affects at most `STRETCH` intervals, so up to that many intervals at an end
+    // are ignored. In the first free interval, the first half may still not be free.
     let half = STRETCH / 2;
     let begin = if first > STRETCH { first + half } else { 0 };
     let end = if last - last_free > STRETCH { last_free + STRETCH - half } else { rates.times.len() };

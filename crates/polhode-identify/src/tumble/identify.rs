@@ -266,8 +266,8 @@ fn first_local(
     let omega = fitted.map_or_else(|| Rates::of(&piece.flight).at(time), |state| state.omega.to_array());
     let mut local = omega.to_vec();
     if problem.local(k) == 6 {
-        // The first attitude belongs to the tracked axes, and to a slightly later time: R =
-        // R_measured A⁻¹ exp(−ω Δt).
+        // The first attitude belongs to the tracked axes, and to a slightly later time:
+        // R = R_measured A⁻¹ exp(−ω Δt).
         let axes: Rotation<Body, Body> = problem.tracked.unwrap_or_else(Rotation::identity);
         let later = piece.flight.attitudes().first().map_or(0.0, |reading| reading.time - time);
         local.extend((axes.inverse() * turn(omega.map(|w| -w * later))).log().to_array());

@@ -14,8 +14,8 @@ pub struct GyroErrors {
     pub scale: bool,
     /// True if the skew is estimated: the off-diagonal elements of S, which is symmetric.
     pub skew: bool,
-    /// True if the clock offset τ is estimated, s: a reading at gyro time t is the rate at time t +
-    /// τ of the attitudes.
+    /// True if the clock offset τ, s, is estimated: a reading at gyro time t is the rate at t + τ
+    /// on the clock of the attitudes.
     pub clock: bool,
 }
 

@@ -1,7 +1,7 @@
 //! Detection of rates in a wrong unit, or along left-handed axes.
 //!
-//! ω̇ is quadratic in ω. If all rates are too large by a factor κ, the axis moves too slowly by κ
-//! for free motion of any body. Left-handed axes correspond to κ = −1.
+//! ω̇ is quadratic in ω. If all rates are read too large by a factor κ, they change too slowly by κ
+//! for the free motion of any body. Left-handed axes correspond to κ = −1.
 
 use core::cell::OnceCell;
 

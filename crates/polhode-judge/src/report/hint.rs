@@ -2,7 +2,7 @@
 
 use polhode::infer::judge::JudgeError;
 
-/// Returns a hint how to judge a run after an error, by the options of the command.
+/// Returns a hint on how to judge a run after an error, by the options of the command.
 pub fn judge_hint(error: &JudgeError) -> Option<&'static str> {
     Some(match error {
         JudgeError::Motion(error) => return error.hint(),

@@ -99,7 +99,7 @@ impl SweepFigures<'_> {
     }
 }
 
-/// Draws the share among the first members, in %, with its interval.
+/// Draws the share among the first members, in %, with its confidence interval.
 fn settling(sheet: &mut Sheet, area: Area, question: &SweepQuestion) {
     let percent = |x: f64| 100.0 * x;
     let share = question.share.map_or_else(String::new, |share| match question.interval {
@@ -112,8 +112,8 @@ fn settling(sheet: &mut Sheet, area: Area, question: &SweepQuestion) {
     let area = area.below(heading(sheet, area, &printable(&question.name), &share, &[]));
     let steps = &question.convergence;
     let (Some(first), Some(last)) = (steps.first(), steps.last()) else { return };
-    // The first stretches contain few members. The axis covers the range without the first eighth,
-    // and the final interval.
+    // The first stretches contain few members, so the axis need not cover the first eighth. It
+    // always covers the final interval.
     let settled = steps.iter().skip(steps.len() / 8);
     let ends = settled.flat_map(|step| step.interval.unwrap_or([step.share; 2]));
     let ends = ends.chain(question.interval.into_iter().flatten());
@@ -143,7 +143,7 @@ fn settling(sheet: &mut Sheet, area: Area, question: &SweepQuestion) {
             opacity: 1.0,
         });
     } else if let Some([low, high]) = question.interval {
-        // Intervals from sets hold for all members only.
+        // Confidence intervals from independent sets hold for all members only.
         let dashed = Pen::solid(Colour::AXES[0], 1.0).dashed(&[3.0, 2.5]);
         for end in [low, high] {
             sheet.line(vec![at(first.members, end), at(last.members, end)], dashed);

@@ -5,7 +5,7 @@ use polhode::motion::{Event, Scenario};
 use super::member::{Outcome, Pointed, Status};
 use crate::batch::{Column, Values};
 
-/// Column of numbers: name, unit, description, and function that returns the value.
+/// Column of numbers: name, unit, description, and the function that returns its value.
 type Number = (&'static str, &'static str, &'static str, fn(&Outcome) -> Option<f64>);
 
 /// Returns the columns of outcomes for a plan with this scenario.

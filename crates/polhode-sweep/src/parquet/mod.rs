@@ -46,7 +46,7 @@ pub(crate) fn is_whole(path: &Path, metadata: &Pairs) -> io::Result<bool> {
     Ok(whole(path, metadata)?.is_some())
 }
 
-/// Returns the bytes of such a file.
+/// Returns the bytes of a file; `None` if it is missing, damaged or has other metadata.
 fn whole(path: &Path, metadata: &Pairs) -> io::Result<Option<Vec<u8>>> {
     match std::fs::read(path) {
         Ok(bytes) => Ok(is_sound(&bytes, metadata).then_some(bytes)),

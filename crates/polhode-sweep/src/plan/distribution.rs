@@ -1,7 +1,8 @@
 //! Random numbers of a distribution from uniform numbers, by the inverse of the distribution
 //! function.
 //!
-//! All quantile functions increase, so that layers and low-discrepancy points keep their structure.
+//! All quantile functions increase, so values from stratified or low-discrepancy points are just as
+//! evenly spread.
 
 use polhode_scenario::read::Distribution;
 

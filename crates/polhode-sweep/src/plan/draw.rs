@@ -11,7 +11,7 @@ use super::{distribution, normal};
 /// Maximum number of uniform numbers per variable.
 pub(crate) const MOST_COORDINATES: usize = 16;
 
-/// Law of a variable's values, with its nominal value.
+/// Probability distribution of a variable's values, with its nominal value.
 #[derive(Clone, Debug)]
 pub(crate) struct Draw {
     law: Law,
@@ -21,7 +21,7 @@ pub(crate) struct Draw {
 }
 
 impl Draw {
-    /// Creates the law of a variable of a plan.
+    /// Creates the distribution of a variable of a plan.
     pub(crate) fn new(vary: &Vary) -> Self {
         Self {
             law: vary.law.clone(),
@@ -107,7 +107,7 @@ impl Draw {
             values.extend(drawn.center);
         }
         match (dispersion, self.nominal.get(4..)) {
-            // Keep the tensor as in the plan, without the rounding of its root.
+            // Keep the tensor as in the plan, without the rounding errors of its root.
             (Dispersion::Apart { inertia: 0.0, .. }, Some(tensor)) => values.extend_from_slice(tensor),
             _ => values.extend(drawn.tensor),
         }

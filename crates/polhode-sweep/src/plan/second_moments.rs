@@ -1,8 +1,8 @@
 //! Random mass properties that are always physically consistent.
 //!
-//! A tensor is physically consistent if and only if its second moments Σ = ∫ x xᵀ dm = ½ tr(I) 1 −
-//! I have no negative eigenvalue. Let S be a root of Σ (S Sᵀ = Σ), and E a matrix of independent
-//! normal numbers with standard deviation s. Then
+//! A tensor is physically consistent if and only if its second moments
+//! Σ = ∫ x xᵀ dm = ½ tr(I) 1 − I have no negative eigenvalue. Let S be a root of Σ (S Sᵀ = Σ), and
+//! E a matrix of independent normal numbers with standard deviation s. Then
 //!
 //! Σ' = S (1 + E) (1 + E)ᵀ Sᵀ / y,  y = 1 + n s²  (1)
 //!
@@ -294,8 +294,8 @@ mod tests {
         let root = (DRAWS as f64).sqrt();
         let (mean, sd) = moments(&drawn.iter().map(|drawn| drawn.mass).collect::<Vec<_>>());
         assert!((mean - m).abs() < 4.0 * sd / root && (sd / m - d).abs() < 0.012 * d, "{mean}, {sd}");
-        // To first order the centre of mass moves by (E_i4 + E_4i) k_i, k_i = √(σ_i/m), and s =
-        // d/2.
+        // To first order the centre of mass moves by (E_i4 + E_4i) k_i with k_i = √(σ_i/m) and
+        // s = d/2.
         let center = body.center_of_mass().to_array();
         for k in 0..3 {
             let (mean, sd) = moments(&drawn.iter().map(|drawn| drawn.center[k]).collect::<Vec<_>>());

@@ -21,8 +21,9 @@ pub(super) fn of_sets(means: &[f64], confidence: f64) -> Option<[f64; 2]> {
 /// Standard normal quantile Φ⁻¹(0.975).
 const Z: f64 = 1.959_963_984_540_054;
 
-/// Returns Wilson's 95 % interval of a proportion: (p + z²/2n ± z √(p (1 − p)/n + z²/4n²)) / (1 +
-/// z²/n).
+/// Returns Wilson's 95 % interval of a proportion:
+///
+/// (p + z²/2n ± z √(p (1 − p)/n + z²/4n²)) / (1 + z²/n)
 ///
 /// Source: Wilson, J. Am. Stat. Assoc. 22 (1927) 209.
 pub(super) fn of_share(count: u64, n: u64) -> [f64; 2] {

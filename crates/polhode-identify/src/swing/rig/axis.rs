@@ -77,8 +77,8 @@ impl Axis {
     }
 }
 
-/// Equation of motion (a − 2 b cos θ) θ̈ + b sin θ θ̇² + w sin θ + κ θ = 0 with a = I + m (h² +
-/// ρ²), b = m ρ h, w = W h.
+/// Equation of motion (a − 2 b cos θ) θ̈ + b sin θ θ̇² + w sin θ + κ θ = 0 with
+/// a = I + m (h² + ρ²), b = m ρ h, w = W h.
 pub(super) struct Held {
     quantities: [Gradient; 4],
     rest: Rest,

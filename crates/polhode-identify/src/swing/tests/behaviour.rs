@@ -191,8 +191,8 @@ fn what_tests_share_correlates_their_moments() {
     }
     let found = identify_swings(&plan).unwrap().estimate;
     let correlation = found.correlation(4, 6).unwrap();
-    // Errors of r and L are fully shared, errors of the times are small: (2 σ_r/r)² against (2
-    // σ_t/t)².
+    // Errors of r and L are fully shared, errors of the times are small:
+    // (2 σ_r/r)² against (2 σ_t/t)².
     assert!(correlation > 0.98, "{correlation}");
     let relative = found.get("Izz").unwrap().sd.unwrap() / found.get("Izz").unwrap().value;
     let expected = ((2.0_f64 * 1e-3 / 0.17).powi(2) + (1e-3_f64 / 0.9).powi(2)).sqrt();

@@ -181,8 +181,9 @@ pub(super) fn covariance_bound(
     information.try_inverse().unwrap()
 }
 
-/// Returns the wrench from Newton's and Euler's equations about the centre of mass: f = m a_c, τ =
-/// I α + ω × I ω + c × f.
+/// Returns the wrench from Newton's and Euler's equations about the centre of mass:
+///
+/// f = m a_c,  τ = I α + ω × I ω + c × f
 fn wrench(row: &PayloadRow, center: &[f64; 10]) -> [f64; 6] {
     use nalgebra::{Matrix3, Vector3};
     let v = Vector3::from;

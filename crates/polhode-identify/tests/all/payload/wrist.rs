@@ -23,7 +23,7 @@ impl Carried {
         ])
     }
 
-    /// Particles in a plane that is parallel to no axis.
+    /// Returns particles in a plane that is parallel to no axis.
     pub(super) fn plate() -> Self {
         let (a, b) = ([0.6, 0.64, -0.48], [0.8, -0.48, 0.36]);
         let at = |u: f64, v: f64| std::array::from_fn(|k| [0.03, -0.02, 0.11][k] + u * a[k] + v * b[k]);
@@ -35,7 +35,7 @@ impl Carried {
         ])
     }
 
-    /// Particles on a line that is parallel to no axis.
+    /// Returns particles on a line that is parallel to no axis.
     pub(super) fn rod() -> Self {
         let a = [0.48, -0.6, 0.64];
         let at = |u: f64| std::array::from_fn(|k| [0.03, -0.02, 0.11][k] + u * a[k]);

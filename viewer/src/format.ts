@@ -13,13 +13,9 @@ export function number(value: number, figures = 5): string {
   return `${minus(mantissa)}×10${superscript(Number(exponent))}`;
 }
 
-/** Digits in groups of three, as the tables of numbers have them: 0.002 337 246. No line breaks between them. */
-export function grouped(text: string): string {
-  return text.replace(/\d+/g, (digits, at: number, all: string) => {
-    if (digits.length < 5) return digits;
-    const fraction = all[at - 1] === ".";
-    return fraction ? digits.replace(/(\d{3})(?=\d)/g, "$1\u00a0") : digits.replace(/\B(?=(\d{3})+$)/g, "\u00a0");
-  });
+/** A whole number with a comma between thousands: 34,061. */
+export function grouped(count: number): string {
+  return String(count).replace(/\B(?=(\d{3})+$)/g, ",");
 }
 
 /** A number's unit, behind it. */

@@ -81,7 +81,7 @@ pub fn time(seconds: f64, digits: usize) -> String {
     format!("{}{NO_BREAK}{prefix}s", number(seconds / size, digits))
 }
 
-/// `0.412 618 3 kg`
+/// `0.4126183 kg`
 pub fn mass(kg: f64) -> String {
     one(&MASS, kg)
 }
@@ -222,7 +222,7 @@ mod tests {
         // What is rounding is 0; what is small beside the body keeps few digits, what is not keeps all.
         assert_eq!(
             place_in(0.21, [1.3e-14, -0.012_345_678_9, 2.345_678_9e-8]),
-            "(0, -12.345\u{a0}68, 2.346e-5) mm"
+            "(0, -12.34568, 2.346e-5) mm"
         );
         assert_eq!(
             lengths_in(0.21, [0.012_961_562, -0.017_608_532, 0.015]),
@@ -239,9 +239,9 @@ mod tests {
     fn hours_begin_at_three_and_days_at_three() {
         let read = |seconds: f64| plain_spaces(&format!("{}; {}", time(seconds, 4), duration(seconds, 4)));
         assert_eq!(read(9_000.0), "9000 s; 9000 s");
-        assert_eq!(read(12_600.0), "3.5 h; 12 600 s (3.5 h)");
-        assert_eq!(read(216_000.0), "60 h; 216 000 s (60 h)");
-        assert_eq!(read(463_841.0), "5.369 d; 463 841 s (5.368 53 d)");
+        assert_eq!(read(12_600.0), "3.5 h; 12600 s (3.5 h)");
+        assert_eq!(read(216_000.0), "60 h; 216000 s (60 h)");
+        assert_eq!(read(463_841.0), "5.369 d; 463841 s (5.36853 d)");
         assert_eq!(plain_spaces(&time(-0.097_55, 4)), "-97.55 ms");
         assert_eq!(plain_spaces(&time(5.635e-12, 4)), "5.635 ps");
         assert_eq!(plain_spaces(&time(0.0, 4)), "0 s");
@@ -250,14 +250,14 @@ mod tests {
     #[test]
     fn units_fit_the_size() {
         assert_eq!(mass(0.012), "12 g");
-        assert_eq!(plain_spaces(&mass(0.412_618_3)), "0.412 618 3 kg");
+        assert_eq!(plain_spaces(&mass(0.412_618_3)), "0.4126183 kg");
         assert_eq!(mass(5.972e24), "5.972e21 t");
         assert_eq!(mass(1.66e-27), "1.66e-27 kg");
         assert_eq!(volume(1.528_216e-4), "152.8216 cm³");
         assert_eq!(lengths([0.0; 3]), "0  0  0  m");
         assert_eq!(lengths([0.0, 1.5e-3, -2e-3]), "0  1.5  -2.0  mm");
         assert_eq!(rate(0.0), "0 rad/s (0 deg/s)");
-        assert_eq!(plain_spaces(&amplitude(std::f64::consts::PI - 1e-9)), "3.141 59 rad (just below 180°)");
+        assert_eq!(plain_spaces(&amplitude(std::f64::consts::PI - 1e-9)), "3.14159 rad (just below 180°)");
         assert_eq!(amplitude(0.5), angle(0.5));
     }
 }

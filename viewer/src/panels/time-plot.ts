@@ -1,7 +1,7 @@
 /** One plot over time: the lines of a stack, its key with readings, its axes, the time of the view and the events. */
 import uPlot from "uplot";
 import { element } from "../dom";
-import { grouped, mark, number, powerOfTen } from "../format";
+import { mark, number, powerOfTen } from "../format";
 import type { Stack } from "../plot/arrange";
 import { curve, largestSoFar } from "../plot/curve";
 import { envelopes } from "../plot/envelope";
@@ -147,7 +147,7 @@ export class TimePlot {
     const nothing = this.#figure.log ? 0 : this.#figure.nothing / unit.size;
     lines.forEach(({ values }, k) => {
       const value = values[i] + offset;
-      this.#readings[k].textContent = grouped(number(Math.abs(value) <= nothing ? 0 : value, figures));
+      this.#readings[k].textContent = number(Math.abs(value) <= nothing ? 0 : value, figures);
     });
   }
 

@@ -2,7 +2,7 @@
  * A figure's lines as they are shown: constants as text, the others in plots one below the other, so that none is squashed by a larger
  * one.
  */
-import { grouped, number } from "../format";
+import { number } from "../format";
 import type { Figure, Line } from "./lines";
 import { extent, type Unit, unitFor } from "./scale";
 
@@ -108,7 +108,7 @@ export function quantity(value: number, unit: string, figures: number): string {
   const fit = unitFor(unit, Math.abs(value));
   // A power of ten belongs to the number here.
   const { name, size } = fit.name.startsWith("10") ? { name: unit, size: 1 } : fit;
-  return `${grouped(number(value / size, figures))}${name === "°" ? "" : "\u00a0"}${name}`;
+  return `${number(value / size, figures)}${name === "°" ? "" : "\u00a0"}${name}`;
 }
 
 /** Lines that share an axis, in order: a line goes to the first whose lines it does not squash, and which does not squash it. */

@@ -1,5 +1,5 @@
 /** What is to be saved of the 3-D view: a picture of the time that is shown, or a film. */
-import { number } from "../format";
+import { grouped, number } from "../format";
 
 export type Format = "png" | "webm" | "gif" | "zip";
 
@@ -81,8 +81,4 @@ function fitting({ width, height }: Order, pixels: number): string {
 
 function millions(pixels: number): string {
   return `${grouped(Math.round(pixels / 1e6))} million pixels`;
-}
-
-function grouped(count: number): string {
-  return String(count).replace(/\B(?=(\d{3})+$)/g, ",");
 }

@@ -14,6 +14,7 @@ import {
 } from "three";
 import type { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
+import { grouped } from "../format";
 import type { BodyData, Indices, Shape } from "../data";
 import { BadData, f32 } from "../decode";
 import { ELLIPSOID, formOf, type Solid } from "./form";
@@ -263,10 +264,6 @@ function extremes(parts: Outline[]): Vector3[] {
     }
   }
   return farthest.points;
-}
-
-function grouped(count: number): string {
-  return String(count).replace(/\B(?=(\d{3})+$)/g, ",");
 }
 
 const DIRECTIONS = directions(160);

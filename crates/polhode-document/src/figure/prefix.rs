@@ -18,7 +18,7 @@ pub fn unit(exponent: i32, unit: &str) -> String {
     }
 }
 
-/// `3.521 4 mJ`, `7.790 8×10⁻⁴ kg·m²/s`: a value with at most so many digits, in one piece.
+/// `3.5214 mJ`, `7.7908×10⁻⁴ kg·m²/s`: a value with at most so many digits, in one piece.
 pub fn value(x: f64, digits: usize, name: &str) -> String {
     let power = exponent(x);
     let (shown, unit) = match prefix(power, name) {
@@ -43,9 +43,9 @@ mod tests {
     #[test]
     fn values_keep_their_digits_in_the_unit() {
         let shown = |x, name| plain_spaces(&value(x, 6, name));
-        assert_eq!(shown(3.521_437_8e-3, "J"), "3.521 44 mJ");
+        assert_eq!(shown(3.521_437_8e-3, "J"), "3.52144 mJ");
         assert_eq!(shown(-8.55e-5, "J"), "−85.5 µJ");
-        assert_eq!(shown(7.790_812e-4, "kg·m²/s"), "7.790 81×10⁻⁴ kg·m²/s");
+        assert_eq!(shown(7.790_812e-4, "kg·m²/s"), "7.79081×10⁻⁴ kg·m²/s");
         assert_eq!(shown(240.855_4, "rad/s"), "240.855 rad/s");
     }
 }

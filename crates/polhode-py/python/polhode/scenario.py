@@ -274,7 +274,7 @@ class Gravity(Torque):
     pivot
         The point that is held (3,), body axes, m, unless ``Scenario(pivot=…)`` says it.
     acceleration
-        Along space axes (3,), m/s²; (0, 0, −9.806 65) unless said.
+        Along space axes (3,), m/s²; (0, 0, −9.80665) unless said.
     """
 
     model = "gravity"
@@ -822,7 +822,7 @@ class Gimbals(Section):
     base
         What carries them; at rest unless said.
     gravity
-        Along the axes of the base (3,), m/s²; 9.806 65 along −z unless said.
+        Along the axes of the base (3,), m/s²; 9.80665 along −z unless said.
     """
 
     table = "gimbals"

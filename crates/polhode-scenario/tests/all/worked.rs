@@ -18,7 +18,7 @@ fn step(scenario: &Scenario, number: usize) -> String {
     document.to_text(400)
 }
 
-/// The number after a name: `A1 = -5.864 44` or `(-5.864 44)`; the name may stand in a formula before.
+/// The number after a name: `A1 = -5.86444` or `(-5.86444)`; the name may stand in a formula before.
 fn value(text: &str, name: &str) -> f64 {
     let numbers = text.match_indices(name).filter_map(|(start, _)| {
         let rest = text[start + name.len()..].trim_start_matches('(');

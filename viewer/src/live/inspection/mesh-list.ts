@@ -11,7 +11,7 @@ const WORDS: Record<MeshFinding["severity"], string> = { error: "Error", warning
 export function meshList(mesh: MeshInspection, isStill: boolean, choose: (item: number) => void): Listed {
   const errors = mesh.findings.filter(({ severity }) => severity === "error").length;
   const shown = mesh.triangles.length / 3;
-  const triangles = `${grouped(String(mesh.of))} triangles`;
+  const triangles = `${grouped(mesh.of)} triangles`;
   const verdict =
     errors === 0
       ? [element("h2", {}, "It bounds a solid"), `${triangles}. ${mesh.findings.length === 0 ? "Nothing was found that is wrong with it. " : ""}${isStill ? "Open it again to see it move. " : ""}`]
@@ -24,7 +24,7 @@ export function meshList(mesh: MeshInspection, isStill: boolean, choose: (item: 
       "p",
       {},
       verdict[1],
-      shown < mesh.of ? `The picture has ${grouped(String(shown))} of them; findings are of all. ` : "",
+      shown < mesh.of ? `The picture has ${grouped(shown)} of them; findings are of all. ` : "",
       mesh.findings.length > 0 ? "A number in the picture is that of the finding." : "",
     ),
     element("ol", { class: "entries" }, ...mesh.findings.map((finding, k) => item(finding, k, choose))),

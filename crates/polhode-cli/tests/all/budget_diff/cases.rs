@@ -261,7 +261,7 @@ pub(super) const CASES: &[Case] = &[
         "[sequence]",
         "spin",
         &[("\"30 rpm\"", "\"31 rpm\"")],
-        &["sequence, spin (0, 0, 3.141 59) rad/s (0, 0, 3.246 31) rad/s"],
+        &["sequence, spin (0, 0, 3.14159) rad/s (0, 0, 3.24631) rad/s"],
     ),
     (
         "[sequence]",

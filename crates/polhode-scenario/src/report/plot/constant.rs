@@ -50,7 +50,7 @@ impl Constant {
         (spread < SPREAD).then_some(Self::Value(0.5 * (least + greatest), spread))
     }
 
-    /// `T = 3.737 84 J, constant to 6.8×10⁻¹⁷`; of samples that may miss an oscillation no more than what they are.
+    /// `T = 3.73784 J, constant to 6.8×10⁻¹⁷`; of samples that may miss an oscillation no more than what they are.
     pub(crate) fn said(self, name: &str, unit: &str, is_sampled: bool) -> String {
         let samples = if is_sampled { " at all samples" } else { "" };
         match self {
@@ -99,7 +99,7 @@ mod tests {
         let said = |constant: Constant, unit| plain_spaces(&constant.said("T + U", unit, false));
         assert_eq!(
             said(Constant::Value(3.737_841_2, 6.83e-17), "J"),
-            "T + U = 3.737 84 J, constant to 6.8×10⁻¹⁷"
+            "T + U = 3.73784 J, constant to 6.8×10⁻¹⁷"
         );
         assert_eq!(said(Constant::Value(-0.3, 0.0), "N·m"), "T + U = −0.3 N·m, constant");
         assert_eq!(said(Constant::Zero(0.0), "J"), "T + U = 0");

@@ -175,7 +175,7 @@ const FACTS = [
   {
     title: "Mass properties",
     rows: [
-      { label: "mass", value: "0.236\u00a019", unit: "kg", note: "" },
+      { label: "mass", value: "0.23619", unit: "kg", note: "" },
       { label: "principal moments", value: "1.71e-5  4.61e-5  5.83e-5", unit: "kg·m²", note: "ascending, about the centre of mass" },
       { label: "symmetry", value: "asymmetric", unit: "", note: "" },
     ],

@@ -72,7 +72,7 @@ fn the_tensor_of_every_shape_is_derived() {
                 .lines()
                 .find(|line| line.starts_with("      ") && line.contains(&format!("{name} = ")))
                 .unwrap();
-            let number = line.rsplit(" = ").next().unwrap().replace(" kg·m²", "").replace(' ', "");
+            let number = line.rsplit(" = ").next().unwrap().replace(" kg·m²", "");
             let (got, want): (f64, f64) = (number.parse().unwrap(), tensor[k][k].as_f64().unwrap());
             assert!((got - want).abs() <= 6e-6 * want, "{shape}: {line}, not {want}");
         }
@@ -96,7 +96,7 @@ fn the_tensor_of_a_triangle_is_derived_with_its_product() {
             .find(|line| line.contains("Ixx, Iyy, Izz, Ixy = "))
             .unwrap_or_else(|| panic!("{text}"));
         let numbers = line.rsplit(" = ").next().unwrap().replace(" kg·m²", "");
-        let numbers: Vec<f64> = numbers.split(", ").map(|x| x.replace(' ', "").parse().unwrap()).collect();
+        let numbers: Vec<f64> = numbers.split(", ").map(|x| x.parse().unwrap()).collect();
         for (got, (i, j)) in numbers.into_iter().zip([(0, 0), (1, 1), (2, 2), (0, 1)]) {
             let want = tensor[i][j].as_f64().unwrap();
             assert!((got - want).abs() <= 6e-6 * want.abs() && want != 0.0, "{shape}: {line}, not {want}");

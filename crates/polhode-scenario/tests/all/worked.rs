@@ -22,9 +22,8 @@ fn step(scenario: &Scenario, number: usize) -> String {
 fn value(text: &str, name: &str) -> f64 {
     let numbers = text.match_indices(name).filter_map(|(start, _)| {
         let rest = text[start + name.len()..].trim_start_matches('(');
-        // A group of digits goes on after its space.
-        let end = rest.find(|c: char| !(c.is_ascii_digit() || "-+.e ".contains(c))).unwrap_or(rest.len());
-        rest[..end].replace(' ', "").trim_end_matches('e').parse().ok()
+        let end = rest.find(|c: char| !(c.is_ascii_digit() || "-+.e".contains(c))).unwrap_or(rest.len());
+        rest[..end].trim_end_matches('e').parse().ok()
     });
     numbers.into_iter().next().unwrap_or_else(|| panic!("no number after {name:?} in\n{text}"))
 }

@@ -188,7 +188,7 @@ fn eulers_disk_lies_flat_when_it_is_said_to() {
         _ => None,
     });
     for row in rows.unwrap() {
-        let cell = |k: usize| row[k].replace('\u{a0}', "").parse::<f64>().unwrap();
+        let cell = |k: usize| row[k].parse::<f64>().unwrap();
         let tilt = cell(0).to_radians();
         near(cell(1), (0.42 * G * 0.081 / (7.3e-4 * tilt.sin())).sqrt(), 1e-3);
         near(cell(4), 1.5 * 0.42 * G * 0.081 * tilt.sin(), 1e-3);

@@ -39,7 +39,7 @@ Examples:
   polhode inertia torn.stl --unit mm --material steel --weld \"0.01 mm\" --write-mesh whole.stl
   polhode inertia gripper.stl --unit mm --material steel --union
   polhode inertia parts/*.stl --unit mm --material steel --csv
-  polhode inertia examples/notes/11-05-principal-axes.toml --axes"].concat())]
+  polhode inertia examples/notes/11-05-principal-axes.toml"].concat())]
 pub(crate) struct Inertia {
     #[command(flatten)]
     request: Request,

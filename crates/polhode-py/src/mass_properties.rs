@@ -186,9 +186,9 @@ impl PyMassProperties {
         self.report.to_json().to_string()
     }
 
-    /// The text that `polhode inertia --axes` prints.
+    /// Returns the text that `polhode inertia` prints.
     fn text(&self) -> String {
-        InertiaReport { show_axes: true, ..self.report.clone() }.to_text()
+        self.report.to_text()
     }
 
     /// As another program reads it.

@@ -33,18 +33,8 @@ pub(crate) type Values = (Numbers, Source, Geometry, Vec<Block>, Vec<Remark>);
 pub(crate) fn values(report: &InertiaReport) -> Values {
     // All fields by name, so that a new one is not forgotten. Other axes, and axes in the text, are for the
     // command only.
-    let InertiaReport {
-        source,
-        properties,
-        volume,
-        surface_area,
-        density,
-        about,
-        extras,
-        findings,
-        axes: _,
-        show_axes: _,
-    } = report;
+    let InertiaReport { source, properties, volume, surface_area, density, about, extras, findings, axes: _ } =
+        report;
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = properties.inertia().matrix();
     let SourceInfo { path, format, description, fields } = source.clone();
     let block = |Extra { key, json, text }: &Extra| ((*key).to_owned(), json.to_string(), text.clone());

@@ -161,8 +161,7 @@ fn faces() -> Vec<(String, String)> {
     for Solution { scenario, trajectory, document } in crate::common::solutions() {
         let title = scenario.title().map(str::to_owned).unwrap_or_default();
         let source = SourceInfo::new("a.toml", "scenario");
-        let inertia =
-            InertiaReport { show_axes: true, ..InertiaReport::of_scenario(source.clone(), scenario) };
+        let inertia = InertiaReport::of_scenario(source.clone(), scenario);
         let mut add = |face: String| faces.push((title.clone(), face));
         add(document.to_text(100));
         add(document.to_markdown());

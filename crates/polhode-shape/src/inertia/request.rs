@@ -67,9 +67,6 @@ pub struct Request {
     /// Also the tensor along axes turned by this unit quaternion (scalar first, turned axes to body axes).
     #[cfg_attr(feature = "arguments", arg(long, value_name = "W,X,Y,Z", allow_hyphen_values = true, conflicts_with_all = ["csv", "as_format"]))]
     pub along: Option<Given<Turn>>,
-    /// Print the principal axes too; JSON and tables have them always.
-    #[cfg_attr(feature = "arguments", arg(long, conflicts_with = "as_format"))]
-    pub axes: bool,
 }
 
 impl Request {

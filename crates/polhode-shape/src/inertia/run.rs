@@ -128,7 +128,7 @@ impl Request {
             ));
         }
         let axes = self.along.as_ref().map(|turn| turn.value.0);
-        Ok(InertiaReport { about, axes, show_axes: self.axes, ..report })
+        Ok(InertiaReport { about, axes, ..report })
     }
 
     /// An option that means nothing for this kind of file is an error, not ignored.

@@ -50,8 +50,6 @@ pub struct InertiaReport {
     pub about: Option<Position<Body>>,
     /// Other axes for the tensor to be along: their directions in body axes are this rotation's columns.
     pub axes: Option<Rotation<Body, Part>>,
-    /// Print the principal axes in the text too (JSON always has them).
-    pub show_axes: bool,
     /// What only this kind of body has: its parts, a molecule's rotational constants.
     pub extras: Vec<Extra>,
     /// What was noticed on the way.
@@ -82,7 +80,6 @@ impl InertiaReport {
             density: None,
             about: None,
             axes: None,
-            show_axes: false,
             extras: Vec::new(),
             findings: Vec::new(),
         }
@@ -201,11 +198,7 @@ impl InertiaReport {
         let principal = self.properties.principal();
         text.push_str(&moments(&principal));
         text.push_str(&line("gyration radii", &unit::lengths(self.properties.gyration_radii())));
-        if self.show_axes {
-            text.push_str(&axes(&principal));
-        } else if principal.symmetry() != Symmetry::Point {
-            text.push_str(&labelled("principal axes", "right-handed, in body axes: --axes shows them"));
-        }
+        text.push_str(&axes(&principal));
     }
 
     fn write_about(&self, text: &mut String) {
@@ -218,9 +211,7 @@ impl InertiaReport {
         text.push_str(&tensor(about.matrix()));
         let principal = PrincipalFrame::about(&about);
         text.push_str(&moments(&principal));
-        if self.show_axes {
-            text.push_str(&axes(&principal));
-        }
+        text.push_str(&axes(&principal));
     }
 
     fn write_axes(&self, text: &mut String) {
@@ -260,12 +251,15 @@ fn moments<F: Frame>(principal: &PrincipalFrame<F>) -> String {
         + &labelled("", principal.symmetry().freedom())
 }
 
-/// The principal axes, one a line.
+/// Returns the principal axes, one in each line; nothing if every axis is principal.
 fn axes<F: Frame>(principal: &PrincipalFrame<F>) -> String {
+    if principal.symmetry() == Symmetry::Point {
+        return String::new();
+    }
     let cells = principal.axes().map(|axis| tidy(axis.to_array()));
     let cells = alike(cells.as_flattened(), DIGITS);
     let rows: Vec<Vec<String>> = cells.chunks(3).map(<[String]>::to_vec).collect();
-    let mut text = String::from("principal axes, right-handed, as unit vectors in body axes\n");
+    let mut text = String::from("principal axes   right-handed, unit vectors in body axes\n");
     for (k, row) in columns(&rows).iter().enumerate() {
         let _ = writeln!(text, "    axis {}   {row}", k + 1);
     }

@@ -2,7 +2,7 @@
 
 use polhode::observe::{RotationalConstants, Top};
 use polhode_document::layout::{labelled, printable};
-use polhode_document::number::{alike, number};
+use polhode_document::number::{alike, number, tidy_beside};
 use polhode_document::unit::DIGITS;
 use serde_json::{Value, json};
 
@@ -90,7 +90,9 @@ impl MoleculeReport {
         if let Some(kappa) = constants.ray_kappa() {
             text.push_str(&labelled("Ray's κ", &number(kappa, DIGITS)));
         }
-        let defect = number(constants.inertial_defect(), 6);
+        let [_, _, i3] = constants.moments_in_unified_units();
+        let [defect, ..] = tidy_beside([constants.inertial_defect(), 0.0, 0.0], i3);
+        let defect = number(defect, 6);
         text.push_str(&labelled("inertial defect", &format!("{defect} u·Å², i3 - i1 - i2")));
         text
     }

@@ -142,16 +142,15 @@ static INERTIA: Subcommand = Subcommand {
         ),
         choice("--about", &["--about", "5 mm, 0, 8 mm"], ANY, &[]),
         choice("--along", &["--along", "0.9,0.1,-0.2,0.3"], ANY, &[]),
-        choice("--axes", &["--axes"], ANY, &[]),
         choice("--json", &["--json"], ANY, &[]),
         choice("--csv", &["--csv"], ANY, &[]),
         choice("--as", &["--as", "mjcf"], ANY, &[]),
     ],
-    independent: &[
-        ("--mass", "--mass-unit", "refused: the mass is shared by points that have none of their own"),
-        ("--axes", "--json", "JSON has the principal axes always"),
-        ("--axes", "--csv", "the table has the principal axes always"),
-    ],
+    independent: &[(
+        "--mass",
+        "--mass-unit",
+        "refused: the mass is shared by points that have none of their own",
+    )],
 };
 
 const MODELS: &[&str] = &["noted", "flawed", "flawed again"];

@@ -1,4 +1,4 @@
-//! Principal axes in three words, of a tensor as it is given.
+//! Principal axes of a tensor in triple-double arithmetic.
 
 use crate::body::principal::{PrincipalFrame, Symmetry};
 use crate::math::fine_eigen::FineEigen;
@@ -7,21 +7,23 @@ use crate::math::symmetric3::{Symmetric3, power_of_two_near};
 use crate::math::triple::Triple;
 use crate::math::vector::Direction;
 
-/// Principal moments in any order, and right-handed axes, to about 46 digits: after 10⁹ turns the 16 digits of a
-/// [`PrincipalFrame`] would be 7, and differences of moments have fewer still.
+/// Principal moments, in any order, and right-handed axes, accurate to about 46 digits.
+///
+/// The 16 digits of a [`PrincipalFrame`] do not suffice: after 10⁹ turns only 7 would remain, and
+/// differences of moments have fewer still.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FineAxes {
-    /// In units of `unit`.
+    /// Principal moments, in units of `unit`.
     pub(super) moments: [Triple; 3],
     pub(super) axes: [[Triple; 3]; 3],
-    /// A power of two, kg·m².
+    /// Unit of the moments: a power of two, kg·m².
     pub(super) unit: f64,
-    /// True if these are the tensor's numbers as given, with no rounding of ours.
+    /// True if moments and axes are exactly the tensor's numbers, without rounding of ours.
     pub(super) given: bool,
 }
 
 impl FineAxes {
-    /// Of a tensor; along the to_body's own axes it is exact.
+    /// Finds the principal axes of a tensor. The result is exact if the tensor is diagonal.
     pub(super) fn of(tensor: &Symmetric3, principal: &PrincipalFrame<Body>) -> Self {
         let unit = power_of_two_near(principal.moments()[2]);
         let scaled = *tensor * (1.0 / unit);
@@ -35,12 +37,14 @@ impl FineAxes {
                 given: true,
             };
         }
-        // Where moments are equal, the to_body's axes are the nearest to the body's own, and not those of the last digits.
+        // If moments are equal, the axes stay those nearest to the body's own axes. The last digits
+        // of the tensor would otherwise choose them.
         let known =
             (principal.symmetry() == Symmetry::Asymmetric).then(|| principal.axes().map(Direction::to_array));
         let FineEigen { values: [a, b, c], vectors: axes } = FineEigen::of(&scaled, known);
         let moments = if principal.symmetry() == Symmetry::Rod {
-            // A rod's own moment is zero, and what is found there is rounding, as is the difference of the others.
+            // The moment of a rod about itself is zero. A computed value is rounding, and so is the
+            // difference of the other two.
             let m = (b + c).scaled(0.5);
             [Triple::default(), m, m]
         } else {
@@ -49,7 +53,7 @@ impl FineAxes {
         Self { moments, axes, unit, given: false }
     }
 
-    /// The components of a body vector along the axes.
+    /// Returns the components of a body vector along the principal axes.
     pub(super) fn along(&self, v: [f64; 3]) -> [Triple; 3] {
         if self.given {
             return v.map(Triple::from);

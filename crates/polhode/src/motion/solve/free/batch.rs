@@ -1,4 +1,4 @@
-//! Many bodies at one time: a body in every lane.
+//! Many bodies at one time: one body in every SIMD lane.
 
 use core::hint::black_box;
 
@@ -19,12 +19,13 @@ use super::kernel::Kernel;
 use super::trigonometric::Nomes;
 use crate::motion::solve::phase::Elapsed;
 
-/// Groups in a block: so few that the processor asks for the next bodies' numbers while it computes; four took a fifth more time.
+/// Number of groups in a block. With two, the processor loads the numbers of the next bodies while
+/// it computes. Four took 20 % longer.
 const GROUPS: usize = 2;
 
-/// Many free motions, arranged so that all their states at a time are computed side by side.
+/// Many free motions, stored so that SIMD lanes compute all their states at one time together.
 ///
-/// Each state has the bits that [`FreeMotion::at`] gives.
+/// Each state is bit-identical to that of [`FreeMotion::at`].
 ///
 /// ```
 /// use polhode::math::{AngularVelocity, Attitude};
@@ -41,20 +42,22 @@ const GROUPS: usize = 2;
 #[derive(Clone, Debug)]
 pub struct FreeMotions {
     starts: Vec<State>,
-    /// The first and the last time at which one starts.
+    /// Earliest and latest start time, s.
     started: [f64; 2],
-    /// How far from its start each is known, s.
+    /// [`FreeMotion::reach`] of each motion, s.
     reaches: Vec<f64>,
-    /// The longest time from 0 that all know.
+    /// Largest |t|, s, within the reach of every motion.
     known: f64,
     trigonometric: SeriesBatch<Nomes<Vectors>>,
     hyperbolic: SeriesBatch<Pulse<Vectors>>,
 }
 
-/// Bodies whose motions have the same kind of series, in groups; the last group repeats its first body in the lanes left over.
+/// Bodies whose motions use the same kind of series, in groups of `WIDTH`. In the last group, the
+/// first body of that group fills the unused lanes.
 ///
-/// What each stage asks for lies side by side: the processor reads four such rows from memory while it computes, where of one it
-/// waits for each group.
+/// The data of each stage are stored in one array (structure of arrays). The processor can then
+/// read four such arrays ahead of the computation; with one array of structures it waits for every
+/// group.
 #[derive(Clone, Debug)]
 struct SeriesBatch<N> {
     count: usize,
@@ -63,19 +66,20 @@ struct SeriesBatch<N> {
     left: Vec<LeftFactor<Vectors>>,
     axes: Vec<LabelledAxes<Vectors>>,
     long_times: Vec<LongTimes>,
-    /// The place of each among the states, where these are not in the same order.
+    /// Index of each body among the states; empty if both have the same order.
     places: Vec<usize>,
-    /// Where all start at t = 0 and count time in seconds, the longest time that is short for all; otherwise no time is.
+    /// Longest time that is short for all bodies, if all start at t = 0 and count time in seconds.
+    /// Otherwise negative, so that no time is short.
     reach: f64,
 }
 
-/// A group, stage by stage: each makes only what it needs.
+/// One group of bodies. Each stage computes only the numbers that it needs.
 struct Group<'a, N> {
     batch: &'a SeriesBatch<N>,
     index: usize,
 }
 
-/// What only long times ask for, or bodies that do not start at t = 0.
+/// Constants needed only for long times, or for bodies that do not start at t = 0.
 #[derive(Clone, Copy, Debug)]
 struct LongTimes {
     third: Vectors,
@@ -83,11 +87,11 @@ struct LongTimes {
     unit: Vectors,
 }
 
-/// A body's index, its motion, its compact and the third word of its precession.
+/// Index of a body, its motion, its compact constants, and the third word of its precession rate.
 type PreparedBody<'a, N> = (usize, &'a FreeMotion, &'a CompactConstants<f64, N>, f64);
 
 impl FreeMotions {
-    /// The motions of a slice, in its order.
+    /// Arranges the motions of a slice, in its order.
     pub fn of(motions: &[FreeMotion]) -> Self {
         let mut trigonometric = Vec::new();
         let mut hyperbolic = Vec::new();
@@ -112,17 +116,18 @@ impl FreeMotions {
         }
     }
 
-    /// How many they are.
+    /// Returns the number of motions.
     pub const fn len(&self) -> usize {
         self.starts.len()
     }
 
-    /// True if there is none.
+    /// Returns true if the batch is empty.
     pub const fn is_empty(&self) -> bool {
         self.starts.is_empty()
     }
 
-    /// The state of every body at a time, s; not a number where it is not known, as of [`FreeMotion::at`].
+    /// Returns the state of every body at a time, s. A state beyond the reach of its motion is NaN,
+    /// as from [`FreeMotion::at`].
     #[must_use]
     pub fn at(&self, time: f64) -> Vec<State> {
         let mut states = self.starts.clone();
@@ -130,9 +135,10 @@ impl FreeMotions {
         states
     }
 
-    /// As [`FreeMotions::at`], into states that are there already. States beyond the number of bodies stay as they are.
+    /// Writes the states at a time, s, into a slice, as [`FreeMotions::at`] returns them.
     ///
-    /// Does nothing if there are fewer states than bodies.
+    /// Elements of the slice beyond the number of bodies are not changed. If the slice is shorter
+    /// than the number of bodies, nothing is written.
     pub fn fill(&self, time: f64, states: &mut [State]) {
         if states.len() < self.len() {
             return;
@@ -156,7 +162,7 @@ impl FreeMotions {
     }
 }
 
-/// The longest time from 0 that is within a motion's reach.
+/// Largest |t| that is certainly within the reach of a motion, s.
 fn known(motion: &FreeMotion) -> f64 {
     motion.reach - motion.start.time.abs()
 }
@@ -201,7 +207,8 @@ impl<N: ThetaParameters<Vectors>> SeriesBatch<N> {
                     let group = |g: usize| Group { batch: self, index: first + g };
                     if time.abs() <= self.reach {
                         let elapsed = Elapsed::since::<true>(at, at, Lanes([1.0; WIDTH]));
-                        // In a loop of its own: the compiler would make vectors of the halves of both factors, lane by lane.
+                        // A separate loop: otherwise the compiler would form vectors from the
+                        // halves of both factors, lane by lane.
                         for (g, phase_rates) in phase_rates.iter_mut().enumerate().take(groups) {
                             *phase_rates = group(one(g)).near_phase_rates();
                         }
@@ -237,7 +244,7 @@ impl<N: ThetaParameters<Vectors>> SeriesBatch<N> {
 }
 
 impl<N: ThetaParameters<Vectors>> Group<'_, N> {
-    /// For times within the reach of all.
+    /// Phase rates for times within the reach of all bodies.
     #[inline(always)]
     fn near_phase_rates(&self) -> PhaseRates<Vectors> {
         self.batch.frequencies[self.index].near_phase_rates(&self.batch.thetas[self.index])

@@ -1,4 +1,4 @@
-//! States side by side, in the lanes of vectors: from their times to rows in stages.
+//! Evaluation of several states in SIMD lanes, in three stages: phases, theta functions, states.
 
 use crate::math::lanes::Lanes;
 use crate::math::rotation::Rotation;
@@ -8,15 +8,15 @@ use crate::motion::model::state::State;
 use super::flow::{Phases, Stages, ThetaArgument, UnnormalisedState};
 use crate::motion::solve::phase::Phase;
 
-/// States in a group: a vector of AVX-512, two of AVX2.
+/// Number of states in a group: one AVX-512 vector, or two AVX2 vectors.
 pub(super) const WIDTH: usize = 8;
 
 pub(super) type Vectors = Lanes<WIDTH>;
 
-/// The stages of some groups of states.
+/// Intermediate results of the stages for a few groups of states.
 ///
-/// Each is a loop of its own, so short that the processor is in several of its turns at once: in one long loop it would wait, as every
-/// number of a state waits for the one before.
+/// Each stage is a separate short loop, so that the processor overlaps several iterations. In one
+/// long loop it would wait, because every number of a state depends on the previous one.
 pub(super) struct Block<const GROUPS: usize> {
     phases: [Phases<Vectors>; GROUPS],
     argument: [ThetaArgument<Vectors>; GROUPS],
@@ -38,7 +38,7 @@ impl<const GROUPS: usize> Block<GROUPS> {
         }
     }
 
-    /// The phases of so many groups.
+    /// Computes the phases of the first `groups` groups.
     #[inline(always)]
     pub(super) fn start(&mut self, groups: usize, phases: impl Fn(usize) -> Phases<Vectors>) {
         for (g, place) in self.phases.iter_mut().enumerate().take(groups) {
@@ -46,7 +46,7 @@ impl<const GROUPS: usize> Block<GROUPS> {
         }
     }
 
-    /// As [`Block::start`], one phase after the other.
+    /// Computes the phases like [`Block::start`], but with one loop for each of the two phases.
     #[inline(always)]
     pub(super) fn start_apart(
         &mut self,
@@ -62,7 +62,7 @@ impl<const GROUPS: usize> Block<GROUPS> {
         }
     }
 
-    /// The states of the phases.
+    /// Computes the states from the phases.
     #[inline(always)]
     pub(super) fn finish<S: Stages<Vectors>>(&mut self, groups: usize, stages: impl Fn(usize) -> S) {
         for (g, argument) in self.argument.iter_mut().enumerate().take(groups) {
@@ -76,14 +76,14 @@ impl<const GROUPS: usize> Block<GROUPS> {
         }
     }
 
-    /// One of the states.
+    /// Returns the state in one lane.
     #[inline(always)]
     pub(super) fn state(&self, group: usize, lane: usize, time: f64) -> State {
         let (attitude, omega) = self.rows(group, lane);
         State { time, attitude: Rotation::from_unit(attitude), omega: Vector::from_array(omega) }
     }
 
-    /// Its quaternion and ω.
+    /// Returns the quaternion (w, x, y, z) and ω of the state in one lane.
     #[inline(always)]
     pub(super) fn rows(&self, group: usize, lane: usize) -> ([f64; 4], [f64; 3]) {
         let ([qw, qx, qy, qz], [wx, wy, wz]) = (&self.attitude[group], &self.omega[group]);
@@ -92,7 +92,8 @@ impl<const GROUPS: usize> Block<GROUPS> {
     }
 }
 
-/// The group itself. The compiler is not to see that the next is beside it, or it makes vectors across groups, lane by lane.
+/// Returns `group` unchanged. The `black_box` hides from the compiler that groups are adjacent in
+/// memory. Otherwise it would vectorize across groups, lane by lane.
 #[inline(always)]
 pub(super) fn one(group: usize) -> usize {
     core::hint::black_box(());

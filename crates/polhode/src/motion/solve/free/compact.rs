@@ -1,6 +1,8 @@
-//! What a flow is made of: a third of its numbers, from which the others follow.
+//! Compact constants of a motion: a third of the numbers of a [`Flow`]; the others follow from
+//! them.
 //!
-//! A fleet keeps seeds, as reading 65 numbers from memory takes longer than making them of 22. One motion keeps its flow too.
+//! A batch of many bodies stores compact constants: reading 65 numbers from memory takes longer
+//! than computing them from 22. A single motion stores its flow too.
 
 use core::array::from_fn;
 
@@ -14,29 +16,31 @@ use super::flow::{Flow, LabelledState, PhaseRates, Series, ToBodyMap, Unnormalis
 use super::labelled::Labelled;
 use crate::motion::solve::phase::{Elapsed, Rate};
 
-/// What a series is made of.
+/// Constants that determine a theta series.
 pub(super) trait ThetaParameters<T> {
     type Series: Series<T>;
 
     fn series(&self) -> Self::Series;
 
-    /// Of where on it a motion starts, the second word.
+    /// Low word of the phase 2z/π at the start, quarter turns.
     fn low_start(&self) -> T;
 }
 
-/// A parameters that also comes in other numbers.
+/// Theta parameters in f64 that can be converted to another number type.
 pub(super) trait ScalarThetaParameters: ThetaParameters<f64> {
-    /// What makes the three quotients of theta functions cn, sn and dn.
+    /// Factors that turn the three quotients of theta functions into cn, sn and dn.
     fn scale(&self) -> [f64; 3];
 
-    /// The same in numbers T.
+    /// The same parameters in numbers of type `T`.
     type Of<T: Splat>: ThetaParameters<T>;
 
-    /// The parameters in which each number is what `pick` makes of the way to it.
+    /// Converts the parameters. `pick` receives an accessor of each number and returns the
+    /// converted number.
     fn assembled<T: Splat>(pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T) -> Self::Of<T>;
 }
 
-/// The numbers of a motion, but for the third word of its precession: in four parts, as they are asked for.
+/// Constants of a motion without the third word of its precession rate, grouped by the stage that
+/// uses them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct CompactConstants<T, N> {
     pub(super) frequencies: Frequencies<T>,
@@ -45,43 +49,47 @@ pub(super) struct CompactConstants<T, N> {
     pub(super) axes: LabelledAxes<T>,
 }
 
-/// What phases are made of.
+/// Constants of the two phases.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Frequencies<T> {
-    /// ½(Ωt − z), quarter turns, in two words.
+    /// Rate of ½(Ωt − z), quarter turns per unit time, in two words.
     precession: [T; 2],
-    /// λ/K: 2z/π, quarter turns, in two words.
+    /// Rate λ/K of 2z/π, quarter turns per unit time, in two words.
     polhode: [T; 2],
-    /// 2z/π at the start, quarter turns, the first word.
+    /// High word of 2z/π at the start, quarter turns.
     start: T,
 }
 
-/// What theta functions are made of.
+/// Constants of the theta functions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ThetaConstants<T, N> {
     parameters: N,
-    /// What makes theta functions the components of e.
+    /// Factors that turn the theta functions into the components of e, the unit vector along L.
     direction: [T; 3],
 }
 
-/// A quaternion: attitude = left · q · labels⁻¹, q in the labelled axes, of norm 1/`scale`.
+/// Left factor of the attitude, a quaternion: attitude = left · q · labels⁻¹. Here q is the
+/// quaternion in the labelled axes; it has norm 1/`scale`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct LeftFactor<T>([T; 4]);
 
-/// The axes in the body, and how fast it turns about them.
+/// Labelled axes in the body, and amplitudes of ω along them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct LabelledAxes<T> {
-    /// A quaternion from the labelled axes to the body's. Of any norm: where the axes are the same but for their names it is of whole
-    /// numbers.
+    /// Quaternion from the labelled axes to the body axes, of any norm. If the labelled axes are
+    /// only a permutation of the body axes, its components are whole numbers.
     rotation: [T; 4],
-    /// The amplitudes of ω along the labelled axes, over |rotation|², times what makes theta functions cn, sn and dn.
+    /// Amplitudes of ω along the labelled axes, divided by |rotation|² and multiplied by the
+    /// factors that turn theta functions into cn, sn and dn.
     rates: [T; 3],
 }
 
 impl<N: ScalarThetaParameters> CompactConstants<f64, N> {
-    /// The compact, and the third word of its precession, of a parameters and where on its series the motion starts.
+    /// Returns the compact constants and the third word of the precession rate. The pair
+    /// `(parameters, start)` holds the theta parameters and the phase of the start.
     ///
-    /// `units`: rad/s per unit of the elements' rates, and by how much to multiply them to be the compact's.
+    /// `units`: rad/s per unit of the elements' rates, and the factor from the elements' rates to
+    /// those of the compact constants.
     pub(super) fn of(
         elements: &Elements,
         labelled: &Labelled,
@@ -105,7 +113,8 @@ impl<N: ScalarThetaParameters> CompactConstants<f64, N> {
             rotation,
             rates: from_fn(|k| (elements.rates[k] / norm2).value() * unit * scale[k]),
         };
-        // attitude(t) = attitude(0) · P · q(0)⁻¹ · q(t) · P⁻¹, P the labelled axes in the body; |q| scale is constant
+        // attitude(t) = attitude(0) · P · q(0)⁻¹ · q(t) · P⁻¹, where P is the rotation from
+        // labelled to body axes. |q| scale is constant.
         let phases = frequencies.phase_rates(&theta, 0.0).phases::<true, false>(&Elapsed::none());
         let curve = theta.curve();
         let UnnormalisedState { quaternion: q, scale, .. } =
@@ -118,7 +127,7 @@ impl<N: ScalarThetaParameters> CompactConstants<f64, N> {
         (Self { frequencies, theta, left: LeftFactor(left), axes }, third)
     }
 
-    /// The compact in other numbers: one body in every lane, or a body in each.
+    /// Converts the constants to another number type: one body in all lanes, or one body per lane.
     pub(super) fn assembled<T: Splat>(
         pick: &impl Fn(&dyn Fn(&Self) -> f64) -> T,
     ) -> CompactConstants<T, N::Of<T>> {
@@ -144,7 +153,7 @@ impl<N: ScalarThetaParameters> CompactConstants<f64, N> {
 }
 
 impl<T: Splat, N: ThetaParameters<T>> CompactConstants<T, N> {
-    /// The whole flow, with the third word of its precession.
+    /// Returns the full flow. `third` is the third word of the precession rate.
     #[inline(always)]
     pub(super) fn flow(&self, third: T) -> Flow<T, N::Series> {
         Flow {
@@ -156,7 +165,8 @@ impl<T: Splat, N: ThetaParameters<T>> CompactConstants<T, N> {
 }
 
 impl<T: Splat> Frequencies<T> {
-    /// With the third word of the precession: only long times ask for it.
+    /// Returns the phase rates. `third`, the third word of the precession rate, matters only at
+    /// long times.
     #[inline(always)]
     pub(super) fn phase_rates<N: ThetaParameters<T>>(
         &self,
@@ -170,7 +180,7 @@ impl<T: Splat> Frequencies<T> {
         )
     }
 
-    /// For times within its reach.
+    /// Returns the phase rates for times within their reach, where the third word does not matter.
     #[inline(always)]
     pub(super) fn near_phase_rates<N: ThetaParameters<T>>(
         &self,
@@ -200,7 +210,7 @@ impl<T: Splat> LeftFactor<T> {
         let [x, y, z] = axes_of(axes.rotation);
         ToBodyMap {
             attitude: matrix_of(self.0, axes.rotation),
-            // Not by `map`, which is inlined only where the whole program is optimised at once.
+            // Without `map`, which is inlined only if the whole program is optimised at once (LTO).
             omega: [
                 [x[0] * r1, x[1] * r2, x[2] * r3],
                 [y[0] * r1, y[1] * r2, y[2] * r3],
@@ -210,7 +220,7 @@ impl<T: Splat> LeftFactor<T> {
     }
 }
 
-/// The matrix of a quaternion, times its norm squared.
+/// Returns the rotation matrix of a quaternion, multiplied by its squared norm.
 #[inline(always)]
 fn axes_of<T: Splat>([w, x, y, z]: [T; 4]) -> [[T; 3]; 3] {
     let (ww, xx, yy, zz) = (w * w, x * x, y * y, z * z);
@@ -226,7 +236,8 @@ fn axes_of<T: Splat>([w, x, y, z]: [T; 4]) -> [[T; 3]; 3] {
     ]
 }
 
-/// The matrix of q ↦ left · q · right⁻¹, times the norm of right squared: of the sixteen products each is in four of its elements.
+/// Returns the 4 × 4 matrix of q ↦ left · q · right⁻¹, multiplied by the squared norm of `right`.
+/// Each of the sixteen products occurs in four elements.
 #[inline(always)]
 fn matrix_of<T: Splat>([a, b, c, d]: [T; 4], [w, x, y, z]: [T; 4]) -> [[T; 4]; 4] {
     let four = |e: T, f: T, g: T, h: T| {

@@ -1,4 +1,4 @@
-//! What people ask of a motion, in SI units.
+//! Constants of a motion that the public methods return, in SI units.
 
 use crate::math::double::Double;
 use crate::math::frame::Body;
@@ -12,43 +12,45 @@ use super::labelled::Labelled;
 /// Constants of a motion, along its labelled axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Constants {
-    /// The labelled axes in the body.
+    /// The labelled axes, in body axes.
     pub(super) axes: [Direction<Body>; 3],
-    /// i1, i2, i3
+    /// Principal moments i1, i2, i3, kg·m².
     pub(super) moments: [f64; 3],
-    /// (i2 − i3)/i1, (i3 − i1)/i2, (i1 − i2)/i3: what Euler's equations have; zero for a rod's own axis.
+    /// Coefficients of Euler's equations, (i2 − i3)/i1, (i3 − i1)/i2, (i1 − i2)/i3. Zero for the
+    /// axis of a rod.
     pub(super) ratios: [f64; 3],
-    /// L at the start.
+    /// L at the start, kg·m²/s.
     pub(super) momentum: [f64; 3],
     pub(super) kinetic_energy: f64,
-    /// The largest |ω| along each axis.
+    /// Largest |ω| along each axis, rad/s.
     pub(super) amplitudes: [f64; 3],
-    /// m and √(1 − m).
+    /// Elliptic parameter m. The next field is √(1 − m).
     pub(super) parameter: f64,
     pub(super) complementary_modulus: f64,
-    /// |λ|
+    /// |λ|, rad/s.
     pub(super) polhode_rate: f64,
-    /// 4K/λ; not finite where nothing repeats.
+    /// Period 4K/λ of ω in the body, s; not finite if the motion does not repeat.
     pub(super) period: f64,
-    /// Ω
+    /// Mean precession rate Ω, rad/s.
     pub(super) precession: f64,
-    /// The least and the largest angle between L and axis 3.
+    /// Smallest and largest angle between L and axis 3, rad.
     pub(super) nutation: [f64; 2],
 }
 
 impl Constants {
-    /// A body vector along the axes.
+    /// Returns the components of a body vector along the labelled axes.
     pub(super) fn along<Q>(&self, v: Vector<Q, Body>) -> [f64; 3] {
         self.axes.map(|axis| axis.dot(v))
     }
 
-    /// A vector given along the axes, in the body.
+    /// Returns the body vector with the given components along the labelled axes.
     pub(super) fn in_body<Q>(&self, [a, b, c]: [f64; 3]) -> Vector<Q, Body> {
         let [e1, e2, e3] = self.axes;
         (e1 * a + e2 * b + e3 * c).as_quantity()
     }
 
-    /// Moments are in units of `kg_m2`, rates in units of `rad_s`: powers of two.
+    /// Computes the constants. `kg_m2` and `rad_s`, powers of two, are the units of the labelled
+    /// moments and rates.
     pub(super) fn of(elements: &Elements, labelled: &Labelled, kg_m2: f64, rad_s: f64) -> Self {
         let ([i1, i2, i3], w) = (labelled.moments, labelled.omega.map(Triple::double));
         let moments = labelled.moments.map(Triple::double);
@@ -62,7 +64,8 @@ impl Constants {
             moments: moments.map(|i| i.value() * kg_m2),
             ratios: [ratio(i2 - i3, moments[0]), ratio(i3 - i1, moments[1]), ratio(i1 - i2, moments[2])],
             momentum: momentum.map(|l| l.value() * kg_m2 * rad_s),
-            // in an order in which no product leaves the range of f64 unless T does
+            // The order of the factors matters: no intermediate product leaves the range of f64
+            // unless T does.
             kinetic_energy: 0.5 * twice_t.value() * (kg_m2 * rad_s) * rad_s,
             amplitudes: elements.rates.map(|a| a.value() * rad_s),
             parameter: elements.m.value(),
@@ -74,7 +77,7 @@ impl Constants {
                 4.0 * (elements.quarter / elements.lambda.abs()).value() / rad_s
             },
             precession: elements.half_precession.value() * (4.0 * PI) * rad_s,
-            // L3 = A3 dn lies between A3 and A3 √(1 − m), where |L2| = A2
+            // L3 = A3 dn lies between A3 and A3 √(1 − m); at the latter |L2| = A2.
             nutation: [libm::atan2(a1, a3), libm::atan2(a2, a3 * k1)],
         }
     }

@@ -1,4 +1,4 @@
-//! The constants of a free motion, in two words and more.
+//! Constants of a free motion, in double-double and triple-double precision.
 
 use crate::math::double::Double;
 use crate::math::means::quarter_and_share;
@@ -6,42 +6,49 @@ use crate::math::triple::Triple;
 
 use super::labelled::{Labelled, Mode};
 
-/// What the elliptic motion of a body is made of: amplitudes, parameter, and the two rates that are linear in time.
+/// Constants of the elliptic motion: amplitudes, parameter, and the rates of the two phases that
+/// are linear in time.
 ///
-/// In the labelled axes L = (A1 cn, A2 sn, A3 dn)(u0 + λt), and the plane of L and axis 3 turns about L at the mean rate Ω.
+/// L = (A1 cn, A2 sn, A3 dn)(u0 + λt) in the labelled axes. The plane of L and axis 3 rotates about
+/// L at the mean rate Ω.
 ///
-/// With δⱼ = 1/iⱼ − 1/i3 (both positive in short-axis mode, both negative in long-axis mode) and ρ = δ2/δ1 ≤ 1:
+/// Let δⱼ = 1/iⱼ − 1/i3 (both positive in short-axis mode, both negative in long-axis mode) and ρ =
+/// δ2/δ1 ≤ 1. Then
 ///
-/// A1² = L1² + ρ L2²,  A2² = A1²/ρ,  A3² = L3² + (1 − ρ) L2²,  λ² = A3² δ1 δ2,  n = 1 − 1/ρ,  m = −n A1²/A3²
+/// A1² = L1² + ρ L2²,  A2² = A1²/ρ,  A3² = L3² + (1 − ρ) L2²,  λ² = A3² δ1 δ2,  n = 1 − 1/ρ,
 ///
-/// Everything is in units in which the largest moment and the fastest component of ω are between 1 and 2.
+/// m = −n A1²/A3²
 ///
-/// Source: Landau & Lifshitz, Mechanics, §37; the forms without cancellation are derived in `book/free-motion.md`.
+/// Units: powers of two such that the largest moment and the fastest component of ω are between 1
+/// and 2.
+///
+/// Source: Landau & Lifshitz, Mechanics, §37. `book/free-motion.md` derives the forms without
+/// cancellation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Elements {
     /// |L|
     pub(super) momentum: Double,
     /// A1, A2, A3
     pub(super) amplitudes: [Double; 3],
-    /// ω's amplitudes Aⱼ/iⱼ; that of a rod along itself is its spin.
+    /// Amplitudes Aⱼ/iⱼ of ω. For a rod, the amplitude along itself is its spin.
     pub(super) rates: [Double; 3],
-    /// cn u0, sn u0: the start on the polhode.
+    /// cn u0 and sn u0: position of the start on the polhode.
     pub(super) start: [Double; 2],
-    /// m and √(1 − m), whose square may leave the range of f64.
+    /// Elliptic parameter m. The next field is √(1 − m); its square may leave the range of f64.
     pub(super) m: Double,
     pub(super) k1: Double,
     /// −n ≥ 0
     pub(super) minus_n: Double,
     /// λ, negative in long-axis mode.
     pub(super) lambda: Double,
-    /// K(m); 2¹⁰⁰ stands for infinity on the separatrix.
+    /// Quarter period K(m); 2¹⁰⁰ represents infinity on the separatrix.
     pub(super) quarter: Double,
-    /// Ω/4π: half the mean precession, in turns.
+    /// Ω/4π: half the mean precession rate, in turns per unit time.
     pub(super) half_precession: Triple,
 }
 
 impl Elements {
-    /// (A1, A2, A3)/L; along axis 3 where L is zero.
+    /// Returns (A1, A2, A3)/L, or the direction of axis 3 if L is zero.
     pub(super) fn direction(&self) -> [f64; 3] {
         if self.momentum.is_zero() {
             return [0.0, 0.0, 1.0];
@@ -54,7 +61,7 @@ impl Elements {
         self.k1.square()
     }
 
-    /// Of ω along axis 3 alone: nothing circles, and the body turns at |ω|.
+    /// Returns the constants for ω along axis 3 only: λ = 0, and the body rotates at |ω|.
     pub(super) fn permanent(labelled: &Labelled) -> Self {
         let i3 = labelled.moments[2].double();
         let zero = Double::default();
@@ -89,12 +96,13 @@ impl Elements {
         };
         let a1 = (l1.square() + rho * l2.square()).sqrt();
         let a2 = (l2.square() + if a1.is_zero() { Double::default() } else { l1.square() / rho }).sqrt();
-        // ω's amplitude along axis 3: ω3² + (i2 (i2 − i1) / (i3 (i3 − i1))) ω2², also for a rod, where i3 = 0
+        // amplitude of ω along axis 3: ω3² + (i2 (i2 − i1) / (i3 (i3 − i1))) ω2², valid also for a
+        // rod, where i3 = 0
         let share = if axisymmetric { Double::default() } else { i2 * d21 / (i3 * d31) };
         let rate3 = (v3.square() + share * v2.square()).sqrt();
         let a3 = (l3.square() + rest * l2.square()).sqrt();
 
-        // λ² = (i3 − i1)(i3 − i2) / (i1 i2) times ω's amplitude squared
+        // λ² = (i3 − i1)(i3 − i2) / (i1 i2) times the squared amplitude of ω along axis 3
         let speed = rate3 * (d31 * d32 / (i1 * i2)).sqrt();
         let lambda = if labelled.mode == Mode::Long { -speed } else { speed };
         // m = A1² (i2 − i1) / (i1 i3 (i3 − i2) ω3max²),  1 − m = (L² − 2T i2) / (i3 (i3 − i2) ω3max²)

@@ -1,31 +1,34 @@
-//! One kernel for every free motion: two phases, a few terms of a theta series, a quaternion.
+//! Evaluation of every free motion: two phases, a few terms of a theta series, a quaternion.
 
 use crate::math::complex::Complex;
 use crate::math::elementary::sin_cos_quarters;
 use crate::math::number::Splat;
 use crate::motion::solve::phase::{Elapsed, Phase, Rate};
 
-/// A place on the polhode, as the theta functions give it.
+/// Values of the theta functions at a point of the polhode.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point<T> {
-    /// f: the theta function of the attitude.
+    /// f: theta function of the attitude.
     pub(super) f: Complex<T>,
-    /// cn, sn and dn times constants, times `below`.
+    /// cn, sn and dn, each times a constant and times `below`.
     pub(super) theta: [T; 3],
-    /// The theta function that they share.
+    /// Common denominator: the theta function that cn, sn and dn share.
     pub(super) below: T,
 }
 
-/// The constants of a motion, in the form that is evaluated: all follow from a [`CompactConstants`](super::compact::CompactConstants).
+/// Constants of a motion in the form that is evaluated. All follow from
+/// [`CompactConstants`](super::compact::CompactConstants).
 ///
-/// With z = π(u0 + λt)/2K, the unit vector along L is e = (A1 cn, A2 sn, A3 dn)/L in the labelled axes, and the quaternion
-/// from them to axes along L is w + iz = α, x + iy = β,
+/// Let z = π(u0 + λt)/2K. The unit vector along L is e = (A1 cn, A2 sn, A3 dn)/L in the labelled
+/// axes. The quaternion from the labelled axes to axes along L has w + iz = α and x + iy = β, where
 ///
 /// α = e^iφ f(z),  β = α (e2 − i e1)/(1 + e3),  φ = ½(Ωt − z) + b′z
 ///
-/// where f is the series and b′ its bend: zero for the trigonometric one. ω = (A1/i1 cn, A2/i2 sn, A3/i3 dn).
+/// Here f is the theta series and b′ its bend, which is zero for the trigonometric series. ω =
+/// (A1/i1 cn, A2/i2 sn, A3/i3 dn).
 ///
-/// Source: Klein & Sommerfeld, Über die Theorie des Kreisels, ch. VI; derived in `book/free-motion.md`.
+/// Source: Klein & Sommerfeld, Über die Theorie des Kreisels, ch. VI; derived in
+/// `book/free-motion.md`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Flow<T, S> {
     pub(super) phase_rates: PhaseRates<T>,
@@ -33,83 +36,86 @@ pub(super) struct Flow<T, S> {
     pub(super) to_body: ToBodyMap<T>,
 }
 
-/// What makes phases of the time.
+/// Rates and start of the two phases.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PhaseRates<T> {
-    /// ½(Ωt − z), quarter turns.
+    /// Rate of ½(Ωt − z), quarter turns per unit time.
     pub(super) precession: Rate<T>,
-    /// λ/K: 2z/π, quarter turns.
+    /// Rate λ/K of 2z/π, quarter turns per unit time.
     pub(super) polhode: Rate<T>,
-    /// 2z/π at the start, quarter turns.
+    /// 2z/π at the start, quarter turns, in two words.
     pub(super) start: [T; 2],
-    /// The longest time that needs no more than two words of either.
+    /// Longest time for which two words of both rates suffice.
     pub(super) reach: T,
 }
 
-/// What makes a quaternion and ω of phases, in the labelled axes.
+/// Map from phases to a quaternion and ω in the labelled axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct LabelledState<T, S> {
     pub(super) series: S,
-    /// What makes theta functions the components of e.
+    /// Factors that turn the theta functions into the components of e.
     pub(super) direction: [T; 3],
 }
 
-/// What turns them into the axes that they are wanted in.
+/// Map of quaternion and ω from the labelled axes to the body axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ToBodyMap<T> {
-    /// From what the quaternion is in the labelled axes to the attitude's, of norm 1/`scale`.
+    /// Matrix from the quaternion in the labelled axes to that of the attitude, of norm 1/`scale`.
     pub(super) attitude: [[T; 4]; 4],
-    /// Columns: the axes times the amplitudes of ω along them, and the constants that make theta functions cn, sn and dn.
+    /// Columns: the axes times the amplitudes of ω along them, times the factors that turn theta
+    /// functions into cn, sn and dn.
     pub(super) omega: [[T; 3]; 3],
 }
 
-/// Both angles of a time.
+/// Both phases at one time, reduced.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Phases<T> {
     pub(super) polhode: Phase<T>,
     pub(super) precession: Phase<T>,
 }
 
-/// What the time is to the series.
+/// Argument of the theta series at one time.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ThetaArgument<T> {
-    /// z, as the series takes it.
+    /// z in the form that the series takes.
     place: [T; 2],
     /// e^iφ
     phase: Complex<T>,
 }
 
-/// A state before it is scaled and argument into the axes that it is wanted in.
+/// State before normalization, in the labelled axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct UnnormalisedState<T> {
     /// (Re α, Re β, Im β, Im α), all times one number.
     pub(super) quaternion: [T; 4],
-    /// Makes its norm one, or a constant.
+    /// Factor that makes the norm of the quaternion 1 or a constant.
     pub(super) scale: T,
-    /// cn, sn and dn times constants.
+    /// cn, sn and dn, each times a constant.
     pub(super) rates: [T; 3],
 }
 
-/// The way from phases to a state, in three stages: of a flow, or of what becomes one as it is needed.
+/// Three stages from phases to a state. A [`Flow`] implements them, and so does a type that
+/// computes parts of its flow on demand.
 pub(super) trait Stages<T> {
     fn theta_argument(&self, phases: &Phases<T>) -> ThetaArgument<T>;
 
-    /// Quaternion and ω of the phases, in the labelled axes.
+    /// Returns quaternion and ω in the labelled axes, not normalized.
     fn unnormalised(&self, argument: &ThetaArgument<T>) -> UnnormalisedState<T>;
 
-    /// Quaternion and ω of the phases.
+    /// Returns quaternion and ω in body axes.
     fn state(&self, unnormalised: &UnnormalisedState<T>) -> ([T; 4], [T; 3]);
 }
 
-/// Theta functions of one kind.
+/// Theta series of one kind.
 pub(super) trait Series<T> {
-    /// z as the series takes it, and b′z in quarter turns if there is a bend.
+    /// Returns z in the form that the series takes, and b′z in quarter turns if the series has a
+    /// bend.
     fn place(&self, z: Phase<T>) -> ([T; 2], Option<T>);
 
     fn at(&self, place: [T; 2]) -> Point<T>;
 }
 
-// Places for them, all numbers the same.
+// Values with all components equal, to initialize buffers.
 
 impl<T: Copy> Phases<T> {
     pub(super) fn of(x: T) -> Self {
@@ -137,7 +143,7 @@ impl<T: Splat> PhaseRates<T> {
         Self { precession, polhode, start, reach }
     }
 
-    /// Of what does not move.
+    /// Rates of a motion at rest.
     #[inline(always)]
     pub(super) fn none() -> Self {
         let zero = T::splat(0.0);
@@ -145,7 +151,8 @@ impl<T: Splat> PhaseRates<T> {
         Self { precession: rate, polhode: rate, start: [zero; 2], reach: zero }
     }
 
-    /// Both phases, reduced; `WHOLE` if the time has one word, `LONG` if it may be beyond reach.
+    /// Returns both phases, reduced. `WHOLE`: the time has one word. `LONG`: the time may be beyond
+    /// `reach`.
     #[inline(always)]
     pub(super) fn phases<const WHOLE: bool, const LONG: bool>(&self, elapsed: &Elapsed<T>) -> Phases<T> {
         let polhode = self.polhode_phase::<WHOLE, LONG>(elapsed);
@@ -221,7 +228,7 @@ impl<T: Splat> ToBodyMap<T> {
         let (a, w) = (&self.attitude, &self.omega);
         let [qw, qx, qy, qz] =
             [dot4(&a[0], &labelled), dot4(&a[1], &labelled), dot4(&a[2], &labelled), dot4(&a[3], &labelled)];
-        // The norm's last digits by 1/√n = (3 − n)/2 for n near 1.
+        // Correct the last digits of the norm by 1/√n = (3 − n)/2 for n near 1.
         let norm2 = (scale * scale) * ((qw * qw + qx * qx) + (qy * qy + qz * qz));
         let k = scale * (T::splat(1.5) - T::splat(0.5) * norm2);
         ([qw * k, qx * k, qy * k, qz * k], [dot3(&w[0], &rates), dot3(&w[1], &rates), dot3(&w[2], &rates)])

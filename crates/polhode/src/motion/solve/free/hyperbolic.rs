@@ -1,4 +1,4 @@
-//! The motion as a few travelling pulses: for a nome near 1, up to the separatrix itself.
+//! Free motion as a few travelling pulses, for a nome near 1 up to the separatrix.
 
 use crate::math::complex::Complex;
 use crate::math::double::Double;
@@ -14,43 +14,45 @@ use crate::motion::solve::phase::Phase;
 
 /// Coefficients of the theta functions in the complementary nome: constants of a motion.
 ///
-/// Jacobi's imaginary transformation turns θ(z | q²) into θ(¼π − b + iy | Q), y = κz, κ = K/2K′, Q = e^−πκ. With X = e^−2|y| and
-/// W = Q/X, both between Q and 1, every term is a power of one of them times a power of Q. On the separatrix Q = 0.
+/// Jacobi's imaginary transformation turns θ(z | q²) into θ(¼π − b + iy | Q), where y = κz, κ =
+/// K/2K′, Q = e^−πκ. Let X = e^−2|y| and W = Q/X; both are between Q and 1. Every term is a power
+/// of X or of W times a power of Q. On the separatrix Q = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Hyperbolic<T> {
-    /// πκ: from quarter turns of z to 2y.
+    /// πκ: factor from quarter turns of z to 2y.
     stretch: T,
-    /// ½ − 2b/π: the part of the phase that goes with the pulse.
+    /// ½ − 2b/π: coefficient of the phase contribution of the pulse.
     bend: T,
-    /// Q
+    /// Nome Q.
     nome: T,
-    /// cos aₙ and sin aₙ times Q^(n²), aₙ = (2n+1)(¼π − b): with powers of W.
+    /// cos aₙ and sin aₙ times Q^(n²), aₙ = (2n+1)(¼π − b): coefficients of powers of W.
     rising: [[T; 4]; 2],
-    /// The same times Q^(n(n+1)): with powers of X.
+    /// cos aₙ and sin aₙ times Q^(n(n+1)): coefficients of powers of X.
     falling: [[T; 3]; 2],
-    /// q′ = Q² of cn, sn, dn, its square and its fourth power.
+    /// Nome q′ = Q² of cn, sn and dn, its square and its fourth power.
     pub(super) squares: [T; 3],
 }
 
-/// What the series is made of.
+/// Constants that determine the series.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pulse<T> {
-    /// Of where on it the motion starts, the second word.
+    /// Low word of the phase 2z/π at the start, quarter turns.
     low_start: T,
-    /// πκ
+    /// πκ: factor from quarter turns of z to 2y.
     pub(super) stretch: T,
     /// ½ − 2b/π
     bend: T,
-    /// Q
+    /// Nome Q.
     nome: T,
 }
 
 impl Pulse<f64> {
-    /// The series, and where on it the motion starts: 2z/π, quarter turns, the first word.
+    /// Returns the constants of the series and the phase of the start: high word of 2z/π, quarter
+    /// turns.
     pub(super) fn of(elements: &Elements) -> (Self, f64) {
-        // The roles of m and 1 − m are exchanged.
+        // m and 1 − m exchange their roles.
         let landen = Landen::new(elements.m1().value(), elements.m.value());
-        // q′ = m₁/16 + … leaves the range of f64 before its root does.
+        // q′ = m₁/16 + … underflows before its square root does.
         let k1 = elements.k1.value();
         let nome = if k1 < TINY { 0.25 * k1 } else { landen.nome().sqrt() };
         // K′ = π / 2 agm(1, √m):  κ = K / 2K′
@@ -69,7 +71,7 @@ impl Pulse<f64> {
 impl ScalarThetaParameters for Pulse<f64> {
     type Of<T: Splat> = Pulse<T>;
 
-    /// cn and dn are 1 at u = 0, sn at u = K.
+    /// Fixes the factors by cn = dn = 1 at u = 0 and sn = 1 at u = K.
     fn scale(&self) -> [f64; 3] {
         let series = self.series();
         let ([cn, _, dn], at_zero) = series.elliptic(1.0, self.nome);
@@ -97,7 +99,7 @@ impl<T: Splat> ThetaParameters<T> for Pulse<T> {
 
     #[inline(always)]
     fn series(&self) -> Hyperbolic<T> {
-        // e^ia, a = ¼π − b, and by products its odd powers
+        // e^ia, a = ¼π − b, and its odd powers by products
         let (s, c) = sin_cos_quarters(T::splat(0.0), self.bend);
         let first = Complex { re: c, im: s };
         let square = Complex { re: c * c - s * s, im: T::splat(2.0) * (c * s) };
@@ -123,10 +125,10 @@ impl<T: Splat> ThetaParameters<T> for Pulse<T> {
     }
 }
 
-/// Below it Q = k₁/4 to the last digit.
+/// Threshold of k₁. Below it Q = k₁/4 to full f64 precision.
 const TINY: f64 = 1e-9;
 
-/// agm(1, g)
+/// Returns the arithmetic–geometric mean agm(1, g).
 fn mean(g: Double) -> Double {
     let (mut a, mut g) = (Double::ONE, g);
     while (a - g).high > 1e-17 {
@@ -135,11 +137,11 @@ fn mean(g: Double) -> Double {
     (a + g).scaled(0.5)
 }
 
-/// u0/K, quarter turns, from the nearer end of the quarter in which it lies.
+/// Returns u0/K in quarter turns, computed from the nearer end of the quarter in which it lies.
 fn start(elements: &Elements, landen: &Landen, kappa: Double) -> [f64; 2] {
     let [c, s] = elements.start;
     let root = elements.k1;
-    // tan φ above 1/√k′ is nearer to K
+    // if tan φ > 1/√k′, u0 is nearer to K
     let near_zero = s.abs() * root.sqrt() <= c.abs();
     let (tangent_sine, tangent_cosine) = if near_zero { (s, c) } else { (c, root * s) };
     let y = argument(tangent_sine, tangent_cosine, landen);
@@ -155,11 +157,11 @@ fn start(elements: &Elements, landen: &Landen, kappa: Double) -> [f64; 2] {
     [start.high, start.low]
 }
 
-/// π F(φ|m) / 4K′ of tan φ = sin/cos, sin² + cos² whatever it is; odd in tan φ, |φ| < ½π.
+/// Returns π F(φ|m) / 4K′ for tan φ = sin/cos, |φ| < ½π; odd in tan φ. sin² + cos² need not be 1.
 ///
-/// With tan φ = sinh χ it is ½ (χ − Σ ηₙ/2ⁿ⁺¹).
+/// The value is ½ (χ − Σ ηₙ/2ⁿ⁺¹), where tan φ = sinh χ.
 fn argument(sin: Double, cos: Double, landen: &Landen) -> Double {
-    // in units in which no square leaves the range of f64
+    // use units in which no square leaves the range of f64
     let unit = 1.0 / power_of_two_near(sin.high.abs().max(cos.high.abs()));
     let (s, c) = (sin.abs().scaled(unit), cos.abs().scaled(unit));
     let h2 = s.square() + c.square();
@@ -187,20 +189,21 @@ impl<T: Splat> Series<T> for Hyperbolic<T> {
     }
 }
 
-/// A place within its half period, z = ½π (x + 2N), |x| ≤ 1.
+/// Position within its half period: z = ½π (x + 2N), |x| ≤ 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ends<T> {
-    /// The sign of x.
+    /// Sign of x.
     pub(super) sign: T,
     /// (−1)ᴺ
     pub(super) turned: T,
-    /// X
+    /// X = e^−2|y|.
     pub(super) falling: T,
-    /// W
+    /// W = Q/X.
     pub(super) rising: T,
 }
 
-/// x of z = ½π (x + 2N), |x| ≤ 1: of an even number of quarter turns the rest, of an odd one the rest less its sign.
+/// Returns x for z = ½π (x + 2N), |x| ≤ 1. If the number of quarter turns is even, x is the rest.
+/// If it is odd, x is the rest minus its sign.
 #[inline(always)]
 pub(super) fn within_half_period<T: Splat>(z: Phase<T>) -> T {
     z.rest
@@ -220,7 +223,7 @@ impl<T: Splat> Hyperbolic<T> {
         let turned = quarters.zip(rest, |q, rest| {
             if (q.to_bits() & 2 == 2) ^ (is_odd(q) & rest.is_sign_positive()) { -1.0 } else { 1.0 }
         });
-        // The exponential of the nearer end of the pulse; the other follows from X W = Q.
+        // Exponential of the nearer end of the pulse. The other one follows from X W = Q.
         let (near, rise) = exp_both(self.stretch * rest.map(f64::abs));
         let far = self.nome * rise;
         let falling = quarters.zip3(near, far, |q, near, far| if is_odd(q) { far } else { near });
@@ -228,7 +231,7 @@ impl<T: Splat> Hyperbolic<T> {
         Ends { sign, turned, falling, rising }
     }
 
-    /// θ₂ of ¼π − b + iy.
+    /// Returns θ₂ of ¼π − b + iy.
     #[inline(always)]
     fn attitude(&self, x: T, w: T, sign: T) -> Complex<T> {
         let (w2, x2) = (w * w, x * x);
@@ -241,9 +244,12 @@ impl<T: Splat> Hyperbolic<T> {
         }
     }
 
-    /// θ₄, |θ₁|, θ₃ and θ₂ of 2iy, nome q′ = Q²: cn, sn, dn are quotients of the first three and the last but for constants.
+    /// Returns θ₄, |θ₁| and θ₃, and θ₂, of 2iy with nome q′ = Q². Up to constants, cn, sn and dn
+    /// are the quotients of the first three by θ₂:
     ///
-    /// cn, dn ∝ (1 ∓ 2q′ cosh 4y + …) / (cosh 2y + q′² cosh 6y + …), sn ∝ (sinh 2y − q′² sinh 6y + …) / (…)
+    /// cn, dn ∝ (1 ∓ 2q′ cosh 4y + …) / (cosh 2y + q′² cosh 6y + …),
+    ///
+    /// sn ∝ (sinh 2y − q′² sinh 6y + …) / (…)
     #[inline(always)]
     pub(super) fn elliptic(&self, x: T, w: T) -> ([T; 3], T) {
         let [q1, q2, q4] = self.squares;

@@ -1,4 +1,4 @@
-//! The evaluation of one motion: its flow, with the series that is short.
+//! Evaluation of one motion: its flow, with the series that converges faster.
 
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::Vector;
@@ -12,18 +12,21 @@ use super::labelled::Labelled;
 use super::trigonometric::{Nomes, Trigonometric};
 use crate::motion::solve::phase::Elapsed;
 
-/// A compact, and the flow that it becomes.
+/// Compact constants and the flow computed from them, for each kind of series.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Kernel {
     Trigonometric(CompactConstants<f64, Nomes<f64>>, Flow<f64, Trigonometric<f64>>),
     Hyperbolic(CompactConstants<f64, Pulse<f64>>, Flow<f64, Hyperbolic<f64>>),
 }
 
-/// Below this 1 − m the hyperbolic series is the shorter: K = 2K′.
+/// Threshold of 1 − m. Below it the hyperbolic series is the shorter one; there K = 2K′.
 pub(super) const BALANCE: f64 = 0.03;
 
 impl Kernel {
-    /// `units`: rad/s per unit of the elements' rates, and per unit of the kernel's.
+    /// Chooses the series and computes its constants.
+    ///
+    /// `units`: rad/s per unit of the elements' rates, and rate of the elements per rate of the
+    /// kernel.
     pub(super) fn of(elements: &Elements, labelled: &Labelled, units: [f64; 2], attitude: Attitude) -> Self {
         if elements.m1().value() > BALANCE {
             let (compact, flow) = constants_of(elements, labelled, units, Nomes::of(elements), attitude);
@@ -34,7 +37,7 @@ impl Kernel {
         }
     }
 
-    /// The state at a time, and the unit vector along L in the labelled axes.
+    /// Returns the state at a time, and the unit vector along L in the labelled axes.
     pub(super) fn at_with_direction(&self, time: f64, elapsed: &Elapsed<f64>) -> (State, [f64; 3]) {
         let ((q, omega), direction) = match self {
             Self::Trigonometric(_, flow) => flow.at_with_direction(elapsed),
@@ -44,7 +47,7 @@ impl Kernel {
         (state, direction)
     }
 
-    /// The state at a time; `WHOLE` if `elapsed` has one word.
+    /// Returns the state at a time. `WHOLE` is true if `elapsed` has only one word.
     pub(super) fn at<const WHOLE: bool>(&self, time: f64, elapsed: &Elapsed<f64>) -> State {
         let (q, omega) = match self {
             Self::Trigonometric(_, flow) => flow.at::<WHOLE>(elapsed),
@@ -67,7 +70,7 @@ fn constants_of<N: ScalarThetaParameters>(
 }
 
 impl<S: Series<f64>> Flow<f64, S> {
-    /// Quaternion and ω.
+    /// Returns quaternion and ω.
     #[inline(always)]
     fn at<const WHOLE: bool>(&self, elapsed: &Elapsed<f64>) -> ([f64; 4], [f64; 3]) {
         self.state(&self.unnormalised_at::<WHOLE>(elapsed))

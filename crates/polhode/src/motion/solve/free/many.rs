@@ -14,11 +14,15 @@ use super::flow::{Flow, Series};
 use super::kernel::Kernel;
 use crate::motion::solve::phase::Elapsed;
 
-/// Groups in a block: as many as the nearest memory has room for, all of whose numbers but the times are there already.
+/// Number of groups in a block. The L1 cache holds the intermediate results of four. All other
+/// numbers except the times are already loaded.
 const GROUPS: usize = 4;
 
 impl FreeMotion {
-    /// The states at many times, in their order: each with the bits that [`FreeMotion::at`] gives, several times as fast.
+    /// Returns the states at many times (s), in their order.
+    ///
+    /// Each state is bit-identical to that of [`FreeMotion::at`]; the computation is several times
+    /// faster.
     #[must_use]
     pub fn at_times(&self, times: &[f64]) -> Vec<State> {
         let mut states = vec![self.start; times.len()];
@@ -26,13 +30,16 @@ impl FreeMotion {
         states
     }
 
-    /// As [`FreeMotion::at_times`], into states that are there already; as many as there are both times and states.
+    /// Writes the states at many times into a slice, as [`FreeMotion::at_times`] returns them.
+    /// Stops at the end of the shorter of the two slices.
     pub fn fill(&self, times: &[f64], states: &mut [State]) {
         self.put(times, &mut Places::States(states));
     }
 
-    /// As [`FreeMotion::fill`], into rows of ω (body axes, rad/s) and of unit quaternions w, x, y, z, as arrays have them; as many as there are times and
-    /// rows of both.
+    /// Writes the motion at many times (s) into arrays, like [`FreeMotion::fill`]: rows of ω (body
+    /// axes, rad/s) and of unit quaternions (w, x, y, z).
+    ///
+    /// Stops at the end of the shortest of the three slices.
     pub fn fill_rows(&self, times: &[f64], omega: &mut [[f64; 3]], attitude: &mut [[f64; 4]]) {
         self.put(times, &mut Places::Rows { omega, attitude });
     }
@@ -50,7 +57,7 @@ impl FreeMotion {
     }
 }
 
-/// Where the states go.
+/// Destination of the states.
 enum Places<'a> {
     States(&'a mut [State]),
     Rows { omega: &'a mut [[f64; 3]], attitude: &'a mut [[f64; 4]] },
@@ -73,7 +80,7 @@ impl Places<'_> {
         }
     }
 
-    /// The states of a block at these times, from the `first` place on.
+    /// Writes the states of a block at these times, beginning at index `first`.
     #[inline(always)]
     fn set_block(&mut self, first: usize, times: &[f64], block: &Block<GROUPS>) {
         let places = first..first + times.len();
@@ -107,7 +114,8 @@ fn fill<N: ScalarThetaParameters>(
                 CompactConstants::<f64, N>::assembled(&|get: &dyn Fn(&CompactConstants<f64, N>) -> f64| {
                     Lanes([get(compact); WIDTH])
                 });
-            // In memory: the compiler is not to make some of it anew for each block.
+            // `black_box` keeps the flow in memory; otherwise the compiler would recompute parts of
+            // it for each block.
             let flow = &black_box(compact.flow(Lanes([third; WIDTH])));
             let mut block = Block::<GROUPS>::new();
             for (k, times) in times.chunks(GROUPS * WIDTH).enumerate() {
@@ -166,7 +174,7 @@ fn elapsed<const WHOLE: bool>(motion: &FreeMotion, times: &[f64], group: usize) 
     motion.elapsed::<WHOLE, _>(group_of(&times[group * WIDTH..], motion.start.time))
 }
 
-/// The next times. The last group may be short: its lanes without a time stand still.
+/// Returns the next times as one vector. If fewer remain, `rest` fills the unused lanes.
 #[inline(always)]
 fn group_of(times: &[f64], rest: f64) -> Vectors {
     match times.first_chunk() {

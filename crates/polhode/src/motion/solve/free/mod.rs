@@ -1,8 +1,13 @@
-//! Free motion in closed form: constants once, then any time at once.
+//! Free motion in closed form: constants are computed once, then any time is evaluated in constant
+//! time.
 //!
-//! One formula serves every body and state (`flow.rs`); which of its two series is short depends on the nome. The rest is
-//! preparation: principal axes in three words (`axes.rs`), labels by what L circles (`labelled.rs`), amplitudes, parameter and
-//! rates without cancellation (`elements.rs`), phases that lose no digit over 10⁹ periods (`phase.rs`).
+//! One formula serves every body and state (`flow.rs`). The nome determines the faster of its two
+//! series. The preparation has four parts:
+//!
+//! - principal axes in three words (`axes.rs`),
+//! - labels such that L circles axis 3 (`labelled.rs`),
+//! - amplitudes, parameter and rates without cancellation (`elements.rs`),
+//! - phases that keep full precision over 10⁹ periods (`phase.rs`).
 
 mod axes;
 mod batch;
@@ -43,7 +48,7 @@ pub use batch::FreeMotions;
 pub use derivatives::FreeMotionDerivatives;
 pub use regime::{PermanentAxis, Regime};
 
-/// The torque-free motion of a body: ω and attitude at any time, past or future, in constant time.
+/// Torque-free motion of a body: ω and attitude at any time, past or future, in constant time.
 ///
 /// ```
 /// use polhode::body::{InertiaTensor, MassProperties};
@@ -62,30 +67,34 @@ pub use regime::{PermanentAxis, Regime};
 /// ```
 ///
 /// # Accuracy
-/// Against 40-digit references, for the moments, ω and attitude exactly as given: 4·10⁻¹⁵ (ω relative, attitude in rad) for |t| up
-/// to 10⁹ periods, down to 1 − m = 5·10⁻²⁴; the laws beyond, and the measured errors, are in `book/free-motion.md` and
-/// `book/accuracy.md`. Of a tensor with products of inertia the principal axes are found to 46 digits first.
+/// Errors measured against 40-digit references, for moments, ω and attitude exactly as given:
+/// 4·10⁻¹⁵ (ω relative, attitude in rad). This holds for |t| up to 10⁹ periods and down to 1 − m =
+/// 5·10⁻²⁴. `book/free-motion.md` and `book/accuracy.md` give the error laws beyond and the
+/// measured errors.
+///
+/// If the tensor has products of inertia, its principal axes are first computed to 46 digits.
 ///
 /// # Source
-/// Klein & Sommerfeld, Über die Theorie des Kreisels, ch. VI (Cayley–Klein parameters as theta functions); the constants without
-/// cancellation are derived in `book/free-motion.md`.
+/// Klein & Sommerfeld, Über die Theorie des Kreisels, ch. VI (Cayley–Klein parameters as theta
+/// functions). `book/free-motion.md` derives the constants without cancellation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeMotion {
     start: State,
     principal: PrincipalFrame<Body>,
     regime: Regime,
     constants: Constants,
-    /// rad/s per unit of the kernel's rates: a power of two, and 1 but for rates near the ends of the range of f64.
+    /// rad/s per unit of the kernel's rates: a power of two. It is 1 except for rates near the
+    /// limits of the range of f64.
     unit: f64,
     reach: f64,
     kernel: Kernel,
 }
 
-/// A start along labelled principal axes, in units of powers of two.
+/// Start of a motion along its labelled principal axes, in units that are powers of two.
 struct Labels {
     fine: FineAxes,
     labelled: Labelled,
-    /// rad/s
+    /// Unit of ω, a power of two, rad/s.
     unit: f64,
 }
 
@@ -99,18 +108,21 @@ impl Labels {
     }
 }
 
-/// Up to this, or its inverse, the fastest component of ω is no reason to have units: no word of its rates leaves the range of f64.
+/// Rates need no scaling while the fastest component of ω is between 1/`MODERATE` and `MODERATE`,
+/// rad/s: no word of them leaves the range of f64.
 const MODERATE: f64 = 18_446_744_073_709_551_616.0;
 
-/// Products of three moments have to stay in the range of f64.
+/// Least ratio of a moment to the greatest. Products of three moments must stay in the range of
+/// f64.
 const THINNEST: f64 = 1e-120;
 
 impl FreeMotion {
-    /// The motion that starts from a state with no torque.
+    /// Returns the torque-free motion that starts from a state.
     ///
     /// # Errors
-    /// [`MotionError::NotSpinnable`] for a body without inertia; [`MotionError::NoClosedForm`] for one with wheels;
-    /// A parameter's error ([`MotionError::is_parameter`]) for a state that is not finite.
+    /// - [`MotionError::NotSpinnable`] for a body without inertia.
+    /// - [`MotionError::NoClosedForm`] for a body with wheels.
+    /// - A parameter error ([`MotionError::is_parameter`]) for a state that is not finite.
     pub fn of(rotor: &Rotor, start: State) -> Result<Self, MotionError> {
         if !rotor.wheels().is_empty() {
             return Err(MotionError::NoClosedForm { why: "wheels spin in the body" });
@@ -118,8 +130,10 @@ impl FreeMotion {
         Self::of_tensor(rotor.inertia().symmetric(), rotor.principal(), start)
     }
 
-    /// The motion of principal moments along the body's own x, y and z, which need not be those of a possible body: Euler's
-    /// equations do not ask for i1 + i2 ≥ i3, and textbooks sometimes forget it.
+    /// Returns the motion for principal moments along the body's x, y and z axes, kg·m².
+    ///
+    /// The moments need not belong to a physical body: Euler's equations do not require i1 + i2 ≥
+    /// i3, and some textbook examples violate it.
     ///
     /// ```
     /// use polhode::math::{AngularVelocity, Attitude};
@@ -131,8 +145,9 @@ impl FreeMotion {
     /// ```
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for a moment that is negative or not finite, or zero unless the other two are equal (a rod);
-    /// [`MotionError::NotSpinnable`] for three zeros.
+    /// - A parameter error ([`MotionError::is_parameter`]) for a moment that is negative or not
+    ///   finite, or zero unless the other two are equal (a rod).
+    /// - [`MotionError::NotSpinnable`] for three zeros.
     pub fn of_moments(moments: [f64; 3], start: State) -> Result<Self, MotionError> {
         for moment in moments {
             require::not_negative("a principal moment", moment)?;
@@ -145,7 +160,7 @@ impl FreeMotion {
         Self::of_symmetric(&Symmetric3::diagonal(moments), start)
     }
 
-    /// [`FreeMotion::of`] of a tensor, which need not be that of a possible body.
+    /// Like [`FreeMotion::of`], for a tensor that need not belong to a physical body.
     pub(in crate::motion) fn of_symmetric(tensor: &Symmetric3, start: State) -> Result<Self, MotionError> {
         Self::of_tensor(tensor, &PrincipalFrame::of_symmetric(tensor), start)
     }
@@ -191,10 +206,10 @@ impl FreeMotion {
         })
     }
 
-    /// The state at a time, s, before the start too.
+    /// Returns the state at a time, s, which may be before the start.
     ///
-    /// Further from the start than [`FreeMotion::reach`], and at a time that is NaN, ω and attitude are not numbers either:
-    /// [`FreeMotion::require`] tells.
+    /// ω and attitude are NaN beyond [`FreeMotion::reach`] and for a time that is NaN.
+    /// [`FreeMotion::require`] reports such times as errors.
     #[must_use]
     pub fn at(&self, time: f64) -> State {
         if time == self.start.time {
@@ -210,17 +225,19 @@ impl FreeMotion {
         }
     }
 
-    /// For how long before and after its start the motion is known, s: there the attitude may be wrong by up to 1e-6 rad, by the
-    /// rounding of the constants that time multiplies, for inputs that are exact. Some 10²⁵ turns; less where the period hangs on
-    /// differences of which few digits are left, next to the separatrix.
+    /// Returns the time before and after the start for which the motion is accurate, s.
+    ///
+    /// The attitude at this limit can be wrong by up to 1e-6 rad, for exact inputs. The cause is
+    /// rounding of the constants that multiply time. The reach is some 10²⁵ turns. It is shorter
+    /// near the separatrix, where the period depends on differences with few digits.
     pub const fn reach(&self) -> f64 {
         self.reach
     }
 
-    /// That the motion is known at each of the times, s.
+    /// Checks that the motion is known at each of the times, s.
     ///
     /// # Errors
-    /// [`MotionError::BeyondReach`] for the first that is beyond [`FreeMotion::reach`], or no number.
+    /// [`MotionError::BeyondReach`] for the first time that is beyond [`FreeMotion::reach`] or NaN.
     pub fn require(&self, times: &[f64]) -> Result<(), MotionError> {
         require(&self.start, self.reach, times)
     }
@@ -230,90 +247,97 @@ impl FreeMotion {
         Elapsed::since::<WHOLE>(T::splat(self.start.time), time, T::splat(self.unit))
     }
 
-    /// dω/dt in the body at one of the motion's states, rad/s²: i1 ω̇1 = (i2 − i3) ω2 ω3 and so on.
+    /// Returns dω/dt in body axes at one of the motion's states, rad/s²: i1 ω̇1 = (i2 − i3) ω2 ω3
+    /// and cyclic permutations.
     pub fn angular_acceleration(&self, state: &State) -> AngularAcceleration<Body> {
         let ([r1, r2, r3], [w1, w2, w3]) = (self.constants.ratios, self.constants.along(state.omega));
         self.constants.in_body([r1 * w2 * w3, r2 * w3 * w1, r3 * w1 * w2])
     }
 
-    /// L = I ω of one of the motion's states, in body axes, kg·m²/s.
+    /// Returns L = I ω at one of the motion's states, body axes, kg·m²/s.
     pub fn angular_momentum(&self, state: &State) -> AngularMomentum<Body> {
         let ([i1, i2, i3], [w1, w2, w3]) = (self.constants.moments, self.constants.along(state.omega));
         self.constants.in_body([i1 * w1, i2 * w2, i3 * w3])
     }
 
-    /// Where it starts.
+    /// Returns the state at the start.
     pub const fn start(&self) -> State {
         self.start
     }
 
-    /// Principal moments and axes.
+    /// Returns principal moments and axes, body axes.
     pub const fn principal(&self) -> &PrincipalFrame<Body> {
         &self.principal
     }
 
-    /// Which kind of motion it is.
+    /// Returns the kind of motion.
     pub const fn regime(&self) -> Regime {
         self.regime
     }
 
-    /// True if L circles the axis of least moment or, in a permanent rotation, lies along it.
+    /// Returns true if L circles the axis of the least moment or, in a permanent rotation, lies
+    /// along it.
     pub fn circles_least(&self) -> bool {
         self.constants.moments[2] < self.constants.moments[0]
     }
 
-    /// L in space, kg·m²/s: constant.
+    /// Returns the constant angular momentum L in space axes, kg·m²/s.
     pub fn momentum(&self) -> AngularMomentum<Space> {
         let in_body: AngularMomentum<Body> = self.constants.in_body(self.constants.momentum);
         self.start.attitude * in_body
     }
 
-    /// T, J: constant.
+    /// Returns the constant kinetic energy T, J.
     pub const fn kinetic_energy(&self) -> f64 {
         self.constants.kinetic_energy
     }
 
-    /// The time after which ω repeats in the body, 4K(m)/λ, s; `None` where it never moves or never repeats.
+    /// Returns the period of ω in the body, 4K(m)/λ, s; `None` if ω is constant in the body or
+    /// never repeats.
     pub fn period(&self) -> Option<f64> {
         let period = self.constants.period;
         let moves = !matches!(self.regime, Regime::Permanent(_) | Regime::AtRest);
         (moves && period.is_finite()).then_some(period)
     }
 
-    /// Ω: the mean rate at which the axis that L circles precesses about L, rad/s; of a permanent rotation |ω|.
+    /// Returns Ω, rad/s: the mean rate at which the axis that L circles precesses about L.
     ///
-    /// Of the separatrix L/i2, the rate at which it ends.
+    /// A permanent rotation has Ω = |ω|. On the separatrix Ω is L/i2, the rate that the motion
+    /// approaches.
     pub const fn precession_rate(&self) -> f64 {
         self.constants.precession
     }
 
-    /// |λ|, rad/s: along the labelled axes ω = (a1 cn, a2 sn, a3 dn)(u0 ± λt), with − in long-axis mode.
+    /// Returns |λ|, rad/s: along the labelled axes ω = (a1 cn, a2 sn, a3 dn)(u0 ± λt), with the
+    /// minus sign in long-axis mode.
     pub const fn polhode_rate(&self) -> f64 {
         self.constants.polhode_rate
     }
 
-    /// The parameter m of the elliptic functions and 1 − m, each with its own digits; 1 − m may be too small for an f64.
+    /// Returns the parameter m of the elliptic functions, and 1 − m, each to full precision. 1 − m
+    /// may underflow.
     pub const fn parameter(&self) -> [f64; 2] {
         let k1 = self.constants.complementary_modulus;
         [self.constants.parameter, k1 * k1]
     }
 
-    /// k₁ = √(1 − m): zero on the separatrix only.
+    /// Returns k₁ = √(1 − m). It is zero only on the separatrix.
     pub const fn complementary_modulus(&self) -> f64 {
         self.constants.complementary_modulus
     }
 
-    /// The smallest and the largest angle between L and the axis that it circles, rad.
+    /// Returns the smallest and the largest angle between L and the axis that it circles, rad.
     pub const fn nutation_range(&self) -> [f64; 2] {
         self.constants.nutation
     }
 
-    /// Moments in the labels of the motion, kg·m²: the third is that of the axis that L circles, the second the intermediate.
+    /// Returns the labelled moments, kg·m². The third belongs to the axis that L circles, the
+    /// second is the intermediate moment.
     pub const fn labelled_moments(&self) -> [f64; 3] {
         self.constants.moments
     }
 
-    /// The largest |ω| along each labelled axis, rad/s: ω = (a1 cn, a2 sn, a3 dn).
+    /// Returns the largest |ω| along each labelled axis, rad/s: ω = (a1 cn, a2 sn, a3 dn).
     pub const fn amplitudes(&self) -> [f64; 3] {
         self.constants.amplitudes
     }

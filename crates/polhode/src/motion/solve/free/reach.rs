@@ -1,4 +1,4 @@
-//! How far from its start a free motion is right.
+//! Time from the start for which a free motion is accurate.
 
 use crate::math::double::Double;
 use crate::math::number::PI;
@@ -8,13 +8,15 @@ use crate::motion::solve::reach::Drift;
 use super::elements::Elements;
 use super::labelled::Labelled;
 
-/// The laws (31) and (32) of `book/free-motion.md`, section 8: how fast the phases of a motion drift from the true ones.
+/// Returns the reach, s, by the laws (31) and (32) of `book/free-motion.md`, section 8. They bound
+/// the drift of the computed phases from the true phases.
 ///
-/// Rates of the elements are in units of `rad_s`. `given`: the moments and ω along their axes are the numbers given.
+/// `rad_s`: unit of the elements' rates. `given`: true if the moments and ω along their axes are
+/// exact inputs.
 pub(super) fn of(elements: &Elements, labelled: &Labelled, given: bool, rad_s: f64) -> f64 {
     let lambda = elements.lambda.value().abs();
     let turns = 2.0 * elements.half_precession.value().abs() + lambda / (2.0 * PI);
-    // Where nothing circles, all three words of the precession are good.
+    // If λ = 0, all three words of the precession rate are accurate.
     let word = if elements.lambda.is_zero() { THREE_WORDS } else { TWO_WORDS };
     let quarter = elements.quarter.value();
     let of_period = 2.0 * uncertainty_of_excess(labelled, given, elements.lambda) * lambda / (4.0 * quarter);
@@ -24,21 +26,23 @@ pub(super) fn of(elements: &Elements, labelled: &Labelled, given: bool, rad_s: f
     (law.max(half_period) / rad_s).min(f64::MAX)
 }
 
-/// Of a turn, by rates of two words: (31).
+/// Relative uncertainty of a turn, for rates of two accurate words: (31).
 const TWO_WORDS: f64 = 1e-31;
 
-/// And of three, the moments among them.
+/// Relative uncertainty of a turn, for rates and moments of three accurate words.
 const THREE_WORDS: f64 = 1e-45;
 
-/// e^−50 is far below the last digit: the middle axis is reached.
+/// Time in units of 1/λ after which the intermediate axis is reached: e^−50 is far below f64
+/// rounding.
 const FAR_DOWN: f64 = 50.0;
 
-/// Of L² − 2T i2, relative, formed in three words from terms that cancel near the separatrix: (32).
+/// Relative uncertainty of L² − 2T i2, formed in three words from terms that cancel near the
+/// separatrix: (32).
 fn uncertainty_of_excess(labelled: &Labelled, given: bool, lambda: Double) -> f64 {
     let [i1, i2, i3] = labelled.moments.map(Triple::value);
     let [w1, _, w3] = labelled.omega.map(|w| w.value() / labelled.excess_unit);
     let (s1, s3) = (i1 * (i1 - i2).abs() * w1.abs(), i3 * (i3 - i2).abs() * w3.abs());
-    // What is found of axes is good to a part of |ω|, not of each component.
+    // The error of computed axes is relative to |ω|, not to each component of ω.
     let found = if given { 0.0 } else { (s1 + s3) / labelled.excess_unit };
     let excess = labelled.excess.value().abs();
     if lambda.is_zero() || (excess == 0.0 && given) {
@@ -47,5 +51,5 @@ fn uncertainty_of_excess(labelled: &Labelled, given: bool, lambda: Double) -> f6
     LAST_OF_THREE * (s1 * w1.abs() + s3 * w3.abs() + found) / excess
 }
 
-/// Less than 2⁻¹⁵⁸.
+/// Relative rounding error in three words: less than 2⁻¹⁵⁸.
 const LAST_OF_THREE: f64 = 2e-48;

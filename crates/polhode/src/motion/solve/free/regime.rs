@@ -1,4 +1,4 @@
-//! Which kind of free motion a state belongs to.
+//! Kinds of free motion.
 
 use crate::body::principal::{PrincipalFrame, Symmetry};
 use crate::math::frame::Body;
@@ -6,12 +6,12 @@ use crate::math::vector::AngularVelocity;
 
 use super::labelled::{Labelled, Mode};
 
-/// The kind of a free motion.
+/// Kind of a free motion. D = L²/2T is compared with the intermediate moment i2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Regime {
     /// ω = 0.
     AtRest,
-    /// ω along a principal axis: it stays there.
+    /// ω lies along a principal axis and stays there.
     Permanent(PermanentAxis),
     /// Two equal moments: ω circles the symmetry axis.
     Symmetric,
@@ -19,36 +19,37 @@ pub enum Regime {
     LongAxis,
     /// D > i2: short-axis mode, L circles axis 3.
     ShortAxis,
-    /// D = i2: ω creeps to the intermediate axis and never arrives.
+    /// D = i2: ω approaches the intermediate axis asymptotically.
     Separatrix,
 }
 
 /// The principal axis of a permanent rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PermanentAxis {
-    /// Of the least of three different moments: stable.
+    /// Axis of the least of three different moments; stable.
     Least,
-    /// Of the intermediate one: any departure grows.
+    /// Axis of the intermediate moment; unstable, every deviation grows.
     Intermediate,
-    /// Of the greatest one: stable.
+    /// Axis of the greatest moment; stable.
     Greatest,
     /// The symmetry axis of a body with two equal moments.
     Symmetry,
-    /// Across the symmetry axis.
+    /// An axis perpendicular to the symmetry axis.
     AcrossSymmetry,
     /// Any axis of a body with three equal moments.
     Any,
 }
 
-/// ω counts as along a stable axis within this part of |ω|, the rounding of a turned tensor: what is left only wobbles
-/// by as much.
+/// Tolerance for ω along a stable axis, relative to |ω|: the rounding error of a rotated tensor. A
+/// deviation within it stays equally small.
 const ALONG: f64 = 8.0 * f64::EPSILON;
 
 impl PermanentAxis {
-    /// The axis that ω turns about for good; `None` if it does not, or is zero.
+    /// Returns the axis of the permanent rotation; `None` if the rotation is not permanent or ω is
+    /// zero.
     ///
-    /// Along the intermediate of three different axes ω has to be exactly: any departure grows, so a nearly permanent
-    /// rotation is not one.
+    /// ω must lie exactly along the intermediate axis of three different moments. Every deviation
+    /// from it grows, so a nearly permanent rotation is not one.
     pub fn of(principal: &PrincipalFrame<Body>, omega: AngularVelocity<Body>) -> Option<Self> {
         let w = principal.axes().map(|axis| axis.dot(omega).abs());
         let speed = omega.norm();
@@ -80,7 +81,7 @@ impl PermanentAxis {
         }
     }
 
-    /// The rotation in words.
+    /// Returns a description of the rotation for people.
     pub const fn description(self) -> &'static str {
         match self {
             Self::Least => "permanent rotation about the axis of least moment",
@@ -94,13 +95,14 @@ impl PermanentAxis {
 }
 
 impl Regime {
-    /// Of moments and ω that are exactly as given.
+    /// Determines the regime for moments and ω that are exact inputs.
     pub(super) fn of_exact(labelled: &Labelled) -> Self {
         let ([i1, i2, i3], [w1, w2, w3]) = (labelled.moments, labelled.omega.map(|w| !w.is_zero()));
         match (w1, w2, w3) {
             (false, false, false) => Self::AtRest,
             _ if i1 == i2 && i2 == i3 => Self::Permanent(PermanentAxis::Any),
-            // Equal moments are labelled 1 and 2, unless ω lies along an axis; then it is the third.
+            // Equal moments have the labels 1 and 2, unless ω lies along an axis; then that axis
+            // has the label 3.
             (false, false, true) => Self::Permanent(match () {
                 () if i1 == i2 => PermanentAxis::Symmetry,
                 () if i2 == i3 || i1 == i3 => PermanentAxis::AcrossSymmetry,
@@ -114,8 +116,9 @@ impl Regime {
         }
     }
 
-    /// Of a tensor whose axes were found with rounding: what is within it of a permanent rotation or a symmetric body counts
-    /// as one.
+    /// Determines the regime for a tensor whose axes were computed with rounding. A motion that
+    /// differs from a permanent rotation by at most this rounding counts as permanent. A nearly
+    /// symmetric body counts as symmetric.
     pub(super) fn of_rounded(
         labelled: &Labelled,
         principal: &PrincipalFrame<Body>,
@@ -139,7 +142,7 @@ impl Regime {
         }
     }
 
-    /// The name in summaries.
+    /// Returns the name used in summaries.
     pub const fn name(self) -> &'static str {
         match self {
             Self::AtRest => "at_rest",
@@ -151,7 +154,7 @@ impl Regime {
         }
     }
 
-    /// In words.
+    /// Returns a description for people.
     pub const fn description(self) -> &'static str {
         match self {
             Self::AtRest => "at rest",

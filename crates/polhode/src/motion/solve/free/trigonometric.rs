@@ -1,4 +1,4 @@
-//! The motion as trigonometric series: for a nome that is not near 1.
+//! Free motion as trigonometric theta series, for a nome that is not near 1.
 
 use core::array::from_fn;
 
@@ -13,9 +13,10 @@ use super::elements::Elements;
 use super::flow::{Point, Series};
 use crate::motion::solve::phase::Phase;
 
-/// Coefficients of the theta functions at z: constants of a motion.
+/// Coefficients of the theta functions as polynomials: constants of a motion.
 ///
-/// With the nome q and Y = e^−w̄, √q ≤ Y ≤ 1 (Y → tan ½θ of a symmetric body's nutation θ), f = θ₄(z − iw | q²) is
+/// The nome is q, and Y = e^−w̄ with √q ≤ Y ≤ 1. (For a symmetric body Y → tan ½θ, where θ is its
+/// nutation angle.) Then f = θ₄(z − iw | q²) is
 ///
 /// f = 1 + Σ (−1)ⁿ q^(2n²−n) (Y²ⁿ e^2inz + (q/Y)²ⁿ e^−2inz),  n = 1, 2, 3
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,23 +25,23 @@ pub(super) struct Trigonometric<T> {
     real: [T; 4],
     /// Im f / sin 2z as a polynomial of 2 cos 2z.
     imaginary: [T; 3],
-    /// θ₂/cos z and θ₁/sin z without 2q^(1/4), as polynomials of ±2 cos 2z.
+    /// θ₂/cos z and θ₁/sin z without the factor 2q^(1/4), as polynomials of ±2 cos 2z.
     odd: [T; 5],
     /// θ₃ and θ₄ as polynomials of ±2 cos 2z.
     even: [T; 5],
 }
 
-/// What the series is made of.
+/// Constants that determine the series.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Nomes<T> {
-    /// q
+    /// Nome q.
     pub(super) nome: T,
     /// Y² and (q/Y)².
     squares: [T; 2],
 }
 
 impl Nomes<f64> {
-    /// The series, and where on it the motion starts: 2z/π, quarter turns.
+    /// Returns the constants of the series and the phase of the start, 2z/π, quarter turns.
     pub(super) fn of(elements: &Elements) -> (Self, f64) {
         let landen = Landen::new(elements.m.value(), elements.m1().value());
         let (q, y) = (landen.nome(), half_nutation(elements, &landen));
@@ -53,7 +54,7 @@ impl Nomes<f64> {
 impl ScalarThetaParameters for Nomes<f64> {
     type Of<T: Splat> = Nomes<T>;
 
-    /// cn and dn are 1 at u = 0, sn at u = K.
+    /// Fixes the factors by cn = dn = 1 at u = 0 and sn = 1 at u = K.
     fn scale(&self) -> [f64; 3] {
         let series = self.series();
         let Point { theta: [cn, _, dn], below: at_zero, .. } = series.at([1.0, 0.0]);
@@ -92,9 +93,11 @@ impl<T: Splat> ThetaParameters<T> for Nomes<T> {
     }
 }
 
-/// Y = e^−w̄, w̄ = π F(arctan(A3/A1) | m₁) / 2K: from e^−χ = A1 / (L + A3) where L2 = 0.
+/// Returns Y = e^−w̄ with w̄ = π F(arctan(A3/A1) | m₁) / 2K, from e^−χ = A1 / (L + A3) where L2 =
+/// 0.
 ///
-/// Beyond half of the way to K′ by what is left of it, F(arctan(1/√−n) | m₁): Y = √q e^w, e^χ = (1 + √(1 − n)) / √−n.
+/// If w̄ is more than half of the way to K′, the complement F(arctan(1/√−n) | m₁) is used instead:
+/// Y = √q e^w, e^χ = (1 + √(1 − n)) / √−n.
 fn half_nutation(elements: &Elements, landen: &Landen) -> f64 {
     let l = elements.momentum.value();
     let [a1, _, a3] = elements.amplitudes.map(Double::value);
@@ -111,13 +114,15 @@ fn half_nutation(elements: &Elements, landen: &Landen) -> f64 {
     landen.nome().sqrt() * (1.0 + root) / minus_n.sqrt() * libm::exp(-correction)
 }
 
-/// Re f and Im f / sin 2z, to q¹⁵: with f = 1 + Σ (fₙ e^2inz + gₙ e^−2inz),
+/// Returns Re f and Im f / sin 2z up to q¹⁵ as polynomials, for f = 1 + Σ (fₙ e^2inz + gₙ e^−2inz):
 ///
-/// Re f = 1 + Σ (fₙ + gₙ) cos 2nz,  Im f = Σ (fₙ − gₙ) sin 2nz,  fₙ = (−1)ⁿ q^(2n²−n) Y²ⁿ,  gₙ = (−1)ⁿ q^(2n²−n) (q/Y)²ⁿ
+/// Re f = 1 + Σ (fₙ + gₙ) cos 2nz,  Im f = Σ (fₙ − gₙ) sin 2nz,
+///
+/// fₙ = (−1)ⁿ q^(2n²−n) Y²ⁿ,  gₙ = (−1)ⁿ q^(2n²−n) (q/Y)²ⁿ
 #[inline(always)]
 fn attitude_polynomials<T: Splat>([q, q6, q15]: [T; 3], y2: T, x2: T) -> ([T; 4], [T; 3]) {
     let (y4, x4) = (y2 * y2, x2 * x2);
-    let [f1, f2, f3] = [q * y2, q6 * y4, q15 * (y4 * y2)]; // but for signs
+    let [f1, f2, f3] = [q * y2, q6 * y4, q15 * (y4 * y2)]; // without their signs
     let [g1, g2, g3] = [q * x2, q6 * x4, q15 * (x4 * x2)];
     // cos 4z = ½C² − 1, cos 6z = ½C³ − 1½C; sin 4z = C sin 2z, sin 6z = (C² − 1) sin 2z
     let [s1, s2, s3] = [f1 + g1, f2 + g2, f3 + g3];
@@ -126,15 +131,20 @@ fn attitude_polynomials<T: Splat>([q, q6, q15]: [T; 3], y2: T, x2: T) -> ([T; 4]
     ([one - s2, T::splat(1.5) * s3 - half * s1, half * s2, -(half * s3)], [d3 - d1, d2, -d3])
 }
 
-/// 1 + q² (C − 1) + q⁶ (C² − C − 1) + q¹² (C³ − C² − 2C + 1) + q²⁰ (C⁴ − C³ − 3C² + 2C + 1), C = 2 cos 2z: the sum of
-/// q^(n(n+1)) cos (2n+1)z / cos z. That of ±q^(n(n+1)) sin (2n+1)z / sin z has −C.
+/// Returns the polynomial of C = 2 cos 2z that equals Σ q^(n(n+1)) cos (2n+1)z / cos z:
+///
+/// 1 + q² (C − 1) + q⁶ (C² − C − 1) + q¹² (C³ − C² − 2C + 1) + q²⁰ (C⁴ − C³ − 3C² + 2C + 1)
+///
+/// The sum of ±q^(n(n+1)) sin (2n+1)z / sin z is the same polynomial of −C.
 #[inline(always)]
 fn odd_polynomial<T: Splat>([a, b, c, d]: [T; 4]) -> [T; 5] {
     let two = T::splat(2.0);
     [(T::splat(1.0) - a) - (b - (c + d)), (a - b) - two * (c - d), (b - c) - T::splat(3.0) * d, c - d, d]
 }
 
-/// 1 + q C + q⁴ (C² − 2) + q⁹ (C³ − 3C) + q¹⁶ (C⁴ − 4C² + 2), C = 2 cos 2z: 1 + Σ 2q^(n²) cos 2nz.
+/// Returns the polynomial of C = 2 cos 2z that equals 1 + Σ 2q^(n²) cos 2nz:
+///
+/// 1 + q C + q⁴ (C² − 2) + q⁹ (C³ − 3C) + q¹⁶ (C⁴ − 4C² + 2)
 #[inline(always)]
 fn even_polynomial<T: Splat>([q, a, b, c]: [T; 4]) -> [T; 5] {
     let two = T::splat(2.0);
@@ -142,15 +152,18 @@ fn even_polynomial<T: Splat>([q, a, b, c]: [T; 4]) -> [T; 5] {
 }
 
 impl<T: Splat> Series<T> for Trigonometric<T> {
-    /// (cos z, sin z)
+    /// Returns (cos z, sin z) and no bend.
     #[inline(always)]
     fn place(&self, z: Phase<T>) -> ([T; 2], Option<T>) {
         let (sin, cos) = sin_cos_quarters(z.quarters, z.rest);
         ([cos, sin], None)
     }
 
-    /// θ₂ ∝ cos z + q² cos 3z + q⁶ cos 5z …, θ₁ ∝ sin z − q² sin 3z …, θ₃, θ₄ = 1 ± 2q cos 2z + 2q⁴ cos 4z ± …: of which cn,
-    /// sn, dn are quotients but for constants.
+    /// Evaluates the series. cn, sn and dn are quotients of these theta functions times constants:
+    ///
+    /// θ₂ ∝ cos z + q² cos 3z + q⁶ cos 5z …,  θ₁ ∝ sin z − q² sin 3z …,
+    ///
+    /// θ₃, θ₄ = 1 ± 2q cos 2z + 2q⁴ cos 4z ± …
     #[inline(always)]
     fn at(&self, [cos, sin]: [T; 2]) -> Point<T> {
         let product = cos * sin;
@@ -171,7 +184,7 @@ impl<T: Splat> Series<T> for Trigonometric<T> {
     }
 }
 
-/// Those even and odd in c of a polynomial.
+/// Returns the even and the odd part in c of a polynomial.
 #[inline(always)]
 fn parts<T: Splat>(p: &[T; 5], c: T, c2: T) -> (T, T) {
     (p[0] + c2 * (p[2] + c2 * p[4]), c * (p[1] + c2 * p[3]))

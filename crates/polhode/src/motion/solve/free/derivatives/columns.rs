@@ -1,4 +1,4 @@
-//! The derivatives along the axes that they are wanted in.
+//! Assembly of the derivatives, and conversion to body axes and SI units.
 
 use crate::motion::model::state::State;
 use crate::motion::model::state_derivatives::StateDerivatives;
@@ -8,28 +8,32 @@ use super::functions::TimeFunctions;
 use super::inertia::ByInertia;
 use super::momentum::{MomentumFlow, PAIRS, cross};
 
-/// Rows θ and ω along the body's axes; columns ω(0) along these, and the elements 11, 22, 33, 12, 13, 23 of the tensor along the
-/// labelled axes. In units of the elements.
+/// Derivatives of θ and ω (rows, body axes), in units of the elements.
+///
+/// Columns: ω(0) along body axes, and the elements 11, 22, 33, 12, 13, 23 of the inertia tensor
+/// along the labelled axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Columns {
     pub(super) by_omega: [[f64; 3]; 6],
     pub(super) by_tensor: [[f64; 6]; 6],
 }
 
-/// From the labelled axes to the body's, and from the units of the elements to SI.
+/// Maps from the labelled axes to the body axes, and from the units of the elements to SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ToBody {
-    /// The labelled axes in the body: one in each column.
+    /// Labelled axes in body axes, one per column.
     pub(super) axes: [[f64; 3]; 3],
-    /// The same times 1/i1, 1/i2, 1/i3: from L along the labelled axes to ω.
+    /// `axes` with columns multiplied by 1/i1, 1/i2, 1/i3: map from L along the labelled axes to ω
+    /// in body axes.
     to_omega: [[f64; 3]; 3],
-    /// From ω to L along the labelled axes.
+    /// Map from ω in body axes to L along the labelled axes.
     to_momentum: [[f64; 3]; 3],
-    /// L(0) in the body.
+    /// L(0), body axes.
     momentum: [f64; 3],
-    /// Elements 11, 22, 33, 12, 13, 23 of a tensor along the labelled axes by its elements xx, yy, zz, xy, xz, yz, in units of the elements.
+    /// Derivatives of the elements 11, 22, 33, 12, 13, 23 along the labelled axes with respect to
+    /// xx, yy, zz, xy, xz, yz along the body axes, in units of the elements.
     tensor: [[f64; 6]; 6],
-    /// rad/s per unit, and its inverse.
+    /// rad/s per unit of the elements' rates, and its inverse.
     rad_s: [f64; 2],
 }
 
@@ -53,7 +57,7 @@ impl ToBody {
         }
     }
 
-    /// A body vector along the labelled axes.
+    /// Returns the components of a body vector along the labelled axes.
     #[inline(always)]
     pub(super) fn along(&self, v: [f64; 3]) -> [f64; 3] {
         let [x, y, z] = &self.axes;
@@ -61,9 +65,11 @@ impl ToBody {
         [along(0), along(1), along(2)]
     }
 
-    /// At L = `l`, from M = ∂L(t)/∂L(0) and the attitude at the start, seen from that at t, B.
+    /// Returns the derivatives at L = `l`. `back`, B, is the rotation from the start to the present
+    /// body axes. M is ∂L(t)/∂L(0).
     ///
-    /// L is constant in space: θ × L = B δL(0) − δL(t) for θ(0) = 0, and L·θ = t ω·δL(0) + ∫ δH dt, δH = −½ ω·δI ω:
+    /// L is constant in space, so θ × L = B δL(0) − δL(t) for θ(0) = 0. Further, L·θ = t ω·δL(0) +
+    /// ∫ δH dt with δH = −½ ω·δI ω. Hence
     ///
     /// L² θ = L (L·θ) + L × (B δL(0) − δL(t)),  δω = I⁻¹ (δL − δI ω)
     #[inline(always)]
@@ -108,7 +114,8 @@ impl ToBody {
         }
     }
 
-    /// A state's derivatives in SI; `turn` is the attitude at the start, seen from that of the state.
+    /// Returns the derivatives at a state in SI units. `turn` is the attitude at the start,
+    /// relative to that of the state.
     #[inline(always)]
     pub(super) fn in_si(&self, columns: &Columns, turn: &[[f64; 3]; 3], state: State) -> StateDerivatives {
         let (w, t, [rad_s, second]) = (&columns.by_omega, &columns.by_tensor, self.rad_s);
@@ -145,7 +152,8 @@ impl ToBody {
     }
 }
 
-/// What rows along body axes are made of. Its methods are no closures, as these are not inlined everywhere, and then are not compiled for wide vectors.
+/// Inputs of the rows along body axes. Its methods are not closures: closures are not always
+/// inlined, and are then not compiled for wide vectors.
 struct RowsOf<'a> {
     to_body: &'a ToBody,
     by_start: &'a [[f64; 3]; 3],
@@ -153,7 +161,7 @@ struct RowsOf<'a> {
     lag: [[f64; 3]; 3],
     /// L/L²
     along: [f64; 3],
-    /// ω at the start and now, labelled axes.
+    /// ω at the start, labelled axes. The next field is the present ω.
     before: [f64; 3],
     now: [f64; 3],
     action: [f64; 6],
@@ -162,7 +170,7 @@ struct RowsOf<'a> {
 }
 
 impl RowsOf<'_> {
-    /// θ along a body axis: L ×, and L, along it.
+    /// Returns the row of θ along a body axis, from its components along L and perpendicular to it.
     #[inline(always)]
     fn turn(&self, axis: &[f64; 3]) -> ([f64; 3], [f64; 6]) {
         let (across, along) = (cross(axis, &self.along), dot(axis, &self.along));
@@ -174,7 +182,7 @@ impl RowsOf<'_> {
         (three(of_omega), six(of_tensor))
     }
 
-    /// ω along a body axis.
+    /// Returns the row of ω along a body axis.
     #[inline(always)]
     fn rate(&self, to_omega: &[f64; 3]) -> ([f64; 3], [f64; 6]) {
         let rate = product(to_omega, self.by_start);
@@ -184,7 +192,8 @@ impl RowsOf<'_> {
     }
 }
 
-// Not `from_fn` and `map` of arrays, which are inlined only where the whole program is optimised at once.
+// `from_fn` and `map` of arrays are not used here: they are inlined only if the whole program is
+// optimised at once (LTO).
 
 #[inline(always)]
 fn three(f: impl Fn(usize) -> f64) -> [f64; 3] {
@@ -201,7 +210,7 @@ pub(super) fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// A row times a matrix.
+/// Returns a row times a matrix.
 #[inline(always)]
 fn product(row: &[f64; 3], m: &[[f64; 3]; 3]) -> [f64; 3] {
     three(|k| row[0] * m[0][k] + row[1] * m[1][k] + row[2] * m[2][k])
@@ -212,7 +221,7 @@ fn product6(row: &[f64; 3], m: &[[f64; 6]; 3]) -> [f64; 6] {
     six(|k| row[0] * m[0][k] + row[1] * m[1][k] + row[2] * m[2][k])
 }
 
-/// A row times δI ω of unit changes of the six elements.
+/// Returns a row times δI ω, for unit changes of the six elements of the inertia tensor.
 #[inline(always)]
 pub(super) fn levers(row: &[f64; 3], omega: &[f64; 3]) -> [f64; 6] {
     let ([a, b, c], [x, y, z]) = (*row, *omega);

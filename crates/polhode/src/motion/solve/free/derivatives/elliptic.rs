@@ -1,6 +1,6 @@
-//! Jacobi's functions with the integrals that derivatives need.
+//! Jacobi's elliptic functions, with the integrals that the derivatives need.
 
-/// Jacobi's functions of u and two integrals over them.
+/// Jacobi's elliptic functions of u, and two integrals over u.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Elliptic {
     pub(super) sn: f64,

@@ -1,4 +1,4 @@
-//! The functions of time that the derivatives are made of.
+//! Functions of time that occur in the derivatives.
 
 use core::array::from_fn;
 
@@ -11,7 +11,7 @@ use super::elliptic::Elliptic;
 use super::hyperbolic::HyperbolicIntegrals;
 use super::trigonometric::TrigonometricIntegrals;
 
-/// Functions of the time since the start, with u = λt, P = λ² and Q = m λ².
+/// Functions of the time t since the start, where u = λt, P = λ² and Q = m λ².
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TimeFunctions {
     pub(super) time: f64,
@@ -27,14 +27,14 @@ pub(super) struct TimeFunctions {
     pub(super) quotient: f64,
     /// W = (σ − t cn dn)/P
     pub(super) lag: f64,
-    /// |u| is small: W is formed without the division by P, which may be zero.
+    /// True if |u| is small. W is then formed without division by P, which may be zero.
     pub(super) is_near: bool,
 }
 
-/// What makes them of a time.
+/// Constants of the functions of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Functions {
-    /// 2z/π, z = πu/2K, in quarter turns.
+    /// 2z/π, where z = πu/2K, in quarter turns.
     phase: Angle,
     lambda: f64,
     /// 1/λ
@@ -44,7 +44,7 @@ pub(super) struct Functions {
     far: Far,
 }
 
-/// The integrals by the series that is short, as of the motion itself.
+/// Integrals by the shorter series, the same one as for the motion itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Far {
     Trigonometric(TrigonometricIntegrals),
@@ -52,7 +52,7 @@ enum Far {
 }
 
 impl Functions {
-    /// `factor`: the elements' units of rates in the unit of the phase's.
+    /// `factor`: unit of the elements' rates divided by that of the phase's rates.
     pub(super) fn of(elements: &Elements, factor: f64) -> Self {
         let rate = (elements.lambda / elements.quarter).scaled(factor);
         let m = elements.m.value();
@@ -71,7 +71,8 @@ impl Functions {
         }
     }
 
-    /// `elapsed` in the unit of the phase, `time` in that of the elements.
+    /// Evaluates the functions. `elapsed` is in the time unit of the phase, `time` in that of the
+    /// elements.
     #[inline(always)]
     pub(super) fn at(&self, elapsed: &Elapsed<f64>, time: f64) -> TimeFunctions {
         let (lambda, u) = (self.lambda, self.lambda * time);
@@ -102,17 +103,19 @@ impl Functions {
     }
 }
 
-/// Coefficients of σ/t, S/t³, V/t³ and W/t³ as polynomials of u².
+/// Coefficients of σ/t, S/t³, V/t³ and W/t³ as polynomials in u².
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct NearSeries([[f64; TERMS]; 4]);
 
-/// Up to this |u| they lose nothing: they converge like those of tan u.
+/// Threshold of |u| for the power series. The truncation error is below rounding, because the
+/// series converge like that of tan u.
 const NEAR: f64 = 0.2;
 
 const TERMS: usize = 8;
 
 impl NearSeries {
-    /// From sn′ = cn dn, cn′ = −sn dn, dn′ = −m sn cn; with sn = Σ sₖ u²ᵏ⁺¹ is W = −Σ 2k sₖ u²ᵏ⁺¹.
+    /// Computes the coefficients from sn′ = cn dn, cn′ = −sn dn, dn′ = −m sn cn. If sn = Σ sₖ
+    /// u²ᵏ⁺¹, then W = −Σ 2k sₖ u²ᵏ⁺¹.
     fn of(m: f64) -> Self {
         let (mut s, mut c, mut d) = ([0.0; TERMS + 1], [0.0; TERMS + 1], [0.0; TERMS + 1]);
         (c[0], d[0]) = (1.0, 1.0);
@@ -163,7 +166,7 @@ impl NearSeries {
     }
 }
 
-/// The coefficient of a product of two series.
+/// Returns coefficient k of the product of two series.
 fn product(a: &[f64; TERMS + 1], b: &[f64; TERMS + 1], k: usize) -> f64 {
     (0..=k).map(|j| a[j] * b[k - j]).sum()
 }

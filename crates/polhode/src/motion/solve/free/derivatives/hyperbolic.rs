@@ -1,4 +1,4 @@
-//! The integrals as a few travelling pulses: for a nome near 1, up to the separatrix itself.
+//! Integrals as a few travelling pulses, for a nome near 1 up to the separatrix.
 
 use crate::math::means::mean_sine_squared;
 use crate::motion::solve::free::compact::{ScalarThetaParameters, ThetaParameters};
@@ -8,17 +8,20 @@ use crate::motion::solve::phase::Phase;
 
 use super::elliptic::Elliptic;
 
-/// With Y = πu/2K′ less N half periods, q′ the nome of m₁ and E′/K′ = 1 − m₁ s′, s′ the mean of sn² of parameter m₁,
+/// Integrals ∫ sn² du and ∫ sn²/dn² du by theta functions of the complementary nome.
+///
+/// Let Y = πu/2K′ minus N half periods, q′ the nome of m₁, s′ the mean of sn² of parameter m₁, and
+/// E′/K′ = 1 − m₁ s′. Then
 ///
 /// m ∫ sn² du = (E′/K′) u − (π/2K′)(2N + d ln θ₂(iY|q′)/dY),
 /// m ∫ sn²/dn² du = −(1 − s′) u + (π/2K′)(2N + d ln θ₃(iY|q′)/dY)/m₁,
 /// θ₂ ∝ cosh Y + q′² cosh 3Y + q′⁶ cosh 5Y …,  θ₃ = 1 + 2q′ cosh 2Y + 2q′⁴ cosh 4Y …
 ///
-/// q′/m₁ → 1/16: nothing is divided by m₁ before a half period has passed.
+/// q′/m₁ → 1/16 for m₁ → 0, so nothing is divided by m₁ before a half period has passed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct HyperbolicIntegrals {
     series: Hyperbolic<f64>,
-    /// What makes quotients of theta functions cn, sn and dn.
+    /// Factors that turn quotients of theta functions into cn, sn and dn.
     scale: [f64; 3],
     /// E′/K′
     share: f64,
@@ -32,7 +35,7 @@ pub(super) struct HyperbolicIntegrals {
     ratio: f64,
 }
 
-/// Below this √m₁ its nome is m₁/16 to the last digit.
+/// Threshold of √m₁. Below it the nome of m₁ is m₁/16 to full f64 precision.
 const TINY: f64 = 1e-9;
 
 impl HyperbolicIntegrals {
@@ -55,7 +58,8 @@ impl HyperbolicIntegrals {
         }
     }
 
-    /// `quarters`: 2z/π, which is `z` before it was reduced.
+    /// Evaluates the functions and integrals. `quarters`: 2z/π before reduction; `z` is the reduced
+    /// value.
     #[inline(always)]
     pub(super) fn at(&self, z: Phase<f64>, u: f64, quarters: f64) -> Elliptic {
         let Ends { sign, turned, falling: x, rising: w } = self.series.ends([z.quarters, z.rest]);
@@ -64,7 +68,7 @@ impl HyperbolicIntegrals {
         let half_periods = (0.5 * (quarters - within_half_period(z))).round();
         let [q1, q2, _] = self.series.squares;
         let (v, u2) = (w * w, x * x); // e^2|Y| q′ and e^−2|Y|
-        // d ln θ₂/dY, and d ln θ₃/dY over m₁
+        // d ln θ₂/dY, and d ln θ₃/dY divided by m₁
         let of_second = ((1.0 - u2) + 5.0 * (q2 * q2) * (v * v) + 3.0 * q1 * (v - q1 * (u2 * u2))) * over;
         let grown = 1.0 / u2; // e^2|Y|
         let third = 1.0 + (v + q1 * u2) + q2 * (v * v + q2 * (u2 * u2));

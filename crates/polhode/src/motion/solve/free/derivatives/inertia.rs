@@ -1,46 +1,48 @@
-//! What a change of the inertia tensor does to L(t), and to the action.
+//! Derivatives of L(t) and of the action with respect to the inertia tensor.
 
 use super::functions::TimeFunctions;
 use super::momentum::MomentumFlow;
 
-/// By the elements 11, 22, 33, 12, 13, 23 of the tensor along the labelled axes, ω(0) kept but for δL(0) = δI ω(0).
+/// Derivatives with respect to the elements 11, 22, 33, 12, 13, 23 of the tensor along the labelled
+/// axes. ω(0) is fixed except for δL(0) = δI ω(0).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ByInertia {
-    /// t ω·δI ω of the start, half of it of a diagonal element, less ½ ∫ ω·δI ω dt.
+    /// t ω·δI ω at the start, halved for a diagonal element, minus ½ ∫ ω·δI ω dt.
     pub(super) action: [f64; 6],
-    /// What is added to L(t).
+    /// Change of L(t), one column per element of the tensor.
     pub(super) momentum: [[f64; 6]; 3],
 }
 
-/// While cn u is larger, the sums that are divided by 1 + cn u and cn u + dn u lose nothing.
+/// Threshold of cn u. Above it the sums that are divided by 1 + cn u and cn u + dn u do not cancel.
 const WELL_BEFORE_HALF: f64 = 0.5;
 
-/// Of a function h of time and of the constants: h, and 2 (∂₁ − ∂₃) h by A1² and A3².
+/// Function h of time and of the constants (`value`), and 2 (∂₁ − ∂₃) h with respect to A1² and A3²
+/// (`slope`).
 #[derive(Clone, Copy)]
 struct Factor {
     value: f64,
     slope: f64,
 }
 
-/// What the rows of L(t) by the tensor are made of. Its method is no closure, as these are not inlined everywhere, and then are not compiled for wide
-/// vectors.
+/// Inputs of the rows of ∂L(t)/∂I. Its method is not a closure: closures are not always inlined,
+/// and are then not compiled for wide vectors.
 struct RowsOf<'a> {
     flow: &'a MomentumFlow,
     l: &'a [f64; 3],
     by_start: &'a [[f64; 3]; 3],
-    /// What S₂₂ has of N.
+    /// Coefficient of N in the derivative of S₂₂.
     of_second: f64,
     time: f64,
     sigma: f64,
-    /// L1 L2(t) + L2 L1(t), and of L3 L1 and L2 L3.
+    /// L1 L2(t) + L2 L1(t), and the same for the pairs (L3, L1) and (L2, L3).
     sums: [f64; 3],
-    /// What S₁₂, S₃₁ and S₂₃ have before them.
+    /// Factors of the sums in S₁₂, S₃₁ and S₂₃.
     factors: [Factor; 3],
     early: bool,
 }
 
 impl RowsOf<'_> {
-    /// `end` are L(t) × eₖ, `n` is N.
+    /// Returns row `i`. `end`: the components i of L(t) × eₖ. `n`: component i of N.
     #[inline(always)]
     fn at(&self, i: usize, end: [f64; 3], n: f64) -> [f64; 6] {
         let (share, [rho, rest]) = (&self.flow.shares, self.flow.rho);
@@ -72,7 +74,8 @@ impl RowsOf<'_> {
 }
 
 impl Factor {
-    /// Of h (L1 L2(t) + L2 L1(t)) and the like: by N, and by the L.
+    /// Returns the derivative of h (L1 L2(t) + L2 L1(t)), or of the same for another pair: the term
+    /// in N, plus the terms in L.
     #[inline(always)]
     fn product(&self, n: f64, both: f64, a: f64, b: f64) -> f64 {
         (self.slope * both) * n + self.value * (a + b)
@@ -80,23 +83,27 @@ impl Factor {
 }
 
 impl MomentumFlow {
-    /// From L(t) and M = ∂L(t)/∂L(0): a change of H by δH = −½ ω·δI ω is one of the start by L(0) × ∇∫ δH dt, so that the integrals
-    /// Sⱼₖ = ∫ Lⱼ Lₖ dt are needed as functions of L(0).
+    /// Returns the derivatives, from L(t) = `l` and M = ∂L(t)/∂L(0) = `by_start`.
     ///
-    /// M keeps Poisson brackets. So M (L(0) × ∇f(L(t))) = L(t) × f′, and of a function C(A1², A3²) it is 2 (∂₁C − ∂₃C) N(t), N = L̇/δ1.
-    /// All integrals are made of these and of σ, cn, dn and S = ∫ σ² dt:
+    /// A change δH = −½ ω·δI ω of the Hamiltonian acts like a change of the start by L(0) × ∇∫ δH
+    /// dt. The integrals Sⱼₖ = ∫ Lⱼ Lₖ dt are therefore needed as functions of L(0).
+    ///
+    /// M preserves Poisson brackets. Hence M (L(0) × ∇f(L(t))) = L(t) × f′. The same expression for
+    /// a function C(A1², A3²) is 2 (∂₁C − ∂₃C) N(t), where N = L̇/δ1. All integrals follow from
+    /// these and from σ, cn, dn and S = ∫ σ² dt:
     ///
     /// S₂₂ = δ1² A1² A3² S + σ L2 L2(t),  S₁₁ = A1² t − ρ S₂₂,  S₃₃ = A3² t − (1 − ρ) S₂₂,
-    /// S₁₂ = σ (L1 L2(t) + L2 L1(t))/(1 + dn),  S₂₃: 1 + cn,  S₃₁: cn + dn,
+    /// S₁₂ = σ (L1 L2(t) + L2 L1(t))/(1 + dn)
     ///
-    /// or S₂₃ = (L1 − L1(t))/δ2, S₃₁ = (L2(t) − L2)/δ1.
+    /// S₂₃ and S₃₁ are like S₁₂, with the denominators 1 + cn and cn + dn. Alternatively S₂₃ = (L1
+    /// − L1(t))/δ2 and S₃₁ = (L2(t) − L2)/δ1.
     #[inline(always)]
     pub(super) fn by_inertia(&self, l: &[f64; 3], by_start: &[[f64; 3]; 3], f: &TimeFunctions) -> ByInertia {
         let ([d1, d2, d12], [rho, rest]) = (self.delta, self.rho);
         let ([l1, l2, l3], [a1, a3, norm2]) = (self.start, self.squares);
         let (t, sigma, c, d, v) = (f.time, f.sigma, f.cn, f.dn, f.quotient);
         let pq = d1 * d2;
-        // 2 (∂₁ − ∂₃) of σ, cn and dn
+        // 2 (∂₁ − ∂₃) applied to σ, cn and dn
         let e = self.slope;
         let of_sigma = pq * f.lag - e * (c * d) * v;
         let of_cn = pq * sigma * d * (d1 * d12 * norm2 * v + t);

@@ -1,4 +1,5 @@
-//! The derivatives of free motion by its start and by the inertia tensor, in closed form: `book/free-motion.md`, section 10.
+//! Derivatives of free motion with respect to its start and the inertia tensor, in closed form:
+//! `book/free-motion.md`, section 10.
 
 mod columns;
 mod elliptic;
@@ -25,7 +26,8 @@ use functions::{Functions, TimeFunctions};
 use momentum::MomentumFlow;
 use short::ShortSeries;
 
-/// A torque-free motion with its derivatives by the start and by the inertia tensor, at any time, past or future, in constant time.
+/// Torque-free motion with its derivatives with respect to the start and the inertia tensor. Any
+/// time, past or future, is evaluated in constant time.
 ///
 /// ```
 /// use polhode::body::{InertiaTensor, MassProperties};
@@ -44,18 +46,25 @@ use short::ShortSeries;
 /// ```
 ///
 /// # Accuracy
-/// Of a block (θ or ω, by ω(0) or by the tensor) relative to its norm: 7·10⁻¹⁴ against differences in 120 digits, of 77 motions up to
-/// 10⁶ periods and down to 1 − m = 10⁻²⁰ and 0, permanent, symmetric and spherical ones among them; 7·10⁻¹³ of 10⁵ random bodies with
-/// moments within a factor of 10, next to symmetry, the separatrix and the axes, over 8 rad. It is 10⁻¹⁵ of most; θ by the tensor just
-/// after 0.1 rad has the fewest digits. Of a needle it is 2·10⁻¹⁵ times the ratio of its moments, where that is more.
+/// The error of a block (θ or ω, with respect to ω(0) or to the tensor) is relative to the norm of
+/// the block. Largest errors:
 ///
-/// Single columns have fewer digits where their parts cancel: of a body with two equal moments θ by
-/// the diagonal elements along these axes, I_xx and I_yy of a top along z, is good to 2·10⁻¹¹ of
-/// the column. Every other column of such a body that is not below a hundredth of its block is good
-/// to 2·10⁻¹³.
+/// - 7·10⁻¹⁴ against differences in 120 digits, for 77 motions up to 10⁶ periods. They include 1 −
+///   m = 10⁻²⁰ and 0, and permanent, symmetric and spherical motions.
+/// - 7·10⁻¹³ for 10⁵ random bodies over 8 rad. Their moments are within a factor of 10; some are
+///   close to symmetry, to the separatrix, or to an axis.
+/// - 2·10⁻¹⁵ times the ratio of the moments for a needle, if that is larger.
+///
+/// Most blocks are accurate to 10⁻¹⁵. The derivative of θ with respect to the tensor is the least
+/// accurate, just after a rotation of 0.1 rad.
+///
+/// Single columns are less accurate if their parts cancel. Example: the diagonal elements I_xx and
+/// I_yy of a body with two equal moments, such as a top along z. These columns of θ are accurate to
+/// 2·10⁻¹¹ of the column. Every other column of such a body is accurate to 2·10⁻¹³, unless it is
+/// below a hundredth of its block.
 ///
 /// # Cost
-/// Five to five and a half times that of a state; fifty times for as long as the body has turned by less than 0.1 rad.
+/// 5 to 5.5 times the cost of a state. While the body has rotated by less than 0.1 rad, 50 times.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeMotionDerivatives {
     motion: FreeMotion,
@@ -65,23 +74,26 @@ pub struct FreeMotionDerivatives {
     to_body: ToBody,
     /// |L|, in units of the elements.
     momentum: f64,
-    /// Units of time of the elements per unit of the kernel's.
+    /// Conversion factor: time units of the elements per time unit of the kernel.
     factor: f64,
     is_permanent: bool,
 }
 
-/// Next to the middle axis derivatives grow like the root of V, and their parts like V itself: beyond, these leave the range of f64.
+/// Largest |∫ σ²/dn² dt| for which derivatives are returned. Near the intermediate axis derivatives
+/// grow like the square root of this integral V, and their parts like V itself. Beyond this value
+/// the parts leave the range of f64.
 const LARGEST: f64 = 1e290;
 
-/// Of a thinner body fewer than six digits would be right.
+/// Least ratio of the smallest moment to the greatest. A thinner body would have fewer than six
+/// correct digits.
 const THINNEST: f64 = 1e-8;
 
 impl FreeMotionDerivatives {
-    /// Of the motion that starts from a state with no torque.
+    /// Returns the torque-free motion that starts from a state, with its derivatives.
     ///
     /// # Errors
-    /// As of [`FreeMotion::of`]; a parameter's error ([`MotionError::is_parameter`]) for a principal moment below 1e-8 of the greatest, such as
-    /// a rod's.
+    /// The errors of [`FreeMotion::of`]. A parameter error ([`MotionError::is_parameter`]) if a
+    /// principal moment is below 1e-8 of the greatest, as for a rod.
     pub fn of(rotor: &Rotor, start: State) -> Result<Self, MotionError> {
         Self::with(FreeMotion::of(rotor, start)?, rotor.inertia().symmetric())
     }
@@ -106,10 +118,10 @@ impl FreeMotionDerivatives {
         })
     }
 
-    /// State and derivatives at a time, s, before the start too.
+    /// Returns the state and its derivatives at a time, s, which may be before the start.
     ///
-    /// Further from the start than [`FreeMotion::reach`] and at a time that is NaN they are not numbers; nor are derivatives that grow beyond
-    /// some 1e140 next to the intermediate axis.
+    /// Both are NaN beyond [`FreeMotion::reach`] and for a time that is NaN. Derivatives are also
+    /// NaN if they grow beyond about 1e140 near the intermediate axis.
     #[must_use]
     pub fn at(&self, time: f64) -> StateDerivatives {
         let motion = &self.motion;
@@ -153,19 +165,19 @@ impl FreeMotionDerivatives {
         })
     }
 
-    /// At many times, in their order.
+    /// Returns states and derivatives at many times, s, in their order.
     #[must_use]
     pub fn at_times(&self, times: &[f64]) -> Vec<StateDerivatives> {
         times.iter().map(|&time| self.at(time)).collect()
     }
 
-    /// The motion itself.
+    /// Returns the motion without derivatives.
     pub const fn motion(&self) -> &FreeMotion {
         &self.motion
     }
 }
 
-/// What a state's derivatives are put together of: some thousand products, without a branch.
+/// Inputs of the derivatives of one state: some thousand products without a branch.
 struct Assembly<'a> {
     flow: &'a MomentumFlow,
     to_body: &'a ToBody,
@@ -186,7 +198,7 @@ impl Work for Assembly<'_> {
     }
 }
 
-/// The attitude at the start, seen from that at another time: a quaternion along the body's axes.
+/// Returns the attitude at the start relative to that of `state`, as a quaternion in body axes.
 fn back(state: &State, start: &State) -> [f64; 4] {
     let ([aw, ax, ay, az], [bw, bx, by, bz]) = (state.attitude.quaternion(), start.attitude.quaternion());
     [

@@ -1,4 +1,4 @@
-//! L(t) along the labelled axes by L(0).
+//! Derivative of L(t) with respect to L(0), labelled axes.
 
 use crate::math::double::Double;
 use crate::math::triple::Triple;
@@ -7,15 +7,17 @@ use crate::motion::solve::free::labelled::Labelled;
 
 use super::functions::TimeFunctions;
 
-/// A motion along its labelled axes, in units of the elements: with δ1 = 1/i1 − 1/i3, δ2 = 1/i2 − 1/i3, ρ = δ2/δ1 as in
-/// `book/free-motion.md`, the rest in its section 10.
+/// Constants of a motion along its labelled axes, in units of the elements.
+///
+/// δ1 = 1/i1 − 1/i3, δ2 = 1/i2 − 1/i3 and ρ = δ2/δ1 as in `book/free-motion.md`; its section 10
+/// defines the other symbols.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct MomentumFlow {
-    /// L(0)
+    /// L(0), labelled axes.
     pub(super) start: [f64; 3],
     /// 1/i1, 1/i2, 1/i3
     pub(super) inverse: [f64; 3],
-    /// 1/iⱼiₖ in the order of a tensor's elements, half of it where j = k.
+    /// 1/(iⱼ iₖ) in the order of [`PAIRS`], halved where j = k.
     pub(super) shares: [f64; 6],
     /// δ1, δ2, δ1 − δ2
     pub(super) delta: [f64; 3],
@@ -23,20 +25,20 @@ pub(super) struct MomentumFlow {
     pub(super) rho: [f64; 2],
     /// A1², A3², L²
     pub(super) squares: [f64; 3],
-    /// L3²/A3², (1 − ρ) L2²/A3² and L2 L3/A3²
+    /// L3²/A3², (1 − ρ) L2²/A3² and L2 L3/A3².
     parts: [f64; 3],
-    /// ½ · 2 (∂₁ − ∂₃)(Q − mP) = δ1 (δ1 − δ2) L²/A3²
+    /// ½ · 2 (∂₁ − ∂₃)(Q − mP) = δ1 (δ1 − δ2) L²/A3².
     pub(super) slope: f64,
-    /// 1/L² and 1/2P
+    /// 1/L² and 1/2P.
     pub(super) over: [f64; 2],
     pub(super) m: f64,
-    /// P
+    /// P = λ².
     pub(super) p: f64,
-    /// ∇P and ∇Q − m∇P
+    /// Gradients ∇P and ∇Q − m∇P with respect to L(0).
     gradients: [[f64; 3]; 2],
 }
 
-/// The pairs of axes in the order of a tensor's elements.
+/// Pairs of axes in the order of the elements of a tensor: 11, 22, 33, 12, 13, 23.
 pub(super) const PAIRS: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
 
 #[inline(always)]
@@ -83,14 +85,17 @@ impl MomentumFlow {
         }
     }
 
-    /// ∂L(t)/∂L(0), by rows. From the addition theorems, with P = λ² and Q = mλ² as functions of L(0),
+    /// Returns ∂L(t)/∂L(0), row by row. The addition theorems give, with P = λ² and Q = mλ² as
+    /// functions of L(0),
     ///
-    /// L1(t) = (L1 cn − δ2 L2 L3 σ dn)/Δ,  L2(t) = (L2 cn dn + δ1 L3 L1 σ)/Δ,  L3(t) = (L3 dn − (δ1 − δ2) L1 L2 σ cn)/Δ,
-    /// Δ = 1 − δ2 (δ1 − δ2) L2² σ² = cn² + (L3/A3)² sn²,
-    /// dσ = cn dn dτ − ½σ dP/P,  dcn = −Pσ dn dτ,  ddn = −Qσ cn dτ − ½(σ²/dn) dμ,  dτ = ½t dP/P − ½V dμ,  dμ = dQ − m dP
+    /// L1(t) = (L1 cn − δ2 L2 L3 σ dn)/Δ,  L2(t) = (L2 cn dn + δ1 L3 L1 σ)/Δ,
+    /// L3(t) = (L3 dn − (δ1 − δ2) L1 L2 σ cn)/Δ,  Δ = 1 − δ2 (δ1 − δ2) L2² σ² = cn² + (L3/A3)² sn²,
+    /// dσ = cn dn dτ − ½σ dP/P,  dcn = −Pσ dn dτ,  ddn = −Qσ cn dτ − ½(σ²/dn) dμ,
+    /// dτ = ½t dP/P − ½V dμ,  dμ = dQ − m dP
     ///
-    /// As τ shifts the time, its share is L̇(t) ∇τ. What −½σ dP/P adds to the derivative by L(0) cancels much of it next to the middle
-    /// axis and is joined with it, but where |u| is small, as P may then vanish.
+    /// τ shifts the time, so its contribution is L̇(t) ∇τ. Near the intermediate axis the
+    /// contribution of −½σ dP/P cancels much of the explicit derivative with respect to L(0). The
+    /// two are therefore combined, except where |u| is small, because P may vanish there.
     #[inline(always)]
     pub(super) fn derivative(&self, l: &[f64; 3], f: &TimeFunctions) -> [[f64; 3]; 3] {
         let ([l1, l2, l3], [d1, d2, d12]) = (self.start, self.delta);
@@ -139,7 +144,7 @@ impl MomentumFlow {
         [row(0), row(1), row(2)]
     }
 
-    /// L̇ = (−δ2 L2 L3, δ1 L3 L1, (δ2 − δ1) L1 L2)
+    /// Returns L̇ = (−δ2 L2 L3, δ1 L3 L1, (δ2 − δ1) L1 L2).
     #[inline(always)]
     fn rate(&self, l: &[f64; 3]) -> [f64; 3] {
         let [d1, d2, d12] = self.delta;

@@ -1,31 +1,32 @@
-//! The derivatives as power series of the time: before the body has turned by much, the closed forms cancel.
+//! Derivatives as power series in time, for small rotations of the body. There the closed forms
+//! suffer from cancellation.
 
 use super::columns::{Columns, ToBody, dot};
 use super::momentum::{MomentumFlow, PAIRS};
 
-/// Up to this angle, rad, the series is used; what it leaves out is then below 1e-15.
+/// Rotation angle, rad, up to which the series is used. Its truncation error is then below 1e-15.
 const SHORT: f64 = 0.1;
 
 const ORDER: usize = 11;
 
-/// A column for each component of ω(0) and each element of the tensor.
+/// Number of columns: three components of ω(0) and six elements of the tensor.
 const COLUMNS: usize = 9;
 
-/// How long the series is used.
+/// Range of the power series.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ShortSeries {
-    /// Units of time of the elements.
+    /// Largest |t|, in time units of the elements.
     span: f64,
 }
 
-/// A vector in each column, component by component.
+/// One vector per column, stored component by component.
 type Vectors = [[f64; COLUMNS]; 3];
 
 impl ShortSeries {
     pub(super) fn of(flow: &MomentumFlow) -> Self {
         let inverse = flow.inverse;
         let omega = [0, 1, 2].map(|k| inverse[k] * flow.start[k]);
-        // |ω|, or |i2 − i3|/i1 |ω| and the like of a tensor that is no body's
+        // |ω|, or |i2 − i3|/i1 |ω| and its permutations for a tensor that is not a physical inertia
         let ratio = [0, 1, 2].iter().fold(1.0, |most: f64, &k| {
             let (j, l) = ((k + 1) % 3, (k + 2) % 3);
             most.max((1.0 / inverse[j] - 1.0 / inverse[l]).abs() * inverse[k])
@@ -37,7 +38,8 @@ impl ShortSeries {
         time.abs() <= self.span
     }
 
-    /// L̇ = L × ω, and its derivatives: δL̇ = δL × ω + L × δω, θ̇ = θ × ω + δω, δω = I⁻¹ (δL − δI ω).
+    /// Evaluates the series that follow from L̇ = L × ω and its variations: δL̇ = δL × ω + L × δω,
+    /// θ̇ = θ × ω + δω, δω = I⁻¹ (δL − δI ω).
     #[cold]
     #[inline(never)]
     pub(super) fn at(&self, flow: &MomentumFlow, to_body: &ToBody, time: f64) -> Columns {
@@ -50,7 +52,7 @@ impl ShortSeries {
         for k in 0..3 {
             delta_l[0][k][k] = 1.0 / inverse[k];
         }
-        // of order 0: δω = 0 but for ω(0)
+        // order 0: δω = 0 except for the columns of ω(0)
         take_levers(&mut delta_l[0], 1.0, &omega[0]);
         for (k, row) in delta_omega[0].iter_mut().enumerate() {
             row[k] = 1.0;
@@ -118,7 +120,7 @@ fn summed(series: &[Vectors; ORDER + 1], time: f64) -> Vectors {
     sum
 }
 
-/// Adds ± δI ω of a unit change of each element.
+/// Adds ± δI ω for a unit change of each element of the tensor.
 fn take_levers(columns: &mut Vectors, sign: f64, omega: &[f64; 3]) {
     for (p, [j, k]) in PAIRS.into_iter().enumerate() {
         columns[j][3 + p] += sign * omega[k];

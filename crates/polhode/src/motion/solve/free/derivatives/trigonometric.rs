@@ -1,4 +1,4 @@
-//! The integrals as trigonometric series: for a nome that is not near 1.
+//! Integrals as trigonometric series, for a nome that is not near 1.
 
 use crate::math::elementary::{polynomial, sin_cos_quarters};
 use crate::math::means::mean_sine_squared;
@@ -11,23 +11,24 @@ use crate::motion::solve::phase::Phase;
 
 use super::elliptic::Elliptic;
 
-/// With the mean s̄ of sn² and Jacobi's zeta function Z = (π/2K) θ₄′/θ₄,
+/// Integrals ∫ sn² du and ∫ sn²/dn² du, from the mean s̄ of sn² and Jacobi's zeta function Z =
+/// (π/2K) θ₄′/θ₄:
 ///
 /// ∫ sn² du = s̄ u − Z/m,  ∫ sn²/dn² du = ((1 − s̄) u + Z/m − sn cn/dn)/m₁
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct TrigonometricIntegrals {
     series: Trigonometric<f64>,
-    /// What makes quotients of theta functions cn, sn and dn.
+    /// Factors that turn quotients of theta functions into cn, sn and dn.
     scale: [f64; 3],
-    /// s̄
+    /// Mean s̄ of sn².
     mean: f64,
     /// 1/m₁
     inverse_m1: f64,
-    /// θ₄′ (π/2K)/(m sin 2z) as a polynomial of 2 cos 2z.
+    /// θ₄′ (π/2K)/(m sin 2z) as a polynomial in 2 cos 2z.
     zeta: [f64; 4],
 }
 
-/// Below this m its nome is m/16 to the last digit.
+/// Threshold of m. Below it the nome of m is m/16 to full f64 precision.
 const TINY: f64 = 1e-30;
 
 impl TrigonometricIntegrals {

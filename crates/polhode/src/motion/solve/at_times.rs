@@ -1,4 +1,4 @@
-//! Closed forms at many times: in the lanes of vectors, with the bits of each time alone.
+//! Evaluation of closed forms at many times in SIMD lanes, bit-identical to one time at a time.
 
 use crate::math::lanes::Lanes;
 use crate::math::machine::in_widest_vectors;
@@ -9,13 +9,14 @@ use crate::motion::model::state::State;
 use super::phase::Elapsed;
 use super::reach::is_within;
 
-/// Times in a vector of AVX-512, or in two of AVX2.
+/// Number of times per vector: one AVX-512 vector, or two AVX2 vectors.
 const WIDTH: usize = 8;
 
-/// The quaternion and ω so long after the start, of each lane.
+/// Vector with one time per lane.
 pub(super) type Lane = Lanes<WIDTH>;
 
-/// The states at some times of a motion with this start and reach, by what gives quaternion and ω after a time, in units of 1/`unit`.
+/// Returns the states at many times of a motion with this start and reach. `after` returns
+/// quaternion and ω at an elapsed time, in units of 1/`unit`.
 pub(super) fn at_times(
     times: &[f64],
     start: &State,
@@ -29,7 +30,7 @@ pub(super) fn at_times(
         || {
             let (begin, unit) = (Lanes([start.time; WIDTH]), Lanes([unit; WIDTH]));
             for (times, states) in times.chunks(WIDTH).zip(states.chunks_mut(WIDTH)) {
-                // Lanes without a time stand still.
+                // Unused lanes get the start time.
                 let lanes = Lanes::from_fn(|lane| times.get(lane).copied().unwrap_or(start.time));
                 let (q, omega) = after(&Elapsed::since::<false>(begin, lanes, unit));
                 for (lane, (&time, state)) in times.iter().zip(states).enumerate() {

@@ -1,4 +1,4 @@
-//! The motions that have a closed form, under one name.
+//! Common type of the motions that have a closed form.
 
 use super::free::FreeMotion;
 use super::heavy_top::HeavyTop;
@@ -10,30 +10,32 @@ use crate::motion::model::state::State;
 use crate::motion::model::state::StateError;
 use crate::motion::model::torque::TorqueModel;
 
-/// The effect of constants that are rounded when they are formed, in units of the effect of the
-/// last bit of the inputs, which is known from few samples.
+/// Effect of constants that are rounded when they are computed, relative to the effect of input
+/// rounding. The latter is estimated from a few samples.
 pub(crate) const OF_ROUNDED_CONSTANTS: f64 = 2.8;
 
-/// A motion in closed form: the state at any time at once.
+/// Motion in closed form: the state at any time in constant time.
 ///
-/// Each of them is right to some 10⁻¹⁵ for as long as anything turns 10¹⁵ times, for the numbers given: no worse than the integrators at their tightest
-/// tolerance, so that `auto` takes a closed form wherever there is one.
+/// Each is accurate to some 10⁻¹⁵ for 10¹⁵ turns or periods, for exact inputs. The integrators at
+/// their tightest tolerance are not more accurate, so `auto` uses a closed form wherever one
+/// exists.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ClosedForm {
-    /// No torque.
+    /// Motion without torque.
     Free(Box<FreeMotion>),
-    /// A symmetric body held at a point of its axis, under gravity.
+    /// Symmetric body held at a point of its axis, under gravity.
     HeavyTop(Box<HeavyTop>),
-    /// A body that swings under gravity about a principal axis.
+    /// Body that swings about a principal axis under gravity.
     Swinging(Box<SwingingBody>),
 }
 
 impl ClosedForm {
-    /// The closed form of the motion that starts from a state.
+    /// Returns the closed form of the motion that starts from a state.
     ///
     /// # Errors
-    /// [`MotionError::NoClosedForm`] where none is known, with the reason; otherwise as [`FreeMotion::of`] and [`HeavyTop::of`].
+    /// [`MotionError::NoClosedForm`] if none is known, with the reason. Otherwise the errors of
+    /// [`FreeMotion::of`] and [`HeavyTop::of`].
     pub fn of(rotor: &Rotor, torques: &[TorqueModel], start: State) -> Result<Self, MotionError> {
         if !rotor.wheels().is_empty() {
             return Err(MotionError::NoClosedForm { why: "wheels spin in the body" });
@@ -52,7 +54,7 @@ impl ClosedForm {
         }
     }
 
-    /// The state that it starts from.
+    /// Returns the state at the start.
     pub fn start(&self) -> State {
         match self {
             Self::Free(motion) => motion.start(),
@@ -61,7 +63,8 @@ impl ClosedForm {
         }
     }
 
-    /// The state at a time, s, before the start too; not a number beyond [`ClosedForm::reach`], and at a time that is none.
+    /// Returns the state at a time, s, which may be before the start. ω and attitude are NaN beyond
+    /// [`ClosedForm::reach`] and for a time that is NaN.
     #[must_use]
     pub fn at(&self, time: f64) -> State {
         match self {
@@ -71,7 +74,8 @@ impl ClosedForm {
         }
     }
 
-    /// The states at some times, in any order, as [`ClosedForm::at`], several times as fast.
+    /// Returns the states at many times (s), in any order: the results of [`ClosedForm::at`],
+    /// computed several times faster.
     #[must_use]
     pub fn at_times(&self, times: &[f64]) -> Vec<State> {
         match self {
@@ -81,11 +85,12 @@ impl ClosedForm {
         }
     }
 
-    /// The error of the formulas so long after the start, where the last bit of the inputs is worth so much: measured, see
-    /// `book/error.md`.
+    /// Returns the error of the formulas at the time `after` from the start. `inputs`: error from
+    /// input rounding at that time. Measured; see `book/error.md`.
     ///
-    /// Those of a free motion have constants of three words; those of the others are rounded as the inputs are, whose worth is known from few
-    /// samples: [`OF_ROUNDED_CONSTANTS`] times as much.
+    /// The constants of a free motion have three words. Those of the other motions are rounded like
+    /// the inputs. As the effect of input rounding is estimated from a few samples, it is
+    /// multiplied by [`OF_ROUNDED_CONSTANTS`].
     pub(crate) fn formula_error(&self, after: f64, inputs: StateError) -> StateError {
         match self {
             Self::Free(motion) => motion.formula_error(after),
@@ -95,7 +100,8 @@ impl ClosedForm {
         }
     }
 
-    /// For how long before and after its start the motion is known, s, to 1e-6 rad for inputs that are exact.
+    /// Returns the time before and after the start for which the motion is accurate to 1e-6 rad,
+    /// for exact inputs, s.
     pub fn reach(&self) -> f64 {
         match self {
             Self::Free(motion) => motion.reach(),
@@ -104,15 +110,15 @@ impl ClosedForm {
         }
     }
 
-    /// That the motion is known at each of the times, s.
+    /// Checks that the motion is known at each of the times, s.
     ///
     /// # Errors
-    /// [`MotionError::BeyondReach`] for the first that is beyond [`ClosedForm::reach`], or no number.
+    /// [`MotionError::BeyondReach`] for the first time that is beyond [`ClosedForm::reach`] or NaN.
     pub fn require(&self, times: &[f64]) -> Result<(), MotionError> {
         require(&self.start(), self.reach(), times)
     }
 
-    /// In words, for a summary.
+    /// Returns a description for a summary.
     pub const fn title(&self) -> &'static str {
         match self {
             Self::Free(_) => "free motion by theta functions",

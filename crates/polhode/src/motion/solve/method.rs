@@ -1,34 +1,38 @@
-//! Methods: by name, and as people call them.
+//! Computation methods, and their names.
 
 use super::propagate::splitting::SplittingOrder;
 
-/// How to compute a motion.
+/// Method of computing a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 #[non_exhaustive]
 pub enum Method {
-    /// A closed form where there is one, Taylor's method elsewhere, whatever times are asked for: a state does not depend on what else is
-    /// computed. A closed form takes 3 µs to prepare (free), 5 (a pendulum) or 33 (a top); for one short step from every new start, as in
-    /// control, [`Method::Taylor`] takes 1 µs.
+    /// Closed form if there is one, Taylor's method otherwise. The choice does not depend on the
+    /// requested times, so a state does not depend on what else is computed.
+    ///
+    /// Preparation of a closed form takes 3 µs (free motion), 5 µs (pendulum) or 33 µs (top). A
+    /// single short step from each new start, as in control, takes 1 µs with [`Method::Taylor`].
     #[default]
     Auto,
-    /// A closed form, or an error.
+    /// Closed form; an error if there is none.
     Exact,
     /// Numerical integration by Taylor's method, order 24 at the tightest tolerance.
     Taylor,
-    /// Numerical integration by the Runge–Kutta method of Dormand and Prince, order 8.
+    /// Numerical integration by the Runge–Kutta method of Dormand and Prince, order 8 (DOP853).
     Dop853,
-    /// Steps of one length: the exact free motion, with kicks by the torques between. For torques that depend on attitude and time
-    /// alone; where they have a potential, the error of T + U stays bounded.
+    /// Splitting with constant step: exact free motion, with impulses by the torques between steps.
+    ///
+    /// The torques must depend on attitude and time only. If they have a potential, the error of T
+    /// + U stays bounded.
     Splitting {
-        /// How fast the error falls with the step.
+        /// Order of the scheme.
         order: SplittingOrder,
-        /// The length of a step, s.
+        /// Step length, s.
         step: f64,
     },
 }
 
 impl Method {
-    /// The name in a text for people.
+    /// Returns the name of the method for people.
     pub const fn title(self) -> &'static str {
         match self {
             Self::Auto => "the method that suits",
@@ -39,7 +43,7 @@ impl Method {
         }
     }
 
-    /// The name in scenario files and summaries.
+    /// Returns the name used in scenario files and summaries.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Auto => "auto",

@@ -1,12 +1,13 @@
-//! The motion of a pendulum in time: swinging, going round, or between the two.
+//! Motion of a pendulum: oscillation, rotation, or the separatrix between the two.
 //!
-//! With s = sin ½θ, r = θ̇/2ω₀ and k² = s² + r² of the start,
+//! Let s = sin ½θ and r = θ̇/2ω₀, and let k² = s² + r² at the start. Then
 //!
 //! - k < 1: sin ½θ = k sn(x|k²), r = k cn, x = x₀ + ω₀t;
 //! - k > 1: ½θ = ± am(x|1/k²), r = ± k dn, x = x₀ + ω₀kt;
 //! - k = 1: ½θ = ± gd(x), r = ± sech x.
 //!
-//! 1 − k² = cos²½θ − r² is taken from the start in two words, so that motions next to upside down keep their digits.
+//! 1 − k² = cos²½θ − r² is computed from the start in two words. Motions close to the upright
+//! position therefore keep their precision.
 
 use crate::math::complex::Complex;
 use crate::math::double::Double;
@@ -19,7 +20,7 @@ use super::theta::Lattice;
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 
-/// A pendulum's angle and rate at any time, θ̈ = −ω₀² sin θ.
+/// Angle and rate of a pendulum at any time, θ̈ = −ω₀² sin θ.
 ///
 /// ```
 /// use polhode::motion::PendulumMotion;
@@ -32,35 +33,37 @@ use crate::motion::model::require;
 /// ```
 ///
 /// # Accuracy
-/// 4·10⁻¹⁶ of the amplitude and of the largest rate, or of the angle itself once it has gone round, against references of 32
-/// digits, the same after thousands of periods. Exactly on the separatrix (k = 1, where the least push decides) the
-/// hyperbolic functions have one word. Measured by `tests/all/pendulum_motion.rs`.
+/// 4·10⁻¹⁶ against references of 32 digits, unchanged after thousands of periods. The error is
+/// relative to the amplitude and to the largest rate; after a full turn, relative to the angle
+/// itself. Exactly on the separatrix (k = 1) the hyperbolic functions have one word. Measured by
+/// `tests/all/pendulum_motion.rs`.
 ///
 /// Source: Whittaker, Analytical Dynamics, §44; DLMF 22.19(i).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PendulumMotion {
     start: (f64, f64),
-    /// ω₀
+    /// ω₀, rad/s.
     frequency: Double,
-    /// Whole turns of the start's angle, times 2π.
+    /// Whole turns of the start's angle, rad (a multiple of 2π).
     turns: Double,
-    /// k
+    /// Modulus k.
     modulus: Double,
-    /// x₀, signed as the motion where it goes round.
+    /// x₀. For a rotation it has the sign of the rate.
     phase: Double,
     kind: PendulumRegime,
     parameter: EllipticParameter,
-    /// Not at rest, and not on the separatrix.
+    /// Theta functions; `None` at rest and on the separatrix.
     kernel: Option<Kernel>,
 }
 
-/// What is evaluated: sn, cn and dn as quotients of theta functions.
+/// Constants of the evaluation: sn, cn and dn as quotients of theta functions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Kernel {
     lattice: Lattice,
-    /// z = πx/2K
+    /// z = πx/2K.
     angle: Angle,
-    /// What makes theta functions the cosine and the sine of ½θ, but for their length, and the rate: times θ₄ for the first.
+    /// Factors that turn the theta functions into cos ½θ and sin ½θ, both times θ₄. The next field
+    /// is the factor of the rate.
     half: [f64; 2],
     rate: f64,
     is_round: bool,
@@ -80,7 +83,7 @@ impl Kernel {
         Self { lattice, angle, half, rate, is_round: matches!(motion.kind, PendulumRegime::Round { .. }) }
     }
 
-    /// cos ½θ + i sin ½θ and the rate after a time.
+    /// Returns cos ½θ + i sin ½θ and the rate after a time.
     #[inline(always)]
     pub(super) fn at<T: Splat>(&self, elapsed: &Elapsed<T>) -> (Complex<T>, T) {
         let phase = if elapsed.is_within(T::splat(self.angle.reach)) {
@@ -92,12 +95,13 @@ impl Kernel {
         let [sn, cn, dn] = self.lattice.numerators(&place);
         let (re, im, rate) = if self.is_round { (cn, sn, dn) } else { (dn, sn, cn) };
         let half = Complex { re: T::splat(self.half[0]) * re, im: T::splat(self.half[1]) * im };
-        // Their squares' sum is that of θ₄
+        // The sum of their squares is θ₄².
         let scale = half.norm_squared().map(|square| 1.0 / square.sqrt());
         (half.scaled(scale), T::splat(self.rate) * rate * scale)
     }
 
-    /// ½θ of one that goes round, to half a turn, rad.
+    /// Returns ½θ of a rotating pendulum, rad, with an error below half a turn. Returns 0 for an
+    /// oscillation.
     fn round(&self, time: f64) -> f64 {
         if self.is_round { self.half[1].signum() * self.angle.about(time) } else { 0.0 }
     }
@@ -105,20 +109,22 @@ impl Kernel {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum PendulumRegime {
-    /// Suspension, or exactly upside down.
+    /// Equilibrium, hanging or exactly upright.
     Still,
     Oscillation,
-    /// Over the top or, at k = 1, up to it: with the sign of the rate.
+    /// Rotation over the top or, at k = 1, asymptotic to it. `sign`: sign of the rate.
     Round {
         sign: f64,
     },
 }
 
 impl PendulumMotion {
-    /// By ω₀ (rad/s, positive), the angle from straight down (rad) and its rate (rad/s) at time 0.
+    /// Returns the motion for ω₀ (rad/s, positive), the angle from straight down (rad) and its rate
+    /// (rad/s) at time 0.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for a number that is not finite, or an ω₀ that is not positive.
+    /// A parameter error ([`MotionError::is_parameter`]) for a number that is not finite or too
+    /// large, or an ω₀ that is not positive.
     pub fn of(frequency: f64, angle: f64, rate: f64) -> Result<Self, MotionError> {
         require::positive("the frequency of small swings", frequency)?;
         require::that("the angle", angle, angle.abs() < FARTHEST, "below 1e15 rad")?;
@@ -128,7 +134,8 @@ impl PendulumMotion {
         let turns = Double::TAU * Double::from(whole);
         let half = unit((Double::from(angle) - turns).scaled(0.5));
         let motion = Self::of_half_angle(Double::from(frequency), half, Double::from(rate));
-        // Half of π in two words is not π: the double nearest to it is as near to upside down as an angle can be said.
+        // π in f64 is not exactly π. An angle of exactly f64 π at rest is therefore defined as
+        // upright, because no f64 is closer to it.
         if rate == 0.0 && angle.abs() == PI {
             return Ok(Self {
                 start: (angle, rate),
@@ -141,7 +148,8 @@ impl PendulumMotion {
         Ok(Self { start: (angle, rate), turns, ..motion })
     }
 
-    /// By ω₀, cos ½θ ≥ 0 and sin ½θ, and the rate, in two words; angles from −π … π on.
+    /// Returns the motion for ω₀, cos ½θ ≥ 0 and sin ½θ, and the rate, in two words. The angle
+    /// starts between −π and π.
     pub(crate) fn of_half_angle(frequency: Double, half: Complex<Double>, rate: Double) -> Self {
         let (s, c) = (half.im, half.re);
         let r = rate / frequency.scaled(2.0);
@@ -176,9 +184,10 @@ impl PendulumMotion {
         motion
     }
 
-    /// The angle (rad, continuous: it counts the turns) and its rate (rad/s) at a time, s; before the start too.
+    /// Returns the angle (rad, continuous: it includes whole turns) and its rate (rad/s) at a time,
+    /// s, which may be before the start.
     ///
-    /// Neither is a number beyond [`PendulumMotion::reach`], and at a time that is none.
+    /// Both are NaN beyond [`PendulumMotion::reach`] and for a time that is NaN.
     pub fn at(&self, time: f64) -> (f64, f64) {
         if time == 0.0 {
             return self.start;
@@ -192,14 +201,14 @@ impl PendulumMotion {
         let elapsed = Elapsed::since::<true>(0.0, time, 1.0);
         let (half, rate) = self.half_angle(&elapsed);
         let half = libm::atan2(half.im, half.re);
-        // Whole turns of ½θ: am(x) is less than half a turn from z
+        // Number of whole turns of ½θ: am(x) differs from z by less than half a turn.
         let about = self.kernel.as_ref().map_or(0.0, |kernel| kernel.round(time));
         let turns = ((about - half) / (2.0 * PI)).round();
         let angle = self.turns + Double::from(2.0 * half) + (Double::TAU * Double::from(turns)).scaled(2.0);
         (angle.value(), rate)
     }
 
-    /// cos ½θ + i sin ½θ and the rate, after a time.
+    /// Returns cos ½θ + i sin ½θ and the rate, after a time.
     pub(super) fn half_angle(&self, elapsed: &Elapsed<f64>) -> (Complex<f64>, f64) {
         match (&self.kernel, self.kind) {
             (Some(kernel), _) => kernel.at(elapsed),
@@ -218,24 +227,27 @@ impl PendulumMotion {
         }
     }
 
-    /// Suspension, or exactly upside down.
+    /// Returns true if the pendulum is at rest, hanging or exactly upright.
     pub(super) fn is_still(&self) -> bool {
         self.kind == PendulumRegime::Still
     }
 
-    /// What is evaluated; none at rest and on the separatrix.
+    /// Returns the theta functions; `None` at rest and on the separatrix.
     pub(super) const fn kernel(&self) -> Option<&Kernel> {
         self.kernel.as_ref()
     }
 
-    /// x = x₀ + this · t
+    /// Returns the rate of the argument x = x₀ + rate · t, rad/s.
     fn argument_rate(&self) -> Double {
         let is_round = matches!(self.kind, PendulumRegime::Round { .. });
         if is_round { self.modulus * self.frequency } else { self.frequency }
     }
 
-    /// For how long before and after its start the motion is known, s, to 1e-6 rad for inputs that are exact: some 10²⁴ turns, and less
-    /// next to the separatrix. Whether it is on the separatrix two words decide.
+    /// Returns the time before and after the start for which the angle is accurate to 1e-6 rad, for
+    /// exact inputs, s.
+    ///
+    /// It is some 10²⁴ turns, and less near the separatrix. The test for the separatrix itself uses
+    /// two words.
     pub fn reach(&self) -> f64 {
         let half_period = self.parameter.quarter().value() / self.argument_rate().value();
         if self.kind == PendulumRegime::Still || !half_period.is_finite() {
@@ -246,12 +258,13 @@ impl PendulumMotion {
         Drift(uncertain / half_period).reach().max(half_period)
     }
 
-    /// 2ω₀k
+    /// Returns the largest rate 2ω₀k, rad/s.
     fn fastest(&self) -> Double {
         self.frequency.scaled(2.0) * self.modulus
     }
 
-    /// The period of an oscillation, or the time of one turn, s; `None` for a pendulum that stands still or never returns.
+    /// Returns the period of an oscillation, or the time of one turn of a rotation, s; `None` at
+    /// rest and on the separatrix.
     pub fn period(&self) -> Option<f64> {
         let (quarters, rate) = match self.kind {
             PendulumRegime::Still => return None,
@@ -263,11 +276,11 @@ impl PendulumMotion {
     }
 }
 
-/// Beyond it an angle's rounding is as large as a radian.
+/// Bound on the start's angle, rad. Beyond it, f64 rounding of the angle is of order 1 rad.
 const FARTHEST: f64 = 1e15;
 
-/// Of half a turn, relative: 2⁻¹⁰⁰.
+/// Relative uncertainty of half a period: 2⁻¹⁰⁰.
 const TWO_WORDS: f64 = 1e-30;
 
-/// k² and 1/k² stay in the range where products keep both words.
+/// Bound on θ̇/2ω₀. Within it, products of k² and 1/k² keep both words.
 const FASTEST: f64 = 1e140;

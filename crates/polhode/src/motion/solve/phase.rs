@@ -1,4 +1,4 @@
-//! Angles that grow linearly with time, reduced without losing a digit.
+//! Phases that grow linearly with time, reduced modulo a turn at full precision.
 
 use crate::math::complex::Complex;
 use crate::math::double::Double;
@@ -6,32 +6,34 @@ use crate::math::elementary::{sin_cos_quarters, split};
 use crate::math::number::Splat;
 use crate::math::sum::{two_product_of_halves, two_sum, with_halves};
 
-/// f in quarter turns per unit of time, in three words: of a sphere or a permanent rotation the error is still below 10⁻²² of a
-/// turn after 10²⁴ of them; of other bodies f itself is known to 10⁻³¹ of their wobble.
+/// Rate f of a phase in three words, quarter turns per unit time.
+///
+/// The error for a sphere or a permanent rotation is below 10⁻²² of a turn after 10²⁴ turns. For
+/// other bodies f itself is known to 10⁻³¹ of their nutation rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::motion::solve) struct Rate<T> {
-    /// The first word and its halves.
+    /// First word, and its two halves for exact products.
     first: [T; 3],
     second: T,
     pub(in crate::motion::solve) third: T,
 }
 
-/// A time in two words, the difference of two times.
+/// Elapsed time in two words: the exact difference of two times.
 ///
-/// Where the second word is known to be zero, as from a start at t = 0, `WHOLE` leaves out what would only add zeros: the
-/// same bits in less time.
+/// The const parameter `WHOLE` is true if the second word is known to be zero, as for a start at t
+/// = 0. The code then omits the terms with this word: same bits, less time.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::motion::solve) struct Elapsed<T> {
     high: T,
     low: T,
 }
 
-/// An angle: a whole number of quarter turns, and the rest.
+/// Phase: a whole number of quarter turns, and a remainder.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::motion::solve) struct Phase<T> {
-    /// The whole number, modulo 4, in the last two bits.
+    /// Whole number of quarter turns, modulo 4 in the last two bits.
     pub(in crate::motion::solve) quarters: T,
-    /// Quarter turns, within ½ but for the last digits.
+    /// Remainder in quarter turns, between −½ and ½ up to rounding.
     pub(in crate::motion::solve) rest: T,
 }
 
@@ -42,7 +44,7 @@ impl Elapsed<f64> {
 }
 
 impl<T: Splat> Elapsed<T> {
-    /// time − start, exactly, times `unit`, a power of two.
+    /// Returns time − start exactly, times `unit`, a power of two.
     #[inline(always)]
     pub(in crate::motion::solve) fn since<const WHOLE: bool>(start: T, time: T, unit: T) -> Self {
         let (high, low) = if WHOLE { (time, T::splat(0.0)) } else { two_sum(time, -start) };
@@ -54,24 +56,25 @@ impl<T: Splat> Elapsed<T> {
         Self { high: T::splat(0.0), low: T::splat(0.0) }
     }
 
-    /// True if no lane's is longer.
+    /// Returns true if the time in no lane is longer than `reach`.
     #[inline(always)]
     pub(in crate::motion::solve) fn is_within(&self, reach: T) -> bool {
         self.high.within(reach)
     }
 
-    /// A span so long that only what is at rest is known there counts as none.
+    /// Replaces times longer than `LONGEST` by zero. Only a body at rest is known so far from its
+    /// start.
     fn with_digits(&self) -> Self {
         let within = |span: f64, word: f64| if span.abs() < LONGEST { word } else { 0.0 };
         Self { high: self.high.zip(self.high, within), low: self.high.zip(self.low, within) }
     }
 }
 
-/// No product overflows yet.
+/// Largest time, and largest reach, for which no product overflows.
 const LONGEST: f64 = 1e280;
 
 impl<T: Splat> Phase<T> {
-    /// An angle in two words, and a start within a turn.
+    /// Reduces a phase in two words, plus the phase of the start, which is within a turn.
     #[inline(always)]
     pub(in crate::motion::solve) fn of((high, low): (T, T), start: Option<[T; 2]>) -> Self {
         let (high, low) = match start {
@@ -85,14 +88,14 @@ impl<T: Splat> Phase<T> {
         Self { quarters, rest: (high - whole) + low }
     }
 
-    /// cos + i sin
+    /// Returns cos + i sin of the phase.
     #[inline(always)]
     pub(in crate::motion::solve) fn unit(self) -> Complex<T> {
         let (im, re) = sin_cos_quarters(self.quarters, self.rest);
         Complex { re, im }
     }
 
-    /// + an angle of some quarter turns.
+    /// Adds an angle of a few quarter turns.
     #[inline(always)]
     pub(in crate::motion::solve) fn plus(self, angle: T) -> Self {
         let sum = self.rest + angle;
@@ -102,7 +105,7 @@ impl<T: Splat> Phase<T> {
 }
 
 impl Rate<f64> {
-    /// The same in every lane.
+    /// Copies the rate to every lane.
     #[inline(always)]
     pub(in crate::motion::solve) fn splat<T: Splat>(&self) -> Rate<T> {
         let Self { first, second, third } = *self;
@@ -121,20 +124,20 @@ impl<T: Splat> Rate<T> {
         Self { first: with_halves(first), second, third }
     }
 
-    /// The longest time that counts as short: what it turns needs no more than two words.
+    /// Returns the longest time that counts as short: two words suffice for its phase.
     #[inline(always)]
     pub(in crate::motion::solve) fn reach(&self) -> T {
         self.first[0].map(|first| (MANY / first.abs()).min(LONGEST))
     }
 
-    /// f t in two words: of times within [`Rate::reach`]; `LONG` for others too.
+    /// Returns f t in two words. Times must be within [`Rate::reach`] unless `LONG` is set.
     #[inline(always)]
     pub(in crate::motion::solve) fn quarters<const WHOLE: bool, const LONG: bool>(
         &self,
         t: &Elapsed<T>,
         reach: T,
     ) -> (T, T) {
-        // Of the third word and of the second product's error nothing would be seen.
+        // The third word and the error of the second product are below rounding.
         let (high, error) = two_product_of_halves(with_halves(t.high), self.first);
         let mut low = error + t.high * self.second;
         if !WHOLE {
@@ -149,10 +152,10 @@ impl<T: Splat> Rate<T> {
         (short.zip3(high, long_high, choose), short.zip3(low, long_low, choose))
     }
 
-    /// f t but for whole turns, in two words of which the second is small, when each product and its error may be many turns of
-    /// their own.
+    /// Returns f t minus whole turns, in two words of which the second is small. Each product, and
+    /// its rounding error, may be many turns.
     #[cold]
-    #[inline(never)] // once, and not in every width of vectors
+    #[inline(never)] // compiled once, not for every vector width
     fn of_long_times(&self, t: &Elapsed<T>) -> (T, T) {
         let t = t.with_digits();
         let (p0, e0) = two_product_of_halves(with_halves(t.high), self.first);
@@ -166,38 +169,39 @@ impl<T: Splat> Rate<T> {
     }
 }
 
-/// In quarter turns, some 10⁹ turns: what is left in a second word is still small beside one.
+/// Largest phase of a short time, quarter turns: about 10⁹ turns. The rounding error of the second
+/// word is then still far below one quarter turn.
 const MANY: f64 = 8_589_934_592.0;
 
-/// x modulo 4, nearest to zero: exact.
+/// Returns x modulo 4, between −2 and 2, exactly.
 #[inline(always)]
 fn modulo_turn<T: Splat>(x: T) -> T {
     x - T::splat(4.0) * (T::splat(0.25) * x).nearest()
 }
 
-/// An angle that is linear in time, in quarter turns.
+/// Phase that is linear in time, in quarter turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::motion::solve) struct Angle {
     rate: Rate<f64>,
     start: [f64; 2],
-    /// The longest time that needs no more than two words.
+    /// Longest time for which two words suffice.
     pub(in crate::motion::solve) reach: f64,
 }
 
 impl Angle {
-    /// Of a rate and a start in quarter turns.
+    /// Creates the phase from its rate and its value at the start, quarter turns.
     pub(in crate::motion::solve) fn of(rate: Double, start: Double) -> Self {
         let rate = Rate::of([rate.high, rate.low], 0.0);
         Self { rate, start: [start.high, start.low], reach: rate.reach() }
     }
 
-    /// To rounding, not reduced, quarter turns.
+    /// Returns the phase in one word, not reduced, quarter turns.
     #[inline(always)]
     pub(in crate::motion::solve) fn quarters(&self, elapsed: &Elapsed<f64>) -> f64 {
         self.rate.first[0] * elapsed.high + self.start[0]
     }
 
-    /// To rounding, not reduced, rad.
+    /// Returns the phase in one word, not reduced, rad.
     pub(in crate::motion::solve) fn about(&self, time: f64) -> f64 {
         core::f64::consts::FRAC_PI_2 * (self.rate.first[0] * time + self.start[0])
     }

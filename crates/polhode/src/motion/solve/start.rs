@@ -1,4 +1,4 @@
-//! What must hold before a motion begins.
+//! Conditions on the inputs that are checked before a motion begins.
 
 use super::limits::MOST_STEPS;
 use crate::motion::error::MotionError;
@@ -7,8 +7,10 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 
+/// Checks that the times are finite and in ascending order, not before `start`.
+///
 /// # Errors
-/// A parameter's error ([`MotionError::is_parameter`]) if a time is not finite, or before the one that precedes it.
+/// A parameter error ([`MotionError::is_parameter`]) for the first time that is not.
 pub(crate) fn require_ascending(start: f64, times: &[f64]) -> Result<(), MotionError> {
     let mut last = start;
     for &value in times {
@@ -19,10 +21,12 @@ pub(crate) fn require_ascending(start: f64, times: &[f64]) -> Result<(), MotionE
     Ok(())
 }
 
-/// No step goes across the beginning of a pulse: so many of them would take for ever, and there is no need to begin.
+/// Checks the number of pulses between two times. A step ends at the beginning of every pulse, so
+/// the number of steps would exceed the limit.
 ///
 /// # Errors
-/// [`MotionError::TooManyPulses`] of all torques that do not stay off, and of the wheels' motors.
+/// [`MotionError::TooManyPulses`] if the pulses of the wheels' motors and of all torques that do
+/// not stay off exceed the limit.
 pub(crate) fn require_few_pulses(
     rotor: &Rotor,
     torques: &[TorqueModel],
@@ -45,7 +49,8 @@ pub(crate) fn require_few_pulses(
     Err(MotionError::TooManyPulses { torque: densest.0, count: sum, most: MOST_STEPS })
 }
 
-/// A start is input: what is wrong with it is not the computation's fault.
+/// Checks that start and torques are finite there. The start is an input, so the error names the
+/// input and not the computation.
 pub(crate) fn require_finite(
     rotor: &Rotor,
     torques: &[TorqueModel],
@@ -63,7 +68,7 @@ pub(crate) fn require_finite(
         require::finite(what, value)?;
     }
     for (k, torque) in torques.iter().enumerate() {
-        // One that is scheduled for later may still be no number now.
+        // A torque that begins later may be NaN or infinite already now.
         let model = torque.acting(start.time).unwrap_or(torque);
         if !model.scale(rotor, start).is_finite() && !switched_off.contains(&k) {
             let value = model.torque(rotor, start).to_array();

@@ -1,4 +1,5 @@
-//! A body that swings about a principal axis of its own, level across gravity: a compound pendulum without a hinge.
+//! Compound pendulum: a body that swings about one of its principal axes, which is horizontal. The
+//! body needs no hinge.
 
 use crate::math::complex::Complex;
 use crate::math::double::Double;
@@ -17,29 +18,33 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::gravity::UniformGravity;
 
-/// The motion of a body held at a pivot that turns about a principal axis n through it, where n is across gravity and across
-/// the arm of the centre of mass: the torque is along n, and so ω stays along it.
+/// Motion of a body held at a pivot that rotates about a principal axis n through the pivot.
+///
+/// n must be perpendicular to gravity and to the arm of the centre of mass. The torque is then
+/// along n, and ω stays along n.
 ///
 /// # Accuracy
-/// 5·10⁻¹⁶ rad within a hundredth of [`SwingingBody::reach`] and less, for a body that meets these conditions exactly. What meets them to rounding only (4 ε) is taken
-/// to meet them; a turn about the intermediate axis is unstable, and the true motion then leaves the plane in time.
+/// 5·10⁻¹⁶ rad up to a hundredth of [`SwingingBody::reach`], if these conditions hold exactly. A
+/// body that satisfies them only to rounding (4 ε) is treated as if it satisfied them. Rotation
+/// about the intermediate axis is unstable, so the true motion of such a body leaves the plane in
+/// time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SwingingBody {
     start: State,
     axis: [f64; 3],
     motion: PendulumMotion,
-    /// From cos ½θ and sin ½θ to the attitude.
+    /// Matrix from cos ½θ and sin ½θ to the attitude.
     attitude: [[f64; 2]; 4],
 }
 
-/// A part of a vector or tensor that is rounding.
+/// Tolerance of the conditions on vectors and tensor, relative.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 impl SwingingBody {
-    /// The motion that starts from a state.
+    /// Returns the motion that starts from a state.
     ///
     /// # Errors
-    /// [`MotionError::NoClosedForm`] for a body or start that does not swing so.
+    /// [`MotionError::NoClosedForm`] if body or start do not satisfy these conditions.
     pub fn of(rotor: &Rotor, gravity: &UniformGravity, start: State) -> Result<Self, MotionError> {
         let no = |why| Err(MotionError::NoClosedForm { why });
         if !rotor.wheels().is_empty() {
@@ -49,7 +54,8 @@ impl SwingingBody {
         let l: Direction<Body> = rotor.lever().as_quantity();
         let torque: Direction<Body> = l.cross(g);
         let moving: Direction<Body> = start.omega.as_quantity();
-        // A torque that is rounding has no direction: a body at rest then hangs, or stands, and may as well swing about any axis.
+        // A torque of the size of rounding has no direction. A body at rest then hangs or stands
+        // upright and may swing about any axis.
         let is_torque = torque.norm() > ROUNDING * l.norm() * g.norm();
         let across_both = |n: &Direction<Body>| {
             n.dot(l).abs() <= ROUNDING * l.norm() && n.dot(g).abs() <= ROUNDING * g.norm()
@@ -73,10 +79,10 @@ impl SwingingBody {
         Ok(Self::about(n.to_array(), rotor, gravity, start))
     }
 
-    /// With every number in two words, as a long time multiplies its rounding.
+    /// Computes the constants in two words, because a long time multiplies their rounding errors.
     fn about(n: [f64; 3], rotor: &Rotor, gravity: &UniformGravity, start: State) -> Self {
         let words = |v: [f64; 3]| v.map(Double::from);
-        // n again in two words, from ω where that gave it
+        // n in two words, from ω if the body rotates
         let exact = if start.omega.norm() > 0.0 {
             start.omega.to_array().map(|w| w / start.omega.max_abs())
         } else {
@@ -106,7 +112,7 @@ impl SwingingBody {
         let length = (half[0].square() + half[1].square()).sqrt();
         let half = Complex { re: half[0] / length, im: half[1] / length };
         let rate = dot(words(start.omega.to_array()), n);
-        // Turned about n by ½θ less that of the start
+        // Attitude rotated about n by ½θ minus its value at the start.
         let turned = |half_turn: Complex<Double>| {
             let [x, y, z] = scaled(n, half_turn.im);
             attitude.times(Quaternion([half_turn.re, x, y, z])).0.map(Double::value)
@@ -121,17 +127,19 @@ impl SwingingBody {
         }
     }
 
-    /// The state that it starts from.
+    /// Returns the state at the start.
     pub const fn start(&self) -> State {
         self.start
     }
 
-    /// For how long before and after its start the motion is known, s: as [`PendulumMotion::reach`].
+    /// Returns the time before and after the start for which the motion is known, s:
+    /// [`PendulumMotion::reach`].
     pub fn reach(&self) -> f64 {
         self.motion.reach()
     }
 
-    /// The state at a time, s, before the start too; not a number beyond [`SwingingBody::reach`], and at a time that is none.
+    /// Returns the state at a time, s, which may be before the start. ω and attitude are NaN beyond
+    /// [`SwingingBody::reach`] and for a time that is NaN.
     #[must_use]
     pub fn at(&self, time: f64) -> State {
         if time == self.start.time {
@@ -148,7 +156,8 @@ impl SwingingBody {
         State { time, attitude: Rotation::from_unit(attitude), omega: AngularVelocity::from_array(omega) }
     }
 
-    /// The states at some times, in their order: each with the bits of [`SwingingBody::at`], several times as fast.
+    /// Returns the states at many times (s), in their order. Each is bit-identical to
+    /// [`SwingingBody::at`]; the computation is several times faster.
     #[must_use]
     pub fn at_times(&self, times: &[f64]) -> Vec<State> {
         let Some(kernel) = self.motion.kernel() else {
@@ -164,18 +173,18 @@ impl SwingingBody {
         )
     }
 
-    /// Quaternion and ω by cos ½θ + i sin ½θ and the rate.
+    /// Returns quaternion and ω from cos ½θ + i sin ½θ and the rate.
     #[inline(always)]
     fn turned<T: Splat>(&self, (half, rate): (Complex<T>, T)) -> ([T; 4], [T; 3]) {
         let [a0, a1, a2, a3] = &self.attitude;
         let (w, x, y, z) = (dot2(a0, half), dot2(a1, half), dot2(a2, half), dot2(a3, half));
-        // The norm's last digits by 1/√n = (3 − n)/2 for n near 1.
+        // Correct the last digits of the norm by 1/√n = (3 − n)/2 for n near 1.
         let k = T::splat(1.5) - T::splat(0.5) * ((w * w + x * x) + (y * y + z * z));
         let [n0, n1, n2] = self.axis;
         ([w * k, x * k, y * k, z * k], [T::splat(n0) * rate, T::splat(n1) * rate, T::splat(n2) * rate])
     }
 
-    /// The pendulum's angle and rate.
+    /// Returns the motion of the pendulum's angle.
     pub const fn motion(&self) -> &PendulumMotion {
         &self.motion
     }

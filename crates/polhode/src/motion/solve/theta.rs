@@ -1,15 +1,20 @@
-//! Jacobi's theta functions on a line parallel to the real axis, by the shorter of two series: for motions that are their quotients.
+//! Jacobi's theta functions on a line parallel to the real axis, for motions that are quotients of
+//! them. The shorter of two series is used.
 //!
-//! With E = e^2iz, the nome q = e^−πt, t = K′/K, and s = e^−2w, 0 ≤ w ≤ ½πt,
+//! Let E = e^2iz, the nome q = e^−πt with t = K′/K, s = e^−2w with 0 ≤ w ≤ ½πt, and
 //!
-//! N(z) = Σ εⁿ q^(n²+n) s⁻ⁿ Eⁿ over all integers n
+//! N(z) = Σ εⁿ q^(n²+n) s⁻ⁿ Eⁿ over all integers n.
 //!
-//! is e^−iz iθ₁(z − iw) for ε = −1 and e^−iz θ₂(z − iw) for ε = 1, but for a constant. It is 1 + εs/E + …, and so does not wind about 0.
-//! Where q is not small, Jacobi's imaginary transformation (DLMF 20.7.30–33) makes of it a series in Q = e^−π/t:
+//! Up to a constant factor, N is e^−iz iθ₁(z − iw) for ε = −1 and e^−iz θ₂(z − iw) for ε = 1. It is
+//! 1 + εs/E + …, so its winding number about 0 is zero.
 //!
-//! N(z) ∝ e^−z²/πt e^−2iby/π θ(iy − b | Q),  y = z/t,  b = ½π − w/t,  θ = θ₂ for ε = −1 and θ₃ for ε = 1.
+//! If q is not small, Jacobi's imaginary transformation (DLMF 20.7.30–33) gives a series in Q =
+//! e^−π/t:
 //!
-//! The Gauss function is left out here, of θ₄(z) too: quotients do not have it.
+//! N(z) ∝ e^−z²/πt e^−2iby/π θ(iy − b | Q),  y = z/t,  b = ½π − w/t,
+//!
+//! with θ = θ₂ for ε = −1 and θ₃ for ε = 1. The Gaussian factor is omitted here, for θ₄(z) too,
+//! because it cancels in quotients.
 
 use crate::math::complex::Complex;
 use crate::math::double::Double;
@@ -19,59 +24,63 @@ use crate::math::number::Splat;
 
 use super::phase::Phase;
 
-/// The theta functions of a parameter m, by the series that is short.
+/// Theta functions of a parameter m, by the shorter series.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lattice {
-    /// t = K′/K
+    /// t = K′/K.
     ratio: Double,
-    /// π/2K
+    /// π/2K.
     scale: Double,
-    /// m₁, for the shifts.
+    /// Elliptic functions of the complementary parameter m₁, for the shifts w.
     complementary: EllipticParameter,
     series: ThetaSeries,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum ThetaSeries {
-    /// By q.
+    /// Series in q.
     Trigonometric { nome: f64 },
-    /// By Q; y is `stretch` times the quarter turns of z.
+    /// Series in Q. y is `stretch` times z in quarter turns.
     Hyperbolic { nome: f64, stretch: f64 },
 }
 
-/// z as the series take it.
+/// Functions of z in the form that the series take.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum SeriesArgument<T> {
     /// cos z and sin z; C = 2 cos 2z and sin 2z.
     Trigonometric { cos: T, sin: T, c: T, s: T },
-    /// x = e^−2|y| and its root, w = Q/x; the sign of y, and that of cos z for |y| counted over several periods.
+    /// x = e^−2|y| and its root; w = Q/x; the sign of y; `turned`, the sign of cos z with |y|
+    /// counted over several periods.
     Hyperbolic { root: T, x: T, w: T, sign: T, turned: T, quarters: T },
 }
 
-/// N of one w and ε, or its complex conjugate.
+/// N for one w and ε, or its complex conjugate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Shifted {
     coefficients: Coefficients,
-    /// What its phase has besides, in quarter turns per quarter turn of z.
+    /// Additional phase of N, in quarter turns per quarter turn of z.
     bend: f64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Coefficients {
-    /// Re N and Im N/sin 2z as polynomials of C.
+    /// Re N and Im N/sin 2z, as polynomials in C.
     Trigonometric { real: [f64; 5], imaginary: [f64; 4] },
-    /// Of Wⁿ and of Xⁿ, for the real and for the imaginary part; whether √X multiplies all, or X the second.
+    /// Coefficients of Wⁿ and of Xⁿ, for the real and the imaginary part. If `is_even`, √X
+    /// multiplies both sums; otherwise X multiplies the second.
     Hyperbolic { rising: [[f64; 4]; 2], falling: [[f64; 4]; 2], is_even: bool },
 }
 
-/// The largest nome for which series of five terms have all digits; Q is then below 0.014.
+/// Largest nome for which the trigonometric series with five terms has full precision. Q is then
+/// below 0.014.
 const BALANCE: f64 = 0.1;
 
-/// A parameter below it is taken for it: of the nome nothing is seen, and K′ is finite.
+/// Lower bound on the parameter m: smaller values are replaced by it. The nome is then negligible,
+/// and K′ stays finite.
 const LEAST: f64 = 1e-280;
 
 impl Lattice {
-    /// Of a parameter below 1.
+    /// Computes the constants for a parameter below 1.
     pub(super) fn of(parameter: &EllipticParameter) -> Self {
         let [m, m1] = parameter.words();
         let m = if m.high > LEAST { m } else { Double::from(LEAST) };
@@ -87,18 +96,19 @@ impl Lattice {
         Self { ratio, scale: quarter_turn() / parameter.quarter(), complementary, series }
     }
 
-    /// ½πt, the largest w.
+    /// Returns ½πt, the largest shift w.
     pub(super) fn largest_shift(&self) -> Double {
         self.ratio * quarter_turn()
     }
 
-    /// w = π F(φ|m₁)/2K by tan φ = sin/cos, 0 ≤ φ ≤ ½π.
+    /// Returns the shift w = π F(φ|m₁)/2K for tan φ = sin/cos, 0 ≤ φ ≤ ½π.
     pub(super) fn shift(&self, sin: Double, cos: Double) -> Double {
         let length = (sin.square() + cos.square()).sqrt();
         self.complementary.first(sin / length, cos / length) * self.scale
     }
 
-    /// N of a w with ε = 1 or, not `is_even`, ε = −1; with `is_conjugate` its complex conjugate.
+    /// Returns N for a shift w, with ε = 1 if `is_even` and ε = −1 otherwise. `is_conjugate`
+    /// selects the complex conjugate.
     pub(super) fn shifted(&self, w: Double, is_even: bool, is_conjugate: bool) -> Shifted {
         let sign = if is_conjugate { -1.0 } else { 1.0 };
         match self.series {
@@ -116,7 +126,7 @@ impl Lattice {
         }
     }
 
-    /// z, in quarter turns.
+    /// Returns the functions of z that the series need.
     #[inline(always)]
     pub(super) fn place<T: Splat>(&self, z: Phase<T>) -> SeriesArgument<T> {
         match self.series {
@@ -141,7 +151,8 @@ impl Lattice {
                         (quarters.to_bits() & 2 == 2) ^ (is_odd(quarters) & rest.is_sign_positive());
                     if is_turned { -1.0 } else { 1.0 }
                 });
-                // The exponential from the nearer end of the period; the other by X W = Q
+                // Exponential from the nearer end of the period; the other one follows from X W =
+                // Q.
                 let (near, rise) = exp_both(T::splat(stretch) * z.rest.map(f64::abs));
                 let far = T::splat(nome.sqrt()) * rise;
                 let choose = |quarters: f64, a: f64, b: f64| if is_odd(quarters) { b } else { a };
@@ -158,7 +169,7 @@ impl Lattice {
         }
     }
 
-    /// e^2ikz
+    /// Returns e^2ikz.
     #[inline(always)]
     pub(super) fn power<T: Splat>(&self, place: &SeriesArgument<T>, k: i8) -> Complex<T> {
         let first = match *place {
@@ -169,14 +180,16 @@ impl Lattice {
         if k.abs() > 1 { first.times(first) } else { first }
     }
 
-    /// θ₁, θ₂ and θ₃ of z, but for constants: over θ₄ they are sn, cn and dn.
+    /// Returns θ₁, θ₂ and θ₃ of z up to constants. Divided by θ₄ they are proportional to sn, cn
+    /// and dn.
     #[inline(always)]
     pub(super) fn numerators<T: Splat>(&self, place: &SeriesArgument<T>) -> [T; 3] {
         match (self.series, *place) {
             (ThetaSeries::Trigonometric { nome }, SeriesArgument::Trigonometric { cos, sin, c, .. }) => {
                 let q2 = nome * nome;
                 let (q6, q12) = (q2 * q2 * q2, q2 * q2 * q2 * q2 * q2 * q2);
-                // Σ q^(n²+n) cos (2n+1)z / cos z; of −C that of ±sin (2n+1)z / sin z
+                // Σ q^(n²+n) cos (2n+1)z / cos z; the same polynomial of −C is the sum of ±sin
+                // (2n+1)z / sin z
                 let odd = [1.0 - q2 - q6 + q12, q2 - q6 - 2.0 * q12, q6 - q12, q12];
                 [sin * cubic(&odd, -c), cos * cubic(&odd, c), even_sum(nome, c)]
             }
@@ -196,7 +209,8 @@ impl Lattice {
         }
     }
 
-    /// What makes quotients of them and θ₄ sn, cn and dn: cn and dn are 1 at z = 0, sn at ½π.
+    /// Returns the factors that turn their quotients by θ₄ into sn, cn and dn, from cn = dn = 1 at
+    /// z = 0 and sn = 1 at ½π.
     pub(super) fn quotients(&self) -> [f64; 3] {
         let [zero, quarter] = [0.0, 1.0].map(|quarters| self.place(Phase::of((quarters, 0.0), None)));
         let [sn, ..] = self.numerators(&quarter);
@@ -205,7 +219,7 @@ impl Lattice {
         [at_quarter / sn, at_zero / cn, at_zero / dn]
     }
 
-    /// θ₄(z), as N has its constant and its scale.
+    /// Returns θ₄(z), with the same constant and scale as N.
     #[inline(always)]
     pub(super) fn denominator<T: Splat>(&self, place: &SeriesArgument<T>) -> T {
         match (self.series, *place) {
@@ -220,13 +234,14 @@ impl Lattice {
     }
 }
 
-/// cos ½πx + i sin ½πx, |x| < 2⁵¹.
+/// Returns cos ½πx + i sin ½πx for |x| < 2⁵¹.
 #[inline(always)]
 pub(super) fn unit_of_quarters<T: Splat>(x: T) -> Complex<T> {
     Phase::of((x, T::splat(0.0)), None).unit()
 }
 
-/// fₙ = εⁿ q^(n²) rⁿ and gₙ = εⁿ q^(n²−n) sⁿ, r = q/s: N = 1 + Σ (fₙ Eⁿ + gₙ E⁻ⁿ).
+/// Returns the polynomials of N = 1 + Σ (fₙ Eⁿ + gₙ E⁻ⁿ), where fₙ = εⁿ q^(n²) rⁿ, gₙ = εⁿ q^(n²−n)
+/// sⁿ and r = q/s.
 fn trigonometric(q: f64, [s, r]: [f64; 2], epsilon: f64, sign: f64) -> Coefficients {
     let (mut sums, mut differences) = ([0.0; 4], [0.0; 4]);
     // εⁿ q^(n²−n), qⁿ, sⁿ, rⁿ
@@ -238,19 +253,20 @@ fn trigonometric(q: f64, [s, r]: [f64; 2], epsilon: f64, sign: f64) -> Coefficie
         (sums[n], differences[n]) = (f + g, sign * (f - g));
     }
     let ([s1, s2, s3, s4], [d1, d2, d3, d4]) = (sums, differences);
-    // cos 2z = ½C, cos 4z = ½C² − 1, cos 6z = ½C³ − 1½C, cos 8z = ½C⁴ − 2C² + 1;
-    // over sin 2z: sin 4z C, sin 6z C² − 1, sin 8z C³ − 2C
+    // cos 2z = ½C, cos 4z = ½C² − 1, cos 6z = ½C³ − 1½C, cos 8z = ½C⁴ − 2C² + 1; divided by sin 2z:
+    // sin 4z → C, sin 6z → C² − 1, sin 8z → C³ − 2C
     Coefficients::Trigonometric {
         real: [1.0 - s2 + s4, 0.5 * s1 - 1.5 * s3, 0.5 * s2 - 2.0 * s4, 0.5 * s3, 0.5 * s4],
         imaginary: [d1 - d3, d2 - 2.0 * d4, d3, d4],
     }
 }
 
-/// Times e^−|y|,
+/// Returns the coefficients of the series for y > 0, b in quarter turns. The series are those of θ
+/// times e^−|y|:
 ///
-/// θ₃ = √X (1 + Σ Q^(n²−n) Wⁿ e^2nib + Q^(n²) Xⁿ e^−2nib),  θ₂ = Σ Q^(n²) Wⁿ e^(2n+1)ib + Q^(n²+n) Xⁿ⁺¹ e^−(2n+1)ib,
+/// θ₃ → √X (1 + Σ Q^(n²−n) Wⁿ e^2nib + Q^(n²) Xⁿ e^−2nib),
 ///
-/// for y > 0, b in quarter turns.
+/// θ₂ → Σ Q^(n²) Wⁿ e^(2n+1)ib + Q^(n²+n) Xⁿ⁺¹ e^−(2n+1)ib
 fn hyperbolic(q: f64, b: f64, is_even: bool, sign: f64) -> Coefficients {
     let first = if is_even { 0 } else { 1 };
     let (mut rising, mut falling) = ([[0.0; 4]; 2], [[0.0; 4]; 2]);
@@ -270,7 +286,7 @@ fn hyperbolic(q: f64, b: f64, is_even: bool, sign: f64) -> Coefficients {
 }
 
 impl Shifted {
-    /// N(z).
+    /// Returns N(z) without its additional phase.
     #[inline(always)]
     pub(super) fn at<T: Splat>(&self, place: &SeriesArgument<T>) -> Complex<T> {
         match (&self.coefficients, *place) {
@@ -293,7 +309,7 @@ impl Shifted {
         }
     }
 
-    /// The quarter turns that N's phase has besides, where z is.
+    /// Returns the additional phase of N at z, quarter turns.
     #[inline(always)]
     pub(super) fn bend_at<T: Splat>(&self, place: &SeriesArgument<T>) -> T {
         match *place {
@@ -303,13 +319,13 @@ impl Shifted {
     }
 }
 
-/// The first four terms of a polynomial.
+/// Returns the sum of the first four terms of a polynomial.
 #[inline(always)]
 fn cubic<T: Splat, const N: usize>(c: &[f64; N], x: T) -> T {
     (T::splat(c[0]) + T::splat(c[1]) * x) + (x * x) * (T::splat(c[2]) + T::splat(c[3]) * x)
 }
 
-/// 1 + 2 Σ q^(n²) cos 2nz: θ₃ of C = 2 cos 2z, θ₄ of −C.
+/// Returns 1 + 2 Σ q^(n²) cos 2nz: θ₃ for C = 2 cos 2z, θ₄ for −C.
 #[inline(always)]
 fn even_sum<T: Splat>(q: f64, c: T) -> T {
     let q4 = (q * q) * (q * q);
@@ -319,7 +335,7 @@ fn even_sum<T: Splat>(q: f64, c: T) -> T {
     cubic(&coefficients, c) + (c2 * c2) * T::splat(d)
 }
 
-/// Σ (±1)ⁿ (Q^(n²) Wⁿ ± Q^(n²+n) Xⁿ⁺¹): θ₂ or θ₁ of iy, times e^−|y|.
+/// Returns Σ (±1)ⁿ (Q^(n²) Wⁿ ± Q^(n²+n) Xⁿ⁺¹): θ₂ or θ₁ of iy, times e^−|y|.
 #[inline(always)]
 fn odd_sum<T: Splat>(q: f64, x: T, w: T, sign: f64) -> T {
     let q4 = (q * q) * (q * q);
@@ -328,7 +344,7 @@ fn odd_sum<T: Splat>(q: f64, x: T, w: T, sign: f64) -> T {
     cubic(&rising, w) + x * cubic(&falling, x)
 }
 
-/// e^−x, x ≥ 0.
+/// Returns e^−x for x ≥ 0.
 fn exp_minus(x: Double) -> f64 {
     libm::exp(-x.high) * (1.0 - x.low)
 }

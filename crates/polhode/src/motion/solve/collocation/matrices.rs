@@ -1,4 +1,5 @@
-//! What integrates, analyses and extrapolates functions by their values at the nodes of a step.
+//! Matrices that integrate, analyse and extrapolate functions from their values at the nodes of a
+//! step.
 
 use std::sync::OnceLock;
 
@@ -7,11 +8,12 @@ use super::system::ROOM;
 use crate::math::machine::Machine;
 use crate::math::number::Number as _;
 
-/// Nodes of a step.
+/// Number of nodes of a step.
 pub(super) const NODES: usize = 16;
 pub(super) const HALF: usize = NODES / 2;
 
-/// Values at the nodes: at those of the second half of the step, from the middle on, and at their mirror images.
+/// Values at the nodes of the second half of the step, outwards from the middle, and at their
+/// mirror images.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(super) struct Values(pub(super) [[f64; HALF]; 2]);
@@ -19,7 +21,7 @@ pub(super) struct Values(pub(super) [[f64; HALF]; 2]);
 impl Values {
     pub(super) const NONE: Self = Self([[0.0; HALF]; 2]);
 
-    /// By the numbers of the nodes.
+    /// Reorders values that are given in the order of the nodes.
     fn mirrored(values: &[f64; NODES]) -> Self {
         Self([core::array::from_fn(|k| values[HALF + k]), core::array::from_fn(|k| values[HALF - 1 - k])])
     }
@@ -29,16 +31,20 @@ impl Values {
 #[repr(align(64))]
 struct Column([f64; HALF]);
 
-/// What integrates and analyses values. A function is even about the middle of the step, or odd, and so are its integrals and polynomials: half of
-/// each matrix is zero.
+/// Matrices that integrate and analyse values.
+///
+/// A function is split into parts that are even and odd about the middle of the step. So are its
+/// integrals and its polynomials, and half of each matrix is zero.
 #[derive(Debug)]
 struct Matrices {
     at: Values,
-    /// ∫ from the start of what is even to the nodes after the middle and to those before it, by the sums of mirrored values.
+    /// Integrals of even functions from the start to the nodes after the middle, and to those
+    /// before it. They apply to the sums of mirrored values.
     even: [[Column; HALF]; 2],
-    /// ∫ from the start of what is odd, by differences: it is the same to mirrored nodes.
+    /// Integrals of odd functions from the start. They apply to the differences of mirrored values
+    /// and are equal at mirrored nodes.
     odd: [Column; HALF],
-    /// Coefficients 0, 2, 4 … by sums, and 1, 3, 5 … by differences.
+    /// Legendre coefficients 0, 2, 4 … from the sums, and 1, 3, 5 … from the differences.
     analysis: [[Column; HALF]; 2],
 }
 
@@ -68,14 +74,15 @@ impl Matrices {
     }
 }
 
-/// The sums of mirrored values, and their differences. Numbers that are read from memory are spread over a vector where they are multiplied.
+/// Returns the sums and the differences of mirrored values. They are stored in memory so that a
+/// multiplication can broadcast them to a vector.
 #[inline(always)]
 pub(super) fn by_parity<S: Machine>(s: S, f: &Values) -> Values {
     let (after, before) = (s.load_eight(&f.0[0]), s.load_eight(&f.0[1]));
     Values([s.eight_numbers(after + before), s.eight_numbers(after - before)])
 }
 
-/// y = start + h ∫ f of some variables.
+/// Computes y = start + h ∫ f for the variables in `places`.
 #[inline(always)]
 pub(super) fn integrate<S: Machine>(
     s: S,
@@ -111,7 +118,8 @@ pub(super) fn integrate<S: Machine>(
     }
 }
 
-/// The coefficients of Pₙ(2x − 1) of a function, by the sums and differences of its mirrored values.
+/// Returns the coefficients of Pₙ(2x − 1) of a function, from the sums and differences of its
+/// mirrored values.
 #[inline(always)]
 pub(super) fn coefficients<S: Machine>(s: S, parities: &Values) -> [f64; NODES] {
     let [by_sum, by_difference] = &Matrices::get().analysis;
@@ -129,7 +137,8 @@ pub(super) fn coefficients<S: Machine>(s: S, parities: &Values) -> [f64; NODES] 
     coefficients
 }
 
-/// The rates in a step of length h, `since` the start of one of another length, by the polynomials of that.
+/// Evaluates the rate polynomials of a step of length `length` at the nodes of a step of length h.
+/// The latter begins at the time `since` after the start of the former.
 #[inline(always)]
 pub(super) fn extrapolate<S: Machine>(
     s: S,

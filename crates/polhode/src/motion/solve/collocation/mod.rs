@@ -1,6 +1,8 @@
-//! Collocation: polynomials that satisfy the equations at the nodes of Gauss, of steps that are as long as a polynomial allows.
+//! Gauss collocation: polynomials that satisfy the equations at the Gauss nodes, with steps as long
+//! as the polynomials allow.
 //!
-//! Beside Taylor's series it evaluates the equations alone, at eight nodes of a step at once: where they are smooth and a graph of products is long, it is faster.
+//! The method evaluates only the equations, at eight nodes of a step simultaneously. It is faster
+//! than the Taylor series if the motion is smooth and the graph of products is long.
 
 mod matrices;
 mod nodes;

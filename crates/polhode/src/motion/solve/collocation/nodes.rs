@@ -1,11 +1,12 @@
-//! The nodes of Gauss, and polynomials by their values there.
+//! Gauss nodes, and polynomials from their values at these nodes.
 //!
 //! Source: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, II.7; DLMF 3.5(v), 18.9.
 
-/// The most nodes.
+/// Largest number of nodes.
 const MOST: usize = 16;
 
-/// Gauss's nodes in (0, 1), their weights, and ∫ of each Lagrange polynomial to each node.
+/// Gauss nodes in (0, 1), their weights, and the integrals of each Lagrange polynomial from 0 to
+/// each node.
 #[derive(Clone, Debug)]
 pub(in crate::motion) struct Nodes<const N: usize> {
     pub(in crate::motion) at: [f64; N],
@@ -18,7 +19,7 @@ impl<const N: usize> Nodes<N> {
         const { assert!(N <= MOST) };
         let (mut at, mut weights) = ([0.0; N], [0.0; N]);
         for (k, (node, weight)) in at.iter_mut().zip(&mut weights).enumerate() {
-            // Newton's method from Tricomi's approximation.
+            // Newton's method, started from Tricomi's approximation.
             let mut x = -libm::cos(core::f64::consts::PI * (k as f64 + 0.75) / (N as f64 + 0.5));
             let slope = |x: f64| {
                 let p = legendre_values(x);
@@ -35,7 +36,7 @@ impl<const N: usize> Nodes<N> {
         nodes
     }
 
-    /// ∫₀ᶜ of each Lagrange polynomial.
+    /// Returns ∫₀ᶜ of each Lagrange polynomial.
     pub(super) fn integrals_to(&self, c: f64) -> [f64; N] {
         let here = legendre_integrals(c);
         core::array::from_fn(|k| {
@@ -45,20 +46,20 @@ impl<const N: usize> Nodes<N> {
         })
     }
 
-    /// What the values at the nodes are multiplied by in the coefficient of Pₙ(2x − 1).
+    /// Returns the weights of the values at the nodes in the coefficient of Pₙ(2x − 1).
     pub(super) fn analysis(&self, n: usize) -> [f64; N] {
         core::array::from_fn(|k| {
             (2 * n + 1) as f64 * self.weights[k] * legendre_values(2.0 * self.at[k] - 1.0)[n]
         })
     }
 
-    /// The coefficients of Pₙ(2x − 1) in the polynomial with these values at the nodes.
+    /// Returns the coefficients of Pₙ(2x − 1) in the polynomial with these values at the nodes.
     pub(in crate::motion) fn legendre(&self, values: &[f64; N]) -> [f64; N] {
         core::array::from_fn(|n| self.analysis(n).iter().zip(values).map(|(t, value)| t * value).sum())
     }
 }
 
-/// P₀(x) … Pₙ(x), n the most nodes and one more.
+/// Returns P₀(x), P₁(x), …, up to degree `MOST` + 1.
 pub(super) fn legendre_values(x: f64) -> [f64; MOST + 2] {
     let mut p = [1.0; MOST + 2];
     p[1] = x;
@@ -69,7 +70,7 @@ pub(super) fn legendre_values(x: f64) -> [f64; MOST + 2] {
     p
 }
 
-/// ∫₀ᶜ Pₙ(2x − 1) dx = ½ (Pₙ₊₁ − Pₙ₋₁)/(2n + 1)
+/// Returns ∫₀ᶜ Pₙ(2x − 1) dx = ½ (Pₙ₊₁ − Pₙ₋₁)/(2n + 1).
 pub(super) fn legendre_integrals(c: f64) -> [f64; MOST + 1] {
     let p = legendre_values(2.0 * c - 1.0);
     core::array::from_fn(|n| match n {
@@ -78,7 +79,7 @@ pub(super) fn legendre_integrals(c: f64) -> [f64; MOST + 1] {
     })
 }
 
-/// Σ cₙ Pₙ(2x − 1) by powers of x.
+/// Converts Σ cₙ Pₙ(2x − 1) to powers of x.
 pub(in crate::motion) fn monomials<const N: usize>(legendre: &[f64; N]) -> [f64; N] {
     let mut sum = [0.0; N];
     let (mut before, mut now) = ([0.0; N], [0.0; N]);

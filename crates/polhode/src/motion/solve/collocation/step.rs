@@ -1,10 +1,12 @@
-//! A step: its polynomials, by iteration from those of the step before.
+//! Collocation step: its polynomials, by iteration that starts from those of the previous step.
 //!
-//! y = y₀ + ∫ f is worked out again and again at the nodes (Picard's iteration). In each round the dynamic variables come first and the kinematic ones follow
-//! from them, as ω and then the axes: of an oscillation with frequency Ω round k leaves an error times (Ωh)²/2k(2k − 1), and not Ωh/k.
+//! Picard iteration evaluates y = y₀ + ∫ f repeatedly at the nodes. Each round first updates the
+//! dynamic variables (as ω), then the kinematic ones that follow from them (as the axes). For an
+//! oscillation of frequency Ω, round k multiplies the error by (Ωh)²/2k(2k − 1) instead of Ωh/k.
 //!
-//! Source: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, II.7; B. L. Jones, D. L. Richardson's sweeps of Picard and Chebyshev
-//! are the same iteration: X. Bai, J. L. Junkins, J. Astronaut. Sci. 58 (2011) 583.
+//! Source: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, II.7.
+//! The Picard–Chebyshev iteration is the same method: X. Bai, J. L. Junkins, J. Astronaut. Sci. 58
+//! (2011) 583.
 
 use super::matrices::{HALF, NODES, Values, by_parity, coefficients, extrapolate, integrate};
 use super::nodes::{legendre_integrals, legendre_values};
@@ -14,33 +16,33 @@ use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::number::Number as _;
 use crate::motion::solve::propagate::taylor::length::{rough_exp2, rough_log2};
 
-/// The most rounds of a step; what needs more is too long.
+/// Largest number of rounds of a step. A step that needs more is too long.
 const MOST_ROUNDS: u64 = 40;
-/// The most lengths that are tried.
+/// Largest number of step lengths that are tried.
 const MOST_TRIES: usize = 60;
-/// The last change of an iteration that has converged, relative to sizes.
+/// Convergence threshold: last change of the iteration, relative to the sizes of the variables.
 const CONVERGED: f64 = 5e-16;
 
-/// The motion in a step, and the length of the next one.
+/// Motion in the current step, and length of the next one.
 #[derive(Clone, Debug)]
 pub(in crate::motion) struct Collocation {
     tolerance: f64,
     variables: Variables,
-    /// The places of the kinematic and of the dynamic ones.
+    /// Indices of the kinematic variables. The next field holds those of the dynamic ones.
     kinematic: Vec<usize>,
     dynamic: Vec<usize>,
-    /// How long the next step may be.
+    /// Proposed length of the next step.
     next: f64,
-    /// False before the first step.
+    /// True after the first step.
     is_known: bool,
     now: Box<Polynomials>,
-    /// Room for those of a step that is tried, and for its values.
+    /// Buffer for the polynomials of a trial step. The next field holds its values at the nodes.
     trial: Box<Polynomials>,
     values: Box<NodeValues>,
     work: StepWork,
 }
 
-/// The variables of a step at its nodes, their rates, and sums and differences of these.
+/// Variables of a step at its nodes, their rates, and sums and differences of the latter.
 #[derive(Clone, Debug)]
 struct NodeValues {
     y: [Values; ROOM],
@@ -53,14 +55,14 @@ impl NodeValues {
         Self { y: [Values::NONE; ROOM], f: [Values::NONE; ROOM], parities: [Values::NONE; ROOM] };
 }
 
-/// The motion in a step.
+/// Polynomials of the motion in a step.
 #[derive(Clone, Debug)]
 struct Polynomials {
     start: [f64; ROOM],
     length: f64,
-    /// Of the rates of the variables, by Legendre polynomials.
+    /// Legendre coefficients of the rates of the variables.
     rates: [[f64; NODES]; ROOM],
-    /// The further functions.
+    /// Legendre coefficients of the further functions.
     outputs: [[f64; NODES]; OUTPUTS],
 }
 
@@ -74,7 +76,8 @@ impl Polynomials {
 }
 
 impl Collocation {
-    /// Without a state yet. `tolerance` is of each step, relative to the sizes of the variables.
+    /// Creates the integrator without a state. `tolerance` is per step, relative to the sizes of
+    /// the variables.
     pub(in crate::motion) fn new(system: &impl System, tolerance: f64) -> Self {
         let variables = system.variables();
         Self {
@@ -91,13 +94,13 @@ impl Collocation {
         }
     }
 
-    /// Begins anew, with a step of about this length.
+    /// Restarts with a step of about this length.
     pub(in crate::motion) fn begin(&mut self, length: f64) {
         self.next = length;
         self.is_known = false;
     }
 
-    /// From a state: the length of the step; 0 if there is none.
+    /// Computes a step from a state and returns its length; 0 if no step length succeeds.
     pub(in crate::motion) fn about(
         &mut self,
         system: &impl System,
@@ -111,17 +114,17 @@ impl Collocation {
         in_vectors(Advance { of: self, system, weights, wanted })
     }
 
-    /// A variable at the start of the step.
+    /// Returns variable k at the start of the step.
     pub(in crate::motion) fn start(&self, k: usize) -> f64 {
         self.now.start[k]
     }
 
-    /// The rounds and the rejected trials since this was asked last.
+    /// Returns the evaluations and the rejected trials since the last call.
     pub(in crate::motion) fn take_work(&mut self) -> StepWork {
         core::mem::take(&mut self.work)
     }
 
-    /// The changes of the variables after t.
+    /// Returns the changes of the variables after t.
     pub(in crate::motion) fn changes(&self, t: f64) -> [f64; ROOM] {
         let Polynomials { length, rates, .. } = &*self.now;
         let mut changes = [0.0; ROOM];
@@ -138,47 +141,48 @@ impl Collocation {
         changes
     }
 
-    /// True if a further function does not vanish in the step: |Pₙ| ≤ 1.
+    /// Returns true if further function k certainly has no zero in the step, because |Pₙ| ≤ 1.
     pub(in crate::motion) fn keeps_its_sign(&self, k: usize) -> bool {
         let [mean, others @ ..] = &self.now.outputs[k];
         others.iter().map(|c| c.abs()).sum::<f64>() < mean.abs()
     }
 
-    /// A further function after t.
+    /// Returns further function k after t.
     pub(in crate::motion) fn output(&self, t: f64, k: usize) -> f64 {
         let basis = legendre_values(2.0 * t / self.now.length - 1.0);
         self.now.outputs[k].iter().zip(basis).map(|(c, p)| c * p).sum()
     }
 }
 
-/// What steps cost.
+/// Cost of steps.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::motion) struct StepWork {
-    /// Evaluations of the equations, each at a node.
+    /// Number of evaluations of the equations, one per node.
     pub(in crate::motion) evaluations: u64,
-    /// Trials that were too long.
+    /// Number of rejected trials, which were too long.
     pub(in crate::motion) rejected: u64,
 }
 
-/// What is wanted of a step.
+/// Request for a step.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::motion) struct Wanted {
     pub(in crate::motion) time: f64,
-    /// How long ago the step before began.
+    /// Time from the start of the previous step to that of this one.
     pub(in crate::motion) since: f64,
-    /// How many times as long it is as it would be.
+    /// Factor by which the step is longer than proposed.
     pub(in crate::motion) stretch: f64,
-    /// How long it is at the most.
+    /// Largest length of the step.
     pub(in crate::motion) most: f64,
-    /// The first time of which the state is asked for; before it that at the end of the step matters alone.
+    /// First time at which the state may be evaluated. If the step ends before it, only the state
+    /// at its end matters.
     pub(in crate::motion) first_look: f64,
 }
 
-/// A step from a state.
+/// Computation of a step from a state.
 struct Advance<'a, F> {
     of: &'a mut Collocation,
     system: &'a F,
-    /// One over the sizes of the variables.
+    /// Inverse sizes of the variables.
     weights: [f64; ROOM],
     wanted: Wanted,
 }
@@ -192,7 +196,7 @@ impl<F: System> Work for Advance<'_, F> {
         let Wanted { time, since, stretch, most, first_look } = wanted;
         let mut h = of.next * stretch;
         for _ in 0..MOST_TRIES {
-            // From one time to another.
+            // Round h such that it is the exact difference of two times.
             h = (time + h.min(most)) - time;
             let before = of.is_known.then_some(&*of.now);
             let parts = [&of.kinematic[..], &of.dynamic];
@@ -204,10 +208,12 @@ impl<F: System> Work for Advance<'_, F> {
                 h *= 0.5;
                 continue;
             };
-            // The error within the step is of order NODES + 1. It should be well below what is accepted, as a step that is not costs all of its rounds.
+            // The error within the step is of order NODES + 1. The step aims well below the
+            // tolerance, because a rejected step costs all of its rounds.
             let best = of.tolerance / 200.0;
             let factor = rough_exp2(rough_log2(best / error.max(1e-40)) / (NODES + 1) as f64);
-            // That at the end is of order 2 NODES, as the square of what the polynomial leaves out.
+            // The error at the end is of order 2 NODES, like the square of the truncation error of
+            // the polynomial.
             let at_end = (1e3 * of.tolerance).min(0.1 * of.tolerance.sqrt()).max(of.tolerance);
             if error > if first_look < time + h { of.tolerance } else { at_end } {
                 of.work.rejected += 1;
@@ -225,19 +231,20 @@ impl<F: System> Work for Advance<'_, F> {
     }
 }
 
-/// A step of some length.
+/// Step of a given length.
 struct Trial<'a, F> {
     before: Option<&'a Polynomials>,
     system: &'a F,
     variables: &'a Variables,
-    /// The places of the kinematic and of the dynamic variables.
+    /// Indices of the kinematic and of the dynamic variables.
     parts: [&'a [usize]; 2],
-    /// One over the sizes of the variables.
+    /// Inverse sizes of the variables.
     weights: &'a [f64; ROOM],
 }
 
 impl<F: System> Trial<'_, F> {
-    /// Works out its polynomials, and returns its rounds and its error; no error if the iteration does not converge.
+    /// Computes the polynomials. Returns the number of rounds and the error; `None` if the
+    /// iteration does not converge.
     #[inline(always)]
     #[allow(
         clippy::redundant_closure_for_method_calls,
@@ -253,7 +260,7 @@ impl<F: System> Trial<'_, F> {
         let Variables { count, kinematic, dynamic, quadratures, outputs } = self.variables;
         let [kinematic_places, dynamic_places] = self.parts;
         let NodeValues { y, f, parities } = values;
-        // The nodes before the middle converge before those after it.
+        // The nodes before the middle converge earlier than those after it.
         let mut goes_on = [true; 2];
         for (values, start) in y.iter_mut().zip(to.start) {
             *values = Values([[start; HALF]; 2]);
@@ -291,7 +298,7 @@ impl<F: System> Trial<'_, F> {
                 if goes_on[half] {
                     let [a, b, c, d, e, f, g, i] = s.eight_numbers(of_kinematic[half] + of_dynamic[half]);
                     let (now, last) = (h * (((a + b) + (c + d)) + ((e + f) + (g + i))).sqrt(), last[half]);
-                    // The next change would be less by the same factor, at least.
+                    // The next change will be smaller by at least the same factor.
                     let next = if rounds > 1 { now * (now / last).min(1.0) } else { now };
                     goes_on[half] = !(next < CONVERGED || now < 1e-13 && now > 0.3 * last);
                     change[half] = now;
@@ -324,7 +331,8 @@ impl<F: System> Trial<'_, F> {
         }
         to.length = h;
         let (mut last, mut before) = (0.0_f64, 0.0_f64);
-        // First all of them: what is read from memory is spread over vectors.
+        // Store all of them first: a multiplication can then broadcast them from memory to a
+        // vector.
         for (parities, f) in parities.iter_mut().zip(f.iter()).take(*count) {
             *parities = by_parity(s, f);
         }
@@ -336,13 +344,14 @@ impl<F: System> Trial<'_, F> {
             before = before.max(weight * a.abs()).max(weight * b.abs());
             last = last.max(weight * c.abs()).max(weight * d.abs());
         }
-        // The first term that is left out, integrated.
+        // Estimate of the first truncated term, integrated.
         let ratio = if last < before { (last / before).sqrt() } else { 1.0 };
         let error = last * ratio / (2 * NODES + 2) as f64;
         (rounds, error.is_finite().then_some(error))
     }
 
-    /// Works out the rates of a part at the nodes of some halves, and returns squares of their changes.
+    /// Computes the rates of one part of the variables at the nodes of the given halves. Returns
+    /// the squares of their changes.
     #[inline(always)]
     fn evaluate<S: Machine, const N: usize>(
         &self,
@@ -372,7 +381,7 @@ impl<F: System> Trial<'_, F> {
     }
 }
 
-/// One, and the variables at the nodes of a half.
+/// Returns the constant 1 and the variables at the nodes of a half.
 #[inline(always)]
 fn loaded<S: Machine>(s: S, y: &[Values; ROOM], half: usize) -> (Side<S::Eight>, [Side<S::Eight>; ROOM]) {
     let one = Side(s.eight(1.0));

@@ -1,45 +1,48 @@
-//! One Cayley–Klein parameter of a heavy top, P or Q, over its nutation.
+//! One Cayley–Klein parameter Z of a heavy top (P or Q) as a function of its nutation.
 //!
-//! |Z|² = ½y, y = 1 ± cos θ = y₁ cn² + y₂ sn², and its phase advances by ½(b ± a)∫dt/y beside a constant rate. With
-//! h = (b ± a)/2λ the integral is of the third kind,
+//! |Z|² = ½y with y = 1 ± cos θ = y₁ cn² + y₂ sn². Its phase advances by ½(b ± a)∫dt/y, in addition
+//! to a constant rate. With h = (b ± a)/2λ the integral is of the third kind:
 //!
-//! Z = √(½y) exp(i (h/y₁) Π(n; x)),  n = 1 − y₂/y₁,
+//! Z = √(½y) exp(i (h/y₁) Π(n; x)),  n = 1 − y₂/y₁.
 //!
-//! and, by the change of the characteristic n to N = m/n (DLMF 19.7.8), which takes an arctangent out of it,
+//! The change of the characteristic from n to N = m/n (DLMF 19.7.8) splits off an arctangent:
 //!
 //! Z = (A cn dn + iG sn)/q · exp(i ρ),  q² = cn² + N₁ sn²,  A² = ½y₁,  G² = ½ y₂|y₃|/(v₁ − v₃),
 //!
-//! N₁ = 1 − N = |y₃|/(v₁ − v₃). The second form passes smoothly through the vertical, where y₁ or y₂ is 0 and the first has
-//! an infinite rate; the first is smooth where the third root is the vertical. The smaller of |n| and |N| decides.
+//! where N₁ = 1 − N = |y₃|/(v₁ − v₃). The second form is smooth through the vertical. There y₁ or
+//! y₂ is 0, and the first form has an infinite rate. The first form is smooth where the third root
+//! is the vertical. The form with the smaller of |n| and |N| is used.
 //!
-//! Source: the parameters as theta functions, Klein & Sommerfeld, Über die Theorie des Kreisels, ch. VI; this form is ours.
+//! Source: Klein & Sommerfeld, Über die Theorie des Kreisels, ch. VI, for the parameters as theta
+//! functions. The form used here was derived for polhode.
 
 use crate::math::complex::Complex;
 use crate::math::double::Double;
 use crate::math::elliptic::{Amplitude, EllipticParameter, unit};
 
-/// Z as a function of x, with Z* = √(½y) or (A cn dn + iG sn)/q real and positive at x = 0.
+/// Z as a function of x. At x = 0 the factor √(½y) or (A cn dn + iG sn)/q is real and positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct CayleyKlein {
     form: Form,
     h: Double,
-    /// The phase: linear · x + third · ⅓ sn³ R_J(cn², dn², 1, cn² + n₁ sn²), continued.
+    /// Coefficients of the phase, linear · x + third · ⅓ sn³ R_J(cn², dn², 1, cn² + n₁ sn²),
+    /// continued over all periods.
     linear: Double,
     third: Double,
     n1: Double,
-    /// ⅓ R_J over a quarter turn.
+    /// ⅓ R_J over a quarter period.
     complete: Double,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Form {
-    /// √(½y)
+    /// Form √(½y).
     Modulus { y1: Double, y2: Double },
-    /// (A cn dn + iG sn)/q
+    /// Form (A cn dn + iG sn)/q.
     Product { a: Double, g: Double },
 }
 
-/// A value and its rate of change with x.
+/// Value and derivative with respect to x.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct QuaternionJet {
     pub(super) value: Complex<Double>,
@@ -47,7 +50,7 @@ pub(super) struct QuaternionJet {
 }
 
 impl CayleyKlein {
-    /// y₁, y₂ and |y₃|; y₁ − y₂ with its sign; v₁ − v₃; h.
+    /// Chooses the form. Arguments: [y₁, y₂, |y₃|]; y₁ − y₂ with its sign; v₁ − v₃; h.
     pub(super) fn new(
         [y1, y2, y3]: [Double; 3],
         falls: Double,
@@ -55,7 +58,8 @@ impl CayleyKlein {
         h: Double,
         parameter: &EllipticParameter,
     ) -> Self {
-        // |n| ≤ |N|, by 1 − n = y₂/y₁ and 1 − N: both are below 1 where y falls, and above 1 where it rises.
+        // |n| ≤ |N|, from 1 − n = y₂/y₁ and 1 − N: both are below 1 if y decreases, and above 1 if
+        // it increases.
         let (n1, other) = (y2 * spread, y3 * y1);
         let modulus = y1.high > 0.0 && if falls.high >= 0.0 { n1 >= other } else { n1 <= other };
         let (form, linear, third, n1) = if modulus {
@@ -63,24 +67,25 @@ impl CayleyKlein {
             (Form::Modulus { y1, y2 }, linear, linear * falls / y1, y2 / y1)
         } else {
             let g = (y2 * y3 / spread).scaled(0.5).sqrt();
-            // With h = 0 either A or G is 0, and either sign will do.
+            // If h = 0, either A or G is 0, and the sign is arbitrary.
             let form = Form::Product { a: y1.scaled(0.5).sqrt(), g: if h.high < 0.0 { -g } else { g } };
-            // g (F − Π(N)) = −g N · ⅓ sn³ R_J, |g N| = |h|/(v₁ − v₃); N < 0 where y rises
+            // g (F − Π(N)) = −g N · ⅓ sn³ R_J, |g N| = |h|/(v₁ − v₃); N < 0 if y increases
             let third = h / spread;
             (form, Double::default(), if falls.high < 0.0 { third } else { -third }, y3 / spread)
         };
-        // Without it at m = 1, where there are no half turns, and where y₃ = 0 makes the third kind's coefficient 0.
+        // The complete integral is not needed at m = 1 (without half turns) or if y₃ =
+        // 0, where the coefficient of the third kind is 0.
         let has_turns = parameter.complement() > 0.0 && n1.high > 0.0;
         let complete = if has_turns { parameter.complete_third(n1) } else { Double::default() };
         Self { form, h, linear, third, n1, complete }
     }
 
-    /// Of its phase, per unit of x, what is linear.
+    /// Linear part of the phase, per unit of x.
     pub(super) fn linear_rate(&self) -> f64 {
         self.linear.value()
     }
 
-    /// Z at x, whose amplitude is `at`.
+    /// Returns Z and its derivative at x, whose amplitude is `at`.
     pub(super) fn at(&self, parameter: &EllipticParameter, x: Double, at: &Amplitude) -> QuaternionJet {
         let mut phase = self.linear * x;
         if !self.third.is_zero() {
@@ -92,7 +97,7 @@ impl CayleyKlein {
         QuaternionJet { value: jet.value.times(turn), rate: jet.rate.times(turn) }
     }
 
-    /// Without the factor exp(i phase), but with the change of that in the rate.
+    /// Returns Z without the factor exp(i phase). The derivative includes that of the phase.
     fn unturned(&self, parameter: &EllipticParameter, at: &Amplitude) -> QuaternionJet {
         let Amplitude { sn: s, cn: c, dn: d, .. } = *at;
         let (s2, c2, scd) = (s.square(), c.square(), s * c * d);
@@ -119,7 +124,7 @@ impl CayleyKlein {
         }
     }
 
-    /// Z and −i dZ/dx at x = 0, both real.
+    /// Returns Z and −i dZ/dx at x = 0, both real.
     pub(super) fn at_lowest(&self) -> [Double; 2] {
         match self.form {
             Form::Modulus { y1, .. } => {
@@ -130,19 +135,21 @@ impl CayleyKlein {
         }
     }
 
-    /// True if its phase falls with x, apart from what is linear.
+    /// Returns true if the phase, apart from its linear part, decreases with x.
     pub(super) fn winds_backwards(&self) -> bool {
         self.h.high < 0.0
     }
 
-    /// What the phase gains in one nutation, half a turn through the vertical counted as the other half turns are; of h = 0 forwards.
+    /// Returns the gain of the phase over one nutation, x → x + 2K. A passage through the vertical
+    /// counts as half a turn forwards (h = 0).
     pub(super) fn whole_gain(&self, parameter: &EllipticParameter) -> Double {
         let through = matches!(self.form, Form::Product { .. }) && self.h.is_zero();
         let gain = self.gain(parameter);
         if through { gain + Double::TAU.scaled(0.5) } else { gain }
     }
 
-    /// What the phase gains in one nutation, x → x + 2K; half a turn either way through the vertical counts as none.
+    /// Returns the gain of the phase over one nutation, x → x + 2K. A passage through the vertical
+    /// counts as zero: it can be half a turn in either direction.
     pub(super) fn gain(&self, parameter: &EllipticParameter) -> Double {
         let half_turn = match self.form {
             Form::Product { .. } if self.h.high > 0.0 => Double::TAU.scaled(0.5),

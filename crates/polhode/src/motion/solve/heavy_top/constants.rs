@@ -1,8 +1,10 @@
-//! What a start says about the motion: constants in three words, so that nothing that nearly vanishes loses its digits.
+//! Constants of a motion from its start, in three words, so that nearly vanishing quantities keep
+//! their precision.
 //!
-//! k is the vertical (against gravity), e the top's axis (from the pivot to the centre of mass). Body axes whose third is e,
-//! space axes whose third is k; P = w + iz and Q = x + iy of the quaternion between them are the Cayley–Klein parameters
-//! cos ½θ e^½i(φ+ψ) and sin ½θ e^½i(φ−ψ).
+//! k is the vertical (against gravity), e the top's axis (from the pivot to the centre of mass).
+//! The third body axis used here is e, the third space axis is k. P = w + iz and Q = x + iy, from
+//! the quaternion between these axes, are the Cayley–Klein parameters cos ½θ e^½i(φ+ψ) and sin ½θ
+//! e^½i(φ−ψ).
 
 use crate::math::complex::Complex;
 use crate::math::frame::Body;
@@ -16,45 +18,50 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::gravity::UniformGravity;
 
-/// The top and its start; rates in a `unit` of their own.
+/// Constants of the top and of its start. Rates are in `unit`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Constants {
-    /// rad/s: a power of two.
+    /// Unit of rates, a power of two, rad/s.
     pub(super) unit: f64,
-    /// A, about the pivot and across the axis, and C, along it, kg·m².
+    /// Moments about the pivot, kg·m²: A perpendicular to the axis, C about the axis.
     pub(super) moments: [f64; 2],
-    /// M g l, N·m
+    /// M g l, N·m.
     pub(super) weight: f64,
-    /// Turns z to the vertical in space, and to the axis in the body.
+    /// Rotation from z to the vertical, in space. The next field is the rotation from z to the
+    /// top's axis, in the body.
     pub(super) vertical: Quaternion<Triple>,
     pub(super) axis: Quaternion<Triple>,
     /// P and Q at the start.
     pub(super) start: [Complex<Triple>; 2],
-    /// ω1 + iω2 across the axis, and ω3 along it, at the start.
+    /// ω1 + iω2 at the start, the components perpendicular to the axis. The next field, ω3, is the
+    /// component along the axis.
     pub(super) across: Complex<Triple>,
     pub(super) spin: Triple,
     /// a = C ω3/A
     pub(super) a: Triple,
     /// β = 2 M g l/A
     pub(super) beta: Triple,
-    /// 1 − cos θ and 1 + cos θ at the start
+    /// 1 − cos θ at the start. The next field is 1 + cos θ.
     pub(super) from_top: Triple,
     pub(super) from_bottom: Triple,
-    /// d (cos θ)/dt at the start
+    /// d(cos θ)/dt at the start.
     pub(super) fall: Triple,
-    /// b − a and b + a, b = k · L/A
+    /// b − a, where b = k · L/A. The next field is b + a.
     pub(super) b_minus_a: Triple,
     pub(super) b_plus_a: Triple,
     /// α − β: (ω1² + ω2²) − β (1 − cos θ)
     pub(super) excess: Triple,
 }
 
-/// A tensor may be this part of its greatest moment away from symmetry: what rounding leaves of sums over parts.
+/// Tolerance for the symmetry of the tensor, relative to its greatest moment. Sums over the parts
+/// of a body leave rounding errors of this size.
 const SYMMETRIC: f64 = 16.0 * f64::EPSILON;
 
 impl Constants {
+    /// Computes the constants from the body, gravity and the start.
+    ///
     /// # Errors
-    /// As [`HeavyTop::of`](super::HeavyTop::of).
+    /// Those of [`HeavyTop::of`](super::HeavyTop::of).
     pub(super) fn of(rotor: &Rotor, gravity: &UniformGravity, start: &State) -> Result<Self, MotionError> {
         require_top(rotor)?;
         let no = |why| MotionError::NoClosedForm { why };
@@ -95,7 +102,8 @@ impl Constants {
 
         let a = axial * spin / transverse;
         let [from_top, from_bottom] = [q, p].map(|half| half.norm_squared().scaled(2.0));
-        // k1 + i k2 = 2i P* Q, and (k1 − i k2)(ω1 + iω2) has k · ω across the axis, and d(cos θ)/dt
+        // k1 + i k2 = 2i P* Q. (k1 − i k2)(ω1 + iω2) contains k · ω without its part along the
+        // axis, and d(cos θ)/dt.
         let turning = p.times(q.conjugate()).times_i().times(across).scaled(Triple::from(-2.0));
         let b_minus_a = turning.re - a * from_top;
         let excess = across.norm_squared() - beta * from_top;
@@ -120,7 +128,8 @@ impl Constants {
     }
 }
 
-/// A difference of which three words have left nothing is zero.
+/// Returns `difference`, or zero if it is below the rounding error of three words, relative to
+/// `term`.
 fn unless_rounding(difference: Triple, term: Triple) -> Triple {
     if difference.value().abs() <= 1e-45 * term.value().abs() { Triple::default() } else { difference }
 }
@@ -129,7 +138,8 @@ fn dot(a: [Triple; 3], b: [Triple; 3]) -> Triple {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// A vector's direction and its length, that in units of a power of two; `None` for zero.
+/// Returns the direction of a vector and its length, the length as a number times a power of two;
+/// `None` for the zero vector.
 fn split(v: [f64; 3]) -> Option<([Triple; 3], (Triple, f64))> {
     let unit = power_of_two_near(v.iter().fold(0.0, |max: f64, c| max.max(c.abs())));
     let v = v.map(|c| Triple::from(c / unit));
@@ -137,8 +147,12 @@ fn split(v: [f64; 3]) -> Option<([Triple; 3], (Triple, f64))> {
     (length.value() > 0.0).then(|| (v.map(|c| c / length), (length, unit)))
 }
 
+/// Checks that the body is a symmetric top about the pivot.
+///
 /// # Errors
-/// [`MotionError::NoClosedForm`] for a body that is no symmetric top about the pivot.
+/// - [`MotionError::NoClosedForm`] for wheels, a centre of mass at the pivot, or a body without
+///   this symmetry.
+/// - [`MotionError::NotSpinnable`] for a body without inertia.
 fn require_top(rotor: &Rotor) -> Result<(), MotionError> {
     let no = |why| Err(MotionError::NoClosedForm { why });
     if !rotor.wheels().is_empty() {
@@ -159,7 +173,7 @@ fn require_top(rotor: &Rotor) -> Result<(), MotionError> {
         for (j, element) in row.iter().enumerate() {
             let one = if i == j { transverse } else { 0.0 };
             let departure = element - (one + (axial - transverse) * e[i] * e[j]);
-            // Negated so that NaN is refused too.
+            // Negated, so that NaN is also rejected.
             if !(departure.abs() <= SYMMETRIC * largest) {
                 return no("the body is not symmetric about the line from the pivot to its centre of mass");
             }

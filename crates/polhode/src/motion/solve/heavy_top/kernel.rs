@@ -1,15 +1,19 @@
-//! The motion of a top as theta functions: what is evaluated.
+//! Evaluation of a top's motion by theta functions.
 //!
-//! P, Q and ω⊥ = ω1 + iω2 are elliptic functions of the second kind with one pole in common, the zero of θ₄, and one zero each. So with
-//! z = πx/2K, x = x₀ + λt,
+//! P, Q and ω⊥ = ω1 + iω2 are elliptic functions of the second kind. They share one pole, the zero
+//! of θ₄, and have one zero each. With z = πx/2K and x = x₀ + λt,
 //!
-//! P = p e^iφ_P N_P(z)/θ₄(z),  Q = q e^iφ_Q N_Q(z)/θ₄(z),  ω⊥ = iω e^i(φ_Q − φ_P) e^2ikz N_ω(z)/θ₄(z)
+//! P = p e^iφ_P N_P(z)/θ₄(z),  Q = q e^iφ_Q N_Q(z)/θ₄(z),
+//! ω⊥ = iω e^i(φ_Q − φ_P) e^2ikz N_ω(z)/θ₄(z)
 //!
-//! with the N of `theta.rs`, ε = −1 for P and 1 for the others, and φ linear in time. The zeros are where y = 0: tan² φ = w₁/(v₁ − v₂)
-//! for P and v₂(v₁ − v₃)/(|v₃|(v₁ − v₂)) for Q; that of ω⊥ follows from ω⊥ = 2(P* Q̇ − Q Ṗ*), both sides of which get the same factor
-//! from z → z + iπt. |P|² + |Q|² = 1 gives θ₄. Constant phases are turns about the vertical and about the axis.
+//! The functions N are those of `theta.rs`, with ε = −1 for P and 1 for the others; the phases φ
+//! are linear in time. The zeros are at y = 0: tan² φ = w₁/(v₁ − v₂) for P and v₂(v₁ − v₃)/(|v₃|(v₁
+//! − v₂)) for Q. The zero of ω⊥ follows from ω⊥ = 2(P* Q̇ − Q Ṗ*), because both sides get the same
+//! factor from z → z + iπt. θ₄ follows from |P|² + |Q|² = 1. Constant phases are rotations about
+//! the vertical and about the axis.
 //!
-//! Source: Klein & Sommerfeld, Über die Theorie des Kreisels, ch. VI; Whittaker, Analytical Dynamics, §72.
+//! Source: Klein & Sommerfeld, Über die Theorie des Kreisels, ch. VI; Whittaker, Analytical
+//! Dynamics, §72.
 
 use crate::math::complex::Complex;
 use crate::math::double::Double;
@@ -21,28 +25,31 @@ use crate::motion::solve::theta::{Lattice, SeriesArgument, Shifted, unit_of_quar
 use super::Nods;
 use super::cayley_klein::CayleyKlein;
 
-/// The constants of a top's motion.
+/// Constants of a top's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Kernel {
     lattice: Lattice,
-    /// z; φ_P and φ_Q.
+    /// Phase z. The next field holds φ_P and φ_Q.
     nutation: Angle,
     turns: [Angle; 2],
-    /// N_P, N_Q and N_ω, and p, q and ω.
+    /// N_P, N_Q and N_ω. The next field holds the factors p, q and ω.
     series: [Shifted; 3],
     sizes: [f64; 3],
-    /// k
+    /// Integer k of the factor e^2ikz.
     winding: i8,
-    /// From (Re P, Re Q, Im Q, Im P) to the attitude.
+    /// Matrix from (Re P, Re Q, Im Q, Im P) to the attitude.
     attitude: [[f64; 4]; 4],
-    /// From Re ω⊥, Im ω⊥ and 1 to ω.
+    /// Matrix from (Re ω⊥, Im ω⊥, 1) to ω in body axes.
     omega: [[f64; 3]; 3],
-    /// The longest time within reach of all angles.
+    /// Longest time within the reach of all phases.
     reach: f64,
 }
 
 impl Kernel {
-    /// Not on the separatrix. `turns`: what turns the body's axis to z and z to the vertical; `turning`, `spin`: ½(ω3 − a) and ω3.
+    /// Computes the constants of a motion that is not on the separatrix.
+    ///
+    /// `vertical`: rotation from z to the vertical. `axis`: rotation from z to the top's axis.
+    /// `turning`, `spin`: ½(ω3 − a) and ω3.
     pub(super) fn of(
         nods: &Nods,
         [vertical, axis]: [Quaternion<Double>; 2],
@@ -87,12 +94,13 @@ impl Kernel {
         let quarter = Double::TAU.scaled(0.25);
         let nods_per_unit = nutation.rate / parameter.quarter();
         let gains = [p, q].map(|half| half.whole_gain(parameter).scaled(0.5) / quarter);
-        // x₀/2K nutations at the start
+        // number of nutations at the start, x₀/2K
         let begun = nutation.start / parameter.quarter();
         let rates = [turning, -turning].map(|turning| turning / quarter);
         let turns = [0, 1].map(|k| Angle::of(gains[k] * nods_per_unit + rates[k], gains[k] * begun));
 
-        // P → e^iα P and Q → e^iβ Q: turns by α + β about the vertical and by α − β about the axis
+        // P → e^iα P and Q → e^iβ Q are rotations by α + β about the vertical and by α − β about
+        // the axis
         let both = root(p_factor.times(*q_factor));
         let about_vertical = Quaternion([both.re, Double::default(), Double::default(), both.im]);
         let other = p_factor.times(both.conjugate());
@@ -125,7 +133,7 @@ impl Kernel {
         }
     }
 
-    /// Quaternion and ω after a time.
+    /// Returns quaternion and ω after a time.
     #[inline(always)]
     pub(super) fn at<T: Splat>(&self, elapsed: &Elapsed<T>) -> ([T; 4], [T; 3]) {
         if elapsed.is_within(T::splat(self.reach)) {
@@ -161,7 +169,7 @@ impl Kernel {
         let [a0, a1, a2, a3] = &self.attitude;
         let (w, x, y, z) =
             (dot4(a0, &labelled), dot4(a1, &labelled), dot4(a2, &labelled), dot4(a3, &labelled));
-        // The norm's last digits by 1/√n = (3 − n)/2 for n near 1.
+        // Correct the last digits of the norm by 1/√n = (3 − n)/2 for n near 1.
         let k = T::splat(1.5) - T::splat(0.5) * ((w * w + x * x) + (y * y + z * z));
         let [o0, o1, o2] = &self.omega;
         ([w * k, x * k, y * k, z * k], [omega(o0, across), omega(o1, across), omega(o2, across)])
@@ -178,9 +186,9 @@ fn omega<T: Splat>(a: &[f64; 3], across: Complex<T>) -> T {
     (T::splat(a[0]) * across.re + T::splat(a[1]) * across.im) + T::splat(a[2])
 }
 
-/// A square root of a number of size 1.
+/// Returns a square root of a complex number of absolute value 1.
 fn root(z: Complex<Double>) -> Complex<Double> {
-    // √z = (1 + z)/|1 + z|, or for a z that is nearer to −1 i (1 − z)/|1 − z| and its conjugate
+    // √z = (1 + z)/|1 + z|. If z is nearer to −1: i (1 − z)/|1 − z| and its conjugate.
     let near = z.re.high >= 0.0;
     let sum = if near {
         Complex { re: Double::ONE + z.re, im: z.im }

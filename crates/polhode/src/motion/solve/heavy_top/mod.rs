@@ -1,8 +1,12 @@
-//! Lagrange's top: the motion of a heavy symmetric body held at a point of its axis, in closed form.
+//! Lagrange's top: motion of a heavy symmetric body held at a point of its axis, in closed form.
 //!
-//! The axis nods between two angles by sn² (`nutation.rs`); how it precesses and spins meanwhile is two integrals of the
-//! third kind, one for each Cayley–Klein parameter (`cayley_klein.rs`), from constants that the start gives without
-//! cancellation (`constants.rs`). The attitude is their quaternion: no angle is undetermined where the axis is vertical.
+//! - `nutation.rs`: the axis moves between two inclinations as sn².
+//! - `cayley_klein.rs`: precession and spin are two integrals of the third kind, one for each
+//!   Cayley–Klein parameter.
+//! - `constants.rs`: the constants follow from the start without cancellation.
+//!
+//! The attitude is the quaternion of these parameters. Therefore no angle is undetermined if the
+//! axis is vertical.
 
 mod cayley_klein;
 mod constants;
@@ -34,10 +38,12 @@ use nutation::Nutation;
 
 pub use path::{SteadyPrecession, TopPath};
 
-/// The motion of a heavy symmetric top: ω and attitude at any time, past or future, in constant time.
+/// Motion of a heavy symmetric top: ω and attitude at any time, past or future, in constant time.
 ///
-/// A body held at a pivot whose tensor about it is A 1 + (C − A) e eᵀ, e from the pivot to the centre of mass; gravity of any
-/// direction. Angles are those of e: θ from the vertical (against gravity), φ precession about the vertical, ψ spin about e.
+/// The body is held at a pivot. Its inertia tensor about the pivot is A 1 + (C − A) e eᵀ, where e
+/// points from the pivot to the centre of mass. Gravity can have any direction. The angles are
+/// those of e: inclination θ from the vertical (against gravity), precession φ about the vertical,
+/// and spin ψ about e.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -63,12 +69,19 @@ pub use path::{SteadyPrecession, TopPath};
 /// ```
 ///
 /// # Accuracy
-/// For the pivot's tensor, lever, gravity, ω and attitude exactly as given: 9·10⁻¹⁶ in attitude (rad) and 6·10⁻¹⁶ in ω (of the greater of |ω|
-/// and √(M g l/A)) against references of 32 digits, the same after 1000 nutations and down to 1 − m = 2·10⁻¹⁵; the constants have three
-/// words, what time multiplies has two, and the integrals of the third kind have 22 digits. A state takes 50 ns, 17 ns of many, after
-/// 33 µs for the constants. On the separatrix itself (1 − m = 0) the hyperbolic functions have one word. Constants that differ from the
-/// separatrix's by less than 10⁻⁴⁵ of their terms count as equal. A tensor that is symmetric only to rounding (16 ε of its
-/// greatest moment) is taken as symmetric, which is a change of the problem that grows with time. Measured by `tests/all/heavy_top.rs`.
+/// The errors below are for exact inputs (tensor, lever, gravity, ω and attitude), against
+/// references of 32 digits. Attitude: 9·10⁻¹⁶ rad. ω: 6·10⁻¹⁶, relative to the greater of |ω| and
+/// √(M g l/A). They are the same after 1000 nutations, and down to 1 − m = 2·10⁻¹⁵.
+///
+/// Constants have three words, rates of phases two, and integrals of the third kind 22 digits. On
+/// the separatrix itself (1 − m = 0) the hyperbolic functions have one word. Constants that differ
+/// from those of the separatrix by less than 10⁻⁴⁵ of their terms count as equal.
+///
+/// A tensor that is symmetric only to rounding (16 ε of its greatest moment) is treated as
+/// symmetric. The effect of this change grows with time.
+///
+/// The constants take 33 µs, a state 50 ns, or 17 ns per state for many times. Measured by
+/// `tests/all/heavy_top.rs`.
 ///
 /// # Source
 /// Landau & Lifshitz, Mechanics, §35, problem 1; Goldstein, Classical Mechanics, §5.7; `book/tops.md`.
@@ -82,31 +95,33 @@ pub struct HeavyTop {
     unit: f64,
     vertical: Quaternion<Double>,
     axis: Quaternion<Double>,
-    /// ω3
+    /// ω3 in `unit`.
     spin: Double,
-    /// ½(ω3 − a): P turns with it and Q against it, beside what nutation gives.
+    /// ½(ω3 − a): steady rate of the phase of P. The phase of Q has the opposite rate. Nutation
+    /// adds to both.
     turning: Double,
     nods: Option<Nods>,
-    /// Not on the separatrix, and not of an axis that stays vertical.
+    /// Theta functions; `None` on the separatrix and for an axis that stays vertical.
     kernel: Option<Kernel>,
     reach: f64,
 }
 
-/// A motion whose axis is not always vertical.
+/// Constants of a motion whose axis is not always vertical.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Nods {
     nutation: Nutation,
-    /// P and Q, and the factors that make them those of the start.
+    /// P and Q, and the complex factors of absolute value 1 that match them to the start.
     halves: [(CayleyKlein, Complex<Double>); 2],
 }
 
 impl HeavyTop {
-    /// The motion that starts from a state.
+    /// Returns the motion that starts from a state.
     ///
     /// # Errors
-    /// [`MotionError::NoClosedForm`] for a body that is not symmetric about the line from the pivot to its centre of mass, a
-    /// centre of mass at the pivot, wheels, or no gravity; [`MotionError::NotSpinnable`] for a body without inertia;
-    /// A parameter's error ([`MotionError::is_parameter`]) for numbers that are not finite.
+    /// - [`MotionError::NoClosedForm`] for wheels, no gravity, a centre of mass at the pivot, or a
+    ///   body that is not symmetric about the line from the pivot to its centre of mass.
+    /// - [`MotionError::NotSpinnable`] for a body without inertia.
+    /// - A parameter error ([`MotionError::is_parameter`]) for numbers that are not finite.
     pub fn of(rotor: &Rotor, gravity: &UniformGravity, start: State) -> Result<Self, MotionError> {
         for (what, value) in [
             ("the start's time", start.time),
@@ -143,7 +158,8 @@ impl HeavyTop {
         })
     }
 
-    /// The state at a time, s, before the start too; not a number beyond [`HeavyTop::reach`], and at a time that is none.
+    /// Returns the state at a time, s, which may be before the start. Beyond [`HeavyTop::reach`],
+    /// and for a time that is NaN, ω and attitude are NaN.
     #[must_use]
     pub fn at(&self, time: f64) -> State {
         if time == self.start.time {
@@ -163,7 +179,8 @@ impl HeavyTop {
         }
     }
 
-    /// By Legendre's integrals in two words: on the separatrix, where theta functions have no period.
+    /// Computes a state by Legendre's integrals in two words. Needed on the separatrix, where the
+    /// theta functions have no period.
     fn by_integrals(&self, nods: &Nods, time: f64) -> State {
         let ([p, q], across) = nods.at(self.elapsed(time), self.turning);
         let [w, x, y, z] = [p.re, q.re, q.im, p.im];
@@ -180,7 +197,8 @@ impl HeavyTop {
         Double::sum(time, -self.start.time) * Double::from(self.unit)
     }
 
-    /// The states at some times, in their order: each with the bits of [`HeavyTop::at`], several times as fast.
+    /// Returns the states at many times (s), in their order. Each is bit-identical to
+    /// [`HeavyTop::at`]; the computation is several times faster.
     #[must_use]
     pub fn at_times(&self, times: &[f64]) -> Vec<State> {
         let Some(kernel) = &self.kernel else { return times.iter().map(|&time| self.at(time)).collect() };
@@ -194,13 +212,13 @@ impl HeavyTop {
         )
     }
 
-    /// For how long before and after its start the motion is known, s, to 1e-6 rad for inputs that are exact: 2⁵² nutations, and less
-    /// next to the separatrix.
+    /// Returns the time before and after the start for which the attitude is accurate to 1e-6 rad,
+    /// for exact inputs, s. It is 2⁵² nutations, and less near the separatrix.
     pub const fn reach(&self) -> f64 {
         self.reach
     }
 
-    /// Of a vertical top: turned about its axis.
+    /// Returns the state of a vertical top, which only rotates about its axis.
     fn turned(&self, time: f64) -> State {
         let turn = unit((self.spin * self.elapsed(time)).scaled(0.5));
         let zero = Double::default();
@@ -210,32 +228,32 @@ impl HeavyTop {
         State { time, attitude: Rotation::near_unit(attitude.map(Double::value)), omega: self.start.omega }
     }
 
-    /// Where it starts.
+    /// Returns the state at the start.
     pub const fn start(&self) -> State {
         self.start
     }
 
-    /// The moments about the pivot: A across the axis, C along it, kg·m².
+    /// Returns the moments about the pivot, kg·m²: A perpendicular to the axis, C about the axis.
     pub const fn moments(&self) -> [f64; 2] {
         self.moments
     }
 
-    /// M g l: the torque of the weight when the axis is level, N·m.
+    /// Returns M g l, the torque of the weight when the axis is horizontal, N·m.
     pub const fn weight_torque(&self) -> f64 {
         self.weight
     }
 
-    /// ω3, the component of ω along the axis, which stays, rad/s.
+    /// Returns ω3, the constant component of ω along the axis, rad/s.
     pub fn spin(&self) -> f64 {
         self.spin.value() * self.unit
     }
 
-    /// How the axis moves.
+    /// Returns the kind of motion of the axis.
     pub const fn path(&self) -> TopPath {
         self.path
     }
 
-    /// The smallest and the largest angle between the axis and the vertical, rad.
+    /// Returns the smallest and the largest angle between the axis and the vertical, rad.
     pub fn nutation_bounds(&self) -> [f64; 2] {
         let Some(Nods { nutation, .. }) = &self.nods else {
             return if self.path == TopPath::Hanging { [core::f64::consts::PI; 2] } else { [0.0; 2] };
@@ -245,27 +263,30 @@ impl HeavyTop {
         [path::angle(highest, high), path::angle(lowest, low)]
     }
 
-    /// The time after which θ repeats, 2K(m)/λ, s; of a steady precession that of small nutations about it.
+    /// Returns the period of θ, 2K(m)/λ, s. In a steady precession it is the period of small
+    /// nutations.
     ///
-    /// `None` on the separatrix, and where the axis stays vertical.
+    /// `None` on the separatrix, and if the axis stays vertical.
     pub fn nutation_period(&self) -> Option<f64> {
         let nutation = &self.nods.as_ref()?.nutation;
         let period = nutation.parameter.quarter().scaled(2.0) / nutation.rate;
         Some(period.value() / self.unit).filter(|period| period.is_finite())
     }
 
-    /// The mean rate of φ over a nutation, rad/s: of the axis about the vertical, right-handed about the direction against gravity.
+    /// Returns the mean rate of φ over a nutation, rad/s. φ is the angle of the axis about the
+    /// vertical, right-handed about the direction against gravity.
     ///
-    /// `None` on the separatrix, where the axis stays vertical, and where it passes through the vertical, as φ jumps by half a turn there: see
-    /// [`HeavyTop::precession_in_a_nutation`].
+    /// `None` on the separatrix, if the axis stays vertical, and if it passes through the vertical.
+    /// In the last case φ jumps by half a turn; see [`HeavyTop::precession_in_a_nutation`].
     pub fn mean_precession(&self) -> Option<f64> {
         self.mean_rates().filter(|_| self.path != TopPath::ThroughVertical).map(|[precession, _]| precession)
     }
 
-    /// How far the axis goes round the vertical from one turning point of θ to the next of its kind, rad, right-handed about the direction against gravity.
+    /// Returns the precession angle between two successive extrema of θ of the same kind, rad. It
+    /// is right-handed about the direction against gravity.
     ///
-    /// Where it passes through the vertical it is between −π and π: such an axis has no number of turns. `None` on the separatrix, and where the axis
-    /// stays vertical.
+    /// If the axis passes through the vertical, the number of turns is undefined, and the angle is
+    /// between −π and π. `None` on the separatrix, and if the axis stays vertical.
     pub fn precession_in_a_nutation(&self) -> Option<f64> {
         self.nutation_period()?;
         let Nods { nutation, halves: [(p, _), (q, _)] } = self.nods.as_ref()?;
@@ -280,9 +301,10 @@ impl HeavyTop {
         })
     }
 
-    /// The mean rate of ψ over a nutation, rad/s: of the body about its axis, from the plane through the vertical.
+    /// Returns the mean rate of ψ over a nutation, rad/s. ψ is the rotation of the body about its
+    /// axis, measured from the plane through the vertical.
     ///
-    /// As [`HeavyTop::mean_precession`].
+    /// `None` in the same cases as [`HeavyTop::mean_precession`].
     pub fn mean_spin(&self) -> Option<f64> {
         self.mean_rates().filter(|_| self.path != TopPath::ThroughVertical).map(|[_, spin]| spin)
     }
@@ -297,16 +319,18 @@ impl HeavyTop {
         Some([mean(p + q), mean(p - q + self.turning.scaled(2.0))])
     }
 
-    /// The parameter m of the elliptic functions and 1 − m; `None` where the axis stays vertical.
+    /// Returns the parameter m of the elliptic functions, and 1 − m; `None` if the axis stays
+    /// vertical.
     pub fn parameter(&self) -> Option<[f64; 2]> {
         let parameter = &self.nods.as_ref()?.nutation.parameter;
         Some([parameter.m(), parameter.complement()])
     }
 
-    /// The roots of f(u) = u̇², u = cos θ: the two that the axis nods between, the lower first, and one at or above 1; `None` where the axis stays
-    /// vertical.
+    /// Returns the roots u₁ ≤ u₂ ≤ u₃ of f(u) = u̇², u = cos θ. The axis moves between u₁ and u₂;
+    /// u₃ ≥ 1. `None` if the axis stays vertical.
     ///
-    /// f(u) = (1 − u²)(2E′ − 2 M g l u)/A − (p_φ − p_ψ u)²/A², and u = u₁ + (u₂ − u₁) sn²(λ t + δ), λ² = M g l (u₃ − u₁)/2A.
+    /// f(u) = (1 − u²)(2E′ − 2 M g l u)/A − (p_φ − p_ψ u)²/A², u = u₁ + (u₂ − u₁) sn²(λ t + δ), and
+    /// λ² = M g l (u₃ − u₁)/2A.
     ///
     /// Source: Goldstein, Classical Mechanics, §5.7.
     pub fn roots(&self) -> Option<[f64; 3]> {
@@ -315,35 +339,39 @@ impl HeavyTop {
         Some([1.0 - lowest, 1.0 - highest, 1.0 + third])
     }
 
-    /// The spin above which an upright top sleeps, 2√(M g l A)/C, rad/s; infinite for a body without inertia about its axis.
+    /// Returns the sleeping-top threshold 2√(M g l A)/C, rad/s; infinite if C = 0. An upright top
+    /// is stable if its spin is faster.
     pub fn sleeping_threshold(&self) -> f64 {
         let [across, along] = self.moments;
         2.0 * (self.weight * across).sqrt() / along
     }
 
-    /// The rates of steady precession at an angle from the vertical (rad) with the spin ω3 (rad/s).
+    /// Returns the rates of steady precession at an angle from the vertical (rad) with the spin ω3
+    /// (rad/s).
     ///
-    /// `None` if the spin is too slow: |ω3| < 2√(M g l A cos θ)/C, or for a level axis without spin.
+    /// `None` if the spin is too slow, |ω3| < 2√(M g l A cos θ)/C, or for a horizontal axis without
+    /// spin.
     pub fn steady_precession(&self, angle: f64, spin: f64) -> Option<SteadyPrecession> {
         let (_, cosine) = crate::math::number::sin_cos(angle);
         SteadyPrecession::of(self.moments, self.weight, cosine, spin)
     }
 }
 
-/// Of a turn, by rates of two words.
+/// Relative uncertainty of a turn, for rates of two words.
 const TWO_WORDS: f64 = 1e-30;
 
-/// Of what a nutation gains, rad: integrals of the third kind have 24 digits.
+/// Uncertainty of the phase gained in a nutation, rad: integrals of the third kind have 24 digits.
 const INTEGRALS: f64 = 1e-23;
 
-/// Of roots of the cubic, which three words of coefficients have.
+/// Relative uncertainty of the roots of the cubic, whose coefficients have three words.
 const ROOTS: f64 = 1e-45;
 
-/// More nutations are not counted one by one.
+/// Largest number of nutations within the reach, 2⁵². Beyond it their number is not exact in f64.
 const MOST_NUTATIONS: f64 = 4_503_599_627_370_496.0;
 
 impl Nods {
-    /// For how long the motion is known, beside what turns so often in a unit of time.
+    /// Returns the reach, in the time unit of the constants. `turns`: number of turns per unit time
+    /// in addition to the nutation.
     fn reach(&self, turns: f64) -> f64 {
         let Nutation { rate, ref parameter, ref spread, .. } = self.nutation;
         let rate = rate.value();
@@ -354,7 +382,8 @@ impl Nods {
         }
         let gained: f64 = self.halves.iter().map(|(half, _)| half.gain(parameter).value().abs()).sum();
         let turns = turns + (PI + gained) / (2.0 * half_period);
-        // K ≈ ½ ln(16/(1 − m)): what is uncertain of 1 − m = (v₂ − v₃)/(v₁ − v₃) is in every nutation
+        // K ≈ ½ ln(16/(1 − m)): the uncertainty of 1 − m = (v₂ − v₃)/(v₁ − v₃) enters in every
+        // nutation
         let uncertain = ROOTS / (parameter.complement() * spread.value());
         let law = Drift(TWO_WORDS * turns + (INTEGRALS + uncertain) / (2.0 * half_period)).reach();
         law.min(2.0 * half_period * MOST_NUTATIONS).max(half_period)
@@ -375,7 +404,7 @@ impl Nods {
         let q_rate = p0.times(across).minus(q0.times_i().scaled(spin)).scaled(half);
         let factor = |half: &CayleyKlein, value: Complex<Double>, rate: Complex<Double>, turning: Double| {
             let jet = half.at(parameter, nutation.start, &at);
-            // Either Z or, where the axis is vertical, its rate says which way it points.
+            // Either Z or, if the axis is vertical, its derivative determines the direction.
             let own = rate.minus(value.times_i().scaled(turning));
             let sum = jet.value.conjugate().times(value);
             let sum = sum.plus(jet.rate.scaled(nutation.rate).conjugate().times(own));
@@ -389,7 +418,7 @@ impl Nods {
         Self { nutation, halves }
     }
 
-    /// P and Q, and ω1 + iω2, after a time.
+    /// Returns P and Q, and ω1 + iω2, after a time.
     fn at(&self, elapsed: Double, turning: Double) -> ([Complex<Double>; 2], Complex<Double>) {
         let Nutation { rate, start, ref parameter, .. } = self.nutation;
         let x = start + rate * elapsed;
@@ -421,13 +450,14 @@ mod tests {
     use crate::math::rotation::Attitude;
     use crate::math::vector::{Acceleration, Position};
 
-    /// Numbers in −1 … 1.
+    /// Returns a pseudorandom number between −1 and 1.
     fn random(seed: &mut u64) -> f64 {
         *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (*seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 
-    /// Tops of every kind: fast and slow, nearly steady, next to the vertical and to the separatrix, planar.
+    /// Compares 3000 tops of every kind: fast, slow, nearly steady, planar, and near the vertical
+    /// or the separatrix.
     #[test]
     fn theta_functions_agree_with_the_integrals_in_two_words() {
         let mut seed = 20;
@@ -463,7 +493,7 @@ mod tests {
             *kinds.entry(motion.path().name()).or_insert(0) += 1;
             let times: Vec<f64> = (0..11).map(|_| number(10.0)).collect();
             let states = motion.at_times(&times);
-            // What a rounding of the attitude is worth: √(M g l/A)
+            // rate scale of an attitude error: √(M g l/A)
             let pendulum = (motion.weight / motion.moments[0]).sqrt();
             let rates = times.iter().map(|&time| motion.by_integrals(nods, time).omega.norm());
             let fastest = rates.fold(pendulum, f64::max);

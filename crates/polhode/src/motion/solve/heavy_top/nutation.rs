@@ -1,12 +1,16 @@
-//! How the axis rises and falls: between two roots of a cubic, by sn².
+//! Nutation: the axis moves between two roots of a cubic, as sn².
 //!
-//! With v = 1 − cos θ, the distance below the top,
+//! The variable is v = 1 − cos θ, the height below the upright position in units of the arm. It
+//! satisfies
 //!
-//! v̇² = g(v) = (α − β + βv)(2v − v²) − (b − a + av)² = −(b − a)² + c₁v + c₂v² − βv³,
+//! v̇² = g(v) = (α − β + βv)(2v − v²) − (b − a + av)² = −(b − a)² + c₁v + c₂v² − βv³.
 //!
-//! whose three roots are real: v₃ ≤ 0 ≤ v₂ ≤ v₁ ≤ 2. v swings between v₂ and v₁: v = v₁ cn² + v₂ sn².
-//! Measured from the top, because only there two roots that matter, v₂ and v₃, can meet (a sleeping top that is left for
-//! ever, and never reached again): then 1 − m vanishes with (b − a)² and c₁, which the start gives with all their digits.
+//! The three roots are real: v₃ ≤ 0 ≤ v₂ ≤ v₁ ≤ 2. v oscillates between v₂ and v₁: v = v₁ cn² + v₂
+//! sn².
+//!
+//! v is measured from the upright position because the roots v₂ and v₃ can coincide only there
+//! (motion asymptotic to a sleeping top). 1 − m then vanishes with (b − a)² and c₁, which the start
+//! determines to full precision.
 
 use crate::math::double::Double;
 use crate::math::elliptic::EllipticParameter;
@@ -14,18 +18,18 @@ use crate::math::triple::Triple;
 
 use super::constants::Constants;
 
-/// v = v₁ cn²(x|m) + v₂ sn²(x|m),  x = x₀ + λt.
+/// Nutation v = v₁ cn²(x|m) + v₂ sn²(x|m), x = x₀ + λt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Nutation {
-    /// v₁, v₂, |v₃|: 1 − cos θ at the lowest, at the highest and at the third root.
+    /// v₁, v₂, |v₃|: absolute value of 1 − cos θ at the lowest, the highest and the third root.
     pub(super) from_top: [Double; 3],
-    /// 1 + cos θ there.
+    /// 1 + cos θ at the same three roots.
     pub(super) from_bottom: [Double; 3],
     /// v₁ − v₂
     pub(super) swing: Double,
     /// v₁ − v₃
     pub(super) spread: Double,
-    /// λ, in the constants' unit.
+    /// λ, in the unit of the constants.
     pub(super) rate: Double,
     /// x₀
     pub(super) start: Double,
@@ -61,11 +65,12 @@ impl Nutation {
     }
 }
 
-/// sn and cn at the start, cn ≥ 0: sn² = (v₁ − v)/(v₁ − v₂), and the sign of sn that of d(cos θ)/dt.
+/// Returns sn and cn at the start, cn ≥ 0: sn² = (v₁ − v)/(v₁ − v₂), and sn has the sign of d(cos
+/// θ)/dt.
 fn start(top: &Constants, v1: Triple, v2: Triple, v3: Triple) -> (Double, Double) {
     let v = top.from_top;
     let (below, above, third) = (v1 - v, v - v2, v - v3);
-    // β (v₁ − v)(v − v₂)(v − v₃) = v̇² gives the smaller of the two differences its digits.
+    // β (v₁ − v)(v − v₂)(v − v₃) = v̇² determines the smaller of the two differences accurately.
     let other = |difference: Triple| {
         let product = top.beta * difference * third;
         if product.value() > 0.0 { top.fall.square() / product } else { Triple::default() }
@@ -81,7 +86,7 @@ fn start(top: &Constants, v1: Triple, v2: Triple, v3: Triple) -> (Double, Double
     (if top.fall.value() < 0.0 { -sin } else { sin }, cos)
 }
 
-/// v₁ ≥ v₂ ≥ 0 ≥ v₃, and v₁ − v₂.
+/// Roots v₁ ≥ v₂ ≥ 0 ≥ v₃ of the cubic, and v₁ − v₂.
 struct Roots {
     v1: Triple,
     v2: Triple,
@@ -100,7 +105,7 @@ impl Roots {
         if is_lowest { Self::beside_lowest(end, e2, e3) } else { Self::beside_third(end, [e1, e2, e3]) }
     }
 
-    /// v₂ v₃ = −e₃/v₁ is not positive, so that nothing cancels.
+    /// Computes the other roots from v₁. v₂ v₃ = −e₃/v₁ is not positive, so nothing cancels.
     fn beside_lowest(v1: Triple, e2: Triple, e3: Triple) -> Self {
         let zero = Triple::default();
         if !(v1.value() > 0.0) {
@@ -120,7 +125,8 @@ impl Roots {
         Self { v1, v2, v3, swing: v1 - v2 }
     }
 
-    /// v₁ + v₂ and v₁ v₂ by whichever of Vieta's formulas does not cancel.
+    /// Computes the other roots from v₃. v₁ + v₂ and v₁ v₂ follow from those of Vieta's formulas
+    /// that do not cancel.
     fn beside_third(v3: Triple, [e1, e2, e3]: [Triple; 3]) -> Self {
         let zero = Triple::default();
         let v3 = if v3.value() < 0.0 { v3 } else { zero };
@@ -139,9 +145,11 @@ impl Roots {
     }
 }
 
-/// The root of v³ − e₁v² + e₂v + e₃ = 0 that is farther from the middle one, and whether it is the largest.
+/// Returns the root of v³ − e₁v² + e₂v + e₃ = 0 that is farther from the middle root, and true if
+/// it is the largest.
 ///
-/// By the cosine of a third of an angle, then Newton's steps in three words; they converge, as no other root is near.
+/// The trigonometric formula (cosine of a third of an angle) gives the first approximation; Newton
+/// steps in three words refine it. They converge because no other root is near.
 fn isolated([e1, e2, e3]: [Triple; 3]) -> (Triple, bool) {
     let mean = e1 / Triple::from(3.0);
     let at = |v: Triple| ((v - e1) * v + e2) * v + e3;
@@ -163,5 +171,6 @@ fn isolated([e1, e2, e3]: [Triple; 3]) -> (Triple, bool) {
     (v, is_largest)
 }
 
-/// From 10⁻¹² to 10⁻⁴⁷ of the roots' distance in two; more for a root that is itself far smaller.
+/// Number of Newton steps. Two improve the error from 10⁻¹² to 10⁻⁴⁷ of the distance between roots.
+/// A root that is far smaller than this distance needs more.
 const NEWTON_STEPS: usize = 8;

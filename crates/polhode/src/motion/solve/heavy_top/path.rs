@@ -1,4 +1,4 @@
-//! The kinds of motion of a heavy symmetric top, by the path of its axis.
+//! Kinds of motion of a heavy symmetric top, by the path of its axis.
 
 use crate::math::double::Double;
 use crate::math::number::PI;
@@ -7,41 +7,42 @@ use crate::math::triple::Triple;
 use super::constants::Constants;
 use super::nutation::Nutation;
 
-/// How the axis of a heavy symmetric top moves.
+/// Kind of motion of the axis of a heavy symmetric top.
 ///
-/// What is equal within rounding counts as equal: angles to 10⁻⁹ rad, rates to 10⁻⁹ of themselves.
+/// Tolerances for equality: 10⁻⁹ rad for angles, 10⁻⁹ relative for rates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum TopPath {
     /// The axis stays upright.
     Sleeping {
-        /// Whether the spin is above the threshold, so that a small push stays small.
+        /// True if the spin is above the sleeping-top threshold, so that a small disturbance stays
+        /// small.
         stable: bool,
     },
     /// The axis stays straight down.
     Hanging,
-    /// No angular momentum about the vertical or the axis: a pendulum in one vertical plane.
+    /// Pendulum in one vertical plane: no angular momentum about the vertical or the axis.
     Planar,
     /// Steady precession at a constant angle, the slower of the two.
     SteadySlow,
     /// Steady precession at a constant angle, the faster of the two.
     SteadyFast,
-    /// Steady precession without spin: the conical pendulum.
+    /// Steady precession without spin (conical pendulum).
     Conical,
-    /// Towards the vertical, which is reached after infinite time only.
+    /// The axis approaches the vertical asymptotically.
     Separatrix,
     /// The axis passes through the vertical, above or below the pivot.
     ThroughVertical,
-    /// Precession stops for an instant at the highest points: cusps.
+    /// Precession stops at the highest points, where the path has cusps.
     Cusps,
-    /// Precession goes backwards around the highest points: loops.
+    /// Precession reverses around the highest points, where the path has loops.
     Loops,
-    /// Precession never reverses: waves.
+    /// Precession never reverses; the path is a wave.
     Waves,
 }
 
 impl TopPath {
-    /// The name in summaries.
+    /// Returns the name used in summaries.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Sleeping { .. } => "sleeping",
@@ -58,7 +59,7 @@ impl TopPath {
         }
     }
 
-    /// In words.
+    /// Returns a description for people.
     pub const fn description(self) -> &'static str {
         match self {
             Self::Sleeping { stable: true } => "asleep: upright, and fast enough to stay so",
@@ -122,32 +123,35 @@ impl TopPath {
     }
 }
 
-/// What counts as equal.
+/// Tolerance for equality, rad or relative.
 const CLOSE: f64 = 1e-9;
 
-/// θ of 1 − cos θ and 1 + cos θ, rad.
+/// Returns θ, rad, from 1 − cos θ and 1 + cos θ.
 pub(super) fn angle(from_top: f64, from_bottom: f64) -> f64 {
     2.0 * libm::atan2(from_top.sqrt(), from_bottom.sqrt())
 }
 
-/// The rates of steady precession at an angle θ and a spin ω3: the roots of A cos θ φ̇² − C ω3 φ̇ + M g l = 0.
+/// Rates of steady precession φ̇ at an angle θ and a spin ω3: the roots of A cos θ φ̇² − C ω3 φ̇ +
+/// M g l = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteadyPrecession {
-    /// The root of smaller size, rad/s.
+    /// Root of smaller absolute value, rad/s.
     pub slow: f64,
-    /// The root of larger size, rad/s; `None` for a level axis, where there is only one.
+    /// Root of larger absolute value, rad/s; `None` for a horizontal axis, where the equation is
+    /// linear.
     pub fast: Option<f64>,
 }
 
 impl SteadyPrecession {
-    /// For the moments A and C, the weight's M g l, cos θ and ω3; `None` if (C ω3)² < 4 A M g l cos θ.
+    /// Solves the equation for the moments A and C, the weight's M g l, cos θ and ω3; `None` if (C
+    /// ω3)² < 4 A M g l cos θ.
     pub(super) fn of([across, along]: [f64; 2], weight: f64, cosine: f64, spin: f64) -> Option<Self> {
         let b = along * spin;
         let square = b * b - 4.0 * across * weight * cosine;
         if !(square >= 0.0) {
             return None;
         }
-        // the larger of C ω3 ± √…, and the other by their product
+        // the larger of C ω3 ± √…; the other root follows from the product of the roots
         let sum = 0.5 * (b + square.sqrt().copysign(b));
         let slow = weight / sum;
         let fast = sum / (across * cosine);

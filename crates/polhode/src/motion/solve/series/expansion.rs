@@ -1,4 +1,4 @@
-//! The Taylor series of a system about a state.
+//! Taylor series of the solution of a system about a state.
 //!
 //! Source: L. B. Rall, Automatic Differentiation (1981), ch. 3.3; À. Jorba, M. Zou, Exp. Math. 14 (2005) 99.
 
@@ -7,17 +7,18 @@ use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::number::Number as _;
 use crate::motion::solve::propagate::taylor::length::{order, reach, remainder, rough_exp2, rough_log2};
 
-/// Room for the coefficients of a series, in fours.
+/// Capacity for the coefficients of a series, a multiple of four.
 const ROOM: usize = 28;
 
-/// The highest order: sums go by fours, and one coefficient more is that of the rates.
+/// Largest order. Sums are computed four terms at a time, and the rates need one more coefficient.
 const MOST: usize = ROOM - 4;
 
-/// Coefficients in ascending and in descending order, so that a convolution runs forward in both.
+/// Coefficients in ascending and in descending order, so that a convolution reads both forwards.
 #[derive(Clone, Debug)]
 struct Coefficients {
     ascending: [f64; ROOM],
-    /// Coefficient n at ROOM − 1 − n; then zeros, as many as a sum by fours reads too far.
+    /// Coefficient n has the index ROOM − 1 − n. The zeros that follow cover the terms that a sum
+    /// by fours reads beyond the end.
     descending: [f64; ROOM + 4],
 }
 
@@ -31,7 +32,7 @@ impl Coefficients {
     }
 }
 
-/// sums + Σ aₖ bₙ₋ₖ, k = 0 … n, by fours.
+/// Returns `sums` + Σ aₖ bₙ₋ₖ, k = 0 … n, four terms at a time.
 #[inline(always)]
 fn convolution<S: Machine>(s: S, sums: S::Four, a: &Coefficients, b: &Coefficients, n: usize) -> S::Four {
     let (ahead, back) = (&a.ascending[..=n | 3], &b.descending[ROOM - 1 - n..]);
@@ -48,14 +49,14 @@ fn total<S: Machine>(s: S, sums: S::Four) -> f64 {
     (a + b) + (c + d)
 }
 
-/// A system with its series about a state.
+/// System with the Taylor series of its solution about a state.
 #[derive(Clone, Debug)]
 pub(in crate::motion) struct Expansion {
     system: System,
     order: usize,
-    /// The last coefficient that is a number.
+    /// Highest order whose coefficients are finite.
     last: usize,
-    /// log₂ of the length of a step over the radius of convergence.
+    /// log₂ of the step length divided by the radius of convergence.
     reach: f64,
     steps: Vec<Coefficients>,
     variables: Vec<[f64; ROOM]>,
@@ -63,7 +64,8 @@ pub(in crate::motion) struct Expansion {
 }
 
 impl Expansion {
-    /// Without a state yet. `tolerance` is of each step, relative to the sizes of the variables.
+    /// Creates an expansion without a state. `tolerance` is per step, relative to the sizes of the
+    /// variables.
     pub(in crate::motion) fn new(system: System, tolerance: f64) -> Self {
         let order = order(tolerance).min(MOST);
         let [variables, outputs] = [&system.rates, &system.outputs].map(|all| vec![[0.0; ROOM]; all.len()]);
@@ -79,7 +81,8 @@ impl Expansion {
         }
     }
 
-    /// About a state; how long a step from it may be, its variables and the further functions measured with `sizes`.
+    /// Computes the series about a state, and returns the largest step from it. `sizes`: scales of
+    /// the variables and of the further functions.
     pub(in crate::motion) fn about(&mut self, state: &[f64], sizes: [&[f64]; 2]) -> f64 {
         for (series, &x) in self.variables.iter_mut().zip(state) {
             series[0] = x;
@@ -91,7 +94,8 @@ impl Expansion {
         self.length(sizes)
     }
 
-    /// Coefficient n of everything, once those of the variables are known up to n.
+    /// Computes coefficient n of all series. The coefficients of the variables up to n must be
+    /// known.
     #[inline(always)]
     fn work_out<S: Machine>(&mut self, s: S, n: usize) {
         for (own, step) in self.system.steps.iter().enumerate() {
@@ -100,7 +104,7 @@ impl Expansion {
                 Step::Variable(k) => self.variables[*k][n],
                 Step::Form(of) => form(s, of, steps, n),
                 Step::Divide(..) | Step::Invert(_) | Step::Root(_) => {
-                    // Not known yet: it adds nothing to the sums.
+                    // The coefficient is not known yet; zero does not contribute to the sums.
                     steps[own].set(n, 0.0);
                     implicit(s, step, steps, own, n)
                 }
@@ -118,12 +122,13 @@ impl Expansion {
         }
     }
 
-    /// The longest step at which the terms that are left out are as small as they should be: by the last two coefficients that are finite.
+    /// Returns the longest step for which the truncated terms are below the tolerance, from the
+    /// last two finite coefficients.
     fn length(&mut self, [sizes, of_outputs]: [&[f64]; 2]) -> f64 {
         let log_radius = |n: usize| {
             let largest = |size: f64, (series, scale): (&[f64; ROOM], &f64)| {
                 let x = series[n].abs() / scale;
-                // A maximum that NaN does not escape.
+                // maximum that propagates NaN
                 if size.is_nan() || x <= size { size } else { x }
             };
             let size = self.variables.iter().zip(sizes).fold(0.0, largest);
@@ -137,7 +142,8 @@ impl Expansion {
         rough_exp2(last.min(before) + self.reach)
     }
 
-    /// A motion that is known otherwise, by the coefficients of the variables and of the further functions.
+    /// Sets the series of a motion that is known otherwise, from the coefficients of the variables
+    /// and of the further functions.
     pub(in crate::motion) fn impose(&mut self, variables: &[Vec<f64>], outputs: &[Vec<f64>]) {
         let fill = |series: &mut Vec<[f64; ROOM]>, given: &[Vec<f64>]| {
             for (series, given) in series.iter_mut().zip(given) {
@@ -150,29 +156,29 @@ impl Expansion {
         self.last = variables.first().map_or(0, |series| series.len() - 1);
     }
 
-    /// How many coefficients a step takes.
+    /// Returns the number of coefficients computed per step.
     pub(in crate::motion) const fn terms(&self) -> u64 {
         self.order as u64 + 1
     }
 
-    /// The change of a variable after h.
+    /// Returns the change of variable k after h.
     pub(in crate::motion) fn change(&self, h: f64, k: usize) -> f64 {
         let [_, series @ ..] = &self.variables[k];
         series[..self.last].iter().rev().fold(0.0, |sum, c| sum * h + c) * h
     }
 
-    /// A variable after h.
+    /// Returns variable k after h.
     pub(in crate::motion) fn variable(&self, h: f64, k: usize) -> f64 {
         self.variables[k][0] + self.change(h, k)
     }
 
-    /// One of the further functions after h.
+    /// Returns further function k after h.
     pub(in crate::motion) fn output(&self, h: f64, k: usize) -> f64 {
         self.outputs[k][..self.last].iter().rev().fold(0.0, |sum, c| sum * h + c)
     }
 }
 
-/// All coefficients, one after another.
+/// Computation of all coefficients in ascending order.
 struct Coming<'e>(&'e mut Expansion);
 
 impl Work for Coming<'_> {
@@ -186,7 +192,7 @@ impl Work for Coming<'_> {
     }
 }
 
-/// Coefficient n of a quotient or a root, from those of itself before it.
+/// Returns coefficient n of a quotient or a root, from its previous coefficients.
 #[inline(always)]
 fn implicit<S: Machine>(s: S, step: &Step, steps: &[Coefficients], own: usize, n: usize) -> f64 {
     let c = &steps[own];
@@ -205,7 +211,7 @@ fn implicit<S: Machine>(s: S, step: &Step, steps: &[Coefficients], own: usize, n
     }
 }
 
-/// Coefficient n of a form.
+/// Returns coefficient n of a form.
 #[inline(always)]
 fn form<S: Machine>(s: S, form: &Form, steps: &[Coefficients], n: usize) -> f64 {
     let mut sum = if n == 0 { form.constant } else { 0.0 };

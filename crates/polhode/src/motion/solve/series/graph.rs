@@ -1,7 +1,9 @@
-//! Right-hand sides as graphs: an autonomous system ẏ = f(y) of sums, products, quotients and square roots.
+//! Right-hand sides as graphs: an autonomous system ẏ = f(y) of sums, products, quotients and
+//! square roots.
 //!
-//! A function over [`Field`] that is run with [`Node`]s leaves its operations here, each value once, constants folded. What is only summed and multiplied
-//! becomes few bilinear forms, Σ fₖ aₖ + Σ gₖ aₖ bₖ + c.
+//! A function that is generic over [`Field`] records its operations when it is called with
+//! [`Node`]s. Equal values are recorded once, and constants are folded. Sums and products are
+//! combined into a few bilinear forms, Σ fₖ aₖ + Σ gₖ aₖ bₖ + c.
 
 use core::cell::RefCell;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -9,16 +11,16 @@ use std::collections::BTreeMap;
 
 use crate::math::algebra::Field;
 
-/// How a value is made of earlier ones.
+/// Operation that computes a value from previous values, which are given by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Operation {
-    /// One of the variables y.
+    /// One of the variables y, by index.
     Variable(usize),
     Add(usize, usize),
     Multiply(usize, usize),
-    /// The product with a constant, by its bits.
+    /// Product with a constant, given by its bits.
     Scale(usize, u64),
-    /// The sum with a constant, by its bits.
+    /// Sum with a constant, given by its bits.
     Shift(usize, u64),
     Divide(usize, usize),
     Invert(usize),
@@ -35,7 +37,7 @@ impl Operation {
     }
 }
 
-/// What is recorded so far.
+/// Operations recorded so far.
 #[derive(Debug, Default)]
 pub(super) struct Recording {
     operations: Vec<Operation>,
@@ -53,7 +55,7 @@ impl Recording {
     }
 }
 
-/// A value of a graph, or a constant.
+/// Value of a graph, or a constant.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::motion) struct Node<'g> {
     recording: &'g RefCell<Recording>,
@@ -157,12 +159,12 @@ impl Div for Node<'_> {
     }
 }
 
-/// Σ fₖ aₖ + Σ gₖ aₖ bₖ + c, the values by their places.
+/// Bilinear form Σ fₖ aₖ + Σ gₖ aₖ bₖ + c. The values are given by their indices.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Form {
     pub(super) constant: f64,
     pub(super) terms: Vec<(usize, f64)>,
-    /// Those with the same factor together.
+    /// Products, grouped by common factor.
     pub(super) products: Vec<(f64, Vec<[usize; 2]>)>,
 }
 
@@ -171,7 +173,7 @@ impl Form {
         Self { terms: vec![(place, 1.0)], ..Self::default() }
     }
 
-    /// Adds a product.
+    /// Adds a product of two values times a factor.
     fn multiply(&mut self, pair: [usize; 2], factor: f64) {
         match self.products.iter_mut().find(|(known, _)| *known == factor) {
             Some((_, pairs)) => pairs.push(pair),
@@ -179,7 +181,7 @@ impl Form {
         }
     }
 
-    /// Adds a multiple of another one.
+    /// Adds a multiple of another form.
     fn add(&mut self, other: &Self, factor: f64) {
         self.constant += factor * other.constant;
         self.terms.extend(other.terms.iter().map(|&(a, f)| (a, f * factor)));
@@ -191,7 +193,7 @@ impl Form {
     }
 }
 
-/// A value that has a series of its own.
+/// Value that has its own Taylor series.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Step {
     Variable(usize),
@@ -201,19 +203,20 @@ pub(super) enum Step {
     Root(usize),
 }
 
-/// An autonomous system ẏ = f(y), with further functions of y.
+/// Autonomous system ẏ = f(y), with further functions of y.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::motion) struct System {
-    /// In an order in which each follows what it is of.
+    /// Steps in an order such that each one follows its operands.
     pub(super) steps: Vec<Step>,
-    /// The rates of the variables.
+    /// Rates of the variables.
     pub(super) rates: Vec<Form>,
-    /// The further functions.
+    /// Further functions of the variables.
     pub(super) outputs: Vec<Form>,
 }
 
 impl System {
-    /// Records the rates of `count` variables, and further functions of them. `record` is given a constant 1 and the variables.
+    /// Records the rates of `count` variables, and further functions of them. `record` receives the
+    /// constant 1 and the variables.
     pub(in crate::motion) fn record(
         count: usize,
         record: impl for<'g> FnOnce(Node<'g>, &[Node<'g>]) -> [Vec<Node<'g>>; 2],
@@ -226,11 +229,12 @@ impl System {
     }
 }
 
-/// From operations to steps: forms that are used once go into those that use them.
+/// Compiler from operations to steps. Forms that are used once are merged into the forms that use
+/// them.
 struct Compiler<'o> {
     operations: &'o [Operation],
     uses: Vec<usize>,
-    /// What each operation has become.
+    /// Form of each operation that has been compiled.
     forms: Vec<Option<Form>>,
     steps: Vec<Step>,
 }
@@ -275,7 +279,8 @@ impl<'o> Compiler<'o> {
                 Operation::Root(a) => Step::Root(self.step_of(a)),
                 _ => {
                     let form = self.form(operation);
-                    // Sums are carried on into what they are a part of, unless that would be work done twice.
+                    // Merge a sum into the forms that use it, unless products would then be
+                    // computed twice.
                     if self.uses[place] == 1 || form.products.is_empty() && form.terms.len() <= 1 {
                         self.forms[place] = Some(form);
                         continue;
@@ -303,7 +308,7 @@ impl<'o> Compiler<'o> {
         }
     }
 
-    /// The series of an operation: its place, and by what it is multiplied.
+    /// Returns an operation as a multiple of a series: index of the series, and factor.
     fn multiple_of(&mut self, place: usize) -> (usize, f64) {
         let form = self.forms[place].clone().unwrap_or_default();
         if let ([single], true) = (&form.terms[..], form.products.is_empty() && form.constant == 0.0) {
@@ -314,7 +319,7 @@ impl<'o> Compiler<'o> {
         (next, 1.0)
     }
 
-    /// The place of a series that is this operation's.
+    /// Returns the index of a series that equals this operation.
     fn step_of(&mut self, place: usize) -> usize {
         let (own, factor) = self.multiple_of(place);
         if factor == 1.0 {
@@ -341,7 +346,7 @@ impl<'o> Compiler<'o> {
                 form.constant += f64::from_bits(by);
             }
             Operation::Multiply(a, b) => {
-                // A multiple of one series leaves its factor before the product.
+                // the factors of multiples are moved in front of the product
                 let ((a, f), (b, g)) = (self.multiple_of(a), self.multiple_of(b));
                 form.multiply([a, b], f * g);
             }

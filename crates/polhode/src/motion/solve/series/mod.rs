@@ -1,4 +1,5 @@
-//! Taylor series of autonomous systems: recorded once (`graph`), worked out coefficient by coefficient (`expansion`).
+//! Taylor series of autonomous systems: recorded once (`graph`), then evaluated coefficient by
+//! coefficient (`expansion`).
 
 mod expansion;
 mod graph;

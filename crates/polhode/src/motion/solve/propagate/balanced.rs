@@ -1,10 +1,10 @@
-//! A state with its evidence.
+//! A state with the work and impulse that test it.
 
 use crate::math::frame::Space;
 use crate::math::vector::AngularMomentum;
 use crate::motion::model::state::State;
 
-/// A state with the work and the angular impulse that torque has given the body since the start.
+/// State, with the work and the angular impulse of the torque on the body since the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Balanced {
     pub(crate) state: State,

@@ -1,37 +1,40 @@
-//! What a motion must not do: run away, or take more steps than there is time for.
+//! Bounds on a motion: detection of divergence, and of runs with too many steps.
 
 use super::piece::Piece;
 use crate::motion::error::MotionError;
 use crate::motion::model::state::State;
 use crate::motion::solve::limits::MOST_STEPS;
 
-/// Steps after which the step has found its size.
+/// Number of steps after which the step size has settled.
 const FIRST_STEPS: u64 = 64;
 
-/// Number of consecutive steps for which the projected count may exceed the limit before the run is abandoned: they may shrink towards infinity, where DOP853 comes in some 700 at a
+/// Number of consecutive steps with a projected count above the limit after which the run is
+/// abandoned. A motion towards infinity shrinks its steps. DOP853 needs some 700 of them at a
 /// tolerance of 1e-14.
 pub(crate) const PATIENCE: u64 = 2000;
 
-/// The plausibility bound: |ω| of a motion that runs away, relative to what is usual.
+/// Plausibility bound on |ω| of a diverging motion, relative to the usual rate.
 const BELIEVED: f64 = 1e3;
 
-/// |ω| that nothing has that is meant, relative to what is usual.
+/// |ω|, relative to the usual rate, at which a motion is stopped at once.
 const ABSURD: f64 = 1e9;
 
-/// A bound for |ω|, and for the number of steps.
+/// Bound on |ω| and on the number of steps.
 ///
-/// What is usual is |ω| at the start, every √(N/I) at which something begins to act, I the least moment, and one radian in the whole run.
-/// Nothing that is meant turns 10⁹ times faster. From 10³ times that on a motion is implausible, if it ends so.
+/// The usual rate is the largest of: |ω| at the start; √(N/I) whenever a torque begins to act,
+/// where I is the least moment; and one radian in the whole run. No intended motion is 10⁹ times
+/// faster. A motion that ends above 10³ times the usual rate is implausible.
 ///
-/// P is a place on the trajectory.
+/// `P` is a place on the trajectory.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bound<P> {
     usual_rate: f64,
-    /// When the motion began, s.
+    /// Start time of the motion, s.
     begun: f64,
-    /// Start of the current run of steps whose |ω| exceeds the plausibility bound.
+    /// Start of the current sequence of steps whose |ω| exceeds the plausibility bound.
     plausible: Option<Plausible<P>>,
-    /// For how many steps, one after the other, the end has been too far away, and the number of the last of them.
+    /// Number of consecutive steps for which the end was too far away, and the number of the last
+    /// of them.
     far: [u64; 2],
 }
 
@@ -40,7 +43,7 @@ struct Plausible<P> {
     time: f64,
     rate: f64,
     place: P,
-    /// The number of the last step since then.
+    /// Number of the last step of this sequence.
     step: u64,
 }
 
@@ -50,25 +53,26 @@ impl<P: Copy> Bound<P> {
         Self { usual_rate, begun: start.time, plausible: None, far: [0; 2] }
     }
 
-    /// What acts from now on.
+    /// Updates the usual rate when the acting torques change.
     pub(super) fn act(&mut self, piece: &Piece<'_>) {
         self.usual_rate = self.usual_rate.max(torque_rate(piece));
     }
 
-    /// When the motion is to end, s.
+    /// Updates the usual rate for the end of the motion, s.
     pub(super) fn end(&mut self, end: f64) {
         self.usual_rate = self.usual_rate.max(1.0 / (end - self.begun));
     }
 
-    /// |ω| from which on a motion is implausible if it ends so, rad/s.
+    /// Returns the plausibility bound on |ω|, rad/s.
     pub(super) fn most(&self) -> f64 {
         BELIEVED * self.usual_rate
     }
 
-    /// Looks at |ω| after a step, the steps being numbered; `before` is asked for the time, |ω| and place where it began.
+    /// Checks |ω| after step number `step`. `before` returns time, |ω| and place of the start of
+    /// the step.
     ///
     /// # Errors
-    /// [`MotionError::RunAway`].
+    /// [`MotionError::RunAway`] if |ω| exceeds the larger of the two bounds.
     pub(super) fn require(
         &mut self,
         step: u64,
@@ -92,10 +96,12 @@ impl<P: Copy> Bound<P> {
         }
     }
 
-    /// Looks at how far the end is after a step, the steps being numbered; `allowed` is the next step, and `now` time and |ω|.
+    /// Checks the projected number of steps after step number `step`. `allowed`: next step, s.
+    /// `now`: time and |ω|.
     ///
     /// # Errors
-    /// [`MotionError::TooManySteps`], or [`MotionError::RunAway`] if that is why.
+    /// [`MotionError::TooManySteps`] if it has exceeded the limit for `PATIENCE` steps, or
+    /// [`MotionError::RunAway`] if that is the cause.
     pub(super) fn require_few_steps(
         &mut self,
         step: u64,
@@ -115,13 +121,16 @@ impl<P: Copy> Bound<P> {
         Err(self.explained(MotionError::TooManySteps { time, step: allowed, most: MOST_STEPS }, now))
     }
 
-    /// The last plausible state, if the motion has left the bound.
+    /// Returns the last plausible place, if |ω| now exceeds the plausibility bound.
     pub(super) fn last_plausible(&self) -> Option<P> {
         self.plausible.map(|plausible| plausible.place)
     }
 
-    /// Why a motion cannot go on from here, time and |ω|: that it runs away, if |ω| has grown to ten times the bound within less time
-    /// than it took to come there. Towards infinity steps shrink to nothing before |ω| is large enough by itself.
+    /// Returns the reason why a motion cannot continue from `now` (time and |ω|).
+    ///
+    /// The reason is [`MotionError::RunAway`] if |ω| exceeds ten times the bound and has grown to
+    /// it in less time than it took to reach the bound; otherwise `cause`. If |ω| tends to
+    /// infinity, the steps become too small before |ω| reaches the larger bound.
     pub(super) fn explained(&self, cause: MotionError, [now, rate]: [f64; 2]) -> MotionError {
         match self.run_away() {
             Some((time, error)) if now - time < time - self.begun && rate > 10.0 * self.most() => error,
@@ -129,14 +138,14 @@ impl<P: Copy> Bound<P> {
         }
     }
 
-    /// When it was last plausible, and what it is to end there.
+    /// Returns the time of the last plausible state, and the error that the motion has there.
     fn run_away(&self) -> Option<(f64, MotionError)> {
         let Plausible { time, rate, .. } = self.plausible?;
         Some((time, MotionError::RunAway { time, rate, most: self.most() }))
     }
 }
 
-/// √(N/I), rad/s, of the least moment that is one.
+/// Returns √(N/I), rad/s, where I is the least moment that is not zero.
 fn torque_rate(piece: &Piece<'_>) -> f64 {
     let moments = piece.rotor.principal().moments();
     let least = moments.into_iter().find(|i| *i > 0.0).unwrap_or(f64::INFINITY);

@@ -1,16 +1,20 @@
-//! The motion as an ordinary differential equation, in a chart around the attitude at the start of each step.
+//! Motion as an ordinary differential equation, in a chart around the attitude at the start of each
+//! step.
 //!
-//! Within a step the attitude is attitude(t₀) · turn(θ), θ the rotation vector (|θ| rad about θ), and
+//! Within a step the attitude is attitude(t₀) · turn(θ), where θ is the rotation vector (|θ| rad
+//! about θ), and
 //!
 //! θ̇ = ω + ½ θ × ω + c θ × (θ × ω),  c = (1 − (θ/2) cot(θ/2)) / θ²
 //!
-//! Three numbers instead of a quaternion's four hold the attitude, the quaternion is unit because it is made from θ, an
-//! error δθ *is* an angle, and a steady rotation is linear in time: a step resolves what the body does beyond turning.
-//! Beside θ and ω (principal axes) the state carries the work W and the angular impulse J of the torque, as evidence:
-//! Ẇ = N · ω, J̇ = N in space.
+//! Advantages: three numbers instead of four describe the attitude, and the quaternion made from θ
+//! is always a unit quaternion. An error δθ is an angle. A steady rotation is linear in time, so
+//! the step size depends only on the deviation from it.
 //!
-//! Source: Bortz, IEEE Trans. Aerosp. Electron. Syst. 7 (1971) 61; in the language of Lie groups, θ̇ = dexp⁻¹ ω
-//! (Munthe-Kaas, BIT 38 (1998) 92).
+//! The state has θ and ω (principal axes), and as a check the work W and the angular impulse J of
+//! the torque: Ẇ = N · ω, J̇ = N in space.
+//!
+//! Source: Bortz, IEEE Trans. Aerosp. Electron. Syst. 7 (1971) 61; as a Lie-group method, θ̇ =
+//! dexp⁻¹ ω (Munthe-Kaas, BIT 38 (1998) 92).
 
 use std::rc::Rc;
 
@@ -25,21 +29,21 @@ use crate::motion::model::state::State;
 use super::piece::Piece;
 use super::rounding::{ROUNDING, THIN};
 
-/// θ (3), ω (3), W, J (3).
+/// Number of variables: θ (3), ω (3), W, J (3).
 pub(super) const N: usize = 10;
 pub(super) type Y = [f64; N];
 
-/// The equations of motion around one attitude.
+/// Equations of motion around one attitude.
 #[derive(Clone, Debug)]
 pub(super) struct Chart<'a> {
-    /// What acts.
+    /// Acting torques and body.
     pub(super) piece: Rc<Piece<'a>>,
-    /// The attitude of the principal axes at θ = 0.
+    /// Attitude of the principal axes at θ = 0.
     pub(super) center: Rotation<Space, Principal>,
 }
 
 impl Chart<'_> {
-    /// dy/dt.
+    /// Returns dy/dt.
     pub(super) fn derivative(&self, t: f64, y: &Y) -> Y {
         let (omega, piece) = (omega(y), &*self.piece);
         let moments = piece.rotor.principal().moments();
@@ -50,7 +54,8 @@ impl Chart<'_> {
         }
         let attitude = self.attitude(y);
         let torque = self.torque(t, y, attitude);
-        // What acts inside the body: wheels, h × ω − ḣ, and friction, α L × (L × ω), at which it turns by α L × ω faster.
+        // Internal torques: wheels, h × ω − ḣ, and friction, α L × (L × ω). With friction the body
+        // rotates faster by α L × ω.
         let (h, reaction) = (piece.wheel_momentum(t), -piece.motor_torque());
         let l = piece.angular_momentum(t, omega);
         let bending: Torque<Principal> = l.cross(omega);
@@ -63,7 +68,7 @@ impl Chart<'_> {
         [a, b, c, p, q, r, power, j, k, l]
     }
 
-    /// Ω = ω + α L × ω, at which the body turns.
+    /// Returns Ω = ω + α L × ω, the rate of rotation of the body.
     pub(super) fn turning(&self, t: f64, omega: AngularVelocity<Principal>) -> AngularVelocity<Principal> {
         if self.piece.sink == 0.0 {
             return omega;
@@ -72,12 +77,12 @@ impl Chart<'_> {
         omega + (bending * self.piece.sink).as_quantity()
     }
 
-    /// The attitude of the principal axes.
+    /// Returns the attitude of the principal axes.
     pub(super) fn attitude(&self, y: &Y) -> Rotation<Space, Principal> {
         self.center * Rotation::from_rotation_vector(theta(y))
     }
 
-    /// The state in body axes.
+    /// Returns the state in body axes.
     pub(super) fn state(&self, t: f64, y: &Y) -> State {
         self.state_at(t, y, self.attitude(y))
     }
@@ -87,9 +92,9 @@ impl Chart<'_> {
         State { time: t, attitude: attitude * r.inverse(), omega: r * omega(y) }
     }
 
-    /// Refuses a torque about an axis that has no inertia: nothing would balance it.
+    /// Returns an error for a torque about an axis without inertia, which nothing could balance.
     pub(super) fn require_determined(&self, t: f64, y: &Y) -> Result<(), MotionError> {
-        // Only a rod has such an axis, and it is the first.
+        // Only a rod has such an axis, and it is principal axis 1.
         if self.piece.torques.is_empty() || self.piece.rotor.principal().moments()[0] != 0.0 {
             return Ok(());
         }
@@ -104,7 +109,8 @@ impl Chart<'_> {
         let near = self.center * principal.rotation().inverse();
         let torque: Torque<Body> = self.piece.torque(&self.state_at(t, y, attitude), near);
         let torque = principal.rotation().inverse() * torque;
-        // Along a needle, gravity has no torque but that of its rounding; divided by so small a moment, it would spin it.
+        // About the axis of a needle the torque of gravity is only rounding. Divided by the very
+        // small moment, it would make the needle spin.
         let [i1, i2, i3] = principal.moments();
         let clean = |n: f64, i: f64| {
             if i < THIN * i3 && n.abs() < ROUNDING * self.piece.largest_torque { 0.0 } else { n }
@@ -113,36 +119,37 @@ impl Chart<'_> {
     }
 }
 
-/// y at the centre of a chart.
+/// Returns y at the centre of a chart, θ = 0.
 pub(super) fn at_center(omega: AngularVelocity<Principal>, work: f64, impulse: AngularMomentum<Space>) -> Y {
     let ([a, b, c], [j, k, l]) = (omega.to_array(), impulse.to_array());
     [0.0, 0.0, 0.0, a, b, c, work, j, k, l]
 }
 
-/// ω in principal axes.
+/// Returns ω in principal axes.
 pub(super) fn omega(y: &Y) -> AngularVelocity<Principal> {
     Vector::new(y[3], y[4], y[5])
 }
 
-/// The work done by the torque.
+/// Returns the work done by the torque, J.
 pub(super) fn work(y: &Y) -> f64 {
     y[6]
 }
 
-/// The angular impulse of the torque.
+/// Returns the angular impulse of the torque, N·m·s, space axes.
 pub(super) fn impulse(y: &Y) -> AngularMomentum<Space> {
     Vector::new(y[7], y[8], y[9])
 }
 
-/// The angle, in rad, that an error of y is: |δθ|, of which the turn is never more.
+/// Returns the angle that corresponds to an error of y, rad: |δθ|, an upper bound on the angle of
+/// rotation.
 pub(super) fn angle(error: &Y) -> f64 {
     theta(error).norm()
 }
 
-/// A step should turn the body by less than this, rad; the chart ends at 2π.
+/// Largest rotation of the body in a step, rad; the chart ends at 2π.
 pub(super) const LARGEST_TURN: f64 = 2.0;
 
-/// The turn since the centre of the chart.
+/// Returns the rotation vector since the centre of the chart, rad.
 pub(super) fn theta(y: &Y) -> Direction<Principal> {
     Vector::new(y[0], y[1], y[2])
 }
@@ -153,7 +160,7 @@ fn theta_dot(theta: Direction<Principal>, omega: AngularVelocity<Principal>) -> 
     w + twist * 0.5 + theta.cross(twist) * c(theta.dot(theta))
 }
 
-/// c = (1 − (θ/2) cot(θ/2)) / θ² = 1/12 + θ²/720 + θ⁴/30240 + …
+/// Returns c = (1 − (θ/2) cot(θ/2)) / θ² = 1/12 + θ²/720 + θ⁴/30240 + …
 fn c(theta2: f64) -> f64 {
     if theta2 < 1.0 {
         return SERIES.iter().rev().fold(0.0, |sum, term| sum * theta2 + term);
@@ -163,7 +170,8 @@ fn c(theta2: f64) -> f64 {
     (1.0 - half * cos / sin) / theta2
 }
 
-/// |B₂ₙ| / (2n)!, n = 1 to 9: the next term is below 1e-16 of the first for θ < 1. (DLMF 4.19.6)
+/// Coefficients |B₂ₙ| / (2n)!, n = 1 to 9. The next term is below 1e-16 of the first for θ < 1.
+/// (DLMF 4.19.6)
 const SERIES: [f64; 9] = [
     1.0 / 12.0,
     1.0 / 720.0,
@@ -182,7 +190,8 @@ mod tests {
 
     #[test]
     fn the_chart_turns_as_omega_says() {
-        // Differentiate the rotation itself: R(θ(t)) must turn at ω, at generic points on both sides of the series.
+        // Differentiate the rotation itself: R(θ(t)) must rotate at ω, at generic points on both
+        // sides of the series threshold.
         let w = AngularVelocity::<Principal>::new(0.7, -1.1, 0.4);
         for scale in [1.0, 0.5, 0.1, 1e-3] {
             let theta = Direction::new(0.9, -0.6, 1.3) * scale;
@@ -190,10 +199,10 @@ mod tests {
             let h = 1e-5;
             let at = |h: f64| Rotation::<Principal, Principal>::from_rotation_vector(theta + rate * h);
             let [_, x, y, z] = (at(-h).inverse() * at(h)).canonical_quaternion();
-            let turned = AngularVelocity::<Principal>::new(x, y, z) / h; // half the angle over h
+            let turned = AngularVelocity::<Principal>::new(x, y, z) / h; // half angle / h
             assert!((turned - w).norm() < 1e-9, "{turned:?}");
         }
-        // and the two forms of c meet
+        // and the two forms of c agree where they meet
         assert!((c(1.0) / c(1.0 - f64::EPSILON) - 1.0).abs() < 4e-15);
     }
 

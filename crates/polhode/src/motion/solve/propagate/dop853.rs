@@ -1,22 +1,22 @@
-//! One step of DOP853: the explicit Runge–Kutta method of order 8 by Dormand and Prince, with error estimates of
-//! order 5 and 3.
+//! One step of DOP853: the explicit Runge–Kutta method of order 8 by Dormand and Prince, with error
+//! estimates of order 5 and 3.
 //!
-//! Source: Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, §II.5 and §II.10. Their dense output, a
-//! polynomial of order 7 from three more stages, is not used: a shorter [`step`] from the same start has order 8 (see
-//! `stepper`).
+//! Source: Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, §II.5 and §II.10.
+//! Their dense output, a polynomial of order 7 from three more stages, is not used. Instead a
+//! shorter [`step`] from the same start gives order 8 (see `stepper`).
 
 use super::tableau::{A, B, C, E3, E5};
 
 pub(super) use super::tableau::STAGES;
 
-/// The derivatives at the stages of a step.
+/// Derivatives at the stages of a step.
 #[derive(Debug)]
 pub(super) struct Stages<const N: usize> {
     h: f64,
     k: [[f64; N]; STAGES],
 }
 
-/// Steps from y at t, where the derivative is `k0`, by h.
+/// Computes a step by h from y at t. `k0`: derivative there.
 pub(super) fn step<const N: usize>(
     f: &impl Fn(f64, &[f64; N]) -> [f64; N],
     t: f64,
@@ -33,35 +33,36 @@ pub(super) fn step<const N: usize>(
 }
 
 impl<const N: usize> Stages<N> {
-    /// Those of a step by h of which only the first is known.
+    /// Creates the stages of a step by h, with the first derivative known.
     pub(super) fn begin(k0: &[f64; N], h: f64) -> Self {
         let mut stages = Self { h, k: [[0.0; N]; STAGES] };
         stages.k[0] = *k0;
         stages
     }
 
-    /// Where the derivative of stage s is to be known, from those before it, of a step from y at t.
+    /// Returns time and variables at which the derivative of stage s is needed, for a step from y
+    /// at t. The previous stages must be known.
     pub(super) fn place(&self, s: usize, t: f64, y: &[f64; N]) -> (f64, [f64; N]) {
         let dy = self.weighted(A[s]);
         (t + C[s] * self.h, core::array::from_fn(|i| y[i] + dy[i]))
     }
 
-    /// The derivative of stage s.
+    /// Sets the derivative of stage s.
     pub(super) fn set(&mut self, s: usize, k: [f64; N]) {
         self.k[s] = k;
     }
 
-    /// y(t + h) − y(t).
+    /// Returns y(t + h) − y(t).
     pub(super) fn increment(&self) -> [f64; N] {
         self.weighted(&B)
     }
 
-    /// The error estimates of order 5 and 3 of every component.
+    /// Returns the error estimates of order 5 and 3 of every component.
     pub(super) fn errors(&self) -> ([f64; N], [f64; N]) {
         (self.weighted(&E5), self.weighted(&E3))
     }
 
-    /// h Σ w_j k_j
+    /// Returns h Σ w_j k_j.
     #[inline]
     fn weighted(&self, weights: &[f64]) -> [f64; N] {
         let mut sum = [0.0; N];
@@ -89,7 +90,7 @@ mod tests {
                 "row {s}"
             );
         }
-        // Σ b_j c_j^(q−1) = 1/q up to order 8; the error estimates vanish on low orders
+        // Σ b_j c_j^(q−1) = 1/q up to order 8; the error estimates vanish at low orders
         for q in 1..=8 {
             let moment = |w: &[f64]| w.iter().zip(&C).map(|(w, c)| w * c.powi(q - 1)).sum::<f64>();
             assert!((moment(&B) - 1.0 / f64::from(q)).abs() < 2e-15, "order {q}");
@@ -99,7 +100,7 @@ mod tests {
         }
     }
 
-    /// A smooth system with a known solution: y1 = sin t e^{−t/3}, y2 = tanh t.
+    /// Smooth system with a known solution: y1 = sin t e^{−t/3}, y2 = tanh t.
     fn f(t: f64, y: &[f64; 2]) -> [f64; 2] {
         [-y[0] / 3.0 + t.cos() * (-t / 3.0).exp(), 1.0 - y[1] * y[1]]
     }
@@ -108,7 +109,7 @@ mod tests {
         [t.sin() * (-t / 3.0).exp(), t.tanh()]
     }
 
-    /// The error of one step of length h from t = 0.3.
+    /// Returns the error of one step of length h from t = 0.3.
     fn one_step(h: f64) -> f64 {
         let (t, y) = (0.3, exact(0.3));
         let dy = step(&f, t, &y, &f(t, &y), h).increment();

@@ -1,4 +1,5 @@
-//! Work and angular impulse of a changing body: by quadrature along its motion, and what happens at once.
+//! Work and angular impulse on a body with changing mass properties: quadrature along its motion,
+//! and jumps.
 
 use super::balanced::Balanced;
 use super::piece::Piece;
@@ -8,15 +9,18 @@ use crate::math::vector::AngularMomentum;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
-/// Work and impulse since the start, at both ends of the last step; what rounding took is carried.
+/// Work and impulse since the start, at both ends of the last step. Each sum carries its rounding
+/// error in a second word.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Ledger {
     from: [[f64; 2]; 4],
     now: [[f64; 2]; 4],
 }
 
-/// Gauss–Legendre nodes and weights between 0 and 1, which are symmetric: a step has a part of the radius of convergence in it and turns the body by a few radians at
-/// most, so that sixteen orders are enough. (DLMF 3.5.v)
+/// Gauss–Legendre nodes and weights on (0, 1); the negative nodes follow by symmetry. (DLMF 3.5.v)
+///
+/// Order 16 suffices: a step is shorter than the radius of convergence and turns the body by a few
+/// radians at most.
 const NODES: [[f64; 2]; 4] = [
     [0.183_434_642_495_649_8, 0.362_683_783_378_362],
     [0.525_532_409_916_329, 0.313_706_645_877_887_3],
@@ -25,18 +29,18 @@ const NODES: [[f64; 2]; 4] = [
 ];
 
 impl Ledger {
-    /// A step begins.
+    /// Begins a step.
     pub(super) fn begin(&mut self) {
         self.from = self.now;
     }
 
-    /// The last step has come to a time, or is cut there.
+    /// Ends the last step at a time, or shortens it to that time.
     pub(super) fn reach(&mut self, piece: &Piece<'_>, span: [f64; 2], at: &dyn Fn(f64) -> State) {
         self.now = self.from;
         add(&mut self.now, Self::between(piece, span, at));
     }
 
-    /// What came at once.
+    /// Adds the jump of energy and angular momentum between two states.
     pub(super) fn jump(&mut self, rotors: [&Rotor; 2], states: [&State; 2]) {
         let [before, after] = [0, 1].map(|k| {
             let momentum = rotors[k].angular_momentum_space(states[k]).to_array();
@@ -46,17 +50,17 @@ impl Ledger {
         add(&mut self.now, core::array::from_fn(|k| after[k] - before[k]));
     }
 
-    /// The state now with its evidence.
+    /// Returns the state now, with work and impulse.
     pub(super) fn now(&self, state: State) -> Balanced {
         balanced(state, &self.now)
     }
 
-    /// The state at the start of the last step with its evidence.
+    /// Returns the state at the start of the last step, with work and impulse.
     pub(super) fn from(&self, state: State) -> Balanced {
         balanced(state, &self.from)
     }
 
-    /// A state within the last step with its evidence.
+    /// Returns a state within the last step, with work and impulse.
     pub(super) fn at(
         &self,
         piece: &Piece<'_>,

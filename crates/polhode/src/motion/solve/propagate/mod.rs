@@ -1,8 +1,12 @@
-//! Numerical integration of the equations of motion, for everything that has no closed form.
+//! Numerical integration of the equations of motion, for every motion without a closed form.
 //!
-//! `dop853` is the rule for one step and knows no physics; `chart` writes the motion as an ordinary differential
-//! equation that it can step; `orientation` adds up its turns; `piece` says what acts until something changes; `stepper` puts steps together and controls their error.
-//! Taylor's method and splitting are beside `dop853`.
+//! - `dop853` computes one Runge–Kutta step and contains no physics; `runge_kutta` controls its
+//!   error.
+//! - `taylor` and `splitting` are the other two integrators.
+//! - `chart` writes the motion as an ordinary differential equation.
+//! - `orientation` accumulates rotations.
+//! - `piece` lists what acts until something changes.
+//! - `stepper` is the common interface of the integrators.
 
 pub(crate) mod balanced;
 pub(crate) mod bound;

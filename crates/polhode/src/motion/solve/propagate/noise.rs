@@ -1,6 +1,6 @@
-//! Rounding made larger: what perturbed runs add to the state after each step.
+//! Amplified rounding: perturbations that comparison runs add to the state after each step.
 
-/// Random numbers with mean 0 and variance 1, from a seed: the same on every machine.
+/// Random numbers with mean 0 and variance 1, from a seed; identical on every machine.
 #[derive(Clone, Debug)]
 pub(crate) struct Random(u64);
 
@@ -9,7 +9,7 @@ impl Random {
         Self(seed)
     }
 
-    /// Uniform between −√3 and √3.
+    /// Returns a number, uniform between −√3 and √3.
     pub(crate) fn next(&mut self) -> f64 {
         // SplitMix64: G. L. Steele, D. Lea, C. H. Flood, OOPSLA 2014.
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -20,20 +20,20 @@ impl Random {
     }
 }
 
-/// Perturbation of a run, to measure what rounding does to it.
+/// Perturbation of a run, for measuring the effect of rounding.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StepNoise {
     pub(crate) seed: u64,
-    /// Ratio of what is added to each variable after a step to the rounding of that step.
+    /// Perturbation of each variable after a step, relative to the rounding of that step.
     pub(crate) amplitude: f64,
-    /// Factor of the length of steps.
+    /// Factor of the step length.
     pub(crate) stretch: f64,
 }
 
-/// What rounding does to a step, times an amplitude.
+/// Generator of perturbations: rounding of a step, times an amplitude.
 ///
-/// Each component is perturbed in proportion to its own size: what is exactly zero, because a symmetry keeps it so, stays zero in the
-/// run and in the perturbed run.
+/// Each component is perturbed in proportion to its own size. A component that is exactly zero
+/// because of a symmetry therefore stays zero in the perturbed run.
 #[derive(Clone, Debug)]
 pub(crate) struct Noise {
     random: Random,
@@ -45,13 +45,14 @@ impl Noise {
         Self { random: Random::new(seed), amplitude }
     }
 
-    /// δ of a turn by h ω, ω the mean of those before and after a step, as a rotation vector.
+    /// Returns the perturbation, a rotation vector, of a rotation by h ω, where ω is the mean of
+    /// the values before and after a step.
     pub(super) fn turn(&mut self, h: f64, before: [f64; 3], after: [f64; 3]) -> [f64; 3] {
         let h = 0.5 * h * f64::EPSILON * self.amplitude;
         core::array::from_fn(|k| h * (before[k].abs() + after[k].abs()) * self.random.next())
     }
 
-    /// δ of what a step has led to, component by component: of ω, or of L.
+    /// Returns the perturbation of ω, or of L, after a step, component by component.
     pub(super) fn rate(&mut self, before: [f64; 3], after: [f64; 3]) -> [f64; 3] {
         let scale = 0.5 * f64::EPSILON * self.amplitude;
         core::array::from_fn(|k| scale * (before[k].abs() + after[k].abs()) * self.random.next())

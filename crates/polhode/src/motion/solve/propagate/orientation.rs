@@ -1,4 +1,4 @@
-//! An attitude that many small turns can be added to.
+//! Attitude that accumulates many small rotations.
 
 use crate::math::frame::{Principal, Space};
 use crate::math::number::sin_cos;
@@ -6,8 +6,8 @@ use crate::math::rotation::Rotation;
 use crate::math::sum::two_sum;
 use crate::math::vector::Direction;
 
-/// A unit quaternion as a sum with its rounding carried along: a product of n turns of d rad each is then off by
-/// about ε d √n instead of ε √n.
+/// Unit quaternion with compensated summation. The error after n rotations of d rad each is about ε
+/// d √n instead of ε √n.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Orientation {
     q: [f64; 4],
@@ -24,7 +24,8 @@ impl Orientation {
         Rotation::from_unit(self.quaternion())
     }
 
-    /// q ← q ⊗ exp(θ/2) = q + q ⊗ d,  d = (−2 sin²(|θ|/4), sin(|θ|/2) θ/|θ|)
+    /// Multiplies by a rotation: q ← q ⊗ exp(θ/2) = q + q ⊗ d, d = (−2 sin²(|θ|/4), sin(|θ|/2)
+    /// θ/|θ|).
     pub(super) fn turn(&mut self, theta: Direction<Principal>) {
         let angle = theta.norm();
         if angle == 0.0 {
@@ -36,14 +37,14 @@ impl Orientation {
         self.add([dw, dx, dy, dz]);
     }
 
-    /// q/|q|, where |q| is 1 but for rounding: as [`Rotation::near_unit`] has it.
+    /// Returns q/|q|, where |q| is 1 up to rounding, as in [`Rotation::near_unit`].
     fn quaternion(&self) -> [f64; 4] {
         let [w, x, y, z] = self.q;
         let s = 1.5 - 0.5 * (w * w + x * x + y * y + z * z);
         [s * w, s * x, s * y, s * z]
     }
 
-    /// q ← q ⊗ (1 + d) = q + q ⊗ d
+    /// Adds a small rotation: q ← q ⊗ (1 + d) = q + q ⊗ d.
     pub(super) fn add(&mut self, [dw, dx, dy, dz]: [f64; 4]) {
         let [w, x, y, z] = self.q;
         let increment = [
@@ -64,7 +65,7 @@ mod tests {
 
     #[test]
     fn a_million_turns_come_round() {
-        // 1,000,003 equal turns about a generic axis that make 50,000 full ones
+        // 1 000 003 equal rotations about a generic axis, 50 000 full turns in total
         let n = 1_000_003;
         let axis = Direction::new(0.48, -0.6, 0.64);
         let step = axis * (50_000.0 * 2.0 * crate::math::number::PI / f64::from(n));
@@ -73,10 +74,10 @@ mod tests {
         for _ in 0..n {
             orientation.turn(step);
         }
-        // The step itself is rounded: ε of 314,159 rad is all that may be left.
+        // The step itself is rounded, so an error of ε times 314 159 rad is allowed.
         let error = orientation.rotation().angle_to(start);
         assert!(error < 6e-11, "{error:e}");
-        // Across the axis there is no such excuse.
+        // Rounding of the step does not affect the direction perpendicular to the axis.
         let tilt = (orientation.rotation() * axis).angle_to(start * axis);
         assert!(tilt < 2e-14, "{tilt:e}");
     }

@@ -1,4 +1,4 @@
-//! A piece of time in which nothing begins or ends: what acts there.
+//! Acting torques on an interval of time in which none begins or ends.
 
 use std::sync::Arc;
 
@@ -13,24 +13,27 @@ use crate::motion::model::state::State;
 use crate::motion::model::torque::changing::DrivenBody;
 use crate::motion::model::torque::{OwnTorque, TorqueModel};
 
-/// What acts from one time until something changes. Within it everything is as smooth as the torques themselves.
+/// Acting torques, from one time until something changes. Within a piece everything is as smooth as
+/// the torques themselves.
 #[derive(Clone, Debug)]
 pub(super) struct Piece<'a> {
     pub(super) rotor: &'a Rotor,
-    /// The torques that act, without their schedules; none on a changing body, which has them in itself.
+    /// Acting torques, without their schedules. Empty for a body with changing mass properties,
+    /// whose law contains them.
     pub(super) torques: Vec<&'a TorqueModel>,
-    /// The body whose mass properties change, if they do: a ball turns in its place.
+    /// Body with changing mass properties, if it is one, and its law: a torque on the ball that is
+    /// integrated in its place.
     pub(super) changing: Option<(Arc<DrivenBody>, TorqueModel)>,
     /// Σ α of the energy sinks.
     pub(super) sink: f64,
-    /// The largest torque that there can be, with the motors', N·m.
+    /// Upper bound on the torque, including that of the motors, N·m.
     pub(super) largest_torque: f64,
-    /// The first time at which something begins or ends; infinite if nothing does.
+    /// First time at which something begins or ends, s; infinite if there is none.
     pub(super) until: f64,
     wheels: Wheels,
 }
 
-/// The wheels' angular momentum: h = `momentum` + `rate` (t − `time`), principal axes.
+/// Angular momentum of the wheels: h = `momentum` + `rate` (t − `time`), principal axes.
 #[derive(Clone, Copy, Debug)]
 struct Wheels {
     time: f64,
@@ -39,7 +42,8 @@ struct Wheels {
 }
 
 impl<'a> Piece<'a> {
-    /// What acts just after the time of a state; torques that are switched off are not among `torques`.
+    /// Finds what acts just after the time of a state. `torques` must not contain torques that are
+    /// switched off.
     pub(super) fn new(
         rotor: &'a Rotor,
         torques: impl Iterator<Item = &'a TorqueModel> + Clone,
@@ -47,7 +51,8 @@ impl<'a> Piece<'a> {
     ) -> Self {
         let time = state.time;
         let to_principal = rotor.principal().rotation().inverse();
-        // A table knows the greatest of its rows; the polynomial between two of them only what it is now, which may be zero.
+        // A table returns the largest of its rows. The polynomial between two rows returns only its
+        // present value, which may be zero.
         let scales = torques.clone().filter(|torque| torque.acting(time).is_some());
         let largest_torque = scales.map(|torque| torque.model().scale(rotor, state)).sum::<f64>();
         let acting: Vec<_> = torques.clone().filter_map(|torque| torque.acting(time)).collect();
@@ -68,8 +73,8 @@ impl<'a> Piece<'a> {
         }
     }
 
-    /// The piece at the start of a motion. Refuses a body that cannot spin, and torques that it cannot
-    /// balance.
+    /// Returns the piece at the start of a motion. Fails for a body that cannot spin, and for
+    /// torques that it cannot balance.
     pub(super) fn first(
         rotor: &'a Rotor,
         torques: impl Iterator<Item = &'a TorqueModel> + Clone,
@@ -83,7 +88,8 @@ impl<'a> Piece<'a> {
         Ok(piece)
     }
 
-    /// The same of a body with such a history, which has no wheels and no friction inside.
+    /// Returns the piece for a body with changing mass properties, which has no wheels and no
+    /// internal friction.
     pub(super) fn of_changing(
         rotor: &Rotor,
         history: &'a MassHistory,
@@ -104,7 +110,8 @@ impl<'a> Piece<'a> {
         }
     }
 
-    /// Refuses friction inside a rod that spins about its own line: nothing there has inertia, and ω would stop at once.
+    /// Returns an error for internal friction in a rod that spins about its own line. The rod has
+    /// no inertia about this line, so the spin would stop instantly.
     pub(super) fn require_balanced_sink(&self, state: &State) -> Result<(), MotionError> {
         let principal = self.rotor.principal();
         let omega = principal.rotation().inverse() * state.omega;
@@ -112,40 +119,41 @@ impl<'a> Piece<'a> {
         if self.sink == 0.0 || !is_rod || omega.x.abs() <= ROUNDING * omega.norm() {
             return Ok(());
         }
-        // (L × Ω)₁ of L = (0, I ω₂, I ω₃)
+        // component 1 of L × Ω for L = (0, I ω₂, I ω₃)
         let momentum = self.angular_momentum(state.time, omega);
         let torque = -self.sink * momentum.dot(momentum) * omega.x;
         Err(MotionError::TorqueWithoutInertia { torque, time: state.time })
     }
 
-    /// True if nothing acts: the body moves freely.
+    /// Returns true if nothing acts, so that the body moves freely.
     pub(super) fn is_free(&self) -> bool {
         self.acting().next().is_none() && self.rotor.wheels().is_empty()
     }
 
-    /// All that acts on what turns.
+    /// Returns all torque models on the integrated body.
     pub(super) fn acting(&self) -> impl Iterator<Item = &TorqueModel> + Clone {
         self.torques.iter().copied().chain(self.changing.iter().map(|(_, law)| law))
     }
 
-    /// The torque of all that acts from outside, body axes. Twists are continued from an attitude `near` that of the state.
+    /// Returns the total external torque, body axes. Twists are continued from `near`, an attitude
+    /// close to that of the state.
     pub(super) fn torque(&self, state: &State, near: Attitude) -> Torque<Body> {
         let torque = |model: &&TorqueModel| model.model().value_near(self.rotor, state, near);
         let changing = self.changing.iter().map(|(body, _)| body.value_near(self.rotor, state, near));
         self.torques.iter().map(torque).chain(changing).fold(Torque::ZERO, |sum, torque| sum + torque)
     }
 
-    /// h, the angular momentum of the wheels, principal axes.
+    /// Returns h, the angular momentum of the wheels, principal axes.
     pub(super) fn wheel_momentum(&self, time: f64) -> AngularMomentum<Principal> {
         self.wheels.momentum + (self.wheels.rate * (time - self.wheels.time)).as_quantity()
     }
 
-    /// ḣ
+    /// Returns ḣ, principal axes.
     pub(super) fn motor_torque(&self) -> Torque<Principal> {
         self.wheels.rate
     }
 
-    /// L = I ω + h, principal axes.
+    /// Returns L = I ω + h, principal axes.
     pub(super) fn angular_momentum(
         &self,
         time: f64,

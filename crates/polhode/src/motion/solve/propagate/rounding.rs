@@ -1,7 +1,7 @@
-//! What of a torque is rounding.
+//! Thresholds for torques that are only rounding.
 
-/// What rounding leaves of a torque along an axis along which there is none.
+/// Relative rounding error of a torque about an axis about which the true torque is zero.
 pub(crate) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// A moment below this part of the greatest is that of a needle.
+/// Threshold of the ratio of a moment to the greatest: below it the body counts as a needle.
 pub(crate) const THIN: f64 = 1e-2;

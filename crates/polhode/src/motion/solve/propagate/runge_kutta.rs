@@ -1,4 +1,4 @@
-//! Steps of DOP853 put together: error control, the carried rounding, and samples between steps.
+//! DOP853 with error control, compensated summation, and samples between steps.
 
 use std::rc::Rc;
 
@@ -15,33 +15,35 @@ use crate::math::vector::{AngularVelocity, Vector};
 use crate::motion::error::MotionError;
 use crate::motion::model::state::State;
 
-/// Rounding of a torque N, in units of the rate √(N/I) that it makes.
+/// Rounding of a torque N, in units of the rate √(N/I) that it causes.
 const NOISE: f64 = 16.0 * f64::EPSILON;
 
-/// Adaptive DOP853 over the motion of one body.
+/// Adaptive DOP853 for the motion of one body.
 ///
-/// The error of a step, which `tolerance` bounds, is the root mean square of two: the attitude's (rad) and ω's (relative
-/// to the largest |ω| so far, and not below what the rounding of the torque does to it).
+/// `tolerance` bounds the error of a step: the root mean square of the attitude error (rad) and the
+/// relative error of ω. The latter is relative to the largest |ω| so far, but at least to the
+/// effect of rounding of the torque.
 pub(super) struct RungeKutta<'a> {
     chart: Chart<'a>,
     orientation: Orientation,
     time: f64,
     y: Y,
-    /// What rounding took from each sum, to be given back at the next step.
+    /// Rounding errors of the sums, added back in the next step.
     carry: Y,
     k0: Y,
     h: f64,
     tolerance: f64,
     omega_scale: f64,
-    /// What rounding of the torque alone does to ω, rad/s: no error control reaches below it.
+    /// Effect of the rounding of the torque on ω, rad/s: a lower limit of the error control.
     omega_noise: f64,
-    /// Factor of the steps whose length the tolerance does not set: the first, and those of the largest turn.
+    /// Factor of the steps whose length the tolerance does not determine: the first step, and steps
+    /// of the largest rotation.
     stretch: f64,
     statistics: StepStatistics,
     last: Option<Step<'a>>,
 }
 
-/// One accepted step, as it started.
+/// Accepted step, with the state at its start.
 #[derive(Clone, Debug)]
 struct Step<'a> {
     chart: Chart<'a>,
@@ -52,7 +54,7 @@ struct Step<'a> {
     k0: Y,
 }
 
-/// A step that is tried: its stages follow each other, so that what acts may be computed elsewhere.
+/// Trial step. Its stages are evaluated one by one, so that torques may be computed elsewhere.
 #[derive(Debug)]
 pub(super) struct Attempt<'a> {
     chart: Chart<'a>,
@@ -61,46 +63,48 @@ pub(super) struct Attempt<'a> {
     stages: Stages<N>,
     h: f64,
     end_time: f64,
-    /// The step that the tolerance allows, and that to the time which no step crosses.
+    /// Step allowed by the tolerance. The next field is the time to the limit that no step crosses.
     wanted: f64,
     rest: f64,
     pub(super) was_rejected: bool,
 }
 
-/// Where a step leads.
+/// Result of a trial step.
 #[derive(Debug)]
 pub(super) struct End {
     increment: Y,
     y: Y,
-    /// How many times as long the next step may be.
+    /// Factor of the length of the next step.
     factor: f64,
 }
 
 impl Attempt<'_> {
-    /// The state of stage s.
+    /// Returns the state of stage s.
     pub(super) fn place(&self, s: usize) -> State {
         let (t, y) = self.stages.place(s, self.start, &self.y);
         self.chart.state(t, &y)
     }
 
-    /// Finds the derivative of stage s.
+    /// Computes the derivative of stage s.
     pub(super) fn evaluate(&mut self, s: usize) {
         let (t, y) = self.stages.place(s, self.start, &self.y);
         self.stages.set(s, self.chart.derivative(t, &y));
     }
 
-    /// The state where it leads.
+    /// Returns the state at the end of the step.
     pub(super) fn end(&self, end: &End) -> State {
         self.chart.state(self.end_time, &end.y)
     }
 
-    /// The same, after its stages.
+    /// Returns the state at the end of the step, after all stages.
     pub(super) fn reached(&self) -> State {
         self.chart.state(self.end_time, &sum(&self.y, &self.stages.increment()))
     }
 }
 
 impl<'a> RungeKutta<'a> {
+    /// Prepares the integration from a state.
+    ///
     /// # Errors
     /// [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
     pub(super) fn new(piece: Rc<Piece<'a>>, start: State, tolerance: f64) -> Result<Self, MotionError> {
@@ -120,7 +124,8 @@ impl<'a> RungeKutta<'a> {
             y,
             carry: [0.0; N],
             k0,
-            // A fiftieth of a radian: the first step is never far too long, and grows at once.
+            // 2 % of a radian: the first step is certainly not too long, and the next steps can
+            // grow.
             h: if rate > 0.0 { 0.02 / rate } else { f64::INFINITY },
             tolerance,
             omega_scale,
@@ -131,10 +136,10 @@ impl<'a> RungeKutta<'a> {
         })
     }
 
-    /// Goes on from here with what acts from now on.
+    /// Continues with other acting torques.
     ///
     /// # Errors
-    /// As [`RungeKutta::new`].
+    /// Those of [`RungeKutta::new`].
     pub(super) fn change(&mut self, piece: Rc<Piece<'a>>) -> Result<(), MotionError> {
         let torque_rate = (piece.largest_torque / piece.rotor.principal().moments()[2]).sqrt();
         self.omega_noise = self.omega_noise.max(NOISE * torque_rate);
@@ -142,7 +147,7 @@ impl<'a> RungeKutta<'a> {
         self.chart.require_determined(self.time, &self.y)?;
         self.k0 = self.chart.derivative(self.time, &self.y);
         self.statistics.evaluations += 1;
-        // The step that suited what acted before says nothing.
+        // The previous step length does not apply to the new torques.
         let rate = chart::omega(&self.y).norm() + omega_rate(&self.k0).norm().sqrt();
         self.h = if rate > 0.0 { self.stretch * 0.02 / rate } else { f64::INFINITY };
         Ok(())
@@ -152,7 +157,7 @@ impl<'a> RungeKutta<'a> {
         self.time
     }
 
-    /// The step that the tolerance allows next, s.
+    /// Returns the next step that the tolerance allows, s.
     pub(super) fn next_step(&self) -> f64 {
         let speed = chart::omega(&self.y).norm();
         if speed > 0.0 { self.h.min(self.stretch * chart::LARGEST_TURN / speed) } else { self.h }
@@ -162,16 +167,16 @@ impl<'a> RungeKutta<'a> {
         self.statistics
     }
 
-    /// The state now.
+    /// Returns the state now, with work and impulse.
     pub(super) fn now(&self) -> Balanced {
         balanced(&self.chart, self.time, &self.y)
     }
 
-    /// One step forward, not beyond `until`.
+    /// Takes one step forward, not beyond `until`.
     ///
     /// # Errors
-    /// [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or [`MotionError::TorqueWithoutInertia`]; the stepper
-    /// stays at the last good state.
+    /// [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or
+    /// [`MotionError::TorqueWithoutInertia`]. The stepper keeps the last good state.
     pub(super) fn step(&mut self, until: f64) -> Result<(), MotionError> {
         let mut attempt = self.attempt(until)?;
         loop {
@@ -186,10 +191,10 @@ impl<'a> RungeKutta<'a> {
         }
     }
 
-    /// A step that may be taken, as long as the tolerance allows.
+    /// Prepares a trial step, as long as the tolerance allows.
     ///
     /// # Errors
-    /// [`MotionError::StepTooSmall`].
+    /// [`MotionError::StepTooSmall`] if the step does not advance the time.
     pub(super) fn attempt(&self, until: f64) -> Result<Attempt<'a>, MotionError> {
         let wanted = self.next_step();
         let rest = until - self.time;
@@ -197,7 +202,7 @@ impl<'a> RungeKutta<'a> {
         if !(self.time + h > self.time) {
             return Err(MotionError::StepTooSmall { time: self.time, step: h });
         }
-        // What rounding makes of the time is part of the step.
+        // The rounding of the time belongs to the step.
         let end_time = if wanted >= rest { until } else { self.time + h };
         Ok(Attempt {
             chart: self.chart.clone(),
@@ -212,10 +217,11 @@ impl<'a> RungeKutta<'a> {
         })
     }
 
-    /// Where a step leads, and what the next one may be; `None` if its error is too large.
+    /// Returns the result of a trial step, or `None` if its error is too large. Updates the
+    /// proposed step length.
     ///
     /// # Errors
-    /// [`MotionError::NotFinite`].
+    /// [`MotionError::NotFinite`] if even a very short step gives NaN or infinity.
     pub(super) fn judge(&mut self, attempt: &Attempt<'a>) -> Result<Option<End>, MotionError> {
         let (stages, h) = (&attempt.stages, attempt.h);
         self.statistics.evaluations += 11;
@@ -230,7 +236,7 @@ impl<'a> RungeKutta<'a> {
             self.statistics.rejected += 1;
             return Ok(None);
         }
-        // Hairer's constants: safety 0.9, change between 1/3 and 6, exponent 1/8.
+        // Hairer's constants: safety factor 0.9, change between 1/3 and 6, exponent 1/8.
         let factor = (0.9 / error.sqrt().sqrt().sqrt()).clamp(1.0 / 3.0, 6.0);
         if error > 1.0 {
             self.h = h * factor.min(1.0);
@@ -240,10 +246,10 @@ impl<'a> RungeKutta<'a> {
         Ok(Some(End { increment, y, factor }))
     }
 
-    /// Takes a step whose error is small enough; the torque at its end is to be known.
+    /// Accepts a trial step. The torque at its end must be known.
     ///
     /// # Errors
-    /// [`MotionError::TorqueWithoutInertia`].
+    /// [`MotionError::TorqueWithoutInertia`] if this torque cannot be balanced.
     pub(super) fn finish(&mut self, attempt: &Attempt<'a>, end: &End) -> Result<(), MotionError> {
         let Attempt { chart, h, end_time, wanted, rest, was_rejected, .. } = attempt;
         chart.require_determined(*end_time, &end.y)?;
@@ -254,14 +260,15 @@ impl<'a> RungeKutta<'a> {
         self.accept(&end.increment, *end_time, &k_end);
         self.statistics.evaluations += 1;
         self.statistics.accepted += 1;
-        // A step shortened by `until` says nothing about the next one.
+        // A step shortened by `until` does not limit the next one.
         let grown = h * if *was_rejected { end.factor.min(1.0) } else { end.factor };
         self.h = if wanted >= rest { grown.max(*wanted) } else { grown };
         self.last = Some(step);
         Ok(())
     }
 
-    /// A shorter step from where the last one began, to a time within it: dense output, as [`RungeKutta::at`].
+    /// Prepares a shorter step from the start of the last one to a time within it: dense output, as
+    /// in [`RungeKutta::at`].
     pub(super) fn shorter(&self, time: f64) -> Option<Attempt<'a>> {
         let Step { chart, start, y, k0, .. } = self.last.as_ref()?;
         let h = time - start;
@@ -278,11 +285,13 @@ impl<'a> RungeKutta<'a> {
         })
     }
 
-    /// The state within the last step: dense output, by a shorter step from the same start.
+    /// Returns the state within the last step (dense output), by a shorter step from the same
+    /// start.
     ///
-    /// Eleven evaluations each. The polynomial of order 7 that goes with DOP853 costs three a step; on Orekit's test
-    /// (fixtures/free_top.toml, every order and sign of its rates) its samples had up to 57 times the tolerance, these have
-    /// less than 5 times.
+    /// Each sample costs eleven evaluations. The standard polynomial of order 7 costs three
+    /// evaluations per step, but is less accurate. On Orekit's test (fixtures/free_top.toml, every
+    /// order and sign of its rates) its error was up to 57 times the tolerance, and here below 5
+    /// times.
     pub(super) fn at(&self, time: f64) -> Balanced {
         let Some(step) = &self.last else { return self.now() };
         let f = |t: f64, y: &Y| step.chart.derivative(t, y);
@@ -290,7 +299,7 @@ impl<'a> RungeKutta<'a> {
         balanced(&step.chart, time, &sum(&step.y, &stages.increment()))
     }
 
-    /// Goes back to a time within the last step.
+    /// Returns to a time within the last step.
     pub(super) fn cut(&mut self, time: f64) {
         let Some(step) = self.last.clone().filter(|_| time != self.time) else { return };
         let f = |t: f64, y: &Y| step.chart.derivative(t, y);
@@ -303,13 +312,13 @@ impl<'a> RungeKutta<'a> {
         self.statistics.evaluations += 12;
     }
 
-    /// Multiplies the length of the steps that the tolerance does not set.
+    /// Multiplies the lengths of the steps that the tolerance does not determine.
     pub(super) fn stretch(&mut self, factor: f64) {
         self.h *= factor;
         self.stretch = factor;
     }
 
-    /// Perturbs the end of the last step.
+    /// Perturbs the state at the end of the last step.
     pub(super) fn perturb(&mut self, noise: &mut Noise) {
         let Some(last) = &self.last else { return };
         let (before, after) = (chart::omega(&last.y).to_array(), chart::omega(&self.y).to_array());
@@ -321,7 +330,7 @@ impl<'a> RungeKutta<'a> {
         self.k0 = self.chart.derivative(self.time, &self.y);
     }
 
-    /// Adds to ω at once, body axes; [`RungeKutta::change`] is to follow.
+    /// Adds a jump to ω, body axes. [`RungeKutta::change`] must follow.
     pub(super) fn kick(&mut self, more: AngularVelocity<Body>) {
         let more = self.chart.piece.rotor.principal().rotation().inverse() * more;
         for (y, more) in self.y[3..6].iter_mut().zip(more.to_array()) {
@@ -329,7 +338,7 @@ impl<'a> RungeKutta<'a> {
         }
     }
 
-    /// Moves to the end of the step, and the chart with it.
+    /// Moves to the end of the step, and recentres the chart there.
     fn accept(&mut self, increment: &Y, time: f64, k_end: &Y) {
         let mut y = self.y;
         for (i, dy) in increment.iter().enumerate() {
@@ -341,12 +350,13 @@ impl<'a> RungeKutta<'a> {
         self.y = chart::at_center(chart::omega(&y), chart::work(&y), chart::impulse(&y));
         self.carry[..3].fill(0.0);
         self.omega_scale = self.omega_scale.max(chart::omega(&y).norm());
-        // In the new chart θ = 0 and θ̇ is the rate of turning; the other rates do not depend on the chart.
+        // In the new chart θ = 0 and θ̇ is the rate of rotation; the other rates do not depend on
+        // the chart.
         self.k0 = *k_end;
         self.k0[..3].copy_from_slice(&self.chart.turning(time, chart::omega(&y)).to_array());
     }
 
-    /// Error over tolerance: the step is good if it is at most 1.
+    /// Returns the error divided by the tolerance; the step is accepted if this is at most 1.
     fn error(&self, stages: &Stages<N>, end: &Y) -> f64 {
         let scale = self.omega_scale.max(chart::omega(end).norm());
         let squared = |e: &Y| {
@@ -369,7 +379,7 @@ fn balanced(chart: &Chart<'_>, time: f64, y: &Y) -> Balanced {
     Balanced { state: chart.state(time, y), work: chart::work(y), impulse: chart::impulse(y) }
 }
 
-/// The ω part of a derivative or of an error.
+/// Returns the ω part of a derivative or of an error.
 fn omega_rate(dy: &Y) -> AngularVelocity<Principal> {
     chart::omega(dy)
 }

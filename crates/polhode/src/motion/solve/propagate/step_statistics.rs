@@ -1,13 +1,17 @@
-//! What a run cost.
+//! Cost of a run.
 
-/// What a run cost.
+/// Cost of a run, in steps and evaluations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StepStatistics {
-    /// Steps kept.
+    /// Number of accepted steps.
     pub accepted: u64,
-    /// Steps whose error was too large.
+    /// Number of rejected steps, whose error was too large.
     pub rejected: u64,
-    /// Evaluations of the equations of motion for the steps, by DOP853, whose samples between steps cost eleven more; coefficients of
-    /// all unknowns, by Taylor's method; of a body on the ground, where its motion is smooth, evaluations at the nodes of all trials.
+    /// Number of evaluations.
+    ///
+    /// - DOP853: evaluations of the equations of motion for the steps. A sample between steps costs
+    ///   eleven more.
+    /// - Taylor's method: coefficients of all unknowns.
+    /// - Body on the ground, smooth parts of its motion: evaluations at the nodes of all trials.
     pub evaluations: u64,
 }

@@ -1,4 +1,4 @@
-//! What steps from one time to the next, whichever method it is.
+//! Common interface of the integrators.
 
 mod changing;
 pub(in crate::motion) mod resumable;
@@ -26,7 +26,7 @@ use crate::motion::model::torque::TorqueModel;
 use crate::motion::model::torque::parameter::ParameterKind;
 use crate::motion::solve::limits::require_tolerance;
 
-/// The integrators.
+/// Integrators, with their parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Rule {
     Taylor,
@@ -34,31 +34,32 @@ pub(crate) enum Rule {
     Splitting { order: SplittingOrder, step: f64 },
 }
 
-/// The motion of one body, step by step.
+/// Motion of one body, computed step by step.
 #[derive(Debug)]
 pub(crate) struct Stepper<'a> {
     rotor: &'a Rotor,
     torques: &'a [TorqueModel],
-    /// Which of them are switched on.
+    /// True for each torque that is switched on.
     switched_on: Vec<bool>,
-    /// The first time at which something begins or ends by itself.
+    /// First time at which something begins or ends by schedule, s.
     until: f64,
     bound: Bound<Balanced>,
-    /// Where the last step began, s.
+    /// Start of the last step, s.
     from: f64,
-    /// The torsions that act, and when one of them is twisted by half a turn: no step begins there.
+    /// Acting torsions. The next field is the time at which one of them is twisted by half a turn;
+    /// no step begins there.
     torsions: Torsions,
     half_turn: Option<f64>,
-    /// True for a motion that goes beyond half a turn: a perturbed one, whose half turn is a little earlier than
-    /// that of the motion it is compared with.
+    /// True for a motion that continues beyond half a turn. Perturbed runs do, because they reach
+    /// the half turn slightly earlier than the run that they are compared with.
     is_unlimited: bool,
     steps: Steps<'a>,
     /// Noise that a comparison run adds to each step.
     noise: Option<Noise>,
-    /// The mass properties, if they change.
+    /// History of the mass properties, if they change.
     history: Option<&'a MassHistory>,
     piece: Rc<Piece<'a>>,
-    /// The evidence of a changing body.
+    /// Work and impulse of a body with changing mass properties.
     ledger: Option<Ledger>,
 }
 
@@ -70,12 +71,17 @@ enum Steps<'a> {
 }
 
 impl<'a> Stepper<'a> {
-    /// Without evidence Taylor's method leaves out work and impulse, which are zero then.
+    /// Prepares the integration from a state.
+    ///
+    /// `with_evidence`: compute work and impulse too. If false, Taylor's method omits them, and
+    /// they are zero.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if the tolerance is outside 1e-15 … 1e-2, or a given step not positive and finite;
-    /// [`MotionError::NotSplittable`]; [`MotionError::NotSpinnable`]; [`MotionError::TorqueWithoutInertia`] if the torque cannot be
-    /// balanced.
+    /// - A parameter error ([`MotionError::is_parameter`]) if the tolerance is outside 1e-15 …
+    ///   1e-2, or a given step is not positive and finite.
+    /// - [`MotionError::NotSplittable`] for splitting with unsuitable torques.
+    /// - [`MotionError::NotSpinnable`] for a body without inertia.
+    /// - [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
     pub(crate) fn new(
         rule: Rule,
         (rotor, history): (&'a Rotor, Option<&'a MassHistory>),
@@ -131,7 +137,8 @@ impl<'a> Stepper<'a> {
         Ok(stepper)
     }
 
-    /// Goes beyond half a turn of torsions, where their torque is not determined.
+    /// Lets the motion continue beyond half a turn of torsions, where their torque is not
+    /// determined.
     pub(crate) fn beyond_half_turns(mut self) -> Self {
         self.is_unlimited = true;
         self.torsions = Torsions::default();
@@ -139,7 +146,7 @@ impl<'a> Stepper<'a> {
         self
     }
 
-    /// Looks at which torsions act now.
+    /// Finds the torsions that act now.
     fn watch_torsions(&mut self, state: &State) {
         if self.is_unlimited {
             return;
@@ -149,7 +156,8 @@ impl<'a> Stepper<'a> {
         self.half_turn = self.torsions.is_half_turn(state.attitude).then_some(state.time);
     }
 
-    /// The same solver with longer steps, each perturbed at its end. Steps of a given length keep it.
+    /// Returns the same integrator with longer steps, each perturbed at its end. Splitting keeps
+    /// its step length.
     pub(crate) fn perturbed(mut self, StepNoise { seed, amplitude, stretch }: StepNoise) -> Self {
         match &mut self.steps {
             Steps::Taylor(taylor) => taylor.stretch(stretch),
@@ -159,10 +167,10 @@ impl<'a> Stepper<'a> {
         Self { noise: (amplitude > 0.0).then(|| Noise::new(seed, amplitude)), ..self }
     }
 
-    /// Looks again at what acts now.
+    /// Updates what acts from now on.
     ///
     /// # Errors
-    /// [`MotionError::TorqueWithoutInertia`] if it cannot be balanced.
+    /// [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
     pub(crate) fn change(&mut self) -> Result<(), MotionError> {
         let mut state = self.now().state;
         if let Some(history) = self.history.filter(|_| self.time() >= self.until) {
@@ -185,39 +193,40 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// What is stepped: the body, and what turns it.
+    /// Returns the body and the torques on it.
     pub(crate) fn subject(&self) -> (&'a Rotor, &'a [TorqueModel]) {
         (self.rotor, self.torques)
     }
 
-    /// The torques that are switched on, with their schedules.
+    /// Returns the torques that are switched on, with their schedules.
     pub(crate) fn switched_on(&self) -> impl Iterator<Item = &'a TorqueModel> + Clone + use<'a, '_> {
         acting(self.torques, &self.switched_on)
     }
 
-    /// True if a torque is switched on.
+    /// Returns true if the torque with this index is switched on.
     pub(crate) fn is_on(&self, torque: usize) -> bool {
         self.switched_on.get(torque).is_some_and(|on| *on)
     }
 
-    /// Switches a torque on or off, from the next [`Stepper::change`] on.
+    /// Switches a torque on or off, effective at the next [`Stepper::change`].
     pub(crate) fn switch(&mut self, torque: usize, on: bool) {
         if let Some(switch) = self.switched_on.get_mut(torque) {
             *switch = on;
         }
     }
 
-    /// Goes back to a time within the last step.
+    /// Returns to a time within the last step.
     pub(crate) fn cut(&mut self, time: f64) {
         self.steps.cut(time);
         self.half_turn = self.half_turn.filter(|half_turn| *half_turn <= time);
         self.account();
     }
 
-    /// Refuses to go on with a motion that runs away before it comes to `end`, or whose end is too many steps away: see [`Bound`].
+    /// Returns an error if the motion diverges before it reaches `end`, or if `end` is too many
+    /// steps away; see [`Bound`].
     ///
     /// # Errors
-    /// [`MotionError::RunAway`], [`MotionError::TooManySteps`].
+    /// [`MotionError::RunAway`] or [`MotionError::TooManySteps`].
     pub(crate) fn require_bounded(&mut self, end: f64) -> Result<(), MotionError> {
         let (step, allowed, now) = (self.statistics().accepted, self.next_step(), [self.time(), self.rate()]);
         let Self { bound, steps, from, ledger, .. } = self;
@@ -230,22 +239,24 @@ impl<'a> Stepper<'a> {
         bound.require_few_steps(step, allowed, now, end)
     }
 
-    /// What is left of a motion that runs away: the last plausible state.
+    /// Returns the last plausible state of a diverging motion.
     pub(crate) fn last_plausible(&self) -> Option<Balanced> {
         self.bound.last_plausible()
     }
 
-    /// Why it cannot go on: see [`Bound`].
+    /// Returns the reason why the motion cannot continue; see [`Bound`].
     pub(crate) fn explained(&self, cause: MotionError) -> MotionError {
         self.bound.explained(cause, [self.time(), self.rate()])
     }
 
-    /// One step forward, not beyond `until`, a time at which a torque begins or ends, or half a turn of a torsion.
+    /// Takes one step forward. It does not go beyond `until`, a time at which a torque begins or
+    /// ends, or half a turn of a torsion.
     ///
     /// # Errors
-    /// [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or [`MotionError::TorqueWithoutInertia`]; the stepper
-    /// stays at the last good state. [`MotionError::RunAway`] in place of these. [`MotionError::HalfTurn`] where the
-    /// last step has led to it.
+    /// - [`MotionError::StepTooSmall`], [`MotionError::NotFinite`] or
+    ///   [`MotionError::TorqueWithoutInertia`]. The stepper keeps the last good state.
+    /// - [`MotionError::RunAway`] instead of these, if the motion diverges.
+    /// - [`MotionError::HalfTurn`] if the last step has ended at a half turn.
     pub(crate) fn step(&mut self, until: f64) -> Result<(), MotionError> {
         if self.time() >= self.until {
             self.change()?;
@@ -277,7 +288,7 @@ impl<'a> Stepper<'a> {
         Ok(())
     }
 
-    /// Ends the last step at the first half turn of a torsion in it; |ω| was `rate` at its start.
+    /// Ends the last step at the first half turn of a torsion in it. `rate`: |ω| at its start.
     fn find_half_turn(&mut self, rate: f64) {
         if self.torsions.is_empty() {
             return;
@@ -302,7 +313,7 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// The step that the tolerance allows next, or the given one, s.
+    /// Returns the next step that the tolerance allows, or the constant step, s.
     pub(crate) fn next_step(&self) -> f64 {
         match &self.steps {
             Steps::Taylor(taylor) => taylor.next_step(),
@@ -319,7 +330,8 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// Finds the derivatives of the motion too: by its start, by the inertia and by these parameters. Taylor's method alone can.
+    /// Enables derivatives with respect to the start, the inertia and these parameters. Only
+    /// Taylor's method has them.
     pub(in crate::motion) fn differentiated(
         mut self,
         parameters: Vec<(&'a TorqueModel, ParameterKind)>,
@@ -330,7 +342,9 @@ impl<'a> Stepper<'a> {
         self
     }
 
-    /// The derivatives at a time within the last step, column by column: θ and ω, body axes, by θ(0), ω(0), the inertia and the parameters.
+    /// Returns the derivatives at a time within the last step, column by column. Each column
+    /// contains θ and ω, body axes. The columns belong to θ(0), ω(0), the inertia and the
+    /// parameters.
     pub(in crate::motion) fn derivatives_at(&self, time: f64) -> Vec<[f64; 6]> {
         match &self.steps {
             Steps::Taylor(taylor) => taylor.derivatives_at(time),
@@ -338,7 +352,7 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// Ω and ω̇ at a time within the last step, by what acts in it, body axes.
+    /// Returns Ω and ω̇ at a time within the last step, from what acts in it, body axes.
     pub(in crate::motion) fn rates_at(&self, time: f64) -> [Direction<Body>; 2] {
         match &self.steps {
             Steps::Taylor(taylor) => taylor.rates_at(time),
@@ -346,8 +360,8 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// Ω and ω̇ in a state by the equations of motion of the last step, body axes; `None` for a body whose mass properties
-    /// change.
+    /// Returns Ω and ω̇ in a state from the equations of motion of the last step, body axes; `None`
+    /// if the mass properties change.
     pub(crate) fn rates_of(&self, state: &State) -> Option<[Direction<Body>; 2]> {
         let piece = &*self.piece;
         if piece.changing.is_some() {
@@ -365,14 +379,15 @@ impl<'a> Stepper<'a> {
         Some([(omega + slip).as_quantity(), acceleration].map(|v| to_body * v))
     }
 
-    /// Adds to each column of the derivatives now its change of a time times `by`, rates of θ and ω, body axes.
+    /// Adds the effect of a shifted switching time to each column of the present derivatives.
+    /// `times`: derivative of this time for each column. `by`: rates of θ and ω, body axes.
     pub(in crate::motion) fn jump(&mut self, times: &[f64], by: [Direction<Body>; 2]) {
         if let Steps::Taylor(taylor) = &mut self.steps {
             taylor.jump(times, by);
         }
     }
 
-    /// The state now.
+    /// Returns the state now, with work and impulse.
     pub(crate) fn now(&self) -> Balanced {
         let now = match &self.steps {
             Steps::Taylor(taylor) => taylor.now(),
@@ -382,7 +397,7 @@ impl<'a> Stepper<'a> {
         self.ledger.map_or(now, |ledger| ledger.now(now.state))
     }
 
-    /// The state at a time within the last step: dense output.
+    /// Returns the state at a time within the last step (dense output).
     pub(crate) fn at(&self, time: f64) -> Balanced {
         let there = self.steps.at(time);
         self.ledger.map_or(there, |ledger| {
@@ -390,7 +405,7 @@ impl<'a> Stepper<'a> {
         })
     }
 
-    /// |ω|, rad/s.
+    /// Returns |ω|, rad/s.
     fn rate(&self) -> f64 {
         match &self.steps {
             Steps::Taylor(taylor) => taylor.rate(),
@@ -418,7 +433,7 @@ impl Steps<'_> {
     }
 }
 
-/// The torques that are switched on.
+/// Returns the torques that are switched on.
 fn acting<'a, 'b>(
     torques: &'a [TorqueModel],
     switched_on: &'b [bool],

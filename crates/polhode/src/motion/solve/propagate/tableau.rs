@@ -1,10 +1,11 @@
 //! Coefficients of DOP853.
 //!
-//! Source: E. Hairer, S. P. Nørsett & G. Wanner, Solving Ordinary Differential Equations I (2nd ed., 1993), §II.5 and
-//! §II.10, and their program `dop853.f`; the numbers as SciPy 1.17 prints them, rounded to f64. The tests check them
-//! against the quadrature conditions up to order 8 and by the measured order of a step.
+//! Source: E. Hairer, S. P. Nørsett & G. Wanner, Solving Ordinary Differential Equations I (2nd
+//! ed., 1993), §II.5 and §II.10, and their program `dop853.f`. The numbers are those that SciPy
+//! 1.17 prints, rounded to f64. The tests check the quadrature conditions up to order 8, and
+//! measure the order of a step.
 
-/// Stages of a step.
+/// Number of stages of a step.
 pub(super) const STAGES: usize = 12;
 
 /// Nodes: stage s is evaluated at t + C[s] h.
@@ -28,14 +29,14 @@ pub(super) const A: [&[f64]; STAGES] = [
     &[2.273310147516538, 0.0, 0.0, -10.53449546673725, -2.0008720582248625, -17.9589318631188, 27.94888452941996, -2.8589982771350235, -8.87285693353063, 12.360567175794303, 0.6433927460157636],
 ];
 
-/// The step: y + h Σ B[j] k_j.
+/// Weights of the step: y + h Σ B[j] k_j.
 #[rustfmt::skip]
 pub(super) const B: [f64; STAGES] = [0.054293734116568765, 0.0, 0.0, 0.0, 0.0, 4.450312892752409, 1.8915178993145003, -5.801203960010585, 0.3111643669578199, -0.1521609496625161, 0.20136540080403034, 0.04471061572777259];
 
-/// Error estimate of order 3.
+/// Weights of the error estimate of order 3.
 #[rustfmt::skip]
 pub(super) const E3: [f64; STAGES] = [-0.18980075407240762, 0.0, 0.0, 0.0, 0.0, 4.450312892752409, 1.8915178993145003, -5.801203960010585, -0.4226823213237919, -0.1521609496625161, 0.20136540080403034, 0.02265179219836082];
 
-/// Error estimate of order 5.
+/// Weights of the error estimate of order 5.
 #[rustfmt::skip]
 pub(super) const E5: [f64; STAGES] = [0.01312004499419488, 0.0, 0.0, 0.0, 0.0, -1.2251564463762044, -0.4957589496572502, 1.6643771824549864, -0.35032884874997366, 0.3341791187130175, 0.08192320648511571, -0.022355307863886294];

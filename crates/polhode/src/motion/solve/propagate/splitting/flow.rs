@@ -1,13 +1,17 @@
-//! How a body turns during a short time in which nothing acts, exact to rounding.
+//! Free rotation of a body for a short time, exact to rounding.
 //!
-//! `FreeMotion` is exact for any time, and takes microseconds to set up. Here the time is short and each is used once.
+//! `FreeMotion` is exact for any time, but takes microseconds to prepare. Here the time is short,
+//! and each motion is evaluated once.
 //!
-//! A symmetric body turns about L and about its axis, both at a constant rate. Of any other the direction of L in the body,
-//! e = ℓ/L, and the angle φ about it are power series of the time, of as many terms as rounding can see:
+//! A symmetric body rotates about L and about its axis, both at a constant rate. For other bodies,
+//! e = ℓ/L, the direction of L in the body, and the angle φ about it are power series in time, with
+//! as many terms as rounding requires:
 //!
-//! ė = e × I⁻¹ℓ,  φ̇ = I⁻¹ℓ · (e + e₀)/(1 + e · e₀),  turn = exp(φ e₀) · (the least turn from e to e₀)
+//! ė = e × I⁻¹ℓ,  φ̇ = I⁻¹ℓ · (e + e₀)/(1 + e · e₀),  rotation = exp(φ e₀) · (the smallest rotation
+//! from e to e₀)
 //!
-//! Four convolutions in place of the fifteen that ω and a quaternion need. `FreeMotion` takes over where the series is too long.
+//! This needs four convolutions instead of the fifteen for ω and a quaternion. `FreeMotion` is used
+//! if the series is too long.
 
 use core::array::from_fn;
 
@@ -20,22 +24,23 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::solve::free::FreeMotion;
 
-/// Terms of the series at most.
+/// Largest number of terms of the series.
 const TERMS: usize = 28;
 
-/// The square of what no rounding sees, summed over 10⁷ steps either: the series end with two terms in a row below that part of all.
+/// Squared truncation threshold, relative to the sum. Such terms are below rounding even when
+/// summed over 10⁷ steps. The series ends after two consecutive terms below it.
 const NEGLIGIBLE: f64 = 1e-40;
 
-/// A turn less the identity: (w − 1, x, y, z), each with its own digits.
+/// Rotation minus the identity: (w − 1, x, y, z), each component with full relative precision.
 pub(super) type Turn = [f64; 4];
 
-/// The free flow of one body.
+/// Free motion of one body.
 #[derive(Clone, Debug)]
 pub(super) struct FreeFlow {
     moments: [f64; 3],
-    /// 1/i; zero along an axis without inertia.
+    /// 1/i; zero for an axis without inertia.
     inverses: [f64; 3],
-    /// 1/i3 − 1/i2, …: ℓ̇1 = (1/i3 − 1/i2) ℓ2 ℓ3
+    /// 1/i3 − 1/i2 and cyclic permutations: ℓ̇1 = (1/i3 − 1/i2) ℓ2 ℓ3.
     differences: [f64; 3],
     shape: Form,
 }
@@ -43,7 +48,7 @@ pub(super) struct FreeFlow {
 #[derive(Clone, Copy, Debug)]
 enum Form {
     Spherical,
-    /// The axis of symmetry, and 1/i across it.
+    /// Index of the symmetry axis, and 1/i perpendicular to it.
     Symmetric {
         axis: usize,
         across: f64,
@@ -74,7 +79,7 @@ impl FreeFlow {
         }
     }
 
-    /// ω = I⁻¹ ℓ; along an axis without inertia it is `spin`, which nothing changes.
+    /// Returns ω = I⁻¹ ℓ. Along an axis without inertia ω is the constant `spin`.
     pub(super) fn omega(
         &self,
         momentum: AngularMomentum<Principal>,
@@ -85,7 +90,8 @@ impl FreeFlow {
         AngularVelocity::new(along, j2 * momentum.y, j3 * momentum.z)
     }
 
-    /// The turn of the body in a time, s, which may be negative, from its angular momentum at the start.
+    /// Returns the rotation of the body in a time, s, which may be negative. `momentum`: angular
+    /// momentum at the start.
     pub(super) fn turn(&self, momentum: AngularMomentum<Principal>, spin: f64, time: f64) -> Turn {
         let size = momentum.dot(momentum).sqrt();
         let [j1, ..] = self.inverses;
@@ -106,12 +112,13 @@ impl FreeFlow {
         }
     }
 
-    /// The turn by power series; `None` if they are too long.
+    /// Computes the rotation by power series; `None` if they are too long.
     fn series(&self, momentum: AngularMomentum<Principal>, size: f64, time: f64) -> Option<Turn> {
         let (e0, scale) = ((momentum / size).to_array(), size * time);
         let c = self.differences.map(|c| c * scale);
         let p: [f64; 3] = from_fn(|k| self.inverses[k] * e0[k] * scale);
-        // Coefficients of (e2, e3, e1, e₀·(e − e₀)) and of (e3, e1, e2, φ̇): the sums of their products are all that is needed.
+        // Coefficients of (e2, e3, e1, e₀·(e − e₀)) and of (e3, e1, e2, φ̇). Only the sums of their
+        // products are needed.
         let (mut left, mut right) = ([[0.0; 4]; TERMS], [[0.0; 4]; TERMS]);
         left[0] = [e0[1], e0[2], e0[0], 0.0];
         right[0] = [e0[2], e0[0], e0[1], 0.0];
@@ -140,12 +147,12 @@ impl FreeFlow {
         None
     }
 
-    /// The turn in closed form.
+    /// Computes the rotation in closed form.
     fn elliptic(&self, momentum: AngularMomentum<Principal>, time: f64) -> Turn {
         let omega = self.omega(momentum, 0.0).as_frame::<Body>();
         let start = State { time: 0.0, attitude: Rotation::identity(), omega };
         let turned = FreeMotion::of_moments(self.moments, start).map(|motion| motion.at(time).attitude);
-        // What cannot be computed is told by its NaN.
+        // NaN indicates that the closed form failed.
         turned.map_or([f64::NAN; 4], |turn| {
             let [w, x, y, z] = turn.quaternion();
             [w - 1.0, x, y, z]
@@ -157,7 +164,7 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Σ aₖ ∘ bₙ₋ₖ
+/// Returns the sum Σ aₖ ∘ bₙ₋ₖ of componentwise products.
 #[inline(always)]
 fn convolution(a: &[[f64; 4]; TERMS], b: &[[f64; 4]; TERMS], n: usize) -> [f64; 4] {
     a[..=n].iter().zip(b[..=n].iter().rev()).fold([0.0; 4], |sum, (a, b)| {
@@ -165,7 +172,8 @@ fn convolution(a: &[[f64; 4]; TERMS], b: &[[f64; 4]; TERMS], n: usize) -> [f64; 
     })
 }
 
-/// exp(φ e₀) · m, where m is the least turn from e = e₀ + `change` to e₀: m = (1 + e·e₀, e × e₀)/√(2(1 + e·e₀))
+/// Returns exp(φ e₀) · m. m is the smallest rotation from e = e₀ + `change` to e₀: m = (1 + e·e₀, e
+/// × e₀)/√(2(1 + e·e₀)).
 fn reassembled(e0: [f64; 3], change: [f64; 3], phi: f64) -> Turn {
     let (e0, change) = (Direction::<Principal>::from_array(e0), Direction::<Principal>::from_array(change));
     // |e| = |e₀| = 1: e₀·(e − e₀) = −½|e − e₀|²
@@ -176,7 +184,7 @@ fn reassembled(e0: [f64; 3], change: [f64; 3], phi: f64) -> Turn {
     product(about(e0.to_array(), 1.0, phi), least)
 }
 
-/// The turn by `size · angle` about a vector of that size.
+/// Returns the rotation by `size · angle` about a vector of length `size`.
 fn about([x, y, z]: [f64; 3], size: f64, angle: f64) -> Turn {
     if size == 0.0 {
         return [0.0; 4];
@@ -187,7 +195,7 @@ fn about([x, y, z]: [f64; 3], size: f64, angle: f64) -> Turn {
     [-2.0 * s * s, sine * x, sine * y, sine * z]
 }
 
-/// (1 + a)(1 + b) − 1 of quaternions.
+/// Returns (1 + a)(1 + b) − 1 for quaternions.
 fn product([aw, ax, ay, az]: Turn, [bw, bx, by, bz]: Turn) -> Turn {
     [
         aw + bw + (aw * bw - ax * bx - ay * by - az * bz),
@@ -209,7 +217,7 @@ mod tests {
         Rotor::free(&MassProperties::new(1.3, Position::new(0.2, -0.1, 0.4), inertia).unwrap())
     }
 
-    /// How far the flow is from the closed form, relative to the turn where that is small.
+    /// Returns the difference from the closed form, relative to the rotation if that is small.
     fn error(moments: [f64; 3], omega: [f64; 3], time: f64) -> f64 {
         let (flow, omega) = (FreeFlow::of(&rotor(moments)), AngularVelocity::<Body>::from_array(omega));
         let start = State { time: 0.0, attitude: Rotation::identity(), omega };
@@ -230,12 +238,12 @@ mod tests {
             [1.2, 1.2, 1.7], // oblate
             [0.6, 1.9, 1.9], // prolate
             [1.5, 1.5, 1.5],
-            [0.0, 1.7, 1.7], // a rod, which spins
+            [0.0, 1.7, 1.7], // a rod that spins
         ];
         for moments in bodies {
             for omega in [[0.7, -1.1, 0.4], [-0.3, 0.2, 1.7], [1e-7, 1.3, -2e-7], [1.9, 0.1, -0.2]] {
                 for time in [1e-3, 0.03, -0.1, 0.4, 1.0, 30.0_f64] {
-                    // The closed form is good to 4e-15 of one radian, not of the turn.
+                    // The closed form is accurate to 4e-15 rad, not relative to the rotation.
                     let bound = 4e-15 / time.abs().min(1.0) + 2e-15 * time.abs();
                     let error = error(moments, omega, time);
                     assert!(error < bound, "{moments:?} {omega:?} {time}: {error:e}");
@@ -246,7 +254,8 @@ mod tests {
 
     #[test]
     fn a_short_flow_has_its_own_digits() {
-        // Twice the flow of τ/2 is the flow of τ, in the digits of the turn itself: the closed form has not so many.
+        // Twice the flow of τ/2 equals the flow of τ, relative to the rotation itself. The closed
+        // form is not accurate enough for this test.
         let flow = FreeFlow::of(&rotor([1.1, 2.3, 2.9]));
         let momentum = AngularMomentum::new(0.8, -2.1, 1.3);
         for time in [1e-9, 1e-5, 0.01] {

@@ -1,17 +1,18 @@
-//! Splitting: kicks by the torque, and the exact free flow between them.
+//! Splitting: impulses (kicks) by the torque, and the exact free flow between them.
 //!
-//! A kick changes the angular momentum at one attitude, L ← L + b h N(attitude, t). Between kicks the body moves as if nothing acted on
-//! it, without an error of the method: L in space is kept, and the attitude turns (`flow.rs`). What is carried is L in space, so that
-//! rounding touches it in kicks only.
+//! A kick changes the angular momentum at one attitude, L ← L + b h N(attitude, t). Between kicks
+//! the body moves freely, without an error of the method: L in space is constant, and the attitude
+//! rotates (`flow.rs`). L is stored in space axes, so that it is rounded only in kicks.
 //!
-//! A torque with a potential makes every step a symplectic map. It keeps not T + U but a quantity near to it, so that the error of the
-//! energy stays bounded; `book/splitting.md` shows it.
+//! If the torque has a potential, every step is a symplectic map. It does not preserve T + U but a
+//! nearby quantity, so the energy error stays bounded; see `book/splitting.md`.
 //!
-//! The evidence: impulse is what the kicks have added to L, and work what they have added to T, ΔL · ½(ω before + ω after). The
-//! theorems then test the free flow and rounding, not the size of the step; that shows in T + U, or against half the step.
+//! Impulse is the sum that the kicks have added to L. Work is the sum that they have added to T, ΔL
+//! · ½(ω before + ω after). Their balances test the free flow and rounding, but not the step
+//! length. The latter is tested by T + U, or by a run with half the step.
 //!
-//! Source: J. Touma, J. Wisdom, Astron. J. 107 (1994) 1189 (rigid bodies split into free motion and kicks); R. I. McLachlan,
-//! G. R. W. Quispel, Acta Numerica 11 (2002) 341.
+//! Source: J. Touma, J. Wisdom, Astron. J. 107 (1994) 1189 (rigid bodies split into free motion and
+//! kicks); R. I. McLachlan, G. R. W. Quispel, Acta Numerica 11 (2002) 341.
 
 mod flow;
 mod scheme;
@@ -37,30 +38,30 @@ use scheme::Scheme;
 
 pub use scheme::SplittingOrder;
 
-/// Steps of one length over the motion of one body.
+/// Integrator with constant steps for the motion of one body.
 #[derive(Debug)]
 pub(super) struct Splitting<'a> {
     piece: Rc<Piece<'a>>,
     scheme: Scheme,
     flow: FreeFlow,
-    /// Body axes from principal ones.
+    /// Rotation from principal to body axes.
     to_body: Rotation<Body, Principal>,
-    /// ω along an axis without inertia, which nothing changes.
+    /// ω along an axis without inertia; constant.
     spin: f64,
     /// L at the start, space axes.
     start: AngularMomentum<Space>,
-    /// Where the last step began, and now.
+    /// State at the start of the last step. The next field is the state now.
     base: Head,
     head: Head,
-    /// The length of a step, s.
+    /// Step length, s.
     h: f64,
-    /// Steps are counted from a time, as a sum of many would lose it.
+    /// Time from which steps are counted. A sum of many step lengths would lose accuracy.
     origin: f64,
     count: u64,
     statistics: StepStatistics,
 }
 
-/// A place on the trajectory; what rounding took from each sum is carried.
+/// Point of the trajectory. Each sum carries its rounding error in a second word.
 #[derive(Clone, Copy, Debug)]
 struct Head {
     time: f64,
@@ -68,14 +69,19 @@ struct Head {
     /// L, space axes.
     momentum: [[f64; 2]; 3],
     work: [f64; 2],
-    /// The torque there: the last of a step is the first of the next.
+    /// Torque at this point. The last torque of a step is the first of the next one.
     torque: Torque<Principal>,
 }
 
 impl<'a> Splitting<'a> {
+    /// Prepares the integration from a state.
+    ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for a step that is not positive and finite; [`MotionError::NotSplittable`];
-    /// [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
+    /// - A parameter error ([`MotionError::is_parameter`]) for a step that is not positive and
+    ///   finite.
+    /// - [`MotionError::NotSplittable`] for wheels, or a torque that is not a function of attitude
+    ///   and time.
+    /// - [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
     pub(super) fn new(
         piece: Rc<Piece<'a>>,
         torques: &[TorqueModel],
@@ -114,7 +120,7 @@ impl<'a> Splitting<'a> {
         Ok(splitting)
     }
 
-    /// Goes on from here with what acts from now on.
+    /// Continues with other acting torques.
     ///
     /// # Errors
     /// [`MotionError::TorqueWithoutInertia`] if the torque cannot be balanced.
@@ -130,14 +136,14 @@ impl<'a> Splitting<'a> {
         self.require_determined()
     }
 
-    /// One step forward, not beyond `until`.
+    /// Takes one step forward, not beyond `until`.
     ///
     /// # Errors
-    /// As [`super::stepper::Stepper::step`].
+    /// Those of [`super::stepper::Stepper::step`].
     pub(super) fn step(&mut self, until: f64) -> Result<(), MotionError> {
         let Head { time, .. } = self.head;
         let planned = self.origin + (self.count + 1) as f64 * self.h;
-        // A step that would leave nothing but rounding of the time reaches `until` itself.
+        // If the remaining time is only rounding, the step ends exactly at `until`.
         let is_last = planned >= until - 4.0 * f64::EPSILON * until.abs();
         let is_whole = planned <= until + 4.0 * f64::EPSILON * until.abs();
         let h = if is_whole { self.h } else { until - time };
@@ -156,7 +162,7 @@ impl<'a> Splitting<'a> {
         self.require_determined()
     }
 
-    /// Perturbs the end of the last step.
+    /// Perturbs the state at the end of the last step.
     pub(super) fn perturb(&mut self, noise: &mut Noise) {
         let in_body = |head: &Head| head.orientation.rotation().inverse() * head.momentum();
         let [before, after] = [&self.base, &self.head].map(in_body);
@@ -171,7 +177,7 @@ impl<'a> Splitting<'a> {
         }
     }
 
-    /// One step of any length from a place.
+    /// Returns the result of one step of any length from a point.
     fn after(&self, from: &Head, h: f64) -> Head {
         let mut head = *from;
         let mut momentum = self.kick(&mut head, self.scheme.first * h);
@@ -184,7 +190,7 @@ impl<'a> Splitting<'a> {
         head
     }
 
-    /// L ← L + τ N; L after it, principal axes.
+    /// Applies a kick, L ← L + τ N, and returns the new L, principal axes.
     fn kick(&self, head: &mut Head, tau: f64) -> AngularMomentum<Principal> {
         let attitude = head.orientation.rotation();
         let before = attitude.inverse() * head.momentum();
@@ -209,7 +215,8 @@ impl<'a> Splitting<'a> {
         after
     }
 
-    /// The torque at an attitude. Twists are continued from the attitude `near` at which the step began.
+    /// Returns the torque at an attitude. Twists are continued from `near`, the attitude at the
+    /// start of the step.
     fn torque(
         &self,
         time: f64,
@@ -219,10 +226,10 @@ impl<'a> Splitting<'a> {
         if self.piece.torques.is_empty() {
             return Torque::ZERO;
         }
-        // No torque here depends on ω.
+        // None of these torques depends on ω.
         let state = State { time, attitude: attitude * self.to_body.inverse(), omega: AngularVelocity::ZERO };
         let torque = self.to_body.inverse() * self.piece.torque(&state, near * self.to_body.inverse());
-        // As in `chart.rs`: along a needle there is the torque's rounding only.
+        // As in `chart.rs`: about the axis of a needle the torque is only rounding.
         let [i1, i2, i3] = self.piece.rotor.principal().moments();
         let clean = |n: f64, i: f64| {
             if i < THIN * i3 && n.abs() < ROUNDING * self.piece.largest_torque { 0.0 } else { n }
@@ -230,7 +237,8 @@ impl<'a> Splitting<'a> {
         Torque::new(clean(torque.x, i1), clean(torque.y, i2), torque.z)
     }
 
-    /// Refuses a torque about an axis that has no inertia: only a rod has one, and it is the first.
+    /// Returns an error for a torque about an axis without inertia. Only a rod has one, and it is
+    /// principal axis 1.
     fn require_determined(&self) -> Result<(), MotionError> {
         let Head { time, torque, .. } = self.head;
         if self.piece.rotor.principal().moments()[0] == 0.0 && torque.x != 0.0 {
@@ -243,7 +251,7 @@ impl<'a> Splitting<'a> {
         self.head.time
     }
 
-    /// The step, s.
+    /// Returns the step length, s.
     pub(super) fn next_step(&self) -> f64 {
         self.h
     }
@@ -256,14 +264,14 @@ impl<'a> Splitting<'a> {
         self.balanced(&self.head)
     }
 
-    /// The state at a time within the last step: a shorter step from the same start.
+    /// Returns the state at a time within the last step, by a shorter step from the same start.
     pub(super) fn at(&self, time: f64) -> Balanced {
         let mut there = self.after(&self.base, time - self.base.time);
         there.time = time;
         self.balanced(&there)
     }
 
-    /// Goes back to a time within the last step.
+    /// Returns to a time within the last step.
     pub(super) fn cut(&mut self, time: f64) {
         if time != self.head.time {
             self.head = self.after(&self.base, time - self.base.time);
@@ -296,7 +304,7 @@ impl Head {
     }
 }
 
-/// Refuses what is no kick at one attitude and time.
+/// Returns an error for wheels, and for torques that are not functions of attitude and time.
 fn require_splittable(piece: &Piece<'_>, torques: &[TorqueModel]) -> Result<(), MotionError> {
     if !piece.rotor.wheels().is_empty() {
         return Err(MotionError::NotSplittable { what: "wheel", why: "it acts inside the body" });

@@ -1,22 +1,22 @@
-//! Which kicks and which free flows make a step.
+//! Splitting schemes: sequences of kicks and free flows that form a step.
 
-/// The order of a splitting method: halving the step divides its error by 2 to this power.
+/// Order of a splitting method: half the step reduces the error by the factor 2 to this power.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum SplittingOrder {
-    /// Half a kick, a free flow, half a kick: one torque a step.
+    /// Half a kick, a free flow, half a kick; one torque evaluation per step.
     Two,
-    /// Six free flows and six torques a step.
+    /// Six free flows and six torque evaluations per step.
     #[default]
     Four,
-    /// Eleven free flows and eleven torques a step.
+    /// Eleven free flows and eleven torque evaluations per step.
     Six,
 }
 
 impl SplittingOrder {
-    /// All of them, in the order of size.
+    /// All orders, ascending.
     pub const ALL: [Self; 3] = [Self::Two, Self::Four, Self::Six];
 
-    /// The order as a number: 2, 4 or 6.
+    /// Returns the order as a number: 2, 4 or 6.
     pub const fn number(self) -> u8 {
         match self {
             Self::Two => 2,
@@ -26,32 +26,34 @@ impl SplittingOrder {
     }
 }
 
-/// Kicks b and free flows a of one step, in parts of it: b₁ a₁ b₂ a₂ … a₂ b₂ a₁ b₁, the same backwards as forwards.
+/// Kicks b and free flows a of one step, as fractions of the step: b₁ a₁ b₂ a₂ … a₂ b₂ a₁ b₁. The
+/// sequence is symmetric.
 #[derive(Clone, Debug)]
 pub(super) struct Scheme {
-    /// b₁
+    /// First kick, b₁.
     pub(super) first: f64,
-    /// What follows: a₁ and b₂, a₂ and b₃, …
+    /// Following stages: a₁ and b₂, a₂ and b₃, …
     pub(super) stages: Vec<Stage>,
 }
 
-/// A free flow and the kick after it.
+/// Free flow and the kick after it, as fractions of the step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stage {
     pub(super) flow: f64,
     pub(super) kick: f64,
-    /// When the kick is, in parts of the step.
+    /// Time of the kick, as a fraction of the step.
     pub(super) at: f64,
 }
 
 impl Scheme {
-    /// The scheme of an order.
+    /// Returns the scheme of an order.
     ///
-    /// Kicks depend on attitude and time alone and the free flow is linear in L where it turns the body, so that the order conditions are
-    /// those of Runge–Kutta–Nyström methods, fewer than for two arbitrary flows.
+    /// Kicks depend only on attitude and time, and the free flow is linear in L where it rotates
+    /// the body. The order conditions are therefore those of Runge–Kutta–Nyström methods. They are
+    /// fewer than for two arbitrary flows.
     ///
-    /// Source: orders 4 and 6 are SRKN₆ᵇ and SRKN₁₁ᵇ of S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313. Their orders are
-    /// proved by `tests/all/splitting.rs`.
+    /// Source: orders 4 and 6 are SRKN₆ᵇ and SRKN₁₁ᵇ of S. Blanes, P. C. Moan, J. Comput. Appl.
+    /// Math. 142 (2002) 313. `tests/all/splitting.rs` proves their orders.
     pub(super) fn of(order: SplittingOrder) -> Self {
         match order {
             SplittingOrder::Two => Self::symmetric(&[0.5], &[1.0], Middle::Flow),
@@ -88,7 +90,7 @@ impl Scheme {
         }
     }
 
-    /// The whole step from its first half, up to and with what is in the middle.
+    /// Completes a step from its first half, which includes the middle element.
     fn symmetric(kicks: &[f64], flows: &[f64], middle: Middle) -> Self {
         let (kept_kicks, kept_flows) = match middle {
             Middle::Kick => (kicks.len().saturating_sub(1), flows.len()),
@@ -105,7 +107,7 @@ impl Scheme {
     }
 }
 
-/// What a symmetric step has in its middle.
+/// Middle element of a symmetric step.
 #[derive(Clone, Copy, Debug)]
 enum Middle {
     Kick,

@@ -1,4 +1,5 @@
-//! Steps of a body whose mass properties change: what is beside those of the ball in its place.
+//! Additional steps for a body with changing mass properties, which a ball replaces in the
+//! integration.
 
 use std::borrow::Cow;
 
@@ -10,10 +11,11 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
 impl<'a> Stepper<'a> {
-    /// What happens to a state as mass goes, or moves within the body, at once.
+    /// Applies an instantaneous change of the mass properties to a state: mass leaves, or moves
+    /// within the body.
     ///
     /// # Errors
-    /// [`MotionError::NotFinite`]
+    /// [`MotionError::NotFinite`] if the body before the change is not known.
     pub(super) fn jump_of_mass(&mut self, history: &MassHistory, state: State) -> Result<State, MotionError> {
         let time = state.time;
         let pivot = self.rotor.is_pivoted().then(|| self.rotor.point());
@@ -36,7 +38,7 @@ impl<'a> Stepper<'a> {
         Ok(there)
     }
 
-    /// The body as it is at a time of the last step, or now; `None` where that is not known.
+    /// Returns the body at a time of the last step, or now; `None` if it is not known.
     pub(crate) fn rotor_at(&self, time: f64) -> Option<Cow<'a, Rotor>> {
         match &self.piece.changing {
             None => Some(Cow::Borrowed(self.rotor)),
@@ -44,12 +46,12 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// True if its mass properties change.
+    /// Returns true if the mass properties change.
     pub(crate) fn is_changing(&self) -> bool {
         self.history.is_some()
     }
 
-    /// Work and impulse of the last step.
+    /// Updates work and impulse for the last step.
     pub(super) fn account(&mut self) {
         let (span, Self { ledger, steps, piece, .. }) = ([self.from, self.time()], self);
         if let Some(ledger) = ledger {

@@ -1,4 +1,4 @@
-//! A motion by DOP853 under torques that somebody else computes, for many bodies at once.
+//! DOP853 with torques that the caller computes, for many bodies simultaneously.
 
 use super::super::dop853::STAGES;
 use super::super::runge_kutta::{Attempt, End, RungeKutta};
@@ -8,38 +8,41 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 
-/// The motion of one body that stops wherever a torque is to be known: it says in which state, and goes on from there.
+/// Motion of one body that pauses whenever a torque is needed. The caller reads the state, computes
+/// the torque and resumes.
 ///
-/// Its steps are those of [`Stepper::step`], one evaluation after the other: the bits are those of the body alone.
+/// The steps are those of [`Stepper::step`], one evaluation at a time, and the results are
+/// bit-identical.
 #[derive(Debug)]
 pub(in crate::motion) struct Resumable<'a> {
     stepper: Stepper<'a>,
     times: &'a [f64],
-    /// The states at the times, as far as it came.
+    /// States at the times reached so far.
     pub(in crate::motion) states: Vec<State>,
     waiting: Waiting<'a>,
 }
 
-/// What the torque is needed for.
+/// Purpose for which the next torque is needed.
 #[derive(Debug)]
 enum Waiting<'a> {
-    /// Nothing: it has come to the last time.
+    /// None: the last time has been reached.
     Done,
-    /// Something begins or ends now.
+    /// A change of what acts.
     Change,
-    /// A stage of a step.
+    /// A stage of a step, by index.
     Stage(Box<Attempt<'a>>, usize),
     /// The end of a step.
     End(Box<Attempt<'a>>, End),
-    /// A stage of a shorter step, to a time within the last one.
+    /// A stage of a shorter step, which ends at a sample time within the last step.
     Sample(Box<Attempt<'a>>, usize),
 }
 
 impl<'a> Resumable<'a> {
-    /// From a start to times, which ascend; the torque is that of the start.
+    /// Starts a motion at `start`. `times` must be ascending. The torque at the start must be
+    /// known.
     ///
     /// # Errors
-    /// As [`Stepper::new`], and as of the first step.
+    /// Those of [`Stepper::new`], and those of the first step.
     pub(in crate::motion) fn new(
         rotor: &'a Rotor,
         torques: &'a [TorqueModel],
@@ -57,7 +60,7 @@ impl<'a> Resumable<'a> {
         }
     }
 
-    /// The state in which the torque is to be known; `None` at the end.
+    /// Returns the state at which the torque is needed; `None` at the end.
     pub(in crate::motion) fn wanted(&self) -> Option<State> {
         match &self.waiting {
             Waiting::Done => None,
@@ -67,10 +70,10 @@ impl<'a> Resumable<'a> {
         }
     }
 
-    /// Goes on, as the torque is known.
+    /// Continues, now that the torque is known.
     ///
     /// # Errors
-    /// As [`Stepper::step`].
+    /// Those of [`Stepper::step`].
     pub(in crate::motion) fn resume(&mut self) -> Result<(), MotionError> {
         match core::mem::replace(&mut self.waiting, Waiting::Done) {
             Waiting::Done => Ok(()),
@@ -114,7 +117,7 @@ impl<'a> Resumable<'a> {
         }
     }
 
-    /// What comes after a step, or after a state that was wanted.
+    /// Continues after a step or a sample.
     fn next(&mut self) -> Result<(), MotionError> {
         while let Some(&time) = self.times.get(self.states.len()) {
             if self.stepper.time() < time {
@@ -154,12 +157,12 @@ impl<'a> Resumable<'a> {
         let time = self.stepper.time();
         match &mut self.stepper.steps {
             Steps::Dop853(steps) => Ok(steps),
-            // It was made with no other rule.
+            // A `Resumable` is always created with DOP853.
             Steps::Taylor(_) | Steps::Splitting(_) => Err(MotionError::NotFinite { time }),
         }
     }
 
-    /// The last of the times, s.
+    /// Returns the last of the times, s.
     fn end(&self) -> f64 {
         self.times.last().copied().unwrap_or_else(|| self.stepper.time())
     }

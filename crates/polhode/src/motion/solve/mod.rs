@@ -1,4 +1,5 @@
-//! Solvers: closed forms (`free`, `heavy_top`, `swinging_body`, `pendulum_motion`) and integrators (`propagate`).
+//! Solvers: closed forms (`free`, `heavy_top`, `swinging_body`, `pendulum_motion`) and integrators
+//! (`propagate`, `collocation`).
 
 mod at_times;
 pub(crate) mod closed_form;

@@ -1,6 +1,7 @@
 //! Gauss nodes, and polynomials from their values at these nodes.
 //!
-//! Source: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, II.7; DLMF 3.5(v), 18.9.
+//! Source: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, II.7;
+//! DLMF 3.5(v), 18.9.
 
 /// Largest number of nodes.
 const MOST: usize = 16;

@@ -1,6 +1,7 @@
 //! Taylor series of the solution of a system about a state.
 //!
-//! Source: L. B. Rall, Automatic Differentiation (1981), ch. 3.3; À. Jorba, M. Zou, Exp. Math. 14 (2005) 99.
+//! Source: L. B. Rall, Automatic Differentiation (1981), ch. 3.3; À. Jorba, M. Zou, Exp. Math. 14
+//! (2005) 99.
 
 use super::graph::{Form, Step, System};
 use crate::math::machine::{Machine, Work, in_vectors};

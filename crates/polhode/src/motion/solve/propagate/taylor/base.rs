@@ -1,4 +1,4 @@
-//! Packed on a trajectory, that steps lead from and to.
+//! Points of the trajectory at which steps start and end.
 
 use super::Increment;
 use super::row::Row;
@@ -10,17 +10,17 @@ use crate::math::sum::two_sum;
 use crate::math::vector::{AngularVelocity, Vector};
 use crate::motion::model::state::State;
 
-/// A place on the trajectory of each lane; what rounding took from each sum is carried.
+/// Point of the trajectory, for each lane. Each sum carries its rounding error in a second word.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ExpansionPoint<N = f64> {
     pub(super) time: N,
-    /// The quaternion from principal axes to space, near 1.
+    /// Quaternion from principal axes to space, of norm 1 up to rounding.
     turn: Carried<N>,
-    /// Principal axes.
+    /// ω, principal axes, rad/s.
     omega: Carried<N>,
 }
 
-/// A row, and what its rounding left.
+/// Row, and the rounding error of its sum.
 #[derive(Clone, Copy, Debug)]
 struct Carried<N> {
     row: Row<N>,
@@ -41,7 +41,7 @@ impl<N: Number> ExpansionPoint<N> {
         Self { time: zero, turn: none, omega: none }
     }
 
-    /// q ← q ⊗ (1 + d) = q + q ⊗ d, and ω.
+    /// Adds an increment: q ← q ⊗ (1 + d) = q + q ⊗ d, and the increment of ω.
     #[inline(always)]
     pub(super) fn plus(&self, more: &Increment<N>, time: N) -> Self {
         let ([w, x, y, z], [dw, dx, dy, dz]) = (self.turn.row.0, more.turn.0);
@@ -52,7 +52,7 @@ impl<N: Number> ExpansionPoint<N> {
         Self { time, turn: self.turn.plus(turn), omega: self.omega.plus(more.omega) }
     }
 
-    /// Sets a lane.
+    /// Sets the point of a lane.
     pub(super) fn put(&mut self, lane: usize, one: &ExpansionPoint) {
         self.time.put(lane, one.time);
         for (place, one) in [(&mut self.turn, &one.turn), (&mut self.omega, &one.omega)] {
@@ -66,14 +66,14 @@ impl<N: Number> ExpansionPoint<N> {
         ExpansionPoint { time: self.time.lane(lane), turn: at(&self.turn), omega: at(&self.omega) }
     }
 
-    /// What a step starts from.
+    /// Returns the state from which a step starts.
     #[inline(always)]
     pub(super) fn start(&self) -> StepStart<N> {
         let Carried { row: omega, low: omega_low } = self.omega;
         StepStart { time: self.time, attitude: self.attitude(), omega, omega_low }
     }
 
-    /// q/|q|, where |q| is 1 but for rounding: as [`Rotation::near_unit`] has it.
+    /// Returns q/|q|, where |q| is 1 up to rounding, as in [`Rotation::near_unit`].
     #[inline(always)]
     fn attitude(&self) -> Row<N> {
         let q = self.turn.row;
@@ -82,13 +82,13 @@ impl<N: Number> ExpansionPoint<N> {
         q * Row::splat(s)
     }
 
-    /// |ω|; only of what is finite.
+    /// Returns |ω|, if ω is finite.
     #[inline(always)]
     pub(super) fn rate(&self) -> N {
         self.omega.row.norm()
     }
 
-    /// Zero of what is finite, and no number otherwise.
+    /// Returns zero if all numbers are finite, and NaN otherwise.
     #[inline(always)]
     pub(super) fn not_finite(&self) -> N {
         let none = Row::splat(self.time.like(0.0));
@@ -110,7 +110,7 @@ impl ExpansionPoint {
         Vector::new(x, y, z)
     }
 
-    /// The attitude of the principal axes.
+    /// Returns the attitude of the principal axes.
     #[inline(always)]
     pub(super) fn rotation(&self) -> Rotation<Space, Principal> {
         Rotation::from_unit(self.attitude().0)

@@ -1,7 +1,8 @@
-//! Many bodies of one kind, side by side: one in each lane, each with its own time and step.
+//! Many bodies of one kind in SIMD lanes, each with its own time and step.
 //!
-//! When a body has come to the last time, or can go no further, the next one takes its lane. So no lane is idle until none is left, and
-//! what a lane does never depends on its neighbours: every body has the bits that it has alone.
+//! When a body reaches the last time or fails, the next one takes its lane. No lane is idle until
+//! no body waits. Lanes do not influence each other, so every result is bit-identical to that of a
+//! single body.
 
 use std::thread;
 
@@ -27,16 +28,16 @@ use crate::motion::solve::propagate::half_turn::Torsions;
 use crate::motion::solve::propagate::piece::Piece;
 use crate::motion::solve::start::{require_few_pulses, require_finite};
 
-/// What bodies that are expanded side by side have in common: their numbers differ, and nothing else.
+/// Properties that bodies in one batch must share. They differ only in their numbers.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(in crate::motion) struct BatchKind {
     torques: TorqueKind,
-    /// Wheels or friction.
+    /// True with wheels or internal friction.
     has_inside: bool,
     tolerance: u64,
 }
 
-/// A body, what turns it, and where it starts.
+/// Body with its torques and its start.
 #[derive(Clone, Debug)]
 pub(in crate::motion) struct BatchBody<'a> {
     rotor: &'a Rotor,
@@ -47,7 +48,8 @@ pub(in crate::motion) struct BatchBody<'a> {
 }
 
 impl<'a> BatchBody<'a> {
-    /// `None` for what is computed body by body: schedules, and what has no series.
+    /// Returns `None` for motions that must be computed one by one: schedules, and torques without
+    /// a series.
     pub(in crate::motion) fn of(rotor: &'a Rotor, torques: &'a [TorqueModel], start: State) -> Option<Self> {
         let has_series = |torque: &TorqueModel| torque.model().roughness().is_none() && !torque.is_timed();
         let is_steady = |wheel: &Wheel| !matches!(wheel.motor(), Motor::Torque { schedule: Some(_), .. });
@@ -66,10 +68,12 @@ impl<'a> BatchBody<'a> {
     }
 }
 
-/// The states of bodies of one kind at the times, which are ascending, none before any start: body by body, each at all times.
+/// Computes the states of bodies of one kind at many times. `states` holds, for each body in turn,
+/// its states at all times.
 ///
-/// A body that can go no further repeats its last good state from there on, which keeps its time; it is among those that are returned,
-/// with the cause.
+/// The times must be ascending, and not before any start. If a body fails, its last good state,
+/// with the time of that state, is repeated for the remaining times. Its index is returned, with
+/// the cause.
 pub(in crate::motion) fn advance<'a: 'b, 'b>(
     bodies: impl Iterator<Item = &'b BatchBody<'a>>,
     times: &[f64],
@@ -80,7 +84,7 @@ pub(in crate::motion) fn advance<'a: 'b, 'b>(
     side_by_side(&bodies, times, tolerance, states)
 }
 
-/// Of a slice, so that what is compiled for each machine is compiled once.
+/// Takes a slice, so that the code for each machine is compiled only once.
 fn side_by_side(
     bodies: &[&BatchBody<'_>],
     times: &[f64],
@@ -93,14 +97,14 @@ fn side_by_side(
     failures
 }
 
-/// Runs work where the stack has room for it: unoptimised, every vector that is computed on the way has a place of its own there, some
-/// megabytes of them, where a thread has two.
+/// Runs work on a thread with a large stack in unoptimised builds. There every intermediate vector
+/// has its own place on the stack. The sum is several megabytes, and the default stack has two.
 fn with_room(work: &mut (dyn FnMut() + Send)) {
     const ROOM: usize = 64 << 20;
     let mut in_thread = || {
         thread::scope(|scope| thread::Builder::new().stack_size(ROOM).spawn_scoped(scope, &mut *work).is_ok())
     };
-    // Where the system gives no such thread, it is tried here.
+    // Fallback if the system cannot create such a thread.
     if !cfg!(debug_assertions) || !in_thread() {
         work();
     }
@@ -126,7 +130,8 @@ impl Work for Advance<'_, '_> {
         batch.failures
     }
 
-    /// One after the other: a body alone fills registers of two numbers too, and a second way would double the time of a build.
+    /// Runs the bodies one by one. A single body already fills registers of two numbers, and a
+    /// second code path would double the build time.
     #[inline(always)]
     fn run_narrow<S: Machine>(self, s: S) -> Self::Output {
         self.one_by_one(0.0, |batch| batch.run(OneBody(s)))
@@ -134,8 +139,8 @@ impl Work for Advance<'_, '_> {
 }
 
 impl<'a, 'b> Advance<'a, 'b> {
-    /// Runs a batch for each body. Sums of one number read beyond the coefficients that are known,
-    /// where a body before must not have left its own: those of one that failed are infinite.
+    /// Runs a batch for each body. Sums for a single body read beyond the known coefficients. A
+    /// previous body must not leave its own there, because those of a failed body are infinite.
     #[inline(always)]
     fn one_by_one<N: Number>(
         self,
@@ -156,45 +161,45 @@ impl<'a, 'b> Advance<'a, 'b> {
     }
 }
 
-/// The bodies under way, and those that wait.
+/// Bodies in progress, and bodies that wait.
 struct Batch<'a, 'b, N> {
     work: Advance<'a, 'b>,
-    /// The first of the bodies that wait.
+    /// Index of the first waiting body.
     waiting: usize,
     failures: Vec<(usize, MotionError)>,
     lanes: Vec<Option<Lane<'a>>>,
-    /// Rounds, in each of which every lane makes a step.
+    /// Number of rounds. In each round every lane takes a step.
     rounds: u64,
     expansion: Box<Expansion<N>>,
-    /// What the expansion is about.
+    /// Points at which the expansions start.
     base: ExpansionPoint<N>,
     omega_scale: N,
-    /// The last of the times of each lane's body, or its start where there is none.
+    /// Last requested time of each lane's body, or its start without any times.
     end: N,
-    /// The first of the times that it has not come to; infinite where there is none.
+    /// First requested time that the body has not reached; infinite if there is none.
     next: N,
-    /// |ω| from which it may run away: half of the plausibility bound.
+    /// Half of the plausibility bound on |ω|; from here on the bound is checked.
     fast: N,
 }
 
-/// The body of a lane.
+/// Body in a lane.
 #[derive(Debug)]
 struct Lane<'a> {
     body: usize,
     start: State,
     piece: Piece<'a>,
     to_body: Rotation<Body, Principal>,
-    /// How many of the times it has come to.
+    /// Number of requested times that it has reached.
     sampled: usize,
     bound: Bound<ExpansionPoint>,
-    /// The torsions among the torques: the motion ends where one of them is twisted by half a turn.
+    /// Torsions among the torques. The motion ends where one of them is twisted by half a turn.
     torsions: Torsions,
-    /// The rounds before it came aboard.
+    /// Number of rounds before the body entered the lane.
     rounds: u64,
 }
 
 impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
-    /// `None` if there is nobody to go.
+    /// Returns `None` if the list of bodies is empty.
     fn of(work: Advance<'a, 'b>, zero: N) -> Option<Self> {
         let first = work.bodies.first()?;
         let piece = Piece::new(first.rotor, first.torques.iter(), &first.start);
@@ -228,7 +233,7 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
         }
     }
 
-    /// Bodies that wait take the lanes that are free.
+    /// Puts waiting bodies into free lanes.
     fn board(&mut self) {
         for k in 0..N::LANES {
             while self.lanes[k].is_none() && self.waiting < self.work.bodies.len() {
@@ -267,7 +272,8 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
         }
     }
 
-    /// Looks at what is known before the step: is there a torque that nothing balances, and which of the times are the start?
+    /// Checks what is known before the step: torques that nothing balances, and requested times
+    /// equal to the start.
     fn begin(&mut self) {
         for k in 0..N::LANES {
             let time = self.base.time.lane(k);
@@ -282,7 +288,7 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
         }
     }
 
-    /// One step of every lane, not beyond its end.
+    /// Takes one step in every lane, not beyond its end.
     #[inline(always)]
     fn step<M: SeriesSums<N = N>>(&mut self, s: M) {
         let time = self.base.time;
@@ -323,7 +329,8 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
         self.look_ahead(allowed, &before);
     }
 
-    /// The lanes in which a torsion comes to half a turn in the step, and when after its start.
+    /// Returns the lanes in which a torsion reaches half a turn in the step, and the time from its
+    /// start.
     fn half_turns(&self, head: &ExpansionPoint<N>) -> Vec<(usize, f64)> {
         let lanes = self.lanes.iter().enumerate();
         let sprung =
@@ -338,7 +345,8 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
         found.collect()
     }
 
-    /// The base of a lane is at half a turn of a torsion: its motion ends there, unless that is its last time.
+    /// Ends the motion of a lane whose base is at half a turn of a torsion. This is an error unless
+    /// it is the last time.
     fn end_at_half_turn(&mut self, k: usize) {
         let base = self.base.lane(k);
         self.sample(k, &base);
@@ -349,7 +357,7 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
         }
     }
 
-    /// Samples the step at the times before its end, in every lane at once.
+    /// Samples the step at the requested times before its end, in all lanes simultaneously.
     #[inline(always)]
     fn sample_within<M: SeriesSums<N = N>>(&mut self, s: M, until: N) {
         loop {
@@ -368,7 +376,8 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
         }
     }
 
-    /// Looks at where a step has led: what comes to its end makes room, and what will not come there gives up.
+    /// Checks the results of a step. A body at its end frees its lane, and a body that cannot reach
+    /// its end fails.
     #[inline(always)]
     fn look_ahead(&mut self, allowed: N, before: &ExpansionPoint<N>) {
         let (time, rate) = (self.base.time, self.base.rate());
@@ -400,7 +409,7 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
         }
     }
 
-    /// Writes a place of a lane down for all times that are its own, or that come before the start.
+    /// Stores a point of a lane for all requested times up to its time that are not yet stored.
     fn sample(&mut self, k: usize, place: &ExpansionPoint) {
         let Some(lane) = &mut self.lanes[k] else { return };
         while self.work.next(lane) <= place.time {
@@ -410,7 +419,7 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
         self.next.put(k, self.work.next(lane));
     }
 
-    /// The body of a lane goes no further than the base.
+    /// Ends the motion of a lane with an error, at the base.
     fn give_up(&mut self, k: usize, cause: MotionError) {
         let Some(lane) = self.lanes[k].take() else { return };
         let mut base = self.base.lane(k);
@@ -419,7 +428,7 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
             base = plausible;
             sampled = sampled.min(self.work.times.partition_point(|time| *time <= base.time));
         }
-        // The start as it was given, not as it comes back from principal axes.
+        // Return the start as given, without the rounding of the conversion to principal axes.
         let last = if base.time > lane.start.time { base.state(lane.to_body) } else { lane.start };
         self.work.fill(lane.body, sampled, last);
         self.next.put(k, f64::INFINITY);
@@ -428,7 +437,7 @@ impl<'a, 'b, N: Number> Batch<'a, 'b, N> {
 }
 
 impl Advance<'_, '_> {
-    /// The first of the times that a body has not come to; infinite if there is none.
+    /// Returns the first requested time that a body has not reached; infinite if there is none.
     fn next(&self, lane: &Lane<'_>) -> f64 {
         self.times.get(lane.sampled).copied().unwrap_or(f64::INFINITY)
     }
@@ -439,7 +448,7 @@ impl Advance<'_, '_> {
         }
     }
 
-    /// The same state for all times of a body from one on.
+    /// Stores the same state for all times of a body from index `from` on.
     fn fill(&mut self, body: usize, from: usize, state: State) {
         for sample in from..self.times.len() {
             self.write(body, sample, state);

@@ -1,10 +1,11 @@
-//! A vector of space as the turning body sees it.
+//! Series of a space vector in rotating body axes.
 
 use super::row::{Row, Series};
 use super::sums::SeriesSums;
 use crate::math::number::Number;
 
-/// The series of a vector along principal axes, which turn at Ω: v̇ = v × Ω + s, s its rate in space, seen from the body too.
+/// Series of a vector along principal axes, which rotate at Ω: v̇ = v × Ω + s. s is its rate in
+/// space, in the same axes.
 #[derive(Clone, Debug)]
 pub(super) struct BodyResolved<N = f64>(Series<N>);
 
@@ -18,19 +19,19 @@ impl<N: Number> BodyResolved<N> {
         self.0.set(0, v.vector());
     }
 
-    /// The coefficients known so far.
+    /// Returns the coefficients known so far.
     #[inline(always)]
     pub(super) fn series(&self) -> &Series<N> {
         &self.0
     }
 
-    /// Coefficient n.
+    /// Returns coefficient n.
     #[inline(always)]
     pub(super) fn coefficient(&self, n: usize) -> Row<N> {
         self.0.at(n)
     }
 
-    /// Finds coefficient n + 1 from those up to n; `source` is coefficient n of s.
+    /// Computes coefficient n + 1 from those up to n. `source` is coefficient n of s.
     #[inline(always)]
     pub(super) fn extend<M: SeriesSums<N = N>>(
         &mut self,

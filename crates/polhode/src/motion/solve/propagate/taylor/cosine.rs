@@ -1,4 +1,4 @@
-//! cos ½θ of the turn from a rest, as a series.
+//! Series of cos ½θ of the rotation from a torsion's rest attitude.
 
 use super::Expansion;
 use crate::math::frame::{Body, Principal, Space};
@@ -7,8 +7,9 @@ use crate::math::rotation::{Attitude, Rotation};
 use crate::motion::solve::propagate::half_turn::Cosine;
 
 impl<N: Number> Expansion<N> {
-    /// The scalar part of rest⁻¹ ∘ q, q the quaternion of a lane's body, as a function of the time since the start
-    /// of the step: it is linear in the turn, whose series are known.
+    /// Returns the scalar part of rest⁻¹ ∘ q as a function of the time since the start of the step.
+    /// q is the quaternion of a lane's body. The scalar part is linear in the quaternion of the
+    /// rotation, whose series is known.
     pub(super) fn cosine<'a>(
         &self,
         lane: usize,

@@ -1,13 +1,15 @@
-//! Coefficients of elementary functions of series: n ≥ 1, from coefficients up to n of what it is of and up to n − 1 of itself.
+//! Taylor coefficients of elementary functions of series.
 //!
-//! Each function is an integral of products or quotients, compared power by power: from y' = u' w follows n yₙ = Σ k uₖ wₙ₋ₖ.
+//! Each function returns coefficient n ≥ 1 of its result. It needs coefficients up to n of its
+//! argument and up to n − 1 of the result. Each function is an integral of products or quotients,
+//! compared power by power: y' = u' w gives n yₙ = Σ k uₖ wₙ₋ₖ.
 //!
 //! Source: L. B. Rall, Automatic Differentiation (1981), ch. 3.3.
 
 use super::scalar::{Scalars, WHOLE, convolution, power};
 use crate::math::number::Number;
 
-/// y = ∫ u' w: n yₙ = Σ_{k≥1} k uₖ wₙ₋ₖ, w up to n − 1.
+/// Returns coefficient n of y = ∫ u' w: n yₙ = Σ_{k≥1} k uₖ wₙ₋ₖ. w is needed up to n − 1.
 ///
 /// exp u has w = y, sin u has w = cos u, cos u has w = −sin u, tan u has w = 1 + y².
 #[inline(always)]
@@ -15,7 +17,7 @@ pub(super) fn integral_by<N: Number>(u: &Scalars<N>, w: &Scalars<N>, n: usize) -
     weighted(u, w, n) / u[0].like(n as f64)
 }
 
-/// y = ∫ u'/d: n d₀ yₙ = n uₙ − Σ_{1≤k<n} k yₖ dₙ₋ₖ.
+/// Returns coefficient n of y = ∫ u'/d: n d₀ yₙ = n uₙ − Σ_{1≤k<n} k yₖ dₙ₋ₖ.
 ///
 /// log u has d = u, asin u has d = √(1 − u²), acos u has d = −√(1 − u²), atan u has d = 1 + u².
 #[inline(always)]
@@ -23,7 +25,7 @@ pub(super) fn integral_over<N: Number>(u: &Scalars<N>, d: &Scalars<N>, y: &Scala
     (u[n] - weighted_before(y, d, n) / u[0].like(n as f64)) / d[0]
 }
 
-/// y = atan2(a, b) = ∫ (a' b − b' a)/d, d = a² + b².
+/// Returns coefficient n of y = atan2(a, b) = ∫ (a' b − b' a)/d, d = a² + b².
 #[inline(always)]
 pub(super) fn angle<N: Number>(
     a: &Scalars<N>,
@@ -35,20 +37,23 @@ pub(super) fn angle<N: Number>(
     (weighted(a, b, n) - weighted(b, a, n) - weighted_before(y, d, n)) / (a[0].like(n as f64) * d[0])
 }
 
-/// c = √(a² + b²), from c c' = a a' + b b'; where c₀ = 0, zero while a and b are.
+/// Returns coefficient n of c = √(a² + b²), from c c' = a a' + b b'. If c₀ = 0, it is zero as long
+/// as a and b are zero, and NaN otherwise.
 #[inline(always)]
 pub(super) fn hypotenuse<N: Number>(a: &Scalars<N>, b: &Scalars<N>, c: &Scalars<N>, n: usize) -> N {
     let sum = weighted(a, a, n) + weighted(b, b, n) - weighted_before(c, c, n);
     where_zero(sum / (a[0].like(n as f64) * c[0]), c[0], |lane| is_zero(a, n, lane) && is_zero(b, n, lane))
 }
 
-/// c = aᵖ for any constant p; where a₀ = 0, zero while a is and p > 0.
+/// Returns coefficient n of c = aᵖ for a constant p. If a₀ = 0, it is zero as long as a is zero and
+/// p > 0, and NaN otherwise.
 #[inline(always)]
 pub(super) fn constant_power<N: Number>(a: &Scalars<N>, p: f64, c: &Scalars<N>, n: usize) -> N {
     where_zero(power(a, p, c, n), a[0], |lane| p > 0.0 && is_zero(a, n, lane))
 }
 
-/// A coefficient, but in lanes where a number is zero: there it is zero if so is what it is of, and NaN if not.
+/// Returns the coefficient `value`, except in lanes where `number` is zero. There it is zero if
+/// `is_zero` holds for the lane, and NaN otherwise.
 #[inline(always)]
 fn where_zero<N: Number>(mut value: N, number: N, is_zero: impl Fn(usize) -> bool) -> N {
     for lane in 0..N::LANES {
@@ -59,13 +64,13 @@ fn where_zero<N: Number>(mut value: N, number: N, is_zero: impl Fn(usize) -> boo
     value
 }
 
-/// Σ_{1≤k≤n} k uₖ wₙ₋ₖ
+/// Returns Σ_{1≤k≤n} k uₖ wₙ₋ₖ.
 #[inline(always)]
 fn weighted<N: Number>(u: &Scalars<N>, w: &Scalars<N>, n: usize) -> N {
     convolution(u, w, n, n, |k, u, w| u.like(WHOLE[k]) * u * w)
 }
 
-/// Σ_{1≤k<n} k yₖ dₙ₋ₖ = Σ_{1≤k<n} (n − k) dₖ yₙ₋ₖ
+/// Returns Σ_{1≤k<n} k yₖ dₙ₋ₖ = Σ_{1≤k<n} (n − k) dₖ yₙ₋ₖ.
 #[inline(always)]
 fn weighted_before<N: Number>(y: &Scalars<N>, d: &Scalars<N>, n: usize) -> N {
     convolution(d, y, n, n - 1, |k, d, y| d.like(n as f64 - WHOLE[k]) * d * y)

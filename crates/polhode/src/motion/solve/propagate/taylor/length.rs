@@ -1,21 +1,24 @@
-//! How long a step may be, and of which order.
+//! Length and order of a Taylor step.
 //!
-//! Source: À. Jorba, M. Zou, Exp. Math. 14 (2005) 99. Their order, 1 − ½ ln ε, is best where the time of a step grows with its square. Here
-//! it grows less, so that higher orders and longer steps are faster; between 17 and 23 it hardly matters at 1e-6 (5 % at most, AMD Zen 5).
+//! Source: À. Jorba, M. Zou, Exp. Math. 14 (2005) 99. Their order, 1 − ½ ln ε, is optimal if the
+//! time per step grows with the square of the order. Here it grows more slowly, so higher orders
+//! with longer steps are faster. Orders 17 to 23 differ by at most 5 % at 1e-6 (AMD Zen 5).
 
 use super::Expansion;
 use super::row::{INVERSES, Row, TERMS, larger, smaller};
 use crate::math::number::Number;
 
-/// How many of the last coefficients the length of a step does not wait for.
+/// Number of last coefficients that the step length does not use.
 const EARLY: usize = 2;
 
 impl<N: Number> Expansion<N> {
-    /// The longest step at which the terms that are left out are as small as they should be; `scale` is what ω is measured with, zero where
-    /// nothing turns and no torque acts yet: then the turn alone says how long a step may be.
+    /// Returns the longest step for which the truncation error is below the tolerance. `scale` is
+    /// the scale of ω. It is zero if nothing rotates and no torque acts; then only the rotation
+    /// determines the step.
     ///
-    /// With a radius ρ = min (1/|xₙ|^(1/n), 1/|xₙ₋₁|^(1/(n−1))) they are about (h/ρ)^(p+1) / (1 − h/ρ). n is less than p by [`EARLY`], so that ρ is found
-    /// while the last coefficients are.
+    /// Let ρ = min (1/|xₙ|^(1/n), 1/|xₙ₋₁|^(1/(n−1))) the error is about (h/ρ)^(p+1) /
+    /// (1 − h/ρ). n is less than the order p by [`EARLY`], so that ρ can be computed while the last
+    /// coefficients are.
     #[inline(always)]
     pub(super) fn step(&self, scale: N) -> N {
         let n = self.order - EARLY;
@@ -24,7 +27,7 @@ impl<N: Number> Expansion<N> {
         let mut radius = smaller(last, before);
         let not_finite = last + before;
         for lane in (0..N::LANES).filter(|lane| not_finite.lane(*lane).is_nan()) {
-            // Coefficients that are beyond all numbers: the last two that are not.
+            // If coefficients overflow, use the last two that are finite.
             let pair = |n: usize| [n, n - 1].map(|n| self.log_radius(n, unit).lane(lane));
             let sound = (2..=n).rev().map(pair).find(|[a, b]| a.is_finite() && b.is_finite());
             radius.put(lane, sound.map_or(radius.lane(lane), |[a, b]| a.min(b)));
@@ -32,7 +35,8 @@ impl<N: Number> Expansion<N> {
         radius.map(|radius| rough_exp2(radius + self.reach))
     }
 
-    /// log₂ of 1/|xₙ|^(1/n): digits beyond the third do not matter. No number, if xₙ has one that is not finite.
+    /// Returns log₂ of 1/|xₙ|^(1/n), to three digits. Returns NaN if a component of xₙ is not
+    /// finite.
     #[inline(always)]
     fn log_radius(&self, n: usize, unit: N) -> N {
         let (omega, turn) = (self.omega_at(n), self.motion[n].x.first());
@@ -43,44 +47,48 @@ impl<N: Number> Expansion<N> {
     }
 }
 
-/// The order of a tolerance.
+/// Returns the order for a tolerance.
 pub(in crate::motion) fn order(tolerance: f64) -> usize {
     ((14.0 - 0.3 * tolerance.ln()).ceil() as usize).min(TERMS - 1)
 }
 
-/// The terms that are left out at a tolerance: the errors of all steps add up, and less where steps are long.
+/// Returns the allowed truncation error of a step for a tolerance. The errors of all steps add up;
+/// long steps are fewer and may have more.
 pub(in crate::motion) fn remainder(tolerance: f64) -> f64 {
     let loosely = rough_exp2(0.35 * rough_log2(tolerance / 1e-9)).max(1.0);
     (4e-4 * tolerance * loosely).max(SMALLEST_REMAINDER)
 }
 
-/// Less is lost in rounding.
+/// Lower bound on the truncation error, below the rounding error.
 const SMALLEST_REMAINDER: f64 = 5e-18;
 
-/// log₂ x of x^(p+1)/(1 − x) = the remainder.
+/// Returns log₂ x for the solution of x^(p+1)/(1 − x) = `remainder`.
 pub(in crate::motion) fn reach(order: usize, remainder: f64) -> f64 {
     let (power, remainder) = (1.0 / (order + 1) as f64, rough_log2(remainder));
-    // From x = 0, a few rounds are enough: each leaves a hundredth of the error, as the right-hand side hardly changes.
+    // Fixed-point iteration from x = 0. Each round reduces the error to a hundredth, because the
+    // right-hand side hardly changes.
     let log = |x: f64| (remainder + rough_log2(1.0 - x)) * power;
     (0..3).fold(log(0.0), |x, _| log(rough_exp2(x)))
 }
 
-/// log₂ of a number that is not negative, to 0.043: a part in 600 of a step.
+/// Returns log₂ of a non-negative number with an error below 0.043. This changes a step by a factor
+/// of 1/600.
 ///
-/// The bits of a number, read as one of fixed point, are its logarithm but for the chord in place of the curve. No branch, and no
-/// more than shifts for the integers: eight at once are vectors.
+/// The bits of an f64, read as a fixed-point number, are its logarithm with the curve replaced by
+/// chords. The function has no branches and uses only integer shifts, so it vectorizes to eight
+/// numbers.
 #[inline(always)]
 pub(in crate::motion) fn rough_log2(x: f64) -> f64 {
-    // The integer n < 2⁵² is the mantissa of 2⁵² + n.
+    // An integer n < 2⁵² is the mantissa of 2⁵² + n.
     let bits = f64::from_bits(TWO_52.to_bits() | x.to_bits() >> 20) - TWO_52;
     let log = bits * TWO_32.recip() - (1023.0 - 0.043);
     if x >= f64::MIN_POSITIVE { log } else { f64::NEG_INFINITY }
 }
 
-/// 2ˣ, to 2e-3; infinite and zero where f64 ends.
+/// Returns 2ˣ with a relative error below 2e-3; infinity and zero outside the range of f64.
 #[inline(always)]
 pub(in crate::motion) fn rough_exp2(x: f64) -> f64 {
-    // The nearest integer n: n + 1023, an exponent, is the end of the mantissa.
+    // n is the nearest integer. n + 1023, the exponent field, is in the last bits of the mantissa.
     let shifted = x + (TWO_52 + 1023.0);
     let m = x - (shifted - (TWO_52 + 1023.0));
     let power = f64::from_bits(shifted.to_bits() << 52);

@@ -1,8 +1,9 @@
-//! The recurrence of several bodies, a number of each in a register.
+//! Taylor recurrence for several bodies. Each SIMD register holds one number of each body.
 //!
-//! There is enough to do while the newest coefficients are made, and loops end where they should. Products with what is zero by the layout
-//! are left out; all else is in the order of one body (`one.rs`), and a sum that begins with +0 does not change by zeros: so each lane
-//! has the bits that its body has alone.
+//! While the newest coefficients are computed there is enough other work, so loops end at the last
+//! term. Products with numbers that the layout fixes to zero are omitted. All other operations have
+//! the order of `one.rs`. A sum that begins with +0 is not changed by adding zeros. Each lane is
+//! therefore bit-identical to its body alone.
 
 use super::pair::Pair;
 use super::recurrence::{
@@ -15,15 +16,15 @@ use super::unit_product::{CROSS, TURN, plus_product};
 use crate::math::machine::Machine;
 use crate::math::number::Number;
 
-/// The linear part of the recurrence of a step: what it starts from, and the constants of the equations.
+/// Linear part of the recurrence of a step: its initial values, and the constants of the equations.
 #[derive(Clone, Copy)]
 pub(super) struct StepJacobian<N> {
     terms: EquationConstants<N>,
     turn: Row<N>,
     omega: Row<N>,
-    /// u and v.
+    /// Vectors u and v.
     joint: [Row<N>; 2],
-    /// Ω
+    /// Angular velocity Ω of the axes.
     turning: Row<N>,
 }
 
@@ -108,7 +109,7 @@ fn turning<const LAYOUT: Layout, N: Number>(coefficient: &Coefficient<N>) -> Row
     Row([a, b, c, a.like(0.0)])
 }
 
-/// (u1, u2, u3), (u2, u3, u1), (u3, u1, u2)
+/// Returns (u1, u2, u3), (u2, u3, u1) or (u3, u1, u2).
 #[inline(always)]
 fn diagonal_of<N: Number>(u: Row<N>, diagonal: usize) -> Row<N> {
     match diagonal {
@@ -118,12 +119,12 @@ fn diagonal_of<N: Number>(u: Row<N>, diagonal: usize) -> Row<N> {
     }
 }
 
-/// What expands, vector by vector.
+/// Expanded quantities, one vector each.
 #[derive(Clone, Copy)]
 struct Parts<N> {
     turn: Row<N>,
     omega: Row<N>,
-    /// u and v.
+    /// Vectors u and v.
     joint: [Row<N>; 2],
 }
 
@@ -180,7 +181,8 @@ fn row_over<N: Number>(row: Row<N>, n: usize) -> Row<N> {
 }
 
 impl<N: Number> StepJacobian<N> {
-    /// The same where there is no vector of space; the turn starts from 1.
+    /// Like [`SeveralBodies::plus_newest`], for the layout [`ATTITUDE`]. At the start of a step q =
+    /// 1, so q ∘ ω contributes ω/2.
     #[inline(always)]
     fn plus_newest_of_attitude(&self, sum: Parts<N>, new: &Parts<N>) -> Parts<N> {
         let EquationConstants { ratios: Row([r1, r2, r3, _]), of_omega: [b1, b2, b3], has_omega, .. } =
@@ -205,7 +207,7 @@ impl<N: Number> StepJacobian<N> {
         ]);
         let Row([a, b, c, d]) = sum.turn;
         let (half_turning, Row([_, k1, k2, k3])) = (half(self.turning), half(new.omega).pure());
-        // Half of ω, and q ∘ e3 Ω3, come last.
+        // ω/2 and q ∘ e3 Ω3 are added last.
         let [last0, last1, last2, last3] = [
             third_of_turn(new.turn, half_turning, 0, None),
             third_of_turn(new.turn, half_turning, 1, Some(k1)),
@@ -221,7 +223,7 @@ impl<N: Number> StepJacobian<N> {
         Parts { turn, omega, joint: sum.joint }
     }
 
-    /// The same where a vector moves.
+    /// Like [`SeveralBodies::plus_newest`], for the layout [`WITH_ORBIT`].
     #[inline(always)]
     fn plus_newest_on_orbit(&self, sum: Parts<N>, new: &Parts<N>) -> Parts<N> {
         let EquationConstants {
@@ -268,7 +270,7 @@ impl<N: Number> StepJacobian<N> {
         Parts { turn, omega: own + more, joint: [next_u + more_u, next_v + more_v] }
     }
 
-    /// Plus Tᵢ of what a step starts from times the components of Ω.
+    /// Adds Tᵢ applied to the initial values, times the components of Ω.
     #[inline(always)]
     fn plus_start<const LAYOUT: Layout>(&self, sum: Parts<N>, turning: Row<N>) -> Parts<N> {
         let Row([o1, o2, o3, _]) = turning;
@@ -298,7 +300,7 @@ impl<N: Number> StepJacobian<N> {
         }
     }
 
-    /// Plus Tᵢ of the newest coefficients times the components of Ω at the start.
+    /// Adds Tᵢ applied to the newest coefficients, times the components of Ω at the start.
     #[inline(always)]
     fn plus_turned<const LAYOUT: Layout>(&self, sum: Parts<N>, new: &Parts<N>) -> Parts<N> {
         let Row([o1, o2, o3, _]) = self.turning;
@@ -319,7 +321,7 @@ impl<N: Number> StepJacobian<N> {
     }
 }
 
-/// Number i of q ∘ e of an axis; none of these is always zero.
+/// Returns number i of q ∘ e for the unit vector of an axis; none of these is always zero.
 #[inline(always)]
 fn turned<N: Number>(q: Row<N>, axis: usize, i: usize) -> N {
     match TURN[axis].number(q, i) {
@@ -328,7 +330,7 @@ fn turned<N: Number>(q: Row<N>, axis: usize, i: usize) -> N {
     }
 }
 
-/// Number i of q ∘ e1 Ω1 + q ∘ e2 Ω2, added to a number if there is one.
+/// Returns number i of q ∘ e1 Ω1 + q ∘ e2 Ω2, plus `sum` if given.
 #[inline(always)]
 fn two_of_turn<N: Number>(q: Row<N>, turning: Row<N>, i: usize, sum: Option<N>) -> N {
     let [o1, o2, ..] = turning.0;
@@ -339,7 +341,7 @@ fn two_of_turn<N: Number>(q: Row<N>, turning: Row<N>, i: usize, sum: Option<N>) 
     turned(q, 1, i).mul_add(o2, first)
 }
 
-/// Number i of q ∘ e3 Ω3, added to a number if there is one.
+/// Returns number i of q ∘ e3 Ω3, plus `sum` if given.
 #[inline(always)]
 fn third_of_turn<N: Number>(q: Row<N>, turning: Row<N>, i: usize, sum: Option<N>) -> N {
     let [.., o3, _] = turning.0;
@@ -356,8 +358,12 @@ fn half<N: Number>(row: Row<N>) -> Row<N> {
     Row([x * half, y * half, z * half, w * half])
 }
 
-/// Sums of products: of the turn with each component of Ω; of ω as (ω3 Ω1, ω1 Ω2, ω2 Ω3); of u and v with components that are not their own, by the
-/// component of Ω; of u and u cycled, and of ω and u cycled, u and ω cycled, where u moves.
+/// Sums of products of coefficients.
+///
+/// - `turn`: the quaternion times each component of Ω.
+/// - `omega`: (ω3 Ω1, ω1 Ω2, ω2 Ω3).
+/// - `joint`: for u and v, the two other components times each component of Ω.
+/// - `square`, `crossing`: u times u cycled; ω times u cycled and u times ω cycled (orbit only).
 #[derive(Clone, Copy)]
 struct ProductSums<N> {
     turn: [Row<N>; 3],
@@ -368,7 +374,8 @@ struct ProductSums<N> {
 }
 
 impl<S: Machine> SeveralBodies<S> {
-    /// Sums with what comes of new numbers by way of those at the start: Σ Ωᵢ Tᵢ x, Σ (Tᵢ x₀) Ωᵢ, and what is linear.
+    /// Adds the contribution of the newest coefficients through those at the start: Σ Ωᵢ Tᵢ x, Σ
+    /// (Tᵢ x₀) Ωᵢ, and the linear part.
     #[inline(always)]
     fn plus_newest<const LAYOUT: Layout>(
         self,
@@ -401,7 +408,7 @@ impl<S: Machine> SeveralBodies<S> {
         Parts { turn: none, omega: none, joint: [none; 2] }
     }
 
-    /// Products of coefficients 1 … n − 1.
+    /// Returns the sums of products of coefficients 1 … n − 1.
     #[inline(always)]
     fn sums_before<const LAYOUT: Layout>(self, motion: &Motion<S::Many>, n: usize) -> ProductSums<S::Many> {
         let zero = self.0.many(0.0);
@@ -448,7 +455,7 @@ impl<N: Number> ProductSums<N> {
         self
     }
 
-    /// Both together.
+    /// Adds the two sums.
     #[inline(always)]
     fn and<const LAYOUT: Layout>(mut self, b: &Self) -> Self {
         for axis in 0..3 {
@@ -471,7 +478,7 @@ impl<N: Number> ProductSums<N> {
         self
     }
 
-    /// Σ Tᵢ of the sums.
+    /// Returns Σ Tᵢ applied to the sums.
     #[inline(always)]
     fn rates(&self, ratios: &Row<N>) -> Parts<N> {
         let [first, second, third] = [half(self.turn[0]), half(self.turn[1]), half(self.turn[2])];
@@ -481,14 +488,14 @@ impl<N: Number> ProductSums<N> {
             (turned(first, 0, 2) + turned(second, 1, 2)) + turned(third, 2, 2),
             (turned(first, 0, 3) + turned(second, 1, 3)) + turned(third, 2, 3),
         ]);
-        // The sums are (ω3 Ω1, ω1 Ω2, ω2 Ω3): the places of ω̇2, ω̇3, ω̇1.
+        // The sums (ω3 Ω1, ω1 Ω2, ω2 Ω3) belong to ω̇2, ω̇3, ω̇1.
         let omega = *ratios * self.omega.cycled().cycled();
         let [u, v] = self.joint;
         Parts { turn, omega, joint: [cross(u), cross(v)] }
     }
 }
 
-/// Plus the components of v that Ωᵢ does not belong to, times Ωᵢ.
+/// Adds the two other components of v, times Ωᵢ, for each i.
 #[inline(always)]
 fn plus_others<N: Number>(sums: [[N; 2]; 3], v: Row<N>, [o1, o2, o3]: [N; 3]) -> [[N; 2]; 3] {
     let ([a, b, c, _], [p, q, r]) = (v.0, sums);
@@ -499,7 +506,7 @@ fn plus_others<N: Number>(sums: [[N; 2]; 3], v: Row<N>, [o1, o2, o3]: [N; 3]) ->
     ]
 }
 
-/// v × Ω of these sums.
+/// Returns v × Ω from these sums.
 #[inline(always)]
 fn cross<N: Number>([[b1, c1], [a2, c2], [a3, b3]]: [[N; 2]; 3]) -> Row<N> {
     Row([b3 - c2, c1 - a3, a2 - b1, b1.like(0.0)])

@@ -1,12 +1,13 @@
-//! Taylor's method: the motion of a step as a power series in time, from the equations themselves.
+//! Taylor's method: the motion of a step as a power series in time, from the equations of motion.
 //!
-//! Coefficient n + 1 of every unknown follows from the coefficients up to n, as the equations have only products in
-//! them. In principal axes, with q the turn since the start of the step,
+//! The equations contain only products, so coefficient n + 1 of every unknown follows from the
+//! coefficients up to n. Let q be the rotation since the start of the step. In principal axes
 //!
 //! i1 ω̇1 = (i2 − i3) ω2 ω3 + N1 …,  q̇ = ½ q ∘ ω,  K̇ = N + K × ω,  Ẇ = N · ω
 //!
-//! K is the angular impulse ∫ N dt as the turning body sees it, W the work: the evidence. The same series is the dense output.
-//! With wheels of angular momentum h and with friction inside, L = I ω + h, the axes turn at Ω = ω + α L × ω, I ω̇ = L × Ω + N − ḣ.
+//! K is the angular impulse ∫ N dt in the rotating axes, and W the work; they are used as checks.
+//! The same series is the dense output. With wheels of angular momentum h and with internal
+//! friction, L = I ω + h. The axes then rotate at Ω = ω + α L × ω, and I ω̇ = L × Ω + N − ḣ.
 
 mod base;
 mod batch;
@@ -45,35 +46,36 @@ use crate::math::machine::{Machine, Work, in_vectors};
 use crate::math::number::Number;
 use crate::motion::model::torque::polynomial::JointVector;
 
-/// The series of everything over one step: of one body, or of one in each lane.
+/// Series of all unknowns over one step: of one body, or of one body per lane.
 #[derive(Clone, Debug)]
 struct Expansion<N = f64> {
     moments: Row<N>,
-    /// 1/i; zero along an axis without inertia.
+    /// 1/i; zero for an axis without inertia.
     inverses: Row<N>,
-    /// True if there is such an axis.
+    /// True if there is an axis without inertia.
     is_thin: bool,
-    /// What expands together: see [`recurrence`].
+    /// Quantities that are expanded together: see [`recurrence`].
     layout: Layout,
     terms: EquationConstants<N>,
     motion: Box<Motion<N>>,
-    /// What ω at the start of the step is beyond its rounding.
+    /// Low word of ω at the start of the step.
     low: Row<N>,
-    /// The torques that are linear or quadratic in ω and in a vector u, which is expanded beside the turn.
+    /// Torques that are linear or quadratic in ω and in a vector u; u is expanded together with the
+    /// rotation.
     quadratic: Option<Box<Quadratic<N>>>,
-    /// All other torques.
+    /// All other torques, as a graph.
     tape: Option<Box<Tape<N>>>,
-    /// What acts inside the body, if anything does.
+    /// Wheels and internal friction, if there are any.
     inside: Option<Box<Internal<N>>>,
-    /// What others than the recurrence need, if there are any.
+    /// Series needed in addition to the recurrence, if there are any.
     beside: Option<Box<SeparateSeries<N>>>,
     evidence: Option<Box<Evidence<N>>>,
     order: usize,
-    /// log₂ of the part of the radius of convergence that a step may go.
+    /// log₂ of the step length divided by the radius of convergence.
     reach: f64,
 }
 
-/// The series of ω, of u and of the torque by themselves, for torques that are not part of the recurrence.
+/// Separate series of ω, of u and of the torque, for torques that are not part of the recurrence.
 #[derive(Clone, Debug)]
 struct SeparateSeries<N> {
     omega: Vectors<N>,
@@ -87,36 +89,36 @@ impl<N: Number> SeparateSeries<N> {
     }
 }
 
-/// The angular impulse as the turning body sees it, and the work, component by component.
+/// Angular impulse in the rotating axes, and work, component by component.
 #[derive(Clone, Debug)]
 struct Evidence<N> {
     impulse: BodyResolved<N>,
     work: Series<N>,
 }
 
-/// Wheels and friction.
+/// Series for wheels and internal friction.
 #[derive(Clone, Debug)]
 struct Internal<N> {
     /// h at the start of the step, and ḣ.
     wheels: [Row<N>; 2],
-    /// α
+    /// Σ α of the energy sinks.
     sink: N,
-    /// L = I ω + h
+    /// L = I ω + h.
     momentum: Series<N>,
-    /// L × ω
+    /// L × ω.
     bending: Series<N>,
-    /// Ω
+    /// Angular velocity Ω of the axes.
     turning: Vectors<N>,
     /// −ḣ · ω − α |L × ω|², component by component.
     power: Series<N>,
 }
 
-/// What a step adds, after so much time.
+/// Change of the motion from the start of the step to a time.
 #[derive(Clone, Copy, Debug)]
 struct Increment<N = f64> {
-    /// Of ω, principal axes.
+    /// Change of ω, principal axes.
     omega: Row<N>,
-    /// The turn less the identity: (w − 1, x, y, z).
+    /// Rotation minus the identity: (w − 1, x, y, z).
     turn: Row<N>,
     /// ∫ N dt since the start of the step, along the principal axes at its end.
     impulse: [N; 3],
@@ -124,7 +126,8 @@ struct Increment<N = f64> {
 }
 
 impl<N: Number> Expansion<N> {
-    /// Of bodies with torques such as these, each lane to be [`Expansion::set`].
+    /// Creates the series for bodies with torques of this kind. [`Expansion::set`] must follow for
+    /// each lane.
     fn of(zero: N, piece: &Piece<'_>, torques: &Decomposition, tolerance: f64, evidence: bool) -> Box<Self> {
         let order = order(tolerance);
         let none = Row::splat(zero);
@@ -150,7 +153,7 @@ impl<N: Number> Expansion<N> {
         expansion
     }
 
-    /// What kind of things act from now on.
+    /// Allocates the series for the kinds of torques that act from now on.
     fn act(&mut self, piece: &Piece<'_>, torques: &Decomposition) {
         let zero = self.zero();
         let Decomposition { quadratic, joint, graph } = torques;
@@ -165,7 +168,7 @@ impl<N: Number> Expansion<N> {
             (None, Some(JointVector::Fixed(_))) => WITH_FIXED_VECTOR,
             (None, Some(JointVector::Circular(_))) => WITH_ORBIT,
         };
-        // Nothing of a torque that has ended.
+        // Discards the series of torques that have ended.
         let has_beside = self.layout == GENERAL || self.evidence.is_some() || self.is_thin;
         self.beside = has_beside.then(|| SeparateSeries::all(zero));
         self.terms = EquationConstants::none(zero);
@@ -184,7 +187,7 @@ impl<N: Number> Expansion<N> {
         });
     }
 
-    /// The body of a lane, and what acts on it from now on.
+    /// Sets the body of a lane, and what acts on it from now on.
     fn set(&mut self, lane: usize, piece: &Piece<'_>, torques: &Decomposition) {
         let [i1, i2, i3] = piece.rotor.principal().moments();
         let over = |numerator: f64, i: f64| if i == 0.0 { 0.0 } else { numerator / i };
@@ -195,7 +198,7 @@ impl<N: Number> Expansion<N> {
             self.is_thin = true;
             self.beside.get_or_insert_with(|| SeparateSeries::all(self.moments.0[0].like(0.0)));
         }
-        // With wheels and friction it is [`Internal`] that finds ω̇.
+        // With wheels and friction, [`Internal`] computes ω̇.
         if self.inside.is_none() {
             let ratios = Row([over(i2 - i3, i1), over(i3 - i1, i2), over(i1 - i2, i3), 0.0]);
             self.terms.ratios.put(lane, ratios);
@@ -217,14 +220,15 @@ impl<N: Number> Expansion<N> {
         self.moments.0[0].like(0.0)
     }
 
-    /// The torque along an axis without inertia; only a rod has one, and it is the first.
+    /// Returns the torque about an axis without inertia, if it is not zero. Only a rod has such an
+    /// axis, and it is principal axis 1.
     fn unbalanced(&self, lane: usize) -> Option<f64> {
         let torque = self.beside.as_ref()?.torque[0].0[0].lane(lane);
         let inverse = self.inverses.0[0].lane(lane);
         (inverse == 0.0 && torque != 0.0).then_some(torque)
     }
 
-    /// True if nothing has to be added up as evidence.
+    /// Returns true if no torque contributes work or impulse.
     fn is_free(&self) -> bool {
         self.quadratic.is_none() && self.tape.is_none() && self.inside.is_none()
     }
@@ -245,11 +249,11 @@ impl<N: Number> Expansion<N> {
             _ => [Pair::new(turn, u), Pair::new(at.omega, at.omega.cycled())],
         };
         self.motion[0].set::<GENERAL>(pairs);
-        // Wheels and friction know but what is rounded.
+        // Wheels and friction use only the high word of ω.
         self.low = if self.inside.is_some() { none } else { at.omega_low };
     }
 
-    /// What wheels have at the start of a step of a lane.
+    /// Sets the angular momentum of the wheels at the start of a step of a lane.
     fn start_wheels(&mut self, lane: usize, time: f64, piece: &Piece<'_>) {
         if let Some(inside) = &mut self.inside {
             let wheels = [row(piece.wheel_momentum(time)), row(piece.motor_torque())];
@@ -262,7 +266,7 @@ impl<N: Number> Expansion<N> {
         }
     }
 
-    /// Expands the motion about where it starts.
+    /// Expands the motion about the start of the step.
     #[inline(always)]
     fn expand<M: Recurrence<N = N>>(&mut self, s: M) {
         match self.layout {
@@ -279,7 +283,7 @@ impl<N: Number> Expansion<N> {
         }
     }
 
-    /// Where the recurrence has all.
+    /// Expands a motion that the recurrence describes completely.
     #[inline(always)]
     fn expand_by_itself<M: Recurrence<N = N>, const LAYOUT: Layout>(&mut self, s: M) {
         let none = Row::splat(self.zero());
@@ -297,7 +301,8 @@ impl<N: Number> Expansion<N> {
         }
     }
 
-    /// Where other torques, or wheels and friction, have their part in every coefficient.
+    /// Expands a motion with other torques, wheels or friction, which contribute to every
+    /// coefficient.
     #[inline(always)]
     fn expand_with_others<M: Recurrence<N = N>>(&mut self, s: M) {
         let more = self.other_acceleration(s, 0);
@@ -316,7 +321,7 @@ impl<N: Number> Expansion<N> {
         }
     }
 
-    /// Coefficient n of what is not in the recurrence of ω̇.
+    /// Computes coefficient n of the terms of ω̇ that are not in the recurrence.
     #[inline(always)]
     fn other_acceleration<M: Recurrence<N = N>>(&mut self, s: M, n: usize) -> Row<N> {
         let (none, omega, u) = (Row::splat(self.zero()), self.omega_at(n), self.motion[n].x.second());
@@ -348,7 +353,7 @@ impl<N: Number> Expansion<N> {
         rate + self.inverses * torque
     }
 
-    /// What torques need for coefficient n + 1 beside the motion.
+    /// Computes the additional series that torques need for coefficient n + 1.
     #[inline(always)]
     fn extend_torques<M: Recurrence<N = N>>(&mut self, s: M, n: usize) {
         let (Some(SeparateSeries { omega, .. }), Some(tape)) = (self.beside.as_deref(), &mut self.tape)
@@ -368,7 +373,8 @@ impl<N: Number> Expansion<N> {
         if self.layout == ATTITUDE { self.motion[n].x.second().imaginary() } else { self.motion[n].y.first() }
     }
 
-    /// Finds coefficient n of ω and of the torque where the recurrence has all.
+    /// Computes coefficient n of ω and of the torque, if the recurrence describes the motion
+    /// completely.
     #[inline(always)]
     fn find_torque<M: Recurrence<N = N>>(&mut self, s: M, n: usize) {
         let (omega, Coefficient { x, y, .. }) = (self.omega_at(n), self.motion[n]);
@@ -382,7 +388,7 @@ impl<N: Number> Expansion<N> {
         }
     }
 
-    /// Finds the series of impulse and work.
+    /// Computes the series of impulse and work.
     #[inline(always)]
     fn account<M: Recurrence<N = N>>(&mut self, s: M) {
         let none = Row::splat(self.zero());
@@ -402,14 +408,15 @@ impl<N: Number> Expansion<N> {
         }
     }
 
-    /// The longest step to which the series hold, where their last terms do not show it.
+    /// Returns the longest step for which the series are valid. Their last terms alone do not show
+    /// this limit.
     #[inline(always)]
     fn reach(&self) -> N {
         let endless = self.zero().like(f64::INFINITY);
         self.tape.as_ref().map_or(endless, |tape| tape.reach(endless))
     }
 
-    /// What the motion adds until a time after the start.
+    /// Returns the change of the motion from the start of the step to the time h.
     #[inline(always)]
     fn at<M: SeriesSums<N = N>>(&self, s: M, h: N) -> Increment<N> {
         let (p, zero) = (self.order, self.zero());
@@ -430,7 +437,7 @@ impl<N: Number> Expansion<N> {
     }
 }
 
-/// True without wheels and friction.
+/// Returns true without wheels and friction.
 fn is_plain(piece: &Piece<'_>) -> bool {
     piece.rotor.wheels().is_empty() && piece.sink == 0.0
 }
@@ -439,13 +446,14 @@ fn decomposed(piece: &Piece<'_>) -> Decomposition {
     Decomposition::of(piece.rotor, piece.acting(), is_plain(piece))
 }
 
-/// Made where it stays: a copy of some kilobytes would be a part of a short run's time.
+/// Allocates zeros on the heap. A copy of some kilobytes would take a noticeable part of a short
+/// run.
 fn all_zero<N: Number>(zero: N) -> Box<Motion<N>> {
     let motion = vec![Coefficient::all(zero); TERMS].into_boxed_slice();
     motion.try_into().unwrap_or_else(|_| Box::new([Coefficient::all(zero); TERMS]))
 }
 
-/// The expansion of one body.
+/// Expansion of a single body.
 struct Expand<'a>(&'a mut Expansion);
 
 impl Work for Expand<'_> {
@@ -457,7 +465,7 @@ impl Work for Expand<'_> {
     }
 }
 
-/// The sums of all series of one body at a time.
+/// Evaluation of all series of a single body at one time.
 struct Sum<'a> {
     expansion: &'a Expansion,
     h: f64,
@@ -491,7 +499,7 @@ impl Expansion {
 }
 
 impl<N: Number> Internal<N> {
-    /// Coefficient n of (L × Ω − ḣ)/I; those of Ω and of the power on the way.
+    /// Returns coefficient n of (L × Ω − ḣ)/I, and computes those of Ω and of the power.
     #[inline(always)]
     fn extend<M: SeriesSums<N = N>>(
         &mut self,

@@ -1,7 +1,7 @@
-//! The recurrence of one body, a pair in a register.
+//! Taylor recurrence for a single body. Each SIMD register holds two rows.
 //!
-//! Most of the time goes by in waiting for the newest coefficients and for the sums that they are part of. So what
-//! is newest comes last, and the processor works on everything else meanwhile.
+//! The recurrence is latency-bound: coefficient n + 1 needs coefficient n. Each step therefore
+//! first accumulates all products without coefficient n, and adds the others at the end.
 
 use super::pair::Pair;
 use super::recurrence::{
@@ -14,29 +14,32 @@ use super::unit_product::{CROSS, EULER, TURN, places};
 use crate::math::machine::Machine;
 use crate::math::number::Number;
 
-/// The linear part of the recurrence of a step: what its newest coefficients, and what it starts from, are multiplied by.
+/// Linear part of the recurrence of a step: factors of its newest coefficients, and its initial
+/// values.
 #[derive(Clone, Copy)]
 pub(super) struct StepJacobian<E> {
-    /// Tᵢ of x and of y; with an orbit, of products.
+    /// Linear maps Tᵢ applied to x and to y (with an orbit, to products).
     maps: [[E; 3]; 2],
-    /// Of the newest x and y: Ωᵢ,₀ Tᵢ.
+    /// Jacobian with respect to the newest x and y: Ωᵢ,₀ Tᵢ.
     of_newest: [[E; 3]; 2],
-    /// Of the newest Ωᵢ: Tᵢ x₀ and Tᵢ y₀, with column i of B.
+    /// Jacobian with respect to the newest Ωᵢ: Tᵢ x₀ and Tᵢ y₀, plus column i of B.
     of_start: [[E; 3]; 2],
-    /// A, diagonal by diagonal, from u to ω̇; without u, from ω to q.
+    /// Matrix A by diagonals, from u to ω̇; in the layout [`ATTITUDE`], the map from ω to q̇.
     diagonal: [E; 3],
-    /// With an orbit, of x and of y, in the order of [`OneBody::plus_newest_on_orbit`].
+    /// Factors for the layout [`WITH_ORBIT`], of x and of y, in the order of
+    /// [`OneBody::plus_newest_on_orbit`].
     on_orbit: [[E; 5]; 2],
 }
 
-/// Row 2 twice.
+/// Indices that repeat row 2.
 const SECOND_TWICE: [usize; 8] = [4, 5, 6, 7, 4, 5, 6, 7];
 
-/// Places of u in row 2 as (u1, u2, u3), (u2, u3, u1) or (u3, u1, u2), then the same cycled once more.
+/// Indices of u in row 2 as (u1, u2, u3), (u2, u3, u1) or (u3, u1, u2), then the same cycled once
+/// more.
 const DIAGONALS: [[usize; 8]; 3] =
     [[4, 5, 6, 7, 5, 6, 4, 7], [5, 6, 4, 7, 6, 4, 5, 7], [6, 4, 5, 7, 4, 5, 6, 7]];
 
-/// Places of the factors that meet Ωᵢ in ω̇, in row 1, then the same cycled.
+/// Indices in row 1 of the factors that multiply Ωᵢ in ω̇, then the same cycled.
 const EULER_WITH_CYCLED: [[usize; 8]; 3] = {
     let [[a, b, c, d], [e, f, g, h], [i, j, k, l]] = [CROSS[0].from, CROSS[1].from, CROSS[2].from];
     [[a, b, c, d, b, c, a, d], [e, f, g, h, f, g, e, h], [i, j, k, l, j, k, i, l]]
@@ -90,7 +93,8 @@ impl<S: Machine> Recurrence for OneBody<S> {
                     .mul_add(self.with_cycled(euler), self.with_cycled(of_omega));
             }
         }
-        // ∂ω̇/∂ω, diagonal by diagonal: (ω2 ω3)ₙ has ω3 of the start times ω2, and ω2 of the start times ω3.
+        // ∂ω̇/∂ω by diagonals: (ω2 ω3)ₙ contains ω3 at the start times ω2, and ω2 at the start
+        // times ω3.
         let [b1, b2, b3] = terms.of_omega.map(|column| column.0);
         let (first, second) = (Row([o3, o1, o2, 0.0]), Row([o2, o3, o1, 0.0]));
         let diagonals = [
@@ -99,7 +103,8 @@ impl<S: Machine> Recurrence for OneBody<S> {
             second.mul_add(ratios, Row([b3[0], b1[1], b2[2], 0.0])),
         ];
         if LAYOUT == ATTITUDE {
-            // (ω2 ω3)ₙ has ω2 of the start times ω3 and ω3 times ω2: row 1 of what Ω2 and Ω3 are multiplied by.
+            // (ω2 ω3)ₙ contains ω2 at the start times ω3, and ω3 at the start times ω2. The second
+            // row holds the factors of Ω2 and Ω3.
             let [r1, r2, r3, _] = ratios.0;
             let columns = [
                 self.pair_of(half_turn[0], Row([0.0, 0.0, r2, r3])),
@@ -111,11 +116,11 @@ impl<S: Machine> Recurrence for OneBody<S> {
                 jacobian.of_newest[0][axis] =
                     columns[axis].mul_add(omega[axis], self.pair_of(none, Row(of_omega)));
             }
-            // The turn starts from 1: q ∘ ω has half of ω.
+            // At the start of a step q = 1, so q ∘ ω contributes ω/2.
             jacobian.diagonal[0] = self.pair_of(Row([0.0, 0.5, 0.5, 0.5]), Row([0.0, b1[0], b2[1], b3[2]]));
         }
         if LAYOUT == WITH_FIXED_VECTOR || LAYOUT == GENERAL {
-            // (ω2 Ω3 …) at once.
+            // Both products of (ω2 Ω3 …) with the start are combined.
             jacobian.maps[1][0] = self.with_cycled(ratios);
             jacobian.of_newest[1][0] = self.with_cycled(ratios * Row([o3, o1, o2, 0.0]));
         }
@@ -215,7 +220,8 @@ impl<S: Machine> Recurrence for OneBody<S> {
             y = jacobian.maps[1][0] * s.load_eight(&[b, c, a, d, p, q, o, r]);
             y = jacobian.maps[1][1].mul_add(s.load_eight(&[f, g, e, h, j, k, i, l]), y);
         } else if LAYOUT != ATTITUDE {
-            // ω times ω cycled: turning once more brings (ω1 ω2, ω2 ω3, ω3 ω1) there.
+            // ω times ω cycled is (ω1 ω2, ω2 ω3, ω3 ω1); one more cycle puts each product in its
+            // place.
             let others = Row(s.numbers(sums.others));
             y = jacobian.maps[1][0] * self.with_cycled(others.cycled());
         }
@@ -237,27 +243,27 @@ impl<S: Machine> Recurrence for OneBody<S> {
     }
 }
 
-/// Sums of products that are not complete yet.
+/// Sums of products without the newest coefficients.
 #[derive(Clone, Copy)]
 struct ProductSums<F, E> {
-    /// x times each component of Ω.
+    /// Row x times each component of Ω.
     x: [E; 3],
-    /// y times y cycled, row by row and crosswise, where v moves.
+    /// Row y times y cycled, row by row and crosswise (orbit only).
     square: E,
     crossing: E,
-    /// ω times ω cycled elsewhere.
+    /// ω times ω cycled, in the other layouts.
     others: F,
 }
 
-/// A coefficient as products need it.
+/// Coefficient in the form that products need.
 struct Factors<F, E> {
     x: E,
     y: E,
     /// The components of Ω.
     omega: [E; 3],
-    /// Both rows of y cycled.
+    /// Both rows of y, cycled.
     cycled: E,
-    /// ω, and that cycled.
+    /// ω, and ω cycled.
     row: F,
     row_cycled: F,
 }
@@ -266,7 +272,8 @@ type ProductSumsOf<S> = ProductSums<<S as Machine>::Four, <S as Machine>::Eight>
 type FactorsOf<S> = Factors<<S as Machine>::Four, <S as Machine>::Eight>;
 
 impl<S: Machine> OneBody<S> {
-    /// Adds what follows from new numbers with those at the start: Σ Ωᵢ Tᵢ x, Σ (Tᵢ x₀) Ωᵢ, and the linear part.
+    /// Adds the contribution of the newest coefficients through those at the start: Σ Ωᵢ Tᵢ x, Σ
+    /// (Tᵢ x₀) Ωᵢ, and the linear part.
     #[inline(always)]
     fn plus_newest<const LAYOUT: Layout>(
         self,
@@ -277,14 +284,14 @@ impl<S: Machine> OneBody<S> {
     ) -> [S::Eight; 2] {
         if LAYOUT == ATTITUDE {
             let [first, second, third] = jacobian.of_newest[0];
-            // What is known before comes in when the rest is nearly there.
+            // Add what was known before only when the rest is almost complete.
             let new = first * self.turn::<LAYOUT>(new_x, 0);
             let more = jacobian.diagonal[0] * self.permuted(new_x, SECOND_TWICE);
             let new = second.mul_add(self.turn::<LAYOUT>(new_x, 1), new);
             let more = third.mul_add(self.turn::<LAYOUT>(new_x, 2), more);
             return [(new + x) + more; 2];
         }
-        // Chains of their own: all are as new.
+        // Separate dependency chains, because all inputs are equally new.
         let mut more_x = jacobian.of_start[0][0] * omega[0];
         let mut more_y = jacobian.of_start[1][0] * omega[0];
         for (axis, omega) in omega.into_iter().enumerate() {
@@ -306,7 +313,8 @@ impl<S: Machine> OneBody<S> {
         [x, y]
     }
 
-    /// The same where a vector moves. The turn starts from 1: q ∘ ω has half of ω.
+    /// Like [`OneBody::plus_newest`], for the layout [`WITH_ORBIT`]. At the start of a step q = 1,
+    /// so q ∘ ω contributes ω/2.
     #[inline(always)]
     fn plus_newest_on_orbit(
         self,
@@ -334,7 +342,8 @@ impl<S: Machine> OneBody<S> {
         [x + more_x, y + more_y]
     }
 
-    /// Products of coefficients 1 … n − 1; those of n − 1 itself are in registers still.
+    /// Returns the sums of products of coefficients 1 … n − 1. Those of n − 1 are still in
+    /// registers (`previous`).
     #[inline(always)]
     fn sums_before<const LAYOUT: Layout>(
         self,
@@ -426,27 +435,27 @@ impl<S: Machine> OneBody<S> {
         }
     }
 
-    /// The numbers of (q ∘ eᵢ, v × eᵢ), to be multiplied by their signs; without v, ω as a quaternion is in the
-    /// second row.
+    /// Returns the numbers of (q ∘ eᵢ, v × eᵢ) without their signs. In the layout [`ATTITUDE`] the
+    /// second row is ω as a quaternion.
     #[inline(always)]
     fn turn<const LAYOUT: Layout>(self, pair: S::Eight, axis: usize) -> S::Eight {
         let second = if LAYOUT == ATTITUDE { TURN[axis] } else { CROSS[axis] };
         self.permuted(pair, places(TURN[axis], second))
     }
 
-    /// Both rows cycled.
+    /// Returns both rows cycled.
     #[inline(always)]
     fn cycled(self, pair: S::Eight) -> S::Eight {
         self.permuted(pair, [1, 2, 0, 3, 5, 6, 4, 7])
     }
 
-    /// The second row before the first.
+    /// Returns the rows in reverse order.
     #[inline(always)]
     fn swapped(self, pair: S::Eight) -> S::Eight {
         self.permuted(pair, [4, 5, 6, 7, 0, 1, 2, 3])
     }
 
-    /// The numbers at these places.
+    /// Returns the numbers at these indices.
     #[inline(always)]
     fn permuted(self, pair: S::Eight, [a, b, c, d, e, f, g, h]: [usize; 8]) -> S::Eight {
         let x = self.0.eight_numbers(pair);
@@ -458,13 +467,13 @@ impl<S: Machine> OneBody<S> {
         self.pack(&Pair::new(first, second))
     }
 
-    /// A row, and the same cycled.
+    /// Returns a row, and the same row cycled.
     #[inline(always)]
     fn with_cycled(self, row: Row) -> S::Eight {
         self.pair_of(row, row.cycled())
     }
 
-    /// Σ aᵢ bᵢ
+    /// Returns Σ aᵢ bᵢ.
     #[inline(always)]
     fn sum(self, a: &[S::Eight; 3], b: [S::Eight; 3]) -> S::Eight {
         a[2].mul_add(b[2], a[1].mul_add(b[1], a[0].mul_add(b[0], self.0.eight(0.0))))

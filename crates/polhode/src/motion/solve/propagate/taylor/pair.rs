@@ -1,9 +1,9 @@
-//! Pairs of rows: two vectors or quaternions side by side, in one register where registers hold eight numbers.
+//! Pairs of rows: two vectors or quaternions, in one register if registers hold eight numbers.
 
 use super::row::Row;
 use crate::math::number::Number;
 
-/// Two rows.
+/// Two rows of four numbers each.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(super) struct Pair<N = f64>(pub(super) [N; 8]);

@@ -1,22 +1,27 @@
-//! The recurrence that a motion's Taylor coefficients follow.
+//! Recurrence of the Taylor coefficients of a motion.
 //!
-//! All that turns with the body goes into two pairs, x and y, whose rates are their products with the components of Ω, each component by its
-//! own map Tᵢ of the pack, and what is linear or square:
+//! All quantities that rotate with the body are packed in two pairs of rows, x and y. Their rates
+//! are products with the components of Ω, with one linear map Tᵢ per component, plus linear and
+//! quadratic terms:
 //!
 //! ẋ = Σ Ωᵢ Tᵢ x + …,  (n + 1) xₙ₊₁ = Σᵢ Tᵢ (Σₖ xₖ Ωᵢ,ₙ₋ₖ) + …
 //!
-//! T of a quaternion is half of q ∘ eᵢ; of a vector of space v × eᵢ; of ω the place of (ω2 ω3, ω3 ω1, ω1 ω2) that Ωᵢ has a part in, times
-//! (i2 − i3)/i1 and so on. The newest coefficients come in last, by what they are multiplied with: Σ Ωᵢ,₀ Tᵢ xₙ + Σ (Tᵢ x₀) Ωᵢ,ₙ, where the
-//! constants are ready. They alone are the chain that the processor waits for.
+//! Tᵢ applied to a quaternion q is ½ q ∘ eᵢ, and applied to a space vector v it is v × eᵢ. Applied
+//! to ω, it selects the products in (ω2 ω3, ω3 ω1, ω1 ω2) that contain Ωᵢ, times (i2 − i3)/i1 and
+//! its permutations.
+//!
+//! The newest coefficients are added last, with factors that are constant in a step: Σ Ωᵢ,₀ Tᵢ xₙ +
+//! Σ (Tᵢ x₀) Ωᵢ,ₙ. Only these terms form the dependency chain that limits the speed.
 
 use super::pair::Pair;
 use super::row::{INVERSES, Row, TERMS};
 use super::sums::SeriesSums;
 use crate::math::number::Number;
 
-/// What is packed where: a const parameter, as each layout is compiled by itself.
+/// Layout of the pairs: a const parameter, because each layout is compiled separately.
 ///
-/// Three packings, of eight numbers each (q is the turn since the start of the step, a row of vectors ends with 0):
+/// There are three packings of eight numbers. q is the rotation since the start of the step; a row
+/// with a vector ends with 0.
 ///
 /// ```text
 /// ATTITUDE            x = q0 q1 q2 q3 | 0  ω1 ω2 ω3
@@ -24,32 +29,39 @@ use crate::math::number::Number;
 /// WITH_ORBIT          x = q0 q1 q2 q3 | v1 v2 v3 0      y = ω1 ω2 ω3 0 | u1 u2 u3 0
 /// ```
 pub(super) type Layout = u8;
-/// No vector but ω: ω̇ = Tω + c + B ω. ω is a quaternion here, so that the places of both halves change alike: eᵢ exchanges each with the one
-/// whose number differs in the bits of i, which takes the processor the least time.
+/// Layout without a vector other than ω: ω̇ = Tω + c + B ω.
+///
+/// ω is stored as a quaternion, so that both rows are permuted in the same way. eᵢ exchanges the
+/// elements whose indices differ in the bits of i, which is the fastest permutation.
 pub(super) const ATTITUDE: Layout = 0;
-/// u is fixed in space: u̇ = u × ω, ω̇ = Tω + c + A u + B ω. y has ω beside its cyclic permutation, whose product is what Tω needs.
+/// Layout with a vector u that is fixed in space: u̇ = u × ω, ω̇ = Tω + c + A u + B ω. y contains ω
+/// and its cyclic permutation, whose product is needed for Tω.
 pub(super) const WITH_FIXED_VECTOR: Layout = 1;
-/// u = ρ on a circular orbit, v its rate: u̇ = u × ω + v, v̇ = v × ω − s u, ω̇ = Tω + c + B ω + (g1 u2 u3, g2 u3 u1, g3 u1 u2). With y and y
-/// permuted there are ω with ω, u with u and ω with u, row by row, all that ω̇ and u̇ need.
+/// Layout with u = ρ on a circular orbit and its rate v: u̇ = u × ω + v, v̇ = v × ω − s u, ω̇ = Tω
+/// + c + B ω + (g1 u2 u3, g2 u3 u1, g3 u1 u2).
+///
+/// Products of y with y permuted, row by row, contain ω with ω, u with u, and ω with u. They are
+/// all that ω̇ and u̇ need.
 pub(super) const WITH_ORBIT: Layout = 2;
-/// Packed as with a fixed vector, u̇ = u × Ω; all of ω̇ but Tω is found elsewhere, and Ω may be another one than ω.
+/// General layout, packed as with a fixed vector: u̇ = u × Ω. All of ω̇ except Tω is computed
+/// elsewhere, and Ω may differ from ω.
 pub(super) const GENERAL: Layout = 3;
 
-/// The constants of the equations of motion of a body.
+/// Constants of the equations of motion of a body.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EquationConstants<N> {
-    /// (i2 − i3)/i1 … of T.
+    /// Ratios (i2 − i3)/i1, (i3 − i1)/i2, (i1 − i2)/i3 in T.
     pub(super) ratios: Row<N>,
-    /// c
+    /// Constant term c of ω̇.
     pub(super) constant: Row<N>,
-    /// A, diagonal by diagonal: A₁₁ A₂₂ A₃₃, A₁₂ A₂₃ A₃₁, A₁₃ A₂₁ A₃₂.
+    /// Matrix A by diagonals: A₁₁ A₂₂ A₃₃, A₁₂ A₂₃ A₃₁, A₁₃ A₂₁ A₃₂.
     pub(super) of_joint: [Row<N>; 3],
-    /// Columns of B, and whether there is one.
+    /// Columns of B. The next field is true if B is not zero.
     pub(super) of_omega: [Row<N>; 3],
     pub(super) has_omega: bool,
-    /// s = µ/r³
+    /// s = µ/r³.
     pub(super) strength: N,
-    /// g
+    /// Coefficients g of the products of components of u.
     pub(super) products: Row<N>,
 }
 
@@ -68,12 +80,12 @@ impl<N: Number> EquationConstants<N> {
     }
 }
 
-/// Coefficient n of all that turns.
+/// Coefficient n of all quantities that rotate with the body.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Coefficient<N = f64> {
     pub(super) x: Pair<N>,
     pub(super) y: Pair<N>,
-    /// (Ω, 0) of the general layout; both rows of y permuted with an orbit.
+    /// (Ω, 0) in the general layout; both rows of y permuted in the layout with an orbit.
     pub(super) turning: Pair<N>,
 }
 
@@ -91,7 +103,7 @@ impl<N: Number> Coefficient<N> {
         }
     }
 
-    /// Ω
+    /// Returns Ω.
     #[inline(always)]
     pub(super) fn turning<const LAYOUT: Layout>(&self) -> [N; 3] {
         let [a, b, c, .., d, e, f] = match LAYOUT {
@@ -103,7 +115,8 @@ impl<N: Number> Coefficient<N> {
     }
 }
 
-/// Coefficients 1 with an orbit, but for what ω at the start is beyond its rounding.
+/// Returns coefficients 1 for the layout with an orbit, without the contribution of the low word of
+/// ω.
 #[inline(always)]
 pub(super) fn start_on_orbit<N: Number>(
     start: &Coefficient<N>,
@@ -127,11 +140,14 @@ pub(super) fn start_on_orbit<N: Number>(
     [Pair::new(turn, pulled), Pair::new(rate, cross(u) + v)]
 }
 
-/// The Taylor coefficients of what turns, from the constants on.
+/// Taylor coefficients of the rotating quantities, in ascending order.
 pub(super) type Motion<N = f64> = [Coefficient<N>; TERMS];
 
-/// The sums of products begin with the oldest coefficients, in the middle, and go outward to the newest: products of `middle` with itself, if n is
-/// even, then of each of `ups` with the one of `downs` in the mirror, both ways. All of 1 … n − 1 is in them once.
+/// Splits the coefficients 1 … n − 1 for the sums of products, which start with the oldest
+/// coefficients.
+///
+/// The sums contain `middle` times itself, if n is even, and then the products of each of `ups`
+/// with its mirror image in `downs`, in both orders. Each product occurs once.
 #[inline(always)]
 pub(super) fn mirrored<N>(motion: &Motion<N>, n: usize) -> (Option<&Coefficient<N>>, [&[Coefficient<N>]; 2]) {
     let count = (n - 1) / 2;
@@ -139,25 +155,25 @@ pub(super) fn mirrored<N>(motion: &Motion<N>, n: usize) -> (Option<&Coefficient<
     (middle, [&motion[n - count..n], &motion[1..=count]])
 }
 
-/// How the recurrence is worked out.
+/// Implementation of the recurrence.
 pub(super) trait Recurrence: SeriesSums {
-    /// Eight numbers, in registers.
+    /// Eight numbers in registers.
     type Packed: Copy;
-    /// The constants of a step: what newest coefficients are multiplied by.
+    /// Constants of a step: the factors of the newest coefficients.
     type StepJacobian: Copy;
 
     fn pack(self, pair: &Pair<Self::N>) -> Self::Packed;
     fn unpack(self, pack: Self::Packed) -> Pair<Self::N>;
 
-    /// The constants of a step that starts from coefficients 0.
+    /// Computes the constants of a step that starts from coefficients 0.
     fn jacobian<const LAYOUT: Layout>(
         self,
         motion: &Motion<Self::N>,
         terms: &EquationConstants<Self::N>,
     ) -> Self::StepJacobian;
 
-    /// Coefficients 1. `low` is what ω at the start is beyond its rounding: it is of no account but here. `more` is a part of ω̇ that is
-    /// found elsewhere.
+    /// Returns coefficients 1. `low_and_more`: the low word of ω at the start, which matters only
+    /// here, and a part of ω̇ that is computed elsewhere.
     fn first<const LAYOUT: Layout>(
         self,
         jacobian: &Self::StepJacobian,
@@ -166,8 +182,8 @@ pub(super) trait Recurrence: SeriesSums {
         low_and_more: [Row<Self::N>; 2],
     ) -> [Self::Packed; 2];
 
-    /// Coefficients n + 1, n ≥ 1, from those before, of which the last two, n − 1 and n, are given; it puts the newest in their pack, but for those
-    /// of Ω.
+    /// Returns coefficients n + 1, n ≥ 1. `newest` holds the packed coefficients n − 1 and n. The
+    /// function stores the latter in `motion`, except for those of Ω.
     fn next<const LAYOUT: Layout>(
         self,
         jacobian: &Self::StepJacobian,
@@ -178,7 +194,8 @@ pub(super) trait Recurrence: SeriesSums {
     ) -> [Self::Packed; 2];
 }
 
-/// x/n, as exact as a quotient where it matters: coefficients n ≥ 8 are too small to show that 1/n is rounded, always to the same side.
+/// Returns x/n, rounded like a quotient for n < 8. For n ≥ 8 the coefficients are too small for the
+/// constant rounding error of 1/n to matter.
 #[inline(always)]
 pub(super) fn over<N: Number>(x: N, n: usize) -> N {
     let [inverse, rest] = INVERSES[n];

@@ -1,13 +1,14 @@
-//! Rows of four numbers, a vector or a quaternion, and their Taylor coefficients.
+//! Rows of four numbers (a vector or a quaternion), and their Taylor coefficients.
 //!
-//! The numbers N are f64, so that a row is a register and a series is of one body; or vectors with a number of each of several bodies. The
-//! equations are written once, over N, and each lane has the bits that its body has alone.
+//! The number type N is f64 for a single body, so that a row is a register. For several bodies it
+//! is a SIMD vector with one number per body. The equations are written once, generic over N, and
+//! each lane is bit-identical to its body alone.
 
 use core::ops::{Add, Deref, Mul, Sub};
 
 use crate::math::number::Number;
 
-/// Four numbers, added and multiplied place by place.
+/// Four numbers, with elementwise addition and multiplication.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(32))]
 pub(super) struct Row<N = f64>(pub(super) [N; 4]);
@@ -22,29 +23,29 @@ impl<N: Number> Row<N> {
         Self([x; 4])
     }
 
-    /// (y, z, x, w) of (x, y, z, w). A vector's w is zero; it is carried along, as a place that nobody reads is one that the compiler
-    /// takes out of the register.
+    /// Returns (y, z, x, w) for (x, y, z, w). The w of a vector is zero but is kept: the compiler
+    /// would otherwise remove the unused element from the register.
     #[inline(always)]
     pub(super) fn cycled(self) -> Self {
         let [x, y, z, w] = self.0;
         Self([y, z, x, w])
     }
 
-    /// A vector as a quaternion: (w, x, y, z) of (x, y, z, w), where w is zero.
+    /// Returns a vector as a quaternion: (w, x, y, z) for (x, y, z, w), where w is zero.
     #[inline(always)]
     pub(super) fn pure(self) -> Self {
         let [x, y, z, w] = self.0;
         Self([w, x, y, z])
     }
 
-    /// The vector of such a quaternion.
+    /// Returns the vector part of such a quaternion.
     #[inline(always)]
     pub(super) fn imaginary(self) -> Self {
         let [w, x, y, z] = self.0;
         Self([x, y, z, w])
     }
 
-    /// Divided by a whole number, as [`INVERSES`] has it.
+    /// Divides by a whole number, with the two-word inverse of [`INVERSES`].
     #[inline(always)]
     pub(super) fn over(self, n: usize) -> Self {
         let [inverse, rest] = INVERSES[n].map(|x| Self::splat(self.0[0].like(x)));
@@ -63,24 +64,26 @@ impl<N: Number> Row<N> {
         Self([f(a[0], b[0]), f(a[1], b[1]), f(a[2], b[2]), f(a[3], b[3])])
     }
 
-    /// The largest magnitude, if none is NaN.
+    /// Returns the largest absolute value, if no number is NaN.
     #[inline(always)]
     pub(super) fn largest(self) -> N {
         let [x, y, z, w] = self.0.map(|x| x.map(f64::abs));
         larger(larger(x, y), larger(z, w))
     }
 
-    /// A vector. Of several bodies w, a register of its own, is known to be zero.
+    /// Returns the row as a vector. For several bodies, w, a separate register, is set to a
+    /// constant zero.
     #[inline(always)]
     pub(super) fn vector(self) -> Self {
         let [x, y, z, w] = self.0;
         if N::LANES > 1 { Self([x, y, z, w.like(0.0)]) } else { self }
     }
 
-    /// The length of a vector; only of what is finite.
+    /// Returns the length of a vector whose components are finite.
     #[inline(always)]
     pub(super) fn norm(self) -> N {
-        // Over a power of two near the largest, so that no square overflows or vanishes.
+        // Divide by a power of two near the largest component, so that no square overflows or
+        // underflows.
         let power = self
             .largest()
             .map(|size| f64::from_bits((size.to_bits() & EXPONENT).clamp(LEAST, EXPONENT - 2 * LEAST)));
@@ -114,19 +117,20 @@ impl<N: Number> Row<N> {
     }
 }
 
-/// The larger of two numbers: one instruction, where f64::max has a few for NaN. Here that gives way if it is the first.
+/// Returns the larger of two numbers with one instruction; `f64::max` needs several because of NaN.
+/// If `a` is NaN, the result is `b`.
 #[inline(always)]
 pub(super) fn larger<N: Number>(a: N, b: N) -> N {
     a.zip(b, |a, b| if a > b { a } else { b })
 }
 
-/// The smaller of two, in the same way.
+/// Returns the smaller of two numbers, with one instruction. If `a` is NaN, the result is `b`.
 #[inline(always)]
 pub(super) fn smaller<N: Number>(a: N, b: N) -> N {
     a.zip(b, |a, b| if a < b { a } else { b })
 }
 
-/// The bits of an exponent, and of its least that is normal.
+/// Bit mask of the exponent of an f64. The next constant is the least normal exponent.
 const EXPONENT: u64 = 0x7ff << 52;
 const LEAST: u64 = 1 << 52;
 
@@ -154,17 +158,18 @@ impl<N: Number> Mul for Row<N> {
     }
 }
 
-/// The most terms of a series: a constant and whole groups of four.
+/// Largest number of terms of a series: a constant and whole groups of four.
 pub(super) const TERMS: usize = 25;
 
-/// 1/n in two words. By the first alone quotients would be off the same way in every step, and errors that do not change sign add up.
+/// 1/n in two words. With one word the rounding errors of quotients would have the same sign in
+/// every step and would add up.
 pub(super) const INVERSES: [[f64; 2]; 2 * TERMS] = {
     let mut inverses = [[f64::INFINITY, 0.0]; 2 * TERMS];
     let mut n = 1;
     while n < 2 * TERMS {
         let number = n as f64;
         let inverse = 1.0 / number;
-        // In halves, whose products with n are exact.
+        // In two halves, whose products with n are exact.
         let high = f64::from_bits(inverse.to_bits() & !0x3ff_ffff);
         inverses[n] = [inverse, ((1.0 - number * high) - number * (inverse - high)) / number];
         n += 1;
@@ -172,10 +177,10 @@ pub(super) const INVERSES: [[f64; 2]; 2 * TERMS] = {
     inverses
 };
 
-/// Zeros before the first coefficient: as many as a loop by fours may read too far.
+/// Number of zeros before the first coefficient. A loop by fours may read this many.
 pub(super) const MARGIN: usize = 3;
 
-/// Taylor coefficients, from the constant on.
+/// Taylor coefficients of a row, in ascending order.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Series<N = f64>([Row<N>; MARGIN + TERMS]);
 
@@ -184,7 +189,7 @@ impl<N: Number> Series<N> {
         Self([Row::splat(x); MARGIN + TERMS])
     }
 
-    /// A series of nothing but its constant.
+    /// Returns a series that is constant.
     pub(super) fn constant(row: Row<N>) -> Self {
         let mut series = Self::all(row.0[0].like(0.0));
         series.0[MARGIN] = row;
@@ -196,26 +201,28 @@ impl<N: Number> Series<N> {
         self.0[MARGIN + n] = row;
     }
 
-    /// Coefficient n.
+    /// Returns coefficient n.
     #[inline(always)]
     pub(super) fn at(&self, n: usize) -> Row<N> {
         self.0[MARGIN + n]
     }
 
-    /// Coefficients 1, 2, … by fours; what is beyond the known ones meets a zero of `backward`.
+    /// Returns coefficients 1, 2, … in groups of four. Unknown coefficients are multiplied by a
+    /// zero of `backward`.
     #[inline(always)]
     pub(super) fn forward(&self) -> impl Iterator<Item = &[Row<N>; 4]> {
         self.0[MARGIN + 1..].as_chunks().0.iter()
     }
 
-    /// Coefficients n − 1, n − 2, … 0 and zeros by fours, each four in ascending order.
+    /// Returns coefficients n − 1, n − 2, … 0 and zeros in groups of four. Each group is in
+    /// ascending order.
     #[inline(always)]
     pub(super) fn backward(&self, n: usize) -> impl Iterator<Item = &[Row<N>; 4]> {
         self.0[..MARGIN + n].as_rchunks().1.iter().rev()
     }
 }
 
-/// The coefficients from the constant on.
+/// Gives access to the coefficients in ascending order.
 impl<N: Number> Deref for Series<N> {
     type Target = [Row<N>];
 
@@ -225,11 +232,12 @@ impl<N: Number> Deref for Series<N> {
     }
 }
 
-/// Taylor coefficients of a vector, with what its products need.
+/// Taylor coefficients of a vector, also in the form that its products need.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Vectors<N = f64> {
     pub(super) rows: Series<N>,
-    /// The same cycled, as (a2 a3, a3 a1, a1 a2) needs it. Several bodies need no copy: their components lie apart.
+    /// The same coefficients cycled, for (a2 a3, a3 a1, a1 a2). Several bodies need no copy,
+    /// because their components are in separate registers.
     pub(super) cycled: Series<N>,
 }
 

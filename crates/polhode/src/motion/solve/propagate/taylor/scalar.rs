@@ -1,15 +1,18 @@
-//! Coefficients of scalar series: products, quotients and powers, one coefficient at a time.
+//! Taylor coefficients of scalar series: products, quotients and powers, one coefficient at a time.
 //!
-//! Each function gives coefficient n of its result, from coefficients up to n of what it is of and up to n − 1 of itself.
+//! Each function returns coefficient n of its result. It needs coefficients up to n of its
+//! arguments and up to n − 1 of the result.
 //!
-//! Source: L. B. Rall, Automatic Differentiation (1981), ch. 3.3; À. Jorba, M. Zou, Exp. Math. 14 (2005) 99, prop. 2.1.
+//! Source: L. B. Rall, Automatic Differentiation (1981), ch. 3.3; À. Jorba, M. Zou, Exp. Math. 14
+//! (2005) 99, prop. 2.1.
 
 use core::ops::{Deref, DerefMut};
 
 use super::row::{MARGIN, Row, Series, TERMS};
 use crate::math::number::Number;
 
-/// Taylor coefficients of a number, from the constant on; before it zeros, as many as a loop by fours may read too far.
+/// Taylor coefficients of a number, in ascending order, after [`MARGIN`] zeros that a loop by fours
+/// may read.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scalars<N = f64>([N; MARGIN + TERMS]);
 
@@ -18,7 +21,7 @@ impl<N: Number> Scalars<N> {
         Self([x; MARGIN + TERMS])
     }
 
-    /// A series of nothing but its constant.
+    /// Returns a series that is constant.
     pub(super) fn constant(x: N) -> Self {
         let mut series = Self::all(x.like(0.0));
         series[0] = x;
@@ -42,10 +45,12 @@ impl<N> DerefMut for Scalars<N> {
     }
 }
 
-/// Σ f(k, aₖ, bₙ₋ₖ), k = 1 … last, where f is a product with each of both, and zero for k = n if last is n − 1.
+/// Returns Σ f(k, aₖ, bₙ₋ₖ), k = 1 … `last`. f must be proportional to each of aₖ and bₙ₋ₖ. If
+/// `last` is n − 1, it must be zero for k = n.
 ///
-/// Of one body the loop goes by fours, so that it has few, foreseeable ends: beyond n it meets the zeros before b₀. Of several it ends where it
-/// should, as others may have left what is not finite there. The order of the terms is the same, and zeros do not change a sum that
+/// A single body uses a loop by fours with few, predictable exits; beyond n it reads the zeros
+/// before b₀. Several bodies use a loop that ends at `last`, because other lanes may have stored
+/// infinities beyond. Both use the same order of terms, and adding zeros does not change a sum that
 /// begins with +0.
 #[inline(always)]
 pub(super) fn convolution<N: Number>(
@@ -73,7 +78,7 @@ pub(super) fn convolution<N: Number>(
     sum
 }
 
-/// Coefficient n of a times a vector: in the same way.
+/// Returns coefficient n of a times a vector, with the same loops.
 #[inline(always)]
 pub(super) fn times_vector<N: Number>(a: &Scalars<N>, v: &Series<N>, n: usize) -> Row<N> {
     let mut sum = Row::splat(a[0].like(0.0));
@@ -91,19 +96,20 @@ pub(super) fn times_vector<N: Number>(a: &Scalars<N>, v: &Series<N>, n: usize) -
     Row::splat(a[0]).mul_add(v.at(n), sum)
 }
 
-/// (a b)ₙ = Σ aₖ bₙ₋ₖ
+/// Returns (a b)ₙ = Σ aₖ bₙ₋ₖ.
 #[inline(always)]
 pub(super) fn product<N: Number>(a: &Scalars<N>, b: &Scalars<N>, n: usize) -> N {
     convolution(a, b, n, n, |_, a, b| a * b) + a[0] * b[n]
 }
 
-/// c = a / b: cₙ = (aₙ − Σ_{k≥1} bₖ cₙ₋ₖ) / b₀
+/// Returns coefficient n of c = a / b: cₙ = (aₙ − Σ_{k≥1} bₖ cₙ₋ₖ) / b₀.
 #[inline(always)]
 pub(super) fn quotient<N: Number>(a: &Scalars<N>, b: &Scalars<N>, c: &Scalars<N>, n: usize) -> N {
     (a[n] - convolution(b, c, n, n, |_, b, c| b * c)) / b[0]
 }
 
-/// c = a^p, n ≥ 1: cₙ = Σ_{k≥1} (p k − (n − k)) aₖ cₙ₋ₖ / (n a₀); c₀ is the caller's.
+/// Returns coefficient n ≥ 1 of c = a^p: cₙ = Σ_{k≥1} (p k − (n − k)) aₖ cₙ₋ₖ / (n a₀). The caller
+/// computes c₀.
 #[inline(always)]
 pub(super) fn power<N: Number>(a: &Scalars<N>, p: f64, c: &Scalars<N>, n: usize) -> N {
     let whole = a[0].like(n as f64);
@@ -111,9 +117,11 @@ pub(super) fn power<N: Number>(a: &Scalars<N>, p: f64, c: &Scalars<N>, n: usize)
     convolution(a, c, n, n, |k, a, c| weight(k) * a * c) / (whole * a[0])
 }
 
-/// f = aᵖ − (a + δ)ᵖ where δ may be small, n ≥ 1, of b = aᵖ and s = a + δ; f₀ is the caller's.
+/// Returns coefficient n ≥ 1 of f = aᵖ − (a + δ)ᵖ from b = aᵖ and s = a + δ; δ may be small. The
+/// caller computes f₀.
 ///
-/// s f' = δ b' − p (δ' b − s' f): n s₀ fₙ = n δ₀ bₙ + Σ_{k≥1} ((n − k) − p k) (δₖ bₙ₋ₖ − sₖ fₙ₋ₖ)
+/// s f' = δ b' − p (δ' b − s' f) gives n s₀ fₙ = n δ₀ bₙ + Σ_{k≥1} ((n − k) − p k) (δₖ bₙ₋ₖ − sₖ
+/// fₙ₋ₖ).
 #[inline(always)]
 pub(super) fn power_difference<N: Number>(
     [delta, s, b]: [&Scalars<N>; 3],
@@ -128,7 +136,7 @@ pub(super) fn power_difference<N: Number>(
     (whole * delta[0] * b[n] + (ahead - known)) / (whole * s[0])
 }
 
-/// Whole numbers.
+/// Whole numbers 0, 1, 2, … as f64.
 pub(super) const WHOLE: [f64; TERMS + MARGIN] = {
     let mut numbers = [0.0; TERMS + MARGIN];
     let mut k = 0;
@@ -139,29 +147,32 @@ pub(super) const WHOLE: [f64; TERMS + MARGIN] = {
     numbers
 };
 
-/// Coefficients of f(w(t)), f(w) = arccos w/√(1 − w²), half an angle over its sine, by the cosine, or of f′(w(t)): from those of w.
+/// Series of f(w(t)) or of f′(w(t)) from that of w, where f(w) = arccos w/√(1 − w²).
 ///
-/// f(w) = Σ Fₖ (w − w₀)ᵏ, and each power of w − w₀ is a series of its own. Nothing is divided by 1 − w², which may be zero.
+/// If w is the cosine of half an angle, f is half the angle divided by its sine. f(w) = Σ Fₖ (w −
+/// w₀)ᵏ, where each power of w − w₀ has its own series. Nothing is divided by 1 − w², which may be
+/// zero.
 #[derive(Clone, Debug)]
 pub(super) struct Composition<N = f64> {
     outer: Scalars<N>,
-    /// (w − w₀)ᵏ
+    /// Series of (w − w₀)ᵏ.
     powers: Box<[Scalars<N>; TERMS]>,
     result: Scalars<N>,
 }
 
 impl<N: Number> Composition<N> {
-    /// Of nothing yet.
+    /// Creates an empty composition.
     pub(super) fn all(zero: N) -> Self {
         let none = Scalars::all(zero);
         Self { outer: none, powers: Box::new([none; TERMS]), result: none }
     }
 
-    /// Starts a lane at w₀ ≥ 0 with f(w₀), w₀ and √(1 − w₀²).
+    /// Starts a lane at w₀ ≥ 0, from f(w₀), w₀ and √(1 − w₀²).
     ///
-    /// (1 − w²) f' = w f − 1, so that (1 − w₀²)(k + 1) Fₖ₊₁ = (2k + 1) w₀ Fₖ + k Fₖ₋₁, k ≥ 1. Of its solutions, which go as (−1 − w₀)⁻ᵏ
-    /// and (1 − w₀)⁻ᵏ, ours is the smaller: it is found from large k downward (Miller's algorithm, DLMF 3.6(iii)), and upward only
-    /// where the two hardly differ.
+    /// (1 − w²) f' = w f − 1 gives (1 − w₀²)(k + 1) Fₖ₊₁ = (2k + 1) w₀ Fₖ + k Fₖ₋₁, k ≥ 1. The
+    /// solutions of this recurrence behave like (−1 − w₀)⁻ᵏ and (1 − w₀)⁻ᵏ; the one needed is the
+    /// smaller. It is computed from large k downward (Miller's algorithm, DLMF 3.6(iii)), and
+    /// upward only if both hardly differ.
     pub(super) fn start(&mut self, lane: usize, [f, w, sine]: [f64; 3], is_slope: bool) {
         let square = sine * sine;
         let mut outer = [0.0; TERMS + 1];
@@ -190,7 +201,7 @@ impl<N: Number> Composition<N> {
         }
     }
 
-    /// Finds coefficient n from those of w up to n.
+    /// Computes coefficient n from those of w up to n.
     #[inline(always)]
     pub(super) fn extend(&mut self, w: &Scalars<N>, n: usize) {
         if n == 0 {
@@ -211,25 +222,26 @@ impl<N: Number> Composition<N> {
         self.result[n] = sum;
     }
 
-    /// The coefficients known so far.
+    /// Returns the coefficients known so far.
     #[inline(always)]
     pub(super) fn series(&self) -> &Scalars<N> {
         &self.result
     }
 }
 
-/// Below this w₀, upward: rounding grows by 1.5 with each k, and F₂₄ is still good to twelve digits.
+/// Threshold of w₀ for upward recurrence. Below it, rounding grows by at most 1.5 with each k, and
+/// F₂₄ is still accurate to twelve digits.
 const LEAST_COSINE: f64 = 0.2;
 
-/// Where to begin downward: from here to F₂₄ the other solution fades by 1.5¹⁰⁰.
+/// First index of the downward recurrence. From here to F₂₄ the other solution decreases by 1.5¹⁰⁰.
 const FAR: usize = 130;
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// f(w) = acos(w)/√(1 − w²) by its series in 1 − w, f = Σ aₖ (1 − w)ᵏ with aₖ₊₁ = aₖ (k + 1)/(2k + 3): far from w₀ = 1 too, with many
-    /// terms.
+    /// Returns f(w) = acos(w)/√(1 − w²) by its series in 1 − w: f = Σ aₖ (1 − w)ᵏ, aₖ₊₁ = aₖ (k +
+    /// 1)/(2k + 3). It has many terms, so that it also holds far from w₀ = 1.
     fn f(w: f64) -> f64 {
         let (mut term, mut sum) = (1.0, 0.0);
         for k in 0..400 {

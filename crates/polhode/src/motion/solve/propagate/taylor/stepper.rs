@@ -1,4 +1,4 @@
-//! Taylor steps put together.
+//! Adaptive Taylor integrator of one body.
 
 use std::rc::Rc;
 
@@ -22,33 +22,35 @@ use crate::motion::solve::propagate::noise::Noise;
 use crate::motion::solve::propagate::piece::Piece;
 use crate::motion::solve::propagate::step_statistics::StepStatistics;
 
-/// Adaptive Taylor steps over the motion of one body.
+/// Adaptive Taylor steps for the motion of one body.
 ///
-/// The series about the state that a step starts from is kept until the next step: it is the dense output. Each sum carries its rounding.
+/// The series about the start of a step is kept until the next step and serves as dense output.
+/// Each sum carries its rounding error.
 #[derive(Debug)]
 pub(in crate::motion::solve::propagate) struct Taylor<'a> {
     piece: Rc<Piece<'a>>,
     expansion: Box<Expansion>,
-    /// Body axes from principal ones.
+    /// Rotation from principal to body axes.
     to_body: Rotation<Body, Principal>,
-    /// Where the last step began and where it ended, in turn: what a step starts from stays where it is.
+    /// Start and end of the last step. They alternate between the two elements, so that the start
+    /// of a step need not be copied.
     pack: [ExpansionPoint; 2],
-    /// Which of them is now.
+    /// Index of the present point in `pack`.
     now: usize,
-    /// The series are about now: there is no last step.
+    /// True if the series start at the present point, so that a last step does not exist.
     is_expanded: bool,
-    /// Work and impulse at the base and now, if they are wanted.
+    /// Work and impulse at the start of the last step and now, if requested.
     evidence: Option<[Balances; 2]>,
-    /// The derivatives of the motion, if they are wanted.
+    /// Derivatives of the motion, if requested.
     variations: Option<Box<Variations<'a>>>,
     h: f64,
     omega_scale: f64,
-    /// |ω| now.
+    /// |ω| now, rad/s.
     rate: f64,
     statistics: StepStatistics,
 }
 
-/// ∫ N · ω dt and ∫ N dt; what rounding took is carried.
+/// ∫ N · ω dt and ∫ N dt. Each sum carries its rounding error.
 #[derive(Clone, Copy, Debug, Default)]
 struct Balances {
     work: [f64; 2],
@@ -66,7 +68,7 @@ impl<'a> Taylor<'a> {
         let head = ExpansionPoint::new(&start, to_body);
         let mut taylor = Self {
             expansion: Expansion::of_one(&piece, tolerance, with_evidence),
-            // A body at rest is measured by how fast the torque makes it.
+            // For a body at rest, the scale of ω is the rate that the torque causes.
             omega_scale: start.omega.norm().max(torque_rate(&piece)),
             piece,
             to_body,
@@ -83,10 +85,10 @@ impl<'a> Taylor<'a> {
         Ok(taylor)
     }
 
-    /// Goes on from here with what acts from now on.
+    /// Continues with other acting torques.
     ///
     /// # Errors
-    /// As [`Taylor::new`].
+    /// Those of [`Taylor::new`].
     pub(in crate::motion::solve::propagate) fn change(
         &mut self,
         piece: Rc<Piece<'a>>,
@@ -102,7 +104,8 @@ impl<'a> Taylor<'a> {
         self.expand()
     }
 
-    /// Finds the derivatives of the motion from now on, by its state now, by the inertia and by these parameters.
+    /// Enables derivatives of the motion from now on, with respect to its state now, the inertia
+    /// and these parameters.
     pub(in crate::motion::solve::propagate) fn differentiate(
         &mut self,
         parameters: Vec<(&'a TorqueModel, ParameterKind)>,
@@ -111,19 +114,21 @@ impl<'a> Taylor<'a> {
         self.variations = Some(Box::new(Variations::new(&self.piece, time, order, parameters)));
     }
 
-    /// The derivatives at a time within the last step: a column of θ and ω, body axes, by each of what they are by.
+    /// Returns the derivatives at a time within the last step. Each column contains the derivatives
+    /// of θ and ω, body axes, with respect to one quantity.
     pub(in crate::motion::solve::propagate) fn derivatives_at(&self, time: f64) -> Vec<[f64; 6]> {
         self.variations.as_ref().map(|variations| variations.at(time)).unwrap_or_default()
     }
 
-    /// Changes the derivatives now, as a switch does whose time changes: see [`Variations::jump`].
+    /// Adds the effect of a shifted switching time to the present derivatives; see
+    /// [`Variations::jump`].
     pub(in crate::motion::solve::propagate) fn jump(&mut self, times: &[f64], by: [Direction<Body>; 2]) {
         if let Some(variations) = &mut self.variations {
             variations.jump(times, by);
         }
     }
 
-    /// Ω and ω̇ at a time within the last step, by what acts in it; body axes.
+    /// Returns Ω and ω̇ at a time within the last step, from what acts in it, body axes.
     pub(in crate::motion::solve::propagate) fn rates_at(&self, time: f64) -> [Direction<Body>; 2] {
         let (base, expansion) = (self.base(), &self.expansion);
         let h = time - base.time;
@@ -139,10 +144,10 @@ impl<'a> Taylor<'a> {
         [of + bending, Direction::new(x, y, z)].map(|v| self.to_body * v)
     }
 
-    /// One step forward, not beyond `until`.
+    /// Takes one step forward, not beyond `until`.
     ///
     /// # Errors
-    /// As [`crate::motion::solve::propagate::stepper::Stepper::step`].
+    /// Those of [`crate::motion::solve::propagate::stepper::Stepper::step`].
     pub(in crate::motion::solve::propagate) fn step(&mut self, until: f64) -> Result<(), MotionError> {
         let expands = !self.is_expanded;
         if expands {
@@ -184,7 +189,7 @@ impl<'a> Taylor<'a> {
         Ok(())
     }
 
-    /// Goes back to a time within the last step.
+    /// Returns to a time within the last step.
     pub(in crate::motion::solve::propagate) fn cut(&mut self, time: f64) {
         if time != self.head().time {
             let more = self.expansion.after(time - self.base().time);
@@ -203,19 +208,19 @@ impl<'a> Taylor<'a> {
         self.h = self.expansion.step(self.omega_scale);
     }
 
-    /// Perturbs the end of the last step.
+    /// Perturbs the state at the end of the last step.
     pub(in crate::motion::solve::propagate) fn perturb(&mut self, noise: &mut Noise) {
         let (base, head) = (self.base(), self.head());
         let (before, after) = (base.omega().to_array(), head.omega().to_array());
         let [x, y, z] = noise.turn(head.time - base.time, before, after);
         let [p, q, r] = noise.rate(before, after);
-        // 1 + ½ δ is the turn by a small δ.
+        // 1 + ½ δ is the rotation by a small δ.
         let turn = Row([0.0, 0.5 * x, 0.5 * y, 0.5 * z]);
         let more = Increment { omega: Row([p, q, r, 0.0]), turn, impulse: [0.0; 3], work: 0.0 };
         self.pack[self.now] = head.plus(&more, head.time);
     }
 
-    /// Adds to ω at once, body axes.
+    /// Adds a jump to ω, body axes.
     pub(in crate::motion::solve::propagate) fn kick(&mut self, more: AngularVelocity<Body>) {
         let [x, y, z] = (self.to_body.inverse() * more).to_array();
         let (omega, turn) = (Row([x, y, z, 0.0]), Row::ZERO);
@@ -224,7 +229,7 @@ impl<'a> Taylor<'a> {
         self.rate = self.head().rate();
     }
 
-    /// What the series are about.
+    /// Returns the point about which the series are.
     fn base(&self) -> &ExpansionPoint {
         &self.pack[if self.is_expanded { self.now } else { 1 - self.now }]
     }
@@ -233,6 +238,8 @@ impl<'a> Taylor<'a> {
         &self.pack[self.now]
     }
 
+    /// Expands the series about the present point.
+    ///
     /// # Errors
     /// [`MotionError::TorqueWithoutInertia`] if nothing would balance the torque.
     fn expand(&mut self) -> Result<(), MotionError> {
@@ -245,7 +252,7 @@ impl<'a> Taylor<'a> {
         Ok(())
     }
 
-    /// A step begins where the last one has led.
+    /// Begins a step at the end of the last one.
     fn begin(&mut self) {
         if let Some([base, head]) = &mut self.evidence {
             *base = *head;
@@ -261,7 +268,7 @@ impl<'a> Taylor<'a> {
         }
     }
 
-    /// |ω|, rad/s.
+    /// Returns |ω|, rad/s.
     pub(in crate::motion::solve::propagate) fn rate(&self) -> f64 {
         self.rate
     }
@@ -270,7 +277,8 @@ impl<'a> Taylor<'a> {
         self.head().time
     }
 
-    /// The step that the tolerance allows, s: that of the last step until the next.
+    /// Returns the step that the tolerance allows, s. After a step, it is that of the last step
+    /// until the next one.
     pub(in crate::motion::solve::propagate) fn next_step(&self) -> f64 {
         self.h
     }
@@ -283,7 +291,7 @@ impl<'a> Taylor<'a> {
         self.balanced(self.head(), self.evidence.map(|[_, head]| head))
     }
 
-    /// The state at a time within the last step.
+    /// Returns the state at a time within the last step.
     pub(in crate::motion::solve::propagate) fn at(&self, time: f64) -> Balanced {
         let more = self.expansion.after(time - self.base().time);
         let there = self.base().plus(&more, time);
@@ -291,7 +299,8 @@ impl<'a> Taylor<'a> {
         self.balanced(&there, evidence)
     }
 
-    /// The scalar part of the turn from a rest as a function of the time since the last step began.
+    /// Returns the scalar part of the rotation from a rest attitude, as a function of the time
+    /// since the start of the last step.
     pub(in crate::motion::solve::propagate) fn cosine<'b>(&self, rest: Attitude) -> Cosine<'b> {
         self.expansion.cosine(0, rest, (self.base().rotation(), self.to_body))
     }
@@ -303,25 +312,25 @@ impl<'a> Taylor<'a> {
     }
 }
 
-/// A step of one body: the series, unless they are there, and where they lead.
+/// Computation of a step of one body: the series, unless known, and the state at the end.
 struct Leap<'a> {
     expansion: &'a mut Expansion,
     base: &'a ExpansionPoint,
     head: &'a mut ExpansionPoint,
     expands: bool,
-    /// The step that the tolerance allows, where the series are there.
+    /// Step that the tolerance allows, if the series are known.
     h: f64,
     scale: f64,
     until: f64,
 }
 
-/// Where a step leads.
+/// Result of a step.
 struct Landing {
-    /// The step that the tolerance allows.
+    /// Step that the tolerance allows.
     allowed: f64,
     h: f64,
     more: Increment,
-    /// Zero of what is finite.
+    /// Zero if the result is finite, NaN otherwise.
     not_finite: f64,
     /// |ω|
     rate: f64,
@@ -343,14 +352,15 @@ impl Work for Leap<'_> {
         let (time, rest) = (base.time, until - base.time);
         let wanted = smaller(allowed, expansion.reach());
         let (h, end) = if wanted >= rest { (rest, until) } else { (wanted, time + wanted) };
-        // What rounding makes of the time is part of the step: left out, it was most of the error of a free body after 100 s at 1e-15.
+        // The rounding of the time belongs to the step. Without it, this error dominated for a free
+        // body after 100 s at 1e-15.
         let more = expansion.at(OneBody(s), end - time);
         *head = base.plus(&more, end);
         Landing { allowed, h, more, not_finite: head.not_finite(), rate: head.rate() }
     }
 }
 
-/// √(N/I), rad/s.
+/// Returns √(N/I), rad/s, where I is the greatest moment.
 pub(super) fn torque_rate(piece: &Piece<'_>) -> f64 {
     (piece.largest_torque / piece.rotor.principal().moments()[2]).sqrt()
 }

@@ -1,10 +1,12 @@
-//! Sums of products of Taylor coefficients, as the machine does them best.
+//! Sums of products of Taylor coefficients, optimised for SIMD.
 //!
-//! Those of the motion itself are in `one.rs` and `many.rs`. Of one body ([`OneBody`]) loops have few, foreseeable ends: they go by fours, beyond
-//! the coefficients that are known too, where they meet zeros.
+//! The sums of the motion itself are in `one.rs` and `many.rs`. For a single body ([`OneBody`])
+//! loops have few, predictable exits: they run by fours, and beyond the known coefficients they
+//! read zeros.
 //!
-//! Of several bodies ([`SeveralBodies`]) there is enough to do meanwhile, and loops end where they should. The order of the terms is the same,
-//! and a sum that begins with +0 does not change by zeros: so each lane has the bits that its body has alone.
+//! The loops for several bodies ([`SeveralBodies`]) end at the last term, because there is enough other
+//! work. Both use the same order of terms, and adding zeros does not change a sum that begins with
+//! +0. Each lane is therefore bit-identical to its body alone.
 
 use core::ops::Mul;
 
@@ -13,24 +15,25 @@ use super::row::{Row, Series, TERMS, Vectors};
 use crate::math::machine::Machine;
 use crate::math::number::Number;
 
-/// How sums are done, and of what.
+/// Implementation of the sums, for one number type.
 pub(super) trait SeriesSums: Copy {
-    /// What is added up.
+    /// Number type of the sums.
     type N: Number;
 
-    /// Runs what is long as a function of its own: inside the loop over n all of it would be prepared for each n.
+    /// Runs long work in a separate function. Inlined in the loop over n, its setup would be
+    /// repeated for every n.
     fn apart<R>(self, work: impl FnOnce(Self) -> R) -> R;
 
-    /// Σ aₖ bₙ₋ₖ, k = 0 … n: coefficient n of a product.
+    /// Returns Σ aₖ bₙ₋ₖ, k = 0 … n: coefficient n of a product.
     fn product(self, a: &Series<Self::N>, b: &Series<Self::N>, n: usize) -> Row<Self::N>;
 
-    /// Coefficients n of the rows x times each component of b.
+    /// Returns coefficient n of the rows x times each component of b.
     fn outer(self, x: &Series<Self::N>, b: &Series<Self::N>, n: usize) -> [Row<Self::N>; 3];
 
-    /// Coefficient n of (a2 a3, a3 a1, a1 a2).
+    /// Returns coefficient n of (a2 a3, a3 a1, a1 a2).
     fn others(self, a: &Vectors<Self::N>, n: usize) -> Row<Self::N>;
 
-    /// What a pair's series add to their constants.
+    /// Returns the changes from the constants of a pair's series after h, up to an order.
     fn pair_increment<T>(
         self,
         c: &[T; TERMS],
@@ -39,10 +42,10 @@ pub(super) trait SeriesSums: Copy {
         h: Self::N,
     ) -> Pair<Self::N>;
 
-    /// c₁ h + c₂ h² + … up to an order: what a series adds to its constant.
+    /// Returns c₁ h + c₂ h² + … up to an order: the change from the constant of a series.
     fn increment(self, c: &Series<Self::N>, order: usize, h: Self::N) -> Row<Self::N>;
 
-    /// Coefficient n of v × b = Σ bᵢ v × eᵢ.
+    /// Returns coefficient n of v × b = Σ bᵢ v × eᵢ.
     #[inline(always)]
     fn cross(self, v: &Series<Self::N>, b: &Series<Self::N>, n: usize) -> Row<Self::N> {
         let [p, q, r] = self.outer(v, b, n).map(|sum| sum.0);
@@ -50,7 +53,7 @@ pub(super) trait SeriesSums: Copy {
     }
 }
 
-/// One body, a row in a register.
+/// Sums for a single body; a row is a register.
 #[derive(Clone, Copy)]
 pub(super) struct OneBody<S>(pub(super) S);
 
@@ -98,7 +101,7 @@ impl<S: Machine> SeriesSums for OneBody<S> {
 
     #[inline(always)]
     fn others(self, a: &Vectors, n: usize) -> Row {
-        // a and a cycled: turning once more brings (a1 a2, a2 a3, a3 a1) there
+        // a times a cycled is (a1 a2, a2 a3, a3 a1); one more cycle puts each product in its place
         self.product(&a.rows, &a.cycled, n).cycled()
     }
 
@@ -122,7 +125,7 @@ impl<S: Machine> SeriesSums for OneBody<S> {
     }
 }
 
-/// c₁ h + c₂ h² + …
+/// Returns c₁ h + c₂ h² + …
 #[inline(always)]
 fn polynomial<T, V: Copy + Mul<Output = V>>(
     c: &[T],
@@ -131,7 +134,7 @@ fn polynomial<T, V: Copy + Mul<Output = V>>(
     none: V,
     h: V,
 ) -> V {
-    // Every fourth power by itself: four short chains instead of a long one.
+    // Group every fourth power: four short dependency chains instead of a long one.
     let square = h * h;
     let fourth = square * square;
     let mut sums = [none; 4];
@@ -149,7 +152,7 @@ fn polynomial<T, V: Copy + Mul<Output = V>>(
     mul_add(mul_add(last, h, third), square, mul_add(second, h, first)) * h
 }
 
-/// As many bodies as a register holds numbers, a row in four registers.
+/// Sums for as many bodies as a register holds numbers; a row is four registers.
 #[derive(Clone, Copy)]
 pub(super) struct SeveralBodies<S>(pub(super) S);
 

@@ -1,38 +1,38 @@
 //! Products of quaternions and vectors with the unit vectors e₁, e₂, e₃.
 //!
-//! Both recurrences, that of one body and that of several, take from these tables which number meets
-//! which, and with which sign.
+//! Both recurrences, for one body and for several, take the indices and signs of the factors from
+//! these tables.
 
 use super::row::Row;
 use crate::math::number::Number;
 
-/// Image of four numbers: number i is that at `from[i]` times `signs[i]`.
+/// Image of four numbers: number i is the number at `from[i]` times `signs[i]`.
 #[derive(Clone, Copy)]
 pub(super) struct UnitProduct {
     pub(super) from: [usize; 4],
     pub(super) signs: [f64; 4],
 }
 
-/// q ∘ eᵢ of q = (w, x, y, z): (−x, w, z, −y), (−y, −z, w, x), (−z, y, −x, w).
+/// q ∘ eᵢ for q = (w, x, y, z): (−x, w, z, −y), (−y, −z, w, x), (−z, y, −x, w).
 pub(super) const TURN: [UnitProduct; 3] = [
     UnitProduct { from: [1, 0, 3, 2], signs: [-1.0, 1.0, 1.0, -1.0] },
     UnitProduct { from: [2, 3, 0, 1], signs: [-1.0, -1.0, 1.0, 1.0] },
     UnitProduct { from: [3, 2, 1, 0], signs: [-1.0, 1.0, -1.0, 1.0] },
 ];
 
-/// v × eᵢ of v = (v1, v2, v3, 0): (0, v3, −v2, 0), (−v3, 0, v1, 0), (v2, −v1, 0, 0).
+/// v × eᵢ for v = (v1, v2, v3, 0): (0, v3, −v2, 0), (−v3, 0, v1, 0), (v2, −v1, 0, 0).
 pub(super) const CROSS: [UnitProduct; 3] = [
     UnitProduct { from: [0, 2, 1, 3], signs: [0.0, 1.0, -1.0, 0.0] },
     UnitProduct { from: [2, 1, 0, 3], signs: [-1.0, 0.0, 1.0, 0.0] },
     UnitProduct { from: [1, 0, 2, 3], signs: [1.0, -1.0, 0.0, 0.0] },
 ];
 
-/// Component of ω̇ to which the product of Ωᵢ belongs: ω3 Ω1 to ω̇2, ω1 Ω2 to ω̇3, ω2 Ω3 to ω̇1. The other factor is
-/// at the place that [`CROSS`] has for it.
+/// Component of ω̇ that contains the product with Ωᵢ: ω3 Ω1 for ω̇2, ω1 Ω2 for ω̇3, ω2 Ω3 for ω̇1.
+/// [`CROSS`] gives the index of the other factor.
 pub(super) const EULER: [[f64; 4]; 3] = [[0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [1.0, 0.0, 0.0, 0.0]];
 
 impl UnitProduct {
-    /// Number i of the image, if it is not always zero.
+    /// Returns number i of the image, or `None` if it is always zero.
     #[inline(always)]
     pub(super) fn number<N: Number>(&self, of: Row<N>, i: usize) -> Option<N> {
         let number = of.0[self.from[i]];
@@ -63,7 +63,7 @@ impl UnitProduct {
     }
 }
 
-/// Adds Σᵢ Ωᵢ (v · eᵢ) for one of the two products, component of Ω by component.
+/// Adds Σᵢ Ωᵢ (v · eᵢ) for one of the two products, one component of Ω after the other.
 #[inline(always)]
 pub(super) fn plus_product<N: Number>(
     products: &[UnitProduct; 3],
@@ -76,7 +76,7 @@ pub(super) fn plus_product<N: Number>(
     third.plus(second.plus(first.plus(sum, of, o1), of, o2), of, o3)
 }
 
-/// Places of the image of a pair of rows, each under its own product.
+/// Returns the indices of the image of a pair of rows, where each row has its own product.
 pub(super) const fn places(first: UnitProduct, second: UnitProduct) -> [usize; 8] {
     let ([a, b, c, d], [e, f, g, h]) = (first.from, second.from);
     [a, b, c, d, 4 + e, 4 + f, 4 + g, 4 + h]
@@ -86,7 +86,7 @@ pub(super) const fn places(first: UnitProduct, second: UnitProduct) -> [usize; 8
 mod tests {
     use super::*;
 
-    /// The Hamilton product, and the vector product, by their definitions.
+    /// Checks the tables against the definitions of the Hamilton product and the vector product.
     #[test]
     fn images_are_products_with_unit_vectors() {
         let [w, x, y, z] = [0.3, -1.7, 2.9, 0.6];

@@ -1,4 +1,4 @@
-//! Every lane has the bits that its body has alone, and fails where it fails alone.
+//! Tests: every lane gives the same bits as its body alone, and fails where the body fails alone.
 
 use super::*;
 use crate::body::{InertiaTensor, MassProperties, Particle};
@@ -15,10 +15,10 @@ use crate::motion::model::torque::{
 use crate::motion::run::simulation::Simulation;
 use crate::motion::solve::method::Method;
 
-/// A body of a scenario, what turns it, and where it starts: all of them another one for each number k.
+/// Body, torques and start of a test scenario; different for each number k.
 type Member = (Rotor, Vec<TorqueModel>, State);
 
-/// Between 0 and 1, and another one for each k.
+/// Returns a number between 0 and 1, different for each k.
 fn part(k: usize) -> f64 {
     (0.618 * k as f64 + 0.17).fract()
 }
@@ -47,7 +47,7 @@ fn member(name: &str, k: usize) -> Member {
     if name == "spring" || name == "wire" {
         omega = omega * 0.2;
     }
-    // Some of those that fail, in many ways.
+    // Some of them fail, in different ways.
     match k % 23 {
         3 => omega = AngularVelocity::new(f64::NAN, 0.0, 0.0),
         5 => omega = omega * 1e10,
@@ -60,7 +60,7 @@ fn member(name: &str, k: usize) -> Member {
         }
         _ => {}
     }
-    // Before the first of the times, or at it.
+    // The start is before the first of the times, or equal to it.
     let start = State { time: if k.is_multiple_of(4) { 0.5 } else { 0.4 * f }, attitude: rest, omega };
     (rotor, torques(name, f, rest), start)
 }
@@ -162,7 +162,7 @@ const KINDS: [&str; 25] = [
     "four torques and wheels",
 ];
 
-/// Within steps, at their ends, close together and far apart.
+/// Times within steps and at their ends, close together and far apart.
 const TIMES: [f64; 9] = [0.5, 0.6, 0.61, 0.9, 1.7, 1.7000001, 4.0, 4.5, 9.0];
 
 fn bits(state: &State) -> [u64; 8] {
@@ -174,7 +174,7 @@ fn bodies(members: &[Member]) -> Vec<BatchBody<'_>> {
     members.iter().map(|(rotor, torques, start)| BatchBody::of(rotor, torques, *start).unwrap()).collect()
 }
 
-/// Compares them with each body alone; how many went all the way, and how many failed.
+/// Compares a batch with each body alone. Returns the numbers of bodies that succeed and that fail.
 fn compare(members: &[Member], times: &[f64], tolerance: f64) -> [usize; 2] {
     let bodies = bodies(members);
     let nothing = State { time: -1.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO };
@@ -195,9 +195,9 @@ fn compare(members: &[Member], times: &[f64], tolerance: f64) -> [usize; 2] {
                 }
             }
             Err(want) => {
-                // NaN is not itself
+                // NaN is not equal to itself, so the texts are compared
                 assert_eq!(format!("{:?}", Some(want)), format!("{cause:?}"), "{k}");
-                // Its last good state, from where it ends on.
+                // The last good state is repeated.
                 let last = got.last().map_or(start.time, |state| state.time);
                 for (got, time) in got.iter().zip(times) {
                     assert!(got.time == time.min(last), "{k}: {got:?} at {time}, to {last}");
@@ -225,7 +225,7 @@ fn every_kind_has_the_bits_that_each_body_has_alone() {
 #[test]
 fn no_times_and_none_but_the_start() {
     let members: Vec<Member> = (0..19).map(|k| member("pivoted", k)).collect();
-    // Only a start that is NaN fails.
+    // Only the start that is NaN fails.
     assert_eq!(compare(&members, &[], 1e-12), [18, 1]);
     let at_start: Vec<Member> = (0..20).step_by(4).map(|k| member("magnet", k)).collect();
     compare(&at_start, &[0.5, 0.5], 1e-12);
@@ -240,12 +240,13 @@ fn a_tolerance_out_of_range_fails_every_body() {
     }
 }
 
-/// What advances a batch, if this machine has it.
+/// Function that advances a batch, if this machine has the instructions.
 type Vehicle = fn(Advance<'_, '_>) -> Option<Vec<(usize, MotionError)>>;
 
 #[test]
 fn narrower_vectors_and_none_have_the_same_bits() {
-    // Registers of two numbers have no fused multiply–add on this kind of machine, so theirs are other bits.
+    // Registers of two numbers have no fused multiply–add on this kind of machine, so their bits
+    // differ.
     let narrower: [Vehicle; 1] = [|work| in_narrower_vectors(work)];
     for name in ["free", "pivoted, four torques", "gradient", "quadratic drag at rest", "spring"] {
         let members: Vec<Member> = (0..20).map(|k| member(name, k)).collect();

@@ -1,7 +1,7 @@
-//! Taylor coefficients of torques, principal axes: from those of the motion before them.
+//! Taylor coefficients of torques, principal axes, from the preceding coefficients of the motion.
 //!
-//! What is linear or quadratic goes to the recurrence of the motion itself (`quadratic.rs`); of all else the operations of the laws are
-//! worked out coefficient by coefficient (`tape.rs`).
+//! Linear and quadratic torques become part of the recurrence of the motion (`quadratic.rs`). The
+//! operations of all other laws are evaluated coefficient by coefficient (`tape.rs`).
 
 mod norm;
 mod orbit;
@@ -19,24 +19,25 @@ use crate::math::vector::Vector;
 pub(super) use quadratic::{Decomposition, Quadratic, TorqueKind};
 pub(super) use tape::Tape;
 
-/// The state that a step starts from.
+/// State from which a step starts.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StepStart<N = f64> {
     pub(super) time: N,
-    /// The quaternion of the principal axes.
+    /// Quaternion of the principal axes.
     pub(super) attitude: Row<N>,
-    /// Principal axes; and what rounding left of it.
+    /// ω, principal axes. The next field is its low word.
     pub(super) omega: Row<N>,
     pub(super) omega_low: Row<N>,
 }
 
 impl<N: Number> StepStart<N> {
-    /// Time and attitude of a lane.
+    /// Returns time and attitude of a lane.
     fn lane(&self, lane: usize) -> (f64, Rotation<Space, Principal>) {
         (self.time.lane(lane), Rotation::from_unit(self.attitude.lane(lane).0))
     }
 
-    /// A vector of space along the principal axes, v + 2w (u × v) + 2 u × (u × v): as the product with a [`Rotation`] has it.
+    /// Returns a space vector along the principal axes, v + 2w (u × v) + 2 u × (u × v), with the
+    /// same operations as the product with a [`Rotation`].
     #[inline(always)]
     fn resolved(&self, v: Row<N>) -> Row<N> {
         let [w, x, y, z] = self.attitude.0;
@@ -47,34 +48,34 @@ impl<N: Number> StepStart<N> {
     }
 }
 
-/// a × b
+/// Returns a × b.
 #[inline(always)]
 fn cross<N: Number>(a: Row<N>, b: Row<N>) -> Row<N> {
     let ([a1, a2, a3, zero], [b1, b2, b3, _]) = (a.0, b.0);
     Row([a2 * b3 - a3 * b2, a3 * b1 - a1 * b3, a1 * b2 - a2 * b1, zero])
 }
 
-/// Coefficients up to n, principal axes.
+/// Series known so far, up to coefficient n, principal axes.
 #[derive(Clone, Copy)]
 pub(super) struct Known<'a, M: SeriesSums> {
-    /// How sums are done.
+    /// Implementation of the sums.
     pub(super) s: M,
-    /// ω
+    /// ω, principal axes.
     pub(super) omega: &'a Vectors<M::N>,
-    /// Ω, at which the axes turn: ω unless friction inside the body makes a difference.
+    /// Ω, angular velocity of the axes; equal to ω without internal friction.
     pub(super) turning: &'a Vectors<M::N>,
-    /// With the turn since the start of the step.
+    /// Motion, including the rotation since the start of the step.
     pub(super) motion: &'a Motion<M::N>,
 }
 
 impl<'a, M: SeriesSums> Known<'a, M> {
-    /// Coefficient n of the turn since the start of the step.
+    /// Returns coefficient n of the rotation since the start of the step.
     #[inline(always)]
     fn turn(&self, n: usize) -> Row<M::N> {
         self.motion[n].x.first()
     }
 
-    /// Runs what is long apart.
+    /// Runs long work in a separate function; see [`SeriesSums::apart`].
     #[inline(always)]
     pub(super) fn apart<R>(&self, work: impl FnOnce(&Known<'a, M>) -> R) -> R {
         let Self { omega, turning, motion, .. } = *self;

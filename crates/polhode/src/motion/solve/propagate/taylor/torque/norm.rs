@@ -1,39 +1,43 @@
-//! The series of the magnitude of a vector, such as |ω| of quadratic drag: the root of v · v.
+//! Series of the magnitude of a vector, such as |ω| in quadratic drag: the square root of v · v.
 //!
-//! It has one where v starts from zero too: v = tᵐ u with u ≠ 0 at the start has |v| = tᵐ |u| for the times that follow.
+//! The series exists even if v starts from zero: v = tᵐ u with u ≠ 0 at the start gives |v| = tᵐ
+//! |u| for later times.
 //!
-//! |v| has a corner where v passes through zero, and the series from before goes on as if it had none. So no step goes further than nine
-//! tenths of the way to where v would vanish (`reach`). Some fifteen steps later v is what it changes in a few roundings of the time: then
-//! it is taken as zero for |v|, from where the series beyond the corner starts.
+//! |v| has a corner where v passes through zero, and the series from before the corner does not
+//! show it. A step therefore goes at most nine tenths of the way to the point where v would vanish
+//! (`reach`). After some fifteen such steps, v is of the size of its change within a few roundings
+//! of the time. Then |v| is set to zero, and the next series starts beyond the corner.
 
 use super::super::row::{Row, Series};
 use super::super::scalar::{self, Scalars};
 use crate::math::number::Number;
 
-/// v is zero, if it changes by itself in as many roundings of the time.
+/// Tolerance for v = 0: v is treated as zero if it changes by its own size within this relative
+/// change of the time.
 const CLOSEST: f64 = 16.0 * f64::EPSILON;
 
-/// How much of the way to a corner a step may go.
+/// Fraction of the way to a corner that a step may go.
 const REACH: f64 = 0.9;
 
-/// v below this is zero: its square is no double.
+/// Lower bound on |v|; below it the square of v underflows.
 const LEAST: f64 = 1e-150;
 
 /// The series of |v|.
 #[derive(Clone, Debug)]
 pub(super) struct NormSeries<N> {
-    /// m, the first coefficient of v that is not zero, and the lanes where it is, a bit for each. Almost always 0 in all lanes.
+    /// Index m of the first nonzero coefficient of v, and a bit mask of the lanes with this m. It
+    /// is almost always 0 in all lanes.
     leads: Vec<(usize, u8)>,
-    /// The lanes where m is not known yet.
+    /// Bit mask of the lanes whose m is not known yet.
     waiting: u8,
-    /// u · u and |u|, u = v/tᵐ, both without their unit.
+    /// Series of u · u and of |u|, where u = v/tᵐ, in units of `unit`.
     square: Scalars<N>,
     root: Scalars<N>,
-    /// |u| at the start, which the others are over.
+    /// |u| at the start, used as unit.
     unit: N,
-    /// |v| up to here is zero.
+    /// Threshold below which |v| is treated as zero.
     least: N,
-    /// |v̇| where the step before this one began.
+    /// |v̇| at the start of the previous step.
     rate: N,
 }
 
@@ -50,7 +54,7 @@ impl<N: Number> NormSeries<N> {
         }
     }
 
-    /// A lane has another body.
+    /// Prepares a lane for another body.
     pub(super) fn set(&mut self, lane: usize) {
         self.rate.put(lane, 0.0);
     }
@@ -63,10 +67,10 @@ impl<N: Number> NormSeries<N> {
         self.square[1] = time.like(0.0);
     }
 
-    /// The longest step that the series is good for, s.
+    /// Returns the longest step for which the series is valid, s.
     #[inline(always)]
     pub(super) fn reach(&self, endless: N) -> N {
-        // u · u = a (τ − t)² near a corner: τ = −2 (u · u)₀/(u · u)₁
+        // u · u = a (τ − t)² near a corner, so τ = −2 (u · u)₀/(u · u)₁
         let mut reach = self.square[0].zip(self.square[1], |square, slope| {
             if slope < 0.0 { REACH * -2.0 * square / slope } else { f64::INFINITY }
         });
@@ -74,7 +78,7 @@ impl<N: Number> NormSeries<N> {
         reach
     }
 
-    /// Coefficient n of |v|.
+    /// Returns coefficient n of |v|.
     #[inline(always)]
     pub(super) fn coefficient(&mut self, n: usize, v: &Series<N>) -> N {
         let v = &v[..=n];
@@ -87,7 +91,7 @@ impl<N: Number> NormSeries<N> {
         let over = Row::splat(self.unit.like(1.0) / self.unit);
         let mut norm = self.unit.like(0.0);
         for &(lead, lanes) in &self.leads {
-            // (u · u)ⱼ, j = n − m
+            // (u · u)ⱼ, where j = n − m
             let (u, j) = (&v[lead..], n - lead);
             let none = Row::splat(self.unit.like(0.0));
             let dots = u.iter().zip(u.iter().rev()).fold(none, |sum, (&a, &b)| sum + (a * over) * (b * over));
@@ -105,7 +109,8 @@ impl<N: Number> NormSeries<N> {
         norm
     }
 
-    /// Is coefficient n of v the first that is not zero? Not inlined: it is seldom asked, and the loop over n is long enough.
+    /// Finds the lanes in which coefficient n of v is the first nonzero one. Not inlined: it is
+    /// rarely called, and the loop over n is long enough.
     #[inline(never)]
     fn look_for_lead(&mut self, n: usize, v: Row<N>) {
         let size = v.largest();
@@ -123,12 +128,12 @@ impl<N: Number> NormSeries<N> {
     }
 }
 
-/// A bit for each lane.
+/// Returns a bit mask of all lanes.
 fn all_lanes<N: Number>() -> u8 {
     u8::MAX >> (8 - N::LANES)
 }
 
-/// Puts new numbers into these lanes.
+/// Replaces the numbers of the given lanes.
 #[inline(always)]
 fn exchange<N: Number>(old: &mut N, new: N, lanes: u8) {
     if lanes == all_lanes::<N>() {

@@ -1,10 +1,11 @@
-//! The series of an orbit, as the turning body sees it.
+//! Series of an orbit in rotating body axes.
 //!
-//! ρ = r/r₀ and ν = ṙ/r₀, with r₀ the distance at the start of the step, which the orbit's closed form begins afresh:
+//! Let ρ = r/r₀ and ν = ṙ/r₀, where r₀ is the distance at the start of the step. Each step starts
+//! from the closed form of the orbit, and
 //!
 //! ρ̇ = ν + ρ × Ω,  ν̇ = −(µ/r₀³) ρ/|ρ|³ + ν × Ω
 //!
-//! On a circle |ρ| is 1, and all of this is linear.
+//! If the orbit is a circle, |ρ| is 1, and these equations are linear.
 
 use super::super::body_resolved::BodyResolved;
 use super::super::row::{Row, Series};
@@ -14,12 +15,12 @@ use super::{Known, StepStart, row};
 use crate::math::number::Number;
 use crate::motion::model::orbit::Orbit;
 
-/// The series of an orbit over one step.
+/// Series of an orbit over one step.
 #[derive(Clone, Debug)]
 pub(super) struct OrbitSeries<N> {
-    /// One for each lane.
+    /// Orbit of each lane.
     orbits: Vec<Orbit>,
-    /// Of all lanes alike.
+    /// True for circular orbits; the same for all lanes.
     is_circular: bool,
     /// µ, m³/s².
     mu: N,
@@ -29,11 +30,11 @@ pub(super) struct OrbitSeries<N> {
     pub(super) strength: N,
     pub(super) rho: Series<N>,
     nu: BodyResolved<N>,
-    /// |ρ|²
+    /// |ρ|².
     pub(super) square: Scalars<N>,
-    /// |ρ|⁻³
+    /// |ρ|⁻³.
     pub(super) cube: Scalars<N>,
-    /// The same in every place of a row.
+    /// |ρ|⁻³ in every element of a row.
     cube_rows: Series<N>,
 }
 
@@ -88,10 +89,10 @@ impl<N: Number> OrbitSeries<N> {
         self.nu.start(at.resolved(velocity.divided(r)));
     }
 
-    /// Finds coefficient n of |ρ|² and |ρ|⁻³.
+    /// Computes coefficient n of |ρ|² and |ρ|⁻³.
     #[inline(always)]
     pub(super) fn measure<M: SeriesSums<N = N>>(&mut self, s: M, n: usize) {
-        // The first is 1 because r₀ is chosen so, and a circle has no others.
+        // Coefficient 0 is 1 by the choice of r₀, and on a circle all others are zero.
         if n == 0 || self.is_circular {
             return;
         }
@@ -102,7 +103,7 @@ impl<N: Number> OrbitSeries<N> {
         self.cube_rows.set(n, Row::splat(self.cube[n]));
     }
 
-    /// Finds coefficient n + 1 of ρ and ν.
+    /// Computes coefficient n + 1 of ρ and ν.
     #[inline(always)]
     pub(super) fn extend<M: SeriesSums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) {
         let turning = &known.turning.rows;

@@ -1,7 +1,9 @@
-//! The sum of all torques that are linear or quadratic: N = c + A u + B ω + (g₁ u₂ u₃, g₂ u₃ u₁, g₃ u₁ u₂), u̇ = u × Ω + s.
+//! Sum of all torques that are linear or quadratic: N = c + A u + B ω + (g₁ u₂ u₃, g₂ u₃ u₁, g₃ u₁
+//! u₂), u̇ = u × Ω + s.
 //!
-//! Constant torques, thrusters, gravity, magnets in uniform fields, linear drag and the gravity gradient of a circular orbit are of this kind: most
-//! motions need no more, and u is expanded in the same recurrence as the turn.
+//! Constant torques, thrusters, gravity, magnets in uniform fields, linear drag, and the gravity
+//! gradient of a circular orbit are of this kind. Most motions need no others, and u is expanded in
+//! the same recurrence as the rotation.
 
 use super::super::recurrence::EquationConstants;
 use super::super::row::{Row, Vectors};
@@ -16,23 +18,24 @@ use crate::motion::model::torque::graph::{Graph, Operation};
 use crate::motion::model::torque::polynomial::{JointVector, QuadraticTorque, Unknowns};
 use crate::motion::solve::propagate::rounding::{ROUNDING, THIN};
 
-/// The torques of a body, by what becomes of them.
+/// Torques on a body, grouped by the method of their series.
 #[derive(Clone, Debug)]
 pub(in super::super) struct Decomposition {
-    /// The sum of those that are linear or quadratic, if there are any.
+    /// Sum of the linear and quadratic torques, if there are any.
     pub(in super::super) quadratic: Option<QuadraticTorque>,
-    /// u, if they have one.
+    /// Vector u, if they contain one.
     pub(in super::super) joint: Option<Box<JointVector>>,
-    /// All others.
+    /// Graph of all other torques.
     pub(in super::super) graph: Option<Box<Graph>>,
 }
 
-/// What the torques of bodies side by side have in common: their numbers differ, and nothing else.
+/// Properties of the torques that bodies in one batch must share. They differ only in their
+/// numbers.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(in super::super) struct TorqueKind {
-    /// Are there linear or quadratic torques, and does ω occur in them?
+    /// Linear or quadratic torques, if there are any: true if ω occurs in them.
     quadratic: Option<bool>,
-    /// Is u on a circular orbit?
+    /// Vector u, if there is one: true if it is on a circular orbit.
     joint: Option<bool>,
     operations: Vec<Operation>,
     orbits_are_circular: Vec<bool>,
@@ -54,7 +57,8 @@ impl Decomposition {
         }
     }
 
-    /// Of the torques that act on a body, without schedules; beside wheels or friction u cannot be on an orbit.
+    /// Decomposes the torques that act on a body, without schedules. With wheels or friction, u
+    /// cannot be on an orbit.
     pub(in super::super) fn of<'t>(
         rotor: &Rotor,
         torques: impl Iterator<Item = &'t TorqueModel> + Clone,
@@ -73,7 +77,7 @@ impl Decomposition {
     fn split<'t>(rotor: &Rotor, torques: impl Iterator<Item = &'t TorqueModel>, with_orbit: bool) -> Self {
         let unknowns = Unknowns::new(rotor, with_orbit);
         let (mut quadratic, mut others) = (None::<QuadraticTorque>, Vec::new());
-        // Friction inside the body is no torque on it.
+        // Internal friction is not a torque on the body.
         for torque in torques.filter(|torque| torque.model().sink() == 0.0) {
             let had_joint = unknowns.has_joint();
             let found = QuadraticTorque::of(&torque.model().polynomial(&unknowns));
@@ -95,7 +99,8 @@ impl Decomposition {
     }
 }
 
-/// A and B without what is only rounding along the axis of a needle: divided by so small a moment, it would spin it.
+/// Removes entries of A and B that are only rounding, about the axis of a needle. Divided by the
+/// very small moment, they would make the needle spin.
 fn cleaned(mut torque: QuadraticTorque, rotor: &Rotor) -> QuadraticTorque {
     let moments = rotor.principal().moments();
     if moments[0] >= THIN * moments[2] {
@@ -114,17 +119,17 @@ fn cleaned(mut torque: QuadraticTorque, rotor: &Rotor) -> QuadraticTorque {
     torque
 }
 
-/// The series of these torques over one step.
+/// Coefficients of these torques, for each lane.
 #[derive(Clone, Debug)]
 pub(in super::super) struct Quadratic<N> {
     torque: Coefficients<N>,
-    /// The same of N/I.
+    /// Coefficients of N/I.
     acceleration: Coefficients<N>,
     joint: Option<Joint<N>>,
     has_omega: bool,
 }
 
-/// c, columns of A and of B, and g.
+/// Coefficients c, columns of A and of B, and g.
 #[derive(Clone, Copy, Debug)]
 struct Coefficients<N> {
     constant: Row<N>,
@@ -133,17 +138,17 @@ struct Coefficients<N> {
     products: Row<N>,
 }
 
-/// u
+/// Vector u of each lane.
 #[derive(Clone, Debug)]
 enum Joint<N> {
-    /// Along space axes.
+    /// Vector fixed in space, space axes.
     Fixed(Row<N>),
-    /// One orbit for each lane.
+    /// Orbit of each lane.
     Circular(Vec<Orbit>),
 }
 
 impl<N: Number> Quadratic<N> {
-    /// For all bodies with such torques.
+    /// Creates the coefficients for all bodies with such torques.
     pub(in super::super) fn of(zero: N, torque: &QuadraticTorque, joint: Option<&JointVector>) -> Self {
         let none = Row::splat(zero);
         let nothing =
@@ -159,7 +164,8 @@ impl<N: Number> Quadratic<N> {
         }
     }
 
-    /// What a lane's body has, and the inverses of its moments; with `terms`, what the recurrence needs of it.
+    /// Sets the torques of a lane's body. `inverses`: inverses of its moments. `terms`: constants
+    /// of the recurrence that are set too.
     pub(in super::super) fn set(
         &mut self,
         lane: usize,
@@ -196,12 +202,12 @@ impl<N: Number> Quadratic<N> {
         terms.products.put(lane, over(torque.products));
     }
 
-    /// True if u is on a circular orbit.
+    /// Returns true if u is on a circular orbit.
     pub(in super::super) fn is_on_orbit(&self) -> bool {
         matches!(self.joint, Some(Joint::Circular(_)))
     }
 
-    /// u at the start of a step, and its rate in space, along principal axes.
+    /// Returns u at the start of a step, and its rate in space, principal axes.
     #[inline(always)]
     pub(in super::super) fn start(&self, at: &StepStart<N>) -> Option<[Row<N>; 2]> {
         match self.joint.as_ref()? {
@@ -218,7 +224,8 @@ impl<N: Number> Quadratic<N> {
         }
     }
 
-    /// Coefficient n of N, of those of u and of ω; where u is on an orbit, of its coefficients up to n.
+    /// Returns coefficient n of N from coefficient n of u and of ω. If u is on an orbit, all its
+    /// coefficients up to n are needed.
     #[inline(always)]
     pub(in super::super) fn torque<M: SeriesSums<N = N>>(
         &self,
@@ -231,7 +238,7 @@ impl<N: Number> Quadratic<N> {
         if self.is_on_orbit() { linear + self.torque.products * s.others(joint, n) } else { linear }
     }
 
-    /// Coefficient n of N/I, where u is fixed in space.
+    /// Returns coefficient n of N/I, for u fixed in space.
     #[inline(always)]
     pub(in super::super) fn acceleration(&self, n: usize, joint: Row<N>, omega: Row<N>) -> Row<N> {
         self.coefficient(&self.acceleration, n, joint, omega)

@@ -1,4 +1,5 @@
-//! The series of torques that a graph states: coefficient n of each value from coefficients up to n of those that it is of.
+//! Series of torques given as a graph. Coefficient n of each value follows from coefficients up to
+//! n of its operands.
 
 use super::super::function::{angle, constant_power, hypotenuse, integral_by, integral_over};
 use super::super::row::{Row, Series};
@@ -15,19 +16,19 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::torque::graph::{Graph, Operation, ScalarOperation, VectorOperation};
 use crate::motion::solve::propagate::rounding::{ROUNDING, THIN};
 
-/// The series of the values of a graph over one step.
+/// Series of the values of a graph over one step.
 #[derive(Clone, Debug)]
 pub(in super::super) struct Tape<N> {
-    /// All, and those whose results change during a step.
+    /// All operations, and those whose results change during a step.
     steps: [Vec<TapeStep>; 2],
     torque: usize,
     numbers: Vec<Scalars<N>>,
     vectors: Vec<Series<N>>,
     constants: Vec<N>,
     constant_vectors: Vec<Row<N>>,
-    /// By columns.
+    /// Matrices, by columns.
     matrices: Vec<[Row<N>; 3]>,
-    /// Vectors that are fixed in space, along its axes.
+    /// Vectors that are fixed in space, space axes.
     fixed: Vec<Row<N>>,
     orbits: Vec<OrbitSeries<N>>,
     turns: Vec<TurnSeries<N>>,
@@ -36,21 +37,21 @@ pub(in super::super) struct Tape<N> {
     time: N,
     /// Σ h a of the wheels at the start of the step, and its rate.
     wheels: [Row<N>; 2],
-    /// Which principal axes are those of a needle, if any of a lane are.
+    /// Principal axes of each lane that are those of a needle; empty if there are none.
     thin: Vec<[bool; 3]>,
 }
 
-/// An operation and where its result goes.
+/// Operation, and the index of its result.
 #[derive(Clone, Copy, Debug)]
 struct TapeStep {
     operation: Operation,
     place: usize,
-    /// Of a norm or a composition: which one.
+    /// Index of the norm or composition, if the operation is one.
     beside: usize,
     constant: Constant,
 }
 
-/// Which operands do not change during a step.
+/// Operands that do not change during a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Constant {
     None,
@@ -59,21 +60,21 @@ enum Constant {
     All,
 }
 
-/// The turn from an attitude: p = p₀ ∘ (the turn since the start of the step).
+/// Rotation from a rest attitude: p = p₀ ∘ (rotation since the start of the step).
 #[derive(Clone, Debug)]
 struct TurnSeries<N> {
-    /// The principal axes at the attitude that it is from, of each lane.
+    /// Attitude of the principal axes at rest, for each lane.
     from: Vec<Rotation<Space, Principal>>,
     is_canonical: bool,
     start: Row<N>,
 }
 
 impl<N: Number> Tape<N> {
-    /// For all bodies whose graphs have these operations.
+    /// Creates the series for all bodies whose graphs have these operations.
     pub(in super::super) fn of(zero: N, graph: &Graph) -> Self {
         let (none, [numbers, vectors]) = (Row::splat(zero), graph.counts);
         let (mut norms, mut compositions) = (Vec::new(), Vec::new());
-        // What of the numbers and vectors so far does not change during a step.
+        // true for each number and vector so far that does not change during a step
         let mut constants = [Vec::new(), Vec::new()];
         let steps = graph.operations.iter().map(|&operation| {
             let beside = match operation {
@@ -123,7 +124,7 @@ impl<N: Number> Tape<N> {
         }
     }
 
-    /// What a lane's body has; a graph with the same operations.
+    /// Sets the values of a lane's body. Its graph must have the same operations.
     pub(in super::super) fn set(&mut self, lane: usize, graph: &Graph, rotor: &Rotor) {
         for (place, &x) in self.constants.iter_mut().zip(&graph.constants) {
             place.put(lane, x);
@@ -175,14 +176,14 @@ impl<N: Number> Tape<N> {
         }
     }
 
-    /// What the wheels of a lane have at the start of a step: h and ḣ.
+    /// Sets h and ḣ of the wheels of a lane at the start of a step.
     pub(in super::super) fn start_wheels(&mut self, lane: usize, wheels: [Row; 2]) {
         for (place, wheels) in self.wheels.iter_mut().zip(wheels) {
             place.put(lane, wheels);
         }
     }
 
-    /// Coefficient n of N, once everything that is known is so up to n.
+    /// Returns coefficient n of N. All other known series must be complete up to n.
     #[inline(always)]
     pub(in super::super) fn coefficient<M: SeriesSums<N = N>>(
         &mut self,
@@ -192,7 +193,7 @@ impl<N: Number> Tape<N> {
         for orbit in &mut self.orbits {
             orbit.measure(known.s, n);
         }
-        // Constants have no coefficients but the first.
+        // Constants have only coefficient 0.
         let which = usize::from(n > 0);
         let steps = core::mem::take(&mut self.steps[which]);
         for step in &steps {
@@ -211,7 +212,7 @@ impl<N: Number> Tape<N> {
         self.without_rounding(self.vectors[self.torque].at(n))
     }
 
-    /// Finds what coefficient n + 1 needs beside the motion.
+    /// Computes the additional series that coefficient n + 1 needs.
     #[inline(always)]
     pub(in super::super) fn extend<M: SeriesSums<N = N>>(&mut self, n: usize, known: &Known<'_, M>) {
         for &TapeStep { operation, place, .. } in &self.steps[1] {
@@ -226,19 +227,20 @@ impl<N: Number> Tape<N> {
         }
     }
 
-    /// Coefficient n of one of the vectors, once it is known.
+    /// Returns coefficient n of one of the vectors, once it is known.
     #[inline(always)]
     pub(in super::super) fn vector_at(&self, place: usize, n: usize) -> Row<N> {
         self.vectors[place].at(n)
     }
 
-    /// The longest step that the series is good for, s, where its coefficients do not show it.
+    /// Returns the longest step for which the series is valid, s. The coefficients do not show this
+    /// limit.
     #[inline(always)]
     pub(in super::super) fn reach(&self, endless: N) -> N {
         self.norms.iter().fold(endless, |least, norm| super::super::row::smaller(least, norm.reach(endless)))
     }
 
-    /// Coefficient n of a number.
+    /// Returns coefficient n of a number.
     #[inline(always)]
     fn number<M: SeriesSums<N = N>>(
         &mut self,
@@ -250,7 +252,7 @@ impl<N: Number> Tape<N> {
         use ScalarOperation as Op;
         let rows = &self.numbers;
         let zero = self.time.like(0.0);
-        // A constant over the step.
+        // A value that is constant over the step.
         let constant = |x: N| if n == 0 { x } else { zero };
         match *operation {
             Op::Constant(k) => constant(self.constants[k]),
@@ -315,7 +317,7 @@ impl<N: Number> Tape<N> {
         }
     }
 
-    /// The value of a function at the start of the step, lane by lane.
+    /// Returns the value of a function at the start of the step, lane by lane.
     fn function(&self, operation: ScalarOperation) -> N {
         use ScalarOperation as Op;
         let at = |place: usize| self.numbers[place][0];
@@ -338,7 +340,7 @@ impl<N: Number> Tape<N> {
         }
     }
 
-    /// Coefficient n of a vector.
+    /// Returns coefficient n of a vector.
     #[inline(always)]
     fn vector<M: SeriesSums<N = N>>(
         &self,
@@ -355,7 +357,7 @@ impl<N: Number> Tape<N> {
             Op::Constant(_) => none,
             Op::Omega => known.omega.rows.at(n),
             Op::Wheels => self.wheels.get(n).copied().unwrap_or(none),
-            // Known already.
+            // This coefficient is known already.
             Op::Fixed(_) => rows[own].at(n),
             Op::Orbit(k) => self.orbits[k].rho.at(n),
             Op::Turn(k) => {
@@ -389,7 +391,8 @@ impl<N: Number> Tape<N> {
         }
     }
 
-    /// N without what is only rounding along the axis of a needle: divided by so small a moment, it would spin it.
+    /// Removes components of N that are only rounding, about the axis of a needle. Divided by the
+    /// very small moment, they would make the needle spin.
     #[inline(always)]
     fn without_rounding(&self, mut torque: Row<N>) -> Row<N> {
         for (lane, thin) in self.thin.iter().enumerate() {
@@ -408,7 +411,7 @@ impl<N: Number> Tape<N> {
 }
 
 impl<N: Number> TurnSeries<N> {
-    /// p₀ ∘ (coefficient n of the turn since the start of the step).
+    /// Returns p₀ ∘ (coefficient n of the rotation since the start of the step).
     #[inline(always)]
     fn coefficient(&self, turn: Row<N>) -> Row<N> {
         let ([w, x, y, z], [a, b, c, d]) = (self.start.0, turn.0);
@@ -421,14 +424,14 @@ impl<N: Number> TurnSeries<N> {
     }
 }
 
-/// A lane of f(w) = arccos w/√(1 − w²), or of its derivative, at the w that a step starts from.
+/// Starts a lane of f(w) = arccos w/√(1 − w²), or of its derivative, at the initial w of a step.
 fn start_composition<N: Number>(composition: &mut Composition<N>, lane: usize, w: f64, is_slope: bool) {
     let sine = ((1.0 - w) * (1.0 + w)).max(0.0).sqrt();
     composition.start(lane, [w.half_angle_over_sine(), w, sine], is_slope);
 }
 
 impl Constant {
-    /// Of an operation on numbers and vectors of which it is known whether they change.
+    /// Classifies an operation, from flags of the numbers and vectors that are constant.
     fn of(operation: Operation, [numbers, vectors]: &[Vec<bool>; 2]) -> Self {
         use ScalarOperation as S;
         use VectorOperation as V;
@@ -466,7 +469,7 @@ impl Constant {
     }
 }
 
-/// A v, of A's columns.
+/// Returns A v, for A given by its columns.
 #[inline(always)]
 pub(super) fn times<N: Number>(columns: &[Row<N>; 3], v: Row<N>) -> Row<N> {
     let [x, y, z, _] = v.0;
@@ -490,12 +493,12 @@ mod tests {
 
     const T: Instruction = Instruction::Variable(0);
 
-    /// Coefficients of a formula of t about the time of each lane.
+    /// Returns the coefficients of a formula of t about the time of each lane.
     fn series<M: SeriesSums>(s: M, formula: &Formula, times: M::N) -> Scalars<M::N> {
         let zero = Formula::constant(0.0);
         let model = FormulaTorque::Body([formula.clone(), zero.clone(), zero]);
         let model = TorqueModel::Formula(Box::new(model));
-        // Its principal axes are those of the body.
+        // The principal axes are the body axes.
         let inertia = InertiaTensor::diagonal([1.0, 2.0, 2.5]).unwrap();
         let rotor = Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia).unwrap());
         let graph = Graph::of([&model], &rotor);
@@ -514,12 +517,12 @@ mod tests {
         series
     }
 
-    /// One body's.
+    /// Returns the series for a single body.
     fn series_of_one(formula: &Formula, time: f64) -> Scalars {
         series(OneBody(Plain::<f64>::new()), formula, time)
     }
 
-    /// 0.3 + 0.2 t − 0.1 t²
+    /// Returns 0.3 + 0.2 t − 0.1 t².
     fn quadratic() -> Vec<Instruction> {
         use Binary::{Add, Multiply, Subtract};
         let [b, c] = [0.2, 0.1].map(Instruction::Constant);
@@ -540,7 +543,7 @@ mod tests {
         }
         use Binary::{Add, Atan2, Divide, Hypot, Multiply, Subtract};
         for binary in [Add, Subtract, Multiply, Divide, Binary::Power, Atan2, Hypot] {
-            // of 0.3 + 0.2 t − 0.1 t² and its cosine, and the other way round
+            // of 0.3 + 0.2 t − 0.1 t² and its cosine, in both orders
             let (of_t, cosine) = (quadratic(), Instruction::Unary(Cos));
             let ahead = of_t.iter().chain(&of_t).copied().chain([cosine, Instruction::Binary(binary)]);
             formulas.push((format!("{binary:?}"), Formula::new(ahead).unwrap()));
@@ -550,7 +553,7 @@ mod tests {
                 Formula::new(back.chain([Instruction::Binary(binary)])).unwrap(),
             ));
         }
-        // a constant power that is not whole
+        // a constant power that is not a whole number
         let power = [Instruction::Constant(-1.7), Instruction::Binary(Binary::Power)];
         formulas.push(("t^-1.7".to_owned(), Formula::new(quadratic().into_iter().chain(power)).unwrap()));
         for (name, formula) in formulas {
@@ -580,10 +583,10 @@ mod tests {
         assert!(distance[1].is_nan());
         assert!(of(&[T, Instruction::Unary(Unary::Log)])[1..].iter().all(|c| !c.is_finite()));
         assert!(of(&[T, Instruction::Unary(Unary::Abs)])[0].is_nan());
-        // but what stays zero has a root that does
+        // the square root of a value that stays zero is zero
         let zero = [T, T, Instruction::Binary(Binary::Subtract), Instruction::Unary(Unary::Sqrt)];
         assert!(of(&zero).iter().all(|c| *c == 0.0));
-        // and a whole power may pass through zero
+        // a whole power may pass through zero
         let cube = of(&[T, Instruction::Unary(Unary::Power(3))]);
         assert_eq!(cube[..5], [0.0, 0.0, 0.0, 1.0, 0.0]);
     }

@@ -1,4 +1,5 @@
-//! Columns of derivatives, eight side by side: their series, from those of what they are multiplied by.
+//! Series of eight columns of derivatives in SIMD lanes, from the series of their coefficient
+//! matrices.
 
 use super::super::recurrence::over;
 use super::super::row::TERMS;
@@ -6,7 +7,7 @@ use crate::math::lanes::Lanes;
 use crate::math::machine::{Machine, Work};
 use crate::math::number::Number;
 
-/// Columns side by side.
+/// Number of columns in a block.
 pub(super) const WIDTH: usize = 8;
 
 /// θ and δω of eight columns, row by row, principal axes.
@@ -14,26 +15,26 @@ pub(super) type Rows = [Lanes<WIDTH>; 6];
 
 pub(super) const NO_ROWS: Rows = [Lanes([0.0; WIDTH]); 6];
 
-/// Which parts the equations have.
+/// Optional parts of the equations.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Equations {
     pub(super) has_friction: bool,
     pub(super) has_attitude: bool,
 }
 
-/// A coefficient of what θ and δω are multiplied by.
+/// Coefficient n of the matrices that multiply θ and δω.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Rates {
-    /// Ω and −Ω
+    /// Ω and −Ω.
     pub(super) turning: [[f64; 3]; 2],
-    /// Rows of ∂Ω/∂ω; without friction it is 1, and not here.
+    /// Rows of ∂Ω/∂ω. Unused without friction, where this is the identity.
     pub(super) bending: [[f64; 3]; 3],
-    /// Rows of I⁻¹ ∂(L × Ω + N)/∂θ and ∂/∂ω.
+    /// Rows of I⁻¹ ∂(L × Ω + N)/∂θ. The next field is the same with ∂/∂ω.
     pub(super) of_attitude: [[f64; 3]; 3],
     pub(super) of_omega: [[f64; 3]; 3],
 }
 
-/// The series of eight columns, and those of their sources.
+/// Series of eight columns, and of their source terms.
 #[derive(Clone, Debug)]
 pub(super) struct Block {
     pub(super) series: Vec<Rows>,
@@ -41,12 +42,12 @@ pub(super) struct Block {
 }
 
 impl Block {
-    /// Nothing but zeros.
+    /// Creates a block of zeros.
     pub(super) fn new() -> Self {
         Self { series: vec![NO_ROWS; TERMS], sources: vec![NO_ROWS; TERMS] }
     }
 
-    /// Finds all coefficients.
+    /// Computes all coefficients.
     #[inline(always)]
     pub(super) fn expand<S: Machine>(&mut self, s: S, equations: Equations, rates: &[Rates]) {
         match (equations.has_friction, equations.has_attitude) {
@@ -56,7 +57,7 @@ impl Block {
         }
     }
 
-    /// (n + 1) xₙ₊₁ = Σₖ Aₖ xₙ₋ₖ + bₙ
+    /// Solves (n + 1) xₙ₊₁ = Σₖ Aₖ xₙ₋ₖ + bₙ for all n.
     #[inline(always)]
     fn extend<S: Machine, const FRICTION: bool, const ATTITUDE: bool>(&mut self, s: S, rates: &[Rates]) {
         let Self { series, sources } = self;
@@ -77,7 +78,8 @@ impl Block {
     }
 }
 
-/// Six rows in registers. A loop, as in a closure of `map` vectors would be function calls.
+/// Loads six rows into registers. In a closure of `map`, the vector operations would become
+/// function calls; a loop avoids this.
 #[inline(always)]
 fn load<S: Machine>(s: S, rows: &Rows) -> [S::Eight; 6] {
     let mut all = [s.eight(0.0); 6];
@@ -87,7 +89,7 @@ fn load<S: Machine>(s: S, rows: &Rows) -> [S::Eight; 6] {
     all
 }
 
-/// Plus θ × Ω and what is linear in θ and δω.
+/// Adds θ × Ω and the terms that are linear in θ and δω.
 #[inline(always)]
 fn plus<S: Machine, const FRICTION: bool, const ATTITUDE: bool>(
     s: S,
@@ -112,7 +114,7 @@ fn plus<S: Machine, const FRICTION: bool, const ATTITUDE: bool>(
     }
     sums
 }
-/// The sums of all series after a time.
+/// Evaluation of all series at one time.
 pub(super) struct Sum<'v> {
     pub(super) blocks: &'v [Block],
     pub(super) order: usize,

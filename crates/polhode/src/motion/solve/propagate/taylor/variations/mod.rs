@@ -1,12 +1,15 @@
-//! The derivatives of a motion, as power series beside its own.
+//! Derivatives of a motion (variational equations), as power series in addition to that of the
+//! motion.
 //!
-//! A small turn θ about the principal axes and a change δω of ω, with what changes them, follow
+//! A small rotation θ about the principal axes and a change δω satisfy
 //!
 //! θ̇ = θ × Ω + δΩ,  I δω̇ = δ(L × Ω + N) − δI ω̇
 //!
-//! δΩ and δ(L × Ω + N) are linear in θ, δω and what is changed; the graph of [`Linearization`] has the series of what they are multiplied
-//! by, and ω that of L × ω. Each column of the derivatives is a solution: six begin with a unit of θ and ω, the others with zero and have a source. Eight
-//! columns are side by side.
+//! δΩ and δ(L × Ω + N) are linear in θ, δω and the changed quantity. The graph of [`Linearization`]
+//! provides the series of their coefficients; those of L × ω follow from ω.
+//!
+//! Each column of the derivatives is a solution. Six columns begin with a unit of θ or ω; the
+//! others begin with zero and have a source term. Eight columns are computed in SIMD lanes.
 mod columns;
 
 use columns::{Block, Equations, NO_ROWS, Rates, Rows, Sum, WIDTH};
@@ -26,31 +29,33 @@ use crate::motion::model::torque::linearization::{Linearization, Slope};
 use crate::motion::model::torque::parameter::ParameterKind;
 use crate::motion::solve::propagate::piece::Piece;
 
-/// Columns by the start, and by the inertia; those by parameters come after them.
+/// Number of columns with respect to the start. The next constant is that for the inertia; the
+/// columns of the parameters follow.
 const OF_STATE: usize = 6;
 const OF_INERTIA: usize = 6;
-/// The derivatives of the motion of one body over one step.
+/// Derivatives of the motion of one body over one step.
 #[derive(Clone, Debug)]
 pub(super) struct Variations<'a> {
     parameters: Vec<(&'a TorqueModel, ParameterKind)>,
     to_body: Rotation<Body, Principal>,
     tape: Box<Tape<f64>>,
     by_state: [Slope; OF_STATE],
-    /// By the inertia and by the parameters.
+    /// Slopes with respect to the inertia and to the parameters.
     by_others: Vec<Slope>,
-    /// What one of each element is of the tensor along principal axes.
+    /// Unit change of each element of the tensor, principal axes.
     of_inertia: [[[f64; 3]; 3]; OF_INERTIA],
     equations: Equations,
     omega: Box<Vectors>,
     rates: Vec<Rates>,
     blocks: Vec<Block>,
-    /// Where the series begin, s; there are none yet if it is not known.
+    /// Time at which the series begin, s; `None` if there are none yet.
     expanded_at: Option<f64>,
     order: usize,
 }
 
 impl<'a> Variations<'a> {
-    /// Of a motion that starts now, by these parameters too.
+    /// Creates the derivatives of a motion that starts now. `parameters` adds columns to those of
+    /// start and inertia.
     pub(super) fn new(
         piece: &Piece<'_>,
         time: f64,
@@ -90,13 +95,14 @@ impl<'a> Variations<'a> {
         }
     }
 
-    /// Goes on from a time with what acts from now on.
+    /// Continues from a time with other acting torques.
     pub(super) fn change(&mut self, piece: &Piece<'_>, time: f64) {
         self.rest(time);
         (self.tape, self.by_state, self.by_others, self.equations) = recorded(piece, time, &self.parameters);
     }
 
-    /// Adds to each column its change of the time of a switch times what that does to the rates of θ and ω, body axes.
+    /// Adds the effect of a shifted switching time to each column. `times`: derivative of this time
+    /// for each column. `by`: jump of the rates of θ and ω, body axes.
     pub(super) fn jump(&mut self, times: &[f64], by: [Direction<Body>; 2]) {
         let [turning, acceleration] = by.map(|v| (self.to_body.inverse() * v).to_array());
         let rates = [turning, acceleration].concat();
@@ -109,7 +115,8 @@ impl<'a> Variations<'a> {
         }
     }
 
-    /// Expands the derivatives about the start of a step, whose motion is expanded already; false where they are no numbers.
+    /// Expands the derivatives about the start of a step whose motion is expanded already. Returns
+    /// false if they are not finite.
     pub(super) fn expand(&mut self, expansion: &Expansion, start: &StepStart, piece: &Piece<'_>) -> bool {
         self.rest(start.time);
         self.tape.start(start);
@@ -120,7 +127,7 @@ impl<'a> Variations<'a> {
         last.fold(0.0, |sum, row| row.0.iter().fold(sum, |sum, x| sum + x * 0.0)) == 0.0
     }
 
-    /// All columns at a time within the step: θ and ω, body axes.
+    /// Returns all columns at a time within the step: θ and ω, body axes.
     pub(super) fn at(&self, time: f64) -> Vec<[f64; 6]> {
         let blocks = self.sums(time);
         let count = OF_STATE + self.by_others.len();
@@ -136,7 +143,7 @@ impl<'a> Variations<'a> {
         (0..count).map(column).collect()
     }
 
-    /// Begins anew at a time within the last step.
+    /// Restarts at a time within the last step.
     fn rest(&mut self, time: f64) {
         if self.expanded_at.is_some_and(|start| start != time) {
             let there = self.sums(time);
@@ -158,7 +165,7 @@ impl<'a> Variations<'a> {
         }
     }
 
-    /// Finds what θ and δω are multiplied by, and the sources.
+    /// Computes the matrices that multiply θ and δω, and the source terms.
     #[inline(always)]
     fn linearize<S: Machine>(&mut self, s: S, expansion: &Expansion) {
         for n in 0..=self.order {
@@ -208,7 +215,7 @@ impl<'a> Variations<'a> {
     }
 }
 
-/// ∂(L × ω)/∂ωⱼ = eⱼ × (iⱼ ω − L), principal axes.
+/// Returns ∂(L × ω)/∂ωⱼ = eⱼ × (iⱼ ω − L), principal axes.
 #[inline(always)]
 fn gyroscopic(moments: Row, omega: Row, momentum: Row) -> [Row; 3] {
     let [i1, i2, i3, _] = moments.0;
@@ -220,7 +227,7 @@ fn gyroscopic(moments: Row, omega: Row, momentum: Row) -> [Row; 3] {
     ]
 }
 
-/// E ω × ω − E ω̇ of a symmetric matrix E, from the products ωᵢ ωⱼ.
+/// Returns E ω × ω − E ω̇ for a symmetric matrix E, from the products ωᵢ ωⱼ.
 #[inline(always)]
 fn of_element(e: &[[f64; 3]; 3], squares: &[Row; 3], acceleration: Row) -> Row {
     let dot = |row: &[f64; 3], v: &Row| row[0] * v.0[0] + row[1] * v.0[1] + row[2] * v.0[2];
@@ -233,13 +240,13 @@ fn of_element(e: &[[f64; 3]; 3], squares: &[Row; 3], acceleration: Row) -> Row {
     ])
 }
 
-/// What acts, as a graph of its derivatives.
+/// Records the derivatives of what acts as a graph.
 fn recorded(
     piece: &Piece<'_>,
     time: f64,
     parameters: &[(&TorqueModel, ParameterKind)],
 ) -> (Box<Tape<f64>>, [Slope; OF_STATE], Vec<Slope>, Equations) {
-    // What acts of a torque is a part of it, such as a piece of a table.
+    // The acting part of a torque can be a part of it, such as one piece of a table.
     let acting: Vec<_> = parameters
         .iter()
         .map(|(torque, kind)| {
@@ -259,7 +266,7 @@ fn recorded(
     (tape, by_state, by_inertia.into_iter().chain(by_parameters).collect(), equations)
 }
 
-/// The series of one step.
+/// Computation of the series of one step.
 struct Expand<'v, 'a> {
     variations: &'v mut Variations<'a>,
     expansion: &'v Expansion,

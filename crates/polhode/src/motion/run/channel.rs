@@ -1,4 +1,4 @@
-//! Channels: the named quantities of the samples of a trajectory.
+//! Channels: named quantities of the samples of a trajectory.
 
 use core::fmt;
 
@@ -10,7 +10,7 @@ use crate::motion::gimbal::GimbalState;
 use crate::motion::model::energy::Energy;
 use crate::motion::model::state::State;
 
-/// The state of what holds a body, at one sample.
+/// State of the ground contact or of the gimbals, at one sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::motion) enum Reading {
     Contact(ContactState),
@@ -18,7 +18,7 @@ pub(in crate::motion) enum Reading {
 }
 
 impl Reading {
-    /// Time, attitude and ω.
+    /// Returns time, attitude and ω.
     pub(super) const fn state(&self) -> State {
         match self {
             Self::Contact(contact) => contact.state,
@@ -26,7 +26,7 @@ impl Reading {
         }
     }
 
-    /// The torque on the body, about the point that its rotor turns about.
+    /// Returns the torque on the body, about the reference point of its rotor, body axes, N·m.
     pub(super) const fn torque(&self) -> Torque<Body> {
         match self {
             Self::Contact(contact) => contact.torque,
@@ -34,7 +34,7 @@ impl Reading {
         }
     }
 
-    /// Replaces the state, by the same with a quaternion of the other sign.
+    /// Replaces the state by an equal one whose quaternion may have the other sign.
     pub(super) const fn put_state(&mut self, state: State) {
         match self {
             Self::Contact(contact) => contact.state = state,
@@ -43,7 +43,7 @@ impl Reading {
     }
 }
 
-/// One sample, with the state of what holds the body.
+/// Sample, with the state of the contact or of the gimbals if there is one.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::motion) struct Row<'a> {
     pub(in crate::motion) sample: &'a Sample,
@@ -65,7 +65,7 @@ impl<'a> Row<'a> {
         }
     }
 
-    /// Energy and work of the system.
+    /// Returns energy and work of the system.
     pub(in crate::motion) fn energy(self) -> Energy {
         match (self.reading, self.sample) {
             (Some(Reading::Contact(state)), _) => state.energy(),
@@ -76,8 +76,9 @@ impl<'a> Row<'a> {
         }
     }
 
-    /// Energy less the works that account for its change, J, and the size of all terms together. The work of torques on
-    /// a rotor includes that of those that have a potential.
+    /// Returns the energy minus the works that account for its change, J, and the sum of the
+    /// absolute values of all terms. For a rotor, the work of torques includes that of torques with
+    /// a potential.
     pub(in crate::motion) fn balance(self) -> [f64; 2] {
         match (self.reading, self.sample) {
             (Some(Reading::Contact(state)), _) => [state.balance(), state.size_of_balance()],
@@ -89,9 +90,10 @@ impl<'a> Row<'a> {
     }
 }
 
-/// A named quantity of the samples of a trajectory, which some systems have and others have not.
+/// Named quantity of the samples of a trajectory, available for some systems only.
 ///
-/// [`polhode::motion::channel`](crate::motion::channel) lists them. A scalar is a column of tables.
+/// [`polhode::motion::channel`](crate::motion::channel) lists the channels. A scalar channel is one
+/// column of a table.
 ///
 /// ```
 /// use polhode::motion::channel;
@@ -140,17 +142,18 @@ impl<T> Channel<T> {
         Self { name, unit, description, of }
     }
 
-    /// Name, with the unit of a scalar as suffix.
+    /// Returns the name; for a scalar it has the unit as suffix.
     pub const fn name(&self) -> &'static str {
         self.name
     }
 
-    /// Unit in SI symbols; `1` for a pure number, empty for a record of several quantities.
+    /// Returns the unit in SI symbols: `1` for a pure number, empty for a record of several
+    /// quantities.
     pub const fn unit(&self) -> &'static str {
         self.unit
     }
 
-    /// Description in a few words.
+    /// Returns a short description.
     pub const fn description(&self) -> &'static str {
         self.description
     }
@@ -160,7 +163,7 @@ impl<T> Channel<T> {
     }
 }
 
-/// Values of a channel: at the start of a trajectory, and at each of its samples.
+/// Values of a channel at the start of a trajectory, and at each of its samples.
 #[derive(Clone, Copy, Debug)]
 pub struct Series<'a, T> {
     start: T,
@@ -170,7 +173,7 @@ pub struct Series<'a, T> {
 }
 
 impl<'a, T: Copy> Series<'a, T> {
-    /// Series of a channel; `None` if the system does not have it.
+    /// Returns the series of a channel; `None` if the system does not have it.
     pub(super) fn of(
         channel: Channel<T>,
         start: Row<'_>,
@@ -180,28 +183,28 @@ impl<'a, T: Copy> Series<'a, T> {
         Some(Self { start: channel.read(start)?, channel, samples, readings })
     }
 
-    /// Value at the start, which need not be a sample.
+    /// Returns the value at the start, which need not be a sample.
     pub const fn start(&self) -> T {
         self.start
     }
 
-    /// Value at a sample, from 0.
+    /// Returns the value at a sample, counted from 0.
     pub fn get(&self, sample: usize) -> Option<T> {
         let row = Row { sample: self.samples.get(sample)?, reading: self.readings.get(sample) };
         self.channel.read(row)
     }
 
-    /// Value at the first sample.
+    /// Returns the value at the first sample.
     pub fn first(&self) -> Option<T> {
         self.get(0)
     }
 
-    /// Value at the last sample.
+    /// Returns the value at the last sample.
     pub fn last(&self) -> Option<T> {
         self.get(self.samples.len().checked_sub(1)?)
     }
 
-    /// Values at all samples, in their order.
+    /// Returns the values at all samples, in their order.
     pub fn iter(self) -> impl Iterator<Item = T> + 'a
     where
         T: 'a,

@@ -1,4 +1,5 @@
-//! The derivatives of a run as they are written down: of its samples, and of its events, whose times change too.
+//! Recorded derivatives of a run: at its samples, and at its events, including those of the event
+//! times.
 
 use crate::math::vector::Direction;
 use crate::motion::error::MotionError;
@@ -7,45 +8,46 @@ use crate::motion::model::state::State;
 use crate::motion::model::state_derivatives::StateDerivatives;
 use crate::motion::solve::propagate::stepper::Stepper;
 
-/// The derivatives of a crossing, whose time changes too.
+/// Derivatives of an event, including those of its time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CrossingDerivatives {
-    /// Which of the events, from 0.
+    /// Index of the event, from 0.
     pub event: usize,
-    /// The state there, and its derivatives as its time changes with what they are by: not those at a fixed time.
+    /// State at the event, and its total derivatives: they include the change of the event time.
     pub state: StateDerivatives,
-    /// Its derivatives by each parameter, in the same way.
+    /// Total derivatives of θ and ω with respect to each parameter.
     pub by_parameters: Vec<[f64; 6]>,
-    /// Of its time, by θ(0) and ω(0), s/rad and s/(rad/s).
+    /// Derivatives of the event time with respect to θ(0) and ω(0), s/rad and s/(rad/s).
     pub time_by_start: [f64; 6],
-    /// Of its time, by the elements of the inertia tensor, s/(kg·m²).
+    /// Derivatives of the event time with respect to the elements of the inertia tensor, s/(kg·m²).
     pub time_by_inertia: [f64; 6],
-    /// Of its time, by each parameter.
+    /// Derivatives of the event time with respect to each parameter.
     pub time_by_parameters: Vec<f64>,
 }
 
-/// The derivatives of a run as they are written down.
+/// Recorded derivatives of a run.
 #[derive(Debug, Default)]
 pub(super) struct DerivativeLog {
     pub(super) states: Vec<StateDerivatives>,
     pub(super) by_parameters: Vec<Vec<[f64; 6]>>,
     pub(super) events: Vec<CrossingDerivatives>,
-    /// How the time of a switch changes that is about to happen.
+    /// Derivatives of the time of a switch that is about to happen, by column.
     switch: Option<Vec<f64>>,
 }
 
 impl DerivativeLog {
-    /// Writes a sample down.
+    /// Records the derivatives at a sample.
     pub(super) fn sample(&mut self, stepper: &Stepper<'_>, state: State) {
         let (derivatives, by_parameters) = arranged(state, &stepper.derivatives_at(state.time));
         self.states.push(derivatives);
         self.by_parameters.push(by_parameters);
     }
 
-    /// Writes a crossing down.
+    /// Records the derivatives at an event.
     ///
     /// # Errors
-    /// [`MotionError::NoMotionDerivatives`] if what is measured is at rest there, or if two switches happen at once.
+    /// [`MotionError::NoMotionDerivatives`] if the measured quantity is stationary there, or if two
+    /// switches happen simultaneously.
     pub(super) fn cross(
         &mut self,
         stepper: &Stepper<'_>,
@@ -63,7 +65,7 @@ impl DerivativeLog {
             let why = "an event there is touched and not passed";
             return Err(MotionError::NoMotionDerivatives { why, time });
         }
-        // x(t*): δx + ẋ δt*
+        // total derivative of x(t*): δx + ẋ δt*
         let moved: Vec<[f64; 6]> = columns
             .iter()
             .zip(&times)
@@ -89,12 +91,13 @@ impl DerivativeLog {
         Ok(())
     }
 
-    /// How the time of the switch changes that happens now, by each column.
+    /// Returns the derivatives of the time of the switch that happens now, by column, and clears
+    /// them.
     pub(super) fn take_switch(&mut self) -> Option<Vec<f64>> {
         self.switch.take()
     }
 
-    /// Forgets what came after a time.
+    /// Deletes the records after a time.
     pub(super) fn forget_after(&mut self, time: f64) {
         self.states.retain(|derivatives| derivatives.state.time <= time);
         self.by_parameters.truncate(self.states.len());
@@ -102,7 +105,7 @@ impl DerivativeLog {
     }
 }
 
-/// Columns by what they are by.
+/// Sorts columns into those of the start, of the inertia and of the parameters.
 fn arranged(state: State, columns: &[[f64; 6]]) -> (StateDerivatives, Vec<[f64; 6]>) {
     let mut derivatives = StateDerivatives { state, ..StateDerivatives::unknown(state.time) };
     let (of_start, others) = columns.split_at(columns.len().min(6));

@@ -1,4 +1,5 @@
-//! Simulations with the derivatives of the motion: by its start, by the inertia, and by parameters of the torques.
+//! Simulations with derivatives of the motion with respect to its start, the inertia, and
+//! parameters of the torques.
 
 use super::derivative_log::{CrossingDerivatives, DerivativeLog};
 use super::ending::Ending;
@@ -13,28 +14,35 @@ use crate::motion::model::torque::TorqueParameter;
 use crate::motion::solve::method::Method;
 use crate::motion::solve::propagate::stepper::{Rule, Stepper};
 
-/// The derivatives of a motion at given times.
+/// Derivatives of a motion at given times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrajectoryDerivatives {
-    /// The state at each time, and its derivatives by the start and by the inertia.
+    /// State at each time, and its derivatives with respect to the start and to the inertia.
     pub states: Vec<StateDerivatives>,
-    /// For each time, the derivatives of θ1 θ2 θ3 ω1 ω2 ω3 by each parameter.
+    /// Derivatives of θ1 θ2 θ3 ω1 ω2 ω3 with respect to each parameter, for each time.
     pub by_parameters: Vec<Vec<[f64; 6]>>,
-    /// The events that happened, in the order of time.
+    /// Events that happened, in the order of time.
     pub events: Vec<CrossingDerivatives>,
-    /// How the motion ended.
+    /// Ending of the motion.
     pub ending: Ending,
 }
 
 impl Simulation<'_> {
-    /// As [`Simulation::run`], with derivatives: by the start, by the inertia tensor about the point that the body turns about, whose mass and
-    /// lever stay, and by parameters of torques. Those at a time follow from variational equations, which are expanded in the same Taylor
-    /// series as the motion; an event that switches a torque changes them, as its time changes.
+    /// Computes the motion like [`Simulation::run`], with derivatives.
+    ///
+    /// The derivatives are with respect to the start, the inertia tensor about the reference point
+    /// of the body (for fixed mass and lever), and parameters of torques. They follow from
+    /// variational equations, which are expanded in the same Taylor series as the motion. An event
+    /// that switches a torque changes the derivatives, because its time depends on the same
+    /// quantities.
     ///
     /// # Errors
-    /// As [`Simulation::run`]; [`MotionError::NotSmooth`] for a torque without a power series, [`MotionError::NoParameter`],
-    /// [`MotionError::NoMotionDerivatives`] for a method that has none, a rod, an event of what has no derivatives, where a torque has none on the
-    /// way, and where two switches happen at once.
+    /// - The errors of [`Simulation::run`].
+    /// - [`MotionError::NotSmooth`] for a torque without a power series.
+    /// - [`MotionError::NoParameter`] for an unknown parameter.
+    /// - [`MotionError::NoMotionDerivatives`] for a method without derivatives, a rod, changing
+    ///   mass properties, and an event without derivatives; also if a torque has no derivatives at
+    ///   some state of the motion, or two switches happen simultaneously.
     ///
     /// ```
     /// use polhode::prelude::*;
@@ -57,10 +65,11 @@ impl Simulation<'_> {
         self.run_with_derivatives_watched(parameters, &mut |_| true)
     }
 
-    /// [`Simulation::run_with_derivatives`], telling `progress` the time (s) after each step; `false` ends the work.
+    /// Like [`Simulation::run_with_derivatives`], with progress reports. `progress` receives the
+    /// time (s) after each step; if it returns `false`, the computation stops.
     ///
     /// # Errors
-    /// As [`Simulation::run_with_derivatives`], and [`MotionError::Stopped`].
+    /// The errors of [`Simulation::run_with_derivatives`], and [`MotionError::Stopped`].
     pub fn run_with_derivatives_watched(
         &self,
         parameters: &[TorqueParameter],

@@ -1,40 +1,41 @@
-//! How a trajectory ended, and why it was computed as it was.
+//! Ending of a trajectory, and reason for the method.
 
 use core::fmt;
 
 use crate::motion::contact::ContactChange;
 use crate::motion::error::MotionError;
 
-/// How a trajectory ended.
+/// Ending of a trajectory.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Ending {
-    /// At the last of its times.
+    /// The motion was computed to the last of its times.
     Complete,
-    /// At an event that stops it.
+    /// An event stopped the motion.
     Stopped {
-        /// Which of the events, from 0.
+        /// Index of the event, from 0.
         event: usize,
-        /// When, s: the time of the last sample.
+        /// Time of the event and of the last sample, s.
         time: f64,
     },
-    /// At a change of the contact with the ground after which the motion is not known.
+    /// The contact with the ground changed, and the motion after the change is not known.
     Contact {
-        /// What changed.
+        /// Change of the contact.
         change: ContactChange,
-        /// When, s: the time of the last sample.
+        /// Time of the change and of the last sample, s.
         time: f64,
     },
-    /// It could not go on; what comes before is good.
+    /// The computation failed. All samples are good.
     Failed {
-        /// The last good time, s: that of the last sample.
+        /// Last good time, that of the last sample, s.
         time: f64,
-        /// Why.
+        /// Cause of the failure.
         cause: MotionError,
     },
 }
 
 impl Ending {
-    /// The ending at a time: by an event, a change of the contact, a cause, or by none of them.
+    /// Returns the ending at a time: by an event, a change of the contact, an error, or by none of
+    /// them.
     pub(crate) fn of(ended: Result<Option<Halt>, MotionError>, time: f64) -> Self {
         match ended {
             Ok(None) => Self::Complete,
@@ -44,50 +45,50 @@ impl Ending {
         }
     }
 
-    /// True unless the computation failed: a motion that an event stopped is all that was asked for.
+    /// Returns true unless the computation failed. A motion that an event stopped is complete.
     pub const fn is_complete(&self) -> bool {
         !matches!(self, Self::Failed { .. })
     }
 }
 
-/// Reason why a motion does not go on, though its computation could.
+/// Reason why a motion ends early although its computation could continue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Halt {
-    /// An event that stops it, by its number from 0.
+    /// Event that stops the motion, by its index from 0.
     Event(usize),
-    /// A change of the contact after which it is not known.
+    /// Change of the contact after which the motion is not known.
     Change(ContactChange),
 }
 
-/// Why a motion was computed by its method.
+/// Reason for the method by which a motion was computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MethodReason {
-    /// It was asked for.
+    /// The user requested the method.
     Asked,
-    /// The motion was given.
+    /// The motion is prescribed.
     Given,
-    /// A body on the ground has series for each phase of its motion.
+    /// The body is on the ground. Each phase of its motion has series.
     Contact,
-    /// The equations of a rotor in gimbals have series.
+    /// The rotor is in gimbals, whose equations have series.
     Gimbals,
-    /// A closed form is known.
+    /// The motion has a known closed form.
     ClosedForm {
-        /// Which.
+        /// Description of the closed form.
         title: &'static str,
     },
-    /// No closed form is known, and all torques are analytic between switching times.
+    /// The motion has no known closed form, and all torques are analytic between switching times.
     Smooth {
-        /// Why there is no closed form.
+        /// Reason why a closed form is not available.
         no_closed_form: &'static str,
     },
-    /// No closed form is known, and a torque has no Taylor series.
+    /// The motion has no known closed form, and a torque has no Taylor series.
     Rough {
-        /// Why there is no closed form.
+        /// Reason why a closed form is not available.
         no_closed_form: &'static str,
-        /// Which of the torques has no series, from 0.
+        /// Index of the torque without a series, from 0.
         torque: usize,
-        /// What it has that has none: a function of a formula.
+        /// Function in a formula, or other part of the torque, that has no series.
         why: &'static str,
     },
 }

@@ -1,15 +1,16 @@
-//! The estimated error of a trajectory, sample by sample.
+//! Estimated error of a trajectory, sample by sample.
 
 use crate::motion::model::state::StateError;
 
-/// Estimates of the error of each sample of a trajectory.
+/// Estimated error of each sample of a trajectory.
 ///
-/// The attitude's never decrease: an angle that happens to be right between two wrong ones does not count.
+/// The attitude error never decreases along the motion. An angle that happens to be right between
+/// two wrong ones does not count.
 ///
 /// # Accuracy
-/// The target at every tolerance: the true error is at most twice the stated one. `book/error.md`
-/// has what it bounds, what it costs, and how good it is for motions of all torque models, chaotic,
-/// damped and stiff ones among them.
+/// Target at every tolerance: the true error is at most twice the stated one. `book/error.md`
+/// describes what the estimate bounds, its cost, and its quality for motions of all torque models.
+/// These include chaotic, damped and stiff motions.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -35,34 +36,35 @@ pub struct GlobalError {
     pub(super) inputs: Vec<StateError>,
 }
 
-/// Error of a state by rounding to doubles: attitude in rad, ω relative.
+/// Error of a state by rounding to f64: attitude in rad, ω relative.
 pub(super) const ROUNDING: StateError = StateError { attitude: 5e-16, omega: 3e-16 };
 pub(super) const NONE: StateError = StateError { attitude: 0.0, omega: 0.0 };
 
 impl GlobalError {
-    /// True if it was [`ErrorEffort::Thorough`](crate::motion::ErrorEffort::Thorough).
+    /// Returns true if the effort was
+    /// [`ErrorEffort::Thorough`](crate::motion::ErrorEffort::Thorough).
     pub const fn is_thorough(&self) -> bool {
         self.is_thorough
     }
 
-    /// Estimates of the error of the computation, at each sample.
+    /// Returns the estimated error of the computation at each sample.
     pub fn computation(&self) -> &[StateError] {
         &self.computation
     }
 
-    /// Errors at each sample by the rounding of the inputs: of the body's moments, its lever, and ω and
-    /// attitude at the start, each by half a unit in the last place, either way at random. A cheap
-    /// estimate has upper bounds.
+    /// Returns the effect of input rounding at each sample. Inputs are the body's moments, its
+    /// lever, and ω and attitude at the start, each changed by half a unit in the last place with
+    /// random sign. A cheap estimate gives upper bounds.
     pub fn inputs(&self) -> &[StateError] {
         &self.inputs
     }
 
-    /// The error of the computation at the last sample.
+    /// Returns the estimated error of the computation at the last sample.
     pub fn end(&self) -> StateError {
         self.computation.last().copied().unwrap_or(ROUNDING)
     }
 
-    /// Error at the last sample by the rounding of the inputs.
+    /// Returns the effect of input rounding at the last sample.
     pub fn inputs_end(&self) -> StateError {
         self.inputs.last().copied().unwrap_or(NONE)
     }

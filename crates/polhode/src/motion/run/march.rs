@@ -1,4 +1,4 @@
-//! The march of a system: its steps, its samples, its events, and how it ends.
+//! Loop over the steps of a system: samples, events, and the ending.
 
 use super::ending::{Ending, Halt};
 use crate::motion::contact::ContactChange;
@@ -9,7 +9,7 @@ use crate::motion::model::state::State;
 use crate::motion::solve::limits::MOST_EVENTS;
 use crate::motion::solve::system::{Sampled, System};
 
-/// A system on its way through the times at which it is sampled.
+/// Run of a system through the times at which it is sampled.
 pub(super) struct March<'a, S: System> {
     pub(super) system: S,
     events: &'a [Event],
@@ -20,22 +20,24 @@ pub(super) struct March<'a, S: System> {
 }
 
 impl<'a, S: System<Change: Into<ContactChange>>> March<'a, S> {
-    /// A system that is sampled at the times `wanted`, with the events that the detector detects.
+    /// Creates a run that is sampled at the times `wanted`, with the events of the detector.
     pub(super) fn new(system: S, detector: EventDetector<'a>, wanted: &'a [f64]) -> Self {
         let samples = Vec::with_capacity(wanted.len());
         Self { system, events: detector.events(), detector, wanted, samples, crossings: Vec::new() }
     }
 
-    /// The side of each event's value on which the motion is.
+    /// Returns the event detector, which stores the side of each event's value on which the motion
+    /// is.
     pub(super) const fn detector(&self) -> &EventDetector<'a> {
         &self.detector
     }
 
-    /// Runs from the sample `start` to the last time, as far as it can; a motion that has halted does not begin.
-    /// `progress` receives the time after each step; `false` ends the work.
+    /// Runs from the sample `start` to the last time, or as far as possible. If `halted` is given,
+    /// the motion does not begin. `progress` receives the time after each step; if it returns
+    /// `false`, the computation stops.
     ///
     /// # Errors
-    /// [`MotionError::Stopped`] if `progress` said so.
+    /// [`MotionError::Stopped`] if `progress` returned `false`.
     pub(super) fn run(
         &mut self,
         start: S::Sample,
@@ -66,12 +68,12 @@ impl<'a, S: System<Change: Into<ContactChange>>> March<'a, S> {
             self.crossings.retain(|crossing| crossing.state.time <= time);
             self.system.retreat(time);
         }
-        // The end itself is a sample, if it is one of a finite motion.
+        // The state at the end becomes a sample, if it is finite.
         let time = self.system.time();
         if self.last_sampled().is_none_or(|last| last < time)
             && let Ok(last) = if time > begun { self.system.sample_at(time) } else { Ok(start) }
         {
-            // Where it runs away, the last plausible state is before the last step.
+            // If the motion diverges, the last plausible state is before the last step.
             if run_away.is_some() {
                 self.samples.push(last);
             } else {
@@ -81,10 +83,11 @@ impl<'a, S: System<Change: Into<ContactChange>>> March<'a, S> {
         Ok(Ending::of(ended, self.last_sampled().unwrap_or(begun)))
     }
 
-    /// One step, shortened to a switch or a stop on its way; what ends the motion, if anything does.
+    /// Takes one step, shortened to a switch or a stop within it. Returns the reason if the motion
+    /// ends there.
     fn step(&mut self, end: f64) -> Result<Option<Halt>, MotionError> {
         let from = self.system.time();
-        // Events are looked for within each step.
+        // Events are located within each step.
         let first_look = if self.events.is_empty() { self.next_wanted().unwrap_or(end) } else { from };
         let to = self.system.begin(end, first_look)?;
         let found = {
@@ -110,8 +113,8 @@ impl<'a, S: System<Change: Into<ContactChange>>> March<'a, S> {
                 self.happen(first, self.system.state_at(first.time))?;
                 continue;
             }
-            // The step ends here. What else is due now, except for rounding, happens now; once, though it may be
-            // passed again soon.
+            // The step ends here. All events that are due at this time, up to rounding, happen now.
+            // Each happens only once, even if it is passed again soon.
             let system = &self.system;
             let due = self.detector.due(found.get(k..).unwrap_or_default(), &|time| system.state_at(time));
             let state = self.system.cut(first.time);
@@ -146,7 +149,7 @@ impl<'a, S: System<Change: Into<ContactChange>>> March<'a, S> {
         self.events.get(event).map_or(EventAction::Record, Event::action)
     }
 
-    /// Writes an event down.
+    /// Records an event.
     fn happen(
         &mut self,
         &Found { time, event, rising, .. }: &Found,
@@ -170,7 +173,7 @@ impl<'a, S: System<Change: Into<ContactChange>>> March<'a, S> {
         self.samples.last().map(|last| last.state().time)
     }
 
-    /// Samples the step up to a time, or to just before it.
+    /// Samples the step up to a time, or to just before it if `included` is false.
     fn fill(&mut self, until: f64, included: bool) -> Result<(), MotionError> {
         self.system.permit(until)?;
         while let Some(t) = self.next_wanted().filter(|&t| t < until || included && t == until) {

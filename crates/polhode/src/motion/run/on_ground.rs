@@ -11,10 +11,11 @@ use crate::motion::error::MotionError;
 use crate::motion::model::event_detection::EventDetector;
 use crate::motion::model::rotor::Rotor;
 
-/// Computes the motion. `progress` receives the time after each step; `false` ends the work.
+/// Computes the motion. `progress` receives the time after each step; if it returns `false`, the
+/// computation stops.
 ///
 /// # Errors
-/// As [`OnGround::new`]; [`MotionError::Stopped`] if `progress` said so.
+/// The errors of [`OnGround::new`], and [`MotionError::Stopped`] if `progress` returned `false`.
 pub(super) fn run(
     problem: &ContactProblem<'_>,
     progress: &mut dyn FnMut(f64) -> bool,

@@ -1,4 +1,4 @@
-//! The initial value problem of a free or pivoted rotor, by the best method there is.
+//! Initial value problem of a free or pivoted rotor, solved by the best available method.
 
 use super::ending::{Ending, MethodReason};
 use super::march::March;
@@ -21,31 +21,35 @@ use crate::motion::solve::propagate::bound::PATIENCE;
 use crate::motion::solve::propagate::stepper::{Rule, Stepper};
 use crate::motion::solve::start::{require_ascending, require_few_pulses, require_finite};
 
-/// Initial value problem of a rotor under torques, with the events to detect and the method.
+/// Initial value problem of a rotor under torques, with events to detect and the method.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RotorProblem<'a> {
     pub(super) rotor: &'a Rotor,
-    /// Mass properties over time, if they change: those of `rotor` are its mass properties at the start then.
+    /// History of the mass properties, if they change. `rotor` then has the mass properties at the
+    /// start.
     pub(super) history: Option<&'a MassHistory>,
     pub(super) torques: &'a [TorqueModel],
-    /// The torques, from 0, that are switched off until an event switches them on.
+    /// Indices, from 0, of the torques that are switched off until an event switches them on.
     pub(super) switched_off: &'a [usize],
     pub(super) start: State,
     pub(super) events: &'a [Event],
-    /// Side of each event's value on which the start is, of a motion that goes on; empty otherwise, when the start says it.
+    /// Side of each event's value on which a continued motion starts. Empty otherwise; the start
+    /// then determines it.
     pub(super) event_sides: &'a [EventSide],
     /// Times of the samples, s: ascending, none before the start.
     pub(super) times: &'a [f64],
     pub(super) method: Method,
-    /// Bound on the error of each integration step, attitude in rad and ω relative; closed forms and splitting ignore it.
+    /// Bound on the error of each integration step, attitude in rad and ω relative. Closed forms
+    /// and splitting ignore it.
     pub(super) tolerance: f64,
 }
 
 impl<'a> RotorProblem<'a> {
-    /// Computes the motion. `progress` receives the time after each step; `false` ends the work.
+    /// Computes the motion. `progress` receives the time after each step; if it returns `false`,
+    /// the computation stops.
     ///
     /// # Errors
-    /// As [`Simulation::run_watched`](crate::motion::Simulation::run_watched).
+    /// The errors of [`Simulation::run_watched`](crate::motion::Simulation::run_watched).
     pub(super) fn run(&self, progress: &mut dyn FnMut(f64) -> bool) -> Result<Trajectory, MotionError> {
         self.require_possible()?;
         match self.choose()? {
@@ -54,8 +58,10 @@ impl<'a> RotorProblem<'a> {
         }
     }
 
+    /// Checks the inputs, except for the method.
+    ///
     /// # Errors
-    /// The error that is there before the motion begins, except for the method.
+    /// The first error in the inputs.
     pub(super) fn require_possible(&self) -> Result<(), MotionError> {
         let Self { rotor, torques, switched_off, start, events, times, .. } = *self;
         require_ascending(start.time, times)?;
@@ -69,7 +75,7 @@ impl<'a> RotorProblem<'a> {
         require_few_pulses(rotor, torques, &stays_off, [start.time, self.end()])
     }
 
-    /// The states at each of the times, after the states that are there already: after an error those before it are left.
+    /// Appends the states at each of the times. After an error, the states before it remain.
     pub(super) fn fill(&self, states: &mut Vec<State>) -> Result<(), MotionError> {
         let Self { rotor, torques, start, times, switched_off, tolerance, .. } = *self;
         require_ascending(start.time, times)?;
@@ -98,8 +104,10 @@ impl<'a> RotorProblem<'a> {
         Ok(())
     }
 
+    /// Checks that the problem is supported if the mass properties change.
+    ///
     /// # Errors
-    /// What is not known of bodies whose mass properties change, if they do.
+    /// [`MotionError::MassHistory`] for what is not supported with changing mass properties.
     fn require_changing(&self) -> Result<(), MotionError> {
         let Self { rotor, history, torques, events, start, method, .. } = *self;
         let Some(history) = history else { return Ok(()) };
@@ -127,17 +135,17 @@ impl<'a> RotorProblem<'a> {
         Ok(())
     }
 
-    /// The point that is held.
+    /// Returns the pivot, if there is one.
     fn pivot(&self) -> Option<Position<Body>> {
         self.rotor.is_pivoted().then(|| self.rotor.point())
     }
 
-    /// The last of the times, s.
+    /// Returns the last of the times, s.
     fn end(&self) -> f64 {
         self.times.last().copied().unwrap_or(self.start.time)
     }
 
-    /// The first torque without a power series, and why it has none.
+    /// Returns the first torque without a power series, and the reason.
     pub(super) fn rough_torque(&self) -> Option<(usize, &'static str)> {
         let body = self.history.map(|history| (history.body(self.start.time, self.pivot()), history));
         let roughness = |torque: &TorqueModel| {
@@ -148,7 +156,7 @@ impl<'a> RotorProblem<'a> {
         self.torques.iter().enumerate().find_map(|(k, torque)| Some((k, roughness(torque)?)))
     }
 
-    /// The requested method, or the best.
+    /// Returns the requested method, or the best one.
     fn choose(&self) -> Result<(Way, MethodReason), MotionError> {
         let rough = self.rough_torque();
         let steps = |rule| Ok((Way::Steps(rule), MethodReason::Asked));
@@ -176,8 +184,10 @@ impl<'a> RotorProblem<'a> {
         }
     }
 
+    /// Returns the closed form of the motion.
+    ///
     /// # Errors
-    /// [`MotionError::NoClosedForm`], or what makes the motion undetermined.
+    /// [`MotionError::NoClosedForm`], or the error that makes the motion undetermined.
     fn closed_form(&self) -> Result<ClosedForm, MotionError> {
         if self.history.is_some() {
             return Err(MotionError::NoClosedForm { why: "the mass properties change with time" });
@@ -222,21 +232,22 @@ impl<'a> RotorProblem<'a> {
             .leaving_events(sides))
     }
 
-    /// The detector of its events.
+    /// Creates the event detector.
     pub(super) fn detector(&self) -> EventDetector<'a> {
         EventDetector::new(self.rotor, self.torques, (self.events, self.event_sides), &self.start)
     }
 
-    /// The closed form, which has no steps: it is looked at turn by turn.
+    /// Computes the samples of a closed form, which has no steps. Events are located in stretches
+    /// of time.
     fn exact(&self, motion: ClosedForm, reason: MethodReason) -> Result<Trajectory, MotionError> {
-        /// The turn of a stretch, rad, which counts as this number of steps.
+        /// Rotation in a stretch, rad. Each stretch counts as this number of steps.
         const STRETCH: u64 = 16;
         const MOST_LOOKS: u64 = MOST_STEPS / STRETCH;
         let end = self.end();
-        // Only an event that stops the motion can make the end come nearer.
+        // Only an event that stops the motion can bring the end nearer.
         let stops = self.events.iter().any(|event| event.action() == EventAction::Stop);
         let mut watch = self.detector();
-        // A body let go at rest is measured by how fast the torque makes it.
+        // For a body released at rest, the time scale follows from the torque.
         let torque: f64 = self.torques.iter().map(|torque| torque.scale(self.rotor, &self.start)).sum();
         let [_, moment, _] = self.rotor.principal().moments();
         let torque_rate = (torque / moment).sqrt();
@@ -301,7 +312,7 @@ impl<'a> RotorProblem<'a> {
     }
 }
 
-/// The way to compute the motion.
+/// Selected way to compute the motion.
 enum Way {
     Closed(ClosedForm),
     Steps(Rule),

@@ -1,4 +1,4 @@
-//! Samples: the motion at one time, and what is read off it.
+//! Samples: the motion at one time, and quantities computed from it.
 
 use crate::math::frame::{Body, Space};
 use crate::math::vector::{AngularMomentum, Torque};
@@ -11,28 +11,30 @@ use crate::motion::model::torque::{TorqueModel, total_torque};
 use crate::motion::solve::free::FreeMotion;
 use crate::motion::solve::propagate::balanced::Balanced;
 
-/// The motion at one time.
+/// Motion at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     /// Time, attitude and ω.
     pub state: State,
-    /// L about the point that the body turns about, space axes, kg·m²/s.
+    /// L about the reference point of the rotor, space axes, kg·m²/s.
     pub momentum: AngularMomentum<Space>,
-    /// The torque about that point, body axes, N·m.
+    /// Torque about the same point, body axes, N·m.
     pub torque: Torque<Body>,
-    /// T_rot about that point, J.
+    /// T_rot about the same point, J.
     pub kinetic_energy: f64,
     /// Potential energy of all torques, J; `None` if some torque has none.
     pub potential_energy: Option<f64>,
-    /// The work that the torque has done since the start, ∫ N · ω dt, J.
+    /// Work of the torque since the start, ∫ N · ω dt, J.
     pub work: f64,
-    /// The angular impulse of the torque since the start, ∫ N dt, space axes, N·m·s.
+    /// Angular impulse of the torque since the start, ∫ N dt, space axes, N·m·s.
     pub impulse: AngularMomentum<Space>,
 }
 
 impl Sample {
+    /// Computes the sample of a rotor under torques.
+    ///
     /// # Errors
-    /// [`MotionError::NotFinite`] where energy or momentum leave the range of f64.
+    /// [`MotionError::NotFinite`] if energy or momentum leave the range of f64.
     pub(crate) fn of<'a>(
         rotor: &Rotor,
         torques: impl Iterator<Item = &'a TorqueModel>,
@@ -46,8 +48,10 @@ impl Sample {
         Self { state, momentum, torque, kinetic_energy, potential_energy, work, impulse }.finite()
     }
 
+    /// Computes the sample of a free motion.
+    ///
     /// # Errors
-    /// As [`Sample::of`].
+    /// Those of [`Sample::of`].
     pub(crate) fn of_free(motion: &FreeMotion, state: State) -> Result<Self, MotionError> {
         let in_body = motion.angular_momentum(&state);
         let momentum = state.attitude * in_body;
@@ -56,8 +60,10 @@ impl Sample {
         Self { state, momentum, torque, kinetic_energy, potential_energy: None, work, impulse }.finite()
     }
 
+    /// Computes the sample of a prescribed motion, with the torque that it requires.
+    ///
     /// # Errors
-    /// As [`Sample::of`].
+    /// Those of [`Sample::of`], and of [`Required::by`].
     pub(crate) fn of_prescribed(rotor: &Rotor, motion: &Prescribed, time: f64) -> Result<Self, MotionError> {
         let needed = Required::by(rotor, motion, time)?;
         let balanced = Balanced { state: needed.state, work: 0.0, impulse: AngularMomentum::ZERO };
@@ -65,10 +71,11 @@ impl Sample {
         Self { torque: needed.torque, ..sample }.finite()
     }
 
-    /// Of a body that something else holds, whose torque on it is known.
+    /// Computes the sample of a body on the ground or in gimbals, with the given torque. Work and
+    /// impulse are the changes of kinetic energy and momentum since `first`.
     ///
     /// # Errors
-    /// As [`Sample::of`].
+    /// Those of [`Sample::of`].
     pub(crate) fn held(
         rotor: &Rotor,
         state: State,
@@ -93,7 +100,8 @@ impl Sample {
     }
 }
 
-/// q and −q are one attitude: each sample takes the sign nearest to the one before it.
+/// Makes the quaternions continuous. q and −q are the same attitude; each sample gets the sign
+/// nearest to the previous one.
 pub(crate) fn continuous(mut samples: Vec<Sample>) -> Vec<Sample> {
     for k in 1..samples.len() {
         samples[k].state.attitude = samples[k].state.attitude.continuous_with(samples[k - 1].state.attitude);

@@ -1,4 +1,4 @@
-//! Simulations: from a start to a trajectory, by the best method there is.
+//! Simulations: trajectories from a start, by the best available method.
 
 use super::ending::Ending;
 use super::rotor_problem::RotorProblem;
@@ -19,8 +19,8 @@ use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 use crate::motion::solve::method::Method;
 
-/// An initial value problem: a free or pivoted rotor under torques, a body on the ground or a rotor in
-/// gimbals, the events to detect, and the method.
+/// Initial value problem: a free or pivoted rotor under torques, a body on the ground, or a rotor
+/// in gimbals. It includes the events to detect, and the method.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -49,7 +49,7 @@ pub struct Simulation<'a> {
     tolerance: f64,
 }
 
-/// The system that moves, and its start.
+/// System that moves, and its start.
 #[derive(Clone, Copy, Debug)]
 enum Subject<'a> {
     Rotor { rotor: &'a Rotor, torques: &'a [TorqueModel], start: State },
@@ -57,7 +57,7 @@ enum Subject<'a> {
     Gimbals { body: &'a MassProperties<Body>, gimbals: &'a Gimbals, start: f64 },
 }
 
-/// A simulation as the problem of its system.
+/// Simulation in the form of the problem of its system.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Problem<'a> {
     Rotor(RotorProblem<'a>),
@@ -66,15 +66,20 @@ pub(super) enum Problem<'a> {
 }
 
 impl<'a> Simulation<'a> {
-    /// A rotor under torques, all of which act, from a start to times (s, ascending, none before the
-    /// start): by the best method at a tolerance of 1e-13, without events.
+    /// Creates the problem of a rotor under torques, from a start to times (s, ascending, none
+    /// before the start).
+    ///
+    /// Defaults: [`Method::Auto`], a tolerance of 1e-13, no events, and all torques switched on.
     pub const fn new(rotor: &'a Rotor, torques: &'a [TorqueModel], start: State, times: &'a [f64]) -> Self {
         Self::of(Subject::Rotor { rotor, torques, start }, times, 1e-13)
     }
 
-    /// A body on the ground, from a start to times (s, ascending, none before the start): by collocation
-    /// or Taylor series at a tolerance of 1e-15, without events. A looser tolerance than 1e-12 counts as
-    /// 1e-12, as the next phase of a contact depends on signs.
+    /// Creates the problem of a body on the ground, from a start to times (s, ascending, none
+    /// before the start).
+    ///
+    /// The method is collocation or Taylor series. The default tolerance is 1e-15. A tolerance
+    /// looser than 1e-12 counts as 1e-12, because the next phase of a contact depends on signs. No
+    /// events by default.
     ///
     /// ```
     /// use polhode::motion::channel;
@@ -99,12 +104,15 @@ impl<'a> Simulation<'a> {
         Self::of(Subject::Ground { body, contact, start }, times, 1e-15)
     }
 
-    /// A body as the rotor of two gimbals, whose axes state where they start, from the time `start`, s,
-    /// to times (s, ascending, none before the start): by Taylor series at a tolerance of 1e-15, without
-    /// events.
+    /// Creates the problem of a rotor in two gimbals, from the time `start`, s, to times (s,
+    /// ascending, none before the start). The axes of `gimbals` state their initial angles and
+    /// rates.
+    ///
+    /// The method is Taylor series. Defaults: a tolerance of 1e-15, no events.
     ///
     /// # Accuracy
-    /// Motions of some seconds agree with those of `fixtures/gimbals.py`, another formulation in 36 digits, to 1e-13.
+    /// Motions of some seconds agree to 1e-13 with `fixtures/gimbals.py`, an independent
+    /// formulation in 36 digits.
     ///
     /// ```
     /// use polhode::motion::channel;
@@ -137,62 +145,74 @@ impl<'a> Simulation<'a> {
         Self { subject, history, switched_off, events, event_sides, times, method, tolerance }
     }
 
-    /// A rotor whose mass properties are these over time: those of the rotor are its mass properties at the start.
+    /// Sets the history of the mass properties. The mass properties of the rotor must be those at
+    /// the start.
     #[must_use]
     pub const fn changing(self, history: Option<&'a MassHistory>) -> Self {
         Self { history, ..self }
     }
 
-    /// Detects these events. On the ground and in gimbals they may stop the motion, and switch nothing.
+    /// Sets the events to detect. On the ground and in gimbals they may stop the motion, but not
+    /// switch torques.
     #[must_use]
     pub const fn events(self, events: &'a [Event]) -> Self {
         Self { events, ..self }
     }
 
-    /// Starts on these sides of the events' values, where another motion goes on.
+    /// Sets the sides of the events' values on which the motion starts, to continue another motion.
     #[must_use]
     pub const fn event_sides(self, event_sides: &'a [EventSide]) -> Self {
         Self { event_sides, ..self }
     }
 
-    /// Leaves these torques, from 0, switched off until an event switches them on.
+    /// Sets the torques, by index from 0, that are switched off until an event switches them on.
     #[must_use]
     pub const fn switched_off(self, switched_off: &'a [usize]) -> Self {
         Self { switched_off, ..self }
     }
 
-    /// Requests this method. On the ground and in gimbals it is [`Method::Auto`] or [`Method::Taylor`].
+    /// Sets the method. On the ground and in gimbals only [`Method::Auto`] and [`Method::Taylor`]
+    /// are possible.
     #[must_use]
     pub const fn method(self, method: Method) -> Self {
         Self { method, ..self }
     }
 
-    /// Bounds the error of each step: of a rotor the attitude in rad and ω relative, elsewhere relative to
-    /// the sizes of the variables. Closed forms and splitting ignore it.
+    /// Sets the bound on the error of each step. For a rotor: attitude in rad, ω relative.
+    /// Otherwise: relative to the sizes of the variables. Closed forms and splitting ignore it.
     #[must_use]
     pub const fn tolerance(self, tolerance: f64) -> Self {
         Self { tolerance, ..self }
     }
 
-    /// The motion at each of the times, as [`Simulation::run_watched`] has it.
+    /// Computes the motion at each of the times. See [`Simulation::run_watched`].
     ///
     /// # Errors
-    /// As [`Simulation::run_watched`].
+    /// The errors of [`Simulation::run_watched`], except [`MotionError::Stopped`].
     pub fn run(&self) -> Result<Trajectory, MotionError> {
         self.run_watched(&mut |_| true)
     }
 
-    /// The motion at each of the times, as far as it goes: [`Trajectory::ending`] states where and why it
-    /// ended. An event that stops it, a change of the contact after which it is not known, and a
-    /// computation that cannot go on, end it with a sample of their own. `progress` receives the time (s)
-    /// after each step; `false` ends the work.
+    /// Computes the motion at each of the times, as far as possible. `progress` receives the time
+    /// (s) after each step; if it returns `false`, the computation stops.
+    ///
+    /// Three things end a motion early: an event that stops it, a change of the contact after which
+    /// it is not known, and an error of the computation. The ending is then a sample, and
+    /// [`Trajectory::ending`] states time and cause.
     ///
     /// # Errors
-    /// [`MotionError`] for what is wrong before the motion begins: times out of order, a start or a torque that is not finite, an
-    /// event that cannot be measured, no closed form for [`Method::Exact`], a torque without a power series for
-    /// [`Method::Taylor`], a body that cannot spin; a start that violates the contact, [`MotionError::Painleve`] and
-    /// [`MotionError::Undecided`] where it is not known how a motion on the ground begins; gimbals that lock at the start;
-    /// [`MotionError::Exclusive`] of what a system does not have. [`MotionError::Stopped`] if `progress` said so.
+    /// Errors in the inputs, before the motion begins:
+    ///
+    /// - times out of order; a start or a torque that is not finite; an event that cannot be
+    ///   measured; a body that cannot spin;
+    /// - no closed form for [`Method::Exact`], or a torque without a power series for
+    ///   [`Method::Taylor`];
+    /// - a start that violates the contact; [`MotionError::Painleve`] and
+    ///   [`MotionError::Undecided`] if the beginning of a motion on the ground is not determined;
+    /// - gimbals that lock at the start;
+    /// - [`MotionError::Exclusive`] for options that the system does not support.
+    ///
+    /// During the run: [`MotionError::Stopped`] if `progress` returned `false`.
     pub fn run_watched(&self, progress: &mut dyn FnMut(f64) -> bool) -> Result<Trajectory, MotionError> {
         match self.problem()? {
             Problem::Rotor(problem) => problem.run(progress),
@@ -201,10 +221,11 @@ impl<'a> Simulation<'a> {
         }
     }
 
-    /// The states at each of the times and nothing else: no events, no samples, no evidence of the error. What an inner loop wants.
+    /// Computes the states at each of the times and nothing else: no events, no samples, no error
+    /// estimate. Intended for inner loops.
     ///
     /// # Errors
-    /// As [`Simulation::run`]; and what ends a run early is an error here.
+    /// The errors of [`Simulation::run`]. A cause that ends a run early is an error here.
     ///
     /// ```
     /// use polhode::prelude::*;
@@ -223,7 +244,7 @@ impl<'a> Simulation<'a> {
         Ok(states)
     }
 
-    /// As [`Simulation::states`], after the states that are there already: after an error those before it are left.
+    /// Appends the states of [`Simulation::states`]. After an error, the states before it remain.
     pub(super) fn fill(&self, states: &mut Vec<State>) -> Result<(), MotionError> {
         let motion = match self.problem()? {
             Problem::Rotor(problem) => return problem.fill(states),
@@ -244,7 +265,7 @@ impl<'a> Simulation<'a> {
         }
     }
 
-    /// Time of the start, s.
+    /// Returns the start time, s.
     pub(super) const fn begins(&self) -> f64 {
         match &self.subject {
             Subject::Rotor { start, .. } => start.time,
@@ -253,15 +274,15 @@ impl<'a> Simulation<'a> {
         }
     }
 
-    /// Last of the times, s.
+    /// Returns the last of the times, s.
     pub(super) fn ends(&self) -> f64 {
         self.times.last().copied().unwrap_or_else(|| self.begins())
     }
 
-    /// The problem of its system.
+    /// Returns the problem of the system.
     ///
     /// # Errors
-    /// [`MotionError::Exclusive`] of what the system does not have.
+    /// [`MotionError::Exclusive`] for options that the system does not support.
     pub(super) fn problem(&self) -> Result<Problem<'a>, MotionError> {
         let Self { history, switched_off, events, event_sides, times, method, tolerance, .. } = *self;
         match self.subject {
@@ -308,8 +329,10 @@ impl<'a> Simulation<'a> {
         }
     }
 
+    /// Checks that only options for a body on the ground or in gimbals are set.
+    ///
     /// # Errors
-    /// [`MotionError::Exclusive`] of what rotors alone have.
+    /// [`MotionError::Exclusive`] for an option that only rotors support.
     fn require_held(&self, held: &Held) -> Result<(), MotionError> {
         let is_method = matches!(self.method, Method::Auto | Method::Taylor);
         let measures = |event: &Event| matches!(event.measure(), Measure::TotalEnergy);
@@ -327,9 +350,9 @@ impl<'a> Simulation<'a> {
     }
 }
 
-/// Reasons why what rotors have does not go with a body that something holds.
+/// Reasons why options of rotors are not available on the ground or in gimbals.
 struct Held {
-    /// The part of a scenario that holds it.
+    /// Section of a scenario that describes the ground contact or the gimbals.
     part: &'static str,
     method: &'static str,
     torque: &'static str,
@@ -351,13 +374,14 @@ const IN_GIMBALS: Held = Held {
 };
 
 impl Trajectory {
-    /// The motion from `start` at each of `times` (ascending, s, none before the start).
+    /// Computes the motion from `start` at each of `times` (ascending, s, none before the start).
     ///
-    /// `tolerance` bounds the error of each integration step, attitude in rad and ω relative; closed forms and splitting ignore it. A computation
-    /// that cannot go on ends early: [`Trajectory::ending`]. [`Simulation`] is the same with events.
+    /// `tolerance` bounds the error of each integration step, attitude in rad and ω relative.
+    /// Closed forms and splitting ignore it. A computation that fails ends early; see
+    /// [`Trajectory::ending`]. [`Simulation`] offers the same with events.
     ///
     /// # Errors
-    /// As [`Simulation::run`].
+    /// The errors of [`Simulation::run`].
     ///
     /// # Example
     /// ```

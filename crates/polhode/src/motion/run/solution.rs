@@ -1,4 +1,4 @@
-//! The solver that found a trajectory.
+//! Solvers of trajectories.
 
 use crate::motion::inverse::prescribed::Prescribed;
 use crate::motion::solve::closed_form::ClosedForm;
@@ -6,45 +6,45 @@ use crate::motion::solve::method::Method;
 use crate::motion::solve::propagate::splitting::SplittingOrder;
 use crate::motion::solve::propagate::step_statistics::StepStatistics;
 
-/// The solver that found a trajectory; a [`Method`] is the request.
+/// Solver that computed a trajectory. (A [`Method`] is the request.)
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Solution {
-    /// A closed form.
+    /// Closed form of the motion.
     ClosedForm(ClosedForm),
-    /// None: the motion was given.
+    /// No solver: the motion is prescribed.
     Prescribed(Prescribed),
-    /// Steps by Taylor's method.
+    /// Taylor's method.
     Taylor(Steps),
-    /// The Runge–Kutta method of Dormand and Prince, order 8.
+    /// Runge–Kutta method of Dormand and Prince, order 8 (DOP853).
     Dop853(Steps),
-    /// Steps of one length: the exact free motion, with kicks by the torques between.
+    /// Splitting with constant step: exact free motion, with impulses by the torques between steps.
     Splitting {
-        /// The order of accuracy.
+        /// Order of accuracy.
         order: SplittingOrder,
-        /// The length of a step, s.
+        /// Step length, s.
         step: f64,
-        /// Cost of the steps.
+        /// Cost of the run.
         statistics: StepStatistics,
     },
-    /// Collocation at Gauss's nodes, of a body on the ground.
+    /// Collocation at Gauss nodes, for a body on the ground.
     Collocation(Steps),
-    /// Collocation in some phases of a motion on the ground, Taylor's method in others.
+    /// Collocation in some phases of a motion on the ground, Taylor's method in the others.
     CollocationAndTaylor(Steps),
 }
 
-/// Steps whose length follows from a tolerance.
+/// Tolerance and cost of an integration with adaptive steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Steps {
     /// Bound on the error of each step: attitude in rad, ω relative.
     pub tolerance: f64,
-    /// Cost of the steps.
+    /// Cost of the run.
     pub statistics: StepStatistics,
 }
 
 impl Solution {
-    /// The name of the solver in summaries: `exact`, `prescribed`, `taylor`, `dop853`, `splitting`,
-    /// `collocation` or `collocation+taylor`.
+    /// Returns the name of the solver used in summaries: `exact`, `prescribed`, `taylor`, `dop853`,
+    /// `splitting`, `collocation` or `collocation+taylor`.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::ClosedForm(_) => Method::Exact.name(),
@@ -57,7 +57,7 @@ impl Solution {
         }
     }
 
-    /// The name of the solver in a text for people.
+    /// Returns the name of the solver for people.
     pub const fn title(&self) -> &'static str {
         match self {
             Self::ClosedForm(_) => "a closed form",
@@ -70,7 +70,7 @@ impl Solution {
         }
     }
 
-    /// Returns the cost of the steps; `None` of a motion that was not integrated.
+    /// Returns the cost of the steps; `None` if the motion was not integrated.
     pub const fn statistics(&self) -> Option<StepStatistics> {
         match self {
             Self::ClosedForm(_) | Self::Prescribed(_) => None,
@@ -82,7 +82,8 @@ impl Solution {
         }
     }
 
-    /// Bound on the error of each step; `None` of a motion that was not integrated, and where steps have a given length.
+    /// Returns the bound on the error of each step; `None` if the motion was not integrated, or if
+    /// the step is constant.
     pub const fn tolerance(&self) -> Option<f64> {
         match self {
             Self::ClosedForm(_) | Self::Prescribed(_) | Self::Splitting { .. } => None,

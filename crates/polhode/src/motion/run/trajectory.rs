@@ -1,4 +1,4 @@
-//! Trajectories: the motion at given times, by the best method there is.
+//! Trajectories: the motion at given times.
 
 use super::channel::{Channel, Reading, Row, Series};
 use super::channels;
@@ -19,7 +19,7 @@ use crate::motion::solve::free::FreeMotion;
 use crate::motion::solve::propagate::balanced::Balanced;
 use crate::motion::solve::start::require_ascending;
 
-/// The motion of a body at given times, with the evidence of its own error.
+/// Motion of a body at given times, with quantities that test its accuracy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trajectory {
     start: Sample,
@@ -31,12 +31,13 @@ pub struct Trajectory {
     event_sides: Vec<EventSide>,
     error: Option<GlobalError>,
     changes: Vec<ContactEvent>,
-    /// State of what holds the body at the start, and at each sample; of a rotor none.
+    /// State of the ground contact or of the gimbals at the start, and at each sample; `None` for a
+    /// rotor.
     start_reading: Option<Reading>,
     readings: Vec<Reading>,
 }
 
-/// A motion on the ground or in gimbals, as its system has computed it.
+/// Motion on the ground or in gimbals, as computed by its system.
 pub(in crate::motion) struct HeldMotion {
     pub(in crate::motion) start: Reading,
     pub(in crate::motion) readings: Vec<Reading>,
@@ -49,12 +50,14 @@ pub(in crate::motion) struct HeldMotion {
 }
 
 impl Trajectory {
-    /// A motion on the ground or in gimbals, of a rotor about its centre of mass or the crossing of
-    /// the axes. Work and impulse of each sample are by the theorems themselves; the works that were
-    /// integrated are in [`channel::ENERGY`](crate::motion::channel::ENERGY).
+    /// Creates the trajectory of a body on the ground or in gimbals. The reference point is its
+    /// centre of mass or the crossing of the axes.
+    ///
+    /// Work and impulse of each sample are the changes of kinetic energy and momentum. The
+    /// integrated works are in [`channel::ENERGY`](crate::motion::channel::ENERGY).
     ///
     /// # Errors
-    /// [`MotionError::NotFinite`] where energy or momentum leave the range of f64.
+    /// [`MotionError::NotFinite`] if energy or momentum leave the range of f64.
     pub(in crate::motion) fn held(rotor: &Rotor, motion: HeldMotion) -> Result<Self, MotionError> {
         let of = |reading: &Reading, first| Sample::held(rotor, reading.state(), reading.torque(), first);
         let first = of(&motion.start, None)?;
@@ -71,13 +74,15 @@ impl Trajectory {
         Ok(Self { changes: motion.changes, start_reading: Some(motion.start), readings, ..assembled })
     }
 
-    /// Values of a channel at the start and at each sample; `None` if the system does not have it.
+    /// Returns the values of a channel at the start and at each sample; `None` if the system does
+    /// not have it.
     pub fn channel<T: Copy>(&self, channel: Channel<T>) -> Option<Series<'_, T>> {
         Series::of(channel, self.start_row(), &self.samples, &self.readings)
     }
 
-    /// The scalar channels that a body on the ground or a rotor in gimbals has, in the order of tables; of a free or
-    /// pivoted rotor none, as all of it is in [`Trajectory::samples`].
+    /// Returns the scalar channels of a body on the ground or a rotor in gimbals, in the order of
+    /// the columns of tables. A free or pivoted rotor has none; all its quantities are in
+    /// [`Trajectory::samples`].
     pub const fn channels(&self) -> &'static [Channel<f64>] {
         match self.start_reading {
             None => &[],
@@ -86,15 +91,19 @@ impl Trajectory {
         }
     }
 
-    /// The changes of the contact with the ground, in the order of time; of other systems none.
+    /// Returns the changes of the contact with the ground, in the order of time; empty for other
+    /// systems.
     pub fn changes(&self) -> &[ContactEvent] {
         &self.changes
     }
 
-    /// Change of energy less work at each sample, relative to the largest of all energies and works
-    /// together: T less the work of all torques; of a body on the ground T + U less the work of
-    /// friction and of the ground; of a rotor in gimbals T + U with that of springs less the work of
-    /// damping, motors, constant torques and the base.
+    /// Returns the error of the energy balance at each sample, relative to the largest sum of the
+    /// absolute values of its terms.
+    ///
+    /// - Rotor: T minus the work of all torques.
+    /// - Body on the ground: T + U minus the work of friction and of the ground.
+    /// - Rotor in gimbals: T + U, with springs, minus the work of damping, motors, constant torques
+    ///   and the base.
     pub fn energy_departures(&self) -> Vec<f64> {
         let [first, size] = self.start_row().balance();
         let balances: Vec<[f64; 2]> = self.rows().map(Row::balance).collect();
@@ -106,7 +115,7 @@ impl Trajectory {
         balances.iter().map(departure).collect()
     }
 
-    /// Largest of [`Trajectory::energy_departures`].
+    /// Returns the largest of [`Trajectory::energy_departures`].
     pub fn energy_drift(&self) -> f64 {
         self.energy_departures().into_iter().fold(0.0, f64::max)
     }
@@ -120,64 +129,68 @@ impl Trajectory {
         self.samples.iter().enumerate().map(row)
     }
 
-    /// A prescribed motion at each of `times` (ascending, s), with the torque that it needs.
+    /// Creates the trajectory of a prescribed motion at each of `times` (ascending, s), with the
+    /// torque that it requires.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if times are out of order; else as [`Required::by`](crate::motion::Required::by).
+    /// A parameter error ([`MotionError::is_parameter`]) if times are out of order. Otherwise the
+    /// errors of [`Required::by`](crate::motion::Required::by).
     pub fn prescribed(rotor: &Rotor, motion: &Prescribed, times: &[f64]) -> Result<Self, MotionError> {
         require_ascending(f64::NEG_INFINITY, times)?;
         let first = Sample::of_prescribed(rotor, motion, times.first().copied().unwrap_or(0.0))?;
         let mut samples: Vec<Sample> =
             times.iter().map(|&t| Sample::of_prescribed(rotor, motion, t)).collect::<Result<_, _>>()?;
         for sample in &mut samples {
-            // By the theorems themselves: nothing is integrated here.
+            // From the theorems of energy and momentum: nothing is integrated here.
             sample.work = sample.kinetic_energy - first.kinetic_energy;
             sample.impulse = sample.momentum - first.momentum;
         }
         Ok(Self::assembled(first, samples, Solution::Prescribed(motion.clone())).because(MethodReason::Given))
     }
 
-    /// The motion at the start, which need not be one of the times.
+    /// Returns the motion at the start, which need not be one of the times.
     pub const fn start(&self) -> &Sample {
         &self.start
     }
 
-    /// The motion at each time, in the order of the times.
+    /// Returns the motion at each time, in the order of the times.
     pub fn samples(&self) -> &[Sample] {
         &self.samples
     }
 
-    /// How it was found.
+    /// Returns the solver, with its results.
     pub const fn solution(&self) -> &Solution {
         &self.solution
     }
 
-    /// Why it was found so.
+    /// Returns the reason for the method.
     pub const fn reason(&self) -> &MethodReason {
         &self.reason
     }
 
-    /// The events that happened, in the order of time.
+    /// Returns the events that happened, in the order of time.
     pub fn events(&self) -> &[Crossing] {
         &self.events
     }
 
-    /// How it ended.
+    /// Returns the ending of the motion.
     pub const fn ending(&self) -> &Ending {
         &self.ending
     }
 
-    /// The estimate of its error, if it was asked for: [`Simulation::run_with_error`](crate::motion::Simulation::run_with_error).
+    /// Returns the estimated error, if
+    /// [`Simulation::run_with_error`](crate::motion::Simulation::run_with_error) computed it.
     pub const fn error(&self) -> Option<&GlobalError> {
         self.error.as_ref()
     }
 
-    /// A free motion at each of `times` (ascending, s; before its start too).
+    /// Creates the trajectory of a free motion at each of `times` (ascending, s, also before its
+    /// start).
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if times are out of order, [`MotionError::BeyondReach`] for one too far away,
-    /// [`MotionError::NotFinite`] where energy or momentum leave the range
-    /// of f64.
+    /// - A parameter error ([`MotionError::is_parameter`]) if times are out of order.
+    /// - [`MotionError::BeyondReach`] for a time too far away.
+    /// - [`MotionError::NotFinite`] if energy or momentum leave the range of f64.
     pub fn of_motion(motion: FreeMotion, times: &[f64]) -> Result<Self, MotionError> {
         require_ascending(f64::NEG_INFINITY, times)?;
         motion.require(times)?;
@@ -187,8 +200,9 @@ impl Trajectory {
         Ok(Self::assembled(start, samples, Solution::ClosedForm(ClosedForm::Free(Box::new(motion)))))
     }
 
-    /// A motion in closed form at each of `times`. Its work is the potential energy lost and its impulse the momentum gained: so
-    /// T + U is evidence of its error, the balance of impulse is not.
+    /// Creates the trajectory of a closed form at each of `times`. Work is computed as the loss of
+    /// potential energy, impulse as the gain of momentum. Therefore T + U tests the accuracy, but
+    /// the balance of impulse does not.
     pub(crate) fn of_closed_form(
         motion: ClosedForm,
         rotor: &Rotor,
@@ -215,7 +229,7 @@ impl Trajectory {
         Ok(Self::assembled(sample(start)?, samples, Solution::ClosedForm(motion)))
     }
 
-    /// A trajectory of samples, whichever way they were found.
+    /// Creates a trajectory from samples, however they were computed.
     pub(crate) fn assembled(start: Sample, samples: Vec<Sample>, solution: Solution) -> Self {
         Self {
             start,
@@ -232,27 +246,27 @@ impl Trajectory {
         }
     }
 
-    /// The estimate of its error comes with it.
+    /// Adds the estimated error.
     pub(crate) fn with_error(self, error: Option<GlobalError>) -> Self {
         Self { error, ..self }
     }
 
-    /// Says why the method is what it is.
+    /// Sets the reason for the method.
     pub(crate) fn because(self, reason: MethodReason) -> Self {
         Self { reason, ..self }
     }
 
-    /// What happened on the way, and how it ended.
+    /// Sets the events that happened, and the ending.
     pub(crate) fn with_events(self, events: Vec<Crossing>, ending: Ending) -> Self {
         Self { events, ending, ..self }
     }
 
-    /// On which side of each event's value it ends.
+    /// Sets the side of each event's value on which the motion ends.
     pub(crate) fn leaving_events(self, event_sides: Vec<EventSide>) -> Self {
         Self { event_sides, ..self }
     }
 
-    /// On which side of each event's value it ends; empty if it watched none.
+    /// Returns the side of each event's value on which the motion ends; empty without events.
     pub(crate) fn event_sides(&self) -> &[EventSide] {
         &self.event_sides
     }

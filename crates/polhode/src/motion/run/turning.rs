@@ -1,4 +1,4 @@
-//! A rotor under torques, step by step.
+//! Rotor under torques as a [`System`].
 
 use core::convert::Infallible;
 
@@ -14,29 +14,29 @@ use crate::motion::solve::propagate::balanced::Balanced;
 use crate::motion::solve::propagate::stepper::Stepper;
 use crate::motion::solve::system::{Sampled, System};
 
-/// A rotor under torques, step by step.
+/// Rotor under torques, integrated step by step.
 pub(super) struct Turning<'a> {
     stepper: Stepper<'a>,
     has_potential: bool,
-    /// True if a torque may be NaN in some states: the end of each step is looked at.
+    /// True if a torque may be NaN in some states. The end of each step is then checked.
     has_partial: bool,
-    /// Derivatives of the motion, if they are wanted.
+    /// Derivatives of the motion, if requested.
     pub(super) derivatives: Option<DerivativeLog>,
-    /// Last plausible state of a motion that has run away.
+    /// Last plausible state of a motion that has diverged.
     plausible: Option<Balanced>,
 }
 
 impl<'a> Turning<'a> {
-    /// A rotor with a stepper, and the events that may switch its torques.
+    /// Creates the system from a stepper, and the events that may switch its torques.
     pub(super) fn new(stepper: Stepper<'a>, events: &[Event]) -> Self {
         let (_, torques) = stepper.subject();
-        // Energy that comes and goes with a switch has no potential.
+        // A torque that is switched has no potential.
         let has_potential = !stepper.is_changing() && !events.iter().any(Event::switches);
         let has_partial = torques.iter().any(|torque| torque.model().is_partial());
         Self { stepper, has_potential, has_partial, derivatives: None, plausible: None }
     }
 
-    /// Logs the derivatives that the stepper finds.
+    /// Enables the record of derivatives.
     pub(super) fn with_derivatives(self) -> Self {
         Self { derivatives: Some(DerivativeLog::default()), ..self }
     }
@@ -45,10 +45,11 @@ impl<'a> Turning<'a> {
         &self.stepper
     }
 
-    /// Sample of the start as it was given, not as it comes back from principal axes.
+    /// Returns the sample of the start as given, without the rounding of the conversion to
+    /// principal axes.
     ///
     /// # Errors
-    /// [`MotionError::NotFinite`].
+    /// [`MotionError::NotFinite`] if energy or momentum are not finite.
     pub(super) fn first(&self, start: State) -> Result<Sample, MotionError> {
         self.sample(Balanced { state: start, work: 0.0, impulse: AngularMomentum::ZERO })
     }
@@ -80,11 +81,12 @@ impl System for Turning<'_> {
     fn begin(&mut self, end: f64, _: f64) -> Result<f64, MotionError> {
         let from = self.stepper.time();
         if let Err(cause) = self.stepper.step(end) {
-            // It may have gone too far to see that it should not have.
+            // The step may have ended where the failure is no longer visible, so return to its
+            // start.
             self.stepper.cut(from);
             return Err(cause);
         }
-        // A step may reach a little beyond where its torque is a number.
+        // A step may end slightly beyond the states in which its torque is finite.
         if self.has_partial && self.sample(self.stepper.now()).is_err() {
             self.stepper.cut(from);
             return Err(self.stepper.explained(MotionError::NotFinite { time: from }));
@@ -114,7 +116,7 @@ impl System for Turning<'_> {
     }
 
     fn finish(&mut self, end: f64) -> Result<Option<Infallible>, MotionError> {
-        // Gives up as soon as it can be seen that the motion runs away, or that the end is too many steps away.
+        // Stop as soon as the motion diverges, or the end is too many steps away.
         self.stepper.require_bounded(end).map(|()| None)
     }
 
@@ -126,7 +128,8 @@ impl System for Turning<'_> {
         self.stepper.switch(torque, on);
     }
 
-    /// Changes the derivatives, too: a change δt of the time of a switch changes the state after it by (ẋ⁻ − ẋ⁺) δt.
+    /// Updates the derivatives too: a change δt of the time of a switch changes the state after it
+    /// by (ẋ⁻ − ẋ⁺) δt.
     fn change(&mut self, time: f64) -> Result<(), MotionError> {
         let before = self.stepper.rates_at(time);
         self.stepper.change()?;

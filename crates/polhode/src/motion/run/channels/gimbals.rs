@@ -1,4 +1,5 @@
-//! The channels of a rotor in gimbals. Three numbers for axes are the outer's, the inner's and the rotor's.
+//! Channels of a rotor in gimbals. An array of three numbers has the order outer axis, inner axis,
+//! rotor axis.
 
 use super::super::channel::Channel;
 use crate::motion::gimbal::GimbalState;
@@ -8,7 +9,7 @@ const RATE: &str = "rate of the axis";
 const HOLDING: &str = "torque of the lock or the motor that holds the axis; zero of a free one";
 const MOMENTUM: &str = "angular momentum of rotor and gimbals about the crossing, along space axes";
 
-/// Everything about the gimbals at one time.
+/// Complete state of the gimbals.
 pub const GIMBALS: Channel<GimbalState> =
     Channel::new("gimbals", "", "the rotor and its gimbals", |row| row.gimbals().copied());
 /// Angles of the axes, rad.
@@ -18,7 +19,7 @@ pub const AXIS_ANGLES: Channel<[f64; 3]> =
 pub const AXIS_RATES: Channel<[f64; 3]> =
     Channel::new("axis_rates", "rad/s", "rates of the axes", |row| Some(row.gimbals()?.rates));
 
-/// The scalars, in the order of tables.
+/// Scalar channels, in the order of the columns of tables.
 pub(in crate::motion) const SCALARS: [Channel<f64>; 19] = [
     Channel::new("outer_angle_rad", "rad", ANGLE, |row| Some(row.gimbals()?.angles[0])),
     Channel::new("inner_angle_rad", "rad", ANGLE, |row| Some(row.gimbals()?.angles[1])),

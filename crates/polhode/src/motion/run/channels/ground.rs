@@ -1,4 +1,4 @@
-//! The channels of a body on the ground.
+//! Channels of a body on the ground.
 
 use super::super::channel::Channel;
 use crate::math::frame::Space;
@@ -13,34 +13,34 @@ const IN_BODY: &str = "the point that touches the ground, in body axes";
 const FRICTION_OF: &str =
     "force of friction on the body, along space axes; of what rolls the force that holds it";
 
-/// Everything about the contact at one time.
+/// Complete state of the body and its contact.
 pub const CONTACT: Channel<ContactState> =
     Channel::new("contact", "", "the body and its contact", |row| row.contact().copied());
-/// Centre of mass, m.
+/// Centre of mass, space axes, m.
 pub const POSITION: Channel<Position<Space>> =
     Channel::new("position_space", "m", POSITION_OF, |row| Some(row.contact()?.center));
-/// Point that is touched, m.
+/// Point of contact, space axes, m; in flight the point of the body nearest to the ground.
 pub const CONTACT_POINT: Channel<Position<Space>> =
     Channel::new("contact_space", "m", POINT_OF, |row| Some(row.contact()?.contact));
-/// Normal force of the ground on the body, N ≥ 0.
+/// Normal force of the ground on the body, N, never negative.
 pub const NORMAL_FORCE: Channel<f64> =
     Channel::new("normal_force_n", "N", "normal force of the ground on the body", |row| {
         Some(row.contact()?.normal_force)
     });
-/// Velocity of the body's point of contact relative to the ground's, m/s.
+/// Slip velocity: velocity of the body's point of contact relative to the ground, space axes, m/s.
 pub const SLIP: Channel<Velocity<Space>> =
     Channel::new("slip_space", "m/s", "velocity of the point of contact over the ground", |row| {
         Some(row.contact()?.slip)
     });
-/// Force of friction on the body, N.
+/// Friction force on the body, space axes, N; during rolling the constraint force.
 pub const FRICTION: Channel<Force<Space>> =
     Channel::new("friction_space", "N", FRICTION_OF, |row| Some(row.contact()?.friction));
-/// Work of friction since the start, relative to the ground, J: never positive.
+/// Work of friction since the start, relative to the ground, J; never positive.
 pub const FRICTION_WORK: Channel<f64> =
     Channel::new("friction_work_j", "J", "work of friction since the start, relative to the ground", |row| {
         Some(row.contact()?.friction_work)
     });
-/// Work since the start that the ground does by its own motion, J.
+/// Work of the ground since the start, by its own motion, J.
 pub const GROUND_WORK: Channel<f64> = Channel::new(
     "ground_work_j",
     "J",
@@ -48,7 +48,7 @@ pub const GROUND_WORK: Channel<f64> = Channel::new(
     |row| Some(row.contact()?.ground_work),
 );
 
-/// The scalars, in the order of tables.
+/// Scalar channels, in the order of the columns of tables.
 pub(in crate::motion) const SCALARS: [Channel<f64>; 22] = [
     Channel::new("contact_phase", "1", "0 rolling, 1 sliding, 2 flying", |row| {
         Some(number(row.contact()?.phase))
@@ -88,7 +88,7 @@ pub(in crate::motion) const SCALARS: [Channel<f64>; 22] = [
     GROUND_WORK,
 ];
 
-/// The number of a phase in tables.
+/// Returns the number of a phase in tables.
 const fn number(phase: ContactPhase) -> f64 {
     match phase {
         ContactPhase::Rolling => 0.0,

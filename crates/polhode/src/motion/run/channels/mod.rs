@@ -1,4 +1,4 @@
-//! The channels of trajectories, which [`Trajectory::channel`](crate::motion::Trajectory::channel) reads.
+//! Channels of trajectories, for [`Trajectory::channel`](crate::motion::Trajectory::channel).
 
 pub(super) mod gimbals;
 pub(super) mod ground;
@@ -11,6 +11,6 @@ pub use ground::{
     CONTACT, CONTACT_POINT, FRICTION, FRICTION_WORK, GROUND_WORK, NORMAL_FORCE, POSITION, SLIP,
 };
 
-/// Energy of every system, and the work done on it.
+/// Energy of any system, and the work done on it since the start.
 pub const ENERGY: Channel<Energy> =
     Channel::new("energy", "", "energy, and work since the start", |row| Some(row.energy()));

@@ -1,4 +1,4 @@
-//! Closed forms at many times, and the integrators of high order for what has none.
+//! Computation of members: closed forms at many times, and high-order integrators for all others.
 
 use super::Member;
 use super::closed::Closed;
@@ -9,19 +9,20 @@ use crate::motion::solve::closed_form::ClosedForm;
 use crate::motion::solve::method::Method;
 use crate::motion::solve::propagate::taylor;
 
-/// States that are computed before they are put down, of a closed form: they stay in the nearest memory.
+/// Number of states of a closed form per batch. A batch fits into the L1 cache.
 const BATCH: usize = 256;
 
-/// So many states of a closed form are computed sooner one by one.
+/// Up to this number, states of a closed form are computed faster one by one.
 const FEW: usize = 4;
 
-/// States of bodies side by side: some megabytes.
+/// Number of states of bodies in one batch: some megabytes.
 const MANY: usize = 1 << 16;
 
-/// Fewer bodies than that leave lanes idle.
+/// Least number of bodies in a batch. Fewer would leave lanes idle.
 const FEWEST: usize = 8;
 
-/// Computes each member of a portion by a method. Those that Taylor's method takes several at a time come last.
+/// Computes each member of a portion by a method. Members for batches of Taylor's method are
+/// computed last.
 pub(super) fn compute(portion: &mut Portion<'_>, times: &[f64], tolerance: f64, method: Method) {
     let (members, closed) = (portion.members, portion.closed);
     let mut states = Vec::new();
@@ -93,7 +94,7 @@ fn evaluate(portion: &mut Portion<'_>, k: usize, motion: &ClosedForm, times: &[f
     }
 }
 
-/// By Taylor's method, side by side.
+/// Computes a batch of members by Taylor's method in SIMD lanes.
 fn expand(
     portion: &mut Portion<'_>,
     bodies: &[(usize, taylor::BatchBody<'_>)],

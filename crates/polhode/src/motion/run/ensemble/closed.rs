@@ -1,11 +1,11 @@
-//! Closed forms that an ensemble keeps.
+//! Cached closed forms of an ensemble.
 
 use std::sync::OnceLock;
 
 use super::Member;
 use crate::motion::solve::closed_form::ClosedForm;
 
-/// The closed form of a member, once it was prepared, if there is one.
+/// Cached closed form of a member: empty before it was prepared, `None` if the member has none.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Closed(OnceLock<Option<ClosedForm>>);
 

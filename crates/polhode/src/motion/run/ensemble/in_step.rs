@@ -1,7 +1,9 @@
-//! Members under a torque that one call computes for all of them: each takes its own steps, and all of them ask for the torque at the same moment.
+//! Members with a torque that one call computes for all of them.
 //!
-//! A common step would be that of the member that needs the shortest, and its error control none of theirs. So each has its own, with the bits that it has
-//! alone, and what is in step are the evaluations: a call is one of each member, whatever stage of whatever step it is at.
+//! Each member takes its own steps, so that its error control and its bits are those of a single
+//! body. A common step would be that of the member with the shortest step. Only the evaluations are
+//! synchronized: each call computes one torque for each member, at whatever stage of its step the
+//! member is.
 
 use core::mem;
 use std::sync::Arc;
@@ -16,20 +18,20 @@ use crate::motion::solve::method::Method;
 use crate::motion::solve::propagate::stepper::resumable::Resumable;
 use crate::motion::solve::start::{require_few_pulses, require_finite};
 
-/// Members that are in step: each takes some kilobytes.
+/// Number of members computed together; each needs some kilobytes.
 const TOGETHER: usize = 1 << 14;
 
-/// Puts down the motion of a member.
+/// Function that stores the motion of a member.
 type Put<'a> = dyn FnMut(usize, MemberMotion) + 'a;
 
-/// A function, and the members whose torque it computes, with the places for that.
+/// Function, and the members whose torque it computes, with storage for the results.
 struct Shared {
     function: Arc<VectorizedFunction>,
     members: Vec<(usize, Arc<GivenTorque>)>,
 }
 
 impl Shared {
-    /// Computes the torque of each member that has a state.
+    /// Computes the torque of each member for which `state` returns a state.
     fn compute(&self, first: usize, members: &[Member], state: &dyn Fn(usize) -> Option<State>) {
         let known = self.members.iter().filter_map(|(k, given)| Some((*k, given, state(*k)?)));
         let (places, asked): (Vec<_>, Vec<_>) = known
@@ -41,7 +43,8 @@ impl Shared {
             return;
         }
         let found = (self.function)(&asked);
-        // One too few is as bad as none: it is not known whose is missing.
+        // A list of the wrong length is treated as no result, because the missing member is not
+        // known.
         let is_whole = found.len() == places.len();
         for (k, place) in places.into_iter().enumerate() {
             place.set(found.get(k).copied().filter(|_| is_whole).unwrap_or(NOT_KNOWN));
@@ -49,13 +52,13 @@ impl Shared {
     }
 }
 
-/// True for a member that is computed by itself: its events, or the half turns of its torsions, are sought within
-/// each step.
+/// Returns true for a member that is computed separately: events, or half turns of torsions, are
+/// located within each of its steps.
 fn is_alone(member: &Member) -> bool {
     member.is_watched() || member.torques.iter().any(|torque| torque.model().rest().is_some())
 }
 
-/// Is there a torque that is computed for many at once?
+/// Returns true if the torque is computed for many members at once.
 pub(super) fn is_shared(torque: &TorqueModel) -> bool {
     function_of(torque).is_some()
 }
@@ -67,8 +70,11 @@ fn function_of(torque: &TorqueModel) -> Option<&Arc<VectorizedFunction>> {
     }
 }
 
-/// The torques of each member with places for what is computed for many, and who computes it. Those of one whose steps are looked at are computed for it
-/// alone: where an event is sought, no other member is asked about.
+/// Returns the torques of each member, and the shared functions. A shared torque is replaced by
+/// storage for its value.
+///
+/// A member that is computed separately calls the function for itself alone: while an event is
+/// located, the other members do not move.
 fn with_places(first: usize, members: &[Member]) -> (Vec<Vec<TorqueModel>>, Vec<Shared>) {
     let mut shared: Vec<Shared> = Vec::new();
     let torques = members.iter().enumerate().map(|(k, member)| {
@@ -92,8 +98,11 @@ fn with_places(first: usize, members: &[Member]) -> (Vec<Vec<TorqueModel>>, Vec<
     (torques.collect(), shared)
 }
 
+/// Checks the start of each member, and its torque there.
+///
 /// # Errors
-/// As [`super::Ensemble::new`], of the first member whose start, or whose torque there, is not finite.
+/// The errors of [`super::Ensemble::new`], for the first member whose start, or whose torque there,
+/// is not finite.
 pub(super) fn require_starts(members: &[Member]) -> Result<(), MemberFailure> {
     for (block, members) in members.chunks(TOGETHER).enumerate() {
         let first = block * TOGETHER;
@@ -109,10 +118,11 @@ pub(super) fn require_starts(members: &[Member]) -> Result<(), MemberFailure> {
     Ok(())
 }
 
-/// All members at the times, into states in their order; gives what became of them on their way.
+/// Computes all members at the times and stores the states in the order of the members. Returns
+/// their failures, stops and events.
 ///
 /// # Errors
-/// [`MotionError::Cancelled`] if `progress` gave false.
+/// [`MotionError::Cancelled`] if `progress` returned false.
 pub(super) fn fill<S: From<State>>(
     members: &[Member],
     times: &[f64],
@@ -136,7 +146,7 @@ pub(super) fn fill<S: From<State>>(
     Ok(outcome.sorted())
 }
 
-/// Some members, in step.
+/// Computes some members together.
 fn compute(
     first: usize,
     members: &[Member],

@@ -1,4 +1,4 @@
-//! A body of an ensemble, and what becomes of it.
+//! Members of an ensemble: inputs, failures, stops and events.
 
 use core::fmt;
 
@@ -8,54 +8,56 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::torque::TorqueModel;
 
-/// A body of an ensemble, and its motion.
+/// Member of an ensemble: a body, its torques and its start.
 ///
-/// A member with events, or with torques that are switched off, is computed alone, as [`Simulation::run`](crate::motion::Simulation::run) has it: what
-/// detects events looks at the motion within each step.
+/// A member with events, or with torques that are switched off, is computed separately, like
+/// [`Simulation::run`](crate::motion::Simulation::run). The reason is that event detection examines
+/// the motion within each step.
 #[derive(Clone, Debug)]
 pub struct Member {
-    /// The body, the point that it turns about, and its wheels.
+    /// Body, its reference point, and its wheels.
     pub rotor: Rotor,
-    /// What turns it.
+    /// Torques on the body.
     pub torques: Vec<TorqueModel>,
-    /// Which of the torques, from 0, are switched off until an event switches them on.
+    /// Indices, from 0, of the torques that are switched off until an event switches them on.
     pub switched_off: Vec<usize>,
-    /// Where it starts.
+    /// State at the start.
     pub start: State,
-    /// The events to detect.
+    /// Events to detect.
     pub events: Vec<Event>,
 }
 
 impl Member {
-    /// A body under torques, all of which act, without events.
+    /// Creates a member without events. All torques act.
     pub const fn new(rotor: Rotor, torques: Vec<TorqueModel>, start: State) -> Self {
         Self { rotor, torques, switched_off: Vec::new(), start, events: Vec::new() }
     }
 
-    /// Detects these events.
+    /// Adds events to detect.
     #[must_use]
     pub fn watching(self, events: Vec<Event>) -> Self {
         Self { events, ..self }
     }
 
-    /// Leaves these torques, from 0, switched off until an event switches them on.
+    /// Sets the torques, by index from 0, that are switched off until an event switches them on.
     #[must_use]
     pub fn switched_off(self, switched_off: Vec<usize>) -> Self {
         Self { switched_off, ..self }
     }
 
-    /// True if its steps are looked at: for events, and for what they switch.
+    /// Returns true if the motion within the steps must be examined, for events or for switched
+    /// torques.
     pub(super) const fn is_watched(&self) -> bool {
         !self.events.is_empty() || !self.switched_off.is_empty()
     }
 }
 
-/// Why a member could go no further.
+/// Failure of a member, whose motion could not be computed to the last time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MemberFailure {
-    /// The member, from 0.
+    /// Index of the member, from 0.
     pub member: usize,
-    /// The cause.
+    /// Cause of the failure.
     pub cause: MotionError,
 }
 
@@ -67,22 +69,22 @@ impl fmt::Display for MemberFailure {
 
 impl core::error::Error for MemberFailure {}
 
-/// The event that stopped a member.
+/// Event that stopped a member.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MemberStop {
-    /// The member, from 0.
+    /// Index of the member, from 0.
     pub member: usize,
-    /// Which of its events, from 0.
+    /// Index of the event among those of the member, from 0.
     pub event: usize,
-    /// When, s.
+    /// Time of the event, s.
     pub time: f64,
 }
 
-/// An event of a member that happened.
+/// Event of a member that happened.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MemberCrossing {
-    /// The member, from 0.
+    /// Index of the member, from 0.
     pub member: usize,
-    /// What happened.
+    /// Event and state.
     pub crossing: Crossing,
 }

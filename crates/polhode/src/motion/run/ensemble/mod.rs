@@ -1,8 +1,9 @@
-//! Many bodies, each with its own start and its own torques, at the same times.
+//! Ensembles: many bodies, each with its own start and torques, at the same times.
 //!
-//! `workers` hands portions of the members to threads; `advance` computes a portion: closed forms, Taylor's method for several bodies at a
-//! time, and one body after the other by what is left, and where there are events. `in_step` computes all members side by side whose torque one call has
-//! for all.
+//! - `workers` distributes portions of the members to threads.
+//! - `advance` computes a portion: closed forms, Taylor's method in batches, and all other members
+//!   one by one.
+//! - `in_step` computes members with a torque that one call computes for all.
 
 mod advance;
 mod closed;
@@ -25,28 +26,33 @@ pub use member::{Member, MemberCrossing, MemberFailure, MemberStop};
 pub use outcome::EnsembleOutcome;
 use workers::Workers;
 
-/// Where the members of an ensemble were at some times.
+/// States of the members of an ensemble at given times.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EnsembleStates {
-    /// Member by member, and time by time within each. A member that could go no further repeats a good state from shortly before, and one that an
-    /// event stopped its last: the state's own time says when.
+    /// States, member by member, and time by time within each member. A member that failed repeats
+    /// its last good state; one that an event stopped repeats its state at the event. The time of a
+    /// state tells which.
     pub states: Vec<State>,
-    /// As [`EnsembleOutcome::failures`].
+    /// See [`EnsembleOutcome::failures`].
     pub failures: Vec<MemberFailure>,
-    /// As [`EnsembleOutcome::stops`].
+    /// See [`EnsembleOutcome::stops`].
     pub stops: Vec<MemberStop>,
-    /// As [`EnsembleOutcome::crossings`].
+    /// See [`EnsembleOutcome::crossings`].
     pub crossings: Vec<MemberCrossing>,
 }
 
-/// Many bodies that move independently of each other, side by side in the lanes of vectors and on several threads.
+/// Many independent bodies, computed in SIMD lanes and on several threads.
 ///
-/// Every state has the same bits on any number of threads, with any vectors, and whichever members there are beside it. Members under a
-/// [`TorqueModel::vectorized_function`](crate::motion::torque::TorqueModel::vectorized_function) are computed on the thread that calls, one call of it for all of them.
+/// Every state is bit-identical for any number of threads, any vector width, and any other members.
+/// Members with a
+/// [`TorqueModel::vectorized_function`](crate::motion::torque::TorqueModel::vectorized_function)
+/// are computed on the calling thread, with one call for all of them.
 ///
-/// A closed form takes microseconds to prepare. The first call with [`Method::Auto`] does not keep it; the second does, about 1 kB of
-/// each member that has one, so that an ensemble that is asked again and again gives its states at once, and one that is asked once
-/// stays small. [`FreeMotions`](crate::motion::solve::free::FreeMotions) have all bodies of one time side by side, several times as fast again.
+/// The preparation of a closed form takes microseconds. The first call with [`Method::Auto`] does
+/// not keep the closed forms; the second call keeps them, about 1 kB per member. Repeated calls are
+/// therefore fast, and an ensemble that is used once stays small.
+/// [`FreeMotions`](crate::motion::solve::free::FreeMotions) evaluates many free motions at one
+/// time, several times faster.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -63,7 +69,7 @@ pub struct EnsembleStates {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// An event that stops a member stops no other:
+/// An event that stops a member does not stop the others:
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -85,22 +91,25 @@ pub struct EnsembleStates {
 #[derive(Clone, Debug)]
 pub struct Ensemble {
     members: Vec<Member>,
-    /// Whether a torque is computed for many members at once.
+    /// True if a torque is computed for many members at once.
     is_in_step: bool,
-    /// One for each, used from the second call on.
+    /// Cached closed form of each member, used from the second call on.
     closed: Vec<closed::Closed>,
-    /// Whether closed forms were asked for.
+    /// Set by the first call that uses closed forms.
     asked: OnceLock<()>,
-    /// The latest start, s.
+    /// Latest start time, s.
     latest: f64,
 }
 
 impl Ensemble {
-    /// The bodies and their starts.
+    /// Creates an ensemble.
     ///
     /// # Errors
-    /// The first member that cannot start: a parameter's error ([`MotionError::is_parameter`]) for a start or a torque that is not finite, and for an event
-    /// that cannot be measured; [`MotionError::NotSpinnable`] for a body without inertia.
+    /// The failure of the first member that cannot start:
+    ///
+    /// - a parameter error ([`MotionError::is_parameter`]) for a start or a torque that is not
+    ///   finite, and for an event that cannot be measured;
+    /// - [`MotionError::NotSpinnable`] for a body without inertia.
     pub fn new(members: Vec<Member>) -> Result<Self, MemberFailure> {
         let is_in_step = members.iter().any(|member| member.torques.iter().any(in_step::is_shared));
         if is_in_step {
@@ -123,28 +132,32 @@ impl Ensemble {
         Ok(Self { members, is_in_step, closed, asked: OnceLock::new(), latest })
     }
 
-    /// The bodies and their starts, as they were given.
+    /// Returns the members as given.
     pub fn members(&self) -> &[Member] {
         &self.members
     }
 
-    /// How many they are.
+    /// Returns the number of members.
     pub const fn len(&self) -> usize {
         self.members.len()
     }
 
-    /// True if there is none.
+    /// Returns true if the ensemble is empty.
     pub const fn is_empty(&self) -> bool {
         self.members.is_empty()
     }
 
-    /// Every member at each of the times (s, ascending, none before a start), on so many threads: the bits of
-    /// [`Simulation::states`](super::simulation::Simulation::states) with this method and tolerance, and of
-    /// [`Simulation::run`](super::simulation::Simulation::run) where it has events.
+    /// Computes every member at each of the times (s, ascending, none before a start) on `threads`
+    /// threads.
+    ///
+    /// The states are bit-identical to those of
+    /// [`Simulation::states`](super::simulation::Simulation::states) with this method and
+    /// tolerance. For a member with events they are those of
+    /// [`Simulation::run`](super::simulation::Simulation::run).
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if times are out of order, or the tolerance is out of its range. What goes wrong with one member
-    /// is among the failures.
+    /// A parameter error ([`MotionError::is_parameter`]) if times are out of order, or the
+    /// tolerance is out of its range. Errors of single members are in [`EnsembleStates::failures`].
     pub fn at(
         &self,
         times: &[f64],
@@ -161,14 +174,19 @@ impl Ensemble {
         Ok(EnsembleStates { states, failures, stops, crossings })
     }
 
-    /// As [`Ensemble::at`], into states that are there already, in the same order; as rows (t, w, x, y, z, ω1, ω2, ω3) if they are
-    /// `[f64; 8]`. Gives what became of the members on their way.
+    /// Computes every member like [`Ensemble::at`] and writes the states into a slice, in the same
+    /// order. An element of type `[f64; 8]` becomes the row (t, w, x, y, z, ω1, ω2, ω3). Returns
+    /// failures, stops and events.
     ///
-    /// `progress` is told now and then and at the end, on the thread that called, how many members are done; `false` ends the work.
+    /// `progress` receives the number of finished members, repeatedly and at the end, on the
+    /// calling thread. If it returns `false`, the computation stops.
     ///
     /// # Errors
-    /// As [`Ensemble::at`]; a parameter's error ([`MotionError::is_parameter`]) if there are not as many states as members times times;
-    /// [`MotionError::Cancelled`] if `progress` said so, and then only some of the states are written.
+    /// - The errors of [`Ensemble::at`].
+    /// - A parameter error ([`MotionError::is_parameter`]) if the number of states is not the
+    ///   number of members times the number of times.
+    /// - [`MotionError::Cancelled`] if `progress` returned `false`. Only some of the states are
+    ///   then written.
     pub fn fill<S: From<State> + Send>(
         &self,
         times: &[f64],
@@ -206,7 +224,8 @@ impl Ensemble {
     }
 }
 
-/// (t, w, x, y, z, ω1, ω2, ω3): time, attitude R_space_body as a quaternion, ω in body axes.
+/// Converts a state to (t, w, x, y, z, ω1, ω2, ω3): time, attitude R_space_body as a quaternion, ω
+/// in body axes.
 impl From<State> for [f64; 8] {
     fn from(state: State) -> Self {
         let ([w, x, y, z], [a, b, c]) = (state.attitude.quaternion(), state.omega.to_array());

@@ -1,4 +1,4 @@
-//! The motion of one member of an ensemble.
+//! Motion of one member of an ensemble.
 
 use super::member::Member;
 use crate::motion::error::MotionError;
@@ -9,24 +9,25 @@ use crate::motion::run::ending::Ending;
 use crate::motion::run::simulation::Simulation;
 use crate::motion::solve::method::Method;
 
-/// How far a member came.
+/// Motion of a member, as far as it was computed.
 #[derive(Debug)]
 pub(super) struct MemberMotion {
-    /// At the times, as far as it came; the last one may be that of the ending, between two of them.
+    /// States at the times reached. The last one may be that of the ending, between two times.
     pub(super) states: Vec<State>,
     pub(super) crossings: Vec<Crossing>,
     pub(super) ending: Ending,
 }
 
 impl MemberMotion {
-    /// Without events.
+    /// Creates the motion of a member without events.
     pub(super) fn of_states(states: Vec<State>, failure: Option<MotionError>) -> Self {
         let time = states.last().map_or(f64::NAN, |last| last.time);
         let ending = failure.map_or(Ending::Complete, |cause| Ending::Failed { time, cause });
         Self { states, crossings: Vec::new(), ending }
     }
 
-    /// The states of a member alone, under torques that are its own, or stand for them.
+    /// Computes the states of a member separately. `torques`: its own torques, or replacements for
+    /// them.
     pub(super) fn alone(
         Member { rotor, switched_off, start, .. }: &Member,
         torques: &[TorqueModel],
@@ -39,7 +40,8 @@ impl MemberMotion {
         Self::of_states(states, failure)
     }
 
-    /// The same with its events; `None` if `goes_on`, which is asked after each step, gave false.
+    /// Computes a member separately, with its events. `goes_on` is called after each step; `None`
+    /// if it returned false.
     pub(super) fn watched(
         Member { rotor, switched_off, start, events, .. }: &Member,
         torques: &[TorqueModel],
@@ -60,7 +62,8 @@ impl MemberMotion {
         }
     }
 
-    /// Its state at each of so many times: where it came no further, that in which it stays.
+    /// Returns the state at each of `times` times. After the end of the motion the last state is
+    /// repeated.
     pub(super) fn at_all(&self, times: usize, start: State) -> impl Iterator<Item = State> + '_ {
         let last = self.states.last().copied().unwrap_or(start);
         self.states.iter().copied().chain(core::iter::repeat(last)).take(times)

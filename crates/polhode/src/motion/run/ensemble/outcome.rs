@@ -1,17 +1,18 @@
-//! What became of the members of an ensemble.
+//! Outcome of the members of an ensemble.
 
 use super::member::{MemberCrossing, MemberFailure, MemberStop};
 use super::motion::MemberMotion;
 use crate::motion::run::ending::Ending;
 
-/// What became of the members of an ensemble on their way.
+/// Failures, stops and events of the members of an ensemble.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EnsembleOutcome {
-    /// Those that could go no further, ascending.
+    /// Members that failed, ascending.
     pub failures: Vec<MemberFailure>,
-    /// Those that an event stopped, ascending.
+    /// Members that an event stopped, ascending.
     pub stops: Vec<MemberStop>,
-    /// The events that happened, those that stopped a member too: member by member, and in the order of time within each.
+    /// Events that happened, including those that stopped a member. Order: by member, and by time
+    /// within each member.
     pub crossings: Vec<MemberCrossing>,
 }
 
@@ -26,14 +27,14 @@ impl EnsembleOutcome {
         }
     }
 
-    /// Adds what became of other members.
+    /// Adds the outcome of other members.
     pub(super) fn extend(&mut self, other: Self) {
         self.failures.extend(other.failures);
         self.stops.extend(other.stops);
         self.crossings.extend(other.crossings);
     }
 
-    /// In the order of the members; of one member nothing changes its place.
+    /// Sorts by member; the sort is stable.
     pub(super) fn sorted(mut self) -> Self {
         self.failures.sort_by_key(|failure| failure.member);
         self.stops.sort_by_key(|stop| stop.member);

@@ -1,4 +1,4 @@
-//! Worker threads: each takes the next portion of the members until none is left.
+//! Worker threads: each takes the next portion of the members until all are done.
 
 use core::num::NonZero;
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -11,22 +11,23 @@ use super::{EnsembleOutcome, Member, MemberFailure};
 use crate::motion::error::MotionError;
 use crate::motion::model::state::State;
 
-/// Members that a thread takes at a time: enough to fill vectors with members of a kind, and little to wait for.
+/// Number of members in a portion: enough to fill SIMD vectors with members of a kind, and a short
+/// wait at the end.
 const PORTION: usize = 64;
 
-/// So many threads, the caller's own among them.
+/// Number of threads, including the calling thread.
 pub(super) struct Workers {
     threads: NonZero<usize>,
 }
 
-/// Some members, and the place for their states.
+/// Some members, with access to the storage of their states.
 pub(super) struct Portion<'a> {
-    /// The first of them.
+    /// Index of the first member of the portion.
     first: usize,
     pub(super) members: &'a [Member],
-    /// Their closed forms, where those are kept.
+    /// Cached closed forms, if they are kept.
     pub(super) closed: &'a [Closed],
-    /// Times for each.
+    /// Number of times per member.
     times: usize,
     write: &'a mut dyn FnMut(usize, &[State]),
     outcome: EnsembleOutcome,
@@ -34,12 +35,13 @@ pub(super) struct Portion<'a> {
 }
 
 impl Portion<'_> {
-    /// Puts down states of a member (of the portion, from 0), from one of its times on.
+    /// Stores states of a member (index within the portion, from 0), from the time with index
+    /// `from` on.
     pub(super) fn put(&mut self, member: usize, from: usize, states: &[State]) {
         (self.write)(member * self.times + from, states);
     }
 
-    /// Writes down that a member can go no further, after so many of its times: it stays where it was.
+    /// Records that a member failed after `reached` of its times. Its last state is repeated.
     pub(super) fn fail(&mut self, member: usize, reached: usize, last: State, cause: MotionError) {
         for time in reached..self.times {
             self.put(member, time, &[last]);
@@ -47,12 +49,12 @@ impl Portion<'_> {
         self.give_up(member, cause);
     }
 
-    /// Writes down that a member can go no further, whose states say so already.
+    /// Records that a member failed; its states are stored already.
     pub(super) fn give_up(&mut self, member: usize, cause: MotionError) {
         self.outcome.failures.push(MemberFailure { member: self.first + member, cause });
     }
 
-    /// Puts down the motion of a member that is computed alone.
+    /// Stores the motion of a member that was computed separately.
     pub(super) fn put_motion(&mut self, member: usize, motion: MemberMotion) {
         let start = self.members[member].start;
         for (time, state) in motion.at_all(self.times, start).enumerate() {
@@ -61,7 +63,7 @@ impl Portion<'_> {
         self.outcome.add(self.first + member, motion);
     }
 
-    /// Says that so many more members are done; false if the others need not be.
+    /// Reports that `members` more members are done. Returns false if the computation is to stop.
     #[must_use]
     pub(super) fn done(&mut self, members: usize) -> bool {
         (self.report)(members)
@@ -73,10 +75,11 @@ impl Workers {
         Self { threads }
     }
 
-    /// Has all states filled, in place: nothing depends on who does which portion, nor when.
+    /// Computes all states in place. The result does not depend on which thread computes which
+    /// portion, or when.
     ///
     /// # Errors
-    /// [`MotionError::Cancelled`] if `progress` gave false.
+    /// [`MotionError::Cancelled`] if `progress` returned false.
     pub(super) fn fill<S: From<State> + Send>(
         &self,
         (members, closed): (&[Member], &[Closed]),
@@ -122,7 +125,7 @@ impl Workers {
                         goes_on.load(Ordering::Relaxed)
                     });
                 };
-                // What cannot be had is done without.
+                // Continue with fewer threads if the system provides no more.
                 if thread::Builder::new().spawn_scoped(scope, helper).is_err() {
                     break;
                 }
@@ -135,7 +138,7 @@ impl Workers {
             });
         });
         let (done, goes_on) = (done.into_inner(), goes_on.into_inner());
-        // What others did last.
+        // Report what other threads finished last.
         if !goes_on || told < done && !progress(done) {
             return Err(MotionError::Cancelled { done });
         }

@@ -1,4 +1,5 @@
-//! The comparison runs of an estimate by steps: one without truncation error, and others with larger rounding.
+//! Comparison runs for the error of an integration: one without truncation error, and others with
+//! amplified rounding.
 
 use super::compared_samples::ComparedSamples;
 use super::distance::Distance;
@@ -8,68 +9,71 @@ use crate::motion::run::trajectory::Trajectory;
 use crate::motion::solve::limits::TIGHTEST_TOLERANCE;
 use crate::motion::solve::propagate::noise::StepNoise;
 
-/// Amplitude of the rounding of a step in a comparison run, in units of ε.
+/// Amplitude of the noise per step in a comparison run, in units of ε.
 const STEP_NOISE: f64 = 2.0;
-/// Amplitude of the rounding of the constants that steps are made with, in units of half an ε.
+/// Amplitude of the perturbation of constants of the integration, in units of ε/2.
 const CONSTANT_NOISE: f64 = 3.0;
-/// Comparison runs with larger rounding of a thorough estimate.
+/// Number of comparison runs with amplified rounding in a thorough estimate.
 const ROUNDING_RUNS: u64 = 8;
-/// Comparison runs from other inputs of a thorough estimate.
+/// Number of comparison runs from other inputs in a thorough estimate.
 pub(super) const INPUT_RUNS: u64 = 4;
 /// First seed of the runs from other inputs.
 pub(super) const INPUT_SEED: u64 = 1_000;
-/// Amplitudes of the changes of inputs, in units of half an ε: powers of two, so large that the steps
-/// do nothing compared with them, and so small that their effect stays linear ([`super::distance::LINEAR`]).
+/// Amplitudes of the changes of inputs, in units of ε/2: powers of two. They are so large that the
+/// error of the steps is negligible. The effect must stay linear ([`super::distance::LINEAR`]);
+/// smaller amplitudes are tried otherwise.
 pub(super) const INPUT_AMPLITUDES: [f64; 3] = [4096.0, 64.0, 1.0];
-/// Factor on the rounding of a cheap estimate, which has a single sample of it.
+/// Safety factor on the rounding in a cheap estimate, which has a single sample of it.
 const CHEAP: f64 = 6.0;
-/// Factor on the steps of the finest run: 0.7⁸ is 1/17, of order 20 it is 1/1250.
+/// Factor on the step length of the finest run. The truncation error decreases by 0.7⁸ = 1/17 at
+/// order 8, and to 1/1250 at order 20.
 const FINEST_STEPS: f64 = 0.7;
 
-/// A comparison run.
+/// Settings of a comparison run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ComparisonRun {
-    /// The seed of the changes of the inputs, and their amplitude in units of half an ε.
+    /// Seed of the changes of the inputs, and their amplitude in units of ε/2.
     pub(super) inputs: (u64, f64),
     pub(super) steps: StepNoise,
-    /// True of the run at the tightest tolerance, whose distance is the truncation error.
+    /// True for the run at the tightest tolerance, whose distance is the truncation error.
     pub(super) is_finest: bool,
 }
 
 impl ComparisonRun {
-    /// The run without truncation error.
+    /// Run without truncation error.
     const FINEST: Self = Self {
         inputs: (0, 0.0),
         steps: StepNoise { seed: 0, amplitude: 0.0, stretch: FINEST_STEPS },
         is_finest: true,
     };
 
-    /// A run with larger rounding.
+    /// Returns a run with amplified rounding.
     const fn rounding(run: u64, noise: f64) -> Self {
         let steps = StepNoise { seed: 2 * run + 1, amplitude: noise * STEP_NOISE, stretch: 1.0 };
         Self { inputs: (2 * run, noise * CONSTANT_NOISE), steps, is_finest: false }
     }
 
-    /// A run from other inputs, by the steps of the motion.
+    /// Returns a run from other inputs, with the steps of the motion.
     const fn from_inputs(run: u64) -> Self {
         let steps = StepNoise { seed: 0, amplitude: 0.0, stretch: 1.0 };
         Self { inputs: (INPUT_SEED + run, INPUT_AMPLITUDES[0]), steps, is_finest: false }
     }
 
-    /// The tolerance of the run, where that of the motion is `own`.
+    /// Returns the tolerance of the run; `own` is that of the motion.
     pub(super) const fn tolerance(&self, own: f64) -> f64 {
         if self.is_finest { TIGHTEST_TOLERANCE } else { own }
     }
 }
 
-/// Estimates of the error of a trajectory by steps, from the `states` of comparison runs at some times.
+/// Estimates the error of an integrated trajectory from the `states` of comparison runs at some
+/// times.
 ///
-/// The computation has the distance to the finest run, which is the truncation error, plus the
-/// largest distance to the runs with larger rounding: eight of them, or one. They are separate runs,
-/// as truncation and noise of one run may cancel.
+/// The error of the computation is the distance to the finest run (truncation error), plus the
+/// largest distance to the runs with amplified rounding (one, or eight if thorough). The runs are
+/// separate, because truncation and noise in one run could cancel.
 ///
-/// The effect of the last bit of the inputs is a share of the distance to runs whose inputs are
-/// changed by more. Where that is not linear, rounding has taken all digits anyway.
+/// The effect of input rounding is scaled down from runs with larger changes of the inputs. If that
+/// effect is not linear, rounding has destroyed all digits anyway.
 pub(super) fn error_by_steps(
     trajectory: &Trajectory,
     is_thorough: bool,

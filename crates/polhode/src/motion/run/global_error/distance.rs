@@ -1,27 +1,29 @@
-//! The distance between two motions.
+//! Distance between two motions.
 
 use core::f64::consts::PI;
 
 use crate::motion::model::state::State;
 use crate::motion::model::state::StateError;
 
-/// Beyond this angle, rad, an effect is not linear: it is tried again with less, and two motions tell nothing of a third.
+/// Bound on the angle, rad, up to which an effect is treated as linear. A larger effect is measured
+/// again with a smaller change. Two motions farther apart do not determine the position of a third.
 pub(super) const LINEAR: f64 = 0.1;
 
-/// How much the error of ω at one time may be raised, as that of the attitude has been larger before.
+/// Largest factor by which the error of ω is increased because the attitude error was larger
+/// before.
 const MOST_RAISED: f64 = 30.0;
 
-/// How far the states of two motions are from one another, one by one.
+/// Distances between the states of two motions, one per state.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Distance {
-    /// The angle between the attitudes, rad.
+    /// Angles between the attitudes, rad.
     attitude: Vec<f64>,
     /// |δω|, rad/s.
     omega: Vec<f64>,
 }
 
 impl Distance {
-    /// Of `states` from `reference`; infinite where there is none.
+    /// Computes the distances of `states` from `reference`; infinite for missing states.
     pub(super) fn between(reference: &[State], states: &[State]) -> Self {
         let mut states = states.iter();
         let apart = |reference: &State| {
@@ -34,19 +36,19 @@ impl Distance {
         Self { attitude, omega }
     }
 
-    /// The larger of each.
+    /// Returns the larger of both distances, element by element.
     pub(super) fn worse(self, other: Self) -> Self {
         let worse = |a: Vec<f64>, b: Vec<f64>| a.into_iter().zip(b).map(|(a, b)| a.max(b)).collect();
         Self { attitude: worse(self.attitude, other.attitude), omega: worse(self.omega, other.omega) }
     }
 
-    /// The sum of both.
+    /// Returns the sum of both distances.
     pub(super) fn plus(self, other: &Self) -> Self {
         let sum = |a: Vec<f64>, b: &[f64]| a.into_iter().zip(b).map(|(a, b)| a + b).collect();
         Self { attitude: sum(self.attitude, &other.attitude), omega: sum(self.omega, &other.omega) }
     }
 
-    /// Infinite from an angle on that is too large to tell anything: multiplied or divided, it would be any number.
+    /// Sets distances above the linear range to infinity. They cannot be scaled.
     pub(super) fn within_linear(mut self) -> Self {
         for (a, w) in self.attitude.iter_mut().zip(&mut self.omega).filter(|(a, _)| !(**a <= LINEAR)) {
             (*a, *w) = (f64::INFINITY, f64::INFINITY);
@@ -54,18 +56,18 @@ impl Distance {
         self
     }
 
-    /// Divided by a number.
+    /// Divides the distances by a number.
     pub(super) fn over(mut self, by: f64) -> Self {
         self.attitude.iter_mut().chain(&mut self.omega).for_each(|x| *x /= by);
         self
     }
 
-    /// True if no attitude is further away than an angle.
+    /// Returns true if all angles are at most `angle`.
     pub(super) fn is_within(&self, angle: f64) -> bool {
         self.attitude.iter().all(|a| *a <= angle)
     }
 
-    /// Another distance where this one is beyond an angle.
+    /// Replaces the distances whose angle exceeds `angle` by those of `other`.
     pub(super) fn or_beyond(mut self, angle: f64, other: &Self) -> Self {
         for (k, (a, w)) in self.attitude.iter_mut().zip(&mut self.omega).enumerate() {
             if !(*a <= angle)
@@ -77,7 +79,8 @@ impl Distance {
         self
     }
 
-    /// The distance at all samples, where this one is that at these: between two of them the larger one.
+    /// Extends the distances from the samples with indices `at` to all samples. Between two of them
+    /// the larger distance is used.
     pub(super) fn at_all(&self, at: &[usize]) -> Self {
         let mut all = Self::default();
         let values = self.attitude.iter().zip(&self.omega).zip(at);
@@ -93,7 +96,8 @@ impl Distance {
         all
     }
 
-    /// The error along the way: the attitude's is the largest so far, and ω's is raised by as much, as both come from the same phase.
+    /// Returns the error at each sample. The attitude error is the largest so far. The error of ω
+    /// is increased by the same factor, because both come from the same phase error.
     pub(super) fn relative_to(&self, reference: &[State], floor: StateError) -> Vec<StateError> {
         let mut largest = 0.0_f64;
         let states = reference.iter().zip(self.attitude.iter().zip(&self.omega));
@@ -112,19 +116,22 @@ impl Distance {
     }
 }
 
-/// The angle θ of the rotation from one attitude to another: unit quaternions are 2 sin(θ/4) apart, or their negatives are.
+/// Returns the angle θ of the rotation between two attitudes. The distance of their unit
+/// quaternions is 2 sin(θ/4), up to a sign of one of them.
 fn angle_between(p: [f64; 4], q: [f64; 4]) -> f64 {
     let distance = |sign: f64| p.iter().zip(q).map(|(p, q)| (p - sign * q) * (p - sign * q)).sum::<f64>();
     let sine = 0.5 * distance(1.0).min(distance(-1.0)).sqrt();
     if sine < 1e-4 { 4.0 * sine } else { 4.0 * libm::asin(sine.min(1.0)) }
 }
 
-/// A state beyond the reach of a closed form is NaN: then nothing is known.
+/// Replaces NaN by infinity. A state beyond the reach of a closed form is NaN and therefore
+/// unknown.
 const fn number_or_infinite(x: f64) -> f64 {
     if x.is_nan() { f64::INFINITY } else { x }
 }
 
-/// Two motions that are so far apart tell nothing of where a third one is: the error is the largest that there is.
+/// Returns the error, or the largest possible error if it exceeds the linear range. Two motions so
+/// far apart do not determine the position of a third.
 fn known(error: f64, largest: f64) -> f64 {
     if error <= LINEAR { error } else { largest }
 }

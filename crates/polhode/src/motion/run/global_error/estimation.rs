@@ -1,4 +1,4 @@
-//! How the error is estimated: other runs, and how far they are apart.
+//! Estimation of the error from other runs and their distances.
 
 use super::ErrorEffort;
 use super::compared_samples::ComparedSamples;
@@ -19,11 +19,14 @@ use crate::motion::solve::closed_form::{ClosedForm, OF_ROUNDED_CONSTANTS};
 use crate::motion::solve::propagate::stepper::Rule;
 
 impl Simulation<'_> {
-    /// [`Simulation::run`], with the estimate of its error: [`Trajectory::error`]. `progress` is told the end again and again while that is
-    /// made; `false` ends the work.
+    /// Computes the motion like [`Simulation::run`], with an estimate of its error, which
+    /// [`Trajectory::error`] returns.
+    ///
+    /// During the estimation `progress` receives the end time repeatedly. If it returns `false`,
+    /// the computation stops.
     ///
     /// # Errors
-    /// As [`Simulation::run_watched`].
+    /// The errors of [`Simulation::run_watched`].
     pub fn run_with_error(
         &self,
         effort: ErrorEffort,
@@ -39,12 +42,14 @@ impl Simulation<'_> {
         if goes_on { Ok(trajectory.with_error(error)) } else { Err(MotionError::Stopped { time: end }) }
     }
 
-    /// Estimates of the error of a trajectory that this simulation has computed; `None` of one that was prescribed.
+    /// Estimates the error of a trajectory that this simulation has computed; `None` for a
+    /// prescribed motion.
     pub fn global_error(&self, trajectory: &Trajectory, effort: ErrorEffort) -> Option<GlobalError> {
         self.estimate(trajectory, effort, &mut |_| true)
     }
 
-    /// `progress` is told the time that each of the runs has reached; after `false` what is estimated is nothing.
+    /// Estimates the error. `progress` receives the time that each run has reached. If it returns
+    /// false, the result is meaningless.
     fn estimate(
         &self,
         trajectory: &Trajectory,
@@ -75,20 +80,23 @@ impl Simulation<'_> {
 }
 
 impl RotorProblem<'_> {
-    /// Of a closed form, which has no steps whose errors add up: of some hundreds of states, so that it is always thorough.
+    /// Estimates the error of a closed form, which has no accumulating step errors. Some hundreds
+    /// of states suffice, so the estimate is always thorough.
     fn exact_error(&self, motion: &ClosedForm, trajectory: &Trajectory) -> GlobalError {
         let samples = trajectory.samples();
         let watched = ComparedSamples::of_trajectory(trajectory);
         let inputs = input_error(&watched, |seed, amplitude| {
             let Inputs { rotor, start, .. } = Inputs::of(self, (seed, amplitude));
-            // Not every change of a body keeps the symmetry that a closed form needs.
+            // A change of the body may break the symmetry that a closed form needs; then only the
+            // start is changed.
             ClosedForm::of(&rotor, self.torques, start)
                 .or_else(|_| ClosedForm::of(self.rotor, self.torques, start))
                 .map_or_else(|_| Vec::new(), |motion| motion.at_times(&watched.times))
         });
         let error = |(sample, worth): (&Sample, &StateError)| {
             let error = motion.formula_error(sample.state.time - self.start.time, *worth);
-            // The tensor about a pivot is rounded when it is formed from that about the centre of mass.
+            // The tensor about a pivot is rounded when it is computed from that about the centre of
+            // mass.
             let is_rounded = matches!(motion, ClosedForm::Free(_)) && self.rotor.is_pivoted();
             if is_rounded { error.plus(*worth, OF_ROUNDED_CONSTANTS) } else { error }
         };
@@ -97,7 +105,8 @@ impl RotorProblem<'_> {
     }
 }
 
-/// What the last bit of the inputs does, by what many times as much does: `states` of a seed and an amplitude.
+/// Estimates the effect of input rounding from larger changes of the inputs. `states` computes the
+/// motion for a seed and an amplitude.
 pub(super) fn input_error(
     watched: &ComparedSamples,
     states: impl Fn(u64, f64) -> Vec<State>,
@@ -119,7 +128,7 @@ pub(super) fn input_error(
     watched.errors(&distances.reduce(Distance::worse).unwrap_or_default(), NONE)
 }
 
-/// The integrator of a rotor's solution; `None` of those that have none, or are on the ground.
+/// Returns the integrator of a rotor's solution; `None` if it has none, or is on the ground.
 const fn rule(solution: &Solution) -> Option<Rule> {
     match solution {
         Solution::Taylor(_) => Some(Rule::Taylor),

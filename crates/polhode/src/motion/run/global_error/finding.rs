@@ -1,4 +1,4 @@
-//! What the error of a motion says to the one who reads it.
+//! Findings about the error of a motion.
 
 use crate::body::finding::{Finding, Severity};
 use crate::motion::model::state::StateError;
@@ -6,18 +6,21 @@ use crate::motion::run::estimated_error::GlobalError;
 use crate::motion::run::solution::Solution;
 use crate::motion::run::trajectory::Trajectory;
 
-/// Errors of the attitude below this, rad, are not reported.
+/// Threshold of the attitude error, rad; smaller errors are not reported.
 const SMALL: f64 = 1e-9;
-/// Nor where it is within this many times the tolerance of a step that was asked for.
+/// Threshold relative to the requested tolerance of a step.
 const WITHIN: f64 = 1e4;
-/// Nor for steps of a given length, whose error is the user's choice.
+/// Threshold for splitting, rad. Its step, and with it the error, is the user's choice.
 const SMALL_OF_SPLITTING: f64 = 1e-4;
-/// No digit of an attitude is left, rad.
+/// Attitude error, rad, at which no digit is correct.
 const LOST: f64 = 0.1;
 
 impl Trajectory {
-    /// What was noticed about its error: `motion.error` where errors have grown beyond what steps were asked for,
-    /// `motion.inputs` where the last bit of the inputs is worth more than anybody would think, of a thorough estimate. Nothing without one.
+    /// Returns findings about the error; none without an estimate.
+    ///
+    /// - `motion.error`: errors have grown far beyond the requested tolerance.
+    /// - `motion.inputs`: input rounding has an unexpectedly large effect (thorough estimates
+    ///   only).
     pub fn findings(&self) -> Vec<Finding> {
         let Some(error) = self.error() else { return Vec::new() };
         self.computation_finding(error).into_iter().chain(self.input_finding(error)).collect()
@@ -47,7 +50,7 @@ impl Trajectory {
 
     fn input_finding(&self, error: &GlobalError) -> Option<Finding> {
         let StateError { attitude, .. } = error.inputs_end();
-        // A cheap estimate has a bound only: no evidence that they matter.
+        // A cheap estimate gives only an upper bound, which does not prove an effect.
         if attitude <= SMALL || !error.is_thorough() {
             return None;
         }
@@ -70,7 +73,7 @@ impl Trajectory {
         Some(Finding { code: "motion.inputs", severity, message, place: None })
     }
 
-    /// The time of the first sample whose error of the attitude is beyond an angle.
+    /// Returns the time of the first sample whose attitude error exceeds an angle, s.
     fn time_beyond(&self, errors: &[StateError], angle: f64) -> Option<f64> {
         let first = errors.iter().position(|error| !(error.attitude <= angle))?;
         self.samples().get(first).map(|sample| sample.state.time)

@@ -1,4 +1,4 @@
-//! The error of a free motion, which needs no simulation.
+//! Error of a free motion, without a simulation.
 
 use super::compared_samples::ComparedSamples;
 use super::estimation::input_error;
@@ -11,13 +11,15 @@ use crate::motion::run::trajectory::Trajectory;
 use crate::motion::solve::free::FreeMotion;
 use crate::motion::solve::reach::ALLOWED;
 
-/// Bound on the rounding of a state by the formulas. Of 300 random bodies and up to 100 turns the
-/// largest is 1.5e-15 rad and 8.2e-16 (`tests/all/error_estimate`), whatever the time.
+/// Bound on the rounding error of the formulas. For 300 random bodies and up to 100 turns the
+/// largest error is 1.5e-15 rad and 8.2e-16 (`tests/all/error_estimate`), independent of time.
 const FORMULA_ROUNDING: StateError = StateError { attitude: 2e-15, omega: 1e-15 };
 
 impl FreeMotion {
-    /// Estimates of the error of the states at some times: that of the formulas, which is measured (`book/accuracy.md`), and what the last
-    /// bit of moments and start is worth, which grows with time as t ∂Ω/∂I. The times may be in any order.
+    /// Estimates the error of the states at some times, which may be in any order.
+    ///
+    /// The error of the computation is the measured error of the formulas (`book/accuracy.md`). The
+    /// effect of input rounding grows with time as t ∂Ω/∂I.
     ///
     /// ```
     /// use polhode::math::{AngularVelocity, Attitude};
@@ -32,7 +34,7 @@ impl FreeMotion {
     pub fn global_error(&self, times: &[f64]) -> GlobalError {
         let (start, after) = (self.start(), |time: f64| (time - self.start().time).abs());
         let computation = times.iter().map(|time| self.formula_error(after(*time))).collect();
-        // What grows along the way does so from the start on, whatever the order of the times.
+        // Accumulated errors grow from the start outwards, whatever the order of the times.
         let mut order: Vec<usize> = (0..times.len()).collect();
         order.sort_by(|&a, &b| after(times[a]).total_cmp(&after(times[b])));
         let outward: Vec<f64> = order.iter().map(|&k| times[k]).collect();
@@ -50,17 +52,18 @@ impl FreeMotion {
         GlobalError { is_thorough: true, computation, inputs }
     }
 
-    /// Bound on the error of the formulas alone, `after` seconds from the start: rounding, which
-    /// does not grow with time, and the drift of the phase ([`FreeMotion::reach`]).
+    /// Returns a bound on the error of the formulas, `after` seconds from the start. It contains
+    /// rounding, which does not grow with time, and the drift of the phase ([`FreeMotion::reach`]).
     ///
-    /// Rounding is bounded by 2e-15 rad and 1e-15 of ω. The motion is that of the rotor's tensor:
-    /// the rounding of a tensor about a pivot, or of a body of several parts, is not included.
+    /// Rounding is bounded by 2e-15 rad and 1e-15 of ω. The bound refers to the tensor of the
+    /// rotor. The rounding of a tensor about a pivot, or of a body with several parts, is not
+    /// included.
     pub fn formula_error(&self, after: f64) -> StateError {
         let drift = ALLOWED * (after.abs() / self.reach()).min(1.0);
         FORMULA_ROUNDING.plus(StateError { attitude: drift, omega: drift }, 1.0)
     }
 
-    /// R diag(i) Rᵀ
+    /// Returns the inertia tensor R diag(i) Rᵀ, body axes.
     fn tensor(&self) -> Symmetric3 {
         let principal = self.principal();
         Symmetric3::diagonal(principal.moments()).rotated(&principal.rotation().matrix())
@@ -68,10 +71,10 @@ impl FreeMotion {
 }
 
 impl Trajectory {
-    /// [`Trajectory::of_motion`] with the estimate of its error.
+    /// Like [`Trajectory::of_motion`], with an estimate of the error.
     ///
     /// # Errors
-    /// As [`Trajectory::of_motion`].
+    /// The errors of [`Trajectory::of_motion`].
     pub fn of_motion_with_error(motion: FreeMotion, times: &[f64]) -> Result<Self, MotionError> {
         let error = motion.global_error(times);
         Ok(Self::of_motion(motion, times)?.with_error(Some(error)))

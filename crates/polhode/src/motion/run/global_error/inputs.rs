@@ -1,4 +1,4 @@
-//! The inputs of a motion, a little different.
+//! Perturbed inputs of a motion.
 
 use crate::math::rotation::Rotation;
 use crate::math::symmetric3::Symmetric3;
@@ -12,10 +12,11 @@ use crate::motion::solve::propagate::noise::Random;
 /// Half a unit in the last place, relative to the number.
 const HALF_BIT: f64 = 0.5 * f64::EPSILON;
 
-/// A body and a start, each number of which is off by so many times what its rounding may be, to either side.
+/// Body and start with perturbed numbers: each is changed by a multiple of its rounding error, with
+/// random sign.
 ///
-/// Each number is changed in proportion to itself, so that what is zero stays zero; and second moments that are equal stay equal, as
-/// a body that is symmetric is so by construction, not by chance.
+/// Each number changes in proportion to itself, so that zero stays zero. Equal second moments stay
+/// equal, because a body is symmetric by construction and not by chance.
 #[derive(Clone, Debug)]
 pub(super) struct Inputs {
     pub(super) rotor: Rotor,
@@ -36,7 +37,7 @@ impl Inputs {
     }
 }
 
-/// Numbers changed by so many times what their rounding may be, to either side at random.
+/// Generator of perturbations: a multiple of the rounding error, with random sign.
 #[derive(Clone, Debug)]
 pub(super) struct Change {
     random: Random,
@@ -59,17 +60,18 @@ impl Change {
     pub(super) fn start(&mut self, start: State) -> State {
         let quaternion = self.each(start.attitude.quaternion());
         let omega = Vector::from_array(self.each(start.omega.to_array()));
-        // A quaternion that is all but unit can be normalised.
+        // A nearly unit quaternion can always be normalized.
         State { attitude: Rotation::from_quaternion(quaternion).unwrap_or(start.attitude), omega, ..start }
     }
 
-    /// I of second moments D S D, D = diag(d): S = ½ tr(I) 1 − I stays positive semi-definite, so that a body stays one.
+    /// Returns the inertia tensor of the second moments D S D, D = diag(d). S = ½ tr(I) 1 − I stays
+    /// positive semi-definite, so the body stays physical.
     pub(super) fn inertia(&mut self, i: &Symmetric3) -> Symmetric3 {
         let stretch = self.stretch(i);
         stretched(i, stretch)
     }
 
-    /// d
+    /// Returns the stretch factors d.
     fn stretch(&mut self, i: &Symmetric3) -> [f64; 3] {
         let [a, b, c] = self.each([1.0; 3]);
         let half = 0.5 * (i.xx + i.yy + i.zz);
@@ -87,7 +89,7 @@ impl Change {
     }
 }
 
-/// The tensor of second moments D S D.
+/// Returns the inertia tensor of the second moments D S D.
 fn stretched(i: &Symmetric3, [a, b, c]: [f64; 3]) -> Symmetric3 {
     let half = 0.5 * (i.xx + i.yy + i.zz);
     Symmetric3 {

@@ -1,4 +1,4 @@
-//! Motions that are computed again, from inputs and with steps that are a little different.
+//! Motions that can be computed again, with perturbed inputs and other steps.
 
 use super::comparison::ComparisonRun;
 use super::inputs::{Change, Inputs};
@@ -20,26 +20,30 @@ use crate::motion::run::turning::Turning;
 use crate::motion::run::{in_gimbals, on_ground};
 use crate::motion::solve::propagate::stepper::{Rule, Stepper};
 
-/// Relative difference of the times of two ends that count as the same one.
+/// Relative tolerance within which the times of two endings count as equal.
 const SHIFT: f64 = 1e-6;
 
-/// Number of steps and samples up to which an estimate is thorough by default: some hundredths of a second.
+/// Largest number of steps and samples for which an estimate is thorough by default: some
+/// hundredths of a second.
 const FEW: u64 = 10_000;
-/// Steps of DOP853 and of splitting take several times as long as Taylor's for the same accuracy.
+/// The same limit for DOP853 and splitting, whose motions take several times as long as those of
+/// Taylor's method.
 const FEW_OF_MANY_STAGES: u64 = 3_000;
-/// Steps on the ground and in gimbals cost more than others.
+/// The same limit for motions on the ground and in gimbals, whose steps cost more.
 const FEW_OF_HELD: u64 = 500;
 
-/// A motion that is computed again. What stops it, or is only written down, does not change it and is left out.
+/// Motion that can be computed again. Events that only stop it or are only recorded are omitted,
+/// because they do not change it.
 pub(super) trait Repeatable {
-    /// Number of steps and samples up to which an estimate is thorough by default.
+    /// Returns the largest number of steps and samples for which an estimate is thorough by
+    /// default.
     fn few(&self) -> u64;
 
-    /// States of a comparison run at the times, as far as it gets. `progress` receives the time after
-    /// each step; `false` ends the work.
+    /// Returns the states of a comparison run at the times, as far as it gets. `progress` receives
+    /// the time after each step; if it returns `false`, the computation stops.
     ///
     /// # Errors
-    /// As [`Simulation::run_watched`](crate::motion::Simulation::run_watched).
+    /// The errors of [`Simulation::run_watched`](crate::motion::Simulation::run_watched).
     fn states(
         &self,
         run: ComparisonRun,
@@ -48,7 +52,7 @@ pub(super) trait Repeatable {
     ) -> Result<Vec<State>, MotionError>;
 }
 
-/// A rotor whose motion was integrated by a rule.
+/// Rotor whose motion was integrated by `rule`.
 pub(super) struct IntegratedRotor<'a> {
     pub(super) problem: &'a RotorProblem<'a>,
     pub(super) rule: Rule,
@@ -67,13 +71,14 @@ impl Repeatable for IntegratedRotor<'_> {
     ) -> Result<Vec<State>, MotionError> {
         let RotorProblem { torques, switched_off, events, event_sides, tolerance, .. } = *self.problem;
         let Inputs { rotor, history, start } = &Inputs::of(self.problem, run.inputs);
-        // Taylor's method is the most accurate, and of another order than the others.
+        // Taylor's method is the most accurate, and its order differs from that of the other
+        // methods.
         let finest = || if self.problem.rough_torque().is_none() { Rule::Taylor } else { Rule::Dop853 };
         let rule = if run.is_finest { finest() } else { self.rule };
         let body = (rotor, history.as_ref());
         let tolerance = run.tolerance(tolerance);
         let stepper = Stepper::new(rule, body, torques, switched_off, *start, tolerance, false)?;
-        // The times of the half turns of torsions differ a little, too.
+        // The times of the half turns of torsions also differ slightly.
         let stepper = stepper.perturbed(run.steps).beyond_half_turns();
         let switches: Vec<Event> = events.iter().filter(|event| event.switches()).cloned().collect();
         let sides = events.iter().zip(event_sides).filter(|(event, _)| event.switches());
@@ -120,7 +125,8 @@ impl Repeatable for GimbalProblem<'_> {
         FEW_OF_HELD
     }
 
-    /// Changes the tensor and the lever of the rotor, and the angles and rates at the start.
+    /// Computes a run with changed tensor and lever of the rotor, and changed angles and rates at
+    /// the start.
     fn states(
         &self,
         run: ComparisonRun,
@@ -148,7 +154,8 @@ impl Repeatable for GimbalProblem<'_> {
     }
 }
 
-/// The states that are at the times, as far as a motion gets; one that ended by itself ends a little earlier or later.
+/// Returns the states at the times, as far as the motion gets. A motion that ended by itself may
+/// end slightly earlier or later.
 fn reached(motion: &Trajectory, times: &[f64], ended: bool) -> Vec<State> {
     let is_at = |k: usize, there: f64, time: f64| {
         there == time || ended && k + 1 == times.len() && (there - time).abs() <= SHIFT * time.abs()

@@ -16,9 +16,9 @@ impl<N: Number> Expansion<N> {
     /// the scale of ω. It is zero if nothing rotates and no torque acts; then only the rotation
     /// determines the step.
     ///
-    /// Let ρ = min (1/|xₙ|^(1/n), 1/|xₙ₋₁|^(1/(n−1))) the error is about (h/ρ)^(p+1) /
-    /// (1 − h/ρ). n is less than the order p by [`EARLY`], so that ρ can be computed while the last
-    /// coefficients are.
+    /// Let ρ = min (1/|xₙ|^(1/n), 1/|xₙ₋₁|^(1/(n−1))). The truncation error is about
+    /// (h/ρ)^(p+1) / (1 − h/ρ). n is less than the order p by [`EARLY`], so that ρ is known before the
+    /// last coefficients are.
     #[inline(always)]
     pub(super) fn step(&self, scale: N) -> N {
         let n = self.order - EARLY;

@@ -4,8 +4,8 @@
 //! loops have few, predictable exits: they run by fours, and beyond the known coefficients they
 //! read zeros.
 //!
-//! The loops for several bodies ([`SeveralBodies`]) end at the last term, because there is enough other
-//! work. Both use the same order of terms, and adding zeros does not change a sum that begins with
+//! The loops for several bodies ([`SeveralBodies`]) end at the last term, because there is enough
+//! other work. Both use the same order of terms, and adding zeros does not change a sum that begins with
 //! +0. Each lane is therefore bit-identical to its body alone.
 
 use core::ops::Mul;

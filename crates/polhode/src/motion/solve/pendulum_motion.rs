@@ -62,9 +62,9 @@ pub(super) struct Kernel {
     lattice: Lattice,
     /// z = πx/2K.
     angle: Angle,
-    /// Factors that turn the theta functions into cos ½θ and sin ½θ, both times θ₄. The next field
-    /// is the factor of the rate.
+    /// Factors that turn the theta functions into cos ½θ and sin ½θ, both times θ₄.
     half: [f64; 2],
+    /// Factor that turns the theta function into the rate, rad/s, times θ₄.
     rate: f64,
     is_round: bool,
 }

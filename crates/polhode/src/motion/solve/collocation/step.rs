@@ -28,16 +28,18 @@ const CONVERGED: f64 = 5e-16;
 pub(in crate::motion) struct Collocation {
     tolerance: f64,
     variables: Variables,
-    /// Indices of the kinematic variables. The next field holds those of the dynamic ones.
+    /// Indices of the kinematic variables.
     kinematic: Vec<usize>,
+    /// Indices of the dynamic variables.
     dynamic: Vec<usize>,
     /// Proposed length of the next step.
     next: f64,
     /// True after the first step.
     is_known: bool,
     now: Box<Polynomials>,
-    /// Buffer for the polynomials of a trial step. The next field holds its values at the nodes.
+    /// Buffer for the polynomials of a trial step.
     trial: Box<Polynomials>,
+    /// Buffer for the values of a trial step at its nodes.
     values: Box<NodeValues>,
     work: StepWork,
 }

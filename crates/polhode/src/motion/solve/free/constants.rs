@@ -24,8 +24,9 @@ pub(super) struct Constants {
     pub(super) kinetic_energy: f64,
     /// Largest |ω| along each axis, rad/s.
     pub(super) amplitudes: [f64; 3],
-    /// Elliptic parameter m. The next field is √(1 − m).
+    /// Elliptic parameter m.
     pub(super) parameter: f64,
+    /// √(1 − m); zero only on the separatrix.
     pub(super) complementary_modulus: f64,
     /// |λ|, rad/s.
     pub(super) polhode_rate: f64,

@@ -34,8 +34,9 @@ pub(super) struct Elements {
     pub(super) rates: [Double; 3],
     /// cn u0 and sn u0: position of the start on the polhode.
     pub(super) start: [Double; 2],
-    /// Elliptic parameter m. The next field is √(1 − m); its square may leave the range of f64.
+    /// Elliptic parameter m.
     pub(super) m: Double,
+    /// √(1 − m). Its square may leave the range of f64.
     pub(super) k1: Double,
     /// −n ≥ 0
     pub(super) minus_n: Double,

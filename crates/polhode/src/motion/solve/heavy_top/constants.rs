@@ -27,27 +27,29 @@ pub(super) struct Constants {
     pub(super) moments: [f64; 2],
     /// M g l, N·m.
     pub(super) weight: f64,
-    /// Rotation from z to the vertical, in space. The next field is the rotation from z to the
-    /// top's axis, in the body.
+    /// Rotation from z to the vertical, in space.
     pub(super) vertical: Quaternion<Triple>,
+    /// Rotation from z to the top's axis, in the body.
     pub(super) axis: Quaternion<Triple>,
     /// P and Q at the start.
     pub(super) start: [Complex<Triple>; 2],
-    /// ω1 + iω2 at the start, the components perpendicular to the axis. The next field, ω3, is the
-    /// component along the axis.
+    /// ω1 + iω2 at the start: the components perpendicular to the axis.
     pub(super) across: Complex<Triple>,
+    /// ω3 at the start: the component along the axis.
     pub(super) spin: Triple,
     /// a = C ω3/A
     pub(super) a: Triple,
     /// β = 2 M g l/A
     pub(super) beta: Triple,
-    /// 1 − cos θ at the start. The next field is 1 + cos θ.
+    /// 1 − cos θ at the start.
     pub(super) from_top: Triple,
+    /// 1 + cos θ at the start.
     pub(super) from_bottom: Triple,
     /// d(cos θ)/dt at the start.
     pub(super) fall: Triple,
-    /// b − a, where b = k · L/A. The next field is b + a.
+    /// b − a, where b = k · L/A.
     pub(super) b_minus_a: Triple,
+    /// b + a, where b = k · L/A.
     pub(super) b_plus_a: Triple,
     /// α − β: (ω1² + ω2²) − β (1 − cos θ)
     pub(super) excess: Triple,

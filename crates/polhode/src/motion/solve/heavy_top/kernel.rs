@@ -29,11 +29,13 @@ use super::cayley_klein::CayleyKlein;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Kernel {
     lattice: Lattice,
-    /// Phase z. The next field holds φ_P and φ_Q.
+    /// Phase z of the nutation.
     nutation: Angle,
+    /// Phases φ_P and φ_Q.
     turns: [Angle; 2],
-    /// N_P, N_Q and N_ω. The next field holds the factors p, q and ω.
+    /// Theta functions N_P, N_Q and N_ω.
     series: [Shifted; 3],
+    /// Factors p, q and ω of the theta functions.
     sizes: [f64; 3],
     /// Integer k of the factor e^2ikz.
     winding: i8,

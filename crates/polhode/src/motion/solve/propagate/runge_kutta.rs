@@ -63,8 +63,9 @@ pub(super) struct Attempt<'a> {
     stages: Stages<N>,
     h: f64,
     end_time: f64,
-    /// Step allowed by the tolerance. The next field is the time to the limit that no step crosses.
+    /// Step allowed by the tolerance, s.
     wanted: f64,
+    /// Time to the limit that no step crosses, s.
     rest: f64,
     pub(super) was_rejected: bool,
 }

@@ -46,9 +46,9 @@ pub(crate) struct Stepper<'a> {
     bound: Bound<Balanced>,
     /// Start of the last step, s.
     from: f64,
-    /// Acting torsions. The next field is the time at which one of them is twisted by half a turn;
-    /// no step begins there.
+    /// Acting torsion springs and wires.
     torsions: Torsions,
+    /// Time at which a torsion is twisted by half a turn, s; a step cannot begin there.
     half_turn: Option<f64>,
     /// True for a motion that continues beyond half a turn. Perturbed runs do, because they reach
     /// the half turn slightly earlier than the run that they are compared with.

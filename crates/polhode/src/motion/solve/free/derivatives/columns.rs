@@ -161,8 +161,9 @@ struct RowsOf<'a> {
     lag: [[f64; 3]; 3],
     /// L/L²
     along: [f64; 3],
-    /// ω at the start, labelled axes. The next field is the present ω.
+    /// ω at the start, labelled axes.
     before: [f64; 3],
+    /// ω now, labelled axes.
     now: [f64; 3],
     action: [f64; 6],
     momentum: [[f64; 6]; 3],

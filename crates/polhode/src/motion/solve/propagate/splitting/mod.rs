@@ -50,8 +50,9 @@ pub(super) struct Splitting<'a> {
     spin: f64,
     /// L at the start, space axes.
     start: AngularMomentum<Space>,
-    /// State at the start of the last step. The next field is the state now.
+    /// State at the start of the last step.
     base: Head,
+    /// State at the end of the last step, which is the state now.
     head: Head,
     /// Step length, s.
     h: f64,

@@ -56,8 +56,9 @@ pub(super) struct EquationConstants<N> {
     pub(super) constant: Row<N>,
     /// Matrix A by diagonals: A₁₁ A₂₂ A₃₃, A₁₂ A₂₃ A₃₁, A₁₃ A₂₁ A₃₂.
     pub(super) of_joint: [Row<N>; 3],
-    /// Columns of B. The next field is true if B is not zero.
+    /// Columns of B.
     pub(super) of_omega: [Row<N>; 3],
+    /// True if B is not zero.
     pub(super) has_omega: bool,
     /// s = µ/r³.
     pub(super) strength: N,

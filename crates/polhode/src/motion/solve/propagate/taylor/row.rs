@@ -130,8 +130,9 @@ pub(super) fn smaller<N: Number>(a: N, b: N) -> N {
     a.zip(b, |a, b| if a < b { a } else { b })
 }
 
-/// Bit mask of the exponent of an f64. The next constant is the least normal exponent.
+/// Bit mask of the exponent of an f64.
 const EXPONENT: u64 = 0x7ff << 52;
+/// Bits of the least normal f64.
 const LEAST: u64 = 1 << 52;
 
 impl<N: Number> Add for Row<N> {

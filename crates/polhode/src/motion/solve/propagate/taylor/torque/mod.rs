@@ -25,8 +25,9 @@ pub(super) struct StepStart<N = f64> {
     pub(super) time: N,
     /// Quaternion of the principal axes.
     pub(super) attitude: Row<N>,
-    /// ω, principal axes. The next field is its low word.
+    /// ω, principal axes, rad/s.
     pub(super) omega: Row<N>,
+    /// Low word of ω.
     pub(super) omega_low: Row<N>,
 }
 

@@ -29,8 +29,9 @@ pub(super) struct Rates {
     pub(super) turning: [[f64; 3]; 2],
     /// Rows of ∂Ω/∂ω. Unused without friction, where this is the identity.
     pub(super) bending: [[f64; 3]; 3],
-    /// Rows of I⁻¹ ∂(L × Ω + N)/∂θ. The next field is the same with ∂/∂ω.
+    /// Rows of I⁻¹ ∂(L × Ω + N)/∂θ.
     pub(super) of_attitude: [[f64; 3]; 3],
+    /// Rows of I⁻¹ ∂(L × Ω + N)/∂ω.
     pub(super) of_omega: [[f64; 3]; 3],
 }
 

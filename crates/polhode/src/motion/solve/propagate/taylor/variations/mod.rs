@@ -29,9 +29,9 @@ use crate::motion::model::torque::linearization::{Linearization, Slope};
 use crate::motion::model::torque::parameter::ParameterKind;
 use crate::motion::solve::propagate::piece::Piece;
 
-/// Number of columns with respect to the start. The next constant is that for the inertia; the
-/// columns of the parameters follow.
+/// Number of columns with respect to the start, the first ones.
 const OF_STATE: usize = 6;
+/// Number of columns with respect to the inertia. Those of the parameters follow.
 const OF_INERTIA: usize = 6;
 /// Derivatives of the motion of one body over one step.
 #[derive(Clone, Debug)]

@@ -18,7 +18,7 @@ pub enum Solution {
     Taylor(Steps),
     /// Runge–Kutta method of Dormand and Prince, order 8 (DOP853).
     Dop853(Steps),
-    /// Splitting with constant step: exact free motion, with impulses by the torques between steps.
+    /// Splitting with constant step: exact free motions alternate with impulses by the torques.
     Splitting {
         /// Order of accuracy.
         order: SplittingOrder,

@@ -19,7 +19,7 @@ pub enum Method {
     Taylor,
     /// Numerical integration by the Runge–Kutta method of Dormand and Prince, order 8 (DOP853).
     Dop853,
-    /// Splitting with constant step: exact free motion, with impulses by the torques between steps.
+    /// Splitting with constant step: exact free motions alternate with impulses by the torques.
     ///
     /// The torques must depend on attitude and time only. If they have a potential, the error of T
     /// + U stays bounded.

@@ -22,7 +22,7 @@ pub(crate) fn require_ascending(start: f64, times: &[f64]) -> Result<(), MotionE
 }
 
 /// Checks the number of pulses between two times. A step ends at the beginning of every pulse, so
-/// the number of steps would exceed the limit.
+/// the number of pulses is limited like that of steps.
 ///
 /// # Errors
 /// [`MotionError::TooManyPulses`] if the pulses of the wheels' motors and of all torques that do
@@ -49,8 +49,8 @@ pub(crate) fn require_few_pulses(
     Err(MotionError::TooManyPulses { torque: densest.0, count: sum, most: MOST_STEPS })
 }
 
-/// Checks that start and torques are finite there. The start is an input, so the error names the
-/// input and not the computation.
+/// Checks that the start is finite, and the torques at the start. The start is an input, so the
+/// error names the input and not the computation.
 pub(crate) fn require_finite(
     rotor: &Rotor,
     torques: &[TorqueModel],

@@ -2,7 +2,7 @@
 //!
 //! Each member takes its own steps, so that its error control and its bits are those of a single
 //! body. A common step would be that of the member with the shortest step. Only the evaluations are
-//! synchronized: each call computes one torque for each member, at whatever stage of its step the
+//! synchronised: each call computes one torque for each member, at whatever stage of its step the
 //! member is.
 
 use core::mem;
@@ -58,7 +58,7 @@ fn is_alone(member: &Member) -> bool {
     member.is_watched() || member.torques.iter().any(|torque| torque.model().rest().is_some())
 }
 
-/// Returns true if the torque is computed for many members at once.
+/// Returns true if one call computes the torque of many members.
 pub(super) fn is_shared(torque: &TorqueModel) -> bool {
     function_of(torque).is_some()
 }

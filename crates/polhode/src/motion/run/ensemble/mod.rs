@@ -91,7 +91,7 @@ pub struct EnsembleStates {
 #[derive(Clone, Debug)]
 pub struct Ensemble {
     members: Vec<Member>,
-    /// True if a torque is computed for many members at once.
+    /// True if one call computes a torque of many members.
     is_in_step: bool,
     /// Cached closed form of each member, used from the second call on.
     closed: Vec<closed::Closed>,

@@ -25,7 +25,7 @@ pub(super) const INPUT_SEED: u64 = 1_000;
 pub(super) const INPUT_AMPLITUDES: [f64; 3] = [4096.0, 64.0, 1.0];
 /// Safety factor on the rounding in a cheap estimate, which has a single sample of it.
 const CHEAP: f64 = 6.0;
-/// Factor on the step length of the finest run. The truncation error decreases by 0.7⁸ = 1/17 at
+/// Factor on the step length of the finest run. It reduces the truncation error to 1/17 (0.7⁸) at
 /// order 8, and to 1/1250 at order 20.
 const FINEST_STEPS: f64 = 0.7;
 

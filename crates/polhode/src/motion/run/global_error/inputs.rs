@@ -60,7 +60,7 @@ impl Change {
     pub(super) fn start(&mut self, start: State) -> State {
         let quaternion = self.each(start.attitude.quaternion());
         let omega = Vector::from_array(self.each(start.omega.to_array()));
-        // A nearly unit quaternion can always be normalized.
+        // A nearly unit quaternion can always be normalised.
         State { attitude: Rotation::from_quaternion(quaternion).unwrap_or(start.attitude), omega, ..start }
     }
 

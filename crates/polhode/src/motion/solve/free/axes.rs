@@ -18,7 +18,7 @@ pub(super) struct FineAxes {
     pub(super) axes: [[Triple; 3]; 3],
     /// Unit of the moments: a power of two, kg·m².
     pub(super) unit: f64,
-    /// True if moments and axes are exactly the tensor's numbers, without rounding of ours.
+    /// True if moments and axes are exactly the tensor's numbers, without additional rounding.
     pub(super) given: bool,
 }
 

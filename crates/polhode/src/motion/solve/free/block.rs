@@ -93,7 +93,7 @@ impl<const GROUPS: usize> Block<GROUPS> {
 }
 
 /// Returns `group` unchanged. The `black_box` hides from the compiler that groups are adjacent in
-/// memory. Otherwise it would vectorize across groups, lane by lane.
+/// memory. Otherwise it would vectorise across groups, lane by lane.
 #[inline(always)]
 pub(super) fn one(group: usize) -> usize {
     core::hint::black_box(());

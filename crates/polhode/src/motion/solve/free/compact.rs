@@ -210,7 +210,7 @@ impl<T: Splat> LeftFactor<T> {
         let [x, y, z] = axes_of(axes.rotation);
         ToBodyMap {
             attitude: matrix_of(self.0, axes.rotation),
-            // Without `map`, which is inlined only if the whole program is optimised at once (LTO).
+            // Without `map`, which is inlined only with link-time optimisation (LTO).
             omega: [
                 [x[0] * r1, x[1] * r2, x[2] * r3],
                 [y[0] * r1, y[1] * r2, y[2] * r3],

@@ -57,7 +57,7 @@ impl Elements {
         self.amplitudes.map(|a| (a / self.momentum).value())
     }
 
-    /// 1 − m
+    /// Returns 1 − m.
     pub(super) fn m1(&self) -> Double {
         self.k1.square()
     }

@@ -83,7 +83,7 @@ pub(super) struct ThetaArgument<T> {
     phase: Complex<T>,
 }
 
-/// State before normalization, in the labelled axes.
+/// State before normalisation, in the labelled axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct UnnormalisedState<T> {
     /// (Re α, Re β, Im β, Im α), all times one number.
@@ -99,7 +99,7 @@ pub(super) struct UnnormalisedState<T> {
 pub(super) trait Stages<T> {
     fn theta_argument(&self, phases: &Phases<T>) -> ThetaArgument<T>;
 
-    /// Returns quaternion and ω in the labelled axes, not normalized.
+    /// Returns quaternion and ω in the labelled axes, not normalised.
     fn unnormalised(&self, argument: &ThetaArgument<T>) -> UnnormalisedState<T>;
 
     /// Returns quaternion and ω in body axes.
@@ -115,7 +115,7 @@ pub(super) trait Series<T> {
     fn at(&self, place: [T; 2]) -> Point<T>;
 }
 
-// Values with all components equal, to initialize buffers.
+// Values with all components equal, to initialise buffers.
 
 impl<T: Copy> Phases<T> {
     pub(super) fn of(x: T) -> Self {

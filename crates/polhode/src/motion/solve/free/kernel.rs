@@ -19,14 +19,14 @@ pub(super) enum Kernel {
     Hyperbolic(CompactConstants<f64, Pulse<f64>>, Flow<f64, Hyperbolic<f64>>),
 }
 
-/// Threshold of 1 − m. Below it the hyperbolic series is the shorter one; there K = 2K′.
+/// Threshold of 1 − m, where K = 2K′. Below it the hyperbolic series is the shorter one.
 pub(super) const BALANCE: f64 = 0.03;
 
 impl Kernel {
     /// Chooses the series and computes its constants.
     ///
-    /// `units`: rad/s per unit of the elements' rates, and rate of the elements per rate of the
-    /// kernel.
+    /// `units`: rad/s per unit of the elements' rates, and the factor from the elements' rates to
+    /// those of the kernel.
     pub(super) fn of(elements: &Elements, labelled: &Labelled, units: [f64; 2], attitude: Attitude) -> Self {
         if elements.m1().value() > BALANCE {
             let (compact, flow) = constants_of(elements, labelled, units, Nomes::of(elements), attitude);

@@ -104,8 +104,8 @@ impl Constants {
 
         let a = axial * spin / transverse;
         let [from_top, from_bottom] = [q, p].map(|half| half.norm_squared().scaled(2.0));
-        // k1 + i k2 = 2i P* Q. (k1 − i k2)(ω1 + iω2) contains k · ω without its part along the
-        // axis, and d(cos θ)/dt.
+        // k1 + i k2 = 2i P* Q. The real part of (k1 − i k2)(ω1 + iω2) is k · ω without its part
+        // along the axis; the imaginary part is d(cos θ)/dt.
         let turning = p.times(q.conjugate()).times_i().times(across).scaled(Triple::from(-2.0));
         let b_minus_a = turning.re - a * from_top;
         let excess = across.norm_squared() - beta * from_top;

@@ -16,7 +16,7 @@ pub(crate) const PATIENCE: u64 = 2000;
 /// Plausibility bound on |ω| of a diverging motion, relative to the usual rate.
 const BELIEVED: f64 = 1e3;
 
-/// |ω|, relative to the usual rate, at which a motion is stopped at once.
+/// |ω|, relative to the usual rate, at which a motion is stopped immediately.
 const ABSURD: f64 = 1e9;
 
 /// Bound on |ω| and on the number of steps.

@@ -17,7 +17,8 @@ pub(super) struct Ledger {
     now: [[f64; 2]; 4],
 }
 
-/// Gauss–Legendre nodes and weights on (0, 1); the negative nodes follow by symmetry. (DLMF 3.5.v)
+/// Positive Gauss–Legendre nodes on (−1, 1), and their weights; the negative nodes follow by
+/// symmetry. (DLMF 3.5.v)
 ///
 /// Order 16 suffices: a step is shorter than the radius of convergence and turns the body by a few
 /// radians at most.

@@ -193,8 +193,8 @@ impl RowsOf<'_> {
     }
 }
 
-// `from_fn` and `map` of arrays are not used here: they are inlined only if the whole program is
-// optimised at once (LTO).
+// `from_fn` and `map` of arrays are not used here: they are inlined only with link-time
+// optimisation (LTO).
 
 #[inline(always)]
 fn three(f: impl Fn(usize) -> f64) -> [f64; 3] {

@@ -107,8 +107,8 @@ impl Functions {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct NearSeries([[f64; TERMS]; 4]);
 
-/// Threshold of |u| for the power series. The truncation error is below rounding, because the
-/// series converge like that of tan u.
+/// Threshold of |u| for the power series. Up to it they have full precision, because they converge
+/// like that of tan u.
 const NEAR: f64 = 0.2;
 
 const TERMS: usize = 8;

@@ -1,5 +1,5 @@
-//! Additional steps for a body with changing mass properties, which a ball replaces in the
-//! integration.
+//! Extensions of [`Stepper`] for a body with changing mass properties. The integrator steps a ball
+//! in place of the body.
 
 use std::borrow::Cow;
 

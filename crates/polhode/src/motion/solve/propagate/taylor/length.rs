@@ -71,11 +71,11 @@ pub(in crate::motion) fn reach(order: usize, remainder: f64) -> f64 {
     (0..3).fold(log(0.0), |x, _| log(rough_exp2(x)))
 }
 
-/// Returns log₂ of a non-negative number with an error below 0.043. This changes a step by a factor
-/// of 1/600.
+/// Returns log₂ of a non-negative number with an error below 0.043. The relative effect on a step
+/// length is at most 1/600.
 ///
 /// The bits of an f64, read as a fixed-point number, are its logarithm with the curve replaced by
-/// chords. The function has no branches and uses only integer shifts, so it vectorizes to eight
+/// chords. The function has no branches and uses only integer shifts, so it vectorises to eight
 /// numbers.
 #[inline(always)]
 pub(in crate::motion) fn rough_log2(x: f64) -> f64 {

@@ -14,7 +14,7 @@ pub enum Solution {
     ClosedForm(ClosedForm),
     /// No solver: the motion is prescribed.
     Prescribed(Prescribed),
-    /// Taylor's method.
+    /// Taylor's method, with adaptive steps.
     Taylor(Steps),
     /// Runge–Kutta method of Dormand and Prince, order 8 (DOP853).
     Dop853(Steps),

@@ -21,8 +21,8 @@ pub enum Method {
     Dop853,
     /// Splitting with constant step: exact free motions alternate with impulses by the torques.
     ///
-    /// The torques must depend on attitude and time only. If they have a potential, the error of T
-    /// + U stays bounded.
+    /// The torques must depend on attitude and time only. If they have a potential, the error of
+    /// T + U stays bounded.
     Splitting {
         /// Order of the scheme.
         order: SplittingOrder,

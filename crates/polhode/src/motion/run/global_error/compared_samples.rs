@@ -11,7 +11,7 @@ const MOST: usize = 512;
 
 /// Samples in the order of their distance from the start.
 pub(super) struct ComparedSamples {
-    /// All samples.
+    /// All samples, compared or not.
     samples: Vec<State>,
     /// Indices of the compared samples: at a constant stride, and the last.
     at: Vec<usize>,

@@ -37,8 +37,8 @@ pub(super) const ATTITUDE: Layout = 0;
 /// Layout with a vector u that is fixed in space: u̇ = u × ω, ω̇ = Tω + c + A u + B ω. y contains ω
 /// and its cyclic permutation, whose product is needed for Tω.
 pub(super) const WITH_FIXED_VECTOR: Layout = 1;
-/// Layout with u = ρ on a circular orbit and its rate v: u̇ = u × ω + v, v̇ = v × ω − s u, ω̇ = Tω
-/// + c + B ω + (g1 u2 u3, g2 u3 u1, g3 u1 u2).
+/// Layout with u = ρ on a circular orbit and its rate v: u̇ = u × ω + v, v̇ = v × ω − s u,
+/// ω̇ = Tω + c + B ω + (g1 u2 u3, g2 u3 u1, g3 u1 u2).
 ///
 /// Products of y with y permuted, row by row, contain ω with ω, u with u, and ω with u. They are
 /// all that ω̇ and u̇ need.

@@ -5,8 +5,8 @@
 //! read zeros.
 //!
 //! The loops for several bodies ([`SeveralBodies`]) end at the last term, because there is enough
-//! other work. Both use the same order of terms, and adding zeros does not change a sum that begins with
-//! +0. Each lane is therefore bit-identical to its body alone.
+//! other work. Both use the same order of terms, and adding zeros does not change a sum that
+//! begins with +0. Each lane is therefore bit-identical to its body alone.
 
 use core::ops::Mul;
 

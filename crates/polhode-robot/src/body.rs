@@ -1,12 +1,13 @@
-//! A link as a body: its mass properties in the link's own frame, or why it has none.
+//! Mass properties of a link in its own frame, or the reason why it has none.
 //!
-//! A link says mass m, a frame of its inertial in its own (centre c, attitude R_link_inertial), and a tensor J about c along that
-//! frame's axes. In the link's frame:
+//! A link states a mass m, a frame of its inertial (centre c, attitude R_link_inertial), and a
+//! tensor J about c along the axes of that frame. In the link's frame:
 //!
 //! I_link = R J Rᵀ, about c
 //!
-//! Numbers with few digits can miss i1 + i2 ≥ i3 by their rounding, as those of a plate do. Such a tensor becomes the nearest
-//! possible one, and [`LinkBody::rounding`] says by how much; anything beyond is an error.
+//! Rounding to few digits can violate i1 + i2 ≥ i3, typically for a plate. Such a tensor is
+//! replaced by the nearest physical one, and [`LinkBody::rounding`] states the violation. A larger
+//! violation is an error.
 
 use polhode::body::{BodyError, InertiaTensor, MassProperties};
 use polhode::math::{Part, Position, Principal, Rotation};
@@ -17,36 +18,38 @@ use crate::moments::Moments;
 use crate::placement::Placement;
 use crate::pose::transposed;
 
-/// Advice for links whose language makes something of a missing inertial.
+/// Hint for links without an inertial whose language assumes one.
 const WRITE: &str = "write its inertial";
 
-/// What rounding may have done to a tensor, as parts of i3: the digits that it is written with do no more than this, and single
-/// precision does so much however many digits are written. The checks ([`mod@crate::check`]) draw the line in the same place.
+/// Upper bounds on the violation attributed to rounding, relative to i3: for typed digits, and for
+/// single precision whatever the number of digits. The checks ([`mod@crate::check`]) use the same
+/// bounds.
 const TYPED: f64 = 0.05;
 const SINGLE_PRECISION: f64 = 1e-6;
 
-/// A link's mass properties.
+/// Mass properties of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinkBody {
-    /// In the link's frame.
+    /// Mass properties in the link's frame.
     pub properties: MassProperties<Part>,
-    /// What the tensor lacked to be possible, i3 − i1 − i2 or −i1, in kg·m²: the rounding of its digits. Zero for most.
+    /// Violation of the triangle inequality, i3 − i1 − i2, or of positivity, −i1, kg·m². It is due
+    /// to the rounding of the digits, and zero for most links.
     pub rounding: f64,
 }
 
-/// What a link is, as far as its mass is concerned.
+/// Mass properties of a link, or none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LinkMass {
-    /// A body.
+    /// Rigid body.
     Body(LinkBody),
-    /// A frame: it says nothing of its mass, or that all of it is zero.
+    /// Frame: the link states no mass properties, or all of them are zero.
     None,
 }
 
-/// The mass properties of a link, in its own frame.
+/// Returns the mass properties of a link in its own frame.
 ///
 /// # Errors
-/// [`LinkError`] if a number cannot be used, or these are unphysical.
+/// [`LinkError`] if a number cannot be used, or the mass properties are unphysical.
 pub fn link_mass(format: ModelFormat, link: &Link) -> Result<LinkMass, LinkError> {
     match (&link.computed, &link.inertial) {
         (Some(Ok(computed)), _) => of_computed(computed, link),
@@ -71,7 +74,7 @@ fn of_computed(computed: &ComputedMass, link: &Link) -> Result<LinkMass, LinkErr
     body.map_err(|error| LinkError::impossible(&error, &link.span))
 }
 
-/// A link that says nothing of its mass is a frame, but for what languages make of it.
+/// Treats a link without mass properties as a frame, unless the language assumes some.
 fn assumed(format: ModelFormat, link: &Link) -> Result<LinkMass, LinkError> {
     let rule = match format {
         _ if link.from_geometry => "its mass is to be computed from its geometry and densities",
@@ -102,7 +105,8 @@ fn of_inertial(format: ModelFormat, inertial: &Inertial) -> Result<LinkMass, Lin
     Ok(LinkMass::Body(LinkBody { properties, rounding }))
 }
 
-/// Moments, products (elements of the tensor), and how far the digits leave the moments open.
+/// Returns the moments, the products (elements of the tensor), and the rounding error of the
+/// digits, kg·m².
 fn elements(format: ModelFormat, tensor: &Tensor) -> Result<([f64; 3], [f64; 3], f64), LinkError> {
     match tensor {
         Tensor::Missing(span) => Err(LinkError::of_number("it has no inertia tensor", span)),
@@ -114,7 +118,7 @@ fn elements(format: ModelFormat, tensor: &Tensor) -> Result<([f64; 3], [f64; 3],
         Tensor::Six(slots) => {
             let [xx, yy, zz, xy, xz, yz] = &**slots;
             let moments = [number("ixx", xx)?, number("iyy", yy)?, number("izz", zz)?];
-            // SDFormat's default of a product is zero.
+            // The default of a product in SDFormat is zero.
             let product = |what: &str, slot: &Slot| match slot {
                 Slot::Missing { .. } if format == ModelFormat::Sdf => Ok(0.0),
                 _ => number(what, slot),
@@ -135,7 +139,8 @@ fn number(what: &str, slot: &Slot) -> Result<f64, LinkError> {
     })
 }
 
-/// The sum of half units of the last digits: how far i3 − i1 − i2 can be moved by rounding each element.
+/// Returns the sum of half units of the last digits: a bound on the change of i3 − i1 − i2 by
+/// rounding.
 fn half_units(slots: &[Slot]) -> f64 {
     let unit = |slot: &Slot| match slot {
         Slot::Given(number) => last_digit(&number.text),
@@ -144,7 +149,8 @@ fn half_units(slots: &[Slot]) -> f64 {
     slots.iter().map(|slot| 0.5 * unit(slot)).sum()
 }
 
-/// What one more in the last digit is worth: 1e-6 of `"1.641e-3"`; of a whole number nothing, as it may be exact.
+/// Returns the unit of the last digit: 1e-6 for `"1.641e-3"`. Zero for an integer, which may be
+/// exact.
 fn last_digit(text: &str) -> f64 {
     let (mantissa, power) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let Some((_, decimals)) = mantissa.split_once('.') else { return 0.0 };
@@ -153,7 +159,7 @@ fn last_digit(text: &str) -> f64 {
     format!("1e{power}").parse().unwrap_or(0.0)
 }
 
-/// The tensor, or the nearest possible one if only rounding parts them, and what it lacked.
+/// Returns the tensor and its violation, or the nearest physical tensor if rounding explains it.
 fn possible(
     moments: [f64; 3],
     products: [f64; 3],
@@ -173,7 +179,8 @@ fn possible(
     if !(lacks <= f64::max(SINGLE_PRECISION * greatest, printed.min(TYPED * greatest))) {
         return Err(error);
     }
-    // The least change that makes it possible: nothing negative, and a third of the excess to each moment.
+    // Smallest change that makes the tensor physical: negative moments become zero, and each moment
+    // takes a third of the excess.
     let third = excess / 3.0;
     let on_edge = InertiaTensor::diagonal([j1 + third, j2 + third, j3 - third])?;
     let principal = Rotation::<Part, Principal>::from_matrix(transposed(&axes)).map_err(|_| error)?;

@@ -1,23 +1,24 @@
-//! What is wrong with a model's inertias, why, and what would repair it.
+//! Checks of a model's inertias: errors, their causes and their repairs.
 //!
-//! Two questions are asked of each link. Can a body have these numbers at all? That needs nothing but the numbers and
-//! the digits that they are written with ([`Severity::Impossible`]). And can *this* body have them? That needs the
-//! link's own geometry ([`Severity::Suspect`]): its reach, its volume, and the tensor it would have were it uniform.
+//! Each link is checked twice. First: can any body have these numbers? This needs only the numbers
+//! and their digits ([`Severity::Impossible`]). Second: can *this* body have them? This needs the
+//! link's geometry ([`Severity::Suspect`]): its extent, its volume, and its tensor at uniform
+//! density.
 //!
-//! Few false alarms matter as much as catches. So:
+//! A low false-alarm rate is as important as a high detection rate. Therefore:
 //!
-//! - A number is as sure as its digits. A tensor is impossible only if no tensor that rounds to the written one is
-//!   possible (`check/possible.rs`).
-//! - A tensor that differs from its geometry's by less than a factor of three is not a finding: bodies are not uniform
-//!   (`check/ratio.rs`). It becomes one where a known slip, undone, leaves the geometry's tensor in every element
-//!   (`check/explain.rs`). Six numbers do not agree by chance.
+//! - A number is only as accurate as its digits. A tensor is impossible only if no tensor that
+//!   rounds to the written one is possible (`check/possible.rs`).
+//! - A tensor within a factor of three of its geometry's is not a finding, because bodies are not
+//!   uniform (`check/ratio.rs`). It becomes one if undoing a known error gives the geometry's
+//!   tensor in every element (`check/explain.rs`). Six numbers do not agree by chance.
 //! - A fix is offered if exactly one explanation fits all evidence of the link: the six numbers,
-//!   the mass, the geometry and the density. Without geometry there is a suggestion at most. A
-//!   counterpart with other numbers withdraws it (`check/twin.rs`).
-//! - Where programs disagree on how a mesh is turned (glTF, COLLADA with y up), each reading will do, and nothing
-//!   that depends on axes is told or repaired.
+//!   the mass, the geometry and the density. Without geometry there is at most a suggestion. A
+//!   counterpart with different numbers withdraws it (`check/twin.rs`).
+//! - If programs disagree on the up axis of a mesh (glTF, COLLADA with y up), either orientation is
+//!   accepted. Nothing that depends on axes is reported or repaired.
 //!
-//! Each rule is a file, and says why its thresholds are what they are.
+//! Each rule is in its own file, which explains its thresholds.
 
 mod alike;
 mod armature;
@@ -66,10 +67,10 @@ use tree::Tree;
 
 pub use link_geometry::{LinkGeometry, Rescaled};
 
-/// Everything wrong with a model, by place in the file. `geometry[k]` belongs to `model.links[k]`; what is not there
-/// is not asked about.
+/// Returns all findings of a model, in file order. `geometry[k]` belongs to `model.links[k]`; links
+/// without an entry are not checked.
 ///
-/// It takes a time linear in links and joints, and never recurses.
+/// The time is linear in the numbers of links and joints, and nothing recurses.
 ///
 /// ```
 /// use polhode_robot::check::{LinkGeometry, check};
@@ -90,7 +91,8 @@ pub fn check(model: &RobotModel, geometry: &[LinkGeometry]) -> Vec<Finding> {
     check_for(model, geometry, &[])
 }
 
-/// The same; what one of these programs refuses is an error, where it is a note otherwise.
+/// Checks a model as [`check`] does. A rejection by one of these programs is an error instead of a
+/// note.
 pub fn check_for(model: &RobotModel, geometry: &[LinkGeometry], programs: &[Program]) -> Vec<Finding> {
     let tree = Tree::of(model);
     let print = Print::of(model);
@@ -127,14 +129,14 @@ pub fn check_for(model: &RobotModel, geometry: &[LinkGeometry], programs: &[Prog
     for finding in &mut findings {
         finding.numbers.retain(|(_, x)| x.is_finite());
         if !model.is_si {
-            finding.repair = None; // its numbers are not those of the text
+            finding.repair = None; // its numbers are converted from those of the text
         }
     }
     findings.sort_by_key(|f| f.span.start);
     findings
 }
 
-/// Finds errors in one body's mass, centre and tensor.
+/// Checks the mass, centre and tensor of one body.
 fn of_body(model: &RobotModel, body: &Body, held: Held) -> Vec<Finding> {
     let mut findings = Vec::new();
     let verdict = possible::check(body, held != Held::Free, &mut findings);
@@ -147,9 +149,9 @@ fn of_body(model: &RobotModel, body: &Body, held: Held) -> Vec<Finding> {
         (Verdict::Impossible, Some(slip)) => beside(&mut findings, slip),
         (Verdict::Impossible, None) => order::check_alone(body, &mut findings),
         (_, slip) => {
-            // Why it may be wrong, the surest reason first: one is enough.
+            // Only the most certain explanation is reported.
             findings.extend(slip.or(cause.mass.take()));
-            // With the mass or the sizes fixed, the tensor is right.
+            // Correcting the mass or the sizes also makes the tensor right.
             let is_explained = cause.density.as_ref().is_some_and(|(_, repair)| repair.is_some());
             let is_open = |findings: &[Finding]| {
                 !is_explained && findings.iter().all(|f| f.severity < Severity::Suspect)
@@ -170,7 +172,8 @@ fn of_body(model: &RobotModel, body: &Body, held: Held) -> Vec<Finding> {
     findings
 }
 
-/// Adds a slip that explains an impossible tensor: to the finding itself if it has no rule of its own.
+/// Adds an error that explains an impossible tensor. If it has no rule of its own, it extends the
+/// finding.
 fn beside(findings: &mut Vec<Finding>, slip: Finding) {
     match findings.last_mut() {
         Some(found) if slip.code == "inertia.geometry" => {
@@ -182,7 +185,7 @@ fn beside(findings: &mut Vec<Finding>, slip: Finding) {
     }
 }
 
-/// Two repairs of one place contradict each other, so neither is sure.
+/// Removes repairs that change the same place: they contradict each other.
 fn leave_one_repair(findings: &mut [Finding]) {
     let repaired: Vec<Span> = findings
         .iter()
@@ -201,7 +204,7 @@ fn leave_one_repair(findings: &mut [Finding]) {
     }
 }
 
-/// A finding about a link.
+/// Creates a finding about a link.
 fn finding(
     code: &'static str,
     severity: Severity,

@@ -1,4 +1,4 @@
-//! Results of checking the models of a request.
+//! Results of a check request.
 
 use std::path::{Path, PathBuf};
 
@@ -22,9 +22,9 @@ pub struct Checked {
     pub remarks: Vec<Remark>,
     /// Number of files that the configuration leaves out.
     pub excluded: usize,
-    /// Least severity that fails.
+    /// Lowest severity that fails.
     pub fail_on: Severity,
-    /// One file was named, and no folder.
+    /// True if the request named exactly one file and no folder.
     pub(crate) is_one: bool,
 }
 
@@ -35,7 +35,7 @@ pub struct FileChecked {
     pub path: PathBuf,
     /// Name in reports: relative to the working folder if the file is in it, with slashes.
     pub name: String,
-    /// Findings, or why there are none.
+    /// Findings, or the reason why the file could not be read.
     pub report: Result<CheckReport, Failure>,
 }
 
@@ -44,38 +44,38 @@ pub struct FileChecked {
 pub struct Fix<'a> {
     /// Path of the model.
     pub path: &'a Path,
-    /// Text as it was.
+    /// Original text.
     pub old: &'a str,
-    /// Text with the fixes; every other byte is as it was.
+    /// Fixed text; all other bytes are unchanged.
     pub new: &'a str,
 }
 
-/// Form of results.
+/// Output format of results.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
 pub enum Format {
-    /// For people.
+    /// Text for the terminal.
     #[default]
     Text,
-    /// As --json.
+    /// JSON, as with --json.
     Json,
     /// SARIF 2.1.0, for code scanning and editors.
     Sarif,
-    /// XML of JUnit: a suite for each file.
+    /// JUnit XML, one suite per file.
     Junit,
-    /// Commands of GitHub's workflows: annotations.
+    /// Workflow commands of GitHub Actions: annotations.
     Github,
-    /// GitLab's code quality report.
+    /// Code quality report of GitLab.
     Gitlab,
-    /// A table for a summary or a comment.
+    /// Markdown table for a summary or a comment.
     Markdown,
-    /// A table, a line a link.
+    /// Table with one line per link.
     #[cfg_attr(feature = "arguments", value(skip))]
     Table,
 }
 
 impl FileChecked {
-    /// The findings with the file's name.
+    /// Returns the findings with the name of the file.
     pub(crate) fn judged(&self) -> Option<(&str, &Judged)> {
         Some((self.name.as_str(), &self.report.as_ref().ok()?.judged))
     }
@@ -87,7 +87,7 @@ impl Checked {
         self.files.iter().filter_map(|file| file.report.as_ref().ok())
     }
 
-    /// Returns the models with their fixes, if these were asked for.
+    /// Returns the models with their fixes, if fixes were requested.
     pub fn fixes(&self) -> impl Iterator<Item = Fix<'_>> {
         self.reports().filter_map(|report| {
             let new = &report.fixed.as_ref()?.repaired.text;
@@ -95,7 +95,7 @@ impl Checked {
         })
     }
 
-    /// The result after the fixed model is written to `out`.
+    /// Sets the output path of the fixed model.
     #[must_use]
     pub fn with_fix_in(mut self, out: &Path) -> Self {
         for report in self.files.iter_mut().filter_map(|file| file.report.as_mut().ok()) {
@@ -111,12 +111,12 @@ impl Checked {
         self.reports().filter_map(|report| report.fixed.as_ref()).map(|fixed| fixed.diff.as_str()).collect()
     }
 
-    /// Returns the text of a baseline that knows all findings, and how many these are.
+    /// Returns the text of a baseline with all findings, and their number.
     pub fn to_baseline(&self) -> (String, usize) {
         baseline::text(self.files.iter().filter_map(FileChecked::judged))
     }
 
-    /// Returns the results in a form.
+    /// Returns the results in an output format.
     pub fn to_form(&self, form: Format) -> String {
         match form {
             Format::Text => self.to_text(None),
@@ -130,11 +130,11 @@ impl Checked {
         }
     }
 
-    /// Returns lines for people that have no place in a form.
+    /// Returns messages that an output format cannot contain, as text lines.
     pub fn left_out_of(&self, form: Format) -> String {
         match form {
             Format::Json => self.about_policy().trim_start().to_owned(),
-            // its list has room for issues alone
+            // The GitLab report can contain only issues.
             Format::Gitlab => self.left_out().iter().map(|line| format!("{line}\n")).collect(),
             Format::Text
             | Format::Table
@@ -145,12 +145,13 @@ impl Checked {
         }
     }
 
-    /// A text of each report, then what there is to say of the configuration and the baseline.
+    /// Concatenates a text for each report, and the remarks on the configuration and the baseline.
     fn texts(&self, text: fn(&CheckReport) -> String) -> String {
         self.reports().map(text).collect::<Vec<_>>().join("\n") + &self.about_policy()
     }
 
-    /// Returns lines for people on excluded files, useless allowances, and known findings that are gone.
+    /// Returns text lines on excluded files, unused allowances, and known findings that have
+    /// disappeared.
     pub fn about_policy(&self) -> String {
         let excluded = counted(self.excluded, "file");
         let excluded =
@@ -164,7 +165,8 @@ impl Checked {
 }
 
 impl Report for Checked {
-    /// Returns an object if one file was named, and a list otherwise; a file that cannot be read has an object with its error.
+    /// Returns an object if one file was named, and a list otherwise. A file that cannot be read
+    /// has an object with its error.
     fn to_json(&self) -> Value {
         let value = |file: &FileChecked| match &file.report {
             Ok(report) => report.to_json(),
@@ -184,7 +186,8 @@ impl Report for Checked {
         self.texts(CheckReport::to_text)
     }
 
-    /// Returns true if something counts that is as severe as what fails: after the fixes, if these are written.
+    /// Returns true if a finding that counts reaches the failing severity. If fixes are written,
+    /// the remaining findings decide.
     fn has_failed(&self) -> bool {
         let fails = |findings: &[Finding]| findings.iter().any(|finding| finding.severity >= self.fail_on);
         let remains = |report: &CheckReport| match &report.fixed {

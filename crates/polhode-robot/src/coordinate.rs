@@ -1,16 +1,16 @@
-//! The value of a joint by that of another, and where it belongs.
+//! Couplings between joint values, and limits of joint values.
 
 use crate::model::{Follows, Name, Span};
 
 impl Follows {
-    /// y = multiplier (x − reference) + offset
+    /// Returns the linear coupling y = multiplier (x − reference) + offset.
     pub(crate) fn line(span: Span, leader: Name, [multiplier, offset, reference]: [f64; 3]) -> Self {
         let is_finite = [multiplier, offset, reference].iter().all(|number| number.is_finite());
         let coefficients = if is_finite { Ok(vec![offset, multiplier]) } else { Err(NO_NUMBER.to_owned()) };
         Self { span, leader: Some(leader), reference, coefficients }
     }
 
-    /// The follower's value.
+    /// Returns the follower's value for a value of the leader.
     pub(crate) fn value(&self, leader: f64) -> Result<f64, &str> {
         let coefficients = self.coefficients.as_ref().map_err(String::as_str)?;
         let x = leader - self.reference;
@@ -19,10 +19,11 @@ impl Follows {
     }
 }
 
-/// Why a value is not known whose numbers are none.
+/// Reason for an unknown value: one of its numbers cannot be read or is not finite.
 pub(crate) const NO_NUMBER: &str = "a number of it is none, or not finite";
 
-/// Limits in order: from what a file says, infinite where it says nothing.
+/// Returns lower and upper limit, infinite if the file states none. Returns `None` if both are
+/// infinite or one is NaN.
 pub(crate) fn limits(lower: Option<f64>, upper: Option<f64>) -> Option<[f64; 2]> {
     let limits = [lower.unwrap_or(f64::NEG_INFINITY), upper.unwrap_or(f64::INFINITY)];
     (limits != [f64::NEG_INFINITY, f64::INFINITY] && !limits.iter().any(|limit| limit.is_nan()))

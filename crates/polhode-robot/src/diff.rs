@@ -1,7 +1,9 @@
-//! What repairs change, as a unified diff: for `patch -p1` and `git apply`, and with the proof of each change in a line above.
+//! Unified diff of repairs, for `patch -p1` and `git apply`, with the proof of each change in a
+//! line above.
 //!
-//! Lines end in `\n`, as in the tools that read it: a `\r` before that is part of its line, and what ends without is said. Lines that
-//! begin with `#` stand before the first line of a file's diff, where these tools pass over them.
+//! Lines end in `\n`, as in these tools: a preceding `\r` belongs to its line, and a missing line
+//! end at the end of the file is marked. Lines that begin with `#` stand before the diff of a file,
+//! where these tools ignore them.
 
 use std::fmt::Write as _;
 use std::ops::Range;
@@ -13,13 +15,14 @@ use crate::line_index::{FilePlace, Places};
 use crate::model::{RobotModel, Span};
 use crate::repair::Repaired;
 
-/// Lines around a change.
+/// Number of context lines around a change.
 const CONTEXT: usize = 3;
 
 impl Repaired {
-    /// The diff from the model's text to this one, the file under the name `name`; empty if nothing is changed.
+    /// Returns the diff from the model's text to this text, with `name` as the file name. It is
+    /// empty if nothing changed.
     ///
-    /// `findings` are those that the repairs are of.
+    /// `findings` are the findings of the repairs.
     pub fn diff(&self, model: &RobotModel, findings: &[Finding], name: &str) -> String {
         let mut text = String::new();
         let places = Places::of(model);
@@ -42,7 +45,8 @@ impl Repaired {
     }
 }
 
-/// The name of a file behind `a/` or `b/`, in quotes where it has what they escape; a tab ends one with blanks.
+/// Returns a file name after `a/` or `b/`, quoted if it has characters that need escapes. A tab
+/// follows a name with spaces.
 fn header(side: &str, name: &str) -> String {
     let name = format!("{side}/{}", name.trim_start_matches('/'));
     if name.contains(['"', '\\']) || name.chars().any(char::is_control) {
@@ -61,22 +65,22 @@ fn header(side: &str, name: &str) -> String {
     if name.contains(' ') { name + "\t" } else { name }
 }
 
-/// Lines that become others: which, and what they become.
+/// Range of lines and its replacement.
 struct Block {
     lines: Range<usize>,
     new: String,
 }
 
-/// The hunks of edits that do not overlap, ascending.
+/// Returns the hunks of edits that do not overlap, ascending.
 fn hunks(text: &str, edits: &[(Span, String)]) -> String {
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
     let blocks = blocks(text, &lines, edits);
     let mut hunks = String::new();
-    // How many lines the text has grown before a hunk.
+    // Number of lines that the text has grown before a hunk.
     let mut growth = 0_isize;
     let mut rest = blocks.as_slice();
     while let Some(first) = rest.first() {
-        // Changes with no more between them than the context of both are one hunk.
+        // Changes separated by no more than twice the context form one hunk.
         let joined = rest
             .windows(2)
             .take_while(|pair| matches!(pair, [a, b] if b.lines.start <= a.lines.end + 2 * CONTEXT));
@@ -109,7 +113,7 @@ fn hunks(text: &str, edits: &[(Span, String)]) -> String {
     hunks
 }
 
-/// Writes lines with a mark before each, and says of one that it has no end.
+/// Writes lines with a mark before each, and marks a missing line end.
 fn write_lines(body: &mut String, mark: char, lines: &[&str]) -> usize {
     for line in lines {
         body.push(mark);
@@ -121,7 +125,7 @@ fn write_lines(body: &mut String, mark: char, lines: &[&str]) -> usize {
     lines.len()
 }
 
-/// The lines that edits touch.
+/// Returns the lines that edits touch, as blocks.
 fn blocks(text: &str, lines: &[&str], edits: &[(Span, String)]) -> Vec<Block> {
     let mut starts = vec![0];
     starts.extend(lines.iter().scan(0, |end, line| {
@@ -133,13 +137,13 @@ fn blocks(text: &str, lines: &[&str], edits: &[(Span, String)]) -> Vec<Block> {
         starts.partition_point(|&start| start <= byte).saturating_sub(1).min(lines.len().saturating_sub(1))
     };
     let mut blocks: Vec<Block> = Vec::new();
-    // How far the last block has got in the text.
+    // Position in the text up to which the last block is complete.
     let mut done = 0;
     for (span, new) in edits {
         let touched = line_of(span.start)..(line_of(span.end) + 1).min(lines.len());
         match blocks.last_mut().filter(|last| touched.start < last.lines.end) {
             Some(last) => {
-                // what stands after the last edit is written anew
+                // The text after the last edit is written again.
                 let kept = last.new.len().saturating_sub(start_of(last.lines.end).saturating_sub(done));
                 last.new.truncate(kept);
                 last.new.push_str(text.get(done..span.start).unwrap_or_default());
@@ -159,7 +163,7 @@ fn blocks(text: &str, lines: &[&str], edits: &[(Span, String)]) -> Vec<Block> {
     blocks.into_iter().filter_map(|block| trimmed(block, lines)).collect()
 }
 
-/// A block without the lines at its ends that stay as they are; `None` if all do.
+/// Removes unchanged lines from both ends of a block; `None` if all are unchanged.
 fn trimmed(Block { lines: mut changed, new }: Block, lines: &[&str]) -> Option<Block> {
     let mut new: Vec<&str> = new.split_inclusive('\n').collect();
     while !changed.is_empty() && !new.is_empty() && lines.get(changed.start) == new.first() {
@@ -184,19 +188,19 @@ mod tests {
             let edits: Vec<_> = edits.iter().map(|(span, new)| (span.clone(), (*new).to_owned())).collect();
             hunks(text, &edits)
         };
-        // a line that goes, and one that comes
+        // One line deleted, one line inserted.
         assert_eq!(of(&[(2..4, "")]), "@@ -1,5 +1,4 @@\n a\n-b\n c\n d\n e\n");
         assert_eq!(of(&[(2..2, "x\n")]), "@@ -1,4 +1,5 @@\n a\n+x\n b\n c\n d\n");
-        // two of a line, and an end that goes
+        // Two edits in one line, and a deleted line end.
         assert_eq!(of(&[(2..2, "("), (3..3, ")")]), "@@ -1,5 +1,5 @@\n a\n-b\n+(b)\n c\n d\n e\n");
         assert_eq!(of(&[(1..2, "-")]), "@@ -1,5 +1,4 @@\n-a\n-b\n+a-b\n c\n d\n e\n");
-        // later hunks count what earlier ones have added
+        // Later hunks include the growth of earlier ones.
         let far = of(&[(0..0, "x\ny\n"), (18..19, "J")]);
         assert_eq!(far, "@@ -1,3 +1,5 @@\n+x\n+y\n a\n b\n c\n@@ -7,4 +9,4 @@\n g\n h\n i\n-j\n+J\n");
-        // six lines between are context of both
+        // Six lines between two changes are context of both.
         assert_eq!(of(&[(0..1, "A"), (14..15, "H")]).matches("@@ -").count(), 1);
         assert_eq!(of(&[(0..1, "A"), (16..17, "I")]).matches("@@ -").count(), 2);
-        // at the very end, and nothing at all
+        // An insertion at the very end, and no change.
         assert_eq!(of(&[(20..20, "k")]), "@@ -8,3 +8,4 @@\n h\n i\n j\n+k\n\\ No newline at end of file\n");
         assert_eq!(of(&[(4..5, "c")]), "");
         assert_eq!(of(&[(0..20, "")]), "@@ -1,10 +0,0 @@\n-a\n-b\n-c\n-d\n-e\n-f\n-g\n-h\n-i\n-j\n");

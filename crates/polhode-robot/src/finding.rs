@@ -1,31 +1,31 @@
-//! What is wrong with a model.
+//! Findings about a model.
 
 use serde::{Deserialize, Serialize};
 
 use crate::span::Span;
 
-/// How bad it is.
+/// Severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Severity {
-    /// Worth knowing; no reason to fail.
+    /// Information; does not fail by default.
     Note,
-    /// Possible, but probably not meant.
+    /// Physically possible, but probably an error.
     Suspect,
-    /// No body has it, or no program can use it.
+    /// Physically impossible, or unusable for every program.
     Impossible,
 }
 
 impl Severity {
-    /// All, the worst first.
+    /// All severities, the worst first.
     pub const ALL: [Self; 3] = [Self::Impossible, Self::Suspect, Self::Note];
 
-    /// Returns the severity of a name in lower case.
+    /// Returns the severity with this lower-case name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|severity| severity.name() == name)
     }
 
-    /// In lower case.
+    /// Returns the lower-case name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Impossible => "impossible",
@@ -46,31 +46,31 @@ impl clap::ValueEnum for Severity {
     }
 }
 
-/// Something wrong, where, why, and what would repair it.
+/// Finding: the error, its place, the rule, and the repair.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// A stable name for programs: `"inertia.triangle"`.
+    /// Stable code for programs: `"inertia.triangle"`.
     pub code: &'static str,
-    /// How bad it is.
     pub severity: Severity,
-    /// The link or joint; empty if it is about the whole model.
+    /// Name of the link or joint; empty if the finding is about the whole model.
     pub subject: String,
-    /// Further links that it is about.
+    /// Names of further links that the finding is about.
     pub others: Vec<String>,
-    /// Where in the model's text.
+    /// Position in the model's text.
     pub span: Span,
-    /// What is wrong, with the numbers and their units, in a line: `"i1 + i2 = 0.00496 < i3 = 1.67636 kg·m²"`.
+    /// Message with numbers and units, one line: `"i1 + i2 = 0.00496 < i3 = 1.67636 kg·m²"`.
     pub message: String,
-    /// The rule that it breaks, in a line.
+    /// Rule that is broken, one line.
     pub rule: String,
-    /// The numbers of the message, by name and in SI units, for programs.
+    /// Numbers of the message by name, in SI units, for programs.
     pub numbers: Vec<(&'static str, f64)>,
-    /// The fix, if exactly one is consistent with all evidence of the link.
+    /// Repair, if exactly one is consistent with all evidence of the link.
     pub repair: Option<Repair>,
 }
 
 impl Finding {
-    /// Creates a finding about a link or joint alone, or with an empty `subject` about the model, without numbers and repair.
+    /// Creates a finding without numbers and repair about one link or joint, or about the model if
+    /// `subject` is empty.
     pub(crate) fn new(
         code: &'static str,
         severity: Severity,
@@ -85,11 +85,11 @@ impl Finding {
     }
 }
 
-/// A repair that is sure.
+/// Repair that is the only consistent one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Repair {
-    /// What it does, in a line: `"izz 1676359E-6 → 1676.359E-6"`.
+    /// Description, one line: `"izz 1676359E-6 → 1676.359E-6"`.
     pub description: String,
-    /// Text to put in place of spans of the model's text. They do not overlap.
+    /// Spans of the model's text and their replacements. The spans do not overlap.
     pub edits: Vec<(Span, String)>,
 }

@@ -1,4 +1,5 @@
-//! Results as other programs read them: SARIF, JUnit, GitHub's commands, GitLab's code quality, a table in Markdown.
+//! Output formats for other programs: SARIF, JUnit, GitHub workflow commands, GitLab code quality,
+//! Markdown table.
 
 mod github;
 mod gitlab;
@@ -17,27 +18,27 @@ use crate::model::{RobotModel, Span};
 use crate::policy::Reason;
 use crate::report::Counts;
 
-/// A finding as all formats have it.
+/// Finding with the fields that all formats use.
 #[derive(Debug)]
 struct Item<'a> {
     file: Cow<'a, str>,
-    /// Line and column, from 1, of its first character and of that after its last.
+    /// Line and column, from 1, of the first character; `end` is after the last character.
     start: (usize, usize),
     end: (usize, usize),
     code: &'static str,
     severity: Severity,
-    /// The link or joint; empty if it is about the whole file.
+    /// Name of the link or joint; empty for the whole file.
     subject: &'a str,
     message: &'a str,
     rule: &'a str,
     id: String,
-    /// Why it does not count, if it does not.
+    /// Reason why the finding does not count, if it is settled.
     settled: Option<&'a Reason>,
-    /// What would repair it: in words, and places with their new text.
+    /// Repair: a description, and the edits.
     repair: Option<(&'a str, Vec<Edit<'a>>)>,
 }
 
-/// A text to put in the place of another.
+/// Replacement of a text range.
 #[derive(Debug)]
 struct Edit<'a> {
     file: Cow<'a, str>,
@@ -47,7 +48,7 @@ struct Edit<'a> {
 }
 
 impl FileChecked {
-    /// Everything that was found, in the order of the file, settled or not.
+    /// Returns all findings of a file, in file order, open and settled.
     fn items<'a>(&'a self) -> Vec<Item<'a>> {
         let Ok(report) = &self.report else { return Vec::new() };
         let places = Places::of(&report.model);
@@ -83,18 +84,19 @@ impl FileChecked {
         items
     }
 
-    /// Reason why the file could not be read, with its line and column if these are known.
+    /// Returns the reason why the file could not be read, with line and column if known.
     fn unreadable(&self) -> Option<(String, Option<[usize; 2]>)> {
         let failure = self.report.as_ref().err()?;
         Some((failure.message(), failure.place_in(&self.path)))
     }
 
-    /// The file of a place: this one, or one that the model includes, named from the same folder.
+    /// Returns the name of the file of a place: this file, or an included one relative to the same
+    /// folder.
     fn name_of<'a>(&'a self, model: &RobotModel, place: FilePlace<'a>) -> Cow<'a, str> {
         if !place.is_included {
             return Cow::Borrowed(&self.name);
         }
-        // Their paths are real ones.
+        // Paths of included files are canonical.
         let within = model.folder.as_ref().and_then(|folder| place.file.strip_prefix(folder).ok());
         let folder = self.name.rsplit_once('/').map_or("", |(folder, _)| folder);
         let name = match within {
@@ -111,12 +113,12 @@ fn line_and_column(place: FilePlace<'_>) -> (usize, usize) {
 }
 
 impl Checked {
-    /// Findings of all files, and remarks on the configuration and the baseline.
+    /// Returns the findings of all files, then the remarks on the configuration and the baseline.
     fn items(&self) -> impl Iterator<Item = Item<'_>> {
         self.files.iter().flat_map(FileChecked::items).chain(self.remarks())
     }
 
-    /// What is said of the configuration and the baseline.
+    /// Returns the remarks on the configuration and the baseline.
     fn remarks(&self) -> impl Iterator<Item = Item<'_>> {
         self.remarks.iter().filter_map(|remark| {
             Some(Item {
@@ -135,7 +137,7 @@ impl Checked {
         })
     }
 
-    /// What was not looked at, or is not shown, by the configuration's choice: in a line each.
+    /// Describes files and findings that the configuration excludes, one line each.
     pub fn left_out(&self) -> Vec<String> {
         let off = self.reports().map(|report| report.judged.off).sum();
         let mut lines = Vec::new();
@@ -151,7 +153,7 @@ impl Checked {
         lines
     }
 
-    /// How many count, from impossible to note, how many are allowed, and how many known.
+    /// Counts the open findings by severity, the allowed ones, and the known ones.
     fn counts(&self) -> (Counts, usize, usize) {
         let open = self.items().filter(|item| item.settled.is_none()).map(|item| item.severity);
         let settled: Vec<&Reason> = self.items().filter_map(|item| item.settled).collect();
@@ -160,7 +162,7 @@ impl Checked {
     }
 }
 
-/// The subject with its message: `arm: i1 + i2 = …`.
+/// Returns subject and message: `arm: i1 + i2 = …`.
 fn about(item: &Item<'_>) -> String {
     if item.subject.is_empty() {
         item.message.to_owned()

@@ -1,4 +1,4 @@
-//! The models that a request names: files as they are, folders searched; and how files are called.
+//! Models that a request names: files, and folders that are searched; names of files in reports.
 
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
@@ -10,14 +10,16 @@ use polhode_source::{Failure, shown};
 
 use crate::read::is_model;
 
-/// Path of a model, or of a file or folder without one and why.
+/// Path of a model; or the path of a file or folder without a model, with the reason.
 pub(crate) type Found = Result<PathBuf, (PathBuf, Failure)>;
 
-/// Returns all models, in the order of the request, and the other names of those that are named twice.
+/// Returns all models in the order of the request, and the alternative names of models that are
+/// named twice.
 ///
-/// The models of a folder are sorted by name. A folder that cannot be searched, or holds no model, is in the place
-/// of its models. In a folder only files that are models by extension and root element count, and hidden folders
-/// are left out. Links are followed; no folder is searched twice, so that links in a circle end.
+/// The models of a folder are sorted by name. A folder that cannot be searched or has no model is
+/// listed as a failure in their place. In a folder, models are recognized by extension and root
+/// element, and hidden folders are skipped. Symbolic links are followed. Each folder is searched
+/// once, so circular links end.
 pub(crate) fn models(files: &dyn Files, named: &[PathBuf]) -> (Vec<Found>, Vec<[PathBuf; 2]>) {
     let mut models = Vec::new();
     for path in named {
@@ -86,7 +88,8 @@ fn search(files: &dyn Files, root: &Path, models: &mut Vec<Found>) {
     }
 }
 
-/// Contents of a folder that are not hidden, by name; true for folders and links to folders.
+/// Returns the entries of a folder that are not hidden, sorted by name. The flag is true for
+/// folders and links to folders.
 fn visible(files: &dyn Files, folder: &Path) -> io::Result<Vec<(PathBuf, bool)>> {
     let is_seen =
         |path: &Path| path.file_name().is_some_and(|name| !name.as_encoded_bytes().starts_with(b"."));
@@ -103,19 +106,19 @@ fn visible(files: &dyn Files, folder: &Path) -> io::Result<Vec<(PathBuf, bool)>>
 #[derive(Debug)]
 pub(crate) struct Names<'a> {
     files: &'a dyn Files,
-    /// The working folder.
+    /// Working folder.
     here: PathBuf,
 }
 
 impl<'a> Names<'a> {
     pub(crate) fn new(files: &'a dyn Files) -> Self {
         let here = files.canonical(Path::new(".")).unwrap_or_default();
-        // the form of paths that Windows has for itself
+        // Windows path without the prefix `\\?\`.
         let plain = here.to_str().and_then(|here| here.strip_prefix(r"\\?\")).map(PathBuf::from);
         Self { files, here: plain.unwrap_or(here) }
     }
 
-    /// Relative to the working folder if the file is in it, with slashes.
+    /// Returns the name with slashes, relative to the working folder if the file is in it.
     pub(crate) fn of(&self, path: &Path) -> String {
         let path = path.strip_prefix(&self.here).unwrap_or(path);
         let mut name = String::new();
@@ -134,7 +137,7 @@ impl<'a> Names<'a> {
         name
     }
 
-    /// The same without `..`, as it is in diffs, and of files that a model includes.
+    /// Returns the name without `..`, as used in diffs and for included files.
     pub(crate) fn real(&self, path: &Path) -> String {
         let leads_up = path.components().any(|component| component == Component::ParentDir);
         match self.files.canonical(path).ok().filter(|_| leads_up) {

@@ -1,15 +1,18 @@
-//! What the shapes of a link enclose: volume, centroid and tensor at a density of 1, in the link's frame.
+//! Volume, centroid and tensor of the shapes of a link, at density 1, in the link's frame.
 //!
-//! Volumes of several shapes add; what they share counts for each of them. A mesh that bounds no solid stands for its convex hull, and
-//! says so. Scale is applied to the moments, once: with S = diag(s), x' = S x,
+//! Volumes of several shapes are added; overlaps count once per shape. A mesh that does not bound a
+//! solid is replaced by its convex hull, and the result states this. Scale is applied to the
+//! moments. With S = diag(s), x' = S x,
 //!
-//! V' = |det S| V,  c' = S c,  ∫x'x'ᵀ dV' = |det S| S (∫x xᵀ dV) S,
+//! V' = |det S| V,  c' = S c,  ∫x'x'ᵀ dV' = |det S| S (∫x xᵀ dV) S.
 //!
-//! so a mirror turns the signs of two products and leaves the volume positive. The hull of a scaled mesh is the scaled hull.
+//! A mirror therefore changes the sign of two products and leaves the volume positive. The hull of
+//! a scaled mesh is the scaled hull.
 //!
-//! glTF has +y up and +z forward (glTF 2.0, 3.4), and robots have +z up. Drake, Genesis and RViz (from 2025 on) turn such a mesh by a
-//! quarter about x, (x, y, z) → (x, −z, y), before it is scaled and placed; others, and RViz before, take it as it is. COLLADA's
-//! `<up_axis>` is ignored by Gazebo and RViz, and applied by others. [`MeshReading`] names both.
+//! glTF has +y up and +z forward (glTF 2.0, 3.4); robots have +z up. Drake, Genesis and RViz (since
+//! 2025) rotate such a mesh by 90° about x, (x, y, z) → (x, −z, y), before scaling and placing it.
+//! Other programs, and RViz before 2025, use it as it is. COLLADA's `<up_axis>` is ignored by
+//! Gazebo and RViz, and applied by others. [`MeshReading`] names both conventions.
 
 mod mesh;
 mod mesh_files;
@@ -35,53 +38,54 @@ use primitive::Primitive;
 
 pub use mesh_files::mesh_files;
 
-/// What a shape, or several, enclose. All of it is in the link's frame.
+/// Volume and moments of one or several shapes, in the link's frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Volume {
-    /// m³, positive.
+    /// Volume, m³; positive.
     pub volume: f64,
-    /// m
+    /// Centroid, m.
     pub centroid: [f64; 3],
-    /// About the centroid, along the link's axes, at 1 kg/m³: kg·m² for a volume in m³. Elements of the tensor (−∫xy dV).
+    /// Tensor about the centroid, link axes, at 1 kg/m³, kg·m². Elements of the tensor (−∫xy dV).
     pub tensor_per_density: [[f64; 3]; 3],
-    /// The distance of the farthest point from the link's origin, m; of an ellipsoid, a bound of it.
+    /// Distance of the farthest point from the link's origin, m; for an ellipsoid an upper bound.
     pub extent: f64,
-    /// The least and the greatest x, y, z, m.
+    /// Lower and upper bounds of x, y, z, m.
     pub bounds: [[f64; 3]; 2],
-    /// How it was found.
+    /// Kind of the shapes that were measured.
     pub kind: VolumeKind,
 }
 
-/// How a volume was found, in the order of trust.
+/// Kind of the shapes behind a volume, the most reliable first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum VolumeKind {
-    /// All of it is bounded by closed meshes.
+    /// Closed meshes only.
     Closed,
-    /// At least some of it is boxes, spheres, cylinders …, and nothing is a hull.
+    /// Primitives (boxes, spheres, cylinders …), possibly with closed meshes; no hulls.
     Primitives,
-    /// At least some of it is the convex hull of a mesh that bounds no solid.
+    /// Convex hulls, at least one, of meshes that do not bound a solid.
     Hull,
 }
 
-/// The volume of one set of a link's shapes: all that is seen, or all that is touched.
+/// Volume of the shapes of one role of a link: all visual shapes, or all collision shapes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LinkVolume {
-    /// The shapes that could be measured, as one; `None` if there are none.
+    /// Total of the shapes that could be measured; `None` if there are none.
     pub volume: Option<Volume>,
-    /// Those that could not, and why: then the volume and its bounds are not those of the whole set.
+    /// Shapes that could not be measured, with the reason. If there are any, the volume and its
+    /// bounds are incomplete.
     pub left_out: Vec<(Span, String)>,
 }
 
-/// How a mesh is read whose up axis programs treat in two ways.
+/// Convention for the up axis of mesh formats that programs read in two ways.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeshReading {
-    /// glTF turned from y up to z up, COLLADA as it is.
+    /// Most common convention: glTF rotated from y up to z up, COLLADA as it is.
     Usual,
-    /// glTF as it is, COLLADA turned.
+    /// Opposite convention: glTF as it is, COLLADA rotated.
     Other,
 }
 
-/// Measures shapes, for several threads at once; each mesh file is read once.
+/// Measures shapes; thread-safe. Each mesh file is read once.
 ///
 /// ```
 /// use polhode_robot::{geometry::Shapes, model::Role, read};
@@ -101,7 +105,7 @@ pub struct Shapes<'a> {
     goes_on: &'a (dyn Fn() -> bool + Sync),
 }
 
-/// Of what nobody waits for any more.
+/// Reason given for meshes that are not measured after cancellation.
 const ENDED: &str = "it was not looked at: that would take too long";
 
 /// Volume and moments of a solid in its own frame.
@@ -109,12 +113,12 @@ const ENDED: &str = "it was not looked at: that would take too long";
 struct Solid {
     volume: f64,
     centroid: [f64; 3],
-    /// About the centroid at a density of 1.
+    /// Tensor about the centroid, at density 1.
     tensor: [[f64; 3]; 3],
 }
 
 impl Default for Shapes<'_> {
-    /// Each mesh is measured on all threads of the machine.
+    /// Measures each mesh on all threads of the machine.
     fn default() -> Self {
         Self::watched(&|| true)
     }
@@ -127,35 +131,36 @@ impl fmt::Debug for Shapes<'_> {
 }
 
 impl<'a> Shapes<'a> {
-    /// Measures as long as it `goes_on`, which is asked often: after that no mesh is measured.
+    /// Measures meshes while `goes_on` returns true. The function is called often; after it returns
+    /// false, no mesh is measured.
     pub fn watched(goes_on: &'a (dyn Fn() -> bool + Sync)) -> Self {
         let threads = thread::available_parallelism().map_or(1, usize::from);
         Self { files: &Disk, meshes: MeshFiles::default(), threads, goes_on }
     }
 
-    /// Measures each mesh on at most so many threads: one is best where several ask.
+    /// Limits the number of threads for each mesh. One is best if several threads call.
     pub fn with_threads(threads: usize) -> Self {
         Self { threads, ..Self::default() }
     }
 
-    /// Takes the mesh files from `files`, and not from this machine.
+    /// Sets the file system for mesh files, instead of the disk.
     #[must_use]
     pub fn from_files(self, files: &'a dyn Files) -> Self {
         Self { files, ..self }
     }
 
-    /// Measures a mesh file before a link asks for it.
+    /// Measures a mesh file before a link needs it.
     pub fn read_ahead(&self, path: &Path) {
-        // why it cannot be measured is said to who asks
+        // The error is reported when a link needs the mesh.
         let _ = self.mesh(path);
     }
 
-    /// All shapes of a link that have this role, as one.
+    /// Returns the total of all shapes of a link with this role.
     pub fn link(&self, link: &Link, role: Role) -> LinkVolume {
         self.link_as(link, role, MeshReading::Usual)
     }
 
-    /// True if programs disagree on how one of these shapes is turned.
+    /// Returns true if programs disagree on the up axis of one of these shapes.
     pub fn is_turned_by_some(&self, link: &Link, role: Role) -> bool {
         let mut shapes = link.geometry.iter().filter(|geometry| geometry.role == role);
         shapes.any(|geometry| match &geometry.shape {
@@ -166,7 +171,8 @@ impl<'a> Shapes<'a> {
         })
     }
 
-    /// All shapes of a link that have this role, as one, with its meshes read in this way.
+    /// Returns the total of all shapes of a link with this role, with meshes read in this
+    /// convention.
     pub fn link_as(&self, link: &Link, role: Role, reading: MeshReading) -> LinkVolume {
         let mut set = LinkVolume::default();
         for geometry in link.geometry.iter().filter(|geometry| geometry.role == role) {
@@ -183,10 +189,11 @@ impl<'a> Shapes<'a> {
         set
     }
 
-    /// One shape.
+    /// Measures one shape.
     ///
     /// # Errors
-    /// In words, why it has no volume: a size that is none, a mesh that cannot be found or read or is flat, a plane.
+    /// Returns the reason in words why the shape has no volume: an unreadable size, a missing,
+    /// unreadable or flat mesh, or a plane.
     pub fn geometry(&self, geometry: &Geometry) -> Result<Volume, String> {
         self.geometry_as(geometry, MeshReading::Usual)
     }
@@ -232,11 +239,11 @@ impl<'a> Shapes<'a> {
         }
     }
 
-    /// The triangles of a mesh file, for those who draw them: in metres, as most programs turn it, before it is scaled and placed. They need
-    /// not bound a solid.
+    /// Returns the triangles of a mesh file for display: in metres, in the most common convention,
+    /// before scaling and placing. They need not bound a solid.
     ///
     /// # Errors
-    /// In words, why the file cannot be read.
+    /// Returns the reason in words why the file cannot be read.
     pub fn surface(&self, path: &Path) -> Result<Arc<TriangleMesh>, String> {
         Ok(self.mesh(path)?.usual.clone())
     }
@@ -250,7 +257,7 @@ impl<'a> Shapes<'a> {
 }
 
 impl Volume {
-    /// Both as one: c = Σ V_k c_k / V,  I = Σ (I_k + V_k (d² 1 − d dᵀ)),  d = c_k − c.
+    /// Adds two volumes: c = Σ V_k c_k / V,  I = Σ (I_k + V_k (d² 1 − d dᵀ)),  d = c_k − c.
     fn joined(&self, other: &Self) -> Self {
         let volume = self.volume + other.volume;
         let weights = [self.volume / volume, other.volume / volume];
@@ -288,7 +295,7 @@ impl Solid {
         Self { volume: body.mass(), centroid, tensor: body.inertia().matrix() }
     }
 
-    /// A quarter of a turn about x, R I Rᵀ.
+    /// Rotates by 90° about x: R I Rᵀ.
     fn z_up(self) -> Self {
         let [row_x, row_y, row_z] = self.tensor.map(z_up);
         let [x, y, z] = [0, 1, 2].map(|k| z_up([row_x[k], row_y[k], row_z[k]]));
@@ -304,7 +311,7 @@ impl Solid {
         if scale == [1.0; 3] {
             return Ok(self);
         }
-        // I = tr(C) 1 − C, so C = ½ tr(I) 1 − I
+        // I = tr(C) 1 − C, so C = ½ tr(I) 1 − I.
         let trace = |m: &[[f64; 3]; 3]| m[0][0] + m[1][1] + m[2][2];
         let half = 0.5 * trace(&self.tensor);
         let one = |i: usize, j: usize| if i == j { 1.0 } else { 0.0 };
@@ -320,12 +327,12 @@ impl Solid {
     }
 }
 
-/// From +y up and +z forward to +z up: a quarter of a turn about x.
+/// Rotates a vector from +y up and +z forward to +z up: 90° about x.
 const fn z_up([x, y, z]: [f64; 3]) -> [f64; 3] {
     [x, -z, y]
 }
 
-/// How far something goes, in the link's frame.
+/// Extent of a shape in the link's frame, m.
 #[derive(Clone, Copy, Debug)]
 struct Reach {
     extent: f64,
@@ -333,7 +340,7 @@ struct Reach {
 }
 
 impl Reach {
-    /// Of points, and of what is convex around them.
+    /// Returns the extent of points, which is also that of their convex hull.
     fn of(points: impl Iterator<Item = [f64; 3]>) -> Self {
         let mut bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
         let mut square = 0.0_f64;

@@ -1,4 +1,5 @@
-//! Reports of the bodies of a model: a link, what fixed joints hold together, a link with all that hangs from it, or the whole.
+//! Reports of the bodies of a model: a link, a group joined by fixed joints, a subtree, or the
+//! whole model.
 
 use std::fmt::Write as _;
 
@@ -17,10 +18,10 @@ use crate::model::RobotModel;
 use crate::remarks::remarks;
 use crate::report::format_name;
 
-/// A link, in its own frame.
+/// Returns the report of a link, in its own frame.
 ///
 /// # Errors
-/// [`LinkError`] if the link is unknown, or is not a body.
+/// [`LinkError`] if the link is unknown, or has no usable mass properties.
 pub fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, LinkError> {
     let link = link_named(model, name)?;
     let findings = remarks(model, Some(name))?;
@@ -33,7 +34,7 @@ pub fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, LinkErro
         }
         Err(error) => return Err(error.of_link(name)),
     };
-    // The link's axes are the body's.
+    // The body frame has the link's axes.
     let properties = body.properties.in_frame::<Body>(Rotation::identity());
     let source = source(model)
         .described(format!("link {name} {}, in the link's frame", of_model(model)))
@@ -42,12 +43,13 @@ pub fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, LinkErro
     Ok(InertiaReport { findings, ..InertiaReport::new(rounded(source, body.rounding), properties) })
 }
 
-/// Links joined: a report for each body.
+/// Returns one report for each body of joined links.
 ///
-/// `source.joints` has the values that are given, `source.followers` those that follow from them, rad or m.
+/// `source.joints` lists the given joint values, `source.followers` the values that follow from
+/// them, rad or m.
 ///
 /// # Errors
-/// [`LinkError`] as [`lump`] has it, or if the file says a number in two ways.
+/// [`LinkError`] as for [`lump`], or if the file states a number twice with different values.
 pub fn of_lumps(
     model: &RobotModel,
     lumping: Lumping<'_>,
@@ -66,7 +68,7 @@ pub fn of_lumps(
     Ok(lumps.into_iter().map(report).collect())
 }
 
-/// States what the motor of a joint moves: the body, and its own rotor.
+/// Reports the inertia that the motor of a joint moves: the body and its own rotor.
 fn armature(model: &RobotModel, drive: &Drive) -> Option<Finding> {
     let Drive { joint, span, slides, inertia, armature } = drive;
     let (unit, of) = if *slides { ("kg", "along") } else { ("kg·m²", "about") };
@@ -128,7 +130,7 @@ fn of_lump(model: &RobotModel, lumping: Lumping<'_>, lump: Lump) -> InertiaRepor
     InertiaReport::new(rounded(source, rounding), properties)
 }
 
-/// `, elbow = 0.523599 rad and other joints at zero`
+/// Returns the joint values in words: `, elbow = 0.523599 rad and other joints at zero`
 pub(crate) fn position_words(positions: &[JointPosition], held: &[String]) -> String {
     let mut text = String::new();
     for position in positions.iter().filter(|position| position.by != PositionBy::Rest) {
@@ -149,7 +151,7 @@ pub(crate) fn position_words(positions: &[JointPosition], held: &[String]) -> St
     words + &held_words(held)
 }
 
-/// `, root as drawn (takes no value)`
+/// Returns the held joints in words: `, root as drawn (takes no value)`
 fn held_words(held: &[String]) -> String {
     match held {
         [] => String::new(),
@@ -159,7 +161,7 @@ fn held_words(held: &[String]) -> String {
     }
 }
 
-/// `elbow = 0.523599 rad`
+/// Returns a joint value in words: `elbow = 0.523599 rad`
 fn in_words(position: &JointPosition) -> String {
     format!("{} = {} {}", position.joint, number(position.value, 6), unit(position))
 }
@@ -168,7 +170,8 @@ const fn unit(position: &JointPosition) -> &'static str {
     if position.slides { "m" } else { "rad" }
 }
 
-/// Joints where the model does not allow them to be: a warning if a value was asked for.
+/// Reports joints outside their limits. The finding is a warning if the value was given or follows
+/// from another joint.
 pub(crate) fn beyond_limits(model: &RobotModel, positions: &[JointPosition]) -> Vec<Finding> {
     let places = Places::of(model);
     let outside = positions.iter().filter(|position| position.is_outside());
@@ -193,7 +196,7 @@ pub(crate) fn beyond_limits(model: &RobotModel, positions: &[JointPosition]) -> 
     outside.filter_map(finding).collect()
 }
 
-/// The source, and that digits were too few for a possible tensor.
+/// Adds the rounding correction of the tensor to the source description.
 fn rounded(source: SourceInfo, rounding: f64) -> SourceInfo {
     if rounding == 0.0 {
         return source;
@@ -205,13 +208,13 @@ fn rounded(source: SourceInfo, rounding: f64) -> SourceInfo {
     source.described(words).with("rounding", rounding)
 }
 
-/// The model as a source.
+/// Returns the source description of a model.
 pub(crate) fn source(model: &RobotModel) -> SourceInfo {
     let format = format_name(model.format).to_ascii_lowercase();
     SourceInfo::new(model.path.display().to_string(), format)
 }
 
-/// `of arm`
+/// Returns the model's name after "of": `of arm`
 pub(crate) fn of_model(model: &RobotModel) -> String {
     model.name.as_ref().map_or_else(|| "of the model".to_owned(), |name| format!("of {name}"))
 }

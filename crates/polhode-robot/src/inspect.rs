@@ -1,5 +1,5 @@
-//! A model with its shapes measured and its rules checked: all that is found in it, with what its reader noticed and the shapes that
-//! could not be measured.
+//! Measures the shapes of a model and checks its rules. Also reports the reader's notes and the
+//! shapes that could not be measured.
 
 use crate::check::{LinkGeometry, check_for};
 use crate::finding::{Finding, Severity};
@@ -8,16 +8,16 @@ use crate::model::{GeometryShape, Link, Note, RobotModel, Role, Span};
 use crate::program::Program;
 use crate::rule::rule;
 
-/// What is found in a model.
+/// Result of an inspection.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Inspection {
-    /// What each link looks like, in the order of the model's links.
+    /// Measured geometry of each link, in the order of the model's links.
     pub geometry: Vec<LinkGeometry>,
-    /// What is wrong, in the order of the file.
+    /// Findings, in file order.
     pub findings: Vec<Finding>,
 }
 
-/// Measures and checks a model. `shapes` keeps the meshes that it has read, for the next model that has them.
+/// Measures and checks a model. `shapes` caches the meshes for the next model.
 ///
 /// ```
 /// use polhode_robot::{geometry::Shapes, inspect::inspect, read::{ReadOptions, read_text}};
@@ -32,7 +32,8 @@ pub fn inspect(model: &RobotModel, shapes: &Shapes<'_>) -> Inspection {
     inspect_for(model, shapes, &[])
 }
 
-/// The same; what one of these programs refuses is an error, where it is a note otherwise.
+/// Measures and checks a model as [`inspect`] does. A rejection by one of these programs is an
+/// error instead of a note.
 pub fn inspect_for(model: &RobotModel, shapes: &Shapes<'_>, programs: &[Program]) -> Inspection {
     let geometry: Vec<_> = model.links.iter().map(|link| LinkGeometry::of(link, shapes)).collect();
     let mut findings = check_for(model, &geometry, programs);
@@ -44,7 +45,8 @@ pub fn inspect_for(model: &RobotModel, shapes: &Shapes<'_>, programs: &[Program]
     Inspection { geometry, findings }
 }
 
-/// The shapes of a link that could not be measured. A plane has no volume, and is none the worse for it.
+/// Reports the shapes of a link that could not be measured. A plane has no volume and is not
+/// reported.
 fn unmeasured_shapes(link: &Link, geometry: &LinkGeometry, shapes: &Shapes<'_>) -> Vec<Finding> {
     let has = |role: &Role| link.geometry.iter().any(|geometry| geometry.role == *role);
     let roles = [Role::Visual, Role::Collision];
@@ -69,7 +71,7 @@ fn unmeasured(link: &Link, span: &Span, why: &str) -> Finding {
     )
 }
 
-/// Notes with a rule of their own: nothing was left out.
+/// Codes of notes that state a fact and do not report skipped content.
 const STATED: [&str; 3] = ["read.package", "read.animated", "inertia.computed"];
 
 fn of_note(note: &Note) -> Finding {

@@ -1,4 +1,5 @@
-//! A checked model for programs. Keys are stable; numbers are SI; what is not finite is `null`.
+//! JSON of a checked model. Keys are stable, numbers are in SI units, and values that are not
+//! finite are `null`.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -12,10 +13,13 @@ use crate::repair::Left;
 use crate::report::{CheckReport, Counts, Fixed, format_name};
 
 impl CheckReport {
-    /// One object: `file`, `format`, `links`, `inertials`, `includes` (what of them stands in which file that the model includes), `counts` (of findings), `verdicts` (of links), `findings`, and what of them does not count: `allowed`,
-    /// `known`, `off`; `fix` where repairs were asked for.
+    /// Returns one object. Keys: `file`, `format`, `links`, `inertials`, `includes` (counts for
+    /// each included file), `counts` (of findings), `verdicts` (of links), `findings`. Findings
+    /// that do not count are in `allowed`, `known` and `off`. `fix` is present if repairs were
+    /// requested.
     ///
-    /// Lines and columns count from 1, columns in characters. `file` of a finding is there if that is a file that the model includes.
+    /// Lines and columns count from 1, columns in characters. A finding has the key `file` if it is
+    /// in an included file.
     pub fn to_json(&self) -> Value {
         let Counts { impossible, suspect, note } = self.counts();
         let by_link = self.link_counts();
@@ -58,7 +62,7 @@ impl CheckReport {
         Value::Object(object)
     }
 
-    /// How many links and inertials stand in each file that the model includes.
+    /// Returns the numbers of links and inertials in each included file.
     fn includes(&self, places: &Places<'_>) -> Value {
         let mut counts: BTreeMap<&Path, [usize; 2]> =
             self.model.included.iter().map(|source| (source.path.as_path(), [0; 2])).collect();
@@ -106,7 +110,8 @@ fn repair(places: &Places<'_>, text: &str, repair: &Repair) -> Value {
     json!({ "description": repair.description, "edits": repair.edits.iter().map(edit).collect::<Vec<_>>() })
 }
 
-/// What was written where and the diff to it, which findings were repaired (by their place in `findings`), and what was left.
+/// Returns the output path, the diff, the applied repairs (by index in `findings`), and the repairs
+/// that were not applied.
 fn fix(findings: &[Finding], fixed: &Fixed) -> Value {
     let left = |Left { finding, why }: &Left| {
         let of = findings.get(*finding);

@@ -1,25 +1,26 @@
-//! Robot and simulation models (URDF, SDF, MJCF, USD, OpenSim): are these inertias right?
+//! Checks the inertias of robot and simulation models (URDF, SDF, MJCF, USD, OpenSim).
 //!
-//! [`run`] answers a [`Request`]: it checks models, and says what is wrong with them.
+//! [`run`] answers a [`Request`]: it reads models, checks them and reports findings.
 //!
-//! - [`model`]: what a file says: links, inertials, geometry, joints, and where each number stands
-//! - [`read`]: files in, models out
-//! - [`geometry`]: what the shapes of a link enclose
+//! - [`model`]: contents of a file: links, inertials, geometry, joints, and the text position of
+//!   each number
+//! - [`read`]: readers; files in, models out
+//! - [`geometry`]: volume, centroid and tensor of a link's shapes
 //! - [`mod@check`]: the checks
-//! - [`mod@rule`]: all rules in one table, each with its reason, its remedy and an example
-//! - [`finding`]: what is wrong with a model, why, and what would repair it
-//! - [`inspect`]: a model with its shapes measured and its rules checked
-//! - [`program`]: programs that read models, and refuse some
-//! - [`policy`]: what of the findings counts: severities of one's own, allowances, baselines
-//! - [`repair`]: the text with repairs made, every other byte as it was, and the diff to it
-//! - [`report`]: all that for people and for programs
+//! - [`mod@rule`]: table of all rules, each with its reason, its remedy and an example
+//! - [`finding`]: findings: the error, its likely cause and its repair
+//! - [`inspect`]: a model with measured shapes and checked rules
+//! - [`program`]: programs that read models, and their rejections
+//! - [`policy`]: severity overrides, allowances and baselines
+//! - [`repair`]: repaired text and its diff; all other bytes are unchanged
+//! - [`report`]: reports for people and for programs
 //! - [`body`]: a link's mass properties in its own frame
-//! - [`mod@lump`]: links joined to one body, joints at values by name
+//! - [`mod@lump`]: links joined to one body, with joint values given by name
 //! - [`mod@inertia`]: reports of these bodies
-//! - [`link_table`]: all links in one table, and the whole
-//! - [`mod@remarks`]: what a reader noticed, beside a link's mass properties
-//! - [`moments`]: tensors that may be impossible, taken apart
-//! - [`line_index`]: lines and columns of places
+//! - [`link_table`]: table of all links and of the whole model
+//! - [`mod@remarks`]: the reader's notes about a link's mass properties
+//! - [`moments`]: eigenvalues and axes of tensors that may be unphysical
+//! - [`line_index`]: lines and columns of text positions
 
 pub mod body;
 pub mod check;
@@ -64,8 +65,8 @@ pub use link_tables::LinkTables;
 pub use request::Request;
 pub use run::{Inputs, Progress, run};
 
-/// JSON schema of [`Request`].
+/// JSON schema of a [`Request`].
 pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
 
-/// JSON schema of the report of [`Checked`].
+/// JSON schema of the report of a [`Checked`].
 pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");

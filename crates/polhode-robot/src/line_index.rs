@@ -1,11 +1,11 @@
-//! Lines and columns of a text: where its lines begin is found once, then each place is a search among them. Of a model with
-//! the files that it includes, a place is in one of these.
+//! Lines and columns of positions in a text. The line starts are computed once; each lookup is a
+//! binary search. For a model with included files, a position lies in one of these files.
 
 use std::path::Path;
 
 use crate::model::{RobotModel, Span};
 
-/// Where the lines of a text begin. Lines end in `\n`, `\r\n` or `\r`, as editors count them.
+/// Start positions of the lines of a text. Lines end in `\n`, `\r\n` or `\r`, as in editors.
 ///
 /// ```
 /// use polhode_robot::line_index::LineIndex;
@@ -15,12 +15,12 @@ use crate::model::{RobotModel, Span};
 #[derive(Clone, Debug)]
 pub struct LineIndex<'a> {
     text: &'a str,
-    /// The first byte of each line, ascending; the first is 0.
+    /// First byte of each line, ascending; the first is 0.
     starts: Vec<usize>,
 }
 
 impl<'a> LineIndex<'a> {
-    /// The lines of this text.
+    /// Computes the line starts of a text.
     pub fn new(text: &'a str) -> Self {
         let bytes = text.as_bytes();
         let ends = |at: usize| match bytes.get(at) {
@@ -33,8 +33,9 @@ impl<'a> LineIndex<'a> {
         Self { text, starts }
     }
 
-    /// Line and column of a byte, both from 1. A byte order mark is no character of the first line, a byte within a
-    /// character counts as that character, and one past the end as the end.
+    /// Returns line and column of a byte, both from 1. A byte order mark does not count as a
+    /// character. A byte inside a character counts as that character; a byte beyond the end counts
+    /// as the end.
     pub fn place(&self, byte: usize) -> (usize, usize) {
         const MARK: char = '\u{feff}';
         let byte = self.text.floor_char_boundary(byte.min(self.text.len()));
@@ -46,28 +47,28 @@ impl<'a> LineIndex<'a> {
     }
 }
 
-/// The lines of a model and of the files that it includes.
+/// Line indices of a model and its included files.
 #[derive(Clone, Debug)]
 pub struct Places<'a> {
-    /// Each with the place of its first byte, ascending; the first is the model's own.
+    /// Files with the position of their first byte, ascending. The first is the model's own file.
     files: Vec<(&'a Path, usize, LineIndex<'a>)>,
 }
 
-/// Where something stands.
+/// File, line and column of a position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FilePlace<'a> {
-    /// The model's file, or one that it includes.
+    /// Model file or included file.
     pub file: &'a Path,
-    /// True if it is one that the model includes.
+    /// True if the file is an included one.
     pub is_included: bool,
-    /// From 1.
+    /// Line, from 1.
     pub line: usize,
-    /// From 1, in characters.
+    /// Column in characters, from 1.
     pub column: usize,
 }
 
 impl<'a> Places<'a> {
-    /// Those of a model.
+    /// Computes the line indices of a model.
     pub fn of(model: &'a RobotModel) -> Self {
         let own = (model.path.as_path(), 0, LineIndex::new(&model.text));
         let included = model
@@ -77,17 +78,17 @@ impl<'a> Places<'a> {
         Self { files: [own].into_iter().chain(included).collect() }
     }
 
-    /// The place of a span's first byte.
+    /// Returns the place of a span's first byte.
     pub fn place(&self, span: &Span) -> FilePlace<'a> {
         self.at(span, span.start)
     }
 
-    /// The place behind its last byte.
+    /// Returns the place after a span's last byte.
     pub fn end(&self, span: &Span) -> FilePlace<'a> {
         self.at(span, span.end)
     }
 
-    // A byte of a span, in the file that has its first.
+    // Returns the place of a byte of a span, in the file that contains the span's start.
     fn at(&self, span: &Span, byte: usize) -> FilePlace<'a> {
         let number = self.files.partition_point(|(_, start, _)| *start <= span.start).saturating_sub(1);
         let Some((file, start, lines)) = self.files.get(number) else {
@@ -109,7 +110,7 @@ mod tests {
         let at = |c: char| lines.place(text.find(c).unwrap());
         assert_eq!([at('a'), at('b'), at('c'), at('d')], [(1, 1), (1, 2), (2, 1), (2, 2)]);
         assert_eq!([at('e'), at('µ'), at('f')], [(3, 1), (4, 1), (4, 2)]);
-        // within the two bytes of µ, at the end, and past it
+        // Positions inside the two bytes of µ, at the end, and beyond it.
         assert_eq!(lines.place(text.find('µ').unwrap() + 1), (4, 1));
         assert_eq!(lines.place(text.len()), (5, 1));
         assert_eq!(lines.place(usize::MAX), (5, 1));

@@ -1,4 +1,5 @@
-//! Choice of a robot's links that are a body: one, those joined by fixed joints, a subtree, or all.
+//! Selection of the links of a robot that form a body: one link, groups joined by fixed joints, a
+//! subtree, or all.
 
 use std::path::Path;
 use std::str::FromStr;
@@ -19,7 +20,7 @@ use crate::lump::{Lumping, slides};
 use crate::model::RobotModel;
 use crate::read::{ReadOptions, read_model};
 
-/// Choice of a robot's links, and the values of its joints.
+/// Selection of a robot's links, and the values of its joints.
 ///
 /// ```
 /// use polhode_robot::LinkChoice;
@@ -38,16 +39,18 @@ pub struct LinkChoice {
     /// A link of a robot, in its own frame.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "NAME", group = "of_robot"))]
     pub link: Option<String>,
-    /// The links of a robot joined: "fixed", those that fixed joints hold together, or "all" [default: all].
+    /// Joined links of a robot: "fixed" for each group held by fixed joints, or "all" [default:
+    /// all].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "WHICH", num_args = 0..=1, default_missing_value = "all", group = "of_robot"))]
     pub lump: Option<Which>,
-    /// A link and all that hangs from it, joined, in the frame of that link.
+    /// A link and all its descendants, joined, in the frame of that link.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "LINK", group = "of_robot"))]
     pub subtree: Option<String>,
-    /// Every link of a robot, a row each, and the whole robot: for people, or with --json or --csv.
+    /// A table of all links of a robot and the whole robot: as text, or with --json or --csv.
     #[cfg_attr(feature = "arguments", arg(long, group = "of_robot", conflicts_with_all = ["about", "along", "axes", "as_format"]))]
     pub table: bool,
-    /// The value of a joint, in rad or m or with its unit: elbow="30 deg"; joints that follow it do so, others are at zero.
+    /// The value of a joint, rad or m or with its unit: elbow="30 deg". Coupled joints follow;
+    /// other joints are at zero.
     #[serde(rename = "joint")]
     #[cfg_attr(
         feature = "arguments",
@@ -67,18 +70,18 @@ pub struct LinkChoice {
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
 pub enum Which {
-    /// A body for each group of links that fixed joints hold together, in the frame of its first link.
+    /// One body for each group of links held by fixed joints, in the frame of its first link.
     Fixed,
     /// One body, in the frame of the model.
     All,
 }
 
-/// Value of a joint, which says itself whether it is an angle or a length.
+/// Value of a joint: an angle or a length, according to the joint.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct JointValue {
     /// Name of the joint.
     pub name: String,
-    /// Number, rad or m, or with its unit.
+    /// Number, rad or m, or a number with its unit.
     pub value: String,
 }
 
@@ -92,7 +95,7 @@ impl FromStr for JointValue {
 }
 
 impl LinkChoice {
-    /// Returns the first option that is given.
+    /// Returns the name of the first option that is set.
     pub const fn given(&self) -> Option<&'static str> {
         match self {
             Self { link: Some(_), .. } => Some("--link"),
@@ -103,10 +106,10 @@ impl LinkChoice {
         }
     }
 
-    /// Returns a report for the link, or for each body of several links.
+    /// Returns a report for the selected link, or for each body of joined links.
     ///
     /// # Errors
-    /// [`Failure`] if the model cannot be read, or a link or joint does not fit it.
+    /// [`Failure`] if the model cannot be read, or if it has no such link or joint.
     pub fn reports(&self, files: &dyn Files, file: &Path) -> Result<Vec<InertiaReport>, Failure> {
         let model = read_model(file, &ReadOptions { files, ..ReadOptions::default() })?;
         let lumping = match (&self.link, self.lump, &self.subtree) {
@@ -146,14 +149,14 @@ impl LinkChoice {
     /// Returns a table of the links.
     ///
     /// # Errors
-    /// As [`LinkChoice::reports`].
+    /// [`Failure`], as for [`LinkChoice::reports`].
     pub fn link_table(&self, files: &dyn Files, file: &Path) -> Result<LinkTable, Failure> {
         let model = read_model(file, &ReadOptions { files, ..ReadOptions::default() })?;
         let positions = self.positions(&model)?;
         LinkTable::of(&model, &positions).map_err(|error| failure(&model, &error))
     }
 
-    /// The values of joints, rad or m.
+    /// Returns the values of joints, rad or m.
     fn positions(&self, model: &RobotModel) -> Result<Vec<(String, f64)>, Failure> {
         let joints: Vec<&JointValue> = self.joints.iter().map(|joint| &joint.value).collect();
         let twice = joints
@@ -168,7 +171,7 @@ impl LinkChoice {
     }
 }
 
-/// The value of a joint, rad or m.
+/// Parses the value of a joint, rad or m.
 fn position(model: &RobotModel, name: &str, value: &str) -> Result<(String, f64), Failure> {
     let slides = slides(model, name).map_err(|error| failure(model, &error))?;
     let dimension = if slides { Dimension::LENGTH } else { Dimension::ANGLE };
@@ -185,7 +188,7 @@ fn position(model: &RobotModel, name: &str, value: &str) -> Result<(String, f64)
     }
 }
 
-/// A failure with its place in the model, if it has one.
+/// Converts an error to a failure, with its place in the model if it has one.
 fn failure(model: &RobotModel, error: &LinkError) -> Failure {
     let (message, hint) = (error.to_string(), error.hint());
     match error.span() {

@@ -1,4 +1,4 @@
-//! Errors of links that are not bodies, alone or joined.
+//! Errors of links without usable mass properties, alone or joined.
 
 use std::error::Error;
 use std::fmt;
@@ -8,8 +8,8 @@ use polhode_document::layout::printable;
 
 use crate::model::Span;
 
-/// Error of a link, or of links joined, that are not a body: numbers that are missing or unphysical, unknown links or
-/// joints, joints that do not form a tree, values of joints that are unknown.
+/// Error of a link or of joined links: missing or unphysical numbers, unknown links or joints,
+/// joints that do not form a tree, or unknown joint values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LinkError {
     message: String,
@@ -18,12 +18,12 @@ pub struct LinkError {
 }
 
 impl LinkError {
-    /// Creates an error at no place of the model's text.
+    /// Creates an error without a position in the model's text.
     pub(crate) fn new(message: impl Into<String>, hint: impl Into<String>) -> Self {
         Self { message: message.into(), hint: hint.into(), span: None }
     }
 
-    /// Adds the place in the model's text.
+    /// Adds the position in the model's text.
     pub(crate) fn at(self, span: &Span) -> Self {
         Self { span: Some(span.clone()), ..self }
     }
@@ -38,7 +38,7 @@ impl LinkError {
         Self::of_number(error.to_string(), span)
     }
 
-    /// Creates the error of a model, or of a link and all that hangs from it, without mass.
+    /// Creates the error of a model or subtree without mass.
     pub(crate) fn massless(subtree: Option<&str>) -> Self {
         let message = match subtree {
             None => "no link has mass".to_owned(),
@@ -47,17 +47,17 @@ impl LinkError {
         Self::new(message, "give a link an inertial")
     }
 
-    /// Adds the link.
+    /// Adds the name of the link.
     pub(crate) fn of_link(self, link: &str) -> Self {
         Self { message: format!("the link {link:?} is no body: {}", self.message), ..self }
     }
 
-    /// Returns the place in the model's text, if there is one.
+    /// Returns the position in the model's text, if there is one.
     pub fn span(&self) -> Option<Span> {
         self.span.clone()
     }
 
-    /// Returns the advice.
+    /// Returns the hint.
     pub fn hint(&self) -> &str {
         &self.hint
     }
@@ -71,7 +71,7 @@ impl fmt::Display for LinkError {
 
 impl Error for LinkError {}
 
-/// Returns advice: the likeliest name, and all names.
+/// Returns a hint: the nearest name, and the list of names.
 pub(crate) fn suggested(meant: Option<&str>, introduction: &str, names: &[&str]) -> String {
     const MOST: usize = 40;
     let meant = meant.map_or_else(String::new, |meant| format!("did you mean {}? ", printable(meant)));

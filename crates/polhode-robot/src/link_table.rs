@@ -1,4 +1,4 @@
-//! All links of a model as bodies, one a row, and the whole robot below them: for people, as JSON and as CSV.
+//! Table of all links of a model as bodies, and of the whole robot: as text, JSON and CSV.
 
 use std::fmt::Write as _;
 
@@ -18,10 +18,10 @@ use crate::link_error::LinkError;
 use crate::lump::Lumping;
 use crate::model::{GeometryShape, Link, RobotModel};
 
-/// Digits of every number for people.
+/// Significant digits in the text table.
 const DIGITS: usize = 4;
 
-/// The heads of the columns for people, units within.
+/// Column titles of the text table, with units.
 const HEADS: [&str; 15] = [
     "link",
     "mass/kg",
@@ -40,7 +40,7 @@ const HEADS: [&str; 15] = [
     "shape",
 ];
 
-/// The columns of the CSV, after `file`, `row`, `name`, `frame` and `shape`, with their units.
+/// CSV columns after `file`, `row`, `name`, `frame` and `shape`, with their units.
 const NUMBERS: [&str; 13] = [
     "mass_kg",
     "center_of_mass_x_m",
@@ -57,35 +57,35 @@ const NUMBERS: [&str; 13] = [
     "i3_kg_m2",
 ];
 
-/// The links of a robot and the whole of it.
+/// Links of a robot, and the whole robot.
 #[derive(Clone, Debug)]
 pub struct LinkTable {
-    /// In the order of the file.
+    /// Links in file order.
     pub rows: Vec<LinkRow>,
-    /// All links as one body, in the model's frame and the positions that were asked for.
+    /// All links as one body, in the model's frame, at the requested joint values.
     pub whole: InertiaReport,
-    /// `of arm`
+    /// Name of the model after "of": `of arm`
     name: String,
 }
 
-/// A link.
+/// Row of the table: one link.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinkRow {
-    /// Its name.
+    /// Name of the link.
     pub link: String,
-    /// Its shapes by their kinds: `box`, `mesh`.
+    /// Kinds of its shapes: `box`, `mesh`.
     pub shapes: Vec<String>,
-    /// In its own frame; `None` if it has no mass.
+    /// Mass properties in the link's own frame; `None` if it has no mass.
     pub properties: Option<MassProperties<Body>>,
-    /// The change that brought its tensor over the edge of what is possible, kg·m²; zero for most.
+    /// Correction that made its tensor physical, kg·m²; usually zero.
     pub rounding: f64,
 }
 
 impl LinkTable {
-    /// The table of a model, joints at these values by name, rad or m.
+    /// Builds the table of a model, with joint values by name, rad or m.
     ///
     /// # Errors
-    /// [`LinkError`] if a link is not a body, or they cannot be joined.
+    /// [`LinkError`] if a link has unphysical mass properties, or if the links cannot be joined.
     pub fn of(model: &RobotModel, positions: &[(String, f64)]) -> Result<Self, LinkError> {
         let mut whole = of_lumps(model, Lumping::All, positions)?.into_iter();
         let whole = whole.next().ok_or_else(|| LinkError::massless(None))?;
@@ -93,12 +93,12 @@ impl LinkTable {
         Ok(Self { rows, whole, name: of_model(model) })
     }
 
-    /// What was noticed.
+    /// Returns the findings about the whole model.
     pub fn findings(&self) -> &[Finding] {
         &self.whole.findings
     }
 
-    /// Columns for people, and above them what they are.
+    /// Returns the text table with an explanation of its columns.
     pub fn to_text(&self) -> String {
         let SourceInfo { path, description, .. } = &self.whole.source;
         let mut text = format!(
@@ -132,8 +132,9 @@ impl LinkTable {
         plain_spaces(&text)
     }
 
-    /// One object: `links`, an array in the order of the file, each with the keys of `polhode inertia --json` where it has mass; and `whole`,
-    /// the object that `--lump all` prints.
+    /// Returns one object with `links` and `whole`. `links` is an array in file order; links with
+    /// mass have the keys of `polhode inertia --json`. `whole` is the object that `--lump all`
+    /// prints.
     pub fn to_json(&self) -> Value {
         let links: Vec<Value> = self.rows.iter().map(|row| row.to_json(&self.whole.source)).collect();
         json!({
@@ -144,14 +145,15 @@ impl LinkTable {
         })
     }
 
-    /// The first line of [`LinkTable::to_csv`].
+    /// Returns the header line of [`LinkTable::to_csv`].
     pub fn csv_head() -> String {
         let names = ["file", "row", "name", "frame", "shape"];
         names.into_iter().chain(NUMBERS).collect::<Vec<_>>().join(",") + "\n"
     }
 
-    /// A line for each link (`link` in the column `row`) and one for the whole (`whole`), without a head; exact numbers, SI. Of a link without
-    /// mass the numbers are empty, and its `shape` is `massless`.
+    /// Returns one line for each link (`link` in the column `row`) and one for the whole robot
+    /// (`whole`), without a header. Numbers are exact, in SI units. A link without mass has empty
+    /// numbers and the `shape` `massless`.
     pub fn to_csv(&self) -> String {
         let file = csv_name(&self.whole.source.path);
         let mut text = String::new();
@@ -177,7 +179,7 @@ impl LinkTable {
 }
 
 impl LinkRow {
-    /// Its shapes in a word, or that it has no mass.
+    /// Returns the kinds of shapes, or `massless`.
     fn shape(&self) -> String {
         match &self.properties {
             None => "massless".to_owned(),
@@ -234,7 +236,7 @@ fn kind(shape: &GeometryShape) -> &str {
     }
 }
 
-/// xx xy xz yy yz zz
+/// Returns the tensor elements xx xy xz yy yz zz, kg·m².
 fn elements(body: &MassProperties<Body>) -> [f64; 6] {
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = body.inertia().matrix();
     [xx, xy, xz, yy, yz, zz]
@@ -258,13 +260,14 @@ fn cells(name: &str, body: Option<&MassProperties<Body>>, shape: &str) -> Vec<St
     cells
 }
 
-/// Numbers for people; what is rounding beside the largest, or beside a scale, is zero.
+/// Formats numbers for the text table. Values at rounding level relative to the largest, or to
+/// `scale`, become zero.
 fn shown<const N: usize>(values: [f64; N], scale: f64) -> [String; N] {
     let largest = values.iter().fold(scale, |largest, value| largest.max(value.abs()));
     values.map(|value| number(if value.abs() < 1e-14 * largest { 0.0 } else { value }, DIGITS))
 }
 
-/// Numbers that read back as the same.
+/// Formats numbers exactly, so that parsing returns the same values.
 fn exact(body: &MassProperties<Body>) -> Vec<String> {
     let center = body.center_of_mass().to_array();
     let moments = body.principal().moments();

@@ -1,4 +1,4 @@
-//! Tables of the links of several robots, in the forms that they are printed in.
+//! Tables of the links of several robots, as text, JSON and CSV.
 
 use std::path::{Path, PathBuf};
 
@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use crate::link_table::LinkTable;
 
-/// Tables of links, in the order of their files.
+/// Tables of links, in the order of the files.
 #[derive(Debug)]
 pub struct LinkTables(pub Vec<(PathBuf, Result<LinkTable, Failure>)>);
 
@@ -19,13 +19,13 @@ impl LinkTables {
         self.0.iter().filter_map(|(file, table)| Some((file.as_path(), table.as_ref().ok()?)))
     }
 
-    /// Returns one table of all links as CSV; empty if there are none.
+    /// Returns one CSV table of all links; empty if there are none.
     pub fn to_csv(&self) -> String {
         let rows: String = self.tables().map(|(_, table)| table.to_csv()).collect();
         if rows.is_empty() { rows } else { LinkTable::csv_head() + &rows }
     }
 
-    /// Returns lines for people on what was noticed, for which [`LinkTables::to_csv`] has no room.
+    /// Returns the notes as text lines; [`LinkTables::to_csv`] has no column for them.
     pub fn noticed(&self) -> String {
         let of = |(file, table): (&Path, &LinkTable)| {
             let description = printable(&table.whole.source.description);
@@ -37,7 +37,8 @@ impl LinkTables {
 }
 
 impl Report for LinkTables {
-    /// Returns an object for one file, and a list for several; a file that failed has an object with its error.
+    /// Returns an object for one file, and a list for several. A file that failed has an object
+    /// with its error.
     fn to_json(&self) -> Value {
         let value = |(file, table): &(PathBuf, Result<LinkTable, Failure>)| match table {
             Ok(table) => table.to_json(),

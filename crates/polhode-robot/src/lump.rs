@@ -1,11 +1,15 @@
-//! Links joined to one body: those that fixed joints hold together, the whole robot in a position of its joints, or a part of it.
+//! Links joined to one body: groups joined by fixed joints, the whole robot at given joint values,
+//! or a subtree.
 //!
-//! The frame of a link in its parent's, with the joint at q from rest, is
+//! The pose of a link in its parent's frame, with the joint displaced by q from rest, is
 //!
-//! T_parent_child(q) = T_joint · M(q),   M: x ↦ a + R(n, q)(x − a) of a turn,   x ↦ x + q n of a way,
+//! T_parent_child(q) = T_joint · M(q),   M: x ↦ a + R(n, q)(x − a) for a rotation,   x ↦ x + q n
+//! for a translation,
 //!
-//! axis n and anchor a in the child's frame. Several joints between the same two links follow each other: T · M₁ · M₂ ….
-//! The composite is [`polhode::body::assemble`]'s: masses and moments summed by parallel axes about a local point.
+//! with axis n and anchor a in the child's frame. Several joints between the same two links are
+//! applied in sequence: T · M₁ · M₂ ….
+//! [`polhode::body::assemble`] forms the composite: it sums masses and moments by the parallel-axis
+//! theorem about a local point.
 
 mod drive;
 mod position;
@@ -27,44 +31,47 @@ use crate::placement::Placement;
 pub use self::drive::Drive;
 pub use self::position::{JointPosition, PositionBy, slides};
 
-/// Which links become one body.
+/// Selection of the links that are joined to one body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lumping<'a> {
-    /// Those that fixed joints hold together: a body for each group, in the frame of its first link, the one nearest the root.
+    /// Links joined by fixed joints: one body for each group, in the frame of its first link, the
+    /// nearest to the root.
     Fixed,
-    /// All of them: one body, in the frame of the model, which in URDF is that of the root link.
+    /// All links: one body, in the frame of the model. In URDF this is the frame of the root link.
     All,
-    /// A link and all that hangs from it: one body, in the frame of that link.
+    /// Subtree: a link and all its descendants as one body, in the frame of that link.
     Subtree(&'a str),
 }
 
-/// Links that are one body.
+/// Links joined to one body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lump {
-    /// The link whose frame the numbers are in; `None` if that is the model's.
+    /// Link whose frame is the reference frame; `None` for the frame of the model.
     pub frame: Option<String>,
-    /// Its links with mass, from the root outwards.
+    /// Links with mass, from the root outwards.
     pub links: Vec<String>,
-    /// Its links without.
+    /// Links without mass.
     pub massless: Vec<String>,
-    /// The values of the joints between its links, and of those that lead these.
+    /// Values of the joints between the links, and of the joints that lead these.
     pub positions: Vec<JointPosition>,
-    /// The joints between its links that move and take no value, as floating ones and balls: they are held where the file draws them.
+    /// Movable joints between the links that take no value, such as floating and ball joints. They
+    /// are held at the pose in the file.
     pub held: Vec<String>,
-    /// The joints that carry it, with the inertia that their motors move; for [`Lumping::Subtree`] only.
+    /// Joints that carry the body, with the inertia that their motors move. Only for
+    /// [`Lumping::Subtree`].
     pub drives: Vec<Drive>,
-    /// The largest change that brought a link's tensor over the edge of what is possible, kg·m²: see
-    /// [`LinkBody::rounding`](crate::body::LinkBody::rounding). Zero for most.
+    /// Largest correction that made the tensor of a link physical, kg·m²; see
+    /// [`LinkBody::rounding`](crate::body::LinkBody::rounding). Usually zero.
     pub rounding: f64,
-    /// Together.
+    /// Mass properties of the joined links.
     pub properties: MassProperties<Body>,
 }
 
-/// The links of a model as one body, or as few as its fixed joints make.
+/// Joins the links of a model to one body, or to one body for each group of fixed joints.
 ///
-/// `positions` are values of joints by name, in rad or m. A joint that follows another has the value that this one gives it, and takes
-/// none of its own. Any other that is not named is at rest: at zero, in MJCF at its `ref`, as the file draws it. Groups without
-/// mass are left out.
+/// `positions` are joint values by name, rad or m. The value of a coupled joint follows from its
+/// leader; it cannot be given. Any other joint without a value is at rest: at zero, or at `ref` in
+/// MJCF, as the file draws it. Groups without mass are omitted.
 ///
 /// ```
 /// use polhode_robot::{lump::{Lumping, lump}, read::{ReadOptions, read_text}};
@@ -81,8 +88,8 @@ pub struct Lump {
 /// ```
 ///
 /// # Errors
-/// [`LinkError`] if a link is not a body, if bodies are not read, if the joints do not form a tree, or
-/// if a value has no joint, moves nothing or cannot be told.
+/// [`LinkError`] if a link has unphysical mass properties, if bodies are not read, if the joints do
+/// not form a tree, or if a given value has no joint, moves nothing, or is not determined.
 pub fn lump(
     model: &RobotModel,
     lumping: Lumping<'_>,
@@ -96,7 +103,7 @@ pub fn lump(
         Lumping::Subtree(name) => (Some(link_named(model, name)?), Some(name.to_owned())),
     };
     let mut groups: Vec<Group> = Vec::new();
-    // Of each link: its group, and where it stands in the group's frame.
+    // For each link: its group, and its pose in the group's frame.
     let mut places: Vec<Option<(usize, Place)>> = vec![None; model.links.len()];
     let mut moving = Vec::new();
     for &k in &tree.order {
@@ -150,7 +157,8 @@ pub fn lump(
     if lumps.is_empty() { Err(LinkError::massless(subtree)) } else { Ok(lumps) }
 }
 
-/// Refuses bodies that are not read in these links; `None` for all links and the world.
+/// Returns an error if these links contain bodies that are not read. `None` means all links and the
+/// world.
 fn require_bodies(model: &RobotModel, links: Option<&HashSet<&str>>) -> Result<(), LinkError> {
     let is_in = |unread: &&UnreadBodies| match (links, &unread.link) {
         (None, _) => true,
@@ -167,7 +175,7 @@ fn require_bodies(model: &RobotModel, links: Option<&HashSet<&str>>) -> Result<(
     }
 }
 
-/// The names of the joints among these that move and take no value, in the order of the file.
+/// Returns the names of the movable joints among these that take no value, in file order.
 fn held(model: &RobotModel, joints: &[usize]) -> Vec<String> {
     let mut joints = joints.to_vec();
     joints.sort_unstable();
@@ -176,7 +184,7 @@ fn held(model: &RobotModel, joints: &[usize]) -> Vec<String> {
     held.map(|joint| joint.name.text.clone()).collect()
 }
 
-/// A link by its name.
+/// Returns the index of a link by its name.
 pub(crate) fn link_named(model: &RobotModel, name: &str) -> Result<usize, LinkError> {
     let names = || model.links.iter().map(|link| link.name.text.as_str());
     names().position(|link| link == name).ok_or_else(|| {
@@ -186,17 +194,17 @@ pub(crate) fn link_named(model: &RobotModel, name: &str) -> Result<usize, LinkEr
     })
 }
 
-/// The names of the links, those with an inertial first.
+/// Returns the names of the links, those with an inertial first.
 fn links_by_use(model: &RobotModel) -> Vec<&str> {
     let (with, without): (Vec<&Link>, Vec<&Link>) =
         model.links.iter().partition(|link| link.inertial.is_some() || link.computed.is_some());
     with.into_iter().chain(without).map(|link| link.name.text.as_str()).collect()
 }
 
-/// Where a link stands in its group's frame.
+/// Pose of a link in its group's frame.
 type Place = Placement<Body, Body>;
 
-/// A lump in the making.
+/// Lump under construction.
 #[derive(Debug)]
 struct Group {
     frame: Option<String>,
@@ -229,7 +237,8 @@ impl Group {
     fn joined(self, positions: &[JointPosition], held: &[String]) -> Result<Lump, LinkError> {
         let Self { frame, links, massless, rounding, parts } = self;
         let properties = assemble(&parts).map_err(|error| {
-            // The first that the first cannot be joined to, or the last of a sum that is too large.
+            // First link that cannot be joined to the first one; otherwise the last link of a sum
+            // that overflows.
             let fails =
                 |part: &&PlacedPart| parts.first().is_some_and(|first| assemble(&[*first, **part]).is_err());
             let culprit = parts.iter().skip(1).position(|part| fails(&part)).map_or(links.len(), |k| k + 2);
@@ -241,13 +250,14 @@ impl Group {
     }
 }
 
-/// Error of a link that is a body, but not together with the others.
+/// Returns the error for a link that is physical but cannot be joined to the others.
 fn not_joined(link: &str, error: &BodyError) -> LinkError {
     let message = format!("the link {link:?} cannot be joined to the others: {error}");
     LinkError::new(message, "check the units of its mass and of the poses above it")
 }
 
-/// The name of the link whose frame is the model's: the only root of a URDF, unless it hangs on the world.
+/// Returns the link whose frame is the model's frame: the only root of a URDF, unless it is
+/// attached to the world.
 fn common_frame(model: &RobotModel, tree: &Tree) -> Result<Option<String>, LinkError> {
     let hangs = |k: &usize| tree.above.get(*k).is_some_and(|above| !above.joints.is_empty());
     if model.format != ModelFormat::Urdf || tree.roots().all(|k| hangs(&k)) {
@@ -266,16 +276,16 @@ fn common_frame(model: &RobotModel, tree: &Tree) -> Result<Option<String>, LinkE
     }
 }
 
-/// Where a root stands in the model, its joints at rest.
+/// Returns the pose of a root in the model's frame with its joints at rest.
 fn in_model(model: &RobotModel, link: &Link, above: &Above) -> Result<Place, LinkError> {
     match model.format {
-        // These say it of the joint alone.
+        // These languages state the pose in the joint only.
         ModelFormat::Urdf | ModelFormat::Osim => at_rest(model, link, above),
         ModelFormat::Sdf | ModelFormat::Mjcf | ModelFormat::Usd => pose(&link.pose, &link.name.text, link),
     }
 }
 
-/// Where a link stands in the frame of what it hangs on, its joints at rest.
+/// Returns the pose of a link in its parent's frame with its joints at rest.
 fn at_rest(model: &RobotModel, link: &Link, above: &Above) -> Result<Place, LinkError> {
     match above.joints(model).next() {
         Some(joint) => pose(&joint.pose, &joint.name.text, link),
@@ -283,7 +293,7 @@ fn at_rest(model: &RobotModel, link: &Link, above: &Above) -> Result<Place, Link
     }
 }
 
-/// The place after the motions of the joints there.
+/// Applies the motions of the joints to a pose.
 fn moved(
     place: Place,
     model: &RobotModel,
@@ -304,7 +314,7 @@ fn moved(
     })
 }
 
-/// The placement of a pose in which every number could be read.
+/// Returns the placement of a pose; an error if one of its numbers cannot be read.
 fn pose(pose: &Pose, subject: &str, link: &Link) -> Result<Place, LinkError> {
     let wrong = || no_pose(subject, pose.span.as_ref().unwrap_or(&link.span));
     if !pose.unreadable.is_empty() {

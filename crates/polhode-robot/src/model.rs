@@ -1,4 +1,5 @@
-//! A model as its file says it: nothing is repaired, left out or trusted. Every number keeps its text and its place.
+//! Contents of a model file, unmodified: nothing is repaired, omitted or assumed. Every number
+//! keeps its text and its position.
 
 use std::path::{Path, PathBuf};
 
@@ -6,60 +7,62 @@ use crate::finding::Severity;
 pub use crate::span::Span;
 pub use polhode_source::xml::{Name, Number};
 
-/// The languages of models.
+/// Model languages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModelFormat {
-    /// The Unified Robot Description Format of ROS.
+    /// Unified Robot Description Format of ROS.
     Urdf,
     /// SDFormat of Gazebo.
     Sdf,
-    /// MuJoCo's XML.
+    /// XML format of MuJoCo.
     Mjcf,
-    /// Universal Scene Description as text, with UsdPhysics.
+    /// Universal Scene Description as text (`.usda`), with the UsdPhysics schema.
     Usd,
-    /// OpenSim's XML.
+    /// XML format of OpenSim.
     Osim,
 }
 
-/// A model: bodies joined to a tree, if it is one.
+/// Model of a robot: links and the joints between them. The joints need not form a tree.
 #[derive(Clone, Debug)]
 pub struct RobotModel {
-    /// The file, as it was given.
+    /// Path of the file, as passed to the reader.
     pub path: PathBuf,
-    /// Its folder without links, if there is one.
+    /// Canonical path of the file's folder (symbolic links resolved), if it has one.
     pub folder: Option<PathBuf>,
-    /// Its language.
     pub format: ModelFormat,
-    /// Its text: every [`Span`] counts bytes of it, and those beyond its end are of the files that it includes.
+    /// Text of the file. Every [`Span`] counts bytes of it; spans beyond its end lie in included
+    /// files.
     pub text: String,
-    /// Whether its numbers stand in the text in m, kg and kg·m². Where they do not, their texts here are in these, and nothing is repaired.
+    /// True if the text states its numbers in m, kg and kg·m². Otherwise the number texts stored
+    /// here are converted to these units, and nothing is repaired.
     pub is_si: bool,
-    /// The files that it includes, each once, by their places.
+    /// Included files, each once, sorted by their start.
     pub included: Vec<Source>,
-    /// Its name, if it has one.
+    /// Name of the model, if it has one.
     pub name: Option<String>,
-    /// In the order of the file.
+    /// Links in file order.
     pub links: Vec<Link>,
-    /// In the order of the file.
+    /// Joints in file order.
     pub joints: Vec<Joint>,
-    /// Elements whose bodies are not read. The mass of these bodies is missing in `links`.
+    /// Elements that stand for bodies but are not read. The mass of these bodies is missing in
+    /// `links`.
     pub unread_bodies: Vec<UnreadBodies>,
-    /// What the reader left out or had to decide.
+    /// Notes of the reader: content it skipped, and choices it had to make.
     pub notes: Vec<Note>,
 }
 
 impl RobotModel {
-    /// Its text and those of the files that it includes.
+    /// Returns the text of the model, then the texts of the included files.
     pub(crate) fn texts(&self) -> impl Iterator<Item = &str> {
         [&self.text].into_iter().chain(self.included.iter().map(|source| &source.text)).map(String::as_str)
     }
 
-    /// Whether a span is of a file that the model includes.
+    /// Returns true if a span lies in an included file.
     pub fn is_included(&self, span: &Span) -> bool {
         self.included.iter().any(|source| source.start <= span.start)
     }
 
-    /// A model that says nothing.
+    /// Returns a model without content.
     pub(crate) fn empty(path: &Path, format: ModelFormat) -> Self {
         Self {
             path: path.to_owned(),
@@ -77,66 +80,67 @@ impl RobotModel {
     }
 }
 
-/// A file that a model includes.
+/// File that a model includes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
-    /// The file.
+    /// Path of the file.
     pub path: PathBuf,
-    /// Its text.
     pub text: String,
-    /// The place of its first byte: a [`Span`] of it, less this, counts bytes of its text.
+    /// Start of this file in the model's byte count: a [`Span`] in it, minus `start`, counts bytes
+    /// of `text`.
     pub start: usize,
 }
 
-/// An element from which a program makes bodies that are not read: `<composite>` and `<flexcomp>` of MJCF.
+/// Element from which a program generates bodies that are not read: `<composite>` and `<flexcomp>`
+/// of MJCF.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnreadBodies {
     /// Name of the element.
     pub element: String,
-    /// Name of the link that holds the element; `None` in the world.
+    /// Name of the link that holds the element; `None` if it is in the world.
     pub link: Option<String>,
-    /// Place of the element in the model's text.
+    /// Position of the element in the model's text.
     pub span: Span,
 }
 
-/// Something that a reader left out of a model, or had to decide.
+/// Note of a reader: content that it skipped, or a choice that it had to make.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
-    /// A stable name for programs: `"read.include"`.
+    /// Stable code for programs: `"read.include"`.
     pub code: &'static str,
-    /// The link or joint; empty if it is about the whole model.
+    /// Name of the link or joint; empty if the note is about the whole model.
     pub subject: String,
-    /// Where in the model's text.
+    /// Position in the model's text.
     pub span: Span,
-    /// What, in a line.
+    /// Message, one line.
     pub message: String,
-    /// How much that matters.
+    /// Severity of the note.
     pub severity: Severity,
 }
 
 impl Note {
-    /// A note that is no reason to fail.
+    /// Returns a note of severity [`Severity::Note`], which does not make a check fail.
     pub(crate) fn new(code: &'static str, subject: &str, span: Span, message: String) -> Self {
         Self { code, subject: subject.to_owned(), span, message, severity: Severity::Note }
     }
 }
 
-/// A number that a file should have.
+/// Number that a file should have.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Slot {
-    /// Not there. The element that lacks it, and what it is called there: `"izz"`.
+    /// Number not in the file.
     Missing {
-        /// The element.
+        /// Element that lacks the number.
         span: Span,
-        /// The attribute or child.
+        /// Name of the missing attribute or child element: `"izz"`.
         name: String,
     },
-    /// There, with its text.
+    /// Number in the file, with its text.
     Given(Number),
 }
 
 impl Slot {
-    /// The number, if it is there, is one and is finite.
+    /// Returns the value if the number is present, can be read and is finite.
     pub fn finite(&self) -> Option<f64> {
         match self {
             Self::Given(number) => number.value.filter(|value| value.is_finite()),
@@ -144,7 +148,7 @@ impl Slot {
         }
     }
 
-    /// Where it stands, or the element that lacks it.
+    /// Returns the position of the number, or of the element that lacks it.
     pub fn span(&self) -> Span {
         match self {
             Self::Given(number) => number.span.clone(),
@@ -153,81 +157,85 @@ impl Slot {
     }
 }
 
-/// A place and an attitude of one frame in another, as read and as written.
+/// Pose of an inner frame in an outer frame, with the position of its text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
-    /// The origin of the inner frame in the outer one, m.
+    /// Origin of the inner frame in the outer frame, m.
     pub position: [f64; 3],
-    /// (w, x, y, z) of the rotation that takes inner components to outer ones; unit.
+    /// Unit quaternion (w, x, y, z) of the rotation from inner to outer components.
     pub rotation: [f64; 4],
-    /// Its numbers that are none, or not finite; they count as zero above.
+    /// Numbers of the pose that cannot be read or are not finite. They count as zero in the fields
+    /// above.
     pub unreadable: Vec<Number>,
-    /// Where it is written; `None` if it is left out.
+    /// Position of the pose in the text; `None` if it is omitted.
     pub span: Option<Span>,
 }
 
-/// A body.
+/// Link: a rigid body or a frame of the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Link {
-    /// Its name; made up (`"body 3"`) where the language lets it be left out.
+    /// Name of the link; generated (`"body 3"`) if the language permits links without a name.
     pub name: Name,
-    /// Its element.
+    /// Position of the element.
     pub span: Span,
-    /// What it says of its mass; `None` if nothing.
+    /// Mass properties stated in the file; `None` if the link states none.
     pub inertial: Option<Inertial>,
-    /// Visual and collision geometry, in the order of the file.
+    /// Visual and collision geometry, in file order.
     pub geometry: Vec<Geometry>,
-    /// The link's frame in the model's, all joints at zero, where the language says it of the link itself (SDF, MJCF: composed
-    /// down the tree); the identity otherwise.
+    /// Pose of the link in the model's frame with all joints at zero, if the language states it for
+    /// links (SDF; MJCF, composed down the tree). Otherwise the identity.
     pub pose: Pose,
-    /// True if the model says that it does not move: SDF `<static>`.
+    /// True if the model declares the link immovable: SDF `<static>`.
     pub is_static: bool,
-    /// True if the language computes mass, centre and tensor from the geometry, and `inertial` is `None` for that reason: an MJCF
-    /// body without `<inertial>`, SDF's `<inertial auto="true">`.
+    /// True if the language computes mass, centre and tensor from the geometry, so that `inertial`
+    /// is `None`. This holds for an MJCF body without `<inertial>` and for SDF's `<inertial
+    /// auto="true">`.
     pub from_geometry: bool,
-    /// The mass that the language's compiler gives the link, where that is not what `inertial`
-    /// says, or why it cannot be told. MJCF: from geoms, and after `boundmass`, `boundinertia`,
-    /// `balanceinertia` and `settotalmass`. SDF: from collisions, with `auto="true"`.
+    /// Mass properties that the language's compiler gives the link, if they differ from `inertial`;
+    /// or the reason why they cannot be computed.
+    ///
+    /// MJCF: from geoms, and after `boundmass`, `boundinertia`, `balanceinertia` and
+    /// `settotalmass`. SDF: from collisions, with `auto="true"`.
     pub computed: Option<Result<ComputedMass, String>>,
 }
 
-/// Mass, centre and tensor that a compiler gives a link.
+/// Mass properties that a compiler gives a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ComputedMass {
-    /// kg
+    /// Mass, kg.
     pub mass: f64,
-    /// In the link's frame, m.
+    /// Centre of mass in the link's frame, m.
     pub center: [f64; 3],
-    /// xx, yy, zz, xy, xz, yz about the centre, along the link's axes; kg·m².
+    /// Inertia tensor xx, yy, zz, xy, xz, yz about the centre of mass, link axes, kg·m².
     pub tensor: [f64; 6],
 }
 
-/// Mass, centre and tensor of a link.
+/// Mass properties of a link, as stated in the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inertial {
-    /// Its element.
+    /// Position of the element.
     pub span: Span,
-    /// kg
+    /// Mass, kg.
     pub mass: Slot,
-    /// The frame of the inertial in the link's: its origin is the centre of mass.
+    /// Pose of the inertial's frame in the link's frame. Its origin is the centre of mass.
     pub pose: Pose,
-    /// About the centre of mass, along the axes of the inertial's frame; kg·m².
+    /// Inertia tensor about the centre of mass, axes of the inertial's frame, kg·m².
     pub tensor: Tensor,
 }
 
-/// A tensor as the languages write it.
+/// Inertia tensor as the languages write it.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tensor {
-    /// Not there: the element that should have it.
+    /// No tensor in the file; position of the element that should have it.
     Missing(Span),
-    /// ixx, iyy, izz, ixy, ixz, iyz: elements of the tensor (−∫xy dm).
+    /// Elements ixx, iyy, izz, ixy, ixz, iyz of the tensor (ixy = −∫xy dm).
     Six(Box<[Slot; 6]>),
-    /// Along the axes of the inertial's frame.
+    /// Principal moments along the axes of the inertial's frame.
     Diagonal(Box<[Slot; 3]>),
 }
 
 impl Tensor {
-    /// Its numbers, in the order of their names, if it is there.
+    /// Returns the numbers of the tensor in the order above; `None` if the tensor is missing.
     pub(crate) fn slots(&self) -> Option<impl Iterator<Item = &Slot>> {
         match self {
             Self::Missing(_) => None,
@@ -237,74 +245,73 @@ impl Tensor {
     }
 }
 
-/// What a geometry is for.
+/// Purpose of a geometry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// To be seen.
+    /// Geometry for display.
     Visual,
-    /// To be touched.
+    /// Geometry for contact.
     Collision,
 }
 
-/// A shape of a link.
+/// Shape of a link.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Geometry {
-    /// Its element.
+    /// Position of the element.
     pub span: Span,
-    /// What it is for. MJCF: a geom with `contype = conaffinity = 0` is visual.
+    /// Purpose of the shape. MJCF: a geom with `contype = conaffinity = 0` is visual.
     pub role: Role,
-    /// The shape's frame in the link's.
+    /// Pose of the shape's frame in the link's frame.
     pub pose: Pose,
-    /// The shape.
     pub shape: GeometryShape,
 }
 
-/// Shapes, in metres; the frame of each is at its middle, cylinders, capsules and cones along z.
-/// Sizes that are none are NaN.
+/// Shapes; lengths in metres. The frame is at the middle of the shape, with z along cylinders,
+/// capsules and cones. Sizes that cannot be read are NaN.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GeometryShape {
-    /// Whole edges.
+    /// Box with full edge lengths.
     Box([f64; 3]),
-    /// Radius.
+    /// Sphere with its radius.
     Sphere(f64),
-    /// Radius and whole length.
+    /// Cylinder.
     Cylinder {
-        /// Radius.
         radius: f64,
-        /// Whole length.
+        /// Full length.
         length: f64,
     },
-    /// Radius, and the length of the cylinder between the caps.
+    /// Capsule: a cylinder with two hemispherical caps.
     Capsule {
-        /// Radius.
+        /// Radius of the cylinder and of the caps.
         radius: f64,
-        /// Between the middles of the caps.
+        /// Distance between the centres of the caps.
         length: f64,
     },
-    /// Half axes.
+    /// Ellipsoid with its semi-axes.
     Ellipsoid([f64; 3]),
-    /// Base at −length/2, apex at +length/2.
+    /// Cone with its base at −length/2 and its apex at +length/2.
     Cone {
         /// Radius of the base.
         radius: f64,
         /// Height from the base to the apex.
         length: f64,
     },
-    /// A file.
+    /// Mesh file.
     Mesh {
-        /// As written: `"package://arm/meshes/link1.stl"`.
+        /// Reference as written: `"package://arm/meshes/link1.stl"`.
         uri: Name,
-        /// Where that is, or why it cannot be said: outside the roots, a package that no root holds.
+        /// Path of the file; or the reason why it is not found: outside the roots, or in a package
+        /// that no root holds.
         path: Result<PathBuf, String>,
-        /// Factors along x, y, z, applied once; a negative one mirrors.
+        /// Scale factors along x, y, z. A negative factor mirrors the mesh.
         scale: [f64; 3],
     },
-    /// Planes, height fields and what else has no volume of its own: its name.
+    /// Shape without a volume of its own, such as a plane or a height field; its name.
     Other(String),
 }
 
 impl GeometryShape {
-    /// The shape with all its sizes times a factor.
+    /// Returns the shape with all sizes multiplied by a factor.
     #[must_use]
     pub(crate) fn resized(&self, factor: f64) -> Self {
         match self {
@@ -325,7 +332,7 @@ impl GeometryShape {
         }
     }
 
-    /// Bytes of the names in it.
+    /// Returns the number of bytes of the names in the shape.
     pub(crate) fn named_bytes(&self) -> usize {
         match self {
             Self::Mesh { uri, path, .. } => {
@@ -337,76 +344,79 @@ impl GeometryShape {
     }
 }
 
-/// How one link hangs on another.
+/// Joint between a parent and a child link.
 ///
-/// An MJCF body may have several joints: they follow each other here with the same parent, child and pose, and act in this order.
+/// An MJCF body may have several joints. They are consecutive here, have the same parent, child and
+/// pose, and act in this order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
-    /// Its name; made up where the language lets it be left out.
+    /// Name of the joint; generated if the language permits joints without a name.
     pub name: Name,
-    /// Its element.
+    /// Position of the element.
     pub span: Span,
-    /// What it lets move.
+    /// Motion that the joint allows.
     pub kind: JointKind,
-    /// The link that it hangs on; `None` if that is the world.
+    /// Parent link; `None` if the parent is the world.
     pub parent: Option<Name>,
-    /// The link that hangs.
+    /// Child link.
     pub child: Name,
-    /// The child's frame in the parent's with the joint at rest ([`Coordinate::at_rest`]): at zero in all languages but MJCF.
+    /// Pose of the child's frame in the parent's frame with the joint at rest
+    /// ([`Coordinate::at_rest`]). The rest value is zero in all languages except MJCF.
     pub pose: Pose,
-    /// In the child's frame, as written or the language's default.
+    /// Joint axis in the child's frame, as written or by the language's default.
     pub axis: [f64; 3],
-    /// The point of the child's frame that the axis runs through: zero in URDF.
+    /// Point on the axis, in the child's frame, m. Zero in URDF.
     pub anchor: [f64; 3],
-    /// What is said of its value.
+    /// Value, limits and coupling of the joint.
     pub coordinate: Coordinate,
 }
 
-/// What a joint lets move.
+/// Motion that a joint allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JointKind {
-    /// Nothing.
+    /// No motion.
     Fixed,
-    /// A turn about the axis: revolute, continuous, hinge.
+    /// Rotation about the axis: revolute, continuous, hinge.
     Revolute,
-    /// A way along the axis: prismatic, slide.
+    /// Translation along the axis: prismatic, slide.
     Prismatic,
-    /// Everything: floating, free.
+    /// Six degrees of freedom: floating, free.
     Free,
-    /// Something else: ball, planar, universal, screw.
+    /// Any other joint: ball, planar, universal, screw.
     Other,
 }
 
-/// What a file says of a joint's value, rad or m.
+/// Value of a joint, its limits and its coupling; rad or m.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Coordinate {
-    /// A name of its own, by which it may be given beside the joint's: OpenSim's coordinates.
+    /// Name of the coordinate if it differs from the joint's (OpenSim). A value may be given under
+    /// either name.
     pub name: Option<Name>,
-    /// The value at which the child stands as [`Joint::pose`] says, and that a joint has of which no value is
-    /// given: MJCF's `ref`, zero elsewhere.
+    /// Value at which the child has the pose [`Joint::pose`]. It is also the default value. MJCF:
+    /// `ref`; zero elsewhere.
     pub at_rest: f64,
-    /// The least and the greatest value; either may be infinite.
+    /// Lower and upper limit; either may be infinite.
     pub limits: Option<[f64; 2]>,
-    /// The joint that it follows.
+    /// Coupling to another joint (mimic).
     pub follows: Option<Follows>,
-    /// Why it is not known where the joint holds the child, if it is not: what it does at rest is not read.
+    /// Reason why the rest position of the child is unknown, if the reader cannot read it.
     pub unread: Option<String>,
-    /// Inertia that the rotor of a motor adds to the joint's coordinate, reflected by its gear, kg·m²; kg if the joint slides.
-    /// Zero if the file states none, NaN if its number cannot be read.
+    /// Reflected inertia of the motor's rotor, added to the joint's coordinate, kg·m²; kg for a
+    /// sliding joint. Zero if the file states none, NaN if its number cannot be read.
     pub armature: f64,
 }
 
-/// A joint whose value is a function of another's.
+/// Coupling of a joint: its value is a polynomial of another joint's value.
 ///
-/// y = Σ c_k (x − x₀)^k of the leader's value x.
+/// y = Σ c_k (x − x₀)^k, x the leader's value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Follows {
-    /// Where that is written.
+    /// Position of the coupling in the text.
     pub span: Span,
-    /// The joint that leads; `None` if the value is c₀ and hangs on none.
+    /// Leading joint; `None` if the value is the constant c₀.
     pub leader: Option<Name>,
-    /// x₀
+    /// Reference value x₀ of the leader, rad or m.
     pub reference: f64,
-    /// c, from the constant up; or why they are not known.
+    /// Coefficients c_k, the constant first; or the reason why they are unknown.
     pub coefficients: Result<Vec<f64>, String>,
 }

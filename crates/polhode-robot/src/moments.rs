@@ -1,27 +1,31 @@
-//! Tensors that may be impossible: their elements, their moments, and how they change with axes and points.
+//! Tensors that may be unphysical: elements, eigenvalues, and changes of axes and reference point.
 //!
-//! [`polhode::body::InertiaTensor`] refuses an unphysical tensor. Here such tensors are the subject: what a file says is
-//! taken apart as it stands, and the verdict comes later.
+//! [`polhode::body::InertiaTensor`] refuses an unphysical tensor. This module decomposes a tensor
+//! as the file states it; the checks judge it later.
 
 use crate::pose::cross;
 
-/// The elements xx, yy, zz, xy, xz, yz of a symmetric matrix; of an inertia tensor, in kg·m², xy = −∫xy dm.
+/// Elements xx, yy, zz, xy, xz, yz of a symmetric matrix. For an inertia tensor in kg·m², xy = −∫xy
+/// dm.
 pub type Elements = [f64; 6];
 
 /// Row and column of each element.
 pub(crate) const PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
-/// Eigenvalues and axes of a symmetric matrix. Of an inertia tensor: the principal moments, were it possible.
+/// Eigenvalues and eigenvectors of a symmetric matrix. For a physical inertia tensor they are the
+/// principal moments and axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moments {
-    /// i1 ≤ i2 ≤ i3; an unphysical tensor may make some negative.
+    /// Eigenvalues i1 ≤ i2 ≤ i3. For an unphysical tensor some may be negative.
     pub values: [f64; 3],
-    /// Unit vectors; `axes[k]` belongs to `values[k]`. Right-handed, the largest component of the first two positive.
+    /// Unit eigenvectors; `axes[k]` belongs to `values[k]`. They are right-handed, and the largest
+    /// component of each of the first two is positive.
     pub axes: [[f64; 3]; 3],
 }
 
 impl Moments {
-    /// Moments and axes, good to a few ε of the largest moment. The elements must be finite.
+    /// Returns moments and axes, accurate to a few ε of the largest moment. The elements must be
+    /// finite.
     ///
     /// ```
     /// use polhode_robot::moments::Moments;
@@ -39,20 +43,21 @@ impl Moments {
         Self { values, axes: [first, second, cross(first, second)] }
     }
 
-    /// i1 + i2 − i3: negative for an unphysical tensor.
+    /// Returns i1 + i2 − i3; negative for an unphysical tensor.
     pub fn triangle(&self) -> f64 {
         let [i1, i2, i3] = self.values;
         i1 + i2 - i3
     }
 
-    /// True if a body can have these moments, but for rounding of `slack` kg·m².
+    /// Returns true if a body can have these moments within a tolerance of `slack`, kg·m².
     pub fn are_possible(&self, slack: f64) -> bool {
         self.values[0] >= -slack && self.triangle() >= -slack
     }
 
-    /// The edges along the axes of the uniform box that has these moments and this mass, in m; `None` if none has.
+    /// Returns the edges, m, of the uniform box of this mass with these moments, along the
+    /// principal axes. Returns `None` if none exists.
     ///
-    /// edge₁² = 6 (i2 + i3 − i1) / m, and so on.
+    /// edge₁² = 6 (i2 + i3 − i1) / m, and cyclically.
     pub fn equivalent_box(&self, mass: f64) -> Option<[f64; 3]> {
         let [i1, i2, i3] = self.values;
         let squares = [i2 + i3 - i1, i1 + i3 - i2, i1 + i2 - i3].map(|x| 6.0 * x / mass);
@@ -60,23 +65,23 @@ impl Moments {
     }
 }
 
-/// The vector or its opposite: the one whose largest component is positive.
+/// Returns v or −v, such that the largest component is positive.
 fn positive(v: [f64; 3]) -> [f64; 3] {
     let largest = v.iter().fold(0.0_f64, |max, &x| if x.abs() > max.abs() { x } else { max });
     if largest < 0.0 { v.map(|x| -x) } else { v }
 }
 
-/// The matrix of six elements.
+/// Returns the 3×3 matrix of six elements.
 pub(crate) fn matrix(&[xx, yy, zz, xy, xz, yz]: &Elements) -> [[f64; 3]; 3] {
     [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
 }
 
-/// The six elements of a symmetric matrix.
+/// Returns the six elements of a symmetric matrix.
 pub(crate) fn elements(m: &[[f64; 3]; 3]) -> Elements {
     PLACES.map(|(i, j)| m[i][j])
 }
 
-/// √Σ I_ij² over all nine.
+/// Returns the Frobenius norm √Σ I_ij² over all nine elements.
 pub(crate) fn norm(&[xx, yy, zz, xy, xz, yz]: &Elements) -> f64 {
     (xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
 }
@@ -93,7 +98,7 @@ pub(crate) fn difference(a: &Elements, b: &Elements) -> Elements {
     std::array::from_fn(|k| a[k] - b[k])
 }
 
-/// R I Rᵀ
+/// Returns R I Rᵀ.
 pub(crate) fn rotated(elements: &Elements, r: &[[f64; 3]; 3]) -> Elements {
     let i = matrix(elements);
     PLACES.map(|(a, b)| {
@@ -107,7 +112,8 @@ pub(crate) fn rotated(elements: &Elements, r: &[[f64; 3]; 3]) -> Elements {
     })
 }
 
-/// m (c² 1 − c cᵀ): what a mass adds to the tensor about a point at −c of its centre (parallel axes).
+/// Returns m (c² 1 − c cᵀ): the parallel-axis term of a mass whose centre is at c from the
+/// reference point.
 pub(crate) fn parallel_axes(mass: f64, [x, y, z]: [f64; 3]) -> Elements {
     [y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z].map(|e| mass * e)
 }
@@ -118,7 +124,7 @@ mod tests {
     use crate::pose::{rotation_matrix, transposed};
 
     fn rebuilt(moments: &Moments) -> Elements {
-        // R has the axes as columns.
+        // The columns of R are the axes.
         let [a, b, c] = moments.values;
         rotated(&[a, b, c, 0.0, 0.0, 0.0], &transposed(&moments.axes))
     }
@@ -163,12 +169,12 @@ mod tests {
 
     #[test]
     fn the_box_of_a_box() {
-        // Edges 0.2, 0.3, 0.5 m and 1.7 kg: i = m (b² + c²) / 12.
+        // Box with edges 0.2, 0.3, 0.5 m and mass 1.7 kg: i = m (b² + c²) / 12.
         let (m, [a, b, c]) = (1.7, [0.2_f64, 0.3, 0.5]);
         let moments = [b * b + c * c, a * a + c * c, a * a + b * b].map(|x| m * x / 12.0);
         let tensor = [moments[0], moments[1], moments[2], 0.0, 0.0, 0.0];
         let edges = Moments::of(&tensor).equivalent_box(m).unwrap();
-        // The least moment is about the longest edge.
+        // The smallest moment is about the longest edge.
         for (edge, expected) in edges.iter().zip([c, b, a]) {
             assert!((edge - expected).abs() < 1e-14, "{edges:?}");
         }

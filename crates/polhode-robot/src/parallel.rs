@@ -1,15 +1,16 @@
-//! Files side by side, with results in their order.
+//! Parallel processing of files, with results in order.
 
 use std::num::NonZero;
 use std::sync::{Mutex, PoisonError, mpsc};
 use std::thread;
 
-/// As many as the machine gives this process.
+/// Returns the number of threads available to this process.
 pub(crate) fn threads() -> usize {
     thread::available_parallelism().map_or(1, NonZero::get)
 }
 
-/// What comes of each item, on so many threads; `done` is told of each when it is, by its number.
+/// Returns the result of each item, computed on `threads` threads. `done` receives the index of
+/// each finished item.
 pub(crate) fn map<I: Send, T: Send>(
     items: Vec<I>,
     threads: usize,
@@ -25,7 +26,7 @@ pub(crate) fn map<I: Send, T: Send>(
         let run = |sender: mpsc::Sender<(usize, T)>| {
             move || {
                 while let Some((k, item)) = next() {
-                    // Nobody listens any more only if all of it has failed.
+                    // The receiver is gone only if the whole computation has failed.
                     if sender.send((k, work(item))).is_err() {
                         return;
                     }
@@ -34,7 +35,7 @@ pub(crate) fn map<I: Send, T: Send>(
         };
         let mut started = 0;
         for _ in 0..threads {
-            // A thread that cannot be had is done without.
+            // If a thread cannot be started, the others do its work.
             started += usize::from(thread::Builder::new().spawn_scoped(scope, run(sender.clone())).is_ok());
         }
         if started == 0 {

@@ -1,26 +1,26 @@
-//! Where an inner frame stands in an outer one: poses as types.
+//! Typed poses: position and attitude of an inner frame in an outer one.
 
 use polhode::body::BodyError;
 use polhode::math::{Direction, Frame, Position, Rotation};
 
 use crate::model::{Joint, JointKind, Pose};
 
-/// Where the frame `B` stands in the frame `A`.
+/// Pose of frame `B` in frame `A`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Placement<A: Frame, B: Frame> {
-    /// B's origin.
+    /// Origin of B in frame A, m.
     pub(crate) position: Position<A>,
-    /// R_AB
+    /// Rotation R_AB.
     pub(crate) rotation: Rotation<A, B>,
 }
 
 impl<A: Frame, B: Frame> Placement<A, B> {
-    /// Both frames coincide.
+    /// Returns the identity: the frames coincide.
     pub(crate) fn identity() -> Self {
         Self { position: Position::from_array([0.0; 3]), rotation: Rotation::identity() }
     }
 
-    /// The placement that a pose says.
+    /// Converts a pose, and checks that it is finite with a unit quaternion.
     pub(crate) fn of(pose: &Pose) -> Result<Self, BodyError> {
         let finite = |value: f64| {
             let error = BodyError::Parameter { what: "the pose", value, rule: "finite" };
@@ -37,7 +37,7 @@ impl<A: Frame, B: Frame> Placement<A, B> {
         Ok(Self { position: Position::from_array(pose.position), rotation })
     }
 
-    /// T_AC = T_AB T_BC
+    /// Composes placements: T_AC = T_AB T_BC.
     pub(crate) fn then<C: Frame>(self, inner: Placement<B, C>) -> Placement<A, C> {
         Placement {
             position: self.position + self.rotation * inner.position,
@@ -47,10 +47,10 @@ impl<A: Frame, B: Frame> Placement<A, B> {
 }
 
 impl<F: Frame> Placement<F, F> {
-    /// What a joint at q (rad or m) does to the frame that hangs on it, along the axes that it has at zero; `None` if its
-    /// axis has no direction.
+    /// Returns the motion of the child frame by a joint at q (rad or m), in its axes at zero.
+    /// Returns `None` if the joint axis is zero.
     ///
-    /// A turn: x ↦ a + R(n, q)(x − a). A way: x ↦ x + q n.
+    /// Rotation: x ↦ a + R(n, q)(x − a). Translation: x ↦ x + q n.
     pub(crate) fn motion(joint: &Joint, q: f64) -> Option<Self> {
         if q == 0.0 {
             return Some(Self::identity());

@@ -1,7 +1,7 @@
-//! What of a model's findings counts: severities of a user's own, what is allowed and why, what is known already.
+//! Policy for a model's findings: severity overrides, allowances with reasons, and baselines.
 //!
-//! Nothing is lost: what is allowed or known is settled and stays in the report, and an allowance without a reason or without a finding is
-//! a finding itself.
+//! No finding is lost. Allowed and known findings are settled and stay in the report. An allowance
+//! without a reason or without a matching finding is itself a finding.
 
 pub mod baseline;
 mod comment;
@@ -21,79 +21,82 @@ use comment::Comment;
 use config::Config;
 use date::Date;
 
-/// What a user asks for. By default everything counts but what comments of the model allow.
+/// Policy of a user. By default every finding counts, except those that comments in the model
+/// allow.
 #[derive(Clone, Debug, Default)]
 pub struct Policy {
-    /// `polhode.toml`
+    /// Configuration: `polhode.toml`.
     pub config: Config,
-    /// Findings that are known.
+    /// Baseline of known findings.
     pub baseline: Option<Baseline>,
-    /// For allowances that expire.
+    /// Current date, for allowances that expire.
     pub today: Date,
 }
 
-/// A model's findings, each at its place.
+/// Findings of a model after the policy, each with its place.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Judged {
-    /// Those that count, in the order of the file.
+    /// Findings that count, in file order.
     pub open: Vec<Finding>,
-    /// What each of them is known by, whatever changes elsewhere in the file.
+    /// Identifiers of the open findings. They do not depend on changes elsewhere in the file.
     pub ids: Vec<String>,
-    /// Those that do not.
+    /// Findings that do not count.
     pub settled: Vec<Settled>,
-    /// How many there are of rules that are off.
+    /// Number of findings of rules that are off.
     pub off: usize,
-    /// Allowances of the configuration that allowed something, by their place in it.
+    /// Allowances of the configuration that allowed a finding, by their index.
     used: BTreeSet<usize>,
-    /// Links that none allows, by the allowances that allow others of the same finding.
+    /// Links that remain without an allowance, by the allowance that covers other links of the same
+    /// finding.
     lacking: BTreeMap<usize, BTreeSet<String>>,
-    /// The files that the model includes, by name.
+    /// Names of the included files.
     included: Vec<String>,
 }
 
-/// A finding that does not count.
+/// Finding that does not count.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settled {
-    /// The finding.
     pub finding: Finding,
-    /// As in [`Judged::ids`].
+    /// Identifier, as in [`Judged::ids`].
     pub id: String,
-    /// Why it does not count.
+    /// Reason why the finding does not count.
     pub why: Reason,
 }
 
-/// Why a finding does not count.
+/// Reason why a finding does not count.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// It is allowed, for a reason in the user's words.
+    /// Allowed, with the reason in the user's words.
     Allowed(String),
-    /// A baseline has it.
+    /// Known: in the baseline.
     Known,
 }
 
-/// What is to be said of the policy itself.
+/// Finding about the policy itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Remark {
-    /// The file that it is about: `polhode.toml`, a baseline.
+    /// File that the remark is about: `polhode.toml` or a baseline.
     pub file: String,
-    /// Line and column in it, from 1.
+    /// Line and column in the file, from 1.
     pub place: (usize, usize),
-    /// A rule's: `"allow.unused"`.
+    /// Code of the rule: `"allow.unused"`.
     pub code: &'static str,
-    /// How bad it is; `None` if its rule is off.
+    /// Severity; `None` if the rule is off.
     pub severity: Option<Severity>,
-    /// What, in a line.
+    /// Message, one line.
     pub message: String,
 }
 
-/// What allows what is said of a link, by its place among the comments of the model or the entries of the configuration.
+/// Allowance of one link of a finding: index of a comment of the model, or of an entry of the
+/// configuration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Allowing {
     Comment(usize),
     Entry(usize),
 }
 
-/// A finding, and what allows what it says of each of its links; a link's name where nothing does. Each has to be allowed, whichever way.
+/// Finding with the allowance of each of its links, or the link's name if it has none. A finding is
+/// allowed if every link has an allowance of either kind.
 struct Allowed {
     finding: Finding,
     each: Vec<Result<Allowing, String>>,
@@ -104,12 +107,12 @@ impl Allowed {
         self.each.iter().all(Result::is_ok)
     }
 
-    /// The links that nothing allows.
+    /// Returns the links without an allowance.
     fn lacking(&self) -> BTreeSet<String> {
         self.each.iter().filter_map(|one| one.as_ref().err().cloned()).collect()
     }
 
-    /// The entries of the configuration that allow some of it.
+    /// Returns the entries of the configuration that allow some of the links.
     fn entries(&self) -> Vec<usize> {
         let entry = |one: &Result<Allowing, String>| match one {
             Ok(Allowing::Entry(k)) => Some(*k),
@@ -119,7 +122,8 @@ impl Allowed {
     }
 }
 
-/// Why what allows a link of a finding allows nothing, if it is for these other links of it.
+/// Explains why a finding stays open although one of its links is allowed: these other links are
+/// not.
 fn not_enough(lacking: &BTreeSet<String>) -> Option<String> {
     let names: Vec<&str> = lacking.iter().map(String::as_str).collect();
     let are = if names.len() == 1 { "is" } else { "are" };
@@ -128,15 +132,15 @@ fn not_enough(lacking: &BTreeSet<String>) -> Option<String> {
 }
 
 impl Remark {
-    /// What it is known by.
+    /// Returns the identifier of the remark.
     pub(crate) fn id(&self) -> String {
         identity::hash([self.code, &self.file, &self.message])
     }
 }
 
 impl Policy {
-    /// What becomes of the findings in a model. `name` is what globs and baselines call its file, and those that it includes: relative, with
-    /// slashes.
+    /// Applies the policy to the findings of a model. `name` returns the name of a file for globs
+    /// and baselines: relative, with slashes.
     pub fn judge(
         &self,
         name: impl Fn(&Path) -> String,
@@ -216,7 +220,8 @@ impl Policy {
         judged
     }
 
-    /// The reasons why a finding is allowed, each once; `None` if one of its links is not.
+    /// Returns the reasons why a finding is allowed, each once; `None` if one of its links is not
+    /// allowed.
     fn reasons(&self, allowed: &Allowed, comments: &[Comment]) -> Option<String> {
         let mut reasons: Vec<&str> = Vec::new();
         for by in &allowed.each {
@@ -231,8 +236,9 @@ impl Policy {
         Some(reasons.join("; "))
     }
 
-    /// What is to be said of the configuration and the baseline after these models were judged: allowances that have expired or allow
-    /// nothing in them, and what a baseline knows and is not there. `is_there` says whether a file is.
+    /// Returns remarks on the configuration and the baseline after these models: expired
+    /// allowances, allowances without a finding, and known findings that have disappeared.
+    /// `is_there` checks whether a file exists.
     pub fn remarks<'a>(
         &self,
         judged: impl Iterator<Item = (&'a str, &'a Judged)>,

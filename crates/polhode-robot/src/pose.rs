@@ -1,34 +1,34 @@
-//! Frames in frames: x_outer = p + R x_inner.
+//! Poses of frames in frames: x_outer = p + R x_inner.
 
 use crate::model::Pose;
 
 impl Pose {
-    /// No move and no turn, written nowhere.
+    /// Identity pose, without a position in a text.
     pub const IDENTITY: Self =
         Self { position: [0.0; 3], rotation: [1.0, 0.0, 0.0, 0.0], unreadable: Vec::new(), span: None };
 
-    /// A pose from its numbers; `rotation` is (w, x, y, z) and unit.
+    /// Returns a pose from its numbers. `rotation` is a unit quaternion (w, x, y, z).
     pub const fn new(position: [f64; 3], rotation: [f64; 4]) -> Self {
         Self { position, rotation, unreadable: Vec::new(), span: None }
     }
 
-    /// R_outer_inner: its columns are the inner axes in outer components.
+    /// Returns the matrix R_outer_inner, whose columns are the inner axes in outer components.
     pub fn matrix(&self) -> [[f64; 3]; 3] {
         rotation_matrix(self.rotation)
     }
 
-    /// A direction of the inner frame, in the outer one.
+    /// Returns a direction of the inner frame in components of the outer frame.
     pub fn turned(&self, v: [f64; 3]) -> [f64; 3] {
         self.matrix().map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
     }
 
-    /// A point of the inner frame, in the outer one.
+    /// Returns a point of the inner frame in the outer frame.
     pub fn placed(&self, point: [f64; 3]) -> [f64; 3] {
         sum(self.position, self.turned(point))
     }
 
-    /// The frame `inner`, which is placed in this frame, in this frame's outer one. What could not be read, and where it stands, are
-    /// the inner one's.
+    /// Composes two poses: returns the pose of `inner`, which is stated in this inner frame, in
+    /// this outer frame. `unreadable` and `span` are those of `inner`.
     #[must_use]
     pub fn then(&self, inner: &Self) -> Self {
         Self {
@@ -39,7 +39,7 @@ impl Pose {
         }
     }
 
-    /// The outer frame in the inner one.
+    /// Returns the pose of the outer frame in the inner frame.
     #[must_use]
     pub fn inverse(&self) -> Self {
         let [w, x, y, z] = self.rotation;
@@ -47,7 +47,7 @@ impl Pose {
         Self::new(turn.turned(self.position.map(|c| -c)), turn.rotation)
     }
 
-    /// A tensor in the axes of the inner frame, along the axes of the outer one: R I Rᵀ.
+    /// Rotates a tensor from the axes of the inner frame to those of the outer frame: R I Rᵀ.
     pub fn turned_tensor(&self, tensor: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
         let rows = tensor.map(|row| self.turned(row)); // I Rᵀ, as I is symmetric: row k is R I_k
         let columns = transposed(&rows).map(|column| self.turned(column));
@@ -55,12 +55,13 @@ impl Pose {
     }
 }
 
-/// The rotation of roll, pitch and yaw about fixed axes, R = R_z(yaw) R_y(pitch) R_x(roll), as (w, x, y, z).
+/// Returns the rotation of roll, pitch and yaw about fixed axes, R = R_z(yaw) R_y(pitch) R_x(roll),
+/// as (w, x, y, z).
 pub(crate) fn of_roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> [f64; 4] {
     product(about(2, yaw), product(about(1, pitch), about(0, roll)))
 }
 
-/// A turn about axis 0, 1 or 2.
+/// Returns the rotation by an angle (rad) about axis 0, 1 or 2.
 pub(crate) fn about(axis: usize, angle: f64) -> [f64; 4] {
     let (sin, cos) = libm::sincos(0.5 * angle);
     match axis {
@@ -70,27 +71,29 @@ pub(crate) fn about(axis: usize, angle: f64) -> [f64; 4] {
     }
 }
 
-/// A turn about a direction of any length; `None` for no direction.
+/// Returns the rotation by an angle (rad) about a vector of any length; `None` for the zero vector.
 pub(crate) fn about_axis(axis: [f64; 3], angle: f64) -> Option<[f64; 4]> {
     let [x, y, z] = direction(axis)?;
     let (sin, cos) = libm::sincos(0.5 * angle);
     Some([cos, sin * x, sin * y, sin * z])
 }
 
-/// The shortest turn that takes z to a direction of any length; half a turn about x for −z.
+/// Returns the shortest rotation that takes z to a vector of any length; half a turn about x for
+/// −z.
 pub(crate) fn of_z_axis(axis: [f64; 3]) -> Option<[f64; 4]> {
     let [x, y, z] = direction(axis)?;
-    // q = (1 + z·n, z × n), made unit
+    // q = (1 + z·n, z × n), normalized
     Some(unit([1.0 + z, -y, x, 0.0]).filter(|_| 1.0 + z > 1e-14).unwrap_or([0.0, 1.0, 0.0, 0.0]))
 }
 
-/// The turn whose matrix has these first two columns; the second is made perpendicular to the first.
+/// Returns the rotation whose matrix has these first two columns; the second is made perpendicular
+/// to the first.
 pub(crate) fn of_x_and_y(x: [f64; 3], y: [f64; 3]) -> Option<[f64; 4]> {
     let x = direction(x)?;
     let along = dot(x, y);
     let y = direction([0, 1, 2].map(|k| y[k] - along * x[k]))?;
     let z = cross(x, y);
-    // of the four ways to take a quaternion from a matrix, the one with the largest divisor
+    // Four formulas give the quaternion of a matrix; this selects the one with the largest divisor.
     let [m00, m11, m22] = [x[0], y[1], z[2]];
     let candidates = [
         [1.0 + m00 + m11 + m22, y[2] - z[1], z[0] - x[2], x[1] - y[0]],
@@ -102,7 +105,7 @@ pub(crate) fn of_x_and_y(x: [f64; 3], y: [f64; 3]) -> Option<[f64; 4]> {
     candidates.into_iter().max_by(|a, b| size(a).total_cmp(&size(b))).and_then(unit)
 }
 
-/// q p: first p, then q.
+/// Returns the product q p: first the rotation p, then q.
 pub(crate) fn product([w, x, y, z]: [f64; 4], [a, b, c, d]: [f64; 4]) -> [f64; 4] {
     [
         w * a - x * b - y * c - z * d,
@@ -112,7 +115,7 @@ pub(crate) fn product([w, x, y, z]: [f64; 4], [a, b, c, d]: [f64; 4]) -> [f64; 4
     ]
 }
 
-/// A quaternion of length 1; `None` if it has no length.
+/// Returns the normalized quaternion; `None` if its norm is zero or not finite.
 pub(crate) fn unit(q: [f64; 4]) -> Option<[f64; 4]> {
     let largest = q.iter().fold(0.0_f64, |max, c| max.max(c.abs()));
     let reduced = q.map(|c| c / largest);
@@ -120,7 +123,7 @@ pub(crate) fn unit(q: [f64; 4]) -> Option<[f64; 4]> {
     (largest > 0.0 && norm.is_finite()).then(|| reduced.map(|c| c / norm))
 }
 
-/// A vector of length 1; `None` if it has no length.
+/// Returns the normalized vector; `None` if its norm is zero or not finite.
 pub(crate) fn direction([x, y, z]: [f64; 3]) -> Option<[f64; 3]> {
     unit([0.0, x, y, z]).map(|[_, x, y, z]| [x, y, z])
 }
@@ -137,12 +140,12 @@ pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// Rows as columns.
+/// Returns the transposed matrix.
 pub(crate) fn transposed(r: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
     std::array::from_fn(|i| std::array::from_fn(|j| r[j][i]))
 }
 
-/// Matrix of a unit quaternion (w, x, y, z).
+/// Returns the matrix of a unit quaternion (w, x, y, z).
 pub(crate) fn rotation_matrix([w, x, y, z]: [f64; 4]) -> [[f64; 3]; 3] {
     // R = 1 + 2 w [v]× + 2 [v]×²
     [

@@ -1,28 +1,28 @@
-//! Programs that read models, and refuse or change some that their languages allow.
+//! Simulators that read models, and that reject or change some models that the format permits.
 
 use serde::{Deserialize, Serialize};
 
 use crate::model::ModelFormat;
 
-/// A simulator that reads robot models.
+/// Simulator that reads robot models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Program {
     /// MuJoCo 3.
     Mujoco,
-    /// Gazebo, which reads models by libsdformat.
+    /// Gazebo, which reads models with libsdformat.
     Gazebo,
-    /// Drake, with its parsers of URDF, SDF and MJCF.
+    /// Drake, with its parsers for URDF, SDF and MJCF.
     Drake,
-    /// Isaac Sim, whose engine is PhysX.
+    /// Isaac Sim, with the engine PhysX.
     Isaac,
 }
 
 impl Program {
-    /// All of them.
+    /// List of all simulators.
     pub const ALL: [Self; 4] = [Self::Mujoco, Self::Gazebo, Self::Drake, Self::Isaac];
 
-    /// Its name in messages.
+    /// Returns the display name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Mujoco => "MuJoCo",
@@ -32,7 +32,7 @@ impl Program {
         }
     }
 
-    /// Returns true if it reads models in this language.
+    /// Returns true if the simulator reads models in this format.
     pub const fn reads(self, format: ModelFormat) -> bool {
         match self {
             Self::Mujoco => matches!(format, ModelFormat::Urdf | ModelFormat::Mjcf),

@@ -1,14 +1,17 @@
-//! Files in, models out.
+//! Readers of model files.
 //!
-//! A reader says what stands in the file. It refuses only what is no model at all: text that is no XML, another root element.
-//! A number that is none (`"0,5"`), an element that lacks one, a mesh that no root holds: these stay in the model as they are,
-//! for the checks. What a reader leaves out is a [`Note`].
+//! A reader returns the contents of a file without judging them. It refuses only text that is not a
+//! model: XML that is not well-formed, or another root element. Unreadable numbers (`"0,5"`),
+//! missing numbers and missing mesh files stay in the model for the checks. Skipped content is
+//! reported as a [`Note`].
 //!
-//! Defaults are not filled in: in SDF a missing mass is 1 kg, a missing moment 1 kg·m², and a link without `<inertial>` has both; here they
-//! are [`Slot::Missing`](crate::model::Slot::Missing), [`Tensor::Missing`](crate::model::Tensor::Missing) and `None`, as in the other
-//! languages. What SDF's `<inertial auto="true">` asks for is computed.
+//! Defaults are not filled in. In SDF a missing mass means 1 kg, a missing moment 1 kg·m², and a
+//! link without `<inertial>` has both. Here, as in the other languages, they are
+//! [`Slot::Missing`](crate::model::Slot::Missing),
+//! [`Tensor::Missing`](crate::model::Tensor::Missing) and `None`. SDF's `<inertial auto="true">` is
+//! computed.
 //!
-//! Not read: xacro (expand it first).
+//! xacro is not read; expand it first.
 
 mod checked;
 mod files;
@@ -37,30 +40,35 @@ use files::{ModelFiles, Naming};
 pub use checked::CheckedFolder;
 pub use model_file::is_model;
 
-/// How a model is read.
+/// Options for reading a model.
 #[derive(Clone, Debug)]
 pub struct ReadOptions<'a> {
-    /// Place that the model and all files that it names are taken from.
+    /// File system for the model and for all files that it names.
     pub files: &'a dyn Files,
-    /// Folders that hold packages, or are packages: `package://NAME/…` and `model://NAME/…` are ROOT/NAME/…, or ROOT/… if ROOT is
-    /// NAME. The model's own folder, and the nearest folder around it that has `package.xml` or `model.config`, are roots without being
-    /// named. A package that no root holds is an ancestor folder of that name. No other file outside the roots is opened.
+    /// Folders that are packages or contain packages. `package://NAME/…` and `model://NAME/…` mean
+    /// ROOT/NAME/…, or ROOT/… if ROOT is named NAME.
+    ///
+    /// The model's own folder is always a root. So is the nearest enclosing folder with a
+    /// `package.xml` or `model.config`. A package that no root holds may be an ancestor folder of
+    /// that name. No other file outside the roots is opened.
     pub roots: Vec<PathBuf>,
-    /// These roots and no others, for a model from elsewhere: neither its own folder, if it is not in them, nor a package around it.
+    /// True to use only the given roots, for untrusted models: not the model's own folder, and not
+    /// a package around it.
     pub confined: bool,
     /// Folder that is checked as a whole. Files below it may be opened. A package that no root or
-    /// ancestor holds is looked up below it: exactly one folder of that name has to hold the file.
+    /// ancestor holds is searched below it: exactly one folder of that name must hold the file.
     pub checked: Option<Arc<CheckedFolder>>,
 }
 
 impl Default for ReadOptions<'_> {
-    /// Files of this machine, and no roots but those that need no naming.
+    /// Returns options that read from disk, without additional roots.
     fn default() -> Self {
         Self { files: &Disk, roots: Vec::new(), confined: false, checked: None }
     }
 }
 
-/// Reads a URDF, SDF, MJCF, USD (`.usda`) or OpenSim file: its root element or first word says which.
+/// Reads a URDF, SDF, MJCF, USD (`.usda`) or OpenSim file. The root element or first word
+/// determines the format.
 ///
 /// ```
 /// use polhode_robot::read::{ReadOptions, read_text};
@@ -72,7 +80,8 @@ impl Default for ReadOptions<'_> {
 /// ```
 ///
 /// # Errors
-/// [`FormatError`] if the file cannot be read, is not UTF-8, not well-formed or in none of the languages, or has a document type.
+/// [`FormatError`] if the file cannot be read, is not UTF-8, is not well-formed, has an unknown
+/// format, or has a document type.
 pub fn read_model(path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
     let text = polhode_source::read_text_file(options.files, path, |text| Ok(text.to_owned()));
     match text {
@@ -81,7 +90,7 @@ pub fn read_model(path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, 
     }
 }
 
-/// What to do about a file of USD that is not text.
+/// Returns the error for a binary USD file, with a hint how to convert it.
 fn binary_usd(files: &dyn Files, path: &Path) -> Option<FormatError> {
     let ending = path.extension()?.to_str()?.to_ascii_lowercase();
     if !matches!(ending.as_str(), "usd" | "usdc" | "usdz") || !files.is_file(path) {
@@ -93,15 +102,17 @@ fn binary_usd(files: &dyn Files, path: &Path) -> Option<FormatError> {
     Some(FormatError::of_content(path, b"", error))
 }
 
-/// The same for a text; `path` is for messages, and its folder for the files that the model names.
+/// Reads a model from a text. `path` is for messages; its folder resolves the files that the model
+/// names.
 ///
 /// # Errors
-/// As [`read_model`].
+/// [`FormatError`], as for [`read_model`].
 pub fn read_text(text: &str, path: &Path, options: &ReadOptions<'_>) -> Result<RobotModel, FormatError> {
     read(text.to_owned(), path, options)
 }
 
-/// The language of a text by its root element or its first word, whether or not the rest can be read; `None` if it is none of these.
+/// Returns the format of a text by its root element or first word, even if the rest cannot be read.
+/// Returns `None` for other texts.
 pub fn format_of(text: &str) -> Option<ModelFormat> {
     if text.trim_start_matches('\u{feff}').trim_start().starts_with("#usda") {
         return Some(ModelFormat::Usd);
@@ -109,7 +120,8 @@ pub fn format_of(text: &str) -> Option<ModelFormat> {
     language(root_of(text)?)
 }
 
-/// The name of the root element of a text, whether or not the rest can be read; `None` if the text does not come to one.
+/// Returns the name of the root element of a text, even if the rest cannot be read. Returns `None`
+/// if there is none.
 pub fn root_of(text: &str) -> Option<&str> {
     let mut rest = text.strip_prefix('\u{feff}').unwrap_or(text).trim_start();
     loop {
@@ -176,7 +188,7 @@ fn read(text: String, path: &Path, options: &ReadOptions<'_>) -> Result<RobotMod
     Ok(model)
 }
 
-/// Takes frames whose place f64 does not hold to the origin, with a note.
+/// Moves frames whose position is not finite to the origin, with a note.
 fn keep_finite(model: &mut RobotModel) {
     let links = model.links.iter_mut().map(|link| (&link.name, &link.span, &mut link.pose));
     let joints = model.joints.iter_mut().map(|joint| (&joint.name, &joint.span, &mut joint.pose));

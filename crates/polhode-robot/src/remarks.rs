@@ -1,4 +1,5 @@
-//! What a reader noticed, for whoever takes bodies from a model: remarks beside the numbers, or a reason not to take them.
+//! Notes of the reader for users of a model's bodies: as findings, or as an error if the numbers
+//! are ambiguous.
 
 use polhode::body::{Finding, Severity};
 
@@ -7,10 +8,10 @@ use crate::line_index::{FilePlace, Places};
 use crate::link_error::LinkError;
 use crate::model::{Note, RobotModel, Span};
 
-/// Notes that leave a link's numbers open.
+/// Codes of notes that leave a link's numbers ambiguous.
 const OPEN: [&str; 4] = ["inertia.asymmetric", "inertia.two_forms", "read.twice", "read.inertials"];
 
-/// What is worth knowing beside the numbers of a link, or of all links together (`None`).
+/// Returns the reader's notes about a link, or about all links (`None`).
 ///
 /// ```
 /// use polhode_robot::{read::{ReadOptions, read_text}, remarks::remarks};
@@ -21,7 +22,8 @@ const OPEN: [&str; 4] = ["inertia.asymmetric", "inertia.two_forms", "read.twice"
 /// ```
 ///
 /// # Errors
-/// [`LinkError`] if the file says a number of it in two ways, or has two links of that name.
+/// [`LinkError`] if the file states a number twice with different values, or has two links of that
+/// name.
 pub fn remarks(model: &RobotModel, link: Option<&str>) -> Result<Vec<Finding>, LinkError> {
     let twice = model.links.iter().filter(|other| link == Some(other.name.text.as_str())).nth(1);
     if let Some(second) = twice {
@@ -47,7 +49,7 @@ pub fn remarks(model: &RobotModel, link: Option<&str>) -> Result<Vec<Finding>, L
     Ok(remarks)
 }
 
-/// Error of a model that says a body's numbers twice, and not the same.
+/// Returns the error of a model that states a body's numbers twice with different values.
 fn contradiction(link: &str, message: &str, span: &Span) -> LinkError {
     let message = format!("the file contradicts itself about {link:?}: {message}");
     LinkError::new(message, "write each number once; polhode check lists all that is wrong").at(span)

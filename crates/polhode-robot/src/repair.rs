@@ -1,49 +1,47 @@
-//! Repairs: a model's text with the edits of its findings made, and every other byte as it was.
+//! Repairs: applies the edits of findings to a model's text and leaves every other byte unchanged.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::finding::{Finding, Repair};
 use crate::model::{RobotModel, Span};
 
-/// A model's text after repairs.
+/// Text of a model after repairs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Repaired {
-    /// The whole text.
     pub text: String,
-    /// The findings whose repairs are in it, by their place in the list that was given, ascending.
+    /// Indices of the findings whose repairs are applied, in the list of findings, ascending.
     pub applied: Vec<usize>,
-    /// The findings whose repairs are not, and why.
+    /// Findings whose repairs are not applied, with the reason.
     pub left: Vec<Left>,
-    /// Places of the text that were changed.
+    /// Number of text positions that changed.
     pub changes: usize,
-    /// What was put in place of which spans of the model's text, ascending; they do not overlap.
+    /// Replaced spans of the model's text with their new text, ascending and without overlap.
     pub edits: Vec<(Span, String)>,
 }
 
-/// A repair that was not made.
+/// Repair that was not applied.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Left {
-    /// The finding, by its place in the list that was given.
+    /// Index of the finding in the list of findings.
     pub finding: usize,
-    /// Why.
     pub why: LeftReason,
 }
 
-/// Why a repair was not made.
+/// Reason why a repair was not applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LeftReason {
-    /// It changes what an earlier repair has changed.
+    /// The repair overlaps an earlier repair.
     Overlaps,
-    /// Its edits do not fit the text, or one another.
+    /// The edits do not fit the text, or overlap one another.
     Misplaced,
-    /// It changes a file that the model includes.
+    /// The repair changes an included file.
     Included,
-    /// It was tried, and the finding was still there.
+    /// The repair was tried, and the finding remained.
     Fails,
 }
 
 impl LeftReason {
-    /// In words, after "left:".
+    /// Returns the reason in words, to follow "left:".
     pub const fn in_words(self) -> &'static str {
         match self {
             Self::Overlaps => "it changes what another repair changes: repair again after this one",
@@ -54,22 +52,24 @@ impl LeftReason {
     }
 }
 
-/// The model's text with the repairs of these findings.
+/// Applies the repairs of these findings to the model's text.
 ///
-/// A repair is made whole or not at all. Where two change the same place, the first is made and the second is left; the same
-/// edit asked for twice is made once. Every byte that no edit names is kept: line ends, byte order mark, comments, spaces.
+/// A repair is applied completely or not at all. If two repairs change the same place, the first is
+/// applied and the second is left; identical edits are applied once. All other bytes are kept: line
+/// ends, byte order mark, comments, spaces.
 pub fn repaired(model: &RobotModel, findings: &[Finding]) -> Repaired {
     repaired_but(model, findings, &BTreeSet::new())
 }
 
-/// As [`repaired`], and every repair has removed its finding.
+/// Applies repairs as [`repaired`] does, and verifies that every applied repair removes its
+/// finding.
 ///
-/// `check` says what is found in a text in place of the model's. A finding is known again by its code and its subject: if the
-/// text has more of these than repairs leave over, none of theirs is made, and the rest is tried again. What is found in the
-/// repaired text comes with it.
+/// `check` returns the findings of a changed text. Findings are identified by code and subject. If
+/// the new text has more of a kind than the repairs leave, no repair of that kind is applied, and
+/// the rest is tried again. Also returns the findings of the repaired text.
 ///
 /// # Errors
-/// What `check` fails with.
+/// Errors of `check`.
 pub fn proved<E>(
     model: &RobotModel,
     findings: &[Finding],
@@ -81,7 +81,7 @@ pub fn proved<E>(
         if result.applied.is_empty() {
             return Ok((result, findings.to_vec()));
         }
-        // How many of each kind there may be: those that were there, less those that are repaired.
+        // Permitted number of each kind: the original number minus the number of repairs.
         let mut expected = count(findings);
         for finding in result.applied.iter().filter_map(|&k| findings.get(k)) {
             expected.entry(key(finding)).and_modify(|count| *count = count.saturating_sub(1));
@@ -98,7 +98,7 @@ pub fn proved<E>(
         if more.is_empty() {
             return Ok((result, after));
         }
-        failing.extend(more); // each turn leaves one repair more: the loop ends
+        failing.extend(more); // each iteration excludes at least one more repair, so the loop ends
     }
 }
 
@@ -114,7 +114,7 @@ fn count(findings: &[Finding]) -> BTreeMap<(&'static str, &str), usize> {
     counts
 }
 
-/// Repairs of all findings but those that are known to fail.
+/// Applies the repairs of all findings except those known to fail.
 fn repaired_but(model: &RobotModel, findings: &[Finding], failing: &BTreeSet<usize>) -> Repaired {
     let mut edits = Edits::default();
     let (mut applied, mut left) = (Vec::new(), Vec::new());
@@ -137,7 +137,7 @@ fn repaired_but(model: &RobotModel, findings: &[Finding], failing: &BTreeSet<usi
     Repaired { text, applied, left, changes: edits.len(), edits }
 }
 
-/// Edits that do not overlap, by the bytes that they replace: first, then last.
+/// Edits that do not overlap, by start and end of the replaced bytes.
 #[derive(Debug, Default)]
 struct Edits(BTreeMap<(usize, usize), String>);
 
@@ -146,7 +146,8 @@ impl Edits {
     fn add(&mut self, text: &str, repair: &Repair) -> Result<(), LeftReason> {
         let mut own = Self::default();
         for (span, new) in &repair.edits {
-            // `get` refuses spans beyond the text, backward ones, and those that cut a character
+            // `get` refuses spans beyond the text, reversed spans, and spans that split a
+            // character.
             if text.get(span.clone()).is_none() || own.meets(span) {
                 return Err(LeftReason::Misplaced);
             }
@@ -160,15 +161,17 @@ impl Edits {
         Ok(())
     }
 
-    /// True if a span has a byte in common with an edit, or nothing but its place: the order of two insertions is open.
+    /// Returns true if a span shares a byte with an edit, or equals its span. The order of two
+    /// insertions at one place is undefined.
     fn meets(&self, span: &Span) -> bool {
         let apart = |&(start, end): &(usize, usize)| end <= span.start || span.end <= start;
         let same = self.0.contains_key(&(span.start, span.end));
-        // Edits do not overlap, so only the last that starts before the end of the span, and those at its start, can meet it.
+        // Edits do not overlap. Only the last edit that starts before the end of the span, or one
+        // at its start, can meet it.
         same || !self.0.range(..(span.end, 0)).next_back().is_none_or(|(place, _)| apart(place))
     }
 
-    /// The text with the edits made.
+    /// Returns the text with the edits applied.
     fn text(&self, text: &str) -> String {
         let (mut new, mut done) = (String::with_capacity(text.len()), 0);
         for (&(start, end), replacement) in &self.0 {

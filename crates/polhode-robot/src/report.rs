@@ -1,5 +1,5 @@
-//! A model and what is wrong with it, ready to be read: by people ([`CheckReport::to_text`]), as a table of its links
-//! ([`CheckReport::to_table`]), by programs ([`CheckReport::to_json`]).
+//! Model with its findings, for output as text ([`CheckReport::to_text`]), as a table of links
+//! ([`CheckReport::to_table`]) or as JSON ([`CheckReport::to_json`]).
 
 use std::collections::BTreeMap;
 
@@ -9,59 +9,59 @@ use crate::model::{ModelFormat, RobotModel};
 use crate::policy::Judged;
 use crate::repair::{Repaired, repaired};
 
-/// A checked model.
+/// Report of a checked model.
 #[derive(Clone, Debug)]
 pub struct CheckReport {
-    /// The model.
+    /// Checked model.
     pub model: RobotModel,
-    /// What its links look like, in their order: for the densities of the table.
+    /// Measured geometry of the links, in their order, for the densities in the table.
     pub geometry: Vec<LinkGeometry>,
-    /// What is wrong with it, and what of that counts.
+    /// Findings after the policy.
     pub judged: Judged,
-    /// What was repaired, and where that was written; `None` if nothing was asked for.
+    /// Repaired model; `None` if no repair was requested.
     pub fixed: Option<Fixed>,
-    /// The model after all fixes; `None` if that was not computed, or if nothing can be fixed.
+    /// Expected result of all fixes; `None` if it was not computed, or if nothing can be fixed.
     pub prospect: Option<Prospect>,
 }
 
-/// A model as it would be after all fixes.
+/// Expected result of all fixes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Prospect {
-    /// Places of the text that the fixes change.
+    /// Number of text positions that the fixes change.
     pub changes: usize,
-    /// Impossible and suspect findings that remain.
+    /// Number of impossible and suspect findings that remain.
     pub remaining: usize,
 }
 
 impl Prospect {
-    /// Counts what [`crate::repair::proved`] returns.
+    /// Counts the result of [`crate::repair::proved`].
     pub fn of(repaired: &Repaired, remaining: &[Finding]) -> Self {
         let remaining = remaining.iter().filter(|finding| finding.severity > Severity::Note).count();
         Self { changes: repaired.changes, remaining }
     }
 }
 
-/// A repaired model.
+/// Repaired model.
 #[derive(Clone, Debug)]
 pub struct Fixed {
-    /// Where it was written; `None` if only the diff was asked for.
+    /// Path of the output; `None` if only the diff was requested.
     pub out: Option<String>,
-    /// What was changed.
+    /// Repaired text and the applied repairs.
     pub repaired: Repaired,
-    /// The diff, the proof of each change above it.
+    /// Unified diff, with the proof of each change above it.
     pub diff: String,
-    /// What is wrong with it still.
+    /// Findings that remain.
     pub remaining: Vec<Finding>,
 }
 
-/// How many there are of each kind.
+/// Numbers of findings by severity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// [`Severity::Impossible`]
+    /// Number of [`Severity::Impossible`] findings.
     pub impossible: usize,
-    /// [`Severity::Suspect`]
+    /// Number of [`Severity::Suspect`] findings.
     pub suspect: usize,
-    /// [`Severity::Note`]
+    /// Number of [`Severity::Note`] findings.
     pub note: usize,
 }
 
@@ -77,35 +77,35 @@ impl Counts {
         })
     }
 
-    /// All together.
+    /// Returns the total.
     pub const fn sum(self) -> usize {
         self.impossible + self.suspect + self.note
     }
 }
 
 impl CheckReport {
-    /// A checked model that is not repaired.
+    /// Creates the report of a model without repairs.
     pub const fn new(model: RobotModel, geometry: Vec<LinkGeometry>, judged: Judged) -> Self {
         Self { model, geometry, judged, fixed: None, prospect: None }
     }
 
-    /// What counts of what is wrong with it.
+    /// Returns the findings that count.
     pub fn findings(&self) -> &[Finding] {
         &self.judged.open
     }
 
-    /// Findings by their severity.
+    /// Counts the findings by severity.
     pub fn counts(&self) -> Counts {
         Counts::of(self.findings().iter().map(|f| f.severity))
     }
 
-    /// Links by the worst that was found about each; the others are without findings.
+    /// Counts the links by their worst finding. Links without findings are not counted.
     pub fn link_counts(&self) -> Counts {
         let verdicts = self.verdicts();
         Counts::of(self.model.links.iter().filter_map(|link| verdicts.get(link.name.text.as_str()).copied()))
     }
 
-    /// The worst that was found, of each subject about which something was.
+    /// Returns the worst severity for each subject with findings.
     pub(crate) fn verdicts(&self) -> BTreeMap<&str, Severity> {
         let mut verdicts: BTreeMap<&str, Severity> = BTreeMap::new();
         for Finding { subject, others, severity, .. } in self.findings() {
@@ -117,8 +117,8 @@ impl CheckReport {
         verdicts
     }
 
-    /// Counts what fixes would change and leave. If the fixed text was not checked, each fix is
-    /// taken to remove its own finding alone.
+    /// Counts the changes and the remaining findings after all fixes. If the fixed text was not
+    /// checked, each fix is assumed to remove only its own finding.
     pub(crate) fn prospect(&self) -> Prospect {
         self.prospect.unwrap_or_else(|| {
             let repaired = repaired(&self.model, self.findings());
@@ -129,13 +129,13 @@ impl CheckReport {
         })
     }
 
-    /// Links that say something of their mass.
+    /// Returns the number of links with an inertial.
     pub(crate) fn inertials(&self) -> usize {
         self.model.links.iter().filter(|link| link.inertial.is_some()).count()
     }
 }
 
-/// The name of a language, as people write it.
+/// Returns the display name of a format.
 pub(crate) const fn format_name(format: ModelFormat) -> &'static str {
     match format {
         ModelFormat::Urdf => "URDF",

@@ -1,4 +1,4 @@
-//! Request of `check`.
+//! Request of the command `check`.
 #![allow(rustdoc::broken_intra_doc_links, reason = "the help of the command shows brackets as they are")]
 
 use std::path::PathBuf;
@@ -9,7 +9,7 @@ use crate::finding::Severity;
 use crate::policy::date::Date;
 use crate::program::Program;
 
-/// Models to check, and what of the findings counts.
+/// Request of a check: models, and the policy for their findings.
 ///
 /// ```
 /// use polhode_document::Report as _;
@@ -27,36 +27,38 @@ use crate::program::Program;
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct Request {
-    /// Models, and folders to search for them.
+    /// Models to check; folders are searched for models.
     #[cfg_attr(feature = "arguments", arg(required_unless_present_any = ["explain", "out"], value_name = "FILE"))]
     pub files: Vec<PathBuf>,
-    /// A folder that holds packages, for package:// and model://; may be repeated. No mesh is
-    /// opened outside of these, the folders that are checked, the model's own and an ancestor
+    /// A folder that holds packages, for package:// and model://; may be repeated. Meshes are
+    /// opened only below these roots, the checked folders, the model's own folder, and an ancestor
     /// folder with the package's name.
     #[serde(rename = "root")]
     #[cfg_attr(feature = "arguments", arg(long = "root", value_name = "DIR"))]
     pub roots: Vec<PathBuf>,
-    /// Program that has to accept the models; may be repeated. A link that it refuses, such as a
+    /// Program that has to accept the models; may be repeated. A link that it rejects, such as a
     /// moving one without mass, is an error instead of a note.
     #[serde(rename = "for")]
     #[cfg_attr(feature = "arguments", arg(long = "for", value_enum, value_name = "PROGRAM"))]
     pub programs: Vec<Program>,
-    /// The least severity that makes the exit status 1; suspect, if neither this nor polhode.toml says another.
+    /// Lowest severity that makes the exit status 1. Default: suspect, or the value in
+    /// polhode.toml.
     #[cfg_attr(feature = "arguments", arg(long, value_enum, value_name = "SEVERITY"))]
     pub fail_on: Option<Severity>,
     /// Exit with 1 for notes too, such as a mesh that cannot be read: --fail-on note.
     #[cfg_attr(feature = "arguments", arg(long, conflicts_with = "fail_on"))]
     pub strict: bool,
-    /// Severities of rules, what is allowed and what is left out, instead of ./polhode.toml.
+    /// Configuration file with severities of rules, allowances and exclusions, instead of
+    /// ./polhode.toml.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "FILE"))]
     pub config: Option<PathBuf>,
-    /// Findings that are known and do not fail, as --write-baseline has written them.
+    /// Baseline of known findings, which do not fail, as written by --write-baseline.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "FILE"))]
     pub baseline: Option<PathBuf>,
-    /// Also computes the fixes that are the only consistent ones, and the diff to them.
+    /// True to compute the fixes that are the only consistent ones, and their diff.
     #[cfg_attr(feature = "arguments", arg(skip))]
     pub fix: bool,
-    /// Today, for allowances that expire; without it none has expired.
+    /// Current date, for allowances that expire. The default is before any expiry date.
     #[cfg_attr(feature = "arguments", arg(skip))]
     pub today: Option<Date>,
 }

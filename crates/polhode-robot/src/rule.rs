@@ -1,7 +1,8 @@
-//! All rules of the checks, in one table, `rule/rules.txt`: what each requires, why, how to comply, and an example.
+//! Table of all rules of the checks, `rule/rules.txt`: requirement, reason, remedy and example.
 //!
-//! `polhode check --explain`, the rules of SARIF and `book/rules.md` are made of it. A test holds it against the codes that are told:
-//! each is in the table, and each example breaks its rule until it is mended.
+//! The output of `polhode check --explain`, the rules in SARIF and `book/rules.md` are generated
+//! from it. Tests compare the table with the checks: every reported code is in the table, and every
+//! example breaks its rule until it is corrected.
 
 use std::fmt::Write as _;
 use std::sync::LazyLock;
@@ -10,36 +11,36 @@ use polhode_document::layout::{WIDTH, wrap};
 
 use crate::finding::Severity;
 
-/// What is asked of a model.
+/// Rule for models.
 #[derive(Debug)]
 pub struct Rule {
-    /// Its stable name: `"inertia.triangle"`.
+    /// Stable code: `"inertia.triangle"`.
     pub code: &'static str,
-    /// How bad it usually is; a finding may be less, where the model or its language excuse it.
+    /// Usual severity. A finding may have a lower one if the model or its language justifies it.
     pub severity: Severity,
-    /// What it asks, in a line.
+    /// Requirement, one line.
     pub title: &'static str,
-    /// What goes wrong otherwise.
+    /// Consequence of breaking the rule.
     pub why: &'static str,
-    /// What to do about it.
+    /// Remedy.
     pub mend: &'static str,
-    /// A model that breaks it, and the same without; `None` if it is not about a model.
+    /// Example that breaks the rule, with its correction; `None` if the rule is not about a model.
     pub example: Option<Example>,
 }
 
-/// A model that breaks a rule: what is wrong in it, and what is right in its place.
+/// Example of a broken rule: a model with a wrong part and the right part.
 #[derive(Debug)]
 pub struct Example {
-    /// Beginning of the model, or of the contents of its `<robot>`.
+    /// Text before the part, in the model or inside its `<robot>`.
     before: &'static str,
     wrong: &'static str,
     right: &'static str,
-    /// End of the model.
+    /// Text after the part.
     after: &'static str,
 }
 
 impl Example {
-    /// Reads a model with `[-what is wrong-]{+what is right+}`; nothing is in its place where that is left out.
+    /// Parses a model with `[-wrong part-]{+right part+}`. Without `{+…+}` the right part is empty.
     fn read(text: &'static str) -> Option<Self> {
         let (before, rest) = text.split_once("[-")?;
         let (wrong, rest) = rest.split_once("-]")?;
@@ -50,12 +51,12 @@ impl Example {
         Some(Self { before, wrong, right, after })
     }
 
-    /// Returns the text with a part in its place.
+    /// Returns the model with this part inserted.
     fn with(&self, part: &str) -> String {
         [self.before, part, self.after].concat()
     }
 
-    /// The model that breaks the rule, and the one that does not.
+    /// Returns the model that breaks the rule, and the corrected model.
     pub fn models(&self) -> [String; 2] {
         [self.wrong, self.right].map(|part| {
             let model = self.with(part);
@@ -70,18 +71,19 @@ const TABLE: &str = include_str!("rule/rules.txt");
 static RULES: LazyLock<Vec<Rule>> =
     LazyLock::new(|| TABLE.split("\n## ").skip(1).filter_map(Rule::read).collect());
 
-/// The rules, by subject: numbers, masses, tensors, geometry, the tree, what was read, what was allowed.
+/// Returns the rules in the order of the table: numbers, masses, tensors, geometry, tree, reading,
+/// allowances.
 pub fn rules() -> impl Iterator<Item = &'static Rule> {
     RULES.iter()
 }
 
-/// The rule of this name.
+/// Returns the rule with this code.
 pub fn rule(code: &str) -> Option<&'static Rule> {
     rules().find(|rule| rule.code == code)
 }
 
 impl Rule {
-    /// Reads a section of the table.
+    /// Parses a section of the table.
     fn read(section: &'static str) -> Option<Self> {
         let mut lines = section.splitn(5, '\n');
         let (code, severity) = lines.next()?.split_once(' ')?;
@@ -91,7 +93,7 @@ impl Rule {
         Some(Self { code, severity, title, why, mend, example })
     }
 
-    /// Lines for people.
+    /// Returns the rule as text for the terminal.
     pub fn to_text(&self) -> String {
         let mut text = format!("{}   {}\n", self.code, self.severity.name());
         for (label, sentence) in [("", self.title), ("why: ", self.why), ("mend: ", self.mend)] {
@@ -116,7 +118,7 @@ impl Rule {
         text
     }
 
-    /// Its section of `book/rules.md`.
+    /// Returns the section of `book/rules.md` for this rule.
     pub fn to_markdown(&self) -> String {
         let mut text = format!(
             "## {}\n\n*{}.* {}\n\n{}\n\n{}\n",
@@ -142,23 +144,23 @@ impl Rule {
     }
 }
 
-/// With a capital and a full stop.
+/// Returns a sentence with a capital letter and a full stop.
 fn sentence(line: &str) -> String {
     let mut letters = line.chars();
     let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
-    // The names of elements keep their letters.
+    // Element names such as ixy keep their lower-case letters.
     let first = if line.starts_with("ixy") { "ixy".chars().take(1).collect() } else { first };
     format!("{first}{}.", letters.as_str())
 }
 
-/// One line a rule.
+/// Returns the list of rules, one line each.
 pub fn list() -> String {
     let longest = rules().map(|rule| rule.code.len()).max().unwrap_or(0);
     let line = |rule: &Rule| format!("{:longest$}  {:10}  {}\n", rule.code, rule.severity.name(), rule.title);
     rules().map(line).collect()
 }
 
-/// All of `book/rules.md`.
+/// Returns the whole of `book/rules.md`.
 pub fn page() -> String {
     let mut page = "# The rules of `polhode check`\n\n\
          Every finding has a code; here is what each asks, why, and how to mend it. `polhode check --explain CODE` prints the same. The \

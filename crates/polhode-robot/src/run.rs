@@ -1,4 +1,4 @@
-//! A request answered.
+//! Runs a check request.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -21,7 +21,7 @@ use crate::repair::proved;
 use crate::report::{CheckReport, Fixed, Prospect};
 use crate::request::Request;
 
-/// The configuration that is read without being named.
+/// Default path of the configuration.
 const USUAL: &str = "polhode.toml";
 
 /// Checks the models of a request.
@@ -29,16 +29,17 @@ const USUAL: &str = "polhode.toml";
 /// A model that cannot be read has its failure in the result.
 ///
 /// # Errors
-/// [`Failure`] for a root that is not a folder, and a configuration or baseline that cannot be read.
+/// [`Failure`] if a root is not a folder, or if a configuration or baseline cannot be read.
 pub fn run(request: &Request, files: &dyn Files) -> Result<Checked, Failure> {
     Ok(Inputs::find(request, files)?.check(&mut ()))
 }
 
-/// Follows a check: models are read, then their meshes measured, then the models checked.
+/// Progress of a check: models are read, then their meshes are measured, then the models are
+/// checked.
 pub trait Progress {
-    /// Begins to work on `count` files.
+    /// Starts a stage with `count` files.
     fn begin(&mut self, count: usize);
-    /// Takes note that one of them is done.
+    /// Reports that one file is done.
     fn done(&mut self, file: &Path);
 }
 
@@ -47,7 +48,7 @@ impl Progress for () {
     fn done(&mut self, _: &Path) {}
 }
 
-/// Models of a request, found and not read yet.
+/// Models of a request, found but not yet read.
 #[derive(Debug)]
 pub struct Inputs<'a> {
     request: &'a Request,
@@ -61,10 +62,10 @@ pub struct Inputs<'a> {
 }
 
 impl<'a> Inputs<'a> {
-    /// Reads what counts, and searches the folders.
+    /// Reads the configuration and the baseline, and searches the folders.
     ///
     /// # Errors
-    /// As [`run`].
+    /// [`Failure`], as for [`run`].
     pub fn find(request: &'a Request, files: &'a dyn Files) -> Result<Self, Failure> {
         polhode_source::file::require_folders(files, &request.roots)?;
         let usual = || Some(PathBuf::from(USUAL)).filter(|usual| files.is_file(usual));
@@ -99,22 +100,22 @@ impl<'a> Inputs<'a> {
         self.found.iter().filter_map(|input| input.as_deref().ok())
     }
 
-    /// Returns the models that the configuration leaves out.
+    /// Returns the models that the configuration excludes.
     pub fn excluded(&self) -> impl Iterator<Item = &Path> {
         self.excluded.iter().map(PathBuf::as_path)
     }
 
-    /// Returns further names of files, each with the name under which the file is checked.
+    /// Returns repeated names of files, each with the name under which the file is checked.
     pub fn repeated(&self) -> &[[PathBuf; 2]] {
         &self.repeated
     }
 
-    /// Returns the configuration that was read.
+    /// Returns the path of the configuration that was read.
     pub fn config(&self) -> Option<&Path> {
         self.config.as_deref()
     }
 
-    /// Reads and checks the models, on all threads.
+    /// Reads and checks the models on all threads.
     pub fn check(mut self, progress: &mut dyn Progress) -> Checked {
         let request = self.request;
         let is_one = matches!(request.files.as_slice(), [file] if !is_folder(self.files, file));
@@ -137,7 +138,8 @@ impl<'a> Inputs<'a> {
         let inputs = side_by_side(found, progress, read, |input| match input {
             Ok(path) | Err((path, _)) => path,
         });
-        // All meshes before the models: these would wait for each other where they have meshes in common.
+        // All meshes are measured before the models are checked. Otherwise models with common
+        // meshes would wait for each other.
         let meshes = mesh_files(self.files, inputs.iter().filter_map(|(model, _)| model.as_ref().ok()));
         let threads = (parallel::threads() / meshes.len().max(1)).max(1);
         let shapes = Shapes::with_threads(threads).from_files(self.files);
@@ -161,7 +163,7 @@ impl<'a> Inputs<'a> {
         Checked { files: outcomes, is_one, excluded: self.excluded.len(), remarks, fail_on }
     }
 
-    /// Checks a model, and fixes it if the request says so.
+    /// Checks a model, and fixes it if requested.
     fn report(
         &self,
         file: &Path,
@@ -176,7 +178,8 @@ impl<'a> Inputs<'a> {
         if !self.request.fix && !has_repairs {
             return Ok(report);
         }
-        // The fixed text is read and checked in place of the model: a fix that does not remove its finding is left out.
+        // The fixed text is read and checked as a model. A fix that does not remove its finding is
+        // left out.
         let check = |text: &str| {
             let model = read_text(text, file, reading)?;
             let findings = inspect_for(&model, shapes, &self.request.programs).findings;
@@ -193,7 +196,7 @@ impl<'a> Inputs<'a> {
         Ok(report)
     }
 
-    /// The file itself is called as it is named.
+    /// The model file keeps the name given by the user.
     fn judge(&self, file: &Path, model: &RobotModel, findings: Vec<Finding>) -> Judged {
         let name = |path: &Path| if path == file { self.names.of(path) } else { self.names.real(path) };
         self.policy.judge(name, model, findings)
@@ -207,7 +210,8 @@ fn unreadable(error: &FormatError) -> Failure {
     )
 }
 
-/// Returns the result for each item, on all threads, and reports their files to `progress`.
+/// Returns the result for each item, computed on all threads, and reports their files to
+/// `progress`.
 fn side_by_side<I: Send, T: Send>(
     items: Vec<I>,
     progress: &mut dyn Progress,

@@ -1,6 +1,6 @@
-//! Places in a text.
+//! Positions in a text.
 
 use std::ops::Range;
 
-/// Bytes of a model's text.
+/// Byte range in a model's text.
 pub type Span = Range<usize>;

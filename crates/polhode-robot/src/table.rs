@@ -1,4 +1,4 @@
-//! A model's links, one a line: mass, centre, moments, the box that has them, density, verdict.
+//! Table of a model's links, one row each: mass, centre, moments, equivalent box, density, verdict.
 
 use polhode_document::layout::{columns, plain_spaces, printable};
 use polhode_document::number::number;
@@ -8,10 +8,10 @@ use crate::model::{Inertial, Link, Slot, Tensor};
 use crate::moments::Moments;
 use crate::report::{CheckReport, format_name};
 
-/// Digits of every number: enough to see a wrong power of ten, or left unlike right.
+/// Significant digits; enough to show a wrong power of ten or a difference between left and right.
 const DIGITS: usize = 4;
 
-/// The heads of the columns, units within.
+/// Column titles, with units.
 const HEADS: [&str; 13] = [
     "link",
     "mass/kg",
@@ -29,7 +29,8 @@ const HEADS: [&str; 13] = [
 ];
 
 impl CheckReport {
-    /// One line for each link, and what the columns are above them. What a link does not say, or is unphysical, is a dash.
+    /// Returns one line for each link, with an explanation of the columns. Missing and unphysical
+    /// values are shown as a dash.
     pub fn to_table(&self) -> String {
         let heading = format!(
             "{}   {}, {} links\n\
@@ -76,7 +77,8 @@ fn row(link: &Link, geometry: &LinkGeometry, verdict: &str) -> Vec<String> {
     row
 }
 
-/// Principal moments, of impossible tensors too; `None` if an element is none.
+/// Returns the principal moments, also of unphysical tensors; `None` if an element is missing or
+/// unreadable.
 fn moments(inertial: &Inertial) -> Option<Moments> {
     let elements = match &inertial.tensor {
         Tensor::Missing(_) => return None,
@@ -90,7 +92,7 @@ fn moments(inertial: &Inertial) -> Option<Moments> {
     Some(Moments::of(&[xx, yy, zz, xy, xz, yz]))
 }
 
-/// The volume of the link's shapes, of those that can be trusted most.
+/// Returns the volume of the link's shapes of the most reliable kind, m³.
 fn volume(geometry: &LinkGeometry) -> Option<f64> {
     geometry.volumes.iter().min_by_key(|volume| volume.kind).map(|volume| volume.volume)
 }

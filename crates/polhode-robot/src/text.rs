@@ -1,6 +1,7 @@
-//! A checked model for people: the counts first, then each finding with its place, its rule and its repair, then what to do.
+//! Text report of a checked model: the counts, each finding with its place, rule and repair, then
+//! the next steps.
 //!
-//! Marks are for the eye, ✗ impossible, ! suspect, · a note; nothing depends on colour.
+//! The marks are ✗ impossible, ! suspect, · note. No information depends on colour.
 
 use std::fmt::Write as _;
 
@@ -13,11 +14,11 @@ use crate::policy::{Judged, Reason, Settled};
 use crate::repair::Left;
 use crate::report::{CheckReport, Counts, Fixed, Prospect, format_name};
 
-/// What stands below the line of a finding is this far in.
+/// Indentation of the lines below the first line of a finding.
 const INDENT: &str = "    ";
 
 impl CheckReport {
-    /// Lines of at most 100 columns.
+    /// Returns the report in lines of at most 100 columns.
     pub fn to_text(&self) -> String {
         let mut text = self.heading();
         let places = Places::of(&self.model);
@@ -68,7 +69,8 @@ impl CheckReport {
         )
     }
 
-    /// What is allowed, each with its reason, and how many findings are known or of rules that are off.
+    /// Writes the allowed findings with their reasons, and the numbers of known findings and of
+    /// findings of disabled rules.
     fn write_settled(&self, text: &mut String, places: &Places<'_>) {
         let Judged { settled, off, .. } = &self.judged;
         if settled.is_empty() && *off == 0 {
@@ -92,7 +94,7 @@ impl CheckReport {
         }
     }
 
-    /// What `--fix` would do, where anything was found that is not only worth knowing.
+    /// Writes the effect of `--fix`, if there are findings above note.
     fn write_advice(&self, text: &mut String) {
         let Prospect { changes, remaining } = self.prospect();
         let places = counted(changes, "place");
@@ -108,7 +110,7 @@ impl CheckReport {
         let _ = writeln!(text, "\n{advice}");
     }
 
-    /// The repairs that are known and were not made, a line each.
+    /// Returns the known repairs that were not applied, one line each.
     pub fn not_repaired(&self) -> String {
         let mut text = String::new();
         for Left { finding, why } in self.fixed.iter().flat_map(|fixed| &fixed.repaired.left) {
@@ -143,7 +145,7 @@ const fn mark(severity: Severity) -> char {
     }
 }
 
-/// What a finding is about.
+/// Returns the name of the link, or "the model".
 fn subject(finding: &Finding) -> String {
     if finding.subject.is_empty() { "the model".to_owned() } else { printable(&finding.subject) }
 }
@@ -161,7 +163,7 @@ fn paragraph(text: &mut String, label: &str, sentence: &str) {
     }
 }
 
-/// `1 finding needs`, `2 findings need`
+/// Returns a count with its verb: `1 finding needs`, `2 findings need`
 fn needs(count: usize) -> String {
     format!("{} {}", counted(count, "finding"), if count == 1 { "needs" } else { "need" })
 }

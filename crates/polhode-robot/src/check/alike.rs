@@ -1,15 +1,16 @@
-//! One finding for all links of which the same is said: the four calves of a dog are one part, and one mistake.
+//! Groups findings: links with the same error, such as the four calves of a quadruped, give one
+//! finding.
 
 use std::collections::BTreeMap;
 
 use crate::finding::{Finding, Severity};
 use crate::model::RobotModel;
 
-/// Links that a message names.
+/// Maximum number of links that a message names.
 pub(super) const LISTED: usize = 12;
 
-/// What is said of masses and tensors by their geometry, in the same words of several links, is said once. What is impossible is said of
-/// each.
+/// Combines findings about masses and tensors that have the same message for several links.
+/// Impossible numbers are reported for each link.
 pub(super) fn grouped(model: &RobotModel, findings: Vec<Finding>) -> Vec<Finding> {
     type Key = (&'static str, Severity, String, String, bool, usize);
     let mut first: BTreeMap<Key, usize> = BTreeMap::new();
@@ -24,7 +25,7 @@ pub(super) fn grouped(model: &RobotModel, findings: Vec<Finding>) -> Vec<Finding
             continue;
         }
         let Finding { code, severity, message, rule, repair, .. } = &finding;
-        // Of each file by itself.
+        // Groups do not extend across files.
         let file = model.included.partition_point(|source| source.start <= finding.span.start);
         let key = (*code, *severity, message.clone(), rule.clone(), repair.is_some(), file);
         match first.get(&key).and_then(|group| groups.get_mut(*group)) {
@@ -38,13 +39,13 @@ pub(super) fn grouped(model: &RobotModel, findings: Vec<Finding>) -> Vec<Finding
     groups.into_iter().filter_map(one).collect()
 }
 
-/// The first of a group, with the others named, and all their repairs.
+/// Returns the first finding of a group, with the other links and all repairs added.
 fn one(group: Vec<Finding>) -> Option<Finding> {
     let mut group = group.into_iter();
     let mut found = group.next()?;
     for other in group {
         if let (Some(repair), Some(more)) = (&mut found.repair, other.repair) {
-            // Copies of a body are of one text.
+            // Copies of a body may share one text; its edit is added once.
             let further = more.edits.into_iter().filter(|edit| !repair.edits.contains(edit));
             let further: Vec<_> = further.collect();
             repair.edits.extend(further);
@@ -61,7 +62,7 @@ fn one(group: Vec<Finding>) -> Option<Finding> {
     Some(found)
 }
 
-/// `a, b, c`, of many the first.
+/// Returns a list of names: `a, b, c`, cut after [`LISTED`] names.
 pub(super) fn named<S: AsRef<str>>(names: &[S]) -> String {
     let shown: Vec<&str> = names.iter().take(LISTED).map(AsRef::as_ref).collect();
     let more = match names.len().saturating_sub(LISTED) {

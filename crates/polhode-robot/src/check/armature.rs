@@ -1,4 +1,4 @@
-//! Inertias of rotors that are not numbers of at least zero: `joint.armature`.
+//! Rotor inertias (armature) that are negative or not numbers: `joint.armature`.
 
 use crate::finding::{Finding, Severity};
 use crate::model::RobotModel;

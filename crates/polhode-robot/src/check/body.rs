@@ -1,4 +1,4 @@
-//! A link whose mass and tensor can be read, seen in its own frame.
+//! Link with readable mass properties, in its own frame.
 
 use super::link_geometry::LinkGeometry;
 use super::material::is_plausible;
@@ -8,34 +8,35 @@ use crate::model::{Inertial, Link, ModelFormat, Number, Slot, Span};
 use crate::moments::{Elements, Moments, elements, norm, rotated, scaled};
 use crate::pose::{rotation_matrix, transposed};
 
-/// The names of a tensor's elements, in the order of [`Elements`].
+/// Names of the tensor elements, in the order of [`Elements`].
 pub(super) const NAMES: [&str; 6] = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"];
 
-/// True if a solid has a volume and a tensor.
+/// Returns true if a solid has a positive finite volume and a nonzero finite tensor.
 fn is_comparable(solid: &Volume) -> bool {
     let size = norm(&elements(&solid.tensor_per_density));
     solid.volume > 0.0 && solid.volume.is_finite() && size > 0.0 && size.is_finite()
 }
 
-/// Mass, centre and tensor of a link, all but the mass finite, and what its geometry says.
+/// Mass properties of a link, with its geometry. All numbers except the mass are finite.
 #[derive(Debug)]
 pub(super) struct Body<'m> {
     pub(super) link: &'m Link,
     pub(super) inertial: &'m Inertial,
     pub(super) geometry: &'m LinkGeometry,
-    /// kg; it may be negative or zero, and is NaN if it is not there.
+    /// Mass, kg. It may be zero or negative, and is NaN if it is missing.
     pub(super) mass: f64,
-    /// In the link's frame, m.
+    /// Centre of mass in the link's frame, m.
     pub(super) centre: [f64; 3],
-    /// R_link_inertial
+    /// Rotation R_link_inertial.
     pub(super) rotation: [[f64; 3]; 3],
-    /// As written, along the inertial's axes.
+    /// Tensor as written, in the inertial's axes, kg·m².
     pub(super) written: Elements,
-    /// How far rounding may have moved each element.
+    /// Rounding error bound of each element, kg·m².
     pub(super) rounding: Elements,
-    /// True if the print is known to have cut small numbers short, so that rounding may be large beside them.
+    /// True if the file was printed with a fixed number of decimals, so that small numbers may have
+    /// large relative errors.
     pub(super) is_cut: bool,
-    /// About the centre of mass, along the link's axes.
+    /// Tensor about the centre of mass, link axes, kg·m².
     pub(super) tensor: Elements,
     pub(super) moments: Moments,
 }
@@ -52,7 +53,7 @@ impl<'m> Body<'m> {
         let mut written = [0.0; 6];
         for (k, slot) in inertial.tensor.slots()?.enumerate() {
             written[k] = match slot {
-                // Products that SDF is not told are zero.
+                // SDF's default for a product is zero.
                 Slot::Missing { .. } if k >= 3 && format == ModelFormat::Sdf => 0.0,
                 slot => slot.finite()?,
             };
@@ -74,7 +75,7 @@ impl<'m> Body<'m> {
         })
     }
 
-    /// The numbers of the tensor; three if it is diagonal.
+    /// Returns the numbers of the tensor with their index; three if it is diagonal.
     pub(super) fn numbers(&self) -> impl Iterator<Item = (usize, &'m Number)> {
         self.inertial.tensor.slots().into_iter().flatten().enumerate().filter_map(|(k, slot)| match slot {
             Slot::Given(number) => Some((k, number)),
@@ -82,12 +83,12 @@ impl<'m> Body<'m> {
         })
     }
 
-    /// Where element k is written; the inertial if it is not.
+    /// Returns the position of element k, or of the inertial if the element is missing.
     pub(super) fn place(&self, k: usize) -> Span {
         self.numbers().find(|(j, _)| *j == k).map_or(self.inertial.span.clone(), |(_, n)| n.span.clone())
     }
 
-    /// Where the tensor begins.
+    /// Returns the position of the first number of the tensor.
     pub(super) fn tensor_place(&self) -> Span {
         self.numbers()
             .map(|(_, n)| n.span.clone())
@@ -95,13 +96,13 @@ impl<'m> Body<'m> {
             .unwrap_or(self.inertial.span.clone())
     }
 
-    /// The radius of gyration about the greatest axis, √(i3/m), m.
+    /// Returns the radius of gyration about the axis of the largest moment, √(i3/m), m.
     pub(super) fn gyration(&self) -> f64 {
         (self.moments.values[2].max(0.0) / self.mass).sqrt()
     }
 
-    /// From the centre of mass to the farthest corner of the geometry's bounds, m: no radius of gyration of a body
-    /// within them is longer.
+    /// Returns the distance from the centre of mass to the farthest corner of the geometry's
+    /// bounds, m. It is an upper bound on the radius of gyration of a body within these bounds.
     pub(super) fn reach(&self) -> Option<f64> {
         let [low, high] = self.geometry.bounds?;
         let mut square = 0.0;
@@ -111,31 +112,31 @@ impl<'m> Body<'m> {
         Some(square.sqrt()).filter(|r| r.is_finite() && *r > 0.0)
     }
 
-    /// The tensor along the link's axes that a solid has with a mass, kg, about its centroid.
+    /// Returns the tensor of a uniform solid with this mass, kg, about its centroid, link axes.
     pub(super) fn implied(&self, solid: &Volume, mass: f64) -> Elements {
         scaled(&elements(&solid.tensor_per_density), mass / solid.volume)
     }
 
-    /// The solids that a tensor can be compared with.
+    /// Returns the solids that a tensor can be compared with.
     pub(super) fn solids(&self) -> impl Iterator<Item = &'m Volume> + use<'m> {
         let geometry: &'m LinkGeometry = self.geometry;
         geometry.volumes.iter().filter(|solid| is_comparable(solid))
     }
 
-    /// The solids with the sizes of all shapes times a factor.
+    /// Returns the solids with all sizes multiplied by a factor.
     pub(super) fn rescaled(&self, factor: f64) -> impl Iterator<Item = &'m Volume> + use<'m> {
         let geometry: &'m LinkGeometry = self.geometry;
         let of_factor = geometry.rescaled.iter().filter(move |rescaled| rescaled.factor == factor);
         of_factor.flat_map(|rescaled| &rescaled.volumes).filter(|solid| is_comparable(solid))
     }
 
-    /// True if one of the solids has a density that a material may have, or if there are none.
+    /// Returns true if one of the solids has a plausible density, or if there are none.
     pub(super) fn has_plausible_density(&self) -> bool {
         let mut solids = self.solids().peekable();
         solids.peek().is_none() || solids.any(|s| is_plausible(s.kind, self.mass / s.volume))
     }
 
-    /// A tensor along the link's axes, along the inertial's.
+    /// Rotates a tensor from the link's axes to the inertial's axes.
     pub(super) fn in_inertial_axes(&self, tensor: &Elements) -> Elements {
         rotated(tensor, &transposed(&self.rotation))
     }

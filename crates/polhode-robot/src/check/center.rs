@@ -1,9 +1,10 @@
-//! A centre of mass outside the convex hull of all that the link is drawn with: `mass.center_outside`.
+//! Checks that the centre of mass is inside the convex hull of the link's geometry:
+//! `mass.center_outside`.
 //!
-//! The centre of mass is a mean of the body's points, so it lies in the convex hull of any geometry
-//! that holds the body. That is as strong as the triangle rule, for that geometry; but a link may
-//! have parts that are not drawn, so it is suspect. A plane that separates the centre from all
-//! shapes proves it (`geometry/separation.rs`).
+//! The centre of mass is a mean of the body's points. It therefore lies in the convex hull of any
+//! geometry that contains the body. For that geometry this is as strict as the triangle inequality.
+//! A link may have parts that are not drawn, so the finding is only suspect. The proof is a plane
+//! that separates the centre from all shapes (`geometry/separation.rs`).
 
 use super::body::Body;
 use super::center_slip;
@@ -13,13 +14,14 @@ use super::written::short;
 use crate::finding::{Finding, Severity};
 use crate::model::RobotModel;
 
-/// Allowance for simplified meshes, parts that are not drawn and rounded coordinates, as a part of the diagonal of the
-/// geometry's bounds. Measured centres of public robots are up to 1.9 % outside of the meshes that are drawn.
+/// Tolerance relative to the diagonal of the geometry's bounds, for simplified meshes, parts that
+/// are not drawn, and rounded coordinates. Measured centres of public robots are up to 1.9 %
+/// outside the drawn meshes.
 const ALLOWED: f64 = 0.02;
 
 pub(super) fn check(model: &RobotModel, body: &Body, held: Held, findings: &mut Vec<Finding>) {
     let (Some(distance), Some([low, high])) = (body.geometry.outside, body.geometry.bounds) else { return };
-    // An implausible density puts the geometry itself in doubt.
+    // An implausible density makes the geometry itself doubtful.
     if !(body.mass > 0.0) || !body.has_plausible_density() {
         return;
     }

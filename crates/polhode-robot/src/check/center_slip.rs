@@ -1,7 +1,8 @@
-//! Slips of a centre of mass: the other sign, another unit, exchanged coordinates.
+//! Typical errors of a centre of mass: wrong sign, wrong unit, exchanged coordinates.
 //!
-//! A slip undone must bring all three coordinates to the geometry's centroid, and may change none that is there already.
-//! A centroid at the origin confirms no unit, as every large factor leads there. A fix follows if one result is left.
+//! Undoing the error must bring all three coordinates to the geometry's centroid, and must not
+//! change a coordinate that is already right. A centroid at the origin does not confirm a unit,
+//! because every small factor leads there. A fix follows if exactly one result remains.
 
 use polhode_source::xml::Number;
 
@@ -13,10 +14,11 @@ use super::written::negated;
 use crate::finding::Repair;
 use crate::model::RobotModel;
 
-/// Distance from the centroid that is none, as a part of the diagonal of the geometry's bounds.
+/// Distance from the centroid that counts as zero, relative to the diagonal of the geometry's
+/// bounds.
 const NEAR: f64 = 0.01;
 
-/// Factors that make coordinates in other units right.
+/// Factors that correct coordinates in other units.
 const UNITS: [(f64, &str); 6] = [
     (0.001, "in mm"),
     (0.01, "in cm"),
@@ -26,7 +28,7 @@ const UNITS: [(f64, &str); 6] = [
     (1000.0, "1000 times too small"),
 ];
 
-/// Returns the slip in words and its fix, if exactly one result is left.
+/// Returns the error in words and its fix, if exactly one result remains.
 pub(super) fn repair(model: &RobotModel, body: &Body, diagonal: f64) -> Option<(String, Repair)> {
     if body.geometry.is_turned_by_some {
         return None;
@@ -62,12 +64,12 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt()
 }
 
-/// The coordinates with each slip undone.
+/// Returns the coordinates with each error undone.
 fn slips(numbers: &[Number; 3]) -> Vec<(String, [String; 3])> {
     let texts = numbers.each_ref().map(|number| number.text.clone());
     let is_zero = |k: usize| numbers[k].value == Some(0.0);
     let mut slips = Vec::new();
-    // Signs of any coordinates.
+    // Sign changes of any coordinates.
     for flips in 1_usize..8 {
         let flipped = |k: usize| flips >> k & 1 == 1;
         if (0..3).any(|k| flipped(k) && is_zero(k)) {

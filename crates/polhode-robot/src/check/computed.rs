@@ -1,6 +1,7 @@
-//! Links whose mass SDFormat computes from their collisions (`auto="true"`): `density.implausible`.
+//! Checks links whose mass SDFormat computes from their collisions (`auto="true"`):
+//! `density.implausible`.
 //!
-//! The tensor is that of the geometry, so only a stated density or mass may be wrong.
+//! The tensor follows from the geometry, so only a stated density or mass can be wrong.
 
 use super::material::is_plausible;
 use super::written::short;

@@ -1,8 +1,9 @@
-//! The inertial's attitude is the inverse of what it should be, or is not meant at all: `inertia.conjugate`.
+//! Inverted or superfluous attitude of the inertial: `inertia.conjugate`.
 //!
-//! The attitude of an inertial takes its components to the link's, I_link = R I Rᵀ. The conjugate quaternion (angles of
-//! the inverse rotation) gives Rᵀ I R, which is as possible, and only the geometry can tell. So with numbers along the
-//! link's axes beside an attitude that is left over, and with (x, y, z, w) where (w, x, y, z) belongs.
+//! The attitude of an inertial rotates its components to the link's, I_link = R I Rᵀ. The conjugate
+//! quaternion (the angles of the inverse rotation) gives Rᵀ I R, which is also physical. Only the
+//! geometry can detect this error. The same holds for a tensor in link axes with a superfluous
+//! attitude, and for a quaternion (x, y, z, w) in place of (w, x, y, z).
 
 use super::explanation::{Candidates, Change, LOOSE, Slip};
 use crate::moments::rotated;

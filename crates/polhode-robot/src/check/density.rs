@@ -1,8 +1,8 @@
-//! Mass over volume that no material has: `density.implausible`.
+//! Checks that the mass divided by the volume is a density of some material: `density.implausible`.
 //!
-//! One solid within the bounds of materials is enough. An implausible density puts the geometry
-//! itself in doubt: its unit, or the mass. It is repaired if one change makes density and tensor
-//! agree ([`super::explain`]).
+//! One solid with a plausible density is sufficient. Otherwise the geometry (its unit) or the mass
+//! is doubtful. A repair follows if one change makes both density and tensor agree
+//! ([`super::explain`]).
 
 use super::body::Body;
 use super::dummy::{FRAME, Held};
@@ -12,7 +12,8 @@ use super::written::short;
 use crate::finding::{Finding, Repair, Severity};
 use crate::geometry::VolumeKind;
 
-/// `cause`: the change of the geometry's scale or of the mass that makes density and tensor agree.
+/// Checks the density. `cause` is the change of the geometry's scale or of the mass that makes
+/// density and tensor agree.
 pub(super) fn check(
     body: &Body,
     held: Held,
@@ -22,7 +23,7 @@ pub(super) fn check(
     if body.has_plausible_density() {
         return;
     }
-    // Meshes first: they say more.
+    // Closed meshes are preferred: they are more accurate.
     let Some(solid) = body.solids().min_by_key(|s| s.kind != VolumeKind::Closed) else { return };
     let density = body.mass / solid.volume;
     let is_frame = body.mass <= FRAME && (density < LEAST || held != Held::Free);

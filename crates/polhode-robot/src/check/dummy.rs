@@ -1,26 +1,27 @@
-//! Links that stand for a place: an IMU's, a fingertip's. Their numbers are made up, and nothing comes of them.
+//! Dummy links, such as the frame of an IMU or a fingertip. Their mass properties are invented and
+//! have no effect.
 
 use super::body::Body;
 use super::tree::Tree;
 
-/// Links of a gram or less are frames that a simulator wanted a mass for.
+/// Upper bound on the mass of frames that have a mass only because a simulator requires one, kg.
 pub(super) const FRAME: f64 = 1e-3;
 
-/// A moment that is this part of those of the links that it is fixed to is not felt.
+/// Moments below this fraction of the moments of the fixed group are negligible.
 const NOT_FELT: f64 = 0.01;
 
-/// How a link is held.
+/// Attachment of a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Held {
-    /// It moves by itself, or it is what others hang on.
+    /// Moved by a joint, or the first link of its group.
     Free,
-    /// By a fixed joint.
+    /// Attached by a fixed joint.
     Fixed,
-    /// By a fixed joint, and neither its mass nor its moments are felt beside what it is fixed to.
+    /// Attached by a fixed joint, with negligible mass and moments compared with its group.
     Dummy,
 }
 
-/// Of each link, by the bodies of the model.
+/// Returns the attachment of each link. `bodies` are the bodies of the model.
 pub(super) fn held(tree: &Tree, bodies: &[Option<Body>]) -> Vec<Held> {
     let moment =
         |k: usize| bodies.get(k).and_then(Option::as_ref).map_or(0.0, |body| body.moments.values[2].max(0.0));

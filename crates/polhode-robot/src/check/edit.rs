@@ -1,14 +1,16 @@
-//! Edits of numbers whose places a model does not keep: the sizes of shapes and the centre of mass.
+//! Edits of numbers whose positions the model does not store: the sizes of shapes and the centre of
+//! mass.
 //!
-//! The element is read again from its own text. Where the numbers there are not those of the model,
-//! because another frame, a class of defaults or an entity stands between, nothing is edited.
+//! The element is parsed again from its own text. If its numbers differ from the model's, nothing
+//! is edited. Reasons are another frame, a default class or an entity.
 
 use polhode_source::xml::{Element, Number, with_root};
 
 use super::written::{restyled, shifted};
 use crate::model::{Geometry, GeometryShape, Inertial, ModelFormat, RobotModel, Span};
 
-/// The edits that multiply the sizes of all shapes of a link; `None` if one of them cannot be written.
+/// Returns the edits that multiply the sizes of all shapes of a link by a factor; `None` if one of
+/// them cannot be written.
 pub(super) fn resized(model: &RobotModel, shapes: &[Geometry], factor: f64) -> Option<Vec<(Span, String)>> {
     let mut edits = Vec::new();
     for geometry in shapes {
@@ -22,7 +24,7 @@ pub(super) fn resized(model: &RobotModel, shapes: &[Geometry], factor: f64) -> O
     Some(edits)
 }
 
-/// The three numbers of the centre of mass.
+/// Returns the three numbers of the centre of mass.
 pub(super) fn center(model: &RobotModel, inertial: &Inertial) -> Option<[Number; 3]> {
     let numbers = in_element(model, &inertial.span, |root| {
         let written = match model.format {
@@ -39,10 +41,10 @@ pub(super) fn center(model: &RobotModel, inertial: &Inertial) -> Option<[Number;
     agree.then_some(numbers)
 }
 
-/// The number times a factor, in its own digits where the factor is a power of ten.
+/// Returns the number multiplied by a factor. For a power of ten the digits are kept.
 pub(super) fn multiplied(number: &Number, factor: f64) -> Option<String> {
     let power = factor.log10().round();
-    // Shifting is exact, and powers of ten below 10²² are, too.
+    // Shifting the decimal point is exact. Powers of ten below 10²² are exact, too.
     let is_power = (factor / 10_f64.powi(power as i32) - 1.0).abs() < 1e-12;
     if is_power {
         shifted(&number.text, power as i32)
@@ -101,12 +103,12 @@ fn of_shape(
     Some(edits)
 }
 
-/// A scale for a mesh that has none: after the name of its file.
+/// Returns the edit that inserts a scale for a mesh without one, after its file name.
 fn unscaled(format: ModelFormat, mesh: Element<'_>, start: usize, factor: f64) -> Option<(Span, String)> {
     let scale = format!("{factor} {factor} {factor}");
     let (end, text) = match format {
         ModelFormat::Urdf => {
-            // Behind the closing quote.
+            // Position after the closing quote.
             let end = mesh.attribute("filename")?.span.end;
             mesh.document().get(end..end + 1).filter(|quote| ["\"", "'"].contains(quote))?;
             (end + 1, format!(" scale=\"{scale}\""))

@@ -1,14 +1,16 @@
-//! The slip that explains the evidence of a link: its six numbers, its mass, its geometry and the density that it implies.
+//! Error that explains the evidence of a link: its six tensor elements, mass, geometry and implied
+//! density.
 //!
-//! The geometry has the tensor that a uniform body of its shape and the link's mass has. If that is
-//! not the written one, each known slip is undone in turn ([`super::explanation`]). If the density
-//! is implausible, so is the geometry or the mass as written: then each unit of length and each
-//! slip of the mass is supposed in turn, and only what makes density and tensor agree is an
-//! explanation.
+//! The geometry implies the tensor of a uniform body with the link's mass. If the written tensor
+//! differs, each known error is undone in turn ([`super::explanation`]). If the density is
+//! implausible, so is the geometry or the mass. Then each unit of length and each error of the mass
+//! is assumed in turn. An assumption is an explanation only if it makes both density and tensor
+//! agree.
 //!
-//! Fewer slips explain better. A fix follows if a single outcome is left: of two explanations that
-//! fit as well and mean other numbers, neither is written. Nor is one that changes an element that
-//! another solid of the link confirms.
+//! Explanations with fewer errors are preferred. A fix follows if exactly one outcome remains. If
+//! two explanations fit equally well and imply different numbers, neither is applied. An
+//! explanation is not applied either if it changes an element that another solid of the link
+//! confirms.
 
 use super::body::Body;
 use super::edit::{multiplied, resized};
@@ -24,7 +26,7 @@ use crate::geometry::Volume;
 use crate::model::{RobotModel, Slot};
 use crate::moments::{difference, norm};
 
-/// Slips of a mass: the factor that makes it right, and what is wrong.
+/// Typical errors of a mass: the correction factor and the description.
 const MASSES: [(f64, &str); 8] = [
     (0.001, "the mass is in grams"),
     (1000.0, "the mass is in tonnes"),
@@ -36,21 +38,22 @@ const MASSES: [(f64, &str); 8] = [
     (100.0, "the mass is 100 times too small"),
 ];
 
-/// Other explanations that a message lists.
+/// Maximum number of alternative explanations in a message.
 const RIVALS: usize = 3;
 
-/// The explanation of a link's numbers.
+/// Explanation of a link's numbers.
 #[derive(Debug, Default)]
 pub(super) struct Cause {
-    /// A slip of the tensor.
+    /// Error of the tensor.
     pub(super) tensor: Option<Finding>,
-    /// A slip of the mass, where the density is plausible.
+    /// Error of the mass, if the density is plausible.
     pub(super) mass: Option<Finding>,
-    /// The change that makes an implausible density plausible, in words that follow its figures, and the fix.
+    /// Change that makes an implausible density plausible: a text to follow the density, and the
+    /// fix.
     pub(super) density: Option<(String, Option<Repair>)>,
 }
 
-/// The explanation of a body's numbers, if there is one.
+/// Returns the explanation of a body's numbers, if there is one.
 pub(super) fn cause(model: &RobotModel, body: &Body) -> Cause {
     let is_plausible = body.has_plausible_density();
     let mut fits = with_one_slip(body, is_plausible);
@@ -63,11 +66,11 @@ pub(super) fn cause(model: &RobotModel, body: &Body) -> Cause {
     choice.cause(model, body, is_plausible)
 }
 
-/// Explanations by one slip: of the geometry's scale, of the mass, or of the tensor.
+/// Returns explanations with one error: of the geometry's scale, of the mass, or of the tensor.
 fn with_one_slip(body: &Body, is_plausible: bool) -> Vec<Fit> {
     let mut fits = Vec::new();
     if is_plausible {
-        // Nothing is wrong with what agrees as written.
+        // Numbers that agree as written need no explanation.
         let solids: Vec<&Volume> = plausible(body).collect();
         if solids.iter().any(|solid| is_of(body, solid, SAME)) {
             return fits;
@@ -85,12 +88,12 @@ fn with_one_slip(body: &Body, is_plausible: bool) -> Vec<Fit> {
     fits
 }
 
-/// True if the tensor as written is that of a solid with the mass as written.
+/// Returns true if the written tensor agrees with a solid of the written mass.
 fn is_of(body: &Body, solid: &Volume, tolerance: f64) -> bool {
     Candidates::of(body, solid, Supposition::NONE).all_agree(tolerance)
 }
 
-/// Explanations of an implausible density by two slips.
+/// Returns explanations of an implausible density with two errors.
 fn with_two_slips(body: &Body) -> Vec<Fit> {
     let mut fits = Vec::new();
     for rescaled in &body.geometry.rescaled {
@@ -105,7 +108,7 @@ fn with_two_slips(body: &Body) -> Vec<Fit> {
     }
     for (mass, _) in MASSES {
         let supposition = Supposition { scale: 1.0, mass };
-        // A tensor that follows from the written mass has no slip of its own.
+        // A tensor that follows from the written mass has no error of its own.
         for solid in supposed(body, supposition).into_iter().filter(|solid| !is_of(body, solid, LOOSE)) {
             fits.append(&mut slips(body, solid, supposition));
         }
@@ -113,7 +116,7 @@ fn with_two_slips(body: &Body) -> Vec<Fit> {
     fits
 }
 
-/// The tensor as it is written, with another scale or mass.
+/// Adds explanations that keep the written tensor, with a different scale or mass.
 fn as_written(body: &Body, supposition: Supposition, fits: &mut Vec<Fit>) {
     if is_round(body) {
         return; // a placeholder confirms nothing
@@ -126,13 +129,13 @@ fn as_written(body: &Body, supposition: Supposition, fits: &mut Vec<Fit>) {
     }
 }
 
-/// The solids whose density is plausible as written.
+/// Returns the solids whose density is plausible as written.
 fn plausible<'m>(body: &Body<'m>) -> impl Iterator<Item = &'m Volume> {
     let mass = body.mass;
     body.solids().filter(move |solid| is_plausible(solid.kind, mass / solid.volume))
 }
 
-/// The solids whose density is that of a material under a supposition.
+/// Returns the solids whose density is that of a material under a supposition.
 fn supposed<'m>(body: &Body<'m>, supposition: Supposition) -> Vec<&'m Volume> {
     let Supposition { scale, mass } = supposition;
     let has_density = |solid: &&Volume| is_solid(mass * body.mass / solid.volume);
@@ -143,11 +146,11 @@ fn supposed<'m>(body: &Body<'m>, supposition: Supposition) -> Vec<&'m Volume> {
     }
 }
 
-/// The slips of the tensor that explain it by one solid.
+/// Returns the errors of the tensor that explain it by one solid.
 fn slips(body: &Body, solid: &Volume, supposition: Supposition) -> Vec<Fit> {
     let mut candidates = Candidates::of(body, solid, supposition);
     unit::explain(&mut candidates);
-    // Axes that programs disagree on accuse nobody.
+    // If programs disagree on the axes, axes are not evidence of an error.
     if !body.geometry.is_turned_by_some {
         order::explain(&mut candidates);
         sign::explain(&mut candidates);
@@ -159,7 +162,7 @@ fn slips(body: &Body, solid: &Volume, supposition: Supposition) -> Vec<Fit> {
     candidates.fits
 }
 
-/// The explanation that fits best, and those that fit as well and mean something else.
+/// Best explanation, and the rivals that fit equally well but imply different numbers.
 struct Choice<'f> {
     best: &'f Fit,
     rivals: Vec<&'f Fit>,
@@ -168,7 +171,7 @@ struct Choice<'f> {
 impl<'f> Choice<'f> {
     fn of(fits: &'f [Fit]) -> Option<Self> {
         let least = fits.iter().map(|fit| fit.misfit).min_by(f64::total_cmp)?;
-        // Of equals the first: the simplest mistakes come first.
+        // Among equals, the first: simpler errors come first.
         let best = fits.iter().find(|fit| fit.misfit <= 1.1 * least + SAME * LOOSE)?;
         let means_another = |fit: &&Fit| {
             fit.supposition != best.supposition
@@ -226,7 +229,8 @@ impl<'f> Choice<'f> {
         cause
     }
 
-    /// True if another solid of the link, of a plausible density, confirms an element that the explanation changes.
+    /// Returns true if another solid with a plausible density confirms an element that the
+    /// explanation changes.
     fn is_contradicted(&self, body: &Body) -> bool {
         let Fit { supposition, tensor, .. } = self.best;
         if *supposition != Supposition::NONE {
@@ -248,7 +252,7 @@ impl<'f> Choice<'f> {
 }
 
 impl Fit {
-    /// The misfit of the tensor with the mass as written, where that is the slip.
+    /// Returns the misfit of the tensor with the mass as written, if the mass is the error.
     fn as_written_mass(&self, body: &Body) -> f64 {
         // The target is proportional to the mass.
         let target = self.tensor.map(|x| x / self.supposition.mass);
@@ -256,13 +260,13 @@ impl Fit {
     }
 }
 
-/// The fix of the geometry's scale, or of the mass.
+/// Returns the fix of the geometry's scale, or of the mass.
 fn supposed_repair(model: &RobotModel, body: &Body, fit: &Fit) -> Option<Repair> {
     let Supposition { scale, mass } = fit.supposition;
     let mut edits = Vec::new();
     let mut changes = Vec::new();
     if scale != 1.0 {
-        // All shapes get the scale, so all must need it.
+        // The scale applies to all shapes, so all of them must need it.
         let needs_it = |solid: &Volume| is_plausible(solid.kind, mass * body.mass / solid.volume);
         if body.geometry.is_incomplete || !body.rescaled(scale).all(needs_it) {
             return None;
@@ -280,7 +284,7 @@ fn supposed_repair(model: &RobotModel, body: &Body, fit: &Fit) -> Option<Repair>
     (!edits.is_empty()).then_some(Repair { description, edits })
 }
 
-/// `"2000 kg/m³, and the tensor is 0.1 % from that of its geometry"`
+/// Returns the evidence in words: `"2000 kg/m³, and the tensor is 0.1 % from that of its geometry"`
 fn evidence(body: &Body, fit: &Fit) -> String {
     let solid = supposed(body, fit.supposition).into_iter().next();
     let density = solid.map_or(f64::NAN, |s| fit.supposition.mass * body.mass / s.volume);
@@ -300,7 +304,7 @@ fn words(fit: &Fit) -> String {
     }
 }
 
-/// `"its sizes are in mm"`
+/// Returns a supposition in words: `"its sizes are in mm"`
 fn words_of(supposition: &Supposition) -> String {
     let Supposition { scale, mass } = *supposition;
     let unit = match scale {
@@ -314,7 +318,7 @@ fn words_of(supposition: &Supposition) -> String {
     unit.into_iter().chain(of_mass).collect::<Vec<_>>().join(", and ")
 }
 
-/// Suggests a unit that would make the density plausible, where no change makes the tensor agree, too.
+/// Suggests a unit that would make the density plausible, if no change also makes the tensor agree.
 fn hint(body: &Body) -> String {
     if let Some(solid) = body.solids().find(|solid| is_of(body, solid, LOOSE)) {
         let in_grams = is_solid(1000.0 * body.mass / solid.volume);

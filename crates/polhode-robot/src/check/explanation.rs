@@ -1,8 +1,9 @@
-//! Slips that may explain a tensor, and the agreement that each is measured by.
+//! Candidate errors of a tensor, and the criteria for their agreement with the geometry.
 //!
-//! A slip is undone, and the result compared with the tensor that the geometry has, uniform, in
-//! every element. It explains the tensor if all elements agree, and if each element that it changes
-//! comes at least five times nearer to the geometry's. So an element that already agrees is never
+//! An error is undone, and every element of the result is compared with the tensor of the uniform
+//! geometry. The error explains the tensor if all elements agree, and if each changed element comes
+//! at least five times closer to the geometry's. An element that already agrees is therefore never
+//! changed.
 //! changed.
 
 use super::body::{Body, NAMES};
@@ -11,105 +12,110 @@ use crate::geometry::Volume;
 use crate::model::Span;
 use crate::moments::{Elements, difference, norm, trace};
 
-/// Tolerance of slips that keep the digits, as a part of each element: screws, holes and cables are not drawn.
+/// Tolerance relative to each element, for errors that keep the digits. Screws, holes and cables
+/// are not drawn.
 pub(super) const LOOSE: f64 = 0.03;
 
-/// Tolerance of slips that a formula or a factor like the mass explains: these agree to all digits, or by chance.
+/// Tolerance for errors explained by a formula or by a factor such as the mass. These agree to all
+/// digits, or by chance.
 pub(super) const TIGHT: f64 = 0.002;
 
-/// Tensors whose moments differ by less than this part have one number, which agrees by chance more often than six.
+/// Relative difference of the moments below which a tensor counts as isotropic. It then has only
+/// one number, which agrees by chance more often than six.
 const ISOTROPIC: f64 = 0.05;
 
-/// Rounding of the written digits counts up to this part of an element.
+/// Upper limit on the rounding error of the digits, relative to an element.
 const ROUNDING: f64 = 0.01;
 
-/// A changed element must be this many times farther off as written than with the slip undone. Below it both may be chance.
+/// Required improvement of a changed element: its deviation as written, divided by the deviation
+/// after the change. Smaller improvements may be chance.
 pub(super) const BETTER: f64 = 5.0;
 
-/// The tensor as a whole must come this many times nearer.
+/// Required improvement of the tensor as a whole.
 const BETTER_IN_ALL: f64 = 1.5;
 
-/// What is written must be off by this many times what rounding of its digits explains.
+/// Required deviation of a written element, as a multiple of its rounding error.
 const BEYOND_ROUNDING: f64 = 3.0;
 
-/// Tensors this near to each other mean the same.
+/// Relative difference below which two tensors are equal.
 pub(super) const SAME: f64 = 1e-3;
 
-/// The right value of an element, given the written one.
+/// Correction of an element, relative to the written value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Change {
     Keep,
-    /// 10^k times the written value, with its digits.
+    /// The written value times 10^k, with its digits.
     Shift(i32),
     Scale(f64),
     Negate,
-    /// The value written for another element, perhaps with the other sign.
+    /// The value written for another element; with the opposite sign if the flag is true.
     Take(usize, bool),
-    /// The geometry's value; a wrong formula gives this one, which must be the written one.
+    /// The geometry's value. A wrong formula gives the number stored here, which must equal the
+    /// written value.
     Formula(f64),
-    /// A value that follows from all elements.
+    /// Value computed from all elements.
     Value(f64),
 }
 
-/// A slip: its rule, its words and its place.
+/// Error of a tensor: its rule, description and position.
 #[derive(Clone, Debug)]
 pub(super) struct Slip {
     pub(super) code: &'static str,
-    /// `"the products have the other sign"`
+    /// Description: `"the products have the other sign"`
     pub(super) mistake: String,
     pub(super) rule: &'static str,
-    /// Where.
+    /// Position in the text.
     pub(super) span: Span,
-    /// False if the slip leaves open what the right numbers are.
+    /// False if the correct numbers are ambiguous.
     pub(super) is_sure: bool,
 }
 
-/// Suppositions about the geometry and the mass; the tensor is compared under them.
+/// Supposition about the geometry and the mass, under which the tensor is compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Supposition {
-    /// Factor of all sizes of the geometry.
+    /// Factor applied to all sizes of the geometry.
     pub(super) scale: f64,
-    /// Factor of the mass.
+    /// Factor applied to the mass.
     pub(super) mass: f64,
 }
 
 impl Supposition {
     pub(super) const NONE: Self = Self { scale: 1.0, mass: 1.0 };
 
-    /// How many slips these are.
+    /// Returns the number of suppositions that differ from 1.
     pub(super) fn count(&self) -> usize {
         usize::from(self.scale != 1.0) + usize::from(self.mass != 1.0)
     }
 }
 
-/// An explanation: suppositions, and a slip in the tensor or none.
+/// Explanation: a supposition, and an error of the tensor or none.
 #[derive(Clone, Debug)]
 pub(super) struct Fit {
     pub(super) supposition: Supposition,
-    /// ‖I − I_shape‖ / ‖I_shape‖ with everything undone.
+    /// Misfit ‖I − I_shape‖ / ‖I_shape‖ with all errors undone.
     pub(super) misfit: f64,
-    /// The same of the tensor as written.
+    /// Misfit of the tensor as written.
     pub(super) as_written: f64,
-    /// Sum of the written moments by that of the geometry's.
+    /// Ratio of the trace of the written tensor to that of the geometry's tensor.
     pub(super) ratio: f64,
-    /// The right tensor, along the inertial's axes.
+    /// Corrected tensor, in the inertial's axes.
     pub(super) tensor: Elements,
     pub(super) slip: Option<Slip>,
-    /// The edits of the tensor.
+    /// Edits that correct the tensor.
     pub(super) edits: Vec<(Span, String)>,
 }
 
-/// The slips that explain a body's tensor, compared with one solid.
+/// Errors that explain a body's tensor, compared with one solid.
 #[derive(Debug)]
 pub(super) struct Candidates<'b, 'm> {
     pub(super) body: &'b Body<'m>,
     pub(super) solid: &'b Volume,
-    /// kg, as supposed.
+    /// Supposed mass, kg.
     pub(super) mass: f64,
     supposition: Supposition,
-    /// The tensor of the solid with this mass, along the inertial's axes.
+    /// Tensor of the solid with this mass, in the inertial's axes.
     pub(super) target: Elements,
-    /// Scale of each element, √(I_ii I_jj) of the solid: tolerances are parts of it.
+    /// Scale of each element, √(I_ii I_jj) of the solid; tolerances are relative to it.
     sizes: Elements,
     as_written: f64,
     pub(super) fits: Vec<Fit>,
@@ -125,18 +131,18 @@ impl<'b, 'm> Candidates<'b, 'm> {
         Self { body, solid, mass, supposition, target, sizes, as_written, fits: Vec::new() }
     }
 
-    /// True if the written element is the solid's, within a part of it.
+    /// Returns true if the written element agrees with the solid's within a relative tolerance.
     pub(super) fn agrees(&self, k: usize, tolerance: f64) -> bool {
         let [written, target, size] = [self.body.written[k], self.target[k], self.sizes[k]];
         (written - target).abs() <= tolerance * size + self.rounding(k, 1.0)
     }
 
-    /// True if all written elements are the solid's, within a part of them.
+    /// Returns true if all written elements agree with the solid's within a relative tolerance.
     pub(super) fn all_agree(&self, tolerance: f64) -> bool {
         (0..6).all(|k| self.agrees(k, tolerance))
     }
 
-    /// Tolerance of slips that keep the digits.
+    /// Returns the tolerance of errors that keep the digits.
     pub(super) fn loose(&self) -> f64 {
         let written = &self.body.written;
         let third = trace(written) / 3.0;
@@ -144,23 +150,24 @@ impl<'b, 'm> Candidates<'b, 'm> {
         if differences <= ISOTROPIC * norm(written) { TIGHT } else { LOOSE }
     }
 
-    /// The solid's second moments along the inertial's axes, times the mass.
+    /// Returns the mass-weighted second moments ∫x² dm of the solid, in the inertial's axes.
     pub(super) fn second_moments(&self) -> [f64; 3] {
         let [xx, yy, zz, ..] = self.target;
         [0.5 * (yy + zz - xx), 0.5 * (xx + zz - yy), 0.5 * (xx + yy - zz)]
     }
 
-    /// True if products of the solid vanish, so that formulas for its moments hold along these axes.
+    /// Returns true if the products of the solid vanish, so that formulas for its moments hold in
+    /// these axes.
     pub(super) fn is_aligned(&self) -> bool {
         (3..6).all(|k| self.target[k].abs() <= SAME * self.sizes[k])
     }
 
-    /// Difference that rounding of the written digits explains, of an element that was multiplied by a factor.
+    /// Returns the rounding error of a written element that was multiplied by a factor.
     fn rounding(&self, k: usize, factor: f64) -> f64 {
         (self.body.rounding[k] * factor.abs()).min(ROUNDING * self.sizes[k])
     }
 
-    /// Offers the tensor as written, if it agrees under the supposition.
+    /// Offers the written tensor as an explanation, if it agrees under the supposition.
     pub(super) fn offer_as_written(&mut self, tolerance: f64) {
         if self.all_agree(tolerance) {
             let tensor = self.body.written;
@@ -168,7 +175,8 @@ impl<'b, 'm> Candidates<'b, 'm> {
         }
     }
 
-    /// A slip that these changes undo. It is only written out if it explains the tensor.
+    /// Offers an error that these changes undo. `slip` is evaluated only if the error explains the
+    /// tensor.
     pub(super) fn offer(&mut self, changes: [Change; 6], tolerance: f64, slip: impl FnOnce() -> Slip) {
         let body = self.body;
         let right = self.right(&changes);
@@ -181,7 +189,7 @@ impl<'b, 'm> Candidates<'b, 'm> {
                 _ => 1.0,
             };
             let noise = SAME * self.sizes[k];
-            // Not ≤ refuses NaN, too.
+            // The negated comparison also rejects NaN.
             if !(left <= tolerance * self.sizes[k] + self.rounding(k, factor)) {
                 return;
             }
@@ -197,7 +205,7 @@ impl<'b, 'm> Candidates<'b, 'm> {
         }
         let off = f64::max(SAME, BEYOND_ROUNDING * norm(&body.rounding) / norm(&body.written));
         let misfit = norm(&difference(&right, &self.target)) / norm(&self.target);
-        // Where the other elements are as far off, the changed ones tell nothing.
+        // If the other elements deviate as much, the changed ones are not evidence.
         if is_better && self.as_written > off.max(BETTER_IN_ALL * misfit) {
             let slip = slip();
             let edits = if slip.is_sure { self.edits(&changes) } else { Vec::new() };
@@ -216,7 +224,7 @@ impl<'b, 'm> Candidates<'b, 'm> {
         let written = &self.body.written;
         std::array::from_fn(|k| match changes[k] {
             Change::Keep => written[k],
-            // Written zeros are zero in every unit.
+            // A written zero is zero in every unit.
             Change::Shift(_) | Change::Scale(_) | Change::Negate if written[k] == 0.0 => 0.0,
             Change::Shift(power) => written[k] * 10_f64.powi(power),
             Change::Scale(factor) => written[k] * factor,
@@ -227,12 +235,12 @@ impl<'b, 'm> Candidates<'b, 'm> {
         })
     }
 
-    /// The edits that write the changes; none if an element to be changed is not written in the text.
+    /// Returns the edits for the changes; empty if an element that changes has no text.
     fn edits(&self, changes: &[Change; 6]) -> Vec<(Span, String)> {
         let body = self.body;
         let right = self.right(changes);
         let texts: Vec<&str> = body.numbers().map(|(_, number)| number.text.as_str()).collect();
-        // A zero's text has no style: the longest text's then.
+        // The text of a zero has no style; the longest text provides it.
         let longest = texts.iter().copied().max_by_key(|text| text.len()).unwrap_or("");
         let mut edits = Vec::new();
         let mut changed = (0..6).filter(|k| right[*k] != body.written[*k]).count();
@@ -260,7 +268,7 @@ impl<'b, 'm> Candidates<'b, 'm> {
     }
 }
 
-/// `"ixy 0.012 → -0.012, ixz …"`
+/// Returns the changes in words: `"ixy 0.012 → -0.012, ixz …"`
 pub(super) fn describe(body: &Body, edits: &[(Span, String)]) -> String {
     let changes: Vec<String> = body
         .numbers()
@@ -272,7 +280,7 @@ pub(super) fn describe(body: &Body, edits: &[(Span, String)]) -> String {
     changes.join(", ")
 }
 
-/// `"ixx"`, `"ixx and iyy"`, `"ixx, iyy and izz"`
+/// Returns a list of element names: `"ixx"`, `"ixx and iyy"`, `"ixx, iyy and izz"`
 pub(super) fn named(elements: &[usize]) -> String {
     let names: Vec<&str> = elements.iter().filter_map(|k| NAMES.get(*k).copied()).collect();
     match names.split_last() {
@@ -282,7 +290,8 @@ pub(super) fn named(elements: &[usize]) -> String {
     }
 }
 
-/// `"10 times too large"`, `"10^6 times too small"`, of a factor that makes it right.
+/// Describes the error corrected by a power of ten: `"10 times too large"`, `"10^6 times too
+/// small"`.
 pub(super) fn times_too(power: i32) -> String {
     let times = match power.unsigned_abs() {
         few @ ..=4 => 10_u32.pow(few).to_string(),
@@ -291,14 +300,15 @@ pub(super) fn times_too(power: i32) -> String {
     format!("{times} times too {}", if power < 0 { "large" } else { "small" })
 }
 
-/// `"29 % from the tensor of its geometry"`; of moments that are far off, `"711 times the tensor of its geometry"`.
+/// Describes a misfit: `"29 % from the tensor of its geometry"`, or for large ratios `"711 times
+/// the tensor of its geometry"`.
 pub(super) fn compared(misfit: f64, ratio: f64) -> String {
     let is_far = ratio > 0.0 && !(0.5..=2.0).contains(&ratio);
     let off = if is_far { format!("{} times", short(ratio, 3)) } else { format!("{} from", percent(misfit)) };
     format!("{off} the tensor of its geometry")
 }
 
-/// A misfit in per cent; what rounding leaves of none is 0.
+/// Formats a misfit in per cent; values at rounding level become 0.
 pub(super) fn percent(misfit: f64) -> String {
     if misfit < 1e-6 { "0 %".to_owned() } else { format!("{} %", short(100.0 * misfit, 2)) }
 }

@@ -1,20 +1,22 @@
-//! Some moments, or one product, wrong by one factor, and everything else right: `inertia.geometry`.
+//! Some moments, or one product, wrong by a common factor with everything else right:
+//! `inertia.geometry`.
 //!
-//! `izz="1676359E-6"` next to moments of some 2e-3 kg·m² is a point forgotten in 1676.359E-6. Two
-//! moments may be ten times too small, or one may lack the mass. A factor is a slip only if it is
-//! one of these.
+//! `izz="1676359E-6"` next to moments of about 2e-3 kg·m² has a missing decimal point: 1676.359E-6
+//! is right. Two moments may be ten times too small, or one may lack the mass. Only the factors
+//! listed here count as errors.
 
 use super::explanation::{Candidates, Change, LOOSE, Slip, TIGHT, named as elements, times_too};
 use super::placeholder::is_round;
 
-/// Equal to within this part, the second moments of a round or square section are.
+/// Relative difference below which two second moments are equal, as for a round or square section.
 pub(super) const ROUND_SECTION: f64 = 0.01;
 
 pub(super) const RULE: &str = "a tensor follows from the mass and the shape of its own link";
 
-/// Factors that make a value right, and why it is wrong, except powers of ten.
+/// Returns correction factors with the description of the error, without powers of ten.
 ///
-/// A tube of a round or square section has twice the moment of a solid one, so that a factor of 2 proves nothing there.
+/// The moment of a tube with a round or square section is twice that of a solid one. A factor of 2
+/// therefore proves nothing there.
 pub(super) fn named(candidates: &Candidates) -> impl Iterator<Item = (f64, &'static str)> + use<> {
     let mass = candidates.mass;
     let [a, b, c] = candidates.second_moments();
@@ -29,7 +31,7 @@ pub(super) fn named(candidates: &Candidates) -> impl Iterator<Item = (f64, &'sta
     ]
     .into_iter()
     .filter(move |(factor, _)| *factor != 0.5 || !may_be_a_tube)
-    // With a mass of about 1 kg the tensor is right either way.
+    // For a mass of about 1 kg the tensor is right with or without the factor.
     .filter(|(factor, _)| (factor - 1.0).abs() > LOOSE)
 }
 
@@ -57,7 +59,8 @@ pub(super) fn explain(candidates: &mut Candidates) {
     }
 }
 
-/// Offers one change of all moments that a factor makes right, of which element k is the first; of a product alone.
+/// Offers one change of all moments that a factor corrects, element k being the first; for a
+/// product, of that element alone.
 fn offer(candidates: &mut Candidates, k: usize, factor: f64, change: Change, tolerance: f64, why: &str) {
     let body = candidates.body;
     let is_wrong = |j: usize| {

@@ -1,18 +1,19 @@
-//! Moments from a wrong formula: `inertia.geometry`.
+//! Moments computed with a wrong formula: `inertia.geometry`.
 //!
-//! A tensor without products follows from the second moments a, b, c of the geometry along x, y, z, times the mass:
+//! A tensor without products follows from the second moments a, b, c of the geometry along x, y, z,
+//! times the mass:
 //!
 //!   ixx = b + c,  iyy = a + c,  izz = a + b.
 //!
-//! Known slips take the wrong pair (izz = a + c), leave one of the two out (ixx = c: the formula of
-//! a slender rod), or take a length twice or half as long as it is (4 c, c/4; 2 c for H²/2 in the
-//! place of (H/2)²). The written value must be that of the slip to all digits, as bodies are not
-//! uniform; the right one is the geometry's.
+//! Typical errors take the wrong pair (izz = a + c), or omit one of the two (ixx = c, the formula
+//! of a slender rod). Others take a length twice or half as long as it is (4 c, c/4; 2 c for H²/2
+//! in place of (H/2)²). The written value must equal the result of the error to all digits, because
+//! bodies are not uniform. The correct value is the geometry's.
 
 use super::explanation::{Candidates, Change, Slip, TIGHT, named};
 use super::factor::{ROUND_SECTION, RULE};
 
-/// The two axes across each axis.
+/// The two axes perpendicular to each axis.
 const ACROSS: [[usize; 2]; 3] = [[1, 2], [0, 2], [0, 1]];
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -26,7 +27,7 @@ pub(super) fn explain(candidates: &mut Candidates) {
     lengths(candidates, seconds);
 }
 
-/// Moments by wrong pairs of axes, and by one axis alone.
+/// Offers moments from a wrong pair of axes, or from one axis alone.
 fn each_by_itself(candidates: &mut Candidates, seconds: [f64; 3]) {
     let body = candidates.body;
     let wrong: Vec<usize> = (0..3).filter(|k| !candidates.agrees(*k, TIGHT)).collect();
@@ -55,7 +56,7 @@ fn each_by_itself(candidates: &mut Candidates, seconds: [f64; 3]) {
     }
 }
 
-/// Lengths along one axis or two that are wrong by one factor.
+/// Offers lengths along one or two axes that are wrong by one factor.
 fn lengths(candidates: &mut Candidates, seconds: [f64; 3]) {
     let body = candidates.body;
     for axes in [&[0][..], &[1], &[2], &[0, 1], &[0, 2], &[1, 2]] {
@@ -64,7 +65,7 @@ fn lengths(candidates: &mut Candidates, seconds: [f64; 3]) {
             (0.25, "a radius in the place of a diameter, or a half length of a full one"),
             (2.0, "H²/2 in the place of (H/2)²"),
         ] {
-            // Twice both of equal second moments is a thin tube, and right.
+            // A factor of 2 on two equal second moments is a thin tube, which is right.
             if let (true, &[i, j]) = (factor == 2.0, axes)
                 && (seconds[i] - seconds[j]).abs() <= ROUND_SECTION * seconds[i]
             {

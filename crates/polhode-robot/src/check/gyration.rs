@@ -1,7 +1,9 @@
-//! A radius of gyration longer than the link: `gyration.too_large`, or `inertia.unit` if a unit would explain it.
+//! Radius of gyration longer than the link: `gyration.too_large`, or `inertia.unit` if a wrong unit
+//! explains it.
 //!
-//! k = √(i3/m) is no longer than the way from the centre of mass to the farthest point of the body; a solid one has
-//! some half of that. So k beyond the reach of all that is drawn means mass where there is nothing.
+//! k = √(i3/m) cannot exceed the distance from the centre of mass to the farthest point of the
+//! body; a solid body has about half of that. If k exceeds the reach of all drawn shapes, the
+//! tensor puts mass where there is nothing.
 
 use super::body::Body;
 use super::dummy::Held;
@@ -12,26 +14,27 @@ use super::written::short;
 use crate::finding::{Finding, Severity};
 use crate::moments::trace;
 
-/// Room for what is not drawn: cables, screws, a cover.
+/// Factor on the reach for parts that are not drawn: cables, screws, a cover.
 const UNDRAWN: f64 = 1.1;
 
-/// Padding: simulators want light links heavier to turn than they are, and files pad them with equal moments of one
-/// digit. A gram with 1e-6 kg·m² is k = 3 cm. That is known, so a note: up to this mass and these moments.
+/// Upper bounds on mass and moment of padded links. For numerical stability, files give light links
+/// larger moments, equal and of one digit. A gram with 1e-6 kg·m² has k = 3 cm. Such padding is
+/// known, so it is a note.
 const PADDED_MASS: f64 = 0.1;
 const PADDED_MOMENT: f64 = 1e-3;
 
-/// And up to this many times what the geometry implies: ten times in length.
+/// Upper bound on the ratio of padded moments to those of the geometry: a factor of ten in length.
 const PADDED_FACTOR: f64 = 100.0;
 
-/// True if a light link's round moments are padding, `factor` times as large as they should be.
+/// Returns true if the round moments of a light link are padding, `factor` times the geometry's.
 pub(super) fn is_padded(body: &Body, held: Held, factor: f64) -> bool {
     let i3 = body.moments.values[2];
     let is_small = body.mass <= PADDED_MASS && i3 <= PADDED_MOMENT && factor <= PADDED_FACTOR;
     held == Held::Dummy || is_small && is_round(body)
 }
 
-/// Without geometry, a body as sparse as 10 kg/m³ (foam) and long: ten edges of the cube of that volume. A metre is
-/// granted in any case.
+/// Assumptions for a link without geometry: a density of at least 10 kg/m³ (foam), and a length of
+/// at most ten edges of the cube of that volume. A length of one metre is always accepted.
 const SPARSEST: f64 = 10.0;
 const LONGEST: f64 = 10.0;
 
@@ -39,10 +42,11 @@ pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
     let k = body.gyration();
     let i3 = body.moments.values[2];
     let implied = body.solids().map(|s| trace(&body.implied(s, body.mass)) / 3.0).reduce(f64::max);
-    // How large the moments should be, and within which factor that is known.
+    // Expected size of the moments, and the factor within which it is known.
     let (bound, seen, size, sure) = match body.reach() {
         Some(reach) => {
-            // Without volumes, a solid ball in bounds of that reach: ⅖ m r², r² = reach² / 3.
+            // Estimate without volumes: a solid ball in bounds of that reach, ⅖ m r² with r² =
+            // reach² / 3.
             let ball = 0.4 * body.mass * reach * reach / 3.0;
             let seen = format!("its geometry reaches {} m", short(reach, 4));
             (UNDRAWN * reach, seen, implied.unwrap_or(ball), 3.0)
@@ -59,7 +63,7 @@ pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
         return;
     }
     let [moment, mass, radius] = [i3, body.mass, k].map(|x| short(x, 4));
-    // A round number was typed, and never was one of CAD's.
+    // A round number was typed; CAD programs do not produce it.
     let typed = is_typed(body);
     let unit = nearest(trace(&body.written) / 3.0 / size, sure).filter(|_| !typed && held != Held::Dummy);
     let padded = is_padded(body, held, trace(&body.written) / 3.0 / size);

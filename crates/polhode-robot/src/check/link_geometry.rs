@@ -1,40 +1,47 @@
-//! The geometry of one link, as evidence for its mass properties.
+//! Geometry of one link, as evidence for its mass properties.
 
 use super::material::is_solid;
 use crate::geometry::{MeshReading, Shapes, Volume};
 use crate::model::{Geometry, Link, Role};
 
-/// The solids of one link, and the position of its centre of mass relative to them.
+/// Solids of one link, and the position of its centre of mass relative to them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LinkGeometry {
-    /// The solids that it may be: all that is seen, and all that is touched. One that fits is enough.
+    /// Candidate solids: the total of the visual shapes, and that of the collision shapes.
+    /// Agreement with one of them is sufficient.
     pub volumes: Vec<Volume>,
-    /// The least and the greatest x, y, z of all of them, in the link's frame; `None` if there are none.
+    /// Bounds of x, y, z over all solids, in the link's frame, m; `None` if there are none.
     pub bounds: Option<[[f64; 3]; 2]>,
-    /// True if programs disagree on how a mesh among them is turned: then every reading is a volume, and axes prove nothing.
+    /// True if programs disagree on the up axis of a mesh. Then each orientation is a candidate,
+    /// and axes are not evidence.
     pub is_turned_by_some: bool,
-    /// True if a shape could not be measured: then the others may be a simplified part of the link.
+    /// True if a shape could not be measured. The other shapes may then be a simplified part of the
+    /// link.
     pub is_incomplete: bool,
-    /// Distance of the inertial's centre of mass from the convex hull of all shapes, m; `None` if it is inside, or not known.
+    /// Distance of the inertial's centre of mass from the convex hull of all shapes, m; `None` if
+    /// it is inside or unknown.
     pub outside: Option<f64>,
-    /// The solids with all sizes times a factor, where no solid has a plausible density as written.
+    /// Solids with all sizes multiplied by a factor; only if no solid has a plausible density as
+    /// written.
     pub rescaled: Vec<Rescaled>,
 }
 
-/// The solids of a link whose shapes are in another unit than metres.
+/// Solids of a link whose sizes are assumed to be in another unit than metres.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rescaled {
-    /// The factor of all sizes: 0.001 for millimetres.
+    /// Factor applied to all sizes: 0.001 for millimetres.
     pub factor: f64,
-    /// The solids with these sizes, in the order of [`LinkGeometry::volumes`].
+    /// Solids with these sizes, in the order of [`LinkGeometry::volumes`].
     pub volumes: Vec<Volume>,
 }
 
-/// Units of length that meshes are exported in, in metres, and their inverses for meshes that were scaled twice.
+/// Units of length in which meshes are exported, m, and their inverses for meshes that were scaled
+/// twice.
 const UNITS: [f64; 6] = [0.001, 0.01, 0.0254, 1000.0, 100.0, 1.0 / 0.0254];
 
 impl LinkGeometry {
-    /// The sets of a link's shapes that can be measured as a whole. Half of a body says nothing of it.
+    /// Measures the shapes of a link. A role counts only if all of its shapes can be measured,
+    /// because a part of a body proves nothing.
     pub fn of(link: &Link, shapes: &Shapes<'_>) -> Self {
         let mut geometry = Self::measured(link, shapes);
         let inertial = link.inertial.as_ref().filter(|inertial| inertial.pose.unreadable.is_empty());
@@ -78,7 +85,8 @@ impl LinkGeometry {
     }
 }
 
-/// A link with the sizes of all its shapes times a factor. Their places stay: these are in the model's own unit.
+/// Returns the link with the sizes of its shapes multiplied by a factor. Their positions stay,
+/// because these are in the model's own unit.
 fn resized(link: &Link, factor: f64) -> Link {
     let shape = |geometry: &Geometry| Geometry { shape: geometry.shape.resized(factor), ..geometry.clone() };
     Link { geometry: link.geometry.iter().map(shape).collect(), ..link.clone() }

@@ -1,8 +1,11 @@
-//! Links that should have mass and have none: `mass.not_positive`, `mass.missing`, `mass.massless_collision`.
+//! Links that need a mass and have none: `mass.not_positive`, `mass.missing`,
+//! `mass.massless_collision`.
 //!
-//! A link without mass is a frame: a camera's, a tool's, a foot's. Frames are many, and no finding. But what moves by a
-//! joint of its own needs mass, its own or that of what hangs on it; a tensor without mass is no body's; and what is
-//! touched, has mass. Languages differ where nothing is said: in MJCF the geoms have it, in SDF it is 1 kg.
+//! A link without mass is a frame, such as that of a camera, a tool or a foot. Frames are common
+//! and are not reported. Three cases are reported. A link that is moved by a joint needs mass, its
+//! own or that of its descendants. A tensor without mass is unphysical. A link with collision
+//! geometry has mass. Defaults depend on the language: in MJCF the geoms have mass, in SDF the mass
+//! is 1 kg.
 
 use super::finding;
 use super::tree::Tree;
@@ -41,7 +44,8 @@ fn given(
     let tensor = inertial.tensor.slots().into_iter().flatten().filter_map(Slot::finite).find(|x| *x != 0.0);
     if let Some(moment) = tensor {
         let message = format!("0 kg with a moment of inertia: {} kg·m²", short(moment, 6));
-        // What is fixed to another link, a base that others hang on, and a lone link, which stands still, can do without either.
+        // A link fixed to another one, a base, and a single link at rest need neither mass nor
+        // tensor.
         let still = tree.is_carried(k) || tree.is_base(k) || tree.len() == 1;
         let severity =
             if still && model.format == ModelFormat::Urdf { Severity::Suspect } else { Severity::Impossible };
@@ -59,7 +63,7 @@ fn given(
     if tree.moves_itself(k) && !tree.has_mass_below(k) {
         let message =
             "mass 0 kg on a link that a joint moves, and nothing that hangs on it has mass".to_owned();
-        // A model without any mass is a drawing: it can be posed, and not simulated.
+        // A model without any mass is a drawing: it can be posed, but not simulated.
         let severity = if tree.has_mass() { Severity::Impossible } else { Severity::Suspect };
         return tell("mass.not_positive", severity, message, NEEDED);
     }
@@ -71,7 +75,7 @@ fn nothing(model: &RobotModel, tree: &Tree, k: usize, link: &Link, findings: &mu
         findings.push(finding(code, severity, link, link.name.span.clone(), message.to_owned(), rule));
     };
     match model.format {
-        // What MuJoCo refuses: a body with a joint that has no mass, nor any that is fixed to it.
+        // MuJoCo rejects a body with a joint if neither it nor a body welded to it has mass.
         ModelFormat::Mjcf => {
             if tree.moves_itself(k) && !tree.has_welded_mass(k) && !tree.is_bounded() {
                 let message = "no inertial and no geom on a body with a joint";
@@ -89,7 +93,7 @@ fn nothing(model: &RobotModel, tree: &Tree, k: usize, link: &Link, findings: &mu
                 tell("mass.missing", Severity::Suspect, message, "a link that can move says its mass");
             }
         }
-        // a body of USD without mass gets one from its shapes
+        // A USD body without mass takes it from its shapes.
         ModelFormat::Usd => {}
         ModelFormat::Urdf | ModelFormat::Osim => {
             if has_collision(link) {
@@ -105,7 +109,7 @@ fn nothing(model: &RobotModel, tree: &Tree, k: usize, link: &Link, findings: &mu
     }
 }
 
-/// A link without mass that something can touch.
+/// Reports a link without mass that has collision geometry.
 fn touched(tree: &Tree, k: usize, link: &Link, findings: &mut Vec<Finding>) {
     if !has_collision(link) {
         return;
@@ -114,7 +118,7 @@ fn touched(tree: &Tree, k: usize, link: &Link, findings: &mut Vec<Finding>) {
         let rule = "programs lump what fixed joints hold together: the mass is that of the others";
         (Severity::Note, ": it is fixed to what has mass", rule)
     } else if tree.is_base(tree.group(k)) && !tree.is_held_by_mass(k) {
-        // That is how a robot is fixed to its place in URDF.
+        // In URDF, a massless base link fixes the robot to the world.
         let rule = "a base without mass cannot move: right for a robot that is fixed to its place";
         (Severity::Note, "", rule)
     } else if !tree.is_weighed() && tree.len() > 1 {

@@ -1,8 +1,9 @@
-//! Densities of materials, by which the mass and the geometry of a link are compared.
+//! Density bounds for comparing the mass with the geometry of a link.
 //!
-//! Foam has 10 kg/m³ or more, osmium 22,590. Closed meshes are drawn after the body, so these bounds are theirs.
-//! Primitives and hulls represent a body more or less well: a box around it is several times its volume, a small
-//! cylinder for a motor a part of it; so they are given a factor of five on both sides.
+//! Foam has at least 10 kg/m³, osmium 22,590 kg/m³. Closed meshes follow the body closely, so these
+//! bounds apply to them. Primitives and hulls represent a body roughly: an enclosing box has
+//! several times its volume, a small cylinder for a motor only a part of it. For them the bounds
+//! are widened by a factor of five on both sides.
 
 use crate::geometry::VolumeKind;
 
@@ -12,15 +13,15 @@ pub(super) const LEAST: f64 = 10.0;
 /// Highest density of a material, kg/m³.
 const GREATEST: f64 = 25_000.0;
 
-/// Factor that primitives and hulls are given.
+/// Factor by which the bounds are widened for primitives and hulls.
 const CRUDE: f64 = 5.0;
 
-/// True if a material has this density, kg/m³.
+/// Returns true if a material has this density, kg/m³.
 pub(super) fn is_solid(density: f64) -> bool {
     (LEAST..=GREATEST).contains(&density)
 }
 
-/// True if a material may have this density, kg/m³, given how well such a solid represents the body.
+/// Returns true if this density, kg/m³, is plausible for a solid of this kind.
 pub(super) fn is_plausible(kind: VolumeKind, density: f64) -> bool {
     let slack = if kind == VolumeKind::Closed { 1.0 } else { CRUDE };
     density >= LEAST / slack && density <= GREATEST * slack

@@ -1,5 +1,5 @@
-//! Numbers that are not there, are none, or are not finite: `number.missing`, `number.malformed`, `number.not_finite`; axes without a
-//! direction: `joint.axis`.
+//! Numbers that are missing, malformed or not finite: `number.missing`, `number.malformed`,
+//! `number.not_finite`. Zero joint axes: `joint.axis`.
 
 use std::collections::HashSet;
 
@@ -23,7 +23,7 @@ pub(super) fn check(model: &RobotModel, link: &Link, tree: &Tree, k: usize, find
     for unreadable in &inertial.pose.unreadable {
         number(&link.name.text, unreadable, "the inertial's place or attitude", findings);
     }
-    // A frame without mass needs no tensor, and what is not given SDF takes from its defaults.
+    // A frame without mass needs no tensor. SDF has defaults for missing numbers.
     let weighs = inertial.mass.finite().is_some_and(|m| m != 0.0);
     if let (Tensor::Missing(span), true) = (&inertial.tensor, weighs) {
         let moves = tree.moves(k) || model.format == ModelFormat::Urdf;
@@ -43,9 +43,9 @@ pub(super) fn check(model: &RobotModel, link: &Link, tree: &Tree, k: usize, find
     }
 }
 
-/// Numbers of places, attitudes and sizes that cannot be read.
+/// Reports unreadable numbers of poses and sizes.
 pub(super) fn elsewhere(model: &RobotModel, findings: &mut Vec<Finding>) {
-    // One number may place a link, a joint and a shape.
+    // One number may be part of the pose of a link, a joint and a shape.
     let mut told: HashSet<usize> = findings.iter().map(|f| f.span.start).collect();
     let mut tell = |subject: &Name, pose: &Pose, what: &str| {
         for unreadable in &pose.unreadable {
@@ -77,7 +77,7 @@ pub(super) fn elsewhere(model: &RobotModel, findings: &mut Vec<Finding>) {
             findings.push(Finding::new("joint.axis", severity, subject, span, message, rule));
         }
     }
-    // MuJoCo fits the sizes of primitives to meshes, and takes defaults.
+    // MuJoCo fits the sizes of primitives to meshes, and has defaults.
     let links = model.links.iter().filter(|_| model.format != ModelFormat::Mjcf);
     for link in links {
         for geometry in link.geometry.iter().filter(|g| !has_size(&g.shape)) {
@@ -89,7 +89,8 @@ pub(super) fn elsewhere(model: &RobotModel, findings: &mut Vec<Finding>) {
     }
 }
 
-/// Zero is a size: some draw nothing so. A mesh without scale is none.
+/// Returns true if the sizes are valid. Zero is valid, since some models use it for shapes without
+/// extent. A zero scale of a mesh is not.
 fn has_size(shape: &GeometryShape) -> bool {
     let sizes = |sizes: &[f64]| sizes.iter().all(|x| *x >= 0.0 && x.is_finite());
     match shape {
@@ -130,7 +131,7 @@ fn number(subject: &str, number: &Number, what: &str, findings: &mut Vec<Finding
         }
         None => {
             let (why, meant) = complaint(text);
-            // Kilograms are a mass's unit, and only its.
+            // The unit kg applies only to a mass.
             let meant = meant.filter(|_| !text.ends_with("kg") || what == "mass");
             ("number.malformed", format!("{what} = {text:?} {why}"), meant)
         }

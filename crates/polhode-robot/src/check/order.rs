@@ -1,13 +1,19 @@
-//! Six right numbers in the wrong places: `inertia.order`.
+//! Six correct numbers in the wrong order: `inertia.order`.
 //!
-//! There are three lists of the six elements: diagonal first (xx yy zz xy xz yz, as MJCF's
-//! `fullinertia`), the upper triangle by rows (xx xy xz yy yz zz, as URDF and SDF name them), and
-//! the lower triangle by rows (xx xy yy xz yz zz). One read as another puts products where moments
-//! belong, which mostly is impossible. Nine numbers by rows (xx xy xz yx yy yz …), cut at six,
-//! betray themselves by xy = yx in two places; zz is lost then. The products alone may be
-//! exchanged, too (xy yz xz, or yz xz xy as engineers number stresses), and the moments of a body
-//! without products (a cylinder along another axis), or two axes with all that belongs to them (y
-//! up for z up): only the geometry can tell that.
+//! Three orders of the elements are common:
+//!
+//! - diagonal first (xx yy zz xy xz yz, as MJCF's `fullinertia`),
+//! - upper triangle by rows (xx xy xz yy yz zz, as URDF and SDF name them),
+//! - lower triangle by rows (xx xy yy xz yz zz).
+//!
+//! Reading one order as another puts products in place of moments, which is usually impossible.
+//! Nine numbers by rows (xx xy xz yx yy yz …) cut to six show xy = yx in two places; zz is then
+//! lost.
+//!
+//! Other exchanges leave a physical tensor, so only the geometry can detect them. The products may
+//! be exchanged (xy yz xz; or yz xz xy, the order of stresses in engineering). The moments of a
+//! body without products may be exchanged (a cylinder along another axis). Two axes may be
+//! exchanged with all their elements (y up for z up).
 
 use super::body::Body;
 use super::explanation::{Candidates, Change, LOOSE, Slip};
@@ -16,11 +22,11 @@ use crate::finding::{Finding, Severity};
 use crate::model::Tensor;
 use crate::moments::{Elements, Moments};
 
-/// `right[k] = ± written[from[k]]`
+/// Permutation of elements with signs: `right[k] = ± written[from[k]]`
 struct Order {
     mistake: &'static str,
     from: [usize; 6],
-    /// True for elements that have the other sign, too.
+    /// True for elements whose sign changes.
     negated: [bool; 6],
 }
 
@@ -28,7 +34,7 @@ const fn order(mistake: &'static str, from: [usize; 6]) -> Order {
     Order { mistake, from, negated: [false; 6] }
 }
 
-/// A quarter of a turn: two products change their signs.
+/// Returns a rotation by 90°: two products change sign.
 const fn turn(mistake: &'static str, from: [usize; 6], negated: [usize; 2]) -> Order {
     let mut order = order(mistake, from);
     let [i, j] = negated;
@@ -66,8 +72,7 @@ const MOMENTS: [Order; 5] = [
     order("moments in the order yy zz xx", [2, 0, 1, 3, 4, 5]),
 ];
 
-/// Axes exchanged with all that belongs to them. Frames of another handedness exchange two; a
-/// quarter of a turn changes signs, too.
+/// Exchanged axes. A change of handedness exchanges two axes; a rotation by 90° also changes signs.
 const AXES: [Order; 9] = [
     order("axes x and y exchanged", [1, 0, 2, 3, 5, 4]),
     order("axes x and z exchanged", [2, 1, 0, 5, 4, 3]),
@@ -82,7 +87,7 @@ const AXES: [Order; 9] = [
 
 const RULE: &str = "URDF and SDF name each element; MJCF's fullinertia is xx yy zz xy xz yz";
 
-/// What an order may explain of a tensor that is possible, but not its geometry's.
+/// Offers orders that explain a physical tensor that differs from its geometry's.
 pub(super) fn explain(candidates: &mut Candidates) {
     let body = candidates.body;
     let bare = body.written[3..].iter().all(|x| *x == 0.0);
@@ -103,13 +108,14 @@ pub(super) fn explain(candidates: &mut Candidates) {
     }
 }
 
-/// What an order may explain of a tensor that is impossible, and that no geometry explains.
+/// Reports orders that explain an impossible tensor without help of the geometry.
 pub(super) fn check_alone(body: &Body, findings: &mut Vec<Finding>) {
     if !matches!(body.inertial.tensor, Tensor::Six(_)) || body.written == [0.0; 6] {
         return;
     }
     let [ixx, iyy, _, ixy, ixz, iyz] = body.written;
-    // Nine by rows in the places xx xy xz yy yz zz: yx is where iyy is, yy where iyz is. Products may be zero.
+    // Nine elements by rows in the places xx xy xz yy yz zz: yx is in the place of iyy, yy in that
+    // of iyz. Products may be zero.
     let bare = [iyy, ixy, ixz] == [0.0; 3] && ixx > 0.0 && iyz > 0.0;
     if iyy == ixy && (iyy != 0.0 || bare) {
         let message = format!(

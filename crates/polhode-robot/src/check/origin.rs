@@ -1,16 +1,16 @@
-//! A tensor about the link's origin instead of the centre of mass: `inertia.about_origin`.
+//! Tensor about the link's origin instead of the centre of mass: `inertia.about_origin`.
 //!
 //!   I_centre = I_origin − m (c² 1 − c cᵀ)
 //!
-//! CAD programs print both, one below the other. The centre c is the file's; if the file leaves it at the origin, the
-//! geometry's.
+//! CAD programs print both, one below the other. The centre c is that of the file. If the file
+//! leaves it at the origin, it is the geometry's centroid.
 
 use super::explanation::{Candidates, Change, LOOSE, SAME, Slip};
 use super::written::short;
 use crate::model::Tensor;
 use crate::moments::{difference, parallel_axes};
 
-/// This part of the largest element is rounding of the computation.
+/// Values below this fraction of the largest element are rounding of the computation.
 const NOTHING: f64 = 1e-12;
 
 pub(super) fn explain(candidates: &mut Candidates) {
@@ -27,8 +27,8 @@ pub(super) fn explain(candidates: &mut Candidates) {
             "tensor about the link's origin, and no centre of mass given; the geometry's is {away} m from there"
         )
     };
-    // A small difference of large numbers has few digits. Where these do not tell it from the
-    // geometry's value, that is the right one.
+    // A small difference of large numbers has few digits. If these do not distinguish it from the
+    // geometry's value, the geometry's value is used.
     let size = right.iter().fold(0.0, |max, x| f64::max(max, x.abs()));
     let target = candidates.target;
     let is_targets = |k: usize| (right[k] - target[k]).abs() <= body.rounding[k];
@@ -41,7 +41,7 @@ pub(super) fn explain(candidates: &mut Candidates) {
         let is_same = (right[k] - body.written[k]).abs() <= NOTHING * size;
         if is_same { Change::Keep } else { Change::Value(value(k)) }
     };
-    // Moments alone have no place for products.
+    // A diagonal tensor cannot store products.
     let is_sure = is_given && has_digits && matches!(body.inertial.tensor, Tensor::Six(_));
     candidates.offer(std::array::from_fn(change), LOOSE, || Slip {
         code: "inertia.about_origin",

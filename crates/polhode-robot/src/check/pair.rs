@@ -1,16 +1,22 @@
-//! The same products on both sides of a mirrored pair: `inertia.mirrored_pair`.
+//! Equal products on both sides of a mirrored pair: `inertia.mirrored_pair`.
 //!
-//! Left and right limbs are mirror images, and their frames mostly have the same axes. Mirrored along x, a body has
-//! −ixy and −ixz; files are often filled by copying. Links are a pair if their names differ in the side alone, and a
-//! mirrored one if masses and principal moments are equal and the centres of mass mirror each other. If a frame on one
-//! side is turned by half a turn besides, the map is another of the four that change one sign or three:
+//! Left and right limbs are mirror images, and their frames usually have the same axes. The mirror
+//! image along x has −ixy and −ixz, but files are often copied from one side to the other. Two
+//! links are a pair if their names differ only in the side. The pair is mirrored if masses and
+//! principal moments are equal and the centres of mass are mirror images.
+//!
+//! If a frame on one side is also rotated by 180°, the map is another of the four that change one
+//! sign or three:
 //!
 //!   (x, y, z) → (−x, y, z), (x, −y, z), (x, y, −z), (−x, −y, −z).
 //!
-//! The centres say which of these are possible. It is a finding if products and moments have equal sizes on both sides
-//! and the signs are those of none of them. The same part twice, as a motor is, is none: its centre is the same on both
-//! sides, or turned by half a turn (two signs), and then its products are, too. If the centres are the same because
-//! they lie in the mirror plane, the joints' places say where that is; but links of the same meshes in the same places are the same
+//! The centres of mass determine which maps are possible. A finding requires products and moments
+//! of equal magnitude on both sides, with signs that agree with none of these maps.
+//!
+//! A part that is used twice, such as a motor, is not a mirrored pair. Its centre is the same on
+//! both sides, or rotated by 180° (two signs), and so are its products. If the centres coincide
+//! because they lie in the mirror plane, the joint positions determine the plane. Links with the
+//! same meshes at the same poses are the same part.
 //! part.
 
 use std::collections::HashMap;
@@ -23,7 +29,8 @@ use crate::finding::{Finding, Severity};
 use crate::model::{Geometry, GeometryShape, Joint, Link, RobotModel};
 use crate::moments::{PLACES, norm};
 
-/// What sides are called: left, right; rear ones as in FL FR RL RR and LF RF LH RH.
+/// Names of sides: left and right, and front and rear combinations such as FL FR RL RR and LF RF LH
+/// RH.
 pub(super) const SIDES: [(&str, &str); 12] = [
     ("left", "right"),
     ("l", "r"),
@@ -39,13 +46,14 @@ pub(super) const SIDES: [(&str, &str); 12] = [
     ("lr", "rr"),
 ];
 
-/// Sides are equal to within this: they were the same number once, and perhaps rounded.
+/// Relative difference below which two values are equal; they may have been rounded.
 pub(super) const EQUAL: f64 = 0.01;
 
-/// A coordinate or a product is there if it is this part of its vector or tensor. Below, its sign may be noise.
+/// Fraction of its vector or tensor above which a coordinate or product counts as nonzero. Below
+/// it, the sign may be noise.
 const THERE: f64 = 0.02;
 
-/// Mirror images, and then the same part turned by half a turn.
+/// Signs of the mirror images, then of the rotations by 180°.
 pub(super) const MAPS: [[f64; 3]; 7] = [
     [-1.0, 1.0, 1.0],
     [1.0, -1.0, 1.0],
@@ -72,7 +80,8 @@ pub(super) fn check(model: &RobotModel, tree: &Tree, bodies: &[Option<Body>], fi
     }
 }
 
-/// The mirror between the places of two joints whose frames have their parents' axes.
+/// Returns the mirror between the positions of two joints; their frames must have their parents'
+/// axes.
 fn mirror_of_joints([left, right]: [Option<&Joint>; 2]) -> Option<[f64; 3]> {
     let place = |joint: Option<&Joint>| {
         let pose = &joint?.pose;
@@ -86,7 +95,7 @@ fn mirror_of_joints([left, right]: [Option<&Joint>; 2]) -> Option<[f64; 3]> {
     (0..3).all(|k| (right[k] - mirror[k] * left[k]).abs() <= EQUAL * distance).then_some(mirror)
 }
 
-/// The names that a left link's right one may have.
+/// Returns the possible names of the right counterpart of a left link.
 fn mirrored_names(name: &str) -> Vec<String> {
     let mut names = Vec::new();
     for (start, end) in words(name) {
@@ -106,8 +115,8 @@ fn mirrored_names(name: &str) -> Vec<String> {
     names
 }
 
-/// Where words begin and end: at what is no letter, and before a capital after a small letter or before one
-/// (`LHip` is L, Hip).
+/// Returns the ranges of words in a name. A word ends at a character that is not a letter, and
+/// before a capital after a small letter or before one (`LHip` is L, Hip).
 pub(super) fn words(name: &str) -> Vec<(usize, usize)> {
     let bytes = name.as_bytes();
     let mut words = Vec::new();
@@ -181,7 +190,7 @@ fn pair(left: &Body, right: &Body, joints: [Option<&Joint>; 2], findings: &mut V
     findings.push(found);
 }
 
-/// Whether both links have meshes, and the same ones in the same places.
+/// Returns true if both links have meshes, and the same ones at the same poses.
 fn have_the_same_meshes(left: &Link, right: &Link) -> bool {
     let meshes = |link: &Link| -> Vec<_> {
         let mesh = |geometry: &Geometry| match &geometry.shape {

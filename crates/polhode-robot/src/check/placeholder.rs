@@ -1,9 +1,11 @@
-//! A tensor that stands in for one: `inertia.placeholder`.
+//! Placeholder tensors: `inertia.placeholder`.
 //!
-//! The identity is what templates have. It is right for nothing but a metre of cube of 6 kg, so it is a finding where
-//! the geometry contradicts, and a note where none can. Other round tensors are common and often meant (1e-3 is what
-//! ROS teaches for links of a hand's size): they are one where three links or more that differ share one, or that are too small for
-//! it. Then it is one finding that names them all, not one for each.
+//! The identity is a common template value. It is correct only for bodies such as a cube of 1 m and
+//! 6 kg. It is a finding if the geometry contradicts it, and a note without geometry.
+//!
+//! Other round tensors are common and often intended; 1e-3 is the value in ROS tutorials for links
+//! of the size of a hand. They are a finding if at least three different links share one, or if
+//! links are too small for it. This gives one finding that names all of them.
 
 use std::collections::{HashMap, HashSet};
 
@@ -15,24 +17,25 @@ use super::written::short;
 use crate::finding::{Finding, Severity};
 use crate::moments::trace;
 
-/// Round moments this large are felt; below, they are padding.
+/// Moment above which a round tensor affects the motion, kg·m². Smaller ones are padding.
 const FELT: f64 = 0.01;
 
-/// Links differ if their masses or their reaches do by this factor.
+/// Factor between masses, or between reaches, from which links count as different.
 const DIFFER: f64 = 1.5;
 
-/// A placeholder this near to what the geometry implies serves.
+/// Factor between a placeholder and the geometry's moments within which it is acceptable.
 const NEAR: f64 = 5.0;
 
 const RULE: &str = "a tensor follows from the mass and the shape of its own link";
 
-/// True if the moments are equal, of one digit, and the products zero.
+/// Returns true if the three moments are equal and of one digit, and the products are zero.
 pub(super) fn is_round(body: &Body) -> bool {
     let [xx, yy, zz, ..] = body.written;
     xx == yy && yy == zz && is_typed(body)
 }
 
-/// True if the moments that are not zero are equal, of one digit, and the products zero: no program has computed them.
+/// Returns true if the nonzero moments are equal and of one digit, and the products are zero. A
+/// program does not compute such values.
 pub(super) fn is_typed(body: &Body) -> bool {
     let [xx, yy, zz, xy, xz, yz] = body.written;
     let greatest = xx.max(yy).max(zz);
@@ -47,7 +50,7 @@ pub(super) fn is_typed(body: &Body) -> bool {
     [xy, xz, yz] == [0.0; 3] && alike
 }
 
-/// The identity.
+/// Checks for the identity.
 pub(super) fn check(body: &Body, _: Held, findings: &mut Vec<Finding>) {
     if body.written != [1.0, 1.0, 1.0, 0.0, 0.0, 0.0] {
         return;
@@ -69,8 +72,8 @@ pub(super) fn check(body: &Body, _: Held, findings: &mut Vec<Finding>) {
     findings.push(found);
 }
 
-/// One round tensor on links that differ, or that cannot all have it: one finding for all of them, in place of those that say of each
-/// alone how far off it is.
+/// Reports a round tensor shared by links that differ, or that cannot all have it. One finding for
+/// all replaces the findings about the size of each.
 pub(super) fn repeated(bodies: &[Option<Body>], findings: &mut Vec<Finding>) {
     let mut groups: HashMap<u64, Vec<&Body>> = HashMap::new();
     let mut order = Vec::new();
@@ -95,12 +98,12 @@ pub(super) fn repeated(bodies: &[Option<Body>], findings: &mut Vec<Finding>) {
     }
 }
 
-/// What is said of one link's round tensor alone.
+/// Returns true if a finding is about the size of a link's round tensor.
 fn stands_for(finding: &Finding) -> bool {
     matches!(finding.code, "gyration.too_large" | "inertia.unit" | "inertia.placeholder" | "inertia.geometry")
 }
 
-/// Something else that is wrong with a tensor.
+/// Returns true if a finding reports another error of a tensor.
 fn is_other_reason(finding: &Finding) -> bool {
     finding.severity >= Severity::Suspect && finding.code.starts_with("inertia.") && !stands_for(finding)
 }

@@ -1,13 +1,14 @@
-//! Can a body have this tensor? `inertia.negative`, `inertia.triangle`, `inertia.zero`, and the note `inertia.rounding`.
+//! Physical consistency of a tensor: `inertia.negative`, `inertia.triangle`, `inertia.zero`, and
+//! the note `inertia.rounding`.
 //!
-//! A tensor is possible if no principal moment is negative and i1 + i2 ≥ i3. Both say that a matrix has no negative
-//! eigenvalue, I itself and C = ½ tr(I) 1 − I, which holds the second moments; i1 + i2 − i3 = 2 λ(C) for the axis v of
-//! i3. The least eigenvalue is concave in the elements. So, if an element may be off by h_ij, no choice within that
-//! lifts it above
+//! A tensor is possible if no principal moment is negative and i1 + i2 ≥ i3. Both conditions state
+//! that a matrix has no negative eigenvalue: I itself, and C = ½ tr(I) 1 − I, the matrix of second
+//! moments. For the axis v of i3, i1 + i2 − i3 = 2 λ(C). The smallest eigenvalue is concave in the
+//! elements. If the element I_ij may be off by h_ij, no choice within these bounds lifts it above
 //!
-//!   λ + Σ |v_i v_j| h_ij   (for I),    λ + Σ |½ δ_ij − v_i v_j| h_ij   (for C, h of the diagonal in the trace, too),
+//!   λ + Σ |v_i v_j| h_ij   (for I),    λ + Σ |½ δ_ij − v_i v_j| h_ij   (for C; h of the diagonal also enters the trace).
 //!
-//! and what is negative even then is impossible for certain, however the digits were rounded.
+//! If this bound is negative, the tensor is certainly impossible, however the digits were rounded.
 
 use super::body::Body;
 use super::written::short;
@@ -16,28 +17,32 @@ use crate::finding::{Finding, Severity};
 use crate::model::{Inertial, Link, Slot};
 use crate::moments::Elements;
 
-/// The part of i3 that rounding of a tensor's own digits may explain: what two written digits can be off by, half a unit
-/// each in 1.0 + 1.0 < 2.1. A number of one digit was typed, and stands as it is: diag(1, 1, 3) is impossible.
+/// Maximum violation attributed to rounding of the digits, relative to i3: half a unit of the
+/// second digit in each number, as in 1.0 + 1.0 < 2.1. A number of one digit was typed and is
+/// exact: diag(1, 1, 3) is impossible.
 pub(super) const TYPED: f64 = 0.08;
 
-/// The part of i3 that single precision leaves of a flat plate's i1 + i2 = i3, printed with however many digits.
+/// Violation of i1 + i2 = i3 for a flat plate by single precision, relative to i3, whatever the
+/// number of printed digits.
 const SINGLE_PRECISION: f64 = 1e-6;
 
-/// What has a radius of gyration of less than an atom's is a point, m: 1e-35 kg·m² is a program's zero.
+/// Radius of gyration below which a body is a point, m; smaller than an atom. Programs print values
+/// such as 1e-35 kg·m² for zero.
 const POINT: f64 = 1e-10;
 
-/// What a link's mass and tensor are good for.
+/// Verdict on a link's mass and tensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Verdict {
-    /// Possible, of a positive mass: it can be compared with the geometry.
+    /// Physical tensor and positive mass; it can be compared with the geometry.
     Possible,
-    /// An unphysical tensor.
+    /// Unphysical tensor.
     Impossible,
-    /// Without a mass or a tensor that says anything: that is a finding of its own.
+    /// Zero mass or zero tensor; reported separately.
     Nothing,
 }
 
-/// Tells what is wrong with a tensor, whatever is wrong with the mass. `carried`: fixed to another link.
+/// Reports the errors of a tensor, independently of the mass. `carried`: the link is fixed to
+/// another link.
 pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> Verdict {
     let weighs = body.mass > 0.0;
     let nothing = if weighs { body.mass * POINT * POINT } else { 0.0 };
@@ -63,7 +68,7 @@ pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> 
         return Verdict::Impossible;
     }
     if gap < -triangle {
-        // As many digits as show the gap.
+        // Enough digits to show the gap.
         let digits = (3.0 + (i3 / -gap).log10().ceil()).clamp(6.0, 17.0) as usize;
         let message = format!(
             "i1 + i2 = {} < i3 = {} kg·m² (by {}){}",
@@ -97,7 +102,8 @@ pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> 
     if weighs { Verdict::Possible } else { Verdict::Nothing }
 }
 
-/// What the moments alone tell of a tensor of which another number cannot be read. They obey the same rules about any axes.
+/// Checks the moments of a tensor that has an unreadable number elsewhere. They obey the same rules
+/// in any axes.
 pub(super) fn of_moments(link: &Link, inertial: &Inertial) -> Option<Finding> {
     let slots: Vec<&Slot> = inertial.tensor.slots()?.take(3).collect();
     let negative = slots.iter().find_map(|slot| slot.finite().filter(|x| *x < 0.0).map(|x| (slot.span(), x)));
@@ -123,14 +129,15 @@ pub(super) fn of_moments(link: &Link, inertial: &Inertial) -> Option<Finding> {
     Some(found)
 }
 
-/// Adds to the message what would make the tensor possible.
+/// Adds a suggestion to the message: a change that makes the tensor possible.
 fn suggest(body: &Body, found: &mut Finding) {
     if let Some(suggestion) = power::suggestion(body) {
         found.message = format!("{}; {suggestion}", found.message);
     }
 }
 
-/// How much of a negative λ(I), or of i1 + i2 − i3 (`trace` = 1), rounding may explain; v is the axis.
+/// Returns the part of a negative λ(I), or of a negative i1 + i2 − i3 (`trace` = 1), that rounding
+/// may explain; v is the axis.
 fn slack(body: &Body, v: [f64; 3], trace: f64) -> f64 {
     let [xx, yy, zz, xy, xz, yz]: Elements = body.rounding;
     let [x, y, z] = v;
@@ -144,7 +151,7 @@ fn slack(body: &Body, v: [f64; 3], trace: f64) -> f64 {
     SINGLE_PRECISION * i3 + if body.is_cut { digits } else { digits.min(TYPED * i3) }
 }
 
-/// What else is absurd, to help to see why.
+/// Returns further evidence of an error: a radius of gyration beyond the geometry.
 fn beyond(body: &Body) -> String {
     let (k, Some(reach)) = (body.gyration(), body.reach()) else { return String::new() };
     if !(k > reach) {
@@ -154,7 +161,7 @@ fn beyond(body: &Body) -> String {
     format!("; gyration radius {k} m at {m} kg, its geometry reaches {reach} m")
 }
 
-/// A point with mass. Fixed to a body it adds to that; alone it cannot be turned.
+/// Reports a point mass. Fixed to another body it is acceptable; alone it cannot rotate.
 fn zero(body: &Body, carried: bool, findings: &mut Vec<Finding>) {
     let (severity, rule) = if carried || body.link.is_static {
         (Severity::Suspect, "only a point has no moment of inertia; fixed to another link it may be meant")

@@ -1,15 +1,16 @@
-//! A suggestion for an impossible tensor without geometry: the one power of ten in one element that would make it possible.
+//! Suggests, for an impossible tensor without geometry, the only power of ten in one element that
+//! makes it possible.
 //!
-//! `izz="1676359E-6"` next to moments of some 2e-3 kg·m² is a point forgotten in 1676.359E-6. All
-//! elements and all powers from 10⁻¹² to 10¹² are tried. One that is possible is not therefore
-//! right: of a rod, any of the three moments may be the wrong one. So this is a suggestion, and
-//! never a fix.
+//! `izz="1676359E-6"` next to moments of about 2e-3 kg·m² has a missing decimal point: 1676.359E-6
+//! is right. All elements and all powers from 10⁻¹² to 10¹² are tried. A possible result is not
+//! necessarily right: for a rod, any of the three moments may be the wrong one. It is therefore a
+//! suggestion and never a fix.
 
 use super::body::{Body, NAMES};
 use super::written::{shifted, short};
 use crate::moments::Moments;
 
-/// The only suggestion of this kind, if there is one and no geometry to ask.
+/// Returns the suggestion for a link without geometry, if it is the only one of this kind.
 pub(super) fn suggestion(body: &Body) -> Option<String> {
     if body.solids().next().is_some() {
         return None;

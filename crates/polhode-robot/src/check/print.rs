@@ -1,20 +1,23 @@
-//! How far rounding may have moved a printed number.
+//! Rounding error of printed numbers.
 //!
-//! Half a unit in the last written place: `"0.001234"` may be anything from 0.0012335 to 0.0012345. But a short number
-//! may be short because someone typed it: `"1"` is not 1 ± 0.5. So the allowance of a tensor's own digits is bounded
-//! where it is used ([`super::possible`]), unless the print is known to cut numbers at a fixed place, as `%.6f` does:
-//! then `"0.000001"` is anything from 0.5e-6 to 1.5e-6, however few digits are left of it. Either the tensor shows
-//! that (all six numbers end at the same fourth or later decimal) or the whole file does (no tensor has a digit
-//! beyond some place, half of the numbers reach it, and a quarter of them have three digits there).
+//! The error is half a unit of the last written digit: `"0.001234"` may be anything from 0.0012335
+//! to 0.0012345. But a short number may have been typed: `"1"` is not 1 ± 0.5. The tolerance from a
+//! tensor's own digits is therefore limited where it is used ([`super::possible`]).
+//!
+//! The limit does not apply if numbers were printed with a fixed number of decimals, as with
+//! `%.6f`. Then `"0.000001"` is anything from 0.5e-6 to 1.5e-6. This is detected in two ways. In a
+//! tensor, all six numbers end at the same decimal, the fourth or later. In a file, no tensor has a
+//! digit beyond some decimal, half of the numbers reach it, and a quarter of them have three digits
+//! there.
 
 use super::written::{decimals, last_place, significant};
 use crate::model::{Number, RobotModel, Slot, Tensor};
 use crate::moments::Elements;
 
-/// What is known of how a file's tensors were printed.
+/// Number format in which a file's tensors were printed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Print {
-    /// The power of ten at which all of them were cut, if they were.
+    /// Power of ten of the last decimal, if all numbers were cut there.
     place: Option<i32>,
 }
 
@@ -37,7 +40,8 @@ impl Print {
         Self { place: cut.then_some(finest) }
     }
 
-    /// Half a unit of the last place of each element, and whether the print is known to be cut at a place.
+    /// Returns half a unit of the last digit of each element, and true if the numbers were cut at a
+    /// fixed decimal.
     pub(super) fn rounding(self, tensor: &Tensor, values: &Elements) -> (Elements, bool) {
         let mut halves = [0.0; 6];
         let mut fixed = Some(None);
@@ -52,7 +56,7 @@ impl Print {
                 _ => None,
             };
         }
-        // "0" says nothing of a unit: it is no coarser than the numbers beside it.
+        // "0" does not show its unit; it is at most that of the coarsest other number.
         let coarsest =
             halves.iter().zip(values).filter(|(_, x)| **x != 0.0).map(|(h, _)| *h).fold(0.0, f64::max);
         for (half, value) in halves.iter_mut().zip(values) {

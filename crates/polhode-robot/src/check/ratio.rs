@@ -1,12 +1,19 @@
-//! Moments far from those of the link's geometry, whatever the reason: `inertia.geometry`.
+//! Moments that deviate strongly from those of the link's geometry: `inertia.geometry`.
 //!
-//! Bodies are not uniform, so a factor is allowed: three, of the sum of the moments, which depends
-//! on no axes. All mass at the corners of a box has three times the sum of the uniform box, and no
-//! mass within the box has more; a thin shell has 5/3 (a ball) to 2 (a tube). Below a third, the
-//! mass is within 0.6 of the size. Hulls accuse nobody, as the mesh bounds no solid, and nor do
-//! solids of an implausible density. A primitive of a low density is a simplified box around the
-//! body: it says how large moments may be, and not how small, unless all have one ratio. Any solid
-//! of a low density may hold a compact body: all its moments are small, and their sum is not below
+//! Bodies are not uniform, so the sum of the moments may differ by a factor of three. The sum does
+//! not depend on the axes. The bound follows from extreme mass distributions: with all mass at the
+//! corners of a box, the sum is three times that of the uniform box, and no distribution within the
+//! box has more. A thin shell has 5/3 (ball) to 2 (tube). Below a third, the mass is within 0.6 of
+//! the size.
+//!
+//! Exceptions:
+//!
+//! - Hulls and solids with an implausible density are not used.
+//! - A primitive of low density is a simplified box around the body. It gives an upper bound for
+//!   the moments, and a lower bound only if all three have the same ratio.
+//! - Any solid of low density may contain a compact body. Then all moments are small, and their sum
+//!   is at least that of a steel ball.
+//! - Rounding of the written digits is included. One solid that agrees is sufficient.
 //! that of a steel ball. Rounding of the written digits counts. One solid that agrees is enough.
 
 use super::body::{Body, NAMES};
@@ -21,27 +28,28 @@ use crate::finding::{Finding, Severity};
 use crate::geometry::{Volume, VolumeKind};
 use crate::moments::{Elements, trace};
 
-/// Moments may be this many times larger or smaller.
+/// Permitted ratio of the sums of the moments, in both directions.
 const FACTOR: f64 = 3.0;
 
-/// Primitives of a lower density, kg/m³, are boxes around a body.
+/// Density below which a primitive is assumed to be a box around the body, kg/m³.
 const AROUND: f64 = 300.0;
 
-/// A body in a solid of a lower density, kg/m³, may be compact. Aluminium, 2,700 kg/m³, that fills a fifth of the volume
-/// has a third of the moments, as 5^(−2/3) = 0.34.
+/// Density below which the body may be compact within its solid, kg/m³. Aluminium, 2,700 kg/m³,
+/// that fills a fifth of the volume has a third of the moments, since 5^(−2/3) = 0.34.
 const COMPACT: f64 = 500.0;
 
 /// Density of steel, kg/m³.
 const STEEL: f64 = 7850.0;
 
-/// Ratios within this factor are one.
+/// Factor within which ratios count as equal.
 const ONE_RATIO: f64 = 1.01;
 
 fn extremes(values: [f64; 3]) -> [f64; 2] {
     [values.into_iter().fold(f64::INFINITY, f64::min), values.into_iter().fold(f64::NEG_INFINITY, f64::max)]
 }
 
-/// True if the moments are equal, as those of cubes and balls are: then one ratio says nothing of the shape.
+/// Returns true if the moments are equal, as for cubes and balls. Equal ratios are then no evidence
+/// about the shape.
 fn is_isotropic([xx, yy, zz, ..]: Elements) -> bool {
     let [least, greatest] = extremes([xx, yy, zz]);
     greatest <= 1.05 * least
@@ -51,10 +59,10 @@ pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
     if body.geometry.is_incomplete || !body.has_plausible_density() {
         return;
     }
-    // A number of one digit was typed.
+    // Numbers with one digit were typed and are exact.
     let rounded = body.numbers().filter(|(k, number)| *k < 3 && significant(&number.text) >= 2);
     let digits = rounded.map(|(k, _)| body.rounding[k]).sum::<f64>() / trace(&body.written);
-    // ⅖ m r² about each axis
+    // Moment about each axis: ⅖ m r².
     let radius = (0.75 * body.mass / STEEL / std::f64::consts::PI).cbrt();
     let ball = 1.2 * body.mass * radius * radius;
     let factor = FACTOR * (1.0 + digits.min(TYPED));

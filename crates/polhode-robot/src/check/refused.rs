@@ -1,21 +1,22 @@
-//! Moving links without mass or inertia that programs refuse, drop or change: `mass.refused`.
+//! Moving links without mass or inertia that programs reject, drop or change: `mass.refused`.
 //!
-//! The languages allow such links. Programs treat them differently; the sources are:
+//! The formats allow such links. Programs treat them differently; the sources are:
 //!
 //! - MuJoCo 3, `mjCModel::CheckBodyMassInertia` in `user_model.cc`. A body with a joint needs mass
 //!   and three principal moments of at least `mjMINVAL` = 1e-15, its own or those of a jointless
-//!   descendant. Otherwise the compiler refuses the model. In a URDF, a link without `<inertial>`
+//!   descendant. Otherwise the compiler rejects the model. In a URDF, a link without `<inertial>`
 //!   gets its mass from collision geometry; `xml_urdf.cc` gives visual geometry the density 0.
 //! - Gazebo, `CreateSDF` in `parser_urdf.cc` of libsdformat. A link without positive mass after
-//!   fixed joints are lumped is not converted, with a warning. Its joints and all links that hang
-//!   from it are lost, too. A link named `world` is exempt.
+//!   fixed joints are lumped is not converted, with a warning. Its joints and all its descendants
+//!   are lost, too. A link named `world` is exempt.
 //! - Drake, `MultibodyTree::ThrowDefaultMassInertiaError`, which `Finalize` calls. It throws for a
 //!   massless assembly of welded bodies that moves by a joint and carries no other moving body.
 //! - Isaac Sim, a warning of `omni.physx`: "a possibly invalid inertia tensor … and a negative
 //!   mass, small sphere approximated inertia was used". It is for a rigid body without mass and
 //!   colliders. UsdPhysics ignores a mass of 0.
 //!
-//! The finding is a note, as the model may be for other programs. It is an error for the programs that the user names.
+//! The finding is a note, because the model may be intended for other programs. It is an error for
+//! the programs that the user names.
 
 use std::collections::HashSet;
 
@@ -26,14 +27,14 @@ use crate::model::{Link, ModelFormat, RobotModel, Role, Slot, Tensor};
 use crate::moments::{Elements, Moments};
 use crate::program::Program;
 
-/// `mjMINVAL`, kg and kg·m².
+/// Lower limit of mass and moments in MuJoCo (`mjMINVAL`), kg and kg·m².
 const LEAST: f64 = 1e-15;
 
 const RULE: &str = "a link that moves has mass and moments of inertia";
 
-/// Adds what programs refuse: notes, and errors for `programs`.
+/// Adds the rejections by programs: as errors for `programs`, otherwise as notes.
 pub(super) fn check(model: &RobotModel, tree: &Tree, programs: &[Program], findings: &mut Vec<Finding>) {
-    // a file that was not read may have the mass
+    // The mass may be in a file that was not read.
     if model.notes.iter().any(|note| matches!(note.code, "read.include" | "read.left_out")) {
         return;
     }
@@ -41,7 +42,7 @@ pub(super) fn check(model: &RobotModel, tree: &Tree, programs: &[Program], findi
         found.severity >= Severity::Suspect
             && (found.code.starts_with("mass.") || found.code.starts_with("inertia."))
     };
-    // a mass that is stated and not read
+    // Links with a mass that is stated but not read.
     let unread = model.notes.iter().filter(|note| matches!(note.code, "read.animated" | "read.numbers"));
     let told = findings.iter().filter(is_told).map(|found| found.subject.clone());
     let told: HashSet<String> = told.chain(unread.map(|note| note.subject.clone())).collect();
@@ -62,12 +63,12 @@ pub(super) fn check(model: &RobotModel, tree: &Tree, programs: &[Program], findi
     }
 }
 
-/// A program that does not take a link as it is written.
+/// Program that does not accept a link as it is written.
 struct Refusal {
     program: Program,
-    /// It is reported as a note if the program is not named.
+    /// True if the rejection is reported as a note for programs that are not named.
     is_noted: bool,
-    /// The link has no mass; else too little mass or inertia.
+    /// True if the link has no mass; false if its mass or inertia is too small.
     is_massless: bool,
 }
 
@@ -86,7 +87,7 @@ fn message(refusals: &[Refusal]) -> String {
     format!("{what}: {}", refusals.iter().map(does).collect::<Vec<_>>().join(", "))
 }
 
-/// Returns the programs that do not take a link, together with those that fixed joints hold to it.
+/// Returns the programs that do not accept a link together with the links fixed to it.
 fn refusals(model: &RobotModel, tree: &Tree, k: usize, link: &Link) -> Vec<Refusal> {
     let is_root = tree.is_base(k);
     let moves = tree.moves_itself(k) || model.format == ModelFormat::Usd && tree.moves(k);
@@ -101,12 +102,12 @@ fn refusals(model: &RobotModel, tree: &Tree, k: usize, link: &Link) -> Vec<Refus
         links().any(|link| link.geometry.iter().any(|geometry| geometry.role == Role::Collision));
     let is_welded = |link: usize| tree.group(link) == k;
     let is_terminal = group.iter().all(|&k| tree.hanging(k).iter().all(|(child, _)| is_welded(*child)));
-    // a body of MuJoCo needs a joint, and one mass that is large enough
+    // MuJoCo checks only bodies with a joint, and needs one sufficient mass.
     let from_geoms = model.format == ModelFormat::Urdf
         && links()
             .any(|link| link.inertial.is_none() && link.geometry.iter().any(|g| g.role == Role::Collision));
     let mujoco = moves && !weighs(Weight::Enough) && !from_geoms && !tree.is_bounded();
-    // in SDF what is not given is 1 kg, and 0 kg is refused by a rule of its own
+    // In SDF a missing mass is 1 kg, and 0 kg is rejected by a separate rule.
     let gazebo = model.format == ModelFormat::Urdf && is_massless && link.name.text != "world";
     let drake = moves && is_massless && is_terminal && model.format == ModelFormat::Urdf;
     let isaac = moves && is_massless && !has_collision && model.format != ModelFormat::Mjcf;
@@ -121,12 +122,13 @@ fn refusals(model: &RobotModel, tree: &Tree, k: usize, link: &Link) -> Vec<Refus
     all.into_iter().filter(refuses).map(refusal).collect()
 }
 
-/// Mass and inertia of a link against [`LEAST`].
+/// Mass and inertia of a link compared with [`LEAST`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Weight {
-    /// All of them are at least [`LEAST`]; or a program computes them; or they cannot be read, which is another finding.
+    /// All values are at least [`LEAST`], or a program computes them, or they cannot be read
+    /// (reported elsewhere).
     Enough,
-    /// Some mass, and not enough of it or of a moment.
+    /// Positive mass, but the mass or a moment is too small.
     Little,
     None,
 }
@@ -139,7 +141,7 @@ fn weight(format: ModelFormat, link: &Link) -> Weight {
     };
     match (&link.computed, &link.inertial) {
         (Some(Ok(computed)), _) => of(computed.mass, &computed.tensor),
-        // USD: 0 and no mass are to be computed from colliders
+        // USD: without mass, or with mass 0, the mass is computed from colliders.
         (Some(Err(_)), None) if format == ModelFormat::Usd => Weight::None,
         (Some(Err(_)), _) => Weight::Enough,
         (None, None) if link.from_geometry || format == ModelFormat::Sdf => Weight::Enough,
@@ -152,7 +154,7 @@ fn weight(format: ModelFormat, link: &Link) -> Weight {
             let numbers: Option<Vec<f64>> =
                 inertial.tensor.slots().and_then(|slots| slots.map(Slot::finite).collect());
             match (&inertial.tensor, numbers.as_deref()) {
-                // MuJoCo takes a URDF's tensor of zeros as not given
+                // MuJoCo treats a zero tensor in a URDF as missing.
                 (_, Some(numbers)) if format == ModelFormat::Urdf && numbers.iter().all(|x| *x == 0.0) => {
                     Weight::Enough
                 }

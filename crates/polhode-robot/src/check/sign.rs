@@ -1,10 +1,10 @@
-//! Products with the other sign: `inertia.sign`.
+//! Products with the wrong sign: `inertia.sign`.
 //!
-//! Some programs print +∫xy dm, some −∫xy dm; a tensor wants the second. The wrong one flips all
-//! three. One copied from the mirrored side of a robot has two of them flipped, the two that hold
-//! the mirrored axis. Both leave the moments of the diagonal right, and are possible as often as
-//! not: only the geometry can tell. It tells of each product by itself; a product too small to tell
-//! leaves the fix open.
+//! Some programs print +∫xy dm, others −∫xy dm; the tensor needs the second. The wrong convention
+//! flips all three products. A tensor copied from the mirrored side of a robot has two flipped
+//! products, those that contain the mirrored axis. Both errors keep the diagonal, and the result is
+//! often physical. Only the geometry can detect them. Each product is tested separately; if one is
+//! too small to decide, a fix is not offered.
 
 use super::explanation::{BETTER, Candidates, Change, LOOSE, SAME, Slip, named};
 use crate::model::Tensor;
@@ -15,7 +15,7 @@ pub(super) fn explain(candidates: &mut Candidates) {
         return;
     }
     let present: Vec<usize> = (3..6).filter(|k| body.written[*k] != 0.0).collect();
-    // Distance of the product from the geometry's, as written and with the other sign.
+    // Deviation of the product from the geometry's: as written, and with the opposite sign.
     let off = |k: usize| {
         let [written, target] = [body.written[k], candidates.target[k]];
         ((written - target).abs(), (written + target).abs())

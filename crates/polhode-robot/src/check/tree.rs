@@ -1,7 +1,10 @@
-//! How links hang together: `tree.cycle`, `tree.no_root`, `tree.two_roots`, `tree.two_parents`, `tree.unknown_link`,
-//! `tree.shared_name`, `tree.duplicate_link`, `tree.duplicate_joint`, `tree.empty`.
+//! Structure of the links and joints: `tree.cycle`, `tree.no_root`, `tree.two_roots`,
+//! `tree.two_parents`, `tree.unknown_link`, `tree.shared_name`, `tree.duplicate_link`,
+//! `tree.duplicate_joint`, `tree.empty`.
 //!
-//! Each joint is looked at a fixed number of times, and nothing recurses. What each language wants differs: a URDF is one tree; SDF has free
+//! The time is linear in the number of joints, and nothing recurses. The formats have different
+//! rules: a URDF is one tree; SDF may have free links and closed loops; MJCF is nested and
+//! therefore always a tree.
 //! links and may close loops; MJCF is nested, so always a tree.
 
 use std::collections::{HashMap, HashSet};
@@ -10,22 +13,24 @@ use super::tree_order::sorted;
 use crate::finding::{Finding, Severity};
 use crate::model::{JointKind, Link, ModelFormat, Name, RobotModel};
 
-/// The links' order, and what hangs on what.
+/// Links in topological order, with their parents and children.
 #[derive(Debug)]
 pub(super) struct Tree {
-    /// Of each link: joints that hold it, and the links that hold those; `None` for the world or a link unknown.
+    /// Parents of each link: the joints to them, and their indices; `None` for the world or an
+    /// unknown link.
     holders: Vec<Vec<(usize, Option<usize>)>>,
-    /// Of each link: the links that hang on it, and whether fixed.
+    /// Children of each link, and true if the joint is fixed.
     hanging: Vec<Vec<(usize, bool)>>,
-    /// Each a chain of links, the first holds the second, the last the first.
+    /// Cycles of links: each link is the parent of the next, and the last is the parent of the
+    /// first.
     cycles: Vec<Vec<usize>>,
     moves: Vec<bool>,
     moves_itself: Vec<bool>,
     mass_below: Vec<bool>,
     welded_mass: Vec<bool>,
-    /// Of each link: the first link of those that fixed joints hold together with it, down the tree.
+    /// Group of each link: the first link of those joined by fixed joints, down the tree.
     group: Vec<usize>,
-    /// Of each group, by its first link: whether any of it has mass.
+    /// True if a link of the group has mass, indexed by the first link of the group.
     group_mass: Vec<bool>,
     is_weighed: bool,
     is_bounded: bool,
@@ -52,7 +57,7 @@ impl Tree {
 
         let mut moves = moves_itself.clone();
         for &k in &order {
-            // A link of SDF or USD that nothing holds is free.
+            // A link of SDF or USD without a parent is free.
             moves[k] |= closes_loops(model.format) && holders[k].is_empty();
             moves[k] &= !model.links[k].is_static;
             if moves[k] {
@@ -62,7 +67,7 @@ impl Tree {
             }
         }
         let mut mass: Vec<bool> = model.links.iter().map(|link| has_mass(model.format, link)).collect();
-        // The bodies that are not read have mass, and may be fixed to the link.
+        // Bodies that are not read have mass, and may be fixed to the link.
         for link in model.unread_bodies.iter().filter_map(|unread| names.get(unread.link.as_deref()?)) {
             mass[*link] = true;
         }
@@ -101,12 +106,12 @@ impl Tree {
         self.holders.len()
     }
 
-    /// The links that hang on it, and whether by a fixed joint.
+    /// Returns the children of a link, and true if the joint is fixed.
     pub(super) fn hanging(&self, k: usize) -> &[(usize, bool)] {
         self.hanging.get(k).map_or(&[], Vec::as_slice)
     }
 
-    /// A link, and all that fixed joints hold together with it, down the tree.
+    /// Returns a link and all links joined to it by fixed joints, down the tree.
     pub(super) fn welded(&self, k: usize) -> Vec<usize> {
         let (mut welded, mut seen) = (vec![k], HashSet::from([k]));
         let mut next = 0;
@@ -118,68 +123,68 @@ impl Tree {
         welded
     }
 
-    /// The first joint that holds it.
+    /// Returns the first joint to a parent.
     pub(super) fn joint(&self, k: usize) -> Option<usize> {
         self.holders.get(k)?.first().map(|(joint, _)| *joint)
     }
 
-    /// True if joints let the link move, its own or those of what it hangs on.
+    /// Returns true if joints let the link move, its own or those of its ancestors.
     pub(super) fn moves(&self, k: usize) -> bool {
         self.moves.get(k).copied().unwrap_or(false)
     }
 
-    /// True if a joint of its own lets it move.
+    /// Returns true if a joint of its own lets the link move.
     pub(super) fn moves_itself(&self, k: usize) -> bool {
         self.moves_itself.get(k).copied().unwrap_or(false)
     }
 
-    /// True if it is fixed to another link, or to the world.
+    /// Returns true if the link is fixed to another link or to the world.
     pub(super) fn is_carried(&self, k: usize) -> bool {
         self.holders.get(k).is_some_and(|h| !h.is_empty()) && !self.moves_itself(k)
     }
 
-    /// True if links hang on it, and it on none.
+    /// Returns true if the link has children but no parent.
     pub(super) fn is_base(&self, k: usize) -> bool {
         self.holders.get(k).is_some_and(Vec::is_empty) && self.hanging.get(k).is_some_and(|h| !h.is_empty())
     }
 
-    /// True if it or anything that hangs on it has mass.
+    /// Returns true if the link or one of its descendants has mass.
     pub(super) fn has_mass_below(&self, k: usize) -> bool {
         self.mass_below.get(k).copied().unwrap_or(true)
     }
 
-    /// True if any link has mass.
+    /// Returns true if any link has mass.
     pub(super) fn has_mass(&self) -> bool {
         self.mass_below.contains(&true)
     }
 
-    /// True if it or anything that is fixed to it has mass.
+    /// Returns true if the link or a descendant fixed to it has mass.
     pub(super) fn has_welded_mass(&self, k: usize) -> bool {
         self.welded_mass.get(k).copied().unwrap_or(true)
     }
 
-    /// The first link of those that fixed joints hold together with this one.
+    /// Returns the first link of the group joined by fixed joints.
     pub(super) fn group(&self, k: usize) -> usize {
         self.group.get(k).copied().unwrap_or(k)
     }
 
-    /// True if anything that fixed joints hold together with it, or itself, has mass.
+    /// Returns true if a link of the same fixed group has mass.
     pub(super) fn is_held_by_mass(&self, k: usize) -> bool {
         self.group_mass.get(self.group(k)).copied().unwrap_or(true)
     }
 
-    /// True if MuJoCo is told a least mass of every body.
+    /// Returns true if the model sets a lower bound on every mass for MuJoCo.
     pub(super) fn is_bounded(&self) -> bool {
         self.is_bounded
     }
 
-    /// True if any link says its mass.
+    /// Returns true if any link states its mass.
     pub(super) fn is_weighed(&self) -> bool {
         self.is_weighed
     }
 }
 
-/// The first link of each name.
+/// Returns the index of the first link of each name.
 fn index(links: &[Link]) -> HashMap<&str, usize> {
     let mut names = HashMap::with_capacity(links.len());
     for (k, link) in links.iter().enumerate() {
@@ -188,11 +193,12 @@ fn index(links: &[Link]) -> HashMap<&str, usize> {
     names
 }
 
-/// Mass that the file says, or that its language takes. What cannot be read is a finding of its own.
+/// Returns true if the link has mass, stated or by default. An unreadable mass is reported
+/// elsewhere.
 fn has_mass(format: ModelFormat, link: &Link) -> bool {
     match &link.inertial {
         Some(inertial) => inertial.mass.finite().is_none_or(|m| m > 0.0),
-        None if format == ModelFormat::Mjcf && matches!(link.computed, Some(Err(_))) => true, // it may be anywhere
+        None if format == ModelFormat::Mjcf && matches!(link.computed, Some(Err(_))) => true, // unknown
         None if link
             .computed
             .as_ref()
@@ -207,12 +213,12 @@ fn has_mass(format: ModelFormat, link: &Link) -> bool {
 
 const CLOSED_LOOPS: &str = "SDF and USD may close loops; not every engine can";
 
-/// Whether the language has joints between any links, not a tree.
+/// Returns true if the format allows joints between any two links.
 fn closes_loops(format: ModelFormat) -> bool {
     matches!(format, ModelFormat::Sdf | ModelFormat::Usd)
 }
 
-/// What is wrong with the tree.
+/// Checks the structure of the model.
 pub(super) fn check(model: &RobotModel, tree: &Tree) -> Vec<Finding> {
     let mut findings = Vec::new();
     let is_urdf = model.format == ModelFormat::Urdf;
@@ -269,7 +275,8 @@ fn duplicates(model: &RobotModel, findings: &mut Vec<Finding>) {
     shared(model, findings);
 }
 
-/// A link and a joint of one name: SDF has one space of names, URDF and MJCF have two.
+/// Reports a link and a joint with the same name. SDF has one namespace for both; URDF and MJCF
+/// have two.
 fn shared(model: &RobotModel, findings: &mut Vec<Finding>) {
     let (severity, rule) = match model.format {
         ModelFormat::Sdf => {
@@ -290,7 +297,8 @@ fn shared(model: &RobotModel, findings: &mut Vec<Finding>) {
 
 fn unknown(model: &RobotModel, findings: &mut Vec<Finding>) {
     let names = index(&model.links);
-    // In SDF a joint may hold a named frame or a link of an included model, in USD a prim of another layer.
+    // In SDF a joint may refer to a frame or to a link of an included model, in USD to a prim of
+    // another layer.
     let is_part = match model.format {
         ModelFormat::Sdf => ["<frame", "<include"].iter().any(|tag| model.text.contains(tag)),
         ModelFormat::Usd => model.notes.iter().any(|note| note.code == "read.include"),
@@ -322,7 +330,7 @@ fn round(model: &RobotModel, tree: &Tree, cycle: &[usize]) -> Option<Finding> {
     let (joint, _) = tree.holders.get(first)?.iter().find(|(_, p)| *p == Some(last))?;
     let joint = model.joints.get(*joint)?;
     let link = model.links.get(first)?;
-    // The chain of a long cycle is its ends.
+    // Only the ends of a long cycle are shown.
     let name = |k: &usize| model.links.get(*k).map_or("", |l| l.name.text.as_str());
     let shown: Vec<&str> = if cycle.len() <= 12 {
         cycle.iter().map(name).collect()
@@ -347,7 +355,7 @@ fn round(model: &RobotModel, tree: &Tree, cycle: &[usize]) -> Option<Finding> {
 
 fn two_parents(model: &RobotModel, tree: &Tree, k: usize, link: &Link, findings: &mut Vec<Finding>) {
     let Some([(_, first), rest @ ..]) = tree.holders.get(k).map(Vec::as_slice) else { return };
-    // A body of MJCF has as many joints as it likes to its one parent.
+    // An MJCF body may have several joints to its parent.
     let second = rest.iter().find(|(_, parent)| parent != first || model.format == ModelFormat::Urdf);
     let Some(joint) = second.and_then(|(j, _)| model.joints.get(*j)) else { return };
     let parent = |joint: Option<&usize>| {
@@ -376,7 +384,7 @@ fn roots(model: &RobotModel, tree: &Tree, findings: &mut Vec<Finding>) {
         .links
         .iter()
         .zip(&tree.holders)
-        // None, or the world.
+        // Joints without a parent, or with the world as parent.
         .filter(|(_, holders)| {
             holders.iter().all(|(joint, _)| model.joints.get(*joint).is_some_and(|j| j.parent.is_none()))
         })

@@ -1,9 +1,9 @@
-//! An order of links in which parents come first.
+//! Topological order of links.
 //!
-//! Links are taken off in the order of Kahn (Comm. ACM 5 (1962) 558): one whose parents are all taken can be taken. What is left hangs on a
-//! cycle, and going from parent to parent there must come round.
+//! Kahn's algorithm (Comm. ACM 5 (1962) 558) takes a link when all its parents are taken. Each
+//! remaining link has a remaining parent, so following parents must end in a cycle.
 
-/// Links in an order in which parents come first, and the cycles that cannot be ordered.
+/// Returns the links in an order with parents first, and the cycles that cannot be ordered.
 pub(super) fn sorted(
     holders: &[Vec<(usize, Option<usize>)>],
     hanging: &[Vec<(usize, bool)>],
@@ -21,7 +21,7 @@ pub(super) fn sorted(
             }
         }
     }
-    // Each link that is left has a parent that is left. `walk` says which walk came by.
+    // Each remaining link has a remaining parent. `walk` stores the walk that visited a link.
     let mut cycles = Vec::new();
     let mut walk = vec![0; open.len()];
     for start in 0..open.len() {

@@ -1,8 +1,8 @@
-//! Counterparts of a link as evidence: its other side, or the same part with another number.
+//! Counterparts of a link as evidence: the other side, or the same part with another number.
 //!
-//! Names of counterparts differ only in sides and numbers. Their solids are the same ones, as they are, mirrored or turned
-//! by half a turn: with s of ±1 on each axis, c → s c and I_ij → s_i s_j I_ij. If a counterpart is without findings, its
-//! numbers are evidence: a fix that leads to others is not written.
+//! The names of counterparts differ only in sides and numbers. Their solids are equal, mirrored, or
+//! rotated by 180°: with s = ±1 for each axis, c → s c and I_ij → s_i s_j I_ij. A counterpart
+//! without findings is evidence: a fix that leads to different numbers is withdrawn.
 
 use std::collections::{HashMap, HashSet};
 
@@ -15,10 +15,11 @@ use crate::geometry::Volume;
 use crate::model::{Number, RobotModel, Slot};
 use crate::moments::{Elements, PLACES, difference, elements, norm, rotated};
 
-/// Counterparts that a link is compared with: legs are four to eight, and the time stays linear.
+/// Maximum number of counterparts for each link. Robots have four to eight legs, and the time stays
+/// linear.
 const COMPARED: usize = 16;
 
-/// Withdraws fixes that the counterparts contradict.
+/// Withdraws fixes that counterparts contradict.
 pub(super) fn withdraw(model: &RobotModel, bodies: &[Option<Body>], findings: &mut [Finding]) {
     if findings.iter().all(|finding| finding.repair.is_none()) {
         return;
@@ -66,7 +67,8 @@ fn is_of_inertia(finding: &Finding) -> bool {
     ["mass", "inertia", "density", "gyration"].contains(&subject)
 }
 
-/// The name without sides and numbers: `"FL_calf"` and `"RR_calf"` have one, and so have `"finger_1"` and `"finger_2"`.
+/// Returns the name without sides and numbers. `"FL_calf"` and `"RR_calf"` have the same key, and
+/// so have `"finger_1"` and `"finger_2"`.
 fn key(name: &str) -> String {
     let mut key = String::new();
     let mut end_before = 0;
@@ -88,11 +90,11 @@ fn key(name: &str) -> String {
     plain
 }
 
-/// The numbers that a fix changes, as they are after it.
+/// Numbers that a fix changes, after the fix.
 struct Numbers {
     mass: Option<f64>,
     center: Option<[f64; 3]>,
-    /// Along the link's axes.
+    /// Tensor in link axes, kg·m².
     tensor: Option<Elements>,
 }
 
@@ -123,7 +125,8 @@ impl Numbers {
         Self { mass, center, tensor }
     }
 
-    /// True if the counterpart has these numbers, false if it has others; `None` if it says nothing of them.
+    /// Returns true if the counterpart has these numbers, false if it has others, and `None` if it
+    /// cannot decide.
     fn confirmed_by(&self, body: &Body, twin: &Body) -> Option<bool> {
         let is_same_mass = (self.mass.unwrap_or(body.mass) - twin.mass).abs() <= EQUAL * twin.mass;
         let says = self.mass.is_some() || is_same_mass && (self.center.is_some() || self.tensor.is_some());
@@ -143,7 +146,7 @@ impl Numbers {
     }
 }
 
-/// True if a map takes each solid of one link to that of the other.
+/// Returns true if a map takes each solid of one link to that of the other.
 fn has_solids(body: &Body, twin: &Body, s: &[f64; 3]) -> bool {
     let is_one = |(a, b): (&Volume, &Volume)| {
         let [own, other] = [a, b].map(|solid| elements(&solid.tensor_per_density));

@@ -1,9 +1,9 @@
-//! All elements wrong by one factor: another unit entered as kg·m² (`inertia.unit`), or a power of
-//! ten, the mass, or lengths (`inertia.geometry`).
+//! All elements wrong by one factor: a unit other than kg·m² (`inertia.unit`), or a power of ten,
+//! the mass, or lengths (`inertia.geometry`).
 //!
-//! CAD programs print g·mm² as they print kg·m², and a file does not say. Where the geometry's tensor is found again
-//! after the change of unit, in all elements, that is a fix. Where only the size is right, and the gyration radius
-//! absurd, it is a question ([`super::gyration`]).
+//! CAD programs print g·mm² like kg·m², and a file does not state the unit. If the change of unit
+//! gives the geometry's tensor in all elements, it is a fix. If only the magnitude agrees and the
+//! radius of gyration is unrealistic, it is a question to the user ([`super::gyration`]).
 
 use super::explanation::{Candidates, Change, Slip, TIGHT, times_too};
 use super::factor::{self, RULE};
@@ -11,13 +11,13 @@ use super::placeholder::is_round;
 use super::written::short;
 use crate::moments::trace;
 
-/// A unit that moments of inertia are given in.
+/// Unit of moments of inertia.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Unit {
     pub(super) name: &'static str,
-    /// In kg·m².
+    /// Value of the unit, kg·m².
     pub(super) factor: f64,
-    /// The factor as a power of ten, if it is one.
+    /// Exponent of the factor, if it is a power of ten.
     power: Option<i32>,
 }
 
@@ -32,10 +32,10 @@ const UNITS: [Unit; 8] = [
     Unit { name: "lb·ft²", factor: 0.042_140_110_093_80, power: None },
 ];
 
-/// Powers of ten of tensors too small: the same slips the other way.
+/// Powers of ten for tensors that are too small: the same errors in the opposite direction.
 const TOO_SMALL: [i32; 4] = [3, 4, 6, 9];
 
-/// The unit in which numbers too large by `ratio` would be right, to within a factor.
+/// Returns the unit that explains numbers too large by `ratio`, within a factor.
 pub(super) fn nearest(ratio: f64, within: f64) -> Option<Unit> {
     let distance = |u: &Unit| (ratio * u.factor).ln().abs();
     let decimal = UNITS.iter().filter(|u| u.power.is_some());

@@ -1,15 +1,15 @@
-//! A number as a text: what its digits say, and the same number changed in the same style.
+//! Number as text: the meaning of its digits, and changed values in the same style.
 
-/// The parts of a decimal number's text.
+/// Parts of the text of a decimal number.
 struct Parts<'t> {
     sign: &'t str,
     whole: &'t str,
     fraction: Option<&'t str>,
-    /// With its letter and sign: `"E-6"`.
+    /// Exponent with its letter and sign: `"E-6"`.
     power: &'t str,
 }
 
-/// The parts; `None` if the text is no plain decimal number.
+/// Splits a decimal number into its parts; `None` for other texts.
 fn parts(text: &str) -> Option<Parts<'_>> {
     let rest = text.strip_prefix(['+', '-']).unwrap_or(text);
     let sign = &text[..text.len() - rest.len()];
@@ -27,14 +27,14 @@ fn exponent(power: &str) -> i32 {
     power.get(1..).and_then(|p| p.parse().ok()).unwrap_or(0)
 }
 
-/// The power of ten of the last written place: −6 for `"0.001234"` and for `"1676359E-6"`.
+/// Returns the power of ten of the last written digit: −6 for `"0.001234"` and for `"1676359E-6"`.
 pub(super) fn last_place(text: &str) -> Option<i32> {
     let parts = parts(text)?;
     let decimals = i32::try_from(parts.fraction.map_or(0, str::len)).ok()?;
     exponent(parts.power).checked_sub(decimals)
 }
 
-/// Written digits from the first that is not zero.
+/// Returns the number of significant digits, from the first nonzero digit.
 pub(super) fn significant(text: &str) -> usize {
     parts(text).map_or(0, |p| {
         let digits = format!("{}{}", p.whole, p.fraction.unwrap_or(""));
@@ -42,12 +42,12 @@ pub(super) fn significant(text: &str) -> usize {
     })
 }
 
-/// How many digits follow the point, if the number is written without a power of ten.
+/// Returns the number of decimals, if the number is written without an exponent.
 pub(super) fn decimals(text: &str) -> Option<usize> {
     parts(text).filter(|p| p.power.is_empty()).map(|p| p.fraction.map_or(0, str::len))
 }
 
-/// The number with the other sign.
+/// Returns the number with the opposite sign.
 pub(super) fn negated(text: &str) -> String {
     match text.strip_prefix('-') {
         Some(rest) => rest.to_owned(),
@@ -55,13 +55,15 @@ pub(super) fn negated(text: &str) -> String {
     }
 }
 
-/// The number times 10^`powers`, with its own digits: `"1676359E-6"`, −3 → `"1676.359E-6"`; `"310"`, −9 → `"310e-9"`.
+/// Returns the number times 10^`powers` with the same digits: `"1676359E-6"`, −3 → `"1676.359E-6"`;
+/// `"310"`, −9 → `"310e-9"`.
 pub(super) fn shifted(text: &str, powers: i32) -> Option<String> {
     let Parts { sign, whole, fraction, power } = parts(text)?;
     let digits = format!("{whole}{}", fraction.unwrap_or(""));
     let point = i32::try_from(whole.len()).ok()?.checked_add(powers)?;
     let length = i32::try_from(digits.len()).ok()?;
-    // The point stays among the digits, or near them in a number without a power of ten; otherwise the power takes it.
+    // The point stays among the digits, or near them in a number without exponent. Otherwise the
+    // exponent changes.
     let near = if power.is_empty() { -4..=length.max(1) + 3 } else { 1..=length };
     if near.contains(&point) {
         let moved = if point <= 0 {
@@ -82,7 +84,8 @@ pub(super) fn shifted(text: &str, powers: i32) -> Option<String> {
     Some(format!("{mantissa}{letter}{}", exponent(power).checked_add(powers)?))
 }
 
-/// Another value in the style of a text: at least six digits, and a power of ten if the text has one.
+/// Returns another value in the style of a text: at least six digits, with an exponent if the text
+/// has one.
 pub(super) fn restyled(value: f64, text: &str) -> String {
     let digits = significant(text).clamp(6, 17);
     let letter = if text.contains('E') { 'E' } else { 'e' };
@@ -95,7 +98,7 @@ pub(super) fn restyled(value: f64, text: &str) -> String {
     format!("{value:.places$}")
 }
 
-/// Why a text is not a number, and the number that it must mean, if that is sure.
+/// Returns the reason why a text is not a number, and the intended number if it is certain.
 pub(super) fn complaint(text: &str) -> (String, Option<String>) {
     if text.is_empty() {
         return ("is empty".to_owned(), None);
@@ -108,7 +111,8 @@ pub(super) fn complaint(text: &str) -> (String, Option<String>) {
         && !text.contains('.')
         && parts(&pointed).is_some_and(|_| is_number(&pointed))
     {
-        // "1,234" may be one thousand and more: only a comma that cannot part thousands is a decimal one for sure.
+        // "1,234" may mean one thousand two hundred thirty-four. Only a comma that cannot separate
+        // thousands is certainly a decimal comma.
         let (whole, rest) = text.split_once(',').unwrap_or((text, ""));
         let whole = whole.trim_start_matches(['+', '-']);
         let thousands = rest.len() == 3 && !whole.is_empty() && !whole.starts_with('0') && whole.len() <= 3;
@@ -146,7 +150,7 @@ fn is_number(text: &str) -> bool {
     text.parse::<f64>().is_ok_and(f64::is_finite)
 }
 
-/// A number for people, with so many significant digits, without trailing zeros.
+/// Formats a number with this many significant digits, without trailing zeros.
 pub(super) fn short(x: f64, digits: usize) -> String {
     if !x.is_finite() {
         return format!("{x}");

@@ -1,4 +1,4 @@
-//! Commands of GitHub's workflows: an annotation at the line of each finding.
+//! Workflow commands of GitHub Actions: an annotation at the line of each finding.
 
 use std::fmt::Write as _;
 
@@ -11,7 +11,8 @@ use crate::policy::Reason;
 use crate::report::Counts;
 
 impl Checked {
-    /// A line for each finding that counts; what is allowed or known is a line of the log.
+    /// Returns a command for each finding that counts. Allowed and known findings are plain log
+    /// lines.
     pub fn to_github(&self) -> String {
         let mut text = String::new();
         for file in &self.files {
@@ -51,7 +52,7 @@ impl Checked {
     }
 }
 
-/// `::error file=…,line=…,col=…,title=…::message`
+/// Writes one command: `::error file=…,line=…,col=…,title=…::message`
 fn command(
     text: &mut String,
     name: &str,
@@ -64,17 +65,18 @@ fn command(
     let _ = writeln!(text, "::{name} file={file},line={line},col={column},title={title}::{}", data(message));
 }
 
-/// A message: what would end it is written in percent.
+/// Escapes a message: percent signs and line ends.
 fn data(text: &str) -> String {
     text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
 }
 
-/// A property: commas and colons would end it too.
+/// Escapes a property: also commas and colons.
 fn property(text: &str) -> String {
     data(text).replace(':', "%3A").replace(',', "%2C")
 }
 
-/// A line of the log that is no command, whatever is in it: neither `::error` nor its older form, which counts anywhere in a line, `##[error]`.
+/// Returns a log line that GitHub does not interpret as a command. It removes `::error` at line
+/// starts and the older form `##[error]`, which is recognized anywhere in a line.
 fn logged(line: &str) -> String {
     line.replace(['\r', '\n'], " ").replace("##[", "## [")
 }

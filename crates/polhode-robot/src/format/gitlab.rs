@@ -1,4 +1,4 @@
-//! GitLab's code quality report: a subset of Code Climate's.
+//! Code quality report of GitLab, a subset of the Code Climate format.
 
 use serde_json::{Value, json};
 
@@ -7,7 +7,8 @@ use crate::checked::Checked;
 use crate::finding::Severity;
 
 impl Checked {
-    /// A list of what counts. GitLab shows what is new beside the target branch.
+    /// Returns the list of findings that count. GitLab shows those that are new compared with the
+    /// target branch.
     pub fn to_gitlab(&self) -> Value {
         let unreadable = self.files.iter().filter_map(|file| {
             let (message, place) = file.unreadable()?;

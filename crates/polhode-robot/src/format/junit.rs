@@ -1,5 +1,5 @@
-//! JUnit's XML, as Jenkins, GitLab and Azure DevOps read it: a suite for each file, a case for each finding.
-//! Valid by the schema of Jenkins' xUnit plugin, `junit-10.xsd`.
+//! JUnit XML for Jenkins, GitLab and Azure DevOps: one suite per file, one case per finding. The
+//! output is valid by the schema of Jenkins' xUnit plugin, `junit-10.xsd`.
 
 use std::fmt::Write as _;
 
@@ -8,8 +8,9 @@ use crate::checked::{Checked, FileChecked};
 use crate::policy::Reason;
 
 impl Checked {
-    /// Findings that fail are failures, others cases that pass and say what was found; what is allowed or known is skipped. A file without
-    /// findings is one case that passes.
+    /// Returns the XML. Findings at or above the failing severity are failures; other findings are
+    /// passing cases with their message. Allowed and known findings are skipped cases. A file
+    /// without findings is one passing case.
     pub fn to_junit(&self) -> String {
         let suites: Vec<Suite> =
             self.files.iter().map(|file| self.suite(file)).chain(self.policy_suites()).collect();
@@ -56,7 +57,8 @@ impl Checked {
         suite
     }
 
-    /// What is said of the configuration and the baseline, each a suite, and one of what is left out.
+    /// Returns a suite for each remark on the configuration and the baseline, and one for excluded
+    /// content.
     fn policy_suites(&self) -> impl Iterator<Item = Suite> {
         let remarks = self.remarks().map(|item| {
             let mut suite = Suite { file: item.file.to_string(), ..Suite::default() };
@@ -95,7 +97,7 @@ impl Checked {
     }
 }
 
-/// A file's cases.
+/// Test suite of one file.
 #[derive(Default)]
 struct Suite {
     file: String,
@@ -119,7 +121,7 @@ impl Suite {
     }
 }
 
-/// Text of XML: without what XML has no place for, not even as a reference.
+/// Escapes text for XML, and replaces characters that XML cannot represent.
 fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {

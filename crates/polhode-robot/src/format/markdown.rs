@@ -1,4 +1,4 @@
-//! A table in Markdown, for the summary of a run or a comment on a pull request.
+//! Markdown table for a job summary or a pull request comment.
 
 use std::fmt::Write as _;
 
@@ -10,7 +10,8 @@ use crate::policy::Reason;
 use crate::report::Counts;
 
 impl Checked {
-    /// The counts, what is left out, the table of what counts, and what is allowed.
+    /// Returns the counts, the exclusions, the table of findings that count, and the allowed
+    /// findings.
     pub fn to_markdown(&self) -> String {
         let (Counts { impossible, suspect, note }, allowed, known) = self.counts();
         let (files, note) = (counted(self.files.len(), "file"), counted(note, "note"));
@@ -58,7 +59,7 @@ impl Checked {
     }
 }
 
-/// Plain text within a table: no markup, no HTML, and nobody is called by it.
+/// Escapes text for a table cell: no markup, no HTML, and no mentions of users.
 fn cell(text: &str) -> String {
     let mut cell = String::with_capacity(text.len());
     for c in text.chars() {

@@ -1,4 +1,4 @@
-//! SARIF 2.1.0 (OASIS), as GitHub's code scanning, Azure DevOps and editors read it.
+//! SARIF 2.1.0 (OASIS) for GitHub code scanning, Azure DevOps and editors.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,8 @@ use crate::policy::Reason;
 use crate::rule::{Rule, rules};
 
 impl Checked {
-    /// A log with one run. Columns count characters; what is allowed or known is a suppressed result.
+    /// Returns a log with one run. Columns count characters; allowed and known findings are
+    /// suppressed results.
     pub fn to_sarif(&self) -> Value {
         let items: Vec<Item<'_>> = self.items().collect();
         let unreadable: Vec<Value> = self.files.iter().filter_map(notification).collect();
@@ -101,7 +102,7 @@ fn region(start: (usize, usize), end: (usize, usize)) -> Value {
     json!({ "startLine": start.0, "startColumn": start.1, "endLine": end.0, "endColumn": end.1 })
 }
 
-/// A file that could not be read.
+/// Returns the notification for a file that could not be read.
 fn notification(file: &FileChecked) -> Option<Value> {
     let (message, place) = file.unreadable()?;
     let mut physical = Map::new();
@@ -116,13 +117,14 @@ fn notification(file: &FileChecked) -> Option<Value> {
     }))
 }
 
-/// A file's name as a reference: relative ones stay relative.
+/// Returns a file name as a URI reference. Relative names stay relative.
 fn uri(file: &str) -> String {
     let mut uri = String::new();
     if file.starts_with('/') {
         uri.push_str("file://");
     } else if file.split('/').next().is_some_and(|first| first.contains(':')) {
-        // C:/robots; also, a first component with a colon would be a scheme.
+        // Drive letters (C:/robots) need a scheme. Otherwise a first component with a colon would
+        // be read as a scheme.
         uri.push_str(if file.get(1..3) == Some(":/") { "file:///" } else { "./" });
     }
     for byte in file.bytes() {

@@ -1,4 +1,4 @@
-//! A mesh file of a model: its triangles, and what they enclose.
+//! Mesh file of a model: its triangles, and the volume that they enclose.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -14,24 +14,24 @@ use polhode_source::read_text_file;
 
 use super::{ENDED, MeshReading, Solid, VolumeKind, z_up};
 
-/// A mesh file as it is written, in metres and its own frame.
+/// Mesh file in metres, in its own frame, as written.
 #[derive(Debug)]
 pub(super) struct Mesh {
-    /// All of its triangles.
+    /// All triangles.
     surface: Arc<TriangleMesh>,
-    /// The same in the usual reading.
+    /// All triangles in the most common convention.
     pub(super) usual: Arc<TriangleMesh>,
     pub(super) measured: Result<Measured, String>,
-    /// The reading in which it is turned from y up to z up, if there is one.
+    /// Convention in which the mesh is rotated from y up to z up, if there is one.
     pub(super) turned_in: Option<MeshReading>,
 }
 
-/// What it encloses.
+/// Enclosed volume of a mesh.
 #[derive(Debug)]
 pub(super) struct Measured {
     pub(super) solid: Solid,
     pub(super) kind: VolumeKind,
-    /// The corners of its convex hull, where that stands for it.
+    /// Corners of the convex hull, if the hull replaces the mesh.
     hull: Option<Vec<[f64; 3]>>,
 }
 
@@ -85,11 +85,11 @@ impl Mesh {
         let Some(all) = one.parts.into_iter().next() else { return Err("it has no triangles".to_owned()) };
         let all = all.mesh.with_shared_vertices(threads);
         if solids.is_empty() {
-            // one part, pieces of one surface, or no solid
+            // The mesh is one part, pieces of one surface, or not a solid.
             solids.extend(solid(&all));
         }
         let measured = match solids[..] {
-            // A hull is no answer to what was not decided.
+            // After cancellation the result is unknown, so the hull is not used.
             [] if !goes_on() => Err(ENDED.to_owned()),
             [] => Measured::hull(&all, threads),
             _ => Measured::closed(&solids),
@@ -101,7 +101,7 @@ impl Mesh {
         Ok(Self { usual: surface.clone(), surface, measured, turned_in: None })
     }
 
-    /// Points that go as far as it does.
+    /// Returns points with the same convex hull as the mesh.
     pub(super) fn outline(&self) -> &[[f64; 3]] {
         match &self.measured {
             Ok(Measured { hull: Some(corners), .. }) => corners,
@@ -123,10 +123,10 @@ impl Measured {
         Ok(Self { solid: Solid::of(&body), kind: VolumeKind::Closed, hull: None })
     }
 
-    /// The convex hull of the vertices of a mesh, all of which triangles use.
+    /// Returns the convex hull of the vertices of a mesh. Every vertex belongs to a triangle.
     fn hull(mesh: &TriangleMesh, threads: usize) -> Result<Self, String> {
         let surface = ConvexHull::of(mesh.coordinates()).map_err(|error| error.to_string())?;
-        // a hull does not go through itself: nothing is left to be mentioned
+        // A convex hull does not intersect itself, so remarks are unnecessary.
         let solid = ClosedMesh::without_remarks(&surface, threads, &|| true);
         let solid = solid.map_err(|error| error.to_string())?;
         let hull = Some(solid.surface().coordinates().to_vec());

@@ -1,4 +1,5 @@
-//! Mesh files that have been read, each once: by its path, and by what is in it, as robots that are variants of each other come with copies.
+//! Cache of mesh files. Each is read once, by path and by content, because variants of a robot
+//! often contain copies of the same meshes.
 
 use std::cmp::Reverse;
 use std::collections::{HashMap, HashSet};
@@ -12,22 +13,23 @@ use polhode_source::files::{Files, Look};
 use super::Mesh;
 use crate::model::{GeometryShape, RobotModel};
 
-/// A mesh that is read when it is first asked for; whoever asks meanwhile waits.
+/// Mesh that is read at the first request; concurrent requests wait for it.
 type MeshOnce = OnceLock<Result<Arc<Mesh>, String>>;
 
-/// What has been read, for several threads.
+/// Thread-safe cache of meshes.
 #[derive(Debug, Default)]
 pub(super) struct MeshFiles {
     by_path: Mutex<HashMap<PathBuf, Arc<MeshOnce>>>,
-    /// Different files with so many bytes and this ending: whoever compares them keeps others from these alone.
+    /// Distinct files by size and extension. The lock on an entry blocks only requests for files of
+    /// the same size and extension.
     by_size: Mutex<HashMap<(u64, OsString), Arc<Alike>>>,
 }
 
-/// Files of one size and ending that differ.
+/// Distinct files of one size and extension.
 type Alike = Mutex<Vec<(PathBuf, Arc<MeshOnce>)>>;
 
 impl MeshFiles {
-    /// The mesh in a file, read now if it has not been.
+    /// Returns the mesh of a file, and reads it at the first request.
     pub(super) fn mesh(
         &self,
         files: &dyn Files,
@@ -42,8 +44,8 @@ impl MeshFiles {
         mesh.get_or_init(|| read(path).map(Arc::new)).clone()
     }
 
-    /// What is known of a file with the same bytes and ending, or else nothing yet. glTF names other files, so that equal bytes say nothing
-    /// of it.
+    /// Returns the cache entry of a file with the same bytes and extension, or a new one. glTF
+    /// files refer to other files, so equal bytes do not imply equal meshes.
     fn file(&self, files: &dyn Files, path: &Path) -> Arc<MeshOnce> {
         let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
         let size = files.look(path).ok().filter(Look::is_file).map(|look| look.length);
@@ -64,7 +66,7 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Piece by piece: most files of one size are different from the first pieces on.
+/// Compares two files block by block; most files of equal size differ in the first block.
 fn have_same_bytes(files: &dyn Files, [one, other]: [&Path; 2]) -> io::Result<bool> {
     let [mut one, mut other] =
         [files.open(one)?, files.open(other)?].map(|file| BufReader::with_capacity(PIECE, file));
@@ -79,10 +81,11 @@ fn have_same_bytes(files: &dyn Files, [one, other]: [&Path; 2]) -> io::Result<bo
     }
 }
 
-/// Bytes that are compared at once.
+/// Block size of the comparison, bytes.
 const PIECE: usize = 1 << 16;
 
-/// The mesh files of models, each once, the largest first: in this order threads that share them end at about the same time.
+/// Returns the mesh files of models, each once, the largest first. In this order, threads that
+/// share them finish at about the same time.
 pub fn mesh_files<'a>(files: &dyn Files, models: impl Iterator<Item = &'a RobotModel>) -> Vec<PathBuf> {
     let mut seen = HashSet::new();
     let geometry = models.flat_map(|model| &model.links).flat_map(|link| &link.geometry);

@@ -7,13 +7,15 @@ use super::primitive::Primitive;
 use super::separation::distance;
 use super::{MeshReading, Shapes, z_up};
 
-/// A convex part of the hull: its farthest point in a direction.
+/// Support function of a convex part of the hull: its farthest point in a direction.
 type Support<'s> = Box<dyn Fn([f64; 3]) -> [f64; 3] + 's>;
 
 impl Shapes<'_> {
-    /// Distance of a point of the link's frame from the convex hull of all its shapes, m; zero inside.
+    /// Returns the distance of a point, in the link's frame, from the convex hull of all its
+    /// shapes, m; zero inside.
     ///
-    /// `None` if a shape cannot be measured, or if there is none. A mesh that programs turn in two ways counts in both.
+    /// Returns `None` if a shape cannot be measured, or if there is none. A mesh whose up axis is
+    /// ambiguous counts in both orientations.
     pub fn distance_outside(&self, link: &Link, point: [f64; 3]) -> Option<f64> {
         let mut meshes = Vec::new();
         let mut parts: Vec<Support<'_>> = Vec::new();
@@ -52,7 +54,7 @@ impl Shapes<'_> {
             let ends = parts.iter().map(|part| part(direction));
             ends.max_by(|a, b| dot(*a, direction).total_cmp(&dot(*b, direction))).unwrap_or(point)
         };
-        // In units of the farthest coordinate, so that no square overflows.
+        // Scale by the largest coordinate, so that squares do not overflow.
         let unit = point.iter().fold(1.0, |max, c| f64::max(max, c.abs()));
         let scaled = |v: [f64; 3]| v.map(|c| c / unit);
         let distance = distance(scaled(point), |direction| scaled(support(direction)));
@@ -60,7 +62,8 @@ impl Shapes<'_> {
     }
 }
 
-/// The farthest of a mesh's points in a direction: the direction is brought to the points, which stay in their own frame.
+/// Returns the farthest point of a mesh in a direction. The direction is transformed to the frame
+/// of the points.
 fn farthest(points: &[[f64; 3]], turns: bool, scale: [f64; 3], pose: &Pose, direction: [f64; 3]) -> [f64; 3] {
     let rows = pose.matrix();
     let inner = [0, 1, 2].map(|j| scale[j] * (0..3).map(|i| rows[i][j] * direction[i]).sum::<f64>());

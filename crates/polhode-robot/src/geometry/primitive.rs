@@ -1,4 +1,4 @@
-//! Boxes, spheres, cylinders, capsules, ellipsoids and cones of a model.
+//! Geometric primitives of a model: boxes, spheres, cylinders, capsules, ellipsoids and cones.
 
 use polhode::body::shape::{BoxShape, Capsule, Cone, Cylinder, Ellipsoid, Shape, Sphere, Substance};
 use polhode::body::{BodyError, MassProperties};
@@ -8,20 +8,20 @@ use super::Reach;
 use crate::model::{GeometryShape, Pose};
 use crate::pose::{dot, sum};
 
-/// A shape with a formula for its moments, and how far it goes.
+/// Shape with closed-form moments and a known extent.
 pub(super) struct Primitive {
     shape: Box<dyn Shape>,
     outline: Outline,
 }
 
 enum Outline {
-    /// Half edges.
+    /// Half edge lengths.
     Box([f64; 3]),
-    /// Half axes.
+    /// Semi-axes.
     Ellipsoid([f64; 3]),
-    /// A disc at − this on z, and a point at + this.
+    /// Disc at z = −half and a point at z = +half.
     Cone { half: f64, radius: f64 },
-    /// Two discs, or two balls, at ± this on z.
+    /// Two discs, or two balls, at z = ±half.
     Ends { half: f64, radius: f64, balls: bool },
 }
 
@@ -55,17 +55,17 @@ impl Primitive {
         })
     }
 
-    /// Its mass properties at a density of 1 kg/m³, in the frame of the model's shape.
+    /// Returns the mass properties at density 1 kg/m³, in the frame of the model's shape.
     pub(super) fn mass_properties(&self) -> Result<MassProperties<Part>, BodyError> {
         let own = self.shape.mass_properties(Substance::Density(1.0))?;
         match self.outline {
-            // the frame of a cone is at the middle of its base there
+            // This shape type has its origin at the middle of the cone's base.
             Outline::Cone { half, .. } => own.placed(Position::new(0.0, 0.0, -half), Rotation::identity()),
             _ => Ok(own),
         }
     }
 
-    /// Its farthest point in a direction, when it is placed.
+    /// Returns the farthest point of the placed shape in a direction.
     pub(super) fn support(&self, pose: &Pose, direction: [f64; 3]) -> [f64; 3] {
         let rows = pose.matrix();
         let d = [0, 1, 2].map(|j| (0..3).map(|i| rows[i][j] * direction[i]).sum::<f64>());
@@ -76,7 +76,7 @@ impl Primitive {
         };
         let local = match self.outline {
             Outline::Box(half) => [0, 1, 2].map(|k| sign(d[k]) * half[k]),
-            // S² d / |S d|
+            // Support point of an ellipsoid: S² d / |S d|.
             Outline::Ellipsoid(half) => {
                 let stretched = along([0, 1, 2].map(|k| half[k] * d[k]), 1.0);
                 [0, 1, 2].map(|k| half[k] * stretched[k])
@@ -95,7 +95,7 @@ impl Primitive {
         pose.placed(local)
     }
 
-    /// How far it goes when it is placed.
+    /// Returns the extent of the placed shape.
     pub(super) fn reach(&self, pose: &Pose) -> Reach {
         let center = pose.position;
         let rows = pose.matrix();
@@ -108,7 +108,7 @@ impl Primitive {
                 Reach::of((0..8).map(corner))
             }
             Outline::Ellipsoid(half) => {
-                // max of n·x over the ellipsoid: |S Rᵀ n|
+                // Maximum of n·x over the ellipsoid: |S Rᵀ n|.
                 let wide = rows.map(|row| [0, 1, 2].map(|j| row[j] * half[j])).map(|v| dot(v, v).sqrt());
                 let longest = half.iter().fold(0.0_f64, |max, c| max.max(*c));
                 Reach { extent: dot(center, center).sqrt() + longest, bounds: around(center, wide) }
@@ -139,7 +139,7 @@ impl Primitive {
     }
 }
 
-/// Distance of the farthest point of a disc's rim from the origin.
+/// Returns the distance of the farthest point of a disc's rim from the origin.
 fn rim(middle: [f64; 3], axis: [f64; 3], radius: f64) -> f64 {
     let high = dot(middle, axis);
     let aside = (dot(middle, middle) - high * high).max(0.0).sqrt();

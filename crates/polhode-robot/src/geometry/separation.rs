@@ -1,26 +1,29 @@
 //! Distance of a point from a convex body that is given by its support function.
 //!
-//! The support function returns the farthest point of the body in a direction. With v the point of
-//! the body nearest to the origin so far and w = support(−v), the plane through w perpendicular to
-//! v separates the body from the origin if v·w > 0, and
+//! The support function returns the farthest point of the body in a direction. Let v be the point
+//! of the body nearest to the origin so far, and w = support(−v). If v·w > 0, the plane through w
+//! perpendicular to v separates the body from the origin, and
 //!
 //!   v·w / |v| ≤ distance ≤ |v|.
 //!
-//! Polytopes end at equality after finitely many steps, whether a face, an edge or a vertex is
-//! nearest; round bodies converge to it. The lower bound is returned, so that a positive distance
-//! is always proved by a plane.
+//! The bounds become equal after finitely many steps for polytopes, whether a face, an edge or a
+//! vertex is nearest. For round bodies they converge. The lower bound is returned, so a separating
+//! plane proves every positive distance.
 //!
-//! Source: Gilbert, Johnson & Keerthi, IEEE J. Robot. Autom. 4 (1988) 193; the subset of the simplex by exhaustion.
+//! Source: Gilbert, Johnson & Keerthi, IEEE J. Robot. Autom. 4 (1988) 193; the subset of the
+//! simplex by exhaustion.
 
 use crate::pose::{dot, sum};
 
-/// Enough for polytopes of any size; round bodies gain a digit every few steps.
+/// Iteration limit; sufficient for polytopes of any size. Round bodies gain a digit every few
+/// steps.
 const STEPS: usize = 200;
 
 /// Relative gap between the bounds at which the iteration stops.
 const GAP: f64 = 1e-12;
 
-/// Distance of a point from a convex body, m; zero if the point is inside or on the surface.
+/// Returns the distance of a point from a convex body, m; zero if the point is inside or on the
+/// surface.
 pub(super) fn distance(point: [f64; 3], support: impl Fn([f64; 3]) -> [f64; 3]) -> f64 {
     let away = |direction: [f64; 3]| sum(support(direction), point.map(|c| -c));
     let mut simplex = vec![away([1.0, 0.0, 0.0])];
@@ -44,9 +47,11 @@ pub(super) fn distance(point: [f64; 3], support: impl Fn([f64; 3]) -> [f64; 3]) 
     proved
 }
 
-/// The point of a simplex nearest to the origin, and the corners whose convex combination it is.
+/// Returns the point of a simplex nearest to the origin, and the corners whose convex combination
+/// it is.
 ///
-/// Every subset has a candidate, the point of its affine hull nearest to the origin, if its weights are positive.
+/// Each subset of corners gives a candidate: the point of its affine hull nearest to the origin, if
+/// its weights are positive.
 fn nearest(simplex: &[[f64; 3]]) -> Option<([f64; 3], Vec<[f64; 3]>)> {
     let subsets = 1_usize..1 << simplex.len();
     let candidates = subsets.filter_map(|subset| {
@@ -62,7 +67,8 @@ fn nearest(simplex: &[[f64; 3]]) -> Option<([f64; 3], Vec<[f64; 3]>)> {
     candidates.min_by(|(a, _), (b, _)| dot(*a, *a).total_cmp(&dot(*b, *b)))
 }
 
-/// Barycentric weights of the point of the corners' affine hull nearest to the origin; `None` if they are dependent.
+/// Returns the barycentric weights of the point of the corners' affine hull nearest to the origin;
+/// `None` if the corners are affinely dependent.
 ///
 /// The edges e_i = v_i − v_0 give  Σ_j (e_i·e_j) w_j = −e_i·v_0,  w_0 = 1 − Σ w_j.
 fn weights(corners: &[[f64; 3]]) -> Option<Vec<f64>> {
@@ -93,7 +99,8 @@ fn weights(corners: &[[f64; 3]]) -> Option<Vec<f64>> {
 mod tests {
     use super::*;
 
-    /// A box askew, by its corners: a face, an edge and a vertex are nearest, and no point of the inside.
+    /// A rotated box, given by its corners: a face, an edge or a vertex is nearest, or the point is
+    /// inside.
     #[test]
     fn faces_edges_and_vertices() {
         let pose =
@@ -118,7 +125,7 @@ mod tests {
         }
     }
 
-    /// A ball and a cylinder, whose surfaces are round.
+    /// Round surfaces: a ball and a cylinder.
     #[test]
     fn round_bodies() {
         let ball = |d: [f64; 3]| {
@@ -129,7 +136,7 @@ mod tests {
         let apart = sum(from, [-0.2, 0.1, -0.3]);
         assert!((distance(from, ball) - (dot(apart, apart).sqrt() - 0.07)).abs() < 1e-9);
         assert_eq!(distance([0.22, -0.12, 0.33], ball), 0.0);
-        // Beyond the rim of a cylinder of radius 0.05 and half length 0.2 along z.
+        // A point beyond the rim of a cylinder of radius 0.05 and half length 0.2 along z.
         let cylinder = |[x, y, z]: [f64; 3]| {
             let across = x.hypot(y).max(f64::MIN_POSITIVE);
             [0.05 * x / across, 0.05 * y / across, if z < 0.0 { -0.2 } else { 0.2 }]

@@ -1,4 +1,4 @@
-//! Joints that carry a body, and the inertia that their motors have to move.
+//! Joints that carry a body, and the inertia that their motors move.
 
 use polhode::body::MassProperties;
 use polhode::math::Body;
@@ -7,24 +7,26 @@ use super::tree::Above;
 use crate::model::{JointKind, RobotModel, Span};
 use crate::pose::{direction, dot};
 
-/// A joint with one axis between a body and what it hangs on.
+/// Joint with one axis between a body and its parent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drive {
     /// Name of the joint.
     pub joint: String,
-    /// Place of the joint in the model's text.
+    /// Position of the joint in the model's text.
     pub span: Span,
-    /// True if it slides, false if it turns.
+    /// True for a sliding joint, false for a rotating one.
     pub slides: bool,
-    /// Moment of inertia of the body about the joint's axis, kg·m²; its mass in kg if the joint slides.
+    /// Moment of inertia of the body about the joint axis, kg·m²; for a sliding joint its mass, kg.
     pub inertia: f64,
-    /// Inertia that the rotor adds, kg·m² or kg: reflected by its gear; NaN if the file's number cannot be read.
+    /// Reflected inertia of the rotor, kg·m² or kg; NaN if the file's number cannot be read.
     pub armature: f64,
 }
 
-/// The joints that carry a body whose frame is theirs, in the order of the file.
+/// Returns the joints that carry a body, in file order. The body's frame is the frame of the
+/// joints' child.
 ///
-/// I_a = n·I_c n + m |n × (c − p)|² about the axis through p along n; only axes with a direction.
+/// I_a = n·I_c n + m |n × (c − p)|² about the axis through p along n. Joints whose axis is zero are
+/// skipped.
 pub(super) fn drives(model: &RobotModel, above: &Above, body: &MassProperties<Body>) -> Vec<Drive> {
     let drive = |joint: &crate::model::Joint| {
         let slides = match joint.kind {

@@ -1,4 +1,4 @@
-//! The values of joints: those that are given, those that follow from others, and for the rest where the model is at rest.
+//! Joint values: given, coupled to other joints, or at rest by default.
 
 use std::collections::HashMap;
 
@@ -7,34 +7,34 @@ use polhode_document::layout::printable;
 use crate::link_error::{LinkError, suggested};
 use crate::model::{Follows, Joint, JointKind, Name, RobotModel};
 
-/// The value of a joint, and where it comes from.
+/// Value of a joint, and its origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointPosition {
-    /// The joint.
+    /// Name of the joint.
     pub joint: String,
-    /// rad, or m if it slides.
+    /// Value, rad; m for a sliding joint.
     pub value: f64,
-    /// True if it slides, false if it turns.
+    /// True for a sliding joint, false for a rotating one.
     pub slides: bool,
-    /// Who says so.
+    /// Origin of the value.
     pub by: PositionBy,
-    /// The least and the greatest value that the model allows.
+    /// Lower and upper limit in the model.
     pub limits: Option<[f64; 2]>,
 }
 
-/// Who says what value a joint has.
+/// Origin of a joint value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum PositionBy {
-    /// The user.
+    /// Value given by the user.
     Given,
-    /// The joint that leads it; `None` if the model holds it at a constant.
+    /// Value coupled to the leading joint; `None` if the model fixes it at a constant.
     Leader(Option<String>),
-    /// Nobody: it is at rest.
+    /// Default: the joint is at rest.
     Rest,
 }
 
 impl JointPosition {
-    /// Whether the model does not allow the value, rounding aside.
+    /// Returns true if the value is outside the limits by more than rounding.
     pub fn is_outside(&self) -> bool {
         self.limits.is_some_and(|[lower, upper]| {
             let finite = |limit: f64| if limit.is_finite() { limit.abs() } else { 0.0 };
@@ -44,25 +44,25 @@ impl JointPosition {
     }
 }
 
-/// Whether a joint takes a value.
+/// Returns true if a joint takes a value: it rotates or slides.
 pub(super) const fn takes_value(joint: &Joint) -> bool {
     matches!(joint.kind, JointKind::Revolute | JointKind::Prismatic)
 }
 
-/// The joints of a model with what is given.
+/// Joint values of a model.
 #[derive(Debug)]
 pub(super) struct Positions<'a> {
     model: &'a RobotModel,
-    /// By names of joints; of two with the same name none.
+    /// Joint index by name; `None` if two joints have the same name.
     numbers: HashMap<&'a str, Option<usize>>,
-    /// Of each joint, what is given.
+    /// Given value of each joint.
     given: Vec<Option<f64>>,
-    /// Of each joint, what is known by now.
+    /// Known value of each joint so far.
     known: Vec<Option<f64>>,
 }
 
 impl<'a> Positions<'a> {
-    /// Values by name; of two under the same name the later counts.
+    /// Sets the given values by name. If a name occurs twice, the later value counts.
     pub(super) fn of(model: &'a RobotModel, given: &[(String, f64)]) -> Result<Self, LinkError> {
         let mut numbers = HashMap::new();
         for (k, joint) in model.joints.iter().enumerate() {
@@ -92,7 +92,8 @@ impl<'a> Positions<'a> {
         Ok(positions)
     }
 
-    /// The value of a joint: leaders are asked until one knows, and then the followers on the way back.
+    /// Returns the value of a joint. It follows the leaders until one is known, then evaluates the
+    /// followers on the way back.
     pub(super) fn value(&mut self, joint: usize) -> Result<f64, LinkError> {
         let mut chain: Vec<(usize, &'a Follows)> = Vec::new();
         let mut at = joint;
@@ -130,7 +131,7 @@ impl<'a> Positions<'a> {
         Ok(value)
     }
 
-    /// How far a joint is from rest; zero if it takes no value.
+    /// Returns the displacement of a joint from rest; zero if it takes no value.
     pub(super) fn displacement(&mut self, k: usize) -> Result<f64, LinkError> {
         let Some(joint) = self.model.joints.get(k) else { return Ok(0.0) };
         match (takes_value(joint), &joint.coordinate.follows) {
@@ -142,7 +143,7 @@ impl<'a> Positions<'a> {
         }
     }
 
-    /// The joint that a follower names.
+    /// Returns the leading joint that a follower names.
     fn leader(&self, follower: &Joint, follows: &Follows) -> Result<usize, LinkError> {
         let Some(name) = &follows.leader else { return Err(unknown(self.model, &follower.name.text)) };
         let found = self.numbers.get(name.text.as_str()).copied();
@@ -164,10 +165,10 @@ impl<'a> Positions<'a> {
         }
     }
 
-    /// The positions of some joints and of those that lead them, in the order of the file.
+    /// Returns the values of some joints and of the joints that lead them, in file order.
     ///
     /// # Errors
-    /// [`LinkError`] if a value is given that decides none of them.
+    /// [`LinkError`] if a given value determines none of these joints.
     pub(super) fn of_joints(
         mut self,
         joints: impl Iterator<Item = usize>,
@@ -176,7 +177,7 @@ impl<'a> Positions<'a> {
         let mut decides = vec![false; self.model.joints.len()];
         for joint in joints {
             let mut next = Some(joint);
-            // what is marked has marked its own leaders
+            // A marked joint has marked its own leaders.
             while let Some((k, mark)) = next.and_then(|k| Some((k, decides.get_mut(k)?)))
                 && !*mark
             {
@@ -206,7 +207,7 @@ impl<'a> Positions<'a> {
         Ok(positions)
     }
 
-    /// The value of a joint, and where it comes from; `None` if it takes none.
+    /// Returns the value of a joint and its origin; `None` if it takes none.
     fn position(&mut self, k: usize) -> Result<Option<JointPosition>, LinkError> {
         let Some(joint) = self.model.joints.get(k).filter(|joint| takes_value(joint)) else {
             return Ok(None);
@@ -227,7 +228,7 @@ impl<'a> Positions<'a> {
     }
 }
 
-/// No joint of that name takes a value.
+/// Returns the error for a name under which no joint takes a value.
 fn unknown(model: &RobotModel, name: &str) -> LinkError {
     let movable: Vec<&str> = movable(model).collect();
     let hint = match movable.as_slice() {
@@ -237,7 +238,7 @@ fn unknown(model: &RobotModel, name: &str) -> LinkError {
     LinkError::new(format!("there is no joint {name:?} that takes a value"), hint)
 }
 
-/// Error of a value for a joint that follows another one, or is held at a constant.
+/// Returns the error for a given value of a joint that is coupled or constant.
 fn follower(joint: &str, follows: &Follows) -> LinkError {
     let (message, hint) = match &follows.leader {
         Some(Name { text: leader, .. }) => (
@@ -252,7 +253,7 @@ fn follower(joint: &str, follows: &Follows) -> LinkError {
     LinkError::new(message, hint).at(&follows.span)
 }
 
-/// Error of a joint that follows another one, or is held, in a way that is not known.
+/// Returns the error for a coupled or constant joint whose law is unknown.
 fn lawless(joint: &str, follows: &Follows, why: &str) -> LinkError {
     let message = match &follows.leader {
         Some(Name { text: leader, .. }) => {
@@ -263,18 +264,18 @@ fn lawless(joint: &str, follows: &Follows, why: &str) -> LinkError {
     LinkError::new(message, "write numbers, or take the coupling out of the file").at(&follows.span)
 }
 
-/// The joint that was probably meant.
+/// Returns the joint name nearest to a misspelled one.
 fn meant<'a>(model: &'a RobotModel, name: &str) -> Option<&'a str> {
     polhode_source::nearest(name, movable(model))
 }
 
-/// The joints that take a value of their own.
+/// Returns the joints that take an independent value.
 fn movable(model: &RobotModel) -> impl Iterator<Item = &str> {
     let leads = |joint: &&Joint| takes_value(joint) && joint.coordinate.follows.is_none();
     model.joints.iter().filter(leads).map(|joint| joint.name.text.as_str())
 }
 
-/// The joint that takes a value under a name, its own or its coordinate's.
+/// Returns the joint that takes a value under its own name or its coordinate's name.
 fn named(model: &RobotModel, name: &str) -> Result<usize, LinkError> {
     if let Some(twice) = model.joints.iter().filter(|joint| joint.name.text == name).nth(1) {
         let message = format!("two joints are called {name:?}");
@@ -303,11 +304,11 @@ fn named(model: &RobotModel, name: &str) -> Result<usize, LinkError> {
     }
 }
 
-/// Whether the joint that takes a value under a name, its own or its coordinate's, slides: the value is a length then, and otherwise an
-/// angle.
+/// Returns true if the joint with this name, or this coordinate name, slides. Its value is then a
+/// length, otherwise an angle.
 ///
 /// # Errors
-/// [`LinkError`] if no joint takes a value under that name, or several do.
+/// [`LinkError`] if no joint takes a value under that name, or if several do.
 pub fn slides(model: &RobotModel, name: &str) -> Result<bool, LinkError> {
     let joint = model.joints.get(named(model, name)?);
     Ok(joint.is_some_and(|joint| joint.kind == JointKind::Prismatic))

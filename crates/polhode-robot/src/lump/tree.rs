@@ -1,37 +1,37 @@
-//! The tree that joints make of links.
+//! Kinematic tree of the links.
 
 use std::collections::BTreeMap;
 
 use crate::link_error::LinkError;
 use crate::model::{Joint, Name, RobotModel};
 
-/// What each link hangs on, and an order in which every link comes after that.
+/// Parent of each link, and a topological order of the links.
 #[derive(Debug)]
 pub(super) struct Tree {
-    /// Of each link, in the order of the file.
+    /// Parent and joints of each link, in file order.
     pub(super) above: Vec<Above>,
-    /// Every link once, from the roots outwards.
+    /// All links, each once, from the roots outwards.
     pub(super) order: Vec<usize>,
 }
 
-/// What a link hangs on.
+/// Connection of a link to its parent.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Above {
-    /// The link; `None` if that is the world, or nothing.
+    /// Parent link; `None` if the parent is the world or the link has none.
     pub(super) parent: Option<usize>,
-    /// The joints by their numbers, in the order of the file; none at a root that is free.
+    /// Indices of the joints, in file order; empty for a free root.
     pub(super) joints: Vec<usize>,
 }
 
 impl Above {
-    /// The joints.
+    /// Returns the joints to the parent.
     pub(super) fn joints<'m>(&self, model: &'m RobotModel) -> impl Iterator<Item = &'m Joint> {
         self.joints.iter().filter_map(|&k| model.joints.get(k))
     }
 }
 
 impl Tree {
-    /// The tree of a model: found without recursion, so that no chain of joints is too long.
+    /// Builds the tree of a model. It does not recurse, so the length of a chain is not limited.
     pub(super) fn of(model: &RobotModel) -> Result<Self, LinkError> {
         const SPELLING: &str = "check the spelling of the names";
         const ONE_PLACE: &str = "only a tree has a place for each link: leave out the joint that closes it";
@@ -78,13 +78,13 @@ impl Tree {
         }
     }
 
-    /// The links that hang on no other, in the order of the file.
+    /// Returns the links without a parent link, in file order.
     pub(super) fn roots(&self) -> impl Iterator<Item = usize> {
         self.above.iter().enumerate().filter(|(_, above)| above.parent.is_none()).map(|(k, _)| k)
     }
 }
 
-/// Every link that a root carries, each after what it hangs on.
+/// Returns every link that is reachable from a root, each after its parent.
 fn order(above: &[Above]) -> Vec<usize> {
     let mut children: Vec<Vec<usize>> = vec![Vec::new(); above.len()];
     let mut order = Vec::with_capacity(above.len());

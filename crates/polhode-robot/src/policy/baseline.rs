@@ -1,4 +1,4 @@
-//! Findings that are known: a file that is written once, so that only what is new fails.
+//! Baseline: a file of known findings, so that only new findings fail.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -11,38 +11,38 @@ use serde_json::{Value, json};
 use super::{Judged, Reason};
 use crate::finding::Finding;
 
-/// The key that makes a file a baseline, and the version of what is in it.
+/// Key that identifies a baseline, and the version of its format.
 const KEY: &str = "polhode_baseline";
 const VERSION: u64 = 1;
 
-/// What is known.
+/// Known findings.
 #[derive(Clone, Debug, Default)]
 pub struct Baseline {
-    /// The file, for messages.
+    /// Path of the file, for messages.
     pub file: String,
-    /// In its order.
+    /// Findings in file order.
     pub findings: Vec<KnownFinding>,
     ids: BTreeSet<String>,
 }
 
-/// A finding that is known.
+/// Known finding.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct KnownFinding {
-    /// What it is known by.
+    /// Identifier.
     pub id: String,
-    /// Its rule, for people.
+    /// Code of the rule, for readers.
     pub rule: String,
-    /// Its file, for people and to say whether it was looked for.
+    /// Name of the model file, for readers and to detect files that were not checked.
     pub file: String,
-    /// Its link or joint, for people.
+    /// Name of the link or joint, for readers.
     pub link: String,
 }
 
 impl Baseline {
-    /// Reads a baseline's text; `path` is for messages.
+    /// Parses a baseline; `path` is for messages.
     ///
     /// # Errors
-    /// [`FormatError`] if it is no JSON, or not what [`text`] writes.
+    /// [`FormatError`] if the text is not JSON, or not in the format that [`text`] writes.
     pub fn read(path: &Path, text: &str) -> Result<Self, FormatError> {
         let refused = |error: ContentError| FormatError::of_content(path, text.as_bytes(), error);
         let value: Value = json_value(text.as_bytes()).map_err(|error| {
@@ -83,8 +83,8 @@ impl Baseline {
     }
 }
 
-/// The text of a baseline that knows all that is open in these files, or known, and how many that are; what is allowed needs none. A finding
-/// a line, in order.
+/// Returns the text of a baseline with all open and known findings of these files, and their
+/// number. Allowed findings are omitted. Each finding is on one line, sorted.
 pub fn text<'a>(judged: impl Iterator<Item = (&'a str, &'a Judged)>) -> (String, usize) {
     let mut lines = BTreeSet::new();
     for (file, judged) in judged {

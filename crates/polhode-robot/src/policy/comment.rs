@@ -1,7 +1,8 @@
-//! `<!-- polhode: allow RULE: REASON -->` in a model.
+//! Comments `<!-- polhode: allow RULE: REASON -->` in a model.
 //!
-//! A comment is for the link or joint whose element it is in, or right before; before the root element, for the whole file; elsewhere, for
-//! what is about the model as a whole.
+//! A comment applies to the link or joint whose element contains it or follows it directly. Before
+//! the root element it applies to the whole file. Elsewhere it applies to findings about the model
+//! as a whole.
 
 use std::collections::BTreeSet;
 
@@ -10,34 +11,35 @@ use crate::finding::{Finding, Severity};
 use crate::model::{ModelFormat, RobotModel, Span};
 use crate::rule::{rule, rules};
 
-/// What such comments begin with.
+/// Prefix of such comments.
 const MARK: &str = "polhode:";
 
-/// A comment that begins so.
+/// Comment with this prefix.
 #[derive(Clone, Debug)]
 pub(super) struct Comment {
     span: Span,
     scope: Scope,
-    /// The rules that it names.
+    /// Rules that the comment names.
     codes: Vec<&'static str>,
-    /// Why, in the user's words.
+    /// Reason, in the user's words.
     pub(super) reason: String,
-    /// Why it allows nothing, if it does not.
+    /// Reason why the comment is malformed, if it is.
     fault: Option<String>,
 }
 
-/// What a comment is for.
+/// Scope of a comment.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Scope {
     File,
     Model,
-    /// Links and joints by name.
+    /// Names of links and joints.
     Elements(Vec<String>),
 }
 
 impl Comment {
-    /// Whether it allows what a rule says of a link, a joint, or with an empty name the model; what stands in an included file it does
-    /// not, unless it is at a link or joint by name.
+    /// Returns true if the comment allows findings of a rule about a link or joint, or about the
+    /// model if `subject` is empty. Findings in an included file are allowed only for a link or
+    /// joint by name.
     pub(super) fn allows(&self, code: &str, subject: &str, is_included: bool) -> bool {
         self.fault.is_none()
             && self.codes.contains(&code)
@@ -48,8 +50,8 @@ impl Comment {
             }
     }
 
-    /// What is wrong with the comment itself: it cannot be understood, or a rule of it was of no use. `lacking` says of a rule that was
-    /// which links would have to be allowed, too.
+    /// Returns the finding about the comment itself: it is malformed, or one of its rules allowed
+    /// nothing. For an unused rule, `lacking` returns the links that need an allowance too.
     pub(super) fn fault(&self, lacking: impl Fn(&str) -> Option<BTreeSet<String>>) -> Option<Finding> {
         let (code, severity, message) = match &self.fault {
             Some(fault) => ("allow.malformed", Severity::Suspect, fault.clone()),
@@ -84,14 +86,14 @@ impl Comment {
     }
 }
 
-/// Those of a model's text.
+/// Returns the comments of a model's text.
 pub(super) fn comments(model: &RobotModel) -> Vec<Comment> {
     if !model.text.contains(MARK) {
         return Vec::new();
     }
     let text = model.text.as_str();
     let (comments, root) = scan(text);
-    // In USD a "<" is that of a path.
+    // In USD, "<" begins a path.
     let first = model.links.iter().map(|link| link.span.start).min();
     let root = if model.format == ModelFormat::Usd { first.unwrap_or(text.len()) } else { root };
     let of = |span: &Span| {
@@ -106,7 +108,7 @@ pub(super) fn comments(model: &RobotModel) -> Vec<Comment> {
     comments.iter().filter_map(of).collect()
 }
 
-/// The comments of a well-formed text, and where its root element begins.
+/// Returns the comments of a well-formed text, and the position of its root element.
 fn scan(text: &str) -> (Vec<Span>, usize) {
     let (mut comments, mut root, mut at) = (Vec::new(), None, 0);
     while let Some(start) = text.get(at..).and_then(|rest| rest.find('<')).map(|found| at + found) {
@@ -132,7 +134,7 @@ fn scan(text: &str) -> (Vec<Span>, usize) {
     (comments, root.unwrap_or(text.len()))
 }
 
-/// The links and joints that a comment is for.
+/// Returns the links and joints that a comment applies to.
 fn scope(model: &RobotModel, comment: &Span, comments: &[Span]) -> Scope {
     let elements = || {
         let links = model.links.iter().map(|link| (&link.span, &link.name.text));
@@ -156,7 +158,7 @@ fn scope(model: &RobotModel, comment: &Span, comments: &[Span]) -> Scope {
     Scope::Elements(names)
 }
 
-/// The rules and the reason, or why it is no allowance.
+/// Returns the rules and the reason, or the error if the text is not an allowance.
 fn understood(said: &str) -> Result<(Vec<&'static str>, String), String> {
     const FORM: &str = "write polhode: allow RULE: REASON";
     let Some(rest) = said.strip_prefix("allow").filter(|rest| rest.starts_with(char::is_whitespace)) else {

@@ -1,4 +1,4 @@
-//! `polhode.toml`: what a project asks of its models.
+//! Configuration of a project: `polhode.toml`.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -16,40 +16,41 @@ use crate::finding::Severity;
 use crate::line_index::LineIndex;
 use crate::rule::{rule, rules};
 
-/// What a project asks of its models; by default nothing.
+/// Configuration of a project; empty by default.
 #[derive(Clone, Debug, Default)]
 pub struct Config {
-    /// The file, for messages.
+    /// Path of the file, for messages.
     pub file: String,
-    /// The least severity that fails.
+    /// Lowest severity that makes the check fail.
     pub fail_on: Option<Severity>,
-    /// Files that are not looked at.
+    /// Files that are not checked.
     pub exclude: Vec<Glob>,
-    /// Severities of rules; `None` is off.
+    /// Severity overrides by rule; `None` switches a rule off.
     severities: BTreeMap<&'static str, Option<Severity>>,
-    /// What is allowed.
+    /// Allowances.
     pub allowances: Vec<Allowance>,
 }
 
-/// Findings that are allowed.
+/// Allowance of findings.
 #[derive(Clone, Debug)]
 pub struct Allowance {
-    /// Of this rule.
+    /// Code of the rule.
     pub rule: &'static str,
-    /// In these files.
+    /// Pattern of the files.
     pub file: Glob,
-    /// About these links or joints; all of them if it is not said.
+    /// Pattern of the links or joints; `None` for all.
     pub link: Option<String>,
-    /// Why, in the user's words.
+    /// Reason, in the user's words.
     pub reason: String,
-    /// From this day on nothing is allowed.
+    /// Expiry date: the allowance ends at the start of this day.
     pub expires: Option<Date>,
-    /// Where it stands in the configuration, line and column.
+    /// Line and column in the configuration, from 1.
     pub place: (usize, usize),
 }
 
 impl Allowance {
-    /// Whether it allows what a rule says of a link, a joint, or with an empty name the model.
+    /// Returns true if it allows findings of a rule about a link or joint, or about the model if
+    /// `subject` is empty.
     fn allows(&self, files: &[&str], code: &str, subject: &str) -> bool {
         self.rule == code
             && self.link.as_ref().is_none_or(|glob| name_matches(glob, subject))
@@ -58,22 +59,24 @@ impl Allowance {
 }
 
 impl Config {
-    /// Reads a configuration's text; `path` is for messages.
+    /// Parses a configuration; `path` is for messages.
     ///
     /// # Errors
-    /// [`FormatError`] with its place: what is no TOML, keys and rules that do not exist, an allowance without a reason.
+    /// [`FormatError`] with its place, for invalid TOML, unknown keys or rules, or an allowance
+    /// without a reason.
     pub fn read(path: &Path, text: &str) -> Result<Self, FormatError> {
         read(text)
             .map(|config| Self { file: path.to_string_lossy().into_owned(), ..config })
             .map_err(|error| FormatError::of_content(path, text.as_bytes(), error))
     }
 
-    /// What a user's own severity of a rule is, if there is one; `Some(None)` is off.
+    /// Returns the severity override of a rule, if there is one; `Some(None)` means off.
     pub(super) fn severity_of(&self, code: &str) -> Option<Option<Severity>> {
         self.severities.get(code).copied()
     }
 
-    /// The first allowance that has not expired for what a rule says of a link in one of these files, by its place in the list.
+    /// Returns the index of the first unexpired allowance for a rule and a link in one of these
+    /// files.
     pub(super) fn allowance(&self, files: &[&str], code: &str, subject: &str, today: Date) -> Option<usize> {
         self.allowances.iter().position(|allowance| {
             allowance.expires.is_none_or(|day| today < day) && allowance.allows(files, code, subject)
@@ -150,19 +153,19 @@ fn expected(what: &str, found: &str, span: Range<usize>) -> ContentError {
     ContentErrorKind::expected(what, found).at(span)
 }
 
-/// A table, what it is called, and where it stands.
+/// TOML table with its name for messages and its position.
 struct Table<'a> {
     entries: &'a DeTable<'a>,
     name: &'static str,
     span: Range<usize>,
 }
 
-/// A value and where it stands.
+/// Value with its position.
 #[derive(Clone, Copy)]
 struct Value<'a>(&'a Spanned<DeValue<'a>>);
 
 impl<'a> Table<'a> {
-    /// Refuses the first key that is none of these.
+    /// Returns an error for the first key that is not in this list.
     fn allow(&self, known: &[&str]) -> Result<(), ContentError> {
         let unknown =
             self.entries.iter().map(|(key, _)| key).filter(|key| !known.contains(&key.get_ref().as_ref()));
@@ -245,7 +248,7 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// A severity, `None` for off.
+    /// Parses a severity; `None` for off.
     fn severity(&self, may_be_off: bool) -> Result<Option<Severity>, ContentError> {
         let names = Severity::ALL.into_iter().map(Severity::name);
         let names: Vec<&str> = names.chain(may_be_off.then_some("off")).collect();

@@ -1,10 +1,10 @@
-//! Days of the calendar.
+//! Calendar dates.
 
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-/// A day of the Gregorian calendar, in order. It serializes as its text, 2027-01-31.
+/// Date in the Gregorian calendar, ordered. It serializes as text: 2027-01-31.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Date {
@@ -14,14 +14,15 @@ pub struct Date {
 }
 
 impl Date {
-    /// A day as it is written, 2027-01-31.
+    /// Returns a date from its parts; 2027-01-31 is `new(2027, 1, 31)`. The parts are not checked.
     pub const fn new(year: u16, month: u8, day: u8) -> Self {
         Self { year: year as i64, month, day }
     }
 
-    /// The day so many days after 1970-01-01.
+    /// Returns the date a number of days after 1970-01-01.
     ///
-    /// Years begin in March here, so that the day that some have more comes last; 400 of them have 146,097 days.
+    /// The computation starts each year in March, so that the leap day is the last day of the year.
+    /// A cycle of 400 years has 146,097 days.
     pub fn of_days(days: u64) -> Self {
         const OF_400_YEARS: u64 = 146_097;
         let days = days + 719_468; // from 0000-03-01

@@ -1,19 +1,21 @@
-//! Patterns of names: `*` any letters, `?` one, and between slashes `**` any folders.
+//! Name patterns: `*` matches any characters, `?` one character, and `**` between slashes any
+//! folders.
 
 use std::fmt;
 
-/// A pattern of files' names. One without a slash is for files of that name in any folder.
+/// Pattern of file names. A pattern without a slash matches files of that name in any folder.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Glob(String);
 
 impl Glob {
-    /// A pattern; `None` for what other programs' patterns have besides: `[`, `]`, `{`, `}`, `\`, and `!` in front.
+    /// Returns a pattern; `None` if it is empty or has glob syntax that is not supported: `[`, `]`,
+    /// `{`, `}`, `\`, or a leading `!`.
     pub fn new(pattern: &str) -> Option<Self> {
         let foreign = pattern.contains(['[', ']', '{', '}', '\\']) || pattern.starts_with('!');
         (!pattern.is_empty() && !foreign).then(|| Self(pattern.trim_start_matches("./").to_owned()))
     }
 
-    /// Whether a file's name is of this pattern: relative, with slashes.
+    /// Returns true if a file name matches. The name is relative, with slashes.
     pub fn matches(&self, file: &str) -> bool {
         let parts: Vec<&str> = file.split('/').collect();
         if !self.0.contains('/') {
@@ -23,7 +25,7 @@ impl Glob {
         is_match(&pattern, &parts, |part| *part == "**", |part, name| name_matches(part, name))
     }
 
-    /// The name, if it is that of one file.
+    /// Returns the name if the pattern matches exactly one file.
     pub(crate) fn plain(&self) -> Option<&str> {
         Some(self.0.as_str()).filter(|name| name.contains('/') && !name.contains(['*', '?']))
     }
@@ -35,16 +37,18 @@ impl fmt::Display for Glob {
     }
 }
 
-/// Whether a name without folders, or a link's, is of a pattern.
+/// Returns true if a name without folders, or a link name, matches a pattern.
 pub(crate) fn name_matches(pattern: &str, name: &str) -> bool {
     let (pattern, name): (Vec<char>, Vec<char>) = (pattern.chars().collect(), name.chars().collect());
     is_match(&pattern, &name, |c| *c == '*', |p, c| *p == '?' || p == c)
 }
 
-/// Whether a list is of a pattern, of which some elements stand for any number of others.
+/// Returns true if a list matches a pattern, some elements of which are wildcards for any number of
+/// list elements.
 ///
-/// Such an element takes as few as it can; where it goes on wrongly, the last one takes one more. An earlier one never has to: what it would
-/// gain, the last one can take.
+/// A wildcard first matches as few elements as possible. After a mismatch, the last wildcard takes
+/// one more element. Earlier wildcards need no backtracking: the last one can take any element that
+/// they could take.
 fn is_match<P, T>(
     pattern: &[P],
     list: &[T],
@@ -108,7 +112,7 @@ mod tests {
         for foreign in ["", "a[bc]", "{a,b}", "!a", "a\\b"] {
             assert_eq!(Glob::new(foreign), None, "{foreign}");
         }
-        // no pattern takes for ever
+        // Matching time stays bounded for patterns with many wildcards.
         assert!(!of(&format!("x/{}b", "*a".repeat(40)), &format!("x/{}", "a".repeat(4000))));
     }
 }

@@ -1,11 +1,11 @@
-//! What a finding is known by: its rule with the severity that it gives, its file and all that it is about, and which of several it is; not its
-//! line, nor its numbers.
+//! Identifiers of findings. An identifier contains the rule, its default severity, the file, the
+//! links, and a counter of equal findings. Line numbers and values are not part of it.
 
 use std::collections::BTreeMap;
 
 use crate::finding::Finding;
 
-/// Of each finding of a file, in their order.
+/// Returns the identifiers of the findings of a file, in order.
 pub(super) fn ids<'a>(file: &str, findings: impl Iterator<Item = &'a Finding>) -> Vec<String> {
     let mut seen: BTreeMap<Vec<&str>, usize> = BTreeMap::new();
     let id = |finding: &'a Finding| {
@@ -18,10 +18,10 @@ pub(super) fn ids<'a>(file: &str, findings: impl Iterator<Item = &'a Finding>) -
     findings.map(id).collect()
 }
 
-/// FNV-1a of 64 bits: the same on every machine and for ever.
+/// Returns the 64-bit FNV-1a hash, which is the same on every machine and in every version.
 pub(super) fn hash<'a>(parts: impl IntoIterator<Item = &'a str>) -> String {
     let step = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
-    // No part has this byte: UTF-8 does not.
+    // The byte 0xff separates the parts; it does not occur in UTF-8.
     let bytes = |part: &'a str| part.bytes().chain([0xff]);
     let hash = parts.into_iter().flat_map(bytes).fold(0xcbf2_9ce4_8422_2325, |hash, byte| step(hash, &byte));
     format!("{hash:016x}")

@@ -1,4 +1,4 @@
-//! Folder that is checked: searched once for packages that no root holds.
+//! Folder that is checked as a whole, and the index of the packages below it.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -8,14 +8,15 @@ use polhode_source::files::{Files, Kind};
 
 use super::package::package_name;
 
-/// A folder whose models are checked together, with the packages below it by their names.
+/// Folder whose models are checked together, with the packages below it by name.
 #[derive(Debug)]
 pub struct CheckedFolder {
     /// Path as the user named it.
     named: PathBuf,
     /// Canonical path.
     path: PathBuf,
-    /// Folders by their names and by the name in their `package.xml`; found when a package is first looked up.
+    /// Folders by name and by the name in their `package.xml`; computed at the first lookup of a
+    /// package.
     packages: OnceLock<HashMap<String, Vec<PathBuf>>>,
 }
 
@@ -28,14 +29,14 @@ impl PartialEq for CheckedFolder {
 impl Eq for CheckedFolder {}
 
 impl CheckedFolder {
-    /// Returns `None` if the folder does not exist.
+    /// Returns the folder; `None` if it does not exist.
     pub fn new(files: &dyn Files, named: &Path) -> Option<Self> {
         let path = files.canonical(named).ok()?;
         files.look(&path).is_ok_and(|look| look.is_folder()).then_some(())?;
         Some(Self { named: named.to_owned(), path, packages: OnceLock::new() })
     }
 
-    /// Returns true if a path begins with the folder, both as the user names them.
+    /// Returns true if a path begins with the folder. Both paths are as the user names them.
     pub fn names(&self, path: &Path) -> bool {
         path.starts_with(&self.named)
     }
@@ -44,14 +45,15 @@ impl CheckedFolder {
         &self.path
     }
 
-    /// Folders below, or the folder itself, that are called so.
+    /// Returns the folders with this name, among this folder and those below it.
     pub(super) fn packages(&self, files: &dyn Files, name: &str) -> &[PathBuf] {
         let packages = self.packages.get_or_init(|| packages(files, &self.path));
         packages.get(name).map_or(&[], Vec::as_slice)
     }
 }
 
-/// All folders by their names, sorted. Hidden folders are left out. Links are not followed, so the search ends.
+/// Returns all folders by name, sorted. Hidden folders are skipped. Symbolic links are not
+/// followed, so the search ends.
 fn packages(files: &dyn Files, root: &Path) -> HashMap<String, Vec<PathBuf>> {
     let mut packages: HashMap<String, Vec<PathBuf>> = HashMap::new();
     let mut folders = vec![root.to_owned()];

@@ -1,5 +1,6 @@
-//! The files that a model names. MJCF: `<include>` puts the elements of another in its place, once; `<model>` is a model of its own.
-//! SDF: `<include>` is a model, as often as it is included.
+//! Files that a model includes. In MJCF, `<include>` inserts the elements of another file, once per
+//! file, and `<model>` is a separate model. In SDF, `<include>` inserts a model and may be
+//! repeated.
 
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -14,36 +15,36 @@ use crate::model::{Note, Source, Span};
 use crate::read::uri::Roots;
 use crate::read::xml::{Document, Element, Forest, Links};
 
-/// Files that a model may consist of.
+/// Maximum number of files of a model.
 const MOST_FILES: usize = 1000;
 
-/// How a language names files.
+/// Include syntax of a language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Naming {
-    /// It names none.
+    /// No includes.
     Nothing,
     Sdf,
     Mjcf,
 }
 
-/// The texts of a model, the main one first.
+/// Texts of a model, the main one first.
 pub(super) struct ModelFiles {
     pub(super) sources: Vec<Source>,
-    /// The texts made plain.
+    /// Preprocessed texts.
     copies: Vec<String>,
     links: Links,
-    /// What is included stands in the place of the element that includes it.
+    /// True if included elements replace the element that includes them.
     splices: bool,
-    /// For each, the folder that its paths are relative to: that of the model that includes it.
+    /// Base folder of the paths in each text: that of the including model.
     pub(super) folders: Vec<PathBuf>,
-    /// What cannot be read, and why.
+    /// Notes about files that cannot be read.
     pub(super) notes: Vec<Note>,
 }
 
-/// A file on the way into the model.
+/// File that waits to be read.
 struct Waiting {
     source: Source,
-    /// The main file of its model, by its place in the list.
+    /// Index of the main file of its model.
     main: usize,
 }
 
@@ -66,14 +67,14 @@ impl ModelFiles {
         let mut next = text.len() + 1;
         let mut waiting = vec![Waiting { source: Source { path: path.to_owned(), text, start: 0 }, main: 0 }];
         let mut included = HashSet::new();
-        // those that are read once and may be named often
+        // Files that are read once but may be named several times.
         let mut models = HashMap::new();
         if naming == Naming::Sdf
             && let Ok(own) = roots.files.canonical(path)
         {
             models.insert(own, 0);
         }
-        // files take their numbers in the order in which they are named
+        // Files are numbered in the order in which they are named.
         let mut number = 0;
         while number < waiting.len() {
             let Some(Waiting { source, main }) = waiting.get(number) else { break };
@@ -132,9 +133,10 @@ impl ModelFiles {
         Ok(files)
     }
 
-    /// A model that includes itself, by way of others perhaps, has no end.
+    /// Returns an error if a model includes itself, directly or through other models.
     fn require_no_circle(&self) -> Result<(), FormatError> {
-        // a file without files that are not yet taken away, is taken away; what is left goes round
+        // Repeatedly removes files that include none of the remaining files; the remainder is
+        // circular.
         let mut left: Vec<((usize, usize), usize)> =
             self.links.iter().map(|(&from, &to)| (from, to)).collect();
         left.sort_unstable();
@@ -154,7 +156,7 @@ impl ModelFiles {
         Err(FormatError::of_content(&source.path, source.text.as_bytes(), error))
     }
 
-    /// The text made plain, and the files that it names.
+    /// Returns the preprocessed text and the files that it names.
     fn named(&mut self, source: &Source, naming: Naming) -> Result<(String, Vec<Named>), FormatError> {
         let located = |error| FormatError::of_content(&source.path, source.text.as_bytes(), error);
         let mut copy = plain(&source.text).map_err(located)?;
@@ -188,7 +190,8 @@ impl ModelFiles {
         Ok((copy, named))
     }
 
-    /// Bytes that all names joined by `::` may have. Models nested a thousand deep would fill any memory.
+    /// Returns the maximum total bytes of names joined by `::`. Models nested a thousand levels
+    /// deep would otherwise exhaust the memory.
     pub(super) fn most_name_bytes(&self) -> usize {
         const FOR_EACH_BYTE: usize = 16;
         const WITH_INCLUDED: usize = 1 << 26;
@@ -196,12 +199,13 @@ impl ModelFiles {
         FOR_EACH_BYTE * all + if self.sources.len() > 1 { WITH_INCLUDED } else { 0 }
     }
 
-    /// The folder that the paths of an element are relative to.
+    /// Returns the base folder for the paths of an element.
     pub(super) fn folder(&self, element: Element<'_>) -> &Path {
         self.folders.get(element.tree()).map_or(Path::new(""), PathBuf::as_path)
     }
 
-    /// Makes something of the root of the main file, and of a place in any of them an error with its file.
+    /// Applies a function to the root of the main file. An error in any file is reported with that
+    /// file.
     pub(super) fn with_root<T>(
         &self,
         read: impl FnOnce(Element<'_>) -> Result<T, ContentError>,
@@ -233,9 +237,9 @@ impl ModelFiles {
     }
 }
 
-/// A file that an element names.
+/// File that an element names.
 struct Named {
-    /// The first byte of the element in its file.
+    /// First byte of the element in its file.
     byte: usize,
     element: Span,
     file: String,
@@ -247,7 +251,7 @@ fn source_span(files: &[Waiting], number: usize, span: &Span) -> Span {
     start + span.start..start + span.end
 }
 
-/// The folder of a file.
+/// Returns the folder of a file.
 fn folder(files: &dyn Files, path: &Path) -> PathBuf {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     files.canonical(folder).unwrap_or_else(|_| folder.to_owned())
@@ -257,7 +261,8 @@ fn same(files: &dyn Files, path: &Path, canonical: &Path) -> bool {
     files.canonical(path).is_ok_and(|path| path == canonical)
 }
 
-/// MuJoCo refuses a file that is included twice; in itself it would never end.
+/// Returns the error for a file that is included twice, which MuJoCo rejects and which could
+/// recurse without end.
 fn refused(files: &[Waiting], number: usize, span: Span, file: &str, is_known: bool) -> FormatError {
     let what = if is_known {
         format!("{file:?} for the second time, as MuJoCo refuses it")

@@ -1,10 +1,12 @@
-//! OpenSim: bodies with mass, centre and tensor, and joints between frames that are fixed to them.
+//! OpenSim models: bodies with mass, centre and tensor, and joints between frames fixed to them.
 //!
-//! Lengths in metres, masses in kilograms, angles in radians about axes that turn with the frame (x, y, z). The tensor is about the centre
-//! of mass, along the body's axes, xx yy zz xy xz yz: as six numbers, or until version 4.0 an element each. `ground` is the world.
-//! Geometry is bones to be seen, not what has the mass: it is not read.
+//! Lengths are in metres, masses in kilograms, angles in radians about rotating axes (x, y, z). The
+//! tensor is about the centre of mass, along the body's axes, in the order xx yy zz xy xz yz. It is
+//! written as six numbers, or until version 4.0 as six elements. `ground` is the world. Geometry
+//! shows bones, which do not carry the mass, so it is not read.
 //!
-//! Source: simtk-confluence.stanford.edu, "OpenSim Models"; the properties of `Body`, `Joint` and `PhysicalOffsetFrame`.
+//! Source: simtk-confluence.stanford.edu, "OpenSim Models"; the properties of `Body`, `Joint` and
+//! `PhysicalOffsetFrame`.
 
 mod coordinate;
 mod frame;
@@ -19,11 +21,11 @@ use crate::read::unread;
 use crate::read::xml::{Element, child_slot};
 use frame::Frames;
 
-/// The oldest version that is read.
+/// Oldest supported version.
 const FIRST_VERSION: u64 = 20302;
 const GROUND: &str = "ground";
 
-/// Fills the model with what the root says.
+/// Fills the model from the root element.
 pub(super) fn read(root: Element<'_>, model: &mut RobotModel) -> Result<(), ContentError> {
     let start = root.span().start;
     let place = || ContentPlace::Text(start..start + 1);
@@ -65,7 +67,7 @@ pub(super) fn read(root: Element<'_>, model: &mut RobotModel) -> Result<(), Cont
     Ok(())
 }
 
-/// The objects of a set.
+/// Returns the objects of a set.
 fn set<'a>(model: Element<'a>, name: &'a str) -> impl Iterator<Item = Element<'a>> {
     model.named(name).flat_map(|set| set.named("objects")).flat_map(Element::children)
 }

@@ -4,15 +4,15 @@ use std::path::Path;
 
 use polhode_source::files::Files;
 
-/// The name in a folder's `package.xml`.
+/// Returns the name in a folder's `package.xml`.
 pub(super) fn package_name(
     files: &dyn Files,
     folder: &Path,
     holds: impl Fn(&Path) -> bool,
 ) -> Option<String> {
-    /// A package file is some hundred bytes; its name stands near the start.
+    /// Maximum number of bytes to read. A package file is short, and its name is near the start.
     const MOST: u64 = 1 << 16;
-    // It may be a link to somewhere else.
+    // The file may be a symbolic link to another folder.
     let file = files.canonical(&folder.join("package.xml")).ok()?;
     if !holds(&file) || !files.is_file(&file) {
         return None;

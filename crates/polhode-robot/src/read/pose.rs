@@ -1,9 +1,9 @@
-//! Poses as they are written: numbers that are none are kept, and count as zero.
+//! Poses as written. Unreadable numbers are kept, and count as zero.
 
 use crate::model::{Number, Pose, Span};
 use crate::read::xml::Written;
 
-/// Numbers of a pose on their way into it.
+/// Numbers of a pose while it is read.
 #[derive(Debug, Default)]
 pub(super) struct Reading {
     unreadable: Vec<Number>,
@@ -11,8 +11,9 @@ pub(super) struct Reading {
 }
 
 impl Reading {
-    /// `N` numbers of an attribute; `default` if it is not there. What is not a finite number, is kept and counts as zero, and so
-    /// is the whole text if it has fewer numbers or more.
+    /// Reads `N` numbers of an attribute; `default` if it is missing. A number that is not finite
+    /// is recorded and counts as zero. The whole text is recorded if it has the wrong number of
+    /// values.
     pub(super) fn numbers<const N: usize>(
         &mut self,
         written: Option<&Written<'_>>,
@@ -40,7 +41,7 @@ impl Reading {
         values
     }
 
-    /// An attitude that is no rotation: a quaternion of length zero.
+    /// Records an attitude that is not a rotation: a quaternion of norm zero.
     pub(super) fn refuse(&mut self, written: &Written<'_>) {
         self.unreadable.push(Number {
             text: written.value.to_owned(),
@@ -49,14 +50,14 @@ impl Reading {
         });
     }
 
-    /// The pose stands here, among others.
+    /// Extends the span of the pose.
     pub(super) fn covers(&mut self, span: &Span) {
         let all =
             self.span.take().map_or(span.clone(), |own| own.start.min(span.start)..own.end.max(span.end));
         self.span = Some(all);
     }
 
-    /// The pose.
+    /// Returns the pose.
     pub(super) fn pose(self, position: [f64; 3], rotation: [f64; 4]) -> Pose {
         Pose { position, rotation, unreadable: self.unreadable, span: self.span }
     }

@@ -1,9 +1,12 @@
-//! SDFormat: models in worlds and models in models, each element in a frame that it may name.
+//! SDFormat: models in worlds and models in models. Each element has a pose in a frame that it may
+//! name.
 //!
-//! Every link, joint, frame and nested model is a frame in another one; the readings are composed once, down from the root: the world
-//! of a world file, else the model. Names of links in nested models are joined by `::`.
+//! Every link, joint, frame and nested model is a frame in another one. The poses are composed
+//! once, down from the root: the world of a world file, otherwise the model. Names of links in
+//! nested models are joined by `::`.
 //!
-//! Source: sdformat.org/spec (1.11, which has the elements of the versions since 1.4), and its "Pose frame semantics".
+//! Source: sdformat.org/spec (1.11, which contains the elements of all versions since 1.4), and its
+//! page "Pose frame semantics".
 
 mod auto;
 mod frames;
@@ -29,7 +32,7 @@ use crate::read::xml::{Element, Written, child_slot, is_true};
 use frames::Frames;
 use gather::{gather, require_few, require_short};
 
-/// Fills the model with what the root says.
+/// Fills the model from the root element.
 pub(super) fn read(
     root: Element<'_>,
     files: &ModelFiles,
@@ -61,12 +64,13 @@ pub(super) fn read(
     Ok(())
 }
 
-/// The pose of an element, and the frame that it names.
+/// Returns the pose of an element, and the frame that it names.
 ///
-/// Six numbers, the last three roll, pitch and yaw; or seven, the last four a quaternion x, y, z, w.
+/// The pose has six numbers, the last three roll, pitch and yaw; or seven, the last four a
+/// quaternion x, y, z, w.
 fn pose<'a>(element: Element<'a>) -> (Pose, Option<&'a str>) {
     let Some(pose) = element.child("pose") else { return (Pose::IDENTITY, None) };
-    // `frame` until 1.6
+    // The attribute was `frame` until version 1.6.
     let relative_to = pose.word("relative_to").or_else(|| pose.word("frame")).filter(|name| !name.is_empty());
     let mut reading = Reading::default();
     let text = pose.text();
@@ -139,7 +143,7 @@ fn link(
     link
 }
 
-/// The name of an element with those of the models around it.
+/// Returns the name of an element, prefixed with the names of its enclosing models.
 fn full_name(element: Element<'_>, scope: usize, frames: &Frames<'_>) -> Name {
     let start = element.span().start;
     let own = element
@@ -189,7 +193,7 @@ fn shape(element: Element<'_>, (roots, folder): (&Roots<'_>, &Path)) -> Geometry
 }
 
 fn joint(element: Element<'_>, scope: usize, frame: usize, frames: &Frames<'_>) -> Joint {
-    // a link, or a frame that is fixed to one
+    // Link, or frame that is fixed to a link.
     let end = |side: &str| {
         let written = element.child_text(side);
         let span = written
@@ -205,7 +209,7 @@ fn joint(element: Element<'_>, scope: usize, frame: usize, frames: &Frames<'_>) 
     let (_, child_link, child) = end("child");
     let in_root = |link: Option<usize>| link.map_or(Pose::IDENTITY, |link| frames.in_root(link));
     let (in_parent, in_child) = (in_root(parent_link), in_root(child_link));
-    // the joint's frame in the child's
+    // Pose of the joint's frame in the child's frame.
     let place = in_child.inverse().then(&frames.in_root(frame));
     let axis = element.child("axis");
     let xyz = axis.and_then(|axis| axis.child("xyz"));
@@ -239,14 +243,15 @@ fn joint(element: Element<'_>, scope: usize, frame: usize, frames: &Frames<'_>) 
 const KINDS: [&str; 9] =
     ["fixed", "revolute", "continuous", "prismatic", "ball", "universal", "screw", "gearbox", "revolute2"];
 
-/// What the axes of a joint say. Of the second it is read that it follows a joint, as nothing is known then.
+/// Returns the coordinate of a joint. The second axis is not read; if it follows another joint, the
+/// value is unknown.
 fn coordinates(joint: Element<'_>, prefix: &str) -> Coordinate {
     let mut own = joint.child("axis").map_or_else(Coordinate::default, |axis| coordinate(axis, prefix));
     if let Some(follows) = joint.child("axis2").and_then(|axis| coordinate(axis, prefix).follows) {
         let coefficients = Err("its second axis does, which is not read".to_owned());
         own.follows = Some(Follows { coefficients, ..follows });
     }
-    // of Drake: gear² I
+    // Extension of Drake: gear² I.
     let number = |name: &str| joint.child_text(name).map(|text| text.number().value.unwrap_or(f64::NAN));
     let gear = number("drake_gear_ratio").unwrap_or(1.0);
     own.armature = number("drake_rotor_inertia").map_or(0.0, |inertia| gear * gear * inertia);
@@ -255,12 +260,12 @@ fn coordinates(joint: Element<'_>, prefix: &str) -> Coordinate {
     own
 }
 
-/// What an axis says of its limits, and of the joint that it follows: `<mimic joint="…">` since 1.10.
+/// Returns the limits of an axis and its coupling: `<mimic joint="…">` since 1.10.
 fn coordinate(axis: Element<'_>, prefix: &str) -> Coordinate {
     let number = |written: Written<'_>| written.number().value.unwrap_or(f64::NAN);
     let limit = |side: &str| {
         let written = axis.child("limit").and_then(|limit| limit.child_text(side))?;
-        // The default, ±1e16, says that there is none.
+        // The default, ±1e16, means no limit.
         Some(number(written)).filter(|limit| limit.abs() < 1e16)
     };
     let follows = axis.child("mimic").map(|mimic| {
@@ -269,7 +274,7 @@ fn coordinate(axis: Element<'_>, prefix: &str) -> Coordinate {
             .attribute("joint")
             .map_or(Name { text: String::new(), span: start..start }, |name| name.name());
         let leader = Name { text: format!("{prefix}{}", leader.text), ..leader };
-        // The specification asks for a multiplier, and has no use for its default, zero.
+        // The specification requires a multiplier; its default, zero, is not useful.
         let numbers = [("multiplier", f64::NAN), ("offset", 0.0), ("reference", 0.0)]
             .map(|(name, default)| mimic.child_text(name).map_or(default, number));
         let follows = Follows::line(mimic.span(), leader, numbers);

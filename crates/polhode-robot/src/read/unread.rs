@@ -1,25 +1,27 @@
-//! What a reader would pass over in silence though it may be meant: `read.inertials`, `read.twice`, `read.unknown`,
-//! `inertia.asymmetric`, `inertia.two_forms`, `pose.degrees`.
+//! Content that a reader would ignore although it may be intended: `read.inertials`, `read.twice`,
+//! `read.unknown`, `inertia.asymmetric`, `inertia.two_forms`, `pose.degrees`.
 //!
-//! Programs read the first of two elements, the elements of a tensor above its diagonal, and no attribute that their language does
-//! not have. Where something else stands beside these, the file says more than programs read, and may say something else.
+//! Programs read the first of two elements, the tensor elements above the diagonal, and only the
+//! attributes of their language. If a file has further content, it may contradict the content that
+//! programs read.
 
 use crate::finding::Severity;
 use crate::model::{Note, Span};
 use crate::read::xml::{Element, Written};
 
-/// Elements of a tensor above the diagonal, and those below it.
+/// Tensor elements above the diagonal, and those below it.
 const MIRRORED: [[&str; 2]; 3] = [["ixy", "iyx"], ["ixz", "izx"], ["iyz", "izy"]];
 const MOMENTS: [&str; 3] = ["ixx", "iyy", "izz"];
 
-/// Equal numbers of a tensor differ by no more than this part of the larger: the last of a program's digits.
+/// Relative difference below which two tensor elements are equal: the last digit of a program's
+/// output.
 const EQUAL: f64 = 1e-6;
 
-/// What makes an unknown name one that says something of mass: in it, or as a word of it.
+/// Parts of an unknown name that indicate mass properties: as a substring, or as a whole word.
 const PHYSICS: [&str; 8] = ["mass", "inertia", "density", "center", "centre", "origin", "pose", "unit"];
 const WORDS: [&str; 2] = ["com", "cog"];
 
-/// A URDF link's inertial and the origins of its shapes.
+/// Checks a URDF link: its inertial and the origins of its shapes.
 pub(super) fn urdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     let mut reader = Unread { subject, notes };
     reader.once(link, "inertial", "read.inertials");
@@ -45,7 +47,7 @@ pub(super) fn urdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     reader.symmetric(|name| inertia.attribute(name));
 }
 
-/// The origin of a URDF joint.
+/// Checks the origin of a URDF joint.
 pub(super) fn origin(joint: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     let mut reader = Unread { subject, notes };
     for name in ["origin", "parent", "child", "axis", "limit", "mimic"] {
@@ -55,7 +57,7 @@ pub(super) fn origin(joint: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     reader.origin_degrees(joint);
 }
 
-/// An SDF link's inertial.
+/// Checks the inertial of an SDF link.
 pub(super) fn sdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     let mut reader = Unread { subject, notes };
     reader.once(link, "inertial", "read.inertials");
@@ -92,7 +94,7 @@ pub(super) fn sdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     reader.symmetric(|name| inertia.child_text(name));
 }
 
-/// An MJCF body's inertial.
+/// Checks the inertial of an MJCF body.
 pub(super) fn mjcf(body: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     const ATTITUDES: [&str; 5] = ["quat", "axisangle", "euler", "xyaxes", "zaxis"];
     let mut reader = Unread { subject, notes };
@@ -109,7 +111,7 @@ pub(super) fn mjcf(body: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     }
 }
 
-/// What an OpenSim body says of its mass.
+/// Checks the mass properties of an OpenSim body.
 pub(super) fn osim(body: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     const NUMBERS: [(&str, usize); 3] = [("mass", 1), ("mass_center", 3), ("inertia", 6)];
     let mut reader = Unread { subject, notes };
@@ -125,7 +127,7 @@ pub(super) fn osim(body: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     }
 }
 
-/// The parts of an SDF joint, frame or model that there is one of.
+/// Checks that elements of an SDF joint, frame or model are not repeated.
 pub(super) fn sdf_once(element: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     let mut reader = Unread { subject, notes };
     let of_joint: &[&str] =
@@ -135,7 +137,7 @@ pub(super) fn sdf_once(element: Element<'_>, subject: &str, notes: &mut Vec<Note
     }
 }
 
-/// The angles of an SDF element's pose, if they are degrees.
+/// Checks if the angles of an SDF pose are degrees.
 pub(super) fn sdf_pose(element: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     let Some(pose) = element.child("pose") else { return };
     if pose.says_true("degrees") || pose.word("rotation_format").is_some_and(|format| format != "euler_rpy") {
@@ -160,14 +162,16 @@ impl Unread<'_> {
         self.notes.push(Note { severity: Severity::Suspect, ..note });
     }
 
-    /// Roll, pitch and yaw of which one is no angle in radians: more than a turn, and a round number of degrees.
+    /// Reports roll, pitch and yaw if one of them is more than a full turn and a round number of
+    /// degrees.
     fn degrees(&mut self, angles: [f64; 3], span: Span) {
         const STEP: f64 = 2.5;
         let is_degrees = |angle: f64| angle % STEP == 0.0 && angle.abs() > std::f64::consts::TAU;
         if !angles.into_iter().any(is_degrees) {
             return;
         }
-        // beside a whole number of degrees, as in 0 1 90, small ones may be degrees; a fraction is hardly one
+        // Next to a whole number of degrees, as in 0 1 90, small multiples of 0.5 may be degrees;
+        // other fractions are unlikely to be.
         let meant = angles.map(|angle| match angle % 0.5 == 0.0 {
             true => angle.to_radians(),
             false => angle,
@@ -179,7 +183,7 @@ impl Unread<'_> {
         self.suspect("pose.degrees", span, message);
     }
 
-    /// The angles of an `<origin>`.
+    /// Checks the angles of an `<origin>`.
     fn origin_degrees(&mut self, parent: Element<'_>) {
         if let Some(rpy) = parent.child("origin").and_then(|origin| origin.attribute("rpy"))
             && let Some(angles) = rpy.array()
@@ -188,7 +192,7 @@ impl Unread<'_> {
         }
     }
 
-    /// An element that there is one of.
+    /// Reports a repeated element.
     fn once(&mut self, parent: Element<'_>, name: &str, code: &'static str) {
         if let Some(second) = parent.children().filter(|child| child.name() == name).nth(1) {
             let message = format!("a second <{name}> in <{}>: only the first is read", parent.name());
@@ -196,7 +200,7 @@ impl Unread<'_> {
         }
     }
 
-    /// One `<geometry>`, with one shape in it.
+    /// Reports a second `<geometry>`, or a second shape in it.
     fn one_shape(&mut self, parent: Element<'_>) {
         self.once(parent, "geometry", "read.twice");
         if let Some(second) = parent.child("geometry").and_then(|geometry| geometry.children().nth(1)) {
@@ -206,7 +210,8 @@ impl Unread<'_> {
         }
     }
 
-    /// Notes a tensor written as a matrix, in an unknown attribute or as text. Returns the name of that attribute.
+    /// Notes a tensor written as a matrix, in an unknown attribute or as text. Returns the name of
+    /// that attribute.
     fn matrix<'a>(
         &mut self,
         inertia: Element<'a>,
@@ -221,7 +226,7 @@ impl Unread<'_> {
             None => inertia.text().filter(is_matrix),
         }?;
         let values: Vec<&str> = text.value.split_whitespace().collect();
-        // row by row: xx xy xz, yx yy yz, zx zy zz
+        // Order by rows: xx xy xz, yx yy yz, zx zy zz.
         let meant = match values.as_slice() {
             &[xx, xy, xz, yx, yy, yz, zx, zy, zz] if [xy, xz, yz] == [yx, zx, zy] => {
                 let six = [("ixx", xx), ("ixy", xy), ("ixz", xz), ("iyy", yy), ("iyz", yz), ("izz", zz)];
@@ -237,7 +242,8 @@ impl Unread<'_> {
         attribute
     }
 
-    /// What belongs into the inertial and stands beside it, or a name that is nearly its own.
+    /// Reports elements that belong into the inertial but are next to it, and misspelled names of
+    /// the inertial.
     fn astray(&mut self, link: Element<'_>) {
         let is_astray = |name: &str| {
             let lower = name.to_ascii_lowercase();
@@ -251,7 +257,7 @@ impl Unread<'_> {
         }
     }
 
-    /// Elements that each are there once at most, and no others.
+    /// Reports repeated elements, and elements that are not in this list.
     fn elements(&mut self, parent: Element<'_>, known: &[&str]) {
         for name in known {
             self.once(parent, name, "read.twice");
@@ -267,14 +273,14 @@ impl Unread<'_> {
         }
     }
 
-    /// No attributes but these on the first child of that name.
+    /// Reports attributes that are not in this list, on the first child of that name.
     fn attributes(&mut self, parent: Element<'_>, name: &str, known: &[&str]) {
         if let Some(child) = parent.child(name) {
             self.own_attributes(child, known);
         }
     }
 
-    /// No attributes but these.
+    /// Reports attributes that are not in this list.
     fn own_attributes(&mut self, element: Element<'_>, known: &[&str]) {
         for name in element.attribute_names().filter(|name| !known.contains(name)) {
             let span = element.attribute(name).map_or_else(|| element.span(), |written| written.span);
@@ -288,7 +294,7 @@ impl Unread<'_> {
         }
     }
 
-    /// A name that no program reads: suspect if it says something of mass, else worth knowing.
+    /// Reports an unknown name: suspect if it indicates mass properties, otherwise a note.
     fn unknown(&mut self, name: &str, span: Span, message: String) {
         let lower = name.to_ascii_lowercase();
         let element =
@@ -296,7 +302,7 @@ impl Unread<'_> {
         let mut words = lower.split(|c: char| !c.is_ascii_alphabetic());
         let word = words.any(|word| WORDS.contains(&word));
         let attitude = ["quat", "rpy", "xyz", "euler", "ypr"].iter().any(|word| lower.contains(word));
-        // A prefix of another program's own elements: drake_…, gz_….
+        // Prefixes of other programs' own elements: drake_…, gz_….
         let foreign = lower.starts_with("xmlns") || lower.starts_with("drake_") || lower.starts_with("gz_");
         if !foreign && (element || word || attitude || PHYSICS.iter().any(|word| lower.contains(word))) {
             self.suspect("read.unknown", span, message);
@@ -305,7 +311,8 @@ impl Unread<'_> {
         }
     }
 
-    /// Elements below the diagonal that are there say what those above it say. An element that is left out counts as zero.
+    /// Reports elements below the diagonal that differ from those above it. A missing element above
+    /// the diagonal counts as zero.
     fn symmetric<'a>(&mut self, element: impl Fn(&'static str) -> Option<Written<'a>>) {
         for [upper, lower] in MIRRORED {
             let Some(below) = element(lower) else { continue };

@@ -1,6 +1,7 @@
-//! URDF: links and joints side by side, lengths in metres, angles in radians, attitudes as roll, pitch, yaw.
+//! URDF: a list of links and joints; lengths in metres, angles in radians, attitudes as roll,
+//! pitch, yaw.
 //!
-//! Source: wiki.ros.org/urdf/XML, and the parser of urdfdom where it says less.
+//! Source: wiki.ros.org/urdf/XML, and the urdfdom parser for details.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -19,7 +20,7 @@ use crate::read::unread;
 use crate::read::uri::Roots;
 use crate::read::xml::{Element, Written, slot};
 
-/// Fills the model with what the root says.
+/// Fills the model from the root element.
 pub(super) fn read(root: Element<'_>, roots: &Roots<'_>, model: &mut RobotModel) -> Result<(), ContentError> {
     if let Some(span) = macros(root) {
         return Err(xacro(&model.path, span));
@@ -55,8 +56,9 @@ pub(super) fn read(root: Element<'_>, roots: &Roots<'_>, model: &mut RobotModel)
     Ok(())
 }
 
-/// Adds the inertia of rotors to their joints: gear² I, with Drake's `drake:gear_ratio` and `drake:rotor_inertia` in a
-/// `<transmission>`. URDF itself has no key for a rotor's inertia, so `<mechanicalReduction>` alone adds nothing.
+/// Adds the reflected inertia gear² I of rotors to their joints, from Drake's `drake:gear_ratio`
+/// and `drake:rotor_inertia` in a `<transmission>`. URDF itself has no key for a rotor's inertia,
+/// so `<mechanicalReduction>` alone adds nothing.
 fn reflect_rotors(root: Element<'_>, model: &mut RobotModel) {
     let value = |actuator: Element<'_>, name: &str| {
         let written = actuator.child(name).map(|child| child.attribute("value"));
@@ -78,7 +80,8 @@ fn reflect_rotors(root: Element<'_>, model: &mut RobotModel) {
     }
 }
 
-/// A parent `world` that is no link is the world itself, as Drake reads it; other programs refuse it.
+/// Treats the parent `world` as the world itself if no link has this name, as Drake does. Other
+/// programs reject it.
 fn hang_on_world(model: &mut RobotModel) {
     if model.links.iter().any(|link| link.name.text == WORLD) {
         return;
@@ -95,7 +98,7 @@ fn hang_on_world(model: &mut RobotModel) {
 
 const WORLD: &str = "world";
 
-/// Where a text is SRDF, whose root has the same name.
+/// Returns the position that shows that a text is SRDF, whose root element has the same name.
 fn semantics(root: Element<'_>) -> Option<Span> {
     const OF_GROUPS: [&str; 5] =
         ["group", "group_state", "virtual_joint", "end_effector", "disable_collisions"];
@@ -103,7 +106,7 @@ fn semantics(root: Element<'_>) -> Option<Span> {
     root.child("link").is_none().then(|| first.span())
 }
 
-/// A macro file is not the model yet: where a text is xacro that has not been expanded.
+/// Returns the position of an unexpanded xacro macro, if there is one.
 fn macros(root: Element<'_>) -> Option<Span> {
     let mut waiting = vec![root];
     while let Some(element) = waiting.pop() {
@@ -112,14 +115,14 @@ fn macros(root: Element<'_>) -> Option<Span> {
         }
         waiting.extend(element.children());
     }
-    // an expanded file may still declare the prefix; an expression is what gives a macro away
+    // An expanded file may still declare the prefix; only an expression proves an unexpanded macro.
     let text = root.document();
     let expression = || ["${", "$("].iter().filter_map(|opening| text.find(opening)).min();
     let start = root.has_prefix("xacro").then(expression).flatten()?;
     Some(start..start + 2)
 }
 
-/// The command that makes a model of it.
+/// Returns the error for a xacro file, with the command that expands it.
 fn xacro(path: &Path, span: Span) -> ContentError {
     let what = "xacro: this file is a macro that makes a model, not the model";
     let file = path.file_name().map_or_else(|| "robot.urdf.xacro".into(), |name| name.to_string_lossy());
@@ -157,7 +160,7 @@ fn link(element: Element<'_>, roots: &Roots<'_>, notes: &mut Vec<Note>) -> Link 
     }
 }
 
-/// An attribute as a name; empty, at the element, if it is not there.
+/// Returns an attribute as a name. If it is missing, the name is empty, at the element's position.
 fn name(element: Element<'_>, attribute: &str) -> Name {
     let start = element.span().start;
     element
@@ -180,7 +183,7 @@ fn inertial(element: Element<'_>) -> Inertial {
     }
 }
 
-/// `<origin xyz="…" rpy="…"/>` of an element; zero where it is left out.
+/// Returns the pose `<origin xyz="…" rpy="…"/>` of an element; the identity if it is missing.
 fn origin(element: Element<'_>) -> Pose {
     let Some(origin) = element.child("origin") else { return Pose::IDENTITY };
     let mut reading = Reading::default();
@@ -241,7 +244,7 @@ fn joint(element: Element<'_>) -> Joint {
     }
 }
 
-/// That a joint's kind is none of the language.
+/// Returns the error for a joint type that is missing or unknown.
 fn unknown_kind(element: Element<'_>) -> Option<String> {
     const KINDS: [&str; 6] = ["revolute", "continuous", "prismatic", "fixed", "floating", "planar"];
     let Some(written) = element.word("type") else { return Some("the joint has no type".to_owned()) };
@@ -252,12 +255,13 @@ fn unknown_kind(element: Element<'_>) -> Option<String> {
     Some(format!("type {written:?} is no kind of joint; those that are, are {kinds}"))
 }
 
-/// `<limit lower="…" upper="…"/>` and `<mimic joint="…" multiplier="…" offset="…"/>`.
+/// Returns limits and coupling: `<limit lower="…" upper="…"/>` and `<mimic joint="…" multiplier="…"
+/// offset="…"/>`.
 fn coordinate(element: Element<'_>) -> Coordinate {
     let number = |written: Option<Written<'_>>, default: f64| {
         written.map_or(default, |written| written.number().value.unwrap_or(f64::NAN))
     };
-    // A continuous joint has no limits, and those of the others are zero where they are left out.
+    // A continuous joint has no limits. For other joints a missing limit is zero.
     let limit =
         element.child("limit").filter(|_| matches!(element.word("type"), Some("revolute" | "prismatic")));
     let limits = limit.and_then(|limit| match ["lower", "upper"].map(|name| limit.attribute(name)) {

@@ -1,4 +1,4 @@
-//! Lookup of the files that a model names: under the roots, in the checked folder, or in an
+//! Lookup of the files that a model names: below the roots, in the checked folder, or in an
 //! ancestor folder that is the package.
 
 use std::cell::RefCell;
@@ -14,24 +14,25 @@ use crate::read::checked::CheckedFolder;
 use crate::read::package::package_name;
 use crate::read::xml::{Element, with_root};
 
-/// Folders that a model's files may lie in.
+/// Folders that a model's files may be in.
 #[derive(Debug)]
 pub(super) struct Roots<'a> {
     pub(super) files: &'a dyn Files,
-    /// The model's own folder, if it can be said.
+    /// Canonical path of the model's own folder, if it exists.
     folder: Option<PathBuf>,
-    /// All of them, canonical, each with the names of the package that it is.
+    /// Canonical paths of all roots, each with its names as a package.
     roots: Vec<(PathBuf, Vec<String>)>,
-    /// No file is looked for elsewhere.
+    /// True if no file is searched elsewhere.
     confined: bool,
     checked: Option<Arc<CheckedFolder>>,
-    /// Packages that no root is or holds, by the start of their URIs: where they were found, in words.
+    /// Packages found outside the roots: the location in words, by the start of their URIs.
     found: RefCell<BTreeMap<String, String>>,
 }
 
 impl<'a> Roots<'a> {
-    /// The roots of a model: its own folder; the nearest folder around it that is a package, having `package.xml` or
-    /// `model.config`; and those that the user gives, or these alone.
+    /// Collects the roots of a model: its own folder; the nearest enclosing package, which has a
+    /// `package.xml` or `model.config`; and the roots given by the user. If confined, only the
+    /// last.
     pub(super) fn of(model: &Path, options: &ReadOptions<'a>) -> Self {
         let files = options.files;
         let folder =
@@ -39,7 +40,7 @@ impl<'a> Roots<'a> {
         let folder = folder.and_then(|folder| files.canonical(folder).ok());
         let package =
             folder.as_deref().and_then(|folder| folder.ancestors().find(|folder| is_package(files, folder)));
-        // a model's own package is what it means by that name, wherever others of the name are
+        // The model's own package takes precedence over others of the same name.
         let mut roots: Vec<PathBuf> = Vec::new();
         if !options.confined {
             roots.extend(package.map(Path::to_owned));
@@ -55,12 +56,12 @@ impl<'a> Roots<'a> {
         Self { files, folder, roots, confined, checked, found: RefCell::default() }
     }
 
-    /// The model's own folder, canonical.
+    /// Returns the canonical path of the model's own folder.
     pub(super) const fn folder(&self) -> &Option<PathBuf> {
         &self.folder
     }
 
-    /// Notes where packages were found that no root is or holds.
+    /// Adds notes for packages that were found outside the roots.
     pub(super) fn report(&self, model: &mut RobotModel) {
         let shapes = || model.links.iter().flat_map(|link| &link.geometry).map(|geometry| &geometry.shape);
         let note = |(start, found): (&String, &String)| {
@@ -76,14 +77,17 @@ impl<'a> Roots<'a> {
         model.notes.extend(notes);
     }
 
-    /// The file that a URI names, canonical, or why it cannot be said. Nothing outside the roots is looked at.
+    /// Returns the canonical path of the file that a URI names, or the reason why it is not found.
+    /// No file outside the roots is accessed.
     ///
-    /// `within` is a folder below the model's own that relative paths start at: `meshdir` of MJCF.
+    /// `within` is the folder below the model's own at which relative paths start: `meshdir` of
+    /// MJCF.
     pub(super) fn resolve(&self, uri: &str, within: &Path) -> Result<PathBuf, String> {
         self.resolved(uri, within, |file| self.files.is_file(file).then(|| file.to_owned()))
     }
 
-    /// The SDF file of a model that a URI names: itself a file, or a folder whose `model.config` says which.
+    /// Returns the SDF file of a model that a URI names: the file itself, or the file that the
+    /// folder's `model.config` names.
     pub(super) fn resolve_model(&self, uri: &str, within: &Path) -> Result<PathBuf, String> {
         self.resolved(uri.trim_end_matches('/'), within, |found| {
             if self.files.is_file(found) {
@@ -95,7 +99,7 @@ impl<'a> Roots<'a> {
         })
     }
 
-    /// What a URI names, taken as `take` takes it.
+    /// Returns the first candidate path of a URI that `take` accepts.
     fn resolved(
         &self,
         uri: &str,
@@ -111,7 +115,7 @@ impl<'a> Roots<'a> {
                 self.in_package(package, path)
             }
             Some(("file", rest)) if rest.starts_with('/') => vec![PathBuf::from(rest)],
-            // sloppy, but common: file://meshes/arm.stl
+            // Incorrect but common: file://meshes/arm.stl.
             Some(("file", rest)) => self.beside(Path::new(rest), within),
             Some((scheme, _)) => return Err(format!("{scheme}:// is not looked up")),
             None => self.beside(Path::new(uri), within),
@@ -139,10 +143,11 @@ impl<'a> Roots<'a> {
         })
     }
 
-    /// Returns the canonical path of a file that may be opened: below a root, the checked folder or `package`.
+    /// Returns the canonical path of a file that may be opened: below a root, the checked folder or
+    /// `package`.
     ///
     /// # Errors
-    /// True if it lies outside of these, false if it does not exist.
+    /// True if the path is outside of these, false if it does not exist.
     fn opened(&self, path: &Path, package: Option<&Path>) -> Result<PathBuf, bool> {
         let holds =
             |path: &Path| self.holds(path) || package.is_some_and(|package| path.starts_with(package));
@@ -157,7 +162,8 @@ impl<'a> Roots<'a> {
         }
     }
 
-    /// Looks up a URI that no root holds: in an ancestor that is the package, and in the checked folder.
+    /// Looks up a URI that no root holds: in an ancestor that is the package, and in the checked
+    /// folder.
     fn elsewhere(
         &self,
         uri: &str,
@@ -176,7 +182,7 @@ impl<'a> Roots<'a> {
         if !is_package {
             return Ok(None);
         }
-        // a third slash before the package is a slip
+        // A third slash before the package is an error that is ignored.
         let (package, path) = rest.trim_start_matches('/').split_once('/').unwrap_or((rest, ""));
         let start = uri.get(..uri.len() - path.len()).unwrap_or(uri);
         match self.in_ancestor(start, package, path, take) {
@@ -185,7 +191,7 @@ impl<'a> Roots<'a> {
         }
     }
 
-    /// A file of no package, by a path from a folder around the model.
+    /// Finds a file without a package, relative to a folder around the model.
     fn above(&self, start: &str, path: &str, take: &impl Fn(&Path) -> Option<PathBuf>) -> Option<PathBuf> {
         let mut folders = self.ancestors_below_checked();
         let (folder, file) = folders.find_map(|folder| Some((folder, self.file_in(folder, path, take)?)))?;
@@ -196,7 +202,7 @@ impl<'a> Roots<'a> {
         Some(file)
     }
 
-    /// A file of the package that is a folder around the model.
+    /// Finds a file of a package that is a folder around the model.
     fn in_ancestor(
         &self,
         start: &str,
@@ -218,7 +224,8 @@ impl<'a> Roots<'a> {
         Some(file)
     }
 
-    /// A file of the only folder below the checked one that has the package's name and holds it.
+    /// Finds a file of a package below the checked folder. Exactly one folder must have the
+    /// package's name and the file.
     fn in_checked(
         &self,
         start: &str,
@@ -255,19 +262,19 @@ impl<'a> Roots<'a> {
         self.opened(&folder.join(path), Some(folder)).ok().and_then(|file| take(&file))
     }
 
-    /// Remembers where URIs that start so were found.
+    /// Records where URIs with this start were found.
     fn found(&self, start: &str, words: String) {
         self.found.borrow_mut().entry(start.to_owned()).or_insert(words);
     }
 
-    /// The folders around the model up to the checked one, the nearest first.
+    /// Returns the folders around the model up to the checked folder, the nearest first.
     fn ancestors_below_checked(&self) -> impl Iterator<Item = &Path> {
         let checked = self.checked.as_deref().map(CheckedFolder::path);
         let ancestors = self.folder.iter().flat_map(|folder| folder.ancestors());
         ancestors.take_while(move |folder| checked.is_some_and(|checked| folder.starts_with(checked)))
     }
 
-    /// A folder, relative to the model's.
+    /// Returns a folder relative to the model's.
     fn shown(&self, folder: &Path) -> String {
         let Some(own) = &self.folder else { return folder.display().to_string() };
         let common = own.components().zip(folder.components()).take_while(|(a, b)| a == b).count();
@@ -280,7 +287,8 @@ impl<'a> Roots<'a> {
         }
     }
 
-    /// ROOT/… for the root that is the package, ROOT/PACKAGE/… for the others.
+    /// Returns the candidate paths: ROOT/… for a root that is the package, and ROOT/PACKAGE/… for
+    /// every root.
     fn in_package(&self, package: &str, path: &str) -> Vec<PathBuf> {
         let mut candidates = Vec::new();
         for (root, names) in &self.roots {
@@ -302,16 +310,17 @@ impl<'a> Roots<'a> {
     }
 }
 
-/// Whether ROS or Gazebo would call the folder a package or a model.
+/// Returns true if the folder is a package of ROS or a model of Gazebo.
 fn is_package(files: &dyn Files, folder: &Path) -> bool {
     ["package.xml", "model.config"].iter().any(|file| files.is_file(&folder.join(file)))
 }
 
-/// The file that `model.config` names: of several, that of the latest SDFormat, as libsdformat takes it. Without one, `model.sdf`.
+/// Returns the file that `model.config` names. Of several, it is that of the latest SDFormat
+/// version, as in libsdformat. Without `model.config` it is `model.sdf`.
 fn model_file(files: &dyn Files, folder: &Path, holds: impl Fn(&Path) -> bool) -> Option<String> {
-    /// It has some hundred bytes.
+    /// Maximum number of bytes to read; the file is short.
     const MOST: u64 = 1 << 16;
-    // It may be a link to somewhere else.
+    // The file may be a symbolic link to another folder.
     let Ok(config) = files.canonical(&folder.join("model.config")) else {
         return Some("model.sdf".to_owned());
     };
@@ -333,13 +342,14 @@ fn model_file(files: &dyn Files, folder: &Path, holds: impl Fn(&Path) -> bool) -
     named.ok().flatten()
 }
 
-/// Names of a folder as a package: its last component, and the name in its `package.xml`.
+/// Returns the names of a folder as a package: its last component, and the name in its
+/// `package.xml`.
 fn names(files: &dyn Files, folder: &Path, holds: impl Fn(&Path) -> bool) -> Vec<String> {
     let own = folder.file_name().map(|name| name.to_string_lossy().into_owned());
     own.into_iter().chain(package_name(files, folder, holds)).collect()
 }
 
-/// The path without `.` and `..`, by its words alone.
+/// Returns the path without `.` and `..`, without access to the file system.
 fn lexical(path: &Path) -> PathBuf {
     let mut plain = PathBuf::new();
     for component in path.components() {

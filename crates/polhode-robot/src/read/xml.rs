@@ -1,10 +1,10 @@
-//! XML as the languages of robots use it.
+//! XML helpers for the readers.
 
 pub(crate) use polhode_source::xml::{Document, Element, Forest, Links, Written, is_true, with_root};
 
 use crate::model::{Number, Slot};
 
-/// What an element's attribute says as a number, or that it lacks it.
+/// Returns an attribute as a number, or as missing.
 pub(crate) fn slot(element: Element<'_>, name: &str) -> Slot {
     match element.attribute(name) {
         Some(written) => Slot::Given(written.number()),
@@ -12,7 +12,7 @@ pub(crate) fn slot(element: Element<'_>, name: &str) -> Slot {
     }
 }
 
-/// What an element in the element says as a number, or that it lacks it.
+/// Returns the text of a child element as a number, or as missing.
 pub(crate) fn child_slot(element: Element<'_>, name: &str) -> Slot {
     match element.child(name) {
         Some(child) => match child.text() {

@@ -1,9 +1,9 @@
-//! Inertia that rotors add to joints: `armature` of the joint and of its actuators.
+//! Reflected rotor inertia of joints: the `armature` of the joint and of its actuators.
 //!
 //! I = I_joint + Σ gear₁² I_actuator
 //!
 //! Source: mujoco.readthedocs.io, XML Reference, `joint/armature` and `actuator/general/armature`.
-//! Tendons are left out, as their contribution to a joint depends on the positions of other joints.
+//! Tendons are not included, because their contribution depends on the positions of other joints.
 
 use std::collections::HashMap;
 
@@ -13,7 +13,7 @@ use crate::read::xml::Element;
 use super::context::Context;
 use super::equality::{Origin, chain};
 
-/// Adds what actuators say to the armatures of joints; `of_joints` says where each comes from.
+/// Adds the actuators' armatures to the joints; `of_joints` gives the origin of each joint.
 pub(super) fn add(contexts: &[Context<'_>], origins: &[Origin], of_joints: &[usize], joints: &mut [Joint]) {
     let rotors: Vec<_> = contexts.iter().map(rotors).collect();
     if rotors.iter().all(HashMap::is_empty) {
@@ -21,7 +21,7 @@ pub(super) fn add(contexts: &[Context<'_>], origins: &[Origin], of_joints: &[usi
     }
     let has_one_value = |joint: &Joint| matches!(joint.kind, JointKind::Revolute | JointKind::Prismatic);
     for (joint, &origin) in joints.iter_mut().zip(of_joints).filter(|(joint, _)| has_one_value(joint)) {
-        // the same one under two origins that change no names
+        // One actuator may be reached through two origins that do not change names.
         let mut seen = Vec::new();
         for origin in chain(origins, origin) {
             let Some(own) = origin.own(&joint.name.text) else { continue };
@@ -37,7 +37,7 @@ pub(super) fn add(contexts: &[Context<'_>], origins: &[Origin], of_joints: &[usi
     }
 }
 
-/// The actuators of a model that have an armature, by their joints: gear² I, NaN if that cannot be read.
+/// Returns the actuators of a model with an armature, by joint: gear² I, NaN if it cannot be read.
 fn rotors<'a>(context: &Context<'a>) -> HashMap<&'a str, Vec<(Element<'a>, f64)>> {
     let mut rotors: HashMap<&str, Vec<_>> = HashMap::new();
     for element in context.root.named("actuator").flat_map(Element::children) {

@@ -1,4 +1,5 @@
-//! `<attach>`: a body or a frame of this or another model, or all that stands in the other's world.
+//! `<attach>`: inserts a body or frame of this or another model, or the whole world of another
+//! model.
 
 use crate::read::xml::Element;
 
@@ -6,7 +7,7 @@ use super::equality::Origin;
 use super::{Branch, Reader};
 
 impl<'a> Reader<'_, 'a, '_> {
-    /// What is attached, on the branch where it is.
+    /// Attaches the content to the branch of the `<attach>` element.
     pub(super) fn attach(&mut self, branch: &Branch<'a>, branches: &mut Vec<Branch<'a>>) {
         let element = branch.element;
         let model = element.word("model");
@@ -52,7 +53,7 @@ impl<'a> Reader<'_, 'a, '_> {
         let Some((found, class)) = below(root, kind, name) else {
             return self.not_made(branch, &format!("its model has no such {kind}"));
         };
-        // MuJoCo knows what stands before it, and copies that
+        // MuJoCo copies only what precedes the element.
         let is_later = found.tree() == element.tree() && found.span().start > element.span().start;
         if model.is_none() && (is_later || holds(found, element)) {
             return self.not_made(branch, &format!("its {kind} has not ended before it"));
@@ -61,7 +62,8 @@ impl<'a> Reader<'_, 'a, '_> {
     }
 }
 
-/// The body or frame of that name below the root of a model, and the class around it.
+/// Returns the body or frame with this name below the root of a model, and the class that applies
+/// to it.
 fn below<'a>(root: Element<'a>, kind: &str, name: &str) -> Option<(Element<'a>, Option<&'a str>)> {
     let mut waiting: Vec<_> =
         root.named("worldbody").map(|world| (world, world.word("childclass"))).collect();
@@ -77,7 +79,7 @@ fn below<'a>(root: Element<'a>, kind: &str, name: &str) -> Option<(Element<'a>, 
     None
 }
 
-/// Whether an element stands in another.
+/// Returns true if an element contains another.
 fn holds(outer: Element<'_>, inner: Element<'_>) -> bool {
     let mut waiting = vec![outer];
     while let Some(element) = waiting.pop() {

@@ -1,6 +1,7 @@
-//! Attributes that MuJoCo does not have: it refuses the file. Where one is nearly another's name, that one was meant.
+//! Attributes unknown to MuJoCo, which rejects such a file. A hint names the nearest known
+//! attribute.
 //!
-//! The names are those that MuJoCo 4.0 takes, and those of versions before it.
+//! The lists contain the attributes of MuJoCo 4.0 and of earlier versions.
 
 use crate::finding::Severity;
 use crate::model::Note;
@@ -19,7 +20,7 @@ const JOINT: &str = "actuatorfrclimited actuatorfrcrange actuatorgravcomp align 
 const MESH: &str = "builtin class content_type face file inertia material maxhullvert name normal octree params refpos refquat scale \
      smoothnormal texcoord vertex";
 
-/// Notes of the settings, defaults, meshes and bodies of a model.
+/// Adds notes for unknown attributes of settings, defaults, meshes and bodies.
 pub(super) fn unknown(root: Element<'_>, notes: &mut Vec<Note>) {
     let mut waiting = vec![(root, "")];
     while let Some((element, body)) = waiting.pop() {

@@ -1,4 +1,4 @@
-//! Meshes that MuJoCo makes itself: `<mesh builtin="…" params="…">`.
+//! Meshes that MuJoCo generates: `<mesh builtin="…" params="…">`.
 //!
 //! Source: MuJoCo 3.12, `mjs_makeMesh` and `mjCMesh::Make…`.
 
@@ -10,30 +10,31 @@ use crate::read::xml::Element;
 
 use super::surface::Surface;
 
-/// Vertices of one mesh. A file of a hundred bytes could ask for more than any memory holds.
+/// Maximum number of vertices of one mesh. Without a limit, a file of a hundred bytes could exhaust
+/// the memory.
 const MOST_VERTICES: usize = 200_000;
 
-/// A mesh by its numbers.
+/// Generated mesh with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Builtin {
-    /// The icosahedron, each triangle split in four so many times.
+    /// Icosahedron whose triangles are repeatedly split in four.
     Sphere { splits: usize },
-    /// Rows from the pole to the equator, less one; with its base.
+    /// Hemisphere with its base; `rows` is the number of rows from pole to equator, minus one.
     Hemisphere { rows: usize },
-    /// Two polygons, or a polygon and a point.
+    /// Frustum between two polygons, or cone with an apex.
     Cone { edges: usize, radius: f64 },
-    /// Circles of powers, north and east.
+    /// Superellipsoid with the exponents `east` and `north`.
     Supersphere { resolution: usize, east: f64, north: f64 },
-    /// Circles of powers, around the tube and around the hole.
+    /// Supertoroid with the exponents `tube` (around the tube) and `hole` (around the hole).
     Supertorus { resolution: usize, radius: f64, tube: f64, hole: f64 },
     /// Points of a sphere within two angles, degrees.
     Wedge { resolution: [usize; 2], view: [f64; 2], gamma: f64 },
-    /// A grid of points at z = −1.
+    /// Grid of points at z = −1.
     Plate { resolution: [usize; 2] },
 }
 
 impl Builtin {
-    /// What an asset says; `None` if it is no mesh of this kind.
+    /// Reads the asset; `None` if it is not a generated mesh.
     pub(super) fn of(element: Element<'_>) -> Option<Result<Self, String>> {
         let kind = element.word("builtin").filter(|kind| *kind != "none")?;
         let params: Vec<f64> =
@@ -47,7 +48,7 @@ impl Builtin {
     }
 
     fn by(kind: &str, params: &[f64]) -> Option<Self> {
-        // towards zero, as C has it
+        // Conversion truncates towards zero, as in C.
         let count = |number: f64| (number > -1.0 && number < 1e6).then_some(number as usize);
         let made = match (kind, params) {
             ("sphere", &[splits]) => Self::Sphere { splits: count(splits).filter(|splits| *splits <= 4)? },
@@ -80,7 +81,7 @@ impl Builtin {
         }
     }
 
-    /// How many vertices it has, about.
+    /// Returns the approximate number of vertices.
     pub(super) fn vertices(self) -> usize {
         match self {
             Self::Sphere { splits } => 12 << (2 * splits),
@@ -95,12 +96,13 @@ impl Builtin {
         }
     }
 
-    /// It counts as its surface, whatever the asset says.
+    /// Returns true if the mesh always counts as a shell, whatever the asset states.
     pub(super) const fn is_shell(self) -> bool {
         matches!(self, Self::Plate { .. })
     }
 
-    /// Its vertices and triangles; without triangles, points whose hull is meant.
+    /// Returns vertices and triangles. Without triangles, the mesh is the convex hull of the
+    /// points.
     pub(super) fn surface(self) -> Surface {
         match self {
             Self::Sphere { splits } => sphere(splits),
@@ -186,7 +188,7 @@ fn hemisphere(rows: usize) -> Surface {
     vertices.push([0.0; 3]);
     let base = vertices.len() - 1;
     let mut triangles = vec![[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]];
-    // the first vertex of a row of four sides, and how many it has
+    // Index of the first vertex of a row with four sides.
     let first = |row: usize| 2 * row * (row + 1) + 1;
     for row in 0..rows {
         let upper = |k: usize| first(row) + k % (4 * (row + 1));
@@ -299,7 +301,7 @@ fn plate([across, up]: [usize; 2]) -> Surface {
     Surface { vertices, triangles: numbered(triangles) }
 }
 
-/// Cosine and sine, each to a power but with its sign.
+/// Returns signed powers of cosine and sine: sign(c) |c|^power.
 fn power_circle(angle: f64, power: f64) -> [f64; 2] {
     let (sin, cos) = libm::sincos(angle);
     [cos, sin].map(|c| libm::pow(c.abs(), power).copysign(c))

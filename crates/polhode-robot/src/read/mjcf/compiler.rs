@@ -1,4 +1,4 @@
-//! What `<compiler>` says of how the rest is meant.
+//! Settings in `<compiler>`.
 
 use crate::finding::Severity;
 use crate::model::{Note, Number, Pose};
@@ -8,18 +8,18 @@ use crate::read::xml::{Element, Written, is_true};
 
 use super::defaults::Source;
 
-/// Whether masses and tensors come from geoms: `inertiafromgeom`.
+/// Setting `inertiafromgeom`: use of geoms for masses and tensors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum FromGeometry {
-    /// Never.
+    /// Geoms are never used.
     Never,
-    /// For bodies that have no `<inertial>`.
+    /// Geoms are used for bodies without `<inertial>`.
     Auto,
-    /// For all; `<inertial>` does not count.
+    /// Geoms are always used; `<inertial>` is ignored.
     Always,
 }
 
-/// How angles, files and inertials are meant.
+/// Settings for angles, files and inertials.
 #[derive(Debug)]
 pub(super) struct Settings<'a> {
     radians: bool,
@@ -27,27 +27,27 @@ pub(super) struct Settings<'a> {
     pub(super) mesh_folder: &'a str,
     pub(super) strip_path: bool,
     pub(super) from_geometry: FromGeometry,
-    /// The least and the greatest group of geoms that have mass.
+    /// Range of geom groups that have mass.
     pub(super) groups: [f64; 2],
-    /// Meshes enclose what their triangles say with their signs: a setting before MuJoCo 3.3.
+    /// True if mesh volumes use signed triangles: a setting of versions before MuJoCo 3.3.
     pub(super) exact_meshes: bool,
-    /// Primitives are fitted to the bounds of a mesh, not to its moments.
+    /// True if primitives are fitted to the bounds of a mesh instead of its moments.
     pub(super) fit_bounds: bool,
-    /// A joint with a range has limits without saying so: `autolimits`.
+    /// True if a range implies that a joint has limits: `autolimits`.
     pub(super) limits_by_range: bool,
-    /// The least mass of a body, kg.
+    /// Lower bound on the mass of a body, kg.
     pub(super) bound_mass: f64,
-    /// The least moment of a body, kg·m².
+    /// Lower bound on the moments of a body, kg·m².
     pub(super) bound_inertia: f64,
-    /// Impossible moments become equal ones.
+    /// True if unphysical moments are replaced by equal ones.
     pub(super) balance: bool,
-    /// The sum of all masses, kg; that of the file if it is not positive.
+    /// Required total mass, kg; not applied if it is not positive.
     pub(super) total_mass: f64,
-    /// Why no mass is known: a setting that cannot be read.
+    /// Reason why the masses are unknown: a setting that cannot be read.
     pub(super) unreadable: Option<String>,
 }
 
-/// Settings that are one of some words; MuJoCo refuses others.
+/// Settings with a fixed set of values; MuJoCo rejects others.
 const WORDS: [(&str, &[&str]); 9] = [
     ("angle", &["degree", "radian"]),
     ("inertiafromgeom", &["false", "true", "auto"]),
@@ -62,7 +62,7 @@ const WORDS: [(&str, &[&str]); 9] = [
 const TRUTHS: &[&str] = &["false", "true"];
 
 impl<'a> Settings<'a> {
-    /// The settings of all `<compiler>` elements together: of two that say the same thing, the later counts.
+    /// Combines the settings of all `<compiler>` elements; the last value of a setting counts.
     pub(super) fn of(root: Element<'a>, notes: &mut Vec<Note>) -> Self {
         let mut settings = Self {
             radians: false,
@@ -115,7 +115,7 @@ impl<'a> Settings<'a> {
         settings
     }
 
-    /// Settings that MuJoCo refuses: what masses would be then is not known.
+    /// Reports settings that MuJoCo rejects. The masses are then unknown.
     fn refused(&mut self, compiler: Element<'a>, notes: &mut Vec<Note>) {
         let mut refuse = |written: Written<'a>, name: &str, expected: &str| {
             let says = if is_hexadecimal(written.value) {
@@ -138,7 +138,7 @@ impl<'a> Settings<'a> {
             [("boundmass", 1), ("boundinertia", 1), ("settotalmass", 1), ("inertiagrouprange", 2)]
         {
             let is_right = |written: &Written<'_>| {
-                // an empty text is no setting, and MuJoCo takes NaN
+                // An empty text leaves the setting unchanged, and MuJoCo accepts NaN.
                 let is_number = |number: Number| number.value.is_some_and(|value| !value.is_infinite());
                 written.value.is_empty()
                     || written.numbers().count() == count && written.numbers().all(is_number)
@@ -152,7 +152,7 @@ impl<'a> Settings<'a> {
         }
     }
 
-    /// What MuJoCo does and is not done here.
+    /// Returns notes on settings that are not applied here.
     fn not_done(compiler: Element<'a>) -> impl Iterator<Item = Note> {
         let global = compiler.attribute("coordinate").filter(|written| written.value == "global");
         let fused = compiler.attribute("fusestatic").filter(|written| is_true(written.value));
@@ -168,12 +168,13 @@ impl<'a> Settings<'a> {
         global.into_iter().chain(fused).map(note)
     }
 
-    /// An angle in radians.
+    /// Converts an angle to radians.
     pub(super) fn angle(&self, angle: f64) -> f64 {
         if self.radians { angle } else { angle.to_radians() }
     }
 
-    /// The attitude that `quat`, `axisangle`, `euler`, `xyaxes` or `zaxis` says; `None` if there is none of them.
+    /// Returns the attitude in `quat`, `axisangle`, `euler`, `xyaxes` or `zaxis`; `None` if there
+    /// is none of them.
     pub(super) fn attitude(&self, reading: &mut Reading, source: &Source<'_, 'a>) -> Option<[f64; 4]> {
         let forms = ["quat", "axisangle", "euler", "xyaxes", "zaxis"];
         let (form, written) =
@@ -197,7 +198,7 @@ impl<'a> Settings<'a> {
         Some(rotation.unwrap_or(Pose::IDENTITY.rotation))
     }
 
-    /// Three turns in order: about axes that turn with the body (x, y, z), or that stay (X, Y, Z).
+    /// Composes three rotations in order, about rotating axes (x, y, z) or fixed axes (X, Y, Z).
     pub(super) fn euler(&self, angles: [f64; 3]) -> Option<[f64; 4]> {
         let axes = self.euler_order.as_bytes();
         let mut rotation = Pose::IDENTITY.rotation;
@@ -211,7 +212,7 @@ impl<'a> Settings<'a> {
     }
 }
 
-/// `0x10`, which MuJoCo takes.
+/// Returns true for hexadecimal numbers such as `0x10`, which MuJoCo accepts.
 fn is_hexadecimal(text: &str) -> bool {
     let digits = text.trim().trim_start_matches(['+', '-']);
     digits.get(..2).is_some_and(|start| start.eq_ignore_ascii_case("0x"))

@@ -1,4 +1,4 @@
-//! One model of MJCF: what its settings, defaults and assets say. An attached model has its own.
+//! Context of one MJCF model: settings, defaults and assets. An attached model has its own context.
 
 use std::collections::HashMap;
 use std::path::PathBuf;
@@ -11,19 +11,20 @@ use super::compiler::Settings;
 use super::defaults::Classes;
 use super::mesh::Asset;
 
-/// A model's settings, defaults and assets.
+/// Settings, defaults and assets of a model.
 pub(super) struct Context<'a> {
     pub(super) root: Element<'a>,
     pub(super) settings: Settings<'a>,
     pub(super) classes: Classes<'a>,
     pub(super) meshes: HashMap<String, Asset>,
-    /// Half edges of the boxes of height fields, by their names.
+    /// Half edges of the boxes of height fields, by name.
     pub(super) height_fields: HashMap<&'a str, [f64; 3]>,
-    /// The models that it may attach: the numbers of their contexts, once all are known.
+    /// Models that it may attach, by name: indices of their contexts. Filled when all contexts are
+    /// known.
     pub(super) models: HashMap<&'a str, usize>,
 }
 
-/// The contexts of a root and of all models that may be attached.
+/// Returns the contexts of a root and of all models that may be attached.
 pub(super) fn all<'a>(
     root: Element<'a>,
     folders: &[PathBuf],
@@ -48,7 +49,7 @@ pub(super) fn all<'a>(
 }
 
 impl<'a> Context<'a> {
-    /// Of the root of a model; its paths are relative to the folders of the files.
+    /// Reads the context of a model. Paths are relative to the folders of the files.
     pub(super) fn of(
         root: Element<'a>,
         folders: &[PathBuf],
@@ -86,7 +87,7 @@ impl<'a> Context<'a> {
         context
     }
 
-    /// The models among the assets, by their names.
+    /// Returns the models among the assets, by name.
     fn attachable(&self) -> Vec<(&'a str, Element<'a>)> {
         let assets = self.root.named("asset").flat_map(Element::children);
         let model = |asset: Element<'a>| {

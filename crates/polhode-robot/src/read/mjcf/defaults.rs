@@ -1,13 +1,14 @@
-//! Classes of defaults: an attribute that an element does not have is that of its class, or of the class around that.
+//! Default classes: an attribute that an element lacks is taken from its class, or from the
+//! enclosing class.
 
 use std::collections::HashMap;
 
 use crate::read::xml::{Element, Written};
 
-/// What a class says of one kind of element.
+/// Defaults for one kind of element.
 type Attributes<'a> = HashMap<&'a str, Written<'a>>;
 
-/// What a class says.
+/// Defaults of a class.
 #[derive(Clone, Debug, Default)]
 struct Class<'a> {
     geom: Attributes<'a>,
@@ -16,7 +17,7 @@ struct Class<'a> {
     actuator: Attributes<'a>,
 }
 
-/// Kinds of actuators, which share one class of defaults.
+/// Element names of actuators, which share one default class.
 const ACTUATORS: [&str; 10] = [
     "general",
     "motor",
@@ -30,24 +31,24 @@ const ACTUATORS: [&str; 10] = [
     "dcmotor",
 ];
 
-/// All classes by name, each with what it has from the classes around it.
+/// All classes by name, including their inherited attributes.
 #[derive(Debug)]
 pub(super) struct Classes<'a> {
     named: HashMap<&'a str, Class<'a>>,
 }
 
-/// An element and its class: where attributes come from.
+/// Element with its class, from which attributes are taken.
 #[derive(Clone, Debug)]
 pub(super) struct Source<'s, 'a> {
     element: Element<'a>,
     class: Option<&'s Attributes<'a>>,
 }
 
-/// The class of what names none, and has none around it.
+/// Class of elements without an explicit or inherited class.
 const MAIN: &str = "main";
 
 impl<'a> Classes<'a> {
-    /// The classes of all `<default>` elements of a file.
+    /// Reads the classes of all `<default>` elements of a file.
     pub(super) fn of(root: Element<'a>) -> Self {
         let mut named = HashMap::from([(MAIN, Class::default())]);
         let mut waiting: Vec<_> = root.named("default").map(|element| (element, MAIN, true)).collect();
@@ -71,7 +72,7 @@ impl<'a> Classes<'a> {
                 }
             }
             if is_outermost {
-                // the outermost class is everything's, whatever it is called
+                // The outermost class applies to everything, whatever its name.
                 named.insert(MAIN, class.clone());
             }
             named.insert(name, class);
@@ -80,27 +81,27 @@ impl<'a> Classes<'a> {
         Self { named }
     }
 
-    /// A geom below elements whose `childclass` is `around`.
+    /// Returns a geom below elements whose `childclass` is `around`.
     pub(super) fn geom(&self, element: Element<'a>, around: Option<&str>) -> Source<'_, 'a> {
         Source { element, class: self.class(element, around).map(|class| &class.geom) }
     }
 
-    /// A joint below elements whose `childclass` is `around`.
+    /// Returns a joint below elements whose `childclass` is `around`.
     pub(super) fn joint(&self, element: Element<'a>, around: Option<&str>) -> Source<'_, 'a> {
         Source { element, class: self.class(element, around).map(|class| &class.joint) }
     }
 
-    /// A mesh of the assets.
+    /// Returns a mesh asset.
     pub(super) fn mesh(&self, element: Element<'a>) -> Source<'_, 'a> {
         Source { element, class: self.class(element, None).map(|class| &class.mesh) }
     }
 
-    /// An actuator, of any kind.
+    /// Returns an actuator of any kind.
     pub(super) fn actuator(&self, element: Element<'a>) -> Source<'_, 'a> {
         Source { element, class: self.class(element, None).map(|class| &class.actuator) }
     }
 
-    /// The class that an element names, its own or that of what stands in it, if there is none of that name.
+    /// Returns the class that an element or its `childclass` names, if no such class exists.
     pub(super) fn unknown(&self, element: Element<'a>) -> Option<Written<'a>> {
         let named = ["class", "childclass"].into_iter().filter_map(|name| element.attribute(name));
         named.into_iter().find(|written| !self.named.contains_key(written.value))
@@ -112,17 +113,18 @@ impl<'a> Classes<'a> {
 }
 
 impl<'a> Source<'_, 'a> {
-    /// The element alone.
+    /// Returns the element without a class.
     pub(super) fn of(element: Element<'a>) -> Self {
         Self { element, class: None }
     }
 
-    /// What an attribute says, here or in the class.
+    /// Returns the text of an attribute, from the element or the class.
     pub(super) fn written(&self, name: &str) -> Option<Written<'a>> {
         self.element.attribute(name).or_else(|| self.class?.get(name).cloned())
     }
 
-    /// The numbers of an attribute; those that the element does not give are the class's.
+    /// Returns the numbers of an attribute. Numbers that the element does not give are taken from
+    /// the class.
     pub(super) fn values(&self, name: &str) -> Vec<f64> {
         let class =
             self.class.and_then(|class| class.get(name)).map_or_else(Vec::new, |all| all.values().collect());
@@ -131,12 +133,12 @@ impl<'a> Source<'_, 'a> {
         own.iter().chain(rest).copied().collect()
     }
 
-    /// The number that an attribute says.
+    /// Returns the number of an attribute; NaN if it cannot be read.
     pub(super) fn number(&self, name: &str) -> Option<f64> {
         self.written(name).map(|written| written.number().value.unwrap_or(f64::NAN))
     }
 
-    /// The words of an attribute.
+    /// Returns the word of an attribute.
     pub(super) fn word(&self, name: &str) -> Option<&'a str> {
         self.written(name).map(|written| written.value)
     }

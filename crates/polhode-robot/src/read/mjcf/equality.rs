@@ -1,9 +1,10 @@
-//! `<equality>` of joints: one joint's value as a polynomial of another's.
+//! `<equality>` constraints of joints: one joint's value as a polynomial of another's.
 //!
-//! y − y₀ = Σ a_k (x − x₀)^k for `polycoef`, with y of `joint1`, x of `joint2` and their `ref` y₀ and x₀; angles in radians whatever the
-//! compiler says. MuJoCo pulls towards this by a force; here it holds.
+//! y − y₀ = Σ a_k (x − x₀)^k for `polycoef`, with y of `joint1`, x of `joint2` and their `ref` y₀
+//! and x₀. Angles are in radians, independently of the compiler setting. MuJoCo enforces this
+//! softly by a force; here it holds exactly.
 //!
-//! Copies and attached models bring theirs along, with the names of their joints.
+//! Copies and attached models have their own constraints, with the names of their joints.
 //!
 //! Source: mujoco.readthedocs.io, XML Reference, equality/joint.
 
@@ -16,30 +17,30 @@ use crate::read::xml::{Element, is_true};
 
 use super::context::Context;
 
-/// The coefficients that are not given: y − y₀ = x − x₀.
+/// Default coefficients: y − y₀ = x − x₀.
 const POLYNOMIAL: [f64; 5] = [0.0, 1.0, 0.0, 0.0, 0.0];
 
-/// Where joints come from: a model, one of its copies, or one attached, within another.
+/// Origin of joints: a model, a copy, or an attached model, nested in another origin.
 #[derive(Debug)]
 pub(super) struct Origin {
-    /// The model, by its context.
+    /// Index of the model's context.
     pub(super) context: usize,
-    /// What goes before and after the names.
+    /// Prefix and suffix of the names.
     pub(super) prefix: Rc<str>,
     pub(super) suffix: Rc<str>,
-    /// The one that it stands in.
+    /// Enclosing origin.
     pub(super) within: Option<usize>,
 }
 
-/// The constraints that place the joints of one name: the first, and whether there are others.
+/// First constraint on the joints of one name; `is_only` is true if it is the only one.
 struct Constraint<'a> {
     element: Element<'a>,
     is_only: bool,
 }
 
-/// Tells joints which others they follow; `of_joints` says where each comes from.
+/// Couples joints by the constraints; `of_joints` gives the origin of each joint.
 ///
-/// A copy's constraint holds where both its joints are copied together, as MuJoCo has it.
+/// The constraint of a copy holds if both joints are copied together, as in MuJoCo.
 pub(super) fn couple(
     contexts: &[Context<'_>],
     origins: &[Origin],
@@ -76,7 +77,7 @@ pub(super) fn couple(
             if let (Some((own, _)), None) = (&leader, number)
                 && names.contains(&(origin.context, own.clone()))
             {
-                continue; // it is elsewhere, and the two are not copied together
+                continue; // the leader is elsewhere: the two are not copied together
             }
             let leader = leader.map(|(_, leader)| leader);
             let reference = number.and_then(|&leader| joints.get(leader));
@@ -86,7 +87,7 @@ pub(super) fn couple(
                 false => Err(TWICE.to_owned()),
             };
             let start = element.span().start;
-            // the same one under two origins that change no names
+            // One constraint may be reached through two origins that do not change names.
             if found.iter().all(|(_, other)| *other != start) {
                 found.push((Follows { span: element.span(), leader, reference, coefficients }, start));
             }
@@ -100,19 +101,19 @@ pub(super) fn couple(
 
 const TWICE: &str = "another constraint says where it is, too";
 
-/// An origin and those that it stands in.
+/// Returns an origin and its enclosing origins.
 pub(super) fn chain(origins: &[Origin], first: usize) -> impl Iterator<Item = &Origin> {
     std::iter::successors(origins.get(first), |origin| origins.get(origin.within?))
 }
 
 impl Origin {
-    /// A joint's name as the model has it.
+    /// Returns a joint's name without prefix and suffix; `None` if they do not match.
     pub(super) fn own<'n>(&self, name: &'n str) -> Option<&'n str> {
         name.strip_prefix(&*self.prefix)?.strip_suffix(&*self.suffix)
     }
 }
 
-/// The constraints of a model that are on, by the names of the joints that they place.
+/// Returns the active constraints of a model, by the name of the dependent joint.
 fn constraints<'a>(context: &Context<'a>) -> HashMap<&'a str, Constraint<'a>> {
     let is_on = |element: &Element<'a>| {
         let written = element.word("active").or_else(|| active_by_class(context.root, element.word("class")));
@@ -127,7 +128,8 @@ fn constraints<'a>(context: &Context<'a>) -> HashMap<&'a str, Constraint<'a>> {
     constraints
 }
 
-/// What a class says of `active`, or one around it; the outermost class is that of what names none.
+/// Returns the attribute `active` of a class or an enclosing class. The outermost class applies to
+/// elements without a class.
 fn active_by_class<'a>(root: Element<'a>, wanted: Option<&str>) -> Option<&'a str> {
     let mut waiting: Vec<_> = root.named("default").map(|class| (class, true, None)).collect();
     while let Some((class, is_outermost, around)) = waiting.pop() {

@@ -1,10 +1,11 @@
-//! Meshes that a plugin of signed distances makes: `<mesh><plugin instance="…"/></mesh>`, MuJoCo's own five.
+//! Meshes from the five signed distance functions of MuJoCo: `<mesh><plugin instance="…"/></mesh>`.
 //!
-//! MuJoCo takes the distances on a grid of some million points, in single precision, and the surface between them. It does not turn the
-//! mesh to its principal axes as it does others, and yet takes the moments as those about the axes of the geom, the greatest about
-//! x, and the centre as the geom's origin: the same here, right or not.
+//! MuJoCo samples the distances on a grid of about a million points, in single precision, and
+//! extracts the zero surface. It does not rotate such a mesh to its principal axes, as it does with
+//! other meshes. Nevertheless it uses the principal moments about the axes of the geom, the largest
+//! about x, and puts the centre at the geom's origin. This reader does the same.
 //!
-//! Source: MuJoCo 3.12, `mjCMesh::LoadSDF`; what versions 3.17 and 4.0 make of the same files.
+//! Source: MuJoCo 3.12, `mjCMesh::LoadSDF`; results of versions 3.17 and 4.0 for the same files.
 
 mod cubes;
 mod shape;
@@ -14,18 +15,19 @@ use crate::read::xml::Element;
 use super::surface::Surface;
 use shape::Shape;
 
-/// A shape by its distances.
+/// Shape that is given by its signed distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Field {
     shape: Shape,
-    /// Half edges of the box around the middle that it is looked for in.
+    /// Half edges of the sampled box around the origin, m.
     half: [f64; 3],
-    /// Points of the grid along them.
+    /// Number of grid points along the axes.
     count: [usize; 3],
 }
 
 impl Field {
-    /// What the plugin of a mesh says; the instances are those of the model's root. `None` without a plugin.
+    /// Reads the plugin of a mesh; its instances are below the model's root. `None` without a
+    /// plugin.
     pub(super) fn of(mesh: Element<'_>, root: Element<'_>) -> Option<Result<Self, String>> {
         let plugin = mesh.child("plugin")?;
         let read = || {
@@ -42,7 +44,7 @@ impl Field {
     }
 
     fn around(shape: Shape) -> Option<Self> {
-        /// Half of the points along the three edges, less three.
+        /// Half of the number of points along the three edges together, minus three.
         const POINTS: f64 = 300.0;
         let half = shape.half_box();
         if !half.iter().all(|half| *half > 0.0 && half.is_finite()) {
@@ -53,12 +55,12 @@ impl Field {
         count.iter().all(|count| *count > 1).then_some(Self { shape, half, count })
     }
 
-    /// Points of its grid.
+    /// Returns the number of grid points.
     pub(super) fn points(self) -> usize {
         self.count.iter().product()
     }
 
-    /// The surface where the distance is zero.
+    /// Returns the zero surface of the distance.
     pub(super) fn surface(self) -> Surface {
         let [nx, ny, nz] = self.count;
         let place = |axis: usize, k: f64| {
@@ -82,7 +84,7 @@ impl Field {
     }
 }
 
-/// The instances of all plugins, each with its plugin's name.
+/// Returns the instances of all plugins, each with the name of its plugin.
 fn instances<'a>(root: Element<'a>) -> impl Iterator<Item = (&'a str, Element<'a>)> {
     let plugins = root.named("extension").flat_map(|extension| extension.named("plugin"));
     plugins.flat_map(|plugin| {

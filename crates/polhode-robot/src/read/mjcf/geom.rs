@@ -1,4 +1,4 @@
-//! Geoms: their frames, shapes and masses.
+//! Geoms: frames, shapes and masses.
 
 use crate::model::{ComputedMass, Geometry, GeometryShape, Pose, Role};
 use crate::moments::{rotated, scaled};
@@ -11,27 +11,27 @@ use super::measure;
 use super::mesh::{Asset, Fitted, Solid};
 use super::{Branch, Reader};
 
-/// The density of a geom that says none, kg/m³.
+/// Default density of a geom, kg/m³.
 const WATER: f64 = 1000.0;
 
-/// A geom, and its mass as far as it counts.
+/// Geom with its mass, if it counts.
 pub(super) struct Geom {
     pub(super) geometry: Geometry,
     pub(super) mass: Result<Option<ComputedMass>, String>,
 }
 
-/// What a geom's type and numbers say: the type, MuJoCo's sizes, and its frame in the one around.
+/// Type, sizes and frame of a geom.
 struct Form<'a> {
     kind: &'a str,
     size: [f64; 3],
     mesh: Option<&'a str>,
     pose: Pose,
-    /// Why a primitive cannot be fitted to its mesh.
+    /// Reason why a primitive cannot be fitted to its mesh.
     unfitted: Option<String>,
 }
 
 impl<'c, 'a> Reader<'c, 'a, '_> {
-    /// A geom of a branch; `weighs` if its mass is asked for.
+    /// Reads a geom of a branch; `weighs` is true if its mass is needed.
     pub(super) fn geom(&mut self, element: Element<'a>, branch: &Branch<'a>, weighs: bool) -> Option<Geom> {
         let contexts = self.contexts;
         let source = contexts.get(branch.context)?.classes.geom(element, branch.class);
@@ -76,7 +76,7 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
         let size = |k: usize| sizes.get(k).copied().unwrap_or(f64::NAN);
         form.size = [0, 1, 2].map(size);
         if let Some([ax, ay, az, bx, by, bz]) = ends {
-            // half the length between the ends; a box or ellipsoid is as wide as it is deep
+            // Half the distance between the ends; a box or ellipsoid has equal width and depth.
             let half = 0.5 * [bx - ax, by - ay, bz - az].iter().map(|c| c * c).sum::<f64>().sqrt();
             form.size = match form.kind {
                 "box" | "ellipsoid" => [size(0), size(0), half],
@@ -101,7 +101,7 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
         form
     }
 
-    /// The shape, and its frame in the geom's if it has one of its own.
+    /// Returns the shape, and its frame in the geom's if it has one of its own.
     fn shape(&self, form: &Form<'a>, context: usize) -> (GeometryShape, Option<Pose>) {
         let size = form.size;
         let shape = match (form.kind, form.mesh) {
@@ -131,7 +131,7 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
         (shape, None)
     }
 
-    /// The mass of a geom whose frame in the link's is known; `None` if it has none.
+    /// Returns the mass of a geom with this frame in the link's frame; `None` if it has none.
     fn weight(
         &mut self,
         source: &Source<'c, 'a>,
@@ -195,7 +195,7 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
         Ok((mass > LEAST).then(|| ComputedMass { mass, center: frame.placed(center), tensor }))
     }
 
-    /// What a mesh encloses; each is read once.
+    /// Returns the volume and moments of a mesh; each mesh is read once.
     fn solid(&mut self, name: &str, context: usize) -> Result<std::rc::Rc<Solid>, String> {
         let key = (context, name.to_owned());
         if let Some(known) = self.solids.get(&key) {
@@ -207,12 +207,13 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
         solid
     }
 
-    /// A mesh of a model that is about to be read or made.
+    /// Returns a mesh asset of a model before it is read or generated.
     ///
     /// # Errors
-    /// If there is none of that name, or more than any model has are made.
+    /// If the mesh does not exist, or if too many points would be generated.
     fn asset(&mut self, name: &str, context: usize) -> Result<&'c Asset, String> {
-        /// Points that MuJoCo makes itself, of all meshes. A file could ask for as many thousands as it has bytes.
+        /// Maximum number of generated points of all meshes. Without a limit, a file could request
+        /// thousands for each of its bytes.
         const MOST_POINTS: usize = 5_000_000;
         let contexts = self.contexts;
         let asset = contexts.get(context).and_then(|context| context.meshes.get(name));
@@ -225,7 +226,7 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
     }
 }
 
-/// The frame in the middle between two points, its z axis from the second to the first.
+/// Returns the frame in the middle between two points, with z from the second to the first.
 fn along([ax, ay, az, bx, by, bz]: [f64; 6]) -> Pose {
     let middle = [0.5 * (ax + bx), 0.5 * (ay + by), 0.5 * (az + bz)];
     let axis = direction([ax - bx, ay - by, az - bz]).unwrap_or([0.0, 0.0, 1.0]);

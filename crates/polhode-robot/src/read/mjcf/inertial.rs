@@ -1,4 +1,4 @@
-//! What `<inertial>` says.
+//! Reader of `<inertial>`.
 
 use crate::model::{Inertial, Number, Pose, Slot, Tensor};
 use crate::read::xml::{Element, Written, slot};
@@ -6,10 +6,10 @@ use crate::read::xml::{Element, Written, slot};
 use super::Reader;
 use super::defaults::Source;
 
-/// The inertial of a body, and the frames of the body that it stands in, from the outermost. MuJoCo places one in a frame as
-/// the frame does (3.17).
+/// Returns the inertial of a body, and the frames that enclose it, the outermost first. As in
+/// MuJoCo (3.17), an inertial in a frame is placed by the frame.
 pub(super) fn of(body: Element<'_>) -> Option<(Element<'_>, Vec<Element<'_>>)> {
-    // each with the one that it stands in, by its place in the list
+    // Each element with the list index of the element that encloses it.
     let mut seen = vec![(body, 0)];
     let mut at = 0;
     while let Some(&(element, _)) = seen.get(at) {
@@ -36,7 +36,7 @@ impl<'a> Reader<'_, 'a, '_> {
         context: usize,
     ) -> Inertial {
         let tensor = if let Some(full) = element.attribute("fullinertia") {
-            // the order of the file is that of Tensor::Six
+            // The order of the file is that of `Tensor::Six`.
             Tensor::Six(Box::new(self.slots(&full, ["M11", "M22", "M33", "M12", "M13", "M23"], link)))
         } else if let Some(diagonal) = element.attribute("diaginertia") {
             Tensor::Diagonal(Box::new(self.slots(
@@ -58,7 +58,8 @@ impl<'a> Reader<'_, 'a, '_> {
         Inertial { span: element.span(), mass, pose, tensor }
     }
 
-    /// The numbers of an attribute; one that is not there is missing, and one too many is suspect.
+    /// Returns the numbers of an attribute. A number that is absent is missing; an extra number is
+    /// suspect.
     fn slots<const N: usize>(&mut self, written: &Written<'a>, names: [&str; N], link: &str) -> [Slot; N] {
         let mut numbers = written.numbers();
         let slots = names.map(|name| match numbers.next() {

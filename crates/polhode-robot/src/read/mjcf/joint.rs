@@ -1,4 +1,4 @@
-//! Joints, and what hangs without one.
+//! Joints, and bodies without joints.
 
 use polhode_source::ContentError;
 
@@ -40,7 +40,7 @@ impl<'a> Reader<'_, 'a, '_> {
         self.hang(index, name, element.span(), kind, (axis, anchor), coordinate);
     }
 
-    /// Joins a link to the one above it.
+    /// Adds a joint between a link and its parent.
     fn hang(
         &mut self,
         index: usize,
@@ -60,7 +60,7 @@ impl<'a> Reader<'_, 'a, '_> {
         self.model.joints.push(Joint { name, span, kind, parent, child, pose, axis, anchor, coordinate });
     }
 
-    /// Fixes what has no joint, and puts the joints in the order of the file.
+    /// Adds fixed joints for links without a joint, and sorts the joints in file order.
     pub(super) fn fix_the_rest(&mut self, root: Element<'a>) -> Result<(), ContentError> {
         for index in 0..self.jointed.len() {
             if self.jointed.get(index).is_some_and(|(_, jointed)| *jointed) {
@@ -83,14 +83,14 @@ impl<'a> Reader<'_, 'a, '_> {
         ordered.sort_by_key(|(order, _)| *order);
         (self.model.joints, self.joint_origins) = ordered.into_iter().map(|(_, joint)| joint).unzip();
         for link in &mut self.model.links {
-            // without geoms there is nothing to compute it from
+            // Without geoms, nothing can be computed from geometry.
             link.from_geometry &= !link.geometry.is_empty();
         }
         Ok(())
     }
 }
 
-/// `ref`, and `range` where it counts: angles in the unit that the compiler is told.
+/// Returns `ref`, and `range` if it is active. Angles are in the unit of the compiler setting.
 fn coordinate(source: &Source<'_, '_>, kind: JointKind, settings: &Settings<'_>) -> Coordinate {
     let unit = |value: f64| if kind == JointKind::Revolute { settings.angle(value) } else { value };
     let range = source.written("range").and_then(|range| range.array());

@@ -1,5 +1,5 @@
-//! What MuJoCo's compiler makes of masses: from geoms, and then by `boundmass`, `boundinertia`, `balanceinertia` and
-//! `settotalmass`.
+//! Masses that MuJoCo's compiler computes: from geoms, then modified by `boundmass`,
+//! `boundinertia`, `balanceinertia` and `settotalmass`.
 //!
 //! Source: MuJoCo 3.x, `mjCBody::InertiaFromGeom` and `mjCBody::Compile`.
 
@@ -9,27 +9,28 @@ use crate::pose::transposed;
 
 use super::compiler::Settings;
 
-/// Less than this is no mass to MuJoCo, kg.
+/// Mass below which MuJoCo treats a body as massless, kg.
 pub(super) const LEAST: f64 = 1e-14;
 
-/// What is known of one body's mass while its geoms are read.
+/// Mass data of one body, collected while its geoms are read.
 #[derive(Debug, Default)]
 pub(super) struct BodyMass {
-    /// The settings that it is compiled by.
+    /// Index of the context with its settings.
     pub(super) context: usize,
-    /// The geoms count, and not the inertial.
+    /// True if the geoms count, and not the inertial.
     pub(super) from_geoms: bool,
-    /// The inertial that does not count while there are geoms.
+    /// Inertial that counts only if the body has no geoms.
     pub(super) inertial: Option<Inertial>,
-    /// Those of the geoms that have mass.
+    /// Mass properties of the geoms with mass.
     pub(super) parts: Vec<ComputedMass>,
-    /// Why the mass of some geom is not known.
+    /// Reason why the mass of a geom is unknown.
     pub(super) unknown: Option<String>,
-    /// `pos` of the body: its centre if it has neither inertial nor mass.
+    /// Attribute `pos` of the body: its centre if it has neither inertial nor mass.
     pub(super) position: [f64; 3],
 }
 
-/// Says of each link what the compiler makes of it. `incomplete` is why bodies may be missing, `blind` why settings may be.
+/// Sets the compiled mass of each link. `incomplete` is the reason why bodies may be missing,
+/// `blind` the reason why settings may be missing.
 pub(super) fn compile(
     links: &mut [Link],
     bodies: Vec<BodyMass>,
@@ -81,13 +82,14 @@ fn compile_one(link: &mut Link, body: BodyMass, settings: &Settings<'_>, blind: 
     }
 }
 
-/// Bounds and balance; `None` if they change nothing.
+/// Applies bounds and balancing; `None` if they change nothing.
 fn changed(
     read: &ComputedMass,
     settings: &Settings<'_>,
     is_diagonal: bool,
 ) -> Result<Option<ComputedMass>, String> {
-    /// Moments are on the edge of what is possible if they are so near to it, of the largest.
+    /// Relative distance from the triangle equality below which the result of balancing is
+    /// ambiguous.
     const EDGE: f64 = 1e-12;
     let mass = read.mass.max(settings.bound_mass);
     let Moments { values, axes } = Moments::of(&read.tensor);
@@ -112,7 +114,7 @@ fn changed(
     Ok(Some(ComputedMass { mass, center: read.center, tensor }))
 }
 
-/// Every mass and tensor times the factor that makes the sum of masses `total`.
+/// Scales all masses and tensors, so that the sum of the masses is `total`.
 fn set_total(links: &mut [Link], total: f64, incomplete: Option<String>) {
     let own = |link: &Link| match (&link.computed, &link.inertial) {
         (Some(Ok(computed)), _) => Some(*computed),
@@ -140,7 +142,7 @@ fn set_total(links: &mut [Link], total: f64, incomplete: Option<String>) {
     }
 }
 
-/// Parts as one: c = Σ m_k c_k / m,  I = Σ (I_k + m_k (d² 1 − d dᵀ)),  d = c_k − c.
+/// Combines the parts: c = Σ m_k c_k / m,  I = Σ (I_k + m_k (d² 1 − d dᵀ)),  d = c_k − c.
 fn joined(parts: &[ComputedMass]) -> ComputedMass {
     if let [part] = parts {
         return *part;
@@ -155,7 +157,8 @@ fn joined(parts: &[ComputedMass]) -> ComputedMass {
     ComputedMass { mass, center, tensor }
 }
 
-/// What an inertial says, in the link's frame; `None` if some of it is no number.
+/// Returns the mass properties of an inertial in the link's frame; `None` if a number cannot be
+/// read.
 fn written(inertial: &Inertial) -> Option<ComputedMass> {
     let mass = inertial.mass.finite()?;
     if !inertial.pose.unreadable.is_empty() {

@@ -1,19 +1,20 @@
-//! Volume and moments of MuJoCo's primitives, solid or as shells, by its own formulas.
+//! Volume and moments of MuJoCo's primitives, solid or as shells, with MuJoCo's formulas.
 //!
-//! Source: MuJoCo 3.x, the functions `GetVolume` and `SetInertia` of its geoms. The shell of an ellipsoid is approximate there, and
-//! the same here.
+//! Source: MuJoCo 3.x, the functions `GetVolume` and `SetInertia` of its geoms. Its shell of an
+//! ellipsoid is approximate; the same approximation is used here.
 
 use std::f64::consts::PI;
 
-/// What a primitive encloses, or the area of its surface, and its moments about its middle for a mass of 1.
+/// Volume or surface area of a primitive, and its moments about its centre for a mass of 1.
 pub(super) struct Measure {
-    /// m³, or m² of a shell.
+    /// Volume, m³; area of a shell, m².
     pub(super) amount: f64,
-    /// Along its axes, m².
+    /// Moments about its axes for a mass of 1 kg, m².
     pub(super) moments: [f64; 3],
 }
 
-/// Of a primitive by its type and MuJoCo's sizes: radius, half length; half edges; half axes. `None` for what has no volume.
+/// Measures a primitive by its type and MuJoCo's sizes: radius and half length, half edges, or
+/// semi-axes. `None` for types without volume.
 pub(super) fn of(kind: &str, size: [f64; 3], shell: bool) -> Option<Measure> {
     let [a, b, c] = size;
     let round = |across: f64, along: f64| [across, across, along];
@@ -22,7 +23,7 @@ pub(super) fn of(kind: &str, size: [f64; 3], shell: bool) -> Option<Measure> {
         ("sphere", true) => (4.0 * PI * a * a, [2.0 * a * a / 3.0; 3]),
         ("cylinder", false) => (2.0 * PI * a * a * b, round((3.0 * a * a + 4.0 * b * b) / 12.0, 0.5 * a * a)),
         ("cylinder", true) => {
-            let disc = a / (2.0 * a + 4.0 * b); // of the mass, each
+            let disc = a / (2.0 * a + 4.0 * b); // fraction of the mass in each disc
             let wall = 1.0 - 2.0 * disc;
             let across = wall * (6.0 * a * a + 4.0 * b * b) / 12.0 + 2.0 * disc * (0.25 * a * a + b * b);
             (2.0 * PI * a * (a + 2.0 * b), round(across, (wall + disc) * a * a))
@@ -67,7 +68,7 @@ pub(super) fn of(kind: &str, size: [f64; 3], shell: bool) -> Option<Measure> {
     Some(Measure { amount, moments })
 }
 
-/// An ellipsoid less one whose half axes are 1 µm shorter.
+/// Returns the moments of a shell: an ellipsoid minus one with semi-axes 1 µm shorter.
 fn ellipsoid_shell(inner: [f64; 3]) -> [f64; 3] {
     let outer = inner.map(|axis| axis + 1e-6);
     let volume = |[a, b, c]: [f64; 3]| 4.0 * PI * a * b * c / 3.0;

@@ -1,8 +1,10 @@
-//! MJCF, MuJoCo's XML: bodies in bodies, sizes by halves, angles in degrees unless the file says otherwise, quaternions scalar first.
+//! MJCF, the XML format of MuJoCo: nested bodies, half sizes, angles in degrees by default,
+//! quaternions with the scalar first.
 //!
-//! Masses are those that MuJoCo's compiler makes ([`crate::model::Link::computed`]), where these are not what an inertial says.
+//! Masses are those that MuJoCo's compiler computes ([`crate::model::Link::computed`]), if they
+//! differ from the inertial.
 //!
-//! Source: mujoco.readthedocs.io, XML Reference; the order of the operations where it says less is that of MuJoCo's compiler.
+//! Source: mujoco.readthedocs.io, XML Reference; MuJoCo's compiler for the order of operations.
 
 mod armature;
 mod attach;
@@ -42,7 +44,7 @@ use equality::Origin;
 use mass::BodyMass;
 use mesh::Solid;
 
-/// Fills the model with what the root says.
+/// Fills the model from the root element.
 pub(super) fn read(
     root: Element<'_>,
     folders: &[PathBuf],
@@ -55,27 +57,27 @@ pub(super) fn read(
     Reader::new(roots.files, &contexts, model).read(root, blind)
 }
 
-/// A place on the way down the tree.
+/// Position in the traversal of the element tree.
 #[derive(Clone)]
 struct Branch<'a> {
     element: Element<'a>,
-    /// The model that it belongs to.
+    /// Index of the context of its model.
     context: usize,
-    /// The body that what stands in it belongs to; `None` for the world.
+    /// Enclosing body; `None` for the world.
     link: Option<usize>,
-    /// Its frame in that body's.
+    /// Frame of the element in that body's frame.
     frame: Pose,
-    /// The class of what names none.
+    /// Default class of elements that name none.
     class: Option<&'a str>,
-    /// What goes before and after names.
+    /// Prefix and suffix of names.
     prefix: Rc<str>,
     suffix: Rc<str>,
-    /// Its copy or attached model, among [`Reader::origins`].
+    /// Index of its copy or attached model in [`Reader::origins`].
     origin: usize,
 }
 
 impl Branch<'_> {
-    /// A name as it is in the whole model.
+    /// Returns a name with prefix and suffix, as in the whole model.
     fn name(&self, name: Name) -> Name {
         Name { text: format!("{}{}{}", self.prefix, name.text, self.suffix), ..name }
     }
@@ -85,25 +87,25 @@ struct Reader<'c, 'a, 'm> {
     files: &'c dyn Files,
     contexts: &'c [Context<'a>],
     solids: HashMap<(usize, String), Result<Rc<Solid>, String>>,
-    /// Points of the meshes that MuJoCo makes itself.
+    /// Number of points of the meshes that MuJoCo generates.
     made_points: usize,
-    /// For each link, the link above it, and whether it has a joint.
+    /// Parent of each link, and true if the link has a joint.
     jointed: Vec<(Option<usize>, bool)>,
-    /// For each link, its frame in that of the link above it.
+    /// Frame of each link in its parent's frame.
     frames_in_parents: Vec<Pose>,
     masses: Vec<BodyMass>,
-    /// For each joint, the number of its element, by which they are put in order; for each link, too.
+    /// Element number of each joint, for sorting; the next field has that of each link.
     joint_order: Vec<usize>,
     link_order: Vec<usize>,
-    /// Elements so far, and bytes of their names.
+    /// Number of elements so far; the next field has the total bytes of their names.
     elements: usize,
     name_bytes: usize,
-    /// The models whose bodies are here, and their copies; and for each joint its own.
+    /// Models whose bodies are read, and their copies; the next field has the origin of each joint.
     origins: Vec<Origin>,
     joint_origins: Vec<usize>,
-    /// Why bodies are missing.
+    /// Reason why bodies are missing.
     incomplete: Option<String>,
-    /// An `<include>` could not be read: what it says is not known.
+    /// True if an `<include>` could not be read, so that settings may be missing.
     is_blind: bool,
     model: &'m mut RobotModel,
 }
@@ -131,7 +133,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
     }
 
     fn read(mut self, root: Element<'a>, blind: bool) -> Result<(), ContentError> {
-        // the defaults of a file that others include may be theirs
+        // Files that include this one may provide its defaults.
         self.is_blind = blind || root.name() == "mujocoinclude";
         if root.name() == "mujocoinclude" {
             self.tree(root)?; // with or without a <worldbody> in it
@@ -149,7 +151,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         Ok(())
     }
 
-    /// Reads what stands below an element, in the order of the file.
+    /// Reads the content of an element, in file order.
     fn tree(&mut self, world: Element<'a>) -> Result<(), ContentError> {
         let class = world.word("childclass");
         let (prefix, suffix) = (Rc::from(""), Rc::from(""));
@@ -189,7 +191,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         Ok(())
     }
 
-    /// Says which class of defaults is not there: MuJoCo refuses it, and what it would give is not known.
+    /// Reports an unknown default class. MuJoCo rejects it, and its attributes are unknown.
     fn require_class(&mut self, branch: &Branch<'a>) {
         let context = self.contexts.get(branch.context).filter(|_| !self.is_blind);
         let Some(written) = context.and_then(|context| context.classes.unknown(branch.element)) else {
@@ -203,12 +205,12 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         self.suspect("read.unknown", &subject, written.span, message);
     }
 
-    /// What stands in the element of a branch, in order.
+    /// Adds the children of a branch, in order.
     fn below(branch: &Branch<'a>, branches: &mut Vec<Branch<'a>>) {
         branches.extend(branch.element.children().map(|element| Branch { element, ..branch.clone() }));
     }
 
-    /// What stands in a `<frame>`: its own place and class, and the body around it.
+    /// Returns the branch of a `<frame>`, with its pose and class and the enclosing body.
     fn frame(&self, branch: &Branch<'a>) -> Branch<'a> {
         let element = branch.element;
         let pose = self.pose(element, &Source::of(element), branch.context);
@@ -218,7 +220,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         Branch { frame, class, ..branch.clone() }
     }
 
-    /// Takes up a body that stands in a branch.
+    /// Adds a body of a branch.
     fn body(&mut self, branch: &Branch<'a>) -> Branch<'a> {
         let element = branch.element;
         let number = self.model.links.len() + 1;
@@ -264,7 +266,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
     }
 
     fn add_geom(&mut self, branch: &Branch<'a>) {
-        let Some(index) = branch.link else { return }; // the world's own
+        let Some(index) = branch.link else { return }; // geom of the world
         let weighs = self.masses.get(index).is_some_and(|body| body.from_geoms);
         let Some(geom) = self.geom(branch.element, branch, weighs) else { return };
         if let Some(link) = self.model.links.get_mut(index) {
@@ -279,34 +281,35 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         }
     }
 
-    /// The frame of a link in the model's; of the world the model's own.
+    /// Returns the frame of a link in the model's frame; the identity for the world.
     fn pose_of(&self, link: Option<usize>) -> Pose {
         let link = link.and_then(|link| self.model.links.get(link));
         link.map_or(Pose::IDENTITY, |link| Pose::new(link.pose.position, link.pose.rotation))
     }
 
-    /// `pos`, and the attitude in one of its five forms.
+    /// Returns the pose: `pos`, and the attitude in one of its five forms.
     fn pose(&self, element: Element<'a>, source: &Source<'_, 'a>, context: usize) -> Pose {
         let mut reading = Reading::default();
         let position = reading.numbers(source.written("pos").as_ref(), [0.0; 3]);
         let Some(context) = self.contexts.get(context) else {
             return reading.pose(position, Pose::IDENTITY.rotation);
         };
-        // the element's own form goes before one of its class
+        // The element's own attitude takes precedence over that of its class.
         let own = Source::of(element);
         let rotation = context.settings.attitude(&mut reading, &own);
         let rotation = rotation.or_else(|| context.settings.attitude(&mut reading, source));
         reading.pose(position, rotation.unwrap_or(Pose::IDENTITY.rotation))
     }
 
-    /// An include that could not be read has its note; an inertial or geoms may be in it.
+    /// Marks the mass as unknown after an `<include>` that could not be read; it may contain an
+    /// inertial or geoms.
     fn left_out(&mut self, branch: &Branch<'a>) {
         if let Some(body) = branch.link.and_then(|link| self.masses.get_mut(link)) {
             body.unknown.get_or_insert("an <include> in it could not be read".to_owned());
         }
     }
 
-    /// Notes an element from which MuJoCo makes bodies, none of which is read.
+    /// Reports an element from which MuJoCo generates bodies, none of which is read.
     fn generator(&mut self, branch: &Branch<'a>) {
         self.not_made(branch, "save the model as MuJoCo has compiled it (mj_saveLastXML), and check that");
         let (element, span) = (branch.element.name().to_owned(), branch.element.span());
@@ -314,7 +317,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         self.model.unread_bodies.push(UnreadBodies { element, link, span });
     }
 
-    /// Notes that the bodies of an element are missing.
+    /// Reports that the bodies of an element are missing.
     fn not_made(&mut self, branch: &Branch<'a>, why: &str) {
         let what = branch.element.name();
         self.incomplete = Some(format!("<{what}> is not read"));
@@ -323,7 +326,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         self.note("read.left_out", &subject, branch.element.span(), message);
     }
 
-    /// The name of a link; empty for the world.
+    /// Returns the name of a link; empty for the world.
     fn name_of(&self, link: Option<usize>) -> &str {
         link.and_then(|link| self.model.links.get(link)).map_or("", |link| &link.name.text)
     }
@@ -341,7 +344,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
     }
 }
 
-/// A name that the file does not give.
+/// Returns a generated name for an element without one.
 fn made_up(text: String, element: Element<'_>) -> Name {
     let start = element.span().start;
     Name { text, span: start..start + 1 }

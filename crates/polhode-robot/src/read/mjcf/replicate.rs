@@ -1,4 +1,5 @@
-//! `<replicate>`: what stands in it several times, each copy moved and turned on from the one before.
+//! `<replicate>`: repeated copies of its content, each moved and rotated relative to the previous
+//! one.
 
 use std::rc::Rc;
 
@@ -9,15 +10,16 @@ use super::{Branch, Reader};
 use crate::model::Pose;
 use crate::read::xml::Element;
 
-/// Elements of a tree with all its copies. A file of a hundred bytes could ask for more than any memory holds.
+/// Maximum number of elements with all copies. Without a limit, a file of a hundred bytes could
+/// exhaust the memory.
 const MOST_ELEMENTS: usize = 300_000;
 
-/// Bytes of all names with what copies and attached models add to them.
+/// Maximum total bytes of names, with prefixes and suffixes of copies and attached models.
 const MOST_NAME_BYTES: usize = 1 << 26;
 
 impl<'a> Reader<'_, 'a, '_> {
-    /// The copies of what stands in an element. Copy k is turned by k times `euler`, and stands where k steps of `offset` lead,
-    /// each along the axes of the copy before.
+    /// Adds the copies of the content. Copy k is rotated by k times `euler`. Its position results
+    /// from k steps of `offset`, each along the axes of the previous copy.
     pub(super) fn replicate(
         &mut self,
         branch: &Branch<'a>,
@@ -38,7 +40,7 @@ impl<'a> Reader<'_, 'a, '_> {
         let class = element.word("childclass").or(branch.class);
         let separator = element.word("sep").unwrap_or("");
         let digits = count.to_string().len();
-        // an inertial in it is the copy's, which is no body
+        // An inertial in it would belong to the copy, which is not a body.
         let inner: Vec<_> = element.children().filter(|child| child.name() != "inertial").collect();
         self.elements = self.elements.saturating_add(count.saturating_mul(inner.len().max(1)));
         self.require_few(element)?;
@@ -64,7 +66,7 @@ impl<'a> Reader<'_, 'a, '_> {
         Ok(())
     }
 
-    /// Refuses what grows beyond any model.
+    /// Returns an error if the model grows beyond the limits.
     pub(super) fn require_few(&self, element: Element<'a>) -> Result<(), ContentError> {
         let what = if self.elements > MOST_ELEMENTS {
             format!("a model of more than {MOST_ELEMENTS} elements with its copies")

@@ -1,4 +1,4 @@
-//! Triangles as MuJoCo reads them: of an OBJ file the first shape alone, of STL and MSH all.
+//! Mesh files as MuJoCo reads them: only the first shape of an OBJ file, all of STL and MSH.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use polhode_shape::mesh::{MeshContents, MeshFormat};
 
 use crate::read::xml::Element;
 
-/// Vertices, and triangles between them; without triangles, a cloud of points.
+/// Vertices and triangles. Without triangles it is a point cloud.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Surface {
     pub(super) vertices: Vec<[f64; 3]>,
@@ -17,7 +17,7 @@ pub(super) struct Surface {
 }
 
 impl Surface {
-    /// What `vertex` and `face` of an asset say; `None` without vertices.
+    /// Reads the attributes `vertex` and `face` of an asset; `None` without vertices.
     pub(super) fn inline(element: Element<'_>) -> Option<Self> {
         let numbers: Vec<f64> = element.attribute("vertex")?.values().collect();
         let vertices = numbers.as_chunks().0.to_vec();
@@ -30,7 +30,7 @@ impl Surface {
         Some(Self { vertices, triangles })
     }
 
-    /// Of a file.
+    /// Reads a mesh file.
     pub(super) fn read(files: &dyn Files, path: &Path) -> Result<Self, String> {
         let ending = path.extension().map_or_else(String::new, |end| end.to_string_lossy().to_lowercase());
         match ending.as_str() {
@@ -62,8 +62,8 @@ impl Surface {
         self.triangles.iter().map(move |triangle| triangle.map(corner))
     }
 
-    /// All vertices, and the triangles before the second object or group that has some. A quadrangle is split along its shorter
-    /// diagonal.
+    /// Reads all vertices, and the triangles of the first object or group that has some.
+    /// Quadrangles are split along the shorter diagonal.
     fn of_obj(text: &str) -> Result<Self, String> {
         let mut surface = Self::default();
         let mut is_over = false;
@@ -114,7 +114,8 @@ impl Surface {
         Ok(())
     }
 
-    /// MuJoCo's own: four counts, then vertices, normals, texture coordinates and triangles, all of four bytes.
+    /// Reads MuJoCo's MSH format: four counts, then vertices, normals, texture coordinates and
+    /// triangles, four bytes each.
     fn of_msh(bytes: &[u8]) -> Result<Self, String> {
         let words = bytes.as_chunks::<4>().0;
         let count = |k: usize| words.get(k).and_then(|word| usize::try_from(i32::from_le_bytes(*word)).ok());

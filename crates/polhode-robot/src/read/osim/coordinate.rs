@@ -1,7 +1,7 @@
-//! Coordinates of joints, and `CoordinateCouplerConstraint`: y = s f(x) of two coordinates.
+//! Coordinates of joints, and `CoordinateCouplerConstraint`: y = s f(x) between two coordinates.
 //!
-//! A coordinate is at zero where no value is given, not at its `default_value`. Of the functions f those that are straight are read:
-//! `LinearFunction` (slope and constant) and `Constant`.
+//! A coordinate without a given value is at zero, not at its `default_value`. Only linear functions
+//! f are read: `LinearFunction` (slope and constant) and `Constant`.
 
 use std::collections::HashMap;
 
@@ -9,13 +9,13 @@ use crate::coordinate::{NO_NUMBER, limits};
 use crate::model::{Coordinate, Follows, Joint, Name};
 use crate::read::xml::{Element, is_true};
 
-/// The coordinates of a joint.
+/// Returns the coordinates of a joint.
 fn coordinates<'a>(joint: Element<'a>) -> impl Iterator<Item = Element<'a>> {
     let own = joint.child("coordinates").or_else(|| joint.child("CoordinateSet")?.child("objects"));
     own.into_iter().flat_map(|own| own.named("Coordinate"))
 }
 
-/// The coordinate of a joint that has one.
+/// Returns the coordinate of a joint that has exactly one.
 pub(super) fn of(joint: Element<'_>) -> Coordinate {
     let mut all = coordinates(joint);
     let (Some(coordinate), None) = (all.next(), all.next()) else { return Coordinate::default() };
@@ -28,7 +28,7 @@ pub(super) fn of(joint: Element<'_>) -> Coordinate {
     }
 }
 
-/// Tells joints of a model which others they follow.
+/// Couples joints by the constraints of a model.
 pub(super) fn couple<'a>(
     model: Element<'a>,
     constraints: impl Iterator<Item = Element<'a>>,
@@ -45,7 +45,7 @@ pub(super) fn couple<'a>(
         let (leader, more) = (words.next(), words.next());
         let leading = leader.and_then(|leader| owners.get(leader));
         let is_double = followers.len() > 1 || leading.is_some_and(|leading| leading.len() > 1);
-        // Joints are known by their own names.
+        // The coupling stores the names of joints, not of coordinates.
         let leader = leaders.as_ref().zip(leader).map(|(names, leader)| {
             let text = leading.and_then(|owners| joints.get(*owners.first()?)).map(|joint| &joint.name.text);
             Name { text: text.map_or_else(|| leader.to_owned(), String::clone), span: names.span.clone() }
@@ -65,7 +65,8 @@ pub(super) fn couple<'a>(
     }
 }
 
-/// The joints that have a coordinate of each name, also those that have several: one, or the name is none.
+/// Returns the joints that have a coordinate of each name, including joints with several
+/// coordinates. A name is valid if it has one owner.
 fn owners<'a>(model: Element<'a>, joints: &[Joint]) -> HashMap<&'a str, Vec<usize>> {
     let numbers: HashMap<usize, usize> =
         joints.iter().enumerate().map(|(k, joint)| (joint.span.start, k)).collect();
@@ -82,7 +83,7 @@ fn owners<'a>(model: Element<'a>, joints: &[Joint]) -> HashMap<&'a str, Vec<usiz
     owners
 }
 
-/// s f as a polynomial.
+/// Returns s f as polynomial coefficients.
 fn coefficients(constraint: Element<'_>) -> Result<Vec<f64>, String> {
     let function = constraint.child("coupled_coordinates_function").and_then(|own| own.children().next());
     let Some(function) = function else { return Err("it has no function".to_owned()) };

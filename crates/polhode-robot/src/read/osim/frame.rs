@@ -1,4 +1,4 @@
-//! Frames that are fixed to bodies, by their names.
+//! Named frames that are fixed to bodies.
 
 use std::collections::{HashMap, HashSet};
 
@@ -7,19 +7,20 @@ use crate::pose::{about, product};
 use crate::read::pose::Reading;
 use crate::read::xml::{Element, Written};
 
-/// Frames on frames on bodies: longer chains go round.
+/// Maximum length of a chain of frames; longer chains are circular.
 const MOST_STEPS: usize = 100;
 
-/// The offset frames of a model, by the last word of their paths; those of a joint come first.
+/// Offset frames of a model, by the last component of their paths. Those of a joint take
+/// precedence.
 #[derive(Debug, Default)]
 pub(super) struct Frames<'a> {
     named: HashMap<&'a str, Element<'a>>,
-    /// Names of frames of other kinds, as those that stations define.
+    /// Names of frames of other kinds, such as station-defined frames.
     others: HashSet<&'a str>,
 }
 
 impl<'a> Frames<'a> {
-    /// All offset frames of an element.
+    /// Collects all offset frames of an element.
     pub(super) fn of(root: Element<'a>) -> Self {
         let mut frames = Self::default();
         let mut waiting = vec![root];
@@ -36,7 +37,8 @@ impl<'a> Frames<'a> {
         frames
     }
 
-    /// The body that a frame is fixed to, and the frame in it; the names of `own` go before. `None` for a frame of a kind that is not read.
+    /// Returns the body that a frame is fixed to, and the frame's pose in it. Names in `own` take
+    /// precedence. `None` for a kind of frame that is not read.
     pub(super) fn placed(&self, own: &Self, named: &Written<'a>) -> Option<(Name, Pose)> {
         let mut pose = Pose::IDENTITY;
         let mut at = named.clone();
@@ -60,7 +62,7 @@ impl<'a> Frames<'a> {
     }
 }
 
-/// What a socket of an element is connected to: `socket_NAME`, or a connector of that name before 4.0.
+/// Returns the connectee of a socket: `socket_NAME`, or a connector of that name before 4.0.
 pub(super) fn socket<'a>(element: Element<'a>, name: &str) -> Option<Written<'a>> {
     element.child_text(&format!("socket_{name}")).or_else(|| {
         let connectors = element.child("connectors")?;
@@ -68,7 +70,7 @@ pub(super) fn socket<'a>(element: Element<'a>, name: &str) -> Option<Written<'a>
     })
 }
 
-/// A place and an attitude by two elements.
+/// Returns the pose from the elements for translation and orientation.
 pub(super) fn offset(element: Element<'_>, translation: &str, orientation: &str) -> Pose {
     let mut reading = Reading::default();
     let position = reading.numbers(element.child_text(translation).as_ref(), [0.0; 3]);

@@ -1,11 +1,12 @@
-//! Joints, in the set of a model or, until 3.x, in the body that hangs on them.
+//! Joints, in the joint set of a model or, until 3.x, in the child body.
 
 use super::frame::{Frames, offset, socket};
 use super::{GROUND, coordinate, transform};
 use crate::model::{Coordinate, Joint, JointKind, Name, Note, Pose};
 use crate::read::xml::{Element, is_true};
 
-/// A joint between two frames; `None` if it does not say which, or with a note if one is of a kind that is not read.
+/// Returns a joint between two frames. `None` if a frame is missing, or with a note if a frame is
+/// of a kind that is not read.
 pub(super) fn new<'a>(element: Element<'a>, frames: &Frames<'a>, notes: &mut Vec<Note>) -> Option<Joint> {
     let own = Frames::of(element);
     let ends = ["parent_frame", "child_frame"].map(|side| socket(element, side));
@@ -20,7 +21,7 @@ pub(super) fn new<'a>(element: Element<'a>, frames: &Frames<'a>, notes: &mut Vec
     Some(joint(element, parent, child, &in_parent, &in_child))
 }
 
-/// The joint that a body stands in.
+/// Returns the joint that is written in a body.
 pub(super) fn old(element: Element<'_>, body: &Name) -> Joint {
     let start = element.span().start;
     let parent = element

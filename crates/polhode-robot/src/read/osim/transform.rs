@@ -1,7 +1,7 @@
-//! `SpatialTransform` of a `CustomJoint` with its coordinates at zero: three turns, each about an axis that turns with those before, and
-//! three ways along axes of the parent's frame.
+//! `SpatialTransform` of a `CustomJoint` with all coordinates at zero: three rotations about
+//! successively rotated axes, and three translations along axes of the parent's frame.
 //!
-//! Of its functions those are read whose value at zero stands in the file: a spline runs through its points.
+//! Functions are read if their value at zero is in the file; a spline passes through its points.
 
 use crate::model::Pose;
 use crate::pose::{about_axis, product, sum};
@@ -10,10 +10,10 @@ use crate::read::xml::{Element, Written};
 const TURNS: [&str; 3] = ["rotation1", "rotation2", "rotation3"];
 const WAYS: [&str; 3] = ["translation1", "translation2", "translation3"];
 
-/// Functions in functions.
+/// Maximum nesting depth of functions.
 const MOST_STEPS: usize = 20;
 
-/// The frame that moves in the one that does not; or why that is not known.
+/// Returns the pose of the moving frame in the fixed frame, or the reason why it is unknown.
 pub(super) fn at_zero(joint: Element<'_>) -> Result<Pose, String> {
     let mut pose = Pose::IDENTITY;
     let axes = || joint.named("SpatialTransform").flat_map(|own| own.named("TransformAxis"));
@@ -51,7 +51,7 @@ fn direction(axis: Element<'_>) -> Option<[f64; 3]> {
     ((length - 1.0).abs() < 1e-6).then(|| written.map(|c| c / length))
 }
 
-/// What an axis says where its coordinates are zero: zero if it has no function.
+/// Returns the value of an axis with its coordinates at zero; zero if it has no function.
 fn value(axis: Element<'_>) -> Result<f64, String> {
     let function = axis.children().find(|child| child.word("name") == Some("function"));
     let held = axis.child("function").and_then(|own| own.children().next());
@@ -75,7 +75,7 @@ fn of_function(function: Element<'_>) -> Result<f64, String> {
             |name: &str| function.child_text(name).is_none_or(|text| text.values().all(f64::is_finite));
         let value = match function.name() {
             "Constant" => last(function.child_text("value"), 0.0),
-            // from the highest power down
+            // The coefficients begin with the highest power.
             "LinearFunction" | "PolynomialFunction" if is_numbers("coefficients") => {
                 last(function.child_text("coefficients"), 0.0)
             }
@@ -100,7 +100,7 @@ fn of_function(function: Element<'_>) -> Result<f64, String> {
     Err("functions in functions without end".to_owned())
 }
 
-/// The point at zero.
+/// Returns the value of a spline at zero, if this is one of its points.
 fn spline(function: Element<'_>) -> Result<f64, String> {
     let numbers = |name: &str| function.child_text(name).map(|text| text.values().collect::<Vec<_>>());
     let (Some(x), Some(y)) = (numbers("x"), numbers("y")) else {

@@ -1,10 +1,11 @@
-//! `<inertial auto="true">`: mass, centre and tensor of a link from its collisions and their densities.
+//! `<inertial auto="true">`: mass properties of a link from its collisions and their densities.
 //!
-//! m = Σ ρ_k V_k, with centre and tensor of the collisions joined. A stated mass scales m and the
+//! m = Σ ρ_k V_k, with centre and tensor of the joined collisions. A stated mass scales m and the
 //! tensor. The density ρ is that of the collision, else of the inertial, else 1000 kg/m³.
 //!
 //! Source: libsdformat 16, `Link::ResolveAutoInertials`, `Collision::CalculateInertial`,
-//! `Geometry::CalculateInertial`. Meshes are left to the simulator there. Gazebo integrates over
+//! `Geometry::CalculateInertial`. There, meshes are left to the simulator. Gazebo integrates over
+//! the triangles; this module does the same for closed meshes.
 //! the triangles; so does this file, for closed meshes.
 
 use polhode::body::{InertiaTensor, MassProperties};
@@ -16,25 +17,25 @@ use crate::geometry::{Shapes, Volume, VolumeKind};
 use crate::model::{ComputedMass, GeometryShape, Link, Note, Role};
 use crate::read::xml::Element;
 
-/// Density of what states none, kg/m³.
+/// Default density, kg/m³.
 const WATER: f64 = 1000.0;
 
-/// Reason for a link without computed mass.
+/// Reason why a mass is not computed.
 enum Fault {
-    /// libsdformat refuses it.
+    /// Error that libsdformat rejects.
     Refused(String),
-    /// It cannot be told here.
+    /// Value that cannot be computed here.
     Unknown(String),
 }
 
-/// Returns what is wrong with a word of `auto` that is neither true nor false; libsdformat refuses it.
+/// Returns the error for a value of `auto` that is neither true nor false; libsdformat rejects it.
 pub(super) fn unclear(inertial: Element<'_>) -> Option<String> {
     let word = inertial.word("auto")?;
     let is_clear = ["true", "1", "false", "0"].contains(&&*word.trim().to_ascii_lowercase());
     (!is_clear).then(|| format!("auto={word:?} of <inertial> is neither \"true\" nor \"false\""))
 }
 
-/// Gives the link what libsdformat computes, with a note that says so.
+/// Sets the mass properties that libsdformat computes, and adds a note.
 pub(super) fn compute(
     link: &mut Link,
     inertial: Element<'_>,
@@ -81,13 +82,13 @@ pub(super) fn compute(
     });
 }
 
-/// A number for people; 0 if it is rounding error compared with the largest.
+/// Formats a number; 0 if it is rounding error compared with the largest.
 fn short<const N: usize>(value: f64, all: [f64; N]) -> String {
     let largest = all.iter().fold(0.0_f64, |largest, other| largest.max(other.abs()));
     number(if value.abs() < 1e-14 * largest { 0.0 } else { value }, 6)
 }
 
-/// The collisions as bodies, each by its density.
+/// Returns the collisions as bodies with their densities.
 fn parts(
     link: &Link,
     collisions: &[Element<'_>],
@@ -134,7 +135,7 @@ fn body(volume: &Volume, density: f64) -> Result<MassProperties<Part>, Fault> {
         .map_err(|error| Fault::Unknown(error.to_string()))
 }
 
-/// All parts as one, scaled to the mass that is stated.
+/// Combines all parts and scales them to the stated mass.
 fn together(parts: &[MassProperties<Part>], inertial: Element<'_>) -> Result<ComputedMass, Fault> {
     let all = MassProperties::combined(parts).map_err(|error| Fault::Unknown(error.to_string()))?;
     let mass = positive(inertial, "mass")?.unwrap_or(all.mass());
@@ -144,7 +145,7 @@ fn together(parts: &[MassProperties<Part>], inertial: Element<'_>) -> Result<Com
     Ok(ComputedMass { mass, center: all.center_of_mass().to_array(), tensor })
 }
 
-/// The positive number in a child, if it is there.
+/// Returns the positive number in a child element, if it is present.
 fn positive(parent: Element<'_>, name: &str) -> Result<Option<f64>, Fault> {
     let Some(child) = parent.child(name) else { return Ok(None) };
     let written = child.text();

@@ -1,20 +1,20 @@
-//! Frames that name each other.
+//! Frames that refer to each other by name.
 
 use std::collections::HashMap;
 
 use crate::model::{Note, Number, Pose, Span};
 
-/// Frames between a model and the one that places it: longer chains go round, or want time.
+/// Maximum number of frames between a model and its placement frame; longer chains are circular or
+/// too slow.
 const MOST_PLACEMENT_STEPS: usize = 100;
 
-/// What has a frame.
+/// Kind of element that has a frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum FrameKind<'a> {
-    /// The root, or a model: its canonical link stands for it.
+    /// The root, or a model. Its canonical link represents it.
     Model,
-    /// A link.
     Link,
-    /// A joint or a frame: fixed to what it names.
+    /// Joint or frame: attached to the element that it names.
     Attached(&'a str),
 }
 
@@ -23,28 +23,28 @@ struct Frame<'a> {
     scope: usize,
     name: &'a str,
     kind: FrameKind<'a>,
-    /// In the frame that it names, else in its model's.
+    /// Pose in the named frame, otherwise in the frame of its model.
     pose: Pose,
     relative_to: Option<&'a str>,
     span: Span,
-    /// The frame of a model that its pose places, if that is not its own.
+    /// Placement frame of a model, if its pose is not that of its own frame.
     placement: Option<&'a str>,
     in_root: Option<Pose>,
 }
 
-/// The names of a model.
+/// Namespace of a model.
 #[derive(Debug)]
 pub(super) struct Scope<'a> {
-    /// The model's own frame.
+    /// Index of the model's own frame.
     frame: usize,
-    /// The names of the models around, each with `::`.
+    /// Names of the enclosing models, each followed by `::`.
     pub(super) prefix: String,
-    /// The model, or one around it, does not move.
+    /// True if the model or an enclosing model is static.
     pub(super) is_static: bool,
-    /// The link that stands for the model, by name or by being the first.
+    /// Canonical link by name; `None` for the first link.
     canonical: Option<&'a str>,
     names: HashMap<&'a str, usize>,
-    /// The scope that has its names too: that of the model that it is merged into.
+    /// Scope that shares its names: that of the model that it is merged into.
     merged_into: Option<usize>,
 }
 
@@ -55,7 +55,7 @@ impl<'a> Scope<'a> {
 }
 
 impl<'a> Scope<'a> {
-    /// Of a model whose elements become those of the model around it.
+    /// Returns the scope of a model whose elements become elements of the enclosing model.
     pub(super) fn merged(
         frame: usize,
         into: usize,
@@ -68,14 +68,14 @@ impl<'a> Scope<'a> {
     }
 }
 
-/// All frames of a file. The root is frame 0 and scope 0.
+/// All frames of a file. The root has frame 0 and scope 0.
 #[derive(Debug)]
 pub(super) struct Frames<'a> {
     frames: Vec<Frame<'a>>,
     scopes: Vec<Scope<'a>>,
-    /// The scope that is the inside of a model's frame.
+    /// Scope inside the frame of a model.
     inside: HashMap<usize, usize>,
-    /// The link that each frame is fixed to.
+    /// Link that each frame is fixed to.
     links: Vec<Option<usize>>,
 }
 
@@ -97,22 +97,22 @@ impl Default for Frames<'_> {
 }
 
 impl<'a> Frames<'a> {
-    /// The scope of a number that a frame gave.
+    /// Returns the scope with an index from [`Frames::add_scope`].
     pub(super) fn scope(&self, scope: usize) -> &Scope<'a> {
-        // numbers come from add_scope only
+        // All indices come from `add_scope`.
         &self.scopes[scope]
     }
 
-    /// The scope that has the names of a scope.
+    /// Returns the scope that holds the names of a scope.
     fn target(&self, scope: usize) -> usize {
         let mut scope = scope;
         while let Some(outer) = self.scope(scope).merged_into {
-            scope = outer; // an earlier one
+            scope = outer; // always a lower index
         }
         scope
     }
 
-    /// Says that a model's pose is that of a frame in it.
+    /// Sets the placement frame of a model: the model's pose is that of this frame.
     pub(super) fn place_by(&mut self, model: usize, frame: &'a str) {
         if let Some(model) = self.frames.get_mut(model) {
             model.placement = Some(frame);
@@ -125,7 +125,7 @@ impl<'a> Frames<'a> {
         self.scopes.len() - 1
     }
 
-    /// A frame of a scope. Of two with the same name, the first is meant by it.
+    /// Adds a frame to a scope. If a name occurs twice, it refers to the first frame.
     pub(super) fn add(
         &mut self,
         scope: usize,
@@ -159,7 +159,8 @@ impl<'a> Frames<'a> {
         frame
     }
 
-    /// The frame that a name means in a scope: its own, `__model__`, `world`, or `inner::name`.
+    /// Returns the frame that a name refers to in a scope: a name of the scope, `__model__`,
+    /// `world`, or `inner::name`.
     pub(super) fn lookup(&self, scope: usize, name: &str) -> Option<usize> {
         match name {
             "__model__" => return Some(self.scope(scope).frame),
@@ -180,10 +181,11 @@ impl<'a> Frames<'a> {
         }
     }
 
-    /// Composes every frame with those that it stands in, and finds the link that it is fixed to.
+    /// Composes the pose of every frame in the root, and finds the link that it is fixed to.
     pub(super) fn resolve(&mut self, notes: &mut Vec<Note>) {
         self.place_models(notes);
-        // the walk that came by a frame last: each frame is walked over once, and once more at the start of a circle
+        // Last walk that visited each frame. A frame is visited once, and again only at the start
+        // of a cycle.
         let mut walk = vec![usize::MAX; self.frames.len()];
         for first in 0..self.frames.len() {
             let mut chain = Vec::new();
@@ -231,7 +233,8 @@ impl<'a> Frames<'a> {
         self.links = known.into_iter().map(Option::flatten).collect();
     }
 
-    /// X_outer_model = X_outer_placement X_model_placement⁻¹, of the innermost models first: they come last.
+    /// Computes X_outer_model = X_outer_placement X_model_placement⁻¹ for each model. Inner models
+    /// come last in the list, and first here.
     fn place_models(&mut self, notes: &mut Vec<Note>) {
         for model in (0..self.frames.len()).rev() {
             let Some(name) = self.frames[model].placement else { continue };
@@ -263,7 +266,7 @@ impl<'a> Frames<'a> {
         }
     }
 
-    /// What a joint, a frame or a model is fixed to.
+    /// Returns the element that a joint, frame or model is fixed to.
     fn holder(&self, frame: usize) -> Option<usize> {
         match self.frames[frame].kind {
             FrameKind::Link => Some(frame),
@@ -275,7 +278,7 @@ impl<'a> Frames<'a> {
         }
     }
 
-    /// The frame that a frame is given in: what it names, else its model's.
+    /// Returns the frame of reference of a frame: the one that it names, otherwise its model's.
     fn parent(&self, frame: usize, notes: &mut Vec<Note>) -> usize {
         let Frame { scope, name, relative_to, span, .. } = &self.frames[frame];
         let model = self.scope(*scope).frame;
@@ -288,22 +291,23 @@ impl<'a> Frames<'a> {
         }
     }
 
-    /// A frame in the root's, after [`Frames::resolve`].
+    /// Returns the pose of a frame in the root; valid after [`Frames::resolve`].
     pub(super) fn in_root(&self, frame: usize) -> Pose {
         self.frames.get(frame).and_then(|frame| frame.in_root.clone()).unwrap_or(Pose::IDENTITY)
     }
 
-    /// The numbers of a frame's own pose that are none.
+    /// Returns the unreadable numbers of a frame's own pose.
     pub(super) fn unreadable(&self, frame: usize) -> &[Number] {
         self.frames.get(frame).map_or(&[], |frame| &frame.pose.unreadable)
     }
 
-    /// The link that a frame is fixed to, after [`Frames::resolve`]: itself, what it is attached to, or a model's canonical link.
+    /// Returns the link that a frame is fixed to, after [`Frames::resolve`]: the link itself, the
+    /// attached link, or a model's canonical link.
     pub(super) fn link_of(&self, frame: usize) -> Option<usize> {
         self.links.get(frame).copied().flatten()
     }
 
-    /// A frame's name with those of the models around it.
+    /// Returns a frame's name, prefixed with the names of the enclosing models.
     pub(super) fn full_name(&self, frame: usize) -> String {
         self.frames
             .get(frame)
@@ -311,7 +315,7 @@ impl<'a> Frames<'a> {
     }
 }
 
-/// A frame that no element has.
+/// Returns the note for an unknown frame.
 pub(super) fn unknown(frame: &str, subject: &str, span: Span) -> Note {
     let message = format!("there is no frame {frame:?}: the pose is taken in the frame around it");
     Note::new("read.frame", subject, span, message)

@@ -1,9 +1,9 @@
-//! Every frame of the files, and what is a link or a joint, in the order of the main file.
+//! Collects the frames, links and joints of all files, in the order of the main file.
 //!
-//! An included model is a model in the place of its `<include>`, with the name, the pose, the placement frame and `<static>` that this gives
-//! it. With `merge="true"` its elements are those of the model around it.
+//! An included model takes the place of its `<include>`, with the name, pose, placement frame and
+//! `<static>` given there. With `merge="true"` its elements become elements of the enclosing model.
 //!
-//! Source: sdformat.org/spec, `<include>`, and its "Model composition"; libsdformat, where these say less.
+//! Source: sdformat.org/spec, `<include>`, and its "Model composition"; libsdformat for details.
 
 use polhode_source::{ContentError, ContentErrorKind};
 
@@ -13,7 +13,8 @@ use crate::model::{Note, Pose, RobotModel};
 use crate::read::unread;
 use crate::read::xml::{Element, is_true};
 
-/// Elements of a world with all that it includes. Ten files that include one another twice would fill any memory.
+/// Maximum number of elements of a world with all includes. Without a limit, ten files that each
+/// include the next twice or more could exhaust the memory.
 const MOST_ELEMENTS: usize = 300_000;
 
 /// Links and joints, each with its scope and its frame.
@@ -23,14 +24,14 @@ pub(super) struct Gathered<'a> {
     pub(super) joints: Vec<(Element<'a>, usize, usize)>,
 }
 
-/// An element on the way: a scope, and whether it is in a world.
+/// Element to be visited: its scope, and true if it is in a world.
 struct Waiting<'a> {
     element: Element<'a>,
     scope: usize,
     in_world: bool,
 }
 
-/// Every frame, and what is a link or a joint.
+/// Collects every frame, link and joint.
 pub(super) fn gather<'a>(
     root: Element<'a>,
     frames: &mut Frames<'a>,
@@ -58,7 +59,7 @@ pub(super) fn gather<'a>(
             "model" => {
                 model.name = model.name.take().or_else(|| Some(name.to_owned()));
                 let outer = frames.scope(scope);
-                // where a lone model stands in the world is not the model's business
+                // The pose of a single model in the world is not part of the model.
                 let alone = lone && scope == 0 && !in_world;
                 let (pose, relative_to) = if alone { (Pose::IDENTITY, None) } else { pose(element) };
                 let prefix = if alone { String::new() } else { format!("{}{name}::", outer.prefix) };
@@ -108,7 +109,7 @@ pub(super) fn gather<'a>(
     Ok(gathered)
 }
 
-/// The elements in an element, the first last.
+/// Returns the children of an element in reverse order.
 fn below(element: Element<'_>, scope: usize, in_world: bool) -> Vec<Waiting<'_>> {
     let mut children: Vec<_> =
         element.children().map(|element| Waiting { element, scope, in_world }).collect();
@@ -116,7 +117,7 @@ fn below(element: Element<'_>, scope: usize, in_world: bool) -> Vec<Waiting<'_>>
     children
 }
 
-/// The model of an included file. One that was not read has its note already.
+/// Returns the model of an included file. A file that was not read already has a note.
 fn included<'a>(element: Element<'a>, notes: &mut Vec<Note>) -> Option<Element<'a>> {
     let root = element.linked()?;
     let model = root.child("model").filter(|_| root.name() == "sdf" || root.name() == "gazebo");
@@ -127,7 +128,7 @@ fn included<'a>(element: Element<'a>, notes: &mut Vec<Note>) -> Option<Element<'
     model
 }
 
-/// The scope of an included model, its frame placed.
+/// Adds the scope and the frame of an included model.
 fn include<'a>(element: Element<'a>, model: Element<'a>, scope: usize, frames: &mut Frames<'a>) -> usize {
     let name = element.child_text("name").map(|name| name.value).or(model.word("name")).unwrap_or("");
     let (pose, relative_to) = pose(if element.child("pose").is_some() { element } else { model });
@@ -135,7 +136,7 @@ fn include<'a>(element: Element<'a>, model: Element<'a>, scope: usize, frames: &
     let is_static = outer.is_static || says_static(element).or(says_static(model)).unwrap_or(false);
     let prefix = format!("{}{name}::", outer.prefix);
     let merges = element.says_true("merge");
-    // libsdformat gives the frame of a merged model a name that no file has
+    // libsdformat gives the frame of a merged model a name that does not occur in files.
     let own_name = if merges { "" } else { name };
     let frame = frames.add(scope, own_name, FrameKind::Model, pose, relative_to, element.span());
     let placed = element.child_text("placement_frame").map(|frame| frame.value).or(placement(model));
@@ -159,7 +160,7 @@ fn says_static(model: Element<'_>) -> Option<bool> {
     model.child_text("static").map(|text| is_true(text.value))
 }
 
-/// Refuses more elements, shapes or notes than any world has.
+/// Returns an error if there are more elements, shapes or notes than the limit.
 pub(super) fn require_few(count: usize, element: Element<'_>) -> Result<(), ContentError> {
     if count <= MOST_ELEMENTS {
         return Ok(());
@@ -168,7 +169,7 @@ pub(super) fn require_few(count: usize, element: Element<'_>) -> Result<(), Cont
     Err(ContentErrorKind::unsupported(what).at(element.span()))
 }
 
-/// Refuses names that are longer together than the text can account for.
+/// Returns an error if the names together are much longer than the text.
 pub(super) fn require_short(
     name_bytes: usize,
     most: usize,

@@ -1,7 +1,7 @@
-//! A rigid body: its place, and what UsdPhysics' `MassAPI` says of it.
+//! Rigid bodies: their pose, and their mass properties from UsdPhysics' `MassAPI`.
 //!
-//! What `MassAPI` leaves out, or says to be zero (a centre of −inf), the physics engine computes from the collision shapes; here it is
-//! missing.
+//! Values that `MassAPI` omits, or states as zero (−inf for the centre), are computed by the
+//! physics engine from the collision shapes. Here they are missing.
 
 use super::layer::{Prim, Value};
 use super::unit::in_si;
@@ -15,17 +15,17 @@ const CENTER: &str = "physics:centerOfMass";
 const MOMENTS: &str = "physics:diagonalInertia";
 const AXES: &str = "physics:principalAxes";
 
-/// All that states a body's mass.
+/// All attributes that state mass properties.
 const ATTRIBUTES: [&str; 5] = [MASS, CENTER, MOMENTS, AXES, "physics:density"];
 
-/// Whether a prim says something of its mass.
+/// Returns true if a prim states mass properties.
 pub(super) fn has_mass(prim: &Prim) -> bool {
     applies(prim, "PhysicsMassAPI")
         || ATTRIBUTES.iter().any(|name| prim.properties.contains_key(*name))
         || changing::of_mass(prim, &ATTRIBUTES, &mut Vec::new()).is_some()
 }
 
-/// The link of a body; its shapes come later.
+/// Returns the link of a body; its shapes are added later.
 pub(super) fn link(stage: &Stage<'_>, k: usize, prim: &Prim, notes: &mut Vec<Note>) -> Link {
     let place = stage.place(k);
     let scaled = place.scaled_pose();
@@ -71,7 +71,8 @@ pub(super) fn link(stage: &Stage<'_>, k: usize, prim: &Prim, notes: &mut Vec<Not
     link
 }
 
-/// Notes an attribute with more numbers than its meaning has, and says why the body has no mass properties then.
+/// Reports attributes with too many numbers, and returns the reason why the body has no mass
+/// properties.
 fn too_many(prim: &Prim, notes: &mut Vec<Note>) -> Option<String> {
     let mut first = None;
     for (name, count) in [(MASS, 1), (CENTER, 3), (MOMENTS, 3), (AXES, 4)] {
@@ -86,7 +87,7 @@ fn too_many(prim: &Prim, notes: &mut Vec<Note>) -> Option<String> {
     first
 }
 
-/// The inertial, and whether it says its centre.
+/// Returns the inertial, and true if it states its centre.
 fn inertial(stage: &Stage<'_>, prim: &Prim, mass: &Value) -> (Inertial, bool) {
     let units = stage.units;
     let mut pose = Pose::IDENTITY;
@@ -119,14 +120,14 @@ fn inertial(stage: &Stage<'_>, prim: &Prim, mass: &Value) -> (Inertial, bool) {
     (Inertial { span: prim.span.clone(), mass, pose, tensor }, center.is_some())
 }
 
-/// −inf: compute it.
+/// Returns true for −inf, the value that requests computation.
 fn is_left_out(number: &Number) -> bool {
     number.value == Some(f64::NEG_INFINITY)
 }
 
 fn slot(value: &Value, k: usize, unit: f64, name: &str) -> Slot {
     match value.numbers.get(k) {
-        // a text where a number belongs
+        // A text in place of a number.
         _ if !value.words.is_empty() => {
             Slot::Given(Number { text: value.text(), span: value.span.clone(), value: None })
         }
@@ -135,7 +136,7 @@ fn slot(value: &Value, k: usize, unit: f64, name: &str) -> Slot {
     }
 }
 
-/// The first number that is none, or all of them if there are too few or too many.
+/// Returns the first unreadable number, or all of them if their count is wrong.
 fn first_wrong(value: &Value) -> Number {
     let wrong = value.numbers.iter().find(|number| !number.value.is_some_and(f64::is_finite));
     let all = || Number { text: value.text(), span: value.span.clone(), value: None };

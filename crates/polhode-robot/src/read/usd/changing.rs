@@ -1,4 +1,5 @@
-//! Attributes with `timeSamples`, `connect` or `spline` in place of one value. They are not read: `read.animated`.
+//! Attributes with `timeSamples`, `connect` or `spline` instead of a single value. They are not
+//! read: `read.animated`.
 
 use super::layer::Prim;
 use crate::finding::Severity;
@@ -7,7 +8,8 @@ use crate::model::{Note, Span};
 /// Suffixes of the names of such attributes.
 const SUFFIXES: [&str; 3] = ["timeSamples", "connect", "spline"];
 
-/// Notes such an attribute among those of a body's mass, and says why the body has no mass properties then.
+/// Reports such an attribute among the mass properties of a body, and returns the reason why the
+/// body has none.
 pub(super) fn of_mass(prim: &Prim, attributes: &[&str], notes: &mut Vec<Note>) -> Option<String> {
     let (name, span) = first(prim, |name| attributes.contains(&name))?;
     let message = format!("{name} is not read: an inertia that changes over time is not one body");
@@ -15,7 +17,7 @@ pub(super) fn of_mass(prim: &Prim, attributes: &[&str], notes: &mut Vec<Note>) -
     Some(format!("{name} is not read"))
 }
 
-/// Notes such an attribute of the size or place of a shape.
+/// Reports such an attribute of the size or pose of a shape.
 pub(super) fn of_shape(prim: &Prim, link: &str, notes: &mut Vec<Note>) {
     let is_shape =
         |name: &str| matches!(name, "size" | "radius" | "height" | "axis") || name.starts_with("xformOp:");
@@ -25,7 +27,7 @@ pub(super) fn of_shape(prim: &Prim, link: &str, notes: &mut Vec<Note>) {
     }
 }
 
-/// The first such attribute, in the order of the file.
+/// Returns the first such attribute, in file order.
 fn first(prim: &Prim, matters: impl Fn(&str) -> bool) -> Option<(&str, Span)> {
     let changes = |name: &str| {
         name.rsplit_once('.').is_some_and(|(own, suffix)| SUFFIXES.contains(&suffix) && matters(own))

@@ -1,7 +1,7 @@
 //! Limits of joints, and `PhysxMimicJointAPI`: q + gearing · q_reference + offset = 0.
 //!
-//! Angles are in degrees, ways in the layer's unit. A gearing between a turn and a way would have a unit that the schema does not say: it
-//! is not read.
+//! Angles are in degrees, lengths in the layer's unit. A gearing between an angle and a length is
+//! not read, because the schema does not define its unit.
 
 use super::Stage;
 use super::layer::{Prim, Value};
@@ -9,12 +9,12 @@ use super::path::absolute;
 use crate::coordinate::{NO_NUMBER, limits};
 use crate::model::{Coordinate, Follows, JointKind, Name};
 
-/// What a prim says of its joint's value.
+/// Returns the limits and the coupling of a joint's value.
 pub(super) fn of(stage: &Stage<'_>, prim: &Prim, kind: JointKind) -> Coordinate {
     let unit = match kind {
         JointKind::Revolute => 1_f64.to_radians(),
         JointKind::Prismatic => stage.units.metres,
-        // a fixed joint does not move whatever it follows
+        // A fixed joint does not move, even if it is coupled.
         JointKind::Fixed => return Coordinate::default(),
         JointKind::Free | JointKind::Other => f64::NAN,
     };
@@ -28,7 +28,8 @@ pub(super) fn of(stage: &Stage<'_>, prim: &Prim, kind: JointKind) -> Coordinate 
         true => Follows { coefficients: Err("it follows several joints".to_owned()), ..mimic },
         false => mimic,
     });
-    // PhysxJointAPI, and of its axis PhysxJointAxisAPI: kg·m², or kg if it slides
+    // Schemas: `PhysxJointAPI`, and `PhysxJointAxisAPI` for its axis. Unit: kg·m², or kg for a
+    // sliding joint.
     let (axis, unit) = match kind {
         JointKind::Revolute => ("angular", stage.units.kilograms * stage.units.metres * stage.units.metres),
         _ => ("linear", stage.units.kilograms),
@@ -40,7 +41,7 @@ pub(super) fn of(stage: &Stage<'_>, prim: &Prim, kind: JointKind) -> Coordinate 
     Coordinate { limits, follows, armature, ..Coordinate::default() }
 }
 
-/// The reference joint of an axis, if this property names it.
+/// Returns the coupling to the reference joint, if this property names it.
 fn follows(stage: &Stage<'_>, prim: &Prim, unit: f64, name: &str, value: &Value) -> Option<Follows> {
     let schema = name.strip_suffix(":referenceJoint").filter(|name| name.starts_with("physxMimicJoint:"))?;
     let path = absolute(value.words.first()?, &prim.path);

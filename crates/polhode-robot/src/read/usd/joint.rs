@@ -1,4 +1,4 @@
-//! Joints of UsdPhysics: a frame on each of two bodies.
+//! UsdPhysics joints: a frame on each of two bodies.
 
 use super::layer::Prim;
 use super::path::absolute;
@@ -6,7 +6,7 @@ use super::{Stage, coordinate, xform};
 use crate::model::{Joint, JointKind, Name, Pose};
 use crate::pose::unit;
 
-/// The joint that a prim is, if it is one and not switched off.
+/// Returns the joint of a prim; `None` if it is not a joint or is disabled.
 pub(super) fn joint(stage: &Stage<'_>, prim: &Prim) -> Option<Joint> {
     let kind = match prim.kind.as_str() {
         "PhysicsFixedJoint" => JointKind::Fixed,
@@ -20,7 +20,8 @@ pub(super) fn joint(stage: &Stage<'_>, prim: &Prim) -> Option<Joint> {
         return None;
     }
     let (first, second) = (end(stage, prim, 0), end(stage, prim, 1));
-    // a joint to the world may name its body as either end; its value is how far the second moves from the first
+    // A joint to the world may name its body at either end. Its value is the displacement of the
+    // second body relative to the first.
     let ((parent, in_parent), (child, in_child), sense) = match (first.0, second.0) {
         (Some(only), None) => ((None, second.1), (only, first.1), -1.0),
         (parent, Some(child)) => ((parent, first.1), (child, second.1), 1.0),
@@ -51,7 +52,8 @@ pub(super) fn joint(stage: &Stage<'_>, prim: &Prim) -> Option<Joint> {
     })
 }
 
-/// The body at one end, `None` for the world and what does not move, and the joint's frame in it.
+/// Returns the body at one end (`None` for the world or a static prim), and the joint's frame in
+/// it.
 fn end(stage: &Stage<'_>, prim: &Prim, number: usize) -> (Option<Name>, Pose) {
     let property = |name: &str| prim.properties.get(&format!("physics:{name}{number}"));
     let mut pose = Pose::IDENTITY;
@@ -80,7 +82,7 @@ fn end(stage: &Stage<'_>, prim: &Prim, number: usize) -> (Option<Name>, Pose) {
     let body = body.and_then(|(path, span)| {
         let path = absolute(path, &prim.path);
         match stage.numbers.get(path.as_str()) {
-            // a part of a body is the body
+            // A prim below a body belongs to that body.
             Some(&named) => {
                 let body = stage.body_around(named)?;
                 let text = stage.layer.prims.get(body)?.path.clone();

@@ -1,6 +1,7 @@
-//! A layer of USD as text (`.usda`): prims in prims, with their metadata and properties.
+//! USD layer as text (`.usda`): nested prims with metadata and properties.
 //!
-//! Source: openusd.org, "Text File Format". Values are kept flat: numbers, and words or strings, in their order.
+//! Source: openusd.org, "Text File Format". Values are stored flat, in order: numbers, and words or
+//! strings.
 
 use std::collections::HashMap;
 
@@ -9,61 +10,62 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use super::token::{Token, TokenKind, tokens};
 use crate::model::{Name, Number, Span};
 
-/// Prims in prims: deeper than any robot.
+/// Maximum nesting depth of prims.
 const MOST_DEPTH: usize = 500;
 
-/// A layer: its own metadata, and its prims, each after the one that it stands in.
+/// Layer: its metadata and its prims, each after its parent.
 #[derive(Debug, Default)]
 pub(super) struct Layer {
     pub(super) metadata: HashMap<String, Value>,
     pub(super) prims: Vec<Prim>,
-    /// Sets of variants, which are not read.
+    /// Positions of variant sets, which are not read.
     pub(super) variants: Vec<Span>,
-    /// Repeated statements: path of the prim (empty for the layer), name, and place.
+    /// Repeated statements: path of the prim (empty for the layer), name, and position.
     pub(super) twice: Vec<(String, String, Span)>,
-    /// Of all paths together.
+    /// Total bytes of all paths.
     path_bytes: usize,
 }
 
-/// A prim.
+/// Prim of a layer.
 #[derive(Debug)]
 pub(super) struct Prim {
-    /// `"Xform"`; empty if it is left out.
+    /// Type: `"Xform"`; empty if omitted.
     pub(super) kind: String,
     pub(super) name: Name,
     pub(super) parent: Option<usize>,
-    /// `/robot/arm`
+    /// Path: `/robot/arm`
     pub(super) path: String,
-    /// Its specifier, type and name.
+    /// Position of its specifier, type and name.
     pub(super) span: Span,
     pub(super) metadata: HashMap<String, Value>,
     pub(super) properties: HashMap<String, Value>,
-    /// A `class` gives to others, and is nothing itself; so what stands in it, and what is not `active`.
+    /// True for a `class`, which only provides opinions to others, for its descendants, and for
+    /// inactive prims.
     pub(super) is_abstract: bool,
 }
 
-/// What a property or a key of metadata says.
+/// Value of a property or metadata key.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Value {
     pub(super) span: Span,
     pub(super) numbers: Vec<Number>,
-    /// Strings, words, paths and assets, without their marks.
+    /// Strings, words, paths and assets, without delimiters.
     pub(super) words: Vec<String>,
 }
 
 impl Value {
-    /// Its numbers and words as written, with spaces between them.
+    /// Returns numbers and words as text, separated by spaces.
     pub(super) fn text(&self) -> String {
         let numbers = self.numbers.iter().map(|number| number.text.as_str());
         numbers.chain(self.words.iter().map(String::as_str)).collect::<Vec<_>>().join(" ")
     }
 
-    /// Returns true unless all it says is zero, USD's word for what is not given, or nothing.
+    /// Returns true unless the value is empty or all zero, which means "not given" in USD.
     pub(super) fn is_given(&self) -> bool {
         !self.words.is_empty() || self.numbers.iter().any(|number| number.value != Some(0.0))
     }
 
-    /// `false`, which usdcat writes as 0 in attributes.
+    /// Returns true for `false`, which usdcat writes as 0 in attributes.
     pub(super) fn is_false(&self) -> bool {
         self.words.iter().any(|word| word == "false")
             || self.numbers.iter().any(|number| number.value == Some(0.0))
@@ -71,13 +73,13 @@ impl Value {
 }
 
 impl Prim {
-    /// Whether it has this attribute, and that is false.
+    /// Returns true if it has this attribute with the value false.
     pub(super) fn is_off(&self, name: &str) -> bool {
         self.properties.get(name).is_some_and(Value::is_false)
     }
 }
 
-/// Refuses paths that are longer together than the text can account for.
+/// Returns an error if the paths together are much longer than the text.
 pub(super) fn require_short(bytes: usize, text: usize, span: Span) -> Result<(), ContentError> {
     const FOR_EACH_BYTE: usize = 16;
     const ANYHOW: usize = 1 << 24;
@@ -129,7 +131,7 @@ impl Layer {
         if open.is_empty() { Ok(layer) } else { Err(reader.expected("the } that ends the prim")) }
     }
 
-    /// Takes over what the reader found stated twice, in a prim or in the layer itself.
+    /// Takes over the reader's repeated statements, in a prim or in the layer itself.
     fn note_twice(&mut self, reader: &mut Reader<'_, '_>, prim: Option<usize>) {
         let path = |layer: &Self| prim.and_then(|prim| layer.prims.get(prim)).map(|prim| prim.path.clone());
         for (name, span) in reader.twice.drain(..) {
@@ -137,7 +139,7 @@ impl Layer {
         }
     }
 
-    /// The start of a prim, up to its `{`.
+    /// Reads the start of a prim, up to its `{`.
     fn prim(&mut self, reader: &mut Reader<'_, '_>, open: &mut Vec<usize>) -> Result<(), ContentError> {
         let Some(first) = reader.next() else { return Ok(()) };
         let mut is_abstract = matches!(first.kind, TokenKind::Word("class"));
@@ -180,14 +182,14 @@ impl Layer {
     }
 }
 
-/// What a line says of a list. Of one layer, what is taken from a list or put in order is in the layers below, which are not read.
+/// List operation of a statement. Removals and orderings refer to lower layers, which are not read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Edit {
-    /// The list is this.
+    /// The list is replaced.
     Explicit,
-    /// `prepend`, `append` and `add`: these are in it, too.
+    /// `prepend`, `append` and `add`: the items are added.
     Added,
-    /// `delete` and `reorder`.
+    /// `delete` and `reorder`: operations on items of other layers.
     OfOthers,
 }
 
@@ -201,7 +203,7 @@ impl Edit {
     }
 }
 
-/// A property or a key of metadata.
+/// Property or metadata key.
 struct Property {
     name: String,
     edit: Edit,
@@ -209,7 +211,7 @@ struct Property {
 }
 
 impl Property {
-    /// Puts it among the others; says its name and place if it was stated before.
+    /// Inserts the property; returns its name and position if it was stated before.
     fn put_into(self, all: &mut HashMap<String, Value>) -> Option<(String, Span)> {
         let Self { name, edit, value } = self;
         match (edit, all.get_mut(&name)) {
@@ -230,9 +232,9 @@ impl Property {
 struct Reader<'t, 's> {
     tokens: &'t [Token<'s>],
     at: usize,
-    /// The length of the text.
+    /// Length of the text.
     end: usize,
-    /// Names that were stated a second time, and where.
+    /// Names that were stated twice, and their positions.
     twice: Vec<(String, Span)>,
 }
 
@@ -263,7 +265,7 @@ impl<'t, 's> Reader<'t, 's> {
         ContentErrorKind::expected(what, found).at(span)
     }
 
-    /// Keys and values up to the `)`.
+    /// Reads keys and values up to `)`.
     fn metadata(&mut self) -> Result<HashMap<String, Value>, ContentError> {
         let mut metadata = HashMap::new();
         loop {
@@ -283,7 +285,7 @@ impl<'t, 's> Reader<'t, 's> {
         }
     }
 
-    /// Words, the last of which is the name, and what it says; `None` if it says nothing.
+    /// Reads words, the last of which is the name, and the value; `None` without a value.
     fn property(&mut self) -> Result<Option<Property>, ContentError> {
         let (mut name, mut edit) = ("", Edit::Explicit);
         let mut is_first = true;
@@ -310,7 +312,7 @@ impl<'t, 's> Reader<'t, 's> {
         Ok(Some(Property { name: name.to_owned(), edit, value }))
     }
 
-    /// The metadata of a property.
+    /// Skips the metadata of a property.
     fn own_metadata(&mut self) -> Result<(), ContentError> {
         if self.takes('(') {
             self.metadata()?;
@@ -318,7 +320,7 @@ impl<'t, 's> Reader<'t, 's> {
         Ok(())
     }
 
-    /// A value: one word, or all that is between brackets.
+    /// Reads a value: one word, or everything between brackets.
     fn value(&mut self) -> Result<Value, ContentError> {
         let mut value = Value::default();
         let mut closing: Vec<char> = Vec::new();
@@ -345,14 +347,14 @@ impl<'t, 's> Reader<'t, 's> {
                     span: token.span.clone(),
                     value: text.parse().ok(),
                 }),
-                // no value at all
+                // The keyword for no value.
                 TokenKind::Word("None") => {}
                 TokenKind::Word(word) => value.words.push((*word).to_owned()),
                 TokenKind::Text(text) | TokenKind::Path(text) => value.words.push((*text).to_owned()),
                 TokenKind::Asset(text) => value.words.push(format!("@{text}@")),
             }
             if closing.is_empty() {
-                // the path after an asset: @file@</prim>
+                // Path after an asset: @file@</prim>.
                 let goes_on = self.peek().is_some_and(|next| {
                     !next.begins_line
                         && matches!(next.kind, TokenKind::Path(_))

@@ -1,9 +1,11 @@
 //! USD as text: rigid bodies of UsdPhysics, with their masses, shapes and joints.
 //!
-//! Lengths are in the layer's unit (`metersPerUnit`, a centimetre if it says nothing), masses in `kilogramsPerUnit`; here all is in SI, and a
-//! number's text too. Quaternions are (w, x, y, z). Which axis is up is the stage's business, and turns no body.
+//! Lengths in a file are in the layer's unit (`metersPerUnit`, by default a centimetre) and
+//! masses in `kilogramsPerUnit`. Here all numbers and their texts are in SI units. Quaternions are
+//! (w, x, y, z). The up axis of the stage is not applied to bodies.
 //!
-//! One layer is read. What others say (`subLayers`, `references`, `payload`, `inherits`, `specializes`, sets of variants) is a note.
+//! Only one layer is read. Content of other layers (`subLayers`, `references`, `payload`,
+//! `inherits`, `specializes`, variant sets) is reported as a note.
 //!
 //! Source: openusd.org, "Rigid Body Physics in USD"; the schemas UsdPhysics and UsdGeom.
 
@@ -28,10 +30,10 @@ use layer::{Layer, Prim, require_short};
 use unit::Units;
 use xform::Affine;
 
-/// What other layers say by these.
+/// Metadata keys that refer to other layers or prims.
 const ELSEWHERE: [&str; 5] = ["references", "payload", "inherits", "specializes", "subLayers"];
 
-/// Fills the model with what a layer says.
+/// Fills the model from a layer.
 pub(super) fn read(text: &str, model: &mut RobotModel) -> Result<(), ContentError> {
     let layer = Layer::of(text)?;
     model.name = layer.metadata.get("defaultPrim").and_then(|prim| prim.words.first().cloned());
@@ -73,7 +75,8 @@ pub(super) fn read(text: &str, model: &mut RobotModel) -> Result<(), ContentErro
     Ok(())
 }
 
-/// Notes what is stated twice of bodies, joints, shapes and units: the last is read, as OpenUSD reads it.
+/// Reports repeated statements about bodies, joints, shapes and units. The last one counts, as in
+/// OpenUSD.
 fn twice(layer: &Layer, notes: &mut Vec<Note>) {
     const NAMES: [&str; 7] =
         ["metersPerUnit", "kilogramsPerUnit", "xformOpOrder", "size", "radius", "height", "axis"];
@@ -87,7 +90,7 @@ fn twice(layer: &Layer, notes: &mut Vec<Note>) {
     }
 }
 
-/// Says what is not read.
+/// Reports content that is not read.
 fn elsewhere(layer: &Layer, notes: &mut Vec<Note>) {
     let own = layer.metadata.iter().map(|(key, value)| ("", key, value));
     let of_prims = layer
@@ -111,15 +114,15 @@ fn elsewhere(layer: &Layer, notes: &mut Vec<Note>) {
     }
 }
 
-/// Prims with their places on the stage.
+/// Prims with their transforms on the stage.
 struct Stage<'l> {
     layer: &'l Layer,
     units: Units,
-    /// Of each prim, in m.
+    /// Transform of each prim in the stage, m.
     places: Vec<Affine>,
-    /// The body that each prim is part of: itself, or one around it.
+    /// Body that each prim belongs to: itself or an ancestor.
     bodies: Vec<Option<usize>>,
-    /// By their paths.
+    /// Index of each prim by path.
     numbers: HashMap<&'l str, usize>,
 }
 
@@ -129,11 +132,12 @@ impl<'l> Stage<'l> {
         for (k, prim) in layer.prims.iter().enumerate() {
             let (own, resets) = Affine::of(prim, units.metres);
             let around = prim.parent.filter(|_| !resets);
-            // What cannot be read of a body is said of it, and not of all in it.
+            // Unreadable numbers of a body are reported for the body, and not for its descendants.
             let is_said = around.is_some_and(|parent| bodies.get(parent).copied().flatten().is_some());
             places.push(match around.and_then(|parent| places.get(parent)) {
                 Some(around) if is_said => Affine { unreadable: own.unreadable.clone(), ..around.then(&own) },
-                // one of a prim above is enough to tell: thousands below may have it, too
+                // One unreadable number of an ancestor is sufficient; thousands of descendants may
+                // inherit it.
                 Some(around) => {
                     let unreadable =
                         around.unreadable.iter().take(1).chain(&own.unreadable).cloned().collect();
@@ -164,7 +168,7 @@ impl<'l> Stage<'l> {
     }
 }
 
-/// Whether a prim says that it has a schema.
+/// Returns true if a schema is applied to a prim.
 fn applies(prim: &Prim, schema: &str) -> bool {
     prim.metadata.get("apiSchemas").is_some_and(|schemas| schemas.words.iter().any(|word| word == schema))
 }

@@ -1,6 +1,6 @@
 //! Paths of prims.
 
-/// A path as it is from the root: one that does not begin there is from the prim that says it.
+/// Returns an absolute path. A relative path starts at the prim that states it.
 pub(super) fn absolute(path: &str, prim: &str) -> String {
     if path.starts_with('/') {
         return path.to_owned();

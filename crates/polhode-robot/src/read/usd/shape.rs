@@ -1,11 +1,11 @@
-//! Shapes of UsdGeom.
+//! UsdGeom shapes.
 
 use super::layer::Prim;
 use super::{Stage, applies};
 use crate::model::{Geometry, GeometryShape, Pose, Role};
 use crate::pose::{about, product};
 
-/// The shape of a prim in a body's frame; `None` if it has none.
+/// Returns the shape of a prim in a body's frame; `None` if it has none.
 pub(super) fn geometry(stage: &Stage<'_>, k: usize, prim: &Prim, body: &Pose) -> Option<Geometry> {
     let number = |name: &str, default: f64| {
         prim.properties
@@ -43,7 +43,7 @@ pub(super) fn geometry(stage: &Stage<'_>, k: usize, prim: &Prim, body: &Pose) ->
         shape,
         GeometryShape::Cylinder { .. } | GeometryShape::Capsule { .. } | GeometryShape::Cone { .. }
     );
-    // the scale along z is that along the shape's own axis
+    // The scale along z is the one along the shape's own axis.
     let scale = match axis {
         "X" if is_long => {
             pose.rotation = product(pose.rotation, about(1, std::f64::consts::FRAC_PI_2));
@@ -59,9 +59,9 @@ pub(super) fn geometry(stage: &Stage<'_>, k: usize, prim: &Prim, body: &Pose) ->
     Some(Geometry { span, role, pose: Pose { unreadable, ..pose }, shape })
 }
 
-/// A shape with factors along its axes.
+/// Returns a shape scaled along its axes.
 fn scaled(shape: GeometryShape, [x, y, z]: [f64; 3]) -> GeometryShape {
-    /// Factors are equal but for the rounding of single precision.
+    /// Tolerance for equal factors: rounding in single precision.
     const EQUAL: f64 = 1e-6;
     let round = (x / y - 1.0).abs() < EQUAL;
     let even = round && (x / z - 1.0).abs() < EQUAL;

@@ -1,31 +1,31 @@
-//! The words of USD's text.
+//! Tokens of USD text.
 
 use polhode_source::{ContentError, ContentErrorKind};
 
 use crate::model::Span;
 
-/// A word, and where it stands without its quotes.
+/// Token with its position, without quotes.
 #[derive(Debug)]
 pub(super) struct Token<'s> {
     pub(super) kind: TokenKind<'s>,
     pub(super) span: Span,
-    /// It is the first on its line.
+    /// True if it is the first token on its line.
     pub(super) begins_line: bool,
 }
 
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum TokenKind<'s> {
-    /// A name with its colons and points: `physics:mass`.
+    /// Name with colons and points: `physics:mass`.
     Word(&'s str),
-    /// What begins as a number does, whether or not it is one.
+    /// Token that begins like a number, even if it is malformed.
     Number(&'s str),
-    /// In quotes.
+    /// Text in quotes.
     Text(&'s str),
-    /// In `<>`.
+    /// Path in `<>`.
     Path(&'s str),
-    /// In `@@`.
+    /// Asset in `@@`.
     Asset(&'s str),
-    /// Anything else.
+    /// Any other character.
     Mark(char),
 }
 
@@ -48,7 +48,7 @@ impl TokenKind<'_> {
     }
 }
 
-/// All words of a text; comments are none.
+/// Splits a text into tokens; comments are skipped.
 pub(super) fn tokens(text: &str) -> Result<Vec<Token<'_>>, ContentError> {
     let mut tokens = Vec::new();
     let (mut at, mut begins_line) = (0, true);
@@ -64,7 +64,7 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token<'_>>, ContentError> {
             at += rest.find(['\n', '\r']).unwrap_or(rest.len());
             continue;
         }
-        // (opening, closing) around a text
+        // Opening and closing delimiters of texts.
         let quoted = [
             ("\"\"\"", "\"\"\""),
             ("'''", "'''"),
@@ -108,7 +108,8 @@ pub(super) fn tokens(text: &str) -> Result<Vec<Token<'_>>, ContentError> {
     Ok(tokens)
 }
 
-/// Bytes before what closes a text; a backslash takes away the meaning of what follows it.
+/// Returns the number of bytes before the closing delimiter. A backslash escapes the next
+/// character.
 fn length_before(inner: &str, closing: &str) -> Option<usize> {
     let mut from = 0;
     loop {
@@ -121,7 +122,7 @@ fn length_before(inner: &str, closing: &str) -> Option<usize> {
     }
 }
 
-/// Bytes of a name or a number at the start; a sign belongs to a number's start and its exponent.
+/// Returns the length of a name or number in bytes. A sign may begin a number or its exponent.
 fn word_length(rest: &str) -> usize {
     let numeric = rest.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.'));
     let mut before = ' ';

@@ -1,24 +1,25 @@
-//! The units of a layer, and numbers in SI.
+//! Units of a layer, and conversion of numbers to SI.
 
 use polhode_source::{ContentError, ContentErrorKind};
 
 use super::layer::{Layer, Value};
 use crate::model::{Note, Number};
 
-/// What one unit is in SI.
+/// Units of a layer in SI.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Units {
-    /// m
+    /// Length unit, m.
     pub(super) metres: f64,
-    /// kg
+    /// Mass unit, kg.
     pub(super) kilograms: f64,
 }
 
 impl Units {
-    /// Those of a layer's metadata. USD's own length is a centimetre where the layer says none, which few mean: a note.
+    /// Returns the units in a layer's metadata. If no length is stated, the USD default of a
+    /// centimetre applies. This is rarely intended, so it is reported as a note.
     ///
     /// # Errors
-    /// [`ContentError`] if one is stated and is not a positive finite number.
+    /// [`ContentError`] if a stated unit is not a positive finite number.
     pub(super) fn of(layer: &Layer, notes: &mut Vec<Note>) -> Result<Self, ContentError> {
         let stated = |key: &str| layer.metadata.get(key).map(|value| positive(key, value)).transpose();
         let metres = stated("metersPerUnit")?;
@@ -30,13 +31,13 @@ impl Units {
         Ok(Self { metres: metres.unwrap_or(0.01), kilograms })
     }
 
-    /// Whether the numbers of the layer are those in SI.
+    /// Returns true if the numbers of the layer are in SI units.
     pub(super) fn are_si(self) -> bool {
         [self.metres, self.kilograms].iter().all(|unit| unit.to_bits() == 1.0_f64.to_bits())
     }
 }
 
-/// The number that a key of metadata states.
+/// Returns the positive number of a metadata key.
 fn positive(key: &str, value: &Value) -> Result<f64, ContentError> {
     if let ([number], []) = (value.numbers.as_slice(), value.words.as_slice())
         && let Some(unit) = number.value.filter(|unit| *unit > 0.0 && unit.is_finite())
@@ -48,7 +49,7 @@ fn positive(key: &str, value: &Value) -> Result<f64, ContentError> {
     Err(kind.at(value.span.clone()).hint(hint))
 }
 
-/// A number times a unit, with as many digits as it is written with where the unit is a power of ten.
+/// Returns a number multiplied by a unit. If the unit is a power of ten, the digits are kept.
 pub(super) fn in_si(number: &Number, unit: f64) -> Number {
     let Some(value) = number.value.filter(|_| unit.to_bits() != 1.0_f64.to_bits()) else {
         return number.clone();

@@ -1,7 +1,7 @@
-//! Where a prim stands in the one around: `xformOpOrder` and its operations.
+//! Transform of a prim relative to its parent: `xformOpOrder` and its operations.
 //!
-//! The first operation of the order is the outermost: x' = O₁ O₂ … x. Angles are degrees, quaternions (w, x, y, z), matrices rows
-//! that multiply from the left.
+//! The first operation of the order is the outermost: x' = O₁ O₂ … x. Angles are in degrees,
+//! quaternions are (w, x, y, z). Matrices act on row vectors from the right.
 //!
 //! Source: openusd.org, `UsdGeomXformable`.
 
@@ -9,12 +9,12 @@ use super::layer::{Prim, Value};
 use crate::model::{Number, Pose};
 use crate::pose::{about, dot, product, unit};
 
-/// x' = L x + t
+/// Affine transform x' = L x + t.
 #[derive(Clone, Debug)]
 pub(super) struct Affine {
     pub(super) linear: [[f64; 3]; 3],
     pub(super) shift: [f64; 3],
-    /// Numbers of it that are none, or too few.
+    /// Operations whose numbers are unreadable or incomplete.
     pub(super) unreadable: Vec<Number>,
 }
 
@@ -41,7 +41,7 @@ impl Affine {
         Self { linear, shift: self.placed(inner.shift), unreadable }
     }
 
-    /// Whether it turns right hands into left ones: det < 0.
+    /// Returns true if it changes handedness: det < 0.
     pub(super) fn is_mirrored(&self) -> bool {
         let [[a, b, c], [d, e, f], [g, h, i]] = self.linear;
         a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) < 0.0
@@ -63,9 +63,10 @@ impl Affine {
         Some(Self { shift, ..inner })
     }
 
-    /// Factors along the inner axes, and the pose without them; `None` if the axes are askew.
+    /// Returns the scale factors along the inner axes, and the pose without them; `None` if the
+    /// axes are not orthogonal.
     pub(super) fn scaled_pose(&self) -> Option<([f64; 3], Pose)> {
-        /// Axes are at right angles but for the rounding of single precision.
+        /// Tolerance for orthogonal axes: rounding in single precision.
         const RIGHT: f64 = 1e-5;
         let columns = [0, 1, 2].map(|k| self.linear.map(|row| row[k]));
         let lengths = columns.map(|column| dot(column, column).sqrt());
@@ -77,12 +78,14 @@ impl Affine {
             return None;
         }
         let rotation = crate::pose::of_x_and_y(x, y)?;
-        // a mirror turns one axis about: the shape is as large, and the attitude that of the other two
+        // A mirror reverses one axis. The shape keeps its size, and the attitude is that of the
+        // other two axes.
         let pose = Pose { unreadable: self.unreadable.clone(), ..Pose::new(self.shift, rotation) };
         Some((lengths, pose))
     }
 
-    /// What the operations of a prim make, and whether it leaves the prims around out.
+    /// Composes the operations of a prim. The flag is true if the transforms of its ancestors do
+    /// not apply.
     pub(super) fn of(prim: &Prim, metres: f64) -> (Self, bool) {
         let mut all = Self::IDENTITY;
         let mut resets = false;
@@ -94,7 +97,7 @@ impl Affine {
             let (inverts, name) =
                 written.strip_prefix("!invert!").map_or((false, written.as_str()), |name| (true, name));
             let Some(value) = prim.properties.get(name) else {
-                // As of one that has values at times only.
+                // For example, an operation that has only time samples.
                 let order = prim.properties.get("xformOpOrder");
                 let span = order.map_or_else(|| prim.span.clone(), |order| order.span.clone());
                 all.unreadable.push(Number { text: shown(name), span, value: None });
@@ -113,11 +116,11 @@ impl Affine {
         (all, resets)
     }
 
-    /// What one operation does; `None` if its numbers are none or too few.
+    /// Returns one operation; `None` if its numbers are unreadable or incomplete.
     fn of_operation(name: &str, value: &Value, metres: f64) -> Option<Self> {
         let kind = name.strip_prefix("xformOp:")?.split(':').next()?;
         if let Some(axes) = kind.strip_prefix("rotate").filter(|axes| axes.len() == 3) {
-            // the first named turns first: it is the innermost
+            // The first-named axis rotates first; it is the innermost.
             let angles: [f64; 3] = numbers(value)?;
             let mut turn = Pose::IDENTITY.rotation;
             for axis in axes.bytes() {
@@ -148,13 +151,13 @@ impl Affine {
     }
 }
 
-/// The start of a name: all prims below may repeat it.
+/// Returns the start of a name, for messages. All descendants may repeat it.
 fn shown(name: &str) -> String {
     const MOST: usize = 80;
     name.chars().take(MOST).collect()
 }
 
-/// As many finite numbers as are asked for.
+/// Returns exactly `N` finite numbers.
 pub(super) fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
     let values: Vec<f64> = value.numbers.iter().map(|number| number.value).collect::<Option<_>>()?;
     values.try_into().ok().filter(|values: &[f64; N]| values.iter().all(|c| c.is_finite()))

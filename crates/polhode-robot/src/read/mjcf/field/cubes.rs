@@ -1,13 +1,14 @@
-//! Marching cubes: the surface where numbers on a grid change their sign, cell by cell.
+//! Marching cubes: extracts the surface where values on a grid change sign, cell by cell.
 //!
-//! Source of the table: MarchingCubeCpp, in the public domain, with which MuJoCo makes its meshes. Each entry has the number of
-//! triangles and the edges of the cell that their corners lie on, four bits each, the lowest first.
+//! Source of the table: MarchingCubeCpp (public domain), which MuJoCo uses. Each entry contains the
+//! number of triangles, then the cell edges with their corners, four bits each, the lowest first.
 
-/// The corners at the ends of each edge; the bits of a corner are its steps along x, y and z.
+/// Corners at the ends of each edge. The bits of a corner are its steps along x, y and z.
 const EDGES: [[usize; 2]; 12] =
     [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 
-/// Triangles in steps of the grid, in single precision as MuJoCo has them. The numbers are in order of x, then y, then z.
+/// Returns triangles in grid units, in single precision as in MuJoCo. `numbers` is ordered by x,
+/// then y, then z.
 pub(super) fn triangles(numbers: &[f32], [nx, ny, nz]: [usize; 3]) -> Vec<[[f32; 3]; 3]> {
     let mut triangles = Vec::new();
     for z in 0..nz - 1 {

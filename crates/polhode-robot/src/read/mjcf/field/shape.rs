@@ -1,12 +1,13 @@
-//! The distances of MuJoCo's five plugins: torus, bowl, gear, nut and bolt, in metres.
+//! Signed distance functions of MuJoCo's five plugins: torus, bowl, gear, nut and bolt, in metres.
 //!
-//! Source: MuJoCo 3.12, `plugin/sdf`; the formulas are of iquilezles.org (bowl) and shadertoy.com (gear 3lG3WR, nut and bolt XtffzX).
+//! Source: MuJoCo 3.12, `plugin/sdf`; formulas from iquilezles.org (bowl) and shadertoy.com (gear
+//! 3lG3WR, nut and bolt XtffzX).
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use crate::read::xml::Element;
 
-/// A shape by its numbers.
+/// Shape with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Shape {
     Torus { ring: f64, tube: f64 },
@@ -17,7 +18,7 @@ pub(super) enum Shape {
 }
 
 impl Shape {
-    /// What the `<config>` elements in an element say of a plugin.
+    /// Reads the `<config>` elements of a plugin.
     pub(super) fn of(plugin: &str, element: Element<'_>) -> Result<Self, String> {
         let keys: &[&str] = match plugin {
             "mujoco.sdf.torus" => &["radius1", "radius2"],
@@ -60,7 +61,7 @@ impl Shape {
         })
     }
 
-    /// Half edges of the box that MuJoCo looks for it in.
+    /// Returns the half edges of the box that MuJoCo samples.
     pub(super) fn half_box(self) -> [f64; 3] {
         match self {
             Self::Torus { ring, tube } => [ring + tube, ring + tube, tube],
@@ -72,7 +73,7 @@ impl Shape {
         }
     }
 
-    /// Negative inside.
+    /// Returns the signed distance of a point, negative inside.
     pub(super) fn distance(self, point: [f64; 3]) -> f64 {
         let [x, y, z] = point;
         let rho = norm(x, y);
@@ -105,7 +106,7 @@ impl Shape {
         }
     }
 
-    /// In the plane of a gear: involutes between circles.
+    /// Returns the distance in the plane of a gear: involutes between circles.
     fn gear(self, x: f64, y: f64, rho: f64) -> f64 {
         let Self::Gear { alpha, diameter, teeth, inner_diameter, .. } = self else { return f64::NAN };
         let pressure = 3.096e-5 * teeth * teeth - 6.557e-3 * teeth + 0.551;
@@ -140,7 +141,7 @@ impl Shape {
     }
 }
 
-/// Of a screw; `out` is how far a point is from its cylinder.
+/// Returns the distance to a screw thread; `out` is the distance of the point from its cylinder.
 fn thread([x, y, z]: [f64; 3], out: f64) -> f64 {
     const TURNS: f64 = 12.0;
     let turn = z * TURNS - libm::atan2(y, x) / PI / 2.0;
@@ -148,7 +149,7 @@ fn thread([x, y, z]: [f64; 3], out: f64) -> f64 {
     (out - triangle / TURNS) * FRAC_1_SQRT_2
 }
 
-/// The hexagon of a nut, or of the head of a bolt.
+/// Returns the distance to the hexagon of a nut or of the head of a bolt.
 fn head([x, y, z]: [f64; 3], out: f64) -> f64 {
     let sixth = 6.0 / PI / 2.0;
     let angle = -(libm::atan2(y, x) * sixth + 0.5).floor() / sixth;
@@ -160,7 +161,7 @@ fn norm(a: f64, b: f64) -> f64 {
     (a * a + b * b).sqrt()
 }
 
-/// The first without the second.
+/// Returns the distance of the difference of two shapes.
 fn less(a: f64, b: f64) -> f64 {
     a.max(-b)
 }

@@ -1,4 +1,4 @@
-//! Inertia that the motor of a joint moves: the moment about the joint's axis, and the inertia of the rotor.
+//! Inertia moved by the motor of a joint: the moment about the joint axis, and the rotor's inertia.
 
 use polhode::math::Position;
 use polhode_robot::inertia::of_lumps;
@@ -11,7 +11,7 @@ fn drives(model: &RobotModel, link: &str) -> Vec<Drive> {
     lump(model, Lumping::Subtree(link), &[]).unwrap().remove(0).drives
 }
 
-/// n·I n of the tensor about a point of the axis.
+/// Returns n·I n for the tensor about a point of the axis.
 fn about_axis(model: &RobotModel, link: &str, axis: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
     let body = lump(model, Lumping::Subtree(link), &[]).unwrap().remove(0).properties;
     let tensor = body.inertia_about(Position::new(x, y, z)).matrix();
@@ -46,7 +46,7 @@ fn the_armature_of_a_joint_is_added_to_what_hangs_from_it() {
     for (key, right) in [("inertia", 0.044), ("armature", 0.05), ("total", 0.094)] {
         assert!((armature[key].as_f64().unwrap() - right).abs() < 1e-15, "{key}");
     }
-    // a joint without armature has no finding
+    // A joint without armature has no finding.
     let bare = read(
         r#"<mujoco><worldbody><body name="a"><joint name="j"/><geom size="0.1"/></body></worldbody></mujoco>"#,
     );
@@ -69,7 +69,7 @@ fn actuators_add_their_rotors_by_the_square_of_their_gears() {
     let found = drives(&model, "a");
     let [turn, slide] = &found[..] else { panic!("two drives") };
     let right = about_axis(&model, "a", [1.0, -2.0, 0.5], [0.1, -0.2, 0.3]);
-    // 0.003 + 30² 2e-5 + 5² 7e-5
+    // The expected armature is 0.003 + 30² · 2e-5 + 5² · 7e-5.
     assert_drive(turn, "t", right, 0.003 + 0.018 + 0.00175);
     assert!(slide.slides);
     assert_drive(slide, "s", 2.0, 0.25);
@@ -89,7 +89,7 @@ fn rotors_of_drake_and_physx_are_reflected() {
     let model = read(&urdf);
     let right = about_axis(&model, "arm", [0.6, 0.0, 0.8], [0.0; 3]);
     assert_drive(&drives(&model, "arm")[0], "j", right, 120.0 * 120.0 * 3e-5);
-    // URDF has no inertia of a rotor: a reduction alone adds nothing
+    // URDF has no key for a rotor's inertia: a reduction alone adds nothing.
     let bare = urdf.replace("<drake:rotor_inertia value=\"3e-5\"/>", "");
     assert_eq!(drives(&read(&bare), "arm")[0].armature, 0.0);
 
@@ -104,7 +104,7 @@ fn rotors_of_drake_and_physx_are_reflected() {
     let right = about_axis(&model, "arm", [0.0, 0.6, 0.8], [0.1, 0.2, 0.3]);
     assert_drive(&drives(&model, "arm")[0], "j", right, 80.0 * 80.0 * 1.5e-5);
 
-    // 250 g·cm² in a layer of cm and g
+    // 250 g·cm² in a layer with the units cm and g.
     let model = read(
         "#usda 1.0\n(\n metersPerUnit = 0.01\n kilogramsPerUnit = 0.001\n)\n\
          def Xform \"base\" (prepend apiSchemas = [\"PhysicsRigidBodyAPI\"])\n{\n bool physics:rigidBodyEnabled = 0\n}\n\

@@ -1,4 +1,4 @@
-//! SDFormat's `<inertial auto="true">`: computed from collisions and densities.
+//! SDFormat's `<inertial auto="true">`: mass properties from collisions and densities.
 
 use polhode::body::MassProperties;
 use polhode::math::Part;
@@ -90,7 +90,8 @@ fn densities_are_the_collisions_then_the_inertials_then_that_of_water() {
 
 #[test]
 fn each_shape_stands_where_its_collision_is() {
-    // a cone: apex up, centre a quarter of its height below the middle (libsdformat, Cone::CalculateInertial)
+    // Cone: apex up, centre a quarter of its height below the middle (libsdformat,
+    // Cone::CalculateInertial).
     let (radius, height, density) = (0.3, 0.8, 700.0);
     let cone = format!(
         "<inertial auto=\"true\"/><collision name=\"c\"><density>{density}</density><pose>0.1 -0.2 0.3 0.4 0 0</pose>\
@@ -107,7 +108,7 @@ fn each_shape_stands_where_its_collision_is() {
     let center = [0.1, -0.2 + below * 0.4_f64.sin(), 0.3 - below * 0.4_f64.cos()];
     assert_close(body_of_cone.center_of_mass().to_array(), center, 1e-15);
 
-    // other shapes are as solids of the library; a visual has no mass
+    // Other shapes agree with the solids of the library; a visual has no mass.
     let both = "<inertial auto=\"true\"/><visual name=\"v\"><geometry><sphere><radius>9</radius></sphere></geometry></visual>\
         <collision name=\"e\"><density>800</density><pose>0.5 0 0 0 0.3 0</pose><geometry><ellipsoid><radii>0.1 0.2 0.3</radii></ellipsoid></geometry></collision>\
         <collision name=\"k\"><density>900</density><pose>0 0.4 0 0 0 0</pose><geometry><capsule><radius>0.1</radius><length>0.5</length></capsule></geometry></collision>";
@@ -121,7 +122,7 @@ fn each_shape_stands_where_its_collision_is() {
 
 #[test]
 fn meshes_are_integrated_if_they_are_closed() {
-    // a box of 1 × 2 × 3 with its corner at the origin, and the same without its last triangle
+    // A box of 1 × 2 × 3 with a corner at the origin, and the same without its last triangle.
     let corner = |k: usize| [(k & 1) as f64, 2.0 * (k >> 1 & 1) as f64, 3.0 * (k >> 2 & 1) as f64];
     let faces = [
         [0, 2, 1],
@@ -201,7 +202,7 @@ fn what_sdformat_refuses_is_impossible() {
         assert!(matches!(&told[..], [(Severity::Impossible, message)] if message.contains(why)), "{told:?}");
         assert!(link_mass(model.format, &model.links[0]).is_err());
     }
-    // what is overwritten, and what no solid weighs
+    // An overwritten pose, and a density that no solid has.
     let inner = format!(
         "<inertial auto=\"true\"><pose>0 0 1 0 0 0</pose></inertial><collision name=\"c\"><density>2e6</density>{cube}</collision>"
     );

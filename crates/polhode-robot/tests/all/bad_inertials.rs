@@ -1,4 +1,5 @@
-//! Unphysical inertials: eleven of which no tool caught all, and three from public reports.
+//! Unphysical inertials: eleven test cases of which no other tool found all, and three from public
+//! reports.
 
 use crate::check_common::{SLAB, findings, findings_with, link, number, only, read, repaired, robot, solid};
 use polhode_robot::finding::{Finding, Severity};
@@ -25,7 +26,7 @@ fn one_triangle() {
     assert_eq!(found.severity, Severity::Impossible);
     assert!((number(found, "excess") - 0.01).abs() < 1e-15);
     assert!(found.message.contains("i1 + i2 = 0.02 < i3 = 0.03 kg·m² (by 0.01)"), "{}", found.message);
-    // Turned, the same: no element tells it.
+    // The same tensor, rotated: no single element shows the error.
     let [a, b, c] = [0.010, 0.012, 0.0305];
     let turned = crate::check_common::conjugated(
         &[[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]],
@@ -37,18 +38,18 @@ fn one_triangle() {
 
 #[test]
 fn two_not_positive() {
-    // A diagonal that looks right, and products that are too large for it.
+    // The diagonal looks right, but the products are too large for it.
     let all =
         findings(&robot(&link("arm", "1.5", ["0.0123", "0.0171", "0.0219", "0.0302", "0.0007", "0.0013"])));
     let found = only(&all, "inertia.negative");
     assert_eq!(found.severity, Severity::Impossible);
-    // det [[i − λ]] = 0: the least root, from the characteristic polynomial.
+    // Condition det(I − λ 1) = 0 for the smallest root of the characteristic polynomial.
     let (xx, yy, zz, xy, xz, yz) = (0.0123, 0.0171, 0.0219, 0.0302, 0.0007, 0.0013);
     let l = number(found, "i1");
     let det = (xx - l) * ((yy - l) * (zz - l) - yz * yz) - xy * (xy * (zz - l) - yz * xz)
         + xz * (xy * yz - (yy - l) * xz);
     assert!(l < -0.015 && det.abs() < 1e-18, "{l} {det}");
-    // A moment below zero.
+    // A negative moment.
     let all = findings(&with(1, "-0.0171"));
     let found = only(&all, "inertia.negative");
     assert_eq!(found.severity, Severity::Impossible);
@@ -111,7 +112,7 @@ fn izz_is_missing() {
 
 #[test]
 fn gram_millimetres_as_kilogram_metres() {
-    // A link of 1.5 kg and a hand's size, without geometry: 0.0123 kg·m² are 1.23e7 g·mm².
+    // A link of 1.5 kg and the size of a hand, without geometry: 0.0123 kg·m² are 1.23e7 g·mm².
     let all = findings(&robot(&link("arm", "1.5", ["1.23e7", "1.71e7", "2.19e7", "-1.1e6", "7e5", "1.3e6"])));
     let found = only(&all, "inertia.unit");
     assert_eq!(found.severity, Severity::Suspect);
@@ -120,7 +121,7 @@ fn gram_millimetres_as_kilogram_metres() {
     assert!(found.message.contains("g·mm²"), "{}", found.message);
     assert_eq!(found.repair, None);
 
-    // With its geometry the unit is proved, and repaired.
+    // With geometry the unit is proved and repaired.
     let document = SLAB.robot(SLAB.tensor().map(|x| x * 1e9));
     let all = findings_with(&document, SLAB.geometry());
     let found = only(&all, "inertia.unit");
@@ -129,11 +130,11 @@ fn gram_millimetres_as_kilogram_metres() {
     assert_eq!(findings_with(&fixed, SLAB.geometry()), []);
 }
 
-/// A public report: a point forgotten.
+/// Tensor from a public report: a missing decimal point.
 const FORGOTTEN: [&str; 6] =
     ["2636.237E-6", "2328.164E-6", "1676359E-6", "-38.614E-6", "-162.037E-6", "-72.169E-6"];
 
-/// The geometry of a uniform body of 1.559 kg with the tensor that was meant.
+/// Returns the geometry of a uniform body of 1.559 kg with the intended tensor.
 fn meant() -> polhode_robot::check::LinkGeometry {
     let [xx, yy, zz, xy, xz, yz] =
         [2636.237, 2328.164, 1676.359, -38.614, -162.037, -72.169].map(|x| x * 1e-6 / 1.559);
@@ -151,7 +152,7 @@ fn a_power_of_ten_is_a_fix_if_the_geometry_confirms_it() {
     assert!((number(found, "i3") - 1.676359).abs() < 1e-7);
     assert!((number(found, "excess") - 1.6713946).abs() < 1e-6);
     assert_eq!(&document[found.span.clone()], "1676359E-6");
-    // Without geometry it is a suggestion: possible is not right.
+    // Without geometry it is a suggestion: a possible tensor is not necessarily right.
     assert_eq!(found.repair, None);
     for part in ["izz 1676359E-6 → 1676.359E-6 would make it possible", "0.001641", "0.002335", "0.002665"]
     {
@@ -163,7 +164,7 @@ fn a_power_of_ten_is_a_fix_if_the_geometry_confirms_it() {
     assert_eq!(fixed, document.replace("1676359E-6", "1676.359E-6"));
     assert_eq!(findings_with(&fixed, meant()), []);
     assert!(found.message.contains("izz: 1000 times too large"), "{}", found.message);
-    // Geometry with another tensor confirms nothing, be it near.
+    // Geometry with a different tensor does not confirm it, even if it is close.
     for edges in [[1.0, 1.4, 2.0], [0.1, 0.12, 0.14]] {
         let other = crate::check_common::block(edges, VolumeKind::Primitives);
         let all = findings_with(&document, other);
@@ -171,7 +172,7 @@ fn a_power_of_ten_is_a_fix_if_the_geometry_confirms_it() {
         assert_eq!(found.repair, None);
         assert!(!found.message.contains("would make"), "{}", found.message);
     }
-    // The message adds the reach of a geometry smaller than the radius of gyration.
+    // If the radius of gyration exceeds the geometry, the message states both.
     let near = crate::check_common::block([0.1, 0.12, 0.14], VolumeKind::Primitives);
     let all = findings_with(&document, near);
     let found = only(&all, "inertia.triangle");
@@ -180,10 +181,10 @@ fn a_power_of_ten_is_a_fix_if_the_geometry_confirms_it() {
 
 #[test]
 fn what_two_repairs_would_mend_has_none() {
-    // A product that is too large: 10⁻², 10⁻³ and so on would all do.
+    // A product that is too large: 10⁻², 10⁻³ and so on would all make it possible.
     let all = findings(&with(3, "1.1"));
     assert_eq!(only(&all, "inertia.negative").repair, None);
-    // i3 may be a tenth of this or of that: equal moments leave two decades.
+    // Several powers of ten of i3 are possible: equal moments leave two decades.
     let all = findings(&robot(&link("arm", "1.5", ["0.0123", "0.0123", "2.46", "0", "0", "0"])));
     assert_eq!(only(&all, "inertia.triangle").repair, None);
 }
@@ -204,7 +205,7 @@ fn the_iris_of_px4() {
     assert_eq!(found.repair, None);
 }
 
-/// A public report: its moments were right, and its quaternion conjugated.
+/// Tensor from a public report: right moments, conjugated quaternion.
 const CONJUGATED: [f64; 6] = [0.268209, 0.359486, 0.225659, 0.011284, 0.0635697, -0.00106685];
 
 #[test]
@@ -214,12 +215,12 @@ fn a_conjugated_attitude_is_found_by_the_geometry() {
     for (value, printed) in moments.values.iter().zip([0.179588555, 0.31243485, 0.361330595]) {
         assert!((value - printed).abs() < 6e-9);
     }
-    // The body, of 12 kg, as a mesh of 0.015 m³ would have it.
+    // The body of 12 kg as a mesh of 0.015 m³.
     let (mass, volume) = (12.0, 0.015);
     let [xx, yy, zz, xy, xz, yz] = CONJUGATED.map(|x| x / mass);
     let per_mass = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
     let geometry = solid(volume, [0.01, 0.02, -0.03], per_mass, [[-0.4; 3], [0.4; 3]], VolumeKind::Closed);
-    // R has the axes as columns.
+    // The columns of R are the axes.
     let r = crate::check_common::transposed(&moments.axes);
     let rpy = |r: &crate::check_common::Matrix| {
         let angles = [r[2][1].atan2(r[2][2]), (-r[2][0]).asin(), r[1][0].atan2(r[0][0])];
@@ -242,7 +243,7 @@ fn a_conjugated_attitude_is_found_by_the_geometry() {
     assert!(found.message.contains("conjugated"), "{}", found.message);
 }
 
-/// What is found in a text, with what its reader noticed.
+/// Returns all findings of a text, including the reader's notes.
 fn inspected(text: &str) -> Vec<Finding> {
     inspect(&read(text), &Shapes::default()).findings
 }
@@ -264,13 +265,13 @@ fn a_mass_that_is_missing_hides_no_other_rule() {
             assert!(codes.contains(&code) && codes.contains(&rule), "{new}: {codes:?}");
         }
     }
-    // A product that is missing hides neither the moments' triangle nor their sign.
+    // A missing product hides neither the triangle inequality nor the sign of the moments.
     for (document, rule) in [(&triangle, "inertia.triangle"), (&negative, "inertia.negative")] {
         let all = findings(&document.replace("ixy=\"0\" ", ""));
         only(&all, "number.missing");
         only(&all, rule);
     }
-    // A possible tensor without mass is no row-major one.
+    // A possible tensor without mass is not reported as row-major.
     let all = findings(&robot(&link("arm", "", GOOD)));
     assert_eq!(all.iter().map(|f| f.code).collect::<Vec<_>>(), ["number.malformed"]);
 }

@@ -1,4 +1,4 @@
-//! One finding for links of which the same is said, and links that only stand for a place.
+//! Grouped findings of links with the same error, and dummy links.
 
 use crate::check_common::{block, findings, link, only, read, repaired, robot};
 use polhode_robot::check::check;
@@ -6,7 +6,7 @@ use polhode_robot::finding::{Finding, Severity};
 use polhode_robot::geometry::VolumeKind;
 
 const TENSOR: [&str; 6] = ["0.0123", "0.0171", "0.0219", "0", "0", "0"];
-/// Of 1.2 kg, 0.1 m × 0.2 m × 0.3 m, in kg·mm².
+/// Tensor of a box of 1.2 kg, 0.1 m × 0.2 m × 0.3 m, in kg·mm².
 const IN_KG_MM2: [&str; 6] = ["13000", "10000", "5000", "0", "0", "0"];
 
 fn joined(parent: &str, child: &str, kind: &str) -> String {
@@ -29,7 +29,7 @@ fn the_same_part_is_one_finding_with_the_repairs_of_all() {
     let geometry = vec![block([0.1, 0.2, 0.3], VolumeKind::Closed); 4];
     let found = check(&read(&text), &geometry);
     let units: Vec<&Finding> = found.iter().filter(|f| f.code == "inertia.unit").collect();
-    // of another mass other numbers are said
+    // With a different mass, the message has different numbers.
     assert_eq!((units.len(), units[1].subject.as_str()), (2, "d"), "{found:#?}");
     assert_eq!(
         (units[0].subject.as_str(), units[0].others.as_slice()),
@@ -47,7 +47,8 @@ fn what_is_impossible_is_said_of_each() {
     assert_eq!(findings(&text).iter().filter(|f| f.code == "inertia.triangle").count(), 2);
 }
 
-/// What is said of an IMU of this mass and moment beside a trunk of 0.02 kg·m²; it is drawn as a cube of a millimetre.
+/// Returns the findings about an IMU with this mass and moment, next to a trunk of 0.02 kg·m². It
+/// is drawn as a cube of 1 mm.
 fn of_imu(mass: &str, moment: &str, kind: &str) -> Vec<Finding> {
     let imu = link("imu", mass, [moment, moment, moment, "0", "0", "0"]);
     let text = robot(&(link("trunk", "7", TENSOR) + &imu + &joined("trunk", "imu", kind)));
@@ -61,7 +62,7 @@ fn of_imu(mass: &str, moment: &str, kind: &str) -> Vec<Finding> {
 fn a_dummy_is_worth_a_note() {
     let found = of_imu("0.001", "0.0001", "fixed");
     assert!(!found.is_empty() && found.iter().all(|f| f.severity == Severity::Note), "{found:#?}");
-    // one that is felt, that is heavy, or that moves is not
+    // A dummy with a relevant moment, a larger mass, or a moving joint is not a note.
     for (mass, moment, kind) in
         [("0.001", "0.0012", "fixed"), ("0.011", "0.0001", "fixed"), ("0.001", "0.0001", "revolute")]
     {

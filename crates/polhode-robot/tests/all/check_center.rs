@@ -1,4 +1,4 @@
-//! A centre of mass outside everything that the link is drawn with.
+//! Centre of mass outside the link's geometry.
 
 use polhode_robot::finding::{Finding, Severity};
 use polhode_robot::geometry::Shapes;
@@ -6,7 +6,7 @@ use polhode_robot::inspect::inspect;
 
 use crate::check_common::{is_clean, number, only, read, repaired};
 
-/// A link that moves, with a centre of mass, its tensor, and shapes.
+/// Returns a model with a moving link: its centre of mass, its tensor and its shapes.
 fn link(center: &str, shapes: &str) -> String {
     format!(
         "<robot name=\"r\"><link name=\"root\"/><link name=\"a\"><inertial><origin xyz=\"{center}\"/><mass value=\"1.3\"/>\
@@ -52,17 +52,18 @@ fn the_distance_is_that_of_a_face_an_edge_and_a_vertex() {
 
 #[test]
 fn the_hull_is_of_all_shapes() {
-    // Between two balls nothing is drawn, and the centre may lie there; beyond the cone around both it may not.
+    // The centre may be between two balls, where nothing is drawn, but not outside the cone around
+    // both.
     let balls = visual("xyz=\"-0.2 0 0\"", "<sphere radius=\"0.03\"/>")
         + &visual("xyz=\"0.2 0 0\"", "<sphere radius=\"0.06\"/>");
     let codes = |center: &str| found(&link(center, &balls)).into_iter().map(|f| f.code).collect::<Vec<_>>();
     assert!(!codes("0.01 0.02 0.03").contains(&"mass.center_outside"));
-    // The distance from a common tangent of circles at (−0.2, 0), r = 0.03 and (0.2, 0), r = 0.06: n = (−s, √(1 − s²)),
-    // s = (0.06 − 0.03) / 0.4; n·c − (n·(0.2, 0) + 0.06).
+    // Distance from a common tangent of circles at (−0.2, 0), r = 0.03 and (0.2, 0), r = 0.06: n =
+    // (−s, √(1 − s²)), s = (0.06 − 0.03) / 0.4; n·c − (n·(0.2, 0) + 0.06).
     let s: f64 = 0.03 / 0.4;
     let expected = -s * 0.01 + (1.0 - s * s).sqrt() * 0.1234567 - (-s * 0.2 + 0.06);
     assert!((distance("0.01 0.1234567 0", &balls) - expected).abs() < 1e-9);
-    // A shape that cannot be measured may be where the centre is.
+    // A shape that cannot be measured may contain the centre.
     let missing = balls.clone() + &visual("xyz=\"0 0 0\"", "<mesh filename=\"nowhere.stl\"/>");
     assert!(!found(&link("0.01 0.1234567 0", &missing)).iter().any(|f| f.code == "mass.center_outside"));
 }
@@ -72,7 +73,7 @@ fn round_shapes_askew() {
     // A cylinder along (sin 0.5, 0, cos 0.5), and a capsule.
     let pose = "xyz=\"0.1 0.2 -0.1\" rpy=\"0 0.5 0\"";
     let (sin, cos) = 0.5_f64.sin_cos();
-    // 0.03 beyond the rim along the axis and 0.04 across it, in the plane of y.
+    // A point 0.03 beyond the rim along the axis and 0.04 across it, in the direction of y.
     let place =
         |along: f64, across: f64| format!("{} {} {}", 0.1 + sin * along, 0.2 + across, -0.1 + cos * along);
     let cylinder = visual(pose, "<cylinder radius=\"0.05\" length=\"0.3\"/>");
@@ -98,7 +99,7 @@ fn a_sign_and_a_unit_are_fixed() {
         assert_eq!(fixed, link(right, &shape), "{one:#?}");
         assert!(!found(&fixed).iter().any(|f| f.code == "mass.center_outside"));
     }
-    // What no slip brings to the centroid has no fix.
+    // Without an error that leads to the centroid, a fix is not offered.
     let all = found(&link("0.3 0.11 0.2", &shape));
     assert_eq!(only(&all, "mass.center_outside").repair, None);
 }
@@ -111,7 +112,8 @@ fn simplified_meshes_may_miss_the_centre_by_a_fiftieth_of_the_diagonal() {
     assert!((distance("0.0736 -0.031 0.041", &shape) - 0.0036).abs() < 1e-12);
 }
 
-/// Millimetres lead to the origin from anywhere, so a centroid there does not confirm them.
+/// Conversion from millimetres moves any point to the origin, so a centroid there does not confirm
+/// it.
 #[test]
 fn a_centroid_at_the_origin_confirms_no_unit() {
     let shape = visual("xyz=\"0 0 0\"", "<box size=\"0.06 0.05 0.04\"/>");

@@ -1,11 +1,12 @@
-//! Each rule that asks the geometry, on a slab askew, off its origin and in a turned inertial frame.
+//! Rules that use the geometry, tested on a slab that is rotated and displaced, with a rotated
+//! inertial frame.
 
 use crate::check_common::*;
 use polhode_robot::check::{LinkGeometry, check};
 use polhode_robot::finding::{Finding, Severity};
 use polhode_robot::geometry::VolumeKind;
 
-/// The one finding of a slab with these numbers, and the document.
+/// Returns the only finding of a slab with these numbers, and the document.
 fn one(slab: &Slab, tensor: [f64; 6], code: &str) -> (String, Finding) {
     let document = slab.robot(tensor);
     let all = findings_with(&document, slab.geometry());
@@ -15,7 +16,7 @@ fn one(slab: &Slab, tensor: [f64; 6], code: &str) -> (String, Finding) {
     (document, found)
 }
 
-/// The repair leaves nothing to find, and brings the right numbers.
+/// Checks that the repair removes all findings and restores the right numbers.
 fn repairs(document: &str, found: &Finding) {
     let fixed = repaired(document, found);
     assert_eq!(findings_with(&fixed, SLAB.geometry()), [], "{fixed}");
@@ -41,7 +42,7 @@ fn a_body_that_is_not_uniform_has_none_either() {
         let all = findings_with(&SLAB.robot(SLAB.tensor().map(|x| x * factor)), SLAB.geometry());
         assert!(all.is_empty(), "{factor}: {all:#?}");
     }
-    // Another body in the same place.
+    // A different body in the same place.
     let other = Slab { edges: [0.12, 0.1, 0.2], attitude: [1.3, 0.3, -0.6], ..SLAB };
     assert_eq!(findings_with(&SLAB.robot(other.tensor()), SLAB.geometry()), []);
 }
@@ -63,7 +64,7 @@ fn units() {
 
 #[test]
 fn a_unit_that_fits_by_size_alone_is_asked_and_not_repaired() {
-    // Not uniform: half the tensor, in g·mm².
+    // Half the tensor, in g·mm²: the body is not uniform.
     let (_, found) = one(&SLAB, SLAB.tensor().map(|x| 0.5e9 * x), "inertia.unit");
     assert!(found.message.contains("g·mm²") && found.repair.is_none(), "{found:#?}");
 }
@@ -71,7 +72,7 @@ fn a_unit_that_fits_by_size_alone_is_asked_and_not_repaired() {
 #[test]
 fn orders() {
     let [xx, yy, zz, xy, xz, yz] = SLAB.tensor();
-    // Elements in our order xx yy zz xy xz yz; the places of URDF are xx xy xz yy yz zz.
+    // The elements have the order xx yy zz xy xz yz; the places of URDF are xx xy xz yy yz zz.
     for (tensor, what) in [
         ([xx, xy, yz, yy, zz, xz], "xx yy zz xy xz yz written in the places of xx xy xz yy yz zz"),
         ([xx, xy, xz, yy, yz, zz], "row-major"),
@@ -83,7 +84,7 @@ fn orders() {
         assert!(found.message.contains(what), "{}", found.message);
         assert!(all.iter().any(|f| f.severity == Severity::Impossible), "{all:#?}");
         repairs(&document, found);
-        // Without geometry it is told as well; it is sure if nothing else would do.
+        // It is also reported without geometry, if it is the only possible order.
         assert!(findings(&document).iter().any(|f| f.code == "inertia.order"), "{what}");
     }
     let (document, found) = one(&SLAB, [xx, yy, zz, xy, yz, xz], "inertia.order");
@@ -94,7 +95,7 @@ fn orders() {
 #[test]
 fn nine_numbers_cut_at_six() {
     let [xx, yy, _, xy, xz, yz] = SLAB.tensor();
-    // xx xy xz yx yy yz in the places xx xy xz yy yz zz, and in xx yy zz xy xz yz.
+    // The elements xx xy xz yx yy yz in the places xx xy xz yy yz zz, and in xx yy zz xy xz yz.
     for tensor in [[xx, xy, yz, xy, xz, yy], [xx, xy, xz, xy, yy, yz]] {
         let all = findings(&SLAB.robot(tensor));
         let found = only(&all, "inertia.order");
@@ -134,7 +135,7 @@ fn about_the_origin() {
     let (document, found) = one(&SLAB, tensor, "inertia.about_origin");
     assert!(found.message.contains("0.1487 m"), "{}", found.message);
     repairs(&document, &found);
-    // The file that forgets the centre, too, has no sure repair.
+    // If the file also omits the centre, the repair is ambiguous.
     let forgotten = Slab { centre: [0.0; 3], ..SLAB };
     let document = forgotten.robot(tensor);
     let all = findings_with(&document, SLAB.geometry());
@@ -150,7 +151,7 @@ fn products_of_the_other_sign() {
     let (document, found) = one(&SLAB, [xx, yy, zz, xy, -xz, -yz], "inertia.sign");
     assert!(found.message.contains("ixz and iyz"), "{}", found.message);
     repairs(&document, &found);
-    // Small products, of 2 % of the moments, printed with three digits.
+    // Small products, 2 % of the moments, printed with three digits.
     let slim = Slab { attitude: [0.02, -0.03, 0.025], frame: [0.0; 3], ..SLAB };
     let texts = slim.tensor().map(|x| format!("{x:.2e}"));
     let texts = texts.each_ref().map(String::as_str);
@@ -163,7 +164,8 @@ fn products_of_the_other_sign() {
 
 #[test]
 fn products_of_the_other_sign_may_be_impossible() {
-    // A flat plate, askew: its tensor has i1 + i2 = i3, and no other sign of its products has.
+    // A flat rotated plate: its tensor has i1 + i2 = i3, and no other combination of signs is
+    // possible.
     let plate = Slab { edges: [0.31, 0.19, 0.004], ..SLAB };
     let [xx, yy, zz, xy, xz, yz] = plate.tensor();
     assert_eq!(findings_with(&plate.robot(plate.tensor()), plate.geometry()), []);
@@ -177,7 +179,7 @@ fn products_of_the_other_sign_may_be_impossible() {
 #[test]
 fn a_conjugated_frame_and_one_left_over() {
     let link_axes = conjugated(&matrix(SLAB.tensor()), &turn(SLAB.frame));
-    // What Rᵀ would bring to the link's axes.
+    // The rotation Rᵀ would take this tensor to the link's axes.
     let conjugate = six(&conjugated(&link_axes, &turn(SLAB.frame)));
     let (_, found) = one(&SLAB, conjugate, "inertia.conjugate");
     assert!(found.message.contains("conjugated"), "{}", found.message);
@@ -191,18 +193,18 @@ fn matrix([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Matrix {
 
 #[test]
 fn gyration_beyond_the_geometry() {
-    // Twenty times the tensor: no unit, but no body of this size.
+    // Thirty times the tensor: not a unit, but too large for a body of this size.
     let tensor = SLAB.tensor().map(|x| x * 30.0);
     let (_, found) = one(&SLAB, tensor, "gyration.too_large");
     let [a, b, c] = SLAB.edges;
-    // The longest radius of a slab is about its least edge.
+    // The largest moment of a slab is about its shortest edge.
     let k = (30.0 * (b * b + c * c) / 12.0_f64).sqrt();
     assert!((number(&found, "gyration_radius") - k).abs() < 1e-6 * k, "{found:?}");
-    // Its geometry() bounds a ball around the slab: half a diagonal along each axis.
+    // `geometry()` bounds a ball around the slab: half a diagonal along each axis.
     let reach = 0.5 * (3.0 * (a * a + b * b + c * c)).sqrt();
     assert!((number(&found, "bound") / (1.1 * reach) - 1.0).abs() < 1e-12);
     assert!(found.repair.is_none());
-    // Bounds without volume will do.
+    // Bounds without volume are sufficient.
     let all = findings_with(&SLAB.robot(tensor), bounds(SLAB.centre, 0.2));
     only(&all, "gyration.too_large");
 }
@@ -220,12 +222,12 @@ fn density() {
             assert_eq!(found.severity, Severity::Suspect);
         }
     }
-    // A crude box of collision beside the mesh: one that fits is enough.
+    // A rough collision box in addition to the mesh: one solid that agrees is enough.
     let slab = Slab { mass: 400.0 * volume, ..SLAB };
     let mut geometry = slab.geometry();
     geometry.volumes.insert(0, block([1.0, 1.1, 1.2], VolumeKind::Primitives).volumes[0].clone());
     assert_eq!(findings_with(&slab.robot(slab.tensor()), geometry), []);
-    // A box around a light link is no reason by itself.
+    // A box around a light link is not a reason for a finding.
     let tensor = ["2e-4", "3e-4", "4e-4", "0", "0", "0"];
     let light = robot(&link("hand", "0.2", tensor));
     assert_eq!(findings_with(&light, block([0.3, 0.35, 0.4], VolumeKind::Primitives)), []);
@@ -239,7 +241,7 @@ fn placeholders() {
     let found = only(&all, "inertia.placeholder");
     assert_eq!((found.severity, all.len()), (Severity::Suspect, 1));
     assert!(found.message.contains("1 kg·m² about each axis on 0.4 kg"), "{}", found.message);
-    // Where nothing contradicts, it is a note; where the geometry agrees, nothing.
+    // Without evidence against it, it is a note; if the geometry agrees, it is not reported.
     let all = findings(&robot(&link("cup", "4", identity)));
     assert_eq!(only(&all, "inertia.placeholder").severity, Severity::Note);
     let metre = block([1.0, 1.0, 1.0], VolumeKind::Closed);
@@ -259,7 +261,7 @@ fn one_tensor_for_links_that_differ() {
     assert_eq!(found.severity, Severity::Suspect);
     assert_eq!(number(found, "links"), 3.0);
     assert!(found.message.contains("a, b, c"), "{}", found.message);
-    // What is taught for small links is a note, and what is alike is nothing.
+    // The value of tutorials for small links is a note; equal links are not reported.
     assert!(is_clean(&findings(&three("1e-3"))));
     assert_eq!(findings(&three("0.1").replace("\"5\"", "\"1\"").replace("\"0.6\"", "\"1\"")), []);
 }
@@ -272,7 +274,7 @@ fn no_geometry_is_no_finding() {
 
 #[test]
 fn nine_numbers_cut_at_six_may_have_no_products() {
-    // xx 0 0 0 yy 0 in the places of xx xy xz yy yz zz.
+    // The elements xx 0 0 0 yy 0 in the places xx xy xz yy yz zz.
     let all = findings(&robot(&link("bar", "0.9", ["0.0126", "0", "0", "0", "0", "0.0122"])));
     let found = only(&all, "inertia.order");
     assert!(found.message.contains("first six of nine"), "{}", found.message);
@@ -293,7 +295,7 @@ fn a_placeholder_on_link_after_link_is_one_finding() {
         assert_eq!((&found[0].subject, &found[0].others), (&names[0], &names[1..].to_vec()));
         assert!(found[0].message.contains("finger0, finger1") && found[0].message.contains("and 28 more"));
     }
-    // Two are no habit: what is wrong with each is told, once for both.
+    // Two links are not enough for this finding: the error is reported for each, grouped.
     let two: String =
         ["a", "b"].iter().map(|n| link(n, "0.2", ["0.01", "0.01", "0.01", "0", "0", "0"])).collect();
     let found = check(&read(&robot(&two)), &[bounds([0.0; 3], 0.02), bounds([0.0; 3], 0.02)]);
@@ -315,13 +317,13 @@ fn a_mesh_that_programs_turn_in_two_ways_accuses_no_axes() {
     let geometry = solids([[0.05, 0.08, 0.4], [0.05, 0.4, 0.08]]);
     let moment = |a: f64, b: f64| format!("{:.6}", 0.9 * (a * a + b * b) / 12.0);
     let [x, y, z] = [moment(0.08, 0.4), moment(0.05, 0.4), moment(0.05, 0.08)];
-    // Either reading is right, and so is none of the other orders an accusation.
+    // Both orientations are accepted, so other orders are not reported.
     for six in [[&x, &y, &z], [&x, &z, &y], [&z, &y, &x], [&y, &x, &z]] {
         let [a, b, c] = six.map(String::as_str);
         let all = findings_with(&robot(&link("bar", "0.9", [a, b, c, "0", "0", "0"])), geometry.clone());
         assert_eq!(all, []);
     }
-    // A unit is one whatever the axes are; it is told and not repaired.
+    // A wrong unit does not depend on the axes: it is reported, but not repaired.
     let milli = |text: &str| format!("{}e9", text);
     let six = [&x, &z, &y].map(|text| milli(text));
     let wrong = robot(&link("bar", "0.9", [&six[0], &six[1], &six[2], "0", "0", "0"]));

@@ -1,9 +1,9 @@
-//! No number brings a panic, a NaN, or an edit outside the text.
+//! Arbitrary numbers cause no panic, no NaN, and no edit outside the text.
 
 use crate::check_common::{SLAB, findings, findings_with, is_clean, number, read};
 use polhode_robot::finding::{Finding, Severity};
 
-/// A sequence without a pattern that matters.
+/// Pseudo-random number generator.
 struct Dice(u64);
 
 impl Dice {
@@ -12,7 +12,7 @@ impl Dice {
         self.0 >> 33
     }
 
-    /// In 0 … 1.
+    /// Returns a number between 0 and 1.
     fn part(&mut self) -> f64 {
         self.roll() as f64 / (1_u64 << 31) as f64
     }
@@ -71,9 +71,9 @@ fn hostile_numbers() {
     }
 }
 
-/// A body of points anywhere within the slab's bounds, of any mass: possible by what it is, and
-/// never its geometry's. Suspect are those alone whose points are so near to each other that their
-/// moments are in sum less than a third of the slab's.
+/// Bodies of random points within the slab's bounds, with any mass. They are physical, but never
+/// equal to the geometry. Only those with points so close to each other that the sum of the moments
+/// is below a third of the slab's are suspect.
 #[test]
 fn bodies_of_any_kind_are_neither_impossible_nor_suspect() {
     let mut dice = Dice(11);
@@ -81,7 +81,7 @@ fn bodies_of_any_kind_are_neither_impossible_nor_suspect() {
     for k in 0..4000 {
         let edges = [0.1 + 0.1 * dice.part(), 0.1 + 0.2 * dice.part(), 0.1 + 0.3 * dice.part()];
         let slab = crate::check_common::Slab {
-            // 20 to 20,000 kg/m³
+            // Densities of 20 to 20,000 kg/m³.
             mass: 20.0 * 10f64.powf(3.0 * dice.part()) * edges.iter().product::<f64>(),
             edges,
             attitude: [6.0 * dice.part(), 3.0 * dice.part(), 6.0 * dice.part()],
@@ -92,7 +92,7 @@ fn bodies_of_any_kind_are_neither_impossible_nor_suspect() {
             },
             ..SLAB
         };
-        // Points in the slab's own frame, centred, then I = Σ m (r² 1 − r rᵀ).
+        // Points in the slab's own frame, centred, and I = Σ m (r² 1 − r rᵀ).
         let points: Vec<[f64; 3]> =
             (0..2 + k % 9).map(|_| slab.edges.map(|edge| edge * (dice.part() - 0.5))).collect();
         let mean: [f64; 3] =
@@ -122,7 +122,7 @@ fn bodies_of_any_kind_are_neither_impossible_nor_suspect() {
     assert!((1..1000).contains(&dense), "{dense}");
 }
 
-/// Names and texts of other alphabets, in every place.
+/// Names and texts in other alphabets, in every place.
 #[test]
 fn names_of_other_alphabets() {
     for name in ["élan_l", "左_l", "l_左", "lé", "L", "l", "FL", "ﬂ_left", "Left🤖Right"] {

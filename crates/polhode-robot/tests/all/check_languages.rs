@@ -1,4 +1,4 @@
-//! The same slab in the three languages, with its shape beside it: from the text to the finding.
+//! The same slab in three languages, with its shape: from the text to the finding.
 
 use crate::check_common::{SLAB, only, read, repaired};
 use polhode_robot::check::{LinkGeometry, check};
@@ -17,7 +17,7 @@ fn words(numbers: &[f64]) -> String {
     numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(" ")
 }
 
-/// (w, x, y, z) of Rz(yaw) Ry(pitch) Rx(roll)
+/// Returns the quaternion (w, x, y, z) of Rz(yaw) Ry(pitch) Rx(roll).
 fn quaternion([roll, pitch, yaw]: [f64; 3]) -> [f64; 4] {
     let ((sr, cr), (sp, cp), (sy, cy)) =
         ((roll / 2.0).sin_cos(), (pitch / 2.0).sin_cos(), (yaw / 2.0).sin_cos());
@@ -58,7 +58,7 @@ fn sdf([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> String {
     )
 }
 
-/// Along principal axes, in the order of the edges.
+/// Returns the slab with principal moments, in the order of the edges.
 fn mjcf(quat: [f64; 4]) -> String {
     let [a, b, c] = SLAB.edges.map(|x| x * x * SLAB.mass / 12.0);
     format!(
@@ -107,7 +107,7 @@ fn attitudes_conjugated_and_in_another_order() {
 
 #[test]
 fn a_full_inertia_in_the_order_of_rows() {
-    // Along the body's axes: a frame that is not turned.
+    // Link axes: the inertial frame is not rotated.
     let slab = crate::check_common::Slab { frame: [0.0; 3], ..SLAB };
     let [xx, yy, zz, xy, xz, yz] = slab.tensor();
     let right = words(&[xx, yy, zz, xy, xz, yz]);

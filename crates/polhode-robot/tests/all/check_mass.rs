@@ -1,4 +1,4 @@
-//! Mass that is not there, and tensors without it.
+//! Missing masses, and tensors without mass.
 
 use crate::check_common::{findings, is_clean, link, only, robot};
 use polhode_robot::finding::Severity;
@@ -26,13 +26,13 @@ fn zero_mass_where_motion_needs_it() {
     let all = findings(&hung("revolute", &link("tip", "0", ZERO)));
     let found = only(&all, "mass.not_positive");
     assert_eq!((found.severity, found.subject.as_str(), all.len()), (Severity::Impossible, "tip", 1));
-    // What carries mass needs none.
+    // A link that carries a mass needs none of its own.
     let more = link("tip", "0", ZERO)
         + &link("hand", "0.7", TENSOR)
         + "<joint name=\"k\" type=\"revolute\"><parent link=\"tip\"/><child link=\"hand\"/></joint>";
     let all = findings(&hung("revolute", &more));
     assert_eq!((only(&all, "mass.refused").severity, all.len()), (Severity::Note, 1));
-    // Where nothing has mass, it is a drawing.
+    // A model without any mass is a drawing.
     let drawing = robot(&format!(
         "{}{}<joint name=\"j\" type=\"revolute\"><parent link=\"base\"/><child link=\"tip\"/></joint>",
         link("base", "0", ZERO),
@@ -58,7 +58,7 @@ fn no_inertia_with_mass() {
     let found = only(&all, "inertia.zero");
     assert_eq!((found.severity, all.len()), (Severity::Impossible, 1));
     assert!(found.message.contains("0.7 kg"), "{}", found.message);
-    // A point that is fixed to a body may be meant.
+    // A point mass that is fixed to a body may be intended.
     let all = findings(&hung("fixed", &link("tip", "0.7", ZERO)));
     assert_eq!(only(&all, "inertia.zero").severity, Severity::Suspect);
 }
@@ -75,12 +75,12 @@ fn what_can_be_touched_has_mass() {
                 "mass.massless_collision"
             };
             let found = only(&all, code);
-            // What is fixed to a link with mass has that.
+            // A link that is fixed to a link with mass shares that mass.
             assert_eq!(found.severity == Severity::Note, kind == "fixed", "{all:#?}");
             assert_eq!(found.subject, "tip");
         }
     }
-    // A base that is fixed to its place, as manipulators have.
+    // A base fixed to its place, as in manipulators.
     let base = format!("<link name=\"base\">{BOX}</link>");
     let arm = robot(&format!(
         "{base}{}<joint name=\"j\" type=\"revolute\"><parent link=\"base\"/><child link=\"tip\"/></joint>",
@@ -115,7 +115,7 @@ fn a_body_of_mjcf_needs_mass_if_it_has_a_joint() {
     ] {
         assert_eq!(findings(&body(fine)), [], "{fine}");
     }
-    // Two joints of one body are no two parents.
+    // Two joints of one body are not two parents.
     assert_eq!(findings(&body("<joint type=\"slide\"/><geom type=\"sphere\" size=\"0.1\"/>")), []);
 }
 
@@ -134,7 +134,7 @@ fn sdf_has_defaults_and_static_models() {
         "<model name=\"m\"><link name=\"l\"><inertial><mass>0</mass></inertial>{collision}</link></model>"
     ));
     assert_eq!(only(&findings(&zero), "mass.not_positive").severity, Severity::Impossible);
-    // Products may be left out.
+    // Products may be omitted.
     let six = sdf(
         "<model name=\"m\"><link name=\"l\"><inertial><mass>2</mass><inertia><ixx>0.01</ixx><iyy>0.02</iyy>\
                    <izz>0.025</izz></inertia></inertial></link></model>",
@@ -142,7 +142,7 @@ fn sdf_has_defaults_and_static_models() {
     assert_eq!(findings(&six), []);
 }
 
-/// A pad without mass on a link: itself and its joint.
+/// Returns a massless pad on a link, with its joint.
 fn pad(name: &str, kind: &str, parent: &str) -> String {
     format!(
         "<link name=\"{name}\">{BOX}</link>\n<joint name=\"to_{name}\" type=\"{kind}\"><parent link=\"{parent}\"/><child link=\"{name}\"/></joint>\n"
@@ -158,7 +158,7 @@ fn pads_on_a_link_with_mass_are_one_note() {
     assert_eq!((found.severity, all.len(), found.subject.as_str()), (Severity::Note, 1, "a"));
     assert_eq!(found.others, ["b", "c"]);
     assert!(found.message.ends_with("fixed to what has mass; so b, c"), "{}", found.message);
-    // One that a joint moves is another thing, and so is what is fixed to that.
+    // A pad that a joint moves is reported separately, and so is a pad fixed to it.
     let moved = pad("a", "fixed", "base") + &pad("b", "revolute", "base") + &pad("c", "fixed", "b");
     let all = findings(&robot(&(base + &moved)));
     let suspect: Vec<_> = all.iter().filter(|f| f.severity == Severity::Suspect).collect();
@@ -167,7 +167,7 @@ fn pads_on_a_link_with_mass_are_one_note() {
         (suspect[0].subject.as_str(), suspect[0].others.as_slice()),
         ("b", ["c".to_owned()].as_slice())
     );
-    // Fixed to the world, as manipulators are.
+    // Fixed to the world, as in manipulators.
     let arm = pad("foot", "fixed", "world") + &link("arm", "1", TENSOR);
     let joint = "<joint name=\"j\" type=\"revolute\"><parent link=\"foot\"/><child link=\"arm\"/></joint>";
     let all = findings(&robot(&format!("<link name=\"world\"/>{arm}{joint}")));

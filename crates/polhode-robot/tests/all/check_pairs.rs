@@ -1,9 +1,9 @@
-//! Mirrored pairs: products must change their signs with the side.
+//! Mirrored pairs: products must change sign with the side.
 
 use crate::check_common::{SLAB, Slab, findings, only, six, transposed, turn};
 use polhode_robot::finding::{Finding, Severity};
 
-/// A link of URDF with a tensor along the link's axes, written in a turned inertial frame.
+/// Returns a URDF link with a tensor in link axes, written in a rotated inertial frame.
 fn side(name: &str, centre: [f64; 3], tensor: [f64; 6], frame: [f64; 3]) -> String {
     let [xx, yy, zz, xy, xz, yz] = tensor;
     let matrix = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
@@ -16,7 +16,8 @@ fn side(name: &str, centre: [f64; 3], tensor: [f64; 6], frame: [f64; 3]) -> Stri
     )
 }
 
-/// Findings of a left and a right link, the right one with these signs of its centre and its products.
+/// Returns the findings for a left and a right link; the right one has these signs of its centre
+/// and products.
 fn pair(names: [&str; 2], centre: [f64; 3], products: [f64; 3]) -> Vec<Finding> {
     let left = Slab { frame: [0.0; 3], ..SLAB };
     let [xx, yy, zz, xy, xz, yz] = left.tensor();
@@ -46,14 +47,14 @@ fn mirrored_products_are_no_finding() {
     assert_eq!(pair(HIPS, [1.0, -1.0, 1.0], [-1.0, 1.0, -1.0]), []);
     assert_eq!(pair(HIPS, [-1.0, 1.0, 1.0], [-1.0, -1.0, 1.0]), []);
     assert_eq!(pair(HIPS, [1.0, 1.0, -1.0], [1.0, -1.0, -1.0]), []);
-    // A mirror image in a frame that is turned by half a turn: all three axes change.
+    // A mirror image in a frame that is rotated by 180°: all three axes change sign.
     assert_eq!(pair(HIPS, [-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]), []);
 }
 
 #[test]
 fn the_same_part_twice_is_no_finding() {
     assert_eq!(pair(HIPS, [1.0, 1.0, 1.0], [1.0, 1.0, 1.0]), []);
-    // Turned by half a turn about z.
+    // Rotated by 180° about z.
     assert_eq!(pair(HIPS, [-1.0, -1.0, 1.0], [1.0, -1.0, -1.0]), []);
 }
 
@@ -83,7 +84,7 @@ fn other_names_are_no_pair() {
     assert_eq!(pair(["hip_1", "hip_2"], [1.0, -1.0, 1.0], [1.0, 1.0, 1.0]), []);
 }
 
-/// Centres in the mirror plane: the joints say where that is.
+/// Centres in the mirror plane: the joints determine the plane.
 #[test]
 fn joints_show_the_mirror_where_centres_cannot() {
     let slab = Slab { frame: [0.0; 3], ..SLAB };

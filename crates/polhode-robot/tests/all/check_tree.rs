@@ -14,7 +14,7 @@ fn joint(name: &str, parent: &str, child: &str) -> String {
     )
 }
 
-/// Links by name, and joints from one to another.
+/// Returns a model with links by name, and joints between them.
 fn model(links: &[&str], joints: &[(&str, &str)]) -> String {
     let links: String = links.iter().map(|name| link(name, "1.5", TENSOR)).collect();
     let joints: String = joints.iter().enumerate().map(|(k, (p, c))| joint(&format!("j{k}"), p, c)).collect();
@@ -28,7 +28,7 @@ fn a_tree_is_no_finding() {
 
 #[test]
 fn a_cycle_is_told_with_its_links() {
-    // The base is no part of it, nor is what hangs on it.
+    // Neither the base nor the descendant of the cycle belongs to it.
     let document = model(
         &["base", "a", "b", "c", "tail"],
         &[("a", "b"), ("b", "c"), ("c", "a"), ("base", "a"), ("c", "tail")],
@@ -41,11 +41,11 @@ fn a_cycle_is_told_with_its_links() {
     assert!(chain.iter().any(|c| found.message.contains(c)), "{}", found.message);
     assert!(document[found.span.clone()].starts_with("<joint"));
     assert!(all.iter().any(|f| f.code == "tree.two_parents"));
-    // Alone, it leaves no root.
+    // Without other links, the cycle leaves no root.
     let all = findings(&model(&["a", "b"], &[("a", "b"), ("b", "a")]));
     only(&all, "tree.cycle");
     only(&all, "tree.no_root");
-    // And a link that hangs on itself.
+    // A link that is its own parent.
     let all = findings(&model(&["base", "a"], &[("a", "a")]));
     assert!(only(&all, "tree.cycle").message.contains("a → a"));
 }
@@ -66,7 +66,7 @@ fn a_long_cycle_ends() {
     let found = only(&all, "tree.cycle");
     assert_eq!(number(found, "links"), 20_000.0);
     assert!(found.message.len() < 400, "{}", found.message);
-    // Opened, it is a chain, and no finding.
+    // Without the closing joint it is a chain, which has no finding.
     assert_eq!(check(&read(&model(&names, &joints[1..])), &[]), []);
 }
 
@@ -143,7 +143,7 @@ fn findings_are_in_the_order_of_the_file() {
 
 #[test]
 fn loops_of_sdf_joints_are_legal_whichever_way_they_go() {
-    // A four-bar linkage, once against itself and once round.
+    // A four-bar linkage, first with opposite and then with equal joint directions.
     for joints in
         [[("a", "b"), ("b", "c"), ("a", "d"), ("d", "c")], [("a", "b"), ("b", "c"), ("c", "d"), ("d", "a")]]
     {
@@ -176,7 +176,7 @@ fn a_parent_called_world_is_the_world() {
         "{found:#?}"
     );
     assert_eq!(&fixed[found[0].span.clone()], "world");
-    // With a link of that name it is that link, and of another name there is none.
+    // With a link named `world`, that link is the parent. Another unknown name is an error.
     assert_eq!(findings(&model(&["world", "base"], &[("world", "base")])), []);
     only(&findings(&model(&["base"], &[("earth", "base")])), "tree.unknown_link");
 }

@@ -1,4 +1,4 @@
-//! Joints that follow others as SDF, OpenSim and PhysX write them.
+//! Coupled joints in SDF, OpenSim and PhysX.
 
 use polhode_robot::lump::{Lumping, slides};
 
@@ -39,7 +39,7 @@ fn sdf_follows_from_a_reference() {
     ] {
         require_says(&error(&read(&text(&wrong)), Lumping::All, &[]), "not in a way that is known");
     }
-    // of two axes none has one value
+    // A joint with two axes does not have a single value.
     let second = text(
         "</axis><axis2><xyz>0 1 0</xyz><mimic joint='l'><multiplier>1</multiplier></mimic></axis2><axis>",
     );
@@ -75,7 +75,7 @@ fn opensim_couples_coordinates() {
     let whole = one(&read(&line), Lumping::All, &[("hip_angle", 0.41)]);
     assert!((value(&whole, "knee") - 2.0 * (-0.7 * 0.41 + 0.2)).abs() < 1e-16);
     assert_eq!(whole.positions[0].limits, Some([-0.5, 0.6]));
-    // a joint by its own name, and not at its default
+    // A joint is given by its own name, and does not use its default value.
     assert_eq!(one(&read(&line), Lumping::All, &[("hip", 0.41)]), whole);
     assert_eq!(value(&one(&read(&line), Lumping::All, &[]), "hip"), 0.0);
     require_says(&error(&read(&line), Lumping::All, &[("knee_angle", 0.1)]), "takes no value of its own");
@@ -84,9 +84,9 @@ fn opensim_couples_coordinates() {
     let bent = read(&text("<SimmSpline><x>0 1</x><y>0 1</y></SimmSpline>"));
     let refused = error(&bent, Lumping::All, &[]);
     assert!(refused.to_string().contains("SimmSpline"), "{refused}");
-    // where the knee does not matter it is not asked
+    // A coupling that does not affect the result is not evaluated.
     assert_eq!(one(&bent, Lumping::Subtree("shank"), &[]).properties.mass(), 1.3);
-    // one of several coordinates: the joint has no one value
+    // A joint with several coordinates does not have a single value.
     let knee = line.replace("<PinJoint name='knee'>", "<UniversalJoint name='knee'>").replacen(
         "</PinJoint></objects>",
         "</UniversalJoint></objects>",
@@ -136,7 +136,7 @@ fn usd_gears_joints() {
     );
     let mixed = read(&text("PhysicsPrismaticJoint"));
     require_says(&error(&mixed, Lumping::All, &[]), "but not in a way that is known");
-    // a joint of six axes has no one value, and a fixed one none
+    // A joint with six axes does not have a single value, and a fixed joint has none.
     let six = error(&read(&text("PhysicsJoint")), Lumping::All, &[("/r/l", 0.41)]);
     require_says(&six, "the joint \"/r/r\" follows \"/r/l\", but not in a way that is known");
     one(&read(&text("PhysicsFixedJoint")), Lumping::All, &[("/r/l", 0.41)]);
@@ -163,7 +163,7 @@ fn a_name_means_one_joint() {
             joint(second.0, second.1, "a", "b", second.2),
         ))
     };
-    // a joint of one name, and a coordinate of another joint
+    // The name of a joint, and the same name for a coordinate of another joint.
     let crossed = model([("SliderJoint", "j", "x"), ("PinJoint", "x", "y")], "");
     let refused = error(&crossed, Lumping::All, &[("x", 0.05)]);
     require_says(&refused, "both take a value as \"x\"");
@@ -171,7 +171,7 @@ fn a_name_means_one_joint() {
     assert_eq!(slides(&crossed, "x"), Err(refused));
     assert_eq!((slides(&crossed, "j"), slides(&crossed, "y")), (Ok(true), Ok(false)));
     require_says(&slides(&crossed, "z").unwrap_err(), "there is no joint \"z\" that takes a value");
-    // two coordinates of one name, also where a constraint names them
+    // Two coordinates with the same name, also if a constraint names them.
     let joints = [("SliderJoint", "j", "q"), ("PinJoint", "k", "q")];
     require_says(&error(&model(joints, ""), Lumping::All, &[("q", 0.05)]), "both take a value as \"q\"");
     let coupler = |leader: &str, follower: &str| {
@@ -184,11 +184,11 @@ fn a_name_means_one_joint() {
         let coupled = model(joints, &coupler(names.0, names.1));
         require_says(&error(&coupled, Lumping::All, &[]), " not known: ");
     }
-    // a joint and its coordinate
+    // A joint and its own coordinate.
     let straight = model([("SliderJoint", "j", "x"), ("PinJoint", "k", "y")], "");
     let refused = error(&straight, Lumping::All, &[("k", 0.1), ("y", 0.2)]);
     require_says(&refused, "\"k\" and \"y\" are one joint, and each is given a value");
-    // a coordinate that has the name of what takes no value
+    // A coordinate with the name of a joint that takes no value.
     let held = model([("WeldJoint", "x", "w"), ("PinJoint", "k", "x")], "");
     assert_eq!(value(&one(&held, Lumping::All, &[("x", 0.2)]), "k"), 0.2);
 }

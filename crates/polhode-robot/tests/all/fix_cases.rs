@@ -1,4 +1,4 @@
-//! Files in which a plausible fix was wrong: only the fix that all evidence confirms is written.
+//! Files for which a plausible fix was wrong: only the fix that all evidence confirms is applied.
 
 use std::convert::Infallible;
 
@@ -16,7 +16,7 @@ fn found(model: &RobotModel) -> Vec<Finding> {
     inspect(model, &Shapes::default()).findings
 }
 
-/// The findings of a model in a folder, its text with the fixes, and what is found then.
+/// Returns the findings of a model in a folder, its fixed text, and the findings of that text.
 fn fixed(folder: &Folder, file: &str) -> (Vec<Finding>, String, Vec<Finding>) {
     let path = folder.path(file);
     let model = read_model(&path, &ReadOptions::default()).unwrap();
@@ -34,7 +34,7 @@ fn suspects(findings: &[Finding]) -> Vec<(&str, &'static str)> {
     suspects.map(|f| (f.subject.as_str(), f.code)).collect()
 }
 
-/// One link of a robot that moves, with a shape.
+/// Returns a robot with one moving link and a shape.
 fn one(inertial: &str, shape: &str) -> String {
     format!(
         "<robot name=\"r\"><link name=\"root\"/><link name=\"a\"><inertial>{inertial}</inertial><collision><geometry>{shape}\
@@ -52,7 +52,7 @@ fn of_one(mass: &str, [xx, yy, zz]: [&str; 3], shape: &str) -> (Vec<Finding>, St
     fixed(&folder, "r.urdf")
 }
 
-/// The moments that a text has for its second link.
+/// Returns the moments of the second link of a text.
 fn moments(text: &str) -> [f64; 3] {
     let model = read_text(text, "r.urdf".as_ref(), &ReadOptions::default()).unwrap();
     let Tensor::Six(slots) = &model.links[1].inertial.as_ref().unwrap().tensor else { panic!("six numbers") };
@@ -65,7 +65,7 @@ fn assert_moments(text: &str, right: [f64; 3]) {
     }
 }
 
-/// A closed box as ASCII STL.
+/// Returns a closed box as ASCII STL.
 fn stl([x, y, z]: [f64; 3]) -> String {
     let corner = |k: usize| {
         [
@@ -86,7 +86,7 @@ fn stl([x, y, z]: [f64; 3]) -> String {
     text + "endsolid box\n"
 }
 
-/// A forearm of 1.2 kg, 60 mm × 40 mm × 250 mm, with a moment and a shape.
+/// Returns the results for a forearm of 1.2 kg, 60 mm × 40 mm × 250 mm, with a moment and a shape.
 fn forearm(ixx: &str, shape: &str, folder: &str) -> (Vec<Finding>, String, Vec<Finding>) {
     let inertial = format!(
         "<origin xyz=\"0 0 0.125\"/><mass value=\"1.2\"/>\
@@ -120,7 +120,7 @@ fn geometry_in_millimetres_gets_a_scale_and_the_tensor_stays() {
         assert!(text.contains(right) && text.contains("ixx=\"0.00641\""), "{text}");
         assert_eq!(suspects(&remaining), [], "{remaining:#?}");
     }
-    // Inches of a box, and centimetres.
+    // A box in inches, and a box in centimetres.
     for (size, right) in [("2.36220472 1.57480315 9.84251969", 0.06), ("6 4 25", 0.06)] {
         let folder = format!("fix-box-{}", &size[..1]);
         let (_, text, remaining) = forearm("0.00641", &format!("<box size=\"{size}\"/>"), &folder);
@@ -150,7 +150,7 @@ fn a_missing_scale_and_a_slip_of_the_tensor_are_two_findings() {
 
 #[test]
 fn geometry_in_millimetres_of_a_tensor_about_the_origin() {
-    // 0.0158 about the centre, and 2 kg · (0.15 m)² more.
+    // The moment is 0.0158 about the centre; the parallel-axis term 2 kg · (0.15 m)² is added.
     let inertial = "<origin xyz=\"0 0 0.15\"/><mass value=\"2.0\"/>\
                     <inertia ixx=\"0.0608\" iyy=\"0.0608\" izz=\"0.0016\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>";
     let text = one(inertial, "<cylinder radius=\"40\" length=\"300\"/>");
@@ -158,7 +158,8 @@ fn geometry_in_millimetres_of_a_tensor_about_the_origin() {
     assert_eq!(suspects(&findings).len(), 2, "{findings:#?}");
     assert!(text.contains("radius=\"0.040\" length=\"0.300\""), "{text}");
     assert_moments(&text, [0.0158, 0.0158, 0.0016]);
-    // What the link's own origin shows is another matter: the shape stands at it, and the centre at its end.
+    // The remaining finding has another cause: the shape is at the link's origin, and the centre of
+    // mass at its end.
     assert!(suspects(&remaining).iter().all(|(_, code)| *code == "mass.center_outside"), "{remaining:#?}");
 }
 
@@ -169,7 +170,7 @@ fn the_formula_of_a_slender_rod_on_a_disc() {
     assert_eq!(suspects(&findings), [("a", "inertia.triangle")]);
     let message = &only(&findings, "inertia.triangle").message;
     assert!(message.contains("ixx and iyy: the formula of a slender rod"), "{message}");
-    // ¼ m r² + ¹⁄₁₂ m l²; izz is right as it is.
+    // The moment is ¼ m r² + ¹⁄₁₂ m l²; izz is already right.
     assert_moments(&text, [3.5e-4, 3.5e-4, 6.25e-4]);
     assert_eq!(suspects(&remaining), []);
 }
@@ -248,7 +249,8 @@ fn moments_far_from_the_geometry_are_suspect_whatever_the_reason() {
     for factor in [0.4, 0.9, 1.3, 5.0 / 3.0, 2.9] {
         assert_eq!(suspects(&of(factor)), [], "{factor}");
     }
-    // A tenth of all elements: the tensor is wrong, or the mass is ten times too large. So nothing is fixed.
+    // All elements are a tenth: either the tensor is wrong, or the mass is ten times too large. A
+    // fix is therefore not offered.
     let all = of(0.1);
     let found = only(&all, "inertia.geometry");
     assert!(found.message.contains("all elements are 10 times too small"), "{}", found.message);
@@ -258,7 +260,7 @@ fn moments_far_from_the_geometry_are_suspect_whatever_the_reason() {
 
 #[test]
 fn a_simplified_collision_box_accuses_nobody() {
-    // The right tensor of the drawn cylinder; the box around it has another.
+    // The right tensor of the drawn cylinder; the box around it has a different one.
     let inertial = "<origin xyz=\"0 0 0\"/><mass value=\"0.4\"/>\
                     <inertia ixx=\"0.000406667\" ixy=\"0\" ixz=\"0\" iyy=\"0.000406667\" iyz=\"0\" izz=\"0.00008\"/>";
     let cylinder = "<cylinder radius=\"0.02\" length=\"0.1\"/>";
@@ -273,19 +275,19 @@ fn a_mass_in_grams_or_tonnes_is_fixed_by_density_and_tensor() {
     for (mass, right) in [("6000", "6.000"), ("0.006", "6")] {
         let (findings, text, remaining) =
             of_one(mass, ["0.065", "0.05", "0.025"], "<box size=\"0.1 0.2 0.3\"/>");
-        // The tensor is right, whatever it is for the mass as written.
+        // The tensor is right, although it does not agree with the mass as written.
         assert_eq!(suspects(&findings), [("a", "density.implausible")], "{findings:#?}");
         assert!(text.contains(&format!("mass value=\"{right}\"")), "{text}");
         assert_eq!(suspects(&remaining), []);
     }
 }
 
-/// Moments of a uniform box about its centre.
+/// Returns the moments of a uniform box about its centre.
 fn of_box(mass: f64, [a, b, c]: [f64; 3]) -> [f64; 3] {
     [b * b + c * c, a * a + c * c, a * a + b * b].map(|x| mass * x / 12.0)
 }
 
-/// A CAD program that takes 1.1 g/cm³ as 1.1 kg/m³ prints a mass and a tensor that agree.
+/// A CAD program that interprets 1.1 g/cm³ as 1.1 kg/m³ prints a consistent mass and tensor.
 #[test]
 fn a_mass_and_a_tensor_that_agree_have_no_slip_each() {
     let edges = [0.1, 0.2, 0.3];
@@ -305,7 +307,7 @@ fn a_mass_and_a_tensor_that_agree_have_no_slip_each() {
 
 #[test]
 fn a_placeholder_confirms_no_scale() {
-    // A ball of 2 m with the tensor of templates: inches and a factor of 100 would fit by chance.
+    // A ball of 2 m with a template tensor: inches and a factor of 100 would fit by chance.
     let (findings, _, _) = of_one("1", ["0.1"; 3], "<sphere radius=\"2\"/>");
     assert!(findings.iter().all(|f| f.repair.is_none()), "{findings:#?}");
 }
@@ -320,7 +322,8 @@ fn a_mass_of_about_a_kilogram_is_not_left_out() {
 
 #[test]
 fn a_small_product_tells_nothing_where_all_elements_are_as_far_off() {
-    // The box is turned by γ = 0.01 about z: ixy = (Ixx − Iyy) sin 2γ / 2. The other sign is written.
+    // The box is rotated by γ = 0.01 about z: ixy = (Ixx − Iyy) sin 2γ / 2. It is written with the
+    // opposite sign.
     let [xx, yy, zz] = of_box(1.3, [0.1, 0.2, 0.3]);
     let product = 0.5 * (xx - yy) * 0.02_f64.sin();
     let shape = "<box size=\"0.1 0.2 0.3\"/>";
@@ -342,7 +345,8 @@ fn a_small_product_tells_nothing_where_all_elements_are_as_far_off() {
 #[test]
 fn geometry_around_a_compact_body_accuses_no_small_moments() {
     let suspect = || vec![("a", "inertia.geometry")];
-    // 400 and 2,000 kg/m³; then moments that are not all small, and moments below those of a steel ball.
+    // Densities of 400 and 2,000 kg/m³; then moments that are not all small, and moments below
+    // those of a steel ball.
     for (mass, ratios, expected) in [
         (2.4, [0.23, 0.27, 0.25], vec![]),
         (12.0, [0.23, 0.27, 0.25], suspect()),
@@ -355,7 +359,7 @@ fn geometry_around_a_compact_body_accuses_no_small_moments() {
             of_one(&mass.to_string(), moments.each_ref().map(String::as_str), "<box size=\"0.1 0.2 0.3\"/>");
         assert_eq!(suspects(&findings), expected, "{findings:#?}");
     }
-    // Digits count: 1.6e-7 may be 1.65e-7, and a third of ⅖ · 0.01 · 0.011² is 1.61e-7.
+    // Rounding counts: 1.6e-7 may be 1.65e-7, and a third of ⅖ · 0.01 · 0.011² is 1.61e-7.
     for (moment, expected) in [("1.6e-7", vec![]), ("1.5e-7", suspect())] {
         let (findings, _, _) = of_one("0.01", [moment; 3], "<sphere radius=\"0.011\"/>");
         assert_eq!(suspects(&findings), expected, "{findings:#?}");

@@ -1,4 +1,4 @@
-//! What shapes enclose, against the same computed another way.
+//! Volumes and moments of shapes, compared with independent computations.
 
 use std::fs;
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use polhode_robot::model::{Geometry, GeometryShape, Link, Name, Pose, Role};
 use polhode_robot::read::{ReadOptions, read_text};
 use polhode_source::files::Disk;
 
-/// A pose about a generic axis, and the same as a place and a matrix.
+/// Returns a pose about a generic axis, and the same as position and matrix.
 fn generic(k: usize) -> (Pose, [f64; 3], Matrix) {
     let axes = [[0.3, -0.5, 0.8], [-0.7, 0.2, 0.4]];
     let places = [[0.7, -1.1, 0.4], [-0.6, 0.3, 0.9]];
@@ -42,7 +42,7 @@ fn one(shape: GeometryShape, pose: Pose) -> Volume {
     Shapes::default().geometry(&geometry(shape, pose)).unwrap()
 }
 
-/// R diag R^T.
+/// Returns R diag Rᵀ.
 fn turned(r: Matrix, [a, b, c]: [f64; 3]) -> Matrix {
     times(r, times([[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]], transposed(r)))
 }
@@ -56,7 +56,7 @@ fn primitives_have_their_textbook_moments_in_the_axes_of_the_link() {
     let cylinder = pi * a * a * c;
     let ball = 4.0 / 3.0 * pi * a * a * a;
     let ellipsoid = 4.0 / 3.0 * pi * a * b * c;
-    // a capsule: a cylinder, and two halves of a ball, each with its centroid 3/8 r beyond the end
+    // A capsule is a cylinder and two half balls, each with its centroid 3/8 r beyond the end.
     let side =
         cylinder * (3.0 * a * a + c * c) / 12.0 + ball * (0.4 * a * a + c * c / 4.0 + 3.0 * a * c / 8.0);
     let cases = [
@@ -95,7 +95,7 @@ fn primitives_have_their_textbook_moments_in_the_axes_of_the_link() {
 fn bounds_hold_every_point_and_are_touched() {
     let (pose, place, r) = generic(1);
     let (a, b, c) = (0.3_f64, 0.5_f64, 0.8_f64);
-    // points of each surface by two angles; a box by its corners
+    // Points of each surface by two angles; the corners of a box.
     let ring = |n: usize| (0..n).map(move |k| std::f64::consts::TAU * k as f64 / n as f64);
     let sphere: Vec<[f64; 3]> = ring(720)
         .flat_map(|u| ring(720).map(move |v| [u.cos() * v.cos(), u.sin() * v.cos(), v.sin()]))
@@ -134,7 +134,7 @@ fn bounds_hold_every_point_and_are_touched() {
 
 const TETRAHEDRON: [[f64; 3]; 4] = [[0.1, -0.2, 0.3], [1.4, 0.2, -0.1], [-0.3, 1.1, 0.5], [0.2, 0.4, 1.7]];
 
-/// An ASCII STL of some faces of a tetrahedron.
+/// Returns an ASCII STL of some faces of a tetrahedron.
 fn stl(faces: &[[usize; 3]]) -> String {
     let corner =
         |k: usize| format!("vertex {} {} {}\n", TETRAHEDRON[k][0], TETRAHEDRON[k][1], TETRAHEDRON[k][2]);
@@ -160,7 +160,8 @@ fn mesh(path: &std::path::Path, scale: [f64; 3]) -> GeometryShape {
     }
 }
 
-/// A tetrahedron's volume, centroid and tensor from its corners: C = V/20 (Σ d dᵀ) about the centroid, d = p_k − c.
+/// Returns volume, centroid and tensor of a tetrahedron from its corners: C = V/20 (Σ d dᵀ) about
+/// the centroid, d = p_k − c.
 fn tetrahedron(corners: [[f64; 3]; 4]) -> (f64, [f64; 3], Matrix) {
     let [p, q, r, s] = corners;
     let edge = |b: [f64; 3]| [b[0] - p[0], b[1] - p[1], b[2] - p[2]];
@@ -198,7 +199,7 @@ fn a_scaled_and_mirrored_mesh_is_that_of_the_scaled_corners() {
             }
         }
     }
-    // products of a mirrored part: two change their signs
+    // Products of a mirrored part: two change sign.
     let product = |scale| one(mesh(&closed, scale), Pose::IDENTITY).tensor_per_density;
     let (plain, mirrored) = (product([1.0; 3]), product([1.0, -1.0, 1.0]));
     assert_near(
@@ -225,7 +226,7 @@ fn a_scaled_and_mirrored_mesh_is_that_of_the_scaled_corners() {
 #[test]
 fn a_collada_mesh_is_placed_by_its_nodes_in_its_unit() {
     let positions = TETRAHEDRON.as_flattened().iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
-    // a vertex and a normal for each corner; one face as a triangle, the others as polygons
+    // A vertex and a normal for each corner; one face as a triangle, the others as polygons.
     let corners =
         |faces: &[[usize; 3]]| faces.iter().flatten().map(|k| format!("{k} 7 ")).collect::<String>();
     let inputs =
@@ -269,7 +270,7 @@ fn a_collada_mesh_is_placed_by_its_nodes_in_its_unit() {
         unit.contains("meter of the unit \"millimeter\"") && unit.contains("write meter=\"0.001\""),
         "{unit}"
     );
-    // a node of a library, and lines beside it: the same solid
+    // A node of a library, and additional lines: the same solid.
     let inner =
         "<node><rotate>0.3 -0.5 0.8 50</rotate><scale>1 -2 1.5</scale><instance_geometry url='#g'/></node>";
     let lines = "<geometry id='l'><mesh><lines count='1'><input semantic='VERTEX' source='#v' offset='0'/><p>0 1</p></lines></mesh></geometry>";
@@ -291,10 +292,10 @@ fn a_collada_mesh_is_placed_by_its_nodes_in_its_unit() {
 fn shapes_of_a_link_are_one_body() {
     let (p, q) = (generic(0), generic(1));
     let box_pose = p.0.clone();
-    // a box as its two halves, cut across x
+    // A box as two parts, cut across x.
     let (a, b, c) = (0.6, 0.5, 0.8);
     let half = |sign: f64| {
-        // [−0.3, 0.1] and [0.1, 0.3]
+        // The parts are [−0.3, 0.1] and [0.1, 0.3].
         let (width, middle) = if sign > 0.0 { (0.2, 0.2) } else { (0.4, -0.1) };
         let inner = Pose::new([middle, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0]);
         geometry(GeometryShape::Box([width, b, c]), box_pose.then(&inner))
@@ -321,7 +322,8 @@ fn a_gltf_mesh_has_y_up_and_stands_on_z_in_a_robot() {
     let (pose, ..) = generic(0);
     let placed = |path: &str| geometry(mesh(&root.join(path), scale), pose.clone());
     let glb = placed("meshes/bracket.glb");
-    // The same triangles without a convention, in mm: R (x, y, z) = (x, −z, y), then the scale.
+    // The same triangles in a format without an up axis, in mm: R (x, y, z) = (x, −z, y), then the
+    // scale.
     let plain = one(mesh(&root.join("bracket.stl"), [1e-3; 3]), Pose::IDENTITY);
     let r = [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
     let shapes = Shapes::default();
@@ -334,7 +336,7 @@ fn a_gltf_mesh_has_y_up_and_stands_on_z_in_a_robot() {
     assert!((whole.volume / (factor * plain.volume) - 1.0).abs() < 1e-12);
     let [x, y, z] = applied(r, plain.centroid);
     assert_close(whole.centroid, pose_of(0, [scale[0] * x, scale[1] * y, scale[2] * z]), 1e-14);
-    // The other reading leaves it as it is.
+    // The other convention does not rotate it.
     let link = link(vec![unscaled]);
     assert!(shapes.is_turned_by_some(&link, Role::Collision));
     let other = shapes.link_as(&link, Role::Collision, MeshReading::Other).volume.unwrap();
@@ -344,7 +346,7 @@ fn a_gltf_mesh_has_y_up_and_stands_on_z_in_a_robot() {
     assert!(!shapes.is_turned_by_some(&self::link(vec![placed("bracket.stl")]), Role::Collision));
 }
 
-/// A point of the frame of `generic(k)`, outside.
+/// Transforms a point from the frame of `generic(k)` to the outer frame.
 fn pose_of(k: usize, point: [f64; 3]) -> [f64; 3] {
     let (_, place, r) = generic(k);
     plus(place, applied(r, point))
@@ -358,7 +360,7 @@ fn copies_of_a_mesh_measure_alike_and_others_of_its_size_do_not() {
     let bytes = std::fs::read(&closed).unwrap();
     std::fs::write(&first, &bytes).unwrap();
     std::fs::write(&second, &bytes).unwrap();
-    // one bit of a coordinate
+    // A change of one bit in a coordinate.
     let mut others = bytes.clone();
     let at = others.len() - 12;
     others[at] = others[at].wrapping_add(1);

@@ -1,4 +1,4 @@
-//! Files that want memory, time, other files, or a place that is not theirs.
+//! Hostile files: excessive memory or time, access to other files, and wrong positions.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -38,7 +38,8 @@ fn depth_costs_no_stack_and_no_memory_beyond_the_text() {
     assert_eq!(read(&mjcf).links.len(), n);
     let mjcf = format!("<mujoco>{}</mujoco>", deep("<default class='a'><geom size='1'/>", "</default>", n));
     assert_eq!(read(&mjcf).links.len(), 0);
-    // each link's name has those of all models around it: the square of the text
+    // Each link name contains the names of all enclosing models, so the total grows with the square
+    // of the text.
     let sdf = format!("<sdf>{}</sdf>", deep("<model name='m'><link name='a'/>", "</model>", n));
     assert!(refused(&sdf).to_string().contains("nested so deep"));
     let unclosed = "<robot><link>".repeat(n);
@@ -86,7 +87,7 @@ fn places_are_those_of_the_text_with_marks_breaks_and_entities() {
     assert_eq!(bad, [(">", "&#49;.5 2 &gt;"), ("x", "x")]);
     let Tensor::Six(six) = &inertial.tensor else { panic!("six") };
     assert_eq!((&text[six[0].span()], &text[six[1].span()]), ("1e-3", "2"));
-    // the parser's own places are wrong after 255 blanks
+    // The parser's own positions are wrong after 255 blanks.
     let wide = format!("<robot><link name{}=\"arm\"/></robot>", " ".repeat(1000));
     assert_eq!(&wide[read(&wide).links[0].name.span.clone()], "arm");
 }
@@ -125,7 +126,7 @@ fn places_beyond_the_largest_double_are_noted() {
     assert!(!model.notes.is_empty() && model.notes.iter().all(|note| note.code == "read.pose"));
 }
 
-/// A folder of its own, gone with the test.
+/// Temporary folder, deleted at the end of the test.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -150,7 +151,7 @@ impl Drop for Folder {
     }
 }
 
-/// Where the mesh of a model is.
+/// Returns the path of a model's mesh.
 fn found(model: &Path, uri: &str, roots: &[&Path]) -> Result<PathBuf, String> {
     let text = format!(
         "<robot><link name='a'><collision><geometry><mesh filename='{uri}'/></geometry></collision></link></robot>"
@@ -379,7 +380,7 @@ fn a_confined_model_has_its_roots_and_no_others() {
             _ => unreachable!(),
         }
     };
-    // The folder around it is a package, which counts unless the model is confined.
+    // The enclosing folder is a package. It counts unless the model is confined.
     assert!(found("../outer.stl", false) && !found("../outer.stl", true));
     assert!(found("own.stl", true));
     fs::remove_dir_all(&folder).unwrap();

@@ -1,4 +1,4 @@
-//! Links joined to one body, against sums over their points.
+//! Links joined to one body, compared with sums over their points.
 
 use polhode_robot::lump::{Lump, Lumping, lump};
 use polhode_robot::model::{
@@ -31,7 +31,7 @@ fn plus(a: Vector, b: Vector) -> Vector {
     std::array::from_fn(|k| a[k] + b[k])
 }
 
-/// Rodrigues' formula, cos θ 1 + sin θ [n]× + (1 − cos θ) n nᵀ.
+/// Returns the matrix by Rodrigues' formula: cos θ 1 + sin θ [n]× + (1 − cos θ) n nᵀ.
 fn turn(axis: Vector, angle: f64) -> Matrix {
     let n = axis.map(|x| x / dot(axis, axis).sqrt());
     let (s, c) = angle.sin_cos();
@@ -41,14 +41,14 @@ fn turn(axis: Vector, angle: f64) -> Matrix {
     })
 }
 
-/// The quaternion of the same turn.
+/// Returns the quaternion of the same rotation.
 fn quaternion(axis: Vector, angle: f64) -> [f64; 4] {
     let n = axis.map(|x| x / dot(axis, axis).sqrt());
     let (s, c) = (0.5 * angle).sin_cos();
     [c, s * n[0], s * n[1], s * n[2]]
 }
 
-/// Points of a link in its own frame: generic, by a congruential generator of its own seed.
+/// Returns points of a link in its own frame, from a linear congruential generator with this seed.
 fn points(seed: u64) -> Vec<(f64, Vector)> {
     let mut state = seed;
     let mut next = || {
@@ -60,7 +60,7 @@ fn points(seed: u64) -> Vec<(f64, Vector)> {
         .collect()
 }
 
-/// Mass, centre, and tensor about the centre of points.
+/// Returns mass, centre, and tensor about the centre of points.
 fn sums(points: &[(f64, Vector)]) -> (f64, Vector, Matrix) {
     let mass: f64 = points.iter().map(|(m, _)| m).sum();
     let centre = std::array::from_fn(|k| points.iter().map(|(m, p)| m * p[k]).sum::<f64>() / mass);
@@ -88,11 +88,12 @@ fn pose(position: Vector, axis: Vector, angle: f64) -> Pose {
     Pose { position, rotation: quaternion(axis, angle), unreadable: Vec::new(), span: None }
 }
 
-/// A link made of points, whose inertial frame is turned by `angle` about `axis` from the link's.
+/// Returns a link made of points, whose inertial frame is rotated by `angle` about `axis` relative
+/// to the link's.
 fn link(text: &str, points: &[(f64, Vector)], axis: Vector, angle: f64) -> Link {
     let (mass, centre, tensor) = sums(points);
     let r = turn(axis, angle);
-    // J = Rᵀ I R along the inertial frame's axes
+    // J = Rᵀ I R, in the axes of the inertial frame.
     let j = times(&times(&transposed(&r), &tensor), &r);
     let six = [j[0][0], j[1][1], j[2][2], j[0][1], j[0][2], j[1][2]].map(slot);
     let inertial = Inertial {
@@ -104,7 +105,7 @@ fn link(text: &str, points: &[(f64, Vector)], axis: Vector, angle: f64) -> Link 
     Link { inertial: Some(inertial), ..frame(text) }
 }
 
-/// A link without mass.
+/// Returns a link without mass.
 fn frame(text: &str) -> Link {
     Link {
         name: name(text),
@@ -155,7 +156,8 @@ const SHOULDER: (Vector, Vector, f64) = ([0.31, -0.12, 0.77], [0.2, -0.9, 0.5], 
 const SLIDE: (Vector, Vector, f64) = ([-0.2, 0.45, 0.1], [1.3, 0.4, -0.6], -1.7);
 const WRIST: (Vector, Vector, f64) = ([0.05, 0.2, -0.33], [0.3, 0.8, 0.1], 2.6);
 
-/// base —shoulder→ arm —slide→ slider —wrist (fixed)→ hand, and a massless tool on the hand. In no order, as files may be.
+/// Returns base —shoulder→ arm —slide→ slider —wrist (fixed)→ hand, with a massless tool on the
+/// hand. The order of the lists is arbitrary, as in files.
 fn arm() -> RobotModel {
     let turned = |(position, axis, angle): (Vector, Vector, f64)| pose(position, axis, angle);
     let fixed = JointKind::Fixed;
@@ -197,13 +199,13 @@ fn close(lump: &Lump, points: &[(f64, Vector)]) {
     for (a, b) in lump.properties.center_of_mass().to_array().iter().zip(centre) {
         assert!((a - b).abs() < 1e-14, "{a} {b}");
     }
-    // 200 points a link are summed plainly here: some 1e-15 each side
+    // The plain sum of 200 points per link has an error of about 1e-15 on each side.
     for (a, b) in lump.properties.inertia().matrix().as_flattened().iter().zip(tensor.as_flattened()) {
         assert!((a - b).abs() < 1e-14 * scale, "{a} {b}");
     }
 }
 
-/// x ↦ R x + p
+/// Applies x ↦ R x + p to points.
 fn placed(points: &[(f64, Vector)], r: &Matrix, p: Vector) -> Vec<(f64, Vector)> {
     points.iter().map(|&(m, x)| (m, plus(apply(r, x), p))).collect()
 }
@@ -219,7 +221,8 @@ fn the_whole_robot_is_the_sum_of_its_points() {
     assert_eq!(whole.massless, ["tool"]);
     assert_eq!(whole.rounding, 0.0);
 
-    // The points of each link, carried outwards: each joint's motion in the child's frame, then its pose in the parent's.
+    // The points of each link are transformed outwards: each joint's motion in the child's frame,
+    // then its pose in the parent's.
     let in_slider = [points(3), placed(&points(4), &turn(WRIST.1, WRIST.2), WRIST.0)].concat();
     let slid = placed(&in_slider, &turn([1.0, 0.0, 0.0], 0.0), [0.0, -0.6 * slide, 0.8 * slide]);
     let in_arm = [points(2), placed(&slid, &turn(SLIDE.1, SLIDE.2), SLIDE.0)].concat();
@@ -229,7 +232,7 @@ fn the_whole_robot_is_the_sum_of_its_points() {
     let in_base = [points(1), placed(&swung, &turn(SHOULDER.1, SHOULDER.2), SHOULDER.0)].concat();
     close(whole, &in_base);
 
-    // another position is another tensor, and the last value of a joint counts
+    // Different joint values give a different tensor, and the last value of a joint counts.
     let other = lump(&arm(), Lumping::All, &[]).unwrap();
     let difference = other[0].properties.inertia().matrix()[0][1] - whole.properties.inertia().matrix()[0][1];
     assert!(difference.abs() > 1e-3);
@@ -269,7 +272,7 @@ fn two_joints_between_the_same_links_follow_each_other() {
         let r = turn(axis, angle);
         placed(points, &r, plus(anchor, apply(&r, anchor).map(|x| -x)))
     };
-    // the second acts on what hangs, the first on both
+    // The second joint acts on the child, the first on both.
     let second = about(&points(9), [-0.8, 0.3, 0.5], -0.6, [-0.3, 0.2, 0.1]);
     let first = about(&second, [0.2, 0.9, -0.4], 1.1, [0.1, 0.0, -0.2]);
     close(&lumps[0], &placed(&first, &turn([0.3, 0.2, 0.9], 0.7), [0.1, -0.2, 0.3]));
@@ -313,7 +316,7 @@ fn what_has_no_position_is_refused() {
         let refused = error(&arm(), &[(wrong.0.to_owned(), wrong.1)]);
         assert!(refused.hint().ends_with("those that take a value are slide, shoulder"), "{wrong:?}");
     }
-    // A link that is too far away to be added is named.
+    // The error names a link that is too far away to be added.
     let mut far = arm();
     far.joints[3].pose.position = [1e200, 0.0, 0.0];
     let named = far.joints[3].child.text.clone();
@@ -327,7 +330,7 @@ fn what_has_no_position_is_refused() {
 
 #[test]
 fn a_tensor_is_as_sure_as_its_digits() {
-    // A plate with six digits: i1 + i2 < i3 by 1e-7, and each element is known to 5e-8.
+    // A plate with six digits: i1 + i2 < i3 by 1e-7, and each element is accurate to 5e-8.
     let written = |izz: &str| {
         let number =
             |text: &str| Slot::Given(Number { text: text.to_owned(), span: 0..0, value: text.parse().ok() });

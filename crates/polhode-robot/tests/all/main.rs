@@ -1,4 +1,5 @@
-//! The integration tests of `polhode-robot`, as one program: each links the whole library.
+//! Integration tests of `polhode-robot`, combined in one program, because each program links the
+//! whole library.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod armature;

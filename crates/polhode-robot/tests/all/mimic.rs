@@ -1,4 +1,4 @@
-//! Joints that follow others, and what hangs from a link, against MuJoCo 3.17 and Pinocchio 4.1.
+//! Coupled joints and subtrees, compared with MuJoCo 3.17 and Pinocchio 4.1.
 
 use polhode_robot::LinkError;
 use polhode_robot::lump::{JointPosition, Lump, Lumping, PositionBy, lump};
@@ -26,7 +26,7 @@ pub(crate) fn value(lump: &Lump, joint: &str) -> f64 {
     lump.positions.iter().find(|position| position.joint == joint).unwrap().value
 }
 
-/// Mass, centre, and xx yy zz xy xz yz about it.
+/// Asserts mass, centre, and the tensor xx yy zz xy xz yz about the centre.
 fn assert_is(lump: &Lump, mass: f64, center: [f64; 3], six: [f64; 6], tolerance: f64) {
     let properties = &lump.properties;
     assert!((properties.mass() / mass - 1.0).abs() < tolerance);
@@ -42,9 +42,11 @@ fn assert_is(lump: &Lump, mass: f64, center: [f64; 3], six: [f64; 6], tolerance:
 
 const POSE: [(&str, f64); 3] = [("lift", 0.17), ("turn", -0.83), ("left_knuckle", 0.41)];
 
-/// `pin.crba(model, data, q)` with q of all five joints, `right_knuckle` = −0.7 · 0.41 + 0.2 and `tip_slide` = 0.03 of that + 0.01:
-/// `model.inertias[0] + data.oMi[1].act(data.Ycrb[1])`, then `data.Ycrb` of the joints `turn` and `right_knuckle`, whose frames are those of
-/// the links below them.
+/// Expected values from `pin.crba(model, data, q)` with q of all five joints, `right_knuckle` =
+/// −0.7 · 0.41 + 0.2 and `tip_slide` = 0.03 times that + 0.01.
+///
+/// The whole is `model.inertias[0] + data.oMi[1].act(data.Ycrb[1])`. The subtrees are `data.Ycrb`
+/// of the joints `turn` and `right_knuckle`, whose frames are those of the child links.
 #[test]
 fn a_gripper_is_pinocchios() {
     let model = read(GRIPPER);
@@ -83,7 +85,7 @@ fn a_gripper_is_pinocchios() {
         ],
         1e-15,
     );
-    // its tip is moved by a joint that is not in it
+    // Its tip is moved by a joint that is not in the subtree.
     let right = one(&model, Lumping::Subtree("right"), &[("left_knuckle", 0.41)]);
     assert_is(
         &right,
@@ -109,12 +111,12 @@ fn a_follower_of_nothing_is_at_its_offset() {
     assert_eq!(value(&whole, "tip_slide"), 0.03 * 0.2 + 0.01);
     assert_eq!((by("left_knuckle"), by("lift")), (&PositionBy::Rest, &PositionBy::Rest));
     assert_eq!(by("tip_slide"), &PositionBy::Leader(Some("right_knuckle".to_owned())));
-    // limits are the file's, and lift = 0.5 is beyond them; so is what follows
+    // Limits are those of the file: lift = 0.5 exceeds them, and so does the coupled joint.
     let far = one(&read(GRIPPER), Lumping::All, &[("lift", 0.5), ("left_knuckle", -0.35)]);
     let outside: Vec<&str> =
         far.positions.iter().filter(|p| p.is_outside()).map(|p| p.joint.as_str()).collect();
     assert_eq!(outside, ["lift", "left_knuckle", "right_knuckle"]);
-    // at the limit is within
+    // A value at the limit is permitted.
     assert!(
         !one(&read(GRIPPER), Lumping::All, &[("lift", 0.4)]).positions.iter().any(JointPosition::is_outside)
     );
@@ -140,9 +142,10 @@ const HAND: &str = r#"<mujoco model="hand"><compiler angle="degree"/><worldbody>
     <joint joint1="tip_slide" joint2="right_knuckle" polycoef="0.01 0.03"/>
   </equality></mujoco>"#;
 
-/// `mj_forward` at qpos = (0.37, −0.29, 0.39064…, 0.03462…), at which `efc_pos` of both constraints is 0 and 5e-18; composites summed in
-/// numpy from `xipos`, `ximat`, `body_mass` and `body_inertia`, whose mass and centre are `body_subtreemass` and `subtree_com`. MuJoCo finds
-/// principal axes to some 1e-14.
+/// Expected values from `mj_forward` at qpos = (0.37, −0.29, 0.39064…, 0.03462…), where `efc_pos`
+/// of both constraints is 0 and 5e-18. Composites are summed in NumPy from `xipos`, `ximat`,
+/// `body_mass` and `body_inertia`; their mass and centre agree with `body_subtreemass` and
+/// `subtree_com`. MuJoCo computes principal axes to about 1e-14.
 #[test]
 fn a_hand_is_mujocos() {
     let model = read(HAND);
@@ -180,12 +183,12 @@ fn a_hand_is_mujocos() {
         ],
         1e-13,
     );
-    // with its ref taken as given nothing moves
+    // A value equal to `ref` moves nothing.
     let at_rest = one(&model, Lumping::Subtree("left"), &[]);
     assert_eq!(at_rest.properties.mass(), 0.083);
     let given = one(&model, Lumping::All, &[("wrist", 12_f64.to_radians())]);
     assert_eq!(given.properties, one(&model, Lumping::All, &[]).properties);
-    // ranges are in degrees, and in radians here
+    // Ranges are in degrees in the file, and in radians here.
     let limits = whole.positions[0].limits.unwrap();
     assert!((limits[1] - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
     assert!(whole.positions.iter().any(|p| p.joint == "right_knuckle" && p.is_outside()));
@@ -198,13 +201,13 @@ fn mjcf_couples_what_is_on() {
     let rest = 4_f64.to_radians();
     let off = of("polycoef=\"0.2 -0.7", "active=\"false\" polycoef=\"0.2 -0.7");
     assert_eq!(value(&off, "right_knuckle"), rest);
-    // by a class, and the default of the polynomial
+    // Disabled by a class, and the default coefficients.
     let class = "<default><default class='off'><equality active='false'/></default></default><equality>";
     let off = of("<equality>", &format!("{class}<!-- -->")).positions;
     assert!(off.iter().any(|p| p.joint == "right_knuckle" && p.value != rest));
     let named = HAND.replace("<equality>", class).replace("joint1=\"right", "class=\"off\" joint1=\"right");
     assert_eq!(value(&one(&read(&named), Lumping::All, &[]), "right_knuckle"), rest);
-    // what a class says goes for those in it
+    // A class passes its attributes to nested classes.
     let inner =
         class.replace("<equality active='false'/>", "<equality active='false'/><default class='in'/>");
     let named = HAND.replace("<equality>", &inner).replace("joint1=\"right", "class=\"in\" joint1=\"right");
@@ -212,12 +215,12 @@ fn mjcf_couples_what_is_on() {
     let line = of(" polycoef=\"0.2 -0.7 0.11 -0.05 0.02\"", "");
     let expected = rest + (-0.29 + 7_f64.to_radians());
     assert!((value(&line, "right_knuckle") - expected).abs() < 1e-16);
-    // without a second joint a constant
+    // Without a second joint the value is constant.
     let held = read(&HAND.replace("joint2=\"left_knuckle\" ", ""));
     assert_eq!(value(&one(&held, Lumping::All, &[]), "right_knuckle"), rest + 0.2);
     let text = error(&held, Lumping::All, &[("right_knuckle", 0.1)]).to_string();
     assert!(text.contains("\"right_knuckle\" is held at a constant"), "{text}");
-    // two constraints for one joint
+    // Two constraints on one joint.
     let twice = HAND.replace("joint1=\"tip_slide\" joint2=\"right", "joint1=\"right_knuckle\" joint2=\"wri");
     let twice = read(&twice.replace("joint2=\"wri_knuckle\"", "joint2=\"wrist\""));
     let refused = error(&twice, Lumping::All, &[]);
@@ -225,7 +228,7 @@ fn mjcf_couples_what_is_on() {
     require_says(&refused, " known: ");
 }
 
-/// MuJoCo 3.17 makes two constraints of it, k0 of j0 and k1 of j1.
+/// MuJoCo 3.17 generates two constraints: k0 of j0 and k1 of j1.
 #[test]
 fn copies_follow_copies() {
     let mass = "<inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>";
@@ -239,7 +242,8 @@ fn copies_follow_copies() {
     assert!((value(&whole, "k1") - 0.7).abs() < 1e-15);
 }
 
-/// What MuJoCo 3.17 makes of them: no constraint between a copy and what is not copied along, but for one that names a copy.
+/// As in MuJoCo 3.17, a constraint between a copied and another joint is dropped, unless it names a
+/// copy.
 #[test]
 fn copies_follow_what_is_copied_along() {
     let mass = "<inertial pos='0 0 0' mass='1' diaginertia='1 1 1'/>";
@@ -276,12 +280,12 @@ fn copies_follow_what_is_copied_along() {
     assert_eq!(followers(&copies(&b), "joint1='j-0' joint2='j-1'"), "j-0 j-1");
     assert_eq!(followers(&nested, "joint1='j-0' joint2='o'"), "j-0-0 o-0, j-0-1 o-1");
     assert_eq!(followers(&nested, "joint1='j-0-1'"), "j-0-1 ");
-    // what is nowhere is asked for where it matters: MuJoCo refuses the file
+    // An unknown joint is reported only if the constraint matters. MuJoCo rejects the file.
     let lost = read_with(&copies(&b), "joint1='z' joint2='q'");
     require_says(&error(&lost, Lumping::All, &[]), "and there is no such joint");
 }
 
-/// Once a hundred seconds.
+/// This test took a hundred seconds with a quadratic algorithm.
 #[test]
 fn copies_and_constraints_do_not_multiply() {
     let constraints: String =
@@ -310,7 +314,7 @@ fn what_cannot_follow_is_refused_with_both_names() {
     let refused = error(&read(&lost), Lumping::All, &[]);
     require_says(&refused, "and there is no such joint");
     assert!(refused.hint().contains("left_knuckle") && place(&refused, &lost) == mimic + 1);
-    // where it does not matter it is not asked
+    // An irrelevant coupling is not evaluated.
     assert_eq!(one(&read(&lost), Lumping::Subtree("left"), &[]).properties.mass(), 0.083);
     assert!(lump(&read(&lost), Lumping::Fixed, &[]).is_ok());
 
@@ -338,7 +342,7 @@ fn a_value_moves_something_or_is_refused() {
             &format!("the joint {joint:?} moves nothing that hangs from the link \"palm\""),
         );
     }
-    // a leader outside is no idler, one of a sibling is
+    // A leader outside the subtree is used; a leader in a sibling subtree is not.
     one(&model, Lumping::Subtree("right"), &[("left_knuckle", 0.1)]);
     require_says(&error(&model, Lumping::Subtree("tip"), &[("left_knuckle", 0.1)]), "moves nothing");
     require_says(&error(&model, Lumping::Fixed, &[("turn", 0.1)]), "moves nothing within what fixed joints");
@@ -349,7 +353,7 @@ fn a_value_moves_something_or_is_refused() {
     require_says(&error(&model, Lumping::Subtree("tcp"), &[]), "neither the link \"tcp\" nor what hangs");
 }
 
-/// A subtree of all is all, but for a root that hangs on the world.
+/// The subtree of the root is the whole model, unless the root is attached to the world.
 #[test]
 fn what_hangs_on_the_world_stands_where_its_joint_says() {
     let hung = GRIPPER.replace(

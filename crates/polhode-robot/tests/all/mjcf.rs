@@ -1,4 +1,4 @@
-//! What an MJCF file says: bodies in bodies, halves, degrees, classes.
+//! MJCF files: nested bodies, half sizes, degrees, default classes.
 
 use crate::common::{
     Matrix, applied, assert_close, assert_near, matrix_about, matrix_about_axis, plus, read, times, written,
@@ -75,7 +75,7 @@ fn attitudes_in_all_forms() {
         &matrix_about_axis([2.0, -1.0, 2.0], 70_f64.to_radians()),
     );
 
-    // columns: the axes themselves
+    // The columns are the axes.
     let r = matrix_about_axis([0.3, 0.8, -0.5], 2.9);
     let column = |k: usize| [r[0][k], r[1][k], r[2][k]];
     let sloped: [f64; 3] = std::array::from_fn(|k| 3.0 * column(1)[k] + 0.7 * column(0)[k]);
@@ -83,7 +83,7 @@ fn attitudes_in_all_forms() {
         column(0).map(|c| 2.0 * c).into_iter().chain(sloped).map(|c| c.to_string()).collect();
     assert_attitude(&turn(&format!(r#"xyaxes="{}""#, axes.join(" ")), ""), &r);
 
-    // the shortest turn: about z × n
+    // The shortest rotation, about z × n.
     let n = [0.36, -0.48, -0.8];
     let expected = matrix_about_axis([0.48, 0.36, 0.0], (-0.8_f64).acos());
     assert_attitude(&turn(r#"zaxis="0.72 -0.96 -1.6""#, ""), &expected);
@@ -112,7 +112,7 @@ fn inertials_in_both_forms_and_none() {
     let inertial = |k: usize| model.links[k].inertial.as_ref().unwrap();
     assert_eq!(written(text, &inertial(0).mass), ("1.559", Some(1.559)));
     let Tensor::Six(six) = &inertial(0).tensor else { panic!("six") };
-    // M11 M22 M33 M12 M13 M23: xx yy zz xy xz yz
+    // The order M11 M22 M33 M12 M13 M23 is xx yy zz xy xz yz.
     assert_eq!(six.each_ref().map(Slot::finite), [0.1, 0.2, 0.25, -0.01, 0.02, 0.03].map(Some));
     let Tensor::Diagonal(three) = &inertial(1).tensor else { panic!("three") };
     assert_eq!(written(text, &three[1]), ("0,2", None));
@@ -168,10 +168,10 @@ fn geoms_have_halves_and_what_their_classes_say() {
     assert_eq!(model.links[0].geometry[5].pose.position, [1.0, 2.0, 4.0]);
     assert_eq!(shapes[6].1, GeometryShape::Ellipsoid([1.0, 2.0, 3.0]));
     assert_eq!(shapes[7].1, GeometryShape::Other("hfield".to_owned()));
-    // a number that the geom does not give is its class's
+    // A number that the geom does not give is taken from its class.
     assert_eq!(shapes[8].1, GeometryShape::Capsule { radius: 0.3, length: 0.4 });
     assert_eq!((model.joints[1].kind, model.joints[1].axis), (JointKind::Prismatic, [1.0, 0.0, 0.0]));
-    // the geom's own form of attitude goes before its class's
+    // The geom's own attitude takes precedence over that of its class.
     assert_close(applied(model.links[1].geometry[0].pose.matrix(), [0.0, 0.0, 1.0]), [0.0, 1.0, 0.0], 2e-15);
 }
 
@@ -206,7 +206,7 @@ fn bodies_that_mujoco_makes_are_refused_by_name() {
         assert_eq!((note.code, note.span.start, note.subject.as_str()), ("read.left_out", place, subject));
         assert!(note.message.contains("mj_saveLastXML"), "{}", note.message);
     }
-    // The bodies may be fixed to the hand, so that it has mass.
+    // The bodies may be fixed to the hand, so it may have mass.
     assert!(check(&model, &[]).iter().all(|finding| finding.code == "read.left_out"));
 
     let error = |lumping| of_lumps(&model, lumping, &[]).unwrap_err();

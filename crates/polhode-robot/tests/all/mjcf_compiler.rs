@@ -1,5 +1,5 @@
-//! Masses that MuJoCo's compiler makes. The numbers are those of MuJoCo 3.17.0: `body_mass`, `body_ipos`, and `body_inertia` turned by
-//! `body_iquat`.
+//! Masses computed by MuJoCo's compiler. Expected values are those of MuJoCo 3.17.0: `body_mass`,
+//! `body_ipos`, and `body_inertia` rotated by `body_iquat`.
 
 use std::path::Path;
 
@@ -38,7 +38,8 @@ f 8 9 10\n\
 f 9 7 10\n\
 ";
 
-/// Each row is a body: its name, mass, centre, and xx, yy, zz, xy, xz, yz. MuJoCo's own principal axes are good to some 1e-7.
+/// Asserts bodies by rows of name, mass, centre, and xx, yy, zz, xy, xz, yz. MuJoCo's principal
+/// axes are accurate to about 1e-7.
 #[track_caller]
 pub(crate) fn assert_rows(model: &RobotModel, rows: &str) {
     for row in rows.lines() {
@@ -256,7 +257,7 @@ inner: 64 1 0 0 4.26666667 3.40309625 1.29023708 0 0 0.722742366";
     assert_rows(&model, rows);
     let joints: Vec<_> = model.joints.iter().map(|joint| joint.name.text.as_str()).collect();
     assert_eq!(joints, ["first", "inner (fixed)", "last"]);
-    // a place in an included file is said as one of that file
+    // A position in an included file is reported with that file.
     let place = Places::of(&model).place(&model.links[1].name.span);
     assert_eq!((place.file.file_name().unwrap(), place.is_included), ("body.xml".as_ref(), true));
     assert_eq!((place.line, place.column), (1, 1 + BODY.find("inner").unwrap()));

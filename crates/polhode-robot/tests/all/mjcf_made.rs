@@ -1,5 +1,5 @@
-//! Meshes that MuJoCo makes, and frames that it attaches. The numbers are those of MuJoCo 4.0.0: `body_mass`, `body_ipos`, and
-//! `body_inertia` turned by `body_iquat`.
+//! Generated meshes and attached frames. Expected values are those of MuJoCo 4.0.0: `body_mass`,
+//! `body_ipos`, and `body_inertia` rotated by `body_iquat`.
 
 use polhode_robot::body::link_mass;
 use polhode_robot::read::{ReadOptions, read_model};
@@ -39,7 +39,8 @@ fitted: 199.36996 0.0982034417 0.198009518 0.300379335 34.8300013 31.4836906 40.
     assert_rows(&model, rows);
 }
 
-/// MuJoCo takes the greatest moment of such a mesh about x and its centre at the geom's origin, wherever they are.
+/// MuJoCo puts the largest moment of such a mesh about x, and its centre at the geom's origin,
+/// independently of the mesh.
 const FIELDS: &str = r#"<mujoco><extension><plugin plugin="mujoco.sdf.torus"><instance name="torus"><config key="radius1" value="0.3"/><config key="radius2" value="0.12"/></instance></plugin>
 <plugin plugin="mujoco.sdf.bowl"><instance name="bowl"><config key="thickness" value="0.05"/><config key="height" value="0.3"/></instance></plugin>
 <plugin plugin="mujoco.sdf.gear"><instance name="gear"><config key="alpha" value="0.1"/><config key="diameter" value="1.7"/><config key="teeth" value="13"/>

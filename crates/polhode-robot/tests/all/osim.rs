@@ -1,4 +1,4 @@
-//! OpenSim's models of three versions.
+//! OpenSim models of three versions.
 
 use polhode_robot::body::{LinkMass, link_mass};
 use polhode_robot::inertia::of_lumps;
@@ -40,7 +40,7 @@ const OLD: &str = r#"<OpenSimDocument Version="20302"><Model name="leg"><BodySet
         <location>0 0.05 0.02</location><orientation>0 0.2 0</orientation></PinJoint></Joint></Body>
   </objects></BodySet></Model></OpenSimDocument>"#;
 
-/// As 3.3 development versions wrote sockets: connectors.
+/// Returns the model with sockets written as connectors, as by development versions of 3.3.
 fn between() -> String {
     let mut text = NEW.replace("40000", "30501");
     for name in ["parent_frame", "child_frame", "parent"] {
@@ -51,7 +51,7 @@ fn between() -> String {
             "</connectee_name></Connector_PhysicalFrame_></connectors>",
         );
     }
-    // one list of connectors for both ends
+    // One list of connectors for both ends.
     text.replace("</connectors><connectors>", "")
 }
 
@@ -75,7 +75,7 @@ fn assert_leg(model: &RobotModel) {
         joints,
         [("root", JointKind::Free, None, "thigh"), ("knee", JointKind::Revolute, Some("thigh"), "shank")]
     );
-    // X_thigh_shank = X_thigh_joint X_shank_joint⁻¹, angles about axes that turn along
+    // X_thigh_shank = X_thigh_joint X_shank_joint⁻¹, with angles about rotating axes.
     let knee = &model.joints[1];
     let outer = times(times(matrix_about(0, 0.3), matrix_about(1, -0.4)), matrix_about(2, 0.5));
     let inner = matrix_about(1, 0.2);
@@ -114,7 +114,7 @@ fn frames_that_go_round_end() {
     assert_eq!(read(&text).joints.len(), 2);
 }
 
-/// Turns about axes that turn along, and ways along the parent's.
+/// Rotations about rotating axes, and translations along the parent's axes.
 #[test]
 fn a_custom_joint_stands_where_its_functions_are_at_zero() {
     let custom = |transform: &str| {
@@ -158,7 +158,7 @@ fn a_custom_joint_stands_where_its_functions_are_at_zero() {
     let way = plus(applied(outer, [-0.05, -0.44, 0.0]), applied(attitude, [0.0, -0.05, -0.02]));
     assert_close(knee.pose.position, plus([0.1, -0.4, 0.0], way), 1e-15);
     assert_eq!(one(&custom(&read_all), Lumping::All, &[]).links.len(), 2);
-    // where nothing moves it is as a pin at zero
+    // Without functions it agrees with a pin joint at zero.
     let pin = one(&read(NEW), Lumping::All, &[]).properties;
     let custom_pin = one(&custom(""), Lumping::All, &[]);
     assert_eq!(custom_pin.properties, pin);
@@ -185,7 +185,7 @@ fn a_custom_joint_stands_where_its_functions_are_at_zero() {
         let refused = error(&model, Lumping::All, &[]);
         require_says(&refused, "where the joint \"knee\" holds its child is not known");
         assert!(refused.to_string().contains(why), "{refused}");
-        // what hangs on it has its place
+        // A descendant of the joint has a known pose.
         assert_eq!(one(&model, Lumping::Subtree("shank"), &[]).properties.mass(), 3.7);
     }
     for text in [

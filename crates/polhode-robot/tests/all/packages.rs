@@ -1,5 +1,5 @@
 //! Packages that no root is or holds: found in an ancestor folder of their name, or below the
-//! checked folder. Other files stay closed.
+//! checked folder. Other files are not accessible.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -63,10 +63,10 @@ fn an_ancestor_folder_with_the_packages_name_is_the_package() {
     assert_eq!(notes(&model), [("read.package", told)]);
     let found = inspect(&model, &Shapes::default()).findings;
     assert!(found.iter().all(|finding| finding.code != "geometry.unreadable"), "{found:?}");
-    // beyond the nearest package, by the name that is stated in package.xml
+    // Beyond the nearest package, by the name in `package.xml`.
     let model = read_model(&folder.path("source/nested/thing.urdf"), &ReadOptions::default()).unwrap();
     assert_eq!(mesh(&model), Ok(folder.path("source/meshes/block.stl")));
-    // not where the roots are all that may be opened
+    // Not found if only the roots may be opened.
     let roots = vec![folder.path("thing_description/urdf")];
     let confined = ReadOptions { roots, confined: true, ..ReadOptions::default() };
     let model = read_model(&folder.path("thing_description/urdf/deep/thing.urdf"), &confined).unwrap();
@@ -105,7 +105,7 @@ fn a_package_below_the_checked_folder_is_found_if_it_is_the_only_one() {
         &[
             ("ws/bringup/urdf/arm.urdf", &urdf(uri)),
             ("ws/vendor/arm_description/meshes/block.stl", STL),
-            // of that name, without the file
+            // A folder with that name but without the file.
             ("ws/old/arm_description/readme", ""),
             ("ws/.hidden/arm_description/meshes/block.stl", STL),
             ("arm_description/meshes/block.stl", STL),
@@ -167,7 +167,7 @@ fn uris_without_a_package_and_files_above_the_model_are_found_in_the_checked_fol
         let alone = mesh(&read_model(&path, &ReadOptions::default()).unwrap());
         assert_eq!(alone.is_ok(), name == "slip", "{name}: {alone:?}");
     }
-    // a third slash before the package
+    // A third slash before the package.
     let model = read_model(&folder.path("ws/robot/urdf/slip.urdf"), &ReadOptions::default()).unwrap();
     let told = "package:///robot/… was found at .., an ancestor folder of the model with that name";
     assert_eq!(notes(&model), [("read.package", told)]);

@@ -1,4 +1,4 @@
-//! What of the findings counts: configurations, comments, baselines.
+//! Policies: configurations, comments, baselines.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -27,7 +27,7 @@ fn judged(policy: &Policy, file: &str, text: &str) -> Judged {
     policy.judge(name, &model, findings)
 }
 
-/// Two impossible links, joined.
+/// Returns a robot with two impossible links, joined.
 fn robot(before_left: &str, in_right: &str) -> String {
     let right = link("right", "1.3", BAD).replace("<inertial>", &format!("{in_right}<inertial>"));
     format!(
@@ -64,10 +64,11 @@ fn a_comment_allows_what_it_is_at() {
         assert_eq!(judged.settled.len(), 1);
         assert_eq!(judged.settled[0].why, Reason::Allowed("measured, twice".to_owned()));
     }
-    // before the root element it is for the whole file, another comment between or not
+    // Before the root element it applies to the whole file, even if another comment is between
+    // them.
     let whole = format!("<?xml version=\"1.0\"?><!-- a -->{comment}<!-- b -->{}", robot("", ""));
     assert_eq!(codes(&judged(&Policy::default(), "r.urdf", &whole)), []);
-    // before a comment before the link
+    // A comment may be between it and the link.
     let text = robot(&format!("{comment}<!-- the left one -->\n"), "");
     assert_eq!(codes(&judged(&Policy::default(), "r.urdf", &text)), [BOTH[1]]);
 }
@@ -89,7 +90,7 @@ fn a_comment_of_no_use_is_a_finding() {
         assert!(finding.message.contains(said), "{comment}: {}", finding.message);
         assert_eq!(judged.open.len(), 3, "{comment}");
     }
-    // of several rules the one of no use is said
+    // Of several rules, the unused one is reported.
     let two = judged(
         &Policy::default(),
         "r.urdf",
@@ -97,7 +98,7 @@ fn a_comment_of_no_use_is_a_finding() {
     );
     assert_eq!(codes(&two), [("allow.unused", "left"), BOTH[1]]);
     assert_eq!(two.open[0].message, "no inertia.zero of left");
-    // at no link it is for the model alone, and other comments say nothing
+    // Outside of links it applies only to findings about the model. Other comments have no effect.
     let text = robot("", "")
         .replace("</robot>", "<!-- polhode: allow inertia.triangle: why --></robot><!-- Polhode -->");
     let none = judged(&Policy::default(), "r.urdf", &text);
@@ -133,7 +134,7 @@ fn an_allowance_expires_and_one_of_no_use_is_said() {
         format!("[[check.allow]]\nrule = \"{rule}\"\nfile = \"{file}\"\nreason = \"measured\"\n{more}")
     };
     let text = robot("", "");
-    // the day itself is the first on which it allows nothing
+    // The allowance ends at the start of its expiry date.
     for (day, open) in [("2026-11-26", 0), ("2026-11-25", 2), ("2020-02-29", 2)] {
         let policy = config(&allow("inertia.triangle", "r.urdf", &format!("expires = {day}\n")));
         let found = judged(&policy, "r.urdf", &text);
@@ -173,7 +174,7 @@ fn a_group_is_allowed_if_all_of_it_is() {
         judged(&policy, "r.urdf", &text).open.len()
     };
     assert_eq!((allow("*_tip"), allow("left_tip"), allow("right_tip")), (0, 1, 1));
-    // entries and comments together cover it, each of use
+    // Entries and comments together cover the finding, and each is used.
     let entry = |link: &str| {
         format!(
             "[[check.allow]]\nrule = \"mass.massless_collision\"\nfile = \"*\"\nreason = \"pad {link}\"\nlink = \"{link}\"\n"
@@ -188,13 +189,13 @@ fn a_group_is_allowed_if_all_of_it_is() {
     let commented = text.replace("<link name=\"right_tip\">", &format!("{comment}<link name=\"right_tip\">"));
     let found = judged(&config(&entry("left_tip")), "r.urdf", &commented);
     assert_eq!((found.open.len(), found.settled.len()), (0, 1), "{found:#?}");
-    // alone neither is enough, and both are said to be of no use
+    // One entry alone is not sufficient, and is reported as unused.
     let one = config(&entry("left_tip"));
     let found = judged(&one, "r.urdf", &text);
     let said = remarks(&one, &[("r.urdf", &found)]);
     assert_eq!((found.open.len(), said.len()), (1, 1));
     assert!(said[0].2.ends_with("the finding is also about right_tip, which is not allowed"), "{said:?}");
-    // so it is of three, where the same reason is said once, and of a comment
+    // The same holds for three links, where an equal reason is stated once, and for a comment.
     let three = text.replace("</robot>", &(tip("third_tip") + "</robot>"));
     let two = config(&(entry("left_tip") + &entry("third_tip")));
     let found = judged(&two, "r.urdf", &three);
@@ -270,13 +271,13 @@ fn a_baseline_knows_findings_wherever_they_move() {
     assert_eq!(count, 2);
     let known = Baseline::read(Path::new("known.json"), &text).unwrap();
     let policy = Policy { baseline: Some(known), ..Policy::default() };
-    // lines, numbers and order of links change
+    // Lines, numbers and the order of links change.
     let moved = robot("\n\n<!-- moved -->\n", "").replace("0.219", "0.319");
     let found = judged(&policy, "r.urdf", &moved);
     assert_eq!((found.open.len(), found.settled.len()), (0, 2));
     assert!(found.settled.iter().all(|settled| settled.why == Reason::Known));
     assert_eq!(remarks(&policy, &[("r.urdf", &found)]), []);
-    // another file, another link, and one more of the same
+    // A different file, a different link, and an additional finding of the same kind.
     assert_eq!(judged(&policy, "other.urdf", &moved).open.len(), 2);
     let renamed = moved.replace("\"right\"", "\"hand\"");
     let found = judged(&policy, "r.urdf", &renamed);
@@ -287,14 +288,14 @@ fn a_baseline_knows_findings_wherever_they_move() {
         gone[0].0 == "baseline.gone" && gone[0].2.contains("inertia.triangle of right in r.urdf"),
         "{gone:?}"
     );
-    // what was not looked at is not said to be gone, unless its file is
+    // A finding in a file that was not checked is not reported as gone, unless the file is gone.
     assert_eq!(remarks(&policy, &[]).len(), 2);
     let first = judged(&Policy::default(), "here/there.urdf", &robot("", ""));
     let there = baseline::text([("here/there.urdf", &first)].into_iter()).0;
     let policy =
         Policy { baseline: Some(Baseline::read(Path::new("b"), &there).unwrap()), ..Policy::default() };
     assert_eq!(remarks(&policy, &[]), []);
-    // written again it is the same, whether open or known
+    // Writing the baseline again gives the same text, for open and known findings.
     let found = judged(&policy, "here/there.urdf", &robot("", ""));
     assert_eq!(baseline::text([("here/there.urdf", &found)].into_iter()).0, there);
 }

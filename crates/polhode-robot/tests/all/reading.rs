@@ -1,4 +1,4 @@
-//! What readers once took for something else, or passed over: files of public models were read to find them.
+//! Content that readers once misread or ignored, found by reading public model files.
 
 use polhode_robot::check::check;
 use polhode_robot::finding::{Finding, Severity};
@@ -54,7 +54,7 @@ fn angles_in_degrees_are_told_with_their_radians() {
     );
     let findings = found(&joint);
     assert_eq!((codes(&findings), findings[0].subject.as_str()), (vec!["pose.degrees"], "j"));
-    // SDF says whether they are degrees
+    // An SDF attribute states if the angles are degrees.
     let sdf = |attribute: &str| {
         format!(
             "<sdf version=\"1.9\"><model name=\"m\"><link name=\"a\"><pose{attribute}>1 2 3 90 0 0</pose><inertial><mass>1.7</mass>\
@@ -86,7 +86,7 @@ fn moments_of_less_than_an_atom_are_zero() {
     let findings = found(text);
     assert_eq!(codes(&findings), ["inertia.zero"]);
     assert!(findings[0].message.contains("zero but for rounding"), "{}", findings[0].message);
-    // of a nanogram they are none
+    // For a nanogram this tensor is not zero.
     let small = text.replace("1.3", "1e-12").replace("2.40741e-35", "2.40741e-19");
     assert_eq!(codes(&found(&small)), ["inertia.negative"]);
 }
@@ -115,7 +115,7 @@ fn masses_are_known(model: &RobotModel) -> bool {
     model.links.iter().all(|link| !matches!(link.computed, Some(Err(_))))
 }
 
-// As MuJoCo 4.0.0 takes and refuses them.
+// As accepted and rejected by MuJoCo 4.0.0.
 #[test]
 fn settings_that_mujoco_refuses_are_told_and_masses_are_not_known() {
     let model = |compiler: &str, geom: &str| {
@@ -160,7 +160,7 @@ fn settings_that_mujoco_refuses_are_told_and_masses_are_not_known() {
     }
     let zero = model("", "type=\"capsule\" size=\"0.1\" fromto=\"0 0 0 0 0 1\" pos=\"0 0 0\"");
     assert!(masses_are_known(&read(&zero)) && codes(&found(&zero)).is_empty());
-    // a class may be in what could not be read
+    // The class may be in the file that could not be read.
     let blind = model("", "size=\"0.1\" class=\"hard\"")
         .replace("<worldbody>", "<include file=\"none.xml\"/><worldbody>");
     assert!(codes(&found(&blind)).is_empty());
@@ -208,7 +208,7 @@ fn lists_of_usd_are_edited() {
             "#usda 1.0\n(metersPerUnit = 1)\ndef Xform \"a\" (\n{schemas}\n)\n{{\n float physics:mass = 2\n def Xform \"b\" {{ float physics:mass = 3 }}\n}}"
         ))
     };
-    // a body by its schema, with b in it; or none, and then each that has a mass is one
+    // A body by its schema, with b inside; otherwise each prim with a mass is a body.
     for both in [
         "prepend apiSchemas = [\"PhysicsMassAPI\"]\nappend apiSchemas = [\"PhysicsRigidBodyAPI\"]",
         "prepend apiSchemas = [\"PhysicsRigidBodyAPI\"]\nprepend apiSchemas = [\"PhysicsMassAPI\"]",
@@ -237,7 +237,7 @@ fn names_that_would_fill_any_memory_are_refused() {
     let long = "n".repeat(1 << 17);
     let usd = format!("#usda 1.0\ndef Xform \"{long}\" {{\n{}}}\n", "def Xform \"a\" {}\n".repeat(400));
     assert!(refused(&usd).message().contains("longer together"), "{}", refused(&usd).message());
-    // the same with names as long as the text accounts for
+    // The same with names of a length in proportion to the text.
     assert!(read(&usd.replace(&long, "n")).links.is_empty());
     for inner in ["<joint/>", "<body name=\"b\"/>"] {
         let mjcf = format!(
@@ -315,7 +315,7 @@ fn no_link_leads_out_of_a_confined_folder() {
     };
     let linked = model(&world("linked"), "inside/w.sdf");
     assert!(linked.links.is_empty() && linked.notes[0].code == "read.include", "{linked:#?}");
-    // names are relative to the file that says them, and stay inside
+    // Names are relative to the file that contains them, and stay inside.
     assert_eq!(model(&world("deep/wheel.sdf"), "inside/w.sdf").links.len(), 1);
     assert_eq!(model(&world("../deep/wheel.sdf"), "inside/linked/w.sdf").links.len(), 1);
     for outside in ["../outside", "../outside/model.sdf", "deep/../../outside/model.sdf"] {
@@ -414,7 +414,7 @@ fn attributes_that_mujoco_refuses_are_told_with_what_was_meant() {
         )),
         Vec::<&str>::new()
     );
-    // what MuJoCo takes and is not read here is not said to be refused
+    // A value that MuJoCo accepts, but that is not read here, is not reported as rejected.
     let findings = found(&model("settotalmass='0x10'", ""));
     assert!(findings.iter().any(|finding| finding.message.contains("hexadecimal")));
 }
@@ -437,7 +437,8 @@ fn a_tensor_written_as_a_matrix_is_told_with_its_six_names() {
         let [message] = told(&findings, "read.unknown")[..] else { panic!("{findings:?}") };
         assert!(message.starts_with("a tensor of 9 numbers") && message.contains(six), "{message}");
     }
-    // not symmetric, or the upper triangle alone: the names without the values
+    // For a matrix that is not symmetric, or only an upper triangle, the message lists the names
+    // without values.
     for text in
         [rows.replace("-0.003 0.002 0.053", "0.003 0.002 0.053"), "0.031 0 0 0.042 0 0.053".to_owned()]
     {

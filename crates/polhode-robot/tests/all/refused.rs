@@ -1,4 +1,4 @@
-//! Moving links without mass or inertia, and the programs that refuse them.
+//! Moving links without mass or inertia, and the programs that reject them.
 
 use polhode_robot::finding::{Finding, Severity};
 use polhode_robot::geometry::Shapes;
@@ -13,7 +13,7 @@ fn refused(text: &str, programs: &[Program]) -> Vec<(Severity, String, String)> 
     found.into_iter().filter(|found| found.code == "mass.refused").map(of).collect()
 }
 
-/// Each link with what is in it, a joint of this type between each and the next.
+/// Returns links with this content, connected by joints of this type.
 fn chain(links: &[&str], kind: &str) -> String {
     let links = links.iter().enumerate().map(|(k, inner)| format!("<link name=\"l{k}\">{inner}</link>"));
     let (count, links) = (links.len(), links.collect::<String>());
@@ -39,12 +39,12 @@ fn a_massless_link_between_joints_is_a_note_that_names_programs() {
                     Isaac Sim takes the inertia of a small sphere";
         assert_eq!(refused(&text, &[]), [(Severity::Note, "l1".to_owned(), told.to_owned())]);
     }
-    // a mass that is fixed to it is enough
+    // A mass fixed to the link is sufficient.
     let text = chain(&[MASS, "", MASS], "revolute");
     let fixed = text.replace("</robot>", "<link name=\"f\">MASS</link><joint name=\"f\" type=\"fixed\"><parent link=\"l1\"/><child link=\"f\"/></joint></robot>");
     assert_eq!(refused(&fixed.replace("MASS", MASS), &Program::ALL), []);
     assert_eq!(refused(&fixed.replace("MASS", ""), &[]).len(), 1);
-    // so is a fixed joint
+    // A fixed joint is also accepted.
     assert_eq!(refused(&chain(&[MASS, "", MASS], "fixed"), &Program::ALL), []);
 }
 
@@ -59,10 +59,10 @@ fn for_a_program_it_is_an_error() {
         own.len()
     };
     assert_eq!(of(Program::Mujoco, "l1", "moves without mass: MuJoCo refuses the model"), 1);
-    // the root too: all that hangs from it is lost
+    // The root is also rejected: all its descendants are lost.
     assert_eq!(of(Program::Gazebo, "l1", "Gazebo drops the link and all that hangs from it"), 2);
     assert_eq!(of(Program::Isaac, "l1", "Isaac Sim takes the inertia of a small sphere"), 1);
-    // Drake refuses massless ends of chains alone
+    // Drake rejects only massless ends of chains.
     assert!(refused(&text, &[Program::Drake]).iter().all(|(severity, ..)| *severity == Severity::Note));
     let tip = chain(&[MASS, MASS, ZERO], "prismatic");
     let drake = refused(&tip, &[Program::Drake]);
@@ -70,7 +70,7 @@ fn for_a_program_it_is_an_error() {
         drake[0],
         (Severity::Impossible, "l2".to_owned(), "moves without mass: Drake refuses the model".to_owned())
     );
-    // Gazebo takes a root named world
+    // Gazebo accepts a root named `world`.
     let world = text.replace("\"l0\"", "\"world\"");
     assert_eq!(
         refused(&world, &[Program::Gazebo])
@@ -101,10 +101,10 @@ fn a_moment_below_what_mujoco_takes_is_refused() {
     let told = "moves with a mass or moment of inertia below 1e-15: MuJoCo refuses the model";
     let found = refused(&tiny.replace("INNER", ""), &[Program::Mujoco]);
     assert_eq!(found, [(Severity::Impossible, "a".to_owned(), told.to_owned())]);
-    // what is fixed to it counts
+    // The inertia of a body fixed to it counts.
     let inner = r#"<inertial pos="0 0 0" mass="0.1" diaginertia="3e-4 2.5e-4 2e-4"/>"#;
     assert_eq!(refused(&tiny.replace("INNER", inner), &[Program::Mujoco]), []);
-    // computed from a geom of 1.7e-9 kg and 1.1e-17 kg·m²
+    // Computed from a geom of 1.7e-9 kg and 1.1e-17 kg·m².
     let small =
         "<mujoco><worldbody><body name=\"a\"><joint/><geom size=\"7.4e-5\"/></body></worldbody></mujoco>";
     assert_eq!(refused(small, &[])[0].2, told);

@@ -1,4 +1,4 @@
-//! Repairs change what they say, and nothing else.
+//! Repairs apply their edits and change nothing else.
 
 use std::convert::Infallible;
 
@@ -6,7 +6,8 @@ use polhode_robot::finding::{Finding, Repair, Severity};
 use polhode_robot::model::{ModelFormat, RobotModel};
 use polhode_robot::repair::{Left, LeftReason, proved, repaired};
 
-/// A byte order mark, both kinds of line ends, trailing spaces, a comment with the same number, µ.
+/// Text with a byte order mark, both kinds of line ends, trailing spaces, a comment with the same
+/// number, and µ.
 const TEXT: &str =
     "\u{feff}<robot>\r\n<!-- 0,5 µ -->  \n\t<mass value='0,5'/><mass value=\"1kg\"/>\r\n</robot>\n\n";
 
@@ -41,7 +42,7 @@ fn finding(code: &'static str, edits: Vec<(std::ops::Range<usize>, &str)>) -> Fi
     }
 }
 
-/// The bytes of the last place where this stands.
+/// Returns the byte range of the last occurrence of a text.
 fn span(what: &str) -> std::ops::Range<usize> {
     let start = TEXT.rfind(what).unwrap();
     start..start + what.len()
@@ -49,13 +50,13 @@ fn span(what: &str) -> std::ops::Range<usize> {
 
 #[test]
 fn every_other_byte_is_kept() {
-    // the second edit comes first in the text
+    // The second edit comes first in the text.
     let findings = [finding("a", vec![(span("1kg"), "1"), (span("0,5"), "0.5")])];
     let result = repaired(&model(), &findings);
     assert_eq!(result.text, TEXT.replace("'0,5'", "'0.5'").replace("1kg", "1"));
     assert_eq!((result.applied.as_slice(), result.changes), ([0].as_slice(), 2));
     assert!(result.left.is_empty());
-    // and nothing to do is nothing done
+    // Without a repair the text is unchanged.
     let nothing = Finding { repair: None, ..findings[0].clone() };
     assert_eq!(repaired(&model(), &[nothing]).text, TEXT);
 }
@@ -75,13 +76,13 @@ fn of_two_repairs_of_one_place_the_second_is_left_whole() {
     assert_eq!(result.applied, [0, 2, 4]);
     let left = |finding| Left { finding, why: LeftReason::Overlaps };
     assert_eq!(result.left, [left(1), left(3)]);
-    // side by side is not overlapping: an insertion before, and one after
+    // Adjacent edits do not overlap: an insertion before, and one after.
     let around = [
         finding("a", vec![(comma.clone(), "0.5")]),
         finding("b", vec![(comma.end..comma.end, "!"), (comma.start..comma.start, "+")]),
     ];
     assert!(repaired(&model(), &around).text.contains("'+0.5!'"));
-    // two insertions in one place have no order
+    // The order of two insertions at one place is undefined.
     let twice = [finding("a", vec![(7..7, "x")]), finding("b", vec![(7..7, "y")])];
     assert_eq!(repaired(&model(), &twice).left, [left(1)]);
 }
@@ -107,10 +108,10 @@ fn edits_that_do_not_fit_are_left() {
 fn only_repairs_that_remove_their_finding_are_made() {
     let findings = [
         finding("comma", vec![(span("0,5"), "0.5")]),
-        finding("unit", vec![(span("1kg"), "1 kg")]), // no repair at all
+        finding("unit", vec![(span("1kg"), "1 kg")]), // does not remove the finding
     ];
     let mut calls = 0;
-    // A checker that still finds the unit wherever "kg" stands.
+    // A checker that still reports the unit for every "kg".
     let result = proved(&model(), &findings, |text| {
         calls += 1;
         let mut found = Vec::new();
@@ -127,6 +128,6 @@ fn only_repairs_that_remove_their_finding_are_made() {
     assert_eq!(result.text, TEXT.replace("'0,5'", "'0.5'"));
     assert_eq!(result.left, [Left { finding: 1, why: LeftReason::Fails }]);
     assert_eq!(calls, 2);
-    // an error of the checker is passed on
+    // An error of the checker is passed on.
     assert_eq!(proved(&model(), &findings, |_| Err("unreadable")), Err("unreadable"));
 }

@@ -11,12 +11,12 @@ use polhode_source::files::{Disk, Memory};
 
 use crate::common::schema::require_fits;
 
-/// The exponent of izz is lost, iyy alone says so: exactly one number is consistent with the box.
+/// Model with a lost exponent of izz; exactly one number is consistent with the box.
 const SLIP: &str = r#"<robot name="r"><link name="box"><inertial><mass value="2"/>
   <inertia ixx="0.0216667" ixy="0" ixz="0" iyy="0.0166667" iyz="0" izz="8.33333"/></inertial>
   <collision><geometry><box size="0.1 0.2 0.3"/></geometry></collision></link></robot>"#;
 
-/// Nothing has mass, which Drake refuses and nobody else.
+/// Model with an unphysical tensor: i1 + i2 < i3.
 const IMPOSSIBLE: &str = r#"<robot name="r"><link name="arm"><inertial><mass value="1.7"/>
   <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="3"/></inertial></link></robot>"#;
 
@@ -53,7 +53,7 @@ fn folders_in_memory_are_searched() {
     require_report(&checked);
 }
 
-/// Counts of a progress.
+/// Counts received from progress reports.
 #[derive(Default)]
 struct Passes {
     counts: Vec<usize>,

@@ -1,4 +1,4 @@
-//! What polhode writes, polhode reads: mass, centre and tensor through each language.
+//! Round trip: models written by polhode are read back with the same mass, centre and tensor.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use polhode_shape::{ExportBody, ExportFormat};
 const FORMATS: [ExportFormat; 4] =
     [ExportFormat::Urdf, ExportFormat::Sdf, ExportFormat::Mjcf, ExportFormat::MjcfPrincipal];
 
-/// The only link of a model.
+/// Returns the only link of a model.
 fn body_of(text: &str, file: &str) -> MassProperties<Part> {
     let model = read_text(text, Path::new(file), &ReadOptions::default()).unwrap();
     let [link] = model.links.as_slice() else { panic!("{} links", model.links.len()) };
@@ -21,7 +21,8 @@ fn body_of(text: &str, file: &str) -> MassProperties<Part> {
     body.properties
 }
 
-/// Generic bodies: moments that differ, all products, every sign of them, from grains to ships.
+/// Returns generic bodies: different moments, all products, every combination of their signs, from
+/// grains to ships.
 fn bodies() -> Vec<MassProperties<Body>> {
     let shapes = [
         ([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]),
@@ -48,7 +49,8 @@ fn bodies() -> Vec<MassProperties<Body>> {
     bodies
 }
 
-/// The largest difference of elements, in parts of half the trace: of i1 + i2 + i3, which no axes change.
+/// Returns the largest difference of elements, relative to half the trace, which does not depend on
+/// the axes.
 fn apart<A: Frame, B: Frame>(a: &InertiaTensor<A>, b: &InertiaTensor<B>) -> f64 {
     let (a, b) = (a.matrix(), b.matrix());
     let difference = a.as_flattened().iter().zip(b.as_flattened()).map(|(x, y)| (x - y).abs());
@@ -64,14 +66,15 @@ fn every_language_gives_back_mass_centre_and_tensor() {
             assert_eq!(again.mass(), body.mass(), "{text}");
             assert_eq!(again.center_of_mass().to_array(), body.center_of_mass().to_array(), "{text}");
             let apart = apart(again.inertia(), body.inertia());
-            // Where the tensor itself is written nothing is lost; turned to principal axes and back, a few roundings.
+            // If the tensor itself is written, it is preserved exactly. Rotation to principal axes
+            // and back causes a few rounding errors.
             let most = if format == ExportFormat::MjcfPrincipal { 1e-15 } else { 0.0 };
             assert!(apart <= most, "{apart:e}\n{text}");
         }
     }
 }
 
-/// x, y, z components, row by row.
+/// Components x, y, z, row by row.
 type Matrix = [[f64; 3]; 3];
 
 fn times(a: &Matrix, b: &Matrix) -> Matrix {
@@ -82,7 +85,8 @@ fn transposed(a: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
 }
 
-/// About the fixed axes x, then y, then z: R_z(yaw) R_y(pitch) R_x(roll), as URDF and SDF say it.
+/// Returns the rotation about the fixed axes x, then y, then z: R_z(yaw) R_y(pitch) R_x(roll), as
+/// in URDF and SDF.
 fn roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> Matrix {
     let ((sr, cr), (sp, cp), (sy, cy)) = (roll.sin_cos(), pitch.sin_cos(), yaw.sin_cos());
     let x = [[1.0, 0.0, 0.0], [0.0, cr, -sr], [0.0, sr, cr]];
@@ -99,7 +103,7 @@ fn an_inertial_frame_that_is_turned_turns_the_tensor() {
     let (ixx, iyy, izz, ixy, ixz, iyz) = (0.031, 0.042, 0.053, 0.004, -0.003, 0.002);
     let written = [[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]];
     let want = times(&times(&r, &written), &transposed(&r));
-    // w of this matrix is not small: Shepperd's first case
+    // The w of this matrix is not small: Shepperd's first case.
     let w = 0.5 * (1.0 + r[0][0] + r[1][1] + r[2][2]).sqrt();
     let [x, y, z] = [r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]].map(|d| d / (4.0 * w));
     let urdf = format!(
@@ -123,7 +127,7 @@ fn an_inertial_frame_that_is_turned_turns_the_tensor() {
         let want = InertiaTensor::<Body>::from_matrix(want).unwrap();
         let apart = apart(body.inertia(), &want);
         assert!(apart < 2e-15, "{file}: {apart:e}");
-        // the other way round is another tensor
+        // The inverse rotation gives a different tensor.
         let conjugate =
             body.inertia().in_frame::<Part>(Rotation::from_quaternion([w, -2.0 * x, y, z]).unwrap());
         assert!(self::apart(&conjugate, &want) > 1e-2);

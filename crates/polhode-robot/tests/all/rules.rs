@@ -1,4 +1,5 @@
-//! The table of rules is that of the checks: each code that is told is in it, and each example breaks its rule until it is mended.
+//! The table of rules agrees with the checks: each reported code is in the table, and each example
+//! breaks its rule until it is corrected.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -29,7 +30,7 @@ fn each_example_breaks_its_rule_until_it_is_mended() {
     }
 }
 
-/// Words in quotes that look like a code, in the code below a folder, tests apart.
+/// Collects quoted words that look like a code from the sources below a folder, without tests.
 fn codes(folder: &Path, found: &mut BTreeSet<String>) {
     const SUBJECTS: [&str; 12] = [
         "number.",

@@ -1,11 +1,11 @@
-//! What an SDF file says: frames in frames, and the specification's own words for what is left out.
+//! SDF files: poses in named frames, and the defaults of the specification.
 
 use crate::common::{
     Matrix, applied, assert_close, assert_near, matrix_about, plus, read, times, transposed, written,
 };
 use polhode_robot::model::{GeometryShape, JointKind, Pose, RobotModel, Slot, Tensor};
 
-/// A pose written out: where, and R_z R_y R_x.
+/// Returns a pose as a position and R_z R_y R_x.
 fn frame([x, y, z, roll, pitch, yaw]: [f64; 6]) -> ([f64; 3], Matrix) {
     ([x, y, z], times(matrix_about(2, yaw), times(matrix_about(1, pitch), matrix_about(0, roll))))
 }
@@ -70,7 +70,7 @@ fn poses_follow_the_frames_that_they_name() {
     assert_pose(&j.pose, then(inverse(one), two));
     assert_close(j.anchor, frame(D).0, 2e-15);
     assert_close(j.axis, applied(frame(D).1, [0.36, 0.48, -0.8]), 2e-15);
-    // a frame stands for the link that it is attached to
+    // A frame represents the link that it is attached to.
     assert_eq!((&k.parent, k.child.text.as_str()), (&None, "one"));
     assert_close(k.axis, applied(transposed(one.1), [0.0, 0.0, 1.0]), 2e-15);
 }

@@ -1,4 +1,4 @@
-//! Models that include models.
+//! SDF models that include models.
 
 use polhode_robot::line_index::Places;
 use polhode_robot::model::{JointKind, RobotModel};
@@ -63,10 +63,10 @@ fn an_included_model_has_the_name_and_the_place_that_its_include_gives() {
     let turn = matrix_about(2, 0.5);
     assert_close(model.links[0].pose.position, plus([1.0, 2.0, 3.0], [0.0, 0.0, 0.3]), 1e-15);
     assert_near(&model.links[0].pose.matrix(), &times(turn, matrix_about(0, 0.2)), 1e-15);
-    // without a pose of its own the include keeps the model's
+    // Without a pose in the include, the model's own pose is used.
     assert_close(model.links[2].pose.position, [9.0, 9.0, 9.3], 1e-14);
 
-    // X_cart_spare X_spare_hub = X_cart_bed X_bed_placement
+    // X_cart_spare X_spare_hub = X_cart_bed X_bed_placement.
     let rim = matrix_about(0, 0.2);
     let hub_in_model =
         (plus([0.0, 0.0, 0.3], applied(rim, [0.1, 0.0, 0.0])), times(rim, matrix_about(1, 0.4)));
@@ -84,7 +84,7 @@ fn an_included_model_has_the_name_and_the_place_that_its_include_gives() {
         (joint.parent.as_ref().unwrap().text.as_str(), joint.child.text.as_str()),
         ("cart::bed", "cart::spare::cap")
     );
-    // a number of the included file stands there
+    // A number in an included file is reported with that file.
     let place = Places::of(&model).place(&model.links[5].inertial.as_ref().unwrap().mass.span());
     assert!(place.file.ends_with("wheel/model.sdf"));
     assert_eq!((place.line, place.column), (3, 1 + WHEEL.lines().nth(2).unwrap().find("2.5").unwrap()));
@@ -113,7 +113,7 @@ fn what_includes_itself_is_refused_and_what_is_not_there_noted() {
     let error = read_model(&folder.path("world.sdf"), &ReadOptions::default()).unwrap_err().to_string();
     assert!(error.contains("a model that includes itself"), "{error}");
 
-    // ten files that double: a thousand links; thirty would be refused
+    // Ten files, each including the next twice, give a thousand links; thirty would be rejected.
     let double = |k: usize| {
         format!(
             "<sdf><model name='m'><include><uri>{k}.sdf</uri><name>a</name></include><include><uri>{k}.sdf</uri><name>b</name></include></model></sdf>"

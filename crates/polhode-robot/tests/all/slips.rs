@@ -1,7 +1,8 @@
-//! Slips as people make them, planted in links with exact geometry: what `--fix` writes is right, or nothing is written.
+//! Typical errors planted in links with exact geometry: a fix written by `--fix` is right, or none
+//! is written.
 //!
-//! Twelve slips, each in a number of random links, half of them with the geometry in millimetres
-//! besides. The large run, which also prints its table:
+//! Twelve kinds of errors, each in several random links. In half of the links the geometry is also
+//! in millimetres. The large run prints a table:
 //!
 //! `POLHODE_SLIPS=200 cargo test -p polhode-robot --test all slips -- --nocapture`
 
@@ -17,10 +18,10 @@ use polhode_robot::repair::proved;
 
 use crate::check_common::{Matrix, conjugated, six, turn};
 
-/// Links of each slip in the gate.
+/// Number of links for each error in the standard run.
 const LINKS: usize = 16;
 
-/// The generator SplitMix64.
+/// Random number generator SplitMix64.
 struct Random(u64);
 
 impl Random {
@@ -48,7 +49,7 @@ impl Random {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Shape {
     Box([f64; 3]),
-    /// Radius and length, along z.
+    /// Cylinder along z with its radius and length.
     Cylinder([f64; 2]),
 }
 
@@ -60,7 +61,7 @@ impl Shape {
         }
     }
 
-    /// ∫x² dm/m, ∫y² dm/m, ∫z² dm/m
+    /// Returns ∫x² dm/m, ∫y² dm/m, ∫z² dm/m.
     fn squares(self) -> [f64; 3] {
         match self {
             Self::Box(edges) => edges.map(|a| a * a / 12.0),
@@ -71,19 +72,19 @@ impl Shape {
     }
 }
 
-/// A link whose tensor is that of its geometry.
+/// Link whose tensor is that of its geometry.
 #[derive(Clone, Debug)]
 struct Link {
     shape: Shape,
     mass: f64,
     center: [f64; 3],
-    /// Roll, pitch, yaw of the shape.
+    /// Roll, pitch and yaw of the shape, rad.
     angles: [f64; 3],
-    /// xx yy zz xy xz yz
+    /// Tensor elements xx yy zz xy xz yz.
     tensor: [f64; 6],
 }
 
-/// m (b + c), m (a + c), m (a + b)
+/// Returns the moments m (b + c), m (a + c), m (a + b).
 fn moments(mass: f64, [a, b, c]: [f64; 3]) -> [f64; 3] {
     [b + c, a + c, a + b].map(|x| mass * x)
 }
@@ -99,7 +100,8 @@ impl Link {
         Self { shape, mass, center, angles, tensor }
     }
 
-    /// Its URDF, with these six numbers to `digits` digits, and the sizes of the shape times a factor.
+    /// Returns the URDF with these six numbers rounded to `digits` digits, and with the sizes of
+    /// the shape multiplied by a factor.
     fn text(&self, tensor: [f64; 6], digits: usize, factor: f64) -> String {
         let number = |x: f64| format!("{x:.*e}", digits - 1).parse::<f64>().unwrap().to_string();
         let [xx, yy, zz, xy, xz, yz] = tensor.map(number);
@@ -120,7 +122,7 @@ impl Link {
     }
 }
 
-/// A slip: a link whose numbers are right, and the six that are written.
+/// Planted error: returns a correct link, and the six numbers to be written.
 type Slip = fn(&mut Random) -> (Link, [f64; 6]);
 
 fn size(random: &mut Random) -> f64 {
@@ -141,7 +143,7 @@ fn either(random: &mut Random) -> Shape {
     if random.below(2) == 0 { block(random) } else { cylinder(random, [0.2, 6.0]) }
 }
 
-/// A link along its own axes, or askew.
+/// Returns a random link, rotated or not.
 fn any(random: &mut Random) -> Link {
     let is_askew = random.below(2) == 0;
     let shape = either(random);
@@ -242,7 +244,8 @@ fn found(text: &str) -> Vec<Finding> {
     inspect(&read(text), &Shapes::default()).findings
 }
 
-/// Mass, centre, tensor and sizes of the link that is not the root, each with what its error is measured by.
+/// Returns mass, centre, tensor and sizes of the link that is not the root, each with the scale of
+/// its error.
 fn numbers(model: &RobotModel) -> Vec<(f64, f64)> {
     let link = &model.links[1];
     let inertial = link.inertial.as_ref().unwrap();
@@ -264,7 +267,7 @@ fn numbers(model: &RobotModel) -> Vec<(f64, f64)> {
 
 #[derive(Clone, Copy, Debug, Default)]
 struct Row {
-    /// Links whose numbers are off by more than a per cent.
+    /// Number of links with an error above one per cent.
     visible: usize,
     found: usize,
     offered: usize,
@@ -303,7 +306,7 @@ fn a_fix_is_right_or_not_written() {
                 row.offered += 1;
                 let after = numbers(&read(&fixed.text));
                 let is_right = |k: usize| (after[k].0 - truth[k].0).abs() <= 1e-3 * truth[k].1;
-                // A changed number is right; an unchanged one may still be wrong.
+                // A changed number must be right; an unchanged one may still be wrong.
                 let wrong = (0..after.len()).any(|k| after[k].0 != written[k].0 && !is_right(k));
                 row.wrong += usize::from(wrong);
                 row.right += usize::from((0..after.len()).all(is_right));
@@ -322,7 +325,7 @@ fn a_fix_is_right_or_not_written() {
     assert!(accused.is_empty(), "{table}\n{}", accused.join("\n\n"));
     for (title, Row { visible, right, wrong, .. }) in rows {
         assert_eq!(wrong, 0, "{title}\n{table}");
-        // Random links: of a few the slip is hardly seen, or two explanations fit.
+        // In some random links the error is too small, or two explanations fit.
         assert!(10 * right >= 6 * visible, "{title}: {right} of {visible}\n{table}");
     }
 }

@@ -1,4 +1,4 @@
-//! Counterparts with other numbers withdraw a fix; those that agree with it leave it.
+//! A counterpart with different numbers withdraws a fix; one that agrees keeps it.
 
 use polhode_robot::finding::Finding;
 use polhode_robot::geometry::Shapes;
@@ -8,7 +8,7 @@ use crate::check_common::{only, read, repaired};
 
 const MASS: f64 = 1.3;
 
-/// Boxes that a link is drawn with and touched with: of two sizes, so that each may explain other numbers.
+/// Visual and collision boxes of a link, of two sizes, so that each may explain different numbers.
 const SEEN: [f64; 3] = [0.1, 0.13, 0.3];
 const TOUCHED: [f64; 3] = [0.11, 0.14, 0.32];
 
@@ -16,7 +16,7 @@ fn moments([a, b, c]: [f64; 3]) -> [f64; 3] {
     [b * b + c * c, a * a + c * c, a * a + b * b].map(|x| MASS * x / 12.0)
 }
 
-/// A link that moves by a joint; on the right its boxes are mirrored along y.
+/// Returns a link moved by a joint. On the right side its boxes are mirrored along y.
 fn link(name: &str, mass: f64, center: [f64; 3], [xx, yy, zz]: [f64; 3]) -> String {
     let side = if name.contains("right") { -1.0 } else { 1.0 };
     let shape = |role: &str, [a, b, c]: [f64; 3]| {
@@ -46,7 +46,7 @@ fn found(text: &str) -> Vec<Finding> {
 
 const CENTER: [f64; 3] = [0.02, 0.04, 0.15];
 
-/// Moments of the box that is touched, with izz by x² + z² for x² + y².
+/// Returns the moments of the collision box, with izz from x² + z² instead of x² + y².
 fn slip() -> [f64; 3] {
     let [xx, yy, _] = moments(TOUCHED);
     [xx, yy, yy]
@@ -59,7 +59,7 @@ fn a_counterpart_with_other_numbers_withdraws_the_fix() {
     for [name, twin] in NAMES {
         let alone = found(&robot(&[link(name, MASS, CENTER, slip())]));
         assert!(only(&alone, "inertia.geometry").repair.is_some());
-        // The other arm follows from what is seen, so this one may, too.
+        // The other arm agrees with the visual box, so this arm may, too.
         let text = robot(&[link(name, MASS, CENTER, slip()), link(twin, MASS, CENTER, moments(SEEN))]);
         let both = found(&text);
         let slip = only(&both, "inertia.geometry");
@@ -85,7 +85,7 @@ fn a_counterpart_that_agrees_leaves_the_fix() {
 fn what_is_no_counterpart_says_nothing() {
     let left = link("arm_left", MASS, CENTER, slip());
     for other in [
-        // another name, another mass, another shape, and the same slip on both sides
+        // A different name, mass or shape, or the same error on both sides.
         link("leg_right", MASS, CENTER, moments(SEEN)),
         link("arm_right", 1.1 * MASS, CENTER, moments(SEEN)),
         link("arm_right", MASS, CENTER, moments(SEEN)).replace("0.14 0.32", "0.12 0.28"),
@@ -99,7 +99,8 @@ fn what_is_no_counterpart_says_nothing() {
 
 #[test]
 fn a_centre_of_mass_is_compared_with_the_mirrored_one() {
-    // y with the other sign, which brings it to the centroid. The right arm is 6 mm from there, or at it.
+    // The y coordinate has the wrong sign; the opposite sign agrees with the centroid. The right
+    // arm agrees, or is 6 mm away.
     let wrong = [0.02, -0.04, 0.15];
     for (right, is_written) in [([0.02, 0.04, 0.15], true), ([0.02, 0.046, 0.15], false)] {
         let text = robot(&[

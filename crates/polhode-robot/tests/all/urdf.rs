@@ -1,4 +1,4 @@
-//! What a URDF file says, and where.
+//! URDF files: their contents and text positions.
 
 use crate::common::{assert_near, read, written};
 use polhode_robot::model::{GeometryShape, JointKind, ModelFormat, Role, Slot, Tensor};
@@ -145,7 +145,7 @@ fn a_macro_is_refused_with_the_way_to_expand_it() {
         let error = crate::common::refused(text);
         assert!(error.hint().unwrap().contains("xacro model.xml > model.urdf"), "{error}");
     }
-    // what is left in a comment is none
+    // An expression in a comment is not a macro.
     read(r#"<robot xmlns:xacro="x"><!-- ${l} --><link name="leg"/></robot>"#);
 }
 

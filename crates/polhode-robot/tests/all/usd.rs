@@ -1,4 +1,4 @@
-//! USD as text. Places on the stage are those that OpenUSD 26.11 gives (`UsdGeom.XformCache`).
+//! USD as text. Expected positions on the stage are those of OpenUSD 26.11 (`UsdGeom.XformCache`).
 
 use polhode_robot::body::{LinkMass, link_mass};
 use polhode_robot::check::check;
@@ -109,12 +109,12 @@ fn bodies_stand_where_their_operations_say_and_are_in_si() {
     let Tensor::Diagonal(moments) = &inertial.tensor else { panic!("three") };
     assert_eq!(moments.each_ref().map(Slot::finite), [0.125, 0.25, 0.3].map(Some));
     let LinkMass::Body(body) = link_mass(model.format, base).unwrap() else { panic!("a body") };
-    // (w, x, y, z) = (0.8, 0.2, −0.4, 0.4)
+    // Quaternion (w, x, y, z) = (0.8, 0.2, −0.4, 0.4).
     let r = matrix_about_axis([0.2, -0.4, 0.4], 2.0 * 0.8_f64.acos());
     let own = [[0.125, 0.0, 0.0], [0.0, 0.25, 0.0], [0.0, 0.0, 0.3]];
     assert_near(&body.properties.inertia().matrix(), &times(times(r, own), transposed(r)), 1e-15);
     assert_close(body.properties.center_of_mass().to_array(), [0.015, -0.025, 0.035], 1e-17);
-    // what another layer says, is not known
+    // Content of other layers is unknown.
     assert_eq!((model.notes[0].code, model.notes[0].subject.as_str()), ("read.include", "/Robot/arm"));
     assert!(check(&model, &[]).iter().all(|finding| finding.repair.is_none()));
 }
@@ -127,13 +127,13 @@ fn shapes_are_in_the_frame_of_their_body() {
     let GeometryShape::Box(edges) = cube.shape else { panic!("a box") };
     assert_close(edges, [0.2, 0.4, 0.1], 1e-15);
     assert_close(cube.pose.position, [0.01, 0.02, 0.03], 1e-15);
-    // rotateZYX turns about z first
+    // rotateZYX rotates about z first.
     let [x, y, z] =
         [(0, 10_f64), (1, 20.0), (2, 30.0)].map(|(axis, angle)| matrix_about(axis, angle.to_radians()));
     assert_near(&cube.pose.matrix(), &times(times(x, y), z), 1e-14);
     assert_eq!(capsule.shape, GeometryShape::Capsule { radius: 0.03, length: 0.08 });
     assert_close(capsule.pose.position, [0.04, 0.05, 0.06], 1e-15);
-    // along x of a prim that is turned by a quarter about z: along y
+    // The axis x of a prim rotated by 90° about z is along y.
     let along = applied(capsule.pose.matrix(), [0.0, 0.0, 1.0]);
     assert_close(along.map(f64::abs), [0.0, 1.0, 0.0], 1e-14);
 }
@@ -159,7 +159,7 @@ fn an_end_of_a_joint_may_be_the_world_or_named_from_the_joint() {
         read(&ROBOT.replace("body0 = </Robot/base>", "body0 = None").replace("</Robot/arm>", "<../arm>"));
     let [joint] = model.joints.as_slice() else { panic!("one joint") };
     assert_eq!((&joint.parent, joint.child.text.as_str()), (&None, "/Robot/arm"));
-    // a joint to the world may name its body first
+    // A joint to the world may name its body first.
     let model = read(&ROBOT.replace("    rel physics:body1 = </Robot/arm>\n", ""));
     let joint = &model.joints[0];
     assert_eq!(
@@ -226,7 +226,7 @@ fn what_is_no_usd_is_refused_where_it_stands() {
     assert!(refused(&deep).to_string().contains("nested deeper"));
 }
 
-/// A body of 2 kg in a turned frame, with further lines in its prim.
+/// Returns a body of 2 kg in a rotated frame, with additional lines in its prim.
 fn body_with(lines: &str) -> polhode_robot::model::RobotModel {
     read(&format!(
         "#usda 1.0\n(\n    metersPerUnit = 1\n)\n\ndef Xform \"a\" (\n    prepend apiSchemas = [\"PhysicsRigidBodyAPI\", \"PhysicsMassAPI\"]\n)\n{{\n    \
@@ -246,16 +246,16 @@ fn what_usd_says_otherwise_than_in_numbers_is_not_passed_over() {
     };
     let turned = "    float xformOp:rotateZ = 30\n    uniform token[] xformOpOrder = [\"xformOp:rotateZ\"]\n";
     assert!(is_body("") && is_body(turned));
-    // A mirror is no turn.
+    // A mirror is not a rotation.
     assert!(!is_body(
         "    float3 xformOp:scale = (-1, 1, 1)\n    uniform token[] xformOpOrder = [\"xformOp:scale\"]\n"
     ));
-    // A place at times is none at once.
+    // A transform with time samples has no single value.
     let moved = body_with(
         "    double3 xformOp:translate.timeSamples = {\n        0: (0, 0, 1),\n    }\n    uniform token[] xformOpOrder = [\"xformOp:translate\"]\n",
     );
     assert_eq!(moved.links[0].pose.unreadable.len(), 1);
-    // A boolean is 0 or 1 as usdcat writes it.
+    // usdcat writes a boolean as 0 or 1.
     assert!(moved.joints.is_empty());
     assert!(body_with("    bool physics:rigidBodyEnabled = 0\n").links[0].is_static);
     assert!(!body_with("    bool physics:rigidBodyEnabled = 1\n").links[0].is_static);

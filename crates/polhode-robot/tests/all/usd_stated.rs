@@ -1,4 +1,4 @@
-//! Wrong, repeated and animated statements of a USD layer: none is passed over.
+//! Wrong, repeated and animated statements of a USD layer: each is reported.
 
 use polhode_robot::body::link_mass;
 use polhode_robot::finding::{Finding, Severity};
@@ -9,7 +9,7 @@ use polhode_robot::remarks::remarks;
 
 use crate::common::{assert_close, read, refused, require_says};
 
-/// A layer with one body.
+/// Returns a layer with one body.
 fn layer(units: &str, body: &str) -> String {
     format!(
         "#usda 1.0\n(\n    {units}\n    upAxis = \"Z\"\n)\ndef Xform \"r\" (prepend apiSchemas = [\"PhysicsRigidBodyAPI\",\"PhysicsMassAPI\"])\n\
@@ -97,7 +97,7 @@ fn a_mass_that_changes_over_time_is_a_finding() {
         require_says(&error, "its mass cannot be computed: ");
         require_says(&error, "is not read");
     }
-    // of a shape it is a note
+    // For a shape it is a note.
     let shape = "def Cube \"c\" {\n double size = 1\n double size.timeSamples = { 0: 2 }\n }";
     let text = layer(UNITS, &format!("float physics:mass = 2\n    {MOMENTS}\n    {shape}"));
     assert!(codes(&text).contains(&("read.animated", Severity::Note, 13)), "{:?}", codes(&text));
@@ -158,11 +158,12 @@ fn the_shape_of_a_body_may_be_the_body_itself() {
         (shape.role, &shape.shape),
         (Role::Collision, &GeometryShape::Cone { radius: 0.03, length: 0.08 })
     );
-    // a cone has a third of its cylinder, its centroid a quarter of its height from the base, here along x
+    // A cone has a third of the volume of its cylinder. Its centroid is a quarter of its height
+    // from the base, here along x.
     let solid = Shapes::default().link(&model.links[0], Role::Collision).volume.unwrap();
     assert!((solid.volume / (std::f64::consts::PI * 0.0009 * 0.08 / 3.0) - 1.0).abs() < 1e-14);
     assert_close(solid.centroid, [-0.02, 0.0, 0.0], 1e-16);
-    // √(1 − a²) of an axis that rounding turns by 1e-8
+    // The error of √(1 − a²) for an axis that rounding rotates by 1e-8.
     assert_close(solid.bounds[0], [-0.04, -0.03, -0.03], 1e-9);
     assert_close(solid.bounds[1], [0.04, 0.03, 0.03], 1e-9);
     assert!((solid.extent - 0.05).abs() < 1e-9);

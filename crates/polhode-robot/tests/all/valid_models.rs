@@ -1,11 +1,11 @@
-//! Links after the kinds of numbers that real robots have: none is impossible, and none suspect.
+//! Links with the kinds of numbers found in real robots: none is impossible or suspect.
 
 use crate::check_common::{SLAB, Slab, block, bounds, findings, findings_with, is_clean, link, only, robot};
 use polhode_robot::check::LinkGeometry;
 use polhode_robot::finding::Severity;
 use polhode_robot::geometry::VolumeKind;
 
-/// One link with this geometry is not worse than a note.
+/// Asserts that a link with this geometry has only notes.
 fn valid(why: &str, mass: &str, six: [&str; 6], geometry: LinkGeometry) {
     let all = findings_with(&robot(&link("part", mass, six)), geometry);
     assert!(is_clean(&all), "{why}: {all:#?}");
@@ -124,8 +124,8 @@ fn a_slab_of_three_digits() {
     }
 }
 
-/// Plates that are turned and rounded in every way: the true tensor has i1 + i2 = i3, and rounding puts half of them
-/// on the wrong side.
+/// Plates with arbitrary rotation and rounding. The true tensor has i1 + i2 = i3, and rounding
+/// makes half of them violate i1 + i2 ≥ i3.
 #[test]
 fn rounded_plates_are_never_impossible() {
     let mut beyond = 0;
@@ -147,7 +147,7 @@ fn rounded_plates_are_never_impossible() {
     assert!(beyond > 500, "rounding is felt: {beyond}");
 }
 
-/// The other side of the same: beyond the rounding of its own digits a tensor is impossible.
+/// Converse: a violation beyond the rounding of its own digits is impossible.
 #[test]
 fn what_rounding_cannot_explain_is_impossible() {
     let of = |izz: &'static str| {
@@ -156,15 +156,15 @@ fn what_rounding_cannot_explain_is_impossible() {
     assert_eq!(of("0.00358"), []);
     assert_eq!(only(&of("0.00359"), "inertia.rounding").severity, Severity::Note);
     assert_eq!(only(&of("0.00360"), "inertia.triangle").severity, Severity::Impossible);
-    // Each of three numbers is off by 0.000005 at most.
+    // Each of the three numbers is off by at most 0.000005.
     let found = only(&of("0.00360"), "inertia.triangle").clone();
     assert!((crate::check_common::number(&found, "rounding") - 1.5e-5).abs() < 1e-8);
-    // One digit is typed, not rounded.
+    // A number with one digit is typed, not rounded.
     only(&findings(&robot(&link("p", "1", ["1", "1", "3", "0", "0", "0"]))), "inertia.triangle");
     only(&findings(&robot(&link("p", "1", ["0.1", "0.2", "0.4", "0", "0", "0"]))), "inertia.triangle");
 }
 
-/// A file whose numbers are all cut at the sixth decimal, zeros at the end left out.
+/// A file whose numbers are rounded to six decimals, without trailing zeros.
 #[test]
 fn a_file_that_is_cut_at_a_decimal() {
     let tips = link("tip", "0.004", ["1e-06", "0.000002", "0.000004", "0", "0", "0"]);
@@ -182,11 +182,12 @@ fn a_file_that_is_cut_at_a_decimal() {
     let all = findings(&robot(&(long + &tips + &joints)));
     assert_eq!(only(&all, "inertia.rounding").severity, Severity::Note);
     assert!(is_clean(&all), "{all:#?}");
-    // Without the others the same tensor was typed.
+    // Without the other links, the same tensor counts as typed.
     only(&findings(&robot(&tips)), "inertia.triangle");
 }
 
-/// A whole arm in the style of an industrial one: a base without inertia, links, a flange, a tool frame.
+/// A complete arm in the style of an industrial robot: a base without inertia, links, a flange, a
+/// tool frame.
 #[test]
 fn an_arm() {
     let links = [

@@ -1,4 +1,5 @@
-//! What the tests of the checks share: a body whose tensor is known, written as URDF, with or without a mistake.
+//! Helpers for the tests of the checks: a body with a known tensor, written as URDF, with or
+//! without an error.
 
 #![allow(dead_code, reason = "each test uses what it needs")]
 
@@ -16,17 +17,17 @@ pub(crate) fn read(text: &str) -> RobotModel {
     read_text(text, Path::new("robot.urdf"), &ReadOptions::default()).unwrap()
 }
 
-/// The findings of a text without geometry.
+/// Returns the findings of a text without geometry.
 pub(crate) fn findings(text: &str) -> Vec<Finding> {
     check(&read(text), &[])
 }
 
-/// The findings of a text whose first link has this geometry.
+/// Returns the findings of a text whose first link has this geometry.
 pub(crate) fn findings_with(text: &str, geometry: LinkGeometry) -> Vec<Finding> {
     check(&read(text), &[geometry])
 }
 
-/// The one finding with this code.
+/// Returns the only finding with this code.
 pub(crate) fn only<'f>(findings: &'f [Finding], code: &str) -> &'f Finding {
     let found: Vec<_> = findings.iter().filter(|f| f.code == code).collect();
     assert_eq!(found.len(), 1, "{code}: {findings:#?}");
@@ -37,12 +38,12 @@ pub(crate) fn number(finding: &Finding, name: &str) -> f64 {
     finding.numbers.iter().find(|(n, _)| *n == name).unwrap_or_else(|| panic!("{name}: {finding:?}")).1
 }
 
-/// Nothing worse than a note.
+/// Returns true if all findings are notes.
 pub(crate) fn is_clean(findings: &[Finding]) -> bool {
     findings.iter().all(|f| f.severity == Severity::Note)
 }
 
-/// The text with a finding's repair.
+/// Returns the text with a finding's repair applied.
 pub(crate) fn repaired(text: &str, finding: &Finding) -> String {
     let repair = finding.repair.as_ref().unwrap_or_else(|| panic!("no repair: {finding:#?}"));
     let mut edits = repair.edits.clone();
@@ -54,7 +55,7 @@ pub(crate) fn repaired(text: &str, finding: &Finding) -> String {
     text
 }
 
-/// Rz(yaw) Ry(pitch) Rx(roll), as URDF has it.
+/// Returns Rz(yaw) Ry(pitch) Rx(roll), as in URDF.
 pub(crate) fn turn([roll, pitch, yaw]: [f64; 3]) -> Matrix {
     let (sr, cr) = roll.sin_cos();
     let (sp, cp) = pitch.sin_cos();
@@ -73,25 +74,26 @@ pub(crate) fn transposed(a: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| a[j][i]))
 }
 
-/// R I Rᵀ
+/// Returns R I Rᵀ.
 pub(crate) fn conjugated(i: &Matrix, r: &Matrix) -> Matrix {
     times(&times(r, i), &transposed(r))
 }
 
-/// xx, yy, zz, xy, xz, yz
+/// Returns the elements xx, yy, zz, xy, xz, yz.
 pub(crate) fn six(i: &Matrix) -> [f64; 6] {
     [i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]]
 }
 
-/// A uniform slab, askew in its link and off its origin: three moments, all products, and a turned inertial frame.
+/// Uniform slab, rotated and displaced in its link: three different moments, all products, and a
+/// rotated inertial frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slab {
     pub(crate) mass: f64,
     pub(crate) edges: [f64; 3],
-    /// Of the slab in the link.
+    /// Roll, pitch and yaw of the slab in the link, rad.
     pub(crate) attitude: [f64; 3],
     pub(crate) centre: [f64; 3],
-    /// Roll, pitch, yaw of the inertial's frame.
+    /// Roll, pitch and yaw of the inertial's frame, rad.
     pub(crate) frame: [f64; 3],
 }
 
@@ -104,19 +106,19 @@ pub(crate) const SLAB: Slab = Slab {
 };
 
 impl Slab {
-    /// Per kilogram, about the centre, along the link's axes.
+    /// Returns the tensor per kilogram about the centre, link axes.
     fn per_mass(&self) -> Matrix {
         let [a, b, c] = self.edges.map(|x| x * x / 12.0);
         conjugated(&[[b + c, 0.0, 0.0], [0.0, a + c, 0.0], [0.0, 0.0, a + b]], &turn(self.attitude))
     }
 
-    /// About the centre, along the inertial's axes: what a right file has.
+    /// Returns the tensor about the centre in the inertial's axes, as in a correct file.
     pub(crate) fn tensor(&self) -> [f64; 6] {
         let inertial = conjugated(&self.per_mass(), &transposed(&turn(self.frame)));
         six(&inertial).map(|x| x * self.mass)
     }
 
-    /// What a closed mesh of it gives.
+    /// Returns the geometry of a closed mesh of the slab.
     pub(crate) fn geometry(&self) -> LinkGeometry {
         let [a, b, c] = self.edges;
         let volume = a * b * c;
@@ -125,7 +127,7 @@ impl Slab {
         solid(volume, self.centre, self.per_mass(), bounds, VolumeKind::Closed)
     }
 
-    /// A robot of this one link with these six numbers.
+    /// Returns a robot with one link and these six numbers.
     pub(crate) fn robot(&self, tensor: [f64; 6]) -> String {
         let texts = tensor.map(|x| format!("{x:.7e}"));
         self.robot_of(&texts.each_ref().map(String::as_str))
@@ -143,7 +145,7 @@ impl Slab {
     }
 }
 
-/// A link with these inertial numbers, at its own origin.
+/// Returns a link with these mass properties, centred at its own origin.
 pub(crate) fn link(name: &str, mass: &str, [xx, yy, zz, xy, xz, yz]: [&str; 6]) -> String {
     format!(
         r#"<link name="{name}"><inertial><mass value="{mass}"/>
@@ -156,13 +158,13 @@ pub(crate) fn robot(parts: &str) -> String {
     format!("<?xml version=\"1.0\"?>\n<robot name=\"r\">\n{parts}</robot>\n")
 }
 
-/// A ball's worth of reach around a point.
+/// Returns a geometry with cubic bounds around a point, without volume.
 pub(crate) fn bounds(centre: [f64; 3], half: f64) -> LinkGeometry {
     let bounds = Some([centre.map(|x| x - half), centre.map(|x| x + half)]);
     LinkGeometry { bounds, ..LinkGeometry::default() }
 }
 
-/// A solid with this tensor for each kilogram.
+/// Returns a solid with this tensor per kilogram.
 pub(crate) fn solid(
     volume: f64,
     centroid: [f64; 3],
@@ -176,7 +178,7 @@ pub(crate) fn solid(
     LinkGeometry { volumes: vec![solid], bounds: Some(bounds), ..LinkGeometry::default() }
 }
 
-/// A box of these edges at a link's origin.
+/// Returns a box with these edges at the link's origin.
 pub(crate) fn block([a, b, c]: [f64; 3], kind: VolumeKind) -> LinkGeometry {
     let (x, y, z) = (a * a / 12.0, b * b / 12.0, c * c / 12.0);
     let per_mass = [[y + z, 0.0, 0.0], [0.0, x + z, 0.0], [0.0, 0.0, x + y]];

@@ -1,4 +1,4 @@
-//! What the tests of readers share.
+//! Helpers for the tests of the readers.
 
 #![allow(clippy::unwrap_used, dead_code, reason = "a test may; not each of them uses all")]
 
@@ -21,13 +21,13 @@ pub(crate) fn refused(text: &str) -> FormatError {
     read_text(text, "nowhere/model.xml".as_ref(), &ReadOptions::default()).unwrap_err()
 }
 
-/// Requires words in an error's message.
+/// Asserts that an error's message contains words.
 pub(crate) fn require_says(error: &LinkError, words: &str) {
     let message = error.to_string();
     assert!(message.contains(words), "{message}");
 }
 
-/// The text of a number, as it stands in the file, and its value.
+/// Returns the text of a number, as in the file, and its value.
 pub(crate) fn written<'t>(text: &'t str, slot: &Slot) -> (&'t str, Option<f64>) {
     let Slot::Given(number) = slot else { return ("missing", None) };
     let there = &text[number.span.clone()];
@@ -35,7 +35,7 @@ pub(crate) fn written<'t>(text: &'t str, slot: &Slot) -> (&'t str, Option<f64>) 
     (there, number.value)
 }
 
-/// The matrix of a turn about axis 0, 1 or 2, written out.
+/// Returns the matrix of a rotation about axis 0, 1 or 2.
 pub(crate) fn matrix_about(axis: usize, angle: f64) -> Matrix {
     let (s, c) = angle.sin_cos();
     match axis {
@@ -45,7 +45,7 @@ pub(crate) fn matrix_about(axis: usize, angle: f64) -> Matrix {
     }
 }
 
-/// Rodrigues' formula: R = cos φ 1 + sin φ [n]× + (1 − cos φ) n nᵀ.
+/// Returns the matrix by Rodrigues' formula: R = cos φ 1 + sin φ [n]× + (1 − cos φ) n nᵀ.
 pub(crate) fn matrix_about_axis(axis: [f64; 3], angle: f64) -> Matrix {
     let norm = axis.iter().map(|c| c * c).sum::<f64>().sqrt();
     let [x, y, z] = axis.map(|c| c / norm);
@@ -85,7 +85,7 @@ pub(crate) fn assert_close(a: [f64; 3], b: [f64; 3], tolerance: f64) {
     assert!(worst <= tolerance, "off by {worst:e}\n{a:?}\n{b:?}");
 }
 
-/// Files in a folder of their own, gone when the test ends.
+/// Temporary folder with files, deleted at the end of the test.
 pub(crate) struct Folder(PathBuf);
 
 impl Folder {

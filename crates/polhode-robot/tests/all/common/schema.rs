@@ -1,21 +1,21 @@
-//! JSON held against JSON schemas: the words of draft 2020-12 that those of the project have.
+//! Validation of JSON against JSON schemas: the keywords of draft 2020-12 that this project uses.
 #![allow(dead_code, reason = "each program of tests uses one of them")]
 
 use serde_json::Value;
 
-/// Panics if a value does not fit a schema.
+/// Panics if a value does not conform to a schema.
 pub(crate) fn require_fits(schema: &str, value: &Value) {
     let found = misfit(schema, value);
     assert!(found.is_none(), "{}\n{value:#}", found.unwrap_or_default());
 }
 
-/// Returns where and why a value does not fit a schema; `None` if it fits.
+/// Returns the place and reason why a value does not conform to a schema; `None` if it does.
 pub(crate) fn misfit(schema: &str, value: &Value) -> Option<String> {
     let root = serde_json::from_str(schema).unwrap();
     fits(&root, &root, value, "").err()
 }
 
-/// Holds a value against a part of a schema; `at` is its place.
+/// Validates a value against a part of a schema; `at` is the place of the value.
 pub(crate) fn fits(root: &Value, schema: &Value, value: &Value, at: &str) -> Result<(), String> {
     let (items, keys) = (value.as_array(), value.as_object());
     let known = schema["properties"].as_object();

@@ -1,4 +1,5 @@
-//! Two thousand bodies of each kind that are right, with as many digits as people write: nothing is found that is more than a note.
+//! Two thousand correct bodies of each kind, with realistic numbers of digits. Nothing above a note
+//! is found.
 
 use polhode_robot::body::{LinkMass, link_mass};
 use polhode_robot::finding::Severity;
@@ -12,7 +13,7 @@ use crate::check_common::{Matrix, conjugated, turn};
 
 const BODIES: usize = 2000;
 
-/// SplitMix64.
+/// Random number generator SplitMix64.
 struct Random(u64);
 
 impl Random {
@@ -36,7 +37,8 @@ impl Random {
         turn([self.between(-3.1, 3.1), self.between(-1.5, 1.5), self.between(-3.1, 3.1)])
     }
 
-    /// A box with two heavier boxes in it: a generic tensor, and a centre that is not the box's.
+    /// Returns a box that contains two heavier boxes: a generic tensor, and a centre different from
+    /// the box's.
     fn solid(&mut self) -> Solid {
         let size = 10_f64.powf(self.between(-1.7, -0.1));
         let edges = self.three(0.3, 1.0).map(|edge| edge * size);
@@ -66,13 +68,13 @@ impl Random {
         whole
     }
 
-    /// As people write a number: some significant digits, as a decimal or with an exponent.
+    /// Formats a number as people write it: significant digits, as a decimal or with an exponent.
     fn written(&mut self, x: f64, digits: usize, with_exponent: bool) -> String {
         let text = format!("{x:.*e}", digits - 1);
         if with_exponent { text } else { text.parse::<f64>().unwrap().to_string() }
     }
 
-    /// The body's numbers along the axes that the language has for them, rounded.
+    /// Returns the rounded numbers of the body, in axes that the language supports.
     fn spec(&mut self, language: Language, solid: &Solid, name: &str) -> Spec {
         let mut spec = match language {
             Language::Usd => principal(solid, name),
@@ -93,7 +95,7 @@ impl Random {
     }
 }
 
-/// Moments along the principal axes, by turns in the planes of two axes (Jacobi).
+/// Returns the moments along the principal axes, by Jacobi rotations.
 fn principal(solid: &Solid, name: &str) -> Spec {
     let mut frame = turn([0.0; 3]);
     for _ in 0..30 {

@@ -1,4 +1,5 @@
-//! Faults as people make them, in each language's own conventions. Each is planted alone beside a body that is right, and found.
+//! Typical faults in each language's conventions. Each is planted alone, next to a correct body,
+//! and must be found.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +10,7 @@ use super::language::Language;
 use super::solid::{Solid, Spec, inverse};
 use crate::check_common::{Matrix, turn};
 
-/// A fault: the code of its finding, the language, and the whole model.
+/// Planted fault: the code of its finding, the language, and the whole model.
 struct Fault {
     code: &'static str,
     language: Language,
@@ -21,16 +22,16 @@ fn slab() -> Solid {
     Solid::uniform(1.37, [0.11, 0.19, 0.31], [0.06, -0.11, 0.08], turn([0.4, -0.7, 1.1]))
 }
 
-/// The body beside it, that is right.
+/// Returns the correct second body.
 fn other() -> Solid {
     Solid::uniform(2.9, [0.23, 0.12, 0.17], [-0.03, 0.05, 0.02], turn([-0.9, 0.3, 0.5]))
 }
 
-/// A tensor along the link's axes, in the form of the language.
+/// Returns a spec with this tensor in link axes, in the form of the language.
 fn with_tensor(language: Language, tensor: Matrix) -> Spec {
     let mut spec = language.spec(&Solid { tensor, ..slab() }, "arm");
     if language == Language::Usd {
-        // along the axes that it is written by
+        // Axes in which the language writes it.
         spec = Solid { tensor, ..slab() }.framed("arm", &slab().attitude);
     }
     spec
@@ -44,7 +45,7 @@ fn with_products_turned(m: Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| if i == j { m[i][j] } else { -m[i][j] }))
 }
 
-/// Faults in the numbers of one link.
+/// Returns faults in the numbers of one link.
 fn of_numbers(language: Language) -> Vec<(&'static str, &'static str, Spec)> {
     let right = language.spec(&slab(), "arm");
     let is_usd = language == Language::Usd;
@@ -100,7 +101,7 @@ fn of_numbers(language: Language) -> Vec<(&'static str, &'static str, Spec)> {
         faults.push(("inertia.sign", "+∫xy dm", Spec { six, ..right.clone() }));
         faults.push(("inertia.order", "rows", Spec { six: [xx, xy, xz, yy, yz, zz], ..right.clone() }));
     }
-    // the attitude of the inertial: its inverse, and in the languages of quaternions x y z w
+    // Inverse attitude of the inertial; in languages with quaternions also x y z w.
     let own = match language {
         Language::Mjcf | Language::Usd => slab().principal("arm"),
         _ => right,
@@ -112,7 +113,7 @@ fn of_numbers(language: Language) -> Vec<(&'static str, &'static str, Spec)> {
     ));
     if matches!(language, Language::Mjcf | Language::Usd) {
         let [w, x, y, z] = super::solid::quaternion(&own.frame);
-        // read as (w, x, y, z)
+        // Read as (w, x, y, z).
         let frame = polhode_robot::model::Pose {
             position: [0.0; 3],
             rotation: [x, y, z, w],
@@ -124,12 +125,13 @@ fn of_numbers(language: Language) -> Vec<(&'static str, &'static str, Spec)> {
     faults
 }
 
-/// Faults of two links.
+/// Returns faults of two links.
 fn of_pairs(language: Language) -> Vec<(&'static str, &'static str, Vec<Spec>)> {
     let twice = vec![language.spec(&slab(), "arm"), language.spec(&other(), "arm")];
     let mut pairs = vec![("tree.duplicate_link", "one name for two", twice)];
     if language != Language::Usd {
-        // the right one stands and looks as the mirrored left one, and has its tensor
+        // The right link is positioned and shaped as the mirrored left one, but has the left one's
+        // tensor.
         let left = slab();
         let mirrored = |[x, y, z]: [f64; 3]| [x, -y, z];
         let attitude = [0, 1, 2].map(|i| {
@@ -143,7 +145,7 @@ fn of_pairs(language: Language) -> Vec<(&'static str, &'static str, Vec<Spec>)> 
     pairs
 }
 
-/// Faults of the text, each by what is replaced.
+/// Returns faults of the text, each as a replacement.
 fn of_text(language: Language) -> Vec<(&'static str, &'static str, String)> {
     let right = language.model(&[language.spec(&slab(), "arm"), language.spec(&other(), "leg")]);
     let edited = |from: &str, to: &str| {
@@ -156,7 +158,7 @@ fn of_text(language: Language) -> Vec<(&'static str, &'static str, String)> {
         let to = inner + right[inner..].find(end).unwrap() + end.len();
         format!("{}{}", &right[..from], &right[to..])
     };
-    // the last of the numbers after a word taken away
+    // Removes the last number after a word.
     let one_less = |start: &str, end: char| {
         let from = right.find(start).unwrap_or_else(|| panic!("{start}"));
         let to = from + start.len() + right[from + start.len()..].find(end).unwrap();

@@ -2,7 +2,7 @@
 
 use super::solid::{Spec, quaternion, roll_pitch_yaw};
 
-/// A language, or URDF with meshes for shapes.
+/// Model language, or URDF with meshes as shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Language {
     Urdf,
@@ -27,7 +27,7 @@ impl Language {
         }
     }
 
-    /// A model of links that move.
+    /// Returns a model of moving links.
     pub(super) fn model(self, specs: &[Spec]) -> String {
         let links: String = specs.iter().map(|spec| self.link(spec)).collect();
         let joints: String = specs.iter().map(|spec| self.joint(&spec.name)).collect();
@@ -61,7 +61,8 @@ impl Language {
         }
     }
 
-    /// A link in its own words: rpy; rpy in degrees; quaternions, scalar first; halves; the scale of a cube.
+    /// Returns a link in the language's conventions: rpy, rpy in degrees, quaternions (scalar
+    /// first), half sizes, or a scaled cube.
     fn link(self, spec: &Spec) -> String {
         let Spec { name, mass, center: [x, y, z], six: [xx, yy, zz, xy, xz, yz], solid, .. } = spec;
         let ([a, b, c], [px, py, pz]) = (solid.edges, solid.place);
@@ -117,7 +118,8 @@ impl Language {
         }
     }
 
-    /// The form in which its numbers are written: moments along the body's own axes where the language has no products.
+    /// Returns the numbers in the form of the language. If it has no products, these are moments in
+    /// the body's principal axes.
     pub(super) fn spec(self, solid: &super::solid::Solid, name: &str) -> Spec {
         match self {
             Self::Urdf | Self::Sdf | Self::UrdfOfMeshes => {

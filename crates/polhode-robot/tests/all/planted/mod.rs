@@ -1,4 +1,4 @@
-//! Models of six kinds, written from solids: with faults that must be found, and without.
+//! Models of six kinds, generated from solids, with and without faults.
 
 mod clean;
 mod faults;
@@ -12,7 +12,7 @@ use polhode_robot::inspect::{Inspection, inspect};
 use polhode_robot::model::RobotModel;
 use polhode_robot::read::{ReadOptions, read_model};
 
-/// A model in a language, with the cube that its meshes are, and what is found in it.
+/// Reads and inspects a model in a language, next to the cube that its meshes refer to.
 fn inspected(language: Language, text: &str, name: &str) -> (RobotModel, Inspection) {
     let file = format!("model.{}", language.ending());
     let folder = Folder::of(name, &[(&file, text), ("cube.stl", &solid::cube())]);

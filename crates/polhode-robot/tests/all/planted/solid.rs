@@ -1,19 +1,19 @@
-//! Solids whose tensors are known, and how their numbers are written.
+//! Solids with known tensors, and the numbers that describe them.
 
 use std::fmt::Write as _;
 
 use crate::check_common::{Matrix, conjugated, transposed};
 use crate::common::times;
 
-/// A box, uniform but for what is added to its tensor.
+/// Box; uniform except for additions to its tensor.
 #[derive(Clone)]
 pub(super) struct Solid {
     pub(super) mass: f64,
     pub(super) edges: [f64; 3],
-    /// Its place and attitude in the link.
+    /// Position and attitude in the link.
     pub(super) place: [f64; 3],
     pub(super) attitude: Matrix,
-    /// Its centre of mass in the link, and its tensor about it along the link's axes.
+    /// Centre of mass in the link, and the tensor about it, link axes.
     pub(super) center: [f64; 3],
     pub(super) tensor: Matrix,
 }
@@ -25,12 +25,12 @@ impl Solid {
         Self { mass, edges, place, attitude, center: place, tensor: conjugated(&own, &attitude) }
     }
 
-    /// Its numbers along the link's axes.
+    /// Returns its numbers in link axes.
     pub(super) fn full(&self, name: &str) -> Spec {
         self.framed(name, &crate::check_common::turn([0.0; 3]))
     }
 
-    /// Its numbers along the axes of a frame.
+    /// Returns its numbers in the axes of a frame.
     pub(super) fn framed(&self, name: &str, frame: &Matrix) -> Spec {
         let own = conjugated(&self.tensor, &transposed(frame));
         Spec {
@@ -43,14 +43,14 @@ impl Solid {
         }
     }
 
-    /// Moments along its own axes.
+    /// Returns the moments in its own axes.
     pub(super) fn principal(&self, name: &str) -> Spec {
         let mut spec = self.framed(name, &self.attitude);
         spec.six[3..].fill("0".to_owned());
         spec
     }
 
-    /// m (c² 1 − c cᵀ)
+    /// Returns m (c² 1 − c cᵀ).
     pub(super) fn about_origin(&self) -> Matrix {
         let c = self.center;
         let square: f64 = c.iter().map(|x| x * x).sum();
@@ -63,16 +63,16 @@ impl Solid {
     }
 }
 
-/// The numbers of a link, as they are written.
+/// Numbers of a link, as written.
 #[derive(Clone)]
 pub(super) struct Spec {
     pub(super) name: String,
     pub(super) mass: String,
     pub(super) center: [f64; 3],
     pub(super) frame: Matrix,
-    /// xx yy zz xy xz yz along the frame.
+    /// Elements xx yy zz xy xz yz in the axes of the frame.
     pub(super) six: [String; 6],
-    /// What it looks like.
+    /// Shape of the link.
     pub(super) solid: Solid,
 }
 
@@ -82,9 +82,9 @@ impl Spec {
     }
 }
 
-/// (w, x, y, z), w positive.
+/// Returns the quaternion (w, x, y, z) with positive w.
 pub(super) fn quaternion(r: &Matrix) -> [f64; 4] {
-    // the column of 4 q qᵀ that is longest
+    // Longest column of 4 q qᵀ.
     let trace = r[0][0] + r[1][1] + r[2][2];
     let (s, t) = ([[0, 0], [1, 1], [2, 2]].map(|[i, j]| r[i][j]), 1.0 + trace);
     let columns = [
@@ -98,7 +98,7 @@ pub(super) fn quaternion(r: &Matrix) -> [f64; 4] {
     longest.map(|c| c / length(&longest))
 }
 
-/// Angles of Rz Ry Rx.
+/// Returns the angles of Rz Ry Rx.
 pub(super) fn roll_pitch_yaw(r: &Matrix) -> [f64; 3] {
     [r[2][1].atan2(r[2][2]), (-r[2][0]).clamp(-1.0, 1.0).asin(), r[1][0].atan2(r[0][0])]
 }
@@ -111,10 +111,10 @@ pub(super) fn product(a: &Matrix, b: &Matrix) -> Matrix {
     times(*a, *b)
 }
 
-/// A cube of 1 m around the origin, as ASCII STL.
+/// Returns a cube of 1 m around the origin, as ASCII STL.
 pub(super) fn cube() -> String {
     let corner = |k: usize| [0, 1, 2].map(|axis| if k >> axis & 1 == 0 { -0.5 } else { 0.5 });
-    // each face by four corners, counter-clockwise from outside
+    // Each face by four corners, counter-clockwise from outside.
     let faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
     let mut text = "solid cube\n".to_owned();
     for [a, b, c, d] in faces {

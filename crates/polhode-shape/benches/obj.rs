@@ -1,6 +1,7 @@
-//! OBJ files in bytes per second, on one thread. `cargo bench -p polhode-shape --bench obj`.
+//! Benchmark of OBJ reading, in bytes per second, on one thread. Run with `cargo bench -p
+//! polhode-shape --bench obj`.
 //!
-//! Each line: what, the least time of many runs as a rate, the unit.
+//! Each output line contains the case, the rate of the fastest run, and the unit.
 
 use std::error::Error;
 use std::fmt::Write;
@@ -10,10 +11,11 @@ use std::time::Instant;
 
 use polhode_shape::mesh::obj;
 
-/// A dented sphere of n × 2n rectangles, each of two triangles.
+/// Size of the test mesh: a dented sphere of n × 2n rectangles with two triangles each.
 const N: usize = 572;
 
-/// Seconds of the processor, which other programs do not lengthen, where the system counts them; otherwise seconds.
+/// Returns the processor time, s, which does not depend on other programs. Where it is not
+/// available, returns the elapsed time.
 fn now(begin: Instant) -> f64 {
     let nanoseconds = fs::read_to_string("/proc/thread-self/schedstat")
         .ok()
@@ -21,7 +23,7 @@ fn now(begin: Instant) -> f64 {
     nanoseconds.map_or_else(|| begin.elapsed().as_secs_f64(), |ns| ns * 1e-9)
 }
 
-/// Seconds of the fastest of many runs.
+/// Returns the time of the fastest of many runs, s.
 fn least(mut work: impl FnMut()) -> f64 {
     let mut least = f64::INFINITY;
     let begin = Instant::now();

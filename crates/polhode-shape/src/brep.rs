@@ -1,39 +1,41 @@
-//! Files of exact shapes, STEP and IGES, which are not read: what they are, and what makes a mesh of them.
+//! STEP and IGES files, which contain exact geometry. They are recognized and refused, with the
+//! commands that convert them to a mesh.
 
 use std::io::Read as _;
 use std::path::Path;
 
 use polhode_source::files::Files;
 
-/// A format of exact shapes.
+/// Format of exact geometry (boundary representation).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BrepFormat {
-    /// STEP, ISO 10303-21.
+    /// STEP (ISO 10303-21).
     Step,
-    /// IGES.
+    /// IGES (Initial Graphics Exchange Specification).
     Iges,
 }
 
-/// The bytes that tell.
+/// Number of bytes needed for recognition.
 const HEAD: u64 = 96;
 
 impl BrepFormat {
-    /// What a file is, by its first bytes, or by its name if it cannot be read or says nothing.
+    /// Returns the format of a file by its first bytes. If these are unreadable or inconclusive,
+    /// the extension decides.
     pub fn of(files: &dyn Files, path: &Path) -> Option<Self> {
         Self::of_content(files, path).or_else(|| Self::of_path(path))
     }
 
-    /// What a file is, by its first bytes alone.
+    /// Returns the format of a file by its first bytes only.
     pub fn of_content(files: &dyn Files, path: &Path) -> Option<Self> {
         let mut head = Vec::new();
-        // What is taken from a pipe is gone.
+        // Bytes read from a pipe would be lost.
         if files.is_file(path) {
             files.open(path).ok()?.take(HEAD).read_to_end(&mut head).ok()?;
         }
         Self::of_bytes(&head)
     }
 
-    /// The format of files with this extension, in any case.
+    /// Returns the format of files with this extension, in any case.
     pub fn of_path(path: &Path) -> Option<Self> {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "step" | "stp" | "p21" => Some(Self::Step),
@@ -42,7 +44,7 @@ impl BrepFormat {
         }
     }
 
-    /// The format of a file that begins so.
+    /// Returns the format of a file that begins with these bytes.
     ///
     /// ```
     /// use polhode_shape::brep::BrepFormat;
@@ -50,7 +52,7 @@ impl BrepFormat {
     /// assert_eq!(BrepFormat::of_bytes(b"solid ISO-10303-21"), None);
     /// ```
     pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
-        // A line of IGES ends in its section and its number there: S      1.
+        // A line of IGES ends with its section and its number in that section: S      1.
         let is_iges = |line: &[u8]| {
             let (number, section) = (line.get(73..80)?, line.get(72)?);
             Some(*section == b'S' && matches!(number.trim_ascii(), b"1" | b"0000001"))
@@ -62,7 +64,7 @@ impl BrepFormat {
         is_iges(bytes).unwrap_or(false).then_some(Self::Iges)
     }
 
-    /// Its name as its makers write it.
+    /// Returns the official name of the format.
     pub const fn title(self) -> &'static str {
         match self {
             Self::Step => "STEP",
@@ -77,16 +79,17 @@ impl BrepFormat {
         }
     }
 
-    /// Why a file of this format is not read.
+    /// Returns the reason why a file of this format is not read.
     pub fn refusal(self) -> String {
         let article = if matches!(self, Self::Iges) { "an" } else { "a" };
         format!("polhode reads meshes, and {article} {} file has exact shapes", self.title())
     }
 
-    /// The commands that make a mesh of it, which is in millimetres whatever the file's unit is; and how it is measured as it is.
+    /// Returns a hint: the commands that convert the file to a mesh, which is in millimetres
+    /// whatever the file's unit, and the command that measures it.
     pub fn hint(self, path: &Path) -> String {
         let mesh = shell_word(&path.with_extension("stl"));
-        // The programs go by the name.
+        // The programs recognize files by their extension.
         let (renamed, file) = match Self::of_path(path) {
             Some(_) => (String::new(), shell_word(path)),
             None => {
@@ -109,11 +112,11 @@ impl BrepFormat {
     }
 }
 
-/// A path as a word of a shell.
+/// Quotes a path as a word of a shell command.
 fn shell_word(path: &Path) -> String {
     let name = path.to_string_lossy();
     let is_plain = |c: char| c.is_alphanumeric() || "/._-+,:@%".contains(c);
-    // What begins with a dash is taken as an option.
+    // A leading dash would be read as an option.
     let name = if name.starts_with('-') { format!("./{name}").into() } else { name };
     if name.chars().all(is_plain) { name.into_owned() } else { format!("'{}'", name.replace('\'', r"'\''")) }
 }

@@ -1,18 +1,18 @@
-//! Bodies from files, and bodies for other programs.
+//! Readers for bodies in files, and exporters for other programs.
 //!
 //! | module | reads |
 //! |---|---|
 //! | [`mesh`] | triangle meshes: STL, OBJ, PLY, OFF, glTF, 3MF and COLLADA |
-//! | [`brep`] | STEP and IGES, which are recognised and refused |
+//! | [`brep`] | STEP and IGES: recognized and refused |
 //! | [`molecule`] | atoms: XYZ, MOL, SDF and PDB |
 //! | [`cad`] | mass-property reports of CAD programs, as text |
 //! | [`particles`] | particles and point clouds, as CSV |
 //! | [`voxel`] | densities on a grid: NPY and NRRD |
 //! | [`material`] | materials by name |
 //!
-//! [`run`] answers a [`Request`]: it reads files, and returns the mass properties of their bodies.
-//! [`InertiaReport`] says how much mass there is, where, and how it resists being turned; [`export`](fn@export) writes a
-//! body for another program.
+//! [`run`] answers a [`Request`]: it reads files and returns the mass properties of their bodies.
+//! An [`InertiaReport`] contains the mass properties of a body. [`export`](fn@export) writes a body
+//! in the format of another program.
 #![forbid(unsafe_code)]
 
 pub mod brep;
@@ -36,8 +36,8 @@ pub use inertia::{
 };
 pub use report::{InertiaReport, MoleculeReport};
 
-/// JSON schema of [`Request`].
+/// JSON schema of a [`Request`].
 pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
 
-/// JSON schema of the report of [`Bodies`]; reports of scenarios and robot models fit it too.
+/// JSON schema of the report of [`Bodies`]. It also covers reports of scenarios and robot models.
 pub const REPORT_SCHEMA: &str = include_str!("../schema/report.json");

@@ -1,9 +1,9 @@
-//! Materials as people name them.
+//! Materials by common name.
 
 use polhode::body::Material;
 use polhode_source::nearest;
 
-/// A material by its name.
+/// Returns a material by its name.
 ///
 /// ```
 /// use polhode_shape::material;
@@ -12,26 +12,26 @@ use polhode_source::nearest;
 /// ```
 ///
 /// # Errors
-/// [`UnknownMaterial`] if there is none of that name.
+/// [`UnknownMaterial`] if no material has that name.
 pub fn named(name: &str) -> Result<Material, UnknownMaterial> {
     let unknown = || UnknownMaterial { suggestion: nearest(name, Material::ALL.iter().map(|m| m.name)) };
     Material::named(name).ok_or_else(unknown)
 }
 
-/// No material has that name.
+/// Error: no material has that name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UnknownMaterial {
-    /// The name that was probably meant.
+    /// Nearest known name.
     pub suggestion: Option<&'static str>,
 }
 
 impl UnknownMaterial {
-    /// All names that there are, with commas between.
+    /// Returns all known names, separated by commas.
     pub fn known() -> String {
         Material::ALL.iter().map(|material| material.name).collect::<Vec<_>>().join(", ")
     }
 
-    /// What to write instead: the name that was probably meant, or what this says.
+    /// Returns a hint: the nearest known name, otherwise `other`.
     pub fn hint_or(self, other: &str) -> String {
         self.suggestion.map_or_else(|| other.to_owned(), |meant| format!("did you mean \"{meant}\"?"))
     }

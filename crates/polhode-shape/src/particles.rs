@@ -1,21 +1,24 @@
 //! Particles, point clouds and parts with tensors, as CSV.
 //!
-//! The header names the columns, with their units: `mass_kg,x_m,y_m,z_m`, or `mass [g]; x [mm]; y [mm]; z
-//! [mm]`. Fields are separated by semicolons, tabs, commas or spaces, whichever of these comes first in this
-//! list and stands in the first line; with semicolons or tabs the decimal mark may be a comma. Thousands are
-//! not separated. Blank lines and what follows a `#` are for people, but a comment line right above the
-//! numbers may be the header, as NumPy writes it, and one above it may declare the sign of products.
+//! The header names the columns with their units: `mass_kg,x_m,y_m,z_m`, or `mass [g]; x [mm]; y
+//! [mm]; z [mm]`. Fields are separated by semicolons, tabs, commas or spaces; the first of these
+//! that occurs in the first line applies. With semicolons or tabs the decimal mark may be a comma.
+//! Thousands are not separated. Blank lines and text after `#` are ignored, with two exceptions: a
+//! comment line directly above the numbers may be the header, as written by NumPy. A comment above
+//! it may declare the sign of products.
 //!
-//! A line is a particle, or a part: then six columns `Ixx`, `Iyy`, `Izz`, `Ixy`, `Ixz`, `Iyz` are its tensor about
-//! its own centre of mass (x, y, z), along the axes of the table. What products are is not guessed: a line
-//! `# products = negative_integral` (elements of the tensor, −∫xy dm) or `# products = positive_integral`
-//! (+∫xy dm) stands above the header, unless all of them are zero.
+//! A line is a particle or a part. For a part, six columns `Ixx`, `Iyy`, `Izz`, `Ixy`, `Ixz`, `Iyz`
+//! are its tensor about its own centre of mass (x, y, z), along the axes of the table. The sign of
+//! products is not guessed. Unless all products are zero, a line above the header must declare it:
+//! `# products = negative_integral` (elements of the tensor, −∫xy dm) or `# products =
+//! positive_integral` (+∫xy dm).
 //!
-//! A line is one piece: a column `quantity` other than 1 is refused, as pieces have a place each, and so are two parts of
-//! one name at one place. A column that is not read is named in a finding if it is a label, and refused if it
-//! says something of mass, inertia, numbers or units.
+//! A line is one piece. A column `quantity` with a value other than 1 is refused, because each
+//! piece needs its own position. Two parts with one name at one position are also refused. An
+//! unused column is reported in a finding if it is a label, and refused if it is about mass,
+//! inertia, quantity or units.
 //!
-//! Units are read and not guessed: a column without one, or a file without a header, needs
+//! Units are not guessed. A column without a unit, or a file without a header, needs
 //! [`ParticleOptions`].
 
 mod fields;
@@ -37,30 +40,31 @@ use table::{Row, Table};
 
 use crate::finding::info;
 
-/// What a file may leave open; by default nothing is answered.
+/// Values that a file may omit; unset by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ParticleOptions {
-    /// Kilograms in the unit of mass, where the header names none.
+    /// Unit of mass if the header names none, kg.
     pub mass_unit: Option<f64>,
-    /// Metres in the unit of length, where the header names none.
+    /// Unit of length if the header names none, m.
     pub length_unit: Option<f64>,
-    /// Mass of the whole, kg, shared equally by points without masses.
+    /// Total mass, kg, distributed equally over points without masses.
     pub total_mass: Option<f64>,
 }
 
-/// A file of particles that has been read.
+/// Contents of a particle file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParticleFile {
-    /// At least one, in the order of the file, in SI.
+    /// Particles in file order, in SI units; at least one.
     pub particles: Vec<Particle<Body>>,
-    /// The tensor of each about its own place; empty if they are points.
+    /// Tensor of each part about its own position, kg·m²; empty for points.
     pub tensors: Vec<InertiaTensor<Body>>,
-    /// What was decided on the way.
+    /// Findings about the contents.
     pub findings: Vec<Finding>,
 }
 
 impl ParticleFile {
-    /// All of them rigidly joined, with their own tensors where they have some.
+    /// Returns the mass properties of all particles rigidly joined, with their own tensors if they
+    /// have some.
     ///
     /// # Errors
     /// [`BodyError::Parameter`] if a sum is not finite.
@@ -74,7 +78,7 @@ impl ParticleFile {
         MassProperties::combined(&parts?)
     }
 
-    /// `"3 particles"`, or `"3 parts"` if they have tensors.
+    /// Returns the number and kind: `"3 particles"`, or `"3 parts"` if they have tensors.
     pub fn described(&self) -> String {
         let what = if self.tensors.is_empty() { "particles" } else { "parts with tensors" };
         format!("{} {what}", self.particles.len())
@@ -83,8 +87,8 @@ impl ParticleFile {
 
 /// Reads particles from the bytes of a file.
 ///
-/// A value is the nearest double to the number times its unit where the unit is a power of ten, and within
-/// one unit in the last place elsewhere.
+/// A value is the double nearest to the product of number and unit, if the unit is a power of ten.
+/// For other units it is accurate to one unit in the last place.
 ///
 /// ```
 /// use polhode_shape::particles::{self, ParticleOptions};
@@ -107,9 +111,14 @@ impl ParticleFile {
 /// ```
 ///
 /// # Errors
-/// [`ContentError`] with its place if a column or a unit is missing, a column that is not read says something of mass or
-/// number, the sign of products is not declared, a line has more or fewer fields than the first, a field is no
-/// finite number, a mass is not positive, or a tensor is that of no body.
+/// [`ContentError`] with its place in these cases:
+///
+/// - a column or a unit is missing,
+/// - an unused column is about mass or number,
+/// - the sign of products is not declared,
+/// - a line has a different number of fields than the first,
+/// - a field is not a finite number,
+/// - a mass is not positive, or a tensor is not physical.
 pub fn read(bytes: &[u8], options: &ParticleOptions) -> Result<ParticleFile, ContentError> {
     told_unit("the unit of mass", options.mass_unit)?;
     told_unit("the unit of length", options.length_unit)?;
@@ -158,7 +167,7 @@ pub fn read(bytes: &[u8], options: &ParticleOptions) -> Result<ParticleFile, Con
     Ok(ParticleFile { particles: particles.collect::<Result<_, _>>()?, tensors, findings })
 }
 
-/// The tensor of a line; products other than zero need a declared sign.
+/// Returns the tensor of a line. Nonzero products need a declared sign.
 fn tensor(
     bytes: &[u8],
     line: &Range<usize>,

@@ -242,7 +242,7 @@ fn copies_follow_copies() {
     assert!((value(&whole, "k1") - 0.7).abs() < 1e-15);
 }
 
-/// As in MuJoCo 3.17, a constraint between a copied and another joint is dropped, unless it names a
+/// MuJoCo 3.17 drops a constraint between a copied and another joint, unless the constraint names a
 /// copy.
 #[test]
 fn copies_follow_what_is_copied_along() {

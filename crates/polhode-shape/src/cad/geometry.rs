@@ -1,4 +1,5 @@
-//! Measures of a shape without mass, as MeshLab and FreeCAD print them: volume, centre and the tensor of density 1.
+//! Geometric properties of a shape without mass, as printed by MeshLab and FreeCAD: volume, centre,
+//! and the tensor at density 1.
 //!
 //! MeshLab's filter "Compute Geometric Measures" logs, in the unit of the mesh's coordinates,
 //!
@@ -13,10 +14,10 @@
 //! The tensor is about the centre of mass, with products −∫xy dV. Source: `InertiaTensor` in
 //! vcg/complex/algorithms/inertia.h of VCGLib, after Mirtich, J. Graphics Tools 1 (1996) 31.
 //!
-//! FreeCAD's console shows `Shape.Volume`, `Shape.CenterOfMass` and `Shape.MatrixOfInertia`, in mm,
-//! as `1000.0`, `Vector (1.0, 2.0, 3.0)` and `Matrix ((…),(…),(…),(0,0,0,1))`: about the centre of
-//! mass, along the axes of the document, with products −∫xy dV. Source: `GProp_GProps` of Open
-//! CASCADE, whose `MatrixOfInertia` this is.
+//! FreeCAD's console prints `Shape.Volume`, `Shape.CenterOfMass` and `Shape.MatrixOfInertia`, in
+//! mm, as `1000.0`, `Vector (1.0, 2.0, 3.0)` and `Matrix ((…),(…),(…),(0,0,0,1))`. The matrix is
+//! about the centre of mass, in the axes of the document, with products −∫xy dV. Source:
+//! `MatrixOfInertia` of `GProp_GProps` in Open CASCADE.
 
 mod freecad;
 mod meshlab;
@@ -32,18 +33,18 @@ use polhode_source::{ContentError, ContentErrorKind, told_unit};
 use super::numbers;
 use crate::finding::{info, warning};
 
-/// A program that prints the measures of a shape without mass.
+/// Program that prints the geometric properties of a shape without mass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum GeometryProgram {
-    /// MeshLab, Visual Computing Lab.
+    /// MeshLab (Visual Computing Lab).
     MeshLab,
     /// FreeCAD.
     FreeCad,
 }
 
 impl GeometryProgram {
-    /// The program whose measures a text has; `None` for reports that have a mass.
+    /// Returns the program that printed the text; `None` for reports with a mass.
     pub fn of_text(text: &str) -> Option<Self> {
         if meshlab::is_of(text) {
             Some(Self::MeshLab)
@@ -54,7 +55,7 @@ impl GeometryProgram {
         }
     }
 
-    /// `MeshLab` or `FreeCAD`.
+    /// Returns the name: `MeshLab` or `FreeCAD`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::MeshLab => "MeshLab",
@@ -63,40 +64,41 @@ impl GeometryProgram {
     }
 }
 
-/// The measures of a shape, in SI.
+/// Geometric properties of a shape, in SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GeometryReport {
     /// Program that printed them.
     pub program: GeometryProgram,
-    /// m³
+    /// Volume, m³.
     pub volume: f64,
-    /// m²
+    /// Surface area, m².
     pub surface_area: Option<f64>,
-    /// Metres in the unit of length.
+    /// Unit of length, m.
     pub unit: f64,
-    /// True if neither the text nor the caller says the unit, and it is taken as the metre.
+    /// True if neither the text nor the caller states the unit, so that the metre is assumed.
     pub unit_assumed: bool,
-    /// Notes and warnings: rounding, a mesh that is wound inward.
+    /// Notes and warnings about rounding, or a mesh that is wound inward.
     pub findings: Vec<Finding>,
     center: Position<Body>,
-    /// About the centre of mass at density 1, m⁵: xx, yy, zz, and the products −∫xy dV, −∫xz dV, −∫yz dV.
+    /// Tensor about the centre of mass at density 1, m⁵: xx, yy, zz, and the products −∫xy dV, −∫xz
+    /// dV, −∫yz dV.
     tensor: [f64; 6],
 }
 
-/// Measures as a text has them, in its own unit of length.
+/// Geometric properties in a text, in its own unit of length.
 struct Measures {
     volume: Number,
     surface_area: Option<Number>,
     center: [Number; 3],
-    /// Row by row.
+    /// Tensor, row by row.
     tensor: [Number; 9],
-    /// Principal moments, where the text has them.
+    /// Principal moments, if the text has them.
     moments: Option<[Number; 3]>,
-    /// Metres in the unit, if the program has only one.
+    /// Unit of length, m, if the program always uses the same one.
     unit: Option<f64>,
 }
 
-/// A printed number, the bound on its rounding, and its place.
+/// Printed number with its rounding bound and its position.
 #[derive(Clone, Debug, Default)]
 struct Number {
     value: f64,
@@ -107,14 +109,15 @@ struct Number {
 /// Relative rounding of the tensor above which it is reported.
 const ROUGH: f64 = 1e-3;
 
-/// Relative rounding of a moment above which no digit of it is certain.
+/// Relative rounding of a moment above which it has no certain digit.
 const LOST: f64 = 0.4;
 
-/// Relative accuracy of single precision with a margin, in which MeshLab computes.
+/// Relative accuracy of single precision with a margin; MeshLab computes in single precision.
 const SINGLE: f64 = 1e-5;
 
 impl GeometryReport {
-    /// Reads the measures of a program; `unit` is metres in the unit of length of a mesh, a metre without it.
+    /// Reads the output of a program. `unit` is the unit of length of a mesh, m; the default is the
+    /// metre.
     ///
     /// ```
     /// use polhode::body::shape::Substance;
@@ -129,8 +132,8 @@ impl GeometryReport {
     /// ```
     ///
     /// # Errors
-    /// [`ContentError`] if a measure is missing, given twice, not a number, or contradicts another,
-    /// or if the tensor has no digits left.
+    /// [`ContentError`] if a quantity is missing, repeated, not a number, or contradicts another
+    /// one, or if the tensor has no significant digits.
     pub fn read(program: GeometryProgram, text: &str, unit: Option<f64>) -> Result<Self, ContentError> {
         told_unit("the unit of length", unit)?;
         let measures = match program {
@@ -158,10 +161,11 @@ impl GeometryReport {
         })
     }
 
-    /// The body of a substance: I = (M/V) I₁ with the tensor I₁ of density 1.
+    /// Returns the mass properties for a substance: I = (M/V) I₁ with the tensor I₁ at density 1.
     ///
     /// # Errors
-    /// [`BodyError`] if the substance is not that of a solid, or if the printed tensor is impossible.
+    /// [`BodyError`] if the substance is not that of a solid, or if the printed tensor is
+    /// unphysical.
     pub fn mass_properties(&self, substance: Substance) -> Result<MassProperties<Body>, BodyError> {
         let (mass, density) = match substance {
             Substance::Mass(mass) => (mass, mass / self.volume),
@@ -177,7 +181,7 @@ impl GeometryReport {
     }
 }
 
-/// The sign of the volume and of the tensor: −1 of a mesh that is wound inward as a whole.
+/// Returns the sign of the volume and of the tensor: −1 for a mesh that is wound inward as a whole.
 fn inward(measures: &Measures, findings: &mut Vec<Finding>) -> Result<f64, ContentError> {
     let Number { value, span, .. } = &measures.volume;
     if *value > 0.0 {
@@ -193,7 +197,7 @@ fn inward(measures: &Measures, findings: &mut Vec<Finding>) -> Result<f64, Conte
     Ok(-1.0)
 }
 
-/// Refuses a tensor whose two halves differ.
+/// Refuses a tensor that is not symmetric.
 fn symmetric(text: &str, measures: &Measures) -> Result<(), ContentError> {
     let tensor = &measures.tensor;
     let size = [0, 4, 8].map(|k| tensor[k].value.abs()).into_iter().fold(0.0, f64::max);
@@ -208,7 +212,7 @@ fn symmetric(text: &str, measures: &Measures) -> Result<(), ContentError> {
     Ok(())
 }
 
-/// Refuses principal moments whose sum is not the trace: they are of another shape.
+/// Refuses principal moments whose sum is not the trace: they belong to another shape.
 fn traced(text: &str, measures: &Measures) -> Result<(), ContentError> {
     let Some(moments) = &measures.moments else { return Ok(()) };
     let diagonal = [0, 4, 8].map(|k| &measures.tensor[k]);
@@ -225,9 +229,9 @@ fn traced(text: &str, measures: &Measures) -> Result<(), ContentError> {
 
 /// Refuses a volume that is too large for the tensor.
 ///
-/// The ball of radius R = (3V/4π)^⅓ has the least ∫r² dV about the centre of mass of all bodies of volume V: ⅗ V R². Each
-/// piece of another body outside the ball is farther from the centre than a piece of the ball that the body lacks. As
-/// tr I = 2 ∫r² dV at density 1,
+/// The ball of radius R = (3V/4π)^⅓ has the smallest ∫r² dV about the centre of mass of all bodies
+/// of volume V: ⅗ V R². Each piece of another body outside the ball is farther from the centre
+/// than the missing piece inside. Since tr I = 2 ∫r² dV at density 1,
 ///
 /// ½ tr I ≥ ⅗ (3/4π)^⅔ V^(5/3)
 ///
@@ -252,7 +256,7 @@ fn compact(text: &str, measures: &Measures) -> Result<(), ContentError> {
     Err(error.hint("paste the volume and the tensor of one shape, in one unit"))
 }
 
-/// Reports how far the printed digits leave the tensor open; refuses one without digits.
+/// Reports the rounding error of the tensor; refuses one without significant digits.
 fn rounded(
     text: &str,
     program: GeometryProgram,
@@ -279,12 +283,12 @@ fn rounded(
     Ok(())
 }
 
-/// A slot for a measure that a text has once.
+/// Slot for a quantity that may occur only once.
 #[derive(Default)]
 struct Once<T>(Option<T>);
 
 impl<T> Once<T> {
-    /// Fills it, if it is empty.
+    /// Stores the value; an error if there is one already.
     fn put(&mut self, what: &str, value: T, place: Range<usize>) -> Result<(), ContentError> {
         if self.0.is_some() {
             let rule = "given once: the text has the measures of more than one shape".to_owned();
@@ -294,13 +298,13 @@ impl<T> Once<T> {
         Ok(())
     }
 
-    /// Returns the measure, or an error that it is missing.
+    /// Returns the value, or an error if it is missing.
     fn require(self, what: &str, hint: &str) -> Result<T, ContentError> {
         self.0.ok_or_else(|| ContentErrorKind::missing(what).of_whole().hint(hint))
     }
 }
 
-/// Exactly `N` numbers in a part of a text, with these characters between them.
+/// Parses exactly `N` numbers in a part of a text, with these characters as separators.
 fn exactly<const N: usize>(
     what: &str,
     text: &str,
@@ -331,8 +335,8 @@ fn exactly<const N: usize>(
     all.try_into().map_err(|_| expected(&text[part.clone()], part))
 }
 
-/// Numbers as Python prints them: shortest doubles, which have no rounding but their own. They all have a point or a
-/// power of ten, as 1.0; streams of C++ write 1 and round to six digits.
+/// Sets the rounding of numbers printed by Python, which are the shortest decimals of doubles. They
+/// all have a point or an exponent, such as 1.0. C++ streams write 1 and round to six digits.
 fn shortest<const N: usize>(text: &str, numbers: [Number; N]) -> [Number; N] {
     let is_shortest = |number: &Number| text[number.span.clone()].contains(['.', 'e', 'E']);
     if !numbers.iter().all(is_shortest) {

@@ -1,9 +1,9 @@
-//! The language of a report's headings, where it is not English.
+//! Detection of report headings in languages other than English.
 //!
-//! CAD programs write their headings in the language of their surface. Only English ones are read; what others are is told by words
-//! that no English report has.
+//! CAD programs write headings in the language of their user interface. Only English headings are
+//! supported. Other languages are detected by words that do not occur in English reports.
 
-/// Languages, and headings of mass properties as SolidWorks, Creo, Inventor, NX and CATIA write them in each.
+/// Languages, with their headings of mass properties in SolidWorks, Creo, Inventor, NX and CATIA.
 const LANGUAGES: [(&str, &str); 13] = [
     (
         "German",
@@ -49,15 +49,16 @@ const LANGUAGES: [(&str, &str); 13] = [
     ),
 ];
 
-/// Headings that are read, for whoever translates a report.
+/// List of supported headings, for users who translate a report.
 pub(crate) const KNOWN: &str = "Mass, Volume, Surface area, Density, Center of mass (or of gravity, centroid), Moments of \
      inertia … at the center of mass (or origin, coordinate system), Principal axes and moments of inertia";
 
-/// The language of headings that stand in a text and are not English, and one of them.
+/// Returns the language of foreign headings in a text, and one of them.
 pub(crate) fn foreign(text: &str) -> Option<(&'static str, &'static str)> {
     let lower = text.to_lowercase();
     let stands = |word: &str| {
-        // A whole word where words are parted by blanks: "masse" is not in "massen".
+        // Whole words only, in languages with blanks between words: "masse" does not match
+        // "massen".
         lower.match_indices(word).any(|(at, _)| {
             let letter = |c: char| c.is_alphabetic() && c.is_ascii();
             let before = lower[..at].chars().next_back();

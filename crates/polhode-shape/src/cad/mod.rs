@@ -1,15 +1,16 @@
 //! Mass-property reports of CAD programs, pasted as text: SolidWorks, Fusion, Creo, Onshape, and
-//! others that label their numbers alike. [`GeometryReport`] reads the measures of shapes without
-//! mass, by MeshLab and FreeCAD. The words are English ones; numbers and units are those of any
-//! country. Headings of other languages are recognised, and refused by name.
+//! others with similar labels. [`GeometryReport`] reads the geometric properties printed by MeshLab
+//! and FreeCAD, which have no mass. Labels must be in English; numbers and units may have the
+//! format of any country. Headings in other languages are detected and refused by name.
 //!
 //! Three things are read or proved, and never guessed:
 //!
-//! - units, from the report's own unit words;
-//! - the decimal mark, from numbers that have one reading only;
-//! - the sign of the products of inertia, from the parallel-axis theorem or the principal axes ([`SignProof`]).
+//! - units, from the unit names in the report;
+//! - the decimal mark, from numbers with only one interpretation;
+//! - the sign of the products of inertia, from the parallel-axis theorem or the principal axes
+//!   ([`SignProof`]).
 //!
-//! What the report leaves open is refused with a question, and [`CadOptions`] answers it.
+//! Ambiguities lead to an error with a question, which [`CadOptions`] can answer.
 
 mod geometry;
 mod language;
@@ -35,32 +36,32 @@ use crate::finding::{info, warning};
 pub use geometry::{GeometryProgram, GeometryReport};
 pub use proof::{SignProof, SignSource};
 
-/// Answers to what a report may leave open; by default none.
+/// Values that a report may leave ambiguous; unset by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CadOptions {
-    /// The decimal mark, where the numbers leave it open.
+    /// Decimal mark, if the numbers are ambiguous.
     pub decimal: Option<DecimalMark>,
-    /// The sign of the products of inertia, where nothing proves it.
+    /// Sign convention of the products of inertia, if it cannot be proved.
     pub products: Option<ProductConvention>,
-    /// Kilograms in the unit of mass, where the report names none.
+    /// Unit of mass if the report names none, kg.
     pub mass_unit: Option<f64>,
-    /// Metres in the unit of length, where the report names none.
+    /// Unit of length if the report names none, m.
     pub length_unit: Option<f64>,
 }
 
-/// The mark between the whole and its fraction.
+/// Decimal mark of printed numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
 pub enum DecimalMark {
-    /// 1.5
+    /// Decimal point: 1.5
     Point,
-    /// 1,5
+    /// Decimal comma: 1,5
     Comma,
 }
 
 impl DecimalMark {
-    /// `point` or `comma`.
+    /// Returns `point` or `comma`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Point => "point",
@@ -76,19 +77,19 @@ impl DecimalMark {
     }
 }
 
-/// What a product of inertia is.
+/// Sign convention of the products of inertia.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
 pub enum ProductConvention {
-    /// -∫xy dm: the elements of the tensor.
+    /// Negative integrals -∫xy dm, the elements of the tensor.
     Negative,
-    /// +∫xy dm
+    /// Positive integrals +∫xy dm.
     Positive,
 }
 
 impl ProductConvention {
-    /// `negative` or `positive`.
+    /// Returns `negative` or `positive`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Negative => "negative",
@@ -97,23 +98,23 @@ impl ProductConvention {
     }
 }
 
-/// The program that wrote a report, by its headings.
+/// Program that wrote a report, detected by its headings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CadProduct {
-    /// SolidWorks, Dassault Systèmes.
+    /// SolidWorks (Dassault Systèmes).
     SolidWorks,
-    /// Fusion, Autodesk.
+    /// Fusion (Autodesk).
     Fusion,
-    /// Creo Parametric, PTC.
+    /// Creo Parametric (PTC).
     Creo,
-    /// Onshape, PTC.
+    /// Onshape (PTC).
     Onshape,
-    /// None of these headings.
+    /// Unknown program: none of these headings.
     Unknown,
 }
 
 impl CadProduct {
-    /// `SolidWorks`, `Fusion`, `Creo`, `Onshape` or `an unknown program`.
+    /// Returns the name: `SolidWorks`, `Fusion`, `Creo`, `Onshape` or `an unknown program`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::SolidWorks => "SolidWorks",
@@ -125,29 +126,30 @@ impl CadProduct {
     }
 }
 
-/// A report that has been read.
+/// Contents of a CAD report.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CadReport {
-    /// Who wrote it.
+    /// Program that wrote the report.
     pub product: CadProduct,
-    /// The body, in SI, along the axes and about the origin of the report's coordinate system.
+    /// Mass properties in SI units, in the report's coordinate system.
     pub properties: MassProperties<Body>,
-    /// m³
+    /// Volume, m³.
     pub volume: Option<f64>,
-    /// m²
+    /// Surface area, m².
     pub surface_area: Option<f64>,
-    /// kg/m³; `None` also where the report rounds it to zero.
+    /// Density, kg/m³; also `None` if the report rounds it to zero.
     pub density: Option<f64>,
-    /// How the sign of the products is known.
+    /// Proof of the sign of the products.
     pub proof: SignProof,
-    /// What was noticed on the way.
+    /// Findings of the reader.
     pub findings: Vec<Finding>,
 }
 
 /// Reads a report.
 ///
-/// Values are the nearest doubles to what is printed, in SI; the answer is as accurate as the report's
-/// digits. Several tensors are used for the proof, and the one about the centre of mass for the answer.
+/// Values are the doubles nearest to the printed numbers, in SI units. The result is as accurate as
+/// the digits of the report. Several tensors are used for the proof; the result uses the one about
+/// the centre of mass.
 ///
 /// ```
 /// use polhode_shape::cad::{self, CadOptions, ProductConvention, SignSource};
@@ -176,8 +178,8 @@ pub struct CadReport {
 /// ```
 ///
 /// # Errors
-/// [`ContentError`] if a quantity is missing, given twice or not a number; with a question if a unit, the
-/// decimal mark or the sign is open; with both residuals if the report contradicts itself.
+/// [`ContentError`] if a quantity is missing, repeated or not a number; with a question if a unit,
+/// the decimal mark or the sign is ambiguous; with both residuals if the report contradicts itself.
 pub fn read(text: &str, options: &CadOptions) -> Result<CadReport, ContentError> {
     told_unit("the unit of mass", options.mass_unit)?;
     told_unit("the unit of length", options.length_unit)?;
@@ -203,7 +205,8 @@ pub fn read(text: &str, options: &CadOptions) -> Result<CadReport, ContentError>
             error.hint("paste the whole report, from the mass to the last moment of inertia"),
         ));
     }
-    // The tensor about the centre of mass is one wherever that is: a block of Creo's alone, say.
+    // The tensor about the centre of mass does not depend on its position. An example is a single
+    // block of Creo.
     let nowhere = !scan.center.is_some()
         && central.is_some()
         && origin.is_none()
@@ -245,7 +248,7 @@ pub fn read(text: &str, options: &CadOptions) -> Result<CadReport, ContentError>
     if let (Some(volume), Some(density)) = (volume, density)
         && let Some(product) = other_mass(mass, volume, density)
     {
-        // SolidWorks marks values that its user has set by hand.
+        // SolidWorks marks values that the user has overridden.
         if text.to_lowercase().contains("overrid") {
             let message = format!(
                 "the mass is overridden: density × volume, {} kg/m³ × {} m³, is {} kg",
@@ -269,7 +272,8 @@ pub fn read(text: &str, options: &CadOptions) -> Result<CadReport, ContentError>
     })
 }
 
-/// The mass by density and volume, if it is not that of the report: m = ρ V within twice the rounding of all three.
+/// Returns density times volume if it differs from the mass: m = ρ V must hold within twice the
+/// rounding of all three.
 fn other_mass(mass: Printed, volume: Printed, density: Printed) -> Option<f64> {
     let product = density.value * volume.value;
     let rounding = mass.half + density.half * volume.value + volume.half * density.value;
@@ -294,13 +298,13 @@ fn contradictory(text: &str, mass: &Group<1>, [density, volume]: [f64; 2], produ
     )
 }
 
-/// A number with six significant digits.
+/// Formats a number with six significant digits.
 fn six(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     if (1e-4..1e7).contains(&rounded.abs()) { rounded.to_string() } else { format!("{rounded:e}") }
 }
 
-/// The numbers that are used, wherever they stand.
+/// Returns the spans of all numbers that are used.
 fn spans(scan: &Scan) -> impl Iterator<Item = std::ops::Range<usize>> {
     let nine = scan.tensors.iter().chain([&scan.axes]).flat_map(|group| &group.numbers);
     let three = [&scan.center, &scan.moments].into_iter().flat_map(|group| &group.numbers);
@@ -308,7 +312,7 @@ fn spans(scan: &Scan) -> impl Iterator<Item = std::ops::Range<usize>> {
     nine.chain(three).chain(one).flatten().map(|found| found.span.clone())
 }
 
-/// The body, from the tensor about its centre of mass if there is one.
+/// Returns the mass properties, from the tensor about the centre of mass if there is one.
 fn body(evidence: &Evidence, convention: ProductConvention) -> Result<MassProperties<Body>, BodyError> {
     let mass = evidence.mass.value;
     let center = Position::from_array(evidence.center.map(|p| p.value));
@@ -372,7 +376,7 @@ fn findings(evidence: &Evidence, proof: &SignProof) -> Vec<Finding> {
         );
         findings.push(info("cad.narrow-sign", message));
     }
-    // Told, although no sign fits.
+    // The sign was given, although neither sign fits.
     let least = proof.residual_negative.min(proof.residual_positive);
     if least > proof::FITS {
         let message = format!(
@@ -383,7 +387,7 @@ fn findings(evidence: &Evidence, proof: &SignProof) -> Vec<Finding> {
     findings
 }
 
-/// Numbers and units of one report.
+/// Parser for the numbers and units of one report.
 struct Reader<'a> {
     text: &'a str,
     mark: DecimalMark,
@@ -391,7 +395,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// All numbers of a group that the answer needs.
+    /// Returns all numbers of a required group.
     fn whole<const N: usize>(
         &self,
         group: &Group<N>,
@@ -406,8 +410,7 @@ impl Reader<'_> {
         Ok(all)
     }
 
-    /// All numbers of a group that the answer can do without; `None` if one of them, or their unit, is
-    /// missing.
+    /// Returns all numbers of an optional group; `None` if one of them, or their unit, is missing.
     fn if_whole<const N: usize>(
         &self,
         group: &Group<N>,
@@ -420,7 +423,7 @@ impl Reader<'_> {
         self.whole(group, dimension, |_| String::new()).map(Some)
     }
 
-    /// A tensor of nine numbers, or of six; `None` if there is none at all.
+    /// Returns a tensor from nine or six numbers; `None` if there is none.
     fn tensor(&self, group: &Group<9>, which: usize) -> Result<Option<Tensor>, ContentError> {
         if !group.is_some() {
             return Ok(None);
@@ -441,7 +444,7 @@ impl Reader<'_> {
         Ok(Some(tensor))
     }
 
-    /// The numbers that are there, in SI.
+    /// Returns the numbers that are present, in SI units.
     fn group<const N: usize>(
         &self,
         group: &Group<N>,
@@ -458,7 +461,7 @@ impl Reader<'_> {
         for (k, (slot, found)) in all.iter_mut().zip(&group.numbers).enumerate() {
             let Some(found) = found else { continue };
             let number = numbers::read(self.text, &found.span, self.mark)?;
-            // Beside 1.25 a bare 3 is 3.00 with its zeros left out.
+            // Next to 1.25, a bare 3 is 3.00 without its trailing zeros.
             let half = match (number.decimals, decimals) {
                 (Some(0), Some(decimals)) => 0.5 * 10f64.powi(-i32::try_from(decimals).unwrap_or(i32::MAX)),
                 _ => number.half,
@@ -486,7 +489,7 @@ impl Reader<'_> {
         Ok(all)
     }
 
-    /// The told unit of a dimension.
+    /// Returns the given unit for a dimension.
     fn told(&self, dimension: Dimension) -> Option<f64> {
         let CadOptions { mass_unit, length_unit, .. } = *self.options;
         match dimension {
@@ -501,7 +504,8 @@ impl Reader<'_> {
     }
 }
 
-/// Measures of a shape are read by [`GeometryReport`], with a substance.
+/// Returns the error for geometric properties, which [`GeometryReport`] reads together with a
+/// substance.
 fn without_mass(program: GeometryProgram) -> ContentError {
     ContentErrorKind::missing("mass").of_whole().hint(format!(
         "{} prints volume, centre and a tensor of density 1: say what the shape is made of, as by polhode inertia FILE --density \"2700 kg/m^3\"",
@@ -509,7 +513,7 @@ fn without_mass(program: GeometryProgram) -> ContentError {
     ))
 }
 
-/// What is missing may stand there in another language.
+/// Replaces the error of a missing quantity if the headings are in another language.
 fn in_its_language(text: &str, error: ContentError) -> ContentError {
     let foreign = language::foreign(text).filter(|_| matches!(error.kind, ContentErrorKind::Missing { .. }));
     let Some((language, heading)) = foreign else { return error };
@@ -527,7 +531,7 @@ fn missing(name: &str) -> ContentError {
     ))
 }
 
-/// The error of a word behind a number that ends its line and is not a unit.
+/// Returns the error for a word after a number that ends its line and is not a unit.
 fn unknown_unit(text: &str, name: &str, dimension: Dimension, number: &Range<usize>) -> Option<ContentError> {
     let rest = text[number.end..].lines().next().unwrap_or_default();
     let word = rest.trim();

@@ -1,8 +1,8 @@
-//! Printed numbers: which mark is the decimal one, and how far rounding may have moved them.
+//! Printed numbers: decimal mark and rounding error.
 //!
-//! A report writes all its numbers in one style, so one number that can be read in one way only settles the
-//! others. `5,517.5` and `0.008` have a decimal point, `1.234,56` and `0,0012` a decimal comma; `1,234` alone is
-//! a question.
+//! A report writes all numbers in one style, so one number with a single interpretation determines
+//! the others. `5,517.5` and `0.008` have a decimal point, `1.234,56` and `0,0012` a decimal comma.
+//! `1,234` alone is ambiguous.
 
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use polhode_source::{ContentError, ContentErrorKind};
 
 use super::DecimalMark;
 
-/// The span of the number at byte `at` of a line, which starts no word and continues none.
+/// Returns the span of the number at byte `at` of a line; `None` if it is part of a word.
 pub(crate) fn number_at(line: &str, at: usize) -> Option<Range<usize>> {
     let before = line[..at].chars().next_back();
     if before.is_some_and(|c| c.is_alphanumeric() || "_^.,'*/\u{b7}+-\u{2212}".contains(c)) {
@@ -23,7 +23,7 @@ pub(crate) fn number_at(line: &str, at: usize) -> Option<Range<usize>> {
     (mantissa > 0).then(|| at..at + end + exponent_length(&rest[end..]))
 }
 
-/// Bytes of digits with marks between them.
+/// Returns the length of digits with marks between them, bytes.
 fn mantissa_length(text: &str) -> usize {
     let (mut end, mut digits) = (0, false);
     for (i, c) in text.char_indices() {
@@ -40,7 +40,7 @@ fn is_mark(c: char) -> bool {
     c == '.' || c == ',' || is_separator(c)
 }
 
-/// Whether it can only separate thousands: an apostrophe, or a space that does not break.
+/// Returns true for characters that only separate thousands: an apostrophe or a no-break space.
 fn is_separator(c: char) -> bool {
     matches!(c, '\'' | '\u{2019}' | '\u{a0}' | '\u{202f}')
 }
@@ -54,17 +54,17 @@ fn exponent_length(text: &str) -> usize {
     }
 }
 
-/// What a number says of the decimal mark.
+/// Evidence of a number about the decimal mark.
 enum Evidence {
     Nothing,
     Either,
     Is(DecimalMark),
 }
 
-/// The decimal mark of all these numbers.
+/// Returns the decimal mark of all these numbers.
 ///
 /// # Errors
-/// [`ContentErrorKind::Unclear`] if they leave it open, or contradict each other.
+/// [`ContentErrorKind::Unclear`] if the numbers are ambiguous, or contradict each other.
 pub(crate) fn decimal_mark(
     text: &str,
     numbers: &[Range<usize>],
@@ -114,7 +114,8 @@ fn mantissa(number: &str) -> (&str, Option<&str>) {
     unsigned.split_once(['e', 'E']).map_or((unsigned, None), |(mantissa, power)| (mantissa, Some(power)))
 }
 
-/// What the number says of the decimal mark; `None` if it is not a number either way.
+/// Returns the evidence of a number about the decimal mark; `None` if it is not a number in either
+/// style.
 fn evidence(number: &str) -> Option<Evidence> {
     let readings = [DecimalMark::Point, DecimalMark::Comma].map(|mark| plain(number, mark).is_some());
     let has_mark = number.contains(['.', ',']);
@@ -127,22 +128,23 @@ fn evidence(number: &str) -> Option<Evidence> {
     }
 }
 
-/// A number in the form that everyone reads, and the size of its last digit.
+/// Number in normalized form, with the rounding of its last digit.
 pub(crate) struct Plain {
-    /// Sign, digits, point, exponent.
+    /// Text with sign, digits, point and exponent.
     pub digits: String,
-    /// Digits behind the decimal mark; `None` in scientific notation.
+    /// Number of digits after the decimal mark; `None` in scientific notation.
     pub decimals: Option<usize>,
     /// Half a unit of the last digit.
     pub half: f64,
 }
 
-/// Reads a number whose decimal mark is known.
+/// Parses a number with a known decimal mark.
 pub(crate) fn read(text: &str, span: &Range<usize>, mark: DecimalMark) -> Result<Plain, ContentError> {
     plain(&text[span.clone()], mark).ok_or_else(|| not_a_number(text, span))
 }
 
-/// The number under one reading of its marks: the decimal one at most once and last, thousands in threes.
+/// Parses a number for one decimal mark. The mark may occur once, after all thousands separators,
+/// which form groups of three.
 fn plain(number: &str, mark: DecimalMark) -> Option<Plain> {
     let (mantissa, power) = mantissa(number);
     let decimal = mark.character();
@@ -153,7 +155,7 @@ fn plain(number: &str, mark: DecimalMark) -> Option<Plain> {
     let groups: Vec<&str> = whole.split(is_mark).collect();
     let grouped = groups.len() > 1;
     let threes = groups.iter().skip(1).all(|g| g.len() == 3);
-    // 0,123 has no thousands: nobody writes a group of zero in front.
+    // A leading group of zero is not used for thousands, so 0,123 has no thousands separator.
     let leads = groups.first().is_some_and(|g| (1..=3).contains(&g.len()) && !g.starts_with('0'));
     let mut separators = whole.chars().filter(|c| is_mark(*c));
     let first = separators.next();

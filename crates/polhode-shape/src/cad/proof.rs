@@ -1,19 +1,20 @@
-//! The sign of the products of inertia, proved from the report's own numbers.
+//! Proof of the sign of the products of inertia, from the report's own numbers.
 //!
-//! A report has products P_ij = −s ∫ x_i x_j dm with s = 1 or −1 and does not say which, or says it in words
-//! that changed from version to version. But its numbers depend on each other. About the centre of mass and
-//! about the origin, with mass M and centre of mass c,
+//! A report has products `P_ij` = −s ∫ `x_i x_j` dm with s = 1 or −1. It does not state s, or
+//! states it in words that changed between versions. But its numbers depend on each other. About
+//! the centre of mass and about the origin, with mass M and centre of mass c,
 //!
-//! J_ij = I_ij + M (c² δ_ij − c_i c_j),  I_ij = s P_ij for i ≠ j,
+//! `J_ij` = `I_ij` + M (c² `δ_ij` − `c_i c_j`),  `I_ij` = s `P_ij` for i ≠ j,
 //!
-//! and only one s fulfils that where M c_i c_j is not lost in the rounding. Without the second tensor,
-//! principal axes e_k and moments P_k decide, I = Σ P_k e_k e_kᵀ, or the moments alone: turning all three
-//! signs turns the sign of I_xy I_xz I_yz, and with it the eigenvalues.
+//! and only one s satisfies this, if M `c_i c_j` exceeds the rounding. Without the second tensor,
+//! principal axes `e_k` and moments `P_k` decide, I = Σ `P_k e_k e_kᵀ`, or the moments alone:
+//! changing all three signs changes the sign of `I_xy I_xz I_yz`, and thus the eigenvalues.
 //!
-//! Every printed number is uncertain by half a unit of its last digit. A *residual* is how far an equation is
-//! off, in units of what these halves add up to at worst: at most 1 for the right sign, if the numbers are
-//! what they say. So a sign is also determined where it alone has a residual of at most 1, however little the
-//! other exceeds it; such a narrow proof does not overrule the words of the report.
+//! Every printed number is uncertain by half a unit of its last digit. A *residual* is the error of
+//! an equation, in units of the largest sum of these uncertainties. It is at most 1 for the right
+//! sign, if the printed numbers are correct. A sign is therefore also determined if it alone has a
+//! residual of at most 1, even if the other exceeds 1 only slightly. Such a narrow proof does not
+//! override the words of the report.
 
 use polhode::body::{InertiaTensor, PrincipalFrame};
 use polhode::math::Body;
@@ -21,51 +22,52 @@ use polhode_source::{ContentError, ContentErrorKind};
 
 use super::ProductConvention;
 
-/// Up to here a residual is rounding.
+/// Residual up to which an equation holds.
 pub(crate) const FITS: f64 = 3.0;
 
-/// From here on it is not.
+/// Residual from which an equation fails.
 pub(crate) const FAILS: f64 = 10.0;
 
-/// The bound that rounding to the nearest keeps.
+/// Upper bound on the residual for numbers rounded to nearest.
 const ROUNDED: f64 = 1.0;
 
-/// How the sign of the products of inertia is known, and how well.
+/// Proof of the sign of the products of inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SignProof {
-    /// What decided.
+    /// Evidence that determined the sign.
     pub by: SignSource,
-    /// What the report's products are.
+    /// Sign convention of the report's products.
     pub convention: ProductConvention,
-    /// How far the report is off if its products are −∫xy dm, in units of its rounding; NaN where nothing was
-    /// tried.
+    /// Residual if the products are −∫xy dm, in units of the report's rounding; NaN if nothing was
+    /// tested.
     pub residual_negative: f64,
-    /// How far it is off if they are +∫xy dm, in units of its rounding; NaN where nothing was tried.
+    /// Residual if the products are +∫xy dm, in units of the report's rounding; NaN if nothing was
+    /// tested.
     pub residual_positive: f64,
-    /// The rounding, relative to what the sign changes; NaN where nothing was tried.
+    /// Rounding relative to the effect of the sign; NaN if nothing was tested.
     pub rounding: f64,
 }
 
-/// What decided the sign of the products of inertia.
+/// Evidence for the sign of the products of inertia.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum SignSource {
-    /// Tensors about two points, and the parallel-axis theorem.
+    /// Tensors about two points, with the parallel-axis theorem.
     ParallelAxis,
-    /// Principal axes and moments, which rebuild the tensor.
+    /// Principal axes and moments, which determine the tensor.
     PrincipalAxes,
-    /// Principal moments, which are the tensor's eigenvalues.
+    /// Principal moments, which are the eigenvalues of the tensor.
     PrincipalMoments,
-    /// Nothing: the products are all zero, and both signs are the same tensor.
+    /// No evidence needed: all products are zero, and both signs give the same tensor.
     NoProducts,
-    /// The report's own words, such as "Using positive tensor notation".
+    /// Statement of the report, such as "Using positive tensor notation".
     Stated,
-    /// The caller.
+    /// Option set by the caller.
     Told,
 }
 
 impl SignSource {
-    /// In words, after "by": `parallel axes`.
+    /// Returns the evidence in words, to follow "by": `parallel axes`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::ParallelAxis => "parallel axes",
@@ -78,20 +80,20 @@ impl SignSource {
     }
 }
 
-/// A printed number in SI, and half a unit of its last digit.
+/// Printed number in SI units, and half a unit of its last digit.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Printed {
     pub value: f64,
     pub half: f64,
 }
 
-/// xx, yy, zz, xy, xz, yz.
+/// Tensor elements xx, yy, zz, xy, xz, yz.
 pub(crate) type Tensor = [Printed; 6];
 
 /// Row and column of the elements of a [`Tensor`].
 pub(crate) const PLACES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
 
-/// What a report has that depends on the sign.
+/// Numbers of a report that depend on the sign.
 pub(crate) struct Evidence {
     pub mass: Printed,
     pub center: [Printed; 3],
@@ -103,7 +105,7 @@ pub(crate) struct Evidence {
     pub told: Option<ProductConvention>,
 }
 
-/// Finds the sign, by the strongest proof that the report has.
+/// Determines the sign by the strongest available proof.
 pub(crate) fn prove(evidence: &Evidence) -> Result<SignProof, ContentError> {
     let trials = [parallel_axes(evidence), principal_axes(evidence), principal_moments(evidence)];
     let (mut undecided, mut narrow) = (None, Vec::new());
@@ -158,7 +160,7 @@ pub(crate) fn prove(evidence: &Evidence) -> Result<SignProof, ContentError> {
     Err(undecided.as_ref().map_or_else(unproved, refused))
 }
 
-/// The proof of a trial of which one sign alone is within its rounding.
+/// Returns a narrow proof if only one sign is within the rounding.
 fn narrowly(trial: &SignProof) -> Option<SignProof> {
     let (negative, positive) = (trial.residual_negative, trial.residual_positive);
     let convention = match (negative <= ROUNDED, positive <= ROUNDED) {
@@ -169,7 +171,7 @@ fn narrowly(trial: &SignProof) -> Option<SignProof> {
     Some(SignProof { convention, ..*trial })
 }
 
-/// The narrow proof that is clearest, if all have the same sign.
+/// Returns the clearest narrow proof, if all agree on the sign.
 fn agreed(narrow: &[SignProof]) -> Option<SignProof> {
     let first = narrow.first()?;
     let clear = |proof: &SignProof| proof.residual_negative.max(proof.residual_positive);
@@ -210,13 +212,13 @@ fn contradicted(trial: &SignProof, told: ProductConvention) -> ContentError {
     kind.of_whole().hint("leave out --products")
 }
 
-/// How far an equation is off, and how far rounding may carry it.
+/// Error of an equation, with its rounding bound.
 type Deviation = Printed;
 
-/// Residuals of both signs, from the deviations under each.
+/// Returns the residuals of both signs from their deviations.
 fn weigh(by: SignSource, negative: &[Deviation], positive: &[Deviation]) -> SignProof {
     let size = |d: &Deviation| d.value.abs() / d.half.max(f64::MIN_POSITIVE);
-    // A deviation that is NaN fits nothing.
+    // A NaN deviation counts as an infinite residual.
     let worst = |all: &[Deviation]| {
         all.iter().map(size).fold(0.0, |a: f64, b| if b.is_nan() { f64::INFINITY } else { a.max(b) })
     };
@@ -234,7 +236,7 @@ fn weigh(by: SignSource, negative: &[Deviation], positive: &[Deviation]) -> Sign
     }
 }
 
-/// J − I − M (c² 1 − c cᵀ) under each sign.
+/// Tests J − I − M (c² 1 − c cᵀ) under each sign.
 fn parallel_axes(evidence: &Evidence) -> Option<SignProof> {
     let (central, origin) = (evidence.central?, evidence.origin?);
     let moved = steiner(evidence.mass, evidence.center);
@@ -243,10 +245,11 @@ fn parallel_axes(evidence: &Evidence) -> Option<SignProof> {
     Some(weigh(SignSource::ParallelAxis, &negative, &positive))
 }
 
-/// I − Σ P_k e_k e_kᵀ under each sign.
+/// Tests I − Σ `P_k e_k e_kᵀ` under each sign.
 fn principal_axes(evidence: &Evidence) -> Option<SignProof> {
     let (moments, axes) = (evidence.moments?, evidence.axes?);
-    // Σ e_k e_kᵀ = 1 exactly, so the mean moment needs no axes, and their rounding does not see it.
+    // Since Σ `e_k e_kᵀ` = 1 exactly, the mean moment does not need the axes and is not affected by
+    // their rounding.
     let mean = moments.iter().map(|p| p.value).sum::<f64>() / 3.0;
     let rebuilt = PLACES.map(|[i, j]| {
         let mut element = Printed { value: if i == j { mean } else { 0.0 }, half: 0.0 };
@@ -261,12 +264,13 @@ fn principal_axes(evidence: &Evidence) -> Option<SignProof> {
     Some(weigh(SignSource::PrincipalAxes, &negative, &positive))
 }
 
-/// Eigenvalues of I less the printed moments, under each sign.
+/// Tests the eigenvalues of I minus the printed moments, under each sign.
 fn principal_moments(evidence: &Evidence) -> Option<SignProof> {
     let mut moments = evidence.moments?;
     moments.sort_by(|a, b| a.value.total_cmp(&b.value));
     let deviations = candidates(evidence)?.map(|tensor| {
-        // Weyl: no eigenvalue moves by more than the norm of the change, which the row sums bound.
+        // Weyl's inequality: no eigenvalue changes by more than the norm of the perturbation, which
+        // is bounded by the row sums.
         let half = |k: usize| {
             let in_row = |[i, j]: &[usize; 2]| *i == k || *j == k;
             PLACES.iter().zip(&tensor).filter(|(place, _)| in_row(place)).map(|(_, p)| p.half).sum::<f64>()
@@ -282,8 +286,8 @@ fn principal_moments(evidence: &Evidence) -> Option<SignProof> {
     Some(weigh(SignSource::PrincipalMoments, &negative, &positive))
 }
 
-/// Ascending. A multiple of the unit tensor is added and taken away, so that the wrong sign is a possible
-/// body too.
+/// Returns the eigenvalues in ascending order. A multiple of the unit tensor is added temporarily,
+/// so that the tensor is physical also for the wrong sign.
 fn eigenvalues(tensor: &Tensor) -> Option<[f64; 3]> {
     let [xx, yy, zz, xy, xz, yz] = tensor.map(|p| p.value);
     let shift = 4.0 * tensor.iter().fold(0.0, |most: f64, p| most.max(p.value.abs()));
@@ -294,7 +298,8 @@ fn eigenvalues(tensor: &Tensor) -> Option<[f64; 3]> {
 
 const BOTH: [ProductConvention; 2] = [ProductConvention::Negative, ProductConvention::Positive];
 
-/// The tensor about the centre of mass under each sign; from the other point if need be.
+/// Returns the tensor about the centre of mass under each sign; converted from the origin if
+/// necessary.
 fn candidates(evidence: &Evidence) -> Option<[Tensor; 2]> {
     match (evidence.central, evidence.origin) {
         (Some(central), _) => Some(BOTH.map(|convention| signed(central, convention))),
@@ -306,7 +311,7 @@ fn candidates(evidence: &Evidence) -> Option<[Tensor; 2]> {
     }
 }
 
-/// The tensor with products −∫xy dm, from printed ones of either convention.
+/// Returns the tensor with products −∫xy dm, from printed products of either convention.
 fn signed(tensor: Tensor, convention: ProductConvention) -> Tensor {
     let mut tensor = tensor;
     if convention == ProductConvention::Positive {
@@ -315,7 +320,7 @@ fn signed(tensor: Tensor, convention: ProductConvention) -> Tensor {
     tensor
 }
 
-/// M (c² δ_ij − c_i c_j)
+/// Returns the parallel-axis term M (c² `δ_ij` − `c_i c_j`).
 fn steiner(mass: Printed, c: [Printed; 3]) -> Tensor {
     PLACES.map(|[i, j]| {
         if i != j {
@@ -327,7 +332,7 @@ fn steiner(mass: Printed, c: [Printed; 3]) -> Tensor {
     })
 }
 
-/// a b, and how far it moves at most if each moves by its half: (|a| + δa)(|b| + δb) − |a b|.
+/// Returns a b with its rounding bound: (|a| + δa)(|b| + δb) − |a b|.
 fn product(a: Printed, b: Printed) -> Printed {
     let (x, y) = (a.value.abs(), b.value.abs());
     Printed { value: a.value * b.value, half: x * b.half + y * a.half + a.half * b.half }
@@ -344,7 +349,7 @@ fn difference(a: Tensor, b: Tensor) -> Tensor {
     })
 }
 
-/// What our own arithmetic may add.
+/// Returns a bound on the rounding errors of this computation.
 fn rounding(values: &[f64]) -> f64 {
     8.0 * f64::EPSILON * values.iter().map(|v| v.abs()).sum::<f64>()
 }

@@ -1,8 +1,9 @@
-//! Which printed number is what: headings say what follows, labels name each number.
+//! Assignment of the printed numbers: headings announce the following quantity, and labels name
+//! each number.
 //!
-//! Nothing here depends on the program. `Lxx = 1.2`, `Ixx 1.2` below a heading and `Ixx Ixy Ixz  1.2 0.1 0.3`
-//! are all labels waiting for numbers, in order; a heading says whether a tensor is about the centre of mass
-//! or the origin.
+//! The method does not depend on the program. `Lxx = 1.2`, `Ixx 1.2` below a heading, and `Ixx Ixy
+//! Ixz  1.2 0.1 0.3` are all labels that wait for numbers, in order. A heading determines if a
+//! tensor is about the centre of mass or the origin.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -12,14 +13,14 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::{CadProduct, ProductConvention, numbers, units};
 
-/// A number of the report: where, and in which unit if it has one of its own.
+/// Position of a number in the report, and its own unit if it has one.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
     pub span: Range<usize>,
     pub unit: Option<String>,
 }
 
-/// Numbers under one heading, and the unit that it gives them.
+/// Numbers under one heading, and the unit in that heading.
 #[derive(Clone, Debug)]
 pub(crate) struct Group<const N: usize> {
     pub numbers: [Option<Found>; N],
@@ -29,31 +30,31 @@ pub(crate) struct Group<const N: usize> {
 impl<const N: usize> Group<N> {
     const EMPTY: Self = Self { numbers: [const { None }; N], unit: None };
 
-    /// Whether there is any number at all.
+    /// Returns true if there is any number.
     pub(crate) fn is_some(&self) -> bool {
         self.numbers.iter().any(Option::is_some)
     }
 }
 
-/// Everything that a report says, as it is written.
+/// Contents of a report as written.
 #[derive(Clone, Debug)]
 pub(crate) struct Scan {
     pub product: CadProduct,
-    /// What the report itself says of its sign.
+    /// Sign convention stated in the report.
     pub stated: Option<ProductConvention>,
     /// Mass, volume, surface area, density.
     pub scalars: [Group<1>; 4],
     pub center: Group<3>,
-    /// Whether a heading announces the centre of mass, with or without numbers that are read.
+    /// True if a heading announces the centre of mass, with or without readable numbers.
     pub names_center: bool,
-    /// Row by row, about the centre of mass and about the origin.
+    /// Tensors about the centre of mass and about the origin, row by row.
     pub tensors: [Group<9>; 2],
     pub moments: Group<3>,
     /// Principal axes, one after the other.
     pub axes: Group<9>,
 }
 
-/// The four scalars in the order of [`Scan::scalars`]: labels, name, dimension.
+/// Scalars in the order of [`Scan::scalars`]: labels, name, dimension.
 pub(crate) const SCALARS: [(&[&str], &str, Dimension); 4] = [
     (&["mass"], "the mass", Dimension::MASS),
     (&["volume"], "the volume", Dimension::VOLUME),
@@ -64,18 +65,18 @@ pub(crate) const SCALARS: [(&[&str], &str, Dimension); 4] = [
 pub(crate) const CENTRAL: usize = 0;
 pub(crate) const ORIGIN: usize = 1;
 
-/// What the labels of the lines below a heading mean.
+/// Section of a report: the meaning of the labels below a heading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Section {
-    /// Nothing that is read: bounding boxes, radii of gyration, rotations.
+    /// Unused content: bounding boxes, radii of gyration, rotations.
     Other,
     Center,
-    /// A tensor, and which if that has been said.
+    /// Tensor, with its reference point if known.
     Inertia(Option<usize>),
     Principal,
 }
 
-/// A place that waits for its number.
+/// Target for the next number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Target {
     Scalar(usize),
@@ -112,11 +113,11 @@ pub(crate) fn scan(text: &str) -> Result<Scan, ContentError> {
     Ok(scanner.scan)
 }
 
-/// Which program wrote it, by the headings that only that program has.
+/// Detects the program by headings that only it has.
 fn product(text: &str) -> CadProduct {
     let text = text.to_lowercase();
     let has = |phrase: &str| text.contains(phrase);
-    // Creo's first line, too, may be "MASS PROPERTIES OF THE PART".
+    // The first line of Creo may also be "MASS PROPERTIES OF THE PART".
     if has("inertia tensor") && has("coordinate frame") {
         CadProduct::Creo
     } else if has("output coordinate system") || has("mass properties of") {
@@ -134,14 +135,14 @@ struct Scanner<'a> {
     text: &'a str,
     section: Section,
     heading_unit: Option<String>,
-    /// First in, first out.
+    /// Queue of targets, first in, first out.
     waiting: VecDeque<Target>,
     scan: Scan,
 }
 
 impl Scanner<'_> {
     fn line(&mut self, start: usize, line: &str) -> Result<(), ContentError> {
-        // Reports are pasted into comments and tables, too.
+        // Reports may also be pasted into comments and tables.
         let content = line.trim_start_matches(|c: char| c.is_whitespace() || "#%/*>;|\u{feff}".contains(c));
         let content = content.strip_prefix("- ").unwrap_or(content);
         let start = start + line.len() - content.len();
@@ -171,12 +172,13 @@ impl Scanner<'_> {
         self.scan.names_center |= section == Section::Center;
         self.section = section;
         let dimension = if section == Section::Center { Dimension::LENGTH } else { Dimension::INERTIA };
-        // The lines "INERTIA TENSOR:" of Creo stand between the heading with the unit and the numbers.
+        // Creo's lines "INERTIA TENSOR:" are between the heading with the unit and the numbers.
         let unit = bracketed(content, dimension);
         if unit.is_some() || !lower.starts_with("inertia tensor") {
             self.heading_unit = unit;
         }
-        // A heading may name things with digits and letters; only a centre of mass has its numbers beside it.
+        // A heading may contain names with digits and letters. Only the heading of a centre of mass
+        // has numbers on the same line.
         let beside = section == Section::Center && !lower.contains("with respect to");
         if !beside {
             return Ok(());
@@ -186,7 +188,7 @@ impl Scanner<'_> {
         self.numbers(start, content, from)
     }
 
-    /// Labels and numbers of one line, from byte `from` on.
+    /// Reads the labels and numbers of one line, from byte `from` on.
     fn numbers(&mut self, start: usize, line: &str, from: usize) -> Result<(), ContentError> {
         if self.section == Section::Other && self.waiting.is_empty() {
             return Ok(());
@@ -213,14 +215,14 @@ impl Scanner<'_> {
         Ok(())
     }
 
-    /// A word that may be a label.
+    /// Reads a word that may be a label.
     fn label(&mut self, word: &str, at: usize) -> Result<(), ContentError> {
         let axis = |letter: &u8| b"xyz".iter().position(|l| l == letter);
         match (self.section, word.as_bytes()) {
             (Section::Center, [letter]) => self.waiting.extend(axis(letter).map(Target::Center)),
             (Section::Inertia(which), [kind @ (b'i' | b'l'), i, j]) => {
                 if let (Some(i), Some(j)) = (axis(i), axis(j)) {
-                    // L is about the centre of mass wherever it is used, and so is Onshape's tensor.
+                    // L is always about the centre of mass, and so is Onshape's tensor.
                     let central = *kind == b'l' || self.scan.product == CadProduct::Onshape;
                     let which = which.or(central.then_some(CENTRAL)).ok_or_else(|| nowhere(word, at))?;
                     self.waiting.push_back(Target::Tensor(which, 3 * i + j));
@@ -262,7 +264,7 @@ impl Scanner<'_> {
         Ok(())
     }
 
-    /// A label without a number is a report that was cut off.
+    /// Returns an error if a label has no number: the report is truncated.
     fn nothing_waits(&mut self, at: usize) -> Result<(), ContentError> {
         let Some(&target) = self.waiting.front() else { return Ok(()) };
         let found = self.text[at..].lines().next().unwrap_or_default().trim().to_owned();
@@ -272,7 +274,7 @@ impl Scanner<'_> {
     }
 }
 
-/// The scalar whose label starts the line.
+/// Returns the scalar whose label starts the line.
 fn scalar(lower: &str) -> Option<usize> {
     let starts = |label: &str| {
         lower.strip_prefix(label).is_some_and(|rest| {
@@ -285,7 +287,7 @@ fn scalar(lower: &str) -> Option<usize> {
     SCALARS.iter().position(|(labels, ..)| labels.iter().any(|label| starts(label)))
 }
 
-/// The section that a line opens, if it is a heading.
+/// Returns the section that a line opens, if it is a heading.
 fn heading(lower: &str, current: Section) -> Option<Section> {
     let has = |phrases: &[&str]| phrases.iter().any(|phrase| lower.contains(phrase));
     if has(&["rotation ", "radii", "radius", "bounding box", "world "]) || lower.starts_with("mass propert") {
@@ -306,7 +308,7 @@ fn heading(lower: &str, current: Section) -> Option<Section> {
     center.iter().any(|label| lower.starts_with(label)).then_some(Section::Center)
 }
 
-/// The point that a tensor is about, where the line names one.
+/// Returns the reference point of a tensor, if the line names one.
 fn about(lower: &str) -> Option<usize> {
     let has = |phrases: &[&str]| phrases.iter().any(|phrase| lower.contains(phrase));
     if has(&["center of mass", "centre of mass", "center of gravity", "centre of gravity", "centroid"]) {
@@ -318,7 +320,7 @@ fn about(lower: &str) -> Option<usize> {
     }
 }
 
-/// The unit in brackets in a heading.
+/// Returns the unit in brackets in a heading.
 fn bracketed(line: &str, dimension: Dimension) -> Option<String> {
     line.split(['(', '[']).skip(1).find_map(|rest| {
         let phrase = rest.split([')', ']']).next()?;
@@ -326,7 +328,7 @@ fn bracketed(line: &str, dimension: Dimension) -> Option<String> {
     })
 }
 
-/// The unit behind a number: as many words as make one.
+/// Returns the unit after a number: as many words as form a unit.
 fn own_unit(rest: &str, dimension: Dimension) -> Option<String> {
     const WORDS: usize = 6; // "grams per square millimeter" and the like, with signs between them
     let phrase =
@@ -358,7 +360,7 @@ pub(crate) fn center_name(k: usize) -> &'static str {
     ["x of the centre of mass", "y of the centre of mass", "z of the centre of mass"][k]
 }
 
-/// `Ixy about the centre of mass`.
+/// Returns the name of an element: `Ixy about the centre of mass`.
 pub(crate) fn element_name(which: usize, k: usize) -> String {
     let point = if which == CENTRAL { "the centre of mass" } else { "the origin" };
     let letter = |k: usize| ["x", "y", "z"][k];

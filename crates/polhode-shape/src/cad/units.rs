@@ -1,9 +1,9 @@
-//! The units of reports, in words: `grams * square millimeters`, `lbmass in^2`, `KILOGRAM / MM^3`.
+//! Unit names of reports: `grams * square millimeters`, `lbmass in^2`, `KILOGRAM / MM^3`.
 
 use polhode_source::unit;
 use polhode_source::unit::Dimension;
 
-/// Names of CAD programs for the units of [`polhode_source::unit`], in lower case.
+/// Unit names of CAD programs and the names in [`polhode_source::unit`], in lower case.
 const NAMES: &[(&str, &str)] = &[
     ("milligram milligrams", "mg"),
     ("gram grams g", "g"),
@@ -20,20 +20,21 @@ const NAMES: &[(&str, &str)] = &[
     ("foot feet ft", "ft"),
 ];
 
-/// The unit in the grammar of [`unit::parse`], if it measures `dimension`.
+/// Returns the unit in the grammar of [`unit::parse`], if it has this dimension.
 pub(crate) fn read(phrase: &str, dimension: Dimension) -> Option<String> {
     let unit = rewritten(phrase)?;
     unit::factor(&unit, dimension).is_ok().then_some(unit)
 }
 
-/// Word by word: a name for each word, `square` and `cubic` behind the next one, `per` as a slash.
+/// Rewrites a phrase word by word: names are replaced, `square` and `cubic` become a power of the
+/// next word, `per` becomes a slash.
 fn rewritten(phrase: &str) -> Option<String> {
     let (mut unit, mut power) = (String::new(), "");
     let mut rest = phrase.trim();
     while let Some(first) = rest.chars().next() {
         let word = rest.find(|c: char| !c.is_alphabetic()).unwrap_or(rest.len());
         if word == 0 {
-            // A full stop stands between factors, as in kg.m^2, and so do crosses.
+            // A point between factors, as in kg.m^2, or a cross is a product.
             unit.push(if matches!(first, '.' | '×') { '*' } else { first });
             rest = &rest[first.len_utf8()..];
             continue;

@@ -1,20 +1,20 @@
-//! A table: RFC 4180 with LF line ends, as the other tables, and no comments.
+//! CSV table: RFC 4180 with LF line ends, without comments.
 //!
-//! What the numbers are stands in columns of their own, in the words of the JSON contract.
+//! Separate columns state the meaning of the numbers, with the values of the JSON contract.
 
 use polhode_document::csv_name;
 
 use super::{ExportBody, elements, number};
 
-/// The names of the columns, with their units.
+/// Names of the columns, with their units.
 const COLUMNS: &str = "name,mass_kg,center_of_mass_x_m,center_of_mass_y_m,center_of_mass_z_m,inertia_about,\
     inertia_axes,inertia_products,ixx_kg_m2,ixy_kg_m2,ixz_kg_m2,iyy_kg_m2,iyz_kg_m2,\
     izz_kg_m2,i1_kg_m2,i2_kg_m2,i3_kg_m2,principal_quaternion_w,principal_quaternion_x,\
     principal_quaternion_y,principal_quaternion_z,volume_m3,surface_area_m2,density_kg_m3";
 
-/// The whole table.
+/// Returns the whole table.
 pub(crate) fn write(bodies: &[ExportBody]) -> String {
-    // A mesh that was taken as something other than its solid adds a column to the table.
+    // If a mesh was not used as a solid, the table has an additional column.
     let taken_as = bodies.iter().any(|body| body.taken_as.is_some()).then_some("mesh_taken_as");
     let columns: Vec<_> = [COLUMNS].into_iter().chain(taken_as).collect();
     let mut text = columns.join(",") + "\n";
@@ -35,7 +35,7 @@ fn row(body: &ExportBody) -> Vec<String> {
     cells.extend(["center_of_mass", "body", "negative_integral"].map(str::to_owned));
     cells.extend(elements(properties).map(number));
     cells.extend(principal.moments().map(number));
-    // R_body_principal
+    // Quaternion R_body_principal.
     cells.extend(principal.rotation().canonical_quaternion().map(number));
     cells.extend([body.volume, body.surface_area, body.density].map(known));
     cells

@@ -1,4 +1,4 @@
-//! Why a format cannot say something.
+//! Errors of formats that cannot represent a body.
 
 use std::fmt;
 
@@ -7,45 +7,45 @@ use polhode_document::number::exact;
 
 use super::ExportFormat;
 
-/// Why bodies cannot be written in a format: what, the value and the rule that it breaks.
+/// Error of an export: the quantity, its value and the rule that it violates.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ExportError {
-    /// There is no body to write.
+    /// The list of bodies is empty.
     Empty,
-    /// Several bodies in a format whose file is one body.
+    /// Several bodies are given for a format with one body per file.
     Several {
-        /// The format.
+        /// Requested format.
         format: ExportFormat,
-        /// How many there are.
+        /// Number of bodies.
         bodies: usize,
     },
-    /// A name that the format does not allow.
+    /// The format does not allow a name.
     Name {
-        /// The format.
+        /// Requested format.
         format: ExportFormat,
-        /// The name.
+        /// Name of the body.
         name: String,
-        /// What the format wants.
+        /// Rule of the format.
         rule: &'static str,
     },
-    /// A number that the format cannot hold.
+    /// The format cannot represent a number.
     Range {
-        /// The format.
+        /// Requested format.
         format: ExportFormat,
-        /// The body's name.
+        /// Name of the body.
         body: String,
-        /// What the number is.
+        /// Quantity.
         what: &'static str,
-        /// The number, SI.
+        /// Value, SI units.
         value: f64,
-        /// What it has to be.
+        /// Rule of the format.
         rule: &'static str,
     },
 }
 
 impl ExportError {
-    /// What to do about it.
+    /// Returns a hint.
     pub const fn hint(&self) -> &'static str {
         match self {
             Self::Empty => "give a body",

@@ -1,23 +1,27 @@
 //! JSBSim: the `<mass_balance>` of an aircraft.
 //!
-//! Places are in the structural frame: x towards the tail, y to the right, z up. `ixx` … `iyz` are elements of the tensor about the centre of mass along that frame: JSBSim takes ixy and iyz with the other
-//! sign into its body frame (x forward, z down, half a turn about y away) and ixz as it is (FGMassBalance.cpp), where `negated_crossproduct_inertia` is `true` or not there; JSBSim 1.3.3 was seen to take them for positive integrals where it is `false`.
+//! Positions are in the structural frame: x aft, y right, z up. `ixx` … `iyz` are elements of the
+//! tensor about the centre of mass in the axes of this frame. The body frame has x forward and z
+//! down; it results from a rotation by 180° about y. JSBSim transfers ixy and iyz with the opposite
+//! sign and ixz unchanged (FGMassBalance.cpp), if `negated_crossproduct_inertia` is `true` or
+//! missing. If it is `false`, JSBSim 1.3.3 interprets them as positive integrals.
 
 use polhode_document::VERSION;
 
 use super::xml::{attribute, check_names, warning};
 use super::{ExportBody, ExportError, ExportFormat, elements, number};
 
-/// kg to lb: the avoirdupois pound is 0.453 592 37 kg.
+/// Kilograms per avoirdupois pound: 0.453 592 37 kg.
 const POUND: f64 = 0.453_592_37;
 
-/// m
+/// Inch, m.
 const INCH: f64 = 0.0254;
 
-/// The slug times a square foot, kg·m²: a pound of force (g₀ = 9.806 65 m/s²) in ft/s², 14.593 902 937 206 kg, by 0.3048² m².
+/// Unit slug·ft², kg·m². A slug is a pound-force (g₀ = 9.806 65 m/s²) per ft/s², 14.593 902 937 206
+/// kg; a square foot is 0.3048² m².
 const SLUG_FT2: f64 = POUND * 9.806_65 * 0.3048;
 
-/// The whole file.
+/// Returns the whole file.
 pub(crate) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
     let format = ExportFormat::JsbSim;
     let [body] = bodies else { return Err(ExportError::Several { format, bodies: bodies.len() }) };

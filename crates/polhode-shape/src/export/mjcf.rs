@@ -1,13 +1,15 @@
-//! MJCF, MuJoCo's XML: a `<body>` each, at the world's origin and without a joint.
+//! MJCF, the XML format of MuJoCo: one `<body>` for each body, at the world's origin and without a
+//! joint.
 //!
-//! `fullinertia` is M11 M22 M33 M12 M13 M23 of the tensor; `quat` is scalar first (MuJoCo's XML reference, `inertial`).
+//! `fullinertia` contains M11 M22 M33 M12 M13 M23 of the tensor; `quat` has the scalar first
+//! (MuJoCo's XML reference, `inertial`).
 
 use polhode_document::VERSION;
 
 use super::xml::{attribute, check_names, model, warning};
 use super::{ExportBody, ExportError, ExportFormat, elements, number, numbers};
 
-/// The whole file.
+/// Returns the whole file.
 pub(crate) fn write(format: ExportFormat, bodies: &[ExportBody]) -> Result<String, ExportError> {
     check_names(format, bodies)?;
     if let Some(ExportBody { name, .. }) = bodies.iter().find(|body| body.name == "world") {
@@ -44,7 +46,7 @@ fn element(format: ExportFormat, body: &ExportBody) -> String {
     )
 }
 
-/// What the tensor is, and its attribute.
+/// Returns a comment on the tensor, and its attribute.
 fn full(body: &ExportBody) -> (&'static str, String) {
     let [ixx, ixy, ixz, iyy, iyz, izz] = elements(&body.properties);
     let inertia = numbers(&[ixx, iyy, izz, ixy, ixz, iyz], " ");
@@ -54,10 +56,10 @@ fn full(body: &ExportBody) -> (&'static str, String) {
     )
 }
 
-/// What the principal moments are, and their attributes.
+/// Returns a comment on the principal moments, and their attributes.
 fn principal(body: &ExportBody) -> (&'static str, String) {
     let principal = body.properties.principal();
-    // R_body_principal
+    // Quaternion R_body_principal.
     let quaternion = numbers(&principal.rotation().canonical_quaternion(), " ");
     let moments = numbers(&principal.moments(), " ");
     (

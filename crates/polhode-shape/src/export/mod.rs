@@ -1,7 +1,7 @@
-//! Mass properties as other programs read them.
+//! Export of mass properties to the formats of other programs.
 //!
-//! Each format has a frame, a point and a sign of its own. What is written says which, in a comment where the format has
-//! comments:
+//! Each format has its own frame, reference point and sign convention. The files state them in a
+//! comment, if the format has comments:
 //!
 //! | format | tensor about | along | products of inertia | numbers |
 //! |---|---|---|---|---|
@@ -12,8 +12,8 @@
 //! | SolidWorks | centre of mass, and the origin | body axes | "positive tensor notation", +∫xy dm | f64 |
 //! | CSV | centre of mass | body axes, and principal ones | elements of the tensor, −∫xy dm | f64 |
 //!
-//! The frame of a link, prim, hub or output coordinate system is the body's. All is SI, but for JSBSim. Text around the numbers is ASCII: these
-//! files meet old tools.
+//! The frame of a link, prim, hub or output coordinate system is the body's. All units are SI,
+//! except for JSBSim. Text other than numbers is ASCII, for compatibility with old programs.
 
 pub(crate) mod csv;
 mod error;
@@ -34,7 +34,7 @@ use polhode::math::Body;
 use crate::report::InertiaReport;
 use polhode_document::number::exact;
 
-/// A format that mass properties can be written in.
+/// Export format for mass properties.
 ///
 /// ```
 /// use polhode_shape::ExportFormat;
@@ -43,33 +43,34 @@ use polhode_document::number::exact;
 /// ```
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum ExportFormat {
-    /// A robot of one link with its `<inertial>`.
+    /// URDF: a robot with one link and its `<inertial>`.
     Urdf,
-    /// SDFormat 1.7: a model with a link for each body.
+    /// SDFormat 1.7: a model with one link for each body.
     Sdf,
-    /// MuJoCo's XML, a `<body>` each: the tensor as `fullinertia`.
+    /// MuJoCo's MJCF: one `<body>` for each body, with the tensor as `fullinertia`.
     Mjcf,
-    /// The same, but `diaginertia` and `quat`: principal moments, and the axes that they belong to.
+    /// MuJoCo's MJCF with principal moments and axes, as `diaginertia` and `quat`.
     ///
-    /// MuJoCo keeps these as they are. Of a `fullinertia` it finds them itself: MuJoCo 4.0 was seen to lose 1e-14 of the
-    /// tensor, and to refuse rods and moments as small as 1e-15 kg·m².
+    /// MuJoCo uses these values unchanged. From a `fullinertia` it computes them itself: MuJoCo 4.0
+    /// loses 1e-14 of the tensor, and rejects rods and moments as small as 1e-15 kg·m².
     MjcfPrincipal,
-    /// OpenUSD as text, a prim each, with `PhysicsMassAPI` applied. USD keeps single precision.
+    /// OpenUSD as text: one prim for each body, with `PhysicsMassAPI` applied. USD stores single
+    /// precision.
     Usd,
-    /// The `<mass_balance>` of a JSBSim aircraft, in lb, in and slug·ft².
+    /// JSBSim: the `<mass_balance>` of an aircraft, in lb, in and slug·ft².
     JsbSim,
-    /// Python: the arguments of `rocketpy.Rocket`.
+    /// Python code for RocketPy: the arguments of `rocketpy.Rocket`.
     RocketPy,
-    /// Python: the hub of a Basilisk spacecraft.
+    /// Python code for Basilisk: the hub of a spacecraft.
     Basilisk,
     /// Text in the layout of a SolidWorks report.
     SolidWorks,
-    /// A table: a line of column names, and a line for each body.
+    /// CSV table: a header, and one line for each body.
     Csv,
 }
 
 impl ExportFormat {
-    /// All formats.
+    /// List of all formats.
     pub const ALL: &'static [Self] = &[
         Self::Urdf,
         Self::Sdf,
@@ -83,7 +84,7 @@ impl ExportFormat {
         Self::Csv,
     ];
 
-    /// The name in lower case, as a flag has it.
+    /// Returns the lower-case name, as used in options.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Urdf => "urdf",
@@ -99,12 +100,12 @@ impl ExportFormat {
         }
     }
 
-    /// The format of that name; case does not matter.
+    /// Returns the format with this name, in any case.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.iter().find(|format| format.name().eq_ignore_ascii_case(name.trim())).copied()
     }
 
-    /// How the names of its files end, without the dot.
+    /// Returns the file extension, without the dot.
     pub const fn extension(self) -> &'static str {
         match self {
             Self::Urdf => "urdf",
@@ -118,10 +119,10 @@ impl ExportFormat {
     }
 }
 
-/// A body to be written, under its name.
+/// Body to be exported, with its name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExportBody {
-    /// What to call it.
+    /// Name of the body in the file.
     pub name: String,
     /// Mass, centre of mass and inertia tensor.
     pub properties: MassProperties<Body>,
@@ -131,18 +132,18 @@ pub struct ExportBody {
     pub surface_area: Option<f64>,
     /// Mass per volume, kg/m³.
     pub density: Option<f64>,
-    /// What a mesh was taken for other than the solid that it bounds: `convex_hull`, `sheet`.
+    /// Interpretation of a mesh if it is not a solid: `convex_hull`, `sheet`.
     pub taken_as: Option<String>,
 }
 
 impl ExportBody {
-    /// A body of which nothing else is known.
+    /// Creates a body with only a name and mass properties.
     pub fn new(name: impl Into<String>, properties: MassProperties<Body>) -> Self {
         let (volume, surface_area, density) = (None, None, None);
         Self { name: name.into(), properties, volume, surface_area, density, taken_as: None }
     }
 
-    /// The body of a report.
+    /// Creates the body of a report.
     pub fn of_report(name: impl Into<String>, report: &InertiaReport) -> Self {
         Self {
             volume: report.volume,
@@ -155,17 +156,17 @@ impl ExportBody {
 }
 
 impl ExportBody {
-    /// What its numbers are of, where that is not the solid that a mesh bounds.
+    /// Returns a remark if the numbers are not those of the solid that a mesh bounds.
     fn remark(&self) -> Option<String> {
         let taken_as = self.taken_as.as_ref()?.replace('_', " ");
         Some(format!("the mesh was taken as a {taken_as}, not as a solid"))
     }
 }
 
-/// The text of a whole file in that format.
+/// Returns the text of a file in this format.
 ///
-/// Numbers are the shortest decimals that read back bit for bit. They are those of the body: nothing is turned or moved
-/// but what the format itself asks for.
+/// Numbers are the shortest decimals that read back bit for bit. They are those of the body: axes
+/// and reference point are changed only if the format requires it.
 ///
 /// ```
 /// use polhode::body::{InertiaTensor, MassProperties};
@@ -180,8 +181,8 @@ impl ExportBody {
 /// ```
 ///
 /// # Errors
-/// [`ExportError`] if the format cannot say this: several links in a URDF, a name that it reserves, a number beyond its
-/// precision.
+/// [`ExportError`] if the format cannot represent the bodies: several links in a URDF, a reserved
+/// name, or a number beyond its precision.
 pub fn export(format: ExportFormat, bodies: &[ExportBody]) -> Result<String, ExportError> {
     if bodies.is_empty() {
         return Err(ExportError::Empty);
@@ -199,18 +200,19 @@ pub fn export(format: ExportFormat, bodies: &[ExportBody]) -> Result<String, Exp
     }
 }
 
-/// The shortest decimal that reads back bit for bit; no zero has a sign.
+/// Returns the shortest decimal that reads back bit for bit. Zero has no sign.
 fn number(x: f64) -> String {
     // −0 + 0 = 0
     exact(x + 0.0)
 }
 
-/// Numbers with something between them.
+/// Joins numbers with a separator.
 fn numbers(values: &[f64], between: &str) -> String {
     values.iter().map(|&x| number(x)).collect::<Vec<_>>().join(between)
 }
 
-/// ixx, ixy, ixz, iyy, iyz, izz: the tensor about the centre of mass along body axes, row by row.
+/// Returns ixx, ixy, ixz, iyy, iyz, izz: the tensor about the centre of mass in body axes, row by
+/// row.
 fn elements(body: &MassProperties<Body>) -> [f64; 6] {
     let [[ixx, ixy, ixz], [_, iyy, iyz], [_, _, izz]] = body.inertia().matrix();
     [ixx, ixy, ixz, iyy, iyz, izz]

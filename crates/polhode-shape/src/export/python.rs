@@ -1,11 +1,11 @@
-//! RocketPy and Basilisk: what their classes are given, as Python.
+//! RocketPy and Basilisk: arguments of their classes, as Python code.
 
 use polhode_document::VERSION;
 
 use super::xml::check_names;
 use super::{ExportBody, ExportError, ExportFormat, elements, number, numbers};
 
-/// The only body, which its comments call by its name in ASCII.
+/// Returns the only body, and the comment with its name in ASCII.
 fn one(format: ExportFormat, bodies: &[ExportBody]) -> Result<(&ExportBody, String), ExportError> {
     let [body] = bodies else { return Err(ExportError::Several { format, bodies: bodies.len() }) };
     check_names(format, bodies)?;
@@ -14,10 +14,11 @@ fn one(format: ExportFormat, bodies: &[ExportBody]) -> Result<(&ExportBody, Stri
     Ok((body, format!("{name}\n{remark}")))
 }
 
-/// Arguments of `rocketpy.Rocket` without a motor.
+/// Returns the arguments of `rocketpy.Rocket` without a motor.
 ///
-/// The tensor is about the centre of mass, along axes of which the third is the rocket's; I_12 is an element of it (its documentation, and the parallel-axis theorem of its `tools`). The coordinate along that axis is
-/// positive towards the nose as `tail_to_nose` has it.
+/// The tensor is about the centre of mass, with the third axis along the rocket. I_12 is an element
+/// of the tensor, according to RocketPy's documentation and the parallel-axis theorem in its
+/// `tools`. The coordinate along the axis is positive towards the nose, as with `tail_to_nose`.
 pub(crate) fn rocketpy(bodies: &[ExportBody]) -> Result<String, ExportError> {
     let (body, name) = one(ExportFormat::RocketPy, bodies)?;
     let properties = &body.properties;
@@ -39,9 +40,10 @@ center_of_mass_eccentricity = ({x}, {y})
     ))
 }
 
-/// The hub of Basilisk's `spacecraft.Spacecraft()`.
+/// Returns the hub of Basilisk's `spacecraft.Spacecraft()`.
 ///
-/// `IHubPntBc_B` is the tensor about the hub's centre of mass Bc in the frame B, a matrix: its elements (the description of HubEffector). `r_BcB_B` leads from B's origin to Bc.
+/// `IHubPntBc_B` is the matrix of the tensor about the hub's centre of mass Bc in the frame B
+/// (documentation of HubEffector). `r_BcB_B` is the vector from B's origin to Bc.
 pub(crate) fn basilisk(bodies: &[ExportBody]) -> Result<String, ExportError> {
     let (body, name) = one(ExportFormat::Basilisk, bodies)?;
     let properties = &body.properties;

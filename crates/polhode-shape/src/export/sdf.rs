@@ -1,14 +1,14 @@
-//! SDFormat 1.7: a model with a link for each body.
+//! SDFormat 1.7: a model with one link for each body.
 //!
-//! The convention of products is −∫xy dm (the description of `ixy` in SDFormat's own specification); the pose is relative
-//! to the link, at the centre of mass.
+//! Products are −∫xy dm, according to the description of `ixy` in the specification. The pose is
+//! relative to the link, at the centre of mass.
 
 use polhode_document::VERSION;
 
 use super::xml::{attribute, check_names, model, warning};
 use super::{ExportBody, ExportError, ExportFormat, elements, number, numbers};
 
-/// The whole file.
+/// Returns the whole file.
 pub(crate) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
     let format = ExportFormat::Sdf;
     check_names(format, bodies)?;

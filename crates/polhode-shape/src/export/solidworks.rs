@@ -1,8 +1,8 @@
 //! Text in the layout of a SolidWorks mass-properties report, in SI units.
 //!
-//! SolidWorks shows products in "positive tensor notation" unless it is told otherwise, Lxy = +∫xy dm, and says so in the
-//! line above them; so does this. The report has two tensors: with the mass and the centre they prove the sign by the
-//! parallel-axis theorem, Ixy = Lxy + M x y.
+//! SolidWorks by default prints products in "positive tensor notation", Lxy = +∫xy dm, and states
+//! this in the line above them. This module does the same. The report has two tensors. With mass
+//! and centre they prove the sign by the parallel-axis theorem, Ixy = Lxy + M x y.
 
 use polhode::math::Position;
 use polhode_document::VERSION;
@@ -10,7 +10,7 @@ use polhode_document::layout::printable;
 
 use super::{ExportBody, ExportError, ExportFormat, number, numbers};
 
-/// One report after the other.
+/// Returns the reports of all bodies, one after the other.
 pub(crate) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
     let reports: Vec<String> = bodies.iter().map(report).collect::<Result<_, _>>()?;
     let reports = reports.join("\n");
@@ -65,7 +65,7 @@ Taken at the output coordinate system. (Using positive tensor notation.)
     ))
 }
 
-/// The axes as unit vectors, and the moments, ascending.
+/// Returns the principal axes as unit vectors, and the moments in ascending order.
 fn principal(body: &ExportBody) -> String {
     let principal = body.properties.principal();
     let rows = ["x", "y", "z"].into_iter().zip(principal.axes()).zip(principal.moments());
@@ -76,7 +76,7 @@ fn principal(body: &ExportBody) -> String {
     rows.map(row).collect()
 }
 
-/// Three rows, with the products positive integrals.
+/// Returns three rows, with the products as positive integrals.
 fn tensor(letter: char, rows: [[f64; 3]; 3]) -> String {
     let names = ["x", "y", "z"];
     let cell = |i: usize, j: usize| {

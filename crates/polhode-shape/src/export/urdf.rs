@@ -1,13 +1,14 @@
-//! URDF: a robot of one link.
+//! URDF: a robot with one link.
 //!
-//! URDF assumes the negative convention of products: `ixy` is the tensor's element −∫xy dm (wiki.ros.org/urdf/XML/link).
+//! URDF uses the negative convention of products: `ixy` is the tensor element −∫xy dm
+//! (wiki.ros.org/urdf/XML/link).
 
 use polhode_document::VERSION;
 
 use super::xml::{attribute, check_names, warning};
 use super::{ExportBody, ExportError, ExportFormat, elements, number, numbers};
 
-/// The whole file.
+/// Returns the whole file.
 pub(crate) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
     let format = ExportFormat::Urdf;
     let [body] = bodies else { return Err(ExportError::Several { format, bodies: bodies.len() }) };

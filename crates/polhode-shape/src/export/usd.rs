@@ -1,7 +1,7 @@
-//! OpenUSD as text: a prim each, with `PhysicsMassAPI` applied.
+//! OpenUSD as text: one prim for each body, with `PhysicsMassAPI` applied.
 //!
-//! The schema's numbers are single precision, and 0 means "not given" to it. What would become 0 or infinite that way is
-//! refused.
+//! The schema stores single precision, and 0 means "not given". Values that would become 0 or
+//! infinite are refused.
 
 use std::collections::BTreeSet;
 
@@ -10,7 +10,7 @@ use polhode_document::layout::printable;
 
 use super::{ExportBody, ExportError, ExportFormat, number, numbers};
 
-/// The whole file.
+/// Returns the whole file.
 pub(crate) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
     let mut taken = BTreeSet::new();
     let mut prims = String::new();
@@ -44,7 +44,7 @@ fn prim(body: &ExportBody, identifier: &str) -> String {
     let remark = body.remark().map(|text| format!("    # {text}\n")).unwrap_or_default();
     let center = numbers(&properties.center_of_mass().to_array(), ", ");
     let moments = numbers(&principal.moments(), ", ");
-    // R_body_principal
+    // Quaternion R_body_principal.
     let quaternion = numbers(&principal.rotation().canonical_quaternion(), ", ");
     format!(
         r#"
@@ -65,7 +65,8 @@ def Xform "{identifier}" (
     )
 }
 
-/// Single precision holds the numbers, and none of them becomes the 0 that means "not given".
+/// Checks that single precision can represent the numbers, and that none becomes 0, which means
+/// "not given".
 fn check(body: &ExportBody) -> Result<(), ExportError> {
     let refused = |what, value, rule| {
         Err(ExportError::Range { format: ExportFormat::Usd, body: body.name.clone(), what, value, rule })
@@ -88,7 +89,7 @@ fn check(body: &ExportBody) -> Result<(), ExportError> {
     Ok(())
 }
 
-/// A prim's name: letters, digits and `_`, no digit first, each another.
+/// Returns a unique prim name of letters, digits and `_` that does not start with a digit.
 fn identifier(name: &str, taken: &mut BTreeSet<String>) -> String {
     let mut stem: String = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
     if !stem.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') {
@@ -103,7 +104,7 @@ fn identifier(name: &str, taken: &mut BTreeSet<String>) -> String {
     identifier
 }
 
-/// The name for people, as it stands between double quotes.
+/// Escapes the display name for double quotes.
 fn quoted(name: &str) -> String {
     printable(name).replace('\\', r"\\").replace('"', "\\\"")
 }

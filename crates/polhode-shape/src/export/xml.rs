@@ -1,4 +1,4 @@
-//! Names and warnings in XML.
+//! XML helpers: names and warnings.
 
 use std::collections::BTreeSet;
 
@@ -7,10 +7,11 @@ use polhode_document::layout::is_unseen;
 
 use super::{ExportBody, ExportError, ExportFormat};
 
-/// The text as an attribute's value, between double quotes.
+/// Escapes text for an attribute value in double quotes.
 ///
-/// Line breaks, tabs, other controls and what turns the writing around become references, which read back. XML 1.0 has no way to say the rest of the
-/// controls: they are shown as in Rust, `\u{7}`.
+/// Line breaks, tabs, and invisible characters such as bidirectional controls become character
+/// references, which read back. XML 1.0 cannot represent the remaining controls; they are shown as
+/// in Rust, `\u{7}`.
 pub(crate) fn attribute(text: &str) -> String {
     let mut value = String::new();
     for c in text.chars() {
@@ -28,7 +29,7 @@ pub(crate) fn attribute(text: &str) -> String {
     value
 }
 
-/// The name of a model: that of its only body.
+/// Returns the name of a model: that of its only body, or "bodies".
 pub(crate) fn model(bodies: &[ExportBody]) -> String {
     match bodies {
         [body] => attribute(&body.name),
@@ -36,7 +37,7 @@ pub(crate) fn model(bodies: &[ExportBody]) -> String {
     }
 }
 
-/// Every body has a name, and each another.
+/// Checks that every body has a name, and that all names differ.
 pub(crate) fn check_names(format: ExportFormat, bodies: &[ExportBody]) -> Result<(), ExportError> {
     let refused = |body: &ExportBody, rule| ExportError::Name { format, name: body.name.clone(), rule };
     let mut seen = BTreeSet::new();
@@ -51,7 +52,8 @@ pub(crate) fn check_names(format: ExportFormat, bodies: &[ExportBody]) -> Result
     Ok(())
 }
 
-/// What the numbers are of, and what a simulator may stumble over, as comments on lines of their own; most bodies have no such thing.
+/// Returns warnings as comments on separate lines: numbers that are not those of a solid, and
+/// bodies that simulators reject. Most bodies have none.
 pub(crate) fn warning(indent: &str, body: &ExportBody) -> String {
     let refused = |what| format!("{what}, and many simulators refuse that");
     let stumbles = match body.properties.principal().symmetry() {

@@ -1,4 +1,4 @@
-//! Bodies of files, and their forms.
+//! Bodies of files, and their output formats.
 
 use std::path::{Path, PathBuf};
 
@@ -17,7 +17,7 @@ use crate::report::InertiaReport;
 pub struct Bodies {
     /// Results of the files, in the order of the request.
     pub files: Vec<FileBodies>,
-    /// Mesh as it was used, if the request names a file for it.
+    /// Mesh to be written, if the request names a file for it.
     pub mesh: Option<MeshFile>,
 }
 
@@ -26,7 +26,7 @@ pub struct Bodies {
 pub struct FileBodies {
     /// Path of the file.
     pub path: PathBuf,
-    /// A report for each of its bodies, or why there is none.
+    /// Report for each body of the file, or the error.
     pub reports: Result<Vec<InertiaReport>, Failure>,
 }
 
@@ -37,10 +37,10 @@ impl Bodies {
         })
     }
 
-    /// Returns the bodies as another program reads them.
+    /// Returns the bodies in the format of another program.
     ///
     /// # Errors
-    /// [`Failure`] if the format has no place for one of them.
+    /// [`Failure`] if the format cannot represent one of them.
     pub fn to_format(&self, format: ExportFormat) -> Result<String, Failure> {
         let reports: Vec<_> = self.reports().collect();
         if reports.is_empty() {
@@ -53,12 +53,12 @@ impl Bodies {
         export(format, &bodies).map_err(|error| Failure::usage(error.to_string(), error.hint()))
     }
 
-    /// Returns lines for people on what was noticed, for which [`Bodies::to_format`] has no room.
+    /// Returns text lines with the notes and findings, which [`Bodies::to_format`] cannot contain.
     pub fn noticed(&self) -> String {
         let mut text = String::new();
         for (file, report) in self.reports() {
             let source = &report.source;
-            // Only the heading of the text says what was assumed or joined.
+            // The text shows assumptions and joint values only in its heading.
             if ["unit_assumed", "joints"].iter().any(|key| source.fields.contains_key(*key)) {
                 text += &format!("info: {}: {}\n", shown(file), printable(&source.description));
             }
@@ -69,7 +69,8 @@ impl Bodies {
 }
 
 impl Report for Bodies {
-    /// Returns an object for one body, and a list for several; a file that failed has an object with its error.
+    /// Returns an object for one body, and a list for several. A file that failed has an object
+    /// with its error.
     fn to_json(&self) -> Value {
         let of = |FileBodies { path, reports }: &FileBodies| match reports {
             Ok(reports) => reports.iter().map(InertiaReport::to_json).collect(),
@@ -88,17 +89,18 @@ impl Report for Bodies {
     }
 }
 
-/// Returns the object of a file without a report, in place of the reports of other files.
+/// Returns the JSON object for a file without a report.
 pub fn failed(file: &Path, failure: &Failure) -> Value {
     json!({ "polhode": VERSION, "file": file.to_string_lossy(), "error": failure.to_json(file) })
 }
 
-/// Returns a line for people on what was noticed in a file.
+/// Returns a text line for a finding about a file.
 pub fn noticed(file: &Path, Finding { severity, message, code, .. }: &Finding) -> String {
     format!("{}: {}: {} [{code}]\n", severity.name(), shown(file), printable(message))
 }
 
-/// Name of a body: its link in a robot, else the file name without extension, or the path where two have the same.
+/// Returns the name of a body: its link in a robot, otherwise the file name without extension. If
+/// two files share the name, it is the path.
 fn name(file: &Path, report: &InertiaReport, all: &[(&Path, &InertiaReport)]) -> String {
     if let Some(Value::String(link)) = report.source.fields.get("link") {
         return link.clone();

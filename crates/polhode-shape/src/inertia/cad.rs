@@ -1,4 +1,4 @@
-//! The mass properties in a CAD program's report.
+//! Mass properties from the report of a CAD program.
 
 use std::path::Path;
 
@@ -13,7 +13,7 @@ use crate::cad::{CadOptions, CadReport, GeometryProgram, GeometryReport};
 use crate::mesh::AssumedMetres;
 use crate::report::{InertiaReport, sign_proof};
 
-/// Contents of a text: a report with a mass, or the measures of a shape.
+/// Contents of a text: a report with a mass, or the geometric properties of a shape.
 enum Read {
     Report(Box<CadReport>),
     Geometry(GeometryReport),
@@ -24,7 +24,7 @@ pub(super) fn report(files: &dyn Files, file: &Path, request: &Request) -> Resul
     let (length_unit, mass_unit) = (request.length_unit(), request.mass_unit());
     let options = CadOptions { decimal: flags.decimal, products: flags.products, mass_unit, length_unit };
     let read = read_text_file(files, file, |text| match GeometryProgram::of_text(text) {
-        // Its tensor has one sign and one point, and only a substance is open.
+        // Such a report has a known sign and reference point; only the substance is missing.
         Some(program) if substance.is_some() => {
             GeometryReport::read(program, text, length_unit).map(Read::Geometry)
         }
@@ -60,7 +60,7 @@ pub(super) fn report(files: &dyn Files, file: &Path, request: &Request) -> Resul
 }
 
 impl CadReport {
-    /// The report of the body in a file.
+    /// Returns the report of the body.
     pub fn into_report(self, file: &Path) -> InertiaReport {
         let Self { product, properties, volume, surface_area, density, proof, findings } = self;
         let source = SourceInfo::new(file.display().to_string(), "cad")
@@ -77,7 +77,7 @@ impl CadReport {
     }
 }
 
-/// The report of a shape's measures, made of a substance.
+/// Returns the report of a shape with geometric properties and a substance.
 fn measured(file: &Path, shape: GeometryReport, substance: Substance) -> Result<InertiaReport, Failure> {
     let properties = shape.mass_properties(substance).map_err(|error| {
         let hint = "if the shape is a rod or a plate, print more digits: rounding alone can make its tensor impossible";
@@ -108,7 +108,7 @@ fn measured(file: &Path, shape: GeometryReport, substance: Substance) -> Result<
     })
 }
 
-/// True of measures that have no unit of length, as those of a mesh have none.
+/// Returns true for geometric properties without a unit of length, as those of a mesh.
 pub(super) fn leaves_unit_open(files: &dyn Files, file: &Path) -> bool {
     let program = read_text_file(files, file, |text| Ok(GeometryProgram::of_text(text)));
     matches!(program, Ok(Some(GeometryProgram::MeshLab)))

@@ -1,4 +1,4 @@
-//! The mass properties of a mesh whose density is a formula.
+//! Mass properties of a mesh whose density is a formula.
 
 use std::cell::RefCell;
 
@@ -12,13 +12,14 @@ use super::mesh_error::MeshBodyError;
 use crate::mesh::SolidPart;
 use crate::report::{PartRow, error_estimate};
 
-/// The parts with their masses, and how far these may be off.
+/// Parts with their masses, and their error estimates.
 pub(super) struct Found {
     pub(super) rows: Vec<PartRow>,
     pub(super) error: Extra,
 }
 
-/// Each part's density is the formula's, kg/m³, of x, y and z in the file's axes, m.
+/// Integrates the density formula over each part: kg/m³ as a function of x, y and z in the file's
+/// axes, m.
 pub(super) fn found(
     parts: &[SolidPart],
     formula: &Expression,
@@ -35,7 +36,8 @@ pub(super) fn found(
         let body = mass_properties_of_field(Solid::Mesh(&part.mesh), &watched, cubature)
             .map_err(MeshBodyError::Density)?;
         let FieldError { mass, center_of_mass, inertia } = body.error_estimate;
-        // masses add; of the others the worst part's stands for all
+        // Errors of the mass are added; for the other quantities the largest error of a part is
+        // used.
         total.mass += mass;
         total.center_of_mass = total.center_of_mass.max(center_of_mass);
         total.inertia = total.inertia.max(inertia);
@@ -45,7 +47,7 @@ pub(super) fn found(
     Ok(Found { rows, error: error_estimate(&total, "by cubature of the formula") })
 }
 
-/// A formula that shows how often it was asked.
+/// Density formula that reports its evaluations to the host.
 struct Watched<'a> {
     formula: &'a Expression,
     host: RefCell<&'a mut dyn Host>,

@@ -1,4 +1,4 @@
-//! Part of a program in the answer of a request.
+//! Interface of a program that answers a request.
 
 use std::path::Path;
 
@@ -7,14 +7,15 @@ use polhode_source::Failure;
 use super::kind::Kind;
 use crate::report::InertiaReport;
 
-/// Program that answers a request: kinds of files that other crates read, and progress.
+/// Callbacks of the program that answers a request: readers for further kinds of files, and
+/// progress.
 pub trait Host {
-    /// Returns true for robot models, which share .sdf with molecules and .xml with anything.
+    /// Returns true for robot models. They share .sdf with molecules, and .xml with other files.
     fn is_robot(&self, _file: &Path) -> bool {
         false
     }
 
-    /// Returns an option that only robot models have, if one is given.
+    /// Returns the name of an option for robot models, if one is set.
     fn robot_option(&self) -> Option<&'static str> {
         None
     }
@@ -28,13 +29,13 @@ pub trait Host {
         Err(Failure::usage(message, ""))
     }
 
-    /// Takes note that a file is read next.
+    /// Called before a file is read.
     fn begin(&mut self, _file: &Path) {}
 
-    /// Takes note that the cubature of a density over `pieces` pieces begins.
+    /// Called before the cubature of a density over `pieces` pieces.
     fn begin_cubature(&mut self, _pieces: usize) {}
 
-    /// Takes note that one more piece has been sampled at `points` points.
+    /// Called after one more piece has been sampled at `points` points.
     fn sampled(&mut self, _points: usize) {}
 }
 

@@ -1,4 +1,4 @@
-//! What kind of file a body comes in.
+//! Kinds of files that contain bodies.
 
 use std::path::Path;
 
@@ -6,36 +6,35 @@ use serde::{Deserialize, Serialize};
 
 use crate::mesh::MeshFormat;
 
-/// Kind of file that a body comes in. It serializes as its name.
+/// Kind of a file that contains bodies. It serializes as its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub enum Kind {
-    /// Scenario, which another crate reads.
+    /// Scenario, read by another crate.
     Scenario,
-    /// Mesh.
     Mesh(MeshFormat),
-    /// Table of particles or points.
+    /// Table of particles or points (CSV).
     Particles,
-    /// Mass properties by a CAD program, as text.
+    /// Mass-property report of a CAD program, as text.
     Cad,
-    /// Molecule as XYZ.
+    /// Molecule in XYZ format.
     Xyz,
-    /// Molecule as MOL or SDF.
+    /// Molecule in MOL or SDF format.
     Mol,
-    /// Molecule as PDB.
+    /// Molecule in PDB format.
     Pdb,
-    /// Robot model, which another crate reads.
+    /// Robot model, read by another crate.
     Robot,
-    /// Voxel grid as a NumPy array.
+    /// Voxel grid as a NumPy array (NPY).
     Npy,
-    /// Voxel grid as NRRD.
+    /// Voxel grid in NRRD format.
     Nrrd,
 }
 
-/// A kind with its name, help and extensions.
+/// Kind with its name, help text and extensions.
 type Entry = (Kind, &'static str, &'static str, &'static [&'static str]);
 
-/// Kinds other than meshes, whose formats are listed where they are read.
+/// Kinds other than meshes; mesh formats are listed in [`MeshFormat`].
 const OTHERS: [Entry; 9] = [
     (Kind::Scenario, "scenario", "A scenario (.toml)", &["toml"]),
     (Kind::Particles, "particles", "A table of particles or points (.csv)", &["csv", "tsv"]),
@@ -55,7 +54,7 @@ const OTHERS: [Entry; 9] = [
 
 const COUNT: usize = OTHERS.len() + MeshFormat::ALL.len();
 
-/// The scenario, meshes, the others.
+/// All kinds: scenario, mesh formats, then the others.
 const ALL: [Kind; COUNT] = {
     let mut all = [Kind::Scenario; COUNT];
     let (meshes, mut k) = (MeshFormat::ALL.len(), 1);
@@ -93,7 +92,7 @@ impl TryFrom<String> for Kind {
 }
 
 impl Kind {
-    /// Returns the name by which it is chosen.
+    /// Returns the name for the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Mesh(format) => format.name(),
@@ -113,7 +112,8 @@ impl Kind {
         OTHERS.iter().find(|(kind, ..)| *kind == self)
     }
 
-    /// Returns the kind of files with this extension, in any case; of .sdf, that of molecules.
+    /// Returns the kind of files with this extension, in any case. For .sdf it is the molecule
+    /// format.
     pub(super) fn of_path(path: &Path) -> Option<Self> {
         if let Some(format) = MeshFormat::of_path(path) {
             return Some(Self::Mesh(format));
@@ -123,12 +123,12 @@ impl Kind {
         others.map(|(kind, ..)| *kind)
     }
 
-    /// True if it is a mesh.
+    /// Returns true for a mesh.
     pub(super) const fn is_mesh(self) -> bool {
         matches!(self, Self::Mesh(_))
     }
 
-    /// Returns the kind in words, after "is".
+    /// Returns the kind in words, to follow "is".
     pub const fn in_words(self) -> &'static str {
         match self {
             Self::Scenario => "a scenario",

@@ -1,4 +1,4 @@
-//! The mass properties of a mesh file.
+//! Mass properties of a mesh file.
 
 use std::path::Path;
 

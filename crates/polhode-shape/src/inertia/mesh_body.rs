@@ -1,4 +1,5 @@
-//! A mesh as a body: the solid that it bounds, its hull, a sheet along it or the union of its parts, and the mass of that.
+//! Mesh as a body: the bounded solid, its hull, a shell, or the union of its parts, with their
+//! masses.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -21,48 +22,48 @@ use crate::mesh::{
 };
 use crate::report::{InertiaReport, PartRow};
 
-/// Options of a mesh: the shape that it is taken as, and its substances.
+/// Options for a mesh: shape and substances.
 #[derive(Clone, Copy)]
 #[allow(missing_debug_implementations, reason = "a function has no form for people")]
 pub struct MeshUse<'a> {
-    /// Metres in the unit of length, if that is given.
+    /// Unit of length, m, if given.
     pub unit: Option<f64>,
-    /// The convex hull of each part instead of the part.
+    /// True to use the convex hull of each part.
     pub hull: bool,
-    /// Thickness of a sheet along the mesh instead of the solid in it, m.
+    /// Thickness of a shell along the mesh, used instead of the solid, m.
     pub shell: Option<f64>,
-    /// Greatest distance between vertices of open edges that are joined.
+    /// Maximum distance between vertices of open edges that are joined.
     pub weld: Option<MeshLength>,
-    /// Greatest extent of holes that are closed.
+    /// Maximum size of holes that are closed.
     pub fill: Option<MeshLength>,
-    /// The union of all parts instead of the parts.
+    /// True to use the union of all parts.
     pub union: bool,
-    /// Substance of all parts without one of their own.
+    /// Substance of all parts without their own substance.
     pub substance: Option<Substance>,
-    /// Substances of parts.
+    /// Substances of individual parts.
     pub parts: &'a [PartSubstance],
-    /// Density of the solid as a formula of x, y and z, m, in kg/m³.
+    /// Density formula of x, y and z in m, in kg/m³.
     pub field: Option<&'a Expression>,
-    /// Relative error that is good enough for `field`.
+    /// Relative error tolerance for `field`.
     pub tolerance: Option<f64>,
-    /// Asked often whether to go on.
+    /// Returns false to cancel; called often.
     pub goes_on: &'a (dyn Fn() -> bool + Sync),
-    /// Words of findings.
+    /// Texts in findings.
     pub words: MeshWords<'a>,
 }
 
-/// Words of findings in which interfaces differ.
+/// Texts in findings that depend on the user interface.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshWords<'a> {
-    /// Advice to state the unit: `--unit mm, or --unit m if it is so`.
+    /// Hint to state the unit: `--unit mm, or --unit m if it is so`.
     pub unit: &'a str,
-    /// Place of the finding that metres were assumed.
+    /// Place of the finding that metres are assumed.
     pub file: Option<&'a str>,
-    /// Place of the finding that a density was assumed.
+    /// Place of the finding that a density is assumed.
     pub substance: Option<&'a str>,
 }
 
-/// Source of a mesh.
+/// Origin of a mesh.
 #[derive(Clone, Debug)]
 pub struct MeshOrigin<'a> {
     /// Path, for messages.
@@ -76,18 +77,18 @@ pub struct MeshOrigin<'a> {
 }
 
 impl<'a> MeshOrigin<'a> {
-    /// Returns the origin of what was read from a file.
+    /// Returns the origin of a mesh read from a file.
     pub fn of_file(path: &'a Path, format: MeshFormat, contents: &MeshContents) -> Self {
         let title = format!("{} {}", format.title(), contents.encoding).trim_end().to_owned();
         Self { path, format, source: SourceInfo::new(path.display().to_string(), format.name()), title }
     }
 }
 
-/// A mesh as a body.
+/// Mesh as a body.
 #[allow(missing_debug_implementations, reason = "a shape has no form for people")]
 pub struct MeshBody<'a> {
     source: SourceInfo,
-    /// Metres in the file's unit of length.
+    /// Unit of length of the file, m.
     pub(super) unit: f64,
     pub(super) pieces: Vec<Piece>,
     pub(super) findings: Vec<Finding>,
@@ -97,7 +98,7 @@ pub struct MeshBody<'a> {
     how: MeshUse<'a>,
 }
 
-/// One part with a shape.
+/// Part with its shape.
 pub(super) struct Piece {
     pub(super) name: String,
     pub(super) shape: Box<dyn Shape>,
@@ -113,7 +114,7 @@ impl Piece {
     }
 }
 
-/// Shapes that a mesh is taken as, before they have masses.
+/// Shapes of a mesh, before masses are assigned.
 struct Model {
     source: SourceInfo,
     unit: f64,
@@ -122,11 +123,11 @@ struct Model {
     field: Option<field::Found>,
 }
 
-/// Part of the source that every model has.
+/// Common part of the source of every model.
 struct Stated<'a> {
     origin: &'a MeshOrigin<'a>,
     encoding: &'static str,
-    /// Triangles in the file.
+    /// Number of triangles in the file.
     given: usize,
 }
 
@@ -152,7 +153,7 @@ impl<'a> MeshUse<'a> {
     /// Reads a mesh file and makes a body of it.
     ///
     /// # Errors
-    /// [`MeshBodyError`] if it cannot be read, bounds no solid, or has no parts that were named.
+    /// [`MeshBodyError`] if the file cannot be read, bounds no solid, or lacks a named part.
     pub fn read(
         self,
         files: &dyn Files,
@@ -168,10 +169,10 @@ impl<'a> MeshUse<'a> {
         self.body(contents, &origin, host)
     }
 
-    /// Makes a body of what was read.
+    /// Makes a body of the contents of a mesh file.
     ///
     /// # Errors
-    /// As [`MeshUse::read`].
+    /// [`MeshBodyError`], as for [`MeshUse::read`].
     pub fn body(
         self,
         contents: MeshContents,
@@ -246,7 +247,7 @@ impl<'a> MeshUse<'a> {
             (false, false) => "closed, consistently wound".to_owned(),
         };
         let vertices: usize = solid.parts.iter().map(|part| part.mesh.vertices()).sum();
-        // A hull and a repaired mesh have triangles of their own.
+        // A hull or a repaired mesh has different triangles than the file.
         let triangles = match self.hull || !repairs.is_empty() {
             true => solid.parts.iter().map(|part| part.mesh.surface().triangles().len()).sum(),
             false => given,
@@ -263,7 +264,7 @@ impl<'a> MeshUse<'a> {
         Ok(Model { source, unit: solid.unit, pieces, findings, field })
     }
 
-    /// Each part with its mass.
+    /// Returns each part with its mass.
     fn weighed(&self, pieces: &[Piece], findings: &mut Vec<Finding>) -> Result<Vec<PartRow>, MeshBodyError> {
         let called = |given: &PartSubstance| pieces.iter().filter(|piece| piece.name == given.name).count();
         let name = |given: &PartSubstance| given.name.clone();
@@ -283,7 +284,7 @@ impl<'a> MeshUse<'a> {
         let rest: Vec<_> = pieces.iter().filter(|piece| own(piece).is_none()).collect();
         let common = match self.substance {
             Some(_) if rest.is_empty() => return Err(MeshBodyError::AllNamed),
-            // the mass of all parts that have none of their own, at one density
+            // The total mass of the remaining parts, at one common density.
             Some(Substance::Mass(mass)) if rest.len() > 1 => {
                 Substance::Density(mass / rest.iter().map(|piece| piece.volume()).sum::<f64>())
             }
@@ -334,7 +335,7 @@ impl MeshBody<'_> {
     }
 }
 
-/// Adds the repairs to a source, for programs.
+/// Adds the repairs to the fields of a source.
 fn with_repairs(source: SourceInfo, repairs: &[MeshRepair]) -> SourceInfo {
     if repairs.is_empty() {
         return source;
@@ -344,7 +345,7 @@ fn with_repairs(source: SourceInfo, repairs: &[MeshRepair]) -> SourceInfo {
         .with("volume_bound_m3", RepairBound::of(repairs).volume)
 }
 
-/// Returns the finding that 1 kg/m³ was assumed because nothing is given.
+/// Returns the finding that 1 kg/m³ was assumed because no substance is given.
 pub fn mass_assumed(place: Option<&str>) -> Finding {
     Finding {
         code: "mass.assumed",

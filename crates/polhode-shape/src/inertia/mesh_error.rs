@@ -1,4 +1,4 @@
-//! Errors of meshes that are not bodies.
+//! Errors of meshes that cannot be used as bodies.
 
 use std::error::Error;
 use std::fmt;
@@ -6,42 +6,42 @@ use std::fmt;
 use polhode::body::BodyError;
 use polhode_source::{Failure, FormatError};
 
-/// Error of a mesh that is not a body.
+/// Error of a mesh that cannot be used as a body.
 #[derive(Clone, Debug)]
 pub enum MeshBodyError {
-    /// The file cannot be read, or bounds no solid.
+    /// The file cannot be read, or does not bound a solid.
     Format(FormatError),
-    /// Numbers that are not a physical body.
+    /// The mass properties are not physical.
     Body(BodyError),
-    /// A formula whose value is not a density.
+    /// The value of a density formula is not a density.
     Density(BodyError),
-    /// A substance for a part that is not there.
+    /// A substance is given for an unknown part.
     UnknownPart {
         /// Name of the part.
         name: String,
-        /// Names of the parts that are there.
+        /// Names of the existing parts.
         known: Vec<String>,
     },
-    /// Two substances for one part.
+    /// Two substances are given for one part.
     PartTwice {
         /// Name of the part.
         name: String,
     },
-    /// One mass for several parts of one name.
+    /// One mass is given for several parts with the same name.
     SharedMass {
         /// Name of the parts.
         name: String,
-        /// Number of parts.
+        /// Number of parts with this name.
         count: usize,
     },
-    /// A substance for the other parts, where every part has its own.
+    /// A substance for the remaining parts is given, but every part has its own.
     AllNamed,
-    /// The computation was interrupted.
+    /// The computation was cancelled.
     Interrupted,
 }
 
 impl MeshBodyError {
-    /// Returns advice, in the words of the command; empty if there is none.
+    /// Returns a hint in terms of the command; empty if there is none.
     pub fn hint(&self) -> String {
         match self {
             Self::Format(error) => error.hint().unwrap_or_default(),

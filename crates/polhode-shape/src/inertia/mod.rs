@@ -1,4 +1,4 @@
-//! The bodies of files, whatever kind these are.
+//! Bodies of files of any kind.
 
 use polhode::body::{BodyError, MassProperties, PlacedPart};
 use polhode::math::{Body, Part, Position, Rotation};
@@ -33,7 +33,8 @@ pub use run::{run, run_in};
 pub use voxel::voxel_report;
 pub use written::MeshFile;
 
-/// Returns the body of one part whose axes and origin are the body's.
+/// Returns the mass properties of a single part as a body; part and body have the same axes and
+/// origin.
 ///
 /// # Errors
 /// [`BodyError`] if the part is not a physical body.

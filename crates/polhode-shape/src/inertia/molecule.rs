@@ -1,4 +1,4 @@
-//! The mass properties and rotational constants of molecules.
+//! Mass properties and rotational constants of molecules.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use crate::molecule;
 use crate::molecule::MoleculeFormat;
 use crate::report::InertiaReport;
 
-/// One report for each molecule of the file.
+/// Returns one report for each molecule of the file.
 pub(super) fn reports(
     files: &dyn Files,
     file: &Path,

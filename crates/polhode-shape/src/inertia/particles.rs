@@ -1,4 +1,4 @@
-//! The mass properties of a table of particles.
+//! Mass properties of a particle table.
 
 use std::path::Path;
 
@@ -21,10 +21,10 @@ pub(super) fn report(files: &dyn Files, file: &Path, request: &Request) -> Resul
 }
 
 impl ParticleFile {
-    /// The report of the body in a file.
+    /// Returns the report of the body.
     ///
     /// # Errors
-    /// As [`ParticleFile::mass_properties`].
+    /// [`BodyError`], as for [`ParticleFile::mass_properties`].
     pub fn into_report(self, file: &Path) -> Result<InertiaReport, BodyError> {
         let properties = self.mass_properties()?;
         let source = SourceInfo::new(file.display().to_string(), "particles")

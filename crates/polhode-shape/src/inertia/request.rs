@@ -1,4 +1,4 @@
-//! Request of `inertia`.
+//! Request of the command `inertia`.
 
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::choice::{CadChoice, MeshChoice, MoleculeChoice, SubstanceChoice, VoxelChoice};
 use super::kind::Kind;
 
-/// Files of bodies, and what they leave open.
+/// Request for the mass properties of bodies in files, with the values that the files omit.
 ///
 /// ```
 /// use polhode_document::Report as _;
@@ -29,7 +29,8 @@ use super::kind::Kind;
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct Request {
-    /// Scenarios, meshes, molecules, particles, voxel grids, CAD reports, robots; what each is, its ending says.
+    /// Scenarios, meshes, molecules, particles, voxel grids, CAD reports, robots; the format
+    /// follows from the file extension.
     #[cfg_attr(feature = "arguments", arg(required = true, value_name = "FILE"))]
     pub files: Vec<PathBuf>,
     /// Substance of the whole body.
@@ -40,10 +41,10 @@ pub struct Request {
     #[serde(flatten)]
     #[cfg_attr(feature = "arguments", command(flatten))]
     pub mesh: MeshChoice,
-    /// The unit of length in a file that does not say it, such as mm or in [default for meshes: m].
+    /// The unit of length of a file that states none, such as mm or in [default for meshes: m].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "UNIT"))]
     pub unit: Option<Given<LengthUnit>>,
-    /// The unit of mass in a file that does not say it, such as g or lbm.
+    /// The unit of mass of a file that states none, such as g or lbm.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "UNIT"))]
     pub mass_unit: Option<Given<MassUnit>>,
     /// Options for molecules.
@@ -58,30 +59,32 @@ pub struct Request {
     #[serde(flatten)]
     #[cfg_attr(feature = "arguments", command(flatten))]
     pub voxel: VoxelChoice,
-    /// What the files are, if their endings do not say it.
+    /// The kind of the files, if it does not follow from the file extension.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "KIND"))]
     pub format: Option<Kind>,
-    /// Also the tensor about this point: x,y,z from the origin, each with its unit or in metres.
+    /// Also print the tensor about this point: x,y,z from the origin, each with its unit or in
+    /// metres.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, conflicts_with_all = ["csv", "as_format"]))]
     pub about: Option<Given<Point>>,
-    /// Also the tensor along axes turned by this unit quaternion (scalar first, turned axes to body axes).
+    /// Also print the tensor along axes rotated by this unit quaternion (scalar first, rotated axes
+    /// to body axes).
     #[cfg_attr(feature = "arguments", arg(long, value_name = "W,X,Y,Z", allow_hyphen_values = true, conflicts_with_all = ["csv", "as_format"]))]
     pub along: Option<Given<Turn>>,
 }
 
 impl Request {
-    /// Returns the metres in the unit of length that is given.
+    /// Returns the given unit of length, m.
     pub(super) fn length_unit(&self) -> Option<f64> {
         self.unit.as_ref().map(|unit| unit.value.0)
     }
 
-    /// Returns the kilograms in the unit of mass that is given.
+    /// Returns the given unit of mass, kg.
     pub(super) fn mass_unit(&self) -> Option<f64> {
         self.mass_unit.as_ref().map(|unit| unit.value.0)
     }
 }
 
-/// Unit of length, m.
+/// Unit of length, in metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LengthUnit(pub f64);
 
@@ -96,7 +99,7 @@ impl FromStr for LengthUnit {
     }
 }
 
-/// Unit of mass, kg.
+/// Unit of mass, in kilograms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassUnit(pub f64);
 
@@ -111,7 +114,7 @@ impl FromStr for MassUnit {
     }
 }
 
-/// Point of a body, m.
+/// Point of a body, body frame, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point(pub Position<Body>);
 
@@ -123,7 +126,7 @@ impl FromStr for Point {
     }
 }
 
-/// Rotation from turned axes to body axes.
+/// Rotation from the rotated axes to the body axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn(pub Rotation<Body, Part>);
 

@@ -1,4 +1,4 @@
-//! A request answered.
+//! Runs an inertia request.
 
 use std::path::Path;
 
@@ -17,20 +17,21 @@ use crate::mesh::MeshFormat;
 use crate::molecule::MoleculeFormat;
 use crate::report::InertiaReport;
 
-/// Returns the mass properties of the bodies in files: meshes, molecules, particles, voxel grids and CAD reports.
+/// Returns the mass properties of the bodies in files: meshes, molecules, particles, voxel grids
+/// and CAD reports.
 ///
 /// A file that cannot be read has its failure in the result.
 ///
 /// # Errors
-/// [`Failure`] for a mesh that is to be written of several files, or in a format that is not written.
+/// [`Failure`] if a mesh is to be written for several files, or in a format that cannot be written.
 pub fn run(request: &Request, files: &dyn Files) -> Result<Bodies, Failure> {
     run_in(request, files, &mut ())
 }
 
-/// Answers a request as [`run`] does; `host` reads scenarios and robot models, and follows.
+/// Runs a request as [`run`] does. `host` reads scenarios and robot models, and receives progress.
 ///
 /// # Errors
-/// As [`run`].
+/// [`Failure`], as for [`run`].
 pub fn run_in(request: &Request, files: &dyn Files, host: &mut dyn Host) -> Result<Bodies, Failure> {
     if let Some(target) = &request.mesh.write_mesh {
         if request.files.len() > 1 {
@@ -53,7 +54,7 @@ impl Request {
     /// Returns the kind of a file.
     ///
     /// # Errors
-    /// [`Failure`] if it is unknown, or if an option does not fit it.
+    /// [`Failure`] if the kind is unknown, or if an option does not apply to it.
     pub fn kind(&self, file: &Path, files: &dyn Files, host: &dyn Host) -> Result<Kind, Failure> {
         if self.format.is_none_or(Kind::is_mesh)
             && let Some(format) = BrepFormat::of_content(files, file)
@@ -71,7 +72,8 @@ impl Request {
         }
         let of_path = || match Kind::of_path(file) {
             _ if host.is_robot(file) => Some(Kind::Robot),
-            // The ending .xyz is of molecules and of clouds of points, of which only the hull is a body.
+            // The extension .xyz stands for molecules and for point clouds. The latter are bodies
+            // only with the hull option.
             Some(Kind::Xyz) if self.mesh.hull => Some(Kind::Mesh(MeshFormat::Points)),
             kind => kind,
         };
@@ -86,7 +88,8 @@ impl Request {
         Ok(kind)
     }
 
-    /// The reports of a file: one, or one for each of its bodies. The mesh that is to be written goes to `written`.
+    /// Returns the reports of a file: one for each of its bodies. A mesh to be written is stored in
+    /// `written`.
     fn reports(
         &self,
         file: &Path,
@@ -131,13 +134,13 @@ impl Request {
         Ok(InertiaReport { about, axes, ..report })
     }
 
-    /// An option that means nothing for this kind of file is an error, not ignored.
+    /// Returns an error for an option that does not apply to this kind of file.
     fn refuse_options_for(&self, kind: Kind, file: &Path, host: &dyn Host) -> Result<(), Failure> {
         const SUBSTANCE: &str = "--density, --mass or --material";
         let mesh = kind.is_mesh();
         let voxels = matches!(kind, Kind::Npy | Kind::Nrrd);
         let listed = matches!(kind, Kind::Cad | Kind::Particles);
-        // Points without masses share --mass.
+        // Points without masses share the total mass.
         let has_substance =
             mesh || kind == Kind::Cad || kind == Kind::Particles && self.substance.mass().is_some();
         let checks = [
@@ -168,7 +171,7 @@ impl Request {
         }
     }
 
-    /// A unit for a file that names its units itself is an error, not ignored.
+    /// Returns an error for a unit if the file states its own units.
     fn refuse_idle_units(&self, kind: Kind, file: &Path, files: &dyn Files) -> Result<(), Failure> {
         let is_readable = |request: &Self| match kind {
             Kind::Particles => particles::report(files, file, request).is_ok(),
@@ -191,13 +194,13 @@ impl Request {
     }
 }
 
-/// Error of a file without bytes.
+/// Returns the error of an empty file.
 fn nothing_of(format: BrepFormat) -> ContentError {
     let kind = ContentErrorKind::expected(format!("a {} file", format.title()), "");
     kind.of_whole().hint("the file is empty: export it again")
 }
 
-/// `.stl, .obj, …`
+/// Returns the list of mesh extensions: `.stl, .obj, …`
 fn mesh_extensions() -> String {
     let all = MeshFormat::ALL.iter().flat_map(|format| format.extensions());
     all.map(|extension| format!(".{extension}")).collect::<Vec<_>>().join(", ")

@@ -1,4 +1,4 @@
-//! The mass properties of a voxel grid.
+//! Mass properties of a voxel grid.
 
 use std::path::Path;
 
@@ -34,8 +34,9 @@ pub(super) fn report(
     voxel_report(files, file, format, &options, scale)?.map_err(unfit)
 }
 
-/// Returns the report of a voxel grid in a file of a format, `npy` or `nrrd`; `per_value` is the density that a value
-/// of 1 stands for, kg/m³. The inner error is that of densities that are not a physical body.
+/// Returns the report of a voxel grid in a file of format `npy` or `nrrd`. `per_value` is the
+/// density for a value of 1, kg/m³. The inner error is returned if the densities do not form a
+/// physical body.
 ///
 /// # Errors
 /// [`FormatError`] if the file cannot be read.

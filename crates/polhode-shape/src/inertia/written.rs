@@ -1,4 +1,4 @@
-//! The mesh that is written as it was used.
+//! Output of the mesh after repairs.
 
 use std::path::{Path, PathBuf};
 
@@ -12,17 +12,18 @@ use super::mesh_body::{MeshBody, Piece};
 use super::mesh_error::MeshBodyError;
 use crate::mesh::{MeshFormat, MeshPart};
 
-/// Mesh as it was used: welded, filled and wound outward, in the file's unit.
+/// Mesh after repairs, wound outward, in the file's unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MeshFile {
-    /// File that it is for.
+    /// Path of the file to write.
     pub path: PathBuf,
     /// Contents of the file.
     pub bytes: Vec<u8>,
 }
 
 impl MeshFile {
-    /// Writes the surfaces of a body, in their file's unit, and reads them again. A change by rounding is a finding.
+    /// Writes the surfaces of a body in their file's unit, and reads them again. A significant
+    /// change by rounding is a finding.
     pub(super) fn of(body: &mut MeshBody<'_>, target: &Path) -> Result<Self, Failure> {
         let format = written_format(target)?;
         let part = |piece: &Piece| match piece.shape.form() {
@@ -42,7 +43,7 @@ impl MeshFile {
     }
 }
 
-/// All of them together, at 1 kg/m³.
+/// Returns the mass properties of all shapes together, at 1 kg/m³.
 fn at_one_density<'a>(
     shapes: impl Iterator<Item = &'a dyn Shape>,
 ) -> Result<MassProperties<Body>, MeshBodyError> {
@@ -50,9 +51,10 @@ fn at_one_density<'a>(
     Ok(MassProperties::combined(&each.collect::<Result<Vec<_>, _>>()?)?)
 }
 
-/// What rounding to seven digits changes of a mesh, if that is much.
+/// Reports the change by rounding to seven digits, if it is significant.
 fn rounded(used: &MassProperties<Body>, written: &MassProperties<Body>, target: &Path) -> Option<Finding> {
-    /// Of the volume, the size and the largest moment: what coordinates of seven digits change of a body that is not thin.
+    /// Threshold relative to volume, size and largest moment: the usual effect of seven digits on a
+    /// body that is not thin.
     const MUCH: f64 = 1e-6;
     let [used_tensor, tensor] = [used, written].map(|body| body.inertia().matrix());
     let largest = used_tensor.as_flattened().iter().fold(0.0_f64, |max, element| max.max(element.abs()));

@@ -1,15 +1,15 @@
-//! Where a file places a mesh: an affine map.
+//! Affine map that places a mesh of a file.
 
 use polhode::body::BodyError;
 use polhode::body::mesh::TriangleMesh;
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
-/// x' = A x + t.
+/// Affine map x' = A x + t.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Affine {
-    /// The columns of A: where the three axes go.
+    /// Columns of A: the images of the three axes.
     pub columns: [[f64; 3]; 3],
-    /// t: where the origin goes.
+    /// Translation t: the image of the origin.
     pub origin: [f64; 3],
 }
 
@@ -17,9 +17,10 @@ impl Affine {
     pub(crate) const IDENTITY: Self =
         Self { columns: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], origin: [0.0; 3] };
 
-    /// Translation, rotation and scale, the last applied first: A = R(q) diag(s).
+    /// Returns the map of translation, rotation and scale, with the scale applied first: A = R(q)
+    /// diag(s).
     ///
-    /// q = (x, y, z, w) is of unit length, scalar last.
+    /// q = (x, y, z, w) is a unit quaternion, scalar last.
     pub(crate) fn of_parts(translation: [f64; 3], [x, y, z, w]: [f64; 4], scale: [f64; 3]) -> Self {
         // R = | 1 − 2(yy + zz)   2(xy − zw)       2(xz + yw)     |
         //     | 2(xy + zw)       1 − 2(xx + zz)   2(yz − xw)     |
@@ -33,12 +34,12 @@ impl Affine {
         Self { columns: [scaled(0), scaled(1), scaled(2)], origin: translation }
     }
 
-    /// This map after another.
+    /// Composes two maps: first `first`, then this one.
     pub(crate) fn after(&self, first: &Self) -> Self {
         Self { columns: first.columns.map(|column| self.turned(column)), origin: self.point(first.origin) }
     }
 
-    /// x' = A x + t.
+    /// Maps a point: x' = A x + t.
     pub(crate) fn point(&self, x: [f64; 3]) -> [f64; 3] {
         let turned = self.turned(x);
         [0, 1, 2].map(|k| turned[k] + self.origin[k])
@@ -49,9 +50,11 @@ impl Affine {
         [0, 1, 2].map(|k| a[k] * x + b[k] * y + c[k] * z)
     }
 
-    /// Whether det A < 0: left and right hands change places, and with them outside and inside.
+    /// Returns true if det A < 0. The map then exchanges left- and right-handed, and with them
+    /// outside and inside.
     fn mirrors(&self) -> bool {
-        // Only the sign counts: with columns of size 1, the determinant of a small map does not vanish.
+        // Only the sign matters. Scaling the columns to size 1 keeps the determinant of a small map
+        // from vanishing.
         let [a, b, c] = self.columns.map(|column| {
             let size = column.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
             column.map(|x| x / size)
@@ -60,7 +63,8 @@ impl Affine {
         a[0] * cross[0] + a[1] * cross[1] + a[2] * cross[2] < 0.0
     }
 
-    /// The mesh in its place, its outside still outside; `place` says what places it there.
+    /// Returns the mapped mesh with its outside still outside. `place` returns the position of the
+    /// map, for errors.
     pub(crate) fn placed(
         &self,
         vertices: &[[f64; 3]],
@@ -89,7 +93,7 @@ impl Affine {
 mod tests {
     use super::Affine;
 
-    /// A turn by 120° about (1, 1, 1) sends x to y, y to z and z to x.
+    /// A rotation by 120° about (1, 1, 1) maps x to y, y to z and z to x.
     #[test]
     fn parts_are_translation_after_rotation_after_scale() {
         let map = Affine::of_parts([0.5, -3.0, 7.0], [0.5, 0.5, 0.5, 0.5], [2.0, 3.0, -5.0]);
@@ -105,7 +109,7 @@ mod tests {
         assert_eq!(second.after(&first).point(x), second.point(first.point(x)));
     }
 
-    /// Its determinant is −6e-360, which f64 does not hold.
+    /// Its determinant is −6e-360, which underflows in f64.
     #[test]
     fn a_small_mirror_turns_the_winding() {
         let mirror = Affine {

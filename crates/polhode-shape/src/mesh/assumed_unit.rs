@@ -1,7 +1,9 @@
-//! A mesh whose unit nobody gave is in metres, and most are drawn in millimetres: is what comes of that a body?
+//! Plausibility of a mesh without a unit, which is assumed to be in metres. Most meshes are drawn
+//! in millimetres.
 //!
-//! STL, OBJ, PLY and OFF have no unit. The size of a body is the longest side of the box of its moments: of a box its own side, of
-//! other bodies something near. A mesh in metres that was drawn in mm is a thousand times too long, and 10⁹ times too heavy.
+//! STL, OBJ, PLY and OFF have no unit. The size of a body is the longest side of the box with the
+//! same moments. For a box this is its own side, for other bodies a similar length. A mesh drawn in
+//! mm and read in m is a thousand times too long and 10⁹ times too heavy.
 
 use polhode::body::shape::Extent;
 use polhode::body::{Finding, MassProperties, Severity};
@@ -9,42 +11,43 @@ use polhode::math::Frame;
 
 use super::MeshFormat;
 
-/// A longer body is asked for its unit, m.
+/// Length above which the unit is questioned, m.
 const LONGEST: f64 = 5.0;
 
-/// A body that is heavier by its density is asked, kg.
+/// Mass above which the unit is questioned, if the mass follows from the density, kg.
 const HEAVIEST: f64 = 1e4;
 
-/// A body that is lighter for its size by its mass is asked, kg/m³: half of what is assumed where nothing is said.
+/// Density below which the unit is questioned, if the mass is given, kg/m³. It is half of the
+/// default density.
 const THINNEST: f64 = 0.5;
 
-/// A body so many times as long as the others that it is with is asked.
+/// Ratio to the length of the other bodies above which the unit is questioned.
 const MUCH_LONGER: f64 = 100.0;
 
 impl MeshFormat {
-    /// True if its files, or the format where they do not, say in which unit they are.
+    /// Returns true if the files or the format define the unit.
     pub const fn has_unit(self) -> bool {
         matches!(self, Self::Gltf | Self::ThreeMf | Self::Collada)
     }
 }
 
-/// What is known of a mesh in metres that nobody gave.
+/// Mesh whose unit is not given and is assumed to be the metre.
 #[derive(Clone, Copy, Debug)]
 pub struct AssumedMetres<'a, F: Frame> {
-    /// The body that it is.
+    /// Mass properties of the body.
     pub properties: &'a MassProperties<F>,
-    /// How large it is, if that is known.
+    /// Extent of the body, if known.
     pub extent: Option<Extent>,
-    /// True if its mass was given, and does not follow from its size.
+    /// True if the mass was given, so that it does not follow from the size.
     pub mass_given: bool,
-    /// The size of the largest of the other bodies that it is with, by [`longest_side`], m.
+    /// Size of the largest other body, by [`longest_side`], m.
     pub others: Option<f64>,
-    /// How to say the unit: `--unit mm`.
+    /// Advice to state the unit: `--unit mm`.
     pub remedy: &'a str,
 }
 
 impl<F: Frame> AssumedMetres<'_, F> {
-    /// `mesh.unit`, if what comes of metres is absurd.
+    /// Returns the finding `mesh.unit` if the result in metres is implausible.
     ///
     /// ```
     /// use polhode::body::{InertiaTensor, MassProperties};
@@ -93,13 +96,13 @@ impl<F: Frame> AssumedMetres<'_, F> {
     }
 }
 
-/// The longest side of the box with the same moments, m: b² = 6 (i₂ + i₃ − i₁)/M.
+/// Returns the longest side of the box with the same moments, m: b² = 6 (i₂ + i₃ − i₁)/M.
 pub fn longest_side<F: Frame>(properties: &MassProperties<F>) -> f64 {
     let [i1, i2, i3] = properties.principal().moments();
     (6.0 * ((i2 - i1) + i3) / properties.mass()).sqrt()
 }
 
-/// With three digits.
+/// Rounds to three significant digits.
 fn rounded(x: f64) -> f64 {
     format!("{x:.2e}").parse().unwrap_or(x)
 }
@@ -110,7 +113,7 @@ mod tests {
     use polhode::body::InertiaTensor;
     use polhode::math::{Part, Position};
 
-    /// A box of three sides, m, and a density, off the origin.
+    /// Returns a box with three sides, m, and a density, displaced from the origin.
     fn block(sides: [f64; 3], density: f64) -> (MassProperties<Part>, Option<Extent>) {
         let volume: f64 = sides.iter().product();
         let mass = density * volume;
@@ -147,7 +150,7 @@ mod tests {
             let message = message(sides, density, mass_given, others).unwrap();
             assert!(message.contains(says), "{message}");
         }
-        // A mass that is given is what somebody weighed.
+        // A given mass is a measured one.
         assert_eq!(message([1.7, 1.5, 1.4], 7850.0, true, None), None);
     }
 }

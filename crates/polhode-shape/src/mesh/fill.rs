@@ -1,4 +1,4 @@
-//! Holes of a mesh file's parts, filled.
+//! Hole filling for the parts of a mesh file.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -10,12 +10,13 @@ use super::{MeshContents, MeshLength, MeshPart, MeshRepair, RepairBound, solid};
 use crate::finding::info;
 
 impl MeshContents {
-    /// The mesh with holes closed that are no larger than this: [`TriangleMesh::filled`](polhode::body::mesh::TriangleMesh::filled) of each part. Parts
-    /// that have open edges in common are pieces of one surface: they are filled together, and are one part then, which is a finding. `unit` is as in
-    /// [`MeshSolid::read`](super::MeshSolid::read).
+    /// Closes holes up to this size with
+    /// [`TriangleMesh::filled`](polhode::body::mesh::TriangleMesh::filled) for each part. Parts
+    /// with open edges in common are pieces of one surface: they are filled together and become one
+    /// part, with a finding. `unit` is as in [`MeshSolid::read`](super::MeshSolid::read).
     ///
     /// # Errors
-    /// [`FormatError`] for a size that is not positive.
+    /// [`FormatError`] if the size is not positive.
     pub fn filled(
         mut self,
         size: MeshLength,
@@ -29,7 +30,7 @@ impl MeshContents {
         let (mut parts, mut fills) = (Vec::new(), Vec::new());
         for (k, MeshPart { name, mesh }) in self.parts.iter().enumerate() {
             if first[k] != k {
-                continue; // with the first piece, in its place
+                continue; // merged with the first piece
             }
             let pieces =
                 || self.parts.iter().zip(&first).filter(|(_, first)| **first == k).map(|piece| piece.0);
@@ -51,7 +52,8 @@ impl MeshContents {
     }
 }
 
-/// Of each part the first one that is a piece of the same surface: open edges in common, from one to the next.
+/// Returns, for each part, the first part of the same surface. Parts are connected if they have
+/// open edges in common.
 fn first_pieces(parts: &[MeshPart]) -> Vec<usize> {
     let mut first: Vec<usize> = (0..parts.len()).collect();
     if let [_] = parts {

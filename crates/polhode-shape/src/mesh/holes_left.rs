@@ -1,9 +1,9 @@
-//! Why holes of a mesh file were not filled.
+//! Reasons why holes of a mesh file were not filled.
 
 use polhode::body::mesh::HolesLeft;
 use polhode_source::text::counted;
 
-/// In words, if there were any.
+/// Returns the reasons in words; `None` if all holes were filled.
 pub(crate) fn why(left: HolesLeft) -> Option<String> {
     let reasons = [
         (left.larger, "hole", "is larger", "are larger"),

@@ -1,15 +1,15 @@
-//! Lengths that the repair of a mesh is given.
+//! Lengths in the options for mesh repairs.
 
 use std::str::FromStr;
 
 use polhode_source::unit::{self, Dimension, UnitError};
 
-/// A length for the repair of a mesh.
+/// Length in an option for mesh repairs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MeshLength {
     /// Length, m.
     Metres(f64),
-    /// Fraction of the mesh's size: of the diagonal of the box about all of its triangles.
+    /// Fraction of the mesh's size, the diagonal of the bounding box of all its triangles.
     OfSize(f64),
 }
 
@@ -31,7 +31,7 @@ impl From<MeshLength> for f64 {
 }
 
 impl MeshLength {
-    /// A length with its unit, or a plain number for a part of the mesh's size.
+    /// Parses a length with its unit, or a plain number as a fraction of the mesh's size.
     ///
     /// ```
     /// use polhode_shape::mesh::MeshLength;
@@ -41,7 +41,7 @@ impl MeshLength {
     /// ```
     ///
     /// # Errors
-    /// [`UnitError`] for what is neither.
+    /// [`UnitError`] for any other text.
     pub fn parse(text: &str) -> Result<Self, UnitError> {
         if let Ok(part) = text.trim().parse() {
             return Ok(Self::OfSize(part));
@@ -49,7 +49,7 @@ impl MeshLength {
         unit::parse(text, Dimension::LENGTH).map(Self::Metres)
     }
 
-    /// The number itself.
+    /// Returns the number without its meaning.
     pub const fn value(self) -> f64 {
         match self {
             Self::Metres(value) | Self::OfSize(value) => value,

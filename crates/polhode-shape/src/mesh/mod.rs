@@ -1,4 +1,4 @@
-//! Triangle meshes: files in, closed solids out.
+//! Triangle meshes: reads files and returns closed solids.
 
 mod affine;
 mod assumed_unit;
@@ -42,68 +42,69 @@ pub use repair::{MeshRepair, RepairBound};
 pub use solid::{MeshSolid, SolidPart};
 pub use union::UnitedMesh;
 
-/// What a mesh file says: parts and their triangles, in the file's own unit of length.
+/// Contents of a mesh file: parts with their triangles, in the file's own unit of length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshContents {
-    /// How the file is encoded, in a word or two: `"binary"`, `"ascii"`, `"binary, big-endian"`.
+    /// Encoding of the file: `"binary"`, `"ascii"`, `"binary, big-endian"`.
     pub encoding: &'static str,
-    /// The name that the file gives itself; often empty.
+    /// Name stored in the file; often empty.
     pub name: String,
-    /// Metres in the unit of length, if the file or the format says so.
+    /// Unit of length, m, if the file or the format defines it.
     pub unit: Option<f64>,
-    /// At least one, none without triangles: groups, nodes, build items, in the file's order.
+    /// Parts in file order: groups, nodes, build items. There is at least one, and each has
+    /// triangles.
     pub parts: Vec<MeshPart>,
-    /// What was noticed on the way: faces left out, elements not read.
+    /// Findings of the reader: omitted faces, elements that are not read.
     pub findings: Vec<Finding>,
 }
 
-/// One part of a mesh file, placed where the file places it.
+/// Part of a mesh file, placed as in the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshPart {
-    /// Its name in the file; often empty.
+    /// Name in the file; often empty.
     pub name: String,
-    /// Its triangles.
     pub mesh: TriangleMesh,
 }
 
-/// How the bytes of a file are read; the path is for messages, and its folder for the files that it names.
+/// Reader of a format. The path is for messages; its folder resolves the files that the mesh names.
 type Reader = fn(&dyn Files, &[u8], &Path) -> Result<MeshContents, FormatError>;
 
-/// The formats: name in lower case, name as its makers write it, file extensions, reader. All that reads meshes follows from this list.
+/// Table of the formats: lower-case name, official name, file extensions, reader. All other code
+/// that lists mesh formats uses this table.
 macro_rules! formats {
     ($($(#[doc = $about:literal])* $format:ident: $name:literal, $title:literal, $extensions:expr, $reader:expr;)*) => {
-        /// The formats of mesh files that polhode reads.
+        /// Mesh file formats that are read.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum MeshFormat {
             $($(#[doc = $about])* $format,)*
         }
 
         impl MeshFormat {
-            /// All of them.
+            /// List of all formats.
             pub const ALL: &[Self] = &[$(Self::$format),*];
 
-            /// Its name in lower case, as `source.format` has it.
+            /// Returns the lower-case name, as in `source.format`.
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$format => $name,)*
                 }
             }
 
-            /// Its name as its makers write it.
+            /// Returns the official name.
             pub const fn title(self) -> &'static str {
                 match self {
                     $(Self::$format => $title,)*
                 }
             }
 
-            /// What it is, in a line.
+            /// Returns a one-line description.
             pub fn about(self) -> &'static str {
                 match self {
                     $(Self::$format => concat!($($about),*).trim(),)*
                 }
             }
 
-            /// How its files end, after the dot, in lower case.
+            /// Returns the file extensions in lower case, without the dot.
             pub const fn extensions(self) -> &'static [&'static str] {
                 match self {
                     $(Self::$format => &$extensions,)*
@@ -145,7 +146,7 @@ formats! {
     };
 }
 
-/// What was read has triangles; an error has its place in the file.
+/// Checks that the contents have triangles, and adds the place in the file to an error.
 fn located(
     contents: Result<MeshContents, ContentError>,
     bytes: &[u8],
@@ -155,7 +156,7 @@ fn located(
 }
 
 impl MeshFormat {
-    /// The format of files with this extension, in any case.
+    /// Returns the format of files with this extension, in any case.
     pub fn of_path(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
         Self::ALL.iter().copied().find(|format| format.extensions().contains(&extension.as_str()))
@@ -163,7 +164,7 @@ impl MeshFormat {
 }
 
 impl MeshContents {
-    /// Reads what a mesh file says.
+    /// Reads a mesh file.
     ///
     /// # Errors
     /// [`FormatError`] if the file cannot be read or does not follow its format.
@@ -171,7 +172,7 @@ impl MeshContents {
         Self::read_as(files, path, &path.to_string_lossy(), format)
     }
 
-    /// Reads a mesh file of which only the convex hull is needed: a PLY or OBJ file may have points alone.
+    /// Reads a mesh file for its convex hull: a PLY or OBJ file may have only points.
     ///
     /// # Errors
     /// [`FormatError`] if the file cannot be read or does not follow its format.
@@ -187,7 +188,7 @@ impl MeshContents {
         located(read(&bytes), &bytes, path)
     }
 
-    /// Reads the mesh that a user calls `written`.
+    /// Reads a mesh file with the name `written` in messages.
     pub fn read_as(
         files: &dyn Files,
         path: &Path,
@@ -201,7 +202,8 @@ impl MeshContents {
         Self::parse(files, &bytes, path, format)
     }
 
-    /// Reads the bytes of a mesh file; `path` is for messages, and its folder for the files that a glTF names.
+    /// Parses the bytes of a mesh file. `path` is for messages; its folder resolves the files that
+    /// a glTF names.
     ///
     /// # Errors
     /// [`FormatError`] if the bytes do not follow the format.
@@ -227,15 +229,15 @@ impl MeshContents {
         Err(missing.of_whole().hint("export the solid body, not the empty document"))
     }
 
-    /// Triangles in all parts.
+    /// Returns the number of triangles in all parts.
     pub fn triangles(&self) -> usize {
         self.parts.iter().map(|part| part.mesh.triangles().len()).sum()
     }
 
-    /// All parts as one, without a name.
+    /// Combines all parts into one, without a name.
     ///
     /// # Errors
-    /// [`BodyError::Parameter`] for more vertices than can be numbered.
+    /// [`BodyError::Parameter`] if there are more vertices than indices.
     pub fn as_one(mut self) -> Result<Self, BodyError> {
         let mesh = match self.parts.as_mut_slice() {
             [only] => std::mem::take(&mut only.mesh),
@@ -245,9 +247,10 @@ impl MeshContents {
         Ok(Self { parts, ..self })
     }
 
-    /// The same in metres: by the unit that the user gives, else by the file's own, else it is in metres already.
+    /// Converts to metres: by the given unit, otherwise by the file's own unit. Without either, the
+    /// file is in metres.
     ///
-    /// A user's unit that differs from the file's own is a finding.
+    /// A given unit that differs from the file's own is a finding.
     #[must_use]
     pub fn in_metres(mut self, given: Option<f64>) -> Self {
         let unit = given.or(self.unit).unwrap_or(1.0);

@@ -1,9 +1,9 @@
-//! What was noticed while a file was read, counted: a file may repeat itself a million times.
+//! Findings of a reader, with counts: a file may repeat an error a million times.
 
 use polhode::body::{Finding, Severity};
 use polhode_source::text::escaped;
 
-/// Findings, one for each kind of thing.
+/// Findings, one for each kind.
 #[derive(Debug, Default)]
 pub(crate) struct Notes(Vec<Note>);
 
@@ -17,7 +17,8 @@ struct Note {
 }
 
 impl Notes {
-    /// Notes it at a place; the sentence is given for one, and for many to follow their number.
+    /// Adds a note at a place. `sentence` has two forms: for one occurrence, and for several, to
+    /// follow their number.
     pub(crate) fn add(
         &mut self,
         code: &'static str,
@@ -31,7 +32,7 @@ impl Notes {
         }
     }
 
-    /// The findings, in the order in which they first appeared; their place is the first.
+    /// Returns the findings in the order of their first occurrence, with its place.
     pub(crate) fn findings(self) -> Vec<Finding> {
         let finding = |note: Note| {
             let message = match (note.count, note.sentence) {

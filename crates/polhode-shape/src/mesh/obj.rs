@@ -1,9 +1,10 @@
-//! Wavefront OBJ: vertices, faces of any number of corners, groups.
+//! Wavefront OBJ: vertices, faces with any number of corners, groups.
 //!
-//! One statement a line: `v x y z`, `f a b c …` with indices from 1, or from −1 backwards, each perhaps with those of a
-//! texture and a normal behind slashes. The faces under one `o` and one `g` are a part; a name that comes again goes on
-//! with its part. What dresses a surface is skipped; lines and points are counted; curved surfaces are refused, for
-//! their shape is not in the vertices.
+//! Each line is one statement: `v x y z`, or `f a b c …` with indices from 1, or from −1 backwards.
+//! Indices of a texture and a normal may follow each after slashes. The faces under one `o` and one
+//! `g` form a part; a repeated name continues its part. Materials and other attributes are skipped;
+//! lines and points are counted. Curved surfaces are refused, because the vertices do not determine
+//! their shape.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -19,7 +20,8 @@ use crate::finding::info;
 
 /// Reads the bytes of an OBJ file.
 ///
-/// Coordinates are the doubles nearest to what is written. A polygon of n corners becomes n − 2 triangles.
+/// Coordinates are the doubles nearest to the text. A polygon with n corners becomes n − 2
+/// triangles.
 ///
 /// ```
 /// use polhode_shape::mesh::obj::read;
@@ -47,13 +49,15 @@ use crate::finding::info;
 /// ```
 ///
 /// # Errors
-/// A statement that is none or is cut short, a coordinate that is not finite, a face with fewer than three corners or with
-/// a vertex that is not there yet, curved surfaces, and a file without a face. The place is a span of bytes.
+/// An unknown or incomplete statement, a coordinate that is not finite, a face with fewer than
+/// three corners or with an undefined vertex, a curved surface, and a file without a face. The
+/// place is a span of bytes.
 pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     points::with_faces(read_or_cloud(bytes)?)
 }
 
-/// Reads the bytes of a file that may have no faces: then its vertices are a part without triangles.
+/// Reads the bytes of a file that may have no faces. Then the vertices form a part without
+/// triangles.
 pub fn read_or_cloud(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     let mut reader = Reader::default();
     let mut scan = Scan::new(bytes);
@@ -72,21 +76,21 @@ pub fn read_or_cloud(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     reader.contents()
 }
 
-/// What has been read. The scan stays outside, in the registers of the processor.
+/// State of the reader. The scan is a separate variable, so that it stays in processor registers.
 #[derive(Default)]
 struct Reader<'a> {
     vertices: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
     groups: Groups<'a>,
     polygons: Polygons,
-    /// The corners of the face that is being read.
+    /// Corners of the current face.
     corners: Vec<u32>,
     lines: usize,
     points: usize,
 }
 
 impl<'a> Reader<'a> {
-    /// `v x y z`, then perhaps a weight, a colour, or both.
+    /// Reads `v x y z`, followed by an optional weight, colour, or both.
     #[inline(always)]
     fn vertex(&mut self, scan: &mut Scan) -> Result<(), ContentError> {
         let mut next = || {
@@ -102,7 +106,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// `f a b c …`.
+    /// Reads `f a b c …`.
     #[inline(always)]
     fn face(&mut self, scan: &mut Scan) -> Result<(), ContentError> {
         if let Some((triangle, end)) = plain_triangle(scan, self.vertices.len()) {
@@ -124,7 +128,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// `v`, `v/vt`, `v/vt/vn` or `v//vn`, of which the first counts.
+    /// Reads `v`, `v/vt`, `v/vt/vn` or `v//vn`, and uses only the vertex.
     #[inline(always)]
     fn corner(&self, scan: &mut Scan) -> Result<u32, ContentError> {
         let start = scan.at;
@@ -145,7 +149,7 @@ impl<'a> Reader<'a> {
         parts::index(from_zero, count).ok_or_else(|| no_vertex(scan.moved(start), written, count))
     }
 
-    /// Any statement but a vertex and a face.
+    /// Reads any statement except a vertex and a face.
     fn other(&mut self, word: &[u8], start: Scan<'a>, mut scan: Scan<'a>) -> Result<Scan<'a>, ContentError> {
         match word {
             b"o" | b"g" => {
@@ -201,8 +205,8 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// ` a b c` and the end of the line, one blank before each: what most files have, and what is read fastest. The indices, and the offset
-/// behind the line; `None` if anything is otherwise.
+/// Fast path for ` a b c` and a line end, with one blank before each number; most files have this
+/// form. Returns the indices and the offset after the line; `None` for any other form.
 #[inline(always)]
 fn plain_triangle(scan: &Scan, count: usize) -> Option<([u32; 3], usize)> {
     let (mut at, mut triangle) = (scan.at, [0; 3]);
@@ -216,7 +220,7 @@ fn plain_triangle(scan: &Scan, count: usize) -> Option<([u32; 3], usize)> {
     scan.is_line_end(at).then_some((triangle, at + 1))
 }
 
-/// The numbers behind x, y, z: none counts.
+/// Skips the numbers after x, y, z.
 fn weight_and_colour(mut scan: Scan) -> Result<Scan, ContentError> {
     for _ in 0..5 {
         if !scan.at_line_end() {
@@ -241,7 +245,7 @@ fn no_vertex(at: Scan, written: i64, count: usize) -> ContentError {
     }
 }
 
-/// What says nothing about the shape.
+/// Statements that do not affect the shape.
 const SKIPPED: [&[u8]; 18] = [
     b"vn",
     b"vt",
@@ -263,27 +267,28 @@ const SKIPPED: [&[u8]; 18] = [
     b"end",
 ];
 
-/// Free-form curves and surfaces, the older forms of them, and what another file or program says.
+/// Statements of free-form curves and surfaces, including obsolete ones, and references to other
+/// files and programs.
 const REFUSED: [&[u8]; 21] = [
     b"cstype", b"deg", b"bmat", b"step", b"curv", b"curv2", b"surf", b"parm", b"trim", b"hole", b"scrv",
     b"sp", b"con", b"bsp", b"bzp", b"cdc", b"cdp", b"res", b"call", b"csh", b"lib",
 ];
 
-/// The names in force, and which triangles were made under which.
+/// Current names, and the triangles under each pair of names.
 #[derive(Default)]
 struct Groups<'a> {
     object: &'a [u8],
     group: &'a [u8],
-    /// Numbers of the parts, in the order of their first triangles.
+    /// Index of each part, in the order of their first triangles.
     numbers: HashMap<(&'a [u8], &'a [u8]), usize>,
     names: Vec<(&'a [u8], &'a [u8])>,
     runs: Vec<(usize, Range<usize>)>,
-    /// The first triangle under the names in force.
+    /// First triangle under the current names.
     start: usize,
 }
 
 impl Groups<'_> {
-    /// Names change, and there are so many triangles.
+    /// Ends the current run at this number of triangles, before the names change.
     fn end(&mut self, triangles: usize) {
         let run = self.start..triangles;
         if !run.is_empty() {

@@ -1,8 +1,9 @@
-//! OFF: the Object File Format of Geomview.
+//! OFF, the Object File Format of Geomview.
 //!
-//! `OFF`, then how many vertices, faces and edges there are, then a line for each vertex (`x y z`) and each face
-//! (`n a b c …`, from 0). Before `OFF`, `ST`, `C` and `N` say that texture, colour or normal follow the coordinates on
-//! their lines; a face may have a colour too. Nobody uses the number of edges.
+//! The file contains `OFF`, the numbers of vertices, faces and edges, then a line for each vertex
+//! (`x y z`) and each face (`n a b c …`, from 0). The prefixes `ST`, `C` and `N` of `OFF` mean that
+//! texture, colour or normal follow the coordinates. A face may have a colour, too. The number of
+//! edges is not used.
 
 use polhode_source::{ContentError, ContentErrorKind};
 
@@ -13,7 +14,8 @@ use super::scan::Scan;
 
 /// Reads the bytes of an OFF file.
 ///
-/// Coordinates are the doubles nearest to what is written. A polygon of n corners becomes n − 2 triangles.
+/// Coordinates are the doubles nearest to the text. A polygon with n corners becomes n − 2
+/// triangles.
 ///
 /// ```
 /// use polhode_shape::mesh::off::read;
@@ -39,9 +41,9 @@ use super::scan::Scan;
 /// ```
 ///
 /// # Errors
-/// Bytes that do not start like OFF, its binary form and its forms of other dimensions, counts that the file does not
-/// meet, a coordinate that is not finite, a face with fewer than three corners, and an index of no vertex. The place is
-/// a span of bytes.
+/// Bytes that do not start like OFF, its binary form or a form with other dimensions, counts that
+/// do not agree with the file, a coordinate that is not finite, a face with fewer than three
+/// corners, and an index without a vertex. The place is a span of bytes.
 pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     let mut scan = Scan::new(bytes);
     scan.skip_empty_lines();
@@ -87,7 +89,8 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     Ok(MeshContents { encoding: "text", name: String::new(), unit: None, parts, findings })
 }
 
-/// `[ST][C][N]OFF`, and not its relatives. Counts may follow without a blank, as some programs write them.
+/// Reads `[ST][C][N]OFF`, and refuses related formats. Some programs write the counts without a
+/// blank after it.
 fn keyword(scan: &mut Scan) -> Result<(), ContentError> {
     let start = *scan;
     let word = scan.word();
@@ -119,7 +122,7 @@ fn keyword(scan: &mut Scan) -> Result<(), ContentError> {
     Ok(())
 }
 
-/// At the next line that says something.
+/// Moves to the next line with content.
 fn row(scan: &mut Scan, what: &str, declared: u64, present: u64) -> Result<(), ContentError> {
     scan.skip_empty_lines();
     if scan.is_done() {
@@ -129,7 +132,7 @@ fn row(scan: &mut Scan, what: &str, declared: u64, present: u64) -> Result<(), C
     Ok(())
 }
 
-/// `x y z`, then perhaps normal, colour and texture.
+/// Reads `x y z`, followed by an optional normal, colour and texture.
 fn vertex(scan: &mut Scan) -> Result<[f64; 3], ContentError> {
     let mut vertex = [0.0; 3];
     for coordinate in &mut vertex {
@@ -143,7 +146,7 @@ fn vertex(scan: &mut Scan) -> Result<[f64; 3], ContentError> {
     Ok(vertex)
 }
 
-/// `n a b c …`, then perhaps a colour.
+/// Reads `n a b c …`, followed by an optional colour.
 fn face(scan: &mut Scan, vertices: usize, corners: &mut Vec<u32>) -> Result<(), ContentError> {
     corners.clear();
     scan.skip_blanks();
@@ -168,7 +171,7 @@ fn face(scan: &mut Scan, vertices: usize, corners: &mut Vec<u32>) -> Result<(), 
     Ok(())
 }
 
-/// Lines behind the last face.
+/// Returns the error for lines after the last face.
 fn left_over(mut scan: Scan, declared: u64) -> ContentError {
     let (start, mut present) = (scan, declared);
     while !scan.is_done() {

@@ -1,14 +1,14 @@
-//! Parts of a mesh file from vertices that they share.
+//! Parts of a mesh file that share vertices.
 
 use polhode::body::mesh::TriangleMesh;
 use polhode_source::{ContentError, ContentErrorKind};
 
 use super::MeshPart;
 
-/// Parts from names and triangles, each with those of the vertices that it uses, in the file's order.
+/// Returns parts from names and triangles, each with the vertices that it uses, in file order.
 ///
 /// # Errors
-/// Never, as long as all indices exist and all vertices are finite.
+/// None, if all indices exist and all vertices are finite.
 pub(crate) fn of_shared(
     vertices: Vec<[f64; 3]>,
     parts: Vec<(String, Vec<[u32; 3]>)>,
@@ -36,10 +36,10 @@ pub(crate) fn of_shared(
     parts.into_iter().map(compact).collect()
 }
 
-/// No index: a mesh has fewer vertices than that.
+/// Mark of an unused vertex. It is not an index, since a mesh has fewer vertices.
 const UNSEEN: u32 = u32::MAX;
 
-/// The vertices that the triangles use, each once.
+/// Returns the vertices that the triangles use, each once.
 fn mark(triangles: &[[u32; 3]], slots: &mut [u32]) -> Vec<u32> {
     let mut used = Vec::new();
     for &index in triangles.as_flattened() {
@@ -60,7 +60,8 @@ fn mesh(vertices: Vec<[f64; 3]>, triangles: Vec<[u32; 3]>) -> Result<TriangleMes
     })
 }
 
-/// The index of a vertex as meshes keep it, if a file of `count` vertices has it.
+/// Converts a vertex index to the type of meshes; `None` if a file with `count` vertices does not
+/// have it.
 #[inline]
 pub(crate) fn index(index: i64, count: usize) -> Option<u32> {
     let index = u32::try_from(index).ok()?;

@@ -1,8 +1,9 @@
-//! PLY: the polygon file format of Stanford, ASCII and binary of both endians.
+//! PLY, the Stanford polygon file format: ASCII and binary of both endiannesses.
 //!
-//! A header in text declares elements and their properties; then come their values, in that order. What is read is
-//! `x`, `y`, `z` of the element `vertex`, and the lists `vertex_indices` (or `vertex_index`) of `face` and `tristrips`;
-//! everything else is passed over. No count is trusted: lists grow with the values that are there.
+//! A text header declares elements and their properties; their values follow in that order. The
+//! reader uses `x`, `y`, `z` of the element `vertex`, and the lists `vertex_indices` (or
+//! `vertex_index`) of `face` and `tristrips`; everything else is skipped. Counts are not trusted:
+//! lists grow with the values that are present.
 
 mod header;
 mod values;
@@ -19,8 +20,8 @@ use values::{Ascii, Binary, Stop, Values};
 
 /// Reads the bytes of a PLY file.
 ///
-/// Coordinates are doubles: the nearest ones to what an ASCII file writes, and exactly those of a binary file. A polygon
-/// of n corners becomes n − 2 triangles.
+/// Coordinates are doubles: the ones nearest to the text in an ASCII file, and exact in a binary
+/// file. A polygon with n corners becomes n − 2 triangles.
 ///
 /// ```
 /// use polhode_shape::mesh::ply::read;
@@ -53,13 +54,15 @@ use values::{Ascii, Binary, Stop, Values};
 /// ```
 ///
 /// # Errors
-/// A header that does not follow the grammar or lacks vertices or faces, counts that the file does not fill or runs
-/// over, a coordinate that is not finite, a face with fewer than three corners, and an index of no vertex.
+/// A malformed header or one without vertices or faces, counts that do not agree with the file, a
+/// coordinate that is not finite, a face with fewer than three corners, and an index without a
+/// vertex.
 pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     points::with_faces(read_or_cloud(bytes)?)
 }
 
-/// Reads the bytes of a file that may have no faces: then its vertices are a part without triangles.
+/// Reads the bytes of a file that may have no faces. Then the vertices form a part without
+/// triangles.
 pub fn read_or_cloud(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     let header = header::read(bytes)?;
     match header.encoding {
@@ -69,11 +72,11 @@ pub fn read_or_cloud(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     }
 }
 
-/// All elements, one after another.
+/// Reads all elements in order.
 fn elements(header: &Header, mut values: impl Values) -> Result<MeshContents, ContentError> {
     let mut surface = Surface::default();
     let mut findings = Vec::new();
-    // Faces before the vertices are passed over, and read when the vertices are there.
+    // Faces that precede the vertices are skipped, and read after the vertices.
     let (mut waiting, mut has_vertices) = (Vec::new(), false);
     for element in &header.elements {
         match element.name.as_str() {
@@ -103,7 +106,7 @@ fn elements(header: &Header, mut values: impl Values) -> Result<MeshContents, Co
     if values.rest() > 0 {
         let (what, declared) = ("bytes behind the last element", 0);
         let kind = ContentErrorKind::count(what, declared, values.rest() as u64);
-        // To the place of the first of them.
+        // Place of the first unexpected value.
         let _ = values.skip(Scalar::U8, 1);
         return Err(ContentError::new(kind, values.last(String::new()).1)
             .hint("a count in the header is too small, or the file has been damaged"));
@@ -118,13 +121,13 @@ fn elements(header: &Header, mut values: impl Values) -> Result<MeshContents, Co
     Ok(MeshContents { encoding, name: String::new(), unit: None, parts, findings })
 }
 
-/// What has been read.
+/// Vertices and triangles read so far.
 #[derive(Default)]
 struct Surface {
     vertices: Vec<[f64; 3]>,
     triangles: Vec<[u32; 3]>,
     polygons: Polygons,
-    /// The corners of the face that is being read.
+    /// Corners of the current face.
     corners: Vec<u32>,
 }
 
@@ -159,7 +162,7 @@ impl Surface {
         Ok(())
     }
 
-    /// Polygons, or strips of triangles.
+    /// Reads polygons or triangle strips.
     fn read_faces(&mut self, element: &Element, values: &mut impl Values) -> Result<(), ContentError> {
         let found = element.property("vertex_indices").or_else(|| element.property("vertex_index"));
         let place = match found {
@@ -182,7 +185,7 @@ impl Surface {
         Ok(())
     }
 
-    /// The corners of a polygon.
+    /// Reads the corners of a polygon.
     #[inline]
     fn face(
         &mut self,
@@ -209,8 +212,8 @@ impl Surface {
         Ok(())
     }
 
-    /// Strips with −1 between them: each corner makes a triangle with the two before it, every second one the other way
-    /// round. One with two equal corners only leads on to the next.
+    /// Reads triangle strips with −1 between them. Each corner forms a triangle with the two before
+    /// it; every second triangle is reversed. Degenerate triangles with equal corners are skipped.
     fn strips(
         &mut self,
         element: &Element,
@@ -249,7 +252,7 @@ impl Surface {
     }
 }
 
-/// Goes over all of an element.
+/// Skips all values of an element.
 fn pass_over(element: &Element, values: &mut impl Values) -> Result<(), ContentError> {
     if element.properties.is_empty() {
         return Ok(());
@@ -267,7 +270,7 @@ fn pass_over_one(property: &Property, values: &mut impl Values) -> Result<(), St
     values.skip(property.scalar, count)
 }
 
-/// How many items a list has.
+/// Reads the length of a list.
 #[inline]
 fn length(list: &Property, values: &mut impl Values) -> Result<u64, Stop> {
     let length = values.integer(list.length.unwrap_or(list.scalar))?;
@@ -278,7 +281,7 @@ fn length(list: &Property, values: &mut impl Values) -> Result<u64, Stop> {
     })
 }
 
-/// An index, the k-th of so many.
+/// Reads index k of `count` in a list.
 #[inline]
 fn item(
     element: &Element,
@@ -293,14 +296,14 @@ fn item(
     })
 }
 
-/// The file has ended in the middle of an element.
+/// Returns the error for a file that ends within an element.
 #[cold]
 fn ended(element: &Element, row: u64, values: &impl Values) -> ContentError {
     let (_, place) = values.last(format!("{} {row}", element.name));
     values::short(element.plural(), element.count, row, place)
 }
 
-/// An element lacks a property, or has one of another type.
+/// Returns the error for a property that is missing or has the wrong type.
 fn no_property(element: &Element, found: Option<(usize, &Property)>, what: &str, rule: &str) -> ContentError {
     let name = &element.name;
     match found {

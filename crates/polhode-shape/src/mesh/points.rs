@@ -1,10 +1,10 @@
-//! Clouds of points: meshes without triangles, for their convex hull.
+//! Point clouds: meshes without triangles, used for their convex hull.
 //!
-//! A file of points has one in a line, `x y z`. Its separators are blanks and tabs, or commas, or
-//! semicolons, the same in all lines; `#` and `//` start a comment. A comma together with another
-//! separator may be a decimal comma, and is refused. So is a first column that counts the points,
-//! in front of three others. Other columns behind the third are colours, intensities or normals,
-//! and are not read; a finding says so.
+//! Each line of a file is one point, `x y z`. Separators are blanks and tabs, or commas, or
+//! semicolons, the same in all lines. `#` and `//` start a comment. A comma together with another
+//! separator may be a decimal comma, and is refused. A first column that numbers the points, before
+//! three others, is also refused. Further columns, such as colours, intensities or normals, are not
+//! read, and reported in a finding.
 
 use polhode::body::mesh::TriangleMesh;
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
@@ -12,10 +12,10 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use super::{MeshContents, MeshPart};
 use crate::finding::info;
 
-/// Points as a part without triangles.
+/// Returns points as a part without triangles.
 ///
 /// # Errors
-/// [`ContentError`] without a point, or for more points than can be numbered.
+/// [`ContentError`] without points, or for more points than indices.
 pub fn cloud(points: Vec<[f64; 3]>) -> Result<MeshContents, ContentError> {
     if points.is_empty() {
         let kind = ContentErrorKind::missing("points");
@@ -27,10 +27,10 @@ pub fn cloud(points: Vec<[f64; 3]>) -> Result<MeshContents, ContentError> {
     Ok(MeshContents { encoding: "text", name: String::new(), unit: None, parts, findings: Vec::new() })
 }
 
-/// The contents, if they have faces.
+/// Returns the contents if they have faces.
 ///
 /// # Errors
-/// [`ContentErrorKind::Missing`] of points alone.
+/// [`ContentErrorKind::Missing`] if there are only points.
 pub fn with_faces(contents: MeshContents) -> Result<MeshContents, ContentError> {
     if contents.parts.is_empty() || contents.triangles() > 0 {
         return Ok(contents);
@@ -40,7 +40,7 @@ pub fn with_faces(contents: MeshContents) -> Result<MeshContents, ContentError> 
     Err(kind.of_whole().hint(hint))
 }
 
-/// Character between the numbers of a line.
+/// Separator between the numbers of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Separator {
     Blank,
@@ -79,7 +79,7 @@ impl Separator {
     }
 }
 
-/// Reads lines of `x y z`.
+/// Reads lines of the form `x y z`.
 ///
 /// ```
 /// use polhode_shape::mesh::points::read;
@@ -93,8 +93,8 @@ impl Separator {
 /// ```
 ///
 /// # Errors
-/// [`ContentError`] for a line that does not start with three finite numbers, with its place; for
-/// different separators; for a first column that counts the points.
+/// [`ContentError`] with its place for a line that does not start with three finite numbers; for
+/// mixed separators; for a first column that numbers the points.
 pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     let text = str::from_utf8(bytes).map_err(|error| {
         let (what, found) = ("text", "");
@@ -144,7 +144,7 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
 const ONE_KIND: &str =
     "write decimal points, and between the numbers only blanks, or only commas, or only semicolons";
 
-/// The error of a line with several separators.
+/// Returns the error for a line with several separators.
 fn mixed(line: &str, place: ContentPlace) -> ContentError {
     let found = line.to_owned();
     let kind = if line.contains(',') {
@@ -155,7 +155,7 @@ fn mixed(line: &str, place: ContentPlace) -> ContentError {
     ContentError::new(kind, place).hint(ONE_KIND)
 }
 
-/// Refuses a first column of 1, 2, 3, … or 0, 1, 2, … in front of three others: it counts the points.
+/// Refuses a first column 1, 2, 3, … or 0, 1, 2, … before three others: it numbers the points.
 fn require_coordinates(points: &[[f64; 3]]) -> Result<(), ContentError> {
     let counts_from = |first: f64| points.iter().enumerate().all(|(k, [x, ..])| *x == first + k as f64);
     if points.len() < 2 || !counts_from(0.0) && !counts_from(1.0) {
@@ -168,7 +168,7 @@ fn require_coordinates(points: &[[f64; 3]]) -> Result<(), ContentError> {
         .hint("delete the column that counts the points; if it is x, delete the columns behind the third"))
 }
 
-/// A finite number.
+/// Parses a finite number.
 fn coordinate_of(word: Option<&str>) -> Result<f64, ContentErrorKind> {
     let number = word.and_then(|word| word.parse::<f64>().ok()).filter(|number| number.is_finite());
     number.ok_or_else(|| {

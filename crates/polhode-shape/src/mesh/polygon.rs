@@ -1,11 +1,15 @@
-//! A small convex polygon is a fan from its first corner. Of any other the ears are cut, in its own plane: an ear is a
-//! triangle of three consecutive corners that turns left and has no corner of the rest in it. Signs are exact. A polygon that crosses
-//! itself runs out of ears, and one made to do harm out of patience. The triangles overlap then; in a plane
-//! their signed areas and moments still sum to those of the polygon.
+//! Triangulation of polygons.
 //!
-//! For n corners this takes some n log n steps: every second ear of a row is cut in one round, so that the triangles grow evenly and no corner
-//! has many; the corners that do not turn left, the only ones that can be in an ear, are found by a tree; and what such a corner hides is
-//! looked at again when it is gone, not before.
+//! A small convex polygon becomes a fan from its first corner. Other polygons are triangulated by
+//! ear clipping in their plane. An ear is a triangle of three consecutive corners that turns left
+//! and contains no other corner. Signs are exact. A self-intersecting polygon runs out of ears, and
+//! a malicious one reaches an iteration limit. The triangles then overlap; in a plane, their signed
+//! areas and moments still sum to those of the polygon.
+//!
+//! The time for n corners is of order n log n. Every second ear of a row is cut in one round, so
+//! that the triangles grow evenly and no corner has many. A tree finds the reflex corners, the only
+//! ones that can lie in an ear. Ears hidden by a reflex corner are tested again only after it is
+//! gone.
 
 mod dents;
 mod ears;
@@ -19,21 +23,21 @@ use ears::Ears;
 
 use crate::finding::warning;
 
-/// Corners of the largest polygon that is made a fan.
+/// Maximum number of corners of a polygon that becomes a fan.
 const SMALL: usize = 16;
 
-/// Splits polygons; keeps its lists from one to the next.
+/// Splits polygons into triangles; reuses its buffers.
 #[derive(Debug, Default)]
 pub(crate) struct Polygons {
-    /// Polygons so far whose triangles overlap.
+    /// Number of polygons so far whose triangles overlap.
     pub crossed: usize,
-    /// The corners in the plane.
+    /// Corners in the plane.
     points: Vec<[f64; 2]>,
     ears: Ears,
 }
 
 impl Polygons {
-    /// Appends the triangles of the polygon with these corners; all of them exist.
+    /// Appends the triangles of the polygon with these corners, which must exist.
     pub(crate) fn split(&mut self, vertices: &[[f64; 3]], corners: &[u32], triangles: &mut Vec<[u32; 3]>) {
         match *corners {
             [] | [_] | [_, _] => return,
@@ -52,7 +56,7 @@ impl Polygons {
         }
     }
 
-    /// What is to be said about them all.
+    /// Returns the finding about all polygons so far.
     pub(crate) fn finding(&self) -> Option<Finding> {
         if self.crossed == 0 {
             return None;
@@ -64,7 +68,8 @@ impl Polygons {
         Some(warning("mesh.crossed_polygons", message))
     }
 
-    /// The corners as points of a plane in which the polygon turns left, without a rounding: two of the three coordinates.
+    /// Projects the corners to a plane in which the polygon turns left. It selects two of the three
+    /// coordinates, so it is exact.
     fn project(&mut self, vertices: &[[f64; 3]], corners: &[u32]) {
         let at = |k: &u32| vertices.get(*k as usize).copied().unwrap_or_default();
         let origin = at(&corners[0]);
@@ -72,7 +77,7 @@ impl Polygons {
             let p = at(k);
             [p[0] - origin[0], p[1] - origin[1], p[2] - origin[2]]
         };
-        // Newell: twice the area is Σ p_k × p_(k+1), about a corner.
+        // Newell's formula: twice the area is Σ p_k × p_(k+1), relative to a corner.
         let mut area = [0.0; 3];
         for edge in corners.windows(2) {
             let (p, q) = (from_origin(&edge[0]), from_origin(&edge[1]));
@@ -100,7 +105,8 @@ impl Polygons {
     }
 }
 
-/// Twice the signed area of a triangle: (b − a) × (c − a), positive if it turns left; its sign is exact.
+/// Returns twice the signed area of a triangle: (b − a) × (c − a), positive if it turns left. The
+/// sign is exact.
 fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     let coord = |[x, y]: [f64; 2]| Coord { x, y };
     orient2d(coord(a), coord(b), coord(c))
@@ -111,7 +117,7 @@ mod tests {
     use super::*;
     use std::collections::HashMap;
 
-    /// A plane in general position, and points in it.
+    /// Returns points in a plane in general position.
     fn in_space(points: &[[f64; 2]]) -> Vec<[f64; 3]> {
         let (u, v, origin) = ([0.36, 0.48, -0.8], [0.8, -0.6, 0.0], [3.1, -2.7, 11.3]);
         points.iter().map(|p| std::array::from_fn(|i| origin[i] + p[0] * u[i] + p[1] * v[i])).collect()
@@ -125,7 +131,8 @@ mod tests {
         (triangles, polygons.crossed)
     }
 
-    /// n − 2 triangles; the polygon's edges are used once, all other edges as often in both directions.
+    /// Asserts n − 2 triangles. Edges of the polygon must be used once, all others equally often in
+    /// both directions.
     fn keeps_the_boundary(n: usize, triangles: &[[u32; 3]]) {
         assert_eq!(triangles.len(), n - 2);
         let mut balance: HashMap<(u32, u32), i32> = HashMap::new();
@@ -141,14 +148,15 @@ mod tests {
         assert!(balance.values().all(|b| *b == 0), "{triangles:?}");
     }
 
-    /// Boundary kept, and no triangle turns right: in a simple polygon they cannot overlap then.
+    /// Asserts that the boundary is kept and no triangle turns right. In a simple polygon the
+    /// triangles then do not overlap.
     fn is_clean(points: &[[f64; 2]]) {
         let (triangles, crossed) = split(points);
         keeps_the_boundary(points.len(), &triangles);
         assert_eq!(crossed, 0);
         for triangle in triangles {
             let [a, b, c] = triangle.map(|k| points[k as usize]);
-            // But for the rounding of the corners in space.
+            // Tolerance for the rounding of the corners in space.
             let rounding = 1e-14 * points.as_flattened().iter().fold(0.0_f64, |max, c| max.max(c * c));
             assert!(turn(a, b, c) > -rounding, "{triangle:?} of {points:?}");
         }
@@ -170,7 +178,7 @@ mod tests {
             arrow.rotate_left(turned);
             is_clean(&arrow);
         }
-        // A comb, a spiral, and a star of unequal rays.
+        // A comb, a spiral, and a star with unequal rays.
         let comb =
             (0..41).map(|k| [f64::from(40 - k), if k % 2 == 0 { 5.3 } else { 0.7 + 0.01 * f64::from(k) }]);
         is_clean(&[[-1.5, 0.0], [41.5, -0.3]].into_iter().chain(comb).collect::<Vec<_>>());
@@ -224,7 +232,7 @@ mod tests {
                 });
                 let mut triangles = Vec::new();
                 Polygons::default().split(&space, &[0, 1, 2, 3], &mut triangles);
-                // The dent is corner 2: the diagonal starts there.
+                // The reflex corner is corner 2: the diagonal starts there.
                 assert!(triangles.iter().all(|t| t.contains(&2) && t.contains(&0)), "{triangles:?}");
             }
         }
@@ -270,7 +278,7 @@ mod tests {
             [-f64::from(k), if k.is_multiple_of(2) { 1e5 + 3.0 * f64::from(k) } else { 0.7 * f64::from(k) }]
         };
         let comb = (0..n).map(comb).chain([[-f64::from(n), -1.0], [0.0, -1.0]]).collect();
-        // Straight sides of thousands of corners
+        // Straight sides with thousands of corners.
         let walls = |k: u32| {
             let along = f64::from(k % 5000);
             match k / 5000 {

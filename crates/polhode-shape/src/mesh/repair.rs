@@ -1,4 +1,4 @@
-//! What a mesh is mended by where somebody asks for it, and what that may change.
+//! Repairs of a mesh on request, and bounds on their effect.
 
 use std::path::Path;
 
@@ -11,40 +11,41 @@ use serde_json::{Value, json};
 use super::length::MeshLength;
 use super::{MeshContents, MeshPart, MeshSolid, holes_left, solid};
 
-/// What was mended of a mesh file.
+/// Repair of a mesh file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum MeshRepair {
     /// Vertices of open edges were joined.
     Welded {
-        /// Vertices that were joined.
+        /// Number of vertices that were joined.
         vertices: usize,
-        /// Points that became of them.
+        /// Number of points after joining.
         points: usize,
-        /// The largest distance between two vertices that were joined, m.
+        /// Maximum distance between two joined vertices, m.
         largest_distance: f64,
-        /// Triangles of which two corners became one.
+        /// Number of triangles that vanished because two corners became one.
         vanished: usize,
-        /// What it may be off.
+        /// Bound on the error.
         bound: RepairBound,
     },
     /// Small holes were closed with triangles.
     Filled {
-        /// Holes that were closed.
+        /// Number of holes that were closed.
         holes: usize,
-        /// Triangles that close them.
+        /// Number of triangles that close them.
         triangles: usize,
-        /// The largest distance between two vertices of such a hole, m.
+        /// Maximum distance between two vertices of such a hole, m.
         largest: f64,
         /// Holes that were not closed.
         left: HolesLeft,
-        /// What it may be off, if what is missing lies within the balls about the holes.
+        /// Bound on the error, provided that the missing volume lies in the balls around the holes.
         bound: RepairBound,
     },
 }
 
 impl MeshRepair {
-    /// What was done, and what all of it together means for the solids that came of it: warnings, or notes of what was asked for in vain.
+    /// Returns warnings about the repairs and their combined effect on the solids, or notes about
+    /// repairs that had no effect.
     pub fn findings(repairs: &[Self], solid: &MeshSolid, file: &str) -> Vec<Finding> {
         let whole = solid.parts.iter().map(|part| part.mesh.volume()).sum();
         let effect = |bound: RepairBound| match solid.parts.as_slice() {
@@ -54,7 +55,8 @@ impl MeshRepair {
         Self::findings_on(repairs, whole, effect, file)
     }
 
-    /// The same for what encloses so much, m³, and of which a bound says so much.
+    /// Returns the same findings for an enclosed volume `whole`, m³, and the effect of a bound on
+    /// it.
     pub fn findings_on(
         repairs: &[Self],
         whole: f64,
@@ -77,7 +79,7 @@ impl MeshRepair {
         repairs.iter().enumerate().map(finding).collect()
     }
 
-    /// The error of a mesh that is open still, with why its holes were not filled.
+    /// Adds the reasons why holes were not filled to the error of a mesh that is still open.
     #[must_use]
     pub fn explained(repairs: &[Self], error: FormatError) -> FormatError {
         let is_open = matches!(error.kind(), FormatErrorKind::Mesh { error: BodyError::OpenMesh { .. }, .. });
@@ -94,12 +96,12 @@ impl MeshRepair {
         }
     }
 
-    /// Whether there was something to mend.
+    /// Returns true if the repair changed the mesh.
     const fn is_something(&self) -> bool {
         matches!(self, Self::Welded { points: 1.., .. } | Self::Filled { holes: 1.., .. })
     }
 
-    /// What the bound supposes.
+    /// Returns the condition under which the bound holds.
     const fn proviso(&self) -> &'static str {
         match self {
             Self::Welded { .. } => "",
@@ -107,7 +109,7 @@ impl MeshRepair {
         }
     }
 
-    /// Its name and numbers, for programs.
+    /// Returns name and numbers as JSON.
     pub fn for_programs(&self) -> (&'static str, Value) {
         match *self {
             Self::Welded { vertices, points, largest_distance, vanished, bound } => (
@@ -132,7 +134,7 @@ impl MeshRepair {
         }
     }
 
-    /// What it alone may be off.
+    /// Returns the error bound of this repair alone.
     pub const fn bound(&self) -> RepairBound {
         let (Self::Welded { bound, .. } | Self::Filled { bound, .. }) = self;
         *bound
@@ -180,11 +182,11 @@ pub struct RepairBound {
 }
 
 impl RepairBound {
-    /// Combines the bounds of several repairs, one after another.
+    /// Combines the bounds of successive repairs.
     ///
-    /// Welding by up to d moves the rim of a hole by no more, so that the missing volume lies in a ball
-    /// of r + d. By Minkowski, Σ (r + d)³ ≤ (³√Σr³ + d ³√N)³ for N holes. A ball has a corner of the mesh
-    /// on it, and so is nowhere farther out than 2 r.
+    /// Welding by up to d moves the rim of a hole by at most d. The missing volume then lies in a
+    /// ball of radius r + d. By Minkowski's inequality, Σ (r + d)³ ≤ (³√Σr³ + d ³√N)³ for N holes.
+    /// A ball has a corner of the mesh on its surface, so it extends at most 2 r beyond the mesh.
     pub fn of(repairs: &[MeshRepair]) -> Self {
         let (mut all, mut moved) = (Self { volume: 0.0, beyond: 0.0 }, 0.0_f64);
         for repair in repairs {
@@ -206,7 +208,8 @@ impl RepairBound {
     }
 }
 
-/// "the volume may be off by …, at most", perhaps "all together"
+/// Returns the bound in words: "the volume may be off by …, at most", with "all together" if there
+/// are several repairs.
 fn at_most(volume: f64, whole: f64, effect: Option<MeshEffect>, together: &str) -> String {
     let off = format!("the volume may be off by {volume:.1e} m³ ({:.1e} of it)", volume / whole);
     match effect {
@@ -222,11 +225,12 @@ fn at_most(volume: f64, whole: f64, effect: Option<MeshEffect>, together: &str) 
 }
 
 impl MeshContents {
-    /// The mesh with torn edges joined: [`TriangleMesh::welded`] of each part; of all together, if that
-    /// does not close each. `unit` is as in [`MeshSolid::read`].
+    /// Joins torn edges with [`TriangleMesh::welded`] for each part, or for all parts together if
+    /// that does not close each. `unit` is as in [`MeshSolid::read`].
     ///
     /// # Errors
-    /// [`FormatError`] for a tolerance that is not positive or would join what is farther apart.
+    /// [`FormatError`] for a tolerance that is not positive, or one that would join vertices beyond
+    /// it.
     pub fn welded(
         mut self,
         tolerance: MeshLength,
@@ -258,10 +262,10 @@ impl MeshContents {
         Ok((self, repair))
     }
 
-    /// The mesh welded and then filled, as far as that is asked for, and what was done.
+    /// Welds and then fills the mesh as requested; also returns the repairs.
     ///
     /// # Errors
-    /// As [`MeshContents::welded`] and [`MeshContents::filled`].
+    /// [`FormatError`], as for [`MeshContents::welded`] and [`MeshContents::filled`].
     pub fn mended(
         mut self,
         weld: Option<MeshLength>,
@@ -284,7 +288,7 @@ impl MeshContents {
     }
 }
 
-/// The triangles of each part, of all together.
+/// Divides the welded mesh into the triangles of each part.
 fn divided(together: &WeldedMesh, parts: &[MeshPart]) -> Result<Vec<TriangleMesh>, BodyError> {
     let mut corners = together.mesh.corners();
     let own = |part: &MeshPart| {
@@ -311,7 +315,7 @@ fn repair(welded: &[WeldedMesh], unit: f64) -> MeshRepair {
 mod tests {
     use super::*;
 
-    /// A weld widens balls: equal ones reach the bound, others stay below it.
+    /// A weld enlarges the balls around holes. Equal balls reach the bound, others stay below it.
     #[test]
     fn a_weld_widens_the_balls_of_the_holes_that_are_filled_after_it() {
         let (welded, moved) = (2e-5, 0.03);

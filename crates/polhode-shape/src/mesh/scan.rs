@@ -1,30 +1,30 @@
-//! The text of a mesh file, word by word: where the next one starts, and what to say if it is the wrong one.
+//! Tokenizer for the text of a mesh file: finds the next word, and creates errors with its place.
 
 use polhode_source::{ContentError, ContentErrorKind};
 
-/// A place in a text: `at` is the offset of the next byte.
+/// Position in a text: `at` is the offset of the next byte.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scan<'a> {
     pub bytes: &'a [u8],
-    /// Up to the length of the text.
+    /// Offset of the next byte, at most the length of the text.
     pub at: usize,
-    /// `\n`; in a file without one, `\r`.
+    /// Line end: `\n`; in a file without any, `\r`.
     line_end: u8,
 }
 
 impl<'a> Scan<'a> {
-    /// At the first byte, or behind a byte order mark.
+    /// Starts at the first byte, or after a byte order mark.
     pub(crate) fn new(bytes: &'a [u8]) -> Self {
         let at = if bytes.starts_with("\u{feff}".as_bytes()) { 3 } else { 0 };
         Self { bytes, at, line_end: if bytes.contains(&b'\n') { b'\n' } else { b'\r' } }
     }
 
-    /// The same at another place.
+    /// Returns the scan at another offset.
     pub(crate) const fn moved(self, at: usize) -> Self {
         Self { at, ..self }
     }
 
-    /// The same in other bytes.
+    /// Returns the scan of different bytes.
     pub(crate) const fn within(self, bytes: &'a [u8], at: usize) -> Self {
         Self { bytes, at, ..self }
     }
@@ -34,13 +34,14 @@ impl<'a> Scan<'a> {
         self.at >= self.bytes.len()
     }
 
-    /// The next byte; a line end behind the last one.
+    /// Returns the next byte; at the end of the text, a line end.
     #[inline(always)]
     pub(crate) fn peek(&self) -> u8 {
         self.bytes.get(self.at).copied().unwrap_or(self.line_end)
     }
 
-    /// Behind the blanks of this line, at the byte that it gives; a line that ends in `\` goes on in the next.
+    /// Skips blanks of this line and returns the next byte. A line that ends in `\` continues in
+    /// the next.
     #[inline(always)]
     pub(crate) fn skip_blanks(&mut self) -> u8 {
         loop {
@@ -55,7 +56,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// The length of a blank that few files have, or of a `\` with its line end.
+    /// Returns the length of a rare blank, or of a `\` with its line end.
     #[cold]
     fn rare_blank(self) -> usize {
         match &self.bytes[self.at..] {
@@ -66,20 +67,20 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// Whether the line has nothing more to say: its end, or a comment.
+    /// Returns true at the end of the line or at a comment.
     #[inline(always)]
     pub(crate) fn at_line_end(&mut self) -> bool {
         let byte = self.skip_blanks();
         byte == self.line_end || byte == b'#'
     }
 
-    /// Whether a line ends at that byte.
+    /// Returns true if a line ends at this byte.
     #[inline(always)]
     pub(crate) fn is_line_end(&self, at: usize) -> bool {
         self.bytes.get(at) == Some(&self.line_end)
     }
 
-    /// Behind the end of this line; gives what was left of it.
+    /// Returns the rest of the line, and moves to the next line.
     #[inline]
     pub(crate) fn line(&mut self) -> &'a [u8] {
         let rest = &self.bytes[self.at..];
@@ -89,7 +90,7 @@ impl<'a> Scan<'a> {
         line
     }
 
-    /// Behind the end of this line and of those that it goes on in; a comment goes on in none.
+    /// Moves to the line after this one and its continuations. A comment has no continuation.
     #[inline(always)]
     pub(crate) fn skip_line(&mut self) {
         if self.bytes.get(self.at) == Some(&self.line_end) {
@@ -109,14 +110,14 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// Behind the blanks, line ends and comments.
+    /// Skips blanks, line ends and comments.
     pub(crate) fn skip_empty_lines(&mut self) {
         while !self.is_done() && self.at_line_end() {
             self.skip_line();
         }
     }
 
-    /// Behind white space of every kind, line ends too.
+    /// Skips white space of every kind, including line ends.
     #[inline]
     pub(crate) fn skip_space(&mut self) {
         while self.bytes.get(self.at).is_some_and(u8::is_ascii_whitespace) {
@@ -124,7 +125,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// The run of bytes up to the next white space; empty at a line end.
+    /// Returns the bytes up to the next white space; empty at a line end.
     #[inline(always)]
     pub(crate) fn word(&mut self) -> &'a [u8] {
         let start = self.at;
@@ -134,7 +135,7 @@ impl<'a> Scan<'a> {
         &self.bytes[start..self.at]
     }
 
-    /// The finite number that starts here.
+    /// Reads a finite number.
     #[inline(always)]
     pub(crate) fn float(&mut self, what: &str) -> Result<f64, ContentError> {
         let rest = &self.bytes[self.at..];
@@ -148,7 +149,7 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// The integer that starts here.
+    /// Reads an integer.
     #[inline(always)]
     pub(crate) fn integer(&mut self, what: &str) -> Result<i64, ContentError> {
         match integer(self.bytes, self.at) {
@@ -157,7 +158,8 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// Behind a word that ends here, if one does, and the blank that it ends with.
+    /// Moves past a word that ends at `end`, and one blank after it. Returns false if the word does
+    /// not end there.
     #[inline(always)]
     pub(crate) fn pass(&mut self, end: usize) -> bool {
         match self.bytes.get(end) {
@@ -180,7 +182,7 @@ impl<'a> Scan<'a> {
         if found.contains(',') { error.hint("the decimal sign is a point") } else { error }
     }
 
-    /// Something else stands here.
+    /// Returns the error for an unexpected word.
     #[cold]
     pub(crate) fn expected(self, what: &str) -> ContentError {
         let found = self.found();
@@ -191,13 +193,13 @@ impl<'a> Scan<'a> {
         if is_cut { error.hint("the file is cut short") } else { error }
     }
 
-    /// Something is wrong with the word that starts here.
+    /// Returns an error at the next word.
     #[cold]
     pub(crate) fn error(self, kind: ContentErrorKind) -> ContentError {
         kind.at(self.at..self.at + { self }.word().len())
     }
 
-    /// The word that starts here, not more of it than a message shows.
+    /// Returns the next word, shortened for messages.
     pub(crate) fn found(self) -> String {
         const MOST: usize = 256;
         let word = { self }.word();

@@ -1,4 +1,4 @@
-//! The solids that the parts of a mesh file bound.
+//! Solids bounded by the parts of a mesh file.
 
 use std::path::Path;
 
@@ -13,42 +13,43 @@ use polhode_source::{FormatError, FormatErrorKind};
 use super::{MeshContents, MeshFormat, MeshLength, MeshPart, union_hint};
 use crate::finding::{info, warning};
 
-/// A mesh file as solids, in metres.
+/// Mesh file as solids, in metres.
 #[derive(Clone, Debug)]
 pub struct MeshSolid {
-    /// The format of the file.
     pub format: MeshFormat,
-    /// How it is encoded, in a word or two.
+    /// Encoding of the file.
     pub encoding: &'static str,
-    /// The name that the file gives itself; often empty.
+    /// Name stored in the file; often empty.
     pub name: String,
-    /// Metres in the file's unit of length.
+    /// Unit of length of the file, m.
     pub unit: f64,
-    /// Triangles in the file, degenerate ones too.
+    /// Number of triangles in the file, including degenerate ones.
     pub triangles: usize,
-    /// The solids, at least one.
+    /// Solids; at least one.
     pub parts: Vec<SolidPart>,
-    /// What had to be turned, joined or left out.
+    /// Findings: parts that were reversed, joined or omitted.
     pub findings: Vec<Finding>,
 }
 
-/// One solid of a mesh file.
+/// Solid of a mesh file.
 #[derive(Clone, Debug)]
 pub struct SolidPart {
-    /// Its name in the file; often empty.
+    /// Name in the file; often empty.
     pub name: String,
-    /// What it is.
+    /// Closed surface of the solid.
     pub mesh: ClosedMesh,
 }
 
 impl MeshSolid {
-    /// Reads a mesh file as solids; `unit` is what one is in metres, 0.001 for millimetres, if the file does not say or is wrong.
+    /// Reads a mesh file as solids. `unit` is the unit of length in metres (0.001 for millimetres),
+    /// if the file does not state it or states it wrongly.
     ///
-    /// Each part is a solid of its own if it is closed. Else all parts together are one: the groups of an OBJ file often divide
-    /// a surface, not a body.
+    /// Each closed part is a separate solid. If a part is not closed, all parts together form one
+    /// solid: the groups of an OBJ file often divide a surface, not a body.
     ///
     /// # Errors
-    /// [`FormatError`] if the file cannot be read, does not follow its format, or does not bound a solid.
+    /// [`FormatError`] if the file cannot be read, does not follow its format, or does not bound a
+    /// solid.
     pub fn read(
         files: &dyn Files,
         path: &Path,
@@ -58,10 +59,11 @@ impl MeshSolid {
         Self::of(MeshContents::read(files, path, format)?, path, format, unit)
     }
 
-    /// Mass, centre and tensor of all solids together, of one density; a mass is that of all.
+    /// Returns the mass properties of all solids together, with one density. A mass is that of all
+    /// solids.
     ///
     /// # Errors
-    /// [`BodyError`] for a density or a mass that is not positive and finite.
+    /// [`BodyError`] if the density or mass is not positive and finite.
     pub fn mass_properties(&self, substance: Substance) -> Result<MassProperties<Part>, BodyError> {
         let substance = match substance {
             Substance::Mass(mass) => {
@@ -73,10 +75,11 @@ impl MeshSolid {
         MassProperties::combined(&self.parts.iter().map(of_part).collect::<Result<Vec<_>, _>>()?)
     }
 
-    /// The solids of what has been read.
+    /// Returns the solids of the contents of a mesh file.
     ///
     /// # Errors
-    /// [`FormatError`] if the parts do not bound solids: by the numbers as they stand in the file.
+    /// [`FormatError`] if the parts do not bound solids. The numbers in the message are in the
+    /// file's unit.
     pub fn of(
         contents: MeshContents,
         path: &Path,
@@ -86,10 +89,11 @@ impl MeshSolid {
         Self::watched(contents, path, format, unit, &|| true)
     }
 
-    /// The same as long as it `goes_on`, which is asked often: of what would take longer it is undecided whether it bounds a solid.
+    /// Returns the solids as [`MeshSolid::of`] does, while `goes_on` returns true; the function is
+    /// called often. After cancellation it is undecided if the mesh bounds a solid.
     ///
     /// # Errors
-    /// As [`MeshSolid::of`].
+    /// [`FormatError`], as for [`MeshSolid::of`].
     pub fn watched(
         mut contents: MeshContents,
         path: &Path,
@@ -103,10 +107,10 @@ impl MeshSolid {
         Self::of_solids(contents, solids, path, format, unit)
     }
 
-    /// Of what has been read, where it is known what solids its parts bound, in the file's unit.
+    /// Returns the solids of contents whose solids are already known, in the file's unit.
     ///
     /// # Errors
-    /// [`FormatError`] for a unit that is none, and if f64 does not hold a volume in metres.
+    /// [`FormatError`] for an invalid unit, or if a volume in metres overflows.
     pub fn of_solids(
         contents: MeshContents,
         solids: Vec<SolidPart>,
@@ -146,7 +150,7 @@ impl MeshSolid {
         })
     }
 
-    /// The findings, each with the file that it is about.
+    /// Returns the findings, each with the name of the file.
     pub fn findings_in(&self, file: &str) -> Vec<Finding> {
         let file = escaped(file);
         let place = |own: &Option<String>| match own {
@@ -157,13 +161,14 @@ impl MeshSolid {
     }
 }
 
-/// Why a part bounds no solid.
+/// Returns the error for a part that does not bound a solid.
 pub(crate) fn no_solid(path: &Path, part: &str, error: BodyError) -> FormatError {
     let part = (!part.is_empty()).then(|| escaped(part));
     FormatError::new(path, None, FormatErrorKind::Mesh { part, error })
 }
 
-/// The same of one of the parts, with the weld or the fill that closes an open mesh, and whether parts that overlap can be united.
+/// Returns the error for one of the parts. It suggests the weld or fill that closes an open mesh,
+/// or the union of overlapping parts.
 fn open_or_unsound(
     contents: &MeshContents,
     Unsound { part, flaws }: Unsound,
@@ -203,13 +208,14 @@ fn open_or_unsound(
     }
 }
 
-/// Which part bounds no solid, and why.
+/// First part that does not bound a solid, with its flaws.
 struct Unsound {
     part: usize,
     flaws: Box<MeshFlaws>,
 }
 
-/// Each part's solid, or that of all together; else which part is none, and why.
+/// Returns the solid of each part, or of all parts together; otherwise the part that is not a
+/// solid.
 fn solids(
     parts: &[MeshPart],
     goes_on: &(dyn Fn() -> bool + Sync),
@@ -219,7 +225,7 @@ fn solids(
         match ClosedMesh::or_flaws(mesh, 0, goes_on) {
             Ok((mesh, _)) => solids.push(SolidPart { name: name.clone(), mesh }),
             Err(flaws) => {
-                // not a solid alone: one of a surface's pieces?
+                // The part may be a piece of a larger surface.
                 let one = if parts.len() > 1 {
                     joined(parts).and_then(|all| ClosedMesh::watched(&all, goes_on)).ok()
                 } else {
@@ -235,12 +241,12 @@ fn solids(
     Ok((solids, None))
 }
 
-/// Parts that go through each other, or lie in each other: what they share counts for each of them.
+/// Reports parts that intersect or contain each other. Their common volume counts for each of them.
 fn overlap(parts: &[MeshPart], solids: &[SolidPart]) -> Option<Finding> {
     if parts.len() < 2 || solids.len() < 2 {
         return None;
     }
-    // One that was turned is a solid like the others, not a cavity in them.
+    // A part that was reversed is a solid like the others, not a cavity in them.
     let outward = solids.iter().zip(parts).map(|(solid, part)| MeshPart {
         name: String::new(),
         mesh: if solid.mesh.inverted() { solid.mesh.surface().clone() } else { part.mesh.clone() },
@@ -263,7 +269,7 @@ fn overlap(parts: &[MeshPart], solids: &[SolidPart]) -> Option<Finding> {
     })
 }
 
-/// The triangles of all parts as one mesh.
+/// Combines the triangles of all parts in one mesh.
 pub(crate) fn joined<'a>(parts: impl IntoIterator<Item = &'a MeshPart>) -> Result<TriangleMesh, BodyError> {
     parts.into_iter().try_fold(TriangleMesh::default(), |all, part| all.joined(&part.mesh))
 }

@@ -1,13 +1,13 @@
-//! STL: triangles and nothing else, in one of two encodings.
+//! STL: triangles only, in one of two encodings.
 //!
-//! A binary file is an 80-byte header, a count, and 50 bytes a triangle; an ASCII file is a sequence
-//! of `solid … endsolid`. Some binary files start with `solid` too, so the length decides first: a
-//! file exactly as long as its count says is binary. A count is never trusted before the bytes have
-//! been seen.
+//! A binary file has an 80-byte header, a count, and 50 bytes per triangle. An ASCII file is a
+//! sequence of `solid … endsolid`. Some binary files also start with `solid`, so the length is
+//! tested first: a file with exactly the length of its count is binary. A count is never trusted
+//! before the bytes are present.
 //!
-//! What is read is the vertices, in the file's own unit, in double precision: ASCII coordinates go
-//! straight to `f64`. The winding of a triangle gives its outside; the stored normals are redundant,
-//! often wrong, and ignored.
+//! The reader returns the vertices in the file's own unit, in double precision; ASCII coordinates
+//! are parsed directly to `f64`. The winding of a triangle defines its outside. The stored normals
+//! are redundant and often wrong, and are ignored.
 
 use std::panic::resume_unwind;
 use std::path::Path;
@@ -23,28 +23,29 @@ use super::{MeshContents, MeshPart};
 
 pub use super::stl_error::{StlError, StlPlace};
 
-/// Bytes of the normal, with which a record begins.
+/// Length of the normal at the beginning of a record, bytes.
 const NORMAL: usize = 12;
 
 /// The contents of an STL file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stl {
-    /// How the file was encoded.
+    /// Encoding of the file.
     pub kind: StlKind,
-    /// The name of the (first) solid, or the text of the binary header; often empty.
+    /// Name of the first solid, or text of the binary header; often empty.
     pub name: String,
-    /// How many solids the file had; their triangles are joined into one list.
+    /// Number of solids in the file; their triangles are joined in one list.
     pub solids: usize,
-    /// Vertices, counter-clockwise seen from outside, in the file's unit of length.
+    /// Triangles with vertices counter-clockwise as seen from outside, in the file's unit of
+    /// length.
     pub triangles: Vec<[[f64; 3]; 3]>,
 }
 
-/// The encoding of an STL file.
+/// Encoding of an STL file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StlKind {
-    /// Little-endian records of single precision.
+    /// Binary: little-endian records in single precision.
     Binary,
-    /// Text.
+    /// ASCII text.
     Ascii,
 }
 
@@ -73,8 +74,8 @@ pub enum StlKind {
 ///
 /// # Errors
 ///
-/// Bytes that are no STL file, a file that is cut short or does not follow the grammar, a coordinate
-/// that is not finite, and a file without a triangle.
+/// Bytes that are not an STL file, a truncated file or one that does not follow the grammar, a
+/// coordinate that is not finite, and a file without a triangle.
 pub fn read(bytes: &[u8]) -> Result<Stl, StlError> {
     let declared = bytes.get(HEADER..).and_then(<[u8]>::first_chunk).map(|&count| u32::from_le_bytes(count));
     let stl = match declared {
@@ -89,7 +90,7 @@ pub fn read(bytes: &[u8]) -> Result<Stl, StlError> {
     }
 }
 
-/// What the bytes of an STL file say; `path` is for messages.
+/// Returns the contents of an STL file; `path` is for messages.
 pub fn contents(bytes: &[u8], path: &Path) -> Result<MeshContents, FormatError> {
     let Stl { kind, name, triangles, .. } = read(bytes).map_err(|error| refused(path, bytes, &error))?;
     let mesh = TriangleMesh::of_soup(triangles)
@@ -102,12 +103,12 @@ pub fn contents(bytes: &[u8], path: &Path) -> Result<MeshContents, FormatError> 
     Ok(MeshContents { encoding, name, unit: None, parts, findings: Vec::new() })
 }
 
-/// The error of a file that starts with these bytes.
+/// Returns the error for a file with these bytes.
 fn refused(path: &Path, bytes: &[u8], error: &StlError) -> FormatError {
     match is_utf16(bytes) {
         true => FormatError::new(path, None, FormatErrorKind::Utf16),
         false => {
-            // A line and a column are the error's place; a record has to be said.
+            // Line and column are part of the error; the index of a record is added to the message.
             let message = match error.place() {
                 Some(StlPlace::Text { .. }) => error.message(),
                 _ => error.to_string(),
@@ -118,7 +119,7 @@ fn refused(path: &Path, bytes: &[u8], error: &StlError) -> FormatError {
     }
 }
 
-/// Where in an ASCII file an error is: its column counts characters, not bytes.
+/// Returns the place of an error in an ASCII file. The column counts characters, not bytes.
 fn place(bytes: &[u8], error: &StlError) -> Option<Place> {
     let StlPlace::Text { line, column } = error.place()? else { return None };
     let mut start = 0;
@@ -132,13 +133,13 @@ fn place(bytes: &[u8], error: &StlError) -> Option<Place> {
     Some(Place::in_bytes(bytes, offset..offset + token))
 }
 
-/// Whether the bytes start with `solid` and look like text. The count of a binary file, at byte 80,
-/// has a zero in it up to 16 million triangles.
+/// Returns true if the bytes start with `solid` and look like text. In a binary file, the count at
+/// byte 80 contains a zero byte for up to 16 million triangles.
 fn is_text(bytes: &[u8]) -> bool {
     Ascii::new(bytes).token().eq_ignore_ascii_case(b"solid") && !bytes.iter().take(512).any(|&b| b == 0)
 }
 
-/// A binary file whose length fits its count.
+/// Reads a binary file whose length agrees with its count.
 fn binary(bytes: &[u8]) -> Result<Stl, StlError> {
     let (header, records) = (&bytes[..HEADER], bytes[PREAMBLE..].as_chunks::<RECORD>().0);
     let triangles = decoded(records)?;
@@ -146,15 +147,16 @@ fn binary(bytes: &[u8]) -> Result<Stl, StlError> {
     Ok(Stl { kind: StlKind::Binary, name, solids: 1, triangles })
 }
 
-/// Records in a piece of work.
+/// Number of records in a work item.
 const PIECE: usize = 1 << 14;
 
-/// The triangles of binary records, on as many threads as the machine has: most of the time goes to memory that is new.
+/// Decodes the triangles of binary records on all threads. Most of the time is spent on access to
+/// newly allocated memory.
 fn decoded(records: &[[u8; RECORD]]) -> Result<Vec<Triangle>, StlError> {
     let mut triangles = vec![[[0.0; 3]; 3]; records.len()];
     let pieces = Mutex::new(records.chunks(PIECE).zip(triangles.chunks_mut(PIECE)).enumerate());
     let next = || pieces.lock().ok()?.next();
-    // The first triangle that is not finite, of the pieces that a thread takes.
+    // First triangle with a coordinate that is not finite, among the work items of a thread.
     let work = || {
         let mut wrong: Option<usize> = None;
         while let Some((k, (records, triangles))) = next() {
@@ -167,7 +169,7 @@ fn decoded(records: &[[u8; RECORD]]) -> Result<Vec<Triangle>, StlError> {
     };
     let others = thread::available_parallelism().map_or(1, usize::from).min(records.len().div_ceil(PIECE));
     let wrong = thread::scope(|scope| {
-        // A thread that cannot be had is done without.
+        // If a thread cannot be started, the others do its work.
         let spawn = |_| thread::Builder::new().spawn_scoped(scope, work).ok();
         let others: Vec<_> = (1..others).filter_map(spawn).collect();
         let own = work();
@@ -178,7 +180,7 @@ fn decoded(records: &[[u8; RECORD]]) -> Result<Vec<Triangle>, StlError> {
     wrong.map_or(Ok(triangles), |index| Err(not_finite(index, &records[index])))
 }
 
-/// False if a coordinate is not finite.
+/// Decodes a record; returns false if a coordinate is not finite.
 fn decode(record: &[u8; RECORD], triangle: &mut Triangle) -> bool {
     let words = record[NORMAL..].as_chunks::<4>().0;
     let coordinates = triangle.as_flattened_mut().iter_mut();
@@ -196,7 +198,7 @@ fn not_finite(index: usize, record: &[u8; RECORD]) -> StlError {
     StlError::NotFinite { at: StlPlace::Record { index, offset }, found: value.to_string() }
 }
 
-/// The parser of an ASCII file: `at` is the offset of the next byte.
+/// Parser of an ASCII file; `at` is the offset of the next byte.
 #[derive(Clone, Copy)]
 struct Ascii<'a> {
     bytes: &'a [u8],
@@ -204,7 +206,7 @@ struct Ascii<'a> {
 }
 
 impl<'a> Ascii<'a> {
-    /// At the first byte, or behind a byte order mark.
+    /// Starts at the first byte, or after a byte order mark.
     fn new(bytes: &'a [u8]) -> Self {
         Self { bytes, at: if bytes.starts_with("\u{feff}".as_bytes()) { 3 } else { 0 } }
     }
@@ -275,7 +277,7 @@ impl<'a> Ascii<'a> {
         self.skip(word).is_some()
     }
 
-    /// The parser after the word, which may be cut in two behind its `end`.
+    /// Returns the parser after the word, which may be split after its `end`.
     fn skip(mut self, word: &str) -> Option<Self> {
         let word = word.as_bytes();
         let token = self.token();
@@ -285,7 +287,7 @@ impl<'a> Ascii<'a> {
         (token_is || halves).then_some(self)
     }
 
-    /// The next run of bytes that are not white space; empty at the end of the file.
+    /// Returns the next run of bytes without white space; empty at the end of the file.
     fn token(&mut self) -> &'a [u8] {
         let rest = self.bytes[self.at..].trim_ascii_start();
         let length = rest.iter().position(u8::is_ascii_whitespace).unwrap_or(rest.len());
@@ -298,7 +300,7 @@ impl<'a> Ascii<'a> {
         self.token()
     }
 
-    /// What is left of the line.
+    /// Returns the rest of the line.
     fn line(&mut self) -> &'a [u8] {
         let rest = &self.bytes[self.at..];
         let length = rest.iter().position(|b| b"\r\n".contains(b)).unwrap_or(rest.len());
@@ -310,12 +312,12 @@ impl<'a> Ascii<'a> {
         StlError::Syntax { at: self.place(), expected, found: self.found() }
     }
 
-    /// The next token, cut where it is too long for a message.
+    /// Returns the next token, shortened for messages.
     fn found(&self) -> String {
         lossy(self.peek()).chars().take(40).collect()
     }
 
-    /// Where the next token starts; at the end of the file, where the last one ended.
+    /// Returns the start of the next token; at the end of the file, the end of the last token.
     fn place(&self) -> StlPlace {
         let blank = self.bytes[self.at..].len() - self.bytes[self.at..].trim_ascii_start().len();
         let start = if self.peek().is_empty() { self.at } else { self.at + blank };

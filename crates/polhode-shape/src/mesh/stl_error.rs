@@ -1,4 +1,4 @@
-//! What is wrong with an STL file.
+//! Errors of STL files.
 
 use std::error::Error;
 use std::fmt;
@@ -12,63 +12,63 @@ pub(crate) const PREAMBLE: usize = HEADER + 4;
 /// Length of the record of one triangle, bytes.
 pub(crate) const RECORD: usize = 50;
 
-/// Why bytes are not an STL file.
+/// Error of an STL file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum StlError {
-    /// Too short for a binary file, and an ASCII file starts with `solid`.
+    /// The file is too short for a binary file, and does not start with `solid`.
     Unrecognized {
-        /// Bytes in the file.
+        /// Length of the file, bytes.
         length: usize,
     },
-    /// A binary file whose length does not fit its count.
+    /// The length of a binary file does not agree with its count.
     WrongCount {
-        /// Triangles according to the header.
+        /// Number of triangles in the header.
         declared: u32,
-        /// Bytes in the file.
+        /// Length of the file, bytes.
         length: usize,
     },
-    /// ASCII that does not follow the grammar.
+    /// The ASCII text does not follow the grammar.
     Syntax {
-        /// Where the token starts.
+        /// Start of the token.
         at: StlPlace,
-        /// What belongs there.
+        /// Expected token.
         expected: &'static str,
-        /// What stands there; empty at the end of the file.
+        /// Token found; empty at the end of the file.
         found: String,
     },
-    /// A coordinate that is infinite or not a number.
+    /// A coordinate is infinite or NaN.
     NotFinite {
-        /// Where the coordinate starts.
+        /// Start of the coordinate.
         at: StlPlace,
-        /// The coordinate.
+        /// Text of the coordinate.
         found: String,
     },
-    /// A well-formed file with nothing in it.
+    /// The file is well-formed but has no triangles.
     NoTriangles,
 }
 
-/// A place in an STL file.
+/// Position in an STL file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StlPlace {
-    /// In ASCII.
+    /// Position in an ASCII file.
     Text {
         /// Line, from 1.
         line: usize,
         /// Byte in the line, from 1.
         column: usize,
     },
-    /// In binary.
+    /// Position in a binary file.
     Record {
-        /// Triangle, from 0.
+        /// Index of the triangle, from 0.
         index: usize,
-        /// Byte in the file, from 0.
+        /// Offset in the file, bytes.
         offset: usize,
     },
 }
 
 impl StlError {
-    /// Where in the file; `None` if it is about the file as a whole.
+    /// Returns the position; `None` if the error is about the whole file.
     pub fn place(&self) -> Option<StlPlace> {
         match self {
             Self::Syntax { at, .. } | Self::NotFinite { at, .. } => Some(*at),
@@ -76,7 +76,7 @@ impl StlError {
         }
     }
 
-    /// What is wrong, without the place.
+    /// Returns the message without the position.
     pub fn message(&self) -> String {
         match self {
             Self::Unrecognized { length } => format!("{} that are not an STL file", counted(*length, "byte")),
@@ -97,7 +97,7 @@ impl StlError {
         }
     }
 
-    /// What to do about it, when there is something to say.
+    /// Returns a hint, if there is one.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
             Self::Unrecognized { .. } => {
@@ -145,7 +145,7 @@ impl fmt::Display for StlPlace {
     }
 }
 
-/// Records that a binary file of this length has.
+/// Returns the number of complete records in a binary file of this length.
 fn whole_records(length: usize) -> usize {
     length.saturating_sub(PREAMBLE) / RECORD
 }

@@ -1,4 +1,4 @@
-//! What the parts of a mesh file enclose together.
+//! Union of the parts of a mesh file.
 
 use std::path::Path;
 
@@ -11,33 +11,36 @@ use serde_json::{Value, json};
 use super::{MeshContents, MeshRepair, RepairBound, solid};
 use crate::finding::{info, warning};
 
-/// A mesh file as the union of all its parts, in metres: what lies in several of them is there once.
+/// Union of all parts of a mesh file, in metres. Volume that belongs to several parts counts once.
 #[derive(Clone, Debug)]
 pub struct UnitedMesh {
-    /// How the file is encoded, in a word or two.
+    /// Encoding of the file.
     pub encoding: &'static str,
-    /// Metres in the file's unit of length.
+    /// Unit of length of the file, m.
     pub unit: f64,
-    /// Triangles in the file, degenerate ones too.
+    /// Number of triangles in the file, including degenerate ones.
     pub triangles: usize,
-    /// What the parts enclose.
+    /// Union of the parts.
     pub union: MeshUnion,
     findings: Vec<Finding>,
 }
 
 impl UnitedMesh {
-    /// The union of what has been read; `unit` is what one is in metres, if the file does not say or is wrong.
+    /// Returns the union of the contents of a mesh file. `unit` is the unit of length in metres, if
+    /// the file does not state it or states it wrongly.
     ///
     /// # Errors
-    /// [`FormatError`] if the parts together are not closed, or have no union: by the numbers as they stand in the file.
+    /// [`FormatError`] if the parts together are not closed, or have no union. The numbers in the
+    /// message are in the file's unit.
     pub fn of(contents: MeshContents, path: &Path, unit: Option<f64>) -> Result<Self, FormatError> {
         Self::watched(contents, path, unit, &|| true)
     }
 
-    /// The same as long as it `goes_on`, which is asked often: of what would take longer it is undecided.
+    /// Returns the union as [`UnitedMesh::of`] does, while `goes_on` returns true; the function is
+    /// called often. After cancellation the result is undecided.
     ///
     /// # Errors
-    /// As [`UnitedMesh::of`].
+    /// [`FormatError`], as for [`UnitedMesh::of`].
     pub fn watched(
         contents: MeshContents,
         path: &Path,
@@ -59,7 +62,7 @@ impl UnitedMesh {
         Ok(Self { encoding, unit, triangles, union, findings })
     }
 
-    /// Its name and numbers, for programs.
+    /// Returns name and numbers as JSON.
     pub fn for_programs(&self) -> (&'static str, Value) {
         let union = &self.union;
         (
@@ -73,7 +76,7 @@ impl UnitedMesh {
         )
     }
 
-    /// What was united, and what is worth a remark, each with the file that it is about.
+    /// Returns the findings about the union, each with the name of the file.
     pub fn findings_in(&self, file: &str) -> Vec<Finding> {
         let file = escaped(file);
         let place = |own: &Option<String>| own.as_ref().map_or(file.clone(), |own| format!("{file}, {own}"));
@@ -109,7 +112,8 @@ impl UnitedMesh {
         warning(code, message)
     }
 
-    /// What repairs of the contents mean for the union: warnings, or notes of what was asked for in vain.
+    /// Returns warnings about the effect of repairs on the union, or notes about repairs that had
+    /// no effect.
     pub fn findings_of(&self, repairs: &[MeshRepair], file: &str) -> Vec<Finding> {
         let effect = |bound: RepairBound| Some(self.union.effect(bound.volume, bound.beyond));
         MeshRepair::findings_on(repairs, self.union.volume(), effect, file)

@@ -1,9 +1,10 @@
-//! Whether parts that overlap can be united.
+//! Hint that overlapping parts can be united.
 
 use polhode::body::BodyError;
 use polhode::body::mesh::{MeshFlaws, MeshUnion, TriangleMesh};
 
-/// How a mesh that bounds no solid is taken all the same, if the union of all of it is one: that was tried.
+/// Suggests the union for a mesh that does not bound a solid, if the union exists; it is computed
+/// to find out.
 pub(crate) fn hint(
     all: &TriangleMesh,
     flaws: &MeshFlaws,

@@ -1,4 +1,4 @@
-//! Meshes as files: binary STL, OBJ, PLY.
+//! Writers for meshes: binary STL, OBJ, PLY.
 
 use std::collections::HashSet;
 use std::fmt::Write as _;
@@ -11,13 +11,14 @@ use polhode_source::files::Memory;
 use super::{MeshContents, MeshFormat, MeshPart, MeshSolid};
 
 impl MeshFormat {
-    /// The formats that are written.
+    /// Formats that can be written.
     pub const WRITTEN: &[Self] = &[Self::Stl, Self::Obj, Self::Ply];
 
-    /// The bytes of a file with these parts; `None` for a format that is not written.
+    /// Returns the bytes of a file with these parts; `None` for a format that cannot be written.
     ///
-    /// OBJ and PLY have every digit of a coordinate, and each vertex once. Parts that are called the same, or nothing, get a number in OBJ, and `#` and `\` are
-    /// spaces there. STL is binary: coordinates are rounded to f32, and parts lose their names there and in PLY.
+    /// OBJ and PLY contain every digit of a coordinate, and each vertex once. In OBJ, parts with
+    /// equal or empty names get a number, and `#` and `\` become spaces. STL is binary: coordinates
+    /// are rounded to f32. STL and PLY lose the names of parts.
     ///
     /// ```
     /// use polhode::body::mesh::TriangleMesh;
@@ -38,11 +39,13 @@ impl MeshFormat {
         }
     }
 
-    /// The same, read again and looked at: with the solids that it bounds, in the mesh's unit. `path` is for messages; nothing is written there.
+    /// Returns the bytes, verified by reading them again, and the solids that they bound, in the
+    /// mesh's unit. `path` is for messages; nothing is written there.
     ///
     /// # Errors
-    /// [`FormatError`] for a format that is not written, and if what was written would no longer bound solids: coordinates that are rounded to
-    /// seven digits may open it or let it go through itself, and parts without names become one.
+    /// [`FormatError`] for a format that cannot be written, and if the file would no longer bound
+    /// solids. Coordinates rounded to seven digits may open a mesh or make it intersect itself, and
+    /// parts without names become one.
     pub fn checked_bytes(self, parts: &[MeshPart], path: &Path) -> Result<(Vec<u8>, MeshSolid), FormatError> {
         let refused =
             |error: FormatError| error.with_hint(format!("so it would be written; {}", self.alternative()));
@@ -80,7 +83,7 @@ fn stl(parts: &[MeshPart]) -> Vec<u8> {
     bytes
 }
 
-/// Of length 1; zero for what has no length.
+/// Returns the normalized vector; zero for a vector without length.
 fn unit(n: [f64; 3]) -> [f64; 3] {
     let length = (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt();
     if length > 0.0 && length.is_finite() { n.map(|c| c / length) } else { [0.0; 3] }
@@ -105,10 +108,10 @@ fn obj(parts: &[MeshPart]) -> String {
     text
 }
 
-/// Names on one line, and of several parts each its own: groups of one name are one part.
+/// Returns one-line names for the parts, all different, because groups with one name form one part.
 fn group_names(parts: &[MeshPart]) -> Vec<String> {
     let plain = |part: &MeshPart| -> String {
-        // A comment begins with #, and \ may go on with the next line.
+        // `#` begins a comment, and `\` may continue the line.
         let is_plain = |c: char| !c.is_control() && c != '#' && c != '\\';
         let name: String = part.name.chars().map(|c| if is_plain(c) { c } else { ' ' }).collect();
         name.split_whitespace().collect::<Vec<_>>().join(" ")

@@ -1,9 +1,9 @@
-//! Chemical elements, by number and by symbol.
+//! Chemical elements, by atomic number and by symbol.
 
 use std::fmt;
 use std::sync::LazyLock;
 
-/// A chemical element, hydrogen to oganesson.
+/// Chemical element, hydrogen to oganesson.
 ///
 /// ```
 /// use polhode_shape::molecule::Element;
@@ -15,29 +15,30 @@ use std::sync::LazyLock;
 pub struct Element(u8);
 
 impl Element {
-    /// The element of an atomic number, 1 to 118.
+    /// Returns the element with an atomic number from 1 to 118.
     pub fn from_number(number: u8) -> Option<Self> {
         (1..=ROWS.len()).contains(&usize::from(number)).then_some(Self(number))
     }
 
-    /// The element of a symbol in whatever case: `Cl`, `CL`, `cl`.
+    /// Returns the element with a symbol, in any case: `Cl`, `CL`, `cl`.
     pub fn from_symbol(symbol: &str) -> Option<Self> {
         let row = ROWS.iter().position(|row| row.symbol.eq_ignore_ascii_case(symbol))?;
         Self::from_number(u8::try_from(row + 1).ok()?)
     }
 
-    /// Atomic number.
+    /// Returns the atomic number.
     pub const fn number(self) -> u8 {
         self.0
     }
 
-    /// Its symbol: `Cl`.
+    /// Returns the symbol: `Cl`.
     pub fn symbol(self) -> &'static str {
         self.row().symbol
     }
 
-    /// Its standard atomic weight, u: IUPAC 2021, abridged where the standard is an interval (hydrogen 1.0080). `None` of
-    /// elements that have none, because no isotope of theirs is found on Earth in a characteristic amount.
+    /// Returns the standard atomic weight, u: IUPAC 2021, abridged if the standard is an interval
+    /// (hydrogen 1.0080). Returns `None` for elements without a standard weight, because none of
+    /// their isotopes occurs on Earth in a characteristic amount.
     ///
     /// Source: Prohaska et al., Pure Appl. Chem. 94 (2022) 573.
     pub fn weight(self) -> Option<f64> {
@@ -45,7 +46,7 @@ impl Element {
     }
 
     pub(crate) fn row(self) -> &'static Row {
-        // A number that exists is from 1 to 118.
+        // The number is always from 1 to 118.
         &ROWS[usize::from(self.0) - 1]
     }
 }
@@ -54,21 +55,22 @@ impl Element {
 #[derive(Debug)]
 pub(crate) struct Row {
     pub symbol: &'static str,
-    /// Standard atomic weight, abridged where the standard is an interval.
+    /// Standard atomic weight, u; abridged if the standard is an interval.
     pub weight: Option<f64>,
-    /// Mass number of the most abundant isotope, or without a weight of the longest-lived one.
+    /// Mass number of the most abundant isotope; of the longest-lived one without a standard
+    /// weight.
     pub first: u16,
-    /// Mass number, atomic mass.
+    /// Isotopes: mass number and atomic mass, u.
     pub isotopes: Vec<(u16, f64)>,
 }
 
-/// Elements by atomic number, from hydrogen.
+/// Elements by atomic number, starting with hydrogen.
 static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| {
     include_str!("isotopes.txt").lines().filter(|line| !line.starts_with('#')).filter_map(Row::read).collect()
 });
 
 impl Row {
-    /// Reads a line of the table.
+    /// Parses a line of the table.
     fn read(line: &'static str) -> Option<Self> {
         let mut words = line.split(' ');
         let (symbol, weight, first) =

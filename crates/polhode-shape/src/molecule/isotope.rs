@@ -1,4 +1,4 @@
-//! Isotopes and their masses, and how files write them.
+//! Isotopes, their masses, and their notation in files.
 
 use std::fmt;
 
@@ -6,10 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use super::element::Element;
 
-/// An isotope of known mass.
+/// Isotope with a known mass.
 ///
-/// Those that occur in nature, all others that live at least a minute, and of every element the longest-lived one.
-/// Masses are those of neutral atoms in their ground state.
+/// The table contains all natural isotopes, all others with a half-life of at least a minute, and
+/// the longest-lived one of every element. Masses are those of neutral atoms in their ground state.
 ///
 /// ```
 /// use polhode_shape::molecule::{Element, Isotope};
@@ -22,8 +22,8 @@ use super::element::Element;
 /// ```
 ///
 /// # Source
-/// AME2020: Wang et al., Chinese Physics C 45 (2021) 030003; which are abundant or long-lived from NUBASE2020: Kondev et
-/// al., Chinese Physics C 45 (2021) 030001.
+/// Masses from AME2020: Wang et al., Chinese Physics C 45 (2021) 030003. Abundances and half-lives
+/// from NUBASE2020: Kondev et al., Chinese Physics C 45 (2021) 030001.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Isotope {
     element: Element,
@@ -32,34 +32,35 @@ pub struct Isotope {
 }
 
 impl Isotope {
-    /// The isotope of a mass number; `None` if its mass is not known here.
+    /// Returns the isotope with a mass number; `None` if its mass is not in the table.
     pub fn new(element: Element, mass_number: u16) -> Option<Self> {
         let found = element.row().isotopes.iter().find(|(number, _)| *number == mass_number);
         found.map(|&(mass_number, mass)| Self { element, mass_number, mass })
     }
 
-    /// The most abundant isotope; of elements without a standard atomic weight, the longest-lived one.
+    /// Returns the most abundant isotope; for elements without a standard atomic weight, the
+    /// longest-lived one.
     pub fn first(element: Element) -> Self {
         let mass_number = element.row().first;
         Self::new(element, mass_number).unwrap_or(Self { element, mass_number, mass: f64::from(mass_number) })
     }
 
-    /// All isotopes of an element that are known here, the lightest first.
+    /// Returns all isotopes of an element in the table, the lightest first.
     pub fn all(element: Element) -> impl Iterator<Item = Self> {
         element.row().isotopes.iter().map(move |&(mass_number, mass)| Self { element, mass_number, mass })
     }
 
-    /// Which element.
+    /// Returns the element.
     pub const fn element(self) -> Element {
         self.element
     }
 
-    /// Protons and neutrons.
+    /// Returns the mass number: protons plus neutrons.
     pub const fn mass_number(self) -> u16 {
         self.mass_number
     }
 
-    /// Atomic mass, u.
+    /// Returns the atomic mass, u.
     pub const fn mass(self) -> f64 {
         self.mass
     }
@@ -71,16 +72,16 @@ impl fmt::Display for Isotope {
     }
 }
 
-/// What an atom is: an element, or one isotope of it.
+/// Kind of an atom: an element, or one of its isotopes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Species {
-    /// An element: which isotope is the user's choice, see [`Isotopes`].
+    /// Element without a given isotope; the user selects the masses, see [`Isotopes`].
     Element(Element),
-    /// The isotope that the file names.
+    /// Isotope given by the file.
     Isotope(Isotope),
 }
 
-/// Which masses the atoms have whose isotope the file does not name.
+/// Choice of masses for atoms whose isotope the file does not give.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
@@ -93,7 +94,7 @@ pub enum Isotopes {
 }
 
 impl Isotopes {
-    /// The name in lower case, as JSON and flags have it.
+    /// Returns the lower-case name, as in JSON and options.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Abundant => "abundant",
@@ -103,7 +104,7 @@ impl Isotopes {
 }
 
 impl Species {
-    /// Which element.
+    /// Returns the element.
     pub const fn element(self) -> Element {
         match self {
             Self::Element(element) => element,
@@ -111,7 +112,8 @@ impl Species {
         }
     }
 
-    /// The mass of one atom, u. An element without a standard atomic weight has the mass of its longest-lived isotope.
+    /// Returns the mass of one atom, u. An element without a standard atomic weight has the mass of
+    /// its longest-lived isotope.
     pub fn mass(self, isotopes: Isotopes) -> f64 {
         match (self, isotopes) {
             (Self::Isotope(isotope), _) => isotope.mass(),
@@ -122,7 +124,8 @@ impl Species {
         }
     }
 
-    /// The species of an element and a mass number; `None` if that isotope's mass is not known.
+    /// Returns the species of an element and a mass number; `None` if the mass of that isotope is
+    /// not in the table.
     pub fn with_mass_number(element: Element, mass_number: Option<u16>) -> Option<Self> {
         match mass_number {
             None => Some(Self::Element(element)),
@@ -131,7 +134,7 @@ impl Species {
     }
 }
 
-/// How a formula writes it: `C`, `[13C]`, `D`.
+/// Formats the species as in a formula: `C`, `[13C]`, `D`.
 impl fmt::Display for Species {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -145,20 +148,20 @@ impl fmt::Display for Species {
     }
 }
 
-/// What a label of an atom says.
+/// Meaning of an atom label.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Label {
-    /// An element or an isotope.
+    /// Element or isotope.
     Atom(Species),
-    /// An element, and a number of the atom behind it: `C13` is the thirteenth atom.
+    /// Element followed by an atom number: `C13` is the thirteenth atom.
     Numbered(Element),
-    /// An isotope whose mass is not known.
+    /// Isotope whose mass is not in the table.
     UnknownIsotope(Element, u16),
-    /// A point without a mass: a ghost atom, a lone pair, a centre.
+    /// Point without mass: a ghost atom, a lone pair, a centre.
     Massless,
 }
 
-/// Reads `C`, `D`, `13C`, `C-13`, `[13C]`, `^13C`, `C(Iso=13)`, `C7` (the seventh), `X`.
+/// Parses `C`, `D`, `13C`, `C-13`, `[13C]`, `^13C`, `C(Iso=13)`, `C7` (the seventh atom), `X`.
 pub(crate) fn label(text: &str) -> Option<Label> {
     const MASSLESS: [&str; 7] = ["X", "Xx", "Bq", "Du", "Lp", "Ep", "Gh"];
     if MASSLESS.iter().any(|name| name.eq_ignore_ascii_case(text)) {
@@ -206,7 +209,7 @@ fn hydrogen(mass_number: u16) -> Option<Isotope> {
     Isotope::new(Element::from_number(1)?, mass_number)
 }
 
-/// The digits at the start, and what follows.
+/// Splits off the digits at the start.
 fn digits(text: &str) -> (&str, &str) {
     text.split_at(text.len() - text.trim_start_matches(|c: char| c.is_ascii_digit()).len())
 }

@@ -1,11 +1,11 @@
-//! Lines of a text file, and fields in them that know where they stand.
+//! Lines of a text file, and their fields with positions.
 
 use std::borrow::Cow;
 use std::ops::Range;
 
 use polhode_source::{ContentError, ContentErrorKind};
 
-/// The lines that are left of a file. They end in `\n`, `\r\n` or `\r`.
+/// Remaining lines of a file. They end in `\n`, `\r\n` or `\r`.
 #[derive(Clone, Debug)]
 pub(crate) struct Lines<'a> {
     bytes: &'a [u8],
@@ -13,12 +13,12 @@ pub(crate) struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    /// All lines, behind a byte order mark.
+    /// Returns all lines, after a byte order mark.
     pub(crate) fn new(bytes: &'a [u8]) -> Self {
         Self { bytes, at: if bytes.starts_with("\u{feff}".as_bytes()) { 3 } else { 0 } }
     }
 
-    /// An error where the file ends.
+    /// Returns an error at the end of the file.
     pub(crate) fn ended(&self, what: impl Into<String>) -> ContentError {
         let kind = ContentErrorKind::expected(what.into(), "");
         let end = self.bytes.len();
@@ -43,10 +43,10 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
-/// Bytes of a file: a line, or a part of one.
+/// Part of a file: a line, or a field of one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Field<'a> {
-    /// Where it starts in the file.
+    /// Offset in the file, bytes.
     pub start: usize,
     pub bytes: &'a [u8],
 }
@@ -64,20 +64,21 @@ impl<'a> Field<'a> {
         self.bytes.trim_ascii().is_empty()
     }
 
-    /// Without the white space around it.
+    /// Returns the field without surrounding white space.
     pub(crate) fn trimmed(&self) -> Self {
         let left = self.bytes.len() - self.bytes.trim_ascii_start().len();
         Self { start: self.start + left, bytes: self.bytes.trim_ascii() }
     }
 
-    /// The bytes of these columns, counted from 0, as far as the line has them; without the blanks around them.
+    /// Returns these columns, counted from 0, as far as the line extends, without surrounding
+    /// blanks.
     pub(crate) fn columns(&self, columns: Range<usize>) -> Self {
         let end = columns.end.min(self.bytes.len());
         let start = columns.start.min(end);
         Self { start: self.start + start, bytes: &self.bytes[start..end] }.trimmed()
     }
 
-    /// Its words.
+    /// Returns the words of the field.
     pub(crate) fn words(self) -> impl Iterator<Item = Field<'a>> + Clone {
         let mut at = 0;
         std::iter::from_fn(move || {
@@ -91,13 +92,13 @@ impl<'a> Field<'a> {
         })
     }
 
-    /// A whole number.
+    /// Parses an integer.
     pub(crate) fn integer<T: std::str::FromStr>(&self, what: &str) -> Result<T, ContentError> {
         let text = self.text();
         text.trim().parse().map_err(|_| self.expected(what))
     }
 
-    /// A finite number; Fortran's `1.5D-3` is one.
+    /// Parses a finite number, including Fortran notation: `1.5D-3`.
     pub(crate) fn number(&self, what: &str) -> Result<f64, ContentError> {
         let text = self.text();
         let text = text.trim();
@@ -112,7 +113,7 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// An error: something else belongs here.
+    /// Returns the error for unexpected content.
     pub(crate) fn expected(&self, what: &str) -> ContentError {
         let found = self.text().into_owned();
         let hint = if found.contains(',') {
@@ -130,14 +131,14 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// An error: this value breaks a rule.
+    /// Returns the error for a value that violates a rule.
     pub(crate) fn wrong(&self, what: &str, rule: impl Into<String>) -> ContentError {
         let value = self.text().into_owned();
         ContentErrorKind::value(what, value, rule.into()).at(self.span())
     }
 }
 
-/// Decimals behind the point of a number as it is written: 4 of `-0.1234`; fewer by its exponent.
+/// Returns the number of decimals as written, minus the exponent: 4 for `-0.1234`.
 pub(crate) fn decimals(number: &[u8]) -> i32 {
     let (mantissa, exponent) = match number.iter().position(|b| b"eEdD".contains(b)) {
         Some(at) => (&number[..at], str::from_utf8(&number[at + 1..]).ok().and_then(|e| e.parse().ok())),

@@ -1,11 +1,11 @@
-//! Molecules: atoms and where they are, from XYZ, MOL, SDF and PDB files.
+//! Molecules: atoms and their positions, from XYZ, MOL, SDF and PDB files.
 //!
-//! The unit of length of all these formats is the ångström. An atom is an element or, where the file says so, one
-//! isotope of it; what an atom of an element weighs is a choice that the files leave open, see [`Isotopes`].
+//! The unit of length of these formats is the ångström. An atom is an element or, if the file says
+//! so, one of its isotopes. The mass of an element is a choice of the user, see [`Isotopes`].
 //!
 //! - [`xyz`]: a count, a comment, and a line for each atom; also extended XYZ
-//! - [`mol`]: MDL's connection tables V2000 and V3000, one in a MOL file, several in an SDF
-//! - [`pdb`]: the columns of the Protein Data Bank
+//! - [`mol`]: MDL connection tables V2000 and V3000; one in a MOL file, several in an SDF
+//! - [`pdb`]: column format of the Protein Data Bank
 
 mod element;
 mod isotope;
@@ -35,13 +35,13 @@ pub use element::Element;
 pub use isotope::{Isotope, Isotopes, Species};
 pub use report::reports;
 
-/// The ångström, m.
+/// Ångström, m.
 const ANGSTROM: f64 = 1e-10;
 
-/// The atomic mass constant, kg: CODATA 2018.
+/// Atomic mass constant, kg (CODATA 2018).
 pub const ATOMIC_MASS: f64 = 1.660_539_066_60e-27;
 
-/// Atoms rigidly joined, as a file has them.
+/// Molecule: rigidly joined atoms of a file.
 ///
 /// ```
 /// use polhode::observe::Top;
@@ -57,32 +57,34 @@ pub const ATOMIC_MASS: f64 = 1.660_539_066_60e-27;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Molecule {
-    /// What the file calls it; often empty.
+    /// Name in the file; often empty.
     pub name: String,
-    /// Its atoms, at least one.
+    /// Atoms; at least one.
     pub atoms: Vec<Atom>,
-    /// One in the last decimal of the coordinates, m: how finely the file says where the atoms are.
+    /// Resolution of the coordinates, m: one unit of their last decimal.
     pub step_m: f64,
-    /// What was noticed on the way.
+    /// Findings of the reader.
     pub findings: Vec<Finding>,
 }
 
-/// One atom of a molecule.
+/// Atom of a molecule.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Atom {
-    /// Its element or isotope.
+    /// Element or isotope.
     pub species: Species,
-    /// Where it is, m.
+    /// Position, m.
     pub position_m: [f64; 3],
 }
 
 impl Molecule {
-    /// Mass (kg), centre of mass and inertia tensor.
+    /// Returns mass (kg), centre of mass and inertia tensor.
     ///
-    /// Each atom is a point at its nucleus with the mass of the neutral atom, as is usual; charges change no mass.
+    /// Each atom is a point at its nucleus with the mass of the neutral atom, as is usual. Charges
+    /// do not change the mass.
     ///
     /// # Errors
-    /// [`BodyError::Empty`] without atoms, [`BodyError::Parameter`] if a place or a sum is not finite.
+    /// [`BodyError::Empty`] without atoms, [`BodyError::Parameter`] if a position or a sum is not
+    /// finite.
     pub fn mass_properties(&self, isotopes: Isotopes) -> Result<MassProperties<Body>, BodyError> {
         let particle = |atom: &Atom| {
             let mass = atom.species.mass(isotopes) * ATOMIC_MASS;
@@ -92,14 +94,14 @@ impl Molecule {
         mass_properties_of_particles(&particles)
     }
 
-    /// Its rotational constants; `None` of a single atom.
+    /// Returns the rotational constants; `None` for a single atom.
     ///
-    /// Moments count as equal, and atoms as on one line, as far as the coordinates' own rounding is from telling them
-    /// apart: with radius of gyration r and last decimal s, τ = 2 s/r, at least [`RotationalConstants::TOLERANCE`] and at
-    /// most a hundredth.
+    /// Moments count as equal, and atoms as collinear, within the rounding of the coordinates. For
+    /// the radius of gyration r and the last decimal s, the relative tolerance is τ = 2 s/r. It is
+    /// at least [`RotationalConstants::TOLERANCE`] and at most a hundredth.
     ///
     /// # Errors
-    /// As [`Self::mass_properties`].
+    /// [`BodyError`], as for [`Self::mass_properties`].
     pub fn rotational_constants(&self, isotopes: Isotopes) -> Result<Option<RotationalConstants>, BodyError> {
         const MOST: f64 = 1e-2;
         let body = self.mass_properties(isotopes)?;
@@ -108,8 +110,9 @@ impl Molecule {
         RotationalConstants::with_tolerance(&body, tolerance)
     }
 
-    /// The formula in Hill's order: carbon, hydrogen, then the rest by the alphabet; by the alphabet altogether without
-    /// carbon. Isotopes that the file names stand behind their element: `C[13C]H5DO`.
+    /// Returns the formula in Hill order: carbon, hydrogen, then the others in alphabetical order;
+    /// without carbon, all in alphabetical order. Isotopes given by the file follow their element:
+    /// `C[13C]H5DO`.
     pub fn formula(&self) -> String {
         let carbon = self.atoms.iter().any(|atom| atom.species.element().number() == 6);
         let mut counts = BTreeMap::new();
@@ -133,8 +136,8 @@ impl Molecule {
         counts.values().map(one).collect()
     }
 
-    /// What was noticed in the file, and what the choice of masses adds: which elements have no isotope but short-lived
-    /// ones, so that the mass is that of the longest-lived.
+    /// Returns the findings of the file, and those about the choice of masses. For elements with
+    /// only short-lived isotopes, the mass is that of the longest-lived one.
     pub fn findings_with(&self, isotopes: Isotopes) -> Vec<Finding> {
         let mut findings = self.findings.clone();
         let open = self.atoms.iter().filter_map(|atom| match atom.species {
@@ -157,21 +160,22 @@ impl Molecule {
     }
 }
 
-/// The formats of molecules.
+/// File format of molecules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MoleculeFormat {
     /// XYZ and extended XYZ.
     Xyz,
-    /// One connection table.
+    /// MDL connection table.
     Mol,
-    /// Connection tables with data, one after another.
+    /// Sequence of connection tables with data.
     Sdf,
-    /// Protein Data Bank.
+    /// Protein Data Bank format.
     Pdb,
 }
 
 impl MoleculeFormat {
-    /// The format that a file's name ends in: `.xyz`, `.extxyz`, `.mol`, `.sdf`, `.sd`, `.pdb`, `.ent`, in any case.
+    /// Returns the format for a file extension: `.xyz`, `.extxyz`, `.mol`, `.sdf`, `.sd`, `.pdb`,
+    /// `.ent`, in any case.
     pub fn of_path(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
         Some(match extension.as_str() {
@@ -183,7 +187,7 @@ impl MoleculeFormat {
         })
     }
 
-    /// Its name in lower case, as JSON has it.
+    /// Returns the lower-case name, as in JSON.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Xyz => "xyz",
@@ -194,7 +198,7 @@ impl MoleculeFormat {
     }
 }
 
-/// Reads the molecules of a file: all of an SDF, else one.
+/// Reads the molecules of a file: all of an SDF, otherwise one.
 ///
 /// # Errors
 /// [`FormatError`] if the file cannot be read or is not in its format.
@@ -203,7 +207,7 @@ pub fn read(files: &dyn Files, path: &Path, format: MoleculeFormat) -> Result<Ve
     parse(&bytes.map_err(|kind| FormatError::new(path, None, kind))?, format, path)
 }
 
-/// Reads the molecules of a file's bytes; `path` is for messages.
+/// Parses the molecules in the bytes of a file; `path` is for messages.
 ///
 /// ```
 /// use polhode_shape::molecule::{MoleculeFormat, parse};
@@ -214,7 +218,7 @@ pub fn read(files: &dyn Files, path: &Path, format: MoleculeFormat) -> Result<Ve
 /// ```
 ///
 /// # Errors
-/// [`FormatError`] if they are not in the format.
+/// [`FormatError`] if the bytes are not in the format.
 pub fn parse(bytes: &[u8], format: MoleculeFormat, path: &Path) -> Result<Vec<Molecule>, FormatError> {
     let molecules = match format {
         MoleculeFormat::Xyz => xyz::read(bytes).map(|molecule| vec![molecule]),
@@ -223,7 +227,7 @@ pub fn parse(bytes: &[u8], format: MoleculeFormat, path: &Path) -> Result<Vec<Mo
     };
     let molecules = molecules.map_err(|error| FormatError::of_content(path, bytes, error))?;
     for molecule in &molecules {
-        // Places that are finite and yet too far apart for their squares.
+        // Finite positions may be so far apart that their squares overflow.
         molecule
             .mass_properties(Isotopes::Abundant)
             .map_err(|error| FormatError::new(path, None, FormatErrorKind::Body(error)))?;
@@ -231,7 +235,7 @@ pub fn parse(bytes: &[u8], format: MoleculeFormat, path: &Path) -> Result<Vec<Mo
     Ok(molecules)
 }
 
-/// Atoms as they are read, and what is noticed about them.
+/// Atoms read so far, with findings.
 #[derive(Debug, Default)]
 struct Builder {
     atoms: Vec<Atom>,
@@ -242,7 +246,7 @@ struct Builder {
 }
 
 impl Builder {
-    /// The atom of a label, or of a point without mass, at three fields that are numbers of `unit` metres.
+    /// Adds an atom, or skips a point without mass; the three coordinates are in `unit` metres.
     fn push(
         &mut self,
         species: Option<Species>,
@@ -261,7 +265,7 @@ impl Builder {
         Ok(())
     }
 
-    /// What a field's label says; `None` is a point without mass.
+    /// Returns the species of a label; `None` for a point without mass.
     fn species(&mut self, field: &Field<'_>) -> Result<Option<Species>, ContentError> {
         match label(&field.text()) {
             Some(Label::Atom(species)) => Ok(Some(species)),
@@ -279,7 +283,7 @@ impl Builder {
         self.findings.push(Finding { code, severity, message, place: None });
     }
 
-    /// The molecule of at least one atom; `None` without any. `unit` is that of [`Self::push`].
+    /// Returns the molecule; `None` without atoms. `unit` is as in [`Self::push`].
     fn finish(mut self, name: &str, unit: f64) -> Option<Molecule> {
         if self.numbered > 0 {
             let message = format!(

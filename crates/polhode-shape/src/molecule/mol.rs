@@ -1,7 +1,9 @@
-//! MDL's connection tables, V2000 and V3000: one in a MOL file, several with data in an SDF. Lengths are ångström.
+//! MDL connection tables V2000 and V3000: one in a MOL file, several with data in an SDF. Lengths
+//! are in ångström.
 //!
-//! Isotopes are those of `M  ISO` lines and `MASS=`; without any `M  ISO`, the differences in columns 35 and 36. Bonds are
-//! not needed; they are looked at only to notice a wrong number of atoms, and hydrogen atoms that they imply and the file leaves out.
+//! Isotopes are given by `M  ISO` lines and `MASS=`; without any `M  ISO`, by the differences in
+//! columns 35 and 36. Bonds are used only to detect a wrong number of atoms, and hydrogen atoms
+//! that are implied but omitted.
 //!
 //! Source: CTfile Formats, BIOVIA, 2020.
 
@@ -14,7 +16,7 @@ use super::isotope::{Isotope, Species};
 use super::line::{Field, Lines};
 use super::{ANGSTROM, Builder, Element, Molecule, unknown_element, unknown_isotope};
 
-/// Reads every molecule of a MOL file or an SDF.
+/// Reads all molecules of a MOL file or an SDF.
 ///
 /// ```
 /// use polhode_shape::molecule::mol;
@@ -27,14 +29,15 @@ use super::{ANGSTROM, Builder, Element, Molecule, unknown_element, unknown_isoto
 /// ```
 ///
 /// # Errors
-/// [`ContentError`]: a count that the lines do not fill or run over, shifted columns, an unknown element or isotope.
+/// [`ContentError`] for a count that does not agree with the lines, shifted columns, or an unknown
+/// element or isotope.
 pub fn read(bytes: &[u8]) -> Result<Vec<Molecule>, ContentError> {
     let mut lines = Lines::new(bytes);
     let mut molecules = Vec::new();
-    // Blank lines may be the heading of a molecule without a name, or follow the last one.
+    // Blank lines may be the header of a molecule without a name, or follow the last molecule.
     while lines.clone().any(|line| !line.is_blank()) {
         molecules.push(table(&mut lines)?);
-        // Data, up to the separator.
+        // Skip the data up to the separator.
         lines.find(|line| line.bytes.starts_with(b"$$$$"));
     }
     if molecules.is_empty() {
@@ -43,7 +46,7 @@ pub fn read(bytes: &[u8]) -> Result<Vec<Molecule>, ContentError> {
     Ok(molecules)
 }
 
-/// One connection table, up to its end.
+/// Reads one connection table.
 fn table(lines: &mut Lines<'_>) -> Result<Molecule, ContentError> {
     let mut next = |what: &str| lines.next().ok_or_else(|| lines.ended(what));
     let name = next("the line of the name")?;
@@ -80,7 +83,7 @@ fn table(lines: &mut Lines<'_>) -> Result<Molecule, ContentError> {
     builder.finish(&name.text(), ANGSTROM).ok_or_else(|| ContentError::new(missing, place))
 }
 
-/// The rest of a V2000 table. Tables older than it (`old`) have no end line.
+/// Reads the rest of a V2000 table. Older tables (`old`) have no end line.
 fn v2000(
     lines: &mut Lines<'_>,
     counts: &Field<'_>,
@@ -97,7 +100,7 @@ fn v2000(
         let line = lines.next().ok_or_else(|| count_error(&atom_count, "atoms", n, done))?;
         atoms.push(atom_line(&line)?);
     }
-    // Of each atom, twice the sum of its bonds' orders.
+    // Twice the sum of the bond orders, for each atom.
     let mut valence = vec![0_u32; n];
     for done in 0..bonds {
         let line = lines.next().ok_or_else(|| count_error(&bond_count, "bonds", bonds, done))?;
@@ -145,7 +148,8 @@ fn v2000(
     Ok(())
 }
 
-/// Tables leave hydrogen atoms out where valence implies them, and a body without them is lighter.
+/// Reports missing hydrogen atoms. Tables may omit them if valence implies them, and the body is
+/// then too light.
 fn no_hydrogen(atoms: &[AtomLine<'_>], valence: &[u32], builder: &mut Builder) {
     const FOUR_BONDS: u32 = 8;
     let number = |atom: &super::Atom| atom.species.element().number();
@@ -158,7 +162,7 @@ fn no_hydrogen(atoms: &[AtomLine<'_>], valence: &[u32], builder: &mut Builder) {
     }
 }
 
-/// Symbol, mass difference and place of a V2000 atom.
+/// Symbol, mass difference and position of a V2000 atom.
 type AtomLine<'a> = (Field<'a>, Field<'a>, [Field<'a>; 3]);
 
 fn atom_line<'a>(line: &Field<'a>) -> Result<AtomLine<'a>, ContentError> {
@@ -178,7 +182,7 @@ fn atom_line<'a>(line: &Field<'a>) -> Result<AtomLine<'a>, ContentError> {
     Ok((line.columns(31..34), line.columns(34..36), place))
 }
 
-/// The species with the mass difference of the atom's line, which counts from the rounded standard atomic weight.
+/// Applies the mass difference of an atom line, relative to the rounded standard atomic weight.
 fn shifted(species: Species, difference: &Field<'_>, builder: &mut Builder) -> Result<Species, ContentError> {
     if difference.bytes.is_empty() || matches!(species, Species::Isotope(_)) {
         return Ok(species);
@@ -202,18 +206,18 @@ fn shifted(species: Species, difference: &Field<'_>, builder: &mut Builder) -> R
     found.ok_or_else(|| unknown_isotope(difference, element))
 }
 
-/// By atom, from 0: the mass number of its last `M  ISO` entry, and where it says so.
+/// Mass number of the last `M  ISO` entry and its position, by atom index from 0.
 type Named<'a> = BTreeMap<usize, (u16, Field<'a>)>;
 
-/// What a V2000 property block says.
+/// Contents of a V2000 property block.
 struct Properties<'a> {
-    /// `None` without an `M  ISO`.
+    /// Isotopes; `None` without an `M  ISO` line.
     isotopes: Option<Named<'a>>,
-    /// Atoms that stand for a group with a name.
+    /// Number of atoms that represent an abbreviated group.
     abbreviations: usize,
 }
 
-/// A V2000 property block, which is read to its end.
+/// Reads a V2000 property block.
 fn properties<'a>(lines: &mut Lines<'a>, atoms: usize, old: bool) -> Result<Properties<'a>, ContentError> {
     let mut isotopes: Option<Named<'a>> = None;
     let mut abbreviations = 0;
@@ -255,7 +259,7 @@ fn properties<'a>(lines: &mut Lines<'a>, atoms: usize, old: bool) -> Result<Prop
     }
 }
 
-/// The rest of a V3000 table.
+/// Reads the rest of a V3000 table.
 fn v3000(lines: &mut Lines<'_>, builder: &mut Builder) -> Result<(), ContentError> {
     let mut declared: Option<(Field<'_>, usize)> = None;
     let (mut in_atoms, mut present, mut done) = (false, 0, false);
@@ -270,7 +274,7 @@ fn v3000(lines: &mut Lines<'_>, builder: &mut Builder) -> Result<(), ContentErro
         let Some(words) = v3000_words(&line, lines)? else { continue };
         let text = |k: usize| words.get(k).map(Field::text).unwrap_or_default();
         match (text(0).as_ref(), text(1).as_ref()) {
-            // Only the first table is the molecule: templates follow.
+            // Only the first table is the molecule; templates may follow.
             ("END", "CTAB") => done = true,
             _ if done => {}
             ("COUNTS", _) => {
@@ -293,7 +297,7 @@ fn v3000(lines: &mut Lines<'_>, builder: &mut Builder) -> Result<(), ContentErro
     }
 }
 
-/// `index type x y z aamap [KEY=value …]`
+/// Parses `index type x y z aamap [KEY=value …]`.
 fn v3000_atom(line: &Field<'_>, words: &[Field<'_>], builder: &mut Builder) -> Result<(), ContentError> {
     let &[_, symbol, x, y, z, ..] = words else {
         return Err(line.trimmed().expected("an atom: index, type, x, y, z"));
@@ -306,7 +310,7 @@ fn v3000_atom(line: &Field<'_>, words: &[Field<'_>], builder: &mut Builder) -> R
         (Some(species), Some(mass)) => {
             let element: Element = species.element();
             let value = mass.number("the mass")?;
-            // 0 is the natural mixture; decimals are those of the isotope's mass.
+            // 0 means the natural mixture. A value with decimals is the mass of an isotope.
             let near = (value - value.round()).abs() < 0.25 && (0.0..1000.0).contains(&value);
             let number = value.round() as u16;
             match number {
@@ -326,7 +330,8 @@ fn v3000_atom(line: &Field<'_>, words: &[Field<'_>], builder: &mut Builder) -> R
     builder.push(species, [x, y, z], ANGSTROM)
 }
 
-/// The words behind `M  V30`, of the line and of those that continue it after a `-`; `None` of another line.
+/// Returns the words after `M  V30`, including continuation lines after a `-`; `None` for other
+/// lines.
 fn v3000_words<'a>(line: &Field<'a>, lines: &mut Lines<'a>) -> Result<Option<Vec<Field<'a>>>, ContentError> {
     const PREFIX: &[u8] = b"M  V30 ";
     let Some(mut rest) = line.bytes.strip_prefix(PREFIX) else { return Ok(None) };

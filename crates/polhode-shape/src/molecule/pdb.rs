@@ -1,9 +1,9 @@
-//! PDB: atoms in fixed columns, ångström.
+//! PDB: atoms in fixed columns, lengths in ångström.
 //!
-//! Read are `ATOM` and `HETATM`: the name in columns 13 to 16, the alternate location in 17, the residue in 18 to 27, x, y and z
-//! in 31 to 38, 39 to 46 and 47 to 54, the occupancy in 55 to 60, the element in 77 and 78. Numbers of atoms and residues are only
-//! compared, so hexadecimal, hybrid-36 and starred ones do no harm. Of several models the first is read, of alternate
-//! locations in a residue the one with the highest occupancy.
+//! The records `ATOM` and `HETATM` are read. Columns: name 13–16, alternate location 17, residue
+//! 18–27, x 31–38, y 39–46, z 47–54, occupancy 55–60, element 77–78. Numbers of atoms and residues
+//! are only compared, so hexadecimal, hybrid-36 and starred numbers are accepted. Only the first
+//! model is read, and the alternate location with the highest occupancy in each residue.
 //!
 //! Source: wwPDB, Protein Data Bank contents guide, version 3.3.
 
@@ -29,7 +29,8 @@ use super::{ANGSTROM, Builder, Element, Molecule};
 /// ```
 ///
 /// # Errors
-/// [`ContentError`]: no atoms, shifted columns, an element that neither its columns nor the name tell.
+/// [`ContentError`] without atoms, for shifted columns, or for an element that neither its columns
+/// nor the name determine.
 pub fn read(bytes: &[u8]) -> Result<Molecule, ContentError> {
     let (mut atoms, mut models, mut in_model, mut title) = (Vec::new(), 0_u64, false, String::new());
     for line in Lines::new(bytes) {
@@ -83,15 +84,15 @@ pub fn read(bytes: &[u8]) -> Result<Molecule, ContentError> {
     builder.finish(&title, ANGSTROM).ok_or_else(|| missing.of_whole())
 }
 
-/// What is read of an atom's line.
+/// Fields of an atom record.
 #[derive(Debug)]
 struct AtomLine<'a> {
-    /// Columns 13 to 16 with their blanks, which say where the symbol stands.
+    /// Columns 13 to 16 with their blanks, which determine the position of the symbol.
     name: Field<'a>,
     location: Option<u8>,
     /// Name of the residue.
     residue: &'a [u8],
-    /// Chain, number and insertion code.
+    /// Chain, residue number and insertion code.
     site: &'a [u8],
     place: [Field<'a>; 3],
     occupancy: f64,
@@ -107,7 +108,7 @@ impl<'a> AtomLine<'a> {
         for field in &place {
             field.number("a coordinate").map_err(hinted)?;
         }
-        // Half a z is a number too.
+        // A truncated z would also be a number.
         if line.bytes.len() < 54 {
             return Err(hinted(place[2].expected("z up to column 54")));
         }
@@ -131,7 +132,8 @@ impl<'a> AtomLine<'a> {
         })
     }
 
-    /// The species, or `None` of a point without mass; true if it was deduced from the name.
+    /// Returns the species, or `None` for a point without mass; true if it was derived from the
+    /// name.
     fn species(&self) -> Result<(Option<Species>, bool), ContentError> {
         // A charge may follow the symbol: "O1-", "CL", "FE2+".
         let letters = self.element.bytes.iter().take_while(|b| b.is_ascii_alphabetic()).count();
@@ -151,7 +153,8 @@ impl<'a> AtomLine<'a> {
         Ok((Some(element), true))
     }
 
-    /// The symbol is right-justified in the first two columns of the name, except that four letters of a hydrogen begin there.
+    /// Derives the element from the name. The symbol is right-justified in its first two columns,
+    /// except for hydrogen names with four characters.
     fn element_of_name(&self) -> Option<Species> {
         let text = self.name.text();
         let letters = text.trim_start_matches(|c: char| c.is_ascii_digit() || c == ' ');
@@ -169,7 +172,8 @@ impl<'a> AtomLine<'a> {
     }
 }
 
-/// Whether a residue is an amino acid or a nucleotide of a chain, whose atoms all have symbols of one letter.
+/// Returns true if a residue is an amino acid or nucleotide of a chain, or water. All their atoms
+/// have symbols of one letter.
 fn is_polymer(residue: &[u8]) -> bool {
     const NAMES: [&str; 30] = [
         "ALA", "ARG", "ASN", "ASP", "CYS", "GLN", "GLU", "GLY", "HIS", "ILE", "LEU", "LYS", "MET", "PHE",
@@ -178,12 +182,12 @@ fn is_polymer(residue: &[u8]) -> bool {
     NAMES.iter().any(|name| name.as_bytes() == residue.trim_ascii())
 }
 
-/// The atoms of one location each.
+/// Returns the atoms with one location each.
 ///
-/// A residue keeps the location of highest occupancy, the first of equal ones, and its atoms that have no location. Of an atom
-/// that is at other locations only, the best of these stays.
+/// A residue keeps the location with the highest occupancy (the first if equal), and its atoms
+/// without a location. For an atom that exists only at other locations, the best of these is kept.
 fn one_location(atoms: Vec<AtomLine<'_>>) -> Vec<AtomLine<'_>> {
-    // site → location, occupancy, residue
+    // Map from site to location, occupancy and residue.
     let mut chosen: BTreeMap<&[u8], (u8, f64, &[u8])> = BTreeMap::new();
     for atom in &atoms {
         let Some(location) = atom.location else { continue };
@@ -199,7 +203,7 @@ fn one_location(atoms: Vec<AtomLine<'_>>) -> Vec<AtomLine<'_>> {
         atom.location.is_none()
             || chosen.get(atom.site).is_some_and(|(location, ..)| Some(*location) == atom.location)
     };
-    // Atoms by site and name: those that are there anyway, and the best of the others.
+    // Atoms by site and name: the selected ones, and the best of the others.
     let there: BTreeSet<_> =
         atoms.iter().filter(|atom| is_chosen(atom)).map(|atom| (atom.site, atom.name.bytes)).collect();
     let mut instead: BTreeMap<_, (usize, f64)> = BTreeMap::new();

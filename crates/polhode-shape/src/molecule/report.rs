@@ -1,4 +1,4 @@
-//! The reports of the molecules of a file.
+//! Reports of the molecules of a file.
 
 use std::path::Path;
 
@@ -8,10 +8,10 @@ use polhode_document::{Extra, SourceInfo};
 use super::{Isotopes, Molecule, MoleculeFormat};
 use crate::report::{InertiaReport, MoleculeReport};
 
-/// Returns a report for each molecule of a file, in their order.
+/// Returns a report for each molecule of a file, in order.
 ///
 /// # Errors
-/// [`BodyError`] if the atoms of one have no finite mass properties.
+/// [`BodyError`] if the mass properties of a molecule are not finite.
 pub fn reports(
     molecules: &[Molecule],
     isotopes: Isotopes,

@@ -1,8 +1,9 @@
 //! XYZ: the number of atoms, a comment, and a line for each atom: symbol, x, y, z in ångström.
 //!
-//! A symbol may be an atomic number or an isotope (`13C`, `D`). What stands behind the coordinates is not read. In extended
-//! XYZ the comment says `Properties=species:S:1:pos:R:3:…`, and the columns follow it; one of masses is refused. Of several frames the first is
-//! read. The number of atoms may be followed by the unit, `au` or `bohr`, as some programs write it.
+//! A symbol may be an atomic number or an isotope (`13C`, `D`). Text after the coordinates is not
+//! read. In extended XYZ the comment has `Properties=species:S:1:pos:R:3:…`, which defines the
+//! columns; a column of masses is refused. Only the first frame is read. The number of atoms may be
+//! followed by the unit `au` or `bohr`, as written by some programs.
 
 use polhode::body::Severity;
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
@@ -11,7 +12,7 @@ use super::isotope::Species;
 use super::line::{Field, Lines};
 use super::{ANGSTROM, Builder, Element, Molecule};
 
-/// The Bohr radius, m: CODATA 2018.
+/// Bohr radius, m (CODATA 2018).
 const BOHR: f64 = 0.529_177_210_903e-10;
 
 /// Reads the first frame of an XYZ file.
@@ -26,7 +27,8 @@ const BOHR: f64 = 0.529_177_210_903e-10;
 /// ```
 ///
 /// # Errors
-/// [`ContentError`]: a count that the lines do not fill or run over, an unknown element, a coordinate that is NaN.
+/// [`ContentError`] for a count that does not agree with the lines, an unknown element, or a
+/// coordinate that is not finite.
 pub fn read(bytes: &[u8]) -> Result<Molecule, ContentError> {
     let mut lines = Lines::new(bytes);
     let whole = ContentErrorKind::of_whole;
@@ -54,7 +56,7 @@ pub fn read(bytes: &[u8]) -> Result<Molecule, ContentError> {
     molecule.finish(&name, unit).ok_or_else(|| whole(ContentErrorKind::missing("atoms with a mass")))
 }
 
-/// The number of atoms, and the unit of length in metres.
+/// Returns the number of atoms, and the unit of length in metres.
 fn heading(line: &Field<'_>, molecule: &mut Builder) -> Result<(u64, f64), ContentError> {
     let mut words = line.words();
     let count = words.next().unwrap_or(line.trimmed());
@@ -77,7 +79,7 @@ fn heading(line: &Field<'_>, molecule: &mut Builder) -> Result<(u64, f64), Conte
     }
 }
 
-/// In which columns, counted from 0, an atom's line has what.
+/// Columns of an atom line, counted from 0.
 #[derive(Debug)]
 struct Columns {
     species: usize,
@@ -86,7 +88,7 @@ struct Columns {
 }
 
 impl Columns {
-    /// As the comment says, or as plain XYZ has them.
+    /// Parses the comment; without `Properties` the columns are those of plain XYZ.
     fn of(comment: &Field<'_>) -> Result<Self, ContentError> {
         const PLAIN: Columns = Columns { species: 0, position: 1, extended: false };
         let Some(word) = comment.words().find(|word| word.bytes.starts_with(b"Properties=")) else {
@@ -106,7 +108,7 @@ impl Columns {
                 ("Z", 1) => number = Some(at),
                 ("pos", 3) => position = Some(at),
                 ("species" | "pos", _) => return Err(wrong()),
-                // They would make other masses than those of the species.
+                // Such columns would replace the masses of the species.
                 ("masses" | "mass" | "isotopes" | "isotope", _) => {
                     let what = format!("the masses of single atoms, in the column {name}");
                     let place = ContentPlace::Text(word.span());
@@ -150,7 +152,7 @@ fn atom(line: &Field<'_>, columns: &Columns, unit: f64, molecule: &mut Builder) 
     })
 }
 
-/// How many whole or broken frames follow; text that is none is an error.
+/// Returns the number of further frames, complete or not; other text is an error.
 fn more_frames(
     mut lines: Lines<'_>,
     first: &Field<'_>,
@@ -161,12 +163,12 @@ fn more_frames(
     while let Some(line) = lines.find(|line| !line.is_blank()) {
         let mut words = line.words();
         let next: Option<u64> = words.next().and_then(|word| word.integer("").ok());
-        // An atom more than declared may begin with its atomic number.
+        // An undeclared atom may begin with its atomic number.
         let is_atom = atom(&line, columns, ANGSTROM, &mut Builder::default()).is_ok();
         match next.filter(|_| !is_atom) {
             Some(next) => {
                 frames += 1;
-                // A comment, and as many lines as there are.
+                // Skip the comment, and the declared number of lines.
                 let skipped = usize::try_from(next).unwrap_or(usize::MAX);
                 lines.nth(skipped);
             }

@@ -6,7 +6,7 @@ use polhode_source::ContentError;
 use polhode_source::csv::{Lines, Separator};
 use polhode_source::unit;
 
-/// All fields of the line that starts at byte `at`.
+/// Returns all fields of the line that starts at byte `at`.
 pub(crate) fn fields(
     bytes: &[u8],
     at: usize,
@@ -14,7 +14,7 @@ pub(crate) fn fields(
 ) -> Result<Vec<Range<usize>>, ContentError> {
     let mut all: Vec<Range<usize>> = Vec::new();
     Lines::new(bytes, at, separator).each_field(|field| {
-        // Between spaces, a unit in brackets belongs to the name before it.
+        // If spaces separate fields, a unit in brackets belongs to the preceding name.
         match all.last_mut() {
             Some(last)
                 if separator == Separator::Blanks
@@ -29,21 +29,21 @@ pub(crate) fn fields(
     Ok(all)
 }
 
-/// Whether a bracket has not been closed yet.
+/// Returns true if a bracket is not closed yet.
 fn is_open(field: &[u8]) -> bool {
     field.contains(&b'[') && !field.contains(&b']')
 }
 
-/// A number, and its decimal mark where that may be either.
+/// Parses a number; also returns its decimal mark if that may be a point or a comma.
 pub(crate) fn number(field: &[u8], separator: Separator) -> Option<(f64, Option<u8>)> {
     let text = std::str::from_utf8(field).ok()?;
-    // What is printed in groups of digits is read where nothing but a separator parts two numbers.
+    // Numbers with digit groups are accepted if the separator cannot occur in them.
     let parsed = |text: &str| text.parse().ok().or_else(|| unit::bare(text));
     if !matches!(separator, Separator::Byte(b';' | b'\t')) {
         return parsed(text).map(|value| (value, None));
     }
     if field.contains(&b',') {
-        // 1.234,5 keeps its point and is not a number.
+        // 1.234,5 keeps its point and is therefore not a number.
         return parsed(&text.replacen(',', ".", 1)).map(|value| (value, Some(b',')));
     }
     let point = field.contains(&b'.').then_some(b'.');

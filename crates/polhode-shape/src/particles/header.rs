@@ -1,4 +1,4 @@
-//! The columns of a table of particles, by their header.
+//! Columns of a particle table, from its header.
 
 use std::ops::Range;
 
@@ -12,12 +12,12 @@ use super::fields::text_of;
 use super::{ParticleOptions, missing};
 use crate::finding::info;
 
-/// The numbers of a line, in this order wherever ten numbers stand.
+/// Names of the numbers in a line, in the order of all arrays with ten numbers.
 pub(crate) const NAMES: [&str; 10] = ["mass", "x", "y", "z", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"];
 pub(crate) const MASS: usize = 0;
 pub(crate) const TENSOR: Range<usize> = 4..10;
 
-/// Columns as a header would name them.
+/// Example header of each column.
 const EXAMPLES: [&str; 10] = [
     "mass_kg",
     "x_m",
@@ -31,29 +31,29 @@ const EXAMPLES: [&str; 10] = [
     "Iyz_kg_m2",
 ];
 
-/// What a column is.
+/// Role of a column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Role {
-    /// One of [`NAMES`].
+    /// Number with this index in [`NAMES`].
     Number(usize),
-    /// How many pieces a line stands for.
+    /// Number of pieces of a line.
     Count,
-    /// What a part is called.
+    /// Name of a part.
     Name,
-    /// A label that is not read.
+    /// Unused label.
     Label,
 }
 
-/// What the products of inertia are, as the keys of a scenario say it.
+/// Sign convention of the products of inertia, with the names used in scenarios.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Products {
-    /// −∫xy dm
+    /// Products are −∫xy dm.
     Negative,
-    /// +∫xy dm
+    /// Products are +∫xy dm.
     Positive,
 }
 
-/// The columns of a table.
+/// Columns of a table.
 pub(crate) struct Header {
     pub roles: Vec<Role>,
     pub scales: [Scale; 10],
@@ -66,12 +66,12 @@ impl Header {
         self.roles.contains(&Role::Number(number))
     }
 
-    /// All six elements are there, or none.
+    /// Returns true if the table has all six tensor elements; otherwise it has none.
     pub(crate) fn has_tensors(&self) -> bool {
         self.has(TENSOR.start)
     }
 
-    /// The columns that a line of names names.
+    /// Parses a header line.
     pub(crate) fn named(
         bytes: &[u8],
         header: &[Range<usize>],
@@ -79,7 +79,7 @@ impl Header {
         options: &ParticleOptions,
     ) -> Result<Self, ContentError> {
         let mut columns: Vec<Column> = header.iter().map(|field| Column::of(bytes, field)).collect();
-        // Of several names of a part, the first tells parts apart.
+        // If a part has several names, the first one identifies it.
         let named = columns.iter().position(|column| column.role == Role::Name);
         for column in columns.iter_mut().skip(named.map_or(0, |k| k + 1)) {
             if column.role == Role::Name {
@@ -134,7 +134,8 @@ impl Header {
         Ok(Self { roles, scales, products, findings })
     }
 
-    /// A file of numbers only: three columns are places, four are masses and places.
+    /// Returns the header of a file without names: three columns are positions, four are masses and
+    /// positions.
     pub(crate) fn nameless(
         line: &Range<usize>,
         columns: usize,
@@ -173,7 +174,8 @@ impl Header {
 }
 
 impl Products {
-    /// What a comment declares: `products = negative_integral`; `None` if it is about something else.
+    /// Parses a declaration in a comment: `products = negative_integral`. Returns `None` for other
+    /// comments.
     pub(crate) fn declared(bytes: &[u8], comment: &Range<usize>) -> Option<Result<Self, ContentError>> {
         let text = text_of(bytes, comment).to_lowercase();
         let rest = text.trim_start_matches(['#', ' ', '\t']).strip_prefix("products")?;
@@ -189,19 +191,19 @@ impl Products {
     }
 }
 
-/// A column by its name.
+/// Column with its name and unit.
 pub(crate) struct Column {
     pub role: Role,
     unit: Option<String>,
     name: String,
 }
 
-/// Words for how many pieces a line stands for, and for what a part is called.
+/// Words for the number of pieces; below, words for the name of a part.
 const COUNTS: &str = "quantity qty count counts pcs pieces copies instances multiplicity amount times anzahl menge stück \
                       stueck stk quantité quantite nombre cantidad quantità 数量 個数 个数";
 const PART_NAMES: &str = "name part component";
 
-/// Words of names that say something of a mass, and what to do with such a column.
+/// Words that indicate physical quantities, and the hint for such a column.
 const PHYSICS: [(&str, &str); 5] = [
     (
         "mass masse masa massa weight gewicht peso poids density dichte rho volume volumen kg 质量 質量 重量 密度",
@@ -225,15 +227,15 @@ const PHYSICS: [(&str, &str); 5] = [
         "a table is one body, in one frame and at one time: cut it apart, and delete this column",
     ),
 ];
-/// What turns a part: it matters to a tensor, and not to a point.
+/// Words for the attitude of a part, which is relevant for a tensor but not for a point.
 const TURNS: &str = "roll pitch yaw rx ry rz qw qx qy qz rotation orientation rpy euler";
 
 impl Column {
-    /// `x_mm`, `x [mm]`, `x (mm)` or `x`; anything else is a column that is not read.
+    /// Parses `x_mm`, `x [mm]`, `x (mm)` or `x`. Other columns are unused.
     pub(crate) fn of(bytes: &[u8], field: &Range<usize>) -> Self {
         let whole = text_of(bytes, field);
         let name = whole.trim_matches('"').trim();
-        // I_xx is Ixx.
+        // I_xx is a spelling of Ixx.
         let joined = match name.strip_prefix(['I', 'i']).and_then(|rest| rest.strip_prefix('_')) {
             Some(rest) if axes(rest.get(..2).unwrap_or("")) => format!("I{rest}"),
             _ => name.to_owned(),
@@ -256,14 +258,14 @@ impl Column {
         };
         let unit = unit.map(|unit| unit.trim().to_owned()).filter(|unit| !unit.is_empty());
         let column = Self { role, unit, name: name.to_owned() };
-        // part_mass_g is no name.
+        // A column such as `part_mass_g` is not a name.
         if role == Role::Name && column.physics(false).is_some() {
             return Self { role: Role::Label, ..column };
         }
         column
     }
 
-    /// What its unit is worth in SI.
+    /// Returns the value of the column's unit in SI.
     fn factor(
         &self,
         number: usize,
@@ -300,15 +302,15 @@ impl Column {
         })
     }
 
-    /// What to do about a column that is not read though it changes the body, if it does.
+    /// Returns the hint for an unused column that would change the body; `None` for a harmless one.
     fn physics(&self, tensors: bool) -> Option<&'static str> {
         let lower = self.name.to_lowercase();
         let words: Vec<&str> =
             lower.split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty()).collect();
-        // I xx, I(x,x)
+        // Spellings such as I xx and I(x,x).
         let joined: String = words.concat();
         let says = |list: &str| words.iter().any(|word| has_word(list, word)) || has_word(list, &joined);
-        // massKg, MomentOfInertia
+        // Spellings such as massKg and `MomentOfInertia`.
         let within = |long: &str| lower.contains(long);
         if within("inertia") || within("momentof") {
             return Some(PHYSICS[1].1);
@@ -324,7 +326,7 @@ impl Column {
     }
 }
 
-/// Two letters of axes.
+/// Returns true for two axis letters.
 fn axes(text: &str) -> bool {
     text.len() == 2 && text.bytes().all(|b| b"xyzXYZ".contains(&b))
 }
@@ -333,7 +335,7 @@ fn has_word(list: &str, word: &str) -> bool {
     list.split_whitespace().any(|known| known == word)
 }
 
-/// `kg_m2` and `kg.mm2` as `kg m^2` and `kg mm^2`.
+/// Spells out a unit: `kg_m2` and `kg.mm2` as `kg m^2` and `kg mm^2`.
 fn spelt_out(unit: &str) -> String {
     let names = unit.split(['_', '.', ' ', '*']).filter(|name| !name.is_empty());
     let powered = names.map(|name| match name.strip_suffix('2') {

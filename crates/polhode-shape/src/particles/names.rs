@@ -1,4 +1,4 @@
-//! Names of parts: each line counts, and two that say the same are one too many.
+//! Names of parts. Every line counts, but two equal lines are refused.
 
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
@@ -11,14 +11,14 @@ use super::fields::text_of;
 use super::value;
 use crate::finding::info;
 
-/// The places at which each name has stood so far.
+/// Positions of each name so far.
 #[derive(Default)]
 pub(crate) struct Names {
     places: HashMap<String, HashSet<[u64; 3]>>,
 }
 
 impl Names {
-    /// Adds a part; one of the same name at the same place is refused.
+    /// Adds a part. A second part with the same name and position is refused.
     pub(crate) fn add(
         &mut self,
         bytes: &[u8],
@@ -29,7 +29,7 @@ impl Names {
             return Ok(());
         }
         let places = self.places.entry(text_of(bytes, name)).or_default();
-        // -0 is where 0 is
+        // Adding 0 turns −0 into 0.
         if !places.insert(place.map(|c| (c + 0.0).to_bits())) {
             let rule = "in one line only: another part of this name is at the same place".to_owned();
             let error = value("the part", text_of(bytes, name), rule, ContentPlace::Text(name.clone()));
@@ -38,7 +38,7 @@ impl Names {
         Ok(())
     }
 
-    /// Names that stand in more than one line, if there are any.
+    /// Returns a finding if names occur in several lines.
     pub(crate) fn finding(&self) -> Option<Finding> {
         let repeated = self.places.iter().filter(|(_, places)| places.len() > 1);
         let mut repeated: Vec<_> = repeated.map(|(name, places)| (name, places.len())).collect();

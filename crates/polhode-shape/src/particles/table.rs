@@ -1,4 +1,4 @@
-//! The lines of a table of particles, as numbers.
+//! Lines of a particle table, as numbers.
 
 use std::ops::Range;
 
@@ -9,22 +9,22 @@ use super::fields::{fields, number, text_of};
 use super::header::{Column, Header, NAMES, Products, Role};
 use super::{ParticleOptions, missing, value};
 
-/// How the lines of a file are built.
+/// Format of the lines of a file.
 pub(crate) struct Table {
     separator: Separator,
     pub header: Header,
 }
 
-/// What a line says.
+/// Values of a line.
 pub(crate) struct Row {
-    /// In SI; 0 where there is no column.
+    /// Numbers in SI; 0 for missing columns.
     pub numbers: [f64; 10],
-    /// Where the name stands.
+    /// Position of the name.
     pub name: Option<Range<usize>>,
 }
 
 impl Table {
-    /// The table that the header describes, and where its numbers begin.
+    /// Parses the header; also returns the position of the first line of numbers.
     pub(crate) fn of(
         bytes: &[u8],
         start: usize,
@@ -44,7 +44,7 @@ impl Table {
                     let header = Header::named(bytes, &first, products, options)?;
                     return Ok((Self { separator, header }, next));
                 }
-                // NumPy's header is a comment.
+                // NumPy writes the header as a comment.
                 if let Some(comment) = comment {
                     let names = fields(bytes, comment, separator).unwrap_or_default();
                     let roles: Vec<_> = names.iter().map(|f| Column::of(bytes, f).role).collect();
@@ -61,7 +61,7 @@ impl Table {
         Err(missing("lines", "write a header such as mass_kg,x_m,y_m,z_m and a line for each particle"))
     }
 
-    /// Calls `visit` with every line from byte `at` on, and what it says.
+    /// Calls `visit` with every line from byte `at` on, and its values.
     pub(crate) fn each_row(
         &self,
         bytes: &[u8],
@@ -97,7 +97,7 @@ impl Table {
         }
     }
 
-    /// Refuses a line that stands for several pieces, or for none.
+    /// Returns an error unless the quantity of a line is 1.
     fn one(&self, bytes: &[u8], field: &Range<usize>, mark: &mut Option<u8>) -> Result<(), ContentError> {
         let count = self.number(bytes, field, "the quantity", mark)?;
         if count == 1.0 {
@@ -108,7 +108,7 @@ impl Table {
         Err(error.hint("write a line for each piece, with its own place"))
     }
 
-    /// A finite number with the decimal mark of those before it.
+    /// Parses a finite number with the same decimal mark as before.
     fn number(
         &self,
         bytes: &[u8],

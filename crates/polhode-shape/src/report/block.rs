@@ -1,23 +1,24 @@
-//! The mass properties of a body: the part that every report has.
+//! Mass properties of a body: the block that every report contains.
 
 use polhode::body::{BodyPart, MassProperties, PrincipalFrame};
 use polhode::math::{Body, Frame};
 use polhode_document::json::{matrix, numbers, vector};
 use serde_json::{Map, Value, json};
 
-/// What the shape of a body gives besides its mass properties.
+/// Geometric properties in addition to the mass properties.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Geometry {
-    /// m³
+    /// Volume, m³.
     pub volume: Option<f64>,
-    /// m²
+    /// Surface area, m².
     pub surface_area: Option<f64>,
-    /// kg/m³
+    /// Density, kg/m³.
     pub density: Option<f64>,
 }
 
 impl Geometry {
-    /// Volumes add (parts that overlap count twice, as their masses do); areas do not, so only a single part has one.
+    /// Adds the volumes of parts; overlaps count twice, as their masses do. A surface area is known
+    /// only for a single part.
     pub fn of_parts(parts: &[BodyPart], mass: f64) -> Self {
         let volumes: Option<Vec<f64>> = parts.iter().map(|part| part.extent?.volume()).collect();
         let volume = volumes.filter(|v| !v.is_empty()).map(|v| v.iter().sum::<f64>());
@@ -29,7 +30,8 @@ impl Geometry {
     }
 }
 
-/// `mass`, `volume`, `surface_area`, `density`, `center_of_mass`, `inertia`, `principal`, `gyration_radii`
+/// Inserts the keys `mass`, `volume`, `surface_area`, `density`, `center_of_mass`, `inertia`,
+/// `principal`, `gyration_radii`.
 pub fn insert(object: &mut Map<String, Value>, body: &MassProperties<Body>, geometry: Geometry) {
     let mut put = |key: &str, value: Value| object.insert(key.to_owned(), value);
     put("mass", body.mass().into());
@@ -50,7 +52,7 @@ pub fn insert(object: &mut Map<String, Value>, body: &MassProperties<Body>, geom
     put("gyration_radii", numbers(&body.gyration_radii()));
 }
 
-/// `{"moments": …, "axes": …, "quaternion_wxyz": …, "symmetry": …}`
+/// Returns `{"moments": …, "axes": …, "quaternion_wxyz": …, "symmetry": …}`.
 pub fn principal<F: Frame>(principal: &PrincipalFrame<F>) -> Value {
     json!({
         "moments": numbers(&principal.moments()),

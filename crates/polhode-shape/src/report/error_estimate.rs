@@ -1,4 +1,4 @@
-//! How far computed mass properties may be off.
+//! Error estimate of computed mass properties.
 
 use polhode::body::density::FieldError;
 use polhode_document::Extra;
@@ -6,8 +6,8 @@ use polhode_document::layout::labelled;
 use polhode_document::number::error;
 use serde_json::json;
 
-/// The block `error_estimate`: of the mass, kg, of the centre of mass, m, and of the tensor's elements relative to half its trace;
-/// `by` says what it is an estimate of.
+/// Returns the block `error_estimate`: errors of the mass (kg), of the centre of mass (m), and of
+/// the tensor elements relative to half the trace. `by` names the source of the estimate.
 pub fn error_estimate(estimate: &FieldError, by: &str) -> Extra {
     let FieldError { mass, center_of_mass, inertia } = *estimate;
     let [x, y, z] = [mass, center_of_mass, inertia].map(error);

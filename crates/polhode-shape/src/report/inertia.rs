@@ -1,4 +1,4 @@
-//! The report of `polhode inertia`: mass, centre of mass, inertia, principal axes.
+//! Report of `polhode inertia`: mass, centre of mass, inertia, principal axes.
 
 use std::fmt::Write as _;
 
@@ -20,7 +20,7 @@ use crate::report::block;
 use crate::report::block::Geometry;
 use crate::report::{PartRow, parts};
 
-/// A body's mass properties, ready to be read.
+/// Report of a body's mass properties.
 ///
 /// ```
 /// use polhode::body::{InertiaTensor, MassProperties};
@@ -36,7 +36,7 @@ use crate::report::{PartRow, parts};
 /// ```
 #[derive(Clone, Debug)]
 pub struct InertiaReport {
-    /// Where the body came from.
+    /// Source of the body.
     pub source: SourceInfo,
     /// Mass, centre of mass and inertia tensor.
     pub properties: MassProperties<Body>,
@@ -46,18 +46,19 @@ pub struct InertiaReport {
     pub surface_area: Option<f64>,
     /// Mass per volume, kg/m³.
     pub density: Option<f64>,
-    /// Another point for the tensor to be about.
+    /// Additional reference point for the tensor.
     pub about: Option<Position<Body>>,
-    /// Other axes for the tensor to be along: their directions in body axes are this rotation's columns.
+    /// Additional axes for the tensor; the columns of the rotation are their directions in body
+    /// axes.
     pub axes: Option<Rotation<Body, Part>>,
-    /// What only this kind of body has: its parts, a molecule's rotational constants.
+    /// Additional blocks for this kind of body: its parts, a molecule's rotational constants.
     pub extras: Vec<Extra>,
-    /// What was noticed on the way.
+    /// Findings of the reader and of the computation.
     pub findings: Vec<Finding>,
 }
 
 impl InertiaReport {
-    /// With the volume of what has one, m³, and so its mean density, where f64 holds it.
+    /// Sets the volume, m³, and the mean density if it is finite.
     #[must_use]
     pub fn with_volume(self, volume: Option<f64>) -> Self {
         let density =
@@ -65,12 +66,12 @@ impl InertiaReport {
         Self { volume, density, ..self }
     }
 
-    /// What a mesh was taken for other than the solid that it bounds: `convex_hull`, `sheet`.
+    /// Returns the interpretation of a mesh if it is not a solid: `convex_hull`, `sheet`.
     pub fn taken_as(&self) -> Option<&str> {
         self.source.fields.get("taken_as")?.as_str().filter(|&taken_as| taken_as != "solid")
     }
 
-    /// The report of a body of which nothing else is known.
+    /// Creates a report with only source and mass properties.
     pub fn new(source: SourceInfo, properties: MassProperties<Body>) -> Self {
         Self {
             source,
@@ -85,7 +86,8 @@ impl InertiaReport {
         }
     }
 
-    /// Returns the report of parts that are one body: their masses and volumes together, and each of several in a table.
+    /// Creates the report of parts that form one body, with their total mass and volume. Several
+    /// parts are listed in a table.
     ///
     /// # Errors
     /// [`BodyError`] without parts, or if their sum is not a physical body.
@@ -100,7 +102,8 @@ impl InertiaReport {
         Ok(Self { extras, ..Self::new(source, properties).with_volume(volume) })
     }
 
-    /// The report of a scenario's body at the start, about its pivot too if it has one.
+    /// Creates the report of a scenario's body at the start. If it has a pivot, the tensor about
+    /// the pivot is included.
     pub fn of_scenario(source: SourceInfo, scenario: &Scenario) -> Self {
         let geometry = Geometry::of_parts(scenario.parts(), scenario.body().mass());
         Self {
@@ -113,7 +116,8 @@ impl InertiaReport {
         }
     }
 
-    /// One object with the stable keys of the JSON contract; `inertia_about` and `inertia_in_axes` only where asked for.
+    /// Returns one object with the stable keys of the JSON contract. `inertia_about` and
+    /// `inertia_in_axes` are present only if requested.
     pub fn to_json(&self) -> Value {
         let mut object = Map::new();
         object.insert("polhode".to_owned(), VERSION.into());
@@ -143,7 +147,7 @@ impl InertiaReport {
         Value::Object(object)
     }
 
-    /// One screen for people.
+    /// Returns the report as text of about one screen.
     pub fn to_text(&self) -> String {
         let mut text = format!("{}\n", self.source.heading());
         self.write_mass(&mut text);
@@ -184,7 +188,7 @@ impl InertiaReport {
         text.push_str(&line("centre of mass", &unit::lengths_in(self.size(), center)));
     }
 
-    /// The largest radius of gyration, m.
+    /// Returns the largest radius of gyration, m.
     fn size(&self) -> f64 {
         unit::size(&self.properties)
     }
@@ -229,12 +233,12 @@ impl InertiaReport {
     }
 }
 
-/// A blank line and what stands below it.
+/// Returns a heading after a blank line.
 fn heading(text: &str) -> String {
     format!("\n{}\n", wrap(text, "", WIDTH).join("\n"))
 }
 
-/// A label and a text whose double spaces are meant.
+/// Returns a line with a label; double spaces in the text are kept.
 fn line(label: &str, text: &str) -> String {
     labelled(label, &text.replace(' ', "\u{a0}"))
 }
@@ -243,7 +247,7 @@ fn tensor(rows: [[f64; 3]; 3]) -> String {
     matrix_rows(&tidy_matrix(rows), 6).iter().map(|row| format!("    {}\n", row.trim_end())).collect()
 }
 
-/// The principal moments, and what their symmetry leaves free.
+/// Returns the principal moments, and the directions that their symmetry leaves undetermined.
 fn moments<F: Frame>(principal: &PrincipalFrame<F>) -> String {
     let [_, _, i3] = principal.moments();
     let moments = alike(&tidy_beside(principal.moments(), i3 * 1e-16), DIGITS).join("  ");
@@ -251,7 +255,7 @@ fn moments<F: Frame>(principal: &PrincipalFrame<F>) -> String {
         + &labelled("", principal.symmetry().freedom())
 }
 
-/// Returns the principal axes, one in each line; nothing if every axis is principal.
+/// Returns the principal axes, one per line; nothing if every axis is principal.
 fn axes<F: Frame>(principal: &PrincipalFrame<F>) -> String {
     if principal.symmetry() == Symmetry::Point {
         return String::new();

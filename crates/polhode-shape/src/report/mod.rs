@@ -1,4 +1,4 @@
-//! Mass properties for people and for programs.
+//! Reports of mass properties, as text and JSON.
 
 pub mod block;
 mod error_estimate;

@@ -1,4 +1,4 @@
-//! A molecule: what spectroscopists ask of its moments.
+//! Molecule block of a report: rotational constants.
 
 use polhode::observe::{RotationalConstants, Top};
 use polhode_document::layout::{labelled, printable};
@@ -6,7 +6,7 @@ use polhode_document::number::{alike, number, tidy_beside};
 use polhode_document::unit::DIGITS;
 use serde_json::{Value, json};
 
-/// The part of a report that only a molecule has: rotational constants, and what they are those of.
+/// Molecule block of a report: formula, isotopes and rotational constants.
 ///
 /// ```
 /// use polhode::body::{InertiaTensor, MassProperties};
@@ -27,19 +27,20 @@ use serde_json::{Value, json};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct MoleculeReport {
-    /// Its formula, in Hill's order.
+    /// Chemical formula in Hill order.
     pub formula: String,
-    /// How many atoms it has.
+    /// Number of atoms.
     pub atoms: usize,
-    /// The masses of atoms whose isotope is not given: `abundant` or `average`.
+    /// Choice of masses for atoms without a given isotope: `abundant` or `average`.
     pub isotopes: &'static str,
-    /// Its rotational constants; none of a single atom.
+    /// Rotational constants; `None` for a single atom.
     pub constants: Option<RotationalConstants>,
 }
 
 impl MoleculeReport {
-    /// The value of the key `molecule`: A, B and C in GHz and in cm⁻¹, `null` where they are infinite (A of a linear molecule, all
-    /// of an atom), Ray's κ, `null` of a spherical top and of an atom, and the top, `null` of an atom.
+    /// Returns the value of the key `molecule`. It contains A, B and C in GHz and in cm⁻¹, Ray's κ,
+    /// and the type of top. Infinite constants are `null` (A of a linear molecule, all of an atom).
+    /// κ is `null` for a spherical top and an atom, the type of top for an atom.
     pub fn to_json(&self) -> Value {
         let of =
             |get: fn(&RotationalConstants) -> [Option<f64>; 3]| self.constants.map_or([None; 3], |c| get(&c));
@@ -57,7 +58,7 @@ impl MoleculeReport {
         })
     }
 
-    /// A few lines for people: for below the inertia.
+    /// Returns text lines that follow the inertia.
     pub fn to_text(&self) -> String {
         let atoms = if self.atoms == 1 { "1 atom".to_owned() } else { format!("{} atoms", self.atoms) };
         let masses = match self.isotopes {
@@ -98,7 +99,7 @@ impl MoleculeReport {
     }
 }
 
-/// `A = …, B = …, C = … GHz`; a linear molecule has only B.
+/// Returns `A = …, B = …, C = … GHz`; a linear molecule has only B.
 fn constants_text(values: [Option<f64>; 3], unit: &str) -> String {
     let [a, b, c] = values.map(|value| value.unwrap_or(f64::INFINITY));
     if a.is_infinite() {

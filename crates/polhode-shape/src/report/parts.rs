@@ -1,4 +1,4 @@
-//! The parts of a body, each with its own mass.
+//! Parts of a body with their masses.
 
 use polhode::body::MassProperties;
 use polhode::math::Body;
@@ -9,18 +9,18 @@ use polhode_document::number::tidy;
 use polhode_document::unit;
 use serde_json::{Value, json};
 
-/// One part of a body.
+/// Part of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartRow {
-    /// Its name; its number, from 1, stands for an empty one.
+    /// Name of the part; an empty name is shown as its number, from 1.
     pub name: String,
-    /// Its mass properties along the body's axes.
+    /// Mass properties in body axes.
     pub properties: MassProperties<Body>,
     /// Enclosed volume, m³.
     pub volume: Option<f64>,
 }
 
-/// The block `parts`, for a body of several.
+/// Returns the block `parts` for a body with several parts.
 pub fn parts(rows: &[PartRow]) -> Extra {
     let one = |row: &PartRow| {
         json!({

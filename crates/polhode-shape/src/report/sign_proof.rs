@@ -1,4 +1,4 @@
-//! How the sign of a report's products of inertia is known.
+//! Proof of the sign of a report's products of inertia.
 
 use polhode_document::Extra;
 use polhode_document::layout::labelled;
@@ -7,8 +7,9 @@ use serde_json::json;
 
 use crate::cad::SignProof;
 
-/// The block `products_of_inertia`: what the products in a CAD report are (`negative` or `positive` integrals), what decided it,
-/// how far the report is off under each of the two signs, in units of its rounding, and that rounding, relative.
+/// Returns the block `products_of_inertia`: the sign convention of the products in a CAD report
+/// (`negative` or `positive` integrals) and its proof. It contains the residuals of the report for
+/// both signs, in units of its rounding, and the relative rounding.
 pub fn sign_proof(proof: &SignProof) -> Extra {
     let (convention, by) = (proof.convention.name(), proof.by.name());
     let [negative, positive] = [proof.residual_negative, proof.residual_positive];

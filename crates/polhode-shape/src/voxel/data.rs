@@ -1,7 +1,8 @@
-//! The numbers of a voxel file, one after another, compressed or not.
+//! Stream of the numbers in a voxel file, compressed or not.
 //!
-//! They are read in blocks, from memory or from a file, as often as they are asked for from the first on; so memory does not grow with
-//! their number, however few bytes they were compressed to.
+//! The numbers are read in blocks, from memory or from a file, and again from the start when
+//! needed. The memory therefore does not depend on their count, however strongly they are
+//! compressed.
 
 use std::borrow::Cow;
 use std::io::{self, BufReader, ErrorKind, Read, SeekFrom};
@@ -14,11 +15,11 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::{Layout, Voxels};
 
-/// Where the bytes of a file are.
+/// Source of the bytes of a file.
 #[derive(Debug)]
 pub(crate) enum Source<'a> {
     Memory(Cow<'a, [u8]>),
-    /// A file, and what it was at first.
+    /// File, with its metadata when it was opened.
     File {
         files: &'a dyn Files,
         path: PathBuf,
@@ -26,25 +27,25 @@ pub(crate) enum Source<'a> {
     },
 }
 
-/// Bytes that are read at once: a multiple of those of any number.
+/// Block size, bytes; a multiple of the size of every number type.
 const BLOCK: u64 = 1 << 16;
 
-/// The values of voxels, in the order of their numbers.
+/// Values of the voxels, in the order of their numbers.
 pub struct VoxelValues<'v> {
     voxels: &'v Voxels<'v>,
     stream: Option<Stream<'v>>,
     count: usize,
 }
 
-/// The bytes of the numbers, as far as they have been read.
+/// State of the byte stream of the numbers.
 struct Stream<'v> {
     input: Box<dyn Read + 'v>,
     block: Vec<u8>,
-    /// The next byte of the block.
+    /// Offset of the next byte in the block.
     at: usize,
-    /// Bytes behind the block.
+    /// Number of bytes after the block.
     left: u64,
-    /// The number of the next voxel.
+    /// Number of the next voxel.
     next: usize,
 }
 
@@ -56,17 +57,17 @@ impl std::fmt::Debug for VoxelValues<'_> {
 
 impl<'v> VoxelValues<'v> {
     pub(crate) fn of(voxels: &'v Voxels<'v>) -> Self {
-        // That it is a usize has been looked at.
+        // The product was checked to fit a usize.
         let count = voxels.layout.counts.iter().product();
         Self { voxels, stream: None, count }
     }
 
-    /// The value of a voxel by its number in the grid; NaN beyond the last. It takes little time for the voxel after the last that was asked for;
-    /// for one before it the file is read from its beginning.
+    /// Returns the value of a voxel by its number in the grid; NaN beyond the last. Sequential
+    /// access is fast. For an earlier voxel, the file is read again from its beginning.
     ///
     /// # Errors
-    /// [`ContentError`] if the file does not have as many numbers as it declares, or more, or cannot be decompressed; this comes out with the
-    /// last of them.
+    /// [`ContentError`] if the file has a different number of values than it declares, or cannot be
+    /// decompressed. The error is returned with the last value.
     #[inline]
     pub fn at(&mut self, voxel: usize) -> Result<f64, ContentError> {
         if voxel >= self.count {
@@ -130,7 +131,7 @@ impl<'v> Stream<'v> {
         }
         (self.at, self.left) = (0, self.left - length);
         if self.left == 0 {
-            // All that was written is read, so that its check sum is compared.
+            // Read to the end, so that the checksum is verified.
             let more = self.input.read(&mut [0]).map_err(|error| layout.broken(&error, present))?;
             if more > 0 {
                 let hint = "the compressed data hold more bytes than the sizes say";

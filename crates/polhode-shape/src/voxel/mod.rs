@@ -1,7 +1,8 @@
-//! Voxel grids: one number for each box of a lattice, as NPY and NRRD.
+//! Voxel grids: one number for each cell of a lattice, in NPY and NRRD files.
 //!
-//! The numbers are read and decoded in blocks as they are asked for, and never kept: a few bytes can be compressed from very many. NRRD says
-//! where its voxels are, mostly; NPY never does, so the spacing has to be given.
+//! The numbers are decoded in blocks on demand and not stored, because a few compressed bytes may
+//! expand to very many. An NRRD file usually states the positions of its voxels. An NPY file does
+//! not, so the spacing must be given.
 //!
 //! ```
 //! use polhode_shape::voxel::{self, VoxelOptions};
@@ -34,61 +35,61 @@ use data::Source;
 
 pub use data::VoxelValues;
 
-/// A voxel file: what its header says, and its numbers, which are read when they are asked for.
+/// Voxel file: its header, and its numbers, which are read on demand.
 #[derive(Debug)]
 pub struct Voxels<'a> {
     layout: Layout,
     source: Source<'a>,
 }
 
-/// What a header says.
+/// Contents of a header.
 #[derive(Clone, Debug, PartialEq)]
 struct Layout {
-    /// Along the axes in the file's order.
+    /// Number of voxels along the axes, in file order.
     counts: [usize; 3],
-    /// The file's axes in the order of memory: the first varies fastest.
+    /// File axes in memory order: the first varies fastest.
     order: [usize; 3],
     scalar: Scalar,
     big_endian: bool,
     placement: Placement,
-    /// The first byte of the numbers, or of what they are compressed to.
+    /// Offset of the numbers or of the compressed data, bytes.
     start: u64,
-    /// Bytes in front of the numbers that are compressed with them, if they are compressed.
+    /// Number of bytes to skip after decompression; `None` if the numbers are not compressed.
     compressed: Option<u64>,
-    /// Bytes of the numbers.
+    /// Total size of the numbers, bytes.
     declared: u64,
 }
 
-/// Where a file says that its voxels are, in its own unit.
+/// Position of the voxels according to the file, in its own unit.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Placement {
-    /// From a voxel to the next along each of the file's axes.
+    /// Steps from a voxel to the next along each axis of the file.
     steps: Option<[[f64; 3]; 3]>,
-    /// The middle of the first voxel.
+    /// Centre of the first voxel.
     origin: Option<[f64; 3]>,
-    /// The name of the unit, and what it is in m.
+    /// Name of the unit, and its value in metres.
     unit: Option<(String, f64)>,
 }
 
-/// What a voxel file does not say, and its user may.
+/// Values that a voxel file may omit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct VoxelOptions {
-    /// From a voxel to the next along each of the file's axes, m; for files that have no spacing.
+    /// Distances of adjacent voxels along the axes of the file, m; for files without a spacing.
     pub spacing: Option<[f64; 3]>,
-    /// Unit of the file's spacing, m; for files that have a spacing and no unit.
+    /// Unit of the file's spacing, m; for files with a spacing but no unit.
     pub unit: Option<f64>,
-    /// The middle of the first voxel, m. Without it, and where the file says nothing, it is the origin.
+    /// Centre of the first voxel, m. Without it, and if the file states none, it is the origin.
     pub origin: Option<[f64; 3]>,
 }
 
-/// As much of a file as its header may have.
+/// Maximum size of a header, bytes.
 const HEAD: u64 = 1 << 20;
 
-/// Reads the bytes of an NPY or NRRD file; which one it is, its first bytes say.
+/// Reads the bytes of an NPY or NRRD file; the first bytes determine the format.
 ///
 /// # Errors
-/// [`ContentError`] for anything that is not exactly such a file of three dimensions: what, where, and a hint. Whether numbers that are
-/// compressed are as many as declared comes out when they are asked for.
+/// [`ContentError`] with place and hint for anything other than such a file with three dimensions.
+/// A wrong count of compressed numbers is detected only when they are read.
 pub fn read(bytes: &[u8]) -> Result<Voxels<'_>, ContentError> {
     let layout = layout(bytes, bytes.len() as u64)?;
     Ok(Voxels { layout, source: Source::Memory(bytes.into()) })
@@ -97,12 +98,12 @@ pub fn read(bytes: &[u8]) -> Result<Voxels<'_>, ContentError> {
 /// Opens an NPY or NRRD file, and reads its header.
 ///
 /// # Errors
-/// [`FormatError`] if it cannot be read, and as [`read()`].
+/// [`FormatError`] if the file cannot be read, and for the errors of [`read()`].
 pub fn open<'a>(files: &'a dyn Files, path: &Path) -> Result<Voxels<'a>, FormatError> {
     let written = path.to_string_lossy();
     let failed = |error| FormatError::new(path, None, file::failed(&written, &error));
     if !files.look(path).map_err(failed)?.is_file() {
-        // A pipe is read once, the numbers are twice.
+        // A pipe can be read only once, but the numbers are read twice.
         let bytes = file::bytes(files, path, &written, u64::MAX);
         let bytes = bytes.map_err(|kind| FormatError::new(path, None, kind))?;
         let layout =
@@ -120,7 +121,7 @@ pub fn open<'a>(files: &'a dyn Files, path: &Path) -> Result<Voxels<'a>, FormatE
     Ok(Voxels { layout, source: Source::File { files, path: path.to_owned(), before } })
 }
 
-/// What the first bytes of a file of this length say.
+/// Reads the header from the first bytes of a file with this length.
 fn layout(head: &[u8], length: u64) -> Result<Layout, ContentError> {
     if head.starts_with(npy::MAGIC) {
         npy::read(head, length)
@@ -134,31 +135,34 @@ fn layout(head: &[u8], length: u64) -> Result<Layout, ContentError> {
 }
 
 impl Voxels<'_> {
-    /// How many voxels there are along each of the file's axes.
+    /// Returns the number of voxels along each axis of the file.
     pub const fn counts(&self) -> [usize; 3] {
         self.layout.counts
     }
 
-    /// The file's word for the type of its numbers: `float`, `uint8`.
+    /// Returns the file's name for its number type: `float`, `uint8`.
     pub const fn type_name(&self) -> &'static str {
         self.layout.scalar.name()
     }
 
-    /// The values of the voxels by their numbers, which are those in the grid. One at a time reads an open file, so it is borrowed whole.
+    /// Returns the values of the voxels by their numbers, as in the grid. The borrow is mutable,
+    /// because only one reader may use an open file.
     pub fn values(&mut self) -> VoxelValues<'_> {
         VoxelValues::of(self)
     }
 
-    /// The mass properties of the voxels, if a value of 1 stands for the density `per_value`, kg/m³; or why they are no body.
+    /// Returns the mass properties of the voxels, where a value of 1 means the density `per_value`,
+    /// kg/m³. The inner error is returned if they do not form a physical body.
     ///
     /// # Errors
-    /// [`ContentError`] if the file does not have as many numbers as it declares, or more, or cannot be decompressed.
+    /// [`ContentError`] if the file has a different number of values than it declares, or cannot be
+    /// decompressed.
     pub fn mass_properties(
         &mut self,
         grid: &VoxelGrid,
         per_value: f64,
     ) -> Result<Result<VoxelMassProperties, BodyError>, ContentError> {
-        /// What ends the sums.
+        /// Reason for the end of the summation.
         enum End {
             Content(ContentError),
             Body(BodyError),
@@ -176,11 +180,12 @@ impl Voxels<'_> {
         }
     }
 
-    /// Where the voxels are, numbered as [`Voxels::values`] numbers them.
+    /// Returns the grid with the positions of the voxels, numbered as in [`Voxels::values`].
     ///
     /// # Errors
-    /// [`ContentErrorKind::Missing`], with a question as its hint, if neither the file nor the options say the spacing or
-    /// its unit; [`ContentErrorKind::Value`] if both do, or if no grid has such steps.
+    /// [`ContentErrorKind::Missing`], with a question as its hint, if neither the file nor the
+    /// options state the spacing or its unit. [`ContentErrorKind::Value`] if both state it, or if
+    /// the steps do not form a grid.
     pub fn grid(&self, options: &VoxelOptions) -> Result<VoxelGrid, ContentError> {
         let whole = ContentErrorKind::of_whole;
         let missing = |what: &str| whole(ContentErrorKind::missing(what));
@@ -233,7 +238,7 @@ impl Voxels<'_> {
     }
 }
 
-/// The type of a file's numbers.
+/// Number type of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Scalar {
     Bool,
@@ -275,7 +280,7 @@ impl Scalar {
         }
     }
 
-    /// The nearest f64; integers beyond 2⁵³ are rounded.
+    /// Decodes to the nearest f64; integers beyond 2⁵³ are rounded.
     fn decode(self, bytes: &[u8], big_endian: bool) -> f64 {
         let pick = |little: u64, big: u64| if big_endian { big } else { little };
         let bits = match *bytes {
@@ -303,7 +308,7 @@ impl Scalar {
     }
 }
 
-/// How many bytes the voxels take.
+/// Returns the size of all voxels, bytes.
 fn declared_bytes(counts: [usize; 3], scalar: Scalar) -> Result<u64, ContentError> {
     let declared = counts.iter().try_fold(scalar.size() as u64, |all, &n| all.checked_mul(n as u64));
     declared.ok_or_else(|| {
@@ -312,7 +317,7 @@ fn declared_bytes(counts: [usize; 3], scalar: Scalar) -> Result<u64, ContentErro
     })
 }
 
-/// The voxels must be there, and take the bytes that are there, if those are known.
+/// Checks that there are voxels, and that their size is the actual one, if that is known.
 fn require_length(declared: u64, present: Option<u64>, start: u64) -> Result<(), ContentError> {
     if declared == 0 {
         return Err(ContentErrorKind::missing("voxels").of_whole());

@@ -1,7 +1,8 @@
-//! NPY: NumPy's file of one array, versions 1.0 to 3.0.
+//! NPY, NumPy's format for one array, versions 1.0 to 3.0.
 //!
-//! A magic word, a version, a length, and a Python dictionary of three keys, `descr`, `fortran_order` and `shape`; the rest
-//! is the array. Nothing says where the voxels are.
+//! The file consists of a magic word, a version, a length, a Python dictionary with the keys
+//! `descr`, `fortran_order` and `shape`, and the array. It does not state the positions of the
+//! voxels.
 
 use std::ops::Range;
 
@@ -11,7 +12,7 @@ use super::{Layout, Placement, Scalar, declared_bytes, require_length};
 
 pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
 
-/// What the header says of a file of this length that begins with these bytes.
+/// Reads the header from the first bytes of a file with this length.
 pub(crate) fn read(bytes: &[u8], file_length: u64) -> Result<Layout, ContentError> {
     let version = bytes.get(6..8).ok_or_else(|| cut("the version", bytes.len()))?;
     let (start, length) = match version[0] {
@@ -97,9 +98,9 @@ impl Header {
     }
 }
 
-/// What the header may hold of Python.
+/// Parser for the subset of Python that the header may contain.
 struct Dictionary<'a> {
-    /// The file up to the end of the header.
+    /// File contents up to the end of the header.
     bytes: &'a [u8],
     at: usize,
 }
@@ -122,7 +123,7 @@ impl<'a> Dictionary<'a> {
         if self.take(byte) { Ok(()) } else { Err(self.expected(&char::from(byte).to_string())) }
     }
 
-    /// Letters and digits.
+    /// Returns a word of letters and digits.
     fn word(&mut self) -> &'a [u8] {
         self.skip_space();
         let rest = &self.bytes[self.at..];
@@ -153,7 +154,7 @@ impl<'a> Dictionary<'a> {
         Ok(truth)
     }
 
-    /// The type, and whether it is big-endian.
+    /// Returns the number type, and true if it is big-endian.
     fn scalar(&mut self) -> Result<(Scalar, bool), ContentError> {
         self.skip_space();
         let start = self.at;

@@ -1,10 +1,8 @@
-//! NRRD: a header of lines `field: value`, an empty line, and the numbers.
+//! NRRD: header lines `field: value`, an empty line, and the numbers.
 //!
-//! Read are three dimensions, attached data and the encodings `raw` and `gzip`. The first axis varies fastest. `space
-//! directions` and `space origin` place the voxels, or else `spacings`; both are in the unit that `space units`, or
-//! `units`, names.
-//!
-//! Source: Gordon Kindlmann, "Definition of NRRD File Format", teem.sourceforge.net/nrrd/format.html.
+//! Supported are three dimensions, attached data, and the encodings `raw` and `gzip`. The first
+//! axis varies fastest. The voxels are placed by `space directions` and `space origin`, otherwise
+//! by `spacings`. Both are in the unit of `space units` or `units`.
 
 use std::ops::Range;
 
@@ -16,7 +14,7 @@ use super::{Layout, Placement, Scalar, declared_bytes, require_length};
 
 pub(crate) const MAGIC: &[u8] = b"NRRD";
 
-/// Fields without a bearing on mass: what the numbers look like, or are called.
+/// Fields that do not affect the mass, such as display ranges and names.
 const PASSED_OVER: [&str; 18] = [
     "content",
     "number",
@@ -38,7 +36,7 @@ const PASSED_OVER: [&str; 18] = [
     "modality",
 ];
 
-/// What the header says of a file of this length that begins with these bytes.
+/// Reads the header from the first bytes of a file with this length.
 pub(crate) fn read(bytes: &[u8], length: u64) -> Result<Layout, ContentError> {
     let header = Header::read(bytes)?;
     header.require_density()?;
@@ -58,27 +56,27 @@ pub(crate) fn read(bytes: &[u8], length: u64) -> Result<Layout, ContentError> {
     Ok(Layout { counts, order: [0, 1, 2], scalar, big_endian, placement, start, compressed, declared })
 }
 
-/// How the numbers are written.
+/// Encoding of the numbers.
 #[derive(Clone, Copy)]
 enum Encoding {
-    /// As they are in memory.
+    /// Uncompressed.
     Raw,
-    /// The same, compressed.
+    /// Compressed with gzip.
     Gzip,
 }
 
-/// One line of the header.
+/// Line of the header.
 struct Field<'a> {
-    /// In small letters.
+    /// Name in lower case.
     name: String,
     value: &'a str,
-    /// Of the value, in the file.
+    /// Position of the value in the file.
     span: Range<usize>,
 }
 
 struct Header<'a> {
     fields: Vec<Field<'a>>,
-    /// The first byte after the empty line.
+    /// Offset after the empty line.
     end: usize,
 }
 
@@ -113,7 +111,7 @@ impl<'a> Header<'a> {
         }
     }
 
-    /// The one line with this name, or with another spelling of it.
+    /// Returns the only line with one of these names, which are alternative spellings.
     fn find(&self, names: &[&str]) -> Result<Option<&Field<'a>>, ContentError> {
         let mut found = self.fields.iter().filter(|field| names.contains(&field.name.as_str()));
         let first = found.next();
@@ -131,8 +129,8 @@ impl<'a> Header<'a> {
         self.find(&[name])?.ok_or_else(|| missing(&format!("field {name}")))
     }
 
-    /// Refuses numbers that are none of a density in kg/m³: values along an axis, or in another unit of density. What else they are, as
-    /// of a scanner, the caller says.
+    /// Refuses numbers that are not densities in kg/m³: values along an axis, or in a different
+    /// unit of density. Other kinds of values, such as those of a scanner, are not recognized here.
     fn require_density(&self) -> Result<(), ContentError> {
         if let Some(field) = self.find(&["kinds"])?
             && let Some(kind) =
@@ -199,7 +197,7 @@ impl<'a> Header<'a> {
         }
     }
 
-    /// How the numbers, which must be attached, are written.
+    /// Returns the encoding of the numbers, which must be attached.
     fn encoding(&self) -> Result<Encoding, ContentError> {
         if let Some(field) = self.find(&["data file", "datafile"])? {
             let error = field.unsupported("data in another file than the header");
@@ -215,7 +213,7 @@ impl<'a> Header<'a> {
         }
     }
 
-    /// The first byte behind the header and the lines to be skipped.
+    /// Returns the offset after the header and the lines to be skipped.
     fn after_lines(&self, bytes: &[u8]) -> Result<u64, ContentError> {
         let mut at = self.end;
         if let Some(field) = self.find(&["line skip", "lineskip"])? {
@@ -229,7 +227,8 @@ impl<'a> Header<'a> {
         Ok(at as u64)
     }
 
-    /// How many bytes in front of the numbers are to be skipped; all but the numbers if −1 says so.
+    /// Returns the number of bytes to skip before the numbers. `None` stands for −1, which skips
+    /// everything before the numbers.
     fn byte_skip(&self) -> Result<Option<(&Field<'a>, Option<u64>)>, ContentError> {
         let Some(field) = self.find(&["byte skip", "byteskip"])? else { return Ok(None) };
         let skip = match field.value {
@@ -239,7 +238,7 @@ impl<'a> Header<'a> {
         Ok(Some((field, skip)))
     }
 
-    /// The first of the numbers as they are, behind the bytes to be skipped.
+    /// Returns the offset of the uncompressed numbers, after the bytes to be skipped.
     fn after_bytes(&self, from: u64, length: u64, declared: u64) -> Result<u64, ContentError> {
         let Some((field, skip)) = self.byte_skip()? else { return Ok(from) };
         let start = match skip {
@@ -249,7 +248,7 @@ impl<'a> Header<'a> {
         start.filter(|&start| start <= length).ok_or_else(|| field.expected("no more bytes than there are"))
     }
 
-    /// How many bytes in front of the numbers were compressed with them, and are to be skipped.
+    /// Returns the number of bytes to skip after decompression.
     fn compressed_skip(&self) -> Result<u64, ContentError> {
         match self.byte_skip()? {
             None => Ok(0),
@@ -297,7 +296,7 @@ fn require_version(line: &str, place: ContentPlace) -> Result<(), ContentError> 
     }
 }
 
-/// `name: value`; nothing of `key:=value`, which means what its user likes.
+/// Parses `name: value`. Returns `None` for `key:=value`, which has no defined meaning.
 fn field(line: &str, start: usize) -> Result<Option<Field<'_>>, ContentError> {
     const READ: [&str; 18] = [
         "type",
@@ -358,7 +357,7 @@ impl Field<'_> {
         <[_; 3]>::try_from(words).ok().and_then(all).ok_or_else(|| self.expected(what))
     }
 
-    /// Three names of a unit of length in quotes, all the same.
+    /// Parses three quoted units of length, which must be equal.
     fn unit(&self) -> Result<(String, f64), ContentError> {
         let names: Vec<_> = self.value.split('"').skip(1).step_by(2).collect();
         let [name, second, third] = names[..] else {
@@ -378,7 +377,7 @@ fn missing(what: &str) -> ContentError {
     ContentErrorKind::missing(what).of_whole()
 }
 
-/// `(x,y,z)`
+/// Parses `(x,y,z)`.
 fn vector(text: &str) -> Option<[f64; 3]> {
     let inner = text.trim().strip_prefix('(')?.strip_suffix(')')?;
     let parts: Vec<_> = inner.split(',').map(|part| finite(part.trim())).collect();
@@ -389,7 +388,7 @@ fn finite(word: &str) -> Option<f64> {
     word.parse().ok().filter(|number: &f64| number.is_finite())
 }
 
-/// All three, or nothing.
+/// Returns all three values, or `None` if one is missing.
 fn all<T>(parts: [Option<T>; 3]) -> Option<[T; 3]> {
     let [a, b, c] = parts;
     Some([a?, b?, c?])

@@ -1,4 +1,4 @@
-//! Reports of CAD programs: units, decimal marks, and the sign of the products proved from the report itself.
+//! CAD reports: units, decimal marks, and the sign of the products proved from the report itself.
 
 pub(crate) mod programs;
 
@@ -11,7 +11,8 @@ use polhode_source::{ContentError, ContentErrorKind};
 
 use programs::*;
 
-/// Three distinct moments, products of mixed signs, mass ≠ 1, a centre off every plane.
+/// Returns a body with three different moments, products of mixed signs, mass ≠ 1, and a centre
+/// outside the coordinate planes.
 fn generic() -> MassProperties<Body> {
     let tensor =
         InertiaTensor::with_negative_products([0.0273, 0.0419, 0.0351], [-0.0067, 0.0032, 0.0049]).unwrap();
@@ -187,7 +188,7 @@ fn where_nothing_proves_the_sign_it_is_asked() {
             };
             assert!(negative <= 1.0 && positive <= 1.0, "{negative} {positive}");
             assert!(error.hint.unwrap().contains("--products"));
-            // The answer is taken, the other one as well.
+            // The given sign is used, and so is the opposite one.
             let report = read(&text, &told(sign)).unwrap();
             assert_eq!((report.proof.by, report.proof.convention), (SignSource::Told, sign));
             assert_close(&report, &body, 1e-4);
@@ -197,7 +198,8 @@ fn where_nothing_proves_the_sign_it_is_asked() {
 
 #[test]
 fn two_products_that_vanish_leave_the_eigenvalues_alike() {
-    // Symmetric about the plane z = 0: I_xz = I_yz = 0, and the moments are blind to the sign of I_xy.
+    // The body is symmetric about the plane z = 0: I_xz = I_yz = 0, and the moments do not depend
+    // on the sign of `I_xy`.
     let tensor =
         InertiaTensor::with_negative_products([0.0273, 0.0419, 0.0351], [-0.0067, 0.0, 0.0]).unwrap();
     let body = MassProperties::new(2.347, Position::ZERO, tensor).unwrap();
@@ -210,7 +212,7 @@ fn two_products_that_vanish_leave_the_eigenvalues_alike() {
         panic!("{error}")
     };
     assert!(negative <= 1.0 && positive <= 1.0);
-    // The axes are not.
+    // The axes depend on it.
     let whole = solidworks(&body, GRAMS) + &principal(&body, GRAMS);
     let report = read(&whole, &CadOptions::default()).unwrap();
     assert_eq!((report.proof.by, report.proof.convention), (SignSource::PrincipalAxes, GRAMS.sign));
@@ -241,7 +243,8 @@ fn a_report_that_contradicts_itself_is_refused_with_both_residuals() {
     let report = read(&text, &told(ProductConvention::Positive)).unwrap();
     assert_eq!(report.findings[0].code, "cad.contradiction");
 
-    // One product with a sign of its own fits neither convention; on one side of the diagonal it is no tensor.
+    // A single product with the wrong sign fits neither convention. On one side of the diagonal,
+    // the matrix is not symmetric.
     let text = solidworks(&body, GRAMS);
     let [flipped, half] = [&["Ixz = ", "Izx = "][..], &["Ixz = "]].map(|labels| {
         labels.iter().fold(text.clone(), |text, label| text.replace(label, &format!("{label}-")))
@@ -252,7 +255,7 @@ fn a_report_that_contradicts_itself_is_refused_with_both_residuals() {
 
 #[test]
 fn what_rounding_makes_impossible_says_so() {
-    // A plate: i1 + i2 = i3 exactly, and each rounds its own way.
+    // A plate: i1 + i2 = i3 exactly, and each moment is rounded separately.
     let tensor = InertiaTensor::diagonal([0.024, 0.034, 0.058]).unwrap();
     let body = MassProperties::new(2.347, Position::new(0.0, -0.1177, 0.0), tensor).unwrap();
     let print = Print { words: ["kilograms", "meters"], units: [1.0, 1.0], ..GRAMS };
@@ -297,7 +300,7 @@ fn the_words_of_the_report_count_where_nothing_proves_more() {
     let report = read(&text, &CadOptions::default()).unwrap();
     assert_eq!((report.proof.by, report.proof.convention), (SignSource::Stated, ProductConvention::Positive));
     assert_close(&report, &centered, 1e-4);
-    // A proof is stronger than words.
+    // A proof overrides the words of the report.
     let text = worded(&solidworks(&body, GRAMS), "negative");
     let report = read(&text, &CadOptions::default()).unwrap();
     assert_eq!(
@@ -309,14 +312,15 @@ fn the_words_of_the_report_count_where_nothing_proves_more() {
 
 #[test]
 fn an_open_decimal_mark_is_asked() {
-    // One to three digits and three decimals each: 273.500 kg m², or 273 500?
+    // Numbers with one to three digits and three decimals: 273.500 kg·m² or 273 500?
     let tensor =
         InertiaTensor::with_negative_products([273.5, 419.25, 351.125], [-67.25, 32.5, 49.75]).unwrap();
     let body = MassProperties::new(123.4, Position::new(1.5, -2.25, 3.125), tensor).unwrap();
     let number = |v| format!("{v:.3}");
     let print = Print { number, words: ["kilograms", "meters"], units: [1.0, 1.0], ..GRAMS };
     let text = solidworks(&body, print).replace("Volume = 0.000 cubic meters\n", "");
-    // About the origin there are numbers beyond 1000, which say it; without them nothing does.
+    // About the origin there are numbers above 1000, which determine the mark. Without them it is
+    // ambiguous.
     assert_close(&read(&text, &CadOptions::default()).unwrap(), &body, 1e-12);
     let point = text[..text.rfind("Moments").unwrap()].to_owned();
     let comma = point.replace('.', ",").replace("system,", "system.");
@@ -353,7 +357,7 @@ fn a_missing_unit_is_asked_and_told() {
 fn a_truncated_paste_is_refused_wherever_it_ends() {
     let print = Print { words: ["GRAM", "MM"], number: |v| creo_number(v, 7), ..GRAMS };
     for text in [solidworks(&generic(), GRAMS), creo(&generic(), print)] {
-        // Behind the last digit of the last element that is needed, everything is said.
+        // After the last digit of the last required element, the report is complete.
         let last = ["Lzz", "Izz"].iter().filter_map(|l| text.rfind(l)).max().unwrap();
         for end in 0..=last {
             if let Ok(report) = read(&text[..end], &CadOptions::default()) {
@@ -414,7 +418,8 @@ fn a_tensor_about_the_centre_of_mass_needs_no_centre() {
     {
         assert!((found - want).abs() < 1e-6 * body.inertia().matrix()[0][0]);
     }
-    // About the origin it says nothing without the centre, nor does a centre without numbers say that it is the origin.
+    // About the origin, the tensor requires the centre. A centre without numbers does not mean the
+    // origin.
     let error = read(&block(""), &told).unwrap_err();
     assert!(error.to_string().contains("centre of mass"), "{error}");
     let named = format!("Center of mass: see drawing\n{}", block("at CENTER OF GRAVITY "));
@@ -431,7 +436,7 @@ fn headings_of_other_languages_are_named() {
     assert!(
         ["Mass", "Density", "Center of mass", "Moments of inertia"].iter().all(|word| hint.contains(word))
     );
-    // One line translated is not the whole.
+    // A report with one translated line is still not readable.
     let half = german.replace("Masse", "Mass").replace("Gramm", "grams");
     assert!(refused(&half).to_string().contains("German"));
     for (text, language) in [
@@ -440,7 +445,7 @@ fn headings_of_other_languages_are_named() {
     ] {
         assert!(refused(text).to_string().contains(language));
     }
-    // A language that is not known: what is known is said.
+    // For an unknown language, the error lists the missing quantity.
     let hungarian = "T\u{f6}meg = 2 kg\nT\u{f6}megk\u{f6}z\u{e9}ppont\n";
     let error = read(hungarian, &CadOptions::default()).unwrap_err();
     assert_eq!(error.to_string(), "the file has no mass");

@@ -1,4 +1,4 @@
-//! Reports in metres, in units of inches, and the measures of shapes that have no mass.
+//! Reports in metres and inches, and geometric properties of shapes without mass.
 
 use polhode::body::shape::{BoxShape, Shape, Substance};
 use polhode::body::{MassProperties, PlacedPart};
@@ -48,7 +48,7 @@ RADII OF GYRATION with respect to PRINCIPAL AXES:
 R1  R2  R3  5.6568542e-01  7.0237692e-01  7.0237692e-01  M
 ";
 
-/// Capital letters are units too: M and KILOGRAM * M^2.
+/// Unit names in capital letters: M and KILOGRAM * M^2.
 #[test]
 fn creo_in_metres_is_read_in_metres() {
     let report = read(CREO_IN_METRES, &CadOptions::default()).unwrap();
@@ -66,7 +66,7 @@ fn creo_in_metres_is_read_in_metres() {
     close(report.volume.unwrap(), 4.021_238_6);
     close(report.density.unwrap(), 37.8);
     close(report.surface_area.unwrap(), 14.074_335);
-    // In other capitals.
+    // Other units in capital letters.
     for (words, mass, length) in
         [(["GRAM", "CM"], 1e-3, 1e-2), (["TONNE", "MM"], 1e3, 1e-3), (["KG", "M"], 1.0, 1.0)]
     {
@@ -80,7 +80,7 @@ fn creo_in_metres_is_read_in_metres() {
     }
 }
 
-/// Numbers that look random (Knuth's MMIX generator).
+/// Pseudo-random numbers (Knuth's MMIX generator).
 struct Random(u64);
 
 impl Random {
@@ -90,7 +90,8 @@ impl Random {
     }
 }
 
-/// A block, turned, and moved little: under the wrong sign the parallel-axis theorem is off by 2 M c_i c_j.
+/// Returns a block with a rotation and a small displacement. Under the wrong sign, the
+/// parallel-axis theorem has an error of 2 M `c_i c_j`.
 fn block(random: &mut Random) -> MassProperties<Body> {
     let size = [0; 3].map(|_| random.between(0.02, 0.08));
     let block =
@@ -101,8 +102,8 @@ fn block(random: &mut Random) -> MassProperties<Body> {
     PlacedPart::new(block, place, turn).unwrap().in_body()
 }
 
-/// SolidWorks in grams and inches with two decimals: rounding leaves little between the signs.
-/// Where one alone is within it, that is the report's; a sign is never wrong.
+/// SolidWorks in grams and inches with two decimals: rounding nearly hides the sign. If only one
+/// sign is within the rounding, it is the report's. A sign is never wrong.
 #[test]
 fn the_one_sign_within_the_rounding_is_the_sign() {
     let mut random = Random(7);
@@ -127,7 +128,7 @@ fn the_one_sign_within_the_rounding_is_the_sign() {
                     continue;
                 }
                 narrow += 1;
-                // Words that agree are taken; words that contradict the numbers are refused.
+                // Words that agree are accepted; words that contradict the numbers are refused.
                 let worded = |word: &str| {
                     text.replace("system.\n", &format!("system. (Using {word} tensor notation.)\n"))
                 };
@@ -196,7 +197,7 @@ fn meshlabs_measures_are_those_of_density_one() {
     }
     let metres = meshlab(MESHLAB, None).unwrap();
     assert!(metres.unit_assumed && metres.volume == 36.789_902);
-    // With the prefix of MeshLab's server, principal axes, and a mesh that is wound inward.
+    // With the prefix of MeshLab's server, with principal axes, and a mesh that is wound inward.
     let axes = "Principal axes are :\n| 1.0 0.0 0.0 |\n| 0.0 1.0 0.0 |\n| 0.0 0.0 1.0 |\naxis momenta are :\n| 66.050369 68.787331 103.827316 |\n";
     let logged: String = format!("{MESHLAB}{axes}").lines().map(|line| format!("LOG: 2 {line}\n")).collect();
     assert_eq!(meshlab(&logged, None).unwrap(), metres);
@@ -250,12 +251,13 @@ fn what_meshlab_leaves_open_is_refused_or_reported() {
     assert!(rough.findings[0].message.contains("7.17 %"), "{}", rough.findings[0].message);
     let lost = refused(&small.replace("0.000007", "0.000001"));
     assert!(lost.to_string().contains("more digits") && lost.hint.unwrap().contains("mm"));
-    // A CAD report's reader says what is missing.
+    // The reader of CAD reports states the missing quantity.
     let error = read(MESHLAB, &CadOptions::default()).unwrap_err();
     assert!(error.hint.unwrap().contains("MeshLab prints"), "{:?}", error.kind);
 }
 
-/// The measures of a block of 20, 30 and 50 mm that is turned and moved, as FreeCAD shows them.
+/// Returns the geometric properties of a rotated and displaced block of 20, 30 and 50 mm, in
+/// FreeCAD's format.
 fn freecad(
     matrix: impl Fn([[f64; 3]; 3]) -> String,
     shown: impl Fn([String; 3]) -> String,
@@ -264,7 +266,7 @@ fn freecad(
     let block =
         BoxShape::new([0.02, 0.03, 0.05]).unwrap().mass_properties(Substance::Density(2700.0)).unwrap();
     let body = PlacedPart::new(block, Position::new(0.011, -0.007, 0.023), turn).unwrap().in_body();
-    // At density 1, in mm: I / (ρ 1e-15 m⁵/mm⁵)
+    // Tensor at density 1, in mm: I / (ρ 1e-15 m⁵/mm⁵).
     let rows = body.inertia().matrix().map(|row| row.map(|x| x / 2700.0e-15));
     let [x, y, z] = body.center_of_mass().to_array().map(|x| 1e3 * x);
     (shown(["30000.000000000004".to_owned(), format!("Vector ({x}, {y}, {z})"), matrix(rows)]), body)
@@ -335,7 +337,7 @@ fn freecads_console_is_read_in_millimetres() {
     assert!(heavy.to_string().contains("density 1") && heavy.hint.unwrap().contains("--mass"));
 }
 
-/// A sheet is not a solid, and a tensor that rounding or a typing error makes impossible is refused.
+/// A sheet is not a solid. A tensor that is unphysical by rounding or by a typing error is refused.
 #[test]
 fn an_impossible_shape_is_refused() {
     let text = MESHLAB.replace("103.803253", "203.803253");
@@ -352,7 +354,7 @@ fn an_impossible_shape_is_refused() {
     }
 }
 
-/// A volume belongs to a tensor that is at least that of the ball of this volume.
+/// The tensor must be at least that of the ball with the same volume.
 #[test]
 fn a_volume_that_is_too_large_for_the_tensor_is_refused() {
     let freecad = |volume: f64, tensor: f64| {
@@ -383,7 +385,7 @@ fn a_volume_that_is_too_large_for_the_tensor_is_refused() {
     assert!(meshlab(&inward, Some(1e-3)).is_err());
 }
 
-/// Doubles as Python prints them are exact, however few digits they have.
+/// Doubles printed by Python are exact, however few digits they have.
 #[test]
 fn shortest_doubles_of_freecad_have_no_rounding() {
     let text = |volume: &str, moment: &str, rest: [&str; 2]| {
@@ -403,13 +405,13 @@ fn shortest_doubles_of_freecad_have_no_rounding() {
         let want = 3.0 * moment.parse::<f64>().unwrap() / volume.parse::<f64>().unwrap() * 1e-6;
         assert!((body.inertia().matrix()[1][1] / want - 1.0).abs() < 1e-14);
     }
-    // Streams of C++ write 0 and 1, and six digits.
+    // C++ streams write 0 and 1, and six digits.
     let rounded = text("0.6", "0.12", ["0", "1"]);
     let shape = GeometryReport::read(GeometryProgram::FreeCad, &rounded, None).unwrap();
     assert_eq!(shape.findings[0].code, "cad.rounding");
 }
 
-/// m = ρ V, within the rounding of all three.
+/// Checks m = ρ V within the rounding of all three.
 #[test]
 fn a_mass_that_contradicts_density_and_volume_is_refused() {
     let report = |mass: &str| {
@@ -421,7 +423,7 @@ fn a_mass_that_contradicts_density_and_volume_is_refused() {
              \tLxx = 100.1\tLxy = 0.0\tLxz = 0.0\n\tLyx = 0.0\tLyy = 110.2\tLyz = 0.0\n\tLzx = 0.0\tLzy = 0.0\tLzz = 90.3\n"
         )
     };
-    // 0.50 m³ is 0.495 to 0.505 m³.
+    // 0.50 m³ means 0.495 to 0.505 m³.
     for mass in ["1350.00 kilograms", "1340.00 kilograms", "1373.00 kilograms"] {
         assert!(read(&report(mass), &CadOptions::default()).is_ok(), "{mass}");
     }

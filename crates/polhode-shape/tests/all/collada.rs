@@ -1,4 +1,4 @@
-//! COLLADA: one solid through every kind of faces and every placement, and every way to be broken.
+//! COLLADA: one solid with every kind of face and placement, and broken files.
 
 use polhode::body::mesh::ClosedMesh;
 use polhode_shape::mesh::collada::{UpAxis, read, read_with_axis};
@@ -6,7 +6,7 @@ use polhode_shape::mesh::{MeshContents, MeshFormat, MeshSolid};
 use polhode_source::files::Disk;
 use polhode_source::{ContentError, ContentErrorKind as Kind, ContentPlace};
 
-/// A slanted prism.
+/// Corners of a slanted prism.
 const POINTS: [[f64; 3]; 6] = [
     [0.1, -2.5, 3.25],
     [1.75, 0.3, 0.1],
@@ -18,7 +18,7 @@ const POINTS: [[f64; 3]; 6] = [
 const TRIANGLES: [[usize; 3]; 8] =
     [[0, 2, 1], [3, 4, 5], [0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5]];
 
-/// Three inputs: the vertex is the second of three numbers of a corner.
+/// Three inputs; the vertex is the second of the three numbers of a corner.
 const INPUTS: &str = "<input semantic='TEXCOORD' source='#uv' offset='2' set='0'/><input semantic='VERTEX' source='#v' \
                       offset='1'/><input semantic='NORMAL' source='#n' offset='0'/>";
 
@@ -26,7 +26,7 @@ fn corners(all: &[usize]) -> String {
     all.iter().map(|k| format!("9 {k} 7 ")).collect()
 }
 
-/// `<triangles count='8'>…`
+/// Returns a faces element: `<triangles count='8'>…`
 fn faces(kind: &str, count: usize, lists: &[&[usize]]) -> String {
     let lists: String = lists.iter().map(|list| format!("<p>{}</p>", corners(list))).collect();
     format!("<{kind} count='{count}' material='steel'>{INPUTS}{lists}</{kind}>")
@@ -36,7 +36,7 @@ fn triangles() -> String {
     faces("triangles", 8, &[TRIANGLES.as_flattened()])
 }
 
-/// A document with these faces in geometry g, and these nodes in its scene.
+/// Returns a document with these faces in geometry g, and these nodes in its scene.
 fn document(faces: &str, nodes: &str) -> String {
     let numbers = POINTS.as_flattened().iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
     format!(
@@ -63,7 +63,7 @@ fn plain() -> String {
     document(&triangles(), NODE)
 }
 
-/// The corners of all triangles, in an order that does not depend on the file's.
+/// Returns the corners of all triangles, in an order independent of the file.
 fn soup(contents: &MeshContents) -> Vec<[[f64; 3]; 3]> {
     sorted(contents.parts.iter().flat_map(|part| part.mesh.corners()).collect())
 }
@@ -81,7 +81,7 @@ fn expected() -> Vec<[[f64; 3]; 3]> {
     sorted(TRIANGLES.map(|triangle| triangle.map(|k| POINTS[k])).to_vec())
 }
 
-/// Whether the triangles are those of the prism where a map takes them, and still wound outward.
+/// Asserts that the triangles are the mapped triangles of the prism, and still wound outward.
 fn assert_placed(contents: &MeshContents, map: impl Fn([f64; 3]) -> [f64; 3], mirrors: bool) {
     let wanted = TRIANGLES.map(|[a, b, c]| if mirrors { [a, c, b] } else { [a, b, c] });
     let wanted = sorted(wanted.map(|triangle| triangle.map(|k| map(POINTS[k]))).to_vec());
@@ -93,7 +93,7 @@ fn assert_placed(contents: &MeshContents, map: impl Fn([f64; 3]) -> [f64; 3], mi
     assert!(!ClosedMesh::from_triangles(got).unwrap().inverted());
 }
 
-/// The error of a text, and what stands at its place.
+/// Returns the error for a text, and the text at its place.
 fn error(text: &str) -> (Kind, &str) {
     let error = read(text).unwrap_err();
     match error.place {
@@ -135,7 +135,7 @@ fn every_kind_of_faces_gives_the_same_solid() {
 
 #[test]
 fn a_polygon_with_a_dent_is_no_fan() {
-    // an arrow's head, in a plane that is no coordinate plane
+    // An arrowhead in a plane that is not parallel to a coordinate plane.
     let plane = [[0.0, 0.0, 0.0], [3.0, 1.0, 0.5], [1.0, 0.5, 0.2], [0.5, 3.0, 0.7]]
         .map(|[x, y, _]: [f64; 3]| [x, y, 0.25 * x - 0.5 * y]);
     let text = document(&faces("polygons", 1, &[&[0, 1, 2, 3]]), NODE);
@@ -169,7 +169,7 @@ fn nodes_place_what_they_hold() {
     };
     assert_placed(&contents, place, true);
 
-    // row by row, the last applied first
+    // Matrices are by rows; the last transformation is applied first.
     let matrix = "<node><rotate>1e-200 0 0 90</rotate><matrix>0.5 0.1 0 7  -0.2 2 0.3 -8  0 0.4 -1.5 9  0 0 0 1</matrix>\
                   <rotate>0 0 0 0</rotate><instance_geometry url='#g'/></node>";
     let contents = read(&document(&triangles(), matrix)).unwrap();
@@ -199,7 +199,7 @@ fn instances_are_parts_with_names() {
     let [finding] = contents.findings.as_slice() else { panic!("{:?}", contents.findings) };
     assert_eq!((finding.code, finding.place.as_deref()), ("mesh.not_a_surface", Some("geometry \"wire\"")));
 
-    // each is a solid, in metres
+    // Each part is a solid, in metres.
     let solid = MeshSolid::of(contents, "yard.dae".as_ref(), MeshFormat::Collada, None).unwrap();
     let volume = ClosedMesh::from_triangles(expected()).unwrap().volume() * 0.0254_f64.powi(3);
     assert_eq!(solid.parts.len(), 4);
@@ -223,7 +223,7 @@ fn axes_are_kept_and_said() {
         assert_eq!(notes.len(), usize::from(note.is_some()), "{notes:?}");
         assert!(note.is_none_or(|note| notes[0].contains(note)), "{notes:?}");
     }
-    // names that are unknown, or rounded numbers, contradict nothing
+    // Unknown names and rounded numbers do not contradict the unit.
     for (unit, meter) in [
         ("name='mil' meter='0.0000254'", 2.54e-5),
         ("name='foot' meter='0.305'", 0.305),
@@ -240,7 +240,7 @@ fn axes_are_kept_and_said() {
 fn numbers_may_be_laid_out_otherwise() {
     let wanted = expected();
     let numbers = POINTS.as_flattened().iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
-    // a weight before each point and one point more, which nobody asks for
+    // A weight before each point, and one additional unused point.
     let wide: String = POINTS.iter().map(|[x, y, z]| format!("{x} {y} {z} 0.5 ")).collect();
     let wide = format!("8 8 {wide}1 2 3 0.5");
     let text = plain()
@@ -248,14 +248,14 @@ fn numbers_may_be_laid_out_otherwise() {
         .replace("count='18'", "count='30'")
         .replace("count='6' stride='3'", "count='6' offset='2' stride='4'");
     assert_eq!(soup(&read(&text).unwrap()), wanted);
-    // what has no name is passed over
+    // Parameters without a name are skipped.
     let text = plain()
         .replace(&numbers, &POINTS.iter().map(|[x, y, z]| format!("{x} {y} 7.5 {z} ")).collect::<String>())
         .replace("count='18'", "count='24'")
         .replace("stride='3'", "stride='4'")
         .replace("<param name='Z'", "<param type='float'/><param name='Z'");
     assert_eq!(soup(&read(&text).unwrap()), wanted);
-    // all the text of an element is its numbers
+    // The numbers are the whole text of an element.
     for (sections, bare) in [
         ("<![CDATA[9 3 7]]> 9 4 7<!-- --> 9 5", "9 3 7 9 4 7 9 5"),
         ("9 3 7 <![CDATA[9 4 7]]> 9 5", "9 3 7 9 4 7 9 5"),
@@ -264,13 +264,13 @@ fn numbers_may_be_laid_out_otherwise() {
         assert_ne!(text, plain());
         assert_eq!(soup(&read(&text).unwrap()), wanted);
     }
-    // a matrix that was computed
+    // A computed matrix with rounding errors.
     let matrix = "<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5e-8 1.0000001</matrix><instance_geometry";
     assert_eq!(soup(&read(&plain().replace("<instance_geometry", matrix)).unwrap()), wanted);
-    // a node may be called as its geometry
+    // A node may have the same id as its geometry.
     let same = plain().replace("<node name='heap'>", "<node id='g'>");
     assert_eq!(soup(&read(&same).unwrap()), wanted);
-    // without what has a default
+    // Without optional attributes.
     let bare =
         plain().replace(" count='18'", "").replace("count='6' stride='3'", "").replace("count='8'", "");
     assert_eq!(soup(&read(&bare).unwrap()), wanted);
@@ -337,7 +337,7 @@ fn what_is_wrong_is_refused_where_it_stands() {
         (&text, "name='X'", "name='Z'", "parameters are not X, Y and Z", "<accessor"),
         (&text, "meter='0.0254'", "meter='0,0254'", "a finite number", "0,0254"),
         (&text, "meter='0.0254'", "meter='-1'", "a positive number", "-1"),
-        // a number that contradicts the name
+        // A number that contradicts the name.
         (&text, "meter='0.0254'", "meter='1'", "meter of the unit \"inch\"", "1'/><up_axis>"),
         (
             &text,
@@ -491,7 +491,7 @@ fn a_few_bytes_do_not_fill_the_memory() {
     let root = "<node><instance_node url='#n0'/></node>";
     let circle = library("<node id='n0'><node><instance_node url='#n0'/></node></node>", root);
     assert!(refused(&circle).kind.to_string().contains("the node = n0 must be no part of itself"));
-    // each holds the next ten times
+    // Each node contains the next one ten times.
     let deep = |last: &str| -> String {
         let node = |k: usize| {
             let inner = format!("<instance_node url='#n{}'/>", k + 1).repeat(10);

@@ -1,4 +1,4 @@
-//! Molecules: published ones through every format, and what goes wrong.
+//! Molecules: published ones in every format, and malformed files.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use polhode_source::FormatError;
 const ANGSTROM: f64 = 1e-10;
 const BOHR: f64 = 0.529_177_210_903;
 
-/// Symbol, and place in ångström.
+/// Symbol, and position in ångström.
 type Place = (&'static str, [f64; 3]);
 
 fn fixture() -> toml::Table {
@@ -42,7 +42,8 @@ fn xyz_text(atoms: &[Place]) -> String {
     format!("{}\nname\n{}", atoms.len(), lines.collect::<String>())
 }
 
-/// Ten columns hold seven decimals of these molecules, more than the usual four.
+/// Returns a V2000 table. Its columns of ten characters hold seven decimals of these molecules,
+/// instead of the usual four.
 fn v2000_text(atoms: &[Place]) -> String {
     let lines = atoms.iter().map(|(s, [x, y, z])| {
         format!("{x:10.7}{y:10.7}{z:10.7} {s:<3} 0  0  0  0  0  0  0  0  0  0  0  0\n")
@@ -76,7 +77,7 @@ fn pdb_text(atoms: &[Place], decimals: usize) -> String {
     atoms.iter().enumerate().map(line).collect::<String>() + "END\n"
 }
 
-/// The molecule in every format, with the relative error that its decimals may bring.
+/// Returns the molecule in every format, with the relative error due to the number of decimals.
 fn in_every_format(atoms: &[Place]) -> Vec<(&'static str, f64, Molecule)> {
     let one = |text: String| mol::read(text.as_bytes()).unwrap().remove(0);
     vec![
@@ -172,7 +173,7 @@ fn isotopes_are_read_from_every_connection_table() {
     0.0000    0.7617   -0.4833 H   1  0
     0.0000   -0.7617   -0.4833 H   0  0\n";
     assert_eq!(v2000(atoms, "").unwrap().formula(), "DH[18O]".replace("DH", "HD"));
-    // one M  ISO, and the differences do not count
+    // With one `M  ISO` line, the mass differences are ignored.
     assert_eq!(v2000(atoms, "M  CHG  1   1   0\nM  ISO  1   3   3\n").unwrap().formula(), "HTO");
     assert_eq!(v2000(atoms, "M  ISO  2   1  17   2   2\nA    1\nM  END\n").unwrap().formula(), "HD[17O]");
     let d = atoms.replacen("H   1", "D   0", 1).replace("O   2", "O   0");
@@ -182,7 +183,7 @@ fn isotopes_are_read_from_every_connection_table() {
     let unknown = v2000(atoms, "M  ISO  1   1  99\n").unwrap_err();
     assert_eq!(unknown.kind.to_string(), "the isotope = 99 must be one whose mass is known");
     assert_eq!(unknown.hint.unwrap(), "these are: 14O, 15O, 16O, 17O, 18O");
-    // the rounded weight of bromine is 80, its most abundant isotope 79
+    // The rounded atomic weight of bromine is 80, its most abundant isotope 79.
     let hbr = mol::read(
         b"\n\n\n  1  0  0     0  0            999 V2000\n    0.0000    0.0000    0.0000 Br  1  0\nM  END\n",
     );
@@ -199,7 +200,7 @@ fn isotopes_are_read_from_every_connection_table() {
 fn an_sdf_has_all_its_molecules() {
     let water = v2000_text(&[("O", [0.0; 3]), ("H", [0.0, 0.76, -0.59]), ("H", [0.0, -0.76, -0.59])]);
     let oxide = v3000_text(&[("C", [0.0; 3]), ("O", [0.0, 0.0, 1.1])]).replacen("name", "", 1);
-    // initials, program, date and time take twenty columns
+    // Initials, program, date and time take twenty columns.
     let drawn = water.replacen("  program\n", "ABprogramm11212612002D\n", 1);
     let text = format!("{water}> <id>\n7\n\n$$$$\n{oxide}$$$$\n{drawn}$$$$\n\n");
     let molecules = parse(text.as_bytes(), MoleculeFormat::Sdf, Path::new("all.sdf")).unwrap();
@@ -238,7 +239,7 @@ fn a_pdb_file_has_columns_locations_and_models() {
         .iter()
         .map(|atom| (atom.species.element().symbol(), (atom.position_m[0] / ANGSTROM * 10.0).round()))
         .collect();
-    // the first location of CA is left out, that of CB is the only one
+    // The first location of CA is skipped; that of CB is the only one.
     assert_eq!(
         all,
         [
@@ -281,7 +282,7 @@ fn formulas_are_in_hills_order_and_masses_are_a_choice() {
 
 #[test]
 fn a_turned_and_rounded_geometry_keeps_its_top() {
-    // CO2 and methane along generic directions, in four formats' usual decimals
+    // CO2 and methane along generic directions, with the usual decimals of four formats.
     let (x, y, z) = ([0.36, -0.48, 0.8], [0.8, 0.6, 0.0], [-0.48, 0.64, 0.6]);
     let turned =
         |[a, b, c]: [f64; 3]| -> [f64; 3] { std::array::from_fn(|k| a * x[k] + b * y[k] + c * z[k]) };
@@ -298,7 +299,7 @@ fn a_turned_and_rounded_geometry_keeps_its_top() {
     for (format, _, molecule) in in_every_format(&methane) {
         assert_eq!(constants(&molecule, Isotopes::Abundant).top(), Top::Spherical, "{format}");
     }
-    // and a molecule that is bent by a degree is not linear
+    // A molecule bent by a degree is not linear.
     let bent = [("H", [0.0, 0.0, -1.066]), ("C", [0.0; 3]), ("N", [0.0, 0.02, 1.153])];
     for (format, _, molecule) in in_every_format(&bent) {
         assert_ne!(constants(&molecule, Isotopes::Abundant).top(), Top::Linear, "{format}");
@@ -425,7 +426,7 @@ fn malformed_tables_and_columns_say_where() {
 
 #[test]
 fn no_bytes_make_a_reader_panic() {
-    // good files with bytes changed, cut and repeated, by a generator of Lehmer's kind
+    // Valid files with bytes changed, removed and repeated by a Lehmer generator.
     let atoms = [("O", [0.0, 0.1, 0.12]), ("H", [0.0, 0.76, -0.48]), ("Cl", [0.3, -0.76, -0.48])];
     let files = [
         (MoleculeFormat::Xyz, xyz_text(&atoms).repeat(2)),
@@ -468,13 +469,13 @@ fn what_would_change_the_mass_is_not_passed_over() {
     let (error, hint) = refused(MoleculeFormat::Xyz, masses);
     assert!(error.contains("the masses of single atoms") && hint.contains("13C"), "{error}");
 
-    // Ethanol as programs draw it, without its hydrogen atoms, and with them.
+    // Ethanol as drawn by programs, without and with its hydrogen atoms.
     let atoms: [Place; 3] = [("C", [0.0, 0.1, 0.2]), ("C", [1.5, 0.0, 0.1]), ("O", [2.0, 1.3, -0.1])];
     let bare = v2000_text(&atoms).replace("  3  1  0", "  3  2  0").replace("M  END", "  2  3  1  0\nM  END");
     let read = |text: &str| parse(text.as_bytes(), MoleculeFormat::Mol, Path::new("f")).unwrap().remove(0);
     let codes = |text: &str| read(text).findings.iter().map(|f| f.code).collect::<Vec<_>>();
     assert_eq!(codes(&bare), ["molecule.no_hydrogen"]);
-    // O=C=O has none to leave out.
+    // O=C=O has no hydrogen atoms.
     let dioxide: [Place; 3] = [("O", [-1.2, 0.1, 0.2]), ("C", [0.0, 0.0, 0.1]), ("O", [1.2, 0.3, -0.1])];
     let whole = v2000_text(&dioxide).replace("  3  1  0", "  3  2  0").replace("  1  2  1", "  1  2  2");
     let whole = whole.replace("M  END", "  2  3  2  0\nM  END");

@@ -1,10 +1,10 @@
-//! OBJ: its statements, its groups, and every way to be broken.
+//! OBJ: statements, groups, and broken files.
 
 use polhode_shape::mesh::MeshContents;
 use polhode_shape::mesh::obj::read;
 use polhode_source::{ContentError, ContentErrorKind as Kind, ContentPlace};
 
-/// A slanted prism: two triangles and three quadrilaterals, one of them in negative indices.
+/// Slanted prism: two triangles and three quadrilaterals, one of them with negative indices.
 const PRISM: &str = "# a prism
 mtllib prism.mtl
 v 0.1 -2.5 3.25
@@ -40,7 +40,7 @@ fn text(text: &str) -> Result<MeshContents, ContentError> {
     read(text.as_bytes())
 }
 
-/// The error of a text, and the bytes that it points at.
+/// Returns the error for a text, and the bytes at its place.
 fn error(text: &str) -> (Kind, &str) {
     let error = read(text.as_bytes()).unwrap_err();
     match error.place {
@@ -124,7 +124,7 @@ fn lines_and_points_are_counted() {
 
 #[test]
 fn dented_faces_keep_their_shape() {
-    // An L of six corners: the fan from its first corner would leave it.
+    // An L with six corners: a fan from its first corner would leave the polygon.
     let l = "v 0.2 0 1\nv 0 2 1.5\nv 1 2 2\nv 1 1 1.75\nv 3 1 3\nv 3.2 0 2.5\n";
     let contents = text(&format!("{l}f 6 5 4 3 2 1\n")).unwrap();
     let mesh = &contents.parts[0].mesh;
@@ -220,7 +220,8 @@ fn nothing_to_read_is_said() {
 fn no_bytes_make_it_panic() {
     let bytes = PRISM.as_bytes();
     for end in 0..bytes.len() {
-        // A file cut at a line end may be whole; one cut in the first vertices is not.
+        // A file truncated at a line end may be complete; one truncated in the first vertices is
+        // not.
         let cut = read(&bytes[..end]);
         assert!(end > PRISM.find("f 1 3 2").unwrap() || cut.is_err(), "{end}");
     }
@@ -238,7 +239,7 @@ fn no_bytes_make_it_panic() {
 
 #[test]
 fn a_vast_dented_face_is_split_without_overlaps() {
-    // A comb with 10000 teeth: every second corner is a dent.
+    // A comb with 10000 teeth: every second corner is reflex.
     let n = 20_000;
     let mut text = String::from("v -3 0 0.5\nv 20003 -0.25 0.5\n");
     for k in (0..n).rev() {

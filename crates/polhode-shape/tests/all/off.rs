@@ -1,10 +1,10 @@
-//! OFF: its headers, its counts, every way to be broken; and one solid in three formats.
+//! OFF: headers, counts, and broken files; and one solid in three formats.
 
 use polhode_shape::mesh::off::read;
 use polhode_shape::mesh::{MeshContents, obj, ply};
 use polhode_source::{ContentError, ContentErrorKind as Kind, ContentPlace};
 
-/// A slanted prism: two triangles and three quadrilaterals.
+/// Slanted prism: two triangles and three quadrilaterals.
 const PRISM: &str = "OFF
 6 5 9
 0.1 -2.5 3.25
@@ -36,7 +36,7 @@ fn text(text: &str) -> Result<MeshContents, ContentError> {
     read(text.as_bytes())
 }
 
-/// The error of a text, and the bytes that it points at.
+/// Returns the error for a text, and the bytes at its place.
 fn error(text: &str) -> (Kind, &str) {
     let error = read(text.as_bytes()).unwrap_err();
     match error.place {

@@ -1,4 +1,4 @@
-//! Particles as CSV: headers, units, separators, and every line that is not one.
+//! Particles as CSV: headers, units, separators, and malformed lines.
 
 use std::fmt::Write;
 
@@ -7,7 +7,7 @@ use polhode::math::{Body, Position};
 use polhode_shape::particles::{ParticleFile, ParticleOptions, read};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
-/// Mass in kg, place in m.
+/// Rows of mass, kg, and position, m.
 const GENERIC: [[f64; 4]; 3] =
     [[1.5, 0.25, -3.125, 0.0625], [0.375, -1.75, 2.5, -0.875], [20.25, 4.0625, 0.125, 7.5]];
 
@@ -19,7 +19,7 @@ fn plain(text: &str) -> Result<ParticleFile, ContentError> {
     read(text.as_bytes(), &ParticleOptions::default())
 }
 
-/// What a message is about, and the text it points at.
+/// Returns the error, the text at its place, and the hint.
 #[track_caller]
 fn refused<'a>(text: &'a str, options: &ParticleOptions) -> (ContentErrorKind, &'a str, String) {
     let ContentError { kind, place, hint } = read(text.as_bytes(), options).unwrap_err();
@@ -89,7 +89,7 @@ fn points_without_masses_share_a_told_mass() {
     assert_eq!(file.findings[0].code, "particles.equal-masses");
     let nameless = ParticleOptions { length_unit: Some(1.0), ..options };
     assert_eq!(read(&cloud.as_bytes()[12..], &nameless).unwrap().particles, file.particles);
-    // Two answers to one question.
+    // Two values for the same quantity.
     assert!(read(b"mass_kg,x_m,y_m,z_m\n1,2,3,4\n", &options).is_err());
 }
 
@@ -143,7 +143,8 @@ fn line_and_column_are_those_of_the_file() {
     assert_eq!(error.kind.to_string(), "expected a number, found \"here\"");
 }
 
-/// Two parts at generic places: mass, place, and Ixx, Iyy, Izz, ∫xy dm, ∫xz dm, ∫yz dm about its own centre.
+/// Two parts in general position: mass, position, and Ixx, Iyy, Izz, ∫xy dm, ∫xz dm, ∫yz dm about
+/// their own centres.
 const PARTS: [[f64; 10]; 2] = [
     [1.5, 0.25, -3.125, 0.0625, 2.0, 3.5, 4.25, 0.5, -0.375, 0.25],
     [20.25, 4.0625, 0.125, 7.5, 9.0, 7.0, 5.5, -1.25, 0.75, 2.0],
@@ -163,7 +164,7 @@ fn part_rows(sign: f64) -> String {
 
 #[test]
 fn parts_with_tensors_are_bodies_and_not_points() {
-    // I_o = Σ [I_k + m (r² 1 − r rᵀ)], products −∫
+    // I_o = Σ [I_k + m (r² 1 − r rᵀ)], with products −∫xy dm.
     let mut about_origin = [[0.0; 3]; 3];
     for [m, x, y, z, xx, yy, zz, xy, xz, yz] in PARTS {
         let (r, own) = ([x, y, z], [[xx, -xy, -xz], [-xy, yy, -yz], [-xz, -yz, zz]]);
@@ -193,12 +194,12 @@ fn the_sign_of_products_is_declared_and_never_guessed() {
     let text = format!("{PART_HEADER}{}", part_rows(1.0));
     let (kind, marked, hint) = refused(&text, &ParticleOptions::default());
     assert!(matches!(kind, ContentErrorKind::Unclear { .. }) && marked.starts_with("beam"), "{kind}");
-    // The hint, obeyed, is read.
+    // Following the hint makes the file readable.
     let line = hint.split("write a line ").nth(1).and_then(|rest| rest.split(" (").next()).unwrap();
     assert!(plain(&format!("{line}\n{text}")).is_ok(), "{line}");
     let (kind, ..) = refused(&format!("# products = minus\n{text}"), &ParticleOptions::default());
     assert!(kind.to_string().contains("negative_integral"), "{kind}");
-    // Products that are zero have no sign.
+    // Zero products need no sign.
     let header = "mass_kg,x_m,y_m,z_m,Ixx_kg_m2,Iyy_kg_m2,Izz_kg_m2,Ixy_kg_m2,Ixz_kg_m2,Iyz_kg_m2\n";
     let plates = format!("{header}10,0,1,0,1,2,2.5,0,0,0\n10,0,-1,0,1,2,2.5,0,0,0\n");
     let body = plain(&plates).unwrap().mass_properties().unwrap();
@@ -267,13 +268,13 @@ fn columns_that_change_the_body_are_refused() {
         let (kind, marked, hint) = refused(&text, &ParticleOptions::default());
         assert!(marked == column && !hint.is_empty(), "{column}: {kind} {marked}");
     }
-    // A tensor needs all six, about the axes of the table.
+    // A tensor needs all six elements, along the axes of the table.
     for column in ["Ixx_kg_m2", "Iyz_kg_m2"] {
         assert!(plain(&format!("{points},{column}\n1,2,3,4,5\n")).is_err(), "{column}");
     }
     let turned = format!("{}{}", PART_HEADER.replace("name", "roll_deg"), part_rows(1.0));
     assert!(refused(&turned, &ParticleOptions::default()).1 == "roll_deg");
-    // Labels are no physics.
+    // Labels do not indicate physical quantities.
     for column in ["material", "colour", "id", "vx", "supplier", "country", "account", "roll_deg"] {
         let file = plain(&format!("{points},{column}\n1,2,3,4,5\n")).unwrap();
         assert_eq!(file.findings[0].code, "particles.ignored-columns");

@@ -1,4 +1,4 @@
-//! PLY: its encodings, types and elements, and every way to be broken.
+//! PLY: encodings, types and elements, and broken files.
 
 use polhode_shape::mesh::ply::read;
 use polhode_source::{ContentErrorKind as Kind, ContentPlace};
@@ -41,7 +41,7 @@ end_header
 4 2 0 3 5
 ";
 
-/// Values of any type, in either order of bytes.
+/// Writer for values of any type, in either byte order.
 struct Writer {
     bytes: Vec<u8>,
     is_big: bool,
@@ -76,7 +76,8 @@ impl Writer {
     }
 }
 
-/// The prism in binary: single precision, the corners of its faces by the types given.
+/// Returns the prism in binary: single precision, with the given types for the corners of its
+/// faces.
 fn binary(is_big: bool, length: &str, index: &str) -> Vec<u8> {
     let header = format!(
         "ply\nformat FORMAT 1.0\nelement vertex 6\nproperty float32 x\nproperty float y\nproperty float z\n\
@@ -93,7 +94,7 @@ fn binary(is_big: bool, length: &str, index: &str) -> Vec<u8> {
     writer.bytes
 }
 
-/// The error of a text, and the bytes that it points at.
+/// Returns the error for a text, and the bytes at its place.
 fn error(text: &str) -> (Kind, &str) {
     let error = read(text.as_bytes()).unwrap_err();
     match error.place {
@@ -141,7 +142,7 @@ fn binary_is_read_exactly_in_both_orders_and_all_types() {
     }
 }
 
-/// A header with a bit of everything, faces before the vertices and strips behind them.
+/// Header with many features, faces before the vertices, and strips after them.
 const RICH: &str = "ply\r\nformat FORMAT 1.0\r\nelement material 2\r\nproperty uchar red\r\n\
     property list ushort float64 shine\r\nelement nothing 18446744073709551615\r\n\
     element face 2\r\nproperty list uchar float uv\r\nproperty list uchar short vertex_indices\r\nproperty int flags\r\n\
@@ -214,7 +215,7 @@ fn elements_come_in_any_order_and_most_are_passed_over() {
             mesh.coordinates(),
             [[0.1, -5.0, 300.0], [0.7, 17.0, -20.0], [-1.3, 3.0, 4.0], [2.9, 6.0, 8.0], [5.5, -2.0, 1.0]]
         );
-        // The quadrilateral has a dent.
+        // The quadrilateral is not convex.
         let faces = [[0, 2, 1], [1, 4, 3], [3, 0, 1]];
         let strips = [[0, 1, 2], [2, 1, 3], [4, 2, 1]];
         assert_eq!(mesh.triangles(), [faces, strips].concat());
@@ -293,7 +294,7 @@ fn headers_are_checked() {
         ),
     ] {
         let text = ASCII.replace(right, wrong);
-        // A count that is missing stands at the end of its line.
+        // A missing count is reported at the end of its line.
         let (got, at) = error(&text);
         match got {
             Kind::Expected { what, .. } if found.is_empty() => {
@@ -313,7 +314,7 @@ fn headers_are_checked() {
 
 #[test]
 fn counts_are_not_believed() {
-    // A list that trusted these would take all the memory there is.
+    // A list that trusted these counts would exhaust the memory.
     let vast = "18446744073709551615";
     let all = ASCII.replace("vertex 6", &format!("vertex {vast}"));
     assert_eq!(error(&all).0, count("vertices", u64::MAX, 6 + (4 + 4 + 5 + 5 + 5) / 3));
@@ -345,7 +346,7 @@ fn counts_are_not_believed() {
     let mut bytes = binary(false, "uchar", "int");
     bytes.extend([1, 2, 3]);
     assert_eq!(read(&bytes).unwrap_err().kind, count("bytes behind the last element", 0, 3));
-    // A list of 2^31 − 1 doubles that nobody asked for.
+    // An unused list of 2^31 − 1 doubles.
     let header = "ply\nformat FORMAT 1.0\nelement vertex 9\nproperty double x\nproperty double y\n\
                   property list int double w\nproperty double z\nend_header\n";
     let mut writer = Writer::new(header, true);
@@ -411,14 +412,14 @@ fn no_bytes_make_it_panic() {
         assert!(read(&bytes).is_ok());
         for end in 0..bytes.trim_ascii_end().len() {
             let error = match read(&bytes[..end]) {
-                // Text without its last digit is another number.
+                // A text without its last digit would be another number.
                 Ok(_) => panic!("{end}"),
                 Err(error) => error,
             };
             assert!(!error.to_string().is_empty());
         }
         for at in 0..bytes.len() {
-            // Each bit, and all.
+            // Flip each bit, and all bits.
             for flip in [1, 2, 4, 8, 16, 32, 64, 128, 255] {
                 let mut bytes = bytes.clone();
                 bytes[at] ^= flip;
@@ -439,7 +440,7 @@ fn a_cloud_of_points_is_no_solid() {
     assert_eq!((error.kind, error.place), (Kind::Missing { what: "faces".to_owned() }, ContentPlace::Whole));
 }
 
-/// A line of the header that would fill any memory is refused before it is taken apart.
+/// A header line that would exhaust the memory is refused before it is parsed.
 #[test]
 fn a_line_of_the_header_has_a_limit() {
     let comment = |length: usize| ASCII.replace("a slanted prism", &"x".repeat(length));

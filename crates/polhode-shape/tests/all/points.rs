@@ -1,4 +1,4 @@
-//! Clouds of points: one separator in a file, and no column that counts the points.
+//! Point clouds: one separator in a file, and no column that numbers the points.
 
 use polhode_shape::mesh::points::read;
 use polhode_source::{ContentError, ContentErrorKind};
@@ -57,7 +57,7 @@ fn a_column_that_counts_the_points_is_no_coordinate() {
             );
         }
     }
-    // A line of points along x, in three columns, and one with colours whose x is not a count.
+    // Points along x in three columns, and a file with colours whose x is not a counter.
     assert_eq!(points("1 0 0\n2 0 0\n3 1 0\n4 0 1\n").len(), 4);
     assert_eq!(points("1 0 0 9\n2 0 0 9\n4 1 0 9\n3 0 1 9\n").len(), 4);
 }

@@ -13,7 +13,7 @@ use crate::schema::require_fits;
 const REQUEST: &str = polhode_shape::REQUEST_SCHEMA;
 const REPORT: &str = polhode_shape::REPORT_SCHEMA;
 
-/// A tetrahedron (2, 3, 1) m along the axes, and the same again 10 m further along x.
+/// Two tetrahedra with edges (2, 3, 1) m along the axes, the second one displaced by 10 m along x.
 const TWO: &str = "\
 v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 1
 g near\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4
@@ -21,7 +21,7 @@ v 10 0 0\nv 12 0 0\nv 10 3 0\nv 10 0 1
 g far\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8
 ";
 
-/// A report with a mass, whose products are given as their negative.
+/// CAD report with a mass, with products of the negative convention.
 const CAD: &str = "Mass properties of part\nMass = 2.00 kilograms\nCenter of mass: ( meters )\nX = 0.10\nY = 0.20\nZ = 0.30\n";
 
 fn files() -> Memory {

@@ -1,4 +1,4 @@
-//! STL: both encodings, the line between them, and every way to be broken.
+//! STL: both encodings, their distinction, and broken files.
 
 use polhode_shape::mesh::stl::{Stl, StlError, StlKind, StlPlace, read};
 
@@ -31,7 +31,7 @@ fn to_binary(header: &str, triangles: &[[[f32; 3]; 3]]) -> Vec<u8> {
     bytes.resize(80, 0);
     bytes.extend((triangles.len() as u32).to_le_bytes());
     for (i, triangle) in triangles.iter().enumerate() {
-        bytes.extend([f32::NAN.to_le_bytes(); 3].as_flattened()); // the normal, which nobody reads
+        bytes.extend([f32::NAN.to_le_bytes(); 3].as_flattened()); // the normal, which is not read
         bytes.extend(triangle.as_flattened().iter().flat_map(|c| c.to_le_bytes()));
         bytes.extend((i as u16 + 77).to_le_bytes());
     }

@@ -1,4 +1,4 @@
-//! 3MF: one solid through every route, and every way to be broken.
+//! 3MF: one solid in every representation, and broken files.
 
 use std::io::{Cursor, Write};
 
@@ -9,20 +9,20 @@ use polhode_shape::mesh::threemf::read;
 use polhode_source::ContentError;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-/// A crooked octahedron: 0 to 3 are a ring, 4 is above it and 5 below.
+/// Irregular octahedron: the points 0 to 3 form a ring, 4 is above it and 5 below.
 const POINTS: [[i8; 3]; 6] =
     [[90, 3, -7], [4, 70, -9], [-80, 5, 11], [-6, -60, 13], [8, -2, 50], [10, 12, -40]];
-/// Its faces, seen from outside counter-clockwise.
+/// Faces, counter-clockwise as seen from outside.
 const FACES: [[u8; 3]; 8] =
     [[4, 0, 1], [4, 1, 2], [4, 2, 3], [4, 3, 0], [5, 1, 0], [5, 2, 1], [5, 3, 2], [5, 0, 3]];
 const PRODUCTION: &str = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
 const MODEL: &str = "3D/3dmodel.model";
-/// 1/32 of the size, x → y → z → x, then moved.
+/// Transformation: scaled by 1/32, x → y → z → x, then displaced.
 const PLACED: &str = "0 0.03125 0 0 0 0.03125 0.03125 0 0 0.5 -3 7.25";
 
 type Corners = Vec<[[f64; 3]; 3]>;
 
-/// The solid where [`PLACED`] puts it.
+/// Returns the solid as placed by [`PLACED`].
 fn expected() -> Corners {
     let placed = |k: u8| {
         let [x, y, z] = POINTS[usize::from(k)].map(|c| f64::from(c) / 32.0);
@@ -55,7 +55,7 @@ fn plain() -> String {
     model("unit=\"millimeter\"", &object, &format!("<item objectid=\"3\" transform=\"{PLACED}\"/>"))
 }
 
-/// A package that is deflated.
+/// Returns a compressed package.
 fn package(entries: &[(&str, &str)]) -> Vec<u8> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     for (name, text) in entries {
@@ -69,14 +69,14 @@ fn read_model(model: &str) -> Result<MeshContents, ContentError> {
     read(&package(&[(MODEL, model)]))
 }
 
-/// A package of stored entries, written by hand: the offset of each local header is the caller's.
+/// Returns a package of uncompressed entries. The caller defines the offset of each local header.
 fn stored(entries: &[(&str, &[u8])], offset: impl Fn(usize, usize) -> usize) -> Vec<u8> {
     let (mut bytes, mut directory) = (Vec::new(), Vec::new());
     for (k, (name, data)) in entries.iter().enumerate() {
         let at = (offset(k, bytes.len()) as u32).to_le_bytes();
         let (size, length) = ((data.len() as u32).to_le_bytes(), (name.len() as u16).to_le_bytes());
         let crc = crc32(data).to_le_bytes();
-        // Version, flags, method, time, date; checksum and sizes; lengths of name and extra.
+        // Version, flags, method, time, date; checksum and sizes; lengths of name and extra field.
         let common =
             [&[20, 0, 0, 0, 0, 0, 0, 0, 33, 0], crc.as_slice(), &size, &size, &length, &[0; 2]].concat();
         bytes.extend([b"PK\x03\x04", common.as_slice(), name.as_bytes(), data].concat());
@@ -114,7 +114,7 @@ fn prefixes_and_foreign_elements() {
     assert_eq!(read_model(&prefixed).unwrap().parts, read_model(&text).unwrap().parts);
     let looks = text.replace("<resources>", "<resources><!-- <object/> --><m:colorgroup xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\" id=\"3\"><m:color/></m:colorgroup><basematerials id=\"5\"/>");
     assert_eq!(read_model(&looks).unwrap(), read_model(&text).unwrap());
-    // A vertex of another namespace is none.
+    // A vertex of another namespace is ignored.
     let other = text.replace("<vertices>", "<vertices><vertex xmlns=\"urn:x\" x=\"1\"/>");
     assert_eq!(read_model(&other).unwrap().parts, read_model(&text).unwrap().parts);
     let beams = text.replace(
@@ -150,7 +150,7 @@ fn units_of_length() {
     );
 }
 
-/// Twice through components, each with a half of the way, and once on its own.
+/// Placed twice through components, each with half of the displacement, and once directly.
 #[test]
 fn components_are_placed_by_all_that_is_above_them() {
     let resources = format!(
@@ -198,7 +198,7 @@ fn objects_in_other_files_of_the_package() {
     let inches = part.replace("<model ", "<model unit=\"inch\" ");
     let error = read(&package(&[entries[0], entries[1], (entries[2].0, &inches)])).unwrap_err().to_string();
     assert_eq!(error, "3D/Objects/stone.model: unit = inch must be millimeter, the unit of Main/root.model");
-    // A circle through two files.
+    // A cycle through two files.
     let back = model(
         "",
         "<object id=\"3\"><components><component objectid=\"3\" p:path=\"/Main/root.model\"/></components></object>",
@@ -348,7 +348,7 @@ fn archives_that_are_broken() {
     assert!(error(&damaged).contains("the entry = "), "{}", error(&damaged));
 }
 
-/// The directory at the end is what is read by; other programs go by what stands in front of the bytes.
+/// The reader uses the directory at the end of an archive; other programs use the local headers.
 #[test]
 fn both_descriptions_of_an_entry_say_the_same() {
     let text = plain();
@@ -364,14 +364,15 @@ fn both_descriptions_of_an_entry_say_the_same() {
             "{error}"
         );
     }
-    // As a program writes it that does not know the size before: zeros here, the sizes behind.
+    // As written by programs that do not know the size in advance: zeros here, and the sizes after
+    // the data.
     let mut later = whole;
     later[6] |= 8;
     later[14..26].fill(0);
     let directory = later.windows(4).position(|w| w == b"PK\x01\x02").unwrap();
     later[directory + 8] |= 8;
     assert!(read(&later).is_ok(), "{:?}", read(&later));
-    // Fewer bytes declared, in both places, than come out of it.
+    // Both places declare fewer bytes than the entry contains.
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     zip.start_file(MODEL, SimpleFileOptions::default()).unwrap();
     zip.write_all(text.as_bytes()).unwrap();
@@ -384,7 +385,7 @@ fn both_descriptions_of_an_entry_say_the_same() {
     assert!(error.to_string().contains("the entry = "), "{error}");
 }
 
-/// 80 MiB of blanks in 80 kB, and a tree of components whose leaves would be 10¹².
+/// 80 MiB of blanks in 80 kB, and a tree of components with 10¹² leaves.
 #[test]
 fn a_file_that_unfolds_too_far_is_refused() {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
@@ -405,7 +406,7 @@ fn a_file_that_unfolds_too_far_is_refused() {
         let error = read_model(&model("", &resources, "<item objectid=\"12\"/>")).unwrap_err();
         assert!(error.to_string().contains("unfolds to more than 256 MiB"), "{error}");
     }
-    // A long chain is no bomb.
+    // A long chain is accepted.
     let mut resources = format!("<object id=\"0\">{}</object>", mesh());
     for id in 1..=20_000 {
         resources += &format!(
@@ -415,12 +416,13 @@ fn a_file_that_unfolds_too_far_is_refused() {
     }
     let contents = read_model(&model("", &resources, "<item objectid=\"20000\"/>")).unwrap();
     assert_eq!(contents.parts.len(), 1);
-    // Nor is deep nesting.
+    // Deep nesting is accepted, too.
     let deep = "<x>".repeat(70_000);
     assert!(read_model(&model("", &deep, "")).is_err());
 }
 
-/// Cut anywhere, and with any byte changed: an answer or an error, and never more than the bytes carry.
+/// Files truncated at any byte, or with any byte changed, give a result or an error. Memory use is
+/// limited by their size.
 #[test]
 fn no_bytes_do_harm() {
     let files = [package(&[(MODEL, &plain())]), stored(&[(MODEL, plain().as_bytes())], |_, at| at)];
@@ -433,13 +435,13 @@ fn no_bytes_do_harm() {
                 let mut bytes = file.clone();
                 bytes[k] ^= mask;
                 if let Ok(contents) = read(&bytes) {
-                    // The checksum saw the change, or it is not in the text.
+                    // The checksum detected the change, or it is not in the text.
                     assert_eq!(corners(&contents), expected());
                 }
             }
         }
     }
-    // Without a checksum to see it.
+    // Without a checksum to detect it.
     let text = plain().into_bytes();
     let mut answers = 0;
     for k in 0..text.len() {

@@ -1,4 +1,4 @@
-//! Voxel files: the same grid in every encoding, every truncation, and every wrong header.
+//! Voxel files: the same grid in every encoding, truncated files, and wrong headers.
 
 use std::io::Write;
 
@@ -13,12 +13,12 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 const COUNTS: [usize; 3] = [2, 3, 4];
 const SIZE: [f64; 3] = [0.02, 0.035, 0.05];
 
-/// The value of voxel (i, j, k), small whole numbers.
+/// Returns the value of voxel (i, j, k), a small integer.
 fn number(i: usize, j: usize, k: usize) -> u8 {
     (1 + 7 * i + 3 * j * j + 11 * k * (i + 1)) as u8
 }
 
-/// All values, the first index fastest, or the last.
+/// Returns all values, with the first index fastest or the last.
 fn numbers(fortran: bool) -> Vec<u8> {
     let [a, b, c] = COUNTS;
     let at = |n: usize| {
@@ -53,7 +53,8 @@ const FIELDS: &str = "type: uchar\ndimension: 3\nsizes: 2 3 4\nencoding: raw\nsp
     space directions: (2,0,0) (0,3.5,0) (0,0,5)\nspace origin: (1,-2,0.5)\nspace units: \"cm\" \"cm\" \"cm\"\n\
     key with spaces:=value\n";
 
-/// The body that the numbers are in kg/m³, with its first voxel's middle at `origin`, as an assembly of boxes.
+/// Returns the mass properties of the numbers as kg/m³, as an assembly of boxes; the centre of the
+/// first voxel is at `origin`.
 fn exact(origin: [f64; 3]) -> MassProperties<polhode::math::Body> {
     let brick = BoxShape::new(SIZE).unwrap();
     let mut parts = Vec::new();
@@ -115,12 +116,12 @@ fn npy_of_every_type_order_and_version_is_the_same_body() {
             }
         }
     }
-    // Negative numbers and truths
+    // Negative numbers and booleans.
     let bytes = [(-3_i16).to_be_bytes(), 500_i16.to_be_bytes()].concat();
     let file = npy(1, ">i2", false, "(1, 2, 1)", &bytes);
     let mut voxels = read(&file).unwrap();
     assert_eq!(voxels.type_name(), "int16");
-    // In any order
+    // Access in any order.
     let mut values = voxels.values();
     assert_eq!([0, 1, 1, 0].map(|v| values.at(v).unwrap()), [-3.0, 500.0, 500.0, -3.0]);
     assert!(values.at(2).unwrap().is_nan() && values.at(usize::MAX).unwrap().is_nan());
@@ -134,7 +135,7 @@ fn npy_of_every_type_order_and_version_is_the_same_body() {
 fn nrrd_is_the_same_body() {
     let data = numbers(true);
     require_exact(read(&nrrd(FIELDS, &data)).unwrap(), &VoxelOptions::default(), [0.01, -0.02, 0.005]);
-    // Big-endian floats, \r\n, other spellings, something to skip
+    // Big-endian floats, \r\n, other spellings, and bytes to skip.
     let floats: Vec<u8> = data.iter().flat_map(|&v| f32::from(v).to_be_bytes()).collect();
     let fields = "Type: float\ndimension: 3\nsizes:  2 3  4\nendian: BIG\nencoding: RAW\nspacings: 2 3.5 5\n\
         units: \"cm\" \"cm\" \"cm\"\nline skip: 1\nbyte skip: 3\nlabels: \"a\" \"b\" \"c\"\n"
@@ -148,7 +149,7 @@ fn nrrd_is_the_same_body() {
     require_exact(read(&file).unwrap(), &VoxelOptions::default(), [0.01, -0.02, 0.005]);
 }
 
-/// What gzip makes of it.
+/// Compresses data with gzip.
 fn gzip(data: &[u8]) -> Vec<u8> {
     let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
     encoder.write_all(data).unwrap();
@@ -161,29 +162,29 @@ fn compressed_nrrd_is_the_same_body() {
     let placed = [0.01, -0.02, 0.005];
     let file = nrrd(&fields, &gzip(&numbers(true)));
     require_exact(read(&file).unwrap(), &VoxelOptions::default(), placed);
-    // In two pieces, one after the other, behind a line and three bytes that were compressed with them
+    // Two compressed members, after a line and three bytes that were compressed with them.
     let (first, second) = (gzip(&[b"xyz", &numbers(true)[..7]].concat()), gzip(&numbers(true)[7..]));
     let skipping = fields.clone() + "line skip: 1\nbyte skip: 3\n";
     let file = nrrd(&skipping, &[b"a line\n", first.as_slice(), &second].concat());
     require_exact(read(&file).unwrap(), &VoxelOptions::default(), placed);
 
-    // Cut short anywhere: the data, or the check sum behind them
+    // Truncated anywhere: in the data, or in the checksum after them.
     let compressed = gzip(&numbers(true));
     for length in 0..compressed.len() {
         let error = refused(&nrrd(&fields, &compressed[..length]));
         let ContentErrorKind::Count { declared: 24, present, .. } = error.kind else { panic!("{error}") };
         assert!(present <= 24 && error.hint.unwrap().contains("cut short"));
     }
-    // A wrong check sum, and too few or too many numbers
+    // A wrong checksum, and too few or too many numbers.
     let mut damaged = compressed.clone();
     let at = damaged.len() - 6;
     damaged[at] ^= 1;
     assert!(refused(&nrrd(&fields, &damaged)).to_string().contains("data that gzip has compressed"));
     let few = refused(&nrrd(&fields, &gzip(&numbers(true)[1..]))).kind;
     assert!(matches!(few, ContentErrorKind::Count { declared: 24, present: 23, .. }), "{few:?}");
-    let many = refused(&nrrd(&fields, &gzip(&[0; 10_000_000]))).kind; // stops behind the first that is too many
+    let many = refused(&nrrd(&fields, &gzip(&[0; 10_000_000]))).kind; // stops at the first excess
     assert!(matches!(many, ContentErrorKind::Count { declared: 24, present: 25, .. }), "{many:?}");
-    // A size that nothing can fill is no reason to reserve it
+    // A size that cannot be filled must not be reserved.
     let huge = refused(&nrrd(&fields.replace("2 3 4", "2 3 400000000000"), &compressed)).kind;
     assert!(
         matches!(huge, ContentErrorKind::Count { declared: 2_400_000_000_000, present: 24, .. }),
@@ -193,7 +194,7 @@ fn compressed_nrrd_is_the_same_body() {
 
 #[test]
 fn slanted_axes_are_as_the_file_has_them() {
-    // Two voxels along (1, 2, 2): 3 long.
+    // Two voxels with a step of length 3 along (1, 2, 2).
     let fields =
         FIELDS.replace("2 3 4", "2 1 1").replace("(2,0,0) (0,3.5,0) (0,0,5)", "(1,2,2)(2,1,-2) (-2,2,-1)");
     let file = nrrd(&fields, &[5, 5]);
@@ -211,7 +212,7 @@ fn refused(bytes: &[u8]) -> ContentError {
     to_the_end(bytes).unwrap_err()
 }
 
-/// All values of a file.
+/// Reads all values of a file.
 fn to_the_end(bytes: &[u8]) -> Result<usize, ContentError> {
     let mut voxels = read(bytes)?;
     let mut values = voxels.values();
@@ -239,7 +240,7 @@ fn what_a_file_does_not_say_is_asked_and_never_guessed() {
     let centimetres = VoxelOptions { unit: Some(0.01), ..VoxelOptions::default() };
     require_exact(voxels, &centimetres, [0.01, -0.02, 0.005]);
 
-    // Said twice
+    // Values that the file and the options both give.
     let file = nrrd(FIELDS, &numbers(true));
     let voxels = read(&file).unwrap();
     let nothing = VoxelOptions::default();

@@ -1,4 +1,4 @@
-//! FreeCAD's console and the output of its macros.
+//! Reader for FreeCAD's console and the output of its macros.
 
 use std::ops::Range;
 
@@ -12,15 +12,15 @@ use super::{Measures, Number, Once, bad, exactly, shortest};
 const HINT: &str =
     "paste what FreeCAD's console shows of Shape.Volume, Shape.CenterOfMass and Shape.MatrixOfInertia";
 
-/// FreeCAD computes in mm, whatever its dialogs show.
+/// FreeCAD's internal unit, the millimetre, independent of the display unit, m.
 const MILLIMETRE: f64 = 1e-3;
 
-/// True if a text has a matrix of inertia as FreeCAD shows matrices.
+/// Returns true if a text has a matrix of inertia in FreeCAD's format.
 pub(crate) fn is_of(text: &str) -> bool {
     text.contains("Matrix (") && text.lines().any(|line| label(line) == Some(Label::Inertia))
 }
 
-/// A measure that a line names.
+/// Quantity named in a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Label {
     Volume,
@@ -30,7 +30,7 @@ enum Label {
     Inertia,
 }
 
-/// Measure that a line names: `>>> obj.Shape.CenterOfMass`, `Center of mass:`.
+/// Returns the quantity that a line names: `>>> obj.Shape.CenterOfMass`, `Center of mass:`.
 fn label(line: &str) -> Option<Label> {
     let squeezed: String =
         line.chars().filter(|c| !c.is_whitespace() && *c != '_').flat_map(char::to_lowercase).collect();
@@ -67,7 +67,7 @@ pub(crate) fn read(text: &str) -> Result<Measures, ContentError> {
         let end = start + line.len();
         let prompt = line.trim_start().starts_with(">>>") || line.trim_start().starts_with("... ");
         if prompt {
-            // A command: its answer is on the next line.
+            // A command; its result is on the next line.
             (waiting, start) = (label(line), end);
             continue;
         }
@@ -88,7 +88,7 @@ pub(crate) fn read(text: &str) -> Result<Measures, ContentError> {
 }
 
 impl Found {
-    /// Reads the value of a measure from byte `from` on; where the next line starts.
+    /// Reads the value of a quantity from byte `from` on; returns the start of the next line.
     fn value(&mut self, text: &str, target: Label, from: usize, end: usize) -> Result<usize, ContentError> {
         match target {
             Label::Volume => {
@@ -128,7 +128,8 @@ impl Found {
 
     fn measures(self, text: &str) -> Result<Measures, ContentError> {
         let volume = self.volume.require("volume", HINT)?;
-        // Shape.Mass is the volume at density 1; any other mass is not what the matrix is of.
+        // Shape.Mass is the volume at density 1. With any other mass, the matrix does not belong to
+        // it.
         if let Some(mass) = self.mass.0
             && (mass.value - volume.value).abs() > 1e-6 * volume.value.abs()
         {
@@ -148,7 +149,7 @@ impl Found {
     }
 }
 
-/// The three rows of three of a matrix of four, whose rest is that of 1.
+/// Returns the upper 3×3 block of a 4×4 matrix; the rest must be that of the identity.
 fn upper(text: &str, all: &[Number; 16]) -> Result<[Number; 9], ContentError> {
     for (k, number) in all.iter().enumerate().filter(|(k, _)| k % 4 == 3 || k / 4 == 3) {
         let unit = if k == 15 { 1.0 } else { 0.0 };
@@ -162,7 +163,7 @@ fn upper(text: &str, all: &[Number; 16]) -> Result<[Number; 9], ContentError> {
     Ok([0, 1, 2, 3, 4, 5, 6, 7, 8].map(at))
 }
 
-/// Span between the brackets behind a name: `Vector (1, 2, 3)`.
+/// Returns the span in brackets after a name: `Vector (1, 2, 3)`.
 fn inside(text: &str, name: &str, part: Range<usize>) -> Result<Range<usize>, ContentError> {
     let expected = || {
         let found = text[part.clone()].lines().next().unwrap_or_default().trim().to_owned();
@@ -185,7 +186,7 @@ fn inside(text: &str, name: &str, part: Range<usize>) -> Result<Range<usize>, Co
     Err(expected())
 }
 
-/// A number in mm to a power, or with its own unit.
+/// Parses a number in mm to a power, or with its own unit.
 fn quantity(text: &str, part: Range<usize>, what: &str, power: i32) -> Result<Number, ContentError> {
     let words = text[part.clone()].trim();
     let start = part.start + text[part.clone()].find(words).unwrap_or(0);

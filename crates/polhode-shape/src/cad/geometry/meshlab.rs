@@ -1,4 +1,4 @@
-//! MeshLab's log of "Compute Geometric Measures".
+//! Reader for the log of MeshLab's filter "Compute Geometric Measures".
 
 use std::ops::Range;
 
@@ -9,7 +9,7 @@ use super::{Measures, Number, Once, bad, exactly};
 const HINT: &str = "paste MeshLab's log from \"Mesh Volume is\" to the last row of \"Inertia Tensor is\": Filters, Quality Measure and \
                     Computations, Compute Geometric Measures";
 
-/// True if a text is such a log.
+/// Returns true if a text is such a log.
 pub(crate) fn is_of(text: &str) -> bool {
     text.lines().any(|line| {
         let line = words(line);
@@ -30,11 +30,11 @@ fn content(line: &str) -> &str {
     logged.trim_start().trim_start_matches(|c: char| c.is_ascii_digit()).trim_start()
 }
 
-/// Rows that follow a heading.
+/// Meaning of the rows after a heading.
 enum Rows {
     None,
     Tensor(Vec<[Number; 3]>),
-    /// Principal axes, which the tensor has already.
+    /// Principal axes; redundant, since the tensor is known.
     Axes,
     Moments,
 }
@@ -89,7 +89,7 @@ pub(crate) fn read(text: &str) -> Result<Measures, ContentError> {
     })
 }
 
-/// One row `| a b c |`, and what the next one is.
+/// Reads one row `| a b c |`; returns the meaning of the next row.
 fn row(
     text: &str,
     place: Range<usize>,
@@ -117,7 +117,7 @@ fn row(
     })
 }
 
-/// The part of a line behind the word of a label.
+/// Returns the part of a line after a label.
 fn behind(text: &str, place: &Range<usize>, word: &str) -> Range<usize> {
     let spaced = format!(" {word} ");
     let at = text[place.clone()].find(&spaced).map_or(0, |at| at + spaced.len());

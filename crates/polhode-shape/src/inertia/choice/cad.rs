@@ -1,24 +1,25 @@
-//! Answers to what CAD reports leave open.
+//! Options for CAD reports.
 
 use serde::{Deserialize, Serialize};
 
 use crate::cad::{DecimalMark, ProductConvention};
 
-/// Answers to what a CAD report may leave open.
+/// Values that a CAD report may leave ambiguous.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct CadChoice {
-    /// What the products of inertia in a CAD report are, where nothing in it proves it.
+    /// The sign convention of the products of inertia in a CAD report, if the report does not prove
+    /// it.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "SIGN"))]
     pub products: Option<ProductConvention>,
-    /// The decimal mark of a CAD report, where its numbers leave it open.
+    /// The decimal mark of a CAD report, if its numbers are ambiguous.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "MARK"))]
     pub decimal: Option<DecimalMark>,
 }
 
 impl CadChoice {
-    /// The first that is given.
+    /// Returns the name of the first option that is set.
     pub(in crate::inertia) const fn given(&self) -> Option<&'static str> {
         match self {
             Self { products: Some(_), .. } => Some("--products"),

@@ -10,7 +10,8 @@ use serde::{Deserialize, Serialize};
 use super::substance::PartSubstance;
 use crate::mesh::MeshLength;
 
-/// Options that exclude --field, and so --tolerance: clap does not check what a required option conflicts with.
+/// Options that conflict with --field, and therefore with --tolerance. clap does not check the
+/// conflicts of a required option.
 #[cfg(feature = "arguments")]
 const WITHOUT_FIELD: [&str; 5] = ["density", "mass", "material", "part", "shell"];
 
@@ -19,39 +20,43 @@ const WITHOUT_FIELD: [&str; 5] = ["density", "mass", "material", "part", "shell"
 #[serde(default, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct MeshChoice {
-    /// What one part of a mesh is made of: its name in the file, and its density, mass or material; may be repeated.
+    /// The substance of one part of a mesh: its name in the file, and its density, mass or
+    /// material; may be repeated.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "NAME=WHAT"))]
     pub part: Vec<Given<PartSubstance>>,
-    /// The convex hull of each part of a mesh, closed or not, instead of the mesh. Clouds of points
-    /// have one too: .xyz files, and .ply and .obj files without faces.
+    /// Use the convex hull of each part of a mesh, closed or not, instead of the mesh. Point clouds
+    /// are also accepted: .xyz files, and .ply and .obj files without faces.
     #[cfg_attr(feature = "arguments", arg(long, conflicts_with = "shell"))]
     pub hull: bool,
-    /// A sheet of this thickness along a mesh, closed or not, instead of the solid in it.
+    /// Use a shell of this thickness along a mesh, closed or not, instead of the solid in it.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "THICKNESS"))]
     pub shell: Option<Given<Positive<Length>>>,
-    /// Density of a mesh as a formula of x, y, z in metres, in kg/m³, such as "2700 - 300*hypot(x, y)".
+    /// Density of a mesh as a formula of x, y, z in metres, in kg/m³, such as "2700 - 300*hypot(x,
+    /// y)".
     #[cfg_attr(feature = "arguments", arg(long, value_name = "FORMULA", conflicts_with_all = WITHOUT_FIELD, allow_hyphen_values = true))]
     pub field: Option<Given<DensityFormula>>,
-    /// The estimated relative error that is good enough for --field [default: 1e-10].
+    /// Tolerance for the estimated relative error of --field [default: 1e-10].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "ERROR", requires = "field", conflicts_with_all = WITHOUT_FIELD))]
     pub tolerance: Option<Given<Positive<Number>>>,
-    /// Join vertices of open edges that are at most so far apart: a length such as "0.01 mm", or a plain number, a part of the mesh's size (the
-    /// diagonal of its box).
+    /// Join vertices of open edges within this distance: a length such as "0.01 mm", or a plain
+    /// number relative to the mesh's size (the diagonal of its box).
     #[cfg_attr(feature = "arguments", arg(long, value_name = "TOL", conflicts_with_all = ["hull", "shell"]))]
     pub weld: Option<Given<Positive<MeshLength>>>,
-    /// Close holes that are at most so large across, after a weld: a length such as "2 mm", or a plain number, a part of the mesh's size.
+    /// Close holes up to this size, after a weld: a length such as "2 mm", or a plain number
+    /// relative to the mesh's size.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "SIZE", conflicts_with_all = ["hull", "shell"]))]
     pub fill: Option<Given<Positive<MeshLength>>>,
-    /// Take what lies in several parts of a mesh, or more than once in one, once: parts that overlap or repeat are one body, after a weld and a
-    /// fill.
+    /// Use the union of all parts, so that regions that overlap or repeat count once; after a weld
+    /// and a fill.
     #[cfg_attr(feature = "arguments", arg(long, conflicts_with_all = ["shell", "part", "field", "tolerance", "write_mesh", "force"]))]
     pub union: bool,
-    /// Write the mesh as it was used, welded, filled and wound outward, in the file's unit: .stl (binary), .obj or .ply.
+    /// Write the mesh after repairs (weld, fill, outward winding), in the file's unit: .stl
+    /// (binary), .obj or .ply.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "FILE", conflicts_with = "shell"))]
     pub write_mesh: Option<PathBuf>,
 }
 
-/// Density as a formula of x, y, z in metres, kg/m³.
+/// Density formula of x, y, z in metres, in kg/m³.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DensityFormula(pub Expression);
 
@@ -67,7 +72,7 @@ impl FromStr for DensityFormula {
 }
 
 impl MeshChoice {
-    /// The first that is given.
+    /// Returns the name of the first option that is set.
     pub(in crate::inertia) fn given(&self) -> Option<&'static str> {
         let flags = [
             (!self.part.is_empty(), "--part"),

@@ -1,4 +1,4 @@
-//! Options for files, by their kind.
+//! Options for each kind of file.
 
 mod cad;
 mod mesh;

@@ -9,13 +9,13 @@ use crate::molecule::Isotopes;
 #[serde(default, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct MoleculeChoice {
-    /// The masses of a molecule's atoms whose isotope its file does not name [default: abundant].
+    /// The isotopes of atoms for which the file names none [default: abundant].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "WHICH"))]
     pub isotopes: Option<Isotopes>,
 }
 
 impl MoleculeChoice {
-    /// The first that is given.
+    /// Returns the name of the option, if it is set.
     pub(in crate::inertia) const fn given(&self) -> Option<&'static str> {
         if self.isotopes.is_some() { Some("--isotopes") } else { None }
     }

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::material;
 use crate::material::UnknownMaterial;
 
-/// Substance of the whole body: at most one of the options.
+/// Substance of the whole body; at most one of the options may be set.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args), group(multiple = false))]
@@ -18,7 +18,7 @@ pub struct SubstanceChoice {
     /// Density of a mesh, such as "2700 kg/m^3" or "2.7 g/cm^3".
     #[cfg_attr(feature = "arguments", arg(long))]
     pub density: Option<Given<Positive<Density>>>,
-    /// Mass of a mesh or of a cloud of points, such as "85 g".
+    /// Mass of a mesh or of a point cloud, such as "85 g".
     #[cfg_attr(feature = "arguments", arg(long))]
     pub mass: Option<Given<Positive<Mass>>>,
     /// Material of a mesh by name, such as aluminium or steel.
@@ -33,13 +33,13 @@ impl SubstanceChoice {
         density.map(Substance::Density).or(self.mass().map(Substance::Mass))
     }
 
-    /// The mass alone, kg.
+    /// Returns the mass, kg, if it is given.
     pub(in crate::inertia) fn mass(&self) -> Option<f64> {
         self.mass.as_ref().map(|mass| mass.value.0.0)
     }
 }
 
-/// Material that has a name.
+/// Material selected by its name.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MaterialNamed(pub Material);
 
@@ -57,19 +57,19 @@ impl FromStr for MaterialNamed {
     }
 }
 
-/// One part's substance: `wheel=steel`.
+/// Substance of one part: `wheel=steel`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartSubstance {
     /// Name of the part in the file.
     pub name: String,
-    /// Its density or mass.
+    /// Density or mass of the part.
     pub substance: Substance,
 }
 
 impl FromStr for PartSubstance {
     type Err = String;
 
-    /// `NAME=DENSITY`, `NAME=MASS` or `NAME=MATERIAL`.
+    /// Parses `NAME=DENSITY`, `NAME=MASS` or `NAME=MATERIAL`.
     fn from_str(text: &str) -> Result<Self, String> {
         let form = "a part's name, =, and its density, mass or material, such as \"wheel=2.7 g/cm^3\"";
         let (name, what) = text.rsplit_once('=').ok_or_else(|| format!("expected {form}"))?;
@@ -80,7 +80,7 @@ impl FromStr for PartSubstance {
             .or_else(|_: String| mass())
             .or_else(|_: String| material())
             .map_err(|_: String| format!("{what:?} is no density, mass or material: expected {form}"))?;
-        // a bare number is neither
+        // A number without a unit is ambiguous.
         if what.trim().parse::<f64>().is_ok() {
             return Err(format!("{what:?} has no unit: it could be a density or a mass"));
         }

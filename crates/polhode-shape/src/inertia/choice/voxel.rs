@@ -11,19 +11,21 @@ use serde::{Deserialize, Serialize};
 #[serde(default, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct VoxelChoice {
-    /// From a voxel to the next along the file's axes, one length or three, for a grid whose file does not say.
+    /// The distance of adjacent voxels along the file's axes, one length or three, for a grid whose
+    /// file states none.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "A,B,C"))]
     pub spacing: Option<Given<Spacing>>,
-    /// Where the middle of the first voxel is, x,y,z, for a grid whose file does not say [default: the origin].
+    /// The centre of the first voxel, x,y,z, for a grid whose file states none [default: the
+    /// origin].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "X,Y,Z", allow_hyphen_values = true))]
     pub origin: Option<Given<Corner>>,
-    /// The density that a voxel's value of 1 stands for, such as "1 g/cm^3" [default: 1 kg/m^3].
+    /// The density for a voxel value of 1, such as "1 g/cm^3" [default: 1 kg/m^3].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "DENSITY"))]
     pub per_value: Option<Given<Positive<Density>>>,
 }
 
 impl VoxelChoice {
-    /// The first that is given.
+    /// Returns the name of the first option that is set.
     pub(in crate::inertia) const fn given(&self) -> Option<&'static str> {
         match self {
             Self { spacing: Some(_), .. } => Some("--spacing"),
@@ -34,7 +36,7 @@ impl VoxelChoice {
     }
 }
 
-/// Distances of voxels along the file's axes, m.
+/// Distances of adjacent voxels along the file's axes, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spacing(pub [f64; 3]);
 
@@ -52,7 +54,7 @@ impl FromStr for Spacing {
     }
 }
 
-/// Middle of the first voxel, m.
+/// Centre of the first voxel, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corner(pub [f64; 3]);
 

@@ -1,4 +1,4 @@
-//! The elements of a document by their ids.
+//! Elements of a document by their ids.
 
 use std::collections::HashMap;
 
@@ -9,14 +9,16 @@ use polhode_source::{ContentError, ContentErrorKind};
 
 use super::value::{missing, positive, start, unsupported};
 
-/// What others name.
+/// Elements that are referred to by id.
 const NAMED: [&str; 6] = ["visual_scene", "node", "geometry", "vertices", "source", "float_array"];
 
-/// The elements that others name, by their names and ids: the first that has both, and another if there is one.
+/// Elements by element name and id: the first with that id, and a second one if there is a
+/// duplicate.
 pub(crate) struct Library<'a>(HashMap<(&'a str, &'a str), (Element<'a>, Option<Element<'a>>)>);
 
 impl<'a> Library<'a> {
-    /// Those of a document in one unit: an `<asset>` inside may say another, which no program that writes it is known to do.
+    /// Collects the elements of a document with a single unit. An inner `<asset>` may state another
+    /// unit, but no known program writes one.
     pub(crate) fn of(root: Element<'a>, unit: f64) -> Result<Self, ContentError> {
         let mut named = HashMap::new();
         let mut waiting = vec![root];
@@ -38,7 +40,7 @@ impl<'a> Library<'a> {
         Ok(Self(named))
     }
 
-    /// The element of this name that an attribute of another names: `url="#id"`.
+    /// Returns the element of this name that an attribute refers to: `url="#id"`.
     pub(crate) fn named(
         &self,
         by: Element<'a>,
@@ -63,11 +65,12 @@ impl<'a> Library<'a> {
     }
 }
 
-/// Metres in the unit that an `<asset>` states.
+/// Returns the unit of length in an `<asset>`, m.
 ///
-/// A number that contradicts the name is an error: programs read the number, but either may be meant.
+/// A number that contradicts the name of the unit is an error. Programs read the number, but either
+/// may be intended.
 pub(crate) fn meter(asset: Element<'_>) -> Result<Option<f64>, ContentError> {
-    /// Numbers are rounded to three digits or more.
+    /// Tolerance for numbers rounded to three digits.
     const EQUAL: f64 = 0.002;
     let Some(element) = asset.child("unit") else { return Ok(None) };
     match (element.attribute("meter"), element.word("name")) {

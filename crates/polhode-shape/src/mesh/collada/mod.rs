@@ -1,13 +1,17 @@
-//! COLLADA: the scenes of digital assets, as XML.
+//! COLLADA: scenes of digital assets in XML.
 //!
-//! A document has libraries of geometries and of nodes, and a scene, which is a tree of nodes. What is read is that scene: every geometry that a
-//! node of it holds, or a node of a library that stands in it, is a part, placed by the product of all transformations above it. The file says its unit of length;
-//! one that says nothing is in metres. `<up_axis>` is not applied: the axes are the file's own, as they are of glTF, and a note says what is up in it.
-//! ([`read_with_axis`] is for those who turn it.)
+//! A document has libraries of geometries and nodes, and a scene, which is a tree of nodes. The
+//! reader returns the scene. Each instance of a geometry in the tree, including instances of
+//! library nodes, is a part, placed by the product of all transformations above it. The file states
+//! its unit of length; the default is the metre. `<up_axis>` is not applied: the axes are the
+//! file's own, as with glTF, and a note states the up axis. ([`read_with_axis`] is for callers that
+//! apply it.)
 //!
-//! Faces are `<triangles>`, `<polylist>`, `<polygons>`, `<tristrips>` and `<trifans>`; geometries of lines alone are left out. A placement that mirrors turns the
-//! winding, so that outside stays outside. Materials, cameras, lights and animations are ignored. What changes a shape and is not read (skins, morphs,
-//! skewed axes, polygons with holes) is refused by name.
+//! Faces are `<triangles>`, `<polylist>`, `<polygons>`, `<tristrips>` and `<trifans>`; geometries
+//! with only lines are skipped. A placement that mirrors reverses the winding, so that outside
+//! stays outside. Materials, cameras, lights and animations are ignored. Features that change a
+//! shape but are not supported (skins, morphs, skewed axes, polygons with holes) are refused by
+//! name.
 //!
 //! Source: COLLADA 1.4.1 specification, Khronos Group 2008.
 
@@ -32,14 +36,14 @@ use library::{Library, meter};
 use surface::Surface;
 use value::{expected, missing, start, unsupported};
 
-/// The axis that a file says is up.
+/// Up axis stated in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UpAxis {
-    /// `X_UP`
+    /// Up axis `X_UP`.
     X,
-    /// `Y_UP`
+    /// Up axis `Y_UP`.
     Y,
-    /// `Z_UP`
+    /// Up axis `Z_UP`.
     Z,
 }
 
@@ -66,15 +70,15 @@ pub enum UpAxis {
 /// ```
 ///
 /// # Errors
-/// [`ContentError`] for what is no XML, lacks what it names, or has what is not read.
+/// [`ContentError`] for invalid XML, missing elements, or unsupported features.
 pub fn read(text: &str) -> Result<MeshContents, ContentError> {
     read_with_axis(text).map(|(contents, _)| contents)
 }
 
-/// The same with the axis that the file says is up, if it does.
+/// Reads the text of a COLLADA file; also returns the up axis if the file states one.
 ///
 /// # Errors
-/// As [`read`].
+/// [`ContentError`], as for [`read`].
 pub fn read_with_axis(text: &str) -> Result<(MeshContents, Option<UpAxis>), ContentError> {
     with_root(text, |root| {
         require_version(root)?;
@@ -123,7 +127,8 @@ fn up_axis(asset: Element<'_>) -> Result<Option<UpAxis>, ContentError> {
     }
 }
 
-/// What a reader of the answer cannot see in it: that nothing was turned, and that the unit is the format's.
+/// Returns findings about the conventions: the axes were not rotated, and the unit is the default
+/// of the format.
 fn remarks(unit: Option<f64>, up: Option<UpAxis>) -> Vec<Finding> {
     let axis = match up {
         Some(UpAxis::X) => Some("x"),
@@ -138,35 +143,35 @@ fn remarks(unit: Option<f64>, up: Option<UpAxis>) -> Vec<Finding> {
     turned.into_iter().chain(metres).collect()
 }
 
-/// What is collected on the way through the scene.
+/// State of the traversal of the scene.
 struct Reader<'a> {
     library: Library<'a>,
-    /// The geometries that were met so far, by their first byte.
+    /// Geometries read so far, by the position of their element.
     surfaces: HashMap<usize, Surface>,
     polygons: Polygons,
-    /// A mesh that the scene has a thousand times must not fill the memory.
+    /// Memory limit, since a scene may contain a mesh a thousand times.
     budget: Budget,
     notes: Notes,
     parts: Vec<MeshPart>,
 }
 
-/// Bytes that an element of a node is counted for: what it may make, and its time.
+/// Budget for an element of a node, bytes: covers its memory and its time.
 const STEP: usize = 1024;
 
-/// What is still to be done on the way through the nodes.
+/// Pending step of the traversal.
 enum Step<'a> {
     Enter {
         node: Element<'a>,
         map: Affine,
-        /// The `<node>` itself, or the `<instance_node>` that names it.
+        /// The `<node>` itself, or the `<instance_node>` that refers to it.
         asked: Element<'a>,
     },
-    /// All of the node has been placed.
+    /// The node is complete.
     Leave(usize),
 }
 
 impl<'a> Reader<'a> {
-    /// The visual scene that the file says is shown, or its only one.
+    /// Returns the visual scene that the file selects, or its only one.
     fn shown(&self, root: Element<'a>) -> Result<Element<'a>, ContentError> {
         let mut instances = root.named("scene").flat_map(|scene| scene.named("instance_visual_scene"));
         if let Some(instance) = instances.next() {
@@ -210,7 +215,7 @@ impl<'a> Reader<'a> {
         Ok(scene.word("name").unwrap_or("").to_owned())
     }
 
-    /// Places the geometries of a node, and returns the nodes in it.
+    /// Places the geometries of a node, and returns its child nodes.
     fn enter(&mut self, node: Element<'a>, mut map: Affine) -> Result<Vec<Step<'a>>, ContentError> {
         let mut inner = Vec::new();
         let mut has_placed = false;
@@ -280,7 +285,8 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// What a part is called: as its place in the scene, if that is its own, else as its geometry.
+/// Returns the name of a part: the name of its instance or node if it is unique there, otherwise
+/// that of its geometry.
 fn name(instance: Element<'_>, node: Option<Element<'_>>, geometry: Element<'_>) -> String {
     let of = |element: Option<Element<'_>>, attribute: &str| {
         let word = element.and_then(|element| element.word(attribute))?;

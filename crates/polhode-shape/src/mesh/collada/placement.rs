@@ -1,4 +1,4 @@
-//! How a node is placed in the one above it.
+//! Transformation of a node relative to its parent.
 
 use polhode_source::xml::Element;
 use polhode_source::{ContentError, ContentErrorKind};
@@ -6,14 +6,14 @@ use polhode_source::{ContentError, ContentErrorKind};
 use super::value::{array, missing, start, unsupported};
 use crate::mesh::affine::Affine;
 
-/// What an element of a node says of its place; `None` if it says nothing of it.
+/// Returns the transformation of an element; `None` for an element that is not a transformation.
 pub(crate) fn of(element: Element<'_>) -> Result<Option<Affine>, ContentError> {
     const NO_TURN: [f64; 4] = [0.0, 0.0, 0.0, 1.0];
     Ok(Some(match element.name() {
         "matrix" => {
-            // row by row
+            // The matrix is written by rows.
             let [a, b, c, x, d, e, f, y, g, h, i, z, last @ ..] = array::<16>(element)?;
-            // Programs that multiply such matrices write what they have rounded.
+            // Programs write rounded products of such matrices.
             let is_usual = last.iter().zip([0.0, 0.0, 0.0, 1.0]).all(|(e, usual)| (e - usual).abs() <= 1e-6);
             if !is_usual {
                 let (what, value) = ("the last row of the matrix", format!("{last:?}"));
@@ -38,9 +38,9 @@ pub(crate) fn of(element: Element<'_>) -> Result<Option<Affine>, ContentError> {
     }))
 }
 
-/// The turn about a direction of any length, scalar last; `None` for no direction.
+/// Returns the rotation about a vector of any length, scalar last; `None` for the zero vector.
 fn about_axis(axis: [f64; 3], angle: f64) -> Option<[f64; 4]> {
-    // with components of size 1, the square of a small direction does not vanish
+    // Scaling the components to size 1 keeps the square of a small vector from vanishing.
     let size = axis.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
     let [x, y, z] = axis.map(|c| c / size);
     let length = (x * x + y * y + z * z).sqrt();

@@ -1,4 +1,4 @@
-//! Geometries: positions, and the faces between them.
+//! Geometries: positions and faces.
 
 use polhode_source::xml::Element;
 use polhode_source::{ContentError, ContentErrorKind};
@@ -8,19 +8,19 @@ use super::value::{count, declared, expected, finite, missing, start, unsupporte
 use crate::mesh::parts::index;
 use crate::mesh::polygon::Polygons;
 
-/// A mesh as the file has it, before it is placed.
+/// Mesh as in the file, before it is placed.
 #[derive(Debug, Default)]
 pub(crate) struct Surface {
     pub vertices: Vec<[f64; 3]>,
-    /// None, if the geometry has lines alone.
+    /// Triangles; empty if the geometry has only lines.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// How the corners in a `<p>` are joined.
+/// Connection of the corners in a `<p>`.
 #[derive(Clone, Copy)]
 enum Joining<'a> {
     Triangles,
-    /// As many to a face as the list says.
+    /// Polygons with the numbers of corners in this list.
     List(&'a str),
     Polygon,
     Strip,
@@ -50,7 +50,7 @@ impl Surface {
             };
             let corners = Corners::of(faces)?;
             let vertices = library.named(corners.input, "source", "vertices")?;
-            // all faces of a mesh have the same vertices
+            // All faces of a mesh share the same vertices.
             let (known, surface) = match &mut surface {
                 Some((known, surface)) => (*known, surface),
                 none => {
@@ -119,7 +119,7 @@ impl Surface {
                     }
                     triangles.extend((0..corners.len() - 2).map(|i| {
                         let order = match joining {
-                            // every second triangle of a strip is wound the other way
+                            // Every second triangle of a strip has the opposite winding.
                             Joining::Strip => [i, i + 1 + i % 2, i + 2 - i % 2],
                             _ => [0, i + 1, i + 2],
                         };
@@ -137,7 +137,7 @@ impl Surface {
     }
 }
 
-/// That a number of `<vcount>` is none of corners.
+/// Returns the error for an invalid number in `<vcount>`.
 fn no_size(faces: Element<'_>, face: usize) -> ContentError {
     let number = faces.child_text("vcount").and_then(|counts| counts.numbers().nth(face));
     match number {
@@ -146,7 +146,7 @@ fn no_size(faces: Element<'_>, face: usize) -> ContentError {
     }
 }
 
-/// Where in a `<p>` the vertices of its corners are.
+/// Layout of the vertex indices in a `<p>`.
 struct Corners<'a> {
     input: Element<'a>,
     offset: usize,
@@ -191,7 +191,7 @@ impl<'a> Corners<'a> {
     }
 }
 
-/// The positions of `<vertices>`: a source, then its numbers.
+/// Returns the positions of `<vertices>` from their source.
 fn positions<'a>(vertices: Element<'a>, library: &Library<'a>) -> Result<Vec<[f64; 3]>, ContentError> {
     let position = vertices.named("input").find(|input| input.word("semantic") == Some("POSITION"));
     let position = position.ok_or_else(|| missing("positions", vertices))?;
@@ -227,7 +227,7 @@ fn positions<'a>(vertices: Element<'a>, library: &Library<'a>) -> Result<Vec<[f6
     Ok(points)
 }
 
-/// Where the coordinates stand among the numbers of a point: parameters without a name are passed over.
+/// Returns the columns of the coordinates in the source. Parameters without a name are skipped.
 fn columns(accessor: Element<'_>) -> Result<[usize; 3], ContentError> {
     let names = || accessor.named("param").map(|param| param.word("name").unwrap_or(""));
     if names().next().is_none() {

@@ -1,17 +1,18 @@
-//! Numbers and counts of a COLLADA file, and what is wrong with them.
+//! Numbers and counts of a COLLADA file, and their errors.
 
 use std::ops::Range;
 
 use polhode_source::xml::{Element, Written};
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
-/// What an attribute counts; the default if it is not there.
+/// Returns an integer attribute; the default if it is missing.
 pub(crate) fn whole(element: Element<'_>, name: &str, default: usize) -> Result<usize, ContentError> {
     let Some(written) = element.attribute(name) else { return Ok(default) };
     written.value.parse().map_err(|_| expected("a whole number", written.value, written.span))
 }
 
-/// What an element declares as its `count` is what it has: a file that was cut short, or edited, has something else.
+/// Checks that the attribute `count` of an element equals the actual number. They differ in a
+/// truncated or edited file.
 pub(crate) fn declared(element: Element<'_>, what: &str, present: usize) -> Result<(), ContentError> {
     match whole(element, "count", present)? {
         declared if declared == present => Ok(()),
@@ -32,7 +33,7 @@ pub(crate) fn positive(written: &Written<'_>) -> Result<f64, ContentError> {
     }
 }
 
-/// As many numbers as are asked for, in an element.
+/// Returns exactly N numbers of an element.
 pub(crate) fn array<const N: usize>(element: Element<'_>) -> Result<[f64; N], ContentError> {
     let written = element.text().ok_or_else(|| missing("numbers", element))?;
     let values = finite(&written)?;
@@ -41,7 +42,7 @@ pub(crate) fn array<const N: usize>(element: Element<'_>) -> Result<[f64; N], Co
     values.try_into().map_err(unlike)
 }
 
-/// Numbers with blanks between them.
+/// Returns finite numbers separated by blanks.
 pub(crate) fn finite(written: &Written<'_>) -> Result<Vec<f64>, ContentError> {
     let values: Vec<f64> = written.values().collect();
     if values.iter().all(|value| value.is_finite()) {
@@ -61,13 +62,13 @@ pub(crate) fn missing(what: &str, at: Element<'_>) -> ContentError {
     ContentError::new(ContentErrorKind::missing(what), start(at))
 }
 
-/// What polhode does not read of COLLADA: an element, or more words about it.
+/// Returns the error for an unsupported element; `what` adds details.
 pub(crate) fn unsupported(element: Element<'_>, what: &str) -> ContentError {
     let what = format!("<{}> of COLLADA{what}", element.name());
     ContentError::new(ContentErrorKind::unsupported(what), start(element))
 }
 
-/// Where an element begins.
+/// Returns the start of an element.
 pub(crate) fn start(element: Element<'_>) -> ContentPlace {
     let start = element.span().start;
     ContentPlace::Text(start..start + 1)

@@ -1,4 +1,4 @@
-//! Accessors: what the bytes of a view mean.
+//! Accessors: typed data in buffer views.
 
 use polhode_source::package::unfolding::Budget;
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
@@ -6,7 +6,7 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use super::buffer::{Buffers, View};
 use super::json::Json;
 
-/// The type of one component.
+/// Type of a component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Component {
     I8,
@@ -38,7 +38,7 @@ impl Component {
         }
     }
 
-    /// The number in so many bytes as the component has.
+    /// Decodes a number from the bytes of one component.
     fn value(self, bytes: &[u8]) -> f64 {
         match (self, bytes) {
             (Self::I8, &[a]) => f64::from(a as i8),
@@ -51,7 +51,7 @@ impl Component {
         }
     }
 
-    /// What stands for 1 in normalised numbers.
+    /// Returns the integer that represents 1 in normalized numbers.
     fn one(self) -> f64 {
         match self {
             Self::I8 => f64::from(i8::MAX),
@@ -64,7 +64,7 @@ impl Component {
     }
 }
 
-/// Elements of N components each, that are in the bytes.
+/// Elements with N components each, stored in a view.
 struct Elements<'a, const N: usize> {
     view: View<'a>,
     offset: usize,
@@ -74,7 +74,7 @@ struct Elements<'a, const N: usize> {
 }
 
 impl<'a, const N: usize> Elements<'a, N> {
-    /// The elements of a view from `byteOffset` of `from` on.
+    /// Returns the elements of a view, starting at `byteOffset` of `from`.
     fn new(
         from: &Json<'a>,
         component: Component,
@@ -90,7 +90,7 @@ impl<'a, const N: usize> Elements<'a, N> {
             let rule = format!("at least the {size} bytes of an element");
             return Err(from.error(ContentErrorKind::value(what, value, rule)));
         }
-        // The last element ends before the view does: offset + stride (count − 1) + size ≤ length.
+        // The last element must end within the view: offset + stride (count − 1) + size ≤ length.
         let length = view.bytes().len() as u64;
         let present = match length.checked_sub(offset).and_then(|rest| rest.checked_sub(size)) {
             Some(rest) => rest / stride + 1,
@@ -115,7 +115,8 @@ impl<'a, const N: usize> Elements<'a, N> {
     }
 }
 
-/// Vectors of N finite numbers, integers of up to 16 bits among them, normalised where the file says so.
+/// Reads vectors of N finite numbers. They may be integers of up to 16 bits, normalized if the file
+/// says so.
 pub(crate) fn vectors<'a, const N: usize>(
     json: &Json<'a>,
     buffers: &mut Buffers<'a>,
@@ -137,7 +138,7 @@ pub(crate) fn vectors<'a, const N: usize>(
     Ok(values)
 }
 
-/// Indices of vertices, each below `vertices`.
+/// Reads vertex indices, each below `vertices`.
 pub(crate) fn indices<'a>(
     json: &Json<'a>,
     vertices: usize,
@@ -152,11 +153,12 @@ pub(crate) fn indices<'a>(
         let kind = ContentErrorKind::index("vertex", values[k][0] as i64, vertices);
         return Err(ContentError::new(kind, element(json, k)));
     }
-    // f64 holds every u32.
+    // f64 represents every u32 exactly.
     Ok(values.into_iter().map(|[index]| index as u32).collect())
 }
 
-/// The elements of an accessor, those without bytes as zeros, sparse ones put in.
+/// Returns the elements of an accessor. Elements without data are zero; sparse values replace
+/// elements.
 fn elements<'a, const N: usize>(
     json: &Json<'a>,
     buffers: &mut Buffers<'a>,

@@ -1,4 +1,4 @@
-//! Buffers: bytes beside the document, in the GLB, in the document as base64, or in a file of its folder.
+//! Buffers: in the GLB, in the document as base64, or in a separate file in its folder.
 
 use std::io;
 use std::path::{Component, Path, PathBuf};
@@ -12,7 +12,7 @@ use polhode_source::{ContentError, ContentErrorKind};
 
 use super::json::Json;
 
-/// The buffers of a document, each read when it is first needed.
+/// Buffers of a document, each read when it is first needed.
 #[derive(Debug)]
 pub(crate) struct Buffers<'a> {
     root: Json<'a>,
@@ -29,13 +29,13 @@ enum Bytes<'a> {
     Loaded(Rc<Vec<u8>>),
 }
 
-/// A part of a buffer.
+/// Buffer view.
 #[derive(Clone, Debug)]
 pub(crate) struct View<'a> {
     buffer: Bytes<'a>,
     start: usize,
     length: usize,
-    /// From one element to the next, if the view says so.
+    /// Distance between elements, bytes, if the view states it.
     pub stride: Option<u64>,
 }
 
@@ -60,7 +60,7 @@ impl<'a> Buffers<'a> {
         Self { root, chunk, from, folder, loaded, files: Vec::new() }
     }
 
-    /// The view that this value, an index, means.
+    /// Returns the view with this index.
     pub(crate) fn view(&mut self, index: &Json<'a>) -> Result<View<'a>, ContentError> {
         let (_, view) = index.referred(&self.root, "bufferViews", "buffer view")?;
         if let Some(packed) = view.get("extensions").and_then(|e| e.get("EXT_meshopt_compression")) {
@@ -79,7 +79,7 @@ impl<'a> Buffers<'a> {
         Ok(View { buffer: bytes, start: start as usize, length: length as usize, stride })
     }
 
-    /// All the bytes that the buffer declares.
+    /// Returns the buffer; it must have the declared length.
     fn buffer(&mut self, k: usize, buffer: &Json<'a>, declared: u64) -> Result<Bytes<'a>, ContentError> {
         let bytes = match self.loaded.get(k) {
             Some(Some(bytes)) => bytes.clone(),
@@ -115,7 +115,7 @@ impl<'a> Buffers<'a> {
         }
     }
 
-    /// The bytes of a file inside the document's folder.
+    /// Returns the bytes of a file inside the document's folder.
     fn file(&mut self, uri: &Json<'a>) -> Result<Rc<Vec<u8>>, ContentError> {
         let outside = || {
             uri.refused("uri", "a file in the folder of the document, or below it").hint(
@@ -151,7 +151,7 @@ pub(crate) fn compressed(name: &str) -> ContentErrorKind {
     ContentErrorKind::unsupported(format!("compressed meshes ({name})"))
 }
 
-/// The relative path of a URI, if it is one and does not climb.
+/// Returns the relative path of a URI; `None` for an absolute URI or a path that leaves the folder.
 fn inside(uri: &str) -> Option<PathBuf> {
     let text = percent_decoded(uri)?;
     let has_scheme = |text: &str| text.split('/').next().is_some_and(|first| first.contains(':'));
@@ -162,7 +162,8 @@ fn inside(uri: &str) -> Option<PathBuf> {
     path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir)).then_some(path)
 }
 
-/// %41 is A; `None` if two hexadecimal digits do not follow, or the result is not UTF-8.
+/// Decodes percent escapes: %41 is A. Returns `None` if two hexadecimal digits do not follow, or
+/// the result is not UTF-8.
 fn percent_decoded(text: &str) -> Option<String> {
     let mut bytes = Vec::new();
     let mut rest = text.bytes();
@@ -177,7 +178,7 @@ fn percent_decoded(text: &str) -> Option<String> {
 static BASE64: GeneralPurpose =
     GeneralPurpose::new(&alphabet::STANDARD, NO_PAD.with_decode_allow_trailing_bits(true));
 
-/// The bytes after `data:`; the padding may be missing.
+/// Decodes the data after `data:`; the padding may be missing.
 fn decoded(data: &str, uri: &Json<'_>) -> Result<Vec<u8>, ContentError> {
     let text = match data.split_once(',') {
         Some((kind, text)) if kind.ends_with(";base64") => text,

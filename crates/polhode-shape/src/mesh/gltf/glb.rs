@@ -1,8 +1,8 @@
-//! GLB: a header of twelve bytes, a chunk of JSON, and a chunk of bytes for its first buffer.
+//! GLB container: a header of twelve bytes, a JSON chunk, and a binary chunk for the first buffer.
 
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
-/// The document of a glTF file, and the buffer that came with it.
+/// Document of a glTF file, with its embedded buffer.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Container<'a> {
     pub json: &'a [u8],
@@ -10,7 +10,7 @@ pub(crate) struct Container<'a> {
     pub is_binary: bool,
 }
 
-/// A GLB, or a file that is all JSON.
+/// Opens a GLB or a JSON file.
 pub(crate) fn open(bytes: &[u8]) -> Result<Container<'_>, ContentError> {
     if bytes.starts_with(b"glTF") {
         return binary(bytes);
@@ -47,7 +47,7 @@ fn binary(bytes: &[u8]) -> Result<Container<'_>, ContentError> {
     };
     let mut offset = 20 + json.len();
     let mut first = None;
-    // Chunks of other kinds are extensions; the buffer is the first behind the JSON.
+    // Chunks of other types are extensions. The buffer is the first binary chunk after the JSON.
     while let Some((kind, contents)) = chunk(bytes, offset)? {
         if kind == BIN && first.is_none() {
             first = Some(contents);
@@ -60,13 +60,13 @@ fn binary(bytes: &[u8]) -> Result<Container<'_>, ContentError> {
 const JSON: [u8; 4] = *b"JSON";
 const BIN: [u8; 4] = *b"BIN\0";
 
-/// Kind and contents.
+/// Type and contents of a chunk.
 type Chunk<'a> = ([u8; 4], &'a [u8]);
 
-/// The chunk at an offset; nothing at the end of the file.
+/// Returns the chunk at an offset; `None` at the end of the file.
 fn chunk(bytes: &[u8], offset: usize) -> Result<Option<Chunk<'_>>, ContentError> {
     let rest = bytes.get(offset..).unwrap_or_default();
-    // What is too short for a header is padding.
+    // A remainder shorter than a header is padding.
     let Some((header, rest)) = rest.split_first_chunk::<8>() else { return Ok(None) };
     let [a, b, c, d, kind @ ..] = *header;
     let length = u32::from_le_bytes([a, b, c, d]);

@@ -1,9 +1,9 @@
-//! A value of a JSON document that knows where it stands.
+//! JSON value with its location in the document.
 
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use serde_json::Value;
 
-/// A value and its place: `nodes[3].matrix`.
+/// Value with its location: `nodes[3].matrix`.
 #[derive(Clone, Debug)]
 pub(crate) struct Json<'a> {
     value: &'a Value,
@@ -19,19 +19,19 @@ impl<'a> Json<'a> {
         &self.place
     }
 
-    /// The member of an object, if it is there.
+    /// Returns a member of an object, if it is present.
     pub(crate) fn get(&self, key: &str) -> Option<Self> {
         let value = self.value.get(key)?;
         let place = if self.place.is_empty() { key.to_owned() } else { format!("{}.{key}", self.place) };
         Some(Self { value, place })
     }
 
-    /// The member of an object that has to be there.
+    /// Returns a required member of an object.
     pub(crate) fn need(&self, key: &str) -> Result<Self, ContentError> {
         self.get(key).ok_or_else(|| ContentError::new(ContentErrorKind::missing(key), self.content_place()))
     }
 
-    /// The elements of an array; none if the member is not there.
+    /// Returns the elements of an array member; empty if it is missing.
     pub(crate) fn list(
         &self,
         key: &str,
@@ -45,12 +45,12 @@ impl<'a> Json<'a> {
         Ok(values.iter().enumerate().map(move |(k, value)| Self { value, place: format!("{place}[{k}]") }))
     }
 
-    /// How many elements the array has; 0 if it is not there.
+    /// Returns the length of an array member; 0 if it is missing.
     pub(crate) fn count(&self, key: &str) -> usize {
         self.value.get(key).and_then(Value::as_array).map_or(0, Vec::len)
     }
 
-    /// The element of a list of the document that this value, an index, means.
+    /// Returns the element of a top-level list with this value as its index.
     pub(crate) fn referred(&self, root: &Self, list: &str, one: &str) -> Result<(usize, Self), ContentError> {
         let index = self.whole()?;
         let values = root.value.get(list).and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
@@ -63,20 +63,20 @@ impl<'a> Json<'a> {
         }
     }
 
-    /// A whole number from 0.
+    /// Returns an integer of at least 0.
     pub(crate) fn whole(&self) -> Result<u64, ContentError> {
-        // JSON does not tell 3 from 3.0, and some writers write the latter.
+        // JSON does not distinguish 3 and 3.0, and some writers use the latter.
         let fractional = |x: f64| (x >= 0.0 && x < 2f64.powi(53) && x.fract() == 0.0).then_some(x as u64);
         let whole = self.value.as_u64().or_else(|| self.value.as_f64().and_then(fractional));
         whole.ok_or_else(|| self.expected("a whole number from 0"))
     }
 
-    /// The same of a member, or a default.
+    /// Returns an integer member of at least 0, or a default.
     pub(crate) fn whole_or(&self, key: &str, default: u64) -> Result<u64, ContentError> {
         self.get(key).map_or(Ok(default), |value| value.whole())
     }
 
-    /// True or false; false if the member is not there.
+    /// Returns a boolean member; false if it is missing.
     pub(crate) fn flag(&self, key: &str) -> Result<bool, ContentError> {
         self.get(key)
             .map_or(Ok(false), |flag| flag.value.as_bool().ok_or_else(|| flag.expected("true or false")))
@@ -86,17 +86,17 @@ impl<'a> Json<'a> {
         self.value.as_str().ok_or_else(|| self.expected("a text"))
     }
 
-    /// The text of a member, empty if it is not there.
+    /// Returns a text member; empty if it is missing.
     pub(crate) fn text_or_empty(&self, key: &str) -> Result<&'a str, ContentError> {
         self.get(key).map_or(Ok(""), |text| text.text())
     }
 
-    /// One finite number.
+    /// Returns a finite number.
     pub(crate) fn number(&self) -> Result<f64, ContentError> {
         self.value.as_f64().ok_or_else(|| self.expected("a number"))
     }
 
-    /// Exactly N finite numbers.
+    /// Returns exactly N finite numbers.
     pub(crate) fn numbers<const N: usize>(&self) -> Result<[f64; N], ContentError> {
         let expected = || self.expected(&format!("{N} numbers"));
         let values = self.value.as_array().ok_or_else(expected)?;
@@ -108,7 +108,7 @@ impl<'a> Json<'a> {
         Ok(numbers)
     }
 
-    /// What is wrong with this value.
+    /// Returns an error about this value.
     pub(crate) fn error(&self, kind: ContentErrorKind) -> ContentError {
         ContentError::new(kind, self.content_place())
     }
@@ -117,7 +117,7 @@ impl<'a> Json<'a> {
         self.error(ContentErrorKind::expected(what, self.shown()))
     }
 
-    /// This value breaks a rule.
+    /// Returns the error for a value that violates a rule.
     pub(crate) fn refused(&self, what: &str, rule: &str) -> ContentError {
         self.error(ContentErrorKind::value(what, self.shown(), rule))
     }
@@ -129,7 +129,7 @@ impl<'a> Json<'a> {
         }
     }
 
-    /// The value in a few words: a large one must not be written out for a message.
+    /// Returns the value for a message; long values are shortened.
     fn shown(&self) -> String {
         match self.value {
             Value::Array(values) if values.len() > 16 => format!("an array of {}", values.len()),

@@ -1,15 +1,18 @@
-//! glTF 2.0: JSON with buffers beside it, or all of it in one binary GLB.
+//! glTF 2.0: JSON with separate buffers, or everything in one binary GLB.
 //!
-//! A document is a forest of nodes; each places a mesh, and the same mesh may stand at many nodes. What is read
-//! is the default scene: every node with a mesh is a part, placed by the product of all matrices above it, in
-//! double precision. The unit is the metre. The axes are the file's own (y is up in glTF; nothing is turned).
+//! A document is a forest of nodes. Each node may place a mesh, and several nodes may place the
+//! same mesh. The reader returns the default scene. Every node with a mesh is a part, placed by the
+//! product of all matrices above it, in double precision. The unit is the metre. The axes are the
+//! file's own (y is up in glTF; nothing is rotated).
 //!
-//! A mesh is made of primitives, one for each material; together they bound the solid. Triangles, strips and fans
-//! are read, points and lines left out. Positions are floats or quantised integers, tight or interleaved, sparse
-//! or not. A placement that mirrors turns the winding, so that outside stays outside.
+//! A mesh consists of primitives, one for each material; together they bound the solid. Triangles,
+//! strips and fans are read; points and lines are skipped. Positions are floats or quantized
+//! integers, packed or interleaved, sparse or dense. A placement that mirrors reverses the winding,
+//! so that outside stays outside.
 //!
-//! Compressed meshes (Draco, meshopt) are refused by name. Animation has no part in a rigid body: skinned meshes
-//! are taken as they were bound, morph targets without a weight are ignored, and both are findings; weights are refused.
+//! Compressed meshes (Draco, meshopt) are refused by name. Animation does not apply to a rigid
+//! body. Skinned meshes are used in their bind pose, and morph targets without a weight are
+//! ignored; both are findings. Morph targets with weights are refused.
 //!
 //! Source: Khronos Group, glTF 2.0 Specification, version 2.0.1.
 
@@ -38,8 +41,8 @@ use json::Json;
 use node::Forest;
 use primitive::Surface;
 
-/// Reads the bytes of a `.gltf` or `.glb` file; buffers in files of their own are looked for in `folder`, and
-/// nowhere else.
+/// Reads the bytes of a `.gltf` or `.glb` file. Buffers in separate files are searched only in
+/// `folder`.
 ///
 /// ```
 /// use std::path::Path;
@@ -63,8 +66,8 @@ use primitive::Surface;
 /// ```
 ///
 /// # Errors
-/// [`ContentError`] for bytes that are no glTF 2.0, a document that contradicts itself or its buffers, one that
-/// needs an extension that is not read, a buffer outside the folder, and a scene without a triangle.
+/// [`ContentError`] for bytes that are not glTF 2.0, an inconsistent document or buffer, a required
+/// extension that is not supported, a buffer outside the folder, and a scene without triangles.
 pub fn read(files: &dyn Files, bytes: &[u8], folder: &Path) -> Result<MeshContents, ContentError> {
     let container = glb::open(bytes)?;
     let document = parsed(container.json, container.is_binary)?;
@@ -95,12 +98,12 @@ pub fn read(files: &dyn Files, bytes: &[u8], folder: &Path) -> Result<MeshConten
     })
 }
 
-/// What is collected on the way through the scene.
+/// State of the traversal of the scene.
 struct Scene<'a> {
     root: Json<'a>,
     buffers: Buffers<'a>,
     budget: Budget,
-    /// The meshes that were met so far.
+    /// Meshes read so far, by index.
     surfaces: HashMap<usize, Surface>,
     parts: Vec<MeshPart>,
     notes: Notes,
@@ -169,7 +172,8 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// Largest text of a document, with its `data:` URIs, bytes: in memory it takes several times as much.
+/// Maximum size of a JSON document, including `data:` URIs, bytes. In memory it takes several times
+/// as much.
 pub const LARGEST_TEXT: u64 = 256 << 20;
 
 fn parsed(json: &[u8], is_binary: bool) -> Result<Value, ContentError> {
@@ -210,7 +214,7 @@ fn require_version(root: &Json<'_>) -> Result<(), ContentError> {
     Ok(())
 }
 
-/// Extensions that a file may require: those that are read, and those that leave the shape alone.
+/// Checks the required extensions: supported ones, and ones that do not affect the shape.
 fn require_extensions(root: &Json<'_>) -> Result<(), ContentError> {
     const READ: [&str; 2] = ["KHR_mesh_quantization", "EXT_mesh_gpu_instancing"];
     const LOOKS: [&str; 8] = [

@@ -1,4 +1,4 @@
-//! Nodes: a forest, and where each of them is.
+//! Nodes: the forest, and the transformation of each node.
 
 use polhode::body::Severity;
 use polhode_source::package::unfolding::Budget;
@@ -10,12 +10,12 @@ use super::json::Json;
 use crate::mesh::affine::Affine;
 use crate::mesh::notes::Notes;
 
-/// The nodes of a document: each has one parent at most, and none is above itself.
+/// Nodes of a document. Each has at most one parent, and none is its own ancestor.
 pub(crate) struct Forest<'a> {
     pub nodes: Vec<Node<'a>>,
 }
 
-/// A node and the indices of its children.
+/// Node with the indices of its children.
 pub(crate) struct Node<'a> {
     pub json: Json<'a>,
     pub children: Vec<usize>,
@@ -41,7 +41,8 @@ impl<'a> Forest<'a> {
         Ok(forest)
     }
 
-    /// With one parent each, whatever no root reaches goes round in a circle.
+    /// Checks for cycles. Since each node has one parent, a node that no root reaches is in a
+    /// cycle.
     fn require_roots(&self) -> Result<(), ContentError> {
         let mut reached = vec![false; self.nodes.len()];
         let mut stack = self.roots();
@@ -63,7 +64,8 @@ impl<'a> Forest<'a> {
         (0..self.nodes.len()).filter(|&k| self.nodes[k].parent.is_none()).collect()
     }
 
-    /// The name of the scene to read and its roots: the default one, or the first, or all there is.
+    /// Returns the name and the roots of the scene to read: the default scene, otherwise the first
+    /// one, otherwise all nodes.
     pub(crate) fn scene(&self, root: &Json<'a>) -> Result<(String, Vec<usize>), ContentError> {
         let scene = match root.get("scene") {
             Some(index) => Some(index.referred(root, "scenes", "scene")?.1),
@@ -83,7 +85,7 @@ impl<'a> Forest<'a> {
     }
 }
 
-/// Where a node is in its parent.
+/// Returns the transformation of a node relative to its parent.
 pub(crate) fn transform(node: &Json<'_>, notes: &mut Notes) -> Result<Affine, ContentError> {
     let parts = [node.get("translation"), node.get("rotation"), node.get("scale")];
     let Some(matrix) = node.get("matrix") else {
@@ -111,7 +113,8 @@ pub(crate) fn transform(node: &Json<'_>, notes: &mut Notes) -> Result<Affine, Co
     })
 }
 
-/// The places at which a node puts its mesh: its own, or those of `EXT_mesh_gpu_instancing` in its frame.
+/// Returns the placements of a node's mesh: its own, or those of `EXT_mesh_gpu_instancing` in its
+/// frame.
 pub(crate) fn instances<'a>(
     node: &Json<'a>,
     map: Affine,
@@ -157,7 +160,7 @@ pub(crate) fn instances<'a>(
     (0..count).map(instance).collect()
 }
 
-/// The quaternion of length 1 that was meant: a file has rounded it. Far from length 1, something else was.
+/// Normalizes a quaternion that the file has rounded. Returns `None` if it is far from unit length.
 fn unit(q: [f64; 4], place: impl FnOnce() -> String, notes: Option<&mut Notes>) -> Option<[f64; 4]> {
     const SENTENCE: [&str; 2] = [
         "a rotation was not of unit length and was normalised",
@@ -168,7 +171,7 @@ fn unit(q: [f64; 4], place: impl FnOnce() -> String, notes: Option<&mut Notes>) 
     if !(off < 0.1) {
         return None;
     }
-    // Single precision leaves 1e-7.
+    // Rounding to single precision leaves an error of 1e-7.
     if let Some(notes) = notes.filter(|_| off > 1e-5) {
         notes.add("mesh.rotation_normalised", Severity::Info, SENTENCE, place);
     }

@@ -1,4 +1,4 @@
-//! Primitives: corners, and how they are joined to triangles.
+//! Primitives: corners and their connection to triangles.
 
 use std::collections::HashMap;
 
@@ -11,14 +11,14 @@ use super::buffer::{Buffers, UNPACK, compressed};
 use super::json::Json;
 use crate::mesh::notes::Notes;
 
-/// A mesh: the triangles of all its primitives.
+/// Triangles of all primitives of a mesh.
 #[derive(Debug, Default)]
 pub(crate) struct Surface {
     pub vertices: Vec<[f64; 3]>,
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// Refuses weights that change the shape before anything moves.
+/// Refuses morph weights that change the shape.
 pub(crate) fn is_unmorphed(holder: &Json<'_>) -> Result<(), ContentError> {
     let weights = holder.list("weights")?;
     for weight in weights {
@@ -41,7 +41,7 @@ impl Surface {
         notes: &mut Notes,
     ) -> Result<Self, ContentError> {
         let mut surface = Self::default();
-        // Primitives often share their vertices: first vertex and count, by accessor.
+        // Primitives often share vertices. The map stores first vertex and count by accessor.
         let mut known: HashMap<usize, (usize, usize)> = HashMap::new();
         for primitive in mesh.list("primitives")? {
             let Some(corners) = Corners::of(&primitive)? else {
@@ -90,7 +90,7 @@ impl Surface {
         Ok(surface)
     }
 
-    /// Joins a sequence of corners to triangles.
+    /// Connects a sequence of corners to triangles.
     fn join(
         &mut self,
         primitive: &Json<'_>,
@@ -113,7 +113,7 @@ impl Surface {
         self.triangles.extend((0..count).map(|i| {
             let order = match mode {
                 Mode::Triangles => [3 * i, 3 * i + 1, 3 * i + 2],
-                // Every second triangle of a strip is wound the other way.
+                // Every second triangle of a strip has the opposite winding.
                 Mode::Strip => [i, i + 1 + i % 2, i + 2 - i % 2],
                 Mode::Fan => [i + 1, i + 2, 0],
             };
@@ -123,7 +123,7 @@ impl Surface {
     }
 }
 
-/// How corners are joined.
+/// Connection of corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Mode {
     Triangles,
@@ -131,14 +131,14 @@ enum Mode {
     Fan,
 }
 
-/// The positions of a primitive, and how they are joined.
+/// Positions of a primitive and their connection.
 struct Corners<'a> {
     positions: Json<'a>,
     mode: Mode,
 }
 
 impl<'a> Corners<'a> {
-    /// `None` if the primitive is no surface.
+    /// Reads a primitive; `None` if it is not a surface.
     fn of(primitive: &Json<'a>) -> Result<Option<Self>, ContentError> {
         let mode = match primitive.whole_or("mode", 4)? {
             0..=3 => return Ok(None),

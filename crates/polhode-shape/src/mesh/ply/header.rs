@@ -1,4 +1,4 @@
-//! The header of a PLY file: which elements come, how many of each, and what each of them has.
+//! Header of a PLY file: its elements with their counts and properties.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -7,16 +7,16 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::super::scan::Scan;
 
-/// What the header says.
+/// Parsed header.
 #[derive(Clone, Debug)]
 pub(crate) struct Header {
     pub encoding: Encoding,
     pub elements: Vec<Element>,
-    /// The first byte behind the header.
+    /// Offset after the header.
     pub end: usize,
 }
 
-/// How the elements are written.
+/// Encoding of the elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Encoding {
     Ascii,
@@ -24,29 +24,29 @@ pub(crate) enum Encoding {
     BigEndian,
 }
 
-/// Things of one kind.
+/// Element type: a group of items with the same properties.
 #[derive(Clone, Debug)]
 pub(crate) struct Element {
     pub name: String,
-    /// How many the header declares; not to be trusted.
+    /// Declared number of items; not to be trusted.
     pub count: u64,
     pub properties: Vec<Property>,
-    /// Where the header says so.
+    /// Position of the declaration.
     pub span: Range<usize>,
 }
 
-/// What every one of an element's things has.
+/// Property of every item of an element.
 #[derive(Clone, Debug)]
 pub(crate) struct Property {
     pub name: String,
-    /// The type of a list's length, if it is a list.
+    /// Type of a list's length, if the property is a list.
     pub length: Option<Scalar>,
-    /// The type of the number, or of the list's items.
+    /// Type of the number, or of the items of a list.
     pub scalar: Scalar,
     pub span: Range<usize>,
 }
 
-/// The eight types of numbers.
+/// Number types.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Scalar {
     I8,
@@ -60,7 +60,7 @@ pub(crate) enum Scalar {
 }
 
 impl Scalar {
-    /// By either of its names.
+    /// Returns the type by either of its two names.
     fn named(name: &[u8]) -> Option<Self> {
         Some(match name {
             b"char" | b"int8" => Self::I8,
@@ -75,7 +75,7 @@ impl Scalar {
         })
     }
 
-    /// Bytes in a binary file.
+    /// Returns the size in a binary file, bytes.
     pub(crate) const fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,
@@ -91,7 +91,7 @@ impl Scalar {
 }
 
 impl Element {
-    /// The thing's name in a message, for many of them.
+    /// Returns the plural of the element's name, for messages.
     pub(crate) fn plural(&self) -> String {
         match self.name.as_str() {
             "vertex" => "vertices".to_owned(),
@@ -105,10 +105,10 @@ impl Element {
     }
 }
 
-/// Longest line of a header, bytes.
+/// Maximum length of a header line, bytes.
 const LONGEST_LINE: usize = 1 << 16;
 
-/// Reads the header; the lines of one file all end alike.
+/// Reads the header. All lines of a file must have the same line end.
 pub(crate) fn read(bytes: &[u8]) -> Result<Header, ContentError> {
     let start = &bytes[..bytes.len().min(LONGEST_LINE + 1)];
     let first = start.iter().position(|b| b"\r\n".contains(b)).unwrap_or(start.len());
@@ -169,7 +169,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Header, ContentError> {
     }
 }
 
-/// The words of one line.
+/// Words of one line.
 struct Line<'a> {
     scan: Scan<'a>,
 }
@@ -180,7 +180,7 @@ impl<'a> Line<'a> {
         self.scan.word()
     }
 
-    /// The last word should have been something else.
+    /// Returns the error for an unexpected last word.
     fn back(&self, what: &str) -> ContentError {
         let before = &self.scan.bytes[..self.scan.at];
         let length = before.iter().rev().take_while(|b| **b > b' ').count();
@@ -242,7 +242,7 @@ fn twice(what: &str, name: &str, span: &Range<usize>) -> ContentError {
     ContentErrorKind::value(what, value, rule).at(span.clone())
 }
 
-/// Where the line end is, or the end.
+/// Returns the position of the next line end, or the length.
 fn find(bytes: &[u8], line_end: &[u8]) -> usize {
     bytes.windows(line_end.len()).position(|window| window == line_end).unwrap_or(bytes.len())
 }

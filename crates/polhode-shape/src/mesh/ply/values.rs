@@ -1,34 +1,34 @@
-//! The values of a PLY file, one after another, in its three encodings.
+//! Sequence of values in a PLY file, in its three encodings.
 
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::super::scan::Scan;
 use super::header::{Encoding, Scalar};
 
-/// Where values come from; `Copy`, to come back to a place.
+/// Source of values. It is `Copy`, so that a position can be saved.
 pub(crate) trait Values: Copy {
-    /// A number.
+    /// Reads a number.
     fn number(&mut self, scalar: Scalar) -> Result<f64, Stop>;
-    /// A number of an integer type.
+    /// Reads a number of an integer type.
     fn integer(&mut self, scalar: Scalar) -> Result<i64, Stop>;
-    /// Goes over so many values.
+    /// Skips this many values.
     fn skip(&mut self, scalar: Scalar, count: u64) -> Result<(), Stop>;
-    /// The value that has been read last, as it is written, and where it is; `what` is what stands there.
+    /// Returns the text and place of the last value; `what` describes it.
     fn last(&self, what: String) -> (String, ContentPlace);
-    /// What is left of the file when all is read.
+    /// Returns the number of unread bytes.
     fn rest(&self) -> usize;
 }
 
-/// Why there is no value.
+/// Reason for a missing value.
 #[derive(Debug)]
 pub(crate) enum Stop {
-    /// The file has ended.
+    /// End of the file.
     Ended,
-    /// Something else stands there.
+    /// Unexpected content.
     Wrong(ContentError),
 }
 
-/// Numbers in the bytes of one order or the other.
+/// Binary numbers in big- or little-endian byte order.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Binary<'a, const BIG: bool> {
     bytes: &'a [u8],
@@ -69,7 +69,7 @@ impl<'a, const BIG: bool> Binary<'a, BIG> {
             Scalar::U16 => i64::from(u16::from_le_bytes(self.take()?)),
             Scalar::I32 => i64::from(i32::from_le_bytes(self.take()?)),
             Scalar::U32 => i64::from(u32::from_le_bytes(self.take()?)),
-            // No header with such a type gets this far.
+            // The header excludes such a type here.
             Scalar::F32 => f32::from_le_bytes(self.take()?) as i64,
             Scalar::F64 => f64::from_le_bytes(self.take()?) as i64,
         })
@@ -112,7 +112,7 @@ impl<const BIG: bool> Values for Binary<'_, BIG> {
     }
 }
 
-/// Numbers in text, between white space of any kind.
+/// Numbers in text, separated by white space.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ascii<'a> {
     scan: Scan<'a>,
@@ -150,7 +150,7 @@ impl Values for Ascii<'_> {
         for _ in 0..count {
             self.start()?;
             self.scan.word();
-            // No value starts with a control character, nor stands still.
+            // No progress: a value cannot start with a control character.
             if self.scan.at == self.last {
                 return Err(Stop::Wrong(self.scan.expected("a number")));
             }
@@ -180,7 +180,7 @@ impl Encoding {
 }
 
 impl Stop {
-    /// The end of the file, as something else sees it.
+    /// Converts to an error, with `ended` for the end of the file.
     pub(crate) fn or(self, ended: impl FnOnce() -> ContentError) -> ContentError {
         match self {
             Self::Ended => ended(),
@@ -189,7 +189,7 @@ impl Stop {
     }
 }
 
-/// A count that the file does not fill.
+/// Returns the error for a count that exceeds the file.
 pub(crate) fn short(what: String, declared: u64, present: u64, place: ContentPlace) -> ContentError {
     ContentError::new(ContentErrorKind::count(what, declared, present), place).hint("the file is cut short")
 }

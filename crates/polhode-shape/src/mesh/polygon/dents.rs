@@ -1,15 +1,15 @@
-//! The corners that do not turn left, in a tree: is one of them in a triangle?
+//! Search tree of the reflex corners of a polygon, to find those inside a triangle.
 
 use super::turn;
 
-/// Points in a tree of boxes, halved along the longer side until they are few.
+/// Points in a tree of bounding boxes, split along the longer side down to a few points.
 #[derive(Debug, Default)]
 pub(crate) struct Dents {
-    /// The points, each half of the tree in one stretch.
+    /// Points in tree order; each subtree is a contiguous range.
     order: Vec<u32>,
-    /// By point: its place in the order.
+    /// Position of each point in the order.
     place: Vec<u32>,
-    /// Box k has the boxes 2 k + 1 and 2 k + 2 in it.
+    /// Boxes of the tree; box k contains the boxes 2 k + 1 and 2 k + 2.
     boxes: Vec<Box>,
     waiting: Vec<Range>,
 }
@@ -18,11 +18,11 @@ pub(crate) struct Dents {
 struct Box {
     low: [f64; 2],
     high: [f64; 2],
-    /// Points that were not removed.
+    /// Number of points that are not removed.
     count: u32,
 }
 
-/// A stretch of the order, and the number of its box.
+/// Range of the order, with the index of its box.
 #[derive(Clone, Copy, Debug)]
 struct Range {
     node: u32,
@@ -30,7 +30,7 @@ struct Range {
     to: u32,
 }
 
-/// Points of a box that is not halved, at most.
+/// Maximum number of points in a leaf.
 const FEW: u32 = 8;
 
 const NONE: u32 = u32::MAX;
@@ -84,7 +84,7 @@ impl Dents {
         }
     }
 
-    /// Takes a point out; whether it was there.
+    /// Removes a point; returns true if it was present.
     pub(crate) fn remove(&mut self, k: u32) -> bool {
         let at = std::mem::replace(&mut self.place[k as usize], NONE);
         if at == NONE {
@@ -98,10 +98,11 @@ impl Dents {
         }
     }
 
-    /// A point in the triangle or on its edge, which turns left. One on its first corner is no obstacle:
-    /// there a polygon touches itself, as one with a hole does along its cut.
+    /// Returns a point in or on the edge of a triangle that turns left. A point that coincides with
+    /// the first corner is ignored: there the polygon touches itself, for example along the cut to
+    /// a hole.
     ///
-    /// `steps` are taken for boxes and points looked at.
+    /// `steps` is reduced by the number of visited boxes and points.
     pub(crate) fn inside(&mut self, points: &[[f64; 2]], corners: [u32; 3], steps: &mut u64) -> Option<u32> {
         let triangle @ [a, b, c] = corners.map(|k| points[k as usize]);
         let edges = [[a, b], [b, c], [c, a]];
@@ -135,7 +136,8 @@ impl Dents {
 }
 
 impl Box {
-    /// Whether all of the box is right of a line: the corner that is farthest to the left is.
+    /// Returns true if the whole box is to the right of a line. It suffices to test the leftmost
+    /// corner.
     fn is_right_of(&self, [from, to]: [[f64; 2]; 2]) -> bool {
         let x = if to[1] < from[1] { self.high[0] } else { self.low[0] };
         let y = if to[0] > from[0] { self.high[1] } else { self.low[1] };

@@ -1,45 +1,46 @@
-//! Ears, cut from a polygon in a plane until a triangle is left.
+//! Ear clipping of a polygon in a plane.
 
 use std::collections::VecDeque;
 
 use super::dents::Dents;
 use super::turn;
 
-/// The lists of one polygon, kept for the next.
+/// Buffers for one polygon, reused for the next.
 #[derive(Debug, Default)]
 pub(crate) struct Ears {
-    /// Of each corner that is left, the one before and the one after.
+    /// Previous and next corner of each remaining corner.
     ring: Vec<[u32; 2]>,
     state: Vec<State>,
     dents: Dents,
-    /// Corners to look at.
+    /// Corners to be tested.
     waiting: VecDeque<u32>,
-    /// By dent: the last corner that it hides, as a place in `hidden`.
+    /// Last corner hidden by each reflex corner, as an index into `hidden`.
     hides: Vec<u32>,
-    /// A corner, and the one that is hidden by the same dent before it.
+    /// Hidden corner, and the index of the previous one hidden by the same reflex corner.
     hidden: Vec<[u32; 2]>,
 }
 
-/// What is known of a corner.
+/// State of a corner.
 #[derive(Clone, Copy, Debug, Default)]
 struct State {
     is_dent: bool,
     is_cut: bool,
     is_waiting: bool,
-    /// A neighbour was cut in this round.
+    /// True if a neighbour was cut in this round.
     is_late: bool,
 }
 
 const NONE: u32 = u32::MAX;
 
-/// Steps of the search per corner: far more than real faces need, and few enough for hostile ones to end.
+/// Maximum number of search steps per corner; far more than real faces need, and a limit for
+/// malicious ones.
 const PATIENCE: u64 = 4096;
 
-/// Steps for one polygon, however many corners it has: some seconds.
+/// Maximum number of steps for one polygon, independently of its corners; a few seconds.
 const MOST_STEPS: u64 = 1 << 29;
 
 impl Ears {
-    /// Gives all n − 2 triangles, by numbers of points; whether none overlaps another.
+    /// Emits all n − 2 triangles by point indices. Returns true if they do not overlap.
     pub(crate) fn cut(&mut self, points: &[[f64; 2]], mut give: impl FnMut([u32; 3])) -> bool {
         let n = points.len() as u32;
         self.start(points);
@@ -50,7 +51,7 @@ impl Ears {
             let is_forced = next.is_none();
             match next {
                 Some(next) => k = next,
-                // No ear is left: the polygon crosses itself, or touches itself where nothing can be cut off.
+                // The polygon intersects itself, or touches itself where no ear can be cut.
                 None => is_clean = false,
             }
             let state = &mut self.state[k as usize];
@@ -77,7 +78,8 @@ impl Ears {
             self.dent_is_gone(k);
             for neighbour in [a, c] {
                 self.state[neighbour as usize].is_late = true;
-                // It may turn left now. It never stops to, unless the polygon crosses itself.
+                // The corner may turn left now. The converse happens only in a self-intersecting
+                // polygon.
                 if self.state[neighbour as usize].is_dent && !self.is_dent(points, neighbour) {
                     self.state[neighbour as usize].is_dent = false;
                     self.dent_is_gone(neighbour);
@@ -86,7 +88,7 @@ impl Ears {
             }
             k = c;
         }
-        // What is left, a triangle as a rule, is a fan.
+        // The remaining corners, usually a triangle, form a fan.
         while self.state[k as usize].is_cut {
             k = self.ring[k as usize][1];
         }
@@ -123,7 +125,7 @@ impl Ears {
         !(turn(points[a as usize], points[k as usize], points[c as usize]) > 0.0)
     }
 
-    /// A corner will be looked at, after those that are waiting.
+    /// Adds a corner to the end of the queue.
     fn wait(&mut self, k: u32) {
         let state = &mut self.state[k as usize];
         if !(state.is_waiting || state.is_cut || state.is_dent) {
@@ -132,7 +134,7 @@ impl Ears {
         }
     }
 
-    /// What a dent hid is looked at again.
+    /// Queues the corners that a reflex corner had hidden.
     fn dent_is_gone(&mut self, dent: u32) {
         if self.dents.remove(dent) {
             let mut entry = std::mem::replace(&mut self.hides[dent as usize], NONE);

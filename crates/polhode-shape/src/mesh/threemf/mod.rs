@@ -1,16 +1,18 @@
-//! 3MF: the 3D Manufacturing Format, XML in a ZIP archive.
+//! 3MF, the 3D Manufacturing Format: XML in a ZIP archive.
 //!
-//! A package has a model: objects, each a mesh or a list of other objects in their places, and a build, the
-//! objects that are made, in theirs. Every mesh that the build reaches is a part, as often as it is reached. The
-//! file says its unit of length; a model that says nothing is in millimetres.
+//! A package contains a model with objects and a build. An object is a mesh or a list of placed
+//! objects; the build is the list of placed objects to be made. Every mesh in the build is a part,
+//! once for each placement. The file states its unit of length; the default is the millimetre.
 //!
-//! Objects of other types than `model` are no part of the solid (supports, surfaces) and are left out with a
-//! finding. A placement that mirrors turns the winding, so that outside stays outside. The production extension
-//! (objects in other model files of the same package) is read, materials are ignored, and a model that needs an
-//! extension which changes shapes (slices, beam lattices, volumes) is refused by name.
+//! Objects of types other than `model` (supports, surfaces) do not belong to the solid and are
+//! skipped, with a finding. A placement that mirrors reverses the winding, so that outside stays
+//! outside. The production extension (objects in other model files of the same package) is
+//! supported. Materials are ignored. A model that requires an extension that changes shapes
+//! (slices, beam lattices, volumes) is refused by name.
 //!
-//! The XML is inflated while it is read and never kept. What it may inflate to, and what its placements may
-//! unfold to, are multiples of the bytes in the file (see `budget.rs`). Nothing is written to a disk.
+//! The XML is decompressed while it is read, and is not stored. The sizes of the decompressed data
+//! and of the placed meshes are limited to multiples of the file size (see `budget.rs`). Nothing is
+//! written to disk.
 //!
 //! Source: 3MF Consortium, Core Specification, version 1.3; Production Extension, version 1.1.
 
@@ -56,8 +58,8 @@ use model::{Contents, Model, Use};
 /// ```
 ///
 /// # Errors
-/// [`ContentError`] for bytes that are no 3MF package, a damaged archive or one made to do harm, a model that
-/// contradicts itself or needs an extension that is not read, and a build without a triangle.
+/// [`ContentError`] for bytes that are not a 3MF package, a damaged or malicious archive, an
+/// inconsistent model, a required extension that is not supported, and a build without triangles.
 pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     let mut package = Package {
         archive: Archive::open(bytes)?,
@@ -79,34 +81,34 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     Ok(MeshContents { encoding: "zip", name: title.trim().to_owned(), unit: Some(unit), parts, findings })
 }
 
-/// The package, as far as it has been read.
+/// State of the reader.
 struct Package<'a> {
     archive: Archive<'a>,
     /// Model files and their names, the root first.
     models: Vec<(String, Model)>,
-    /// Number of each model file, by [`key`].
+    /// Index of each model file, by [`key`].
     numbers: HashMap<String, usize>,
     budget: Budget,
     notes: Notes,
     parts: Vec<MeshPart>,
 }
 
-/// An object: the number of its model file, its id there.
+/// Identifier of an object: index of its model file, and its id in that file.
 type Id = (usize, u32);
 
-/// A line that asks for an object: the number of the model file, the line.
+/// Line that refers to an object: index of the model file, and line number.
 type Line = (usize, usize);
 
-/// What is still to be done on the way through the components.
+/// Pending step of the traversal of the components.
 enum Step {
-    /// Places an object, for the line that asks for it.
+    /// Places an object that is referred to by a line.
     Enter { id: Id, map: Affine, asked: Line },
-    /// All of the object has been placed.
+    /// The object is complete.
     Leave(Id),
 }
 
 impl Package<'_> {
-    /// The name of the model file that the package starts with.
+    /// Returns the name of the root model file.
     fn root(&mut self) -> Result<String, ContentError> {
         const RELATIONSHIPS: &str = "_rels/.rels";
         const MODEL: &str = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
@@ -115,7 +117,7 @@ impl Package<'_> {
         Ok(root.map_or_else(|| "3D/3dmodel.model".to_owned(), |root| root.target))
     }
 
-    /// The number of a model file, which is read when it is first needed.
+    /// Returns the index of a model file, which is read when it is first needed.
     fn model(&mut self, path: &str) -> Result<usize, ContentError> {
         if let Some(&number) = self.numbers.get(&key(path)) {
             return Ok(number);
@@ -133,7 +135,7 @@ impl Package<'_> {
         Ok(self.models.len() - 1)
     }
 
-    /// Places everything that the build of the root reaches, in the file's order.
+    /// Places everything in the build of the root model, in file order.
     fn build(&mut self) -> Result<(), ContentError> {
         let mut above: HashSet<Id> = HashSet::new();
         for item in 0..self.models[0].1.items.len() {
@@ -165,7 +167,7 @@ impl Package<'_> {
         Ok(())
     }
 
-    /// What a build item or a component asks for.
+    /// Returns the step for a build item or a component.
     fn step(&mut self, from: usize, used: &Use, above: &Affine) -> Result<Step, ContentError> {
         let asked = (from, used.line);
         self.budget.spend(1, size_of::<Step>(), || place(&self.models, asked))?;
@@ -181,8 +183,8 @@ impl Package<'_> {
         Ok(Step::Enter { id: (number, used.object), map: above.after(&used.transform), asked })
     }
 
-    /// Places an object that is a mesh, and returns the components of one that is not; `item` is the build item
-    /// that it belongs to.
+    /// Places an object that is a mesh, or returns its components; `item` is the build item that it
+    /// belongs to.
     fn enter(&mut self, id: Id, map: &Affine, item: &Use, asked: Line) -> Result<Rc<[Use]>, ContentError> {
         let (file, model) = &self.models[id.0];
         let place = || place(&self.models, asked);
@@ -222,7 +224,7 @@ impl Package<'_> {
     }
 }
 
-/// The line of a model file.
+/// Returns the location of a line in a model file.
 fn place(models: &[(String, Model)], (model, line): Line) -> String {
     format!("{}, line {line}", models[model].0)
 }

@@ -1,4 +1,4 @@
-//! One model file of a 3MF package: its objects, and what it builds of them.
+//! Model file of a 3MF package: its objects and its build items.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -15,16 +15,16 @@ use crate::mesh::notes::Notes;
 
 const CORE: &str = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 const PRODUCTION: &str = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06";
-/// Extensions that leave the shape alone.
+/// Extensions that do not affect the shape.
 const LOOKS: [&str; 2] = [
     "http://schemas.microsoft.com/3dmanufacturing/material/2015/02",
     "http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07",
 ];
 
-/// A model file.
+/// Contents of a model file.
 #[derive(Debug)]
 pub(crate) struct Model {
-    /// The name of the unit of length, and metres in it.
+    /// Unit of length: its name, and its value in metres.
     pub unit: (&'static str, f64),
     pub title: String,
     pub objects: HashMap<u32, Object>,
@@ -33,9 +33,9 @@ pub(crate) struct Model {
 
 #[derive(Debug)]
 pub(crate) struct Object {
-    /// Its name, or else its part number.
+    /// Name of the object, otherwise its part number.
     pub name: String,
-    /// `model`, `support`, `other` and others.
+    /// Type: `model`, `support`, `other` or another.
     pub kind: String,
     pub contents: Contents,
     pub line: usize,
@@ -48,10 +48,10 @@ pub(crate) enum Contents {
     Components(Rc<[Use]>),
 }
 
-/// An object in its place: a build item, or a component of another object.
+/// Placed object: a build item, or a component of another object.
 #[derive(Clone, Debug)]
 pub(crate) struct Use {
-    /// The model file that has the object, if it is another one.
+    /// Model file of the object, if it is in a different one.
     pub path: Option<String>,
     pub object: u32,
     pub transform: Affine,
@@ -119,7 +119,7 @@ impl Model {
         }
     }
 
-    /// The title that the file gives itself.
+    /// Reads the title of the file.
     fn metadata(&mut self, xml: &mut Xml<'_, '_>, element: &BytesStart<'_>) -> Result<(), ContentError> {
         let mut name = None;
         for attribute in xml.attributes(element) {
@@ -232,7 +232,7 @@ fn mesh(xml: &mut Xml<'_, '_>, notes: &mut Notes) -> Result<Contents, ContentErr
     }
 }
 
-/// Reads the children of one name, up to the end of their parent.
+/// Reads the children with one name, up to the end of their parent.
 fn each(
     xml: &mut Xml<'_, '_>,
     name: &str,
@@ -299,7 +299,7 @@ fn triangle(xml: &Xml<'_, '_>, element: &BytesStart<'_>, vertices: usize) -> Res
     }
 }
 
-/// Build items, or components.
+/// Reads build items or components.
 fn uses(xml: &mut Xml<'_, '_>, name: &str, list: &mut Vec<Use>) -> Result<(), ContentError> {
     each(xml, name, |xml, element| {
         let (mut object, mut path, mut transform, mut number) = (None, None, None, None);
@@ -324,7 +324,7 @@ fn uses(xml: &mut Xml<'_, '_>, name: &str, list: &mut Vec<Use>) -> Result<(), Co
     })
 }
 
-/// Twelve numbers, row by row, that act on rows: (x' y' z') = (x y z 1) M.
+/// Parses twelve numbers, row by row, which act on row vectors: (x' y' z') = (x y z 1) M.
 fn affine(xml: &Xml<'_, '_>, text: &str) -> Result<Affine, ContentError> {
     let mut m = [[0.0; 3]; 4];
     let mut words = text.split_ascii_whitespace();
@@ -339,7 +339,8 @@ fn affine(xml: &Xml<'_, '_>, text: &str) -> Result<Affine, ContentError> {
     Ok(Affine { columns: [a, b, c], origin })
 }
 
-/// An element that is not read. One of an extension may say more of the shape.
+/// Skips an unsupported element. An element of an extension may change the shape, so it is a
+/// finding.
 fn unread(xml: &mut Xml<'_, '_>, element: &BytesStart<'_>, notes: &mut Notes) -> Result<(), ContentError> {
     const SENTENCE: [&str; 2] = [
         "an element of an extension that polhode does not read was left out; it may change the shape",
@@ -357,12 +358,12 @@ fn is_core(xml: &Xml<'_, '_>, element: &BytesStart<'_>, name: &str) -> bool {
     core_name(xml, element) == name
 }
 
-/// The name of an element of 3MF itself; empty for any other.
+/// Returns the name of an element of the 3MF core; empty for other elements.
 fn core_name<'e>(xml: &Xml<'_, '_>, element: &'e BytesStart<'_>) -> &'e str {
     if xml.namespace(element) == CORE { element.local_name().into_inner() } else { "" }
 }
 
-/// Takes the text of an attribute that may stand once.
+/// Stores the text of an attribute; an error if it is repeated.
 fn once(xml: &Xml<'_, '_>, slot: &mut Option<String>, attribute: &Attribute<'_>) -> Result<(), ContentError> {
     let value: Cow<'_, str> = xml.value(attribute)?;
     match slot.replace(value.into_owned()) {
@@ -384,7 +385,7 @@ fn whole(xml: &Xml<'_, '_>, what: &str, text: &str) -> Result<u32, ContentError>
     value.map_err(|_| xml.refused(what, &format!("{text:?}"), "a whole number from 0, below 2³²"))
 }
 
-/// The units of 3MF.
+/// Returns a 3MF unit of length by name.
 fn metres(xml: &Xml<'_, '_>, name: &str) -> Result<(&'static str, f64), ContentError> {
     const UNITS: [(&str, f64); 6] = [
         ("micron", 1e-6),

@@ -1,4 +1,4 @@
-//! Mass properties as CAD programs print them.
+//! Mass-property reports in the formats of CAD programs.
 
 use std::fmt::Write;
 
@@ -6,11 +6,12 @@ use polhode::body::MassProperties;
 use polhode::math::{Body, Position};
 use polhode_shape::cad::ProductConvention;
 
-/// How a program prints.
+/// Output format of a program.
 #[derive(Clone, Copy)]
 pub(crate) struct Print {
     pub(crate) sign: ProductConvention,
-    /// Words of the unit of mass and of length, as the program has them, and their values in SI.
+    /// Names of the units of mass and length in the program, and their values in SI in the next
+    /// field.
     pub(crate) words: [&'static str; 2],
     pub(crate) units: [f64; 2],
     pub(crate) number: fn(f64) -> String,
@@ -148,7 +149,7 @@ pub(crate) fn onshape(body: &MassProperties<Body>, print: Print) -> String {
     text
 }
 
-/// Axes and moments as SolidWorks has them; axes to three digits.
+/// Returns axes and moments in SolidWorks' format, axes with three digits.
 pub(crate) fn principal(body: &MassProperties<Body>, print: Print) -> String {
     let [mass, length] = print.words;
     let principal = body.principal();
@@ -168,7 +169,8 @@ pub(crate) fn two_decimals(value: f64) -> String {
     format!("{value:.2}")
 }
 
-/// As Fusion: three decimals without the last zeros, and powers of ten from 1e5 on.
+/// Formats a number as Fusion does: three decimals without trailing zeros, and an exponent from
+/// 1e5.
 pub(crate) fn fusion_number(value: f64) -> String {
     if value.abs() < 1e5 {
         let fixed = format!("{value:.3}");
@@ -183,7 +185,7 @@ pub(crate) fn creo_number(value: f64, digits: usize) -> String {
     format!("{mantissa}E{:+03}", power.parse::<i32>().unwrap())
 }
 
-/// 1.234.567,89
+/// Formats a number in the German style: 1.234.567,89
 pub(crate) fn german(value: f64) -> String {
     let fixed = format!("{:.2}", value.abs());
     let (whole, fraction) = fixed.split_once('.').unwrap();

@@ -1,4 +1,4 @@
-//! Documents that contradict themselves, files that are cut or changed, and buffers that are elsewhere.
+//! Inconsistent documents, truncated or modified files, and separate buffers.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -189,7 +189,7 @@ fn a_compressed_primitive_without_a_way_around_is_refused() {
     );
 }
 
-/// Ten doublings by children are no bomb here, as a node has one parent; instancing is what unfolds.
+/// Children cannot multiply a mesh, since a node has one parent; instancing can.
 #[test]
 fn a_mesh_that_unfolds_too_far_is_refused() {
     let mut file = File::plain();
@@ -295,7 +295,8 @@ fn containers_that_are_broken() {
     );
 }
 
-/// Cut anywhere, and with any byte changed: an answer or an error, and never more than the bytes carry.
+/// Files truncated at any byte, or with any byte changed, give a result or an error. Memory use is
+/// limited by their size.
 #[test]
 fn no_bytes_do_harm() {
     let glb = File::plain().glb();
@@ -325,7 +326,7 @@ fn no_bytes_do_harm() {
     assert!(read > 100);
 }
 
-/// Every value of a document replaced by others: an answer or an error.
+/// Documents with any value replaced give a result or an error.
 #[test]
 fn no_value_does_harm() {
     fn pointers(value: &Value, at: &str, all: &mut Vec<String>) {
@@ -377,7 +378,7 @@ fn no_value_does_harm() {
     assert!(answers > 20 && answers < all.len() * others.len() / 2);
 }
 
-/// A text with `data:` URIs of a GB is refused by its length, before it is read.
+/// A text with `data:` URIs of 1 GB is refused by its length, before it is read.
 #[test]
 fn a_text_has_a_limit() {
     let path = std::env::temp_dir().join(format!("polhode-large-{}.gltf", std::process::id()));

@@ -1,4 +1,4 @@
-//! A glTF document under construction.
+//! glTF document under construction.
 
 use std::path::Path;
 
@@ -15,16 +15,17 @@ pub(super) const U16: u64 = 5123;
 pub(super) const U32: u64 = 5125;
 pub(super) const F32: u64 = 5126;
 
-/// A crooked octahedron: its axes at 0 to 3 are a ring, 4 is above it and 5 below.
+/// Irregular octahedron: the points 0 to 3 form a ring, 4 is above it and 5 below.
 pub(super) const POINTS: [[i8; 3]; 6] =
     [[90, 3, -7], [4, 70, -9], [-80, 5, 11], [-6, -60, 13], [8, -2, 50], [10, 12, -40]];
-/// Its faces, seen from outside counter-clockwise.
+/// Faces, counter-clockwise as seen from outside.
 pub(super) const FACES: [[u8; 3]; 8] =
     [[4, 0, 1], [4, 1, 2], [4, 2, 3], [4, 3, 0], [5, 1, 0], [5, 2, 1], [5, 3, 2], [5, 0, 3]];
 
 pub(super) type Corners = Vec<[[f64; 3]; 3]>;
 
-/// Every triangle from its least corner on, in order: the same for the same surface.
+/// Returns the triangles in a canonical order: each starts with its smallest corner. Equal surfaces
+/// give equal lists.
 pub(super) fn canonical(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Corners {
     let order = |a: &[f64; 3], b: &[f64; 3]| a.partial_cmp(b).unwrap();
     let mut all: Corners = corners.into_iter().collect();
@@ -36,7 +37,8 @@ pub(super) fn canonical(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Cor
     all
 }
 
-/// The solid where the nodes of [`File::nodes`] place it: 1/32 of its size, x → y → z → x, then moved.
+/// Returns the solid as placed by the nodes of [`File::nodes`]: scaled by 1/32, x → y → z → x, then
+/// displaced.
 pub(super) fn expected() -> Corners {
     let placed = |k: u8| {
         let [x, y, z] = POINTS[usize::from(k)].map(|c| f64::from(c) / 32.0);
@@ -49,7 +51,7 @@ pub(super) fn corners(contents: &MeshContents) -> Corners {
     canonical(contents.parts.iter().flat_map(|part| part.mesh.corners()))
 }
 
-/// A document under construction, and its one buffer.
+/// Document under construction, and its only buffer.
 #[derive(Clone)]
 pub(super) struct File {
     pub(super) doc: Value,
@@ -57,7 +59,7 @@ pub(super) struct File {
 }
 
 impl File {
-    /// Two nodes, one above the other, that place mesh 0.
+    /// Creates two nodes, one the parent of the other, that place mesh 0.
     pub(super) fn new() -> Self {
         let doc = json!({
             "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"name": "bench", "nodes": [0]}],
@@ -105,7 +107,7 @@ impl File {
         self.doc["meshes"][0]["primitives"].as_array_mut().unwrap().push(value);
     }
 
-    /// The plain solid: floats and bytes.
+    /// Returns the plain solid with floats and bytes.
     pub(super) fn plain() -> Self {
         let mut file = Self::new();
         let positions = file.positions();
@@ -114,7 +116,7 @@ impl File {
         file
     }
 
-    /// The plain faces with other positions.
+    /// Returns the plain faces with other positions.
     pub(super) fn with_positions(positions: impl FnOnce(&mut Self) -> usize) -> Self {
         let mut file = Self::new();
         let positions = positions(&mut file);

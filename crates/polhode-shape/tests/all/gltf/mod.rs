@@ -1,4 +1,4 @@
-//! glTF: one solid through every route, and every way to be broken.
+//! glTF: one solid in every representation, and broken files.
 
 mod broken;
 mod file;
@@ -35,7 +35,7 @@ fn every_way_to_join_corners_gives_the_same_solid() {
     let mixed: [(u64, &[u8]); 3] = [fans[0], (4, &[5, 1, 0, 5, 2, 1]), (5, &[3, 2, 5, 5, 5, 0, 3])];
     assert_eq!(corners(&primitives(&strips)), expected());
     assert_eq!(corners(&primitives(&fans)), expected());
-    // The last strip turns a corner: two of its five triangles are flat.
+    // The last strip reverses at a corner: two of its five triangles are degenerate.
     let flat = |t: &[[f64; 3]; 3]| t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
     let mut joined = corners(&primitives(&mixed));
     joined.retain(|triangle| !flat(triangle));
@@ -72,14 +72,14 @@ fn indices_of_every_width() {
 
 #[test]
 fn quantised_positions() {
-    // Integers as they are: exact.
+    // Integers without normalization: exact.
     let wide: Vec<u8> = POINTS.iter().flatten().flat_map(|&c| i16::from(c).to_le_bytes()).collect();
     let file = File::with_positions(|file| {
         let view = file.view(&wide);
         file.accessor(view, I16, "VEC3", 6)
     });
     assert_eq!(corners(&file.read().unwrap()), expected());
-    // Normalised: 32767 stands for 1, and −32768 for no less than −1. Signs and sizes survive.
+    // Normalized: 32767 means 1, and −32768 is limited to −1. Signs and sizes are preserved.
     for (component, one) in [(I8, 127.0), (U8, 255.0), (I16, 32767.0), (U16, 65535.0)] {
         let signed = component == I8 || component == I16;
         let least = match component {
@@ -150,7 +150,7 @@ fn interleaved_and_sparse_positions() {
 #[test]
 fn a_matrix_and_the_parts_of_it_place_alike() {
     let s = 0.03125;
-    // Columns: x goes to y, y to z, z to x.
+    // Columns of the matrix: x is mapped to y, y to z, z to x.
     let matrix = json!([0, s, 0, 0, 0, 0, s, 0, s, 0, 0, 0, 0.5, -3, 7.25, 1]);
     let file = File::plain().with(|doc| doc["nodes"] = json!([{"mesh": 0, "matrix": matrix}]));
     let contents = file.read().unwrap();
@@ -174,7 +174,7 @@ fn instances_and_hierarchies() {
     assert_eq!(contents.parts[1].mesh.coordinates()[3], [2.0 * x + 21.0, 4.0 * y + 81.0, 8.0 * z + 241.0]);
     assert_eq!(contents.findings[0].code, "mesh.other_scene");
 
-    // Without scenes, all roots.
+    // Without scenes, all roots are read.
     let all = file.with(|doc| {
         doc.as_object_mut().unwrap().remove("scene");
         doc.as_object_mut().unwrap().remove("scenes");
@@ -198,7 +198,7 @@ fn instancing_on_the_gpu() {
     let [x, y, z] = POINTS[2].map(f64::from);
     assert_eq!(contents.parts.len(), 2);
     assert_eq!(contents.parts[0].mesh.coordinates()[2], [2.0 * (x + 1.0), 2.0 * (y + 2.0), 2.0 * (z + 3.0)]);
-    // Half a turn about z.
+    // A rotation by 180° about z.
     assert_eq!(
         contents.parts[1].mesh.coordinates()[2],
         [2.0 * (-x - 4.0), 2.0 * (-y + 5.0), 2.0 * (z + 6.0)]
@@ -240,7 +240,7 @@ fn what_is_left_out_is_found() {
         ]
     );
     assert!(contents.findings[1].message.starts_with("2 primitives are made of points or lines"));
-    // As it was bound, without the place of its node.
+    // The bind pose, without the transformation of its node.
     assert_eq!(contents.parts[0].mesh.coordinates()[0], POINTS[0].map(f64::from));
 
     let file = File::plain().with(|doc| doc["nodes"][1]["rotation"] = json!([0.5, 0.5, 0.5, 0.501]));

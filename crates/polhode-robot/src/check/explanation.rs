@@ -4,7 +4,6 @@
 //! geometry. The error explains the tensor if all elements agree, and if each changed element comes
 //! at least five times closer to the geometry's. An element that already agrees is therefore never
 //! changed.
-//! changed.
 
 use super::body::{Body, NAMES};
 use super::written::{negated, restyled, shifted, short};

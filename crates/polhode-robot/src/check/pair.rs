@@ -17,7 +17,6 @@
 //! both sides, or rotated by 180° (two signs), and so are its products. If the centres coincide
 //! because they lie in the mirror plane, the joint positions determine the plane. Links with the
 //! same meshes at the same poses are the same part.
-//! part.
 
 use std::collections::HashMap;
 

@@ -14,7 +14,6 @@
 //! - Any solid of low density may contain a compact body. Then all moments are small, and their sum
 //!   is at least that of a steel ball.
 //! - Rounding of the written digits is included. One solid that agrees is sufficient.
-//! that of a steel ball. Rounding of the written digits counts. One solid that agrees is enough.
 
 use super::body::{Body, NAMES};
 use super::dummy::{FRAME, Held};

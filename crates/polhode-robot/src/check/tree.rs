@@ -5,7 +5,6 @@
 //! The time is linear in the number of joints, and nothing recurses. The formats have different
 //! rules: a URDF is one tree; SDF may have free links and closed loops; MJCF is nested and
 //! therefore always a tree.
-//! links and may close loops; MJCF is nested, so always a tree.
 
 use std::collections::{HashMap, HashSet};
 

@@ -44,7 +44,7 @@ impl Field {
     }
 
     fn around(shape: Shape) -> Option<Self> {
-        /// Half of the number of points along the three edges together, minus three.
+        /// Number of grid points along the three edges together, minus three.
         const POINTS: f64 = 300.0;
         let half = shape.half_box();
         if !half.iter().all(|half| *half > 0.0 && half.is_finite()) {

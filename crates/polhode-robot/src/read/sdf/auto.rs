@@ -6,7 +6,6 @@
 //! Source: libsdformat 16, `Link::ResolveAutoInertials`, `Collision::CalculateInertial`,
 //! `Geometry::CalculateInertial`. There, meshes are left to the simulator. Gazebo integrates over
 //! the triangles; this module does the same for closed meshes.
-//! the triangles; so does this file, for closed meshes.
 
 use polhode::body::{InertiaTensor, MassProperties};
 use polhode::math::{Part, Position};

@@ -13,8 +13,8 @@ use crate::model::{Note, Pose, RobotModel};
 use crate::read::unread;
 use crate::read::xml::{Element, is_true};
 
-/// Maximum number of elements of a world with all includes. Without a limit, ten files that each
-/// include the next twice or more could exhaust the memory.
+/// Maximum number of elements of a world with all includes. Without a limit, a chain of files, each
+/// including the next one several times, could exhaust the memory.
 const MOST_ELEMENTS: usize = 300_000;
 
 /// Links and joints, each with its scope and its frame.

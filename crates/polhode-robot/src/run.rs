@@ -196,7 +196,7 @@ impl<'a> Inputs<'a> {
         Ok(report)
     }
 
-    /// The model file keeps the name given by the user.
+    /// Judges the findings of a model. The model file keeps the name given by the user.
     fn judge(&self, file: &Path, model: &RobotModel, findings: Vec<Finding>) -> Judged {
         let name = |path: &Path| if path == file { self.names.of(path) } else { self.names.real(path) };
         self.policy.judge(name, model, findings)

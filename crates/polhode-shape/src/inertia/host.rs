@@ -29,13 +29,13 @@ pub trait Host {
         Err(Failure::usage(message, ""))
     }
 
-    /// Called before a file is read.
+    /// Reports that a file is about to be read.
     fn begin(&mut self, _file: &Path) {}
 
-    /// Called before the cubature of a density over `pieces` pieces.
+    /// Reports that the cubature of a density over `pieces` pieces is about to begin.
     fn begin_cubature(&mut self, _pieces: usize) {}
 
-    /// Called after one more piece has been sampled at `points` points.
+    /// Reports that one more piece has been sampled at `points` points.
     fn sampled(&mut self, _points: usize) {}
 }
 

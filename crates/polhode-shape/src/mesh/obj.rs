@@ -205,8 +205,8 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Fast path for ` a b c` and a line end, with one blank before each number; most files have this
-/// form. Returns the indices and the offset after the line; `None` for any other form.
+/// Parses ` a b c` and a line end, with one blank before each number: the form of most files.
+/// Returns the indices and the offset after the line; `None` for any other form.
 #[inline(always)]
 fn plain_triangle(scan: &Scan, count: usize) -> Option<([u32; 3], usize)> {
     let (mut at, mut triangle) = (scan.at, [0; 3]);

@@ -307,10 +307,10 @@ impl Column {
         let lower = self.name.to_lowercase();
         let words: Vec<&str> =
             lower.split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty()).collect();
-        // Spellings such as I xx and I(x,x).
+        // Spellings such as `I xx` and `I(x,x)`.
         let joined: String = words.concat();
         let says = |list: &str| words.iter().any(|word| has_word(list, word)) || has_word(list, &joined);
-        // Spellings such as massKg and `MomentOfInertia`.
+        // Spellings such as `massKg` and `MomentOfInertia`.
         let within = |long: &str| lower.contains(long);
         if within("inertia") || within("momentof") {
             return Some(PHYSICS[1].1);

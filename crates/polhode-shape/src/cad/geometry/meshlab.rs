@@ -17,13 +17,13 @@ pub(crate) fn is_of(text: &str) -> bool {
     }) || text.contains("Mesh is not 'watertight'")
 }
 
-/// A line in lower case with single spaces, without the prefix of a log.
+/// Returns a line in lower case with single spaces, without the prefix of a log.
 fn words(line: &str) -> String {
     let line = content(line);
     line.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase()
 }
 
-/// A line without the prefix `LOG: 2` of the command and without marks of comments.
+/// Returns a line without the prefix `LOG: 2` of the command and without comment marks.
 fn content(line: &str) -> &str {
     let line = line.trim_start_matches(|c: char| c.is_whitespace() || "#%/*>;\u{feff}".contains(c));
     let Some(logged) = line.strip_prefix("LOG:") else { return line };

@@ -40,7 +40,7 @@ pub struct LinkBody {
 /// Mass properties of a link, or none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LinkMass {
-    /// Rigid body.
+    /// Mass properties of a rigid body.
     Body(LinkBody),
     /// Frame: the link states no mass properties, or all of them are zero.
     None,

@@ -44,7 +44,7 @@ pub struct FileChecked {
 pub struct Fix<'a> {
     /// Path of the model.
     pub path: &'a Path,
-    /// Original text.
+    /// Text before the fix.
     pub old: &'a str,
     /// Fixed text; all other bytes are unchanged.
     pub new: &'a str,

@@ -106,7 +106,7 @@ fn visible(files: &dyn Files, folder: &Path) -> io::Result<Vec<(PathBuf, bool)>>
 #[derive(Debug)]
 pub(crate) struct Names<'a> {
     files: &'a dyn Files,
-    /// Working folder.
+    /// Working folder; names of files in it are relative to it.
     here: PathBuf,
 }
 

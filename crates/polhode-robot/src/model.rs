@@ -7,7 +7,7 @@ use crate::finding::Severity;
 pub use crate::span::Span;
 pub use polhode_source::xml::{Name, Number};
 
-/// Model languages.
+/// Language in which a robot model is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModelFormat {
     /// Unified Robot Description Format of ROS.
@@ -274,10 +274,10 @@ pub enum GeometryShape {
     Box([f64; 3]),
     /// Sphere with its radius.
     Sphere(f64),
-    /// Cylinder.
+    /// Cylinder with flat ends.
     Cylinder {
         radius: f64,
-        /// Full length.
+        /// Distance between the ends.
         length: f64,
     },
     /// Capsule: a cylinder with two hemispherical caps.
@@ -289,14 +289,14 @@ pub enum GeometryShape {
     },
     /// Ellipsoid with its semi-axes.
     Ellipsoid([f64; 3]),
-    /// Cone with its base at −length/2 and its apex at +length/2.
+    /// Cone with its base at z = −length/2 and its apex at z = +length/2.
     Cone {
         /// Radius of the base.
         radius: f64,
         /// Height from the base to the apex.
         length: f64,
     },
-    /// Mesh file.
+    /// Triangle mesh in a file of its own.
     Mesh {
         /// Reference as written: `"package://arm/meshes/link1.stl"`.
         uri: Name,
@@ -358,7 +358,7 @@ pub struct Joint {
     pub kind: JointKind,
     /// Parent link; `None` if the parent is the world.
     pub parent: Option<Name>,
-    /// Child link.
+    /// Name of the child link.
     pub child: Name,
     /// Pose of the child's frame in the parent's frame with the joint at rest
     /// ([`Coordinate::at_rest`]). The rest value is zero in all languages except MJCF.

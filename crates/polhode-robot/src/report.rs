@@ -12,7 +12,7 @@ use crate::repair::{Repaired, repaired};
 /// Report of a checked model.
 #[derive(Clone, Debug)]
 pub struct CheckReport {
-    /// Checked model.
+    /// Model as read.
     pub model: RobotModel,
     /// Measured geometry of the links, in their order, for the densities in the table.
     pub geometry: Vec<LinkGeometry>,
@@ -41,7 +41,7 @@ impl Prospect {
     }
 }
 
-/// Repaired model.
+/// Result of a repair: the text, the diff and the findings that remain.
 #[derive(Clone, Debug)]
 pub struct Fixed {
     /// Path of the output; `None` if only the diff was requested.

@@ -22,7 +22,7 @@ pub struct Rule {
     pub title: &'static str,
     /// Consequence of breaking the rule.
     pub why: &'static str,
-    /// Remedy.
+    /// Instruction for correcting the model.
     pub mend: &'static str,
     /// Example that breaks the rule, with its correction; `None` if the rule is not about a model.
     pub example: Option<Example>,

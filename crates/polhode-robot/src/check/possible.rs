@@ -35,7 +35,7 @@ const POINT: f64 = 1e-10;
 pub(super) enum Verdict {
     /// Physical tensor and positive mass; it can be compared with the geometry.
     Possible,
-    /// Unphysical tensor.
+    /// Tensor that no rigid body can have.
     Impossible,
     /// Zero mass or zero tensor; reported separately.
     Nothing,

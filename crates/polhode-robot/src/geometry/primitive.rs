@@ -15,9 +15,9 @@ pub(super) struct Primitive {
 }
 
 enum Outline {
-    /// Half edge lengths.
+    /// Half edge lengths along x, y, z.
     Box([f64; 3]),
-    /// Semi-axes.
+    /// Semi-axes along x, y, z.
     Ellipsoid([f64; 3]),
     /// Disc at z = −half and a point at z = +half.
     Cone { half: f64, radius: f64 },

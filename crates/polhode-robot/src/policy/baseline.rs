@@ -15,7 +15,7 @@ use crate::finding::Finding;
 const KEY: &str = "polhode_baseline";
 const VERSION: u64 = 1;
 
-/// Known findings.
+/// Findings that are already known and do not make a check fail.
 #[derive(Clone, Debug, Default)]
 pub struct Baseline {
     /// Path of the file, for messages.
@@ -25,10 +25,10 @@ pub struct Baseline {
     ids: BTreeSet<String>,
 }
 
-/// Known finding.
+/// Entry of a baseline: a finding that is already known.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct KnownFinding {
-    /// Identifier.
+    /// Identifier: a hash of the rule, severity, file and links, in hexadecimal digits.
     pub id: String,
     /// Code of the rule, for readers.
     pub rule: String,

@@ -21,7 +21,7 @@ const MOST_FILES: usize = 1000;
 /// Include syntax of a language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Naming {
-    /// No includes.
+    /// Language without include elements.
     Nothing,
     Sdf,
     Mjcf,

@@ -39,7 +39,6 @@ use crate::finding::{info, warning};
 pub enum GeometryProgram {
     /// MeshLab (Visual Computing Lab).
     MeshLab,
-    /// FreeCAD.
     FreeCad,
 }
 

@@ -35,7 +35,7 @@ pub enum ExportError {
         format: ExportFormat,
         /// Name of the body.
         body: String,
-        /// Quantity.
+        /// Name of the quantity.
         what: &'static str,
         /// Value, SI units.
         value: f64,

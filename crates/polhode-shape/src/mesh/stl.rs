@@ -45,7 +45,7 @@ pub struct Stl {
 pub enum StlKind {
     /// Binary: little-endian records in single precision.
     Binary,
-    /// ASCII text.
+    /// Text, usually called ASCII STL.
     Ascii,
 }
 

@@ -32,7 +32,7 @@ pub enum StlError {
     Syntax {
         /// Start of the token.
         at: StlPlace,
-        /// Expected token.
+        /// Keyword or kind of value that the grammar requires.
         expected: &'static str,
         /// Token found; empty at the end of the file.
         found: String,

@@ -72,7 +72,7 @@ pub struct Molecule {
 pub struct Atom {
     /// Element or isotope.
     pub species: Species,
-    /// Position, m.
+    /// Position of the nucleus, m.
     pub position_m: [f64; 3],
 }
 

@@ -40,7 +40,7 @@ pub(crate) enum Role {
     Count,
     /// Name of a part.
     Name,
-    /// Unused label.
+    /// Label, which is not used.
     Label,
 }
 

@@ -377,7 +377,7 @@ fn missing(what: &str) -> ContentError {
     ContentErrorKind::missing(what).of_whole()
 }
 
-/// Parses `(x,y,z)`.
+/// Parses a vector `(x,y,z)` of finite numbers.
 fn vector(text: &str) -> Option<[f64; 3]> {
     let inner = text.trim().strip_prefix('(')?.strip_suffix(')')?;
     let parts: Vec<_> = inner.split(',').map(|part| finite(part.trim())).collect();

@@ -28,7 +28,7 @@ pub(super) struct Origin {
     /// Prefix and suffix of the names.
     pub(super) prefix: Rc<str>,
     pub(super) suffix: Rc<str>,
-    /// Enclosing origin.
+    /// Index of the enclosing origin; `None` for the main model.
     pub(super) within: Option<usize>,
 }
 

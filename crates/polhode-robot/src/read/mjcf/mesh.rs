@@ -33,7 +33,7 @@ enum MeshInertia {
     Shell,
 }
 
-/// Mesh asset.
+/// Mesh asset: a file, inline vertices, or a mesh that MuJoCo or a plugin generates.
 #[derive(Clone, Debug)]
 pub(super) struct Asset {
     /// File as written, and its path.

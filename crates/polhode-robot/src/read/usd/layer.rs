@@ -33,7 +33,7 @@ pub(super) struct Prim {
     pub(super) kind: String,
     pub(super) name: Name,
     pub(super) parent: Option<usize>,
-    /// Path: `/robot/arm`
+    /// Path in the stage: `/robot/arm`.
     pub(super) path: String,
     /// Position of its specifier, type and name.
     pub(super) span: Span,

@@ -1,4 +1,4 @@
-//! UsdGeom shapes.
+//! Shapes of the UsdGeom schema, such as `Cube`, `Sphere` and `Cylinder`.
 
 use super::layer::Prim;
 use super::{Stage, applies};

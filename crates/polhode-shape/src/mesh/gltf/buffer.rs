@@ -29,7 +29,7 @@ enum Bytes<'a> {
     Loaded(Rc<Vec<u8>>),
 }
 
-/// Buffer view.
+/// Buffer view: a range of bytes in a buffer.
 #[derive(Clone, Debug)]
 pub(crate) struct View<'a> {
     buffer: Bytes<'a>,

@@ -7,7 +7,7 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use super::super::scan::Scan;
 
-/// Parsed header.
+/// Header of a PLY file.
 #[derive(Clone, Debug)]
 pub(crate) struct Header {
     pub encoding: Encoding,
@@ -46,7 +46,7 @@ pub(crate) struct Property {
     pub span: Range<usize>,
 }
 
-/// Number types.
+/// Number type of a property.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Scalar {
     I8,

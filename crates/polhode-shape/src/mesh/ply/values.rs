@@ -24,7 +24,7 @@ pub(crate) trait Values: Copy {
 pub(crate) enum Stop {
     /// End of the file.
     Ended,
-    /// Unexpected content.
+    /// Content that is not a number of the expected type.
     Wrong(ContentError),
 }
 

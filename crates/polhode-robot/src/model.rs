@@ -356,7 +356,7 @@ pub struct Joint {
     pub span: Span,
     /// Motion that the joint allows.
     pub kind: JointKind,
-    /// Parent link; `None` if the parent is the world.
+    /// Name of the parent link; `None` if the parent is the world.
     pub parent: Option<Name>,
     /// Name of the child link.
     pub child: Name,

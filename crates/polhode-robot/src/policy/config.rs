@@ -27,7 +27,7 @@ pub struct Config {
     pub exclude: Vec<Glob>,
     /// Severity overrides by rule; `None` switches a rule off.
     severities: BTreeMap<&'static str, Option<Severity>>,
-    /// Allowances of single findings or patterns, each with a reason.
+    /// Permitted findings: rule, file, link and the reason.
     pub allowances: Vec<Allowance>,
 }
 

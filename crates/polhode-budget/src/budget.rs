@@ -1,4 +1,4 @@
-//! Parts lists that make one body.
+//! Checked parts lists: their rows make one body.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -15,59 +15,61 @@ use crate::tensor::{TensorPoint, mass_properties};
 use crate::tree::{Tree, names, row_name};
 use crate::uncertainty::{Factor, NotUncertainty};
 
-/// A parts list of which all rows make one possible body.
+/// Parts list whose rows make one physically possible body.
 ///
-/// It holds the rows in packed form and the frames in which others stand; all else is computed when it is needed.
+/// Contains the rows in packed form and the frames of rows with children. Everything else is
+/// computed when it is needed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Budget {
     pub(crate) rows: Rows,
     pub(crate) groups: Vec<Group>,
     growth: GrowthTable,
     pub(crate) tree: Tree,
-    /// Frames in which rows stand, by [`Tree::slot`].
+    /// Frames of rows with children, indexed by [`Tree::slot`].
     frames: Vec<PlacedFrame>,
-    /// Group of each row, [`ALONE`] of rows without; empty if the list has no groups.
+    /// Index of the group of each row, or [`ALONE`]; empty if the list has no groups.
     group_of: Vec<u32>,
-    /// Rows whose tensors are about the origin of another row's frame, and that row.
+    /// Rows whose tensor is about the origin of another row's frame, with the index of that row.
     origins: BTreeMap<usize, usize>,
 }
 
 const ALONE: u32 = u32::MAX;
 
-/// The frame of a row in the body.
+/// Frame of a row in the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PlacedFrame {
-    /// Origin in the body.
+    /// Origin of the frame, body axes, m.
     pub(crate) position: Position<Body>,
     pub(crate) rotation: Rotation<Body, Part>,
-    /// Number of copies in the body of the row in which it stands.
+    /// Number of copies of the parent in the body: the product of the counts of all ancestors.
     pub(crate) frames: f64,
 }
 
-/// A part that can exist, in its row's frame.
+/// Physically possible part, in its row's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PlacedPart {
     pub(crate) properties: MassProperties<Part>,
-    /// Elements of the tensor as given, and the point that they are about, if that is not the centre of mass.
+    /// Elements xx, yy, zz, xy, xz, yz of the tensor as given, kg·m². They are about the point
+    /// `about`, or about the centre of mass if that is `None`.
     pub(crate) elements: [f64; 6],
     pub(crate) about: Option<Position<Part>>,
 }
 
 impl PartsList {
-    /// Checks that the list makes a body.
+    /// Checks that the rows of the list make one body.
     ///
     /// # Errors
-    /// As [`Budget::new`].
+    /// Same as [`Budget::new`].
     pub fn budget(self) -> Result<Budget, BudgetError> {
         Budget::new(self.rows.into_iter().collect(), self.groups, self.growth)
     }
 }
 
 impl Budget {
-    /// Checks that rows make a body.
+    /// Checks that rows make one body.
     ///
     /// # Errors
-    /// [`BudgetError`] that names the row and the rule that it breaks.
+    /// [`BudgetError`] with the row and the rule that it violates.
     pub fn new(rows: Rows, groups: Vec<Group>, growth: GrowthTable) -> Result<Self, BudgetError> {
         let names = names(&rows)?;
         let tree = Tree::new(&rows, &names)?;
@@ -149,69 +151,72 @@ impl Budget {
         Ok(())
     }
 
-    /// The list that it was made of, as a copy.
+    /// Returns a copy of the list from which the budget was made.
     #[must_use]
     pub fn list(&self) -> PartsList {
         let (groups, growth) = (self.groups.clone(), self.growth.clone());
         PartsList { rows: self.rows.iter().collect(), groups, growth }
     }
 
-    /// The rows of the list.
+    /// Returns the rows of the list.
     pub const fn rows(&self) -> &Rows {
         &self.rows
     }
 
-    /// The groups of the list.
+    /// Returns the groups of the list.
     pub fn groups(&self) -> &[Group] {
         &self.groups
     }
 
-    /// Growth allowances by maturity code.
+    /// Returns the growth allowances by maturity code.
     pub const fn growth_table(&self) -> &GrowthTable {
         &self.growth
     }
 
-    /// The row in which all others stand.
+    /// Returns the index of the root: the row that contains all others.
     pub fn root(&self) -> usize {
         self.tree.root()
     }
 
-    /// The row in which a row stands; `None` of the root.
+    /// Returns the index of a row's parent, or `None` for the root.
     pub fn parent(&self, row: usize) -> Option<usize> {
         self.tree.parent(row)
     }
 
-    /// True if a row is the frame of other rows.
+    /// Returns true if a row has children.
     pub fn has_rows_in(&self, row: usize) -> bool {
         self.tree.slot(row).is_some()
     }
 
-    /// One copy of a row's part, in its own frame; `None` of a frame alone, and of a row that is not there.
+    /// Returns one copy of a row's own part, in the row's frame. Returns `None` for a frame without
+    /// mass, or if there is no such row.
     pub fn given(&self, row: usize) -> Option<MassProperties<Part>> {
         self.placed_part(row).ok().flatten().map(|part| part.properties)
     }
 
-    /// The growth allowance of a row's part, as a fraction of its basic mass; zero of a row that is not there.
+    /// Returns the growth allowance of a row's part as a fraction of its basic mass; 0 if there is
+    /// no such row.
     pub fn growth(&self, row: usize) -> f64 {
         self.scale(row) - 1.0
     }
 
-    /// Factor of a part's mass on the predicted basis.
+    /// Returns the ratio of predicted to basic mass of a row's part.
     pub(crate) fn scale(&self, row: usize) -> f64 {
         1.0 + self.rows.allowance(row, &self.growth).unwrap_or(0.0) // checked when the budget was made
     }
 
-    /// The group of a row, by its place among the groups.
+    /// Returns the index of a row's group in the list of groups.
     pub(crate) fn group(&self, row: usize) -> Option<usize> {
         self.group_of.get(row).filter(|group| **group != ALONE).map(|group| *group as usize)
     }
 
-    /// The errors of a row as independent ones, of the tensor's elements.
+    /// Returns the errors of a row as independent factors. Products of inertia are converted to
+    /// tensor elements.
     pub(crate) fn factors(&self, row: usize) -> Vec<Factor> {
         factors(&self.rows, row).unwrap_or_default() // checked when the budget was made
     }
 
-    /// The frame of a row in the body.
+    /// Returns the frame of a row in the body.
     pub(crate) fn frame(&self, row: usize) -> PlacedFrame {
         let Place { position, rotation } = self.rows.place(row);
         let parent = self.tree.parent(row);
@@ -230,14 +235,14 @@ impl Budget {
         }
     }
 
-    /// The axes of the frame in which a row stands.
+    /// Returns the axes of the parent's frame in the body.
     pub(crate) fn axes_around(&self, row: usize) -> Rotation<Body, Part> {
         let slot = self.tree.parent(row).and_then(|parent| self.tree.slot(parent));
         let frame = slot.and_then(|slot| self.frames.get(slot));
         frame.map_or_else(Rotation::identity, |frame| frame.rotation)
     }
 
-    /// A row's part, in the row's frame.
+    /// Returns the part of a row in the row's frame, or `None` for a frame without mass.
     pub(crate) fn placed_part(&self, row: usize) -> Result<Option<PlacedPart>, BudgetError> {
         let Some(part) = self.rows.part(row) else { return Ok(None) };
         let name = || row_name(&self.rows, row);
@@ -261,13 +266,13 @@ impl Budget {
     }
 }
 
-/// Copies of independent errors that are drawn one by one.
+/// Largest number of copies with independent errors. Such copies are drawn one by one.
 const MOST_DRAWN: u32 = 10_000;
 
-/// The rounding of a sum and of decimal numbers in it.
+/// Relative rounding error of a sum, and of the decimal numbers in it.
 const ROUNDING: f64 = 1e-12;
 
-/// Checks the numbers of a row, and returns its group.
+/// Checks the numbers of a row, and returns the index of its group.
 fn check_row(
     rows: &Rows,
     k: usize,

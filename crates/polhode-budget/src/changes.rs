@@ -1,4 +1,4 @@
-//! What the whole changes by with each error of a row, to first order.
+//! First-order changes of the whole due to each error of a row.
 
 use polhode::body::{MassProperties, MassPropertiesDerivative};
 use polhode::math::{Body, Part, Position, Rotation};
@@ -12,14 +12,14 @@ use crate::tank::UncertainLiquid;
 use crate::tensor::{elements, plus, steiner};
 use crate::uncertainty::{ErrorKind, RowError};
 
-/// What the whole changes by with a standard normal variable.
+/// Change of the whole per unit of a standard normal variable.
 pub(crate) struct Change {
     pub(crate) row: usize,
-    /// Which of the row's numbers the error begins with.
+    /// Index of the first number of the row that the error changes.
     pub(crate) number: usize,
-    /// By the row's own variable.
+    /// Change due to the row's own variable.
     pub(crate) alone: MassPropertiesDerivative<Body>,
-    /// By the variable that it shares with its group.
+    /// Index of the group, and the change due to the variable that the row shares with it.
     pub(crate) shared: Option<(usize, MassPropertiesDerivative<Body>)>,
 }
 
@@ -30,7 +30,8 @@ impl Change {
 }
 
 impl Budget {
-    /// All changes of the whole, which is made of these subtrees, row by row.
+    /// Calls `each` with all changes of the whole, row by row. `subtrees` are the sums of which
+    /// `whole` consists.
     pub(crate) fn changes(
         &self,
         basis: Basis,
@@ -66,7 +67,7 @@ impl Budget {
                         by.in_frame(place.rotation).of_whole(own, whole)
                     }
                     (.., Some(one), Some(turns)) => moved(turns, parent, &factor.error).of_whole(one, whole),
-                    // A frame without mass may be anywhere.
+                    // The place of a frame without mass has no effect.
                     _ => continue,
                 };
                 let group = self.group(k).map(|group| (group, self.groups[group].correlation(factor.kind())));
@@ -88,7 +89,8 @@ impl Budget {
 const NO_CHANGE: MassPropertiesDerivative<Body> =
     MassPropertiesDerivative { mass: 0.0, center_of_mass: Position::ZERO, inertia: [0.0; 6] };
 
-/// What a body changes by as its frame moves, whose parent's axes are given, with what it changes by with a turn about each of the body's axes.
+/// Returns the change of a body whose frame moves by `error`. `turns` has its change per radian
+/// about each body axis. `parent` has the axes of the parent frame.
 fn moved(
     turns: [MassPropertiesDerivative<Body>; 3],
     parent: Rotation<Body, Part>,
@@ -103,9 +105,10 @@ fn moved(
 }
 
 impl PlacedPart {
-    /// What the part, so many times as heavy, changes by in its own frame.
+    /// Returns the change of the part in its own frame, with its mass multiplied by `scale`.
     ///
-    /// Of a tensor J about a point p, with d from p to the centre of mass: I = J − m (d² 1 − d dᵀ). If it follows the mass, as both terms do, δI = I δm/m besides.
+    /// For a tensor J about a point p, I = J − m (d² 1 − d dᵀ), with d from p to the centre of
+    /// mass. If the tensor scales with the mass, both terms do, which adds δI = I δm/m.
     fn change(
         &self,
         liquid: Option<&UncertainLiquid>,

@@ -1,4 +1,4 @@
-//! First order beside draws.
+//! Comparison of first-order errors with random draws.
 
 use polhode::body::MassProperties;
 use polhode::math::Frame;
@@ -7,52 +7,53 @@ use crate::draws::Draws;
 use crate::estimate::{Estimate, NUMBERS};
 use polhode::math::Body;
 
-/// What first order says of the ten numbers and of the principal moments, and what draws do.
+/// Errors of the ten numbers and the principal moments, to first order and from draws.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
-    /// In the order of [`NUMBERS`], then i1, i2, i3.
+    /// Numbers in the order of [`NUMBERS`], then i1, i2, i3.
     pub numbers: Vec<ComparedNumber>,
-    /// Covariance of the ten numbers, of the draws.
+    /// Covariance of the ten numbers over the draws.
     pub covariance: [[f64; 10]; 10],
-    /// How many draws there are.
+    /// Number of draws.
     pub draws: usize,
-    /// Of how many some part had to be moved to be possible.
+    /// Number of draws in which some part had to be moved to be possible.
     pub moved: usize,
 }
 
-/// A number by first order and by draws.
+/// Number with its errors to first order and from draws.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ComparedNumber {
-    /// What it is.
     pub name: &'static str,
-    /// Its unit.
     pub unit: &'static str,
-    /// Of the list as it is given.
+    /// Value for the list as given.
     pub value: f64,
     /// Standard deviation to first order.
     pub first_order_sd: f64,
     /// Mean of the draws.
     pub mean: f64,
-    /// Its standard error.
+    /// Standard error of the mean.
     pub mean_error: f64,
     /// Standard deviation of the draws.
     pub sd: f64,
-    /// Its standard error, by the draws' fourth moment.
+    /// Standard error of `sd`, from the fourth moment of the draws.
     pub sd_error: f64,
 }
 
-/// Standard errors by which draws differ from first order by chance once in some 16,000 times.
+/// Significance threshold, in standard errors. By chance, a difference exceeds it about once in
+/// 16,000 times.
 const SIGNIFICANT: f64 = 4.0;
-/// A standard deviation below this part of the mass, the centre's distance or the greatest moment is rounding of the draws.
+/// Rounding error of the draws, relative to the mass, the distance of the centre or the greatest
+/// moment. Smaller standard deviations count as 0.
 const ROUNDING: f64 = 1e-13;
 
 impl ComparedNumber {
-    /// By how much the mean of the draws is beside the number.
+    /// Returns the mean of the draws minus the value for the list as given.
     pub fn bias(&self) -> f64 {
         self.mean - self.value
     }
 
-    /// Whether the draws' mean or standard deviation is beside first order by more than chance makes it: by four standard errors, and by more than rounding.
+    /// Returns true if the mean or the standard deviation of the draws differs significantly from
+    /// first order. The difference must exceed four standard errors plus rounding.
     pub fn differs(&self) -> bool {
         let rounding = ROUNDING * self.value.abs();
         let beyond = |difference: f64, error: f64| difference.abs() > SIGNIFICANT * error + rounding;
@@ -61,11 +62,12 @@ impl ComparedNumber {
 }
 
 impl Draws {
-    /// How the draws differ from what first order says of the same list and basis.
+    /// Compares the draws with the first-order estimate of the same list and basis.
     pub fn compare(&self, estimate: &Estimate<Body>) -> Comparison {
         let count = self.bodies.len() as f64;
         let value = numbers(&estimate.properties);
-        // Differences from the number itself, so that small errors of large numbers keep their digits.
+        // Differences from the value itself, so that small errors of large numbers keep their
+        // digits.
         let differences: Vec<[f64; 13]> = self
             .bodies
             .iter()
@@ -113,7 +115,7 @@ impl Draws {
 
 const MOMENTS: [(&str, &str); 3] = [("i1", "kg·m²"), ("i2", "kg·m²"), ("i3", "kg·m²")];
 
-/// The ten numbers and the principal moments.
+/// Returns the ten numbers and the three principal moments.
 fn numbers<F: Frame>(body: &MassProperties<F>) -> [f64; 13] {
     let [x, y, z] = body.center_of_mass().to_array();
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = body.inertia().matrix();

@@ -1,4 +1,4 @@
-//! A possible part, drawn from the errors of its row.
+//! Random parts, drawn from the errors of a row.
 
 use polhode::body::{BodyError, MassProperties};
 use polhode::infer::possible::possible;
@@ -12,13 +12,17 @@ use crate::tensor::{mass_properties, plus, steiner};
 use crate::uncertainty::{Factor, RowError};
 
 impl PlacedPart {
-    /// The part with these errors, and whether it had to be moved to be possible.
+    /// Returns the part with these errors, and true if it had to be moved to be physically
+    /// possible.
     ///
-    /// The mass is [`log_normal`], with z = δm/σ. All other numbers are normal. The second moments G = ½ tr(I) 1 − I about the centre of mass that come of it are those of a possible body if none of their eigenvalues is negative; one that is,
-    /// is put at zero. That is the nearest possible tensor, by the sum of squares of the elements of G, and a lamina.
+    /// The mass is [`log_normal`] with z = δm/σ. All other numbers are normal. The drawn tensor is
+    /// possible if no eigenvalue of the second moments G = ½ tr(I) 1 − I about the centre of mass
+    /// is negative. A negative eigenvalue is set to 0. This gives the nearest possible tensor, by
+    /// the sum of squares of the elements of G. It is that of a lamina.
     ///
-    /// Coordinates in which all is possible, as log-Cholesky ones, would do worse: most parts are thin, and of a plate 1 mm thick the logarithm of the thickness has errors that are
-    /// not small wherever the tensor's are given as a part of its greatest moment.
+    /// Coordinates in which every tensor is possible, such as log-Cholesky ones, would be worse.
+    /// Most parts are thin, and tensor errors are often given relative to the greatest moment. For
+    /// a plate 1 mm thick, the error of the logarithm of the thickness is then not small.
     pub(crate) fn drawn(
         &self,
         sd: f64,
@@ -46,14 +50,14 @@ impl PlacedPart {
 }
 
 impl Place {
-    /// The frame, moved by these errors; `None` if a turn is not finite.
+    /// Returns the frame moved by these errors, or `None` if the rotation is not finite.
     pub(crate) fn drawn(&self, error: &RowError) -> Option<(Position<Part>, Rotation<Part, Part>)> {
         let turn = Rotation::exp(Direction::from_array(error.rotation)).ok()?;
         Some((self.position + Position::from_array(error.position), turn * self.rotation))
     }
 }
 
-/// Standard deviation of the mass that the errors of a row come to.
+/// Returns the standard deviation of the mass from all errors of a row, kg.
 pub(crate) fn mass_sd(factors: &[Factor]) -> f64 {
     factors.iter().map(|factor| factor.error.mass * factor.error.mass).sum::<f64>().sqrt()
 }

@@ -1,4 +1,4 @@
-//! Bodies that the errors of a list allow, at random.
+//! Random bodies, drawn from the errors of a list.
 
 use polhode::body::MassProperties;
 use polhode::infer::random::Random;
@@ -14,61 +14,68 @@ use crate::tensor::scaled;
 use crate::tree::row_name;
 use crate::uncertainty::{Factor, NONE, NUMBERS, RowError};
 
-/// The least number of draws of which a standard deviation says anything.
+/// Least number of draws for a meaningful standard deviation.
 const LEAST: usize = 10;
 
-/// The most drawn rows: draws times uncertain rows. A million take about half a second.
+/// Largest number of drawn rows: draws times uncertain rows. A million take about half a second.
 pub const MOST_DRAWN_ROWS: usize = 10_000_000_000;
 
-/// Whole bodies, each made of possible parts.
+/// Random bodies, each made of physically possible parts.
 ///
-/// Masses are log-normal, centres, positions and rotation vectors normal, with the means and standard deviations that the list states; tensors are normal, and where no body
-/// could have that, the nearest that one could. Amounts and densities of liquids are log-normal; where there would be more than a tank holds, it is full. Of correlated errors the normal variables behind these are correlated.
+/// Masses are log-normal. Centres of mass, positions and rotation vectors are normal. Their means
+/// and standard deviations are those that the list states. Tensors are normal; an impossible tensor
+/// is replaced by the nearest possible one. Amounts and densities of liquids are log-normal; a tank
+/// that would overflow is full. If errors are correlated, the normal variables from which they are
+/// computed are correlated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draws {
-    /// One of each draw.
+    /// Body of each draw.
     pub bodies: Vec<MassProperties<Body>>,
-    /// Of how many draws some part had to be moved to be possible: bodies that a draw of the numbers alone would have made of parts that cannot exist, or of tanks that hold less.
+    /// Number of draws in which some part had to be moved to be possible. Without this step, they
+    /// would contain parts that cannot exist, or tanks that overflow.
     pub moved: usize,
 }
 
-/// A row whose errors, or those of what stands in it, change the whole.
+/// Row whose errors, or those of its descendants, change the whole.
 struct Varied {
     factors: Vec<Factor>,
     mass_sd: f64,
-    /// Its part, if that has errors.
+    /// Own part of the row, if it has errors.
     part: Option<PlacedPart>,
-    /// What stands in it and never changes, its own part too if that does not.
+    /// Exact contents of the row: descendants that do not vary, and its own part if that does not
+    /// vary.
     fixed: Option<MassProperties<Part>>,
 }
 
-/// The rows of a list that vary, each before that in which it stands.
+/// Rows that vary, each before its parent.
 struct VariedRows {
     rows: Vec<u32>,
-    /// Exact contents of rows that are frames of others, by slots.
+    /// Exact contents of rows with children, by slot.
     fixed: Vec<Option<MassProperties<Part>>>,
-    /// Prepared rows; empty for long lists, whose rows are prepared again for each draw.
+    /// Prepared rows. Empty for long lists, whose rows are prepared again in each draw.
     ready: Vec<Varied>,
 }
 
-/// Rows that are kept as they are drawn: some 10 MB, up to 30 MB where all numbers have errors.
+/// Largest number of rows that are kept prepared: about 10 MB, or up to 30 MB if all numbers have
+/// errors.
 const MOST_READY: usize = 10_000;
 
 impl Budget {
-    /// Draws `count` bodies. The same seed gives the same ones, and more draws go on where fewer end.
+    /// Draws `count` bodies. The same seed gives the same bodies, and more draws extend the same
+    /// sequence.
     ///
     /// # Errors
-    /// [`BudgetError::Draws`] of fewer than ten; [`BudgetError::TooManyDraws`] beyond
-    /// [`MOST_DRAWN_ROWS`]; [`BudgetError::Part`] where errors are so large that a part is not
-    /// finite.
+    /// [`BudgetError::Draws`] for fewer than ten draws; [`BudgetError::TooManyDraws`] beyond
+    /// [`MOST_DRAWN_ROWS`]; [`BudgetError::Part`] if errors are so large that a part is not finite.
     pub fn draws(&self, basis: Basis, seed: u64, count: usize) -> Result<Draws, BudgetError> {
         self.draws_watched(basis, seed, count, &mut |_| ())
     }
 
-    /// Draws as [`Budget::draws`] does, and calls `reached` with the number of bodies after each.
+    /// Draws as [`Budget::draws`] does, and calls `reached` after each body with the number of
+    /// bodies so far.
     ///
     /// # Errors
-    /// As [`Budget::draws`].
+    /// Same as [`Budget::draws`].
     pub fn draws_watched(
         &self,
         basis: Basis,
@@ -167,7 +174,8 @@ impl Budget {
         Ok((whole.into_body(), moved))
     }
 
-    /// An error of a row: of each factor's variable, √ρ of it are its group's.
+    /// Draws the error of a row. For each factor, z = √ρ · (variable of the group) + √(1 − ρ) ·
+    /// (variable of the row).
     fn error(
         &self,
         k: usize,
@@ -186,7 +194,7 @@ impl Budget {
         error
     }
 
-    /// A row as it is drawn.
+    /// Prepares a row for the draws.
     fn prepared(
         &self,
         k: usize,
@@ -205,14 +213,14 @@ impl Budget {
         Ok(Varied { mass_sd: mass_sd(&factors), factors, part, fixed })
     }
 
-    /// A row's part, in its own frame.
+    /// Returns the nominal part of a row on a basis, in its own frame.
     fn fixed_part(&self, k: usize, basis: Basis) -> Result<Option<MassProperties<Part>>, BudgetError> {
         let Some(part) = self.placed_part(k)? else { return Ok(None) };
         let part = scaled(&part.properties, self.factor(k, basis));
         part.map(Some).map_err(|error| BudgetError::Part { row: row_name(&self.rows, k), error })
     }
 
-    /// Rows that vary; `None` if none does.
+    /// Returns the rows that vary, or `None` if none does.
     fn varied(&self, basis: Basis) -> Result<Option<VariedRows>, BudgetError> {
         let mut varies: Vec<bool> = (0..self.rows.len()).map(|k| !self.factors(k).is_empty()).collect();
         for k in self.tree.order().rev() {
@@ -228,7 +236,7 @@ impl Budget {
         for k in self.tree.order().rev() {
             let slot = self.tree.slot(k);
             if varies[k] {
-                all.rows.push(k as u32); // The tree has no more rows.
+                all.rows.push(k as u32); // row indices fit in `u32`: see `Tree`
             }
             if varies[k] && slot.is_none() {
                 continue;
@@ -257,13 +265,14 @@ impl Budget {
     }
 }
 
-/// Whether an error is of the part, and not of its frame.
+/// Returns true if an error belongs to the part, not to its frame.
 fn of_part(factor: &Factor) -> bool {
     !factor.kind().is_of_frame()
 }
 
 impl Draws {
-    /// The angle of a principal axis, 0 to 2, either way along it, from a direction, of each body: from 0 to π/2 rad. `None` if the direction is zero or not finite.
+    /// Returns the angle between a principal axis, 0 to 2, and a direction for each body, 0 to π/2
+    /// rad. Both senses of the axis count. Returns `None` if the direction is zero or not finite.
     pub fn tilts(&self, axis: usize, from: Direction<Body>) -> Option<Vec<f64>> {
         let from = from.direction()?;
         let tilt = |body: &MassProperties<Body>| {

@@ -1,8 +1,10 @@
-//! Enums of errors, of which each variant states its message and its hint.
+//! Error enums whose variants define their message and hint.
 
-/// Defines an enum of errors: `Variant { fields } => ("message", arguments), hint: "advice";`.
+/// Defines an error enum. A variant has the form
+/// `Variant { fields } => ("message", arguments), hint: "advice";`.
 ///
-/// A variant `Variant(error: Type)` holds an error of a part, from which it is made by `?`.
+/// A variant `Variant(error: Type)` wraps another error. It gets a `From<Type>`, so that `?`
+/// converts that error.
 macro_rules! errors {
     (
         $(#[$meta:meta])*
@@ -23,7 +25,7 @@ macro_rules! errors {
         }
 
         impl $Name {
-            /// What its reader may do.
+            /// Returns advice on how to correct the input, if there is any.
             #[allow(unused_variables, reason = "hints need few fields")]
             pub fn hint(&self) -> Option<&'static str> {
                 match self {

@@ -10,7 +10,7 @@ use crate::growth::Basis;
 use crate::tensor::{plus, steiner};
 use crate::uncertainty;
 
-/// The ten numbers of a body, in their order, and their units.
+/// Names and units of the ten numbers of a body, in their order.
 pub const NUMBERS: [(&str, &str); 10] = [
     ("mass", "kg"),
     ("x", "m"),
@@ -24,29 +24,31 @@ pub const NUMBERS: [(&str, &str); 10] = [
     ("Iyz", "kg·m²"),
 ];
 
-/// Mass properties and, to first order, their errors, along the axes of `F`.
+/// Mass properties along the axes of `F`, with their covariance to first order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate<F: Frame> {
-    /// The tensor is about the centre of mass; off-diagonals are −∫ x y dm.
+    /// Mass properties. The tensor is about the centre of mass; off-diagonal elements are −∫ x y
+    /// dm.
     pub properties: MassProperties<F>,
     /// Covariance of the ten numbers in the order of [`NUMBERS`].
     pub covariance: [[f64; 10]; 10],
 }
 
-/// A tensor about a point that is fixed in the body, with its errors.
+/// Inertia tensor about a point that is fixed in the body, with its covariance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EstimateAbout<F: Frame> {
-    /// About the point.
+    /// Inertia tensor about the point, kg·m².
     pub inertia: InertiaAbout<F>,
-    /// Covariance of mass, centre of mass and the six elements about that point.
+    /// Covariance of the mass, the centre of mass and the six tensor elements about that point.
     pub covariance: [[f64; 10]; 10],
 }
 
 impl Budget {
-    /// Mass properties of the whole, and their covariance to first order in the errors of all rows.
+    /// Computes the mass properties of the whole, and their covariance to first order in the errors
+    /// of all rows.
     ///
     /// # Errors
-    /// As [`Budget::mass_properties`]; [`BudgetError::Variance`] where errors, or numbers that they are of, are so large.
+    /// Same as [`Budget::mass_properties`]; [`BudgetError::Variance`] if a variance overflows.
     pub fn estimate(&self, basis: Basis) -> Result<Estimate<Body>, BudgetError> {
         let subtrees = self.subtrees(basis)?;
         let properties = self.whole(&subtrees)?;
@@ -69,15 +71,16 @@ impl Budget {
 }
 
 impl<F: Frame> Estimate<F> {
-    /// Standard deviation of a number.
+    /// Returns the standard deviation of a number, by its index in [`NUMBERS`].
     ///
     /// # Panics
-    /// If there is no such number: there are ten.
+    /// If `number` is greater than 9.
     pub fn sd(&self, number: usize) -> f64 {
         self.covariance[number][number].sqrt()
     }
 
-    /// Standard deviation of what has this gradient; zero where no more than rounding is left of its terms, infinite where they overflow.
+    /// Returns the standard deviation of a quantity with this gradient. It is 0 if the variance is
+    /// only rounding error of its terms, and infinite if the terms overflow.
     pub fn sd_of(&self, gradient: &MassPropertiesGradient<F>) -> f64 {
         const ROUNDING: f64 = 1e-14;
         let by = ten_of_gradient(gradient);
@@ -91,12 +94,12 @@ impl<F: Frame> Estimate<F> {
         if variance > ROUNDING * of_terms { variance.sqrt() } else { 0.0 }
     }
 
-    /// Covariance of two numbers that have these gradients.
+    /// Returns the covariance of two quantities with these gradients.
     pub fn covariance_of(&self, a: &MassPropertiesGradient<F>, b: &MassPropertiesGradient<F>) -> f64 {
         form(&ten_of_gradient(a), &self.covariance, &ten_of_gradient(b))
     }
 
-    /// The same along the axes of `A`, about the same origin.
+    /// Returns the estimate along the axes of `A`, about the same origin.
     #[must_use]
     pub fn along<A: Frame>(&self, r: Rotation<A, F>) -> Estimate<A> {
         Estimate {
@@ -105,7 +108,8 @@ impl<F: Frame> Estimate<F> {
         }
     }
 
-    /// The tensor about a point: J = I + M (d² 1 − d dᵀ), d from the point to the centre of mass.
+    /// Returns the tensor about a point: J = I + M (d² 1 − d dᵀ), with d from the point to the
+    /// centre of mass.
     pub fn about(&self, point: Position<F>) -> EstimateAbout<F> {
         let (mass, d) = (self.properties.mass(), (self.properties.center_of_mass() - point).to_array());
         EstimateAbout {
@@ -119,9 +123,9 @@ impl<F: Frame> Estimate<F> {
         }
     }
 
-    /// A C Aᵀ, with the linear map A of what the ten numbers change by.
+    /// Returns A C Aᵀ, where A is a linear map of changes of the ten numbers.
     fn mapped(&self, map: impl Fn(&MassPropertiesDerivative<F>) -> [f64; 10]) -> [[f64; 10]; 10] {
-        // A is applied to the columns of C, and to the columns of what comes out.
+        // A is applied to the columns of C, and then to the rows of A C.
         let half = self.covariance.map(|column| map(&of_ten(column)));
         let turned: [[f64; 10]; 10] = core::array::from_fn(|i| half.map(|column| column[i]));
         let whole = turned.map(|row| map(&of_ten(row)));
@@ -129,7 +133,7 @@ impl<F: Frame> Estimate<F> {
     }
 }
 
-/// The ten numbers of a change.
+/// Returns a change as an array, in the order of [`NUMBERS`].
 pub(crate) fn ten<F>(change: &MassPropertiesDerivative<F>) -> [f64; 10] {
     let [xx, yy, zz, xy, xz, yz] = change.inertia;
     let c = &change.center_of_mass;

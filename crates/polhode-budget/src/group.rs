@@ -1,32 +1,32 @@
-//! Groups of rows whose errors go together.
+//! Groups of rows with correlated errors.
 
 use crate::error::BudgetError;
 use crate::uncertainty::ErrorKind;
 
-/// Rows whose errors are correlated: of one supplier, one scale, one drawing, one estimate.
+/// Rows with correlated errors: from one supplier, scale, drawing or estimate.
 ///
-/// The errors of two rows i and j of a group have the covariance ρ Lᵢ Lⱼᵀ, with the Cholesky factors L of their own covariances: of numbers that have standard
-/// deviations alone, ρ is the correlation of the same number of both, each along its own axes.
+/// The errors of two rows i and j of a group have the covariance ρ Lᵢ Lⱼᵀ, where Lᵢ and Lⱼ are the
+/// Cholesky factors of their own covariances. For numbers with standard deviations only, ρ is the
+/// correlation of the same number of both rows, each along its own axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
-    /// Its name.
     pub name: String,
-    /// ρ of masses.
+    /// Correlation ρ of the masses, 0 to 1.
     pub mass: f64,
-    /// ρ of centres of mass.
+    /// ρ of the centres of mass.
     pub center: f64,
-    /// ρ of tensors.
+    /// ρ of the inertia tensors.
     pub tensor: f64,
-    /// ρ of positions.
+    /// ρ of the positions of frames.
     pub position: f64,
-    /// ρ of rotations.
+    /// ρ of the rotations of frames.
     pub rotation: f64,
     /// ρ of the densities of liquids.
     pub density: f64,
 }
 
 impl Group {
-    /// Rows whose masses are correlated, and nothing else.
+    /// Returns a group in which only the masses are correlated.
     pub fn of_masses(name: impl Into<String>, correlation: f64) -> Self {
         Self {
             name: name.into(),
@@ -39,7 +39,7 @@ impl Group {
         }
     }
 
-    /// ρ of each kind, in the order of the kinds.
+    /// Returns ρ of each kind, in the order of [`ErrorKind`].
     pub(crate) const fn correlations(&self) -> [f64; 6] {
         [self.mass, self.center, self.tensor, self.position, self.rotation, self.density]
     }

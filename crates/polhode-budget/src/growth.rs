@@ -1,4 +1,4 @@
-//! Growth allowance: by how much parts become heavier until they fly.
+//! Growth allowance: expected increase of the masses of parts until flight.
 
 use std::collections::BTreeMap;
 
@@ -6,38 +6,39 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::BudgetError;
 
-/// Allowances by maturity code, as the list gives them: fractions of the basic mass, 0.15 for 15 %.
+/// Growth allowances by maturity code: fractions of the basic mass, 0.15 for 15 %.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GrowthTable {
     allowances: BTreeMap<String, f64>,
 }
 
-/// The growth allowance of a part.
+/// Growth allowance of a part.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Growth {
-    /// None is given: the predicted mass is the basic one.
+    /// No allowance: the predicted mass is the basic mass.
     #[default]
     None,
-    /// That of a maturity code.
+    /// Allowance of a maturity code, see [`GrowthTable`].
     Code(String),
-    /// A fraction of the basic mass.
+    /// Fraction of the basic mass.
     Fraction(f64),
 }
 
-/// Masses of parts that count.
+/// Masses of the parts that are used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
 pub enum Basis {
-    /// As they are known today.
+    /// Masses as currently known.
     Basic,
-    // A part grows without changing its form, so its tensor and the errors of both grow with it.
-    /// With the growth allowance.
+    // A part grows without changing its form. Its tensor and the errors of both scale with its
+    // mass.
+    /// Masses with the growth allowance.
     Predicted,
 }
 
 impl Basis {
-    /// Both, with their names.
+    /// Both variants with their names.
     pub(crate) const NAMED: [(&str, Self); 2] = [("basic", Self::Basic), ("predicted", Self::Predicted)];
 
     pub(crate) const fn name(self) -> &'static str {
@@ -45,22 +46,23 @@ impl Basis {
     }
 }
 
-/// The masses of a row with all in it, all copies counted, in the words of AIAA S-120A.
+/// Masses of a row with its descendants, all copies counted. The terms are those of AIAA S-120A.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassStatement {
-    /// What is known today, kg.
+    /// Basic mass, kg: the current estimate.
     pub basic: f64,
-    /// Basic mass and growth allowance, kg.
+    /// Predicted mass, kg: basic mass plus growth allowance.
     pub predicted: f64,
-    /// What it may become at most, kg, where that is given.
+    /// Allowable mass, kg, if given.
     pub allowable: Option<f64>,
 }
 
 impl GrowthTable {
-    /// Of codes and their allowances.
+    /// Makes a table from codes and allowances.
     ///
     /// # Errors
-    /// [`BudgetError::Table`] if an allowance is negative or not finite; of a code that is given twice, by its second allowance if that differs.
+    /// [`BudgetError::Table`] if an allowance is negative or not finite, or if a code has two
+    /// different allowances.
     pub fn new(codes: impl IntoIterator<Item = (String, f64)>) -> Result<Self, BudgetError> {
         let mut allowances = BTreeMap::new();
         let what = "the growth allowance";
@@ -76,32 +78,33 @@ impl GrowthTable {
         Ok(Self { allowances })
     }
 
-    /// The allowance of a code, as a fraction.
+    /// Returns the allowance of a code as a fraction.
     pub fn get(&self, code: &str) -> Option<f64> {
         self.allowances.get(code).copied()
     }
 
-    /// All codes with their allowances, in order.
+    /// Iterates over all codes and their allowances, in ascending order of the codes.
     pub fn codes(&self) -> impl Iterator<Item = (&str, f64)> {
         self.allowances.iter().map(|(code, allowance)| (code.as_str(), *allowance))
     }
 }
 
-/// What an allowance has to be.
+/// Condition on an allowance, for messages.
 pub(crate) const RULE: &str = "a fraction, zero or positive";
 
 impl MassStatement {
-    /// Mass growth allowance, kg.
+    /// Returns the mass growth allowance, kg.
     pub fn growth_allowance(&self) -> f64 {
         self.predicted - self.basic
     }
 
-    /// Allowable less predicted mass, kg: negative if what is promised cannot be kept.
+    /// Returns allowable minus predicted mass, kg. It is negative if the allowable mass is
+    /// exceeded.
     pub fn margin(&self) -> Option<f64> {
         self.allowable.map(|allowable| allowable - self.predicted)
     }
 
-    /// The margin as a fraction of the basic mass.
+    /// Returns the margin as a fraction of the basic mass.
     pub fn relative_margin(&self) -> Option<f64> {
         self.margin().map(|margin| margin / self.basic)
     }

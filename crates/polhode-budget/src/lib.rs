@@ -1,6 +1,7 @@
-//! From a parts list to the mass properties of the whole, with its growth allowance and its uncertainty.
+//! Mass properties of a whole body from its parts list, with growth allowance and uncertainty.
 //!
-//! A [`PartsList`] has a [`Row`] for each part, in frames that stand in each other, and is a [`Budget`] if all its rows make one possible body:
+//! A [`PartsList`] has one [`Row`] for each part. The frame of a row is given in the frame of its
+//! parent row. A list whose rows make one physically possible body becomes a [`Budget`]:
 //!
 //! ```
 //! use polhode::math::Position;
@@ -29,19 +30,19 @@
 //! # Ok::<(), polhode_budget::BudgetError>(())
 //! ```
 //!
-//! A [`Request`] with files gives a report of all that: [`run`].
+//! [`run`] answers a [`Request`]: it reads the files and makes a report of all these results:
 //!
-//! | asked | answered by |
+//! | result | function or type |
 //! |---|---|
 //! | basic, predicted and allowable mass | [`Budget::mass_statements`] |
-//! | mass, centre and tensor about any point and along any axes, with their covariance | [`Budget::estimate`], [`Estimate`] |
-//! | principal moments, axes and tilt, with theirs | [`Estimate::principal`], [`PrincipalUncertainty`] |
-//! | which errors matter | [`Budget::sensitivities`] |
-//! | what first order leaves out | [`Budget::draws`], [`Draws::compare`] |
-//! | bodies of which only the estimate is known | [`Correlated`](polhode::infer::correlated::Correlated) |
-//! | what is left over time, or by how full the tanks are | [`Sequence`], [`Tank`] |
-//! | whether limits are met, with what margin and probability | [`Budget::limits`], [`Limit`], [`Answer`] |
-//! | ballast that meets limits, with a lower bound | [`Budget::ballast`], [`FoundBallast`] |
+//! | mass, centre of mass and inertia tensor about any point and along any axes, with their covariance | [`Budget::estimate`], [`Estimate`] |
+//! | principal moments, axes and tilt, with their errors | [`Estimate::principal`], [`PrincipalUncertainty`] |
+//! | contributions of single errors to the variance | [`Budget::sensitivities`] |
+//! | deviations from first order, by random draws | [`Budget::draws`], [`Draws::compare`] |
+//! | bodies that are known only by an estimate | [`Correlated`](polhode::infer::correlated::Correlated) |
+//! | mass properties over time, or as a function of the tank fill | [`Sequence`], [`Tank`] |
+//! | limits: margin and probability that they are met | [`Budget::limits`], [`Limit`], [`Answer`] |
+//! | light ballast that meets limits, with a lower bound | [`Budget::ballast`], [`FoundBallast`] |
 
 mod ballast;
 mod budget;

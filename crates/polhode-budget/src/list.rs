@@ -1,15 +1,15 @@
-//! Parts lists, row by row.
+//! Parts lists as they are given.
 
 use crate::group::Group;
 use crate::growth::GrowthTable;
 use crate::row::Row;
 
-/// A parts list, as it is given. Long lists are better built from [`Rows`](crate::Rows), which take less memory.
+/// Parts list as it is given. Long lists take less memory as [`Rows`](crate::Rows).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PartsList {
-    /// Rows in any order.
+    /// Rows, in any order.
     pub rows: Vec<Row>,
-    /// Groups that rows name.
+    /// Groups that the rows refer to.
     pub groups: Vec<Group>,
     /// Growth allowances by maturity code.
     pub growth: GrowthTable,

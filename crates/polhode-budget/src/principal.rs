@@ -6,38 +6,44 @@ use polhode::math::{Direction, Frame};
 
 use crate::estimate::Estimate;
 
-/// Principal moments and axes, and how they depend on the tensor.
+/// Principal moments and axes, with their errors and derivatives.
 ///
-/// To first order in δI, δiₖ = aₖ·δI aₖ, and all axes turn by θₖ = aⱼ·δI aᵢ/(iᵢ − iⱼ) about aₖ, (i, j, k) cyclic. Where errors are not small beside the difference of
-/// two moments, the turn about the third axis is not known by first order: [`Draws`](crate::Draws) show what it is.
+/// To first order in δI, δiₖ = aₖ·δI aₖ, and all axes turn by θₖ = aⱼ·δI aᵢ/(iᵢ − iⱼ) about aₖ,
+/// with (i, j, k) cyclic. If errors are not small compared with the difference of two moments,
+/// first order is not valid for the rotation about the third axis. In this case, use
+/// [`Draws`](crate::Draws).
 #[derive(Clone, Debug, PartialEq)]
 pub struct PrincipalUncertainty<F: Frame> {
-    /// Moments, ascending, and axes.
+    /// Principal moments in ascending order, with their axes.
     pub frame: PrincipalFrame<F>,
     /// Covariance of the moments, kg²·m⁴.
     pub moment_covariance: [[f64; 3]; 3],
-    /// Standard deviation of the turn of all axes about each, rad: infinite where the other two moments are equal, unless the tensor is exact.
+    /// Standard deviation of the rotation of all axes about each axis, rad. It is infinite if the
+    /// other two moments are equal, unless the tensor is exact.
     pub turn_sd: [f64; 3],
 }
 
-/// Of the difference of two moments, and the greatest turn of their axes, rad, up to which errors are small beside it.
+/// Validity limit of first order. It applies to the standard deviation of the difference of two
+/// moments, relative to that difference, and to the rotation of their axes, rad.
 const NEAR: f64 = 0.3;
 
-/// The angle between a principal axis, either way along it, and a direction.
+/// Angle between a principal axis, in either sense, and a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tilt<F> {
-    /// From 0 to π/2 rad.
+    /// Angle from 0 to π/2 rad.
     pub angle: f64,
-    /// Its standard deviation, rad, as long as the angle is some times [`Tilt::axis_sd`]; `None` at the angle 0, where it has no derivative, and where moments are equal.
+    /// Standard deviation of the angle, rad. It is valid if the angle is several times
+    /// [`Tilt::axis_sd`]. `None` at the angle 0, where there is no derivative, and if moments are
+    /// equal.
     pub sd: Option<f64>,
-    /// Standard deviation of the axis in the direction in which it is known least, rad.
+    /// Standard deviation of the axis in its most uncertain direction, rad.
     pub axis_sd: f64,
-    /// How the angle depends on the tensor, where it does.
+    /// Gradient of the angle with respect to the tensor, if it exists.
     pub gradient: Option<MassPropertiesGradient<F>>,
 }
 
 impl<F: Frame> Estimate<F> {
-    /// Principal moments and axes, and their errors.
+    /// Returns the principal moments and axes with their errors.
     pub fn principal(&self) -> PrincipalUncertainty<F> {
         let frame = self.properties.principal();
         let gradients = [0, 1, 2].map(|k| moment_gradient(&frame, k));
@@ -51,12 +57,13 @@ impl<F: Frame> Estimate<F> {
 }
 
 impl<F: Frame> PrincipalUncertainty<F> {
-    /// How a moment, 0 to 2, depends on the tensor.
+    /// Returns the gradient of a moment, 0 to 2, with respect to the tensor.
     pub fn moment_gradient(&self, k: usize) -> MassPropertiesGradient<F> {
         moment_gradient(&self.frame, k % 3)
     }
 
-    /// Whether first order says of a moment, 0 to 2, what its error is: not where another is so near that errors make them equal.
+    /// Returns true if first order is valid for the error of a moment, 0 to 2. It is not valid if
+    /// another moment is so near that errors can make them equal.
     pub fn is_first_order(&self, k: usize) -> bool {
         (0..3).filter(|other| *other != k % 3).all(|other| self.are_apart(k % 3, other))
     }
@@ -70,18 +77,20 @@ impl<F: Frame> PrincipalUncertainty<F> {
         sd <= NEAR * (moments[i] - moments[j]).abs() && turn <= NEAR
     }
 
-    /// How the turn about an axis, 0 to 2, depends on the tensor; `None` where the other two moments are equal.
+    /// Returns the gradient of the rotation about an axis, 0 to 2. Returns `None` if the other two
+    /// moments are equal.
     pub fn turn_gradient(&self, k: usize) -> Option<MassPropertiesGradient<F>> {
         let (numerator, apart) = turn(&self.frame, k % 3);
         (apart != 0.0).then(|| scaled(&numerator, 1.0 / apart))
     }
 
-    /// The tilt of an axis, 0 to 2, from a direction; `None` if that is zero or not finite.
+    /// Returns the tilt of an axis, 0 to 2, from a direction; `None` if the direction is zero or
+    /// not finite.
     pub fn tilt(&self, estimate: &Estimate<F>, axis: usize, from: Direction<F>) -> Option<Tilt<F>> {
         from.direction().map(|n| self.tilt_from(estimate, axis, n))
     }
 
-    /// The same from a unit vector.
+    /// Returns the tilt from a unit vector.
     pub(crate) fn tilt_from(&self, estimate: &Estimate<F>, axis: usize, n: Direction<F>) -> Tilt<F> {
         let k = axis % 3;
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
@@ -113,13 +122,13 @@ pub(crate) fn moment_gradient<F: Frame>(frame: &PrincipalFrame<F>, k: usize) -> 
     element(frame.axis(k), frame.axis(k))
 }
 
-/// aⱼ·δI aᵢ and iᵢ − iⱼ
+/// Returns aⱼ·δI aᵢ as a gradient, and the difference iᵢ − iⱼ.
 fn turn<F: Frame>(frame: &PrincipalFrame<F>, k: usize) -> (MassPropertiesGradient<F>, f64) {
     let (i, j) = ((k + 1) % 3, (k + 2) % 3);
     (element(frame.axis(i), frame.axis(j)), frame.moments()[i] - frame.moments()[j])
 }
 
-/// uᵀ δI v
+/// Returns uᵀ δI v as a gradient.
 pub(crate) fn element<F: Frame>(u: Direction<F>, v: Direction<F>) -> MassPropertiesGradient<F> {
     let (u, v) = (u.to_array(), v.to_array());
     let off = |i: usize, j: usize| u[i] * v[j] + u[j] * v[i];

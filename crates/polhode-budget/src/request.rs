@@ -1,4 +1,4 @@
-//! Request of `budget`.
+//! Request of the `budget` command.
 #![allow(rustdoc::broken_intra_doc_links, reason = "the help of the command shows brackets as they are")]
 
 use std::path::PathBuf;
@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use crate::Basis;
 use crate::read::{LEAST_DRAWS, MOST_DRAWS, Questions};
 
-/// Parts list to read, and options that override its own.
+/// Parts list to read, and options that override those of the file.
 ///
 /// ```
 /// use polhode_budget::{Output, Request, run};
@@ -30,60 +30,63 @@ use crate::read::{LEAST_DRAWS, MOST_DRAWS, Questions};
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::Args))]
 pub struct Request {
-    /// A parts list, CSV or XLSX; or a plan that names one, TOML.
+    /// Parts list, CSV or XLSX; or a plan that names one, TOML.
     #[cfg_attr(feature = "arguments", arg(value_name = "FILE"))]
     pub file: PathBuf,
-    /// Folder that files which the parts list names may lie in, besides its own folder.
+    /// Additional folder for files that the parts list names, besides its own folder.
     #[serde(rename = "root")]
     #[cfg_attr(feature = "arguments", arg(long = "root", value_name = "DIR"))]
     pub roots: Vec<PathBuf>,
-    /// Which masses count: as they are known, or with their growth allowance [default: the file's, else predicted].
+    /// Masses to use: as currently known, or with their growth allowance
+    /// [default: the file's, else predicted].
     #[cfg_attr(feature = "arguments", arg(long, value_enum, value_name = "BASIS"))]
     pub basis: Option<Basis>,
-    /// Also the tensor about this point: x,y,z from the origin, each with its unit or in metres.
+    /// Point about which the tensor is also reported: x,y,z from the origin, each with its unit or
+    /// in metres.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "X,Y,Z", allow_hyphen_values = true))]
     pub about: Option<Given<Point>>,
-    /// Also the tensor along axes turned by this unit quaternion (scalar first, turned axes to body
-    /// axes), from which tilts are then.
+    /// Axes along which the tensor is also reported: unit quaternion, scalar first, from these axes
+    /// to body axes. Tilts are then relative to these axes.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "W,X,Y,Z", allow_hyphen_values = true))]
     pub along: Option<Given<Turn<Body, Part>>>,
-    /// How many possible bodies are drawn: 0, or from 10 to 10,000,000. Of --sweep, how many members the plan has.
+    /// Number of possible bodies to draw: 0, or from 10 to 10,000,000. With --sweep: number of
+    /// members of the plan.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "N", value_parser = draws))]
     pub draws: Option<usize>,
-    /// Draw others [default: 1].
+    /// Seed of the random draws [default: 1].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "N"))]
     pub seed: Option<u64>,
-    /// Only this configuration.
+    /// Name of the only configuration to compute.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "NAME"))]
     pub configuration: Option<String>,
-    /// Say what changed since another parts list: row by row, and in the whole.
+    /// Other parts list to compare with: report the changes since it, row by row and in the whole.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "OTHER", conflicts_with_all = ["about", "along", "draws", "seed", "strict"]))]
     pub diff: Option<PathBuf>,
-    /// Exit with status 1 if a limit is not met, or something is heavier than allowed.
+    /// Exit with status 1 if a limit is not met, or if a mass is greater than allowed.
     #[cfg_attr(feature = "arguments", arg(long))]
     pub strict: bool,
-    /// Files that are made of the list as it is given, without draws and ballast.
+    /// Files to make from the list as given, without draws and ballast.
     #[cfg_attr(feature = "arguments", arg(skip))]
     pub output: Option<Output>,
 }
 
-/// Files that are made of a list. Names are those that the files get.
+/// Files to make from a list. Each path is the name of a file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Output {
-    /// CSV: a row for each row of the list, with the masses and mass properties of all in it.
+    /// CSV with one line per row of the list: masses and mass properties, including descendants.
     Parts,
-    /// CSV: the whole over time, with its rates.
+    /// CSV of the whole over time, with its rates of change.
     Time,
-    /// CSV: the whole by what is in each tank.
+    /// CSV of the whole as a function of the tank fill.
     Fill,
-    /// The whole as a part of a scenario file.
+    /// Section of a scenario file with the whole body.
     Body,
-    /// XLSX: all tables, the whole and its covariance.
+    /// XLSX workbook with all tables, the whole and its covariance.
     Workbook(PathBuf),
-    /// Plan of a sweep whose members have the list's errors, with their correlations.
+    /// Sweep plan whose members have the errors and correlations of the list.
     Plan(PathBuf),
-    /// Scenario of what happens over time, and a CSV table of the same name that it names.
+    /// Scenario of the changes over time, and a CSV table of the same name that it refers to.
     Scenario(PathBuf),
 }
 
@@ -120,7 +123,7 @@ impl Request {
         }
     }
 
-    /// Returns the questions of this request, else those of the file.
+    /// Returns the questions of this request. Options that are not given are taken from the file.
     pub(crate) fn questions(&self, file: &Questions) -> Questions {
         Questions {
             about: self.about.as_ref().map(|at| at.value.0).or(file.about),

@@ -1,4 +1,4 @@
-//! What a parts list says, row by row.
+//! Rows of a parts list as they are given.
 
 use polhode::body::MassProperties;
 use polhode::math::{Part, Position, Rotation};
@@ -7,36 +7,38 @@ use crate::growth::Growth;
 use crate::tensor::{GivenTensor, ProductSign, TensorPoint};
 use crate::uncertainty::Uncertainty;
 
-/// A row of a parts list: a frame, a part in it, or both.
+/// Row of a parts list: a frame, a part in it, or both.
 ///
-/// Its frame stands in that of the row [`Row::parent`] or, without, of the row that [`Row::name`] begins with: `bus/battery` in `bus`. One row stands in none: its
-/// parent is the body.
+/// The frame is given in the frame of the parent row. The parent is [`Row::parent`] if that is
+/// given. Otherwise it is the path before the last `/` of [`Row::name`]: `bus` for `bus/battery`.
+/// Exactly one row, the root, has no parent. Its frame is given in the axes of the body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Its name, or its path: unique.
+    /// Unique name or path, such as `bus/battery`.
     pub name: String,
-    /// The name of the row in whose frame it stands, if its path does not say so.
+    /// Name of the parent row, if the path does not contain it.
     pub parent: Option<String>,
-    /// How many there are.
+    /// Number of copies, and the correlation of their errors.
     pub quantity: Quantity,
-    /// Where its frame is in its parent's.
+    /// Position and orientation of the row's frame in the parent's frame.
     pub place: Place,
-    /// What has mass in it, besides the rows that stand in it.
+    /// Part in this frame, without the parts of child rows.
     pub part: Option<GivenPart>,
-    /// How well all that is known.
+    /// Errors of the numbers of this row.
     pub uncertainty: Uncertainty,
-    /// The group with which its errors are correlated.
+    /// Name of the group whose rows have correlated errors.
     pub group: Option<String>,
-    /// How much heavier the part is expected to become.
+    /// Growth allowance of the part.
     pub growth: Growth,
-    /// The mass that the list states for this row with all in it, all copies counted, before growth.
+    /// Mass that the list states for this row with its descendants, all copies counted, before
+    /// growth.
     pub subtotal: Option<Subtotal>,
-    /// Allowable mass of this row with all in it, all copies counted, kg.
+    /// Allowable mass of this row with its descendants, all copies counted, kg.
     pub allowable: Option<f64>,
 }
 
 impl Row {
-    /// A frame at its parent's origin and along its axes.
+    /// Returns a frame without a part, at the parent's origin and along its axes.
     pub fn frame(name: impl Into<String>) -> Self {
         Self {
             name: name.into(),
@@ -52,37 +54,40 @@ impl Row {
         }
     }
 
-    /// A part, exactly known, in such a frame.
+    /// Returns a row with an exactly known part, in a frame at the parent's origin and along its
+    /// axes.
     pub fn part(name: impl Into<String>, part: GivenPart) -> Self {
         Self { part: Some(part), ..Self::frame(name) }
     }
 }
 
-/// Copies of a row, all at its place: what counts is their sum.
+/// Number of copies of a row. All copies are at the same place, so only their sum matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Quantity {
-    /// How many: 1 at least.
+    /// Number of copies, at least 1.
     pub count: u32,
-    /// How their errors go together.
+    /// Correlation between the errors of the copies.
     pub errors: CopyErrors,
 }
 
 impl Quantity {
-    /// One.
+    /// Quantity of one copy.
     pub const ONE: Self = Self { count: 1, errors: CopyErrors::Alike };
 }
 
-/// How the errors of copies go together.
+/// Correlation between the errors of copies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CopyErrors {
-    /// Each copy has the same error, as where one estimate stands for all: the standard deviation of n is n times that of one.
+    /// All copies have the same error, for example because one estimate is used for all. The
+    /// standard deviation of n copies is n times that of one.
     Alike,
-    /// Each has its own, as weighed units have: √n times. For rows in which no other stands.
+    /// Each copy has its own error, for example because each was weighed. The standard deviation of
+    /// n copies is √n times that of one. Not allowed for rows with children.
     Independent,
 }
 
 impl CopyErrors {
-    /// Both, with their names.
+    /// Both variants with their names in lists.
     pub(crate) const NAMED: [(&str, Self); 2] = [("alike", Self::Alike), ("independent", Self::Independent)];
 
     pub(crate) const fn name(self) -> &'static str {
@@ -90,12 +95,12 @@ impl CopyErrors {
     }
 }
 
-/// Where a frame is in another.
+/// Position and orientation of a frame in its parent's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Its origin, m.
+    /// Origin of the frame, parent axes, m.
     pub position: Position<Part>,
-    /// R_parent_own.
+    /// Rotation R_parent_own from the row's axes to the parent's axes.
     pub rotation: Rotation<Part, Part>,
 }
 
@@ -105,24 +110,24 @@ impl Default for Place {
     }
 }
 
-/// A part as a list gives it, in its row's frame.
+/// Part as given in a list, in its row's frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenPart {
-    /// Basic mass of one, kg.
+    /// Basic mass of one copy, kg.
     pub mass: f64,
     /// Centre of mass, m.
     pub center_of_mass: Position<Part>,
-    /// Inertia tensor.
+    /// Inertia tensor, kg·m².
     pub tensor: GivenTensor,
 }
 
 impl GivenPart {
-    /// All the mass at one point.
+    /// Returns a point mass, kg, at a position, m.
     pub fn point(mass: f64, at: Position<Part>) -> Self {
         Self { mass, center_of_mass: at, tensor: GivenTensor::ZERO }
     }
 
-    /// Returns a body as a part.
+    /// Returns the mass properties of a body as a part.
     pub(crate) fn of(body: &MassProperties<Part>) -> Self {
         let [[xx, xy, xz], [_, yy, yz], [.., zz]] = body.inertia().matrix();
         let tensor = GivenTensor {
@@ -135,11 +140,11 @@ impl GivenPart {
     }
 }
 
-/// A mass that a list states for a row with all in it.
+/// Mass that a list states for a row with its descendants.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Subtotal {
-    /// kg
+    /// Stated mass, kg.
     pub mass: f64,
-    /// By how much the sum may differ, kg: half of the last digit that is printed.
+    /// Largest allowed difference from the sum, kg: half a unit of the last printed digit.
     pub tolerance: f64,
 }

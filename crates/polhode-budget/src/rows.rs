@@ -1,4 +1,4 @@
-//! Rows in packed form: each takes the memory of what it says.
+//! Rows in packed form: a row takes memory only for the data that it has.
 
 use std::collections::BTreeMap;
 
@@ -12,34 +12,35 @@ use crate::uncertainty::{PartUncertainty, Spread, Uncertainty};
 
 /// Rows of a parts list in packed form.
 ///
-/// A [`Row`] takes some 600 bytes. A packed row takes 32 bytes, its texts, and 8 bytes for each of its numbers.
+/// A [`Row`] takes about 600 bytes. A packed row takes 32 bytes, its texts, and 8 bytes for each of
+/// its numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rows {
     records: Vec<Record>,
-    /// Texts of each row in the order of [`TEXTS`], each behind its length.
+    /// Texts of each row: the name, then those of [`TEXTS`] in that order. Each follows its length.
     texts: Vec<u8>,
     /// Numbers of each row in the order of [`SIZES`].
     numbers: Vec<f64>,
     /// Rotations that are not the identity.
     rotations: Vec<Rotation<Part, Part>>,
-    /// Liquids of uncertain amount or density, by rows.
+    /// Liquids of uncertain amount or density, by row index.
     liquids: BTreeMap<usize, UncertainLiquid>,
-    /// The row in which those rows stand that name no other.
+    /// Index of the row that is the parent of all rows that do not name one.
     enclosing: Option<usize>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Record {
-    /// Starts in the arrays of [`Rows`].
+    /// Start indices of the row's data in the arrays of [`Rows`].
     text: usize,
     number: usize,
     rotation: usize,
     count: u32,
-    /// Bit set of what the row says.
+    /// Bit set of the data that the row has.
     has: u32,
 }
 
-// Each of these bits stands for numbers; how many, SIZES says.
+// Bits for groups of numbers. `SIZES` has the count of numbers for each bit.
 const POSITION: u32 = 1;
 const PART: u32 = 1 << 1;
 const TENSOR: u32 = 1 << 2;
@@ -57,36 +58,36 @@ const ROTATION_COVARIANCE: u32 = 1 << 13;
 const FRACTION: u32 = 1 << 14;
 const SUBTOTAL: u32 = 1 << 15;
 const ALLOWABLE: u32 = 1 << 16;
-/// Numbers for each of the bits above.
+/// Count of numbers for each of the bits above.
 const SIZES: [usize; 17] = [3, 4, 6, 3, 1, 3, 9, 6, 36, 100, 3, 9, 3, 9, 1, 2, 1];
 
-// Each of these bits stands for a text.
+// Bits for texts.
 const PARENT: u32 = 1 << 17;
 const GROUP: u32 = 1 << 18;
 const CODE: u32 = 1 << 19;
 const ABOUT_FRAME: u32 = 1 << 20;
-/// Texts in their order, after the name, which every row has.
+/// Order of the texts after the name, which every row has.
 const TEXTS: [u32; 4] = [PARENT, GROUP, CODE, ABOUT_FRAME];
 
 const ROTATED: u32 = 1 << 21;
 const INDEPENDENT: u32 = 1 << 22;
 const INTEGRALS: u32 = 1 << 23;
-/// The tensor does not go with the mass.
+/// Bit of rows whose tensor does not scale with the mass.
 const APART: u32 = 1 << 24;
 const LIQUID: u32 = 1 << 25;
 
 impl Rows {
-    /// Number of rows.
+    /// Returns the number of rows.
     pub const fn len(&self) -> usize {
         self.records.len()
     }
 
-    /// True without rows.
+    /// Returns true if there are no rows.
     pub const fn is_empty(&self) -> bool {
         self.records.is_empty()
     }
 
-    /// Appends a row.
+    /// Appends a row at the end.
     pub fn push(&mut self, row: Row) {
         let Row { name, parent, quantity, place, part, uncertainty, group, growth, subtotal, allowable } =
             row;
@@ -112,7 +113,7 @@ impl Rows {
             has |= bit;
             self.numbers.extend_from_slice(values);
         };
-        // -0.0 is kept as it is.
+        // Only +0.0 counts as zero, so −0.0 is stored.
         let is_zero = |values: &[f64]| values.iter().all(|value| value.to_bits() == 0);
         let position = place.position.to_array();
         if !is_zero(&position) {
@@ -171,13 +172,13 @@ impl Rows {
         self.records.push(Record { text, number, rotation, count: quantity.count, has });
     }
 
-    /// Appends a row in which all rows stand that do not say where they stand.
+    /// Appends a row that becomes the parent of all rows without a stated parent.
     pub fn enclose(&mut self, frame: Row) {
         self.enclosing = Some(self.len());
         self.push(frame);
     }
 
-    /// Unpacks a row; an empty frame without a name beyond the last row.
+    /// Unpacks a row. Beyond the last row, returns an empty frame without a name.
     pub fn get(&self, row: usize) -> Row {
         Row {
             name: self.name(row).to_owned(),
@@ -197,23 +198,23 @@ impl Rows {
         }
     }
 
-    /// All rows, in their order.
+    /// Iterates over all rows in their order.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = Row> + '_ {
         (0..self.len()).map(|row| self.get(row))
     }
 
-    /// Name of a row.
+    /// Returns the name of a row, empty beyond the last row.
     pub fn name(&self, row: usize) -> &str {
         let start = self.records.get(row).map_or(self.texts.len(), |record| record.text);
         self.text_at(start).0
     }
 
-    /// Position of the first row of this name.
+    /// Returns the index of the first row with this name.
     pub fn position(&self, name: &str) -> Option<usize> {
         (0..self.len()).find(|&row| self.name(row) == name)
     }
 
-    /// Name of the row in whose frame a row stands; `None` of the root.
+    /// Returns the name of a row's parent, or `None` for the root.
     pub(crate) fn frame_of(&self, row: usize) -> Option<&str> {
         let path = || self.name(row).rsplit_once('/').map(|(path, _)| path);
         self.text_of(row, PARENT).or_else(path).or_else(|| self.enclosing_of(row))
@@ -224,7 +225,7 @@ impl Rows {
         (!self.name(row).contains('/')).then(|| self.name(enclosing))
     }
 
-    /// Copies of a row.
+    /// Returns the number of copies of a row.
     pub fn quantity(&self, row: usize) -> Quantity {
         let Some(record) = self.records.get(row) else { return Quantity::ONE };
         let is_independent = record.has & INDEPENDENT != 0;
@@ -232,7 +233,7 @@ impl Rows {
         Quantity { count: record.count, errors }
     }
 
-    /// Place of a row's frame in that of its parent.
+    /// Returns the place of a row's frame in its parent's frame.
     pub fn place(&self, row: usize) -> Place {
         let position = self.numbers_of(row, POSITION).map_or(Position::ZERO, Position::from_array);
         let record = self.records.get(row).filter(|record| record.has & ROTATED != 0);
@@ -240,7 +241,7 @@ impl Rows {
         Place { position, rotation: rotation.copied().unwrap_or_else(Rotation::identity) }
     }
 
-    /// Part of a row, as it is given.
+    /// Returns the part of a row as given.
     pub fn part(&self, row: usize) -> Option<GivenPart> {
         let [mass, x, y, z] = self.numbers_of(row, PART)?;
         let [xx, yy, zz, xy, xz, yz] = self.numbers_of(row, TENSOR).unwrap_or_default();
@@ -254,27 +255,27 @@ impl Rows {
         Some(GivenPart { mass, center_of_mass: Position::new(x, y, z), tensor })
     }
 
-    /// Mass of one copy of a row's part, kg, as it is given.
+    /// Returns the mass of one copy of a row's part as given, kg.
     pub fn mass(&self, row: usize) -> Option<f64> {
         self.numbers_of(row, PART).map(|[mass, ..]: [f64; 4]| mass)
     }
 
-    /// True if a row has a part.
+    /// Returns true if a row has a part.
     pub fn has_part(&self, row: usize) -> bool {
         self.has(row, PART)
     }
 
-    /// Name of the row about whose origin a row's tensor is.
+    /// Returns the name of the row whose origin a row's tensor is about.
     pub fn tensor_frame(&self, row: usize) -> Option<&str> {
         self.text_of(row, ABOUT_FRAME)
     }
 
-    /// Sign of a row's products of inertia.
+    /// Returns the sign convention of a row's products of inertia.
     pub(crate) fn sign(&self, row: usize) -> ProductSign {
         if self.has(row, INTEGRALS) { ProductSign::PositiveIntegral } else { ProductSign::NegativeIntegral }
     }
 
-    /// Errors of a row.
+    /// Returns the errors of a row.
     pub fn uncertainty(&self, row: usize) -> Uncertainty {
         let part = match (self.numbers_of::<100>(row, JOINT), self.liquid(row)) {
             (Some(joint), _) => PartUncertainty::Joint(Box::new(matrix(joint))),
@@ -293,34 +294,35 @@ impl Rows {
         }
     }
 
-    /// True of a row whose numbers are all exact.
+    /// Returns true if all numbers of a row are exact.
     pub fn is_exact(&self, row: usize) -> bool {
-        // All bits from that of the mass to those of the rotation.
+        // All bits from `MASS_SD` to `ROTATION_COVARIANCE`.
         const ERRORS: u32 = (FRACTION - MASS_SD) | APART | LIQUID;
         !self.has(row, ERRORS)
     }
 
-    /// The liquid of which a row's part is, and its errors.
+    /// Returns the liquid of which a row's part consists, with its errors.
     pub(crate) fn liquid(&self, row: usize) -> Option<&UncertainLiquid> {
         self.liquids.get(&row).filter(|_| self.has(row, LIQUID))
     }
 
-    /// True if a row's tensor goes with its mass.
+    /// Returns true if a row's tensor scales with its mass.
     pub(crate) fn tensor_follows_mass(&self, row: usize) -> bool {
         !self.has(row, APART | JOINT | LIQUID)
     }
 
-    /// Group of a row.
+    /// Returns the name of a row's group.
     pub fn group(&self, row: usize) -> Option<&str> {
         self.text_of(row, GROUP)
     }
 
-    /// True if a row states a growth allowance.
+    /// Returns true if a row states a growth allowance.
     pub fn grows(&self, row: usize) -> bool {
         self.has(row, CODE | FRACTION)
     }
 
-    /// Growth allowance of a row, as a fraction; the code that the table lacks is the error.
+    /// Returns the growth allowance of a row as a fraction. If the table lacks the row's maturity
+    /// code, that code is the error.
     pub(crate) fn allowance(&self, row: usize, table: &GrowthTable) -> Result<f64, &str> {
         if let Some([fraction]) = self.numbers_of(row, FRACTION) {
             return Ok(fraction);
@@ -328,12 +330,12 @@ impl Rows {
         self.text_of(row, CODE).map_or(Ok(0.0), |code| table.get(code).ok_or(code))
     }
 
-    /// Mass that the list states for a row with all in it.
+    /// Returns the mass that the list states for a row with its descendants.
     pub fn subtotal(&self, row: usize) -> Option<Subtotal> {
         self.numbers_of(row, SUBTOTAL).map(|[mass, tolerance]| Subtotal { mass, tolerance })
     }
 
-    /// Allowable mass of a row with all in it, kg.
+    /// Returns the allowable mass of a row with its descendants, kg.
     pub fn allowable(&self, row: usize) -> Option<f64> {
         self.numbers_of(row, ALLOWABLE).map(|[allowable]| allowable)
     }
@@ -362,7 +364,7 @@ impl Rows {
     }
 
     fn text(&mut self, text: &str) {
-        // LEB128
+        // The length in LEB128 encoding.
         let mut length = text.len();
         while length >= 0x80 {
             self.texts.push(length as u8 | 0x80);
@@ -372,7 +374,7 @@ impl Rows {
         self.texts.extend_from_slice(text.as_bytes());
     }
 
-    /// A text, and where the next begins.
+    /// Returns a text and the start of the next one.
     fn text_at(&self, mut at: usize) -> (&str, usize) {
         let (mut length, mut shift) = (0, 0);
         while let Some(&byte) = self.texts.get(at) {
@@ -415,7 +417,7 @@ fn spread<const N: usize>(put: &mut impl FnMut(u32, &[f64]), [sd, full]: [u32; 2
     }
 }
 
-/// The N × N matrix of these elements, row by row.
+/// Returns the N × N matrix of these elements, in row-major order.
 fn matrix<const N: usize, const M: usize>(elements: [f64; M]) -> [[f64; N]; N] {
     core::array::from_fn(|i| core::array::from_fn(|j| elements[N * i + j]))
 }

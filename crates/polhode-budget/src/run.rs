@@ -1,4 +1,4 @@
-//! A request answered.
+//! Computation of the answer to a request.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -13,19 +13,21 @@ use crate::read::{Access, BudgetFile, OverTime, Questions, read_in};
 use crate::report::{BudgetDiff, BudgetReport, Scope, history, workbook};
 use crate::request::{MadeFile, Output, Request};
 
-/// Computes what a parts list comes to, or what changed since another, and the files that the request names.
+/// Computes the report of a parts list, or its changes since another list, and the files that the
+/// request names.
 ///
 /// # Errors
-/// [`Failure`] for lists that cannot be read or make no possible body, and for what the list lacks.
+/// [`Failure`] if a list cannot be read, does not make a possible body, or lacks data for the
+/// request.
 pub fn run(request: &Request, files: &dyn Files) -> Result<Budgeted, Failure> {
     run_watched(request, files, &mut |_, _| ())
 }
 
-/// Computes as [`run`] does, and calls `reached` with the number of bodies that are drawn, and how
-/// many are to be.
+/// Computes as [`run`] does, and calls `reached` with the number of bodies drawn so far and the
+/// total number.
 ///
 /// # Errors
-/// As [`run`].
+/// Same as [`run`].
 pub fn run_watched(
     request: &Request,
     files: &dyn Files,
@@ -69,14 +71,14 @@ fn compared(
     is_other: bool,
 ) -> Result<BudgetReport, Failure> {
     let questions = request.questions(&file.questions);
-    // A list without configurations is the same in each.
+    // A list without configurations applies to each of them.
     let is_in_each = is_other && file.configurations.iter().all(|one| one.name.is_none());
     let configuration = request.configuration.as_deref().filter(|_| !is_in_each);
     let report = BudgetReport::of_file(file, &questions, configuration, Scope::Diff, &mut |_, _| ());
     report.map_err(|failure| failure.about(list))
 }
 
-/// Computes the report of a list, and the files made of it except tables of all rows.
+/// Computes the report of a list and the files made of it, except tables of all rows.
 fn answered(
     request: &Request,
     questions: &Questions,
@@ -133,7 +135,7 @@ fn answered(
     Ok((report, made))
 }
 
-/// First line of the body of a list to which something happens.
+/// First line of a body file, if the list changes over time.
 const AT_FIRST: &str = "# As it is at first: polhode budget --scenario writes what happens to it\n";
 
 fn nothing_happens(over_time: Option<&OverTime>) -> Failure {
@@ -159,12 +161,12 @@ pub struct Budgeted {
 #[derive(Debug)]
 enum Answer {
     List(Box<BudgetReport>),
-    /// Before and after.
+    /// Reports before and after the changes.
     Diff(Box<[BudgetReport; 2]>),
 }
 
 impl Budgeted {
-    /// Returns the report of a list; none of a difference.
+    /// Returns the report of a list, or `None` for a difference.
     pub fn report(&self) -> Option<&BudgetReport> {
         match &self.answer {
             Answer::List(report) => Some(report),
@@ -172,12 +174,12 @@ impl Budgeted {
         }
     }
 
-    /// Returns the paths of the files that were read, so that none is written over.
+    /// Returns the paths of all files that were read. They must not be overwritten.
     pub fn read(&self) -> &[PathBuf] {
         &self.read
     }
 
-    /// Returns the files of [`Request::output`], in the order in which they are to be written.
+    /// Returns the files of [`Request::output`], in the order in which they must be written.
     ///
     /// # Errors
     /// [`Failure`] if a file is too large.

@@ -1,4 +1,4 @@
-//! Which errors matter.
+//! Contributions of single errors to the variance of a result.
 
 use polhode::body::MassPropertiesGradient;
 use polhode::math::Body;
@@ -8,21 +8,22 @@ use crate::error::BudgetError;
 use crate::growth::Basis;
 use crate::uncertainty::{ErrorKind, NUMBERS};
 
-/// What an error contributes to the variance of a result.
+/// Contribution of an error to the variance of a result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensitivity {
-    /// Whose error.
+    /// Row or group that has the error.
     pub source: Source,
-    /// Of which numbers.
+    /// Number that the error belongs to.
     pub kind: ErrorKind,
-    /// Its part of the variance, in the square of the result's unit; all parts together are the variance to first order.
+    /// Contribution to the variance, in the squared unit of the result. All contributions add up to
+    /// the variance to first order.
     pub variance: f64,
 }
 
-/// The errors that matter most to a result.
+/// Errors that contribute most to the variance of a result.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sensitivities {
-    /// The greatest first; errors that do not matter are left out.
+    /// Largest contributions, in descending order. Errors without effect are left out.
     pub greatest: Vec<Sensitivity>,
     /// Sum of the variances of all other errors.
     pub rest: f64,
@@ -30,12 +31,12 @@ pub struct Sensitivities {
     pub others: usize,
 }
 
-/// Where an error comes from.
+/// Row or group that an error comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
-    /// A row, by its place in the list: what it does not share with its group.
+    /// Index of a row. The error is the part that it does not share with its group.
     Row(usize),
-    /// A group, by its place in the list: what its rows have in common.
+    /// Index of a group. The error is the part that its rows share.
     Group(usize),
 }
 
@@ -44,7 +45,7 @@ impl Budget {
     /// others. A result is given by its gradient.
     ///
     /// # Errors
-    /// As [`Budget::mass_properties`].
+    /// Same as [`Budget::mass_properties`].
     pub fn sensitivities(
         &self,
         basis: Basis,
@@ -75,11 +76,12 @@ impl Budget {
     }
 }
 
-/// Collects the greatest contributions. Twice as many as are wanted are kept between two sorts.
+/// Collector of the greatest contributions. It keeps up to twice the wanted number between two
+/// sorts.
 struct Greatest {
     most: usize,
     found: Sensitivities,
-    /// Errors of a row come one after the other, and of each kind together: the sum of one kind.
+    /// Running sum of one kind. The errors of a row arrive consecutively, grouped by kind.
     last: Option<Sensitivity>,
 }
 

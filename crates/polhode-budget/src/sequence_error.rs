@@ -1,4 +1,4 @@
-//! What can be wrong with tanks and with what happens to a body over time.
+//! Errors of tanks and of sequences of changes over time.
 
 use polhode::motion::MotionError;
 
@@ -6,86 +6,81 @@ use crate::error::BudgetError;
 use crate::errors::errors;
 
 errors! {
-    /// Error of tanks, or of what is to happen over time.
+    /// Error of tanks, or of a sequence of changes over time.
     SequenceError;
 
-    /// A number that cannot be.
+    /// A number is out of range.
     Value {
-        /// What it is.
+        /// Name of the quantity.
         what: &'static str,
-        /// As it was given.
         value: f64,
-        /// What it has to be.
+        /// Condition that the value has to meet.
         rule: &'static str,
     } => ("{what} is {value}, and has to be {rule}");
-    /// A table of a liquid without rows, or with another number of levels.
+    /// A table of a liquid has no rows, or its number of levels differs from its number of rows.
     EmptyTable => ("a table of a liquid has no rows, or not as many levels as rows");
-    /// A row that the list does not have.
+    /// A tank or a change refers to a row that the list does not have.
     MissingRow {
-        /// Where it is named.
+        /// Name of the item that refers to the row.
         by: String,
-        /// What is named.
+        /// Name of the missing row.
         row: String,
     } => ("{by} names the row \"{row}\", which is not in the list");
-    /// A tank that there is not.
+    /// A burn refers to a tank that does not exist.
     MissingTank {
-        /// What is named.
+        /// Name of the missing tank.
         tank: String,
     } => ("there is no tank \"{tank}\"");
-    /// Two tanks of one name.
+    /// Two tanks have the same name.
     DuplicateTank {
-        /// The name.
         tank: String,
     } => ("there are two tanks \"{tank}\"");
-    /// More in a tank than it holds, or less than nothing.
+    /// A tank would contain more than it holds, or less than nothing.
     Fill {
-        /// The tank.
         tank: String,
-        /// What would be in it, kg.
+        /// Mass that would be in the tank, kg.
         mass: f64,
-        /// What it holds, kg.
+        /// Mass that the tank holds, kg.
         capacity: f64,
-        /// When, s.
+        /// Time of the event, s.
         time: f64,
     } => ("at t = {time} s there would be {mass} kg in the tank \"{tank}\", which holds {capacity} kg"),
         hint: "check the flow out of the tank, and what is in it at the start";
-    /// A tank in a row of which there are several: which of them is filled is not known.
+    /// A tank is in a row with several copies, so the filled one is ambiguous.
     Copies {
-        /// The tank.
         tank: String,
-        /// The row.
         row: String,
     } => ("the tank \"{tank}\" is in \"{row}\", of which there are several"),
         hint: "give each copy a row of its own, and a tank in it";
-    /// Something that happens to what has gone already, or a tank without the row that it stands in.
+    /// A change removes a row that was removed before, or liquid flows from a removed tank.
     Gone {
-        /// What has gone.
+        /// Name of the removed item.
         what: String,
-        /// When, s.
+        /// Time of the event, s.
         time: f64,
     } => ("at t = {time} s \"{what}\" is not there any more");
-    /// Two changes of the body at one time.
+    /// Two changes of the body have the same time.
     Simultaneous {
-        /// When, s.
+        /// Time of the changes, s.
         time: f64,
     } => ("two changes of the body are at t = {time} s");
-    /// A deployment that changes the mass.
+    /// A deployment changes the mass of the body.
     MassChanges {
-        /// When, s.
+        /// Time of the deployment, s.
         time: f64,
-        /// Before, kg.
+        /// Mass before, kg.
         before: f64,
-        /// After, kg.
+        /// Mass after, kg.
         after: f64,
     } => ("at t = {time} s the body takes another form, but its mass changes from {before} kg to {after} kg"),
         hint: "what is dropped goes first, at a time of its own: then the rest can unfold";
-    /// Everything has gone.
+    /// All mass of the body was removed.
     Nothing {
-        /// When, s.
+        /// Time of the event, s.
         time: f64,
     } => ("after t = {time} s nothing is left of the body");
-    /// What is wrong with the parts list.
+    /// Error of the parts list.
     Budget(error: BudgetError) => ("{error}"), hint: error.hint();
-    /// What the motion of the body cannot take.
+    /// Error of the mass history of the body.
     Motion(error: MotionError) => ("{error}"), hint: error.hint();
 }

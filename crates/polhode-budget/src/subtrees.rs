@@ -1,4 +1,4 @@
-//! Sums over rows and all rows in them.
+//! Sums over rows and their descendants.
 
 use polhode::body::{BodyError, MassProperties};
 use polhode::math::{Body, Frame};
@@ -9,17 +9,17 @@ use crate::growth::{Basis, MassStatement};
 use crate::tensor::scaled;
 use crate::tree::row_name;
 
-/// One copy of each row with all in it, in the body.
+/// Mass properties of one copy of each row with its descendants, in the body.
 #[derive(Clone, Debug)]
 pub struct Subtrees<'b> {
     budget: &'b Budget,
     basis: Basis,
-    /// Rows in which others stand, by their slots.
+    /// Mass properties of rows with children, by slot.
     inner: Vec<Option<MassProperties<Body>>>,
 }
 
 impl Subtrees<'_> {
-    /// One copy of a row with all in it; `None` of frames without mass.
+    /// Returns one copy of a row with its descendants, or `None` for frames without mass.
     ///
     /// # Errors
     /// [`BudgetError::Part`] if the part overflows.
@@ -32,18 +32,19 @@ impl Subtrees<'_> {
 }
 
 impl Budget {
-    /// The mass properties of the whole, along the axes of the body, in which the root's frame stands.
+    /// Returns the mass properties of the whole along the axes of the body, in which the frame of
+    /// the root is given.
     ///
     /// # Errors
-    /// [`BudgetError::Sum`] if it overflows.
+    /// [`BudgetError::Sum`] if the sum overflows.
     pub fn mass_properties(&self, basis: Basis) -> Result<MassProperties<Body>, BudgetError> {
         self.whole(&self.subtrees(basis)?)
     }
 
-    /// The masses of each row with all in it: of its copies in one of the row in which it stands.
+    /// Returns the masses of each row with its descendants: all copies in one copy of the parent.
     ///
     /// # Errors
-    /// As [`Budget::mass_properties`].
+    /// Same as [`Budget::mass_properties`].
     pub fn mass_statements(&self) -> Result<Vec<MassStatement>, BudgetError> {
         let mut all: Vec<MassStatement> = Vec::with_capacity(self.rows.len());
         let basic = self.subtrees(Basis::Basic)?;
@@ -62,10 +63,11 @@ impl Budget {
         Ok(all)
     }
 
-    /// Mass properties of one copy of a row's own part, in the body; `None` of a frame without mass.
+    /// Returns the mass properties of one copy of a row's own part, in the body. Returns `None` for
+    /// a frame without mass.
     ///
     /// # Errors
-    /// [`BudgetError::Part`] if it overflows.
+    /// [`BudgetError::Part`] if the part overflows.
     pub fn own(&self, k: usize, basis: Basis) -> Result<Option<MassProperties<Body>>, BudgetError> {
         let Some(part) = self.placed_part(k)? else { return Ok(None) };
         let place = self.frame(k);
@@ -74,10 +76,10 @@ impl Budget {
         part.map(Some).map_err(|error| BudgetError::Part { row: row_name(&self.rows, k), error })
     }
 
-    /// One copy of each row with all in it, in the body.
+    /// Computes one copy of each row with its descendants, in the body.
     ///
     /// # Errors
-    /// As [`Budget::mass_properties`].
+    /// Same as [`Budget::mass_properties`].
     pub fn subtrees(&self, basis: Basis) -> Result<Subtrees<'_>, BudgetError> {
         let mut inside: Vec<Vec<MassProperties<Body>>> = vec![Vec::new(); self.tree.inner];
         let mut inner = vec![None; self.tree.inner];
@@ -110,7 +112,7 @@ impl Budget {
         scaled(&one, f64::from(self.rows.quantity(root).count)).map_err(BudgetError::Sum)
     }
 
-    /// Factor of the mass of a row's part.
+    /// Returns the mass factor of a row's part on a basis.
     pub(crate) fn factor(&self, row: usize, basis: Basis) -> f64 {
         match basis {
             Basis::Basic => 1.0,
@@ -119,7 +121,7 @@ impl Budget {
     }
 }
 
-/// All of them together, if there are any.
+/// Combines bodies; `None` if there are none.
 pub(crate) fn combined<F: Frame>(
     parts: &[MassProperties<F>],
 ) -> Result<Option<MassProperties<F>>, BodyError> {

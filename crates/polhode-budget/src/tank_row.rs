@@ -1,11 +1,12 @@
-//! What is in a tank, as a row of a parts list.
+//! Liquid in a tank as a row of a parts list.
 
 use crate::row::{GivenPart, Row};
 use crate::tank::{LiquidErrors, Tank, UncertainLiquid};
 use crate::uncertainty::{PartUncertainty, Uncertainty};
 
 impl Tank {
-    /// So much of the liquid as a row of a parts list, which is called as the tank; `None` of an empty tank, and of more than it holds.
+    /// Returns a mass of the liquid, kg, as a row with the name of the tank. Returns `None` for an
+    /// empty tank, and for more than the tank holds.
     pub fn row(&self, mass: f64, errors: LiquidErrors) -> Option<Row> {
         let liquid = self.liquid.at(mass)?.properties?;
         let mut row =

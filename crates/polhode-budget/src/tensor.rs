@@ -1,43 +1,44 @@
-//! Inertia tensors as lists give them: about some point, with products of either sign.
+//! Inertia tensors as given in lists: about any point, with products of either sign.
 
 use polhode::body::{BodyError, InertiaAbout, InertiaTensor, MassProperties};
 use polhode::math::{Frame, Part, Position};
 
-/// A tensor along the axes of its row.
+/// Inertia tensor along the axes of its row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GivenTensor {
     /// Ixx, Iyy, Izz, kg·m².
     pub moments: [f64; 3],
     /// Ixy, Ixz, Iyz, kg·m².
     pub products: [f64; 3],
-    /// What a product is.
+    /// Sign convention of the products.
     pub sign: ProductSign,
-    /// The point that it is about.
+    /// Reference point of the tensor.
     pub about: TensorPoint,
 }
 
-/// What is called a product of inertia: never guessed.
+/// Sign convention of products of inertia. It must be given; it is never guessed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProductSign {
-    /// Ixy = −∫ x y dm: an element of the tensor.
+    /// Ixy = −∫ x y dm: the tensor element.
     NegativeIntegral,
-    /// Ixy = ∫ x y dm: minus an element.
+    /// Ixy = ∫ x y dm: minus the tensor element.
     PositiveIntegral,
 }
 
-/// The point that a tensor is about.
+/// Reference point of a tensor.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TensorPoint {
-    /// The part's own centre of mass.
+    /// Centre of mass of the part.
     CenterOfMass,
-    /// A point in the row's frame, m.
+    /// Point in the row's frame, m.
     At(Position<Part>),
-    /// The origin of another row's frame, where the list has it; what is uncertain of places moves this point with the row's own frame.
+    /// Origin of another row's frame, at its nominal place in the list. Errors of the row's own
+    /// place move this point with the row's frame.
     OriginOf(String),
 }
 
 impl GivenTensor {
-    /// Of a point.
+    /// Tensor of a point mass.
     pub const ZERO: Self = Self {
         moments: [0.0; 3],
         products: [0.0; 3],
@@ -45,7 +46,7 @@ impl GivenTensor {
         about: TensorPoint::CenterOfMass,
     };
 
-    /// The elements xx, yy, zz, xy, xz, yz of the tensor itself.
+    /// Returns the elements xx, yy, zz, xy, xz, yz of the tensor, kg·m².
     pub(crate) fn elements(&self) -> [f64; 6] {
         let ([xx, yy, zz], sign) = (self.moments, self.sign.factor());
         let [xy, xz, yz] = self.products.map(|product| sign * product);
@@ -54,7 +55,7 @@ impl GivenTensor {
 }
 
 impl ProductSign {
-    /// Both, with their names.
+    /// Both variants with their names.
     pub(crate) const NAMED: [(&str, Self); 2] =
         [("tensor elements", Self::NegativeIntegral), ("positive integrals", Self::PositiveIntegral)];
 
@@ -62,7 +63,7 @@ impl ProductSign {
         Self::NAMED[self as usize].0
     }
 
-    /// By what a product is multiplied to be an element of the tensor.
+    /// Returns the factor from a product to the tensor element: 1 or −1.
     pub(crate) const fn factor(self) -> f64 {
         match self {
             Self::NegativeIntegral => 1.0,
@@ -71,7 +72,7 @@ impl ProductSign {
     }
 }
 
-/// The mass properties of a mass with a tensor about a point, or its own centre.
+/// Returns the mass properties of a mass with a tensor about a point, or about its centre of mass.
 pub(crate) fn mass_properties(
     mass: f64,
     center: Position<Part>,
@@ -88,7 +89,7 @@ pub(crate) fn mass_properties(
     }
 }
 
-/// A body of the same form, so many times as heavy.
+/// Returns a body of the same form, with its mass multiplied by `factor`.
 pub(crate) fn scaled<F: Frame>(
     body: &MassProperties<F>,
     factor: f64,
@@ -100,17 +101,17 @@ pub(crate) fn scaled<F: Frame>(
     MassProperties::new(body.mass() * factor, body.center_of_mass(), InertiaTensor::from_matrix(rows)?)
 }
 
-/// The matrix of xx, yy, zz, xy, xz, yz.
+/// Returns the symmetric matrix of the elements xx, yy, zz, xy, xz, yz.
 pub(crate) const fn rows([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> [[f64; 3]; 3] {
     [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
 }
 
-/// The elements xx, yy, zz, xy, xz, yz of a matrix.
+/// Returns the elements xx, yy, zz, xy, xz, yz of a symmetric matrix.
 pub(crate) const fn elements([[xx, xy, xz], [_, yy, yz], [_, _, zz]]: [[f64; 3]; 3]) -> [f64; 6] {
     [xx, yy, zz, xy, xz, yz]
 }
 
-/// u·v 1 − ½ (u vᵀ + v uᵀ): of u = v = d, what a unit mass at d adds to a tensor.
+/// Returns u·v 1 − ½ (u vᵀ + v uᵀ). With u = v = d, it is the tensor of a unit mass at d.
 pub(crate) fn steiner([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 6] {
     [
         b * y + c * z,
@@ -122,7 +123,7 @@ pub(crate) fn steiner([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 6] {
     ]
 }
 
-/// a + s b
+/// Returns a + s b.
 pub(crate) fn plus(a: [f64; 6], b: [f64; 6], s: f64) -> [f64; 6] {
     core::array::from_fn(|k| a[k] + s * b[k])
 }

@@ -1,31 +1,32 @@
-//! The tree that rows are in.
+//! Tree of the rows of a list.
 
 use std::collections::HashMap;
 
 use crate::error::{BudgetError, RowName};
 use crate::rows::Rows;
 
-/// In which row each row stands.
+/// Parents of rows, and an order of the rows.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tree {
-    /// [`NONE`] of the root.
+    /// Index of each row's parent; [`NONE`] for the root.
     parents: Vec<u32>,
-    /// All rows, each after that in which it stands: the root first.
+    /// All rows, each after its parent, with the root first.
     order: Vec<u32>,
-    /// Numbers, from 0 in the tree's order, of rows that are frames of others; [`NONE`] of all other rows.
+    /// Slots of rows with children: numbers from 0 in the order of the tree; [`NONE`] for all other
+    /// rows.
     slots: Vec<u32>,
-    /// How many rows have others in them.
+    /// Number of rows with children.
     pub(crate) inner: usize,
 }
 
-/// No row. 2³² rows would take 128 GiB.
+/// Marker for no row. 2³² rows would take 128 GiB.
 const NONE: u32 = u32::MAX;
 
 pub(crate) fn row_name(rows: &Rows, row: usize) -> RowName {
     RowName { row, name: rows.name(row).to_owned() }
 }
 
-/// The rows by their names.
+/// Returns the indices of rows by their names.
 pub(crate) fn names(rows: &Rows) -> Result<HashMap<&str, u32>, BudgetError> {
     let mut names = HashMap::with_capacity(rows.len());
     for k in 0..rows.len() {
@@ -81,31 +82,32 @@ impl Tree {
         Ok(Self { parents, order, slots, inner: inner as usize })
     }
 
-    /// The row in which all others stand.
+    /// Returns the index of the root.
     pub(crate) fn root(&self) -> usize {
         self.order.first().map_or(0, |root| *root as usize)
     }
 
-    /// The row in which a row stands; `None` of the root.
+    /// Returns the index of a row's parent, or `None` for the root.
     pub(crate) fn parent(&self, row: usize) -> Option<usize> {
         self.parents.get(row).filter(|parent| **parent != NONE).map(|parent| *parent as usize)
     }
 
-    /// The number of a row in which others stand.
+    /// Returns the slot of a row, or `None` if it has no children.
     pub(crate) fn slot(&self, row: usize) -> Option<usize> {
         self.slots.get(row).filter(|slot| **slot != NONE).map(|slot| *slot as usize)
     }
 
-    /// All rows, each after that in which it stands.
+    /// Iterates over all rows, each after its parent.
     pub(crate) fn order(&self) -> impl DoubleEndedIterator<Item = usize> + '_ {
         self.order.iter().map(|row| *row as usize)
     }
 }
 
-/// All rows, each after its parent; or rows that stand in each other.
+/// Returns all rows, each after its parent. The error is a cycle of rows.
 fn order(parents: &[u32]) -> Result<Vec<u32>, Vec<u32>> {
     let mut placed = vec![false; parents.len()];
-    // On the way up from the row of this number: a way that meets itself is a cycle.
+    // Row from which the path to the root last visited each row. A path that meets itself is a
+    // cycle.
     let mut seen = vec![NONE; parents.len()];
     let mut order = Vec::with_capacity(parents.len());
     let mut way = Vec::new();

@@ -1,4 +1,4 @@
-//! How well the numbers of a row are known.
+//! Uncertainty of the numbers of a row.
 
 use polhode::infer::covariance::{NotCovariance, columns};
 
@@ -6,34 +6,38 @@ use crate::tank::UncertainLiquid;
 
 /// Errors of the numbers of a row, with mean zero.
 ///
-/// Those of its part are of one copy.
+/// Errors of the part are those of one copy.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Uncertainty {
-    /// Of the part's mass properties, as they are given.
+    /// Errors of the part's mass properties as given.
     pub part: PartUncertainty,
-    /// Of the frame's origin, along the parent's axes, m². All that stands in the frame moves with it.
+    /// Errors of the frame's origin along the parent's axes, covariance in m². All descendants move
+    /// with the frame.
     pub position: Spread<3>,
-    /// Of the frame's rotation vector about its origin, along the parent's axes, rad².
+    /// Errors of the frame's rotation vector about its origin, along the parent's axes, covariance
+    /// in rad².
     pub rotation: Spread<3>,
 }
 
 /// Errors of a part's mass properties.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PartUncertainty {
-    /// Mass, centre and tensor each for itself.
+    /// Separate errors of mass, centre of mass and tensor.
     Separate {
         /// Standard deviation of the mass, kg.
         mass: f64,
-        /// Whether the tensor goes with the mass, besides its own errors: as where the form is known and the density is not.
+        /// True if the tensor scales with the mass, in addition to its own errors. This applies if
+        /// the form is known and the density is not.
         tensor_follows_mass: bool,
-        /// Of the centre of mass, m².
+        /// Errors of the centre of mass, covariance in m².
         center: Spread<3>,
-        /// Of Ixx, Iyy, Izz, Ixy, Ixz, Iyz as given, about the point and with the sign that they are given for, kg²·m⁴.
+        /// Errors of Ixx, Iyy, Izz, Ixy, Ixz, Iyz as given, covariance in kg²·m⁴. They have the
+        /// reference point and the sign convention of the given tensor.
         tensor: Spread<6>,
     },
-    /// One covariance of mass, centre of mass x, y, z and these six.
+    /// Joint covariance of mass, centre of mass x, y, z, and Ixx, Iyy, Izz, Ixy, Ixz, Iyz.
     Joint(Box<[[f64; 10]; 10]>),
-    /// The part is what is in a tank: of its amount, and of its density.
+    /// Errors of amount and density, for a part that is the liquid in a tank.
     Liquid(Box<UncertainLiquid>),
 }
 
@@ -44,7 +48,8 @@ impl Default for PartUncertainty {
 }
 
 impl PartUncertainty {
-    /// The standard deviation of the mass, kg, of a part whose form is known.
+    /// Returns the uncertainty of a part of known form, from the standard deviation of its mass,
+    /// kg.
     pub fn of_mass(sd: f64) -> Self {
         Self::Separate { mass: sd, tensor_follows_mass: true, center: Spread::Exact, tensor: Spread::Exact }
     }
@@ -53,45 +58,49 @@ impl PartUncertainty {
 /// Errors of N numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Spread<const N: usize> {
-    /// None.
+    /// Exact numbers without errors.
     #[default]
     Exact,
-    /// Independent, with these standard deviations.
+    /// Independent errors with these standard deviations.
     Deviations([f64; N]),
-    /// Of this covariance.
+    /// Errors with this covariance.
     Covariance(Box<[[f64; N]; N]>),
 }
 
-/// Of which number of a row an error is; where several have one covariance, of the first of those that it moves.
+/// Number of a row that an error belongs to. An error of a joint covariance belongs to the first
+/// number that it changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ErrorKind {
-    /// The part's mass, with its tensor where that follows it.
+    /// Mass of the part, and its tensor if that scales with the mass.
     Mass,
-    /// Its centre of mass.
+    /// Centre of mass of the part.
     Center,
-    /// Its inertia tensor.
+    /// Inertia tensor of the part.
     Tensor,
-    /// Where its frame is.
+    /// Position of the row's frame.
     Position,
-    /// How its frame is turned.
+    /// Rotation of the row's frame.
     Rotation,
-    /// The density of a liquid.
+    /// Density of a liquid.
     Density,
 }
 
-/// How many numbers a row has: mass, centre, tensor, position, rotation, density of a liquid.
+/// Count of uncertain numbers of a row: mass, centre, tensor, position, rotation, density of a
+/// liquid.
 pub(crate) const NUMBERS: usize = 17;
 const DENSITY: usize = 16;
 
-/// An error of a row: so much of each number for a standard normal variable, a column of the covariance's Cholesky factor.
+/// Independent error of a row: the change of each number per unit of a standard normal variable. It
+/// is a column of the Cholesky factor of the covariance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Factor {
-    /// Which column: the number that it begins with.
+    /// Index of the column: the first number that it changes.
     pub(crate) number: usize,
     pub(crate) error: RowError,
 }
 
-/// Errors of the numbers of a row; the tensor's elements are those of the tensor itself, about the point that it is given for.
+/// Errors of the numbers of a row. Errors of the tensor are those of its elements, about the given
+/// point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct RowError {
     pub(crate) mass: f64,
@@ -99,11 +108,11 @@ pub(crate) struct RowError {
     pub(crate) tensor: [f64; 6],
     pub(crate) position: [f64; 3],
     pub(crate) rotation: [f64; 3],
-    /// As a part of the density.
+    /// Relative error of the density.
     pub(crate) density: f64,
 }
 
-/// Errors of numbers that are exact.
+/// Zero errors, of exact numbers.
 pub(crate) const NONE: RowError = RowError {
     mass: 0.0,
     center: [0.0; 3],
@@ -113,7 +122,7 @@ pub(crate) const NONE: RowError = RowError {
     density: 0.0,
 };
 
-/// Why an uncertainty is none.
+/// Reason why an uncertainty is not valid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum NotUncertainty {
     Deviation { what: &'static str, value: f64 },
@@ -152,7 +161,7 @@ impl ErrorKind {
         }
     }
 
-    /// Whether it is of the row's frame, and not of its part.
+    /// Returns true if the error belongs to the row's frame, not to its part.
     pub(crate) const fn is_of_frame(self) -> bool {
         matches!(self, Self::Position | Self::Rotation)
     }
@@ -171,7 +180,8 @@ impl RowError {
 }
 
 impl Uncertainty {
-    /// The errors as independent ones, where products have this sign.
+    /// Returns the errors as independent factors. `sign` converts products of inertia to tensor
+    /// elements.
     pub(crate) fn factors(&self, sign: f64) -> Result<Vec<Factor>, NotUncertainty> {
         let mut all = Vec::with_capacity(NUMBERS);
         let mut put = |number, error| all.push(Factor { number, error });
@@ -237,7 +247,7 @@ impl<const N: usize> Spread<N> {
     }
 }
 
-/// A standard deviation, unless it is zero.
+/// Checks a standard deviation. Returns `None` if it is zero.
 fn deviation(what: &'static str, value: f64) -> Result<Option<f64>, NotUncertainty> {
     match value {
         0.0 => Ok(None),

@@ -1,18 +1,16 @@
 //! Least ballast of any masses by column generation, and a lower bound from duality.
 //!
 //! Every limit is a condition f = β + Σ m a(r) ≥ 0 (or = 0) on lots of mass m at r. A linear limit
-//! is one as it is. A cone has its tangents. A product about the centre of mass has the two sides of
-//! its McCormick envelope. Let y be any dual variables of the conditions, not negative where f ≥ 0.
-//! All ballast that meets the limits has
-//!
+//! is such a condition. A cone is replaced by its tangents. A product about the centre of mass is
+//! replaced by the two sides of its McCormick envelope. Let y be any dual variables of the
+//! conditions, not negative where f ≥ 0. All ballast that meets the limits satisfies
 //! ```text
 //! Σ m ≥ Σ m − y·f = −y·β + Σ m d(r),  d(r) = 1 − y·a(r)
 //! ```
 //!
-//! The reduced cost d is quadratic in r, so its minimum on each site is known in closed form. If site
-//! k takes at most Mₖ, any dual variable πₖ ≥ 0 gives mₖ dₖ ≥ mₖ (dₖ + πₖ) − πₖ Mₖ. All ballast
-//! together is at most M, as heavier ballast is of no interest. Therefore
-//!
+//! The reduced cost d is quadratic in r, so its minimum on each site is known in closed form. If
+//! site k takes at most Mₖ, any dual variable πₖ ≥ 0 gives mₖ dₖ ≥ mₖ (dₖ + πₖ) − πₖ Mₖ. The total
+//! ballast is at most M, because heavier ballast is not of interest. Therefore
 //! ```text
 //! Σ m ≥ −y·β − Σ πₖ Mₖ + M min(0, d₁ + π₁, d₂ + π₂, …)
 //! ```
@@ -30,19 +28,20 @@
 use super::problem::{Lot, Problem, total};
 use super::row::{Functional, Moments, Row, weights};
 
-/// Columns are added while one has a reduced cost below minus this.
+/// Threshold of the reduced cost. Columns are added while one has a reduced cost below minus this.
 const REDUCED_COST: f64 = 1e-11;
 
-/// Column generation ends where the mass changes by less than this part: without products, and with.
+/// Relative change of the mass at which column generation ends: without products, and with
+/// products.
 const SAME: [f64; 2] = [1e-12, 1e-6];
 
-/// The limits are inconsistent only if their sum is violated by more than this part of its terms.
+/// Threshold for inconsistent limits: violation of their sum, relative to its terms.
 const INCONSISTENT: f64 = 1e-9;
 
 /// Relative rounding error of the terms of the bound.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// The most rounds of column generation.
+/// Largest number of rounds of column generation.
 const ROUNDS: usize = 60;
 
 impl Problem {

@@ -15,13 +15,13 @@ pub(super) type At = [f64; 2];
 #[derive(Clone, Debug)]
 pub(super) struct Chart {
     center: Vector,
-    /// The centre, from the origin of the problem.
+    /// Centre of the chart, from the origin of the problem, m.
     offset: Vector,
     axes: [Vector; 2],
     is_rim: bool,
 }
 
-/// A function on a chart for a unit mass: q + g·u + uᵀ Q u, with Q₁₁, Q₁₂, Q₂₂.
+/// Quadratic function on a chart, for a unit mass: q + g·u + uᵀ Q u, with Q₁₁, Q₁₂, Q₂₂.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Quadratic {
     constant: f64,
@@ -129,7 +129,7 @@ impl Chart {
         }
     }
 
-    /// Returns the minimum of a function on the chart: where it is, and its value.
+    /// Returns the minimum of a function on the chart: its place and its value.
     pub(super) fn least(&self, of: &Functional) -> (At, f64) {
         let quadratic = self.quadratic(of);
         let [s, t] = if self.is_point() { [0.0; 2] } else { quadratic.least(self.is_rim) };
@@ -155,7 +155,7 @@ impl Quadratic {
         let ([a, b, c], g) = (self.square, self.slope);
         let (mean, half) = (0.5 * (a + c), 0.5 * (a - c));
         let radius = half.hypot(b);
-        // The eigenvector of the lesser eigenvalue.
+        // Eigenvector of the lesser eigenvalue.
         let (sin, cos) = libm::sincos(0.5 * libm::atan2(-b, -half));
         let low = mean - radius;
         let along = [cos * g[0] + sin * g[1], -sin * g[0] + cos * g[1]];
@@ -179,7 +179,7 @@ impl Quadratic {
             if norm(at(sigma)) > 1.0 { least = sigma } else { most = sigma }
         }
         let [s, t] = at(most);
-        // Hard case: g has no part along the eigenvector, so u follows it up to the rim.
+        // Hard case: g has no component along the eigenvector, so u follows it up to the rim.
         let s = if s.hypot(t) < 1.0 { (1.0 - t * t).max(0.0).sqrt().copysign(s) } else { s };
         let norm = s.hypot(t);
         back([s / norm, t / norm])

@@ -5,27 +5,25 @@ use crate::errors::errors;
 use crate::limit::LimitError;
 
 errors! {
-    /// Error of a question that the search cannot answer.
+    /// Error of a problem that the search cannot solve.
     BallastError;
 
     /// There is no site.
     NoSites => ("there is no site for ballast");
-    /// A number that is not allowed.
+    /// A number is not allowed.
     Value {
         /// Name of the site, or `None` for a number of the question.
         site: Option<String>,
         /// Name of the number.
         what: &'static str,
-        /// The number that was given.
         value: f64,
         /// Condition that it has to meet.
         rule: &'static str,
     } => ("{what}{} is {value}, and has to be {rule}", of_site(site.as_deref()));
-    /// A limit that ballast cannot be found for.
+    /// A limit is of a kind that the search cannot treat.
     Limit {
-        /// The limit.
         limit: String,
-        /// Why not.
+        /// Reason for the refusal.
         why: &'static str,
     } => ("no ballast can be sought for the limit \"{limit}\": {why}");
     /// A number that was computed from the list and its limits is NaN or infinite.
@@ -33,7 +31,7 @@ errors! {
         /// Name of the number.
         quantity: &'static str,
     } => ("{quantity} is not finite");
-    /// A limit that says nothing.
+    /// A limit has no bound or an invalid number.
     NotLimit(error: LimitError) => ("{error}");
     /// The list has no such estimate.
     Budget(error: BudgetError) => ("{error}");

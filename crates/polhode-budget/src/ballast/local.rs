@@ -5,36 +5,36 @@ use super::problem::{Lot, Problem, total};
 use super::row::Row;
 use super::simplex::{Inequality, Program, Solution};
 
-/// The solution of one program.
+/// Solution of one linear program.
 #[derive(Debug)]
 pub(super) struct Step {
     pub(super) is_feasible: bool,
     pub(super) lots: Vec<Lot>,
     /// Dual variables of the rows, kg per unit of each.
     pub(super) duals: Vec<f64>,
-    /// Dual variables of the most mass of each site.
+    /// Dual variables of the largest mass of each site.
     pub(super) site_duals: Vec<f64>,
 }
 
-/// First radius of the trust region, as a part of the sites and of the mass of the body.
+/// Initial radius of the trust region, relative to the sites and to the mass of the body.
 const FIRST_RADIUS: f64 = 0.3;
 
-/// Least radius of the trust region: where steps meet the limits, and where none does.
+/// Least radius of the trust region: for steps that meet the limits, and for steps that do not.
 const LEAST_RADIUS: [f64; 2] = [1e-10, 1e-5];
 
-/// The search ends where a step is lighter by less than this part.
+/// Convergence threshold: relative decrease of the mass in a step.
 const LIGHTER: f64 = 1e-14;
 
-/// The most tangents of cones that are kept from earlier steps.
+/// Largest number of cone tangents that are kept from earlier steps.
 const CUTS: usize = 12;
 
 /// Penalty of a violated limit, as a multiple of its dual variable.
 const PENALTY: f64 = 4.0;
 
-/// The most steps.
+/// Largest number of steps.
 const STEPS: usize = 100;
 
-/// Lots are merged if their distance is below this part of their site.
+/// Distance below which lots are merged, relative to their site.
 const NEAR: f64 = 1e-2;
 
 impl Problem {
@@ -135,7 +135,7 @@ impl Problem {
         (lots, now)
     }
 
-    /// Returns the lots with near ones merged at their centre of mass, without those of no weight.
+    /// Returns the lots with near ones merged at their centre of mass, and without negligible ones.
     pub(super) fn merged(&self, lots: &[Lot]) -> Vec<Lot> {
         let mut merged: Vec<Lot> = Vec::with_capacity(lots.len());
         let least = 1e-6 * total(lots);

@@ -1,4 +1,4 @@
-//! Ballast by which limits are met: the lightest that a local search finds, with a lower bound.
+//! Ballast that meets limits: the lightest that a local search finds, with a lower bound.
 //!
 //! Ballast has no uncertainty and is at sites: points, lines, discs and circles. Points take one
 //! mass, other sites several; all can be restricted to pieces of given sizes. The mass and the first
@@ -27,17 +27,17 @@ use crate::subtrees::combined;
 use problem::{Lot, Problem};
 use search::Search;
 
-/// Ballast to be found.
+/// Sites and options of a search for ballast.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ballast {
-    /// Places where it may be.
+    /// Sites where ballast may be placed.
     pub sites: Vec<Site>,
-    /// The most of all together, kg.
+    /// Largest total mass of ballast, kg.
     pub most: Option<f64>,
     /// Margin to the limits in standard deviations, to first order in the errors of the list.
     ///
-    /// It is kept of each side of a coordinate, a mass, a moment and a product about a fixed point;
-    /// of a distance and an unbalance at least, in every direction.
+    /// For a coordinate, a mass, a moment or a product about a fixed point, the margin is kept on
+    /// each side. For a distance or an unbalance, at least this margin is kept in every direction.
     pub deviations: f64,
 }
 
@@ -50,7 +50,7 @@ pub enum BallastAnswer {
     NotFound(NoBallast),
 }
 
-/// Ballast that meets all limits, and a lower bound of all that do.
+/// Ballast that meets all limits, and a lower bound on the mass of all such ballast.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoundBallast {
     /// Pieces in the order of the sites; none if the limits are met without.
@@ -61,10 +61,10 @@ pub struct FoundBallast {
     pub bound: f64,
 }
 
-/// Limits that no ballast was found for.
+/// Result of a search that found no ballast.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoBallast {
-    /// Greatest mass that was searched, kg: the allowed mass, or a thousand times that of the list.
+    /// Largest mass that was searched, kg: the allowed mass, or a thousand times that of the list.
     pub up_to: f64,
     /// Lower bound on the mass of ballast that meets the limits, kg; infinite if none does.
     pub bound: f64,
@@ -75,23 +75,24 @@ pub struct NoBallast {
 pub struct Piece {
     /// Index of the site.
     pub site: usize,
-    /// Position, m.
+    /// Position in the body, m.
     pub position: Position<Body>,
-    /// Mass of one, kg.
+    /// Mass of one piece, kg.
     pub mass: f64,
-    /// Number of pieces; 1 where any mass may be.
+    /// Number of pieces; 1 if any mass is allowed.
     pub count: u64,
 }
 
-/// Ballast is the least if it is above the lower bound by no more than this part.
+/// Largest relative gap to the lower bound at which ballast counts as the least.
 const GAP: f64 = 1e-9;
 
 impl Budget {
-    /// Searches for the least ballast by which limits are met.
+    /// Searches for the least ballast with which limits are met.
     ///
     /// The search is local, from several starts. Its result meets the limits to a relative 1e-11 of
-    /// the change by the ballast. [`FoundBallast::is_least`] returns whether the lower bound proves
-    /// it the least. It usually does if limits are linear or cones and sites take any mass.
+    /// the change by the ballast. [`FoundBallast::is_least`] returns true if the lower bound proves
+    /// that the result is the least. This is usual if limits are linear or cones and sites take any
+    /// mass.
     ///
     /// # Errors
     /// [`BallastError`] if a site or a limit is not valid, or ballast cannot be found for a limit.
@@ -121,7 +122,7 @@ impl Budget {
         }
         pieces.sort_by_key(|piece| piece.site);
         let mass = pieces.iter().map(Piece::total).sum();
-        // A bound above the mass has no meaning except rounding.
+        // A bound above the mass is only rounding error.
         let bounds =
             [0.0, of_all, bound(&lots, mass)].into_iter().filter(|bound| *bound <= mass * (1.0 + GAP));
         let bound = problem.attainable(bounds.fold(0.0, f64::max)).min(mass);
@@ -130,24 +131,25 @@ impl Budget {
 }
 
 impl Piece {
-    /// The mass of all of them, kg.
+    /// Returns the mass of all pieces, kg.
     fn total(&self) -> f64 {
         self.count as f64 * self.mass
     }
 }
 
 impl FoundBallast {
-    /// Returns the gap between the mass and its lower bound, as a part of the mass.
+    /// Returns the gap between the mass and its lower bound, relative to the mass.
     pub fn gap(&self) -> f64 {
         if self.mass > 0.0 { (self.mass - self.bound) / self.mass } else { 0.0 }
     }
 
-    /// Returns whether the lower bound proves that no ballast is lighter, except for a part of 1e-9.
+    /// Returns true if the lower bound proves that no ballast is lighter, except for a relative
+    /// 1e-9.
     pub fn is_least(&self) -> bool {
         self.gap() <= GAP
     }
 
-    /// Returns a body with the ballast: the list on either basis.
+    /// Returns a body with the ballast added. The body is that of the list on either basis.
     ///
     /// # Errors
     /// [`BodyError`] if the sum is not finite.
@@ -162,7 +164,8 @@ impl FoundBallast {
 }
 
 impl NoBallast {
-    /// Returns whether the lower bound proves that there is none up to [`up_to`](Self::up_to).
+    /// Returns true if the lower bound proves that no ballast up to [`up_to`](Self::up_to) meets
+    /// the limits.
     pub fn is_proved(&self) -> bool {
         self.bound == f64::INFINITY
     }

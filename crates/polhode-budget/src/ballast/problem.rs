@@ -1,4 +1,4 @@
-//! The question in numbers: sites, limits, and how far ballast is from them.
+//! Numerical form of the ballast problem: sites, limits, and violations of the limits.
 
 use super::chart::{At, Chart};
 use super::error::BallastError;
@@ -9,46 +9,48 @@ use crate::growth::Basis;
 use crate::limit::Limit;
 use polhode::infer::covariance::dot;
 
-/// Ballast to be found.
+/// Ballast problem in numerical form.
 #[derive(Clone, Debug)]
 pub(super) struct Problem {
     pub(super) charts: Vec<Chart>,
-    /// The most mass of each site, kg.
+    /// Largest mass at each site, kg.
     pub(super) most: Vec<f64>,
-    /// Sizes of pieces at each site, ascending; none where any mass is allowed.
+    /// Sizes of pieces at each site, ascending, kg; empty if any mass is allowed.
     pub(super) sizes: Vec<Vec<f64>>,
     pub(super) rules: Vec<Rule>,
     /// Magnitude of each rule: its value without ballast, and its change by the least ballast.
     scales: Vec<f64>,
-    /// The mass of the body, kg.
+    /// Mass of the body, kg.
     pub(super) mass: f64,
-    /// The most ballast that is looked for, kg.
+    /// Largest mass of ballast that is searched, kg.
     pub(super) cap: f64,
 }
 
-/// Some ballast at one place.
+/// Ballast at one place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lot {
     pub(super) site: usize,
     pub(super) at: At,
     /// Mass of all pieces, kg.
     pub(super) mass: f64,
-    /// The mass of each piece, if it is given.
+    /// Mass of each piece, kg; `None` if any mass is allowed.
     pub(super) size: Option<f64>,
 }
 
-/// The most ballast that is looked for, in masses of the body.
+/// Largest mass of ballast that is searched, in masses of the body.
 const CAP: f64 = 1e3;
 
-/// Relative noise of a limit: of its terms, and of the numbers whose difference its constant is.
+/// Relative noise of a limit: first of its terms, then of the numbers whose difference its constant
+/// is.
 ///
-/// Inequalities are kept inside by the noise.
+/// Inequalities are tightened by the noise.
 const NOISE: [f64; 2] = [1e-12, 8.0 * f64::EPSILON];
 
-/// Greatest violation of a limit that counts as met, in its noise: inequalities, equalities.
+/// Largest violation of a limit that counts as met, in units of its noise: inequalities,
+/// equalities.
 const VIOLATION: [f64; 2] = [0.01, 10.0];
 
-/// A sum of sizes may exceed the most of a site by this part.
+/// Relative amount by which a sum of sizes may exceed the largest mass of a site.
 pub(super) const ROUNDING: f64 = 1e-14;
 
 impl Problem {
@@ -93,7 +95,7 @@ impl Problem {
         Ok(problem)
     }
 
-    /// Returns lots without mass at fixed points of all sites that take some.
+    /// Returns lots without mass at fixed points of all sites that take mass.
     pub(super) fn seeds(&self) -> Vec<Lot> {
         let sites = self.charts.iter().enumerate().filter(|(site, _)| self.most[*site] > 0.0);
         let seeds = |(site, chart): (usize, &Chart)| {
@@ -118,19 +120,19 @@ impl Problem {
         rows.iter().zip(&changes).map(scale).collect()
     }
 
-    /// Returns whether products about the moving centre are limited.
+    /// Returns true if products about the moving centre are limited.
     pub(super) fn has_products(&self) -> bool {
         self.rules.iter().any(|rule| matches!(rule, Rule::Product { .. }))
     }
 
-    /// Returns all conditions linearized where some ballast is.
+    /// Returns all conditions, linearized at given ballast.
     pub(super) fn tangents(&self, lots: &[Lot]) -> Vec<Row> {
         let ballast = self.moments(lots);
         let scaled = |(rule, scale): (&Rule, &f64)| Row { scale: *scale, ..rule.tangent(&ballast) };
         self.rules.iter().zip(&self.scales).map(scaled).collect()
     }
 
-    /// Returns the tangents of cones alone: they hold for all ballast.
+    /// Returns only the tangents of cones. They hold for all ballast.
     pub(super) fn cuts(&self, lots: &[Lot]) -> Vec<Row> {
         let rows = self.tangents(lots).into_iter().zip(&self.rules);
         rows.filter(|(_, rule)| matches!(rule, Rule::Cone(_))).map(|(row, _)| row).collect()
@@ -171,7 +173,7 @@ impl Problem {
         all
     }
 
-    /// Returns the value of a condition, and how uncertain it is by rounding.
+    /// Returns the value of a condition, and its rounding error.
     pub(super) fn value(&self, row: &Row, lots: &[Lot]) -> [f64; 2] {
         let at = |lot: &Lot| row.of.at(&weights(self.charts[lot.site].local(lot.at)));
         let terms = lots.iter().map(|lot| lot.mass * at(lot));
@@ -179,7 +181,7 @@ impl Problem {
         terms.fold(start, |[value, noise], term| [value + term, noise + NOISE[0] * term.abs()])
     }
 
-    /// Returns the total violation of the limits, each as a part of its magnitude.
+    /// Returns the total violation of the limits, each relative to its magnitude.
     pub(super) fn violation(&self, lots: &[Lot]) -> f64 {
         let violation = |row: &Row| {
             let [value, noise] = self.value(row, lots);
@@ -188,7 +190,7 @@ impl Problem {
         self.tangents(lots).iter().map(violation).sum()
     }
 
-    /// Returns whether lots are no more than sites take, and meet all limits except for rounding.
+    /// Returns true if the sites take the lots and all limits are met within rounding.
     pub(super) fn is_met(&self, lots: &[Lot]) -> bool {
         let holds = |row: &Row| {
             let [value, noise] = self.value(row, lots);
@@ -197,7 +199,7 @@ impl Problem {
         self.fits(lots) && self.tangents(lots).iter().all(holds)
     }
 
-    /// Returns whether the sites take the lots; a point takes one piece of given size.
+    /// Returns true if the sites take the lots. A point takes one piece of given size.
     pub(super) fn fits(&self, lots: &[Lot]) -> bool {
         (0..self.charts.len()).all(|site| {
             let own = lots.iter().filter(|lot| lot.site == site);
@@ -209,7 +211,7 @@ impl Problem {
 }
 
 impl Lot {
-    /// The number of pieces.
+    /// Returns the number of pieces.
     pub(super) fn count(&self) -> f64 {
         self.size.map_or(1.0, |size| (self.mass / size).round())
     }
@@ -219,7 +221,7 @@ pub(super) fn total(lots: &[Lot]) -> f64 {
     lots.iter().map(|lot| lot.mass).sum()
 }
 
-/// Returns the most mass of a site, and the sizes of its pieces up to that, ascending.
+/// Returns the largest mass of a site, and the sizes of its pieces up to that mass, ascending, kg.
 fn capacity(site: &Site, chart: &Chart) -> Result<(f64, Vec<f64>), BallastError> {
     let wrong = |what, value, rule| BallastError::Value { site: Some(site.name.clone()), what, value, rule };
     let most = site.most.unwrap_or(f64::INFINITY);

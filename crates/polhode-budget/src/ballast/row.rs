@@ -16,12 +16,13 @@ pub(super) type Vector = [f64; 3];
 /// Symmetric 3×3 matrix: xx, yy, zz, xy, xz, yz.
 type Symmetric = [f64; 6];
 
-/// A constant and a linear function of the moments.
+/// Linear function of the moments, with a constant.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Functional {
     pub(super) constant: f64,
     pub(super) by: Moments,
-    /// Sum of the magnitudes whose difference the constant is; it is rounded by a few 1e-16 of this.
+    /// Sum of the magnitudes whose difference the constant is. The rounding error is a few 1e-16 of
+    /// it.
     pub(super) size: f64,
 }
 
@@ -29,7 +30,7 @@ pub(super) struct Functional {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row {
     pub(super) of: Functional,
-    /// Zero, and otherwise not negative.
+    /// True for the condition = 0; false for ≥ 0.
     pub(super) is_zero: bool,
     /// Magnitude that the function is compared with.
     pub(super) scale: f64,
@@ -57,12 +58,12 @@ pub(super) enum Rule {
     },
 }
 
-/// Moments of a unit mass.
+/// Returns the moments of a unit mass at a place.
 pub(super) fn weights([x, y, z]: Vector) -> Moments {
     [1.0, x, y, z, x * x, y * y, z * z, x * y, x * z, y * z]
 }
 
-/// Moments of a body.
+/// Returns the moments of a body from an origin.
 pub(super) fn moments(body: &MassProperties<Body>, origin: Vector) -> Moments {
     let c = body.center_of_mass().to_array();
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = body.inertia().matrix();
@@ -72,7 +73,7 @@ pub(super) fn moments(body: &MassProperties<Body>, origin: Vector) -> Moments {
     core::array::from_fn(|k| body.mass() * w[k] + own[k])
 }
 
-/// ½ (u vᵀ + v uᵀ)
+/// Returns ½ (u vᵀ + v uᵀ).
 fn outer(u: Vector, v: Vector) -> Symmetric {
     let both = |i: usize, j: usize| 0.5 * (u[i] * v[j] + u[j] * v[i]);
     [u[0] * v[0], u[1] * v[1], u[2] * v[2], both(0, 1), both(0, 2), both(1, 2)]
@@ -85,18 +86,18 @@ fn times([xx, yy, zz, xy, xz, yz]: Symmetric, v: Vector) -> Vector {
 impl Functional {
     pub(super) const ZERO: Self = Self { constant: 0.0, by: [0.0; 10], size: 0.0 };
 
-    /// M
+    /// Total mass M as a function of the moments.
     pub(super) const MASS: Self =
         Self { by: [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], ..Self::ZERO };
 
-    /// ∫ u·(r − p) dm
+    /// Returns ∫ u·(r − p) dm.
     pub(super) fn first(u: Vector, p: Vector) -> Self {
         let mut by = [0.0; 10];
         by[..4].copy_from_slice(&[-dot(&u, &p), u[0], u[1], u[2]]);
         Self { by, ..Self::ZERO }
     }
 
-    /// ∫ (r − p)·A (r − p) dm
+    /// Returns ∫ (r − p)·A (r − p) dm.
     fn second(a: Symmetric, p: Vector) -> Self {
         let [x, y, z] = times(a, p);
         let [xx, yy, zz, xy, xz, yz] = a;
@@ -104,7 +105,7 @@ impl Functional {
         Self { by: [m, x, y, z, xx, yy, zz, 2.0 * xy, 2.0 * xz, 2.0 * yz], ..Self::ZERO }
     }
 
-    /// Returns the sum with a multiple of another function.
+    /// Returns the sum of this function and a multiple of another.
     pub(super) fn plus(&self, factor: f64, other: &Self) -> Self {
         Self {
             constant: self.constant + factor * other.constant,
@@ -130,7 +131,7 @@ impl Functional {
         dot(&[x, y, z], e) + 2.0 * self.form(r, e)
     }
 
-    /// Returns the same function of the mass that is added to these moments.
+    /// Returns the function of the mass that is added to a body with these moments.
     pub(super) fn added_to(mut self, moments: &Moments) -> Self {
         let terms = self.by.iter().zip(moments).map(|(l, w)| (l * w).abs());
         self.size = self.constant.abs() + terms.sum::<f64>();
@@ -155,11 +156,12 @@ impl Functional {
 }
 
 impl Rule {
-    /// Returns the condition linearized at the moments of some ballast, with the exact value there.
+    /// Returns the condition linearized at the moments of given ballast, with the exact value
+    /// there.
     ///
-    /// A cone's is f₀ − θ·f ≥ 0 with θ along f, which holds for all ballast inside the cone. A
-    /// product's is about the centre c of body and ballast:
-    /// ∫ u·(r − c) v·(r − c) dm = P + M (u·(S/M − c)) (v·(S/M − c)).
+    /// For a cone, it is f₀ − θ·f ≥ 0 with θ along f. It holds for all ballast inside the cone. For
+    /// a product, it is about the centre c of body and ballast: ∫ u·(r − c) v·(r − c) dm = P + M
+    /// (u·(S/M − c)) (v·(S/M − c)).
     pub(super) fn tangent(&self, ballast: &Moments) -> Row {
         match self {
             Self::Linear(row) => *row,
@@ -284,7 +286,7 @@ pub(super) fn rules(
     if is_norm {
         let errors = rows.iter().map(|row| margin(row).powi(2)).sum::<f64>().sqrt();
         let Some(first) = most.map(|most| side(most, errors)) else { return Ok(Vec::new()) };
-        // The sides of a square around the cone: they keep linear programs near the cone.
+        // Sides of a square around the cone. They keep linear programs near the cone.
         let sides = rows.iter().flat_map(|row| [-1.0, 1.0].map(|by| linear(first.plus(by, row), false)));
         let cone = core::iter::once(&first).chain(&rows).map(|row| row.added_to(&body));
         return Ok(sides.chain([Rule::Cone(cone.collect())]).collect());

@@ -2,21 +2,23 @@
 
 use super::problem::{Lot, Problem, ROUNDING, total};
 
-/// Masses of starts at a single place, as parts of the body; used where products are limited.
+/// Masses of starts at a single place, in masses of the body. They are used if products are
+/// limited.
 const ALONE: [f64; 3] = [0.2, 2.0, 20.0];
 
-/// The most exchanges. One in which lots move counts as `MOVES` for each lot.
+/// Largest number of exchanges. An exchange in which lots move counts as `MOVES` for each lot.
 const WORK: usize = 500_000;
 const MOVES: usize = 16;
 
-/// Remainders that are rounded up to one piece, as parts of the least piece.
+/// Remainders that are rounded up to one piece, relative to the least piece.
 const SHARES: [f64; 3] = [1.0, 0.5, 0.0];
 
-/// More pieces than this at one place move together, except `SINGLES`.
+/// Largest number of pieces at one place that move singly. Of more pieces, all but `SINGLES` move
+/// together.
 const FEW: f64 = 12.0;
 const SINGLES: usize = 2;
 
-/// Exchanges at three sites are tried if those at two are no more than this.
+/// Largest number of exchanges at two sites after which exchanges at three sites are tried.
 const TRIPLES: usize = 5_000;
 
 /// Relative difference below which masses are equal.
@@ -55,7 +57,7 @@ impl<'a> Search<'a> {
                 search.exchange(problem.rounded(&lots, share));
             }
         }
-        // Pieces may be best far from where masses of any size are.
+        // The best pieces may be far from the best arbitrary masses.
         if problem.sizes.iter().any(|sizes| !sizes.is_empty()) {
             search.exchange(Vec::new());
         }
@@ -76,10 +78,11 @@ impl<'a> Search<'a> {
         self.best.as_ref().map_or(f64::INFINITY, |best| total(best) * (1.0 - SAME))
     }
 
-    /// Exchanges pieces at up to two sites, or three if all are points, while that helps.
+    /// Exchanges pieces at up to two sites, or three if all are points, as long as that helps.
     ///
-    /// An exchange helps if it lowers the violation, or meets the limits with a lower mass. They are
-    /// tried in the order of the mass of all pieces if the limits are met, else of the violation.
+    /// An exchange helps if it lowers the violation, or meets the limits with a lower mass. If the
+    /// limits are met, exchanges are tried in the order of the mass of all pieces. Otherwise, they
+    /// are tried in the order of the violation.
     fn exchange(&mut self, start: Vec<Lot>) {
         let problem = self.problem;
         let (mut lots, mut violation) = problem.local_minimum(start);
@@ -124,7 +127,7 @@ impl<'a> Search<'a> {
 }
 
 impl Problem {
-    /// Returns pieces in place of masses: the largest sizes first.
+    /// Returns lots whose masses are replaced by pieces, the largest sizes first.
     ///
     /// A remainder of at least `share` of the least size is rounded up to one piece.
     fn rounded(&self, lots: &[Lot], share: f64) -> Vec<Lot> {
@@ -162,9 +165,9 @@ impl Problem {
 
     /// Returns the results of all exchanges of one piece, at the sites from `from` on.
     ///
-    /// A piece or none is taken away, and another or none is put where the violation is then least,
-    /// or at each of a few places if there is at most one piece next to sites for any mass.
-    /// Each result has the first site for a further exchange.
+    /// A piece or none is removed, and another or none is added where the violation is then least.
+    /// Each of a few places is tried if there is at most one piece next to sites for any mass. Each
+    /// result has the first site for a further exchange.
     fn exchanged(&self, lots: &[Lot], from: usize) -> Vec<(usize, Vec<Lot>)> {
         let mut all = Vec::new();
         let pieces = lots.iter().filter(|lot| lot.size.is_some()).count();

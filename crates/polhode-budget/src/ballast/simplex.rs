@@ -1,6 +1,6 @@
 //! Linear programs of a few dozen rows: the bounded simplex method on a dense tableau.
 
-/// The least c·x with A x + b ≥ 0 or = 0 and 0 ≤ x ≤ u, for rows of the order of 1.
+/// Linear program: minimize c·x with A x + b ≥ 0 or = 0 and 0 ≤ x ≤ u. Rows are of the order of 1.
 #[derive(Debug, Default)]
 pub(super) struct Program {
     pub(super) cost: Vec<f64>,
@@ -8,12 +8,12 @@ pub(super) struct Program {
     pub(super) rows: Vec<Inequality>,
 }
 
-/// A row of A x + b.
+/// Row of A x + b.
 #[derive(Debug)]
 pub(super) struct Inequality {
     pub(super) by: Vec<f64>,
     pub(super) constant: f64,
-    /// Zero, and otherwise not negative.
+    /// True for the condition = 0; false for ≥ 0.
     pub(super) is_zero: bool,
 }
 
@@ -26,16 +26,17 @@ pub(super) struct Solution {
     pub(super) duals: Vec<f64>,
 }
 
-/// Feasibility tolerances: the first, and the second where rounding permits no better.
+/// Feasibility tolerances: the first by default, the second if rounding permits no better.
 const FEASIBLE: [f64; 2] = [1e-14, 1e-10];
 
 /// Least pivot and least reduced cost of an entering variable, for columns of the order of 1.
 const PIVOT: f64 = 1e-9;
 const DESCENT: f64 = 1e-12;
 
-/// Rows x_B + T x_N = right of the basic variables x_B, and the row of reduced costs.
+/// Simplex tableau: rows x_B + T x_N = right of the basic variables x_B, and the row of reduced
+/// costs.
 ///
-/// The last column has the right sides. A variable at its upper bound is complemented, that is,
+/// The last column has the right sides. A variable at its upper bound is complemented: it is
 /// replaced by its distance from the bound, so that all x_N are 0.
 struct Tableau {
     rows: Vec<Vec<f64>>,
@@ -100,7 +101,7 @@ impl Tableau {
         (0..self.basis.len()).filter(|i| self.right(*i) < -self.tolerance).collect()
     }
 
-    /// Returns the derivative of the cost, or of the total violation, by a variable.
+    /// Returns the derivative of the cost, or of the total violation, with respect to a variable.
     fn gradient(&self, violated: &[usize], k: usize) -> f64 {
         let of_cost = [self.basis.len()];
         let rows = if violated.is_empty() { &of_cost } else { violated };

@@ -2,40 +2,40 @@
 
 use polhode::math::{Body, Direction, Position};
 
-/// A place for ballast.
+/// Site where ballast may be placed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Site {
-    /// Name of the site.
     pub name: String,
-    /// Place of the ballast.
+    /// Form and position of the site.
     pub place: Place,
-    /// Greatest mass that it takes, kg.
+    /// Largest mass at the site, kg.
     pub most: Option<f64>,
-    /// Sizes of pieces, kg: a point takes at most one, other places any number. Empty: any mass.
+    /// Sizes of pieces, kg; empty if any mass is allowed. A point takes at most one piece, other
+    /// places any number.
     pub sizes: Vec<f64>,
 }
 
-/// Form of a place, in the body. All but a point take several masses.
+/// Form of a place, in the body. All forms except a point take several masses.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Place {
-    /// A point, m.
+    /// Position of a point, m.
     Point(Position<Body>),
-    /// A line from one point to another, m.
+    /// Line from one point to another, m.
     Line([Position<Body>; 2]),
-    /// A disc.
+    /// Disc with its rim.
     Disc(Round),
-    /// A circle: the rim of a disc.
+    /// Circle: the rim of a disc.
     Circle(Round),
 }
 
-/// A circle in space.
+/// Circle in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Round {
-    /// Centre, m.
+    /// Centre of the circle, m.
     pub center: Position<Body>,
     /// Normal of its plane, of any length.
     pub normal: Direction<Body>,
-    /// Radius, m.
+    /// Radius of the circle, m.
     pub radius: f64,
 }
 
@@ -47,7 +47,7 @@ impl Site {
 
     /// Returns the holes of a bolt circle as points, named by their numbers from 1.
     ///
-    /// They follow each other evenly from the first direction on, right-handed about the normal.
+    /// The holes are evenly spaced from the first direction on, right-handed about the normal.
     /// There are none if a direction is zero or along the normal.
     pub fn bolt_circle(name: &str, round: Round, first: Direction<Body>, holes: u32) -> Vec<Self> {
         let Some(n) = round.normal.direction() else { return Vec::new() };

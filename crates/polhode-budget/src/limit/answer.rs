@@ -1,4 +1,4 @@
-//! Whether limits are met, with what margin and what probability.
+//! Results of limits: met or not met, margin and probability.
 
 use polhode::math::Body;
 
@@ -11,93 +11,99 @@ use crate::draws::Draws;
 use crate::estimate::Estimate;
 use crate::growth::Basis;
 
-/// How limits are tried by draws.
+/// Settings of the test of limits by random draws.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trial {
-    /// The same seed gives the same draws.
+    /// Seed of the draws. The same seed gives the same draws.
     pub seed: u64,
-    /// How many.
+    /// Number of draws.
     pub draws: usize,
-    /// Level of confidence of the intervals, as 0.95.
+    /// Confidence level of the intervals, for example 0.95.
     pub level: f64,
 }
 
-/// What is known of a body on one basis.
+/// Estimate and draws of a body on one basis.
 #[derive(Clone, Copy, Debug)]
 pub struct Evidence<'a> {
-    /// To first order.
+    /// Estimate to first order.
     pub estimate: &'a Estimate<Body>,
-    /// By draws.
+    /// Random draws of the body.
     pub draws: &'a Draws,
 }
 
-/// The answers to all limits of a list.
+/// Results of all limits of a list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LimitAnswers {
-    /// One of each limit.
+    /// Result of each limit.
     pub answers: Vec<Answer>,
-    /// All of them together.
+    /// Result of all limits together.
     pub all: AllMet,
 }
 
-/// Whether a limit is met.
+/// Result of one limit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
-    /// Of the list as it is given.
+    /// Value for the list as given.
     pub value: Result<f64, Undefined>,
-    /// Its standard deviation to first order.
+    /// Standard deviation of the value to first order.
     pub sd: Result<f64, Undefined>,
-    /// Whether the list as it is given meets the limit; not if there is no value.
+    /// True if the list as given meets the limit; false if there is no value.
     pub met: bool,
-    /// What is left to the least and to the greatest value, where there is one: negative if the limit is broken.
+    /// Margins to the least and to the greatest value, if given. A margin is negative if the limit
+    /// is violated.
     pub margins: [Option<Margin>; 2],
-    /// The probability that it is met, of a normal distribution with this value and standard deviation.
+    /// Probability that the limit is met, for a normal distribution with this value and standard
+    /// deviation.
     pub first_order: Result<f64, Undefined>,
-    /// In how many draws it is met; not in those in which it has no value.
+    /// Share of the draws that meet the limit. Draws without a value do not meet it.
     pub share: Share,
-    /// Whether the share differs from what first order says by more than chance makes it, which it does once in some 16,000 times; `None` where first order says nothing.
+    /// True if the share differs significantly from first order. By chance, this happens about once
+    /// in 16,000 times. `None` if there is no first-order result.
     pub differs: Option<bool>,
 }
 
 impl Answer {
-    /// The margin to the nearer side.
+    /// Returns the margin to the nearer bound.
     pub(crate) fn least_margin(&self) -> Option<Margin> {
         self.margins.into_iter().flatten().min_by(|a, b| a.value.total_cmp(&b.value))
     }
 }
 
-/// What is left to a limit.
+/// Margin between a value and a bound of a limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Margin {
-    /// In the unit of the measure.
+    /// Margin in the unit of the measure.
     pub value: f64,
-    /// In standard deviations, where there is one that is not zero.
+    /// Margin in standard deviations; `None` if the standard deviation is unknown or zero.
     pub deviations: Option<f64>,
 }
 
-/// Whether all limits are met at once.
+/// Result of all limits together.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AllMet {
-    /// Whether the list as it is given meets all.
+    /// True if the list as given meets all limits.
     pub met: bool,
-    /// In how many draws all are met: limits of both bases in the same draw of the errors.
+    /// Share of the draws that meet all limits. Limits on both bases are tested in the same draw of
+    /// the errors.
     pub share: Share,
-    /// Between which probabilities first order has it, however the limits are correlated: 1 − Σ (1 − p) and the least p. `None` where it says nothing of one.
+    /// Bounds on the probability to first order, for any correlation of the limits: 1 − Σ (1 − p)
+    /// and the least p. `None` if one limit has no first-order result.
     pub first_order: Option<[f64; 2]>,
 }
 
-/// The probability of four standard errors, either way.
+/// Two-sided probability of four standard errors.
 const SIGNIFICANT: f64 = 6.334_248_366_623_973e-5;
 
 impl Budget {
-    /// Whether limits are met.
+    /// Tests whether limits are met.
     ///
     /// # Errors
-    /// [`LimitError`] of a limit that says nothing, of a level that is none, and where the list has no estimate or draws.
+    /// [`LimitError`] if a limit has no bound or an invalid number, if the confidence level is
+    /// invalid, or if the list has no estimate or draws.
     pub fn limits(&self, limits: &[Limit], trial: Trial) -> Result<LimitAnswers, LimitError> {
         let on = |basis: Basis| -> Result<_, LimitError> {
             let asked = limits.iter().any(|limit| limit.basis == basis);
-            // Without limits all are met in every draw.
+            // Without limits, the basic draws are still needed: each of them meets all limits.
             if !asked && (basis == Basis::Predicted || !limits.is_empty()) {
                 return Ok(None);
             }
@@ -112,10 +118,12 @@ impl Budget {
 }
 
 impl LimitAnswers {
-    /// By what is known on each basis that limits are on: draws of the same seed, and as many.
+    /// Tests limits with the evidence on each basis that they use. The draws on both bases must
+    /// have the same seed and number.
     ///
     /// # Errors
-    /// [`LimitError`] of a limit that says nothing, of a level that is none, of a basis of which nothing is known, and of different numbers of draws.
+    /// [`LimitError`] if a limit has no bound or an invalid number, if the confidence level is
+    /// invalid, if there is no evidence on a basis, or if the numbers of draws differ.
     pub fn new(
         limits: &[Limit],
         level: f64,
@@ -180,7 +188,7 @@ impl Limit {
             if known.is_none() {
                 return if met { 1.0 } else { 0.0 };
             }
-            // The probability of each side being broken: both are small where it matters.
+            // Probability that one bound is violated. Both are small where they matter.
             let broken = |margin: Option<Margin>| {
                 margin.and_then(|margin| margin.deviations).map_or(0.0, |z| normal(-z))
             };

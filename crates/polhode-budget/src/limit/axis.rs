@@ -1,4 +1,4 @@
-//! Which principal axis is meant, and whether it is determined.
+//! Choice of a principal axis, and the check that it is determined.
 
 use polhode::body::{PrincipalFrame, Symmetry};
 use polhode::math::{Body, Direction};
@@ -15,21 +15,21 @@ pub(crate) const DIRECTIONS: [(&str, [f64; 3]); 6] = [
     ("-z", [0.0, 0.0, -1.0]),
 ];
 
-/// A principal axis.
+/// Principal axis, chosen by its moment or its direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PrincipalAxis {
-    /// By its moment: 0 is that of the least, 2 of the greatest.
+    /// Index by moment: 0 is the least, 2 the greatest.
     Number(usize),
-    /// That which is nearest to the direction.
+    /// Axis that is nearest to the direction.
     Nearest,
 }
 
-/// Of a direction that was checked.
+/// Returns the unit vector of a checked direction.
 pub(super) fn unit(u: Direction<Body>) -> Direction<Body> {
     u.direction().unwrap_or(u)
 }
 
-/// Whether a principal axis is any in a plane, or in space.
+/// Returns true if a principal axis is not determined: any direction in a plane, or in space.
 pub(super) const fn is_free(symmetry: Symmetry, k: usize) -> bool {
     match symmetry {
         Symmetry::Point | Symmetry::Spherical => true,
@@ -43,7 +43,7 @@ pub(super) fn determined(frame: &PrincipalFrame<Body>, k: usize) -> Result<(), U
     if is_free(frame.symmetry(), k) { Err(Undefined::EqualMoments) } else { Ok(()) }
 }
 
-/// The axis, and whether another is equally near.
+/// Returns the index of the axis, and true if another axis is equally near.
 pub(super) fn chosen(
     frame: &PrincipalFrame<Body>,
     axis: PrincipalAxis,
@@ -55,7 +55,8 @@ pub(super) fn chosen(
     }
 }
 
-/// The principal axis that is nearest to a direction, and whether another one is as near. Of axes that are free in a plane that is one in it.
+/// Returns the index of the principal axis that is nearest to a direction, and true if another axis
+/// is equally near. If axes are free in a plane, the nearest direction in that plane counts.
 fn nearest(frame: &PrincipalFrame<Body>, from: Direction<Body>) -> (usize, bool) {
     let n = unit(from);
     let square = |k: usize| frame.axis(k).dot(n) * frame.axis(k).dot(n);
@@ -72,7 +73,8 @@ fn nearest(frame: &PrincipalFrame<Body>, from: Direction<Body>) -> (usize, bool)
     (k, near.iter().filter(|near| **near).count() > 1)
 }
 
-/// The moment of the axis that is nearest to a direction, those of the next two, and its number.
+/// Returns the moment of the axis nearest to a direction, followed by the next two in cyclic order.
+/// Also returns the index of the axis, and true if another is equally near.
 pub(super) fn spin_moments(frame: &PrincipalFrame<Body>, axis: Direction<Body>) -> ([f64; 3], usize, bool) {
     let ((k, tie), moments) = (nearest(frame, axis), frame.moments());
     ([0, 1, 2].map(|n| moments[(k + n) % 3]), k, tie)

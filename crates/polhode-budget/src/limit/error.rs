@@ -1,37 +1,33 @@
-//! What can be wrong with a limit.
+//! Errors of limits on a body.
 
 use crate::error::BudgetError;
 use crate::errors::errors;
 
 errors! {
-    /// Error of a limit that has no answer.
+    /// Error of a limit that cannot be tested.
     LimitError;
 
-    /// Neither a least nor a greatest value.
+    /// A limit has neither a least nor a greatest value.
     Open {
-        /// The limit.
         limit: String,
     } => ("the limit \"{limit}\" allows every value"),
         hint: "give it the least value that is allowed, the greatest, or both";
-    /// A number that cannot be.
+    /// A number is out of range.
     Value {
-        /// The limit.
         limit: String,
-        /// What it is.
+        /// Name of the quantity.
         what: &'static str,
-        /// As it was given.
         value: f64,
-        /// What it has to be.
+        /// Condition that the value has to meet.
         rule: &'static str,
     } => ("{what} of the limit \"{limit}\" is {value}, and has to be {rule}");
-    /// A level of confidence that is none.
+    /// A confidence level is not between 0 and 1.
     Level {
-        /// As it was given.
         value: f64,
     } => ("the level of confidence is {value}, and has to be above 0 and below 1");
-    /// No draws on a basis that limits are on, or not as many as on the other.
+    /// There are no draws on a basis that limits use, or different numbers of draws on both bases.
     Draws {
-        /// The fewest and the most that there are.
+        /// Smallest and largest number of draws.
         given: [usize; 2],
     } => ("{} draws on one basis and {} on another, where limits need the same on each", given[0], given[1]);
     /// The list has no such estimate or draws.

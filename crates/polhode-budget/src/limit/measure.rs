@@ -1,4 +1,4 @@
-//! Numbers of a body that limits are on, and how they depend on it.
+//! Quantities of a body that can be limited, and their gradients.
 
 use polhode::body::{MassProperties, MassPropertiesGradient};
 use polhode::math::{Body, Direction, Position};
@@ -9,96 +9,103 @@ use crate::estimate::Estimate;
 use crate::principal::{element, moment_gradient, scaled, sum};
 use crate::tensor::{ProductSign, elements};
 
-/// A number of a body.
+/// Quantity of a body that can be limited.
 ///
-/// Directions may have any length, but zero.
+/// Directions may have any length except 0.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Measure {
-    /// Mass, kg.
+    /// Mass of the body, kg.
     Mass,
-    /// A coordinate of the centre of mass, m: along a direction, from a point.
+    /// Coordinate of the centre of mass along a direction, from a point, m.
     Center {
-        /// The direction.
+        /// Direction of the coordinate.
         along: Direction<Body>,
-        /// The point.
+        /// Origin of the coordinate, m.
         from: Position<Body>,
     },
-    /// The distance of the centre of mass from a point, m.
+    /// Distance of the centre of mass from a point, m.
     CenterFromPoint(Position<Body>),
-    /// The distance of the centre of mass from a line, m.
+    /// Distance of the centre of mass from a line, m.
     CenterFromLine {
-        /// A point of the line.
+        /// Point of the line, m.
         point: Position<Body>,
-        /// Its direction.
+        /// Direction of the line.
         along: Direction<Body>,
     },
-    /// The static unbalance about a line, kg·m: mass by the distance of its centre from the line.
+    /// Static unbalance about a line, kg·m: mass times the distance of the centre of mass from the
+    /// line.
     StaticUnbalance {
-        /// A point of the line.
+        /// Point of the line, m.
         point: Position<Body>,
-        /// Its direction.
+        /// Direction of the line.
         along: Direction<Body>,
     },
-    /// The couple unbalance about a line, kg·m²: the size of ∫ z ρ dm, with z along it from the point and ρ from it.
+    /// Couple unbalance about a line, kg·m²: |∫ z ρ dm|, with z along the line from the point, and
+    /// ρ the vector from the line.
     CoupleUnbalance {
-        /// A point of the line, in the plane that the couple is about: any, if there is no static unbalance.
+        /// Point of the line in the reference plane of the couple, m. It may be any point if there
+        /// is no static unbalance.
         point: Position<Body>,
-        /// Its direction.
+        /// Direction of the line.
         along: Direction<Body>,
     },
-    /// A moment of inertia, kg·m²: of the axis with this direction through a point.
+    /// Moment of inertia about an axis through a point, kg·m².
     Moment {
-        /// The direction.
+        /// Direction of the axis.
         axis: Direction<Body>,
-        /// The point.
+        /// Point on the axis.
         about: About,
     },
-    /// A product of inertia, kg·m².
+    /// Product of inertia, kg·m².
     Product {
-        /// The two directions, perpendicular.
+        /// Two perpendicular directions.
         axes: [Direction<Body>; 2],
-        /// What a product is.
+        /// Sign convention of the product.
         sign: ProductSign,
-        /// The point.
+        /// Reference point of the product.
         about: About,
     },
-    /// A principal moment, kg·m²: 0 is the least, 2 the greatest.
+    /// Principal moment, kg·m²: 0 is the least, 2 the greatest.
     PrincipalMoment(usize),
-    /// The first of two principal moments over the second.
+    /// Ratio of the first of two principal moments to the second.
     PrincipalRatio([usize; 2]),
-    /// The angle between a principal axis, either way along it, and a direction, 0 to π/2 rad.
+    /// Angle between a principal axis, in either sense, and a direction, 0 to π/2 rad.
     Tilt {
-        /// Which.
+        /// Choice of the principal axis.
         axis: PrincipalAxis,
-        /// The direction.
+        /// Direction that the angle is measured from.
         from: Direction<Body>,
     },
-    /// The moment of the principal axis that is nearest to a direction, over the greater of the other two.
+    /// Ratio of the moment of the principal axis nearest to a direction to the greater of the other
+    /// two moments.
     ///
-    /// Above 1 a spin about it lasts though energy is lost inside: it is the axis of greatest moment.
+    /// Above 1, a spin about the axis is stable even with internal energy dissipation: it is the
+    /// axis of greatest moment.
     SpinRatio(Direction<Body>),
-    /// (i − a)(i − b)/(a b) of the moment i of the principal axis that is nearest to a direction, and the other two a and b: the square of the rate of nutation over that of spin.
+    /// (i − a)(i − b)/(a b), with the moment i of the principal axis nearest to a direction and the
+    /// other two moments a and b. It is the squared ratio of the nutation rate to the spin rate.
     ///
-    /// Above 0 a spin about it lasts while no energy is lost: i is the greatest moment or the least.
+    /// Above 0, a spin about the axis is stable without energy dissipation: i is the greatest or
+    /// the least moment.
     SpinStability(Direction<Body>),
 }
 
-/// The point that a moment or product is about.
+/// Reference point of a moment or product of inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum About {
-    /// The centre of mass, wherever that is.
+    /// Centre of mass of the body.
     CenterOfMass,
-    /// A point that is fixed in the body, m.
+    /// Point that is fixed in the body, m.
     Point(Position<Body>),
 }
 
-/// Axes are perpendicular if their cosine is no more than this.
+/// Largest cosine of the angle of perpendicular axes.
 const PERPENDICULAR: f64 = 1e-9;
 
 type Gradient = MassPropertiesGradient<Body>;
 
 impl Measure {
-    /// The unit; empty of ratios.
+    /// Returns the unit; empty for ratios.
     pub const fn unit(&self) -> &'static str {
         match self {
             Self::Mass => "kg",
@@ -151,10 +158,10 @@ impl Measure {
         }
     }
 
-    /// Its value of a body.
+    /// Returns the value for a body.
     ///
     /// # Errors
-    /// [`Undefined`] where it has none.
+    /// [`Undefined`] if there is no value.
     pub fn value(&self, body: &MassProperties<Body>) -> Result<f64, Undefined> {
         let center = body.center_of_mass();
         Ok(match self {
@@ -196,10 +203,10 @@ impl Measure {
         })
     }
 
-    /// How it depends on the body of an estimate.
+    /// Returns the gradient with respect to the mass properties of an estimate.
     ///
     /// # Errors
-    /// [`Undefined`] where it has no derivative.
+    /// [`Undefined`] if there is no derivative.
     pub fn gradient(&self, estimate: &Estimate<Body>) -> Result<Gradient, Undefined> {
         self.value(&estimate.properties)?;
         let (body, center) = (&estimate.properties, estimate.properties.center_of_mass());
@@ -266,7 +273,8 @@ impl Measure {
                 Ok(sum(&scaled(&above_by, 1.0 / most), &scaled(&below_by, -i / (most * most))))
             }
             Self::SpinStability(axis) => {
-                // Of equal a and b too: both count alike, and the sum of their derivatives does not depend on the choice of their axes.
+                // This also holds for a = b. Both enter symmetrically, and the sum of their
+                // derivatives does not depend on the choice of their axes.
                 let frame = body.principal();
                 let ([i, a, b], k) = determined_spin(&frame, *axis)?;
                 let by =
@@ -285,7 +293,7 @@ fn across(d: Position<Body>, along: Direction<Body>) -> Position<Body> {
     d - Position::from_array((n * n.dot(d)).to_array())
 }
 
-/// Two directions across a line and each other.
+/// Returns two unit vectors that are perpendicular to a line and to each other.
 pub(crate) fn across_axes(along: Direction<Body>) -> [Direction<Body>; 2] {
     let n = unit(along);
     let other = if n.x.abs() < 0.6 { Direction::new(1.0, 0.0, 0.0) } else { Direction::new(0.0, 1.0, 0.0) };
@@ -293,7 +301,7 @@ pub(crate) fn across_axes(along: Direction<Body>) -> [Direction<Body>; 2] {
     [u, n.cross(u)]
 }
 
-/// ∫ z ρ dm along these two.
+/// Returns the components of ∫ z ρ dm along [`across_axes`].
 fn couple(body: &MassProperties<Body>, point: Position<Body>, along: Direction<Body>) -> [f64; 2] {
     across_axes(along).map(|u| -tensor_element(body, along, u, About::Point(point)))
 }
@@ -302,7 +310,7 @@ fn quotient(above: f64, below: f64) -> Result<f64, Undefined> {
     if below == 0.0 { Err(Undefined::ZeroMoment) } else { Ok(above / below) }
 }
 
-/// d² u·v − (u·d)(v·d): what a unit mass at d adds to uᵀ J v.
+/// Returns d² u·v − (u·d)(v·d): the contribution of a unit mass at d to uᵀ J v.
 fn of_point([x, y, z]: [f64; 3], u: Direction<Body>, v: Direction<Body>) -> f64 {
     let d = Direction::new(x, y, z);
     d.dot(d) * u.dot(v) - u.dot(d) * v.dot(d)
@@ -315,7 +323,7 @@ fn lever(body: &MassProperties<Body>, about: About) -> [f64; 3] {
     }
 }
 
-/// uᵀ J v, with J = I + M (d² 1 − d dᵀ), d from the point to the centre of mass.
+/// Returns uᵀ J v, with J = I + M (d² 1 − d dᵀ) and d from the point to the centre of mass.
 fn tensor_element(body: &MassProperties<Body>, u: Direction<Body>, v: Direction<Body>, about: About) -> f64 {
     let (u, v) = (unit(u), unit(v));
     let by = element(u, v).by_inertia;

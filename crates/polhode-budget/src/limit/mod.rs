@@ -1,4 +1,4 @@
-//! Limits on what a parts list comes to.
+//! Limits on the mass properties of a parts list.
 
 mod answer;
 mod axis;
@@ -18,26 +18,25 @@ pub use undefined::Undefined;
 
 use crate::growth::Basis;
 
-/// What a number of the whole has to be.
+/// Range that a quantity of the whole has to be in.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Limit {
-    /// What to call it.
     pub name: String,
-    /// Of what it is.
+    /// Limited quantity of the whole.
     pub of: Measure,
-    /// The least that is allowed, in the unit of the measure.
+    /// Least allowed value, in the unit of the measure.
     pub least: Option<f64>,
-    /// The most that is allowed.
+    /// Greatest allowed value, in the unit of the measure.
     pub most: Option<f64>,
-    /// Which mass of the parts counts.
+    /// Mass basis of the parts.
     pub basis: Basis,
 }
 
 impl Limit {
-    /// Whether the limit says something that a body can keep or break.
+    /// Checks that the limit has a bound and valid numbers.
     ///
     /// # Errors
-    /// [`LimitError`] that says what it does not.
+    /// [`LimitError`] that names the invalid item.
     pub fn check(&self) -> Result<(), LimitError> {
         let wrong = |what, value, rule| LimitError::Value { limit: self.name.clone(), what, value, rule };
         let (Some(least), Some(most)) =
@@ -56,7 +55,7 @@ impl Limit {
         self.of.check().map_err(|(what, value, rule)| wrong(what, value, rule))
     }
 
-    /// Whether a value is within the limit.
+    /// Returns true if a value is within the limit.
     pub fn is_met(&self, value: f64) -> bool {
         self.least.is_none_or(|least| value >= least) && self.most.is_none_or(|most| value <= most)
     }

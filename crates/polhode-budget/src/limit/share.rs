@@ -1,22 +1,24 @@
-//! A share of draws, and what it says of the probability.
+//! Share of draws, and a confidence interval of the probability.
 
-/// How many of so many draws, and an interval for the probability.
+/// Number of draws that meet a condition, and a confidence interval of the probability.
 ///
-/// The interval of Clopper and Pearson (Biometrika 26, 1934, 404): it contains the probability in at least the share of all cases that the level says, whatever the probability is.
+/// The interval is that of Clopper and Pearson (Biometrika 26, 1934, 404). It contains the
+/// probability in at least the stated share of all cases, for any probability.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Share {
-    /// In how many draws.
+    /// Number of draws that meet the condition.
     pub met: usize,
-    /// Of how many.
+    /// Number of all draws.
     pub of: usize,
-    /// Between which probabilities.
+    /// Ends of the confidence interval, 0 to 1.
     pub interval: [f64; 2],
-    /// Level of confidence of the interval, as 0.95.
+    /// Confidence level of the interval, for example 0.95.
     pub level: f64,
 }
 
 impl Share {
-    /// Of a count; `None` of no draws, of more than all, and of a level that is not between 0 and 1.
+    /// Makes a share from a count. Returns `None` if `of` is 0, `met` exceeds `of`, or the level is
+    /// not between 0 and 1.
     pub fn new(met: usize, of: usize, level: f64) -> Option<Self> {
         let level_holds = level > 0.0 && level < 1.0;
         if of == 0 || met > of || !level_holds {
@@ -28,13 +30,13 @@ impl Share {
         Some(Self { met, of, interval: [least, most], level })
     }
 
-    /// The share itself.
+    /// Returns the share itself, `met / of`.
     pub fn estimate(&self) -> f64 {
         self.met as f64 / self.of as f64
     }
 }
 
-/// The x at which the incomplete beta function is p, by halving.
+/// Returns the x at which the incomplete beta function is p, by bisection.
 fn beta_quantile(a: f64, b: f64, p: f64) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     loop {
@@ -46,12 +48,12 @@ fn beta_quantile(a: f64, b: f64, p: f64) -> f64 {
     }
 }
 
-/// I_x(a, b), regularised, for 0 < x < 1.
+/// Returns the regularised incomplete beta function I_x(a, b), for 0 < x < 1.
 fn incomplete_beta(a: f64, b: f64, x: f64) -> f64 {
     let log =
         libm::lgamma(a + b) - libm::lgamma(a) - libm::lgamma(b) + a * libm::log(x) + b * libm::log1p(-x);
     let front = libm::exp(log);
-    // The fraction converges fast below the mean.
+    // The continued fraction converges fast below the mean.
     if x < (a + 1.0) / (a + b + 2.0) {
         front * fraction(a, b, x) / a
     } else {
@@ -59,7 +61,8 @@ fn incomplete_beta(a: f64, b: f64, x: f64) -> f64 {
     }
 }
 
-/// The continued fraction 1/(1 + d₁/(1 + d₂/(1 + …))) of I_x (DLMF 8.17.22), after Lentz.
+/// Returns the continued fraction 1/(1 + d₁/(1 + d₂/(1 + …))) of I_x (DLMF 8.17.22), by Lentz's
+/// method.
 fn fraction(a: f64, b: f64, x: f64) -> f64 {
     const TINY: f64 = 1e-300;
     let kept = |x: f64| if x.abs() < TINY { TINY } else { x };
@@ -83,7 +86,7 @@ fn fraction(a: f64, b: f64, x: f64) -> f64 {
     value
 }
 
-/// Φ(z) = ½ erfc(−z/√2)
+/// Returns Φ(z) = ½ erfc(−z/√2).
 pub(super) fn normal(z: f64) -> f64 {
     0.5 * libm::erfc(-z * core::f64::consts::FRAC_1_SQRT_2)
 }

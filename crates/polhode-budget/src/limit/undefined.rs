@@ -1,15 +1,16 @@
-//! What is not defined.
+//! Undefined values and derivatives of measures.
 
 use core::fmt;
 
-/// Why a measure has no value, or no derivative.
+/// Reason why a measure has no value, or no derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Undefined {
-    /// Two principal moments are equal: their axes are any in a plane, and the greater and the less have no derivative.
+    /// Two principal moments are equal. Their axes can have any direction in a plane, and the
+    /// greater and the lesser moment have no derivative.
     EqualMoments,
-    /// A distance or an angle is zero, or two axes are equally near: the measure has a corner.
+    /// A distance or an angle is zero, or two axes are equally near. The measure has a kink there.
     Corner,
-    /// A moment that it is divided by is zero.
+    /// A moment in a denominator is zero.
     ZeroMoment,
 }
 

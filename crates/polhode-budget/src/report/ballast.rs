@@ -1,4 +1,4 @@
-//! Ballast by which limits are met.
+//! Ballast section of the report.
 
 use crate::{Ballast, BallastAnswer, FoundBallast, Limit, Piece};
 use polhode_document::Section;
@@ -10,7 +10,7 @@ use super::case::Case;
 use super::found::Found;
 use super::limits::{allowed, shown_unit};
 
-/// The ballast of a configuration, and the limits of the list.
+/// Ballast of a configuration, with the limits of the list.
 #[derive(Clone, Copy)]
 pub(super) struct OfCase<'a> {
     case: &'a Case,
@@ -74,7 +74,7 @@ impl<'a> OfCase<'a> {
         section
     }
 
-    /// The limits without the ballast and with it.
+    /// Adds a table of the limits without and with the ballast.
     fn compared(self, section: &mut Section, found: &FoundBallast) {
         let row = |limit: &Limit| {
             let (unit, scale) = shown_unit(limit.of.unit());
@@ -88,7 +88,8 @@ impl<'a> OfCase<'a> {
         section.table(&headers, self.limits.iter().map(row).collect());
     }
 
-    /// `Least ballast 0.123 kg, in 2 pieces: proved`, of the limits that it was sought for.
+    /// Returns words such as `Least ballast 0.123 kg, in 2 pieces: proved`, with the limits that
+    /// were considered.
     pub(super) fn in_words(self) -> String {
         let (sought, is_for_all) = (self.sought(), self.found.left_out.is_empty());
         let found = match &self.found.answer {
@@ -118,7 +119,7 @@ impl<'a> OfCase<'a> {
         }
     }
 
-    /// The limits that ballast was sought for.
+    /// Returns the names of the limits that the search considered.
     fn sought(self) -> String {
         if self.found.left_out.is_empty() {
             return "all limits".to_owned();
@@ -127,7 +128,7 @@ impl<'a> OfCase<'a> {
         sought.map(|limit| printable(&limit.name)).collect::<Vec<_>>().join(", ")
     }
 
-    /// `; spin ratio along z, left out, is not met with it`
+    /// Returns words such as `; spin ratio along z, left out, is not met with it`.
     fn others(self, found: &FoundBallast, ballast: &str) -> String {
         let one = |limit: &Limit| {
             let is = if self.is_met(found, limit) { "is" } else { "is not" };
@@ -179,7 +180,7 @@ impl<'a> OfCase<'a> {
     }
 }
 
-/// Places and masses of the pieces.
+/// Adds a table of the places and masses of the pieces.
 fn pieces(section: &mut Section, ballast: &Ballast, found: &FoundBallast) {
     let counts = found.pieces.iter().any(|piece| piece.count > 1);
     let row = |piece: &Piece| {

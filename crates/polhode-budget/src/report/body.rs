@@ -1,4 +1,5 @@
-//! The body of a configuration, for other commands: as a part of a scenario, and with its errors as a plan of a sweep.
+//! Body of a configuration as input of other commands: a section of a scenario file, or a sweep
+//! plan with its errors.
 
 use core::fmt::Write as _;
 
@@ -15,22 +16,22 @@ use super::numbers::ten;
 use crate::Estimate;
 use crate::read::{OverTime, Questions};
 
-/// For how long the members of a plan move to which nothing happens, s.
+/// Duration of the motion of plan members without a sequence, s.
 const DURATION: f64 = 60.0;
 
 impl BudgetReport {
-    /// The body of a configuration, which has to be said if there are several.
+    /// Returns the body of a configuration. The configuration must be named if there are several.
     ///
     /// # Errors
-    /// [`Failure`] without it, or of another.
+    /// [`Failure`] if the configuration is not named or does not exist.
     pub fn body(&self, configuration: Option<&str>) -> Result<MassProperties<Body>, Failure> {
         self.case(configuration).map(|case| case.estimate(self.options.basis).properties)
     }
 
-    /// The body as a part of a scenario file.
+    /// Returns the body as a section of a scenario file.
     ///
     /// # Errors
-    /// As [`BudgetReport::body`].
+    /// Same as [`BudgetReport::body`].
     pub fn to_scenario(&self, configuration: Option<&str>) -> Result<String, Failure> {
         let case = self.case(configuration)?;
         let estimate = case.estimate(self.options.basis);
@@ -43,12 +44,16 @@ impl BudgetReport {
         Ok(part.to_toml())
     }
 
-    /// A plan of a sweep whose members have the body's ten numbers with their covariance to first order; of a tensor that is no body's the nearest that is.
+    /// Returns a sweep plan whose members have the ten numbers of the body, with their covariance
+    /// to first order. A tensor that is not physically possible is replaced by the nearest possible
+    /// one.
     ///
-    /// There are as many members as draws, of the same seed. They turn and move as a sequence begins.
+    /// The plan has as many members as draws, with the same seed. Spin and duration are those of
+    /// the sequence, if there is one.
     ///
     /// # Errors
-    /// [`Failure`] where [`BudgetReport::body`] gives none, of a body that is known exactly, and of a point.
+    /// [`Failure`] if [`BudgetReport::body`] fails, if the body is known exactly, and if all mass
+    /// is at one point.
     pub(crate) fn to_plan(
         &self,
         configuration: Option<&str>,
@@ -128,14 +133,15 @@ impl BudgetReport {
     }
 }
 
-/// Draws that are tried, so that a plan says how many are moved.
+/// Number of test draws from which a plan states how many tensors are replaced.
 const TRIED: usize = 1000;
 
 fn is_uncertain(estimate: &Estimate<Body>) -> bool {
     estimate.covariance != [[0.0; 10]; 10]
 }
 
-/// Returns the failure of a configuration that the report does not have, or of none among several.
+/// Returns the failure for a configuration that does not exist, or that is not named although there
+/// are several.
 pub(super) fn no_configuration(asked: Option<&str>, names: &[&str]) -> Failure {
     let there_are: Vec<String> = names.iter().map(|name| format!("\"{}\"", printable(name))).collect();
     let message = match asked {

@@ -1,4 +1,4 @@
-//! A configuration, and what is computed of it.
+//! Computed results of a configuration.
 
 use polhode::body::MassPropertiesGradient;
 use polhode::math::{Body, Direction};
@@ -12,41 +12,42 @@ use crate::{
     Tilt,
 };
 
-/// A configuration, and what is computed of it.
+/// Configuration with its computed results.
 #[derive(Clone, Debug)]
 pub(crate) struct Case {
     pub name: Option<String>,
     pub budget: Budget,
-    /// Of each row.
+    /// Masses of each row.
     pub statements: Vec<MassStatement>,
-    /// Of the basic masses, and of the predicted ones.
+    /// Estimates with the basic and with the predicted masses.
     estimates: [Estimate<Body>; 2],
-    /// Principal moments and axes on the basis of the options, which is the one that is drawn.
+    /// Principal moments and axes on the basis of the options. The draws have the same basis.
     pub principal: PrincipalUncertainty<Body>,
-    /// Of each principal axis.
+    /// Tilt of each principal axis.
     pub tilts: [AxisTilt; 3],
     pub results: Vec<SpreadResult>,
     pub drawn: Option<Drawn>,
-    /// Of each limit, if there are any and draws to try them by.
+    /// Results of the limits, if there are limits and draws.
     pub limits: Option<LimitAnswers>,
-    /// If it is asked for.
+    /// Result of the search for ballast, if it is requested.
     pub ballast: Option<Found>,
-    /// If it has tanks, or something happens to it.
+    /// Body by tank fill and over time, if it has tanks or changes.
     pub changing: Option<Changing>,
-    /// The list without what is in its tanks, if it has some and differences are asked for.
+    /// List without the liquid in its tanks, if there is any and differences are requested.
     pub dry: Option<Budget>,
 }
 
-/// A principal axis beside the axis of the frame to which it is nearest.
+/// Principal axis, and the frame axis with which it is compared.
 #[derive(Clone, Debug)]
 pub(crate) struct AxisTilt {
-    /// 0 to 2: x, y, z.
+    /// Index of the frame axis, 0 to 2 for x, y, z.
     pub from: usize,
     pub direction: Direction<Body>,
     pub tilt: Tilt<Body>,
 }
 
-/// A number, its standard deviation to first order, and what that comes from, the greatest first.
+/// Number with its standard deviation to first order. The contributions to its variance are in
+/// descending order.
 #[derive(Clone, Debug)]
 pub(crate) struct SpreadResult {
     pub name: String,
@@ -54,37 +55,38 @@ pub(crate) struct SpreadResult {
     pub of: ResultKind,
     pub sd: f64,
     pub by: Vec<Sensitivity>,
-    /// Variance by errors that are not among these.
+    /// Variance due to all other errors.
     pub rest: f64,
 }
 
-/// Of what a number is.
+/// Kind of quantity of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ResultKind {
     /// Mass and centre of mass.
     Place,
-    /// The tensor.
+    /// Inertia tensor about the centre of mass.
     Tensor,
     /// Principal moments and tilts.
     Principal,
-    /// What a limit is on.
+    /// Quantity that is limited.
     Limit,
 }
 
-/// What draws show.
+/// Random draws and their statistics.
 #[derive(Clone, Debug)]
 pub(crate) struct Drawn {
     pub draws: Draws,
     pub comparison: Comparison,
-    /// Of the tilt of each principal axis: 5 %, 50 % and 95 % of the draws are below, rad.
+    /// Quantiles of the tilt of each principal axis at 5 %, 50 % and 95 %, rad.
     pub tilts: [Option<[f64; 3]>; 3],
 }
 
-/// What [`Drawn::tilts`] are below of.
+/// Probabilities of the quantiles in [`Drawn::tilts`].
 const QUANTILES: [f64; 3] = [0.05, 0.5, 0.95];
 
 impl Case {
-    /// `reached` is called with the number of bodies that are drawn.
+    /// Computes the results of a configuration. Calls `reached` with the number of bodies drawn so
+    /// far.
     pub(crate) fn new(
         name: Option<String>,
         budget: Budget,
@@ -143,7 +145,8 @@ impl Case {
         &self.estimates[basis as usize]
     }
 
-    /// What the list states that a row comes to, whatever is in its tanks.
+    /// Returns the subtotal that the list states for a row. It does not depend on the liquid in
+    /// tanks.
     pub(crate) fn subtotal(&self, row: usize) -> Option<Subtotal> {
         self.dry.as_ref().unwrap_or(&self.budget).rows().subtotal(row)
     }
@@ -152,31 +155,31 @@ impl Case {
         self.estimate(basis).principal()
     }
 
-    /// A row's name without the root's before it.
+    /// Returns a row's name without the root's path in front.
     pub(crate) fn short(&self, row: usize) -> &str {
         let rows = self.budget.rows();
         let (name, root) = (rows.name(row), rows.name(self.budget.root()));
         name.strip_prefix(root).and_then(|rest| rest.strip_prefix('/')).unwrap_or(name)
     }
 
-    /// The masses of all; the root may have copies.
+    /// Returns the masses of the whole, all copies of the root counted.
     pub(crate) fn whole_statement(&self) -> MassStatement {
         self.statements[self.budget.root()]
     }
 
-    /// True if a part has a growth allowance.
+    /// Returns true if a part has a growth allowance.
     pub(crate) fn grows(&self) -> bool {
         self.statements.iter().any(|statement| statement.predicted != statement.basic)
             || (0..self.budget.rows().len()).any(|row| self.budget.rows().grows(row))
     }
 
-    /// Rows that with growth are heavier than allowed.
+    /// Iterates over the rows whose predicted mass exceeds the allowable mass.
     pub(crate) fn exceeded(&self) -> impl Iterator<Item = usize> + '_ {
         let is_beyond = |k: &usize| self.statements[*k].margin().is_some_and(|margin| margin < 0.0);
         (0..self.statements.len()).filter(is_beyond)
     }
 
-    /// How many parts are taken as exact, and how many there are.
+    /// Returns the number of parts without errors, and the number of all parts.
     pub(crate) fn exact_parts(&self) -> (usize, usize) {
         let rows = self.budget.rows();
         let parts = || (0..rows.len()).filter(|row| rows.has_part(*row));
@@ -184,7 +187,7 @@ impl Case {
     }
 }
 
-/// Limits by the draws that there are, and those of the other basis where a limit is on that.
+/// Tests limits with the given draws, and with draws on the other basis if a limit needs it.
 fn tried(
     budget: &Budget,
     limits: &[Limit],
@@ -209,10 +212,11 @@ fn tried(
     LimitAnswers::new(limits, LEVEL, evidence(Basis::Basic), evidence(Basis::Predicted))
 }
 
-/// Level of confidence of the intervals of limits.
+/// Confidence level of the intervals of limits.
 pub(crate) const LEVEL: f64 = 0.95;
 
-/// Each principal axis beside another axis of the body, or of the asked axes, so that all are as near as can be.
+/// Pairs the principal axes with the axes of the body, or with the requested axes. The sum of the
+/// absolute cosines is the greatest possible.
 fn tilts(estimate: &Estimate<Body>, options: &Questions) -> [AxisTilt; 3] {
     const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
     let principal = estimate.principal();
@@ -262,7 +266,7 @@ fn results(
             asked.push((name, "rad", ResultKind::Principal, gradient));
         }
     }
-    // Those on the mass are above.
+    // The mass is among the ten numbers above.
     for limit in limits.iter().filter(|limit| limit.basis == basis && limit.of != Measure::Mass) {
         if let Ok(gradient) = limit.of.gradient(estimate) {
             asked.push((limit.name.clone(), limit.of.unit(), ResultKind::Limit, gradient));
@@ -278,12 +282,12 @@ fn results(
     Ok(asked.into_iter().zip(found).map(result).collect())
 }
 
-/// Errors of a result that are kept one by one: more than any report tells.
+/// Largest number of errors of a result that are kept separately. No report shows more.
 const MOST_ERRORS: usize = 1000;
 
 pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// One of the ten numbers itself.
+/// Returns the gradient of one of the ten numbers.
 fn number_gradient(k: usize) -> MassPropertiesGradient<Body> {
     let mut all = [0.0; 10];
     all[k] = 1.0;

@@ -1,4 +1,4 @@
-//! A body whose tanks drain, and to which things happen: its numbers by fill and over time.
+//! Body with draining tanks and other changes: its numbers by fill and over time.
 
 use polhode_document::Section;
 use polhode_document::graph::Graph;
@@ -11,46 +11,47 @@ use super::numbers::{rates, ten};
 use crate::tensor::rows;
 use crate::{Burn, Change, Sequence, SequenceError, SequenceRow, Tank};
 
-/// Parts of a full tank in the tables, and in JSON and pictures.
+/// Number of steps in the fill of a tank: in tables; in JSON and pictures.
 const SHOWN_FILLS: usize = 4;
 const FILLS: usize = 20;
-/// Pieces of each stretch in the tables, and in JSON and pictures.
+/// Number of steps in each time interval without events: in tables; in JSON and pictures.
 const SHOWN_PIECES: usize = 2;
 const PIECES: usize = 16;
 const DIGITS: usize = 5;
 
-/// What a body is by how full its tanks are, and over time.
+/// Body as a function of the fill of its tanks, and of time.
 #[derive(Clone, Debug)]
 pub(crate) struct Changing {
     tanks: Vec<FilledTank>,
     over_time: Option<OverTime>,
 }
 
-/// The whole by what is in one tank.
+/// Whole body as a function of the liquid in one tank.
 #[derive(Clone, Debug)]
 struct FilledTank {
     name: String,
     capacity: f64,
     at_first: f64,
-    /// Parts of a full tank, ascending, with the levels that are known; rates are those of a kilogram more.
+    /// Fill fraction, ascending, level if known, and body. Rates are derivatives per kilogram of
+    /// liquid.
     rows: Vec<(f64, Option<f64>, SequenceRow)>,
 }
 
-/// The body from 0 on.
+/// Body over time, from t = 0 on.
 #[derive(Clone, Debug)]
 pub(crate) struct OverTime {
     until: f64,
     pub tanks: Vec<String>,
-    /// The configuration that it is, by how many changes have happened.
+    /// Name of the configuration, by the number of changes that have happened.
     configurations: Vec<Option<String>>,
-    /// When something begins, ends or happens.
+    /// Time, s, and description of each event.
     happenings: Vec<(f64, String)>,
-    /// Rows of all stretches in which nothing begins or ends, each in [`PIECES`] pieces.
+    /// Rows of all intervals without events, each divided into [`PIECES`].
     pub all: Vec<SequenceRow>,
 }
 
 impl Changing {
-    /// Of a configuration, as which the sequence begins.
+    /// Computes the numbers of the configuration in which the sequence begins.
     pub(crate) fn new(
         configuration: Option<&str>,
         sequence: &Sequence<'_>,
@@ -83,7 +84,8 @@ impl Changing {
         self.over_time.as_ref()
     }
 
-    /// Each tank with the part that it is full to, kg in it, its level, and the body, of which the rates are those of a kilogram more.
+    /// Iterates over tanks and fills: name, fill fraction, mass in kg, level in m, and body. Rates
+    /// are derivatives per kilogram of liquid.
     pub(crate) fn by_fill(&self) -> impl Iterator<Item = (&str, f64, f64, Option<f64>, &SequenceRow)> {
         self.tanks.iter().flat_map(|tank| {
             let rows = tank.rows.iter();
@@ -91,7 +93,7 @@ impl Changing {
         })
     }
 
-    /// `Over 60 s: 73.24 kg become 35.1 kg`
+    /// Returns words such as `In 60 s 73.24 kg become 35.1 kg`.
     pub(crate) fn in_words(&self) -> Option<String> {
         let over_time = self.over_time.as_ref()?;
         let [first, last] = [over_time.all.first()?, over_time.all.last()?].map(|row| row.properties.mass());
@@ -148,13 +150,13 @@ fn row_to_json(row: &SequenceRow) -> Value {
     })
 }
 
-/// Headings of mass and centre, and of the tensor about it; and of their rates.
+/// Headings of mass and centre of mass, and of the tensor about it; and of their rates.
 const PLACE: [&str; 4] = ["M (kg)", "x (mm)", "y (mm)", "z (mm)"];
 const PLACE_RATES: [&str; 4] = ["dM/dt (kg/s)", "dx/dt (mm/s)", "dy/dt (mm/s)", "dz/dt (mm/s)"];
 const TENSOR: [&str; 6] = ["Ixx (kg·m²)", "Iyy (kg·m²)", "Izz (kg·m²)", "Ixy", "Ixz", "Iyz"];
 const TENSOR_RATES: [&str; 6] = ["dIxx/dt (kg·m²/s)", "dIyy/dt", "dIzz/dt", "dIxy/dt", "dIxz/dt", "dIyz/dt"];
 
-/// The ten numbers as they are shown: rounding beside large ones is none.
+/// Formats the ten numbers. Values that are only rounding error of larger ones become 0.
 fn cells(values: [f64; 10]) -> [Vec<String>; 2] {
     let [mass, x, y, z, xx, yy, zz, xy, xz, yz] = values;
     let [x, y, z] = tidy([x, y, z]).map(|x| 1e3 * x);
@@ -216,7 +218,7 @@ impl FilledTank {
     }
 }
 
-/// Of a kilogram that leaves in a second: what comes with one more.
+/// Turns the rates of an outflow of 1 kg/s into derivatives per added kilogram.
 fn more(mut row: SequenceRow) -> SequenceRow {
     let rates = &mut row.rates;
     rates.mass = -rates.mass;
@@ -225,7 +227,7 @@ fn more(mut row: SequenceRow) -> SequenceRow {
     row
 }
 
-/// Which of some numbers changes most, relative to a size of it.
+/// Returns the index of the number that changes most, relative to a size.
 fn greatest(
     points: &[(f64, [f64; 10])],
     among: core::ops::Range<usize>,
@@ -290,7 +292,7 @@ impl OverTime {
         Ok(Self { until, tanks, configurations, happenings, all })
     }
 
-    /// The configuration that it is in a row.
+    /// Returns the name of the configuration in a row.
     pub(crate) fn configuration(&self, row: &SequenceRow) -> Option<&str> {
         self.configurations.get(row.changes).and_then(Option::as_deref)
     }
@@ -305,7 +307,7 @@ impl OverTime {
         let mut shown: Vec<&SequenceRow> = Vec::new();
         let stretches = self.all.chunks(PIECES + 1);
         for row in stretches.flat_map(|stretch| stretch.iter().step_by(PIECES / SHOWN_PIECES)) {
-            // Where a stretch ends and the next begins as it ended there is one row.
+            // If the next interval begins as the last one ended, only one row is shown.
             let again = shown.last().is_some_and(|last| {
                 last.time == row.time && last.properties == row.properties && last.rates == row.rates
             });

@@ -1,12 +1,12 @@
-//! The search for ballast.
+//! Search for the ballast of a configuration.
 
 use crate::{Ballast, BallastAnswer, BallastError, Budget, Limit};
 
-/// What ballast there is to be, and for what it was not sought.
+/// Result of the search for ballast, and the limits that were left out.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
     pub answer: BallastAnswer,
-    /// Limits, and why no ballast can be sought for them.
+    /// Names of limits that the search cannot treat, with the reason.
     pub left_out: Vec<(String, &'static str)>,
 }
 

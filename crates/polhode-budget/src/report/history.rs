@@ -1,4 +1,4 @@
-//! A body over time, as a scenario and the table that it names.
+//! Body over time, as a scenario and the table that it refers to.
 
 use core::fmt::Write as _;
 use std::path::Path;
@@ -14,9 +14,9 @@ use crate::read::{BudgetFile, OverTime, quoted};
 use crate::request::MadeFile;
 use crate::{Basis, Sequence, SequenceError};
 
-/// Between corners a history has so many cubics.
+/// Number of cubics of a history between two corners.
 const PIECES: usize = 16;
-/// Samples of a run.
+/// Number of samples of a run.
 const SAMPLES: f64 = 600.0;
 
 /// Returns the failure of a list without a sequence.
@@ -27,7 +27,7 @@ pub(crate) fn nothing() -> Failure {
     )
 }
 
-/// Returns the table of a body over time, and the scenario that names it and that `simulate` runs.
+/// Returns the table of a body over time, and the scenario for `simulate` that refers to it.
 pub(crate) fn files(file: &BudgetFile, basis: Basis, target: &Path) -> Result<[MadeFile; 2], Failure> {
     let over_time = file.prescribed.as_ref().and_then(|all| Some((all, all.over_time.as_ref()?)));
     let (prescribed, over_time) = over_time.ok_or_else(nothing)?;
@@ -45,7 +45,8 @@ pub(crate) fn files(file: &BudgetFile, basis: Basis, target: &Path) -> Result<[M
     Ok([(beside, rows), (target.to_owned(), scenario)])
 }
 
-/// Returns the failure of a motion. Most often nothing states where mass leaves.
+/// Returns the failure of a mass history. The most frequent cause is that no exit of mass is
+/// stated.
 fn no_history(error: &SequenceError, over_time: &OverTime) -> Failure {
     let hint = match (error, &over_time.outflow) {
         (SequenceError::Motion(_), Outflow::None) if !over_time.burns.is_empty() => {
@@ -59,7 +60,7 @@ fn no_history(error: &SequenceError, over_time: &OverTime) -> Failure {
     Failure::usage(error.to_string(), hint)
 }
 
-/// Returns the scenario and its table.
+/// Returns the text of the scenario and of its table.
 fn texts(
     sequence: &Sequence<'_>,
     over_time: &OverTime,

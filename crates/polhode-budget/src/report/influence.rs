@@ -1,4 +1,4 @@
-//! Whose errors matter.
+//! Contributions of single errors to the variance of results.
 
 use polhode_document::drawing::{Bar, BarPanel, Bars, Drawing};
 use polhode_document::layout::printable;
@@ -9,7 +9,7 @@ use super::case::{Case, ResultKind, SpreadResult};
 use super::limits::shown_unit;
 use crate::{Sensitivity, Source};
 
-/// Bars of a result, and cells of the table.
+/// Number of bars per result, and of cells per row of the table.
 const BARS: usize = 6;
 const CELLS: usize = 2;
 
@@ -51,7 +51,7 @@ pub(crate) fn section(case: &Case) -> Option<Section> {
     Some(section)
 }
 
-/// Standard deviations to both sides, the greatest above.
+/// Returns bars of the standard deviations to both sides, with the greatest at the top.
 fn tornado(case: &Case, title: &str, caption: &'static str, results: &[&SpreadResult]) -> Bars {
     let panel = |result: &&SpreadResult| {
         let (unit, scale) = shown_unit(result.unit);
@@ -84,7 +84,7 @@ const CAPTION: &str = "Each bar is as long as what one standard deviation of an 
 /// Names of the kinds of errors, in their order.
 const KINDS: [&str; 6] = ["mass", "centre", "tensor", "position", "rotation", "density"];
 
-/// A row or a group.
+/// Returns the name of a row or a group.
 pub(crate) fn source_name(case: &Case, by: &Sensitivity) -> String {
     match by.source {
         Source::Row(k) => case.short(k).to_owned(),
@@ -92,7 +92,7 @@ pub(crate) fn source_name(case: &Case, by: &Sensitivity) -> String {
     }
 }
 
-/// `battery, mass`
+/// Returns words such as `battery, mass`.
 fn named(case: &Case, by: &Sensitivity) -> String {
     format!("{}, {}", source_name(case, by), KINDS[by.kind as usize])
 }

@@ -1,4 +1,4 @@
-//! A budget as data.
+//! Report of a budget as JSON.
 
 use std::io;
 
@@ -18,11 +18,11 @@ use super::{BudgetReport, limits, parts, principal};
 use crate::tensor::rows;
 use crate::{Basis, ComparedNumber, Estimate, MassStatement, NUMBERS};
 
-/// Errors of a number that are told one by one; the rest is told as a sum.
+/// Largest number of errors of a result that are listed. The rest is given as a sum.
 const ERRORS: usize = 25;
 
 impl BudgetReport {
-    /// The report as data: SI, of each configuration.
+    /// Returns the report of all configurations as JSON, SI units.
     pub fn to_json(&self) -> Value {
         self.with_rows(&|case| (0..case.statements.len()).map(|k| row(case, k)).collect())
     }
@@ -32,9 +32,10 @@ impl BudgetReport {
     /// Rows are written one by one, to save memory.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn write_json(&self, out: &mut dyn io::Write) -> io::Result<()> {
-        // The place of rows that are left out. Nothing else has this key without a value, and quotes in strings are escaped.
+        // Placeholder for rows that are left out. No other value of this key is null, and quotes in
+        // strings are escaped.
         const LEFT_OUT: &str = "\"rows\": null";
         let text = pretty(&self.with_rows(&|_| Value::Null));
         let mut pieces = text.split(LEFT_OUT);
@@ -43,7 +44,7 @@ impl BudgetReport {
             out.write_all(b"\"rows\": [")?;
             for k in 0..case.statements.len() {
                 let comma = if k > 0 { "," } else { "" };
-                // In the document, the list of configurations, a configuration and the list of rows.
+                // Nesting: document, list of configurations, configuration, list of rows.
                 let depth = 4;
                 write!(out, "{comma}\n{}{}", "  ".repeat(depth), pretty_at(&row(case, k), depth))?;
             }

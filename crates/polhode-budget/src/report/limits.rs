@@ -1,4 +1,4 @@
-//! Whether limits are met.
+//! Section of the report on limits.
 
 use polhode_document::Section;
 use polhode_document::layout::printable;
@@ -50,7 +50,7 @@ pub(crate) fn section(case: &Case, limits: &[Limit]) -> Option<Section> {
     Some(section)
 }
 
-/// `All 5 limits are met; in 87.2 % (85.1 … 89.0 %) of possible bodies`
+/// Returns words such as `All 5 limits are met; in 87.2 % (85.1 … 89.0 %) of possible bodies`.
 pub(crate) fn answer_in_words(case: &Case) -> Option<String> {
     let answers = case.limits.as_ref().filter(|answers| !answers.answers.is_empty())?;
     let (met, all) = (answers.answers.iter().filter(|answer| answer.met).count(), answers.answers.len());
@@ -65,7 +65,7 @@ pub(crate) fn answer_in_words(case: &Case) -> Option<String> {
     })
 }
 
-/// Names of those that are not met.
+/// Iterates over the names of the limits that are not met.
 pub(crate) fn broken<'a>(case: &'a Case, limits: &'a [Limit]) -> impl Iterator<Item = &'a str> {
     let answers = case.limits.iter().flat_map(|answers| &answers.answers);
     answers.zip(limits).filter(|(answer, _)| !answer.met).map(|(_, limit)| limit.name.as_str())
@@ -89,16 +89,17 @@ pub(crate) fn allowed(limit: &Limit, scale: f64) -> String {
     }
 }
 
-/// `87.2 % (85.1 … 89.0 %)`
+/// Returns words such as `87.2 % (85.1 … 89.0 %)`.
 fn probability(share: &Share) -> String {
     let [low, high] = share.interval.map(end);
     format!("{}{NO_BREAK}({low} … {high}{NO_BREAK}%)", percent(share.estimate()))
 }
 
-/// In percent: near 0 and 1 with the decimals in which it is neither.
+/// Formats a probability in percent. Near 0 and 1, enough decimals are shown to differ from 0 and
+/// 100.
 fn end(p: f64) -> String {
     const NEAR: f64 = 1e-3;
-    /// Nearer than this only rounding keeps it from 0 or 1.
+    /// Distance from 0 or 1 that is only rounding error.
     const ROUNDING: f64 = 1e-12;
     let beside = p.min(1.0 - p);
     if beside < ROUNDING {

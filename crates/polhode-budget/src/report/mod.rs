@@ -1,4 +1,4 @@
-//! What a parts list comes to, for people and for programs.
+//! Reports of a parts list, for people and for programs.
 
 mod ballast;
 mod body;
@@ -39,37 +39,38 @@ use found::Found;
 pub use diff::BudgetDiff;
 pub use of_file::Scope;
 
-/// Statements of a parts list besides its rows and its limits.
+/// Statements of a parts list outside its rows and its limits.
 #[derive(Clone, Debug, Default)]
 struct Statements {
-    /// How many bodies it asks to be drawn.
+    /// Requested number of draws.
     draws: Option<usize>,
     ballast: Option<Ballast>,
     prescribed: Option<Prescribed>,
 }
 
-/// A mass budget: one of each configuration, ready to be read.
+/// Report of a mass budget, with one case for each configuration.
 #[derive(Clone, Debug)]
 pub struct BudgetReport {
     title: String,
-    /// What was read, line by line.
+    /// Descriptions of the sources, line by line.
     sources: Vec<String>,
     options: Questions,
     limits: Vec<Limit>,
     ballast: Option<Ballast>,
-    /// What it says besides, for differences.
+    /// Other statements of the list, for differences.
     stated: Statements,
     cases: Vec<Case>,
 }
 
 impl BudgetReport {
-    /// Computes what is asked of each configuration, at least one, and tries the limits by its draws, if there are any; `sources` say what was read.
+    /// Computes the report of each configuration, of which there must be at least one. Tests the
+    /// limits with its draws, if there are any. `sources` describes the files that were read.
     ///
-    /// Without a number of draws none are drawn.
+    /// Without a number of draws, nothing is drawn.
     ///
     /// # Errors
-    /// As [`Budget::estimate`], [`Budget::draws`] and [`Budget::limits`], and if the point of
-    /// [`Questions::about`] is so far that the tensor about it is not finite.
+    /// Same as [`Budget::estimate`], [`Budget::draws`] and [`Budget::limits`]. Also an error if the
+    /// point of [`Questions::about`] is so far away that the tensor about it is not finite.
     pub fn new(
         title: Option<&str>,
         sources: Vec<String>,
@@ -81,10 +82,10 @@ impl BudgetReport {
     }
 
     /// Computes the report as [`BudgetReport::new`] does, and calls `reached` with the number of
-    /// drawn bodies of a configuration.
+    /// bodies of a configuration drawn so far.
     ///
     /// # Errors
-    /// As [`BudgetReport::new`].
+    /// Same as [`BudgetReport::new`].
     pub fn watched(
         title: Option<&str>,
         sources: Vec<String>,
@@ -112,23 +113,24 @@ impl BudgetReport {
         })
     }
 
-    /// Bodies that are drawn of a list that is not long.
+    /// Default number of draws for short lists.
     pub const DRAWS: usize = 10_000;
 
-    /// Default number of draws: [`Self::DRAWS`]; for long lists fewer, which take some ten seconds, and 200 at least.
+    /// Returns the default number of draws: [`Self::DRAWS`], or fewer for long lists, so that they
+    /// take about ten seconds. It is at least 200.
     pub fn affordable_draws(rows: usize) -> usize {
-        /// Rows times draws.
+        /// Largest product of rows and draws.
         const ROWS: usize = 20_000_000;
         const LEAST: usize = 200;
         (ROWS / rows.max(1)).clamp(LEAST, Self::DRAWS)
     }
 
-    /// Returns the report with ballast by which each configuration meets the limits.
+    /// Returns the report with ballast with which each configuration meets the limits.
     ///
-    /// Limits for which none can be sought are left out, and named.
+    /// Limits that the search cannot treat are left out and named.
     ///
     /// # Errors
-    /// As [`Budget::ballast`], and if it can be sought for none of them.
+    /// Same as [`Budget::ballast`]. Also an error if the search can treat none of the limits.
     pub fn with_ballast(mut self, ballast: Ballast) -> Result<Self, BallastError> {
         for case in &mut self.cases {
             case.ballast = Some(Found::new(&case.budget, &ballast, &self.limits)?);
@@ -137,7 +139,8 @@ impl BudgetReport {
         Ok(self)
     }
 
-    /// With what the list says besides its rows and its limits, of which nothing is computed: differences are of that too.
+    /// Adds other statements of the list. Nothing is computed from them, but differences include
+    /// them.
     fn with_statements(mut self, statements: Statements) -> Self {
         for (name, dry, _) in statements.prescribed.iter().flat_map(Prescribed::dry) {
             let cases = self.cases.iter_mut().filter(|case| case.name.as_deref() == name);
@@ -147,10 +150,11 @@ impl BudgetReport {
         self
     }
 
-    /// With what a configuration is by how full its tanks are, and, with a time, from 0 until then.
+    /// Adds a configuration as a function of the fill of its tanks. If `until` is given, also adds
+    /// it over time, from t = 0 to `until`, s.
     ///
     /// # Errors
-    /// As [`Sequence::rows`].
+    /// Same as [`Sequence::rows`].
     pub fn with_sequence(
         mut self,
         configuration: Option<&str>,
@@ -163,7 +167,7 @@ impl BudgetReport {
         Ok(self)
     }
 
-    /// True if a limit is not met or an allowable mass exceeded.
+    /// Returns true if a limit is not met, or if an allowable mass is exceeded.
     pub fn is_beyond(&self) -> bool {
         let is_beyond = |case: &Case| {
             case.exceeded().next().is_some() || limits::broken(case, &self.limits).next().is_some()
@@ -171,12 +175,13 @@ impl BudgetReport {
         self.cases.iter().any(is_beyond)
     }
 
-    /// The names of the configurations.
+    /// Returns the names of the configurations.
     pub fn names(&self) -> Vec<Option<String>> {
         self.cases.iter().map(|case| case.name.clone()).collect()
     }
 
-    /// The ten numbers of each drawn body, in the order of [`NUMBERS`](crate::NUMBERS), of each configuration; none without draws.
+    /// Iterates over the configurations. Each item has the ten numbers of each drawn body, in the
+    /// order of [`NUMBERS`](crate::NUMBERS); it is empty without draws.
     pub fn draws(&self) -> impl Iterator<Item = Vec<[f64; 10]>> + '_ {
         let bodies = |case: &Case| match &case.drawn {
             Some(drawn) => drawn.draws.bodies.iter().map(numbers::ten).collect(),
@@ -185,7 +190,7 @@ impl BudgetReport {
         self.cases.iter().map(bodies)
     }
 
-    /// The report as a document: text, Markdown, a page.
+    /// Returns the report as a document: text, Markdown or HTML.
     pub fn to_document(&self) -> Document {
         let basis = self.options.basis;
         let mut sections = Vec::new();
@@ -289,7 +294,7 @@ impl BudgetReport {
     }
 }
 
-/// Refuses a point so far that the tensor about it, or its variance, is no number.
+/// Refuses a point that is so far away that the tensor about it, or its variance, overflows.
 fn about_in_range(case: &Case, options: &Questions) -> Result<(), BudgetError> {
     let Some(point) = options.about else { return Ok(()) };
     let asked = whole::asked(case.estimate(options.basis), options);
@@ -306,7 +311,8 @@ fn about_in_range(case: &Case, options: &Questions) -> Result<(), BudgetError> {
     Err(BudgetError::Value { row: RowName { row, name }, what, value: point.max_abs(), rule })
 }
 
-/// `Predicted mass 4.312 ± 0.041 kg: basic 4.010 ± 0.039 kg and a growth allowance of 0.302 kg (7.5 %)`
+/// Returns words such as
+/// `Predicted mass 4.312 ± 0.041 kg: basic 4.010 ± 0.039 kg, and a growth allowance of 0.302 kg (7.5 %)`.
 fn mass_in_words(case: &Case) -> String {
     let of = |basis| {
         let estimate = case.estimate(basis);

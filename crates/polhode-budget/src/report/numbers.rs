@@ -1,4 +1,4 @@
-//! A body as ten numbers.
+//! Ten numbers of a body.
 
 use polhode::body::MassProperties;
 use polhode::math::Frame;
@@ -6,7 +6,7 @@ use polhode_document::number::tidy;
 
 use crate::{NUMBERS, SequenceRow};
 
-/// How fast they change.
+/// Returns the rates of change of the ten numbers.
 pub(crate) fn rates(row: &SequenceRow) -> [f64; 10] {
     let [x, y, z] = row.rates.center_of_mass.to_array();
     let [xx, yy, zz, xy, xz, yz] = row.rates.inertia;
@@ -20,16 +20,17 @@ pub(crate) fn tidied(mut values: [f64; 10]) -> [f64; 10] {
     values
 }
 
-/// Returns the name of a number, the unit in which it is shown, and how many of that are one in SI.
+/// Returns the name of a number, the unit in which it is shown, and the factor from SI to that
+/// unit.
 ///
-/// Lengths have the unit that is given.
+/// Lengths are shown in the given unit.
 pub(crate) fn shown(k: usize, length: (&'static str, f64)) -> (&'static str, &'static str, f64) {
     let (name, unit) = NUMBERS[k];
     let (unit, scale) = if unit == "m" { length } else { (unit, 1.0) };
     (name, unit, scale)
 }
 
-/// The ten numbers.
+/// Returns the ten numbers of a body.
 pub(crate) fn ten<F: Frame>(body: &MassProperties<F>) -> [f64; 10] {
     let [[xx, xy, xz], [_, yy, yz], [.., zz]] = body.inertia().matrix();
     let [x, y, z] = body.center_of_mass().to_array();

@@ -1,4 +1,4 @@
-//! The report of a file.
+//! Report of a file.
 
 use polhode_source::Failure;
 
@@ -9,26 +9,27 @@ use crate::read::{BudgetFile, Questions};
 /// Extent of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scope {
-    /// Everything: draws, limits, ballast, the whole over time and by how full its tanks are.
+    /// Everything: draws, limits, ballast, and the whole over time and by tank fill.
     Full,
-    /// The list as it is given, without ballast.
+    /// List as given, without ballast.
     Given {
-        /// Limits are tried by draws.
+        /// True if limits are tested by draws.
         is_drawn: bool,
-        /// The whole over time and by how full its tanks are is computed.
+        /// True if the whole over time and by tank fill is computed.
         has_states: bool,
     },
-    /// The list as it is given, and all that it states, for a difference.
+    /// List as given, with all its statements, for a difference.
     Diff,
 }
 
 impl BudgetReport {
-    /// Computes the report of a file, or of one of its configurations; `reached` is called with the
-    /// number of bodies that are drawn, and how many are to be.
+    /// Computes the report of a file, or of one of its configurations. Calls `reached` with the
+    /// number of bodies drawn so far and the total number.
     ///
     /// # Errors
-    /// [`Failure`] without a file, for a configuration that is not there, and as
-    /// [`BudgetReport::new`], [`BudgetReport::with_sequence`] and [`BudgetReport::with_ballast`].
+    /// [`Failure`] that does not name the file: if the configuration does not exist, and for errors
+    /// of [`BudgetReport::new`], [`BudgetReport::with_sequence`] and
+    /// [`BudgetReport::with_ballast`].
     pub fn of_file(
         file: BudgetFile,
         questions: &Questions,

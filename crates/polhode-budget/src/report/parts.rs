@@ -1,4 +1,4 @@
-//! Where the parts are: a picture.
+//! Section of the report on the places of the parts, with a picture.
 
 use polhode::body::MassProperties;
 use polhode::math::Body;
@@ -10,13 +10,13 @@ use polhode_document::number::{count, number, tidy};
 use super::case::Case;
 use crate::Basis;
 
-/// Parts that are drawn: more would hide each other.
+/// Largest number of parts in the picture. More would hide each other.
 const MOST: usize = 150;
-/// Parts that are listed.
+/// Number of parts in the table.
 const ROWS: usize = 20;
-/// Where lengths are read in mm, m.
+/// Extent below which lengths are shown in mm, m.
 const SHORT: f64 = 10.0;
-/// Groups that have a colour.
+/// Number of groups that have a colour.
 const GROUPS: usize = 7;
 
 pub(crate) fn section(case: &Case, basis: Basis) -> Section {
@@ -35,7 +35,7 @@ pub(crate) fn section(case: &Case, basis: Basis) -> Section {
         vec![printable(&solid.name), x, y, z, sides]
     };
     section.table(&["part", "x", "y", "z", "box"], drawn.solids.iter().take(ROWS).map(row).collect());
-    // All the mass in the origin has no extent that could be drawn.
+    // If all mass is at the origin, there is nothing to draw.
     let is_somewhere = |solid: &Solid| solid.halves.iter().flatten().chain(&solid.center).any(|x| *x != 0.0);
     if drawn.solids.iter().any(is_somewhere) {
         section.draw(Drawing::Solids(drawn));
@@ -77,12 +77,12 @@ pub(crate) fn solids(case: &Case, basis: Basis) -> Solids {
     }
 }
 
-/// Row and mass properties of a part.
+/// Row index and mass properties of a part.
 type Part = (usize, MassProperties<Body>);
 
-/// The parts with the greatest masses, the greatest first, and how many others there are.
+/// Returns the number of parts that are left out, and the heaviest parts in descending order.
 fn heaviest(case: &Case, basis: Basis) -> (usize, Vec<Part>) {
-    // Parts that overflow make no report.
+    // A report has no parts that overflow.
     let own = |k: usize| case.budget.own(k, basis).ok().flatten();
     let (mut masses, mut count) = (Vec::new(), 0);
     for k in 0..case.budget.rows().len() {
@@ -103,7 +103,7 @@ fn shorten(masses: &mut Vec<(usize, f64)>) {
     masses.truncate(MOST);
 }
 
-/// The row below the root in which a row is; the root itself of the root.
+/// Returns the child of the root that contains a row. For the root, returns the root itself.
 fn head(case: &Case, row: usize) -> usize {
     let root = case.budget.root();
     let mut head = row;
@@ -113,7 +113,7 @@ fn head(case: &Case, row: usize) -> usize {
     head
 }
 
-/// Of the box with these mass properties: ∫x² dm = m h²/3 along each axis.
+/// Returns the half axes of the box with these mass properties: ∫x² dm = m h²/3 along each axis.
 fn halves(part: &MassProperties<Body>) -> [[f64; 3]; 3] {
     let frame = part.principal();
     let moments = frame.moments();

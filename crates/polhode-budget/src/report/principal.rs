@@ -1,4 +1,4 @@
-//! Principal moments and axes of the whole.
+//! Section of the report on principal moments and axes.
 
 use polhode::body::{Symmetry, ratio_region};
 use polhode::math::Body;
@@ -10,13 +10,14 @@ use super::case::{AXES, AxisTilt, Case};
 use crate::PrincipalUncertainty;
 use crate::read::Questions;
 
-/// Probabilities of the regions of moments: one and two standard deviations of one number.
+/// Probabilities of the regions of moments. They are those of one and two standard deviations of
+/// one number.
 const PROBABILITIES: [f64; 2] = [0.68, 0.95];
-/// What is left of terms that cancel, as a part of them.
+/// Rounding error of terms that cancel, relative to the terms.
 const ROUNDING: f64 = 1e-14;
-/// Dots of the cloud.
+/// Number of dots of the cloud.
 const DOTS: usize = 800;
-/// From this turn on (rad) first order says nothing of axes.
+/// Rotation of the axes from which on first order is not valid, rad.
 const FAR: f64 = 0.3;
 
 pub(crate) fn section(case: &Case, options: &Questions) -> Section {
@@ -76,13 +77,13 @@ pub(crate) fn section(case: &Case, options: &Questions) -> Section {
     section
 }
 
-/// `Principal moments a ± b; c ± d; e ± f kg·m²`
+/// Returns words such as `Principal moments a ± b; c ± d; e ± f kg·m²`.
 pub(crate) fn in_words(case: &Case, principal: &PrincipalUncertainty<Body>) -> String {
     let each = [0, 1, 2].map(|k| moment(case, principal, k));
     format!("Principal moments {} kg·m²", each.join("; "))
 }
 
-/// Which axes first order does not know.
+/// Returns a message with the axes that are undetermined within their errors.
 pub(crate) fn not_known(principal: &PrincipalUncertainty<Body>) -> Option<String> {
     let k = (0..3).find(|&k| principal.turn_sd[k] > FAR)?;
     let [i, j] = [(k + 1) % 3, (k + 2) % 3].map(|k| k + 1);
@@ -93,10 +94,11 @@ pub(crate) fn not_known(principal: &PrincipalUncertainty<Body>) -> Option<String
     ))
 }
 
-/// The error of a moment that has none to first order, without draws.
+/// Words for the error of a moment that has none to first order, without draws.
 const UNKNOWN: &str = "its error not to first order";
 
-/// `1.234 ± 0.012`; by draws where two moments are equal within their errors.
+/// Returns words such as `1.234 ± 0.012`. The error is that of the draws if two moments are equal
+/// within their errors.
 pub(crate) fn moment(case: &Case, principal: &PrincipalUncertainty<Body>, k: usize) -> String {
     let value = principal.frame.moments()[k];
     match (moment_sd(principal, k), &case.drawn) {
@@ -106,12 +108,12 @@ pub(crate) fn moment(case: &Case, principal: &PrincipalUncertainty<Body>, k: usi
     }
 }
 
-/// To first order, where that says what it is.
+/// Returns the standard deviation to first order, if first order is valid.
 pub(crate) fn moment_sd(principal: &PrincipalUncertainty<Body>, k: usize) -> Option<f64> {
     principal.is_first_order(k).then(|| principal.moment_covariance[k][k].max(0.0).sqrt())
 }
 
-/// Where an axis may be that symmetry does not determine.
+/// Returns words for the possible directions of an axis that symmetry does not determine.
 pub(crate) const fn freedom(symmetry: Symmetry, k: usize) -> Option<&'static str> {
     match (symmetry, k) {
         (Symmetry::Point | Symmetry::Spherical, _) => Some("any direction"),
@@ -121,7 +123,7 @@ pub(crate) const fn freedom(symmetry: Symmetry, k: usize) -> Option<&'static str
     }
 }
 
-/// i1/i3 and i2/i3.
+/// Ratios i1/i3 and i2/i3, with their errors.
 pub(crate) struct Ratios {
     pub values: [f64; 2],
     pub sd: [f64; 2],
@@ -129,7 +131,7 @@ pub(crate) struct Ratios {
 }
 
 impl Ratios {
-    /// Zero of a body without extent.
+    /// Computes the ratios. They are 0 for a body without extent.
     pub(crate) fn of(principal: &PrincipalUncertainty<Body>) -> Self {
         let [i1, i2, i3] = principal.frame.moments();
         if i3 == 0.0 {
@@ -152,7 +154,7 @@ impl Ratios {
     }
 }
 
-/// The body on the triangle of moments, with draws around it.
+/// Returns the body in the triangle of moments, with the draws around it.
 pub(crate) fn triangle(case: &Case, principal: &PrincipalUncertainty<Body>) -> Triangle {
     let Ratios { values, sd, correlation } = Ratios::of(principal);
     let region = |p: f64| Some((p, ratio_region(values, sd, correlation, p)?));

@@ -1,4 +1,4 @@
-//! Configurations beside each other.
+//! Table that compares configurations.
 
 use polhode_document::Section;
 use polhode_document::layout::printable;
@@ -17,7 +17,7 @@ pub(crate) fn section(cases: &[Case], basis: Basis) -> Section {
     let mut headers = vec!["number"];
     headers.extend(names.iter().map(String::as_str));
     headers.push("unit");
-    // Of one unit, whatever is longest.
+    // All lengths have one unit: that of the configuration with the longest.
     let length = cases
         .iter()
         .map(|case| unit_of_length(case.estimate(basis)))

@@ -1,4 +1,4 @@
-//! A body over time, and by what is in its tanks, as tables: a row each, of all digits.
+//! Tables of a body over time and by tank fill, with all digits.
 
 use polhode::motion::MassRow;
 
@@ -9,7 +9,7 @@ use super::table::to_csv;
 use super::workbook::Cell;
 use crate::SequenceRow;
 
-/// Times, the ten numbers and their rates, with headings.
+/// Returns a table of times, the ten numbers and their rates, with headings.
 pub(crate) fn history(rows: &[SequenceRow]) -> Vec<Vec<Cell>> {
     let headings = MassRow::COLUMNS.iter().chain(&MassRow::RATE_COLUMNS).map(|name| Cell::of(name));
     let row = |row: &SequenceRow| {
@@ -20,19 +20,21 @@ pub(crate) fn history(rows: &[SequenceRow]) -> Vec<Vec<Cell>> {
 }
 
 impl BudgetReport {
-    /// CSV of the body over time, as far as that is known ([`BudgetReport::with_sequence`]): mass, centre, the tensor about it and their rates, along the axes of the body, and what
-    /// is left in each tank, each row with the configuration that it is then. Two rows of one time are before and after.
+    /// Returns CSV of the body over time, if that is known ([`BudgetReport::with_sequence`]). It
+    /// has mass, centre of mass, the tensor about it and their rates, along the axes of the body.
+    /// It also has the configuration and the liquid in each tank. Two rows with the same time are
+    /// just before and just after an event.
     pub fn to_time_csv(&self) -> Option<String> {
         self.over_time().map(|rows| to_csv(&rows))
     }
 
-    /// CSV of the body by what is in each tank, and what a kilogram more in it makes of that.
+    /// Returns CSV of the body by the liquid in each tank, with derivatives per kilogram of it.
     pub fn to_fill_csv(&self) -> Option<String> {
         self.by_fill().map(|rows| to_csv(&rows))
     }
 
     pub(crate) fn over_time(&self) -> Option<Vec<Vec<Cell>>> {
-        // A file has one sequence, of the configuration that it begins as.
+        // A file has one sequence, in the configuration in which it begins.
         let mut cases = self.cases.iter();
         let all = cases.find_map(|case| case.changing.as_ref()?.over_time())?;
         let mut table = history(&all.all);
@@ -53,7 +55,7 @@ impl BudgetReport {
         let columns = ["configuration", "tank", "fill", "liquid_kg", "level_m"];
         let [_, numbers @ ..] = &MassRow::COLUMNS;
         let headings = columns.iter().chain(numbers).map(|name| Cell::of(name));
-        // What a kilogram more in the tank makes of all but the mass.
+        // Derivatives per kilogram in the tank, of all numbers except the mass.
         let per_kg = numbers.iter().skip(1).map(|name| Cell::Text(format!("{name}_per_kg")));
         let mut table = vec![headings.chain(per_kg).collect()];
         for case in &self.cases {

@@ -1,4 +1,4 @@
-//! The rows of a budget as a table, for spreadsheets.
+//! Rows of a budget as a table, for spreadsheets.
 
 use std::io;
 
@@ -11,7 +11,7 @@ use super::numbers::ten;
 use super::workbook::{Cell, Sheet};
 use crate::{Basis, NUMBERS};
 
-/// What stands above the columns.
+/// Headings of the columns.
 const COLUMNS: [&str; 19] = [
     "configuration",
     "name",
@@ -35,22 +35,23 @@ const COLUMNS: [&str; 19] = [
 ];
 
 impl BudgetReport {
-    /// Writes CSV with a row for each row of each configuration: its masses, all copies counted, and
-    /// the mass properties of one copy with all in it, along the axes of the body, the tensor about
-    /// its own centre of mass with Ixy = −∫ x y dm.
+    /// Writes CSV with a line for each row of each configuration. Masses count all copies. Mass
+    /// properties are those of one copy with its descendants, along the axes of the body. The
+    /// tensor is about the row's own centre of mass, with Ixy = −∫ x y dm.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn write_csv(&self, out: &mut dyn io::Write) -> io::Result<()> {
         out.write_all(line(&headings(&COLUMNS)).as_bytes())?;
         self.each_row(&mut |row| out.write_all(line(&row).as_bytes()))
     }
 
-    /// Returns the same as sheets of a workbook, the ten numbers of each configuration with their
-    /// errors and covariance, and the body over time and by what is in its tanks, as far as known.
+    /// Returns the sheets of a workbook. They have the same rows, and the ten numbers of each
+    /// configuration with their errors and covariance. If known, they also have the body over time
+    /// and by tank fill.
     ///
     /// # Errors
-    /// None of a report, of which all rows have been summed.
+    /// None for a report: all its rows were summed before.
     pub(crate) fn to_sheets(&self) -> io::Result<Vec<Sheet>> {
         let mut parts = vec![headings(&COLUMNS)];
         self.each_row(&mut |row| {
@@ -120,7 +121,7 @@ fn headings(names: &[&str]) -> Vec<Cell> {
     names.iter().map(|name| Cell::of(name)).collect()
 }
 
-/// A line for each row.
+/// Returns CSV with a line for each row.
 pub(crate) fn to_csv(rows: &[Vec<Cell>]) -> String {
     rows.iter().map(|row| line(row)).collect()
 }

@@ -1,4 +1,4 @@
-//! Mass, centre and tensor of the whole.
+//! Section of the report on the mass properties of the whole.
 
 use polhode::math::{Body, Frame, Rotation};
 use polhode_document::Section;
@@ -11,7 +11,7 @@ use crate::read::Questions;
 use crate::tensor::elements;
 use crate::{Basis, Estimate, EstimateAbout, NUMBERS};
 
-/// Where lengths are read in mm, m.
+/// Extent below which lengths are shown in mm, m.
 const SHORT: f64 = 10.0;
 
 pub(crate) fn section(case: &Case, options: &Questions) -> Section {
@@ -31,7 +31,7 @@ pub(crate) fn section(case: &Case, options: &Questions) -> Section {
     section
 }
 
-/// `Centre of mass (1.2 ± 0.3, −0.4 ± 0.3, 102.1 ± 0.8) mm`
+/// Returns words such as `Centre of mass (1.2 ± 0.3, −0.4 ± 0.3, 102.1 ± 0.8) mm`.
 pub(crate) fn center_in_words(case: &Case, basis: Basis) -> String {
     let estimate = case.estimate(basis);
     let (unit, scale) = unit_of_length(estimate);
@@ -40,14 +40,14 @@ pub(crate) fn center_in_words(case: &Case, basis: Basis) -> String {
     format!("Centre of mass ({}) {unit}", each.join(", "))
 }
 
-/// The unit of the centre, and how many of it are one m.
+/// Returns the unit in which the centre of mass is shown, and the factor from m to that unit.
 pub(crate) fn unit_of_length<F: Frame>(estimate: &Estimate<F>) -> (&'static str, f64) {
     if estimate.properties.center_of_mass().max_abs() < SHORT { ("mm", 1e3) } else { ("m", 1.0) }
 }
 
-/// What is wanted about another point or along other axes.
+/// Mass properties about the requested point or along the requested axes.
 pub(crate) struct Asked {
-    /// Along the axes, the centre of mass from the body's origin.
+    /// Ten numbers along the axes, with the centre of mass from the body's origin.
     pub numbers: [f64; 10],
     pub covariance: [[f64; 10]; 10],
 }
@@ -91,7 +91,7 @@ fn numbers(section: &mut Section, values: &[f64; 10], covariance: &[[f64; 10]; 1
     section.table(&["number", "value ± sd", "unit"], (0..10).map(row).collect());
 }
 
-/// Of numbers that have an error.
+/// Returns the correlation of two numbers, if both have an error.
 pub(crate) fn correlation(covariance: &[[f64; 10]; 10], i: usize, j: usize) -> Option<f64> {
     let size = (covariance[i][i] * covariance[j][j]).sqrt();
     (size > 0.0).then(|| covariance[i][j] / size)

@@ -1,4 +1,5 @@
-//! Sheets of words and numbers as an XLSX workbook: ISO/IEC 29500, with texts in their cells and no styles.
+//! Sheets of texts and numbers as an XLSX workbook: ISO/IEC 29500, with inline texts and without
+//! styles.
 
 use std::fmt::Write as _;
 use std::io::{self, Seek, Write};
@@ -8,23 +9,23 @@ use zip::write::SimpleFileOptions;
 
 use crate::read::column_name;
 
-/// A sheet.
+/// Sheet of a workbook.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
-    /// What stands on its tab: up to 31 letters.
+    /// Name on the tab, at most 31 characters.
     pub name: &'static str,
-    /// From above, each from the left.
+    /// Rows from the top, each with its cells from the left.
     pub rows: Vec<Vec<Cell>>,
 }
 
-/// What stands in a cell.
+/// Content of a cell.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
-    /// Nothing.
+    /// Cell without content.
     Empty,
-    /// Words, which no program takes for a formula.
+    /// Text, which no program takes for a formula.
     Text(String),
-    /// A number; nothing if it is not finite.
+    /// Number; the cell is empty if it is not finite.
     Number(f64),
 }
 
@@ -34,10 +35,10 @@ const PACKAGE: &str = "http://schemas.openxmlformats.org/package/2006";
 const HEAD: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"yes\"?>\n";
 const KIND: &str = "application/vnd.openxmlformats-officedocument.spreadsheetml";
 
-/// Writes a workbook. The same sheets make the same bytes.
+/// Writes a workbook. The same sheets give the same bytes.
 ///
 /// # Errors
-/// Of the file.
+/// Errors of `out`.
 pub fn write(sheets: &[Sheet], out: impl Write + Seek) -> io::Result<()> {
     let mut zip = ZipWriter::new(out);
     let mut file = |name: &str, text: String| -> io::Result<()> {
@@ -110,7 +111,7 @@ fn content(sheet: &Sheet) -> String {
     text + "</sheetData></worksheet>"
 }
 
-/// As XML has it; letters that it cannot hold are left out.
+/// Escapes text for XML. Characters that XML does not allow are left out.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

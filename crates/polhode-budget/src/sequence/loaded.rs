@@ -1,4 +1,4 @@
-//! A body with liquid in its tanks, and what more of it would add.
+//! Body with liquid in its tanks, and its change per kilogram of liquid.
 
 use polhode::body::{BodyError, MassProperties};
 use polhode::math::{Body, Part, Position, Rotation, Velocity};
@@ -8,7 +8,7 @@ use crate::sequence_error::SequenceError;
 use crate::tank::{Fill, Slice, Tank};
 use crate::tensor::{elements, plus, rows, steiner};
 
-/// A tank where it stands in the body.
+/// Tank at its place in the body.
 #[derive(Clone, Debug)]
 pub(super) struct PlacedTank<'a> {
     pub(super) tank: &'a Tank,
@@ -17,8 +17,10 @@ pub(super) struct PlacedTank<'a> {
 }
 
 impl PlacedTank<'_> {
+    /// Returns the state of the liquid with a mass, kg.
+    ///
     /// # Errors
-    /// [`SequenceError::Fill`]
+    /// [`SequenceError::Fill`] if the tank does not hold this mass.
     pub(super) fn filled(&self, mass: f64, time: f64) -> Result<Fill, SequenceError> {
         self.tank.liquid.at(mass).ok_or_else(|| SequenceError::Fill {
             tank: self.tank.name.clone(),
@@ -32,7 +34,7 @@ impl PlacedTank<'_> {
         fill.properties.map(|liquid| liquid.placed(self.position, self.rotation)).transpose()
     }
 
-    /// What a kilogram more adds, along the axes of the body.
+    /// Returns the change per kilogram of liquid, along the axes of the body.
     pub(super) fn slice(&self, slice: &Slice) -> Slice {
         let center = self.position + self.rotation * Position::from_array(slice.center);
         let (r, s) = (self.rotation.matrix(), rows(slice.tensor));
@@ -46,9 +48,10 @@ impl PlacedTank<'_> {
     }
 }
 
-/// Ṁ, ċ and İ of a body to which slices come at these rates, kg/s.
+/// Returns Ṁ, ċ and İ of a body to which slices are added at these rates, kg/s.
 ///
-/// Ṁ = Σ ṁ, ċ = Σ ṁ (g − c)/M, İ = Σ ṁ (T + d² 1 − d dᵀ), d = g − c: what the centre's own motion adds to İ about it is of second order.
+/// Ṁ = Σ ṁ, ċ = Σ ṁ (g − c)/M, İ = Σ ṁ (T + d² 1 − d dᵀ), d = g − c. The motion of the centre
+/// contributes to İ about the centre only in second order.
 pub(super) fn rates(body: &MassProperties<Body>, slices: &[(f64, Slice)]) -> MassRates {
     let center = body.center_of_mass().to_array();
     let mut sum = MassRates { mass: 0.0, center_of_mass: Velocity::ZERO, inertia: [0.0; 6] };

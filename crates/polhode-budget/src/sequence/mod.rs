@@ -1,7 +1,9 @@
-//! What happens to a body over time: tanks that drain, parts that are dropped, arms that unfold.
+//! Changes of a body over time: draining tanks, dropped parts, unfolding arms.
 //!
-//! Everything is prescribed: at every time the body is the rows that are there and the liquid that is left. Mass properties and their rates are exact at every time, as
-//! what leaves a tank next is the slice at the surface of its liquid. Errors are those of the parts list, and of what is in its tanks at first ([`Budget::estimate`]).
+//! All changes are prescribed. At any time, the body consists of the rows that are present and the
+//! liquid that remains. Mass properties and their rates are exact at any time, because the next
+//! liquid to leave a tank is the slice at its surface. Errors are those of the parts list and of
+//! the initial contents of the tanks ([`Budget::estimate`]).
 
 mod loaded;
 mod timeline;
@@ -16,7 +18,7 @@ use crate::sequence_error::SequenceError;
 use crate::tank::Tank;
 use timeline::Timeline;
 
-/// What is to happen to a body.
+/// Prescribed changes of a body over time.
 ///
 /// ```
 /// use polhode::math::{Direction, Position};
@@ -44,54 +46,56 @@ use timeline::Timeline;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sequence<'a> {
-    /// The body without liquid, at the start.
+    /// Body without liquid, at the start.
     pub budget: &'a Budget,
-    /// With or without growth.
+    /// Mass basis: without or with growth.
     pub basis: Basis,
-    /// The tanks, and what is in them before the first burn, kg.
+    /// Tanks, and the mass of liquid in each before the first burn, kg.
     pub tanks: Vec<(Tank, f64)>,
-    /// What leaves them.
+    /// Flows out of the tanks.
     pub burns: Vec<Burn>,
-    /// What happens at once.
+    /// Instantaneous changes of the body.
     pub changes: Vec<Change<'a>>,
 }
 
-/// A flow out of a tank, steady for a time; a flow that changes is several of them.
+/// Constant flow out of a tank over a time interval. A variable flow is a series of burns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Burn {
-    /// Of which tank.
+    /// Name of the tank.
     pub tank: String,
-    /// s
+    /// Start time, s.
     pub from: f64,
-    /// s
+    /// End time, s.
     pub until: f64,
-    /// kg/s
+    /// Mass flow, kg/s.
     pub flow: f64,
 }
 
-/// What happens at once.
+/// Instantaneous change of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change<'a> {
-    /// Rows go, with all that stands in them and what is in their tanks: each part keeps its own ω.
+    /// Removal of rows with their descendants and the liquid in their tanks. Each part keeps its
+    /// own ω.
     Drop {
-        /// When, s.
+        /// Time of the removal, s.
         time: f64,
-        /// By their names.
+        /// Names of the rows.
         rows: Vec<String>,
     },
-    /// The body takes another form of the same mass, as its arms unfold: angular momentum is kept.
+    /// Change to another form of the same mass, for example by unfolding arms. Angular momentum is
+    /// conserved.
     Become {
-        /// When, s.
+        /// Time of the change, s.
         time: f64,
-        /// What that form is called.
+        /// Name of the new form.
         name: String,
-        /// Its parts from then on; rows that have gone before do not come back.
+        /// Parts from then on. Rows that were removed before stay removed.
         budget: &'a Budget,
     },
 }
 
 impl Change<'_> {
-    /// When, s.
+    /// Returns the time of the change, s.
     pub const fn time(&self) -> f64 {
         match self {
             Self::Drop { time, .. } | Self::Become { time, .. } => *time,
@@ -99,47 +103,49 @@ impl Change<'_> {
     }
 }
 
-/// The body at a time.
+/// State of the body at one time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SequenceRow {
-    /// s
+    /// Time of the state, s.
     pub time: f64,
-    /// How many changes have happened.
+    /// Number of changes that have happened.
     pub changes: usize,
-    /// All that is there.
+    /// Mass properties of everything that is present.
     pub properties: MassProperties<Body>,
-    /// How fast that changes.
+    /// Rates of change of the mass properties.
     pub rates: MassRates,
-    /// What is in each tank, kg; nothing of one that has gone.
+    /// Mass of the liquid in each tank, kg; 0 for a removed tank.
     pub liquid: Vec<f64>,
 }
 
 impl<'a> Sequence<'a> {
-    /// A body with so much in its tanks, to which nothing happens.
+    /// Returns a sequence without changes, of a body with these masses in its tanks, kg.
     pub fn of(budget: &'a Budget, basis: Basis, tanks: impl IntoIterator<Item = (Tank, f64)>) -> Self {
         Self { budget, basis, tanks: tanks.into_iter().collect(), burns: Vec::new(), changes: Vec::new() }
     }
 
-    /// The body just after a time.
+    /// Returns the state of the body just after a time, s.
     ///
     /// # Errors
-    /// [`SequenceError`] that names what cannot be.
+    /// [`SequenceError`] that names the invalid item.
     pub fn at(&self, time: f64) -> Result<SequenceRow, SequenceError> {
         Timeline::of(self)?.after(time)
     }
 
-    /// The body at both ends of each stretch in which nothing begins or ends, and at so many places between them: at a corner or a jump there are two rows of one time.
+    /// Returns states of the body over a time span, s. Each interval without events is divided into
+    /// `pieces` equal parts. A corner or a jump has two rows with the same time: one before and one
+    /// after it.
     ///
     /// # Errors
-    /// As [`Sequence::at`].
+    /// Same as [`Sequence::at`].
     pub fn rows(&self, span: [f64; 2], pieces: usize) -> Result<Vec<SequenceRow>, SequenceError> {
         Timeline::of(self)?.rows(span, pieces)
     }
 
-    /// What a simulation takes: cubics with these rates between such rows.
+    /// Returns the input of a simulation: cubics between such rows, with these rates.
     ///
     /// # Errors
-    /// As [`Sequence::at`]; [`SequenceError::Motion`] as [`MassHistory::new`].
+    /// Same as [`Sequence::at`]; [`SequenceError::Motion`] for errors of [`MassHistory::new`].
     pub fn history(
         &self,
         span: [f64; 2],
@@ -154,10 +160,11 @@ impl<'a> Sequence<'a> {
         MassHistory::new(&rows.collect::<Vec<_>>(), outflow).map_err(SequenceError::Motion)
     }
 
-    /// The body by how full its tanks are, all alike, without regard to time: rates are those of one more part of a full tank each.
+    /// Returns the body as a function of the fill fraction, which is the same for all tanks,
+    /// without regard to time. Rates are derivatives with respect to the fraction.
     ///
     /// # Errors
-    /// As [`Sequence::at`].
+    /// Same as [`Sequence::at`].
     pub fn by_fill(&self, fractions: &[f64]) -> Result<Vec<SequenceRow>, SequenceError> {
         let timeline = Timeline::of(self)?;
         fractions.iter().map(|&fraction| timeline.filled(fraction)).collect()

@@ -1,4 +1,4 @@
-//! A sequence of which everything has its place.
+//! Checked sequence, divided into stages between changes.
 
 use std::collections::HashSet;
 
@@ -14,36 +14,38 @@ use crate::subtrees::combined;
 use crate::tank::Slice;
 use crate::tensor::scaled;
 
-/// The stretches between changes of the body.
+/// Stages of a sequence, between changes of the body.
 #[derive(Debug)]
 pub(super) struct Timeline<'a> {
     sequence: &'a Sequence<'a>,
     stages: Vec<Stage<'a>>,
 }
 
-/// From a change to the next.
+/// Stage from one change to the next.
 #[derive(Debug)]
 struct Stage<'a> {
     from: f64,
-    /// Without liquid.
+    /// Mass properties without liquid.
     dry: Option<MassProperties<Body>>,
-    /// Of each tank; `None` of one that has gone.
+    /// Place of each tank; `None` for a removed tank.
     tanks: Vec<Option<PlacedTank<'a>>>,
 }
 
-/// The side from which a time is looked at.
+/// Side from which the limit at a time is taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Side {
     Before,
     After,
 }
 
-/// What mass may differ by when a body takes another form.
+/// Largest relative difference of the mass when a body takes another form.
 const SAME: f64 = 1e-12;
 
 impl<'a> Timeline<'a> {
+    /// Checks a sequence and divides it into stages.
+    ///
     /// # Errors
-    /// [`SequenceError`]
+    /// [`SequenceError`] that names the invalid item.
     pub(super) fn of(sequence: &'a Sequence<'a>) -> Result<Self, SequenceError> {
         sequence.check()?;
         let mut changes: Vec<&Change<'a>> = sequence.changes.iter().collect();
@@ -114,7 +116,7 @@ impl<'a> Timeline<'a> {
         Ok(rows)
     }
 
-    /// All tanks full to a part of what they hold.
+    /// Returns the body with all tanks filled to a fraction of their capacity.
     pub(super) fn filled(&self, fraction: f64) -> Result<SequenceRow, SequenceError> {
         let Some(stage) = self.stages.first() else { return Err(SequenceError::Nothing { time: 0.0 }) };
         let capacities = self.sequence.tanks.iter().map(|(tank, _)| tank.liquid.capacity());
@@ -127,7 +129,7 @@ impl<'a> Timeline<'a> {
             Side::Before => stage.from < time,
             Side::After => stage.from <= time,
         });
-        // The first is there from the beginning of time.
+        // The first stage starts at −∞.
         let changes = begun.saturating_sub(1);
         let Some(stage) = self.stages.get(changes) else { return Err(SequenceError::Nothing { time }) };
         let loads: Vec<[f64; 2]> =
@@ -140,7 +142,7 @@ impl<'a> Timeline<'a> {
         Ok(SequenceRow { changes, ..stage.loaded(time, &loads)? })
     }
 
-    /// What is in a tank, and how fast it becomes more.
+    /// Returns the mass in a tank, kg, and its rate of change, kg/s.
     fn load(&self, tank: &str, at_first: f64, time: f64, side: Side) -> [f64; 2] {
         let burns = self.sequence.burns.iter().filter(|burn| burn.tank == tank);
         burns.fold([at_first, 0.0], |[mass, rate], burn| {
@@ -182,7 +184,7 @@ impl<'a> Stage<'a> {
         Ok(Self { from, dry, tanks })
     }
 
-    /// With this much in each tank, and this much more each second.
+    /// Returns the body with these masses, kg, and rates of change, kg/s, in the tanks.
     fn loaded(&self, time: f64, loads: &[[f64; 2]]) -> Result<SequenceRow, SequenceError> {
         let of_sum = |error| SequenceError::Budget(BudgetError::Sum(error));
         let (mut parts, mut slices) = (Vec::from_iter(self.dry), Vec::<(f64, Slice)>::new());
@@ -228,7 +230,7 @@ impl Sequence<'_> {
 }
 
 impl Budget {
-    /// Does a row stand in one of these, or is it one?
+    /// Returns true if a row is one of these rows or a descendant of one.
     fn is_within(&self, name: &str, rows: &[&str]) -> bool {
         let mut at = self.rows.position(name);
         while let Some(k) = at {
@@ -240,7 +242,7 @@ impl Budget {
         false
     }
 
-    /// All rows but these and what stands in them, together.
+    /// Combines all rows except these and their descendants.
     fn without(
         &self,
         rows: &[&str],

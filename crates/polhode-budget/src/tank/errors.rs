@@ -1,4 +1,4 @@
-//! How well it is known what is in a tank.
+//! Uncertainty of the liquid in a tank.
 
 use polhode::body::{BodyError, MassProperties, MassPropertiesDerivative};
 use polhode::infer::random::log_normal;
@@ -7,40 +7,42 @@ use polhode::math::{Part, Position};
 use super::{Fill, Liquid, Slice};
 use crate::tensor::{elements, plus, scaled, steiner};
 
-/// Errors of what is in a tank.
+/// Errors of the liquid in a tank.
 ///
-/// Of less of it the level is lower, of a liquid of another density all of it is lighter or heavier: the body is r P(n), with the liquid P of the density as it is stated, n kilograms of
-/// which would stand as high, and the density r relative to that. To first order more of n is the slice at the surface, and r is in proportion.
+/// A smaller amount lowers the level; another density scales the whole liquid. The body is r P(n).
+/// P(n) has the stated density and the same level, with a mass of n kilograms. r is the density
+/// relative to the stated one. To first order, an increase of n adds the slice at the surface, and
+/// r scales everything.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LiquidErrors {
-    /// What was measured.
+    /// Measured quantity of the liquid.
     pub measured: Measured,
-    /// Standard deviation of that, kg of the density as it is stated.
+    /// Standard deviation of the amount, kg of the stated density.
     pub amount: f64,
-    /// Standard deviation of the density, as a part of it.
+    /// Relative standard deviation of the density.
     pub density: f64,
 }
 
-/// What was measured of a liquid: it stays where the density is another.
+/// Measured quantity of a liquid. It does not change with the density.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measured {
-    /// Its mass: of a lighter liquid the level is higher.
+    /// Mass of the liquid. A lighter liquid has a higher level.
     Mass,
-    /// Its level, or its volume: a lighter liquid has less mass.
+    /// Level or volume of the liquid. A lighter liquid has less mass.
     Fill,
 }
 
-/// A liquid and its errors.
+/// Liquid in a tank, with its errors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UncertainLiquid {
-    /// What is in the tank.
+    /// Model of the liquid in the tank.
     pub liquid: Liquid,
-    /// How well that is known.
+    /// Errors of the amount and the density.
     pub errors: LiquidErrors,
 }
 
 impl UncertainLiquid {
-    /// Whether a part is so much of the liquid, to the rounding of printed digits.
+    /// Returns true if a part equals its mass of the liquid, within the rounding of printed digits.
     pub(crate) fn is(&self, part: &MassProperties<Part>) -> bool {
         const ROUNDING: f64 = 1e-9;
         let Some(Fill { properties: Some(liquid), .. }) = self.liquid.at(part.mass()) else { return false };
@@ -52,7 +54,8 @@ impl UncertainLiquid {
         apart <= ROUNDING * place.sqrt() && !found.iter().zip(&want).any(differs)
     }
 
-    /// What the liquid changes by with these errors of amount and density, in the tank's frame: δr of all of it, and δn of the slice at its surface.
+    /// Returns the change of the liquid for these errors of amount and density, in the tank's
+    /// frame. δr scales all of it, and δn adds the slice at its surface.
     pub(crate) fn change(
         &self,
         part: &MassProperties<Part>,
@@ -64,7 +67,7 @@ impl UncertainLiquid {
             Measured::Fill => amount,
         };
         let center = part.center_of_mass().to_array();
-        // What has been checked holds so much.
+        // The mass was checked against the capacity.
         let none = Slice { center, tensor: [0.0; 6] };
         let Slice { center: place, tensor } = self.liquid.at(mass).map_or(none, |fill| fill.next);
         let d: [f64; 3] = core::array::from_fn(|k| place[k] - center[k]);
@@ -76,7 +79,8 @@ impl UncertainLiquid {
         }
     }
 
-    /// The liquid with these errors, and whether there would be more than the tank holds: then it is full. Nothing is left where what is left is rounding.
+    /// Returns the liquid with these errors, and true if it would exceed the capacity of the tank.
+    /// In that case, the tank is full. An amount within rounding of 0 is an empty tank.
     pub(crate) fn drawn(
         &self,
         mass: f64,

@@ -1,7 +1,8 @@
-//! Tanks: the mass properties of what is in them, by how much that is.
+//! Tanks: mass properties of their contents as functions of the amount.
 //!
-//! The liquid is taken to be at rest in the tank and to turn with it like a solid: it does not slosh, and its free surface is a plane across the direction towards which
-//! it has settled. A body that spins so fast that its liquid lies at the wall has another surface: give a table then.
+//! The liquid is assumed to be at rest in the tank and to turn with it like a solid. It does not
+//! slosh. Its free surface is a plane perpendicular to the direction in which it has settled. In a
+//! fast spin the liquid is at the wall and has another surface. For this case, give a table.
 
 mod errors;
 mod section;
@@ -17,48 +18,48 @@ pub use shape::{Down, TankShape};
 pub use table::LiquidTable;
 pub use vessel::Vessel;
 
-/// A tank in the frame of a row of a parts list, which has the tank's own mass or none.
+/// Tank in the frame of a row of a parts list. The row has the tank's own mass, or none.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tank {
-    /// What it is called.
     pub name: String,
-    /// The row in whose frame it is.
+    /// Name of the row in whose frame the tank is.
     pub frame: String,
-    /// What is in it.
+    /// Model of the liquid in the tank.
     pub liquid: Liquid,
 }
 
-/// What the mass properties of a liquid follow from.
+/// Model of the mass properties of a liquid.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Liquid {
-    /// The vessel's shape.
+    /// Vessel of a known shape.
     Vessel(Box<Vessel>),
-    /// A table.
+    /// Table of mass properties.
     Table(LiquidTable),
 }
 
-/// So much liquid in a tank.
+/// Liquid of a given mass in a tank.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fill {
-    /// Nothing of an empty tank.
+    /// Mass properties of the liquid; `None` for an empty tank.
     pub properties: Option<MassProperties<Part>>,
-    /// How high it stands, m; `None` where the shape is not known.
+    /// Level of the liquid, m; `None` if it is not known.
     pub level: Option<f64>,
-    /// What more of it adds, or less of it takes away.
+    /// Change per kilogram that is added or removed.
     pub next: Slice,
 }
 
-/// What a kilogram more is like: dM = 1, d(M c) = `center`, dI = `tensor` about its own centre.
+/// Change per kilogram of liquid: dM = 1, d(M c) = `center`, dI = `tensor` about its own centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slice {
-    /// Its centre, tank axes, m.
+    /// Centre of the slice, tank axes, m.
     pub center: [f64; 3],
-    /// xx, yy, zz, xy, xz, yz about that, m². Of a table it need not be that of a body.
+    /// Elements xx, yy, zz, xy, xz, yz about the centre, m². If they are from a table, they may not
+    /// be those of a possible body.
     pub tensor: [f64; 6],
 }
 
 impl Liquid {
-    /// What a full tank holds, kg.
+    /// Returns the mass of a full tank, kg.
     pub fn capacity(&self) -> f64 {
         match self {
             Self::Vessel(vessel) => vessel.capacity(),
@@ -66,10 +67,11 @@ impl Liquid {
         }
     }
 
-    /// So many kilograms of it; `None` of less than nothing, and of more than a full tank.
+    /// Returns the liquid with a mass, kg. Returns `None` for less than nothing, and for more than
+    /// a full tank.
     pub fn at(&self, mass: f64) -> Option<Fill> {
         let capacity = self.capacity();
-        // Burns that are to empty a tank leave it with some rounding.
+        // Burns that empty a tank leave a rounding error.
         let rounding = ROUNDING * capacity;
         if !(mass >= -rounding && mass <= capacity + rounding) {
             return None;
@@ -82,5 +84,5 @@ impl Liquid {
     }
 }
 
-/// Of masses that are differences, relative to the capacity.
+/// Rounding error of masses that are differences, relative to the capacity.
 const ROUNDING: f64 = 1e-13;

@@ -1,11 +1,13 @@
-//! Plane sections of tanks across the direction in which liquid settles.
+//! Plane sections of tanks, perpendicular to the direction in which the liquid settles.
 
-/// A section: its area and the moments of that, along the two axes that follow the one that it is across.
+/// Area of a section and its first and second moments, along the two axes that follow its normal in
+/// cyclic order.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Section {
     pub(super) area: f64,
     pub(super) first: [f64; 2],
-    /// All shapes here are symmetric about one of the two axes, so that there is no product.
+    /// Second moments. All shapes here are symmetric about one of the two axes, so there is no
+    /// product.
     pub(super) second: [f64; 2],
 }
 
@@ -20,7 +22,8 @@ impl Section {
         Self { area, first: [0.0; 2], second: [0.25 * area * a * a, 0.25 * area * b * b] }
     }
 
-    /// A rectangle of half width w along the first axis and of a length along the second, with half ellipses of these heights at its ends.
+    /// Returns a rectangle with half ellipses at its ends. It has the half width w along the first
+    /// axis and a length along the second; the half ellipses have these heights.
     pub(super) fn stadium(w: f64, length: f64, [below, above]: [f64; 2]) -> Self {
         let mut sum = Self::rectangle([2.0 * w, length]);
         let half = 0.5 * length;
@@ -35,7 +38,7 @@ impl Section {
         sum
     }
 
-    /// The same with its axes in the other order.
+    /// Returns the section with its two axes exchanged.
     pub(super) const fn swapped(self) -> Self {
         let ([a, b], [c, d]) = (self.first, self.second);
         Self { area: self.area, first: [b, a], second: [d, c] }

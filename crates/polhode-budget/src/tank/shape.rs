@@ -2,25 +2,26 @@
 
 use super::section::Section;
 
-/// The inside of a tank, in its own axes, m.
+/// Inner shape of a tank in its own axes, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TankShape {
-    /// A box about the origin: its sides along x, y and z.
+    /// Box centred at the origin: its sides along x, y and z.
     Box([f64; 3]),
-    /// An ellipsoid about the origin, a sphere among them: its semi-axes.
+    /// Ellipsoid or sphere centred at the origin: its semi-axes.
     Ellipsoid([f64; 3]),
-    /// A cylinder along z with half ellipsoids at its ends; the origin is at the middle of its cylindrical part.
+    /// Cylinder along z with half ellipsoids at its ends. The origin is at the middle of the
+    /// cylindrical part.
     Cylinder {
-        /// Of the cylindrical part.
+        /// Radius of the cylindrical part.
         radius: f64,
-        /// Of the cylindrical part.
+        /// Length of the cylindrical part.
         length: f64,
-        /// Heights of the ends at −z and at +z: 0 of a flat one, the radius of a half sphere.
+        /// Heights of the ends at −z and at +z: 0 if flat, the radius for a half sphere.
         ends: [f64; 2],
     },
 }
 
-/// The direction in which liquid settles, along the tank's axes.
+/// Direction in which the liquid settles, along an axis of the tank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "they say what they are")]
 pub enum Down {
@@ -47,12 +48,12 @@ impl Down {
         Self::NAMED[self as usize].0
     }
 
-    /// The direction upwards.
+    /// Returns the opposite direction.
     pub(super) const fn opposite(self) -> Self {
         Self::NAMED[(self as usize + 3) % 6].1
     }
 
-    /// The axis, and the sign of the direction upwards.
+    /// Returns the index of the axis, and the sign of the upward direction.
     pub(super) const fn axis(self) -> (usize, f64) {
         let place = self as usize;
         (place % 3, if place < 3 { 1.0 } else { -1.0 })
@@ -60,7 +61,7 @@ impl Down {
 }
 
 impl TankShape {
-    /// The first number that cannot be.
+    /// Returns the name and the value of the first invalid number.
     pub(super) fn wrong(&self) -> Option<(&'static str, f64)> {
         let positive = |what, value: f64| (!(value > 0.0 && value.is_finite())).then_some((what, value));
         let not_negative = |what, value: f64| (!(value >= 0.0 && value.is_finite())).then_some((what, value));
@@ -76,7 +77,8 @@ impl TankShape {
         }
     }
 
-    /// Heights above the bottom between which sections are of one kind.
+    /// Returns the intervals of height above the bottom, m, in each of which all sections are of
+    /// one kind.
     pub(super) fn bands(&self, down: Down) -> Vec<[f64; 2]> {
         let (axis, up) = down.axis();
         match *self {
@@ -91,7 +93,7 @@ impl TankShape {
         }
     }
 
-    /// Where the bottom is along the axis in which liquid settles.
+    /// Returns the coordinate of the bottom along the axis in which the liquid settles, m.
     pub(super) fn bottom(&self, down: Down) -> f64 {
         let (axis, up) = down.axis();
         match *self {
@@ -104,11 +106,11 @@ impl TankShape {
         }
     }
 
-    /// The section at a height above the bottom.
+    /// Returns the section at a height above the bottom, m.
     pub(super) fn section(&self, down: Down, height: f64) -> Section {
         let (axis, up) = down.axis();
         let (p, q) = ((axis + 1) % 3, (axis + 2) % 3);
-        // 1 − (1 − u)²: of an ellipse whose lowest point is at u = 0
+        // 1 − (1 − u)²: the squared relative width of an ellipse whose lowest point is at u = 0
         let round = |u: f64| (u * (2.0 - u)).max(0.0);
         match *self {
             Self::Box(size) => Section::rectangle([size[p], size[q]]),
@@ -119,7 +121,7 @@ impl TankShape {
             Self::Cylinder { radius, length, ends } if axis != 2 => {
                 let w = round(height / radius).sqrt();
                 let section = Section::stadium(radius * w, length, ends.map(|end| end * w));
-                // x, then y and z; y, then z and x
+                // Order of the axes: x, then y and z; y, then z and x.
                 if axis == 0 { section } else { section.swapped() }
             }
             Self::Cylinder { radius, length, ends: [a, b] } => {

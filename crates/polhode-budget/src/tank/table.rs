@@ -1,4 +1,4 @@
-//! A tank by a table of the mass properties of what is in it.
+//! Tank described by a table of the mass properties of its contents.
 
 use polhode::body::MassProperties;
 use polhode::math::Part;
@@ -7,10 +7,12 @@ use super::{Fill, Slice};
 use crate::sequence_error::SequenceError;
 use crate::tensor::{elements, plus, scaled, steiner};
 
-/// The liquid of a tank at some masses.
+/// Mass properties of the liquid in a tank at some masses.
 ///
-/// From row to row mass, first moments and second moments are straight, so that every body on the way is a mixture of two possible ones, and possible; below the first
-/// row it is that of the first, thinned out. It is off by ⅛ of the second derivative of a moment times the square of the step in mass.
+/// Mass, first moments and second moments are linear between rows. Every body between two rows is a
+/// mixture of two possible bodies, and therefore possible. Below the first row, the liquid is the
+/// first row at a lower density. The interpolation error of a moment is ⅛ of its second derivative
+/// times the square of the step in mass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LiquidTable {
     rows: Vec<MassProperties<Part>>,
@@ -18,10 +20,12 @@ pub struct LiquidTable {
 }
 
 impl LiquidTable {
-    /// A liquid that is so at masses that ascend; with the levels at which it stands then, m, if they are known, which ascend too.
+    /// Makes a table from mass properties with ascending masses. The levels of the liquid, m, are
+    /// optional and must ascend too.
     ///
     /// # Errors
-    /// [`SequenceError::Value`] of what does not ascend, [`SequenceError::EmptyTable`].
+    /// [`SequenceError::Value`] if masses or levels do not ascend; [`SequenceError::EmptyTable`] if
+    /// there are no rows, or not as many levels as rows.
     pub fn new(rows: Vec<MassProperties<Part>>, levels: Option<Vec<f64>>) -> Result<Self, SequenceError> {
         let rule = "more than that of the row before";
         let ascends = |what, values: &[f64]| {
@@ -36,12 +40,12 @@ impl LiquidTable {
         Ok(Self { rows, levels })
     }
 
-    /// The rows.
+    /// Returns the mass properties of all rows.
     pub fn rows(&self) -> &[MassProperties<Part>] {
         &self.rows
     }
 
-    /// The level at which the liquid stands in each of them, m, if it is known.
+    /// Returns the level of the liquid in each row, m, if known.
     pub fn levels(&self) -> Option<&[f64]> {
         self.levels.as_deref()
     }
@@ -59,7 +63,7 @@ impl LiquidTable {
         if mass == 0.0 {
             return Some(Fill { properties: None, level, next });
         }
-        // A mixture of both rows, with weights a and b.
+        // A mixture of both rows, with weights 1 − b and b.
         let properties = match from {
             None => scaled(to, mass / to.mass()).ok(),
             Some(from) => {
@@ -83,7 +87,7 @@ impl LiquidTable {
     }
 }
 
-/// The difference of two rows for each kilogram.
+/// Returns the difference of two rows per kilogram.
 fn slope(from: Option<&MassProperties<Part>>, to: &MassProperties<Part>) -> Slice {
     let own = |body: &MassProperties<Part>| elements(body.inertia().matrix());
     let c1 = to.center_of_mass().to_array();

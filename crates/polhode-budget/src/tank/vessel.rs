@@ -1,7 +1,10 @@
-//! A tank by its shape: integrals over its sections up to a level, and the level of a volume.
+//! Tank described by its shape: integrals over its sections up to a level, and the level of a
+//! volume.
 //!
-//! Within a band of sections of one kind, u = ½ h (1 − cos φ) above its lower end makes every moment of a section a polynomial in sin φ and cos φ of six
-//! degrees at most, also where a wall begins round: Gauss's rule with [`NODES`] nodes integrates it to rounding, and nothing cancels in it, however little there is.
+//! Within a band of sections of one kind, the height above its lower end is u = ½ h (1 − cos φ).
+//! Every moment of a section is then a polynomial in sin φ and cos φ of degree at most six, also at
+//! round walls. Gauss's rule with [`NODES`] nodes integrates it to rounding. Nothing cancels, even
+//! for very little liquid.
 
 use core::f64::consts::PI;
 
@@ -14,7 +17,7 @@ use crate::sequence_error::SequenceError;
 
 const NODES: usize = 24;
 
-/// A tank by its shape, with a liquid of one density that has settled in one direction.
+/// Tank described by its shape, with a liquid of one density that has settled in one direction.
 ///
 /// ```
 /// use polhode_budget::{Down, Liquid, TankShape, Vessel};
@@ -30,17 +33,17 @@ pub struct Vessel {
     shape: TankShape,
     density: f64,
     down: Down,
-    /// Each with its volume.
+    /// Bands of height above the bottom, m, each with its volume, m³.
     bands: Vec<([f64; 2], f64)>,
-    /// Of Gauss's rule on 0 … 1: places and weights.
+    /// Nodes and weights of Gauss's rule on 0 … 1.
     nodes: Vec<[f64; 2]>,
 }
 
 impl Vessel {
-    /// A tank of this shape, for a liquid of a density, kg/m³, that settles in a direction.
+    /// Makes a tank of this shape, for a liquid of a density, kg/m³, that settles in a direction.
     ///
     /// # Errors
-    /// [`SequenceError::Value`] of a size or a density that is not positive and finite.
+    /// [`SequenceError::Value`] if a size or the density is not positive and finite.
     pub fn new(shape: TankShape, density: f64, down: Down) -> Result<Self, SequenceError> {
         let is_density = density > 0.0 && density.is_finite();
         let wrong = shape.wrong().or_else(|| (!is_density).then_some(("the density of a liquid", density)));
@@ -53,29 +56,30 @@ impl Vessel {
         Ok(vessel)
     }
 
-    /// What it is inside.
+    /// Returns the inner shape of the tank.
     pub const fn shape(&self) -> &TankShape {
         &self.shape
     }
 
-    /// Of the liquid, kg/m³.
+    /// Returns the density of the liquid, kg/m³.
     pub const fn density(&self) -> f64 {
         self.density
     }
 
-    /// Where the liquid settles.
+    /// Returns the direction in which the liquid settles.
     pub const fn down(&self) -> Down {
         self.down
     }
 
-    /// What it holds, kg.
+    /// Returns the mass of a full tank, kg.
     pub fn capacity(&self) -> f64 {
         self.density * self.bands.iter().map(|(_, volume)| volume).sum::<f64>()
     }
 
-    /// How high so many kilograms stand above the bottom, m.
+    /// Returns the level of a mass, kg, above the bottom, m.
     ///
-    /// In each band from its nearer end, of which that of the upper half is the lower one of the tank upside down: near the other end the volume hardly depends on the level.
+    /// In each band, the level is found from the nearer end, because the volume hardly depends on
+    /// the level near the other end. For the upper half, the tank is turned upside down.
     fn level(&self, mass: f64) -> f64 {
         let mut below = mass / self.density;
         let above = (self.capacity() - mass) / self.density;
@@ -98,7 +102,8 @@ impl Vessel {
         *top
     }
 
-    /// Where in a band, from its lower end on, its volume is reached: Newton's steps between bounds that close in.
+    /// Returns the phase φ up to which a band has a volume, m³. Newton's method, safeguarded by
+    /// bisection.
     fn phase(&self, down: Down, band: [f64; 2], volume: f64) -> f64 {
         if volume == 0.0 {
             return 0.0;
@@ -117,7 +122,7 @@ impl Vessel {
                 * (band[1] - band[0])
                 * libm::sin(phi);
             let newton = phi - over / slope;
-            // A step that has become rounding ends it.
+            // Convergence: the step is within rounding.
             if (newton - phi).abs() <= 2.0 * f64::EPSILON * phi {
                 return newton.clamp(low, high);
             }
@@ -135,7 +140,7 @@ impl Vessel {
         sum
     }
 
-    /// Bands up to a level, each with the phase that it is full to.
+    /// Iterates over the bands below a level, each with the phase φ up to which it is filled.
     fn filled(&self, level: f64) -> impl Iterator<Item = ([f64; 2], f64)> + '_ {
         self.bands.iter().filter(move |(band, _)| level > band[0]).map(move |&(band, _)| {
             let part = ((level - band[0]) / (band[1] - band[0])).min(1.0);
@@ -143,7 +148,7 @@ impl Vessel {
         })
     }
 
-    /// Gauss's rule over sections: heights, sections, weights.
+    /// Applies Gauss's rule over sections: calls `take` with each height, section and weight.
     fn sections(
         &self,
         down: Down,
@@ -180,16 +185,16 @@ impl Vessel {
                 *sum += weight * x;
             }
         });
-        // The mass as it was asked for: what the level has rounded is none of it.
+        // The result has exactly the requested mass, without the rounding error of the level.
         let tensor = self.tensor(second.map(|x| mass / volume * x));
         let inertia = InertiaTensor::from_matrix(crate::tensor::rows(tensor)).ok()?;
         let properties = MassProperties::new(mass, Position::from_array(self.place(center)), inertia).ok();
         Some(Fill { properties, level: Some(level), next })
     }
 
-    /// The surface at a level.
+    /// Returns the slice at the surface of a level, m.
     fn slice(&self, level: f64) -> Slice {
-        // At a point of the wall the section is a point: what is added first is there.
+        // If the section is a single point, the first liquid is added there.
         let section = self.shape.section(self.down, level);
         if section.area == 0.0 {
             return Slice { center: self.place([level, 0.0, 0.0]), tensor: [0.0; 6] };
@@ -200,7 +205,7 @@ impl Vessel {
         Slice { center: self.place(center), tensor }
     }
 
-    /// From height and the two axes that follow to the tank's axes.
+    /// Converts a height and the coordinates along the two following axes to tank axes.
     fn place(&self, [above, p, q]: [f64; 3]) -> [f64; 3] {
         let (axis, up) = self.down.axis();
         let mut place = [0.0; 3];
@@ -209,7 +214,7 @@ impl Vessel {
         place
     }
 
-    /// The tensor of second moments uu, pp, qq, up, uq, pq.
+    /// Returns the tensor from the second moments uu, pp, qq, up, uq, pq.
     fn tensor(&self, [uu, pp, qq, up, uq, pq]: [f64; 6]) -> [f64; 6] {
         let (axis, sign) = self.down.axis();
         let mut s = [[0.0; 3]; 3];
@@ -222,7 +227,7 @@ impl Vessel {
     }
 }
 
-/// Second moments uu, pp, qq, up, uq, pq of a section at a height about a point.
+/// Returns the second moments uu, pp, qq, up, uq, pq of a section at a height, about a point.
 fn moments(above: f64, section: super::section::Section, [u, p, q]: [f64; 3]) -> [f64; 6] {
     let (d, area) = (above - u, section.area);
     let [fp, fq] = section.first;
@@ -239,13 +244,14 @@ fn moments(above: f64, section: super::section::Section, [u, p, q]: [f64; 3]) ->
     ]
 }
 
-/// ½ h (1 − cos φ)
+/// Returns ½ h (1 − cos φ).
 fn height([from, to]: [f64; 2], phi: f64) -> f64 {
     let s = libm::sin(0.5 * phi);
     (to - from) * s * s
 }
 
-/// Nodes and weights of Gauss's rule on 0 … 1: Newton's iteration on Legendre's polynomial.
+/// Returns the nodes and weights of Gauss's rule on 0 … 1, by Newton's method on the Legendre
+/// polynomial.
 fn gauss() -> Vec<[f64; 2]> {
     let n = NODES as f64;
     let node = |k: usize| {

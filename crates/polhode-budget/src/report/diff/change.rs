@@ -1,22 +1,22 @@
-//! What became of a row.
+//! Changes of a row.
 
 use polhode_document::number::number;
 use serde_json::{Value, json};
 
-/// One thing that became of a row.
+/// One change of a row.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Change {
     pub row: String,
-    /// Its name in JSON.
+    /// Name of the change in JSON.
     what: &'static str,
     before: Value,
     after: Value,
-    /// Amount of the change, where there is neither before nor after.
+    /// Amount of the change, if there are no values before and after.
     by: Value,
     pub words: String,
 }
 
-/// Collects what became of one row.
+/// Collector of the changes of one row.
 pub(crate) struct Changes<'a> {
     pub row: &'a str,
     pub all: &'a mut Vec<Change>,
@@ -33,7 +33,7 @@ impl Changes<'_> {
         self.all.push(Change { row, what, before: Value::Null, after: Value::Null, by, words });
     }
 
-    /// Adds two values that differ, as `maturity B to none`.
+    /// Adds a change if two values differ, such as `maturity B to none`.
     pub(crate) fn unequal<T: PartialEq>(
         &mut self,
         [what, called]: [&'static str; 2],

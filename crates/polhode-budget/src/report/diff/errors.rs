@@ -1,23 +1,24 @@
-//! How well the numbers of a row are known, and what changed of that.
+//! Changes of the errors of a row.
 
 use polhode_document::number::number;
 
 use crate::{LiquidErrors, Measured, PartUncertainty, Row, Spread, Uncertainty};
 
-/// The standard deviation of a number of a row, before and after, SI.
+/// Standard deviation of a number of a row, before and after, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Deviation {
-    /// The column of the number.
+    /// Name of the number's column in the list.
     pub name: &'static str,
     pub sd: [f64; 2],
     unit: &'static str,
-    /// Of the unit in SI.
+    /// Factor from the SI unit to the shown unit.
     scale: f64,
 }
 
 const COUNT: usize = 18;
 
-/// Columns of numbers that have errors, and what is known of liquids, and the units in which these are shown.
+/// Columns of numbers that have errors, including those of liquids. Each has its shown unit and the
+/// factor from SI.
 const NUMBERS: [(&str, &str, f64); COUNT] = [
     ("mass", "kg", 1.0),
     ("x", "mm", 1e3),
@@ -39,10 +40,11 @@ const NUMBERS: [(&str, &str, f64); COUNT] = [
     ("density", "%", 100.0),
 ];
 
-/// Rounding of errors in other units.
+/// Relative rounding error of a change of units.
 const ROUNDING: f64 = 1e-12;
 
-/// Standard deviations that are others; none of them where only correlations are, or the point of the tensor that they are of. `None` where nothing is.
+/// Returns the standard deviations that differ. There are none if only correlations differ, or only
+/// the reference point or the sign of the tensor. Returns `None` if nothing differs.
 pub(crate) fn changed(rows: [&Row; 2]) -> Option<Vec<Deviation>> {
     let sd = rows.map(|row| deviations(&row.uncertainty));
     let mut all = Vec::new();
@@ -55,7 +57,7 @@ pub(crate) fn changed(rows: [&Row; 2]) -> Option<Vec<Deviation>> {
     let [before, after] = rows;
     let has_joint = rows.iter().any(|row| is_joint(&row.uncertainty));
     let is_correlated_otherwise = has_joint && before.uncertainty != after.uncertainty;
-    // The errors of a tensor are of that about its point, with its sign.
+    // Errors of a tensor depend on its reference point and its sign convention.
     let has_tensor = (4..10).any(|k| sd[0][k] > 0.0 && sd[1][k] > 0.0);
     let of_tensor = |row: &Row| row.part.as_ref().map(|part| (part.tensor.about.clone(), part.tensor.sign));
     let is_about_other = has_tensor && of_tensor(before) != of_tensor(after);
@@ -100,7 +102,7 @@ fn diagonal<const N: usize>(covariance: &[[f64; N]; N]) -> [f64; N] {
     core::array::from_fn(|k| covariance[k][k].sqrt())
 }
 
-/// Whether errors are given by a matrix.
+/// Returns true if errors are given by a matrix.
 const fn is_joint(of: &Uncertainty) -> bool {
     let of_part = match &of.part {
         PartUncertainty::Separate { center, tensor, .. } => {
@@ -113,7 +115,7 @@ const fn is_joint(of: &Uncertainty) -> bool {
 }
 
 impl Deviation {
-    /// `mass 0.06 to 0.002 kg`
+    /// Returns words such as `mass 0.06 to 0.002 kg`.
     pub(crate) fn words(&self) -> String {
         let [before, after] = self.sd.map(|sd| number(self.scale * sd, 4));
         format!("{} {before} to {after} {}", self.name, self.unit)

@@ -1,4 +1,4 @@
-//! What is to happen over time, in the words of the file.
+//! Sequences of changes over time, in the words of the file.
 
 use polhode::motion::{Exit, Outflow};
 use polhode_document::number::{number, vector};
@@ -7,7 +7,7 @@ use super::item::Item;
 use super::words::{direction, names, point};
 use crate::read::{OverTime, PlannedChange};
 
-/// What is said of a sequence, item by item.
+/// Returns the statements about a sequence, item by item.
 pub(crate) fn items(sequence: &OverTime, digits: usize) -> Vec<Item> {
     let seconds = |time: f64| format!("{} s", number(time, digits));
     let mut all = vec![Item::new("sequence, until", seconds(sequence.until))];
@@ -42,7 +42,7 @@ pub(crate) fn items(sequence: &OverTime, digits: usize) -> Vec<Item> {
     all
 }
 
-/// The earliest first.
+/// Iterates in ascending order of time.
 fn in_time<T>(all: &[T], time: impl Fn(&T) -> f64) -> impl Iterator<Item = &T> {
     let mut all: Vec<&T> = all.iter().collect();
     all.sort_by(|a, b| time(a).total_cmp(&time(b)));

@@ -1,9 +1,10 @@
-//! What is said of something, in words.
+//! Statements in words.
 
-/// Something that is stated, in words.
+/// Statement about an item, in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Item {
-    /// What it is called; where several are called alike their number stands between.
+    /// Name of the item in two parts. If several items have the same name, their number is between
+    /// the parts.
     pub name: [String; 2],
     pub value: String,
 }
@@ -13,7 +14,8 @@ impl Item {
         Self { name: [name.into(), String::new()], value: value.into() }
     }
 
-    /// One of perhaps several: `burn`, ` of the tank fuel`.
+    /// Returns a statement about one of possibly several items, such as `burn` and
+    /// ` of the tank fuel`.
     pub(crate) fn of_several(name: &str, of: impl Into<String>, value: impl Into<String>) -> Self {
         Self { name: [name.to_owned(), of.into()], value: value.into() }
     }

@@ -6,7 +6,7 @@ use super::words::{direction, point};
 use crate::report::limits::shown_unit;
 use crate::{About, Limit, Measure, PrincipalAxis};
 
-/// `center distance along z: most 2 mm, of predicted masses`
+/// Returns words such as `center distance along z: most 2 mm, of predicted masses`.
 pub(crate) fn in_words(limit: &Limit, digits: usize) -> String {
     let (unit, scale) = shown_unit(limit.of.unit());
     let bound = |word: &str, bound: Option<f64>| {

@@ -1,4 +1,4 @@
-//! What changed from one budget to another.
+//! Differences between two budgets.
 
 mod change;
 mod errors;
@@ -25,32 +25,33 @@ use crate::{Basis, Estimate, NUMBERS};
 use change::{Change, from_to, signed};
 use stated::Stated;
 
-/// What changed from one budget to another, row by row and in the whole.
+/// Differences between two budgets, row by row and in the whole.
 #[derive(Clone, Debug)]
 pub struct BudgetDiff<'a> {
     titles: [&'a str; 2],
     basis: Basis,
     pairs: Vec<Pair<'a>>,
-    /// Configurations that only the first has, and only the second.
+    /// Configurations that only the first budget has, and that only the second has.
     alone: [Vec<&'a str>; 2],
-    /// Besides the configurations.
+    /// Different statements outside the configurations.
     stated: Vec<Stated>,
 }
 
-/// A configuration of both.
+/// Configuration that both budgets have.
 #[derive(Clone, Debug)]
 struct Pair<'a> {
     cases: [&'a Case; 2],
     changes: Vec<Change>,
-    /// Besides the rows.
+    /// Different statements outside the rows.
     stated: Vec<Stated>,
 }
 
-/// Changes that are shown; all are in JSON.
+/// Largest number of changes that are shown. JSON has all.
 const SHOWN: usize = 100;
 
 impl<'a> BudgetDiff<'a> {
-    /// From `before` to `after`: configurations of the same name, or those of lists that have only one. A list without configurations is the same in each.
+    /// Compares two reports. Configurations with the same name are compared, or those of lists that
+    /// have only one. A list without configurations is compared with each.
     pub fn new(before: &'a BudgetReport, after: &'a BudgetReport) -> Self {
         let only = before.cases.len() == 1 && after.cases.len() == 1;
         let is_pair = |a: &Case, b: &Case| only || a.name == b.name || a.name.is_none() || b.name.is_none();
@@ -69,13 +70,13 @@ impl<'a> BudgetDiff<'a> {
         Self { titles: [&before.title, &after.title], basis: after.options.basis, pairs, alone, stated }
     }
 
-    /// True if nothing differs.
+    /// Returns true if nothing differs.
     pub fn is_empty(&self) -> bool {
         let is_same = |pair: &Pair<'_>| pair.changes.is_empty() && pair.stated.is_empty();
         self.stated.is_empty() && self.alone.iter().all(Vec::is_empty) && self.pairs.iter().all(is_same)
     }
 
-    /// As a document: text, Markdown, a page.
+    /// Returns the differences as a document: text, Markdown or HTML.
     pub fn to_document(&self) -> Document {
         let [before, after] = self.titles.map(printable);
         let title = if before == after {
@@ -119,7 +120,7 @@ impl<'a> BudgetDiff<'a> {
         Document { title, answer, sections, findings: Vec::new() }
     }
 
-    /// `3 changes of 2 rows; predicted mass 4.31 kg to 4.52 kg, by +0.21 kg`
+    /// Returns words such as `3 changes of 2 rows; predicted mass 4.31 kg to 4.52 kg, by +0.21 kg`.
     fn in_words(&self, pair: &Pair<'_>) -> String {
         let mut rows: Vec<&str> = pair.changes.iter().map(|change| change.row.as_str()).collect();
         rows.dedup();
@@ -164,7 +165,7 @@ impl<'a> BudgetDiff<'a> {
         }
     }
 
-    /// As data.
+    /// Returns the differences as JSON.
     pub fn to_json(&self) -> Value {
         let pair = |pair: &Pair<'_>| {
             let whole = pair.cases.map(|case| {

@@ -1,4 +1,4 @@
-//! What became of each row.
+//! Changes of all rows.
 
 use std::collections::{HashMap, HashSet};
 
@@ -13,10 +13,10 @@ use super::errors::{self, Deviation};
 use crate::report::case::Case;
 use crate::{CopyErrors, GivenTensor, Growth, Row, Subtotal};
 
-/// Rounding of numbers in other units.
+/// Relative rounding error of a change of units.
 const ROUNDING: f64 = 1e-12;
 
-/// In the order of the rows of the second, then what is no more.
+/// Returns the changes in the order of the rows of the second list, followed by the removed rows.
 pub(crate) fn changes(cases: [&Case; 2]) -> Vec<Change> {
     let [old, new] = cases.map(|case| case.budget.rows());
     let old_names: HashMap<&str, usize> = (0..old.len()).map(|k| (old.name(k), k)).collect();
@@ -103,7 +103,7 @@ fn differences(changes: &mut Changes<'_>, cases: [&Case; 2], rows: [usize; 2]) {
     }
 }
 
-/// The mass of one copy of a row's own part, its place and its tensor.
+/// Compares the mass of one copy of a row's own part, its place and its tensor.
 fn part(changes: &mut Changes<'_>, cases: [&Case; 2], rows: [usize; 2], [before, after]: [&Row; 2]) {
     let parts = [0, 1].map(|side| cases[side].budget.given(rows[side]));
     let masses = parts.map(|part| part.map_or(0.0, |part| part.mass()));
@@ -118,12 +118,12 @@ fn part(changes: &mut Changes<'_>, cases: [&Case; 2], rows: [usize; 2], [before,
         let by = (is.center_of_mass() - was.center_of_mass()).norm();
         let size = is.center_of_mass().max_abs().max(was.center_of_mass().max_abs());
         if by > ROUNDING * size {
-            // Both together, along the axes of the frame in which it stands.
+            // Displacement by both changes together, along the axes of the parent's frame.
             let [was, is] = [(before, was), (after, is)]
                 .map(|(row, part)| row.place.position + row.place.rotation * part.center_of_mass());
             (is_moved, distance) = (true, (is - was).norm());
         }
-        // What is only heavier has the tensor that goes with it.
+        // The tensor of a part that is only heavier changes in proportion to the mass.
         if let Some(by) = tensor_change([before, after], [&was, &is]) {
             let percent = number(100.0 * by, 3);
             changes.by("tensor", by, format!("its inertia tensor changed by up to {percent} % of itself"));
@@ -142,9 +142,10 @@ fn near(a: f64, b: f64) -> bool {
     (a - b).abs() <= ROUNDING * a.abs().max(b.abs())
 }
 
-/// By how much the tensor of a mass of 1 kg changed, about the centre of mass or as it is given, over its greatest element; `None` where that is rounding.
+/// Returns the change of the tensor per kilogram, relative to its greatest element. The tensor is
+/// about the centre of mass, or as given. Returns `None` if the change is within rounding.
 fn tensor_change(rows: [&Row; 2], parts: [&MassProperties<Part>; 2]) -> Option<f64> {
-    /// The way from another point to the centre of mass costs digits.
+    /// Rounding threshold about the centre of mass. The conversion from another point loses digits.
     const OF_CENTER: f64 = 1e-9;
     let own = parts.map(|part| {
         let [[xx, xy, xz], [_, yy, yz], [.., zz]] = part.inertia().matrix();
@@ -164,7 +165,8 @@ fn tensor_change(rows: [&Row; 2], parts: [&MassProperties<Part>; 2]) -> Option<f
     of_center.or(change([of(was, parts[0].mass()), of(is, parts[1].mass())], ROUNDING))
 }
 
-/// The greatest difference over the greatest number, if it is more than rounding.
+/// Returns the greatest difference relative to the greatest number, if it exceeds the rounding
+/// error.
 fn change([was, is]: [[f64; 6]; 2], rounding: f64) -> Option<f64> {
     let greatest = was.iter().chain(&is).fold(0.0_f64, |most, x| most.max(x.abs()));
     let by = was.iter().zip(&is).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));

@@ -5,7 +5,7 @@ use polhode_document::number::number;
 use super::words::{direction, point};
 use crate::{BallastPlace, Round, Site};
 
-/// `at (0, 0, -10) mm, radius 80 mm, normal z, rim; most 0.2 kg`
+/// Returns words such as `at (0, 0, -10) mm, radius 80 mm, normal z, rim; most 0.2 kg`.
 pub(crate) fn in_words(site: &Site, digits: usize) -> String {
     let round = |round: &Round| {
         format!(

@@ -1,4 +1,5 @@
-//! What two parts lists state besides their rows: groups, growth allowances, limits, sites, tanks, questions, and what is to happen.
+//! Statements of two parts lists outside their rows: groups, growth allowances, limits, sites,
+//! tanks, questions and sequences.
 
 use std::collections::HashMap;
 
@@ -14,17 +15,18 @@ use crate::report::BudgetReport;
 use crate::report::case::Case;
 use crate::{ErrorKind, Group};
 
-/// Something that is stated differently, in words; `None` where it is not stated.
+/// Statement that differs, in words; `None` if a list does not have it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Stated {
     what: String,
     values: [Option<String>; 2],
 }
 
-/// With so many digits numbers are shown, and with so many they are compared: rounding of other units is less.
+/// Digits with which numbers are shown, and with which they are compared. A change of units has a
+/// smaller rounding error.
 const DIGITS: [usize; 2] = [6, 12];
 
-/// What is stated differently of all configurations.
+/// Returns the statements that differ and that hold for all configurations.
 pub(crate) fn of_reports(reports: [&BudgetReport; 2]) -> Vec<Stated> {
     let mut all = compared(reports.map(|report| in_digits(|digits| of_report(report, digits))));
     let names = reports.map(|report| report.names().into_iter().flatten().collect::<Vec<_>>());
@@ -67,13 +69,13 @@ fn of_report(report: &BudgetReport, digits: usize) -> Vec<Item> {
     all
 }
 
-/// The name of a configuration, if it is another.
+/// Returns the name of a configuration, if it differs.
 pub(crate) fn of_cases(cases: [&Case; 2]) -> Vec<Stated> {
     let name = |case: &Case| case.name.iter().map(|name| Item::new("configuration", name)).collect();
     compared(cases.map(|case| in_digits(|_| name(case))))
 }
 
-/// Groups and growth allowances, which all configurations of a file have alike.
+/// Returns groups and growth allowances, which are the same in all configurations of a file.
 fn of_lists(cases: &[Case], digits: usize) -> Vec<Item> {
     let percent = |x: f64| format!("{} %", number(100.0 * x, digits));
     let mut all: Vec<Item> = Vec::new();
@@ -89,10 +91,10 @@ fn of_lists(cases: &[Case], digits: usize) -> Vec<Item> {
     all
 }
 
-/// Items of one name, each with its value in few digits and in many.
+/// Items with one name, each with its value in few and in many digits.
 type Alike = Vec<[String; 2]>;
 
-/// All items by their names, in their order.
+/// Groups items by their names, in their order.
 fn in_digits(of: impl Fn(usize) -> Vec<Item>) -> Vec<([String; 2], Alike)> {
     let [short, long] = DIGITS.map(of);
     let mut all: Vec<([String; 2], Alike)> = Vec::new();
@@ -107,7 +109,8 @@ fn in_digits(of: impl Fn(usize) -> Vec<Item>) -> Vec<([String; 2], Alike)> {
     all
 }
 
-/// Items that only one has, or that differ. Of those that are called alike equal ones belong together, wherever they stand, and the others in their order.
+/// Returns items that only one list has, or that differ. Among items with one name, equal ones are
+/// matched first, in any order. The others are matched in their order.
 fn compared([before, after]: [Vec<([String; 2], Alike)>; 2]) -> Vec<Stated> {
     let mut old: HashMap<_, _> = before.iter().map(|(name, all)| (name, all)).collect();
     let mut all = Vec::new();
@@ -130,7 +133,7 @@ fn differences([name, of]: &[String; 2], sides: [&[[String; 2]]; 2], all: &mut V
         let number = number.map_or_else(String::new, |k| format!(" {}", k + 1));
         let of_digits = |k: usize| [0, 1].map(|side| places[side].map(|place| &sides[side][place][k]));
         let [short, long] = [0, 1].map(of_digits);
-        // Digits by which they differ are shown.
+        // If the values are equal in few digits, many are shown.
         let shown = if short[0] == short[1] { long } else { short };
         all.push(Stated {
             what: format!("{name}{number}{of}"),
@@ -139,10 +142,10 @@ fn differences([name, of]: &[String; 2], sides: [&[[String; 2]]; 2], all: &mut V
     }
 }
 
-/// The places of those that have no equal on the other side.
+/// Returns the indices of values that have no equal on the other side.
 fn unequal([before, after]: [&[[String; 2]]; 2]) -> [Vec<usize>; 2] {
     let mut old: HashMap<&str, Vec<usize>> = HashMap::new();
-    // The last first, so that the first is taken first.
+    // Indices are in descending order, so that the first is taken first.
     before.iter().enumerate().rev().for_each(|(k, [_, long])| old.entry(long).or_default().push(k));
     let is_new = |(k, [_, long]): (usize, &[String; 2])| {
         let equal = old.get_mut(long.as_str()).and_then(Vec::pop);
@@ -154,7 +157,7 @@ fn unequal([before, after]: [&[[String; 2]]; 2]) -> [Vec<usize>; 2] {
     [rest, new]
 }
 
-/// `mass 0.9, position 0.5`
+/// Returns words such as `mass 0.9, position 0.5`.
 fn group_in_words(group: &Group, digits: usize) -> String {
     let all = ErrorKind::NAMED.into_iter().zip(group.correlations());
     let stated = all.filter(|(_, x)| *x != 0.0);
@@ -162,7 +165,7 @@ fn group_in_words(group: &Group, digits: usize) -> String {
     if words.is_empty() { "no correlation".to_owned() } else { words.join(", ") }
 }
 
-/// What differs, as a section.
+/// Returns the differences as a section.
 pub(crate) fn section(all: &[Stated], title: &str) -> Section {
     let mut section = Section::new(0, title);
     let row = |one: &Stated| {
@@ -174,7 +177,7 @@ pub(crate) fn section(all: &[Stated], title: &str) -> Section {
     section
 }
 
-/// `changed besides the rows: group wings, limit mass`
+/// Returns words such as `changed besides the rows: group wings, limit mass`.
 pub(crate) fn in_words(all: &[Stated]) -> String {
     let names: Vec<String> = all.iter().map(|one| printable(&one.what)).collect();
     format!("changed besides the rows: {}", names.join(", "))

@@ -25,7 +25,8 @@ pub(crate) fn items(prescribed: &Prescribed, digits: usize) -> Vec<Item> {
     all.iter().flat_map(|(tank, configurations)| of_tank(tank, configurations, digits)).collect()
 }
 
-/// What is said of a tank, item by item: what it is, and each row of its table. How much is in it, and how well that is known, shows in its row of the list.
+/// Returns the statements about a tank: its description, and each row of its table. The amount in
+/// it and its error are in the tank's row of the list.
 fn of_tank(tank: &FilledTank, configurations: &[String], digits: usize) -> Vec<Item> {
     let name = &tank.tank.name;
     let mut words = vec![format!("frame {}", tank.tank.frame)];
@@ -40,14 +41,15 @@ fn of_tank(tank: &FilledTank, configurations: &[String], digits: usize) -> Vec<I
             rows = of_table(table, digits);
         }
     }
-    // What an error of the density makes of it depends on this, which no deviation shows that is zero.
+    // The effect of a density error depends on this. The standard deviations do not show it if that
+    // of the amount is 0.
     if tank.errors.density > 0.0 {
         words.push(match tank.errors.measured {
             Measured::Mass => "its mass is known".to_owned(),
             Measured::Fill => "its fill is known".to_owned(),
         });
     }
-    // An empty one has no row.
+    // An empty tank has no row.
     if tank.mass == 0.0 && tank.errors.density > 0.0 {
         words.push(format!("density_sd {} %", number(100.0 * tank.errors.density, digits)));
         words.extend(tank.group.iter().map(|group| format!("group {group}")));

@@ -1,15 +1,16 @@
-//! Files that a parts list may open.
+//! File access of parts lists.
 
 use std::path::{Path, PathBuf};
 
 use polhode_source::files::{Confined, Disk, Files};
 
-/// Files that a parts list may open: it is data, and opens none outside its folder and the roots.
+/// File access of a parts list. A list is data: it opens no file outside its own folder and
+/// `roots`.
 #[derive(Clone, Copy, Debug)]
 pub struct Access<'a> {
-    /// Place that they are taken from.
+    /// Source of the files.
     pub files: &'a dyn Files,
-    /// Folders that they may lie in, besides that of the list.
+    /// Folders that files may be in, besides the folder of the list.
     pub roots: &'a [PathBuf],
 }
 
@@ -17,7 +18,7 @@ impl<'a> Access<'a> {
     /// Files of this machine in the list's own folder.
     pub const BESIDE: Self = Self { files: &Disk, roots: &[] };
 
-    /// Returns the files that a list may name.
+    /// Returns the files that a list may open.
     pub(crate) fn of(self, list: &Path) -> Confined<'a> {
         Confined::beside(self.files, list, self.roots)
     }

@@ -1,4 +1,4 @@
-//! Rows as budgets: one of each configuration.
+//! Budgets from the rows of a table: one for each configuration.
 
 use std::collections::{HashMap, HashSet};
 
@@ -12,10 +12,10 @@ use super::plan::Plan;
 use super::rows::{ReadRows, Rows};
 use crate::{Budget, BudgetError, Row};
 
-/// The name of a frame in which all parts stand that stand in no other.
+/// Default name of the root frame of a list without parents.
 const WHOLE: &str = "whole";
 
-/// A budget of each configuration; lines are added about what was taken as given.
+/// Makes a budget for each configuration. Appends sentences about the assumptions to `lines`.
 pub(crate) fn budgets(
     read: ReadRows,
     plan: &Plan,
@@ -66,7 +66,7 @@ fn mark_used(budget: &Budget, origins: &[u32], plan: &Plan, is_used: &mut [bool]
     }
 }
 
-/// Refuses a row without mass in which nothing stands.
+/// Refuses a row without mass and without children.
 fn without_effect(origins: &[u32], is_used: &[bool], reader: &Rows<'_, '_>) -> Result<(), FormatError> {
     let reader = &reader.reader;
     let unused = origins.iter().find(|origin| is_used.get(**origin as usize) == Some(&false));
@@ -101,7 +101,7 @@ fn one(
     Ok(budget)
 }
 
-/// The error of a sum that overflows, at the largest number that the list has.
+/// Returns the error of a sum that overflows, at the cell with the largest number of the list.
 fn too_large(error: &BudgetError, budget: &Budget, blame: &Blame<'_, '_, '_>) -> FormatError {
     let numbers = |row: Row| {
         let part = row.part.as_ref();
@@ -123,7 +123,7 @@ fn too_large(error: &BudgetError, budget: &Budget, blame: &Blame<'_, '_, '_>) ->
     }
 }
 
-/// What the frame of all is called: as the list is, if no row is.
+/// Returns the name of the root frame: the title of the list, unless a row has that name.
 fn whole(rows: &crate::Rows, title: Option<&str>) -> String {
     let title = title.map(|title| title.replace('/', " ").trim().to_owned());
     let numbered = (2..).map(|number| format!("{WHOLE} {number}"));
@@ -131,13 +131,14 @@ fn whole(rows: &crate::Rows, title: Option<&str>) -> String {
     all.find(|name| !name.is_empty() && rows.position(name).is_none()).unwrap_or_default()
 }
 
-/// Names among which one is looked for that is nearly another.
+/// Largest number of names that are searched for a suggestion.
 const MOST_SUGGESTED: usize = 1000;
 
-/// Refuses the mass of a row that is the sum of the rows in it: a spreadsheet's total, which would count twice.
+/// Refuses a mass that is the sum of the rows below it. It would be a total of a spreadsheet, and
+/// count twice.
 fn double_counting(budget: &Budget, blame: &Blame<'_, '_, '_>) -> Result<(), FormatError> {
     let rows = budget.rows();
-    // Of rows with a mass of their own in which others stand: the masses of these, and how many.
+    // For each row with its own mass and with children: the mass of the children, and their number.
     let mut direct: HashMap<usize, (f64, usize)> = HashMap::new();
     for k in 0..rows.len() {
         if let Some(parent) = budget.parent(k).filter(|parent| rows.has_part(*parent)) {
@@ -156,7 +157,7 @@ fn double_counting(budget: &Budget, blame: &Blame<'_, '_, '_>) -> Result<(), For
         let (Some(own), Some(statement)) = (rows.mass(k), statements.get(k)) else { continue };
         let Some(cell) = blame.cell(k, &[MASS]) else { continue };
         let inside = statement.basic / f64::from(rows.quantity(k).count) - own;
-        // A sum may be rounded; the mass of one row is copied as it is.
+        // A sum may be rounded. The mass of a single row is copied exactly.
         let rounding = if count > 1 { blame.reader.reader.half_digit(&cell)? } else { 0.0 };
         let tolerance = rounding + 1e-9 * own;
         if (own - direct).abs() <= tolerance || (own - inside).abs() <= tolerance {

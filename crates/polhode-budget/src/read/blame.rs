@@ -1,4 +1,4 @@
-//! Where in a table an error of its parts list is.
+//! Positions in a table of errors of its parts list.
 
 use polhode::body::BodyError;
 use polhode_source::nearest;
@@ -14,14 +14,14 @@ use super::plan::Plan;
 use super::rows::Rows;
 use crate::BudgetError;
 
-/// What is known of the table that a list was read from.
+/// Table from which a list was read.
 pub(crate) struct Blame<'r, 's, 'a> {
     pub reader: &'r Rows<'s, 'a>,
     pub plan: &'r Plan,
-    /// Which row of the table each row of the list is.
+    /// Index in the table of each row of the list.
     pub origins: &'r [u32],
     pub configuration: Option<&'r str>,
-    /// Names of rows.
+    /// Names of rows, for suggestions.
     pub names: Vec<String>,
 }
 
@@ -29,7 +29,7 @@ const FORM: [usize; 6] = [SHAPE, MESH, CAD, SCENARIO, FILE, MASS];
 const TENSOR: [usize; 12] = [IXX, IYY, IZZ, IXY, IXZ, IYZ, SHAPE, MESH, CAD, SCENARIO, FILE, MASS];
 
 impl<'a> Blame<'_, '_, 'a> {
-    /// The error at the cell that is to blame.
+    /// Returns the error at the cell that causes it.
     pub(crate) fn of(&self, error: &BudgetError) -> FormatError {
         let keys: &[usize] = match error {
             BudgetError::MissingFrame { frame, row } => {
@@ -61,7 +61,7 @@ impl<'a> Blame<'_, '_, 'a> {
         if hints.is_empty() { error } else { error.with_hint(hints.join("; ")) }
     }
 
-    /// The first cell of these keys in a row of the list.
+    /// Returns the first cell with one of these keys in a row of the list.
     pub(crate) fn cell(&self, row: usize, keys: &[usize]) -> Option<Cell<'a>> {
         let reader = &self.reader.reader;
         let row = reader.sheet.rows.get(*self.origins.get(row)? as usize)?;
@@ -70,7 +70,7 @@ impl<'a> Blame<'_, '_, 'a> {
         keys.iter().find_map(|key| cells.cell(*key)).cloned()
     }
 
-    /// What was probably meant.
+    /// Returns the name that was probably meant.
     fn near(&self, error: &BudgetError) -> Option<String> {
         let near = |word: &str, all: &mut dyn Iterator<Item = &str>| nearest(word, all).map(str::to_owned);
         match error {
@@ -88,7 +88,7 @@ impl<'a> Blame<'_, '_, 'a> {
     }
 }
 
-/// The columns of what a body cannot be.
+/// Returns the columns that can cause an error of a body.
 fn part_keys(error: &BodyError) -> &'static [usize] {
     match error {
         BodyError::Parameter { what, .. } if what.contains("mass") => &FORM,

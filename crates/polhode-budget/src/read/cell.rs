@@ -1,4 +1,4 @@
-//! Cells of a table, and the rows that they are in.
+//! Cells of a table, and its rows.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -20,7 +20,7 @@ pub(crate) struct SheetRow {
 pub(crate) struct Cell<'a> {
     /// Column, counted from 0.
     pub column: usize,
-    /// Row, as the file counts.
+    /// Number of its row in the file, from 1.
     pub row: usize,
     /// Range of its bytes, in a text file.
     pub span: Range<usize>,
@@ -32,7 +32,7 @@ pub(crate) struct Cell<'a> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Content {
     Text,
-    /// Number of a workbook, with the decimals that its format shows.
+    /// Number in a workbook, with the decimals that its format shows.
     Number {
         decimals: Option<u8>,
     },
@@ -40,7 +40,7 @@ pub(crate) enum Content {
     Broken(Broken),
 }
 
-/// Reason for which a cell of a workbook cannot be read.
+/// Reason why a cell of a workbook cannot be read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Broken {
     NoResult,
@@ -51,7 +51,7 @@ pub(crate) enum Broken {
 }
 
 impl Broken {
-    /// Rule that the cell breaks.
+    /// Returns the rule that the cell violates.
     pub(crate) const fn rule(self) -> &'static str {
         match self {
             Self::NoResult => {
@@ -65,14 +65,14 @@ impl Broken {
     }
 }
 
-/// `parts!F12`, or `'my parts'!F12`
+/// Returns the name of a cell, such as `parts!F12` or `'my parts'!F12`.
 pub(crate) fn cell_name(sheet: &str, column: usize, row: usize) -> String {
     let is_plain = sheet.chars().all(|c| c.is_alphanumeric() || c == '_');
     let sheet = if is_plain { sheet.to_owned() } else { format!("'{}'", sheet.replace('\'', "''")) };
     format!("{sheet}!{}{row}", column_name(column))
 }
 
-/// Returns the name of a column as spreadsheets have it: A for 0, AB for 27.
+/// Returns the name of a column in spreadsheets: A for 0, AB for 27.
 pub(crate) fn column_name(column: usize) -> String {
     let mut letters = Vec::new();
     let mut rest = column + 1;

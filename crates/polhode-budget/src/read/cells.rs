@@ -1,4 +1,4 @@
-//! The cells of a row by what their columns hold.
+//! Cells of a row, by the keys of their columns.
 
 use std::borrow::Cow;
 
@@ -13,42 +13,42 @@ use super::measured::measured;
 use super::number::{Amount, Measured, Wrong};
 use super::sheet::Sheet;
 
-/// The cells of a row, at least one of which is read.
+/// Cells of a row, at least one of which is in a column that is read.
 pub(crate) struct Cells<'c, 'a> {
     cells: &'c [Cell<'a>],
     columns: &'c Columns,
-    /// The first that is read.
+    /// First cell in a column that is read.
     pub first: &'c Cell<'a>,
 }
 
-/// A number of a row.
+/// Number in a row.
 #[derive(Clone, Copy)]
 pub(crate) struct Given<'s, 'a> {
     pub value: f64,
-    /// What stands after ± in the cell, as standard deviation.
+    /// Error after ± in the cell, as a standard deviation.
     error: Option<Amount>,
     pub cell: &'s Cell<'a>,
 }
 
-/// How well a number of a row is known.
+/// Standard deviation of a number in a row.
 #[derive(Clone, Copy)]
 pub(crate) struct Deviation<'s, 'a> {
     pub amount: Amount,
     pub cell: &'s Cell<'a>,
 }
 
-/// Reads numbers of rows, and looks after their units.
+/// Reader of the numbers of rows. It also checks their units.
 pub(crate) struct Reader<'s, 'a> {
     pub sheet: &'s Sheet<'a>,
     pub columns: &'s Columns,
     coverage_factor: f64,
-    /// By keys.
+    /// Cells without and with units, by key.
     units: [Used<'a>; COUNT],
-    /// Whether anything was read after ±.
+    /// True if an error after ± was read.
     pub plus_minus: bool,
 }
 
-/// Cells without and with units, of columns whose headings have none.
+/// First cells without and with a unit, under headings without one.
 #[derive(Clone, Default)]
 struct Used<'a> {
     bare: Option<Cell<'a>>,
@@ -56,7 +56,7 @@ struct Used<'a> {
 }
 
 impl<'c, 'a> Cells<'c, 'a> {
-    /// Of a row; what stands beside all columns is refused.
+    /// Collects the cells of a row. A cell outside all columns is an error.
     pub(crate) fn of(
         sheet: &Sheet<'a>,
         columns: &'c Columns,
@@ -88,7 +88,7 @@ impl<'c, 'a> Cells<'c, 'a> {
         self.cells.iter().find(|cell| cell.column == column)
     }
 
-    /// The first cell of one of these keys, or of its errors.
+    /// Returns the first cell with one of these keys, or in its column of errors.
     pub(crate) fn any(&self, keys: impl IntoIterator<Item = usize>) -> Option<&'c Cell<'a>> {
         keys.into_iter().find_map(|key| self.cell(key).or(self.spread(key)))
     }
@@ -100,12 +100,12 @@ impl<'s, 'a> Reader<'s, 'a> {
         Self { sheet, columns, coverage_factor, units, plus_minus: false }
     }
 
-    /// The heading over a cell.
+    /// Returns the heading above a cell.
     pub(crate) fn heading(&self, cell: &Cell<'_>) -> &'s str {
         self.columns.get(cell.column).map_or("", |column| column.heading.as_str())
     }
 
-    /// An error about a cell that breaks a rule.
+    /// Returns an error about a cell that violates a rule.
     pub(crate) fn invalid(&self, cell: &Cell<'_>, rule: impl Into<String>) -> FormatError {
         self.sheet.invalid(cell, self.heading(cell), rule)
     }
@@ -114,7 +114,7 @@ impl<'s, 'a> Reader<'s, 'a> {
         wrong.at(|kind| self.sheet.error(cell, kind))
     }
 
-    /// The text of a cell, unless there is nothing in it that could be read.
+    /// Returns the text of a cell, or an error if the cell cannot be read.
     pub(crate) fn whole<'c>(&self, cell: &'c Cell<'a>) -> Result<&'c str, FormatError> {
         match cell.content {
             Content::Broken(broken) => Err(self.invalid(cell, broken.rule())),
@@ -122,17 +122,18 @@ impl<'s, 'a> Reader<'s, 'a> {
         }
     }
 
-    /// What stands under a key.
+    /// Returns the text under a key.
     pub(crate) fn text<'c>(&self, cells: &Cells<'c, 'a>, key: usize) -> Result<Option<&'c str>, FormatError> {
         cells.cell(key).map(|cell| self.whole(cell)).transpose()
     }
 
-    /// A name: with one space between its words, and without what cannot be seen.
+    /// Returns the name under a key, with one space between its words. Invisible characters are an
+    /// error.
     pub(crate) fn label(&self, cells: &Cells<'_, 'a>, key: usize) -> Result<Option<String>, FormatError> {
         cells.cell(key).map(|cell| self.label_of(cell)).transpose()
     }
 
-    /// The name in a cell.
+    /// Returns the name in a cell.
     pub(crate) fn label_of(&self, cell: &Cell<'a>) -> Result<String, FormatError> {
         let text = self.whole(cell)?;
         if text.chars().any(|c| is_unseen(c) && !c.is_whitespace()) {
@@ -141,7 +142,7 @@ impl<'s, 'a> Reader<'s, 'a> {
         Ok(text.split_whitespace().collect::<Vec<_>>().join(" "))
     }
 
-    /// A number with a decimal point.
+    /// Returns the text of a number with a decimal point.
     pub(crate) fn pointed<'c>(&self, cell: &'c Cell<'a>) -> Result<Cow<'c, str>, FormatError> {
         self.whole(cell)?;
         if !self.sheet.decimal_comma || cell.content != Content::Text || !cell.text.contains([',', '.']) {
@@ -154,7 +155,7 @@ impl<'s, 'a> Reader<'s, 'a> {
         Ok(Cow::Owned(cell.text.replace(',', ".")))
     }
 
-    /// A number.
+    /// Reads the number under a key.
     pub(crate) fn number<'c>(
         &mut self,
         cells: &Cells<'c, 'a>,
@@ -166,7 +167,8 @@ impl<'s, 'a> Reader<'s, 'a> {
         let holds = KEYS.get(key).map(|key| key.holds);
         let dimension = holds.and_then(Holds::dimension).unwrap_or(Dimension::NONE);
         let read = if matches!(holds, Some(Holds::Measured(_))) && !column.is_percent() {
-            // Of a heading with the unit of a thin part's density that is what cells have.
+            // If the heading has the unit of a surface or line density, the cells have that
+            // dimension too.
             let dimension = if column.has_unit() { column.unit().dimension } else { dimension };
             measured(&text, column.unit(), dimension, self.heading(cell)).map(|read| column.of_cell(read))
         } else {
@@ -178,7 +180,7 @@ impl<'s, 'a> Reader<'s, 'a> {
         Ok(Some(Given { value, error, cell }))
     }
 
-    /// The standard deviation, of what stands after ±.
+    /// Converts an error after ± to a standard deviation.
     fn covered(&mut self, cell: &Cell<'_>, amount: Amount) -> Result<Amount, FormatError> {
         self.plus_minus = true;
         let k = self.coverage_factor;
@@ -193,7 +195,7 @@ impl<'s, 'a> Reader<'s, 'a> {
         Err(self.invalid(cell, "with an error that is zero or positive").with_hint("an error has no sign"))
     }
 
-    /// How well a number is known, as its cell says it or one beside it.
+    /// Returns the standard deviation of a number, from its own cell or from its column of errors.
     pub(crate) fn deviation<'c>(
         &mut self,
         cells: &Cells<'c, 'a>,
@@ -224,7 +226,8 @@ impl<'s, 'a> Reader<'s, 'a> {
         Ok(Some(Deviation { amount, cell }))
     }
 
-    /// What stands after ± of a number that is stated, or in a column of its own: as it is, whatever the coverage factor.
+    /// Returns the error of a stated number, from its own cell or from its column of errors. It is
+    /// a tolerance, so the coverage factor does not apply.
     pub(crate) fn tolerance<'c>(
         &mut self,
         cells: &Cells<'c, 'a>,
@@ -240,13 +243,13 @@ impl<'s, 'a> Reader<'s, 'a> {
         Ok(deviation.map(|deviation| deviation.amount.map(|amount| k * amount)))
     }
 
-    /// Whether a number is in percent, by its cell or by its heading.
+    /// Returns true if a number is in percent, by its cell or by its heading.
     pub(crate) fn is_percent(&self, cell: &Cell<'_>) -> bool {
         let column = self.columns.get(cell.column);
         cell.text.contains('%') || column.is_some_and(Column::is_percent)
     }
 
-    /// Refuses numbers without units beside such with units, under headings without.
+    /// Refuses a number without a unit if others in its column have one and the heading has none.
     fn used(&mut self, key: usize, cell: &Cell<'a>, has_unit: bool) -> Result<(), FormatError> {
         let heading = self.columns.get(cell.column).map(|column| &column.unit);
         let Some(used) = self.units.get_mut(key).filter(|_| matches!(heading, Some(ColumnUnit::None))) else {
@@ -264,17 +267,17 @@ impl<'s, 'a> Reader<'s, 'a> {
         Err(self.invalid(&bare, rule).with_hint("write the unit into the heading, for all"))
     }
 
-    /// Headings under which numbers had no unit.
+    /// Returns the headings under which numbers have no unit.
     pub(crate) fn bare(&self) -> Vec<&'s str> {
         self.units.iter().filter_map(|used| used.bare.as_ref()).map(|cell| self.heading(cell)).collect()
     }
 }
 
-/// Of any number, SI; and of a mass, relative to it.
+/// Largest standard deviation: of any number in SI, and of a mass relative to it.
 pub(crate) const MOST_DEVIATION: f64 = 1e100;
 
 impl Deviation<'_, '_> {
-    /// Of this number.
+    /// Returns the standard deviation for this value of the number.
     pub(crate) fn of(&self, value: f64, reader: &Reader<'_, '_>) -> Result<f64, FormatError> {
         let sd = self.amount.of(value).ok_or_else(|| {
             let error = reader.invalid(self.cell, "an amount, as a fraction of zero is none");
@@ -284,7 +287,7 @@ impl Deviation<'_, '_> {
         Ok(sd)
     }
 
-    /// Refuses a standard deviation of which squares are no numbers.
+    /// Refuses a standard deviation whose square overflows.
     pub(crate) fn within(&self, sd: f64, most: f64, reader: &Reader<'_, '_>) -> Result<(), FormatError> {
         if sd <= most {
             return Ok(());
@@ -295,7 +298,7 @@ impl Deviation<'_, '_> {
     }
 }
 
-/// An error about a standard deviation that is too large.
+/// Adds a hint to an error about a standard deviation that is too large.
 pub(crate) fn too_uncertain(error: FormatError, coverage_factor: f64) -> FormatError {
     match coverage_factor {
         1.0 => error.with_hint("check its exponent"),

@@ -1,4 +1,5 @@
-//! Parts lists in text: fields between commas, semicolons or tabs, in quotes if they hold any.
+//! Parts lists as text: fields are separated by commas, semicolons or tabs. A field that contains
+//! one is in quotes.
 
 use polhode_source::ContentError;
 use polhode_source::FormatError;
@@ -8,10 +9,11 @@ use super::cell::SheetRow;
 use super::fields::{Field, Fields};
 use super::sheet::{Body, Sheet};
 
-/// More cells than any parts list has.
+/// Largest number of cells. No parts list has more.
 const MOST_CELLS: usize = 16_000_000;
 
-/// The table in a text from this byte on, and what parts its fields: by whichever a heading is one.
+/// Returns the table in a text from a byte on, and the separator of its fields. With that
+/// separator, a field is a heading.
 pub(crate) fn sheet(
     source: Source<'_>,
     from: usize,
@@ -39,7 +41,7 @@ pub(crate) fn sheet(
             return Err(unsupported(format!("more than {MOST_CELLS} cells")));
         }
         if count > before {
-            // Neither is more than the bytes of the text.
+            // All three are at most the number of bytes of the text.
             let (number, start, end) = (number as u32, start as u32, fields.at as u32);
             rows.push(SheetRow { number, start, end, is_hidden: false });
         }
@@ -53,9 +55,9 @@ fn newlines(text: &str) -> usize {
     text.bytes().filter(|b| *b == b'\n').count()
 }
 
-/// What parts the fields: that by which a heading is one.
+/// Returns the separator with which a field is a heading; a comma if there is none.
 fn separator(text: &str, from: usize, is_heading: fn(&str) -> bool) -> u8 {
-    /// The headings are not far below.
+    /// Number of lines that are searched for headings.
     const LINES: usize = 100;
     let mut at = from;
     for line in text.get(from..).unwrap_or_default().split_inclusive('\n').take(LINES) {

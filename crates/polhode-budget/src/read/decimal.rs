@@ -1,4 +1,4 @@
-//! Whether numbers in text have a decimal comma: declared, or proved by the numbers themselves.
+//! Decimal commas in text: declared, or proved by the numbers themselves.
 
 use polhode_source::text::cut;
 use polhode_source::{ContentError, ContentErrorKind, FormatError};
@@ -9,7 +9,7 @@ use super::key::KEYS;
 use super::plan::Plan;
 use super::sheet::Sheet;
 
-/// Whether a comma is the decimal mark; `separator` is what parts the fields.
+/// Returns true if a comma is the decimal mark. `separator` is that of the fields.
 pub(crate) fn comma(
     sheet: &Sheet<'_>,
     columns: &Columns,
@@ -66,22 +66,22 @@ fn unclear(sheet: &Sheet<'_>, cell: &Cell<'_>, question: String) -> FormatError 
     sheet.error(cell, ContentError::of_file(kind).into())
 }
 
-/// What a number proves.
+/// Decimal mark that a number proves.
 #[derive(Debug, PartialEq)]
 enum Mark {
     Point,
     Comma,
-    /// A mark in front of three digits, which may part thousands.
+    /// Mark before three digits, which may separate thousands.
     Open,
 }
 
-/// What the first mark in a text proves.
+/// Returns the decimal mark that the first mark in a text proves.
 fn mark(text: &str) -> Option<Mark> {
     let at = text.find([',', '.'])?;
     let (before, after) = (&text[..at], &text[at + 1..]);
     let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
     let whole = before.bytes().rev().take_while(u8::is_ascii_digit).count();
-    // 0.125 and 1234.567 have no thousands.
+    // 0.125 and 1234.567 have no separator of thousands.
     let is_whole = !(1..=3).contains(&whole) || before.as_bytes().get(at - whole) == Some(&b'0');
     let is_open = digits(after) == 3 && !is_whole && !after[3..].starts_with([',', '.']);
     Some(match (text.as_bytes()[at], is_open) {

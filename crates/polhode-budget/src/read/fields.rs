@@ -1,4 +1,5 @@
-//! Fields of a text: between commas, semicolons or tabs, in quotes if they hold any.
+//! Fields of a text: separated by commas, semicolons or tabs. A field that contains one is in
+//! quotes.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -19,7 +20,7 @@ pub(crate) struct Field<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// The next field, and whether it is the last of its line.
+    /// Returns the next field, and true if it is the last of its line.
     pub(crate) fn next(&mut self, separator: u8) -> Result<(Field<'a>, bool), ContentError> {
         let bytes = self.text.as_bytes();
         while matches!(bytes.get(self.at), Some(b' ' | b'\t')) {
@@ -79,7 +80,7 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// The cells of a row, all fields of which can be read.
+/// Returns the cells of a row. All its fields were read without error before.
 pub(crate) fn cells<'a>(text: &'a str, separator: u8, row: &SheetRow) -> Vec<Cell<'a>> {
     let mut fields = Fields { text, at: row.start as usize };
     let mut cells = Vec::new();

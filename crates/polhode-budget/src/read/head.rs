@@ -1,14 +1,14 @@
-//! The head of a CSV: lines in front of its table that begin with `#` and are TOML after that.
+//! Head of a CSV: lines before its table that begin with `#`. The rest of each line is TOML.
 
 use polhode_source::FormatError;
 use polhode_source::toml::source::Source;
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
-/// What to do about a head that is no TOML.
+/// Hint for a head that is not valid TOML.
 pub(crate) const SYNTAX: &str =
     "lines in front of the table are TOML behind their #: a remark begins with ##";
 
-/// The TOML of a head, byte for byte where it is in the file, and where the table begins.
+/// Returns the TOML of a head and the start of the table. Each byte keeps its position in the file.
 pub(crate) fn toml(source: Source<'_>) -> Result<(String, usize), FormatError> {
     let mut toml = String::new();
     let mut end = 0;
@@ -22,7 +22,7 @@ pub(crate) fn toml(source: Source<'_>) -> Result<(String, usize), FormatError> {
             }));
         };
         if let Some(rest) = content.trim_start().strip_prefix('#') {
-            // ## is for people.
+            // `##` begins a remark for people.
             if rest.starts_with('#') {
                 blank(&mut toml, line);
             } else {
@@ -50,7 +50,8 @@ pub(crate) fn toml(source: Source<'_>) -> Result<(String, usize), FormatError> {
     Ok((toml, end))
 }
 
-/// A line without the empty cells that spreadsheets put behind it; a single comma may be TOML's.
+/// Removes the empty cells that spreadsheets append to a line. A single comma may belong to the
+/// TOML.
 fn kept(line: &str) -> &str {
     let text = line.trim_end();
     let kept = text.trim_end_matches([';', '\t']);

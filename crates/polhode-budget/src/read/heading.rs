@@ -1,4 +1,4 @@
-//! The headings of a parts list: what its columns are, and in which units.
+//! Headings of a parts list: the keys and the units of its columns.
 
 use std::collections::BTreeMap;
 
@@ -13,71 +13,72 @@ use super::measured::{hundredths, percent};
 use super::number::{Measured, Unit, Wrong};
 use super::sheet::Sheet;
 
-/// A column that is read.
+/// Column that is read.
 #[derive(Clone, Debug)]
 pub(crate) struct Column {
-    /// Which of the [`KEYS`].
+    /// Index of its key in [`KEYS`].
     pub key: usize,
-    /// Whether it has the errors of that, and not the numbers.
+    /// Kind of errors in the column; `None` if it has the numbers themselves.
     pub spread: Option<Spread>,
-    /// Its heading, as it is written.
+    /// Heading, as messages print it.
     pub heading: String,
     pub unit: ColumnUnit,
 }
 
-/// What a column of errors has.
+/// Content of a column of errors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Spread {
-    /// Standard deviations.
+    /// Standard deviations of the numbers.
     Deviation,
-    /// What stands after ±.
+    /// Errors as after ±, to which the coverage factor applies.
     PlusMinus,
 }
 
-/// The unit of a column.
+/// Unit of a column.
 #[derive(Clone, Debug)]
 pub(crate) enum ColumnUnit {
-    /// The heading has none.
+    /// No unit in the heading.
     None,
     Unit(Unit),
     Percent,
 }
 
-/// The unit of numbers under a heading without one.
+/// Unit of numbers under a heading without one.
 static SI: Unit = Unit::SI;
 
-/// The columns of a table.
+/// Columns of a table.
 #[derive(Debug)]
 pub(crate) struct Columns {
-    /// By their places; `None` of what is not read.
+    /// Columns by position; `None` for those that are not read.
     pub all: Vec<Option<Column>>,
-    /// Where the headings are, among the rows of the table.
+    /// Index of the row of headings in the table.
     pub row: usize,
-    /// Columns that are not read, and their headings.
+    /// Columns that are not read, with their headings.
     pub ignored: BTreeMap<usize, String>,
-    /// By keys: their places.
+    /// Positions of the columns of numbers, by key.
     pub places: [Option<usize>; COUNT],
-    /// Places of the columns of errors, by keys.
+    /// Positions of the columns of errors, by key.
     pub spreads: [Option<usize>; COUNT],
 }
 
-/// Whether a heading is that of the names, by which the headings are known.
+/// Returns true if a heading is that of names. Such a heading identifies the row of headings.
 pub(crate) fn is_of_names(heading: &str) -> bool {
     let name = plain(heading);
     name == KEYS[NAME].name || name == KEYS[PATH].name
 }
 
-/// What the density of a thin surface or a rod may measure.
+/// Dimensions that the density of a thin surface or a rod may have.
 const THIN_DENSITIES: [Dimension; 2] = [Dimension::AREA_DENSITY, Dimension::LINE_DENSITY];
 
-/// A name as columns are told apart: in lower case, with one space between words.
+/// Returns a name in the form in which columns are compared: lower case, with one space between
+/// words.
 pub(crate) fn plain(name: &str) -> String {
     let name = name.to_lowercase().replace('_', " ");
     name.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 impl Columns {
-    /// The columns by the headings: the first row that has one of names.
+    /// Finds the columns by their headings: the first row with a heading of names.
     pub(crate) fn of(sheet: &Sheet<'_>, ignore: &[String]) -> Result<Self, FormatError> {
         let row = sheet.rows.iter().position(|row| sheet.row(row).iter().any(|cell| is_of_names(&cell.text)));
         let row = row.ok_or_else(|| nameless(sheet))?;
@@ -152,7 +153,7 @@ impl Columns {
         Ok(Some(Column { key, spread, heading: shown(cell), unit }))
     }
 
-    /// Whether a column has a heading, and is not read.
+    /// Returns true if a column has a heading but is not read.
     pub(crate) fn is_ignored(&self, column: usize) -> bool {
         self.ignored.contains_key(&column)
     }
@@ -161,14 +162,15 @@ impl Columns {
         self.all.get(column)?.as_ref()
     }
 
-    /// The column of the numbers of a key.
+    /// Returns the column of the numbers of a key.
     pub(crate) fn of_key(&self, key: usize) -> Option<&Column> {
         self.get((*self.places.get(key)?)?)
     }
 }
 
 impl Column {
-    /// A number that has no error, in the unit of the column: SI, or a fraction.
+    /// Reads a number without an error, in the unit of the column. The result is in SI, or a
+    /// fraction.
     pub(crate) fn number(&self, text: &str, dimension: Dimension) -> Result<Measured, Wrong> {
         let may_be_fraction = dimension == Dimension::NONE || self.spread.is_some();
         let fraction = percent(text).filter(|_| may_be_fraction);
@@ -179,12 +181,12 @@ impl Column {
         }
     }
 
-    /// What a cell has, which needs no unit of its own if the heading has one.
+    /// Returns a number of a cell. It needs no unit of its own if the heading has one.
     pub(crate) fn of_cell(&self, read: Measured) -> Measured {
         Measured { has_unit: read.has_unit || self.has_unit(), ..read }
     }
 
-    /// The unit of numbers without one.
+    /// Returns the unit of numbers without one.
     pub(crate) fn unit(&self) -> &Unit {
         match &self.unit {
             ColumnUnit::Unit(unit) => unit,
@@ -201,18 +203,18 @@ impl Column {
     }
 }
 
-/// The error of a name that is no unit there.
+/// Returns the error of an invalid unit.
 pub(crate) fn no_unit(error: UnitError, at: impl Fn(FormatErrorKind) -> FormatError) -> FormatError {
     let hint = error.hint_for_name();
     at(FormatErrorKind::Unit(error)).with_hint_of(hint)
 }
 
-/// A heading as messages print it.
+/// Returns a heading as messages print it.
 fn shown(cell: &Cell<'_>) -> String {
     cut(&cell.text).chars().map(visible).collect()
 }
 
-/// `mass [kg]`, `mass (kg)`: name and unit.
+/// Splits a heading such as `mass [kg]` or `mass (kg)` into name and unit.
 pub(crate) fn split(heading: &str) -> (&str, Option<&str>) {
     for (open, close) in [('[', ']'), ('(', ')')] {
         if let Some((name, rest)) = heading.split_once(open)
@@ -224,7 +226,7 @@ pub(crate) fn split(heading: &str) -> (&str, Option<&str>) {
     (heading.trim(), None)
 }
 
-/// `mass sd`, `mass ±`: of what it has errors.
+/// Splits a name such as `mass sd` or `mass ±` into the key and the kind of errors.
 fn spread(name: String) -> (String, Option<Spread>) {
     for (end, spread) in [
         ("sd", Spread::Deviation),
@@ -252,7 +254,7 @@ fn unknown(sheet: &Sheet<'_>, cell: &Cell<'_>, name: &str) -> FormatError {
         "or write ignore = [\"{}\"] into the head, if it is for people",
         shown(cell).replace('"', "'")
     );
-    // Keys that have a word of the heading: of another radius, all radii.
+    // Keys that share a word with the heading: all radii for an unknown radius.
     let has_word = |key: &&str| key.split(' ').any(|word| name.split(' ').any(|own| own == word));
     let alike: Vec<&str> = KEYS.iter().map(|key| key.name).filter(has_word).collect();
     match suggestion {
@@ -264,7 +266,7 @@ fn unknown(sheet: &Sheet<'_>, cell: &Cell<'_>, name: &str) -> FormatError {
     }
 }
 
-/// No row is one of headings.
+/// Returns the error of a table without a row of headings.
 fn nameless(sheet: &Sheet<'_>) -> FormatError {
     let first = sheet.rows.first().map(|row| sheet.row(row)).unwrap_or_default();
     let slip =

@@ -1,4 +1,4 @@
-//! A plan that names a file of parts, and what that file says besides them: together one set of keys.
+//! Plan that refers to a file of parts: its keys and those of the head of that file are joined.
 
 use polhode_source::text::cut;
 use polhode_source::toml::document;
@@ -10,14 +10,15 @@ use polhode_source::{FormatError, FormatErrorKind, Place, Spot};
 use super::plan::table_file::Sheets;
 use super::plan::{self, Plan};
 
-/// A plan that names a file of parts.
+/// Plan that refers to a file of parts.
 pub(crate) struct Naming<'a> {
     pub source: Source<'a>,
     pub entries: &'a Entries,
 }
 
 impl Naming<'_> {
-    /// The plan with what the file of parts says as TOML, of which no key may be the plan's; `moved` puts an error in that text where its reader looks for it.
+    /// Reads the plan, joined with the TOML of the file of parts. No key may be in both. `moved`
+    /// changes the position of an error in that TOML to the position in the file.
     pub(crate) fn plan(
         &self,
         beside: Source<'_>,
@@ -29,7 +30,7 @@ impl Naming<'_> {
             return plan::plan(&Table::root(self.source, self.entries), &others, sheets);
         }
         self.check(beside).map_err(moved)?;
-        // One text, the plan's and the other, in which each keeps its places.
+        // One text with both TOML documents, in which each keeps its positions up to an offset.
         let text = format!("{}\n{}", self.source.text, beside.text);
         let from = text.len() - beside.text.len();
         let padded = format!("{}{}", " ".repeat(from), beside.text);
@@ -43,7 +44,7 @@ impl Naming<'_> {
         };
         let apart = |error: FormatError| {
             if error.path() != self.source.path {
-                // In a file that one of them names.
+                // The error is in a file that one of the two refers to.
                 return match error.origin().and_then(|(_, place)| of_other(place)) {
                     Some(place) => moved(error.named_in(beside.path, place)),
                     None => error,
@@ -59,7 +60,7 @@ impl Naming<'_> {
         }
     }
 
-    /// Is it TOML, and does it say nothing that the plan says?
+    /// Checks that a text is valid TOML, and that no key is also in the plan.
     fn check(&self, beside: Source<'_>) -> Result<(), FormatError> {
         let entries = document(beside)?;
         let twice = entries.iter().filter(|(key, _)| self.entries.contains_key(*key));

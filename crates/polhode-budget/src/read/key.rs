@@ -1,38 +1,38 @@
-//! What columns of a parts list may be.
+//! Keys of the columns of a parts list.
 
 use polhode_source::unit::Dimension;
 
-/// What a column holds.
+/// Key of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Key {
     pub name: &'static str,
     pub holds: Holds,
 }
 
-/// What stands in the cells of a column.
+/// Content of the cells of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Holds {
     Text,
-    /// Numbers that are exact.
+    /// Exact numbers without errors.
     Number(Dimension),
-    /// Numbers that may have errors, in the cell or in a column of their own.
+    /// Numbers that may have errors, in the cell or in a separate column.
     Measured(Dimension),
-    /// Nothing but errors.
+    /// Errors without the numbers.
     Errors(Dimension),
-    /// A number or several of one dimension: of a shape.
+    /// One or more numbers of one dimension, for sizes of a shape.
     Sizes(Dimension),
-    /// For people: not read.
+    /// Remarks for people, which are not read.
     Remark,
 }
 
-/// Keys by their numbers, and the names that columns have.
+/// Defines the indices of keys and the names of their columns.
 macro_rules! keys {
     ($($key:ident: $name:literal, $holds:expr;)*) => {
         #[derive(Clone, Copy)]
         #[allow(clippy::upper_case_acronyms, non_camel_case_types, reason = "it only counts")]
         enum Number { $($key,)* }
 
-        /// All keys.
+        /// All keys, by their indices.
         pub(crate) const KEYS: &[Key] = &[$(Key { name: $name, holds: $holds },)*];
 
         $(#[allow(dead_code, reason = "some are found by their names alone")]
@@ -110,7 +110,7 @@ keys! {
     PART_NUMBER: "part number", Remark;
 }
 
-/// The number of keys.
+/// Number of keys.
 pub(crate) const COUNT: usize = KEYS.len();
 
 /// Columns of the sizes of shapes: lengths and numbers.
@@ -129,7 +129,7 @@ pub(crate) const SIZES: [usize; 11] = [
 ];
 
 impl Holds {
-    /// What its numbers measure.
+    /// Returns the dimension of the numbers; `None` for texts.
     pub(crate) const fn dimension(self) -> Option<Dimension> {
         match self {
             Exact(dimension) | Measured(dimension) | Errors(dimension) | Sizes(dimension) => Some(dimension),
@@ -137,7 +137,7 @@ impl Holds {
         }
     }
 
-    /// Whether a column of errors may go with it.
+    /// Returns true if a column of errors is allowed.
     pub(crate) const fn may_err(self) -> bool {
         matches!(self, Measured(_) | Errors(_))
     }

@@ -7,14 +7,14 @@ use super::number::{Amount, Measured, Unit, Wrong, is_parted};
 
 pub(crate) const MARKS: [&str; 3] = ["±", "+/-", "+-"];
 
-/// A number of a column, with its error if the cell has one.
+/// Reads a number of a column, with its error if the cell has one.
 pub(crate) fn measured(
     text: &str,
     unit: &Unit,
     dimension: Dimension,
     heading: &str,
 ) -> Result<Measured, Wrong> {
-    // Most numbers have none, and a search for three marks costs more than all the rest.
+    // Most numbers have no error, and a search for three marks costs more than everything else.
     let is_marked = text.bytes().any(|b| b == b'+' || !b.is_ascii());
     let marked = || MARKS.iter().find_map(|mark| text.split_once(mark));
     let Some((left, right)) = is_marked.then(marked).flatten() else {
@@ -44,12 +44,12 @@ pub(crate) fn measured(
     Ok(Measured { value: value.value, error: Some(Amount::Absolute(error.value)), has_unit: error.has_unit })
 }
 
-/// A fraction that is written in percent; `None` of what is not.
+/// Reads a fraction in percent; `None` if the text is not in percent.
 pub(crate) fn percent(text: &str) -> Option<Result<f64, Wrong>> {
     text.trim().strip_suffix('%').map(|number| hundredths(number.trim_end()))
 }
 
-/// So many hundredths.
+/// Reads a number of hundredths.
 pub(crate) fn hundredths(number: &str) -> Result<f64, Wrong> {
     if is_parted(number) {
         return Err(UnitError::NotANumber { text: number.to_owned() }.into());
@@ -57,10 +57,10 @@ pub(crate) fn hundredths(number: &str) -> Result<f64, Wrong> {
     unit::parse(&hundredth(number), Dimension::NONE).map_err(Wrong::from)
 }
 
-/// A hundredth of a number, as it is written.
+/// Divides a number by 100 in its text form.
 fn hundredth(number: &str) -> String {
     match unit::number_of(number) {
-        // In one piece: 1.5e-2 has an exponent, and 1.5 has none.
+        // The number is in one piece: 1.5e-2 has an exponent, and 1.5 has none.
         Some(whole) if unit::unit_of(number).is_empty() => match whole.split_once('e') {
             Some((digits, power)) => match power.parse::<i32>().ok().and_then(|power| power.checked_sub(2)) {
                 Some(power) => format!("{digits}e{power}"),

@@ -1,4 +1,5 @@
-//! Parts lists and what is asked of them, for `polhode budget`: CSV, XLSX, or TOML that names one of these.
+//! Input files of `polhode budget`: parts lists with the requested results, as CSV, XLSX, or TOML
+//! that refers to one of these.
 //!
 //! ```csv
 //! # title = "A CubeSat"
@@ -8,8 +9,8 @@
 //! battery,       cubesat, 270 ± 5, 0,      12,     -3.5
 //! ```
 //!
-//! Lines in front of the table that begin with `#` are TOML after that. Whatever is unknown, impossible or ambiguous is an error that names its line and column, or its
-//! sheet and cell.
+//! Lines before the table that begin with `#` contain TOML. Everything that is unknown, impossible
+//! or ambiguous is an error. Each error has its line and column, or its sheet and cell.
 
 mod access;
 mod assemble;
@@ -64,46 +65,46 @@ use sheet::Sheet;
 pub use plan::sequence::{OverTime, PlannedChange};
 pub use prescribed::{FilledTank, Prescribed};
 
-/// A parts list as files give it, and what is asked of it.
+/// Parts list with the requested results, as read from files.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BudgetFile {
-    /// Its title.
     pub title: Option<String>,
-    /// One of each configuration, in the order of the file; one without a name where the file has none.
+    /// Budget of each configuration, in the order of the file. A file without configurations has
+    /// one budget without a name.
     pub configurations: Vec<NamedBudget>,
-    /// What is asked.
+    /// Results that are requested.
     pub questions: Questions,
-    /// What numbers of the whole have to be.
+    /// Limits on quantities of the whole.
     pub limits: Vec<Limit>,
-    /// Where ballast may be by which they are.
+    /// Sites and options of a search for ballast.
     pub ballast: Option<Ballast>,
-    /// Tanks, and what is to happen over time.
+    /// Tanks, and changes of the body over time.
     pub prescribed: Option<Prescribed>,
-    /// What was read, and what was taken as given.
+    /// Files that were read, with the assumptions that were made.
     pub read: Vec<ReadParts>,
 }
 
-/// The parts of one configuration.
+/// Budget of one configuration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedBudget {
-    /// The configuration.
+    /// Name of the configuration, if the file has any.
     pub name: Option<String>,
-    /// Its parts, and what is in its tanks.
+    /// Parts of the configuration, and the liquid in its tanks.
     pub budget: Budget,
 }
 
-/// What is asked of a parts list.
+/// Results that are requested for a parts list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Questions {
-    /// The point that the tensor is wanted about, besides the centre of mass.
+    /// Point about which the tensor is requested, besides the centre of mass.
     pub about: Option<Position<Body>>,
-    /// The axes that it is wanted along: R_body_axes.
+    /// Axes along which the tensor is requested: R_body_axes.
     pub axes: Option<Rotation<Body, Part>>,
-    /// How many possible bodies are drawn, if the file says so.
+    /// Number of possible bodies to draw, if it is given.
     pub draws: Option<usize>,
-    /// Of the draws.
+    /// Seed of the draws.
     pub seed: u64,
-    /// Which masses count in the headline numbers.
+    /// Mass basis of the main results.
     pub basis: Basis,
 }
 
@@ -116,20 +117,20 @@ impl Default for Questions {
 /// Least number of draws, other than 0.
 pub(crate) const LEAST_DRAWS: usize = 10;
 
-/// The most bodies that can be asked for: they take 800 MB.
+/// Largest number of draws. They take 800 MB.
 pub const MOST_DRAWS: usize = 10_000_000;
 
-/// What was read of a file, and what was taken as given.
+/// File that was read, with the assumptions that were made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReadParts {
-    /// Where it is.
+    /// Path of the file.
     pub path: PathBuf,
-    /// A sentence each.
+    /// Statements for the report, one sentence each.
     pub lines: Vec<String>,
 }
 
 impl BudgetFile {
-    /// Returns what was read and taken as given, line by line.
+    /// Returns what was read and assumed, line by line.
     pub fn sources(&self) -> Vec<String> {
         let of = |read: &ReadParts| -> Vec<String> {
             read.lines.iter().map(|line| format!("{}: {line}", shown(&read.path))).collect()
@@ -138,27 +139,29 @@ impl BudgetFile {
     }
 }
 
-/// Reads a parts list, or a plan that names one; its files lie in its own folder.
+/// Reads a parts list, or a plan that refers to one. Its files must be in its own folder.
 ///
 /// # Errors
-/// [`FormatError`], with the place, if it, or a file that it names, cannot be read or makes no possible body.
+/// [`FormatError`] with its position, if the list or a file that it refers to cannot be read or
+/// does not make a possible body.
 pub fn read(path: &Path) -> Result<BudgetFile, FormatError> {
     read_in(Access::BESIDE, path)
 }
 
-/// Reads a parts list, or a plan that names one.
+/// Reads a parts list, or a plan that refers to one, with the given file access.
 ///
 /// # Errors
-/// As [`read()`].
+/// Same as [`read()`].
 pub fn read_in(access: Access<'_>, path: &Path) -> Result<BudgetFile, FormatError> {
     file::require_folders(access.files, access.roots)?;
     from_bytes(access, path, &bytes_of(access.files, path)?)
 }
 
-/// Reads a parts list from the bytes of its file; files that it names are relative to the path, which errors name.
+/// Reads a parts list from the bytes of its file. Other files are relative to `path`, which errors
+/// also report.
 ///
 /// # Errors
-/// As [`read()`].
+/// Same as [`read()`].
 pub fn from_bytes(access: Access<'_>, path: &Path, bytes: &[u8]) -> Result<BudgetFile, FormatError> {
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
         return named::of_plan(path, text(path, bytes)?, access);
@@ -169,7 +172,7 @@ pub fn from_bytes(access: Access<'_>, path: &Path, bytes: &[u8]) -> Result<Budge
     of_text(path, text(path, bytes)?, access)
 }
 
-/// Reads a parts list from its text, CSV.
+/// Reads a parts list from its CSV text.
 ///
 /// ```
 /// use polhode_budget::read;
@@ -183,7 +186,7 @@ pub fn from_bytes(access: Access<'_>, path: &Path, bytes: &[u8]) -> Result<Budge
 /// ```
 ///
 /// # Errors
-/// As [`read()`].
+/// Same as [`read()`].
 pub fn from_text(path: &Path, text: &str) -> Result<BudgetFile, FormatError> {
     of_text(path, text, Access::BESIDE)
 }
@@ -198,7 +201,7 @@ fn of_text(path: &Path, text: &str, access: Access<'_>) -> Result<BudgetFile, Fo
     of_csv(source, from, plan, access)
 }
 
-/// Bytes of a file: a larger one is no parts list.
+/// Largest size of a file, bytes. No parts list is larger.
 const LARGEST_FILE: u64 = 256 << 20;
 
 fn bytes_of(files: &dyn Files, path: &Path) -> Result<Vec<u8>, FormatError> {

@@ -1,4 +1,4 @@
-//! Plans, TOML, that name the file of their parts.
+//! TOML plans that refer to a file of parts.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use super::joined::Naming;
 use super::plan;
 use super::{BudgetFile, bytes_of, head, of_csv, text, workbook, xlsx};
 
-/// Reads a plan from its text, and the parts that it names.
+/// Reads a plan from its text, and the parts that it refers to.
 pub(crate) fn of_plan(path: &Path, plan_text: &str, access: Access<'_>) -> Result<BudgetFile, FormatError> {
     let source = Source::new(access.files, path, plan_text);
     let entries = document(source)?;
@@ -22,7 +22,7 @@ pub(crate) fn of_plan(path: &Path, plan_text: &str, access: Access<'_>) -> Resul
         return Err(value.invalid("a file of parts, CSV or XLSX"));
     }
     let naming = Naming { source, entries: &entries };
-    // What is wrong with the plan itself comes before what is wrong with the file.
+    // Errors in the plan itself are reported before errors in the file of parts.
     root.allow(&[&plan::KEYS[..], &["parts"]].concat())?;
     let file = value.path()?;
     let bytes = bytes_of(access.files, &file).map_err(|error| match error.kind() {
@@ -38,7 +38,8 @@ pub(crate) fn of_plan(path: &Path, plan_text: &str, access: Access<'_>) -> Resul
         let files = access.of(&file);
         let parts = Source::new(&files, &file, text(&file, &bytes)?);
         let (toml, from) = head::toml(parts)?;
-        // The head stands in it where it stands in the file, and errors show the file's own lines.
+        // The TOML keeps the positions of the head in the file, and errors show the file's own
+        // lines.
         let shown = |error: FormatError| {
             let is_syntax = matches!(error.kind(), FormatErrorKind::Toml { .. });
             let error = error.moved(&file, |place| Some(Spot::Text(parts.place(place.span.clone()))));
@@ -47,7 +48,7 @@ pub(crate) fn of_plan(path: &Path, plan_text: &str, access: Access<'_>) -> Resul
         let plan = naming.plan(Source { text: &toml, ..parts }, None, &shown)?;
         of_csv(parts, from, plan, access)
     };
-    // Of what both say the error names the place in the plan already.
+    // The error of a key that is in both already has its place in the plan.
     let is_open = |error: &FormatError| error.path() == file && error.origin().is_none();
     read().map_err(|error| if is_open(&error) { error.named_in(path, value.place()) } else { error })
 }

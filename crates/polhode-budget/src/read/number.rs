@@ -5,39 +5,40 @@ use polhode_source::unit;
 use polhode_source::unit::{Dimension, UnitError};
 use polhode_source::{FormatError, FormatErrorKind};
 
-/// A unit, as a column has it.
+/// Unit of a column.
 #[derive(Clone, Debug)]
 pub(crate) struct Unit {
     pub name: String,
     pub dimension: Dimension,
-    /// p × 10^t, if it is that with a small p: numbers in it need no more than one rounding then.
+    /// Factor to SI as p × 10^t, if it has this form with a small p. Numbers then need only one
+    /// rounding.
     decimal: Option<(u64, i32)>,
 }
 
-/// Why a text is not the number that belongs there, and a hint.
+/// Error of a text that is not a valid number, with a hint.
 #[derive(Debug)]
 pub(crate) struct Wrong {
     kind: FormatErrorKind,
     hint: Option<String>,
 }
 
-/// A number as it was read, and how well it is known.
+/// Number as it was read, with its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Measured {
     /// Value in SI units.
     pub value: f64,
-    /// Uncertainty after ±.
+    /// Error after ± in the cell.
     pub error: Option<Amount>,
     /// True if every part that needs a unit has one in the cell.
     pub has_unit: bool,
 }
 
-/// An amount of a number.
+/// Amount of an error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Amount {
-    /// SI.
+    /// Amount in SI units.
     Absolute(f64),
-    /// Of the number itself.
+    /// Fraction of the number itself.
     Relative(f64),
 }
 
@@ -49,7 +50,7 @@ impl Amount {
         }
     }
 
-    /// Of this number; of zero a fraction is none.
+    /// Returns the amount for this value. Returns `None` for a fraction of zero.
     pub(crate) fn of(self, value: f64) -> Option<f64> {
         match self {
             Self::Absolute(amount) => Some(amount),
@@ -68,7 +69,7 @@ impl Unit {
         Ok(Self { name: name.to_owned(), dimension, decimal: decimal(factor) })
     }
 
-    /// What a number of it is in SI, as the cell has it.
+    /// Reads a number whose default unit is this one. The result is in SI.
     pub(crate) fn read(&self, text: &str, dimension: Dimension) -> Result<Measured, UnitError> {
         let read = |value, has_unit| Ok(Measured { value, error: None, has_unit });
         if let Some(value) = self.plain(text) {
@@ -85,7 +86,8 @@ impl Unit {
         read(value, !unit::unit_of(text).is_empty())
     }
 
-    /// What a number in plain digits is: the double nearest to the exact product, if it is found by one operation.
+    /// Reads a number in plain digits: the double nearest to the exact product, if one operation
+    /// gives it.
     fn plain(&self, text: &str) -> Option<f64> {
         let (p, mut ten) = self.decimal?;
         let (digits, sign) = match text.strip_prefix('-') {
@@ -116,7 +118,7 @@ impl Unit {
     }
 }
 
-/// Whether a space parts two digits: 1 250 may be one number or two.
+/// Returns true if a space separates two digits: 1 250 may be one number or two.
 pub(crate) fn is_parted(text: &str) -> bool {
     let starts_with_digit = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
     text.char_indices().any(|(k, c)| {
@@ -125,13 +127,13 @@ pub(crate) fn is_parted(text: &str) -> bool {
     })
 }
 
-/// Powers of ten that are doubles.
+/// Powers of ten that are exact as doubles.
 const POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18,
     1e19, 1e20, 1e21, 1e22,
 ];
 
-/// A factor as p × 10^t with p < 10¹⁰: no unit but such comes that near to such a number.
+/// Returns a factor as p × 10^t with p < 10¹⁰. Only units with such a factor are that near to one.
 fn decimal(factor: f64) -> Option<(u64, i32)> {
     POWERS.iter().zip(0..).take(13).find_map(|(power, t)| {
         let p = (factor * power).round();
@@ -140,12 +142,12 @@ fn decimal(factor: f64) -> Option<(u64, i32)> {
 }
 
 impl Wrong {
-    /// The error at a place that makes errors of kinds.
+    /// Makes the error at a place.
     pub(crate) fn at(self, place: impl FnOnce(FormatErrorKind) -> FormatError) -> FormatError {
         place(self.kind).with_hint_of(self.hint)
     }
 
-    /// A text that breaks a rule.
+    /// Makes the error of a text that violates a rule.
     pub(crate) fn rule(heading: &str, text: &str, rule: &str, hint: &str) -> Self {
         let value = cut(text).chars().map(visible).collect();
         let (key, rule) = (heading.to_owned(), rule.to_owned());

@@ -1,4 +1,4 @@
-//! What has mass in a row.
+//! Mass properties in a row.
 
 use polhode::math::Position;
 use polhode_source::FormatError;
@@ -16,10 +16,10 @@ pub(crate) const MOMENTS: [usize; 3] = [IXX, IYY, IZZ];
 pub(crate) const PRODUCTS: [usize; 3] = [IXY, IXZ, IYZ];
 pub(crate) const CENTER: [usize; 3] = [X, Y, Z];
 
-/// Columns that say what a part is, each alone.
+/// Columns that describe the form of a part. Each excludes the others.
 const FORMS: [usize; 5] = [SHAPE, MESH, CAD, SCENARIO, FILE];
 
-/// Columns of parts that have a shape.
+/// Returns the columns of parts with a shape.
 fn of_shapes() -> impl Iterator<Item = usize> {
     SIZES.into_iter().chain([ENDS, DENSITY, MATERIAL])
 }
@@ -28,7 +28,7 @@ fn of_shapes() -> impl Iterator<Item = usize> {
 const OF_MESHES: [usize; 4] = [UNIT, WELD, FILL, UNION];
 
 impl<'s, 'a> Rows<'s, 'a> {
-    /// The part of a row and how well it is known; `None` of a frame.
+    /// Reads the part of a row, with its errors; `None` for a frame.
     pub(crate) fn part(
         &mut self,
         cells: &Cells<'_, 'a>,
@@ -64,7 +64,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         Ok(Some((part, uncertainty)))
     }
 
-    /// Refuses the first cell of these columns.
+    /// Refuses the first cell in these columns.
     fn without(
         &self,
         cells: &Cells<'_, 'a>,
@@ -77,7 +77,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         }
     }
 
-    /// A part of which columns give mass, centre and tensor.
+    /// Reads a part from columns of mass, centre and tensor.
     fn columns_of(&mut self, cells: &Cells<'_, 'a>, mass: f64) -> Result<GivenPart, FormatError> {
         let values = self.reader.all_or_none(cells, CENTER)?;
         let center = values.map_or([0.0; 3], |all| all.map(|given| given.map_or(0.0, |given| given.value)));
@@ -87,7 +87,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         Ok(GivenPart { mass, center_of_mass: Position::from_array(center), tensor })
     }
 
-    /// How well mass, centre and tensor are known.
+    /// Reads the errors of mass, centre and tensor.
     fn uncertainty<'c>(
         &mut self,
         cells: &Cells<'c, 'a>,

@@ -1,4 +1,4 @@
-//! Where the frame of a row is in that of its parent.
+//! Place of a row's frame in its parent's frame.
 
 use polhode::math::{Part, Position, Rotation, RotationError};
 use polhode_source::files::Memory;
@@ -17,7 +17,7 @@ const QUATERNION: [usize; 4] = [QW, QX, QY, QZ];
 const ANGLES: [usize; 3] = [ROLL, PITCH, YAW];
 
 impl<'s, 'a> Reader<'s, 'a> {
-    /// The place of a row's frame, and how well its position and its rotation are known.
+    /// Reads the place of a row's frame, with the errors of its position and its rotation.
     pub(crate) fn place(
         &mut self,
         cells: &Cells<'_, 'a>,
@@ -36,7 +36,8 @@ impl<'s, 'a> Reader<'s, 'a> {
         Ok((place, position_spread, spread(rotation_spread)))
     }
 
-    /// Three numbers that stand together, and how well they are known; the errors may also be those of numbers that are known otherwise.
+    /// Reads three numbers that belong together, with their errors. If they have no cells, the
+    /// errors apply to the `known` numbers.
     pub(crate) fn triple(
         &mut self,
         cells: &Cells<'_, 'a>,
@@ -56,7 +57,8 @@ impl<'s, 'a> Reader<'s, 'a> {
         Ok((numbers, spread(deviations)))
     }
 
-    /// Numbers that stand together: a cell that is empty where others are not is refused; a column that is not there is zero.
+    /// Reads numbers that belong together. If some of their cells are empty and others are not,
+    /// that is an error. A missing column means zero.
     pub(crate) fn all_or_none<'c, const N: usize>(
         &mut self,
         cells: &Cells<'c, 'a>,
@@ -87,7 +89,7 @@ impl<'s, 'a> Reader<'s, 'a> {
         match forms {
             [Some(cell), ..] => self.written_rotation(cell),
             [_, Some(cell), _] => {
-                // An angle that is not given is no turn.
+                // An angle that is not given is 0.
                 let mut angles = [0.0; 3];
                 for (slot, key) in angles.iter_mut().zip(ANGLES) {
                     *slot = self.number(cells, key)?.map_or(0.0, |angle| angle.value);
@@ -107,7 +109,8 @@ impl<'s, 'a> Reader<'s, 'a> {
         self.sheet.error(cell, FormatErrorKind::Rotation(error))
     }
 
-    /// `{ axis = [0, 0, 1], angle = '90 deg' }`, in all forms that scenarios have; the braces may be left out.
+    /// Reads `{ axis = [0, 0, 1], angle = '90 deg' }`, in all forms that scenarios have. The braces
+    /// are optional.
     fn written_rotation(&self, cell: &Cell<'a>) -> Result<Rotation<Part, Part>, FormatError> {
         let inside = self.whole(cell)?;
         let braced = inside.starts_with('{');
@@ -127,7 +130,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 }
 
-/// Standard deviations, if any is not zero.
+/// Returns standard deviations, or exact numbers if all of these are 0.
 pub(crate) fn spread<const N: usize>(deviations: [f64; N]) -> Spread<N> {
     if deviations == [0.0; N] { Spread::Exact } else { Spread::Deviations(deviations) }
 }

@@ -1,4 +1,4 @@
-//! Tanks and what is to happen, where their rows and configurations are known.
+//! Tanks and changes over time, with their rows and configurations resolved.
 
 use polhode_source::{FormatError, FormatErrorKind};
 
@@ -8,30 +8,30 @@ use super::plan::sequence::{OverTime, PlannedChange, PlannedSequence};
 use super::plan::tank::PlannedTank;
 use crate::{Basis, Budget, Change, LiquidErrors, Row, Rows, Sequence, SequenceError, Tank};
 
-/// Tanks, and what is to happen to the body over time.
+/// Tanks, and prescribed changes of the body over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Prescribed {
-    /// Each configuration without what is in its tanks, and these.
+    /// Each configuration without liquid, with its tanks.
     stages: Vec<(NamedBudget, Vec<FilledTank>)>,
-    /// What happens, if anything is said of it.
+    /// Changes over time, if there are any.
     pub over_time: Option<OverTime>,
 }
 
-/// A tank, and what is in it at first.
+/// Tank with its contents at the start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FilledTank {
-    /// The tank.
     pub tank: Tank,
-    /// Of the liquid, kg.
+    /// Mass of the liquid, kg.
     pub mass: f64,
-    /// How well that is known.
+    /// Errors of the amount and the density.
     pub errors: LiquidErrors,
-    /// The group with which its errors are correlated.
+    /// Name of the group with which its errors are correlated.
     pub group: Option<String>,
 }
 
 impl Prescribed {
-    /// The tanks of a configuration, and, if it is the one that it begins with, what happens.
+    /// Returns the tanks of a configuration. If the sequence begins in it, also returns the
+    /// changes.
     pub fn sequence(&self, configuration: Option<&str>, basis: Basis) -> Option<Sequence<'_>> {
         let (stage, tanks) = self.stage(configuration)?;
         let tanks = tanks.iter().map(|one| (one.tank.clone(), one.mass));
@@ -50,7 +50,8 @@ impl Prescribed {
         Some(sequence)
     }
 
-    /// Each configuration without what is in its tanks, and these with what is in them at first.
+    /// Iterates over the configurations without liquid. Each has its name, its budget, and its
+    /// tanks with their contents at the start.
     pub fn dry(&self) -> impl Iterator<Item = (Option<&str>, &Budget, &[FilledTank])> {
         self.stages.iter().map(|(stage, tanks)| (stage.name.as_deref(), &stage.budget, &tanks[..]))
     }
@@ -65,7 +66,8 @@ impl Prescribed {
     }
 }
 
-/// Adds what is in the tanks to each configuration; lines are added about what was taken as given.
+/// Adds the liquid in tanks to each configuration. Appends sentences about the assumptions to
+/// `lines`.
 pub(crate) fn with_liquid(
     configurations: Vec<NamedBudget>,
     plan: &Plan,
@@ -101,7 +103,7 @@ pub(crate) fn with_liquid(
         same_tanks(&prescribed, &over_time, &plan.tanks)?;
         prescribed.over_time = Some(over_time);
         if let Some(of_file) = prescribed.sequence(begin.as_deref(), plan.questions.basis) {
-            // Two places between corners: what is wrong with a tank is so at an end.
+            // Two points between corners suffice: the errors of a tank occur at an end.
             let tried = of_file.rows([0.0, sequence.stated.until], 2);
             tried.map_err(|error| blame(&error, sequence, &plan.tanks))?;
         }
@@ -109,7 +111,7 @@ pub(crate) fn with_liquid(
     Ok((wet, Some(prescribed)))
 }
 
-/// Are the tanks that drain in what it begins as?
+/// Checks that the draining tanks are in the configuration in which the sequence begins.
 fn begins_with(
     prescribed: &Prescribed,
     begin: Option<&str>,
@@ -128,7 +130,8 @@ fn begins_with(
     Err(invalid(place, "tank", &burn.tank, rule).with_hint(format!("it is in {there}")))
 }
 
-/// Are the tanks of what it begins as also in what it becomes? Liquid does not appear, nor go, as arms unfold.
+/// Checks that later configurations have the same tanks as the first. Liquid cannot appear or
+/// vanish in a deployment.
 fn same_tanks(
     prescribed: &Prescribed,
     over_time: &OverTime,
@@ -147,7 +150,7 @@ fn same_tanks(
                 tank.name
             );
             return Err(match tank.configurations.join(", ") {
-                // Its frame is in one of them only.
+                // Its frame is in only one of them.
                 all if all.is_empty() => tank.refused(rule),
                 all => invalid(&tank.places[1], "configuration", &all, rule),
             });
@@ -170,7 +173,7 @@ impl PlannedTank {
         FilledTank { tank, mass: self.mass, errors: self.errors, group: self.group.clone() }
     }
 
-    /// `12 ± 0.3 kg in "fuel", its density ± 2 %`
+    /// Returns words such as `12 ± 0.3 kg in "fuel", its density ± 2 %`.
     fn in_words(&self) -> String {
         let LiquidErrors { amount, density, .. } = self.errors;
         let rounded = |x: f64| format!("{x:.2e}").parse::<f64>().unwrap_or(x);
@@ -183,7 +186,7 @@ impl PlannedTank {
         format!("{}{error} kg in \"{}\"{of_density}{exactly}", self.mass, self.name)
     }
 
-    /// An error at its frame.
+    /// Returns an error at the tank's frame.
     fn refused(&self, rule: String) -> FormatError {
         invalid(&self.places[0], "frame", self.frame.as_deref().unwrap_or_default(), rule)
     }
@@ -193,13 +196,14 @@ fn has_row(budget: &Budget, name: &str) -> bool {
     budget.rows().position(name).is_some()
 }
 
-/// At the place of another error.
+/// Returns an error at the place of another error.
 fn invalid(place: &FormatError, key: &str, value: &str, rule: String) -> FormatError {
     let kind = FormatErrorKind::Value { key: key.to_owned(), value: format!("{value:?}"), rule };
     place.clone().replaced(kind)
 }
 
-/// Is the frame of a tank a row, are its configurations some, and is its name that of no row?
+/// Checks that the frame of a tank is a row, that its configurations exist, and that no row has its
+/// name.
 fn check(tank: &PlannedTank, configurations: &[NamedBudget], names: &[&str]) -> Result<(), FormatError> {
     for name in &tank.configurations {
         if !names.contains(&name.as_str()) {
@@ -228,10 +232,10 @@ fn check(tank: &PlannedTank, configurations: &[NamedBudget], names: &[&str]) -> 
     absent.map_or(Ok(()), |name| Err(tank.refused(rule(name))))
 }
 
-/// A list with what is in its tanks: a row each.
+/// Returns a list with a row for the liquid in each tank.
 fn filled(dry: &Budget, tanks: &[(&PlannedTank, FilledTank)]) -> Result<Budget, FormatError> {
     let Some((first, _)) = tanks.first() else { return Ok(dry.clone()) };
-    // Subtotals are of the rows that the file has, and are met.
+    // Subtotals refer to the rows of the file and were checked before.
     let mut rows: Rows = dry.rows().iter().map(|row| Row { subtotal: None, ..row }).collect();
     for (tank, placed) in tanks {
         let tried = Sequence::of(dry, Basis::Basic, [(placed.tank.clone(), tank.mass)]).at(0.0);
@@ -282,7 +286,7 @@ fn over_time(sequence: &PlannedSequence, names: &[&str]) -> Result<OverTime, For
     Ok(OverTime { configuration, ..sequence.stated.clone() })
 }
 
-/// The error at what is to blame.
+/// Returns the error at the item that causes it.
 fn blame(error: &SequenceError, sequence: &PlannedSequence, tanks: &[PlannedTank]) -> FormatError {
     let burns = || sequence.stated.burns.iter().zip(&sequence.burns).rev();
     let changes = || sequence.stated.changes.iter().zip(&sequence.changes).rev();
@@ -292,7 +296,7 @@ fn blame(error: &SequenceError, sequence: &PlannedSequence, tanks: &[PlannedTank
     let change = |is: &dyn Fn(&PlannedChange) -> bool| {
         changes().find(|(change, _)| is(change)).map(|(_, place)| place)
     };
-    // No two changes are at one time.
+    // No two changes have the same time.
     let at_time = |time: f64| change(&|change| change.time() == time);
     let dropping = |row: &str| {
         change(&|change| match change {

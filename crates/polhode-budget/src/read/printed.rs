@@ -1,4 +1,4 @@
-//! How exactly a number is printed.
+//! Precision of a printed number.
 
 use polhode_source::FormatError;
 use polhode_source::unit;
@@ -9,7 +9,7 @@ use super::cells::Reader;
 use super::key::KEYS;
 
 impl<'s, 'a> Reader<'s, 'a> {
-    /// Half of the last digit that is printed of a number, in SI.
+    /// Returns half a unit of the last printed digit of a number, in SI.
     pub(crate) fn half_digit(&self, cell: &Cell<'a>) -> Result<f64, FormatError> {
         let Some(column) = self.columns.get(cell.column) else { return Ok(0.0) };
         let text = self.pointed(cell)?;
@@ -23,12 +23,12 @@ impl<'s, 'a> Reader<'s, 'a> {
         };
         let half = format!("5e{}{unit}", -decimals - 1);
         let dimension = KEYS.get(column.key).and_then(|key| key.holds.dimension()).unwrap_or(Dimension::NONE);
-        // What is too small for a double is nothing.
+        // A value that is too small for a double counts as 0.
         Ok(column.unit().read(&half, dimension).map_or(0.0, |read| read.value))
     }
 }
 
-/// Digits behind the point: of 12.50 two, of 1.5e3 −2.
+/// Returns the number of decimals: 2 for 12.50, −2 for 1.5e3.
 fn decimals(text: &str) -> i32 {
     let number = unit::number_of(text).unwrap_or_default();
     let (digits, power) = number.split_once('e').unwrap_or((&number, "0"));

@@ -20,13 +20,13 @@ use super::sheet::Sheet;
 use super::taken::Taken;
 use crate::{CopyErrors, Growth, Quantity, Row, Spread, Subtotal, Uncertainty};
 
-/// Reads rows one after another.
+/// Reader of rows, one after another.
 pub(crate) struct Rows<'s, 'a> {
     pub reader: Reader<'s, 'a>,
     pub plan: &'s Plan,
     pub access: Access<'s>,
     pub taken: Taken,
-    /// What files and shapes came to, by what says them.
+    /// Mass properties of files and shapes that were computed before, by their description.
     pub known: HashMap<String, MassProperties<Part>>,
 }
 
@@ -34,23 +34,24 @@ pub(crate) struct Rows<'s, 'a> {
 #[derive(Debug, Default)]
 pub(crate) struct ReadRows {
     pub rows: crate::Rows,
-    /// Positions of the rows in the table.
+    /// Index of each row in the table.
     pub origins: Vec<u32>,
-    /// Names of configurations: those of the plan first, then as rows name them.
+    /// Names of configurations: those of the plan first, then others in the order of the rows.
     pub configurations: Vec<String>,
-    /// Rows that are not in all configurations, in their order, each with the number of one in which it is.
+    /// Rows that are not in all configurations, each with the index of one in which it is, in the
+    /// order of rows.
     pub members: Vec<(u32, u32)>,
 }
 
-/// Each has all rows of its own: more would fill the memory.
+/// Largest number of configurations. Each has a copy of its rows, so more could fill the memory.
 const MOST_CONFIGURATIONS: u32 = 100;
 
-/// Names of rows that are sums of others.
+/// Names of rows that are totals of others.
 const TOTALS: [&str; 9] =
     ["total", "totals", "grand total", "sum", "subtotal", "sub-total", "total mass", "summe", "gesamt"];
 
 impl ReadRows {
-    /// The number of a configuration; `None` of one more than there may be.
+    /// Returns the index of a configuration, or `None` if there are too many.
     fn number_of(&mut self, name: String) -> Option<u32> {
         let known = self.configurations.iter().position(|known| *known == name);
         let number = known.unwrap_or(self.configurations.len());
@@ -72,7 +73,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         Self { reader, plan, access, taken: Taken::default(), known: HashMap::new() }
     }
 
-    /// All rows below the headings.
+    /// Reads all rows below the headings.
     pub(crate) fn all(&mut self) -> Result<ReadRows, FormatError> {
         let (sheet, columns) = (self.reader.sheet, self.reader.columns);
         let configurations = self.plan.configurations.clone().unwrap_or_default();
@@ -159,7 +160,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         if name.split('/').any(|name| name.trim().is_empty()) {
             return Err(self.reader.invalid(cell, "a name, or names with a / between each two"));
         }
-        // Total (all): what is in brackets is a remark.
+        // In `Total (all)`, the text in brackets is a remark.
         let plain = name.split(['(', '[', ':']).next().unwrap_or_default().trim().to_lowercase();
         if TOTALS.contains(&plain.as_str()) && cells.cell(MASS).is_some() {
             return Err(self

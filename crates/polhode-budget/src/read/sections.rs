@@ -1,4 +1,4 @@
-//! Sheets that are no parts, as TOML: what they say is read as a plan's own keys are.
+//! Sheets other than the parts, as TOML. They are read like the keys of a plan.
 
 use std::ops::Range;
 
@@ -8,23 +8,23 @@ use super::shape::quoted;
 use super::sheet::Sheet;
 use polhode_source::FormatError;
 
-/// The TOML that sheets stand for, and of which cell each part of it is.
+/// TOML made of sheets, with the source cell of each part of it.
 #[derive(Default)]
 pub(crate) struct Sections<'s, 'a> {
     pub(crate) toml: String,
     cells: Vec<(Range<usize>, &'s Sheet<'a>, Cell<'a>)>,
 }
 
-/// The sheet of the keys that stand in no table.
+/// Name of the sheet with the keys that are not in a table.
 const PLAN: &str = "plan";
 
-/// Whether a sheet of this name is a section of a plan.
+/// Returns true if a sheet with this name is a section of a plan.
 pub(crate) fn is_section(name: &str) -> bool {
     name == PLAN || plan::TABLES.contains(&name) || plan::LISTS.contains(&name)
 }
 
 impl<'s, 'a> Sections<'s, 'a> {
-    /// Adds a sheet; that of the plan has to be the first.
+    /// Adds a sheet. The sheet of the plan must be the first.
     pub(crate) fn add(&mut self, name: &str, sheet: &'s Sheet<'a>) -> Result<(), FormatError> {
         if plan::LISTS.contains(&name) {
             return self.list(name, sheet);
@@ -43,7 +43,7 @@ impl<'s, 'a> Sections<'s, 'a> {
                 let error = sheet.invalid(cell, "the row", "a key and its value, in two cells");
                 return Err(error.with_hint("a list in one cell is written as [\"a\", \"b\"]"));
             };
-            // Headings.
+            // Row of headings.
             if k == 0 && ["key", "code"].contains(&key.text.to_lowercase().as_str()) {
                 continue;
             }
@@ -53,7 +53,8 @@ impl<'s, 'a> Sections<'s, 'a> {
         Ok(())
     }
 
-    /// A sheet of which the first row has the keys, and each other row one of the list.
+    /// Adds a sheet of a list. The first row has the keys, and each other row is an item of the
+    /// list.
     fn list(&mut self, name: &str, sheet: &'s Sheet<'a>) -> Result<(), FormatError> {
         let Some((headings, rows)) = sheet.rows.split_first() else { return Ok(()) };
         let keys = sheet.row(headings);
@@ -95,7 +96,7 @@ impl<'s, 'a> Sections<'s, 'a> {
         Ok(())
     }
 
-    /// An error of the TOML, at the cell that it is about.
+    /// Moves an error in the TOML to the cell that it is about.
     pub(crate) fn moved(&self, error: FormatError) -> FormatError {
         let Some((_, sheet, _)) = self.cells.first() else { return error };
         error.moved(sheet.path(), |place| {
@@ -105,13 +106,13 @@ impl<'s, 'a> Sections<'s, 'a> {
     }
 }
 
-/// A key, perhaps with dots, or in quotes if it has to be.
+/// Returns a key, which may have dots. It is quoted if necessary.
 fn key_of(text: &str) -> String {
     let is_bare = text.chars().all(|c| c.is_ascii_alphanumeric() || "_-.".contains(c));
     if is_bare { text.to_owned() } else { quoted(text) }
 }
 
-/// What a cell says, in TOML: numbers, truths, what is TOML in brackets already, and texts.
+/// Returns the content of a cell as TOML: a number, a truth value, TOML in brackets, or a string.
 fn toml(cell: &Cell<'_>) -> String {
     let text = cell.text.as_ref();
     match cell.content {

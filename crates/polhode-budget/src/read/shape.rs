@@ -1,4 +1,5 @@
-//! Parts by their form: a shape, a mesh, a report of a CAD program, or the body of a scenario.
+//! Parts described by their form: a shape, a mesh, a report of a CAD program, or the body of a
+//! scenario.
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -24,7 +25,7 @@ use super::key::{
 };
 use super::rows::Rows;
 
-/// What a file that a row names holds.
+/// Kind of form that a row refers to.
 enum Form {
     Shape,
     Mesh,
@@ -32,10 +33,10 @@ enum Form {
     Scenario,
 }
 
-/// Shapes that are remembered, so that equal ones are not computed again.
+/// Largest number of shapes in the cache, which avoids computing equal ones again.
 const MOST_KNOWN: usize = 10_000;
 
-/// The table of a scenario that a row is, and of which cell each value is.
+/// Table of a scenario made of a row, with the source cell of each value.
 struct Written<'s, 'a> {
     text: String,
     cells: Vec<(Range<usize>, &'s Cell<'a>)>,
@@ -50,7 +51,7 @@ impl<'s, 'a> Written<'s, 'a> {
 }
 
 impl<'s, 'a> Rows<'s, 'a> {
-    /// A part that has a shape, a mesh or a file, and the mass that its row gives.
+    /// Computes a part from its shape, mesh or file, and from the mass that its row gives.
     pub(crate) fn formed<'c>(
         &mut self,
         cells: &Cells<'c, 'a>,
@@ -95,7 +96,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         self.reader.sheet.path().parent().unwrap_or(Path::new("")).join(name)
     }
 
-    /// The files that parts may name.
+    /// Returns the files that parts may refer to.
     fn files(&self) -> Confined<'s> {
         self.access.of(self.reader.sheet.path())
     }
@@ -111,12 +112,12 @@ impl<'s, 'a> Rows<'s, 'a> {
                 Err(self.reader.invalid(cell, "left out: no other file is opened for this list"))
             }
             Err(NotOpened::NotRegular) => Err(self.reader.invalid(cell, "a regular file")),
-            // The reader of the file says that it is missing.
+            // The reader of the file reports that it is missing.
             Ok(_) | Err(NotOpened::Missing) => Ok(()),
         }
     }
 
-    /// A shape or a mesh, by the reader of scenarios.
+    /// Computes a shape or a mesh with the reader of scenarios.
     fn shaped<'c>(
         &mut self,
         cells: &Cells<'c, 'a>,
@@ -179,7 +180,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         Ok(properties)
     }
 
-    /// What a report of a CAD program says.
+    /// Reads the mass properties in a report of a CAD program.
     fn reported(&mut self, path: &Path, cell: &Cell<'a>) -> Result<MassProperties<Part>, FormatError> {
         let key = format!("cad {}", path.display());
         if let Some(known) = self.known.get(&key) {
@@ -200,7 +201,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         self.keep(key, &report.properties, cell)
     }
 
-    /// The body of a scenario.
+    /// Reads the body of a scenario.
     fn body_of(&mut self, path: &Path, cell: &Cell<'a>) -> Result<MassProperties<Part>, FormatError> {
         let key = format!("scenario {}", path.display());
         if let Some(known) = self.known.get(&key) {
@@ -226,7 +227,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         Ok(properties)
     }
 
-    /// An error of a file that a cell names.
+    /// Returns the error of a file, with the cell that refers to it.
     fn named_in(&self, error: FormatError, cell: &Cell<'a>) -> FormatError {
         let sheet = self.reader.sheet;
         match error.kind() {
@@ -239,7 +240,7 @@ impl<'s, 'a> Rows<'s, 'a> {
 }
 
 impl<'s, 'a> Reader<'s, 'a> {
-    /// The density of a part; `None` if it has none, or one that is a formula.
+    /// Reads the density of a part; `None` if there is none, or if it is a formula.
     pub(crate) fn given_density<'c>(
         &mut self,
         cells: &Cells<'c, 'a>,
@@ -252,7 +253,7 @@ impl<'s, 'a> Reader<'s, 'a> {
         if is_number { self.number(cells, DENSITY) } else { Ok(None) }
     }
 
-    /// Lengths as a scenario has them: `100 × 50 × 20 mm` as a list of three.
+    /// Converts lengths to the form of scenarios: `100 × 50 × 20 mm` becomes a list of three.
     fn sizes(&self, cell: &Cell<'a>) -> Result<String, FormatError> {
         if self.whole(cell)?.starts_with('[') {
             return Ok(cell.text.to_string());
@@ -287,7 +288,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     }
 }
 
-/// What a file is by its name.
+/// Returns the kind of a file by its name.
 fn form_of(name: &str) -> Form {
     let path = Path::new(name);
     if MeshFormat::of_path(path).is_some() || polhode_shape::brep::BrepFormat::of_path(path).is_some() {
@@ -299,13 +300,13 @@ fn form_of(name: &str) -> Form {
     }
 }
 
-/// The same body in the frame of a row.
+/// Returns a body in the frame of a row.
 fn in_part<F: Frame>(body: &MassProperties<F>) -> Result<MassProperties<Part>, polhode::body::BodyError> {
     let center = Position::from_array(body.center_of_mass().to_array());
     MassProperties::new(body.mass(), center, InertiaTensor::from_matrix(body.inertia().matrix())?)
 }
 
-/// A TOML string.
+/// Returns a text as a TOML string.
 pub(crate) fn quoted(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {

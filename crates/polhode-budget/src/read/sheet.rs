@@ -1,4 +1,4 @@
-//! Tables of cells that know where they stand.
+//! Tables of cells that have their positions.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -12,18 +12,18 @@ use super::cell::{Cell, SheetRow, cell_name};
 use super::fields;
 use super::xlsx::{Cells, Workbook};
 
-/// A table. Cells that are empty are left out, and so are rows of such.
+/// Table of cells. Empty cells and empty rows are left out.
 ///
-/// A million rows are common: cells are kept as text or packed, and made row by row.
+/// A million rows are common. Cells are therefore kept as text or packed, and made row by row.
 #[derive(Debug)]
 pub(crate) struct Sheet<'a> {
     pub rows: Cow<'a, [SheetRow]>,
     pub body: Body<'a>,
-    /// Whether numbers in text have a comma where others have a point.
+    /// True if numbers in text have a decimal comma.
     pub decimal_comma: bool,
 }
 
-/// Table with its source and its cells.
+/// Source and cells of a table.
 #[derive(Clone, Debug)]
 pub(crate) enum Body<'a> {
     /// Fields of a text file, between separators.
@@ -33,7 +33,7 @@ pub(crate) enum Body<'a> {
 }
 
 impl<'a> Sheet<'a> {
-    /// A sheet of a workbook as a table, and what is to be said of it.
+    /// Returns a sheet of a workbook as a table, with statements for the report.
     pub(crate) fn of_workbook(
         workbook: &'a Workbook,
         path: &'a Path,
@@ -51,7 +51,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// The cells of a row.
+    /// Returns the cells of a row.
     pub(crate) fn row(&self, row: &SheetRow) -> Vec<Cell<'a>> {
         match &self.body {
             Body::Text { source, separator } => fields::cells(source.text, *separator, row),
@@ -59,7 +59,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// Where a cell is.
+    /// Returns the position of a cell.
     pub(crate) fn spot(&self, cell: &Cell<'_>) -> Spot {
         match &self.body {
             Body::Text { source, .. } => Spot::Text(source.place(cell.span.clone())),
@@ -67,19 +67,19 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// An error at a cell.
+    /// Returns an error at a cell.
     pub(crate) fn error(&self, cell: &Cell<'_>, kind: FormatErrorKind) -> FormatError {
         FormatError::at(self.path(), Some(self.spot(cell)), kind)
     }
 
-    /// An error about a value that breaks a rule.
+    /// Returns an error about a value that violates a rule.
     pub(crate) fn invalid(&self, cell: &Cell<'_>, heading: &str, rule: impl Into<String>) -> FormatError {
         let value = cut(&cell.text).chars().map(visible).collect();
         let key = cut(heading).chars().map(visible).collect();
         self.error(cell, FormatErrorKind::Value { key, value, rule: rule.into() })
     }
 
-    /// Whether a line of a text begins with #, and not in quotes.
+    /// Returns true if a line of a text begins with a # that is not in quotes.
     pub(crate) fn is_remark(&self, first: &Cell<'_>) -> bool {
         match &self.body {
             Body::Text { source, .. } => {
@@ -89,7 +89,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// An error at a row as a whole, or about the whole table.
+    /// Returns an error at a row, or about the whole table.
     pub(crate) fn row_error(&self, row: Option<usize>, kind: FormatErrorKind) -> FormatError {
         let first = row.and_then(|row| self.rows.get(row)).and_then(|row| self.row(row).into_iter().next());
         match first {
@@ -98,7 +98,8 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// An error of a text that was made of cells: at the cell of which that part of the text is, or else at this one.
+    /// Moves an error in a text that was made of cells to the source cell of that part, or to
+    /// `otherwise`.
     pub(crate) fn moved(
         &self,
         error: FormatError,

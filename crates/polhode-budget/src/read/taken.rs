@@ -1,4 +1,4 @@
-//! What was taken as given.
+//! Assumptions made by the reader.
 
 use polhode_source::text::counted;
 
@@ -9,27 +9,27 @@ use super::plan::Plan;
 use super::plan::table_file::TableOrigin;
 use super::sheet::Sheet;
 
-/// What was taken as given while rows were read.
+/// Assumptions made while rows were read.
 #[derive(Debug, Default)]
 pub(crate) struct Taken {
-    /// Parts with mass and nothing else.
+    /// Parts with mass only, taken as points.
     pub points: usize,
-    /// Tensors of which no column has products.
+    /// Tensors without columns of products.
     pub without_products: usize,
-    /// Tensors without errors of their own, of masses that have some.
+    /// Tensors without errors of their own, of masses with errors.
     pub following: usize,
-    /// Rows of several copies that do not say how their errors go together.
+    /// Rows of several copies that do not state the correlation of their errors.
     pub alike_copies: usize,
-    /// Tensors of which only elements make a possible body.
+    /// Tensors that make a possible body only if the products are tensor elements.
     pub proved_elements: usize,
-    /// And those of which only positive integrals do.
+    /// Tensors that make a possible body only if the products are positive integrals.
     pub proved_integrals: usize,
-    /// What was found in files.
+    /// Findings in files that were read.
     pub findings: Vec<String>,
 }
 
 impl Taken {
-    /// A sentence each.
+    /// Returns the assumptions, one sentence each.
     pub(crate) fn lines(self) -> impl Iterator<Item = String> {
         let line = |count: usize, noun: &str, rest: &str| {
             (count > 0).then(|| format!("{} {rest}", counted(count, noun)))
@@ -56,7 +56,7 @@ impl Taken {
     }
 }
 
-/// The files that were read: the list, and the tables of tanks.
+/// Returns the files that were read: the list, and the tables of tanks.
 pub(crate) fn files(sheet: &Sheet<'_>, plan: &Plan, mut lines: Vec<String>) -> Vec<ReadParts> {
     let mut files = Vec::new();
     for table in plan.tanks.iter().filter_map(|tank| tank.table.clone()) {
@@ -69,7 +69,7 @@ pub(crate) fn files(sheet: &Sheet<'_>, plan: &Plan, mut lines: Vec<String>) -> V
     files
 }
 
-/// What was taken as given of a table as a whole, a sentence each.
+/// Returns the assumptions about a table as a whole, one sentence each.
 pub(crate) fn of_sheet(
     sheet: &Sheet<'_>,
     columns: &Columns,

@@ -1,4 +1,4 @@
-//! The inertia tensor of a row, the point that it is about, and the sign of its products.
+//! Inertia tensor of a row, its reference point, and the sign of its products.
 
 use polhode::body::{BodyError, InertiaAbout, InertiaTensor, MassProperties};
 use polhode::math::{Part, Position};
@@ -16,7 +16,7 @@ use super::rows::Rows;
 use crate::{GivenTensor, ProductSign, TensorPoint};
 
 impl<'s, 'a> Rows<'s, 'a> {
-    /// The tensor of a part with this mass and centre; `None` if no column gives one.
+    /// Reads the tensor of a part with this mass and centre of mass; `None` if no column gives one.
     pub(crate) fn tensor(
         &mut self,
         cells: &Cells<'_, 'a>,
@@ -44,7 +44,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         Ok(Some(GivenTensor { moments, products, sign, about }))
     }
 
-    /// The point that a tensor is about.
+    /// Returns the reference point of a tensor.
     fn about(
         &mut self,
         cells: &Cells<'_, 'a>,
@@ -54,7 +54,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         match (cells.cell(ABOUT), &self.plan.about) {
             (Some(cell), _) => self.named_point(cell),
             (None, Some(about)) => Ok(about.clone()),
-            // They are one point.
+            // Both choices are the same point.
             (None, None) if center == [0.0; 3] => Ok(TensorPoint::CenterOfMass),
             (None, None) => {
                 let question = "is the tensor about the part's centre of mass, or about which other point?";
@@ -65,7 +65,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         }
     }
 
-    /// `center`, `origin`, the name of a frame, or three lengths: `10 mm, 0, 0`.
+    /// Reads `center`, `origin`, the name of a frame, or three lengths: `10 mm, 0, 0`.
     fn named_point(&self, cell: &Cell<'a>) -> Result<TensorPoint, FormatError> {
         let label = self.reader.label_of(cell)?;
         let inside = label.trim_matches(['[', ']', '(', ')']);
@@ -93,7 +93,8 @@ impl<'s, 'a> Rows<'s, 'a> {
         Ok(TensorPoint::At(Position::from_array(point)))
     }
 
-    /// What the products of a row are: as it says, as the file says, or as only one sign makes a possible body.
+    /// Returns the sign convention of the products of a row: that of the row, that of the file, or
+    /// the only one that makes a possible body.
     fn sign(
         &mut self,
         cells: &Cells<'_, 'a>,
@@ -149,7 +150,8 @@ impl<'s, 'a> Rows<'s, 'a> {
         }
     }
 
-    /// By how much moments may be larger than they are printed, such that a body that is possible stays so however its numbers were rounded.
+    /// Returns the largest amount by which rounding may reduce the moments. With it added, a
+    /// possible body stays possible, however its numbers were rounded.
     fn rounding(
         &self,
         cells: &Cells<'_, 'a>,
@@ -180,7 +182,8 @@ impl<'s, 'a> Rows<'s, 'a> {
     }
 }
 
-/// Whether a body with such a tensor can exist; `None` where the point is not known here.
+/// Checks that a body with this tensor is possible. Returns `None` if the reference point is not
+/// known here.
 fn possible(
     mass: f64,
     center: [f64; 3],

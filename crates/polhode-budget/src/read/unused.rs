@@ -1,4 +1,4 @@
-//! What a file declares and nothing uses: it has no effect, so it is probably a slip.
+//! Declarations that are not used. They have no effect, so they are probably mistakes.
 
 use std::collections::HashSet;
 
@@ -22,7 +22,7 @@ pub(crate) fn ignored(columns: &Columns, plan: &Plan, sheets: &[&str]) -> Result
     }
 }
 
-/// Refuses groups that no row names, and answers about reports where there are none.
+/// Refuses groups that no row refers to, and `[cad]` without reports.
 pub(crate) fn declared(
     columns: &Columns,
     plan: &Plan,
@@ -46,7 +46,7 @@ pub(crate) fn declared(
     }
 }
 
-/// At the place of another error.
+/// Returns an error at the place of another error.
 fn unused(place: &FormatError, key: &str, value: &str, rule: &str) -> FormatError {
     let (key, value, rule) = (key.to_owned(), format!("{value:?}"), rule.to_owned());
     place

@@ -18,10 +18,10 @@ use super::sheet::Sheet;
 use super::xlsx::Workbook;
 use super::{BudgetFile, of_table, unused};
 
-/// The sheet of the parts, where there are others beside it.
+/// Name of the sheet of parts, if there are other sheets.
 const PARTS: &str = "parts";
 
-/// Reads a workbook; with what its sheets say besides what the plan says that names it, if one does.
+/// Reads a workbook. If a plan refers to it, its statements are joined with those of the sheets.
 pub(crate) fn read(
     path: &Path,
     bytes: &[u8],
@@ -76,7 +76,7 @@ fn of_sections(
     all: &Sheets<'_>,
 ) -> Result<Plan, FormatError> {
     let mut sections = Sections::default();
-    // Keys that stand in no table come before those that do.
+    // Keys outside tables come before tables.
     let (first, then): (Vec<_>, Vec<_>) = sheets.iter().partition(|(name, _)| *name == "plan");
     for (name, sheet) in first.into_iter().chain(then) {
         sections.add(name, sheet)?;

@@ -1,4 +1,4 @@
-//! First order beside draws.
+//! Comparison of first order with draws.
 
 use polhode_document::Section;
 use polhode_document::number::{count, number};
@@ -42,14 +42,15 @@ pub(crate) fn section(case: &Case) -> Option<Section> {
     Some(section)
 }
 
-/// Which numbers draws say differently.
+/// Returns a message with the numbers for which draws differ from first order.
 pub(crate) fn difference_in_words(case: &Case) -> Option<String> {
     let comparison = &case.drawn.as_ref()?.comparison;
     let differs = |(k, n): &(usize, &ComparedNumber)| is_comparable(case, *k) && n.differs();
     let names: Vec<&str> =
         comparison.numbers.iter().enumerate().filter(differs).map(|(_, n)| n.name).collect();
     (!names.is_empty()).then(|| {
-        // The mass is a sum: its mean and standard deviation are exact to first order, even where draws miss its long tail; but tanks hold no more than they do.
+        // The mass is a sum. Its mean and standard deviation are exact to first order, even if
+        // draws miss its long tail. Liquids are an exception, because a tank cannot overflow.
         let of_mass = if names.contains(&"mass") && !has_liquid(case) { "; of the mass first order is exact" } else { "" };
         format!(
             "draws differ from first order by more than chance in {}: there numbers are not linear in the errors, or draws are too few for the tail of a distribution{of_mass}",
@@ -58,13 +59,13 @@ pub(crate) fn difference_in_words(case: &Case) -> Option<String> {
     })
 }
 
-/// Whether there is a liquid with errors.
+/// Returns true if there is a liquid with errors.
 fn has_liquid(case: &Case) -> bool {
     let rows = case.budget.rows();
     (0..rows.len()).any(|row| rows.liquid(row).is_some())
 }
 
-/// Whether first order says what the error of a number is, by its place among those that are compared.
+/// Returns true if first order is valid for the error of a number, by its index in the comparison.
 fn is_comparable(case: &Case, k: usize) -> bool {
     let Some(moment) = k.checked_sub(NUMBERS.len()) else { return true };
     case.principal.is_first_order(moment)

@@ -1,4 +1,4 @@
-//! The masses of a list: its tree, and what the whole is made of.
+//! Masses of a list: its tree, and the breakdown of the whole.
 
 use polhode_document::Section;
 use polhode_document::drawing::{Bar, BarPanel, Bars, Drawing};
@@ -8,11 +8,11 @@ use polhode_document::number::{NO_BREAK, alike, count, number};
 use super::case::Case;
 use crate::MassStatement;
 
-/// Rows that are shown; all are in JSON and CSV.
+/// Largest number of rows that are shown. JSON and CSV have all.
 const SHOWN: usize = 60;
-/// Bars of the whole.
+/// Largest number of bars of components.
 const BARS: usize = 14;
-/// Digits of masses that stand below each other.
+/// Number of digits of masses in a column.
 const DIGITS: usize = 6;
 
 pub(crate) fn section(case: &Case) -> Section {
@@ -33,7 +33,7 @@ pub(crate) fn section(case: &Case) -> Section {
     section
 }
 
-/// `Allowable 4.5 kg: the margin is 0.19 kg, 4.7 % of the basic mass`
+/// Returns words such as `Allowable 4.5 kg: the margin is 0.19 kg, 4.7 % of the basic mass`.
 pub(crate) fn margin_in_words(case: &Case) -> Option<String> {
     let whole = case.whole_statement();
     let (allowable, margin, part) = (whole.allowable?, whole.margin()?, whole.relative_margin()?);
@@ -46,11 +46,11 @@ pub(crate) fn margin_in_words(case: &Case) -> Option<String> {
     Some(if margin < 0.0 { format!("{words}: too heavy") } else { words })
 }
 
-/// Rows by the row in which they stand.
+/// Tree of rows, by their parents.
 struct Tree {
     children: Vec<Vec<usize>>,
     depth: Vec<usize>,
-    /// Each row before those in it, and all in it before its next sibling.
+    /// Depth-first order: each row before its descendants, and these before its next sibling.
     order: Vec<usize>,
 }
 
@@ -73,10 +73,11 @@ impl Tree {
         Self { children, depth, order }
     }
 
-    /// So many levels as there is room for, of a level too long its heaviest rows, and whatever is too heavy.
+    /// Returns the rows to show: as many levels as fit, the heaviest rows of the next level, and
+    /// all rows that exceed the allowable mass.
     fn shown(&self, case: &Case) -> Vec<usize> {
         let deepest = self.depth.iter().copied().max().unwrap_or(0);
-        // How many rows are at most so deep.
+        // Number of rows up to each depth.
         let mut within = vec![0; deepest + 1];
         self.depth.iter().for_each(|depth| within[*depth] += 1);
         (1..within.len()).for_each(|level| within[level] += within[level - 1]);
@@ -107,7 +108,7 @@ fn table(section: &mut Section, case: &Case, tree: &Tree, shown: &[usize]) {
     };
     let name = |&k: &usize| {
         let name = rows.name(k);
-        // What a path says before is said by where the row stands.
+        // The position in the tree already shows the path.
         let parent = case.budget.parent(k).map(|parent| rows.name(parent));
         let short = parent.and_then(|parent| name.strip_prefix(parent)?.strip_prefix('/')).unwrap_or(name);
         format!("{}{}", INDENT.to_string().repeat(2 * tree.depth[k]), printable(short))
@@ -144,12 +145,13 @@ fn table(section: &mut Section, case: &Case, tree: &Tree, shown: &[usize]) {
     section.table(&headers, lines);
 }
 
-/// The greatest parts of the whole one after the other, then growth, then what is left.
+/// Returns the components of the whole one after the other, then the growth allowance, then the
+/// margin.
 fn waterfall(case: &Case, tree: &Tree) -> Bars {
     let rows = case.budget.rows();
     let whole = case.whole_statement();
     let mut front = vec![case.budget.root()];
-    // The heaviest assembly is opened while there is room for what is in it.
+    // The heaviest assembly is replaced by its children as long as they fit.
     while let Some((place, &k)) = front
         .iter()
         .enumerate()

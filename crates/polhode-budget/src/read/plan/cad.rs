@@ -1,4 +1,4 @@
-//! `[cad]`: what reports of CAD programs leave open.
+//! `[cad]`: options of reports of CAD programs.
 
 use polhode_shape::cad::{CadOptions, DecimalMark, ProductConvention};
 use polhode_source::FormatError;
@@ -9,7 +9,7 @@ use polhode_source::unit::Dimension;
 use crate::ProductSign;
 use crate::read::heading::no_unit;
 
-/// Reads `[cad]`.
+/// Reads the table `[cad]`.
 pub(crate) fn options(table: &Table<'_>) -> Result<CadOptions, FormatError> {
     table.allow(&["decimal", "products", "mass_unit", "length_unit"])?;
     let unit = |key, dimension| table.get(key).map(|value| factor(&value, dimension)).transpose();

@@ -1,4 +1,5 @@
-//! How much is in a tank, and how well that is known: `mass = "12 ± 0.3 kg"`, `fill = "75 % ± 2 %"`, `density = "0.9 g/cm^3 ± 1 %"`, and `mass_sd`, `fill_sd`, `density_sd`.
+//! Amount of liquid in a tank and its errors: `mass = "12 ± 0.3 kg"`, `fill = "75 % ± 2 %"`,
+//! `density = "0.9 g/cm^3 ± 1 %"`, and `mass_sd`, `fill_sd`, `density_sd`.
 
 use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value};
@@ -10,21 +11,22 @@ use crate::read::measured::{MARKS, measured, percent};
 use crate::read::number::{Amount, Unit, Wrong};
 use crate::{LiquidErrors, Measured};
 
-/// A number and its standard deviation, SI.
+/// Number with its standard deviation, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Known {
     pub value: f64,
     pub sd: f64,
-    /// Whether the error stands after ±.
+    /// True if the error is after ±.
     pub is_after_mark: bool,
 }
 
 impl Known {
-    /// What is not given.
+    /// Exact number in place of one that is not given.
     pub(crate) const EXACT: Self = Self { value: 1.0, sd: 0.0, is_after_mark: false };
 }
 
-/// What is in a tank that holds so much, kg, if its density is known so well; with the number that says it.
+/// Reads the contents of a tank: its mass, kg, its errors, and the number that gives it. `capacity`
+/// is in kg, and `density` is the relative error of the density.
 pub(crate) fn contents<'a>(
     table: &Table<'a>,
     capacity: f64,
@@ -41,7 +43,7 @@ pub(crate) fn contents<'a>(
     let beside = table.get(own);
     let (known, mass, amount, measured) = if given.key() == "mass" {
         let known = quantity(&given, beside.as_ref(), Dimension::MASS, coverage_factor)?;
-        // What is written with some digits fills a tank that is computed.
+        // A rounded mass may slightly exceed the computed capacity.
         if !(known.value >= 0.0 && known.value <= capacity * (1.0 + 1e-9)) {
             return Err(
                 given.invalid(format!("not negative, and no more than the tank holds, {capacity} kg"))
@@ -62,7 +64,7 @@ pub(crate) fn contents<'a>(
     Ok((mass, LiquidErrors { measured, amount, density }, known, given))
 }
 
-/// A quantity with its error, in it or beside it.
+/// Reads a quantity with its error, from its own value or from a separate key.
 pub(crate) fn quantity(
     value: &Value<'_>,
     beside: Option<&Value<'_>>,
@@ -96,7 +98,7 @@ pub(crate) fn quantity(
     known(value, number, own, beside, coverage_factor)
 }
 
-/// How well a number is known that is not given: `5 %` of it.
+/// Reads the relative error of a number that is not given, in percent.
 pub(crate) fn relative(value: &Value<'_>) -> Result<Known, FormatError> {
     let Some(fraction) = value.string().ok().and_then(percent) else {
         return Err(value
@@ -107,7 +109,7 @@ pub(crate) fn relative(value: &Value<'_>) -> Result<Known, FormatError> {
     known(value, 1.0, None, Some((value, fraction)), 1.0)
 }
 
-/// A part of a full tank, with its error, which is such a part too.
+/// Reads a fraction of a full tank, with its error as such a fraction.
 fn part(value: &Value<'_>, beside: Option<&Value<'_>>, coverage_factor: f64) -> Result<Known, FormatError> {
     let beside = beside.map(|at| Ok::<_, FormatError>((at, fraction(at)?))).transpose()?;
     let Some(text) = marked(value) else {
@@ -150,7 +152,7 @@ fn known(
     if !(sd >= 0.0) {
         return Err(at.invalid("with an error that is zero or positive").with_hint("an error has no sign"));
     }
-    // Of the number too: a liquid is drawn by what its error is of it.
+    // The limit is also relative to the number, because liquids are drawn by their relative errors.
     let most = MOST_DEVIATION * number.abs().min(1.0);
     if sd > most && number != 0.0 {
         let error = at.invalid(format!("with a standard deviation of {most:e} at most, in SI: it is {sd:e}"));
@@ -159,7 +161,7 @@ fn known(
     Ok(Known { value: number, sd, is_after_mark: own.is_some() })
 }
 
-/// A text that has an error after its number.
+/// Returns a text that has an error after its number.
 fn marked<'a>(value: &Value<'a>) -> Option<&'a str> {
     value.string().ok().filter(|text| MARKS.iter().any(|mark| text.contains(mark)))
 }

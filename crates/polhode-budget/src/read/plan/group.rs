@@ -1,4 +1,4 @@
-//! `[[group]]`: rows whose errors go together.
+//! `[[group]]`: rows with correlated errors.
 
 use polhode_source::FormatError;
 use polhode_source::toml::reader::Value;
@@ -8,7 +8,7 @@ use crate::Group;
 const KEYS: [&str; 8] =
     ["name", "correlation", "mass", "center", "tensor", "position", "rotation", "density"];
 
-/// Reads all groups.
+/// Reads all groups of a plan.
 pub(crate) fn groups(value: &Value<'_>) -> Result<Vec<Group>, FormatError> {
     let mut groups: Vec<Group> = Vec::new();
     for table in value.tables("group")? {

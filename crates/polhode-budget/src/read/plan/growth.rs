@@ -1,15 +1,15 @@
-//! `[growth]`: allowances by maturity code.
+//! `[growth]`: growth allowances by maturity code.
 
 use polhode_source::toml::reader::Value;
 use polhode_source::{FormatError, FormatErrorKind};
 
 use crate::GrowthTable;
 
-/// What is said of a number above 1 without %, which may be either.
+/// Rule for a number above 1 without %, which may be a fraction or a percentage.
 pub(crate) const BARE_GROWTH: &str = "in percent, as it is above 1";
 pub(crate) const BARE_GROWTH_HINT: &str = "15 % is 0.15, and 15 is 1500 %";
 
-/// `E = "25 %"`, `C = 0.15`
+/// Reads a table such as `E = "25 %"`, `C = 0.15`.
 pub(crate) fn table(value: &Value<'_>) -> Result<GrowthTable, FormatError> {
     let mut codes = Vec::new();
     for (code, allowance) in value.table()?.each("growth") {

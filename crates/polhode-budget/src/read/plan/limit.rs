@@ -1,4 +1,4 @@
-//! `[[limit]]`: what numbers of the whole have to be.
+//! `[[limit]]`: limits on quantities of the whole.
 
 use polhode::math::{Body, Direction, Position};
 use polhode_source::FormatError;
@@ -8,7 +8,7 @@ use polhode_source::unit::Dimension;
 use crate::limit::DIRECTIONS;
 use crate::{About, Basis, Limit, Measure, PrincipalAxis, ProductSign};
 
-/// kg·m
+/// Dimension of an unbalance, kg·m.
 const UNBALANCE: Dimension = Dimension::new(1, 1, 0, 0);
 
 const KEYS: [&str; 13] = [
@@ -16,10 +16,10 @@ const KEYS: [&str; 13] = [
     "numbers",
 ];
 
-/// What a limit is on, what that measures, and the keys that say more.
+/// Name of a measure, its dimension, and its additional keys.
 type Kind = (&'static str, Dimension, &'static [&'static str]);
 
-/// What a limit may be on.
+/// Measures that can be limited.
 const MEASURES: [Kind; 12] = [
     ("mass", Dimension::MASS, &[]),
     ("center", Dimension::LENGTH, &["along", "from"]),
@@ -38,7 +38,7 @@ const MEASURES: [Kind; 12] = [
 /// Keys that only some measures have.
 const DETAILS: [&str; 7] = ["along", "from", "about", "axes", "products", "number", "numbers"];
 
-/// Reads all limits; `products` says what products are where a limit does not.
+/// Reads all limits. `products` is the sign convention of limits without their own.
 pub(crate) fn limits(value: &Value<'_>, products: Option<ProductSign>) -> Result<Vec<Limit>, FormatError> {
     let mut limits: Vec<Limit> = Vec::new();
     for table in value.tables("limit")? {
@@ -125,7 +125,7 @@ fn measure(
             let value = table.require("axes", "axes = [\"x\", \"y\"]")?;
             let [first, second] = value.fixed::<2>("two directions")?;
             let given = table.get("products").map(|value| value.named(&ProductSign::NAMED)).transpose()?;
-            // Of limits to both sides the sign does not matter.
+            // The sign does not matter for symmetric limits.
             let sign = given.or(products).or(is_even.then_some(ProductSign::NegativeIntegral));
             let sign = sign.ok_or_else(|| table.missing("products", "products = \"positive integrals\""))?;
             let axes = [direction(&first)?, direction(&second)?];
@@ -149,13 +149,13 @@ fn measure(
     })
 }
 
-/// `center along z`
+/// Returns a name such as `center along z`.
 fn described(name: &str, table: &Table<'_>) -> String {
     let along = table.get("along").and_then(|value| value.string().ok());
     along.map_or_else(|| name.to_owned(), |along| format!("{name} along {along}"))
 }
 
-/// 1, 2, 3: of the least moment, of the greatest.
+/// Reads the number of a principal axis: 1 for the least moment, 3 for the greatest.
 fn number(value: &Value<'_>) -> Result<usize, FormatError> {
     match value.count()? {
         k @ 1..=3 => Ok(k as usize - 1),
@@ -177,7 +177,7 @@ pub(crate) fn point(value: &Value<'_>) -> Result<Position<Body>, FormatError> {
     value.quantities(Dimension::LENGTH).map(Position::from_array)
 }
 
-/// `"z"`, `"-x"`, or three numbers.
+/// Reads a direction such as `"z"` or `"-x"`, or three numbers.
 pub(crate) fn direction(value: &Value<'_>) -> Result<Direction<Body>, FormatError> {
     if !value.is_array() {
         return value.named(&DIRECTIONS).map(Direction::from_array);

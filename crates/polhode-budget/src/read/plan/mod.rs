@@ -1,4 +1,5 @@
-//! What a file says besides its parts, as TOML: one set of keys, in a plan as themselves, in a CSV as its head, in a workbook as further sheets.
+//! Statements of a file outside its parts, as TOML. The keys are the same in a plan, in the head of
+//! a CSV, and in additional sheets of a workbook.
 
 mod cad;
 mod contents;
@@ -25,21 +26,21 @@ use sequence::PlannedSequence;
 use table_file::{Sheets, TableOrigin};
 use tank::PlannedTank;
 
-/// What a file says besides its parts.
+/// Statements of a file outside its parts.
 #[derive(Debug, Default)]
 pub(crate) struct Plan {
     pub title: Option<String>,
-    /// What products of inertia are, where a row does not say it.
+    /// Sign convention of products of inertia, for rows without their own.
     pub products: Option<ProductSign>,
-    /// The point that tensors are about, where a row does not say it.
+    /// Reference point of tensors, for rows without their own.
     pub about: Option<TensorPoint>,
-    /// How many standard deviations stand after ±.
+    /// Number of standard deviations in an error after ±.
     pub coverage_factor: Option<f64>,
-    /// Whether numbers in text have a comma where others have a point.
+    /// True if numbers in text have a decimal comma.
     pub decimal_comma: Option<bool>,
-    /// Columns and sheets that are for people.
+    /// Columns and sheets for people, which are not read.
     pub ignore: Vec<String>,
-    /// All configurations, in the order that they are wanted in.
+    /// All configurations, in the wanted order.
     pub configurations: Option<Vec<String>>,
     pub groups: Vec<Group>,
     pub growth: GrowthTable,
@@ -52,7 +53,7 @@ pub(crate) struct Plan {
     pub places: Places,
 }
 
-/// Where things are declared that nothing may use: an error at each.
+/// Error templates at the places of declarations that may be unused.
 #[derive(Debug, Default)]
 pub(crate) struct Places {
     pub ignore: Vec<FormatError>,
@@ -60,7 +61,7 @@ pub(crate) struct Places {
     pub cad: Option<FormatError>,
 }
 
-/// The keys of a plan.
+/// Keys of a plan.
 pub(crate) const KEYS: [&str; 20] = [
     "title",
     "products",
@@ -84,11 +85,12 @@ pub(crate) const KEYS: [&str; 20] = [
     "exit",
 ];
 
-/// Those whose values are tables, and lists of such: a workbook has a sheet for each.
+/// Keys with a table as value, and keys with a list of tables. A workbook has a sheet for each.
 pub(crate) const TABLES: [&str; 5] = ["growth", "cad", "result", "ballast", "sequence"];
 pub(crate) const LISTS: [&str; 8] = ["group", "limit", "site", "tank", "burn", "drop", "deploy", "exit"];
 
-/// Reads all keys of a plan; `others` may stand beside them, and tables in sheets of its workbook, if it is one.
+/// Reads all keys of a plan. `others` are additional keys that are allowed. Tables may also be in
+/// `sheets` of the workbook.
 pub(crate) fn plan(
     root: &Table<'_>,
     others: &[&'static str],
@@ -154,13 +156,13 @@ pub(crate) fn plan(
 }
 
 impl Plan {
-    /// Whether a sheet of the workbook is the table of a tank.
+    /// Returns true if a sheet of the workbook is the table of a tank.
     pub(crate) fn has_sheet(&self, name: &str) -> bool {
         let tables = self.tanks.iter().filter_map(|tank| tank.table.as_ref());
         tables.into_iter().any(|table| table.from == TableOrigin::Sheet(name.to_owned()))
     }
 
-    /// The same where its text was made of others: its places become theirs.
+    /// Moves the places of a plan whose text was made of other texts to these texts.
     pub(crate) fn moved(mut self, moved: impl Fn(FormatError) -> FormatError) -> Self {
         let Places { ignore, groups, cad } = &mut self.places;
         for place in ignore.iter_mut().chain(groups).chain(cad) {
@@ -179,7 +181,7 @@ impl Plan {
     }
 }
 
-/// `about = "center"`, `"origin"`, the name of a frame, or a point.
+/// Reads `about`: `"center"`, `"origin"`, the name of a frame, or a point.
 fn about(value: &Value<'_>) -> Result<TensorPoint, FormatError> {
     if value.is_array() {
         return Ok(TensorPoint::At(Position::from_array(value.quantities(Dimension::LENGTH)?)));
@@ -187,7 +189,7 @@ fn about(value: &Value<'_>) -> Result<TensorPoint, FormatError> {
     value.string().map(point_named)
 }
 
-/// The point that a tensor is about, by its name.
+/// Returns the reference point of a tensor from its name.
 pub(crate) fn point_named(name: &str) -> TensorPoint {
     match name {
         "center" => TensorPoint::CenterOfMass,
@@ -196,7 +198,7 @@ pub(crate) fn point_named(name: &str) -> TensorPoint {
     }
 }
 
-/// Strings, none of them twice.
+/// Reads strings, each at most once.
 fn names(value: &Value<'_>) -> Result<Vec<String>, FormatError> {
     let mut names: Vec<String> = Vec::new();
     for element in value.elements("an array of strings")? {
@@ -209,7 +211,7 @@ fn names(value: &Value<'_>) -> Result<Vec<String>, FormatError> {
     Ok(names)
 }
 
-/// A fraction: `0.15`, `"15 %"`.
+/// Reads a fraction such as `0.15` or `"15 %"`.
 fn fraction(value: &Value<'_>) -> Result<f64, FormatError> {
     let percent = value.string().ok().and_then(super::measured::percent);
     match percent {

@@ -1,4 +1,4 @@
-//! `[result]`: what is asked of the whole.
+//! `[result]`: requested results for the whole.
 
 use polhode::math::Position;
 use polhode_source::FormatError;
@@ -9,7 +9,7 @@ use polhode_source::unit::Dimension;
 use crate::Basis;
 use crate::read::{LEAST_DRAWS, MOST_DRAWS, Questions};
 
-/// Reads `[result]`.
+/// Reads the table `[result]`.
 pub(crate) fn questions(table: &Table<'_>) -> Result<Questions, FormatError> {
     table.allow(&["about", "axes", "draws", "seed", "basis"])?;
     let mut questions = Questions::default();

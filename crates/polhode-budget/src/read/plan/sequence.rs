@@ -1,4 +1,5 @@
-//! `[sequence]`, `[[burn]]`, `[[drop]]`, `[[deploy]]` and `[[exit]]`: what happens to the body over time.
+//! `[sequence]`, `[[burn]]`, `[[drop]]`, `[[deploy]]` and `[[exit]]`: changes of the body over
+//! time.
 
 use polhode::math::{AngularVelocity, Body};
 use polhode::motion::Outflow;
@@ -11,60 +12,60 @@ use super::names;
 use super::tank::PlannedTank;
 use crate::Burn;
 
-/// kg/s
+/// Dimension of a mass flow, kg/s.
 const FLOW: Dimension = Dimension::new(1, 0, -1, 0);
 
-/// Events of the body.
+/// Changes of the body over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OverTime {
-    /// The configuration that it begins as.
+    /// Configuration in which the sequence begins.
     pub configuration: Option<String>,
-    /// End of the sequence, which begins at 0, s.
+    /// End of the sequence, s. The sequence begins at t = 0.
     pub until: f64,
-    /// Angular velocity at the start.
+    /// Angular velocity at the start, body axes, rad/s.
     pub spin: Option<AngularVelocity<Body>>,
-    /// Places where mass leaves.
+    /// Exits through which mass leaves.
     pub outflow: Outflow,
-    /// Flows that leave tanks.
+    /// Flows out of tanks.
     pub burns: Vec<Burn>,
-    /// What happens at once.
+    /// Instantaneous changes of the body.
     pub changes: Vec<PlannedChange>,
 }
 
 impl OverTime {
-    /// True if the body is another one at the end.
+    /// Returns true if the body changes during the sequence.
     pub const fn has_changes(&self) -> bool {
         !self.burns.is_empty() || !self.changes.is_empty()
     }
 }
 
-/// What is to happen, as a file says it: rows and configurations are not known yet.
+/// Sequence as given in a file. Its rows and configurations are not resolved yet.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PlannedSequence {
     pub stated: OverTime,
-    /// Errors at the tank and at the flow of each burn.
+    /// Error templates at the tank and at the flow of each burn.
     pub burns: Vec<[FormatError; 2]>,
-    /// An error at the place of each change.
+    /// Error template at the place of each change.
     pub changes: Vec<FormatError>,
-    /// An error at `configuration`, or at the section.
+    /// Error template at `configuration`, or at the section.
     pub place: FormatError,
 }
 
-/// What happens at once.
+/// Instantaneous change of the body.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlannedChange {
-    /// Rows go.
+    /// Removal of rows.
     Drop {
-        /// s
+        /// Time of the removal, s.
         time: f64,
-        /// Their names.
+        /// Names of the rows.
         rows: Vec<String>,
     },
-    /// Another configuration is taken.
+    /// Change to another configuration.
     Deploy {
-        /// s
+        /// Time of the change, s.
         time: f64,
-        /// Its name.
+        /// Name of the configuration.
         configuration: String,
     },
 }
@@ -77,7 +78,7 @@ impl PlannedChange {
     }
 }
 
-/// Reads what is to happen, if anything is.
+/// Reads the sequence of a plan, if there is one.
 pub(crate) fn sequence(
     root: &Table<'_>,
     tanks: &[PlannedTank],

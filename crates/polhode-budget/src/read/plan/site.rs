@@ -1,4 +1,4 @@
-//! `[[site]]` and `[ballast]`: where ballast may be, and how much.
+//! `[[site]]` and `[ballast]`: sites and amount of ballast.
 
 use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value};
@@ -9,7 +9,7 @@ use crate::{Ballast, BallastPlace, Round, Site};
 
 const KEYS: [&str; 10] = ["name", "at", "to", "radius", "normal", "rim", "holes", "first", "most", "sizes"];
 
-/// Reads all sites, and what is asked of the ballast at them.
+/// Reads all sites, and the options of the ballast.
 pub(crate) fn ballast(sites: &Value<'_>, asked: Option<&Value<'_>>) -> Result<Ballast, FormatError> {
     let mut ballast = Ballast::default();
     for table in sites.tables("site")? {
@@ -50,7 +50,7 @@ fn of_table(table: &Table<'_>) -> Result<Vec<Site>, FormatError> {
     let is_rim = table.get("rim").map_or(Ok(false), |value| value.boolean())?;
     let mut sites = match (round()?, table.get("holes")) {
         (Some(round), Some(holes)) => {
-            /// More holes than this are a circle.
+            /// Largest number of holes. More would be a circle.
             const MOST: u64 = 360;
             let count = holes.count()?;
             if !(1..=MOST).contains(&count) {

@@ -13,7 +13,8 @@ pub(crate) fn not_negative(value: &Value<'_>) -> Result<f64, FormatError> {
     }
 }
 
-/// Of tanks, m, and of liquids, kg/m³: beyond them levels are rounding.
+/// Ranges of sizes of tanks, m, and of densities of liquids, kg/m³. Beyond them, levels are only
+/// rounding error.
 pub(crate) const SIZES: [f64; 2] = [1e-6, 1e6];
 pub(crate) const DENSITIES: [f64; 2] = [1e-6, 1e6];
 

@@ -1,4 +1,5 @@
-//! The table of a liquid: mass, centre and tensor by how much of it there is, in `[[tank.table]]`, in a CSV of its own or in a sheet of the workbook.
+//! Table of a liquid: mass, centre and tensor for several amounts. It is in `[[tank.table]]`, in a
+//! separate CSV, or in a sheet of the workbook.
 
 use polhode::body::{BodyError, InertiaTensor, MassProperties};
 use polhode::math::{Part, Position};
@@ -15,7 +16,7 @@ use crate::read::number::Unit;
 use crate::read::sheet::Sheet;
 use crate::{LiquidTable, ProductSign};
 
-/// A row, SI.
+/// Row of the table, SI.
 #[derive(Default)]
 struct State {
     mass: f64,
@@ -25,16 +26,16 @@ struct State {
     products: [f64; 3],
 }
 
-/// The rows so far.
+/// Rows that were read so far.
 #[derive(Default)]
 struct States {
     rows: Vec<MassProperties<Part>>,
     levels: Vec<f64>,
 }
 
-/// What a row cannot be.
+/// Error of a row of the table.
 enum Wrong {
-    /// A number of this name: the rule, and a hint.
+    /// Name of the invalid number, the rule, and a hint.
     Rule(&'static str, &'static str, Option<&'static str>),
     Body(BodyError),
 }
@@ -74,7 +75,7 @@ impl States {
     }
 }
 
-/// `[[tank.table]]`: `mass`, `level`, `center`, `moments` and `products` about the centre.
+/// Reads `[[tank.table]]`: `mass`, `level`, `center`, `moments` and `products` about the centre.
 pub(crate) fn of_tables(value: &Value<'_>, sign: Option<ProductSign>) -> Result<LiquidTable, FormatError> {
     let mut states = States::default();
     let mut with_levels = None;
@@ -124,21 +125,22 @@ fn dimension(key: usize) -> Dimension {
     }
 }
 
-/// Whether a heading is one by which a table of a liquid is known.
+/// Returns true if a heading identifies a table of a liquid.
 pub(crate) fn is_of_mass(heading: &str) -> bool {
     plain(split(heading).0) == NAMES[MASS]
 }
 
-/// A column: which number, and its unit if the heading has one.
+/// Column of the table: its key, and its unit if the heading has one.
 struct Column {
     key: usize,
     place: usize,
     unit: Option<Unit>,
-    /// Whether its numbers have units in their cells.
+    /// True if its numbers have units in their cells.
     united: Option<bool>,
 }
 
-/// A table whose first row has the headings `mass`, perhaps `level`, `x`, `y`, `z`, and perhaps `ixx` to `iyz` about that, with their units.
+/// Reads a table whose first row has headings with units: `mass`, at least one of `x`, `y`, `z`,
+/// and optionally `level` and `ixx` to `iyz`. The tensor is about the centre of mass.
 pub(crate) fn of_sheet(sheet: &Sheet<'_>, sign: Option<ProductSign>) -> Result<LiquidTable, FormatError> {
     let mut rows = sheet.rows.iter();
     let headings = rows.next().map(|row| sheet.row(row)).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Where the table of a liquid is: in the plan, in a CSV that it names, or in a sheet of its workbook.
+//! Source of the table of a liquid: the plan, a CSV that it refers to, or a sheet of its workbook.
 
 use std::path::PathBuf;
 
@@ -12,14 +12,14 @@ use crate::read::sheet::Sheet;
 use crate::read::{bytes_of, csv, text};
 use crate::{LiquidTable, ProductSign};
 
-/// The sheets of a workbook by their names, and what is to be said of each.
+/// Function that returns a sheet of a workbook by its name, with statements for the report.
 pub(crate) type Sheets<'a> = dyn Fn(&str) -> Option<(Sheet<'a>, Vec<String>)> + 'a;
 
-/// A file or a sheet that was read.
+/// File or sheet that was read.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ReadTable {
     pub from: TableOrigin,
-    /// What is to be said of it.
+    /// Statements for the report, one sentence each.
     pub lines: Vec<String>,
 }
 

@@ -1,4 +1,4 @@
-//! `[[tank]]`: what liquids are in, and how much of them.
+//! `[[tank]]`: tanks and the amount of liquid in them.
 
 use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit::Dimension;
@@ -10,25 +10,25 @@ use super::table_file::{ReadTable, Sheets, table_of};
 use super::{Plan, names};
 use crate::{Down, Liquid, LiquidErrors, ProductSign, TankShape, Vessel};
 
-/// A tank as a file gives it: which row it stands in is not known yet.
+/// Tank as given in a file. Its row is not resolved yet.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct PlannedTank {
     pub name: String,
-    /// The row in whose frame it is; that of all without.
+    /// Name of the row in whose frame it is; `None` for the root.
     pub frame: Option<String>,
-    /// Where it is; all that have its frame if empty.
+    /// Configurations in which it is. If empty, it is in all that have its frame.
     pub configurations: Vec<String>,
     pub liquid: Liquid,
-    /// At first, kg.
+    /// Mass of the liquid at the start, kg.
     pub mass: f64,
     pub errors: LiquidErrors,
-    /// Whether an error stands after ±.
+    /// True if an error is after ±.
     pub has_mark: bool,
-    /// The group with which its errors are correlated.
+    /// Name of the group with which its errors are correlated.
     pub group: Option<String>,
-    /// What its table was read from, if that is not the plan.
+    /// File or sheet from which its table was read, if that is not the plan.
     pub table: Option<ReadTable>,
-    /// An error at its frame, its configurations and its contents each.
+    /// Error templates at its frame, its configurations and its contents.
     pub places: [FormatError; 3],
 }
 
@@ -54,10 +54,10 @@ const KEYS: [&str; 19] = [
     "group",
 ];
 
-/// The keys that only shapes have.
+/// Keys that only shapes have.
 const OF_SHAPES: [&str; 7] = ["size", "radius", "semi_axes", "length", "ends", "density", "settles"];
 
-/// Shapes, and the keys of their sizes.
+/// Shapes, with the keys of their sizes.
 const SHAPES: [(&str, &[&str]); 4] = [
     ("box", &["size"]),
     ("sphere", &["radius"]),
@@ -65,7 +65,8 @@ const SHAPES: [(&str, &[&str]); 4] = [
     ("cylinder", &["radius", "length", "ends"]),
 ];
 
-/// Reads all tanks, of what the plan says besides, and perhaps of sheets of its workbook.
+/// Reads all tanks. `plan` has the other statements, and `sheets` are those of its workbook, if
+/// any.
 pub(crate) fn tanks(
     value: &Value<'_>,
     plan: &Plan,
@@ -139,12 +140,12 @@ fn tank(
     })
 }
 
-/// A name, or several.
+/// Reads a name, or an array of names.
 fn configurations(value: &Value<'_>) -> Result<Vec<String>, FormatError> {
     if value.is_array() { names(value) } else { Ok(vec![value.string()?.trim().to_owned()]) }
 }
 
-/// The group of a tank whose contents have errors.
+/// Reads the group of a tank whose contents have errors.
 fn group(value: &Value<'_>, errors: &LiquidErrors, plan: &Plan) -> Result<String, FormatError> {
     let name = value.string()?.trim();
     let names = || plan.groups.iter().map(|group| group.name.as_str());

@@ -1,4 +1,4 @@
-//! The cells of one sheet of a workbook.
+//! Cells of one sheet of a workbook.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -14,54 +14,54 @@ use super::strings::{Strings, is};
 use super::value::{Kind, RawText, Written, truth, value};
 use crate::read::cell::{Broken, Cell, Content, SheetRow};
 
-/// What a sheet may have at most, by the standard that its programs follow.
+/// Largest numbers of rows and of columns in a sheet, by the standard.
 const MOST_ROWS: usize = 1 << 20;
 const MOST_COLUMNS: usize = 1 << 14;
 
-/// More cells than any parts list has.
+/// Largest number of cells. No parts list has more.
 const MOST_CELLS: usize = 16_000_000;
 
-/// Bytes of text in one sheet.
+/// Largest number of bytes of text in one sheet.
 const MOST_TEXT: usize = 1 << 31;
 
-/// A sheet, as its entry has it, without cells that are empty.
+/// Sheet as in its entry, without empty cells.
 #[derive(Debug, Default)]
 pub(crate) struct RawSheet {
     rows: Vec<SheetRow>,
-    /// In the order of rows, and in them of columns.
+    /// Cells in the order of rows, then of columns.
     cells: Vec<RawCell>,
-    /// The texts of cells that are no strings of the workbook, one behind the other.
+    /// Concatenated texts of cells that are not shared strings.
     texts: String,
     hidden_columns: Vec<RangeInclusive<usize>>,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct RawCell {
-    /// The byte at which its text begins, or the number of its string.
+    /// First byte of its text, or index of its shared string.
     start: u32,
-    /// Bytes of its text, or [`SHARED`].
+    /// Number of bytes of its text, or [`SHARED`].
     length: u32,
-    /// From 0.
+    /// Column, counted from 0.
     column: u16,
     content: Content,
 }
 
-/// The length of a text that is a string of the workbook.
+/// Length that marks a shared string.
 const SHARED: u32 = u32::MAX;
 
-/// The cells of a sheet and the strings that they share.
+/// Cells of a sheet, with the strings that they share.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cells<'a> {
     sheet: &'a RawSheet,
     strings: &'a Strings,
 }
 
-/// Where the next cell is, and where the last was.
+/// Position of the next cell.
 #[derive(Default)]
 struct Position {
     row: usize,
     column: usize,
-    /// True if spreadsheet programs do not show the row.
+    /// True if the row is hidden in spreadsheet programs.
     is_hidden: bool,
 }
 
@@ -70,7 +70,7 @@ impl<'a> Cells<'a> {
         Self { sheet, strings }
     }
 
-    /// The cells of a row.
+    /// Returns the cells of a row.
     pub(crate) fn row(&self, row: &SheetRow) -> Vec<Cell<'a>> {
         let cells = self.sheet.cells.get(row.start as usize..row.end as usize).unwrap_or_default();
         let cell = |RawCell { start, length, column, content }: &RawCell| {
@@ -190,7 +190,7 @@ impl RawSheet {
         if length == 0 {
             return;
         }
-        // What is larger than these types is refused by its number.
+        // Larger values were refused before.
         let cell = RawCell { start: start as u32, length: length as u32, column: column as u16, content };
         self.cells.push(cell);
         let (number, end) = (at.row as u32, self.cells.len() as u32);
@@ -204,12 +204,12 @@ impl RawSheet {
         self.cells.is_empty()
     }
 
-    /// The rows that are not empty.
+    /// Returns the rows that are not empty.
     pub(crate) fn rows(&self) -> &[SheetRow] {
         &self.rows
     }
 
-    /// Marks the cell that is shown over several, if anything stands in it.
+    /// Marks the first cell of a merged range, if it is not empty.
     fn merge(&mut self, range: &str) {
         let Some((first, last)) = range.split_once(':') else { return };
         let Some((number, column)) = parsed(first).filter(|_| first != last) else { return };
@@ -221,7 +221,7 @@ impl RawSheet {
         }
     }
 
-    /// Which columns are hidden, as a sentence.
+    /// Returns a sentence about hidden columns with cells, if there are any.
     pub(crate) fn hidden_columns(&self) -> Option<String> {
         let used: BTreeSet<usize> = self.cells.iter().map(|cell| usize::from(cell.column) + 1).collect();
         let has_cells = |range: &&RangeInclusive<usize>| used.iter().any(|column| range.contains(column));
@@ -238,7 +238,7 @@ impl RawSheet {
     }
 }
 
-/// The number of a row, and whether it is hidden.
+/// Returns the number of a row, and true if it is hidden.
 fn row(xml: &Xml<'_, '_>, element: &BytesStart<'_>, at: &Position) -> Result<(usize, bool), ContentError> {
     let [number, hidden] = xml.values(element, ["r", "hidden"])?;
     let number = match number {
@@ -252,7 +252,7 @@ fn row(xml: &Xml<'_, '_>, element: &BytesStart<'_>, at: &Position) -> Result<(us
     Err(xml.refused("row", &number.to_string(), &rule))
 }
 
-/// Columns that are hidden.
+/// Returns the range of hidden columns.
 fn hidden(
     xml: &Xml<'_, '_>,
     element: &BytesStart<'_>,
@@ -262,7 +262,7 @@ fn hidden(
     Ok(hidden.filter(|hidden| truth(hidden)).map(|_| from..=to))
 }
 
-/// What a cell says besides its value.
+/// Attributes of a cell.
 struct Head {
     column: usize,
     format: Format,
@@ -288,12 +288,12 @@ fn head(
     Ok(Head { column, format, kind: kind.map_or(Kind::Number, |kind| Kind::named(&kind)) })
 }
 
-/// The format of a number among those of the workbook.
+/// Returns the format with this index in the workbook.
 fn format_of(number: &str, formats: &[Format]) -> Format {
     number.parse::<usize>().ok().and_then(|number| formats.get(number)).cloned().unwrap_or(Format::GENERAL)
 }
 
-/// Row, from 1, and column, from 0, of `F12`.
+/// Parses the name of a cell: row, from 1, and column, from 0, of `F12`.
 fn parsed(name: &str) -> Option<(usize, usize)> {
     let letters = name.bytes().take_while(u8::is_ascii_uppercase).count();
     let (letters, digits) = name.split_at(letters);

@@ -1,4 +1,4 @@
-//! How a workbook shows its numbers: as percent, as dates, with so many decimals.
+//! Number formats of a workbook: percent, dates, and decimals.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -8,38 +8,38 @@ use polhode_source::package::xml::{Token, Xml};
 
 use super::strings::is;
 
-/// How the numbers of a cell are shown.
+/// Number format of a cell.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Format {
-    /// As a number, with so many decimals, if that is told.
+    /// Number with this many decimals, if stated.
     Number {
         decimals: Option<u8>,
     },
-    /// With text in front and behind, which is as good as written there: a unit.
+    /// Number with text before and after it. The text counts as written in the cell: a unit.
     Quoted {
         decimals: Option<u8>,
         text: Arc<[String; 2]>,
     },
     Percent,
-    /// In thousands, or millions: a comma stands behind its digits.
+    /// Number in thousands or millions, with a comma after its digits.
     Thousands,
     Date,
 }
 
-/// Where a code has the number.
+/// Characters that mark the number in a format code.
 const DIGITS: [char; 4] = ['0', '#', '?', 'g'];
 
 impl Format {
     pub(crate) const GENERAL: Self = Self::Number { decimals: None };
 
-    /// By its code: `0.00`, `#,##0.0" kg"`, `yyyy-mm-dd`.
+    /// Parses a format code such as `0.00`, `#,##0.0" kg"` or `yyyy-mm-dd`.
     fn of_code(code: &str) -> Self {
         let mut plain = String::new();
         let mut text = [String::new(), String::new()];
         let mut characters = code.chars();
         while let Some(c) = characters.next() {
             match c {
-                // Of positive numbers alone.
+                // The rest is not for positive numbers.
                 ';' => break,
                 '"' => text[usize::from(plain.contains(DIGITS))]
                     .extend(characters.by_ref().take_while(|c| *c != '"')),
@@ -79,7 +79,7 @@ impl Format {
         with(u8::try_from(decimals).ok())
     }
 
-    /// One of those that have no code.
+    /// Returns a built-in format, which has no code.
     fn built_in(number: u32) -> Self {
         match number {
             1 | 3 | 37 | 38 => Self::Number { decimals: Some(0) },
@@ -91,7 +91,7 @@ impl Format {
     }
 }
 
-/// The formats by the numbers that cells have.
+/// Reads the formats, in the order of the indices that cells refer to.
 pub(crate) fn read(mut xml: Xml<'_, '_>) -> Result<Vec<Format>, ContentError> {
     let (mut codes, mut formats) = (HashMap::new(), Vec::new());
     let mut buffer = Vec::new();

@@ -1,6 +1,7 @@
-//! Workbooks, XLSX: sheets of cells, with the place of each, as their program shows them.
+//! XLSX workbooks: sheets of cells with their positions, as spreadsheet programs show them.
 //!
-//! Nothing is computed: a formula has the result that its program stored with it, or is refused where it is needed.
+//! Nothing is computed. A formula has the result that is stored with it; without a result, it is an
+//! error where its value is needed.
 //!
 //! Source: ECMA-376, Office Open XML, part 1, SpreadsheetML.
 
@@ -21,7 +22,7 @@ use strings::Strings;
 
 pub(crate) use cells::Cells;
 
-/// A workbook.
+/// Contents of a workbook.
 #[derive(Debug)]
 pub(crate) struct Workbook {
     strings: Strings,
@@ -35,12 +36,12 @@ struct NamedSheet {
     raw: RawSheet,
 }
 
-/// Whether bytes are those of a workbook, or of another archive.
+/// Returns true if the bytes are an archive, such as an XLSX workbook.
 pub(crate) fn is_archive(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04")
 }
 
-/// Whether bytes are those of a workbook before 2007, or of one that has a password.
+/// Returns true if the bytes are a workbook from before 2007, or one with a password.
 pub(crate) fn is_compound(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\xd0\xcf\x11\xe0")
 }
@@ -69,7 +70,7 @@ impl Workbook {
         for Listed { name, id, is_hidden } in listed {
             let relation = related.iter().find(|relation| relation.id == id);
             let Some(relation) = relation.filter(|relation| relation.kind.ends_with("/worksheet")) else {
-                // A sheet that is a chart has no cells.
+                // A chart sheet has no cells.
                 continue;
             };
             let path = joined(folder, &relation.target);
@@ -79,12 +80,12 @@ impl Workbook {
         Ok(Self { strings, sheets })
     }
 
-    /// The names of sheets that are not empty.
+    /// Returns the names of the sheets that are not empty.
     pub(crate) fn names(&self) -> Vec<&str> {
         self.sheets.iter().filter(|sheet| !sheet.raw.is_empty()).map(|sheet| sheet.name.as_str()).collect()
     }
 
-    /// The rows and the cells of a sheet, and what is to be said of it.
+    /// Returns the rows and the cells of a sheet, with statements for the report.
     pub(crate) fn sheet(&self, name: &str) -> Option<(&[SheetRow], Cells<'_>, Vec<String>)> {
         let named = self.sheets.iter().find(|sheet| sheet.name == name)?;
         let mut lines = Vec::new();
@@ -96,7 +97,7 @@ impl Workbook {
     }
 }
 
-/// A sheet in the list of a workbook.
+/// Sheet in the list of a workbook.
 struct Listed {
     name: String,
     id: String,
@@ -128,13 +129,13 @@ fn sheets(mut xml: Xml<'_, '_>) -> Result<Vec<Listed>, ContentError> {
     }
 }
 
-/// The name of the entry of a kind, which is the last word of its address.
+/// Returns the path of the entry of a kind, which is the last word of the relation's address.
 fn of_kind(relations: &[Relation], kind: &str, folder: &str) -> Option<String> {
     let is_kind = |relation: &&Relation| relation.kind.rsplit('/').next() == Some(kind);
     relations.iter().find(is_kind).map(|relation| joined(folder, &relation.target))
 }
 
-/// A name in a folder, unless it begins at the root.
+/// Joins a folder and a name. A name that begins at the root stays as it is.
 fn joined(folder: &str, name: &str) -> String {
     match name.strip_prefix('/') {
         Some(name) => name.to_owned(),

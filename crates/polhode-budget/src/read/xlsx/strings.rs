@@ -1,10 +1,10 @@
-//! The strings of a workbook, which its cells share.
+//! Shared strings of a workbook.
 
 use polhode_source::ContentError;
 use polhode_source::package::xml::{Token, Xml};
 use quick_xml::events::BytesStart;
 
-/// The strings of a workbook, one behind the other.
+/// Concatenated shared strings of a workbook.
 #[derive(Debug, Default)]
 pub(crate) struct Strings {
     text: String,
@@ -12,7 +12,7 @@ pub(crate) struct Strings {
 }
 
 impl Strings {
-    /// A string by its number.
+    /// Returns a string by its index.
     pub(crate) fn get(&self, number: usize) -> Option<&str> {
         let start = match number.checked_sub(1) {
             Some(before) => *self.ends.get(before)?,
@@ -26,7 +26,7 @@ impl Strings {
     }
 }
 
-/// All of them, in their order.
+/// Reads all strings in their order.
 pub(crate) fn read(mut xml: Xml<'_, '_>) -> Result<Strings, ContentError> {
     let mut all = Strings::default();
     let mut buffer = Vec::new();
@@ -42,7 +42,7 @@ pub(crate) fn read(mut xml: Xml<'_, '_>) -> Result<Strings, ContentError> {
     }
 }
 
-/// The text in an element that was just entered, in however many runs; not how it is pronounced.
+/// Returns the text in an element that was just entered, from all its runs, without phonetic text.
 pub(crate) fn inside(xml: &mut Xml<'_, '_>) -> Result<String, ContentError> {
     let mut text = String::new();
     let mut buffer = Vec::new();

@@ -1,4 +1,4 @@
-//! What stands in a cell.
+//! Content of a cell.
 
 use std::ops::Range;
 
@@ -11,13 +11,13 @@ use crate::read::cell::{Broken, Content};
 
 #[derive(Debug)]
 pub(crate) enum RawText {
-    /// A part of the sheet's texts.
+    /// Range in the texts of the sheet.
     Own(Range<usize>),
-    /// One of the workbook's strings.
+    /// Index of a shared string.
     Shared(usize),
 }
 
-/// What kind of value a cell says that it has.
+/// Type of value that a cell declares.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Kind {
     Number,
@@ -41,18 +41,18 @@ impl Kind {
     }
 }
 
-/// A cell of which the text stands behind the sheet's other texts.
+/// Cell whose text was appended to the texts of the sheet.
 pub(crate) struct Written<'f> {
     pub kind: Kind,
     pub format: Format,
     pub formula: Option<&'f str>,
-    /// Whether it has the text itself, as an element.
+    /// True if the text is an element of the cell, not a value.
     pub is_text: bool,
-    /// Where its text begins among the others.
+    /// Start of its text in the texts of the sheet.
     pub start: usize,
 }
 
-/// What stands in a cell that was just entered; its text goes behind `texts`.
+/// Reads the content of a cell that was just entered. Its text is appended to `texts`.
 pub(crate) fn value(
     xml: &mut Xml<'_, '_>,
     buffer: &mut Vec<u8>,
@@ -95,7 +95,8 @@ pub(crate) fn value(
 }
 
 impl Written<'_> {
-    /// What the cell has to say; `strings` are as many as the workbook has, and the number of one that it does not have is the error.
+    /// Returns the content of the cell. `strings` is the number of shared strings. An index beyond
+    /// them is the error.
     pub(crate) fn content(
         self,
         strings: usize,
@@ -150,7 +151,7 @@ pub(crate) fn truth(text: &str) -> bool {
     matches!(text.trim(), "1" | "true")
 }
 
-/// A hundred times a number, by its digits.
+/// Multiplies a number by 100, in its digits.
 fn hundredfold(number: &str) -> String {
     let (digits, power) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
     let Ok(power) = power.parse::<i32>() else { return number.to_owned() };

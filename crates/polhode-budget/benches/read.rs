@@ -1,6 +1,7 @@
-//! How long a parts list of 100,000 rows takes, from its file to a `Budget`: `cargo bench -p polhode-budget --bench read`.
+//! Time to read a parts list of 100,000 rows, from its file to a `Budget`:
+//! `cargo bench -p polhode-budget --bench read`.
 //!
-//! Seconds are those of the processor, which other programs do not lengthen, where the system counts them.
+//! Times are processor seconds if the system counts these. Other programs do not lengthen them.
 
 #![allow(clippy::print_stdout, reason = "a bench prints")]
 
@@ -41,7 +42,7 @@ fn now(begin: Instant) -> f64 {
     nanoseconds.map_or_else(|| begin.elapsed().as_secs_f64(), |ns| ns * 1e-9)
 }
 
-/// The same as a workbook, as spreadsheets write it.
+/// Returns the list as a workbook, in the form that spreadsheet programs write.
 fn workbook(csv: &str) -> Result<Vec<u8>, Box<dyn Error>> {
     const OFFICE: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
     let mut sheet = String::from("<worksheet><sheetData>");
@@ -93,7 +94,8 @@ fn workbook(csv: &str) -> Result<Vec<u8>, Box<dyn Error>> {
     Ok(zip.finish()?.into_inner())
 }
 
-/// Assemblies of a hundred parts, each with a place, a tensor, and errors.
+/// Returns a list of assemblies with a hundred parts each. Each part has a place, a tensor and
+/// errors.
 fn list() -> String {
     let mut text = String::from(
         "# products = \"tensor elements\"\n# about = \"center\"\n# growth = { E = 0.25, C = 0.1 }\n\

@@ -1,4 +1,5 @@
-//! How long the search for ballast takes: `cargo run --release -p polhode-budget --example ballast_time`, with the start of a name for some of them.
+//! Time of the search for ballast: `cargo run --release -p polhode-budget --example ballast_time`.
+//! An argument selects the cases whose names begin with it.
 
 use std::time::Instant;
 

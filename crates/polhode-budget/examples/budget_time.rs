@@ -1,4 +1,5 @@
-//! How long 100,000 parts take: `cargo run --release -p polhode-budget --example budget_time`.
+//! Time of a budget of 100,000 parts:
+//! `cargo run --release -p polhode-budget --example budget_time`.
 
 use std::time::Instant;
 
@@ -9,7 +10,7 @@ use polhode_budget::{
 };
 
 const PARTS: usize = 100_000;
-/// How many parts stand in a frame.
+/// Number of parts in a frame.
 const IN_FRAME: usize = 50;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

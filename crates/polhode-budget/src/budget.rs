@@ -189,13 +189,13 @@ impl Budget {
     }
 
     /// Returns one copy of a row's own part, in the row's frame. Returns `None` for a frame without
-    /// mass, or if there is no such row.
+    /// mass, or if `row` is out of range.
     pub fn given(&self, row: usize) -> Option<MassProperties<Part>> {
         self.placed_part(row).ok().flatten().map(|part| part.properties)
     }
 
-    /// Returns the growth allowance of a row's part as a fraction of its basic mass; 0 if there is
-    /// no such row.
+    /// Returns the growth allowance of a row's part as a fraction of its basic mass; 0 if `row` is
+    /// out of range.
     pub fn growth(&self, row: usize) -> f64 {
         self.scale(row) - 1.0
     }

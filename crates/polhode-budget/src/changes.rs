@@ -107,7 +107,7 @@ fn moved(
 impl PlacedPart {
     /// Returns the change of the part in its own frame, with its mass multiplied by `scale`.
     ///
-    /// For a tensor J about a point p, I = J − m (d² 1 − d dᵀ), with d from p to the centre of
+    /// A tensor J about a point p gives I = J − m (d² 1 − d dᵀ), with d from p to the centre of
     /// mass. If the tensor scales with the mass, both terms do, which adds δI = I δm/m.
     fn change(
         &self,

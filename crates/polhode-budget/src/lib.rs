@@ -35,7 +35,7 @@
 //! | result | function or type |
 //! |---|---|
 //! | basic, predicted and allowable mass | [`Budget::mass_statements`] |
-//! | mass, centre of mass and inertia tensor about any point and along any axes, with their covariance | [`Budget::estimate`], [`Estimate`] |
+//! | mass, centre and tensor about any point and axes, with covariance | [`Budget::estimate`], [`Estimate`] |
 //! | principal moments, axes and tilt, with their errors | [`Estimate::principal`], [`PrincipalUncertainty`] |
 //! | contributions of single errors to the variance | [`Budget::sensitivities`] |
 //! | deviations from first order, by random draws | [`Budget::draws`], [`Draws::compare`] |

@@ -8,10 +8,10 @@ use crate::estimate::Estimate;
 
 /// Principal moments and axes, with their errors and derivatives.
 ///
-/// To first order in δI, δiₖ = aₖ·δI aₖ, and all axes turn by θₖ = aⱼ·δI aᵢ/(iᵢ − iⱼ) about aₖ,
-/// with (i, j, k) cyclic. If errors are not small compared with the difference of two moments,
-/// first order is not valid for the rotation about the third axis. In this case, use
-/// [`Draws`](crate::Draws).
+/// First order in δI gives δiₖ = aₖ·δI aₖ. It also gives the rotation of all axes about aₖ by θₖ =
+/// aⱼ·δI aᵢ/(iᵢ − iⱼ), with (i, j, k) cyclic. If errors are not small compared with the difference
+/// of two moments, first order is not valid for the rotation about the third axis. In this case,
+/// use [`Draws`](crate::Draws).
 #[derive(Clone, Debug, PartialEq)]
 pub struct PrincipalUncertainty<F: Frame> {
     /// Principal moments in ascending order, with their axes.
@@ -33,8 +33,8 @@ pub struct Tilt<F> {
     /// Angle from 0 to π/2 rad.
     pub angle: f64,
     /// Standard deviation of the angle, rad. It is valid if the angle is several times
-    /// [`Tilt::axis_sd`]. `None` at the angle 0, where there is no derivative, and if moments are
-    /// equal.
+    /// [`Tilt::axis_sd`]. `None` at the angle 0, where the derivative does not exist, and if
+    /// moments are equal.
     pub sd: Option<f64>,
     /// Standard deviation of the axis in its most uncertain direction, rad.
     pub axis_sd: f64,

@@ -82,7 +82,7 @@ impl Rows {
         self.records.len()
     }
 
-    /// Returns true if there are no rows.
+    /// Returns true if the list has no rows.
     pub const fn is_empty(&self) -> bool {
         self.records.is_empty()
     }

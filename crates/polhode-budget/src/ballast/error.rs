@@ -8,7 +8,7 @@ errors! {
     /// Error of a problem that the search cannot solve.
     BallastError;
 
-    /// There is no site.
+    /// The list of sites is empty.
     NoSites => ("there is no site for ballast");
     /// A number is not allowed.
     Value {

@@ -36,8 +36,8 @@ pub struct Ballast {
     pub most: Option<f64>,
     /// Margin to the limits in standard deviations, to first order in the errors of the list.
     ///
-    /// For a coordinate, a mass, a moment or a product about a fixed point, the margin is kept on
-    /// each side. For a distance or an unbalance, at least this margin is kept in every direction.
+    /// The margin is kept on each side of a coordinate, a mass, a moment or a product about a fixed
+    /// point. A distance or an unbalance keeps at least this margin in every direction.
     pub deviations: f64,
 }
 

@@ -159,9 +159,9 @@ impl Rule {
     /// Returns the condition linearized at the moments of given ballast, with the exact value
     /// there.
     ///
-    /// For a cone, it is f₀ − θ·f ≥ 0 with θ along f. It holds for all ballast inside the cone. For
-    /// a product, it is about the centre c of body and ballast: ∫ u·(r − c) v·(r − c) dm = P + M
-    /// (u·(S/M − c)) (v·(S/M − c)).
+    /// The condition of a cone is f₀ − θ·f ≥ 0 with θ along f. It holds for all ballast inside the
+    /// cone. The condition of a product is about the centre c of body and ballast:
+    /// ∫ u·(r − c) v·(r − c) dm = P + M (u·(S/M − c)) (v·(S/M − c)).
     pub(super) fn tangent(&self, ballast: &Moments) -> Row {
         match self {
             Self::Linear(row) => *row,

@@ -47,7 +47,7 @@ pub struct Answer {
     pub value: Result<f64, Undefined>,
     /// Standard deviation of the value to first order.
     pub sd: Result<f64, Undefined>,
-    /// True if the list as given meets the limit; false if there is no value.
+    /// True if the list as given meets the limit; false without a value.
     pub met: bool,
     /// Margins to the least and to the greatest value, if given. A margin is negative if the limit
     /// is violated.
@@ -58,7 +58,7 @@ pub struct Answer {
     /// Share of the draws that meet the limit. Draws without a value do not meet it.
     pub share: Share,
     /// True if the share differs significantly from first order. By chance, this happens about once
-    /// in 16,000 times. `None` if there is no first-order result.
+    /// in 16,000 times. `None` without a first-order result.
     pub differs: Option<bool>,
 }
 
@@ -123,7 +123,7 @@ impl LimitAnswers {
     ///
     /// # Errors
     /// [`LimitError`] if a limit has no bound or an invalid number, if the confidence level is
-    /// invalid, if there is no evidence on a basis, or if the numbers of draws differ.
+    /// invalid, if evidence on a basis is missing, or if the numbers of draws differ.
     pub fn new(
         limits: &[Limit],
         level: f64,

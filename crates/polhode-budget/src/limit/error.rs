@@ -25,7 +25,7 @@ errors! {
     Level {
         value: f64,
     } => ("the level of confidence is {value}, and has to be above 0 and below 1");
-    /// There are no draws on a basis that limits use, or different numbers of draws on both bases.
+    /// Draws on a basis that limits use are missing, or their numbers differ between both bases.
     Draws {
         /// Smallest and largest number of draws.
         given: [usize; 2],

@@ -43,8 +43,8 @@ pub enum Measure {
     /// Couple unbalance about a line, kg·m²: |∫ z ρ dm|, with z along the line from the point, and
     /// ρ the vector from the line.
     CoupleUnbalance {
-        /// Point of the line in the reference plane of the couple, m. It may be any point if there
-        /// is no static unbalance.
+        /// Point of the line in the reference plane of the couple, m. It may be any point if the
+        /// static unbalance is 0.
         point: Position<Body>,
         /// Direction of the line.
         along: Direction<Body>,
@@ -161,7 +161,7 @@ impl Measure {
     /// Returns the value for a body.
     ///
     /// # Errors
-    /// [`Undefined`] if there is no value.
+    /// [`Undefined`] if the value does not exist.
     pub fn value(&self, body: &MassProperties<Body>) -> Result<f64, Undefined> {
         let center = body.center_of_mass();
         Ok(match self {
@@ -206,7 +206,7 @@ impl Measure {
     /// Returns the gradient with respect to the mass properties of an estimate.
     ///
     /// # Errors
-    /// [`Undefined`] if there is no derivative.
+    /// [`Undefined`] if the derivative does not exist.
     pub fn gradient(&self, estimate: &Estimate<Body>) -> Result<Gradient, Undefined> {
         self.value(&estimate.properties)?;
         let (body, center) = (&estimate.properties, estimate.properties.center_of_mass());

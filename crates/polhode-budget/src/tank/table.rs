@@ -24,8 +24,8 @@ impl LiquidTable {
     /// optional and must ascend too.
     ///
     /// # Errors
-    /// [`SequenceError::Value`] if masses or levels do not ascend; [`SequenceError::EmptyTable`] if
-    /// there are no rows, or not as many levels as rows.
+    /// [`SequenceError::Value`] if masses or levels do not ascend; [`SequenceError::EmptyTable`]
+    /// without rows, or if the number of levels differs from that of rows.
     pub fn new(rows: Vec<MassProperties<Part>>, levels: Option<Vec<f64>>) -> Result<Self, SequenceError> {
         let rule = "more than that of the row before";
         let ascends = |what, values: &[f64]| {

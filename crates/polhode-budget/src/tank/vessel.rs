@@ -78,7 +78,7 @@ impl Vessel {
 
     /// Returns the level of a mass, kg, above the bottom, m.
     ///
-    /// In each band, the level is found from the nearer end, because the volume hardly depends on
+    /// The level in each band is found from its nearer end, because the volume hardly depends on
     /// the level near the other end. For the upper half, the tank is turned upside down.
     fn level(&self, mass: f64) -> f64 {
         let mut below = mass / self.density;

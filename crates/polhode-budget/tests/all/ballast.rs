@@ -1,4 +1,4 @@
-//! Least ballast against the corners of linear programs, and what holds of all answers.
+//! Least ballast compared with the corners of linear programs, and properties of all results.
 
 use polhode::math::{Body, Direction, Position};
 use polhode_budget::{
@@ -63,7 +63,8 @@ pub(crate) fn sites(sites: Vec<Site>) -> Ballast {
     Ballast { sites, ..Ballast::default() }
 }
 
-/// Returns ballast, with all that has to hold of any: limits are met, and the lower bound is below.
+/// Returns ballast that passed the checks for any result: limits are met, and the lower bound is
+/// below the mass.
 pub(crate) fn sought(budget: &Budget, ballast: &Ballast, limits: &[Limit]) -> Option<FoundBallast> {
     let BallastAnswer::Found(found) = budget.ballast(ballast, limits).unwrap() else { return None };
     assert!(found.bound >= 0.0 && found.bound <= found.mass, "{found:?}");
@@ -83,7 +84,7 @@ pub(crate) fn sought(budget: &Budget, ballast: &Ballast, limits: &[Limit]) -> Op
     Some(found)
 }
 
-/// Returns the same, and requires that the lower bound proves it.
+/// Returns ballast that passed these checks, and requires that the lower bound proves it.
 pub(crate) fn least(budget: &Budget, ballast: &Ballast, limits: &[Limit]) -> Option<FoundBallast> {
     match budget.ballast(ballast, limits).unwrap() {
         BallastAnswer::NotFound(none) => assert!(none.is_proved() && none.up_to > 0.0, "{none:?}"),
@@ -92,7 +93,7 @@ pub(crate) fn least(budget: &Budget, ballast: &Ballast, limits: &[Limit]) -> Opt
     sought(budget, ballast, limits)
 }
 
-/// min Σ x, A x ≥ b, x ≥ 0 over all its corners.
+/// Returns min Σ x with A x ≥ b and x ≥ 0, over all corners.
 fn corners(a: &[Vec<f64>], b: &[f64]) -> Option<f64> {
     let n = a[0].len();
     let mut rows: Vec<(Vec<f64>, f64)> = a.iter().cloned().zip(b.iter().copied()).collect();
@@ -156,7 +157,7 @@ fn least_ballast_at_points_is_that_of_all_corners() {
             product([X, Z], About::Point(p), most[2]),
             limit(Measure::Mass, None, mass * random.within(1.02, 1.5)),
         ];
-        // Each as f ≥ 0, by definition.
+        // Each limit as f ≥ 0, by its definition.
         let whole = budget.mass_properties(Basis::Basic).unwrap();
         let now = limits[2].of.value(&whole).unwrap();
         let (mut a, mut b) = (Vec::new(), Vec::new());

@@ -1,4 +1,5 @@
-//! Ballast on lines, discs and circles, of sizes, with margins, and about the moving centre; and refusals.
+//! Ballast on lines, discs and circles, in pieces, with margins, and about the moving centre; and
+//! refusals.
 
 use polhode::math::{Body, Direction, Position, Rotation};
 use polhode_budget::{
@@ -44,7 +45,7 @@ fn a_center_is_put_on_a_line_by_its_opposite() {
             assert!((piece.position - towards - Position::new(0.0, 0.0, 0.3)).norm() < 1e-5, "{piece:?}");
         }
     }
-    // On the same side nothing does: a line, and a point.
+    // Ballast on the same side does not help: a line, and a point.
     let line = BallastPlace::Line([Position::new(0.1, -1.0, 0.0), Position::new(0.2, -0.1, 1.0)]);
     let same = vec![Site::new("line", line), Site::new("point", BallastPlace::Point(c * 3.0))];
     assert_eq!(least(&budget, &sites(same), &[limit(AXIS, None, 0.01)]), None);
@@ -175,7 +176,7 @@ fn products_about_the_moving_center_are_those_of_a_fine_search() {
         let points: Vec<Position<Body>> = (0..3).map(|_| random.point()).collect();
         let limits = [product([X, Z], About::CenterOfMass, 0.03), product([Y, Z], About::CenterOfMass, 0.05)];
         let found = sought(&budget, &sites(at(&points)), &limits);
-        // Masses on a grid that becomes finer about the best.
+        // Masses on a grid that is refined around the best point.
         let none = polhode::body::InertiaTensor::diagonal([0.0; 3]).unwrap();
         let broken = |masses: [f64; 3]| {
             let mut parts = vec![whole];
@@ -254,10 +255,11 @@ fn two_planes_balance_a_spin_as_a_shaft_is() {
         for piece in &found.pieces {
             assert!((piece.position - want[piece.site].position).norm() < 1e-4, "{found:?} {want:?}");
         }
-        // What may be left makes it less.
+        // With some unbalance allowed, less ballast is needed.
         let less = least(&budget, &sites(rings.to_vec()), &unbalance(1e-3)).unwrap();
         assert!(less.mass < found.mass);
-        // Holes, 8 to a plane: no lighter, and no heavier than by the cosine of half a hole's angle.
+        // 8 holes in each plane: not lighter, and heavier by at most the cosine of half the angle
+        // of a hole.
         let holes: Vec<Site> = [(-0.4, 0.3), (0.5, 0.2)]
             .iter()
             .flat_map(|(z, radius)| {
@@ -297,7 +299,7 @@ fn margins_are_so_many_standard_deviations() {
     let ballast = Ballast { deviations: 3.0, ..sites(at(&points)) };
     let found = least(&budget, &ballast, &limits).unwrap();
     assert!(found.mass > least(&budget, &sites(at(&points)), &limits).unwrap().mass);
-    // The list with the ballast in it.
+    // The list, with the ballast added.
     let mut list = budget.list().clone();
     list.rows.push(Row::frame("all"));
     list.rows[0].parent = Some("all".to_owned());
@@ -310,7 +312,8 @@ fn margins_are_so_many_standard_deviations() {
     let least =
         answers.iter().flat_map(|answer| answer.margins).flatten().filter_map(|margin| margin.deviations);
     let least = least.fold(f64::INFINITY, f64::min);
-    // Of a centre the deviation is that of S − most M at the limit; at the centre itself, 3 deviations inside, it differs a little.
+    // The deviation of a centre is that of S − most M at the limit. At the centre itself, 3
+    // deviations inside, it differs slightly.
     assert!((least - 3.0).abs() < 0.03, "{least} {answers:?}");
     assert!(answers.iter().all(|answer| answer.share.estimate() > 0.995), "{answers:?}");
 }
@@ -364,7 +367,7 @@ fn questions_that_cannot_be_answered_are_refused() {
 
 #[test]
 fn turned_and_moved_questions_have_the_same_answer() {
-    // The list and the sites in another frame, far away: masses do not ask.
+    // The list and the sites in another frame, far away. The masses do not depend on the frame.
     let turn = Rotation::<Body, Body>::exp(Direction::new(0.3, -0.7, 0.5)).unwrap();
     let away = Position::new(12.0, -31.0, 7.0);
     let moved = |p: Position<Body>| away + turn * p;

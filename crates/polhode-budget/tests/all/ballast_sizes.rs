@@ -1,4 +1,5 @@
-//! Ballast in pieces of given sizes on lines, discs and circles, against random searches, combinations and closed forms.
+//! Ballast in pieces of given sizes on lines, discs and circles, compared with random searches,
+//! combinations and closed forms.
 
 use polhode::body::MassProperties;
 use polhode::math::{Body, Direction, Position};
@@ -37,7 +38,8 @@ fn of_body(body: &MassProperties<Body>) -> Sums {
     all
 }
 
-/// Whether the centre is within `most` along x and y, and the products about it are within theirs.
+/// Returns true if the centre is within `most` along x and y, and the products about it are within
+/// theirs.
 fn is_met([m, x, y, z, yz, xz, xy]: &Sums, most: [f64; 5]) -> bool {
     let all = [x / m, y / m, yz - y * z / m, xz - x * z / m, xy - x * y / m];
     all.iter().zip(most).all(|(value, most)| value.abs() <= most)
@@ -49,7 +51,8 @@ fn limits(most: [f64; 5]) -> Vec<Limit> {
     [vec![center(X, most[0]), center(Y, most[1])], products.to_vec()].concat()
 }
 
-/// A body that with this ballast is inside its limits, at random places between them, and what these are.
+/// Returns a body that is inside its limits with this ballast, at random places between them, and
+/// the limits.
 fn met_with(hidden: &[(f64, Position<Body>)], random: &mut Random) -> (Budget, [f64; 5]) {
     let (mass, wide) = (random.within(4.0, 9.0), random.within(0.02, 0.05));
     let most = [random.within(0.004, 0.012), random.within(0.004, 0.012), wide, 0.8 * wide, wide];
@@ -59,7 +62,7 @@ fn met_with(hidden: &[(f64, Position<Body>)], random: &mut Random) -> (Budget, [
     let center =
         [total * inside[0] - ballast[1], total * inside[1] - ballast[2], mass * random.within(-0.05, 0.05)];
     let center = Position::from_array(center.map(|s| s / mass));
-    // What is missing of each product, by the products of the body alone.
+    // Missing part of each product, to be provided by the products of the body alone.
     let with = |products: [f64; 3]| {
         let budget = body(mass, center, products);
         let [m, x, y, z, yz, xz, xy] =
@@ -78,7 +81,7 @@ fn met_with(hidden: &[(f64, Position<Body>)], random: &mut Random) -> (Budget, [
     (with(products).0, most)
 }
 
-/// A point of a place by two numbers from 0 to 1.
+/// Returns a point of a place, from two numbers from 0 to 1.
 fn at_place(place: &BallastPlace, [s, t]: [f64; 2]) -> Position<Body> {
     match place {
         BallastPlace::Point(p) => *p,
@@ -94,7 +97,8 @@ fn at_place(place: &BallastPlace, [s, t]: [f64; 2]) -> Position<Body> {
     }
 }
 
-/// Whether pieces at some points of their places meet the limits, by a random search from many starts.
+/// Returns true if a random search from many starts finds points at which the pieces meet the
+/// limits.
 fn does_somewhere(
     whole: &Sums,
     pieces: &[(f64, &BallastPlace)],
@@ -146,7 +150,8 @@ fn pieces_on_lines_and_rounds_are_those_of_a_random_search() {
             1 => BallastPlace::Circle(round),
             _ => BallastPlace::Line([random.point(), random.point()]),
         };
-        // With one or two pieces on each the limits are met; in the last cases with none that there are.
+        // One or two pieces on each place meet the limits. In the last cases, these pieces are not
+        // available.
         let factor = if case < 30 { 1.0 } else { 1.5 };
         let pieces = [(0.12, &line), (0.2, &line), (0.1, &other), (0.1, &other)];
         let pieces = &pieces[case % 2..if case % 4 < 2 { 3 } else { 4 }];
@@ -161,7 +166,7 @@ fn pieces_on_lines_and_rounds_are_those_of_a_random_search() {
             sized(other.clone(), &[0.15, 0.1], Some(0.2)),
         ];
         let got = sought(&budget, &sites(all.clone()), &limits(most));
-        // All that the two may have, the lightest first.
+        // All combinations of pieces on the two places, the lightest first.
         let lines: [&[f64]; 5] = [&[], &[0.12], &[0.2], &[0.12, 0.12], &[0.12, 0.2]];
         let others: [&[f64]; 4] = [&[], &[0.1], &[0.15], &[0.1, 0.1]];
         let mut choices: Vec<(f64, Vec<(f64, &BallastPlace)>)> = Vec::new();
@@ -214,7 +219,8 @@ fn a_piece_beside_any_masses_is_where_it_makes_them_least() {
         let (budget, most) = met_with(&hidden, &mut random);
         let whole = of_body(&budget.mass_properties(Basis::Basic).unwrap());
         let all = hidden.iter().fold(whole, |all, (mass, at)| plus(&all, &sums(*mass, *at)));
-        // ∫ (x − p) (z − q) dm of the body with what is hidden, and a little to either side.
+        // ∫ (x − p) (z − q) dm of the body with the hidden ballast, with a small interval around
+        // it.
         let (p, q) = (0.1, -0.1);
         let value = all[5] - p * all[3] - q * all[1] + p * q * all[0];
         let about = About::Point(Position::new(p, 0.2, q));
@@ -222,12 +228,12 @@ fn a_piece_beside_any_masses_is_where_it_makes_them_least() {
         let beside =
             Limit { least: Some(value - 0.3 * most[2]), most: Some(value + 0.6 * most[2]), ..beside };
         let limits = [center(X, most[0]), center(Y, most[1]), beside];
-        // One piece, as two are too many.
+        // One piece only, because two exceed the largest mass.
         let with = |place: BallastPlace| {
             sites([vec![sized(place, &[0.08, 0.15], Some(0.155))], at(&points)].concat())
         };
         let got = sought(&budget, &with(line.clone()), &limits).unwrap();
-        // At each point of a grid, that becomes finer about the best.
+        // Each point of a grid that is refined around the best point.
         let of = |s: f64| {
             let place = BallastPlace::Point(at_place(&line, [s.clamp(0.0, 1.0), 0.0]));
             sought(&budget, &with(place), &limits).map_or(f64::INFINITY, |one| one.mass)
@@ -292,7 +298,7 @@ fn sizes_with_products_are_those_of_all_combinations() {
     assert!(found >= 20 && none >= 4, "{found} {none}");
 }
 
-/// Fine pieces are little heavier than any masses.
+/// Fine pieces are only slightly heavier than arbitrary masses.
 #[test]
 fn fine_pieces_are_as_heavy_as_any_masses() {
     let budget = body(6.0, Position::new(0.021, -0.013, 0.2), [0.03, 0.02, -0.05]);

@@ -1,4 +1,4 @@
-//! Draws of possible bodies against first order, and where they differ.
+//! Draws of possible bodies compared with first order, and cases in which they differ.
 
 use polhode::math::{Direction, Position};
 use polhode_budget::{
@@ -8,7 +8,7 @@ use polhode_budget::{
 
 use crate::lists::{cases, list};
 
-/// The same list with errors that are a part of what they were.
+/// Returns the list with all errors multiplied by a factor.
 fn less(mut list: PartsList, by: f64) -> PartsList {
     fn times<const N: usize>(spread: &mut Spread<N>, by: f64) {
         let Spread::Deviations(sd) = spread else { unreachable!() };
@@ -39,7 +39,7 @@ fn small_errors_are_those_of_first_order() {
                 assert!(!number.differs(), "{} {number:?}", case["name"]);
                 assert!((number.sd / number.first_order_sd - 1.0).abs() < 0.06, "{number:?}");
             }
-            // and so are all correlations: the standard error is (1 − r²)/√n
+            // all correlations agree too: their standard error is (1 − r²)/√n
             for i in 0..10 {
                 for j in 0..i {
                     let r = |c: &[[f64; 10]; 10]| c[i][j] / (c[i][i] * c[j][j]).sqrt();
@@ -99,10 +99,11 @@ fn plates_become_thicker_and_never_impossible() {
         let [i1, i2, i3] = body.principal().moments();
         assert!(i1 + i2 >= i3 * (1.0 - 1e-12));
     }
-    // Half of what the tensors alone say cannot be: g = ½ (Ixx + Iyy − Izz) is normal about 0.
+    // Half of the drawn tensors are impossible: g = ½ (Ixx + Iyy − Izz) is normal about 0.
     let share = draws.moved as f64 / 20_000.0;
     assert!((share - 0.5).abs() < 4.0 * 0.5 / 20_000_f64.sqrt(), "{share}");
-    // E max(g, 0) = σ/√2π, and Ixx = g_yy + g_zz: the mean of Ixx and Iyy is more by that, that of Izz is not.
+    // E max(g, 0) = σ/√2π, and Ixx = `g_yy` + `g_zz`. The means of Ixx and Iyy are greater by that;
+    // the mean of Izz is not.
     let sd = 0.5 * 3.0_f64.sqrt() * 0.02;
     let expected = sd / (2.0 * core::f64::consts::PI).sqrt();
     let numbers = draws.compare(&estimate).numbers;

@@ -1,4 +1,4 @@
-//! What is refused, and how it is said.
+//! Errors of parts lists, with their messages.
 
 use polhode::body::BodyError;
 use polhode::math::Position;
@@ -69,14 +69,15 @@ fn parts_that_cannot_exist() {
         error(row(-2.0, GivenTensor::ZERO)).to_string(),
         "\"a/b\" cannot exist: the mass = -2 must be positive and finite"
     );
-    // Not about this point: 2 kg there have more.
+    // Impossible about this point: at this distance, 2 kg have a greater moment.
     let about = TensorPoint::At(Position::new(2.0, 0.0, 0.0));
     let far = GivenTensor { moments: [1.0, 2.0, 2.5], about, ..GivenTensor::ZERO };
     assert!(matches!(
         error(row(2.0, far)),
         BudgetError::Part { error: BodyError::ImpossibleAtCenter { .. }, .. }
     ));
-    // The sign of the products decides whether this can be: about its centre all mass is in one plane.
+    // The sign of the products decides if this is possible: about its centre, all mass is in one
+    // plane.
     let signed = |sign| GivenTensor {
         moments: [2.0, 2.0, 2.0],
         products: [0.95, 0.95, 0.95],
@@ -133,7 +134,7 @@ fn uncertainties_that_are_none() {
     );
 }
 
-/// What overflows is refused, and no standard deviation is zero or missing for it.
+/// An overflow is refused. No standard deviation becomes zero or missing because of it.
 #[test]
 fn variances_that_are_none() {
     let of = |mass: f64, place: f64, sd: f64| {

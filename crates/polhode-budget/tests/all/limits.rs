@@ -1,4 +1,4 @@
-//! Limits against definitions, differences, published intervals and independent draws.
+//! Limits compared with definitions, differences, published intervals and independent draws.
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -43,7 +43,7 @@ fn measures() -> Vec<Measure> {
     all
 }
 
-/// A body of which a number is changed.
+/// Returns a body with one number changed by h.
 fn moved(of: &MassProperties<Body>, number: usize, h: f64) -> MassProperties<Body> {
     let (mut mass, mut center) = (of.mass(), of.center_of_mass().to_array());
     let mut rows = of.inertia().matrix();
@@ -96,7 +96,7 @@ fn gradients_are_those_of_differences() {
     }
 }
 
-/// Five particles, and their body.
+/// Returns five particles, and the body that consists of them.
 fn particles() -> ([(f64, [f64; 3]); 5], MassProperties<Body>) {
     let all = [
         (1.3, [0.4, -0.2, 0.9]),
@@ -172,7 +172,7 @@ fn limit(of: Measure, least: Option<f64>, most: Option<f64>, basis: Basis) -> Li
 
 const TRIAL: Trial = Trial { seed: 31, draws: 20_000, level: 0.95 };
 
-/// Two points of which the masses and one place are uncertain.
+/// Returns two points with uncertain masses, one of them with an uncertain place.
 fn two(sd: f64) -> PartsList {
     let uncertain = |name: &str, mass, x, part| Row {
         parent: Some("body".to_owned()),
@@ -239,7 +239,7 @@ fn probabilities_are_those_of_independent_draws() {
     let [low, high] = found.all.first_order.unwrap();
     let p = met[4] as f64 / f64::from(count);
     assert!(low < p && p < high && found.all.met);
-    // Φ(0.1/0.107331) of the mass: 9.7 − 9.6 over 1.2 √(0.04² + 0.08²)
+    // Probability Φ(0.1/0.107331) for the mass: 9.7 − 9.6 over 1.2 √(0.04² + 0.08²)
     let mass = &found.answers[1];
     let sd = 1.2 * (0.0016_f64 + 0.0064).sqrt();
     let margin = mass.margins[1].unwrap();
@@ -250,7 +250,8 @@ fn probabilities_are_those_of_independent_draws() {
 
 #[test]
 fn what_first_order_cannot_say_differs_from_the_draws() {
-    // The distance from where the centre is expected: normal across in one direction, never negative.
+    // Distance from the expected centre: the centre is normal along one direction, and the distance
+    // is never negative.
     let budget = two(0.0).budget().unwrap();
     let c = budget.mass_properties(Basis::Basic).unwrap().center_of_mass();
     let near = Position::new(c.x + 1e-5, c.y, c.z);
@@ -292,7 +293,7 @@ fn what_equal_moments_leave_undefined_is_said() {
     let value = |measure: &Measure| measure.value(&wheel.properties);
     let tilt = |axis, from| Measure::Tilt { axis, from };
     let equal = Undefined::EqualMoments;
-    // The axis of symmetry is known, those across it are not.
+    // The axis of symmetry is determined; the axes perpendicular to it are not.
     let third = tilt(PrincipalAxis::Number(2), beside);
     assert!(
         (value(&third).unwrap() - 0.05_f64.sqrt().atan()).abs() < 1e-14 && third.gradient(&wheel).is_ok()
@@ -304,7 +305,8 @@ fn what_equal_moments_leave_undefined_is_said() {
     {
         assert_eq!((value(&measure), measure.gradient(&wheel)), (Err(equal), Err(equal)));
     }
-    // The axes across it may be any: the nearest of them is nearer than z.
+    // The perpendicular axes can have any direction in their plane. The nearest of these directions
+    // is nearer than z.
     let across = Direction::new(0.6, 0.6, 0.7);
     assert_eq!(value(&Measure::SpinRatio(across)), Ok(2.0 / 3.0));
     assert_eq!(value(&Measure::SpinRatio(beside)), Ok(1.5));
@@ -313,14 +315,14 @@ fn what_equal_moments_leave_undefined_is_said() {
     assert_eq!(Measure::PrincipalMoment(0).gradient(&wheel), Err(equal));
     assert_eq!(Measure::PrincipalRatio([2, 1]).gradient(&wheel), Err(equal));
     assert!(Measure::PrincipalMoment(2).gradient(&wheel).is_ok());
-    // The rate of nutation does not ask which of two equal moments is which: i = 3, a = b = 2.
+    // The rate of nutation does not depend on the order of two equal moments: i = 3, a = b = 2.
     let square = Measure::SpinStability(beside);
     assert_eq!(value(&square), Ok(0.25));
     let by = square.gradient(&wheel).unwrap().by_inertia;
     let step = |h: f64| square.value(&symmetric([2.0 + h, 2.0, 3.0], 0.0).properties).unwrap();
     assert!((by[0] - (step(1e-4) - step(-1e-4)) / 2e-4).abs() < 1e-7);
     assert_eq!((by[0], by[1], by[2], by[3]), (-0.375, -0.375, 0.5, 0.0));
-    // A sphere has no axes, a rod no moment about its line.
+    // A sphere has no distinct axes, and a rod has no moment about its line.
     let sphere = symmetric([2.0; 3], 0.0);
     assert_eq!(tilt(PrincipalAxis::Nearest, z).value(&sphere.properties), Err(equal));
     assert_eq!(Measure::SpinRatio(z).value(&sphere.properties), Ok(1.0));
@@ -341,14 +343,14 @@ fn what_has_no_value_is_not_met() {
     let answer = &found.answers[0];
     assert_eq!((answer.value, answer.met, answer.share.met), (Err(Undefined::ZeroMoment), false, 0));
     assert!(!found.all.met && found.all.share.met == 0);
-    // Of exact lists limits are met or not.
+    // The limits of exact lists are either met or not.
     let mass = |most| limit(Measure::Mass, Some(1.0), Some(most), Basis::Predicted);
     let found =
         budget.limits(&[mass(1.0), limit(Measure::Mass, Some(1.5), None, Basis::Predicted)], trial).unwrap();
     assert_eq!(found.answers[0].first_order, Ok(1.0));
     assert_eq!((found.answers[1].first_order, found.answers[1].share.met), (Ok(0.0), 0));
     assert_eq!((found.answers[0].share.met, found.answers[0].differs), (10, Some(false)));
-    // Without limits all are met.
+    // Without limits, the result for all limits is true.
     let none = budget.limits(&[], trial).unwrap();
     assert!(none.all.met && none.all.share.met == 10 && none.all.first_order == Some([1.0, 1.0]));
 }
@@ -377,7 +379,7 @@ fn limits_that_say_nothing_are_refused() {
             Basis::Basic,
         ),
         limit(Measure::CenterFromPoint(Position::new(0.0, f64::NAN, 0.0)), None, Some(PI), Basis::Basic),
-        // The number overflows, or only its standard deviation does.
+        // The value overflows, or only its standard deviation does.
         limit(Measure::Moment { axis: U, about: About::Point(P * 1e160) }, None, Some(PI), Basis::Basic),
         limit(Measure::StaticUnbalance { point: P * 1e200, along: U }, None, Some(PI), Basis::Basic),
     ] {

@@ -1,4 +1,5 @@
-//! What is in tanks, with its errors: first order by central differences, draws beside first order, and what is refused.
+//! Liquids in tanks with errors: first order compared with central differences and with draws, and
+//! refusals.
 
 use polhode::body::{MassProperties, MassPropertiesGradient};
 use polhode::math::{Body, Direction, Position, Rotation};
@@ -14,7 +15,8 @@ fn vessel(shape: TankShape, density: f64, down: Down) -> Liquid {
     Liquid::Vessel(Box::new(Vessel::new(shape, density, down).unwrap()))
 }
 
-/// Two tanks by their shape, and one by a table, of which the middle row is no mixture of the others.
+/// Returns two tanks described by their shapes, and one by a table whose middle row is not a
+/// mixture of the others.
 fn liquids(dense: [f64; 2]) -> [Liquid; 3] {
     let fuel = TankShape::Cylinder { radius: 0.15, length: 0.3, ends: [0.15, 0.1] };
     let table = [(2.0, 0.1), (5.0, 0.16), (9.0, 0.19)].map(|(mass, z)| {
@@ -46,7 +48,7 @@ fn turned(position: [f64; 3], angle: f64) -> Place {
     Place { position: Position::from_array(position), rotation }
 }
 
-/// A body with tanks whose frames are turned, with so much in them.
+/// Returns a body with rotated tank frames, and with these masses in the tanks.
 fn list(masses: [f64; 3], dense: [f64; 2], errors: [LiquidErrors; 3]) -> PartsList {
     let bus = GivenPart::point(40.0, Position::new(0.1, 0.05, -0.2));
     let mut rows = vec![
@@ -82,7 +84,8 @@ fn estimate(errors: [LiquidErrors; 3]) -> Estimate<Body> {
     list(MASSES, [1.0; 2], errors).budget().unwrap().estimate(Basis::Basic).unwrap()
 }
 
-/// The covariance of one error alone is δ δᵀ, with the derivative δ as the whole with that much more, and less, has it.
+/// The covariance of one error alone is δ δᵀ. The derivative δ is a central difference of the whole
+/// with more and with less liquid.
 #[test]
 fn first_order_is_the_derivative_of_the_exact_integrals() {
     for number in 0..5 {
@@ -95,7 +98,7 @@ fn first_order_is_the_derivative_of_the_exact_integrals() {
             let (mut masses, mut dense) = (MASSES, [1.0; 2]);
             if is_density {
                 dense[k] += by;
-                // The level is what stays, and with it the volume.
+                // The level is fixed, and with it the volume.
                 if measured(k) == Measured::Fill {
                     masses[k] *= 1.0 + by;
                 }
@@ -110,7 +113,7 @@ fn first_order_is_the_derivative_of_the_exact_integrals() {
         for i in 0..10 {
             for j in 0..10 {
                 let want = sd * sd * slope[i] * slope[j];
-                // What differences round and leave out, of each of both.
+                // Rounding and truncation errors of the differences, for both factors.
                 let rounding = [i, j].map(|k| slope[k].abs() + 1e-3).iter().product::<f64>() * 1e-7 * sd * sd;
                 let found = found[i][j];
                 assert!((found - want).abs() < rounding, "{number}: {i} {j}: {found} {want}");
@@ -121,7 +124,7 @@ fn first_order_is_the_derivative_of_the_exact_integrals() {
     }
 }
 
-/// All errors, two of which go together.
+/// Returns the list with all errors. Two of them are correlated.
 fn uncertain(scale: f64) -> Budget {
     let given = [
         errors(0, scale * 0.4, scale * 0.03),
@@ -173,7 +176,7 @@ fn errors_are_named_by_what_they_are_of() {
         let is = |one: &&Sensitivity| one.source == source && one.kind == kind;
         found.iter().find(is).map_or(0.0, |one| one.variance)
     };
-    // Of what is weighed the density says nothing of the mass; of what is filled it does.
+    // The mass of a weighed liquid does not depend on the density. The mass of a filled one does.
     let [fuel, water] =
         [0, 1].map(|k| budget.list().rows.iter().position(|row| row.name == NAMES[k]).unwrap());
     assert_eq!(of(Source::Row(fuel), ErrorKind::Density), 0.0);
@@ -186,7 +189,8 @@ fn errors_are_named_by_what_they_are_of() {
     close(all.sqrt(), budget.estimate(Basis::Basic).unwrap().sd(0));
 }
 
-/// A tank that is nearly full holds no more than it does, and one that is nearly empty no less than nothing.
+/// A nearly full tank never contains more than its capacity, and a nearly empty one never less than
+/// nothing.
 #[test]
 fn tanks_are_between_empty_and_full() {
     let dry = 47.0;
@@ -204,7 +208,7 @@ fn tanks_are_between_empty_and_full() {
         assert_eq!(full, draws.moved, "{mass}");
         assert_eq!(mass > 1.0, draws.moved > 100, "{mass}: {}", draws.moved);
     }
-    // A lighter liquid of the same mass may not fit; one that is as high always does.
+    // A lighter liquid of the same mass may not fit. At the same level, it always does.
     let of_density = |measured| {
         let mut given = exact();
         given[0] = LiquidErrors { measured, amount: 0.0, density: 0.05 };

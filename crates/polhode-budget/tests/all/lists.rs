@@ -1,4 +1,4 @@
-//! The parts lists of fixtures/budget.toml.
+//! Parts lists of fixtures/budget.toml.
 
 use polhode::math::{Part, Position, Rotation};
 use polhode_budget::{
@@ -12,7 +12,7 @@ pub(crate) fn cases() -> Vec<toml::Table> {
     table["case"].as_array().unwrap().iter().map(|case| case.as_table().unwrap().clone()).collect()
 }
 
-/// One of them by its name.
+/// Returns the case with this name.
 pub(crate) fn case(name: &str) -> toml::Table {
     cases().into_iter().find(|case| case["name"].as_str() == Some(name)).unwrap()
 }
@@ -30,7 +30,7 @@ pub(crate) fn numbers<const N: usize>(value: &toml::Value) -> [f64; N] {
     all.try_into().unwrap()
 }
 
-/// Six points of a 16 that are a tensor's, and so on.
+/// Returns N of 16 numbers, such as the six of a tensor.
 fn some<const N: usize>(all: &[f64; 16], first: usize) -> [f64; N] {
     core::array::from_fn(|k| all[first + k])
 }

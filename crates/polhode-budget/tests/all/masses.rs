@@ -14,7 +14,8 @@ fn code(code: &str) -> Growth {
     Growth::Code(code.to_owned())
 }
 
-/// Two panels of 3 kg with four hinges of 0.25 kg each, a bus of 10 kg with a battery of 4 kg.
+/// Returns a list: two panels of 3 kg with four hinges of 0.25 kg each, and a bus of 10 kg with a
+/// battery of 4 kg.
 fn list() -> PartsList {
     let many = |count, row| Row { quantity: Quantity { count, ..Quantity::ONE }, ..row };
     PartsList {
@@ -45,7 +46,7 @@ fn growth_is_by_code_and_copies_count() {
     assert!((whole.growth_allowance() - 3.42).abs() < 1e-13);
     assert!((whole.margin().unwrap() - 2.58).abs() < 1e-13);
     assert!((whole.relative_margin().unwrap() - 2.58 / 22.0).abs() < 1e-14);
-    // what is promised for the panels cannot be kept
+    // the panels exceed their allowable mass
     assert!((statements[3].margin().unwrap() + 0.22).abs() < 1e-13);
     assert_eq!(statements[1].margin(), None);
 }

@@ -1,4 +1,5 @@
-//! Gradients of moments, turns and tilts against differences, and what has no derivative.
+//! Gradients of moments, rotations and tilts compared with differences, and cases without a
+//! derivative.
 
 use polhode::body::{InertiaTensor, MassProperties, MassPropertiesGradient};
 use polhode::math::{Body, Direction, Position};
@@ -12,7 +13,7 @@ fn estimate() -> Estimate<Body> {
     list(&case("nested")).budget().unwrap().estimate(Basis::Basic).unwrap()
 }
 
-/// With its tensor changed in one element by h.
+/// Returns the estimate with one element of the tensor changed by h.
 fn moved(of: &Estimate<Body>, element: usize, h: f64) -> Estimate<Body> {
     let mut rows = of.properties.inertia().matrix();
     let (i, j) = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)][element];
@@ -24,7 +25,7 @@ fn moved(of: &Estimate<Body>, element: usize, h: f64) -> Estimate<Body> {
     Estimate { properties, covariance: of.covariance }
 }
 
-/// Derivatives by the six elements, by differences of the fourth order.
+/// Returns the derivatives with respect to the six elements, by differences of fourth order.
 fn slopes(of: &Estimate<Body>, number: impl Fn(&Estimate<Body>) -> f64) -> [f64; 6] {
     let h = 1e-4 * of.properties.principal().moments()[0];
     core::array::from_fn(|element| {
@@ -47,7 +48,7 @@ fn gradients_are_those_of_differences() {
     let n = Direction::new(0.3, -0.5, 0.7);
     for k in 0..3 {
         close(&principal.moment_gradient(k), slopes(&whole, |e| e.properties.principal().moments()[k]));
-        // a turn about axis k takes axis i towards axis j
+        // a rotation about axis k takes axis i towards axis j
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let towards = principal.frame.axis(j);
         close(
@@ -110,7 +111,7 @@ fn equal_moments_leave_axes_that_are_not_known() {
     assert_eq!(principal.turn_sd[2], f64::INFINITY);
     assert!((principal.turn_sd[0] - 0.01).abs() < 1e-15 && (principal.turn_sd[1] - 0.01).abs() < 1e-15);
     assert_eq!(principal.turn_gradient(2), None);
-    // the axis of symmetry is known, those across it are not
+    // the axis of symmetry is determined; the axes perpendicular to it are not
     let z = principal.tilt(&uncertain, 2, Direction::new(0.0, 0.6, 0.8)).unwrap();
     assert!((z.sd.unwrap() - 0.01).abs() < 1e-15 && (z.axis_sd - 0.01).abs() < 1e-15);
     let x = principal.tilt(&uncertain, 0, Direction::new(0.0, 0.6, 0.8)).unwrap();

@@ -1,4 +1,5 @@
-//! Composite bodies of NASA JEOD (fixtures/composite_bodies.toml), with their tensors given about different points and with both signs.
+//! Composite bodies of NASA JEOD (fixtures/composite_bodies.toml). Their tensors are given about
+//! different points and with both signs.
 
 use polhode::math::{Body, Part, Position};
 use polhode_budget::{Basis, GivenPart, GivenTensor, PartsList, Place, ProductSign, Row, TensorPoint};
@@ -10,7 +11,7 @@ fn matrix(value: &toml::Value) -> [[f64; 3]; 3] {
     rows.try_into().unwrap()
 }
 
-/// A part's moments about its centre, whose axes are the body's.
+/// Returns the moments of a part about its centre, along the axes of the body.
 fn moments(part: &toml::Table) -> [f64; 3] {
     if let Some(inertia) = part.get("inertia") {
         let m = matrix(inertia);
@@ -20,7 +21,7 @@ fn moments(part: &toml::Table) -> [f64; 3] {
     [b + c, a + c, a + b].map(|sum| number(&part["mass"]) * sum / 12.0)
 }
 
-/// The same about the origin of the body, from which the centre is at p.
+/// Returns the moments and products of a part about the origin of the body. Its centre is at p.
 fn about_origin(part: &toml::Table, p: Position<Part>) -> ([f64; 3], [f64; 3]) {
     let (m, [x, y, z], i) = (number(&part["mass"]), p.to_array(), moments(part));
     let moments = [i[0] + m * (y * y + z * z), i[1] + m * (x * x + z * z), i[2] + m * (x * x + y * y)];
@@ -46,7 +47,8 @@ fn jeod_composite_bodies() {
             };
             let here = GivenTensor { moments: moments(part), ..GivenTensor::ZERO };
             let (place, center, tensor) = match k % 3 {
-                // in a frame of its own, about its centre; about the body's origin; and in the body's axes
+                // in a separate frame about its centre; about the body's origin; and in the body's
+                // axes
                 0 => (p, Position::ZERO, here),
                 1 => (p, Position::ZERO, there),
                 _ => (Position::ZERO, p, GivenTensor { about: TensorPoint::At(Position::ZERO), ..there }),

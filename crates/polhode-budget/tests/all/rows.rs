@@ -1,4 +1,4 @@
-//! Packed rows are the rows that were given, to the bit.
+//! Packed rows are equal to the given rows, bit for bit.
 
 use polhode::math::{Direction, Position, Rotation};
 use polhode_budget::{
@@ -7,7 +7,7 @@ use polhode_budget::{
     Uncertainty,
 };
 
-/// Numbers that have no short decimals.
+/// Returns numbers without short decimals.
 fn numbers<const N: usize>(from: f64) -> [f64; N] {
     core::array::from_fn(|k| (from + k as f64).sin())
 }
@@ -16,7 +16,7 @@ fn covariance<const N: usize>(from: f64) -> Box<[[f64; N]; N]> {
     Box::new(core::array::from_fn(|k| numbers(from + 10.0 * k as f64)))
 }
 
-/// A row that says everything.
+/// Returns a row with all kinds of data.
 fn full() -> Row {
     let tensor = GivenTensor {
         moments: numbers(1.0),
@@ -50,7 +50,7 @@ fn full() -> Row {
     }
 }
 
-/// Rows that each say something else, and nothing besides.
+/// Returns rows that each have one kind of data.
 fn all() -> Vec<Row> {
     let plain = || Row::frame("f");
     let part =
@@ -79,14 +79,14 @@ fn packed_rows_are_the_rows_that_were_given() {
     let rows: Rows = given.clone().into_iter().collect();
     assert_eq!((rows.len(), rows.is_empty()), (given.len(), false));
     for (k, row) in given.iter().enumerate() {
-        // As text, in which -0.0 is not 0.0.
+        // Compared as text, in which -0.0 differs from 0.0.
         assert_eq!(format!("{:?}", rows.get(k)), format!("{row:?}"), "row {k}");
         assert_eq!(rows.name(k), row.name);
         assert_eq!(rows.mass(k), row.part.as_ref().map(|part| part.mass));
         assert_eq!(rows.is_exact(k), row.uncertainty == Uncertainty::default());
     }
     assert_eq!(rows.position("p"), Some(5));
-    // Beyond the end there is nothing.
+    // Beyond the last row, an empty frame is returned.
     assert_eq!(rows.get(given.len()), Row::frame(""));
 }
 
@@ -105,7 +105,7 @@ fn a_row_that_encloses_all_is_their_parent() {
     assert_eq!(budget.mass_properties(Basis::Basic).unwrap().mass(), 6.0);
 }
 
-/// Rows of short lists are prepared once, rows of long lists for each draw.
+/// Rows of short lists are prepared once. Rows of long lists are prepared in each draw.
 #[test]
 fn long_lists_are_drawn_as_short_ones() {
     const PARTS: usize = 10_010;
@@ -124,7 +124,8 @@ fn long_lists_are_drawn_as_short_ones() {
             .budget()
             .unwrap()
     };
-    // The variables of a row depend on its place in the list alone: rows that are exact in one list are as drawn in the other.
+    // The random variables of a row depend only on its index in the list. Rows that are uncertain
+    // in both lists therefore have the same draws.
     let short = body((0..PARTS).map(|k| if k < 100 { row(k) } else { exact(k) }).collect());
     let long = body((0..PARTS).map(row).collect());
     let masses = |budget: &Budget| -> Vec<f64> {
@@ -142,7 +143,7 @@ fn long_lists_are_drawn_as_short_ones() {
         let squares: f64 = masses.iter().map(|mass| (mass - nominal).powi(2)).sum();
         (squares / masses.len() as f64).sqrt() / (0.02 * (count as f64).sqrt())
     };
-    // √(χ²/10) of ten draws is outside of this once in a thousand times.
+    // √(χ²/10) of ten draws is outside this interval once in a thousand times.
     assert!(
         (0.4..1.8).contains(&sd(&short, 100)) && (0.4..1.8).contains(&sd(&long, PARTS)),
         "{short:?} {long:?}"

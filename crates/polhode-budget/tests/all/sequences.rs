@@ -1,4 +1,4 @@
-//! What happens to a body over time.
+//! Changes of a body over time.
 
 use polhode::math::{AngularVelocity, Attitude, Direction, Position, Rotation};
 use polhode::motion::{Exit, Outflow, Simulation, State};
@@ -60,7 +60,7 @@ fn tanks() -> [(Tank, f64); 2] {
     ]
 }
 
-/// M, c and the tensor about c.
+/// Returns M, c and the tensor about c.
 fn numbers(row: &SequenceRow) -> [f64; 10] {
     let [x, y, z] = row.properties.center_of_mass().to_array();
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = row.properties.inertia().matrix();
@@ -104,10 +104,10 @@ fn the_mass_is_what_has_not_gone() {
     ] {
         assert!((mass(time) - want).abs() < 1e-12, "{time}: {} {want}", mass(time));
     }
-    // What has unfolded is not as before, though its mass is the same.
+    // The unfolded body differs, though its mass is the same.
     let [before, after] = [13.9, 14.1].map(|time| sequence.at(time).unwrap().properties.center_of_mass());
     assert!((before - after).norm() > 0.01);
-    // Rows that stand in each other, with turned tanks: the whole is the sum.
+    // Nested rows with rotated tanks: the whole is the sum.
     let dry = first.mass_properties(Basis::Basic).unwrap();
     let empty = Sequence::of(&first, Basis::Basic, tanks().map(|(tank, _)| (tank, 0.0))).at(0.0).unwrap();
     assert!((empty.properties.center_of_mass() - dry.center_of_mass()).norm() < 1e-15);
@@ -126,7 +126,7 @@ fn rates_are_derivatives() {
             assert!((found[k] - difference).abs() < 1e-8, "{time} {k}: {} {difference}", found[k]);
         }
     }
-    // By how full the tanks are.
+    // Derivatives with respect to the fill of the tanks.
     let by_fill = sequence.by_fill(&[0.499, 0.5, 0.501]).unwrap();
     for k in 0..10 {
         let difference = (numbers(&by_fill[2])[k] - numbers(&by_fill[0])[k]) / 0.002;
@@ -139,7 +139,7 @@ fn rows_come_in_pairs_at_corners() {
     let [first, unfolded] = [0.1, 1.3].map(budget);
     let rows = sequence(&first, &unfolded).rows([0.0, 40.0], 3).unwrap();
     let times: Vec<f64> = rows.iter().map(|row| row.time).collect();
-    // 0 2 5 10 12 14 16 20 25 30 40
+    // Corners at 0 2 5 10 12 14 16 20 25 30 40 s.
     assert_eq!((rows.len(), times[0], times[39]), (40, 0.0, 40.0));
     let at_ten: Vec<&SequenceRow> = rows.iter().filter(|row| row.time == 10.0).collect();
     assert_eq!(at_ten.len(), 2);
@@ -172,7 +172,7 @@ fn a_history_is_the_sequence_and_moves() {
     let motion = Simulation::new(&rotor, &[], start, &times).changing(Some(&history)).run().unwrap();
     let drift = Drift::of(&motion).unwrap();
     assert!(drift.work_energy < 1e-12 && drift.momentum < 1e-12, "{drift:?}");
-    // A part that goes changes L and not ω; an arm that unfolds changes ω and not L.
+    // A dropped part changes L but not ω; an unfolding arm changes ω but not L.
     let s = motion.samples();
     let jump = |k: usize| {
         let (a, b) = (s[k], s[k + 1]);
@@ -205,7 +205,7 @@ fn what_cannot_happen_is_refused() {
     assert!(matches!(at(&with(vec![], twice), 0.0), SequenceError::Gone { .. }));
     let together = vec![drop(1.0, "craft/booster"), drop(1.0, "craft/arm")];
     assert!(matches!(at(&with(vec![], together), 0.0), SequenceError::Simultaneous { .. }));
-    // A tank that has gone does not drain.
+    // A removed tank does not drain.
     let late = with(vec![burn("booster", 0.0, 3.0, 0.1)], vec![drop(1.0, "craft/booster")]);
     assert!(late.at(0.5).is_ok() && matches!(at(&late, 2.0), SequenceError::Gone { .. }));
     assert!(matches!(at(&with(vec![], vec![drop(1.0, "craft")]), 1.0), SequenceError::Nothing { .. }));

@@ -1,4 +1,4 @@
-//! Intervals of shares against those that are published.
+//! Confidence intervals of shares compared with published ones.
 
 use polhode_budget::Share;
 

@@ -1,4 +1,4 @@
-//! Lists in general position against independent sums of many digits (fixtures/budget.py).
+//! Lists in general position compared with independent sums of many digits (fixtures/budget.py).
 
 use polhode::body::{MassProperties, MassPropertiesGradient};
 use polhode::math::{Body, Direction, Part, Position, Rotation};
@@ -29,7 +29,8 @@ fn mass_centre_tensor_and_moments() {
         for (basis, key) in BASES {
             let body = budget.mass_properties(basis).unwrap();
             let expected = numbers::<10>(&case[key]);
-            // of the largest number of the same kind; centres 30 m away have their own rounding
+            // relative to the largest number of the same kind; centres 30 m away have their own
+            // rounding error
             let largest = expected[4..].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
             let scale = |k: usize| match k {
                 0 => expected[0],
@@ -143,7 +144,7 @@ fn other_points_and_axes() {
     for case in cases() {
         let budget = list(&case).budget().unwrap();
         let estimate = budget.estimate(Basis::Basic).unwrap();
-        // The axes of all that is uncertain are turned with the root, so the whole list is in other axes.
+        // All uncertain axes are rotated with the root, so the whole list is in other axes.
         let r = Rotation::<Part, Part>::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap();
         let along = Rotation::<Body, Body>::from_quaternion(r.quaternion()).unwrap();
         let mut turned = list(&case);
@@ -158,7 +159,7 @@ fn other_points_and_axes() {
                 core::array::from_fn(|j| square(i, j))
             })));
         }
-        // Cholesky's factors, by which a group's errors are shared, depend on the axes.
+        // The Cholesky factors by which a group shares errors depend on the axes.
         root.group = None;
         let mut reference = list(&case);
         reference.rows[budget.root()].group = None;
@@ -170,7 +171,8 @@ fn other_points_and_axes() {
                 assert!((reference.covariance[i][j] - turned.covariance[i][j]).abs() < 1e-11 * size);
             }
         }
-        // About a point: J and its variance along an axis through it, by the gradient of nᵀ J n.
+        // About a point: J, and its variance along an axis through the point, by the gradient of nᵀ
+        // J n.
         let point = Position::new(0.7, -0.4, 1.3);
         let about = estimate.about(point);
         let n = Direction::<Body>::new(0.48, -0.6, 0.64);
@@ -193,12 +195,12 @@ fn other_points_and_axes() {
     }
 }
 
-/// nᵀ J n by xx, yy, zz, xy, xz, yz.
+/// Returns the gradient of nᵀ J n with respect to xx, yy, zz, xy, xz, yz.
 fn by_axis([x, y, z]: [f64; 3]) -> [f64; 6] {
     [x * x, y * y, z * z, 2.0 * x * y, 2.0 * x * z, 2.0 * y * z]
 }
 
-/// A coordinate of the centre of mass.
+/// Returns the gradient of a coordinate of the centre of mass.
 fn center(k: usize) -> MassPropertiesGradient<Body> {
     MassPropertiesGradient {
         by_mass: 0.0,
@@ -220,7 +222,7 @@ fn sensitivities_come_to_the_variance() {
         for ((gradient, found), few) in gradients.iter().zip(&all).zip(few) {
             assert_eq!((found.others, found.rest), (0, 0.0));
             let found = &found.greatest;
-            // Of few the others are a sum.
+            // If few contributions are requested, the others are a sum.
             assert_eq!(few.greatest, found[..2]);
             assert_eq!(few.others, found.len() - 2);
             let others: f64 = found[2..].iter().map(|one| one.variance).sum();

@@ -1,4 +1,4 @@
-//! Liquids in tanks against closed forms, sums of tetrahedra and each other.
+//! Liquids in tanks compared with closed forms, sums of tetrahedra and each other.
 
 use polhode::body::shape::{Shape, Sphere, Substance};
 use polhode::body::{InertiaTensor, MassProperties};
@@ -27,14 +27,14 @@ fn at(shape: TankShape, down: Down, fraction: f64) -> Fill {
     Liquid::Vessel(Box::new(vessel.clone())).at(fraction * vessel.capacity()).unwrap()
 }
 
-/// Mass, first moments and tensor about the origin.
+/// Returns the mass, the first moments and the tensor about the origin.
 fn moments(body: &MassProperties<Part>) -> [f64; 10] {
     let (m, c) = (body.mass(), body.center_of_mass().to_array());
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = body.inertia_about(Position::ZERO).matrix();
     [m, m * c[0], m * c[1], m * c[2], xx, yy, zz, xy, xz, yz]
 }
 
-/// The tank's axis in which the liquid settles, and the sign of upwards.
+/// Returns the tank's axis in which the liquid settles, and the sign of the upward direction.
 fn upwards(down: Down) -> (usize, f64) {
     match down {
         Down::MinusX => (0, 1.0),
@@ -59,7 +59,7 @@ fn is_inside(shape: &TankShape, [x, y, z]: [f64; 3]) -> bool {
     }
 }
 
-/// Every shape, direction and level against a grid of points: no formula in common.
+/// Compares every shape, direction and level with a grid of points. Both have no formula in common.
 #[test]
 fn liquids_are_what_is_inside_below_the_level() {
     let n = 150;
@@ -68,7 +68,8 @@ fn liquids_are_what_is_inside_below_the_level() {
             let (axis, up) = upwards(down);
             let fill = at(shape, down, 0.37);
             let level = fill.level.unwrap();
-            // A grid over a box that holds every shape; the level from the lowest point.
+            // A grid over a box that contains every shape. The level is measured from the lowest
+            // point.
             let half = 1.0;
             let h = 2.0 * half / f64::from(n);
             let places: Vec<[f64; 3]> = (0..n * n * n)
@@ -85,7 +86,7 @@ fn liquids_are_what_is_inside_below_the_level() {
             };
             let mut sum = [0.0; 10];
             for [x, y, z] in places {
-                // A cell at the surface counts as far as it is below.
+                // A cell at the surface counts with its part below the surface.
                 let depth = level - (up * [x, y, z][axis] - lowest);
                 let part = (depth / h + 0.5).clamp(0.0, 1.0);
                 if part > 0.0 {
@@ -112,7 +113,8 @@ fn a_full_tank_is_the_shape() {
     assert!((full.mass() / sphere.mass() - 1.0).abs() < 3e-15);
     let (a, b) = (moments(&full), moments(&sphere));
     assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-14 * full.mass()), "{a:?} {b:?}");
-    // Whichever way up, a full tank is the same, and two parts that settle in opposite directions make it.
+    // A full tank does not depend on the direction. Two parts that settle in opposite directions
+    // add up to it.
     for shape in shapes() {
         let reference = moments(&at(shape, Down::MinusZ, 1.0).properties.unwrap());
         for (down, opposite) in ALL.into_iter().zip(ALL.into_iter().cycle().skip(3)) {
@@ -127,7 +129,8 @@ fn a_full_tank_is_the_shape() {
     }
 }
 
-/// A cap of a sphere: V = π h² (3 r − h)/3, its centre 3 (2 r − h)²/(4 (3 r − h)) from the middle. Also of a thimbleful.
+/// Cap of a sphere: V = π h² (3 r − h)/3, its centre 3 (2 r − h)²/(4 (3 r − h)) from the middle.
+/// Also tested for a very small amount.
 #[test]
 fn a_cap_of_a_sphere_has_a_closed_form() {
     let r = 0.6;
@@ -136,17 +139,17 @@ fn a_cap_of_a_sphere_has_a_closed_form() {
         let vessel = vessel(TankShape::Ellipsoid([r; 3]), Down::MinusX);
         let fill = Liquid::Vessel(Box::new(vessel)).at(1234.5 * volume);
         if h < 1e-6 {
-            // Less than rounding of a full tank is nothing.
+            // An amount below the rounding error of a full tank is an empty tank.
             assert!(fill.unwrap().properties.is_none());
             continue;
         }
         let fill = fill.unwrap();
-        // Near the top little is above a level.
+        // Near the top, little volume is above a level.
         let digits = if h > 1.0 { 1e-11 } else { 1e-14 };
         assert!((fill.level.unwrap() / h - 1.0).abs() < digits, "{h}: {:e}", fill.level.unwrap() / h - 1.0);
         let center = fill.properties.unwrap().center_of_mass();
         let want = -3.0 * (2.0 * r - h) * (2.0 * r - h) / (4.0 * (3.0 * r - h));
-        // from the bottom, which has all digits
+        // measured from the bottom, where all digits are accurate
         let up = |x: f64| x + r;
         assert!((up(center.x) - up(want)).abs() < 1e-15 && center.y == 0.0 && center.z == 0.0);
         assert!((fill.next.center[0] - (h - r)).abs() < digits);
@@ -155,7 +158,8 @@ fn a_cap_of_a_sphere_has_a_closed_form() {
     }
 }
 
-/// A lying cylinder: A = r² acos((r − h)/r) − (r − h) √(2 r h − h²), its centre ⅔ (2 r h − h²)^1.5 / A below the middle.
+/// Horizontal cylinder: A = r² acos((r − h)/r) − (r − h) √(2 r h − h²), its centre ⅔ (2 r h −
+/// h²)^1.5 / A below the middle.
 #[test]
 fn a_segment_of_a_lying_cylinder_has_a_closed_form() {
     let (r, l) = (0.4_f64, 0.9);
@@ -168,14 +172,14 @@ fn a_segment_of_a_lying_cylinder_has_a_closed_form() {
         let digits = if h < 0.01 { 1e-9 } else { 1e-13 };
         assert!((fill.level.unwrap() / h - 1.0).abs() < digits);
         assert!((liquid.center_of_mass().y - 2.0 / 3.0 * s.powf(1.5) / area).abs() < digits);
-        // Along the axis it is a rod.
+        // The liquid is a rod along the axis.
         let [[xx, ..], [_, yy, _], [.., zz]] = liquid.inertia().matrix();
         let along = 0.5 * (xx + yy - zz);
         assert!((along / (liquid.mass() * l * l / 12.0) - 1.0).abs() < 1e-13);
     }
 }
 
-/// What a kilogram more adds is the derivative of the moments.
+/// Levels measured from the bottom and from the top of a tank add up to its height.
 #[test]
 fn levels_are_exact_at_both_ends_and_of_full_digits_between() {
     for shape in shapes() {
@@ -199,14 +203,14 @@ fn levels_are_exact_at_both_ends_and_of_full_digits_between() {
                 "{shape:?} {down:?}"
             );
             for part in [1e-9, 1e-4, 0.013, 0.31, 0.5, 0.77, 0.9999] {
-                // What is empty beside it is the same number.
+                // Rounded so that the empty volume is exact.
                 let mass = here.capacity() - (here.capacity() - part * here.capacity());
                 let sum = level(&here, mass) + level(&turned, turned.capacity() - mass);
                 assert!((sum - whole).abs() < 5e-15 * whole, "{shape:?} {down:?} {part}: {sum} {whole}");
             }
         }
     }
-    // Nearly full, of which the empty cap is π h² (r − h/3).
+    // Nearly full, with an empty cap of π h² (r − h/3).
     let sphere = vessel(TankShape::Ellipsoid([0.2; 3]), Down::PlusX);
     for h in [1e-7, 1e-5, 1e-3, 0.05] {
         let mass = sphere.capacity() - 1234.5 * PI * h * h * (0.2 - h / 3.0);
@@ -214,7 +218,7 @@ fn levels_are_exact_at_both_ends_and_of_full_digits_between() {
         let level = Liquid::Vessel(Box::new(sphere.clone())).at(mass).unwrap().level.unwrap();
         let depth = 0.4 - level;
         let found = PI * depth * depth * (0.2 - depth / 3.0);
-        // The level itself is rounded: by 1e-16 of 0.4.
+        // The level of 0.4 m has a rounding error of 1e-16.
         let rounding = 1e-12 * volume + 2.0 * PI * h * 0.2 * 1e-16;
         assert!((found - volume).abs() < rounding, "{h}: {found} {volume}");
     }
@@ -273,13 +277,13 @@ fn tables_mix_their_rows() {
     let table = Liquid::Table(table());
     let at = |m: f64| table.at(m).unwrap();
     assert_eq!(table.capacity(), 5.0);
-    // ¼ of the second row and ¾ of the first
+    // a mixture of ¼ of the second row and ¾ of the first
     let (a, b, mixed) =
         (moments(&at(1.0).properties.unwrap()), moments(&at(3.0).properties.unwrap()), at(1.5));
     let found = moments(&mixed.properties.unwrap());
     assert!((0..10).all(|k| (found[k] - 0.75 * a[k] - 0.25 * b[k]).abs() < 1e-15));
     assert!((mixed.level.unwrap() - 0.1375).abs() < 1e-15);
-    // Below the first row it is thinner, and its level is not known.
+    // Below the first row, the density is lower and the level is not known.
     let thin = at(0.5);
     assert!((0..10).all(|k| (moments(&thin.properties.unwrap())[k] - 0.5 * a[k]).abs() < 1e-16));
     assert!(thin.level.is_none() && at(0.0).properties.is_none());

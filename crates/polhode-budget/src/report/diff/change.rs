@@ -11,7 +11,7 @@ pub(crate) struct Change {
     what: &'static str,
     before: Value,
     after: Value,
-    /// Amount of the change, if there are no values before and after.
+    /// Amount of the change, for a change without values before and after.
     by: Value,
     pub words: String,
 }

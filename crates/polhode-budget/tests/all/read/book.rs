@@ -1,4 +1,5 @@
-//! The page about parts lists: what it shows is read, and it has every column and key that the reader knows, and no other.
+//! The page about parts lists: its examples are read, and it has exactly the columns and keys that
+//! the reader knows.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -13,13 +14,13 @@ fn page() -> String {
     fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/budget-file.md")).unwrap()
 }
 
-/// Blocks of a language.
+/// Returns the code blocks of a language.
 fn blocks(page: &str, language: &str) -> Vec<String> {
     let fence = format!("```{language}\n");
     page.split(&fence).skip(1).map(|rest| rest.split("```").next().unwrap().to_owned()).collect()
 }
 
-/// The `names` in the first cells of all tables between two headings.
+/// Returns the `names` in the first cells of all tables between two headings.
 fn named(page: &str, from: &str, to: &str) -> BTreeSet<String> {
     let section =
         page.split(&format!("\n{from}\n")).nth(1).unwrap().split(&format!("\n{to}\n")).next().unwrap();
@@ -27,7 +28,7 @@ fn named(page: &str, from: &str, to: &str) -> BTreeSet<String> {
     cells.flat_map(|cell| cell.split('`').skip(1).step_by(2)).map(str::to_owned).collect()
 }
 
-/// What the reader knows in the place of a key that it does not know.
+/// Returns the keys that the reader knows at the place of an unknown key.
 fn known(text: &str) -> BTreeSet<String> {
     match csv(text).unwrap_err().kind() {
         FormatErrorKind::UnknownKey { known, .. } => known.iter().map(|&key| key.to_owned()).collect(),

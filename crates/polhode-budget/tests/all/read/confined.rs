@@ -1,4 +1,4 @@
-//! A parts list opens files in its own folder, and in those that the user allows.
+//! A parts list opens files only in its own folder, and in those that the user allows.
 
 use std::fs;
 
@@ -47,7 +47,7 @@ fn files_lie_in_the_folder_of_the_list() {
         }
         let path = list(column, &format!("../elsewhere/{file}"));
         let roots = [folder.0.join("elsewhere")];
-        // Whether the file is understood is another matter.
+        // Other errors of the file do not matter here.
         let read = read_in(Access { roots: &roots, ..Access::BESIDE }, &path)
             .map_err(|error| folder.message(&error));
         assert!(!read.is_err_and(|error| error.contains("in the folder of the")));
@@ -79,7 +79,8 @@ fn a_list_in_memory_is_the_one_on_the_disk() {
     assert!(read_in(Access { files: &missing, roots: &[] }, "in/parts.csv".as_ref()).is_err());
 }
 
-/// The scenario that a list names opens nothing elsewhere either; a plan that the user names may name any list.
+/// The scenario that a list refers to is confined too. A plan that the user names may refer to any
+/// list.
 #[test]
 fn what_it_names_is_confined_too() {
     let folder = Folder::new("confined-inner");

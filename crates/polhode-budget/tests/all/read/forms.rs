@@ -1,8 +1,8 @@
-//! Each form of a value gives the same body as another.
+//! Different forms of a value give the same body.
 
 use super::{Folder, budget, csv, estimate, same};
 
-/// A body at a place that is no special one, in SI, every number in a column of its own.
+/// Body at a generic place, in SI, with every number in a separate column.
 const PLAIN: &str = "\
 name,mass,mass sd,x,y,z,x sd,y sd,z sd,Ixx,Iyy,Izz,Ixy,Ixz,Iyz,Ixx sd,Iyy sd,Izz sd,Ixy sd,Ixz sd,Iyz sd,products,about
 box,1.25,0.05,0.012,-0.034,0.056,0.001,0.002,0.003,0.0021,0.0033,0.0042,0.0003,-0.0002,0.0004,1e-5,2e-5,3e-5,4e-6,5e-6,6e-6,tensor elements,center
@@ -51,7 +51,8 @@ fn points_and_signs_are_taken_as_they_are_said() {
         1,
     );
     same(&plain, &budget(&flipped), "positive integrals");
-    // About a point p the tensor is I + m (d² 1 − d dᵀ), d = c − p; its errors go another way, so there are none here.
+    // About a point p, the tensor is I + m (d² 1 − d dᵀ), d = c − p. Its errors do not transform in
+    // this way, so they are left out.
     let exact = "name,mass,x,y,z,Ixx,Iyy,Izz,Ixy,Ixz,Iyz,products,about\n";
     let m = 1.25;
     let moved = |p: [f64; 3], about: &str| {
@@ -75,7 +76,7 @@ fn points_and_signs_are_taken_as_they_are_said() {
     same(&central, &moved([0.0; 3], "origin"), "origin");
     same(&central, &moved([0.1, 0.25, -0.3], "100 mm, 25 cm, -0.3 m"), "a point");
     same(&central, &moved([0.1, 0.25, -0.3], "[0.1; 0.25; -0.3]"), "a point in SI");
-    // The origin of another row's frame, which is at that point.
+    // About the origin of another row's frame, which is at that point.
     let [xx, yy, zz, xy, xz, yz] = [0.0021, 0.0033, 0.0042, 0.0003, -0.0002, 0.0004];
     let (x, y, z) = (0.012 - 0.1, -0.034 - 0.25, 0.056 + 0.3);
     let framed = format!(
@@ -101,7 +102,7 @@ fn rotations_have_the_forms_that_scenarios_have() {
             ",".repeat(columns.matches(',').count()),
         ))
     };
-    // 90° about z, then 0° about y and 40° about x.
+    // Rotations by 90° about z, then 0° about y and 40° about x.
     let (half, s) = (20_f64.to_radians(), 0.5_f64.sqrt());
     let q = [s * half.cos(), s * half.sin(), s * half.sin(), s * half.cos()];
     let angles = list("roll [deg],pitch [deg],yaw [deg]", "40,0,90");
@@ -116,7 +117,7 @@ fn rotations_have_the_forms_that_scenarios_have() {
     ] {
         same(&angles, &list("rotate", &format!("\"{written}\"")), &written);
     }
-    // A quarter turn about z takes x to y and y to −x.
+    // A rotation by 90° about z takes x to y and y to −x.
     let quarter = list("yaw [deg]", "90");
     let turned = list("rotate", "\"axis = [0, 0, 1], angle = '90 deg'\"");
     same(&quarter, &turned, "an axis");
@@ -138,7 +139,7 @@ fn trees_are_given_by_paths_or_by_parents() {
     );
     same(&paths, &parents, "paths and parents");
     assert!((estimate(&paths).properties.mass() - 2.0 * (0.5 + 7.0 * 0.01)).abs() < 1e-15);
-    // Seven cells that were weighed each, in two panels that are alike.
+    // Two equal panels with seven cells each, weighed one by one.
     assert!((estimate(&paths).sd(0) - 2.0 * 7_f64.sqrt() * 0.001).abs() < 1e-15);
     let one_row = "name,mass [kg],at x sd [mm]\nball,2,3\n";
     assert!((estimate(&budget(one_row)).sd(1) - 0.003).abs() < 1e-15);
@@ -201,7 +202,7 @@ fn shapes_have_the_keys_of_scenarios() {
 fn files_are_read_by_reference() {
     let folder = Folder::new("reference");
     let stl = |scale: f64| {
-        // A right tetrahedron with edges 1, 2, 3 along the axes.
+        // Right tetrahedron with edges 1, 2, 3 along the axes.
         let corners = [[0.0, 0.0, 0.0], [scale, 0.0, 0.0], [0.0, 2.0 * scale, 0.0], [0.0, 0.0, 3.0 * scale]];
         let mut text = "solid t\n".to_owned();
         for face in [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]] {

@@ -1,4 +1,4 @@
-//! Plans that name the file of their parts, and what that file says besides them.
+//! Plans that refer to a file of parts, joined with the statements of that file.
 
 use super::workbook_file::Book;
 use super::{Folder, csv, same};
@@ -37,7 +37,7 @@ const HEAD: &str = "## for people\n# growth = { E = 0.25 }\n# [[group]]\n# name 
 const PARTS: &str = "name,mass [g],x [mm],y [mm],z [mm],Ixy [g mm^2],Ixx [g mm^2],Iyy [g mm^2],Izz [g mm^2],maturity,group\na,12 ± 0.2,0,0,0,3,60,50,40,E,wheels\nb,7 ± 0.1,0,0,0,,,,,E,wheels\n";
 const PLAN: &str = "title = \"Two\"\nparts = \"parts.csv\"\nproducts = \"tensor elements\"\n[ballast]\nmost = \"1 kg\"\n[[limit]]\nof = \"mass\"\nmost = \"2 kg\"\n";
 
-/// What belongs together may stand in either: ballast is of the plan, its sites are of the head.
+/// Related keys may be in either file: ballast is in the plan, and its sites are in the head.
 #[test]
 fn a_plan_and_the_head_of_its_file_are_one_set_of_keys() {
     let folder = Folder::new("joined");
@@ -102,7 +102,7 @@ fn errors_of_a_plan_and_a_head_are_where_they_stand() {
         let error = folder.read("plan.toml", plan).unwrap_err();
         assert!(error.starts_with(message), "{error} is not {message}");
     }
-    // What nothing uses, in either.
+    // Unused declarations, in either file.
     folder.write("parts.csv", format!("{HEAD}name,mass,maturity\na,1,E\n"));
     let error = folder.read("plan.toml", PLAN).unwrap_err();
     assert!(
@@ -181,7 +181,7 @@ fn a_plan_and_the_sheets_of_its_workbook_are_one_set_of_keys() {
         let error = folder.read("plan.toml", plan).unwrap_err();
         assert!(error.starts_with(message), "{error} is not {message}");
     }
-    // In a workbook alone, a section that nothing uses is at its first cell.
+    // In a workbook alone, the error of an unused section is at its first cell.
     let cad =
         Book::new().sheet("parts", &[&["name", "mass"], &["a", "1"]]).sheet("cad", &[&["mass_unit", "g"]]);
     let error = folder.read("b.xlsx", cad.bytes()).unwrap_err();
@@ -190,7 +190,8 @@ fn a_plan_and_the_sheets_of_its_workbook_are_one_set_of_keys() {
 
 const GRAIN: &[&[&str]] = &[&["mass [kg]", "z [mm]"], &["4", "612"], &["10", "655"]];
 
-/// What a head names is relative to its file, not to the plan; a plan may name a sheet of its workbook.
+/// A name in a head is relative to its file, not to the plan. A plan may name a sheet of its
+/// workbook.
 #[test]
 fn tables_of_tanks_are_of_the_file_that_names_them() {
     let folder = Folder::new("joined-tables");
@@ -241,7 +242,7 @@ fn tables_of_tanks_are_of_the_file_that_names_them() {
         error.starts_with("lists/parts.csv:4:11: cannot read \"lists/gravel.csv\": there is no such file"),
         "{error}"
     );
-    // In a sheet of the workbook that the plan names.
+    // In a sheet of the workbook that the plan refers to.
     let tanks: &[&[&str]] = &[&["name", "mass", "table"], &["grain", "7 kg", "grain.csv"]];
     let book = Book::new().sheet("parts", &[&["name", "mass"], &["a", "5"]]).sheet("tank", tanks);
     folder.write("lists/b.xlsx", book.bytes());

@@ -5,7 +5,7 @@ use polhode_budget::{About, BallastPlace, Basis, Measure, PrincipalAxis, Product
 
 use super::{Folder, csv};
 
-/// The limits of a list with these lines in its head.
+/// Returns the limits of a list with these lines in its head.
 fn limits(lines: &str) -> Result<Vec<polhode_budget::Limit>, String> {
     let head: String = lines.lines().map(|line| format!("# {line}\n")).collect();
     let file = csv(&format!("{head}name,mass [kg],x [m],y [m],z [m]\na,1,0.1,0.2,-0.3\nb,2,0,0.5,0\n"));

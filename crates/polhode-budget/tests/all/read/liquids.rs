@@ -1,4 +1,4 @@
-//! What is in tanks, with its errors in every form, and tables of tanks in files and sheets of their own.
+//! Liquids in tanks with errors in every form, and tables of tanks in separate files and sheets.
 
 use polhode_budget::read::{Access, BudgetFile};
 use polhode_budget::{Basis, LiquidErrors, Measured, PartUncertainty};
@@ -12,7 +12,7 @@ const TANK: &str = "# coverage_factor = 2\n# [[group]]\n# name = \"fuels\"\n# de
 
 fn list(density: &str, contents: &str) -> String {
     let text = TANK.replace("# density = \"0.9 g/cm^3\"", density).replace("# mass = \"12 kg\"", contents);
-    // A group that no row names is refused.
+    // A group that no row refers to is refused.
     if contents.contains("group") {
         text
     } else {
@@ -34,7 +34,7 @@ fn errors(file: &BudgetFile) -> (f64, Option<LiquidErrors>) {
 fn errors_are_read_in_every_form() {
     let capacity = 900.0 * 4.0 / 3.0 * std::f64::consts::PI * 0.2_f64.powi(3);
     let fill = 0.7 * capacity;
-    // Density, contents: the mass, what was measured, the errors of the amount and of the density.
+    // Density, contents, mass, measured quantity, error of the amount, error of the density.
     let known = "# density = \"0.9 g/cm^3\"";
     let weighed = Measured::Mass;
     for (density, contents, mass, measured, amount, of_density) in [
@@ -46,7 +46,7 @@ fn errors_are_read_in_every_form() {
         (known, "# mass = \"12 kg\"\n# mass_sd = \"150 g\"", 12.0, weighed, 0.15, 0.0),
         (known, "# mass = 12\n# mass_sd = 0.15", 12.0, weighed, 0.15, 0.0),
         (known, "# mass = \"12 kg\"\n# mass_sd = \"2.5 %\"", 12.0, weighed, 0.3, 0.0),
-        // Of a fill in parts of a full tank.
+        // A fill, as a fraction of a full tank.
         (known, "# fill = \"70 % ± 3 %\"", fill, Measured::Fill, 0.015 * capacity, 0.0),
         (known, "# fill = \"(70 ± 3) %\"", fill, Measured::Fill, 0.015 * capacity, 0.0),
         (known, "# fill = \"0.7 ± 0.03\"", fill, Measured::Fill, 0.015 * capacity, 0.0),
@@ -69,7 +69,7 @@ fn errors_are_read_in_every_form() {
         assert!((found / mass - 1.0).abs() < 1e-12 && errors.measured == measured, "{text}");
         assert!((errors.amount - amount).abs() < 1e-12, "{text}: {}", errors.amount);
         assert!((errors.density - of_density).abs() < 1e-14, "{text}: {}", errors.density);
-        // The mass is known as its parts are.
+        // The error of the whole mass includes the errors of the parts.
         let of_mass = if measured == Measured::Fill { mass * of_density } else { 0.0 };
         let sd = (0.01 + amount * amount + of_mass * of_mass).sqrt();
         let whole = file.configurations[0].budget.estimate(Basis::Basic).unwrap();
@@ -185,7 +185,7 @@ fn a_table_may_be_a_file_or_a_sheet() {
     folder.write("grain.csv", GRAIN);
     let read = |name: &str, text: &str| folder.read(name, text).unwrap_or_else(|error| panic!("{error}"));
     let inline = read("a.toml", &plan(INLINE));
-    // All rows in proportion, as where the density is another.
+    // All rows scale with the density.
     let dense = plan(INLINE).replace("mass = \"7 ± 0.5 kg\"", "fill = 1\ndensity_sd = \"2 %\"");
     let estimate = read("a.toml", &dense).configurations[0].budget.estimate(Basis::Basic).unwrap();
     assert!((estimate.sd(0) - 0.2).abs() < 1e-12 && (estimate.properties.mass() - 21.0).abs() < 1e-12);
@@ -195,12 +195,12 @@ fn a_table_may_be_a_file_or_a_sheet() {
     assert_eq!(inline.configurations, of_file.configurations);
     let estimate = inline.configurations[0].budget.estimate(Basis::Basic).unwrap();
     assert!((estimate.properties.mass() - 18.0).abs() < 1e-12 && (estimate.sd(0) - 0.5).abs() < 1e-12);
-    // It is among what was read, so that nothing is written over it.
+    // The table is among the files that were read, so it is never overwritten.
     assert!(of_file.read.iter().any(|read| read.path.ends_with("grain.csv")));
     let lines = of_file.sources();
     let said = "grain.csv: 2 rows of what is in a tank";
     assert!(lines.iter().any(|line| line.ends_with(said)), "{lines:?}");
-    // In any order, without levels, with units in the cells or none, in another form.
+    // Columns in any order, without levels, with or without units in the cells, in another form.
     let other = "z [m];mass;izz;iyy;ixx;y;x [m];ixy;iyz;ixz\n0.1;4;0.05;0.12;0.1;0.001;0;0.01;-0.02;0\n0.12;10 kg;0.2;0.31;0.3;0;0.002;0.01;0;0.02\n";
     folder.write("grain.csv", other);
     let found = folder.read("a.toml", plan("table = \"grain.csv\"")).unwrap_err();
@@ -217,7 +217,7 @@ fn a_table_may_be_a_file_or_a_sheet() {
     let found = folder.read("a.toml", plan("table = \"grain.csv\"")).unwrap_err();
     assert!(found.contains("grain.csv:2:3: ") && found.contains("decimal = \"comma\""), "{found}");
     let commas = read("a.toml", &format!("decimal = \"comma\"\n{}", plan("table = \"grain.csv\"")));
-    // Half of each row, beside parts at the origin.
+    // Half of each row, with the parts at the origin.
     assert!((of(&commas).center_of_mass().z - 4.25 / 18.0).abs() < 1e-15);
 
     let rows: Vec<Vec<&str>> = GRAIN.lines().map(|line| line.split(',').collect()).collect();
@@ -282,7 +282,7 @@ fn a_table_that_is_none_is_refused_where_it_is() {
         let found = refused(from, to);
         assert!(found.contains(&format!("grain.csv{expected}")), "{to}: {found}");
     }
-    // Without a sign of the products, without a column that is needed.
+    // Without a sign of the products, and without a required column.
     folder.write("grain.csv", GRAIN);
     let unsigned = plan("table = \"grain.csv\"").replace("products = \"positive integrals\"\n", "");
     let found = folder.read("a.toml", unsigned).unwrap_err();
@@ -310,7 +310,7 @@ fn a_table_that_is_none_is_refused_where_it_is() {
         found.contains("a.toml:6:9: table = \"grain\" must be a file of CSV | or write its rows here"),
         "{found}"
     );
-    // Of a text that nobody is trusted for no other file is opened.
+    // If the text is not trusted, it opens no other file.
     let head: String =
         plan("table = \"grain.csv\"").lines().skip(1).map(|line| format!("# {line}\n")).collect();
     let list = format!("{head}name,mass\na,5\nb,6\n");
@@ -320,7 +320,7 @@ fn a_table_that_is_none_is_refused_where_it_is() {
     assert!(error.to_string().contains("a file that was opened with the scenario"), "{error}");
 }
 
-/// A tank that only a later configuration has is none that could drain from the beginning.
+/// A tank that exists only in a later configuration cannot drain from the beginning.
 #[test]
 fn a_tank_of_a_later_configuration_is_said_to_be_that() {
     let text = "# configurations = [\"stowed\", \"open\", \"far\"]\n# [[tank]]\n# name = \"gas\"\n# configuration = [\"open\", \"far\"]\n# shape = \"sphere\"\n# radius = 0.2\n\
@@ -332,7 +332,7 @@ fn a_tank_of_a_later_configuration_is_said_to_be_that() {
     );
     assert_eq!(error.hint().as_deref(), Some("it is in \"open\", \"far\""));
     csv(&text.replace("# configuration = \"stowed\"", "# configuration = \"far\"")).unwrap();
-    // By where its frame is.
+    // The configurations follow from the tank's frame.
     let framed = text.replace("# configuration = [\"open\", \"far\"]", "# frame = \"b\"").replace(
         "name,mass\na,5\nb,6\n",
         "name,parent,configuration,mass\na,,,5\nb,a,open,6\nc,a,\"stowed, far\",6\n",

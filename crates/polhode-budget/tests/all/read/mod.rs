@@ -1,4 +1,4 @@
-//! Parts lists: what their columns and their heads say, and what is refused, with its place.
+//! Reading of parts lists: statements of columns and heads, and refusals with their places.
 
 mod book;
 mod confined;
@@ -21,7 +21,7 @@ use polhode_budget::read::{BudgetFile, from_text, read};
 use polhode_budget::{Basis, Budget, Estimate};
 use polhode_source::FormatError;
 
-/// A folder of its own, gone at the end.
+/// Temporary folder, which is removed at the end.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -37,7 +37,7 @@ impl Folder {
         path
     }
 
-    /// What an error says, without the folder.
+    /// Returns the message and the hint of an error, without the folder.
     fn message(&self, error: &FormatError) -> String {
         let folder = format!("{}/", self.0.display());
         let hint = error.hint().unwrap_or_default();
@@ -59,7 +59,7 @@ fn csv(text: &str) -> Result<BudgetFile, FormatError> {
     from_text(Path::new("list.csv"), text)
 }
 
-/// The one budget of a list.
+/// Returns the only budget of a list.
 fn budget(text: &str) -> Budget {
     let file = csv(text).unwrap_or_else(|error| panic!("{error}\n{:?}\n{text}", error.hint()));
     assert_eq!(file.configurations.len(), 1);
@@ -70,7 +70,8 @@ fn estimate(budget: &Budget) -> Estimate<Body> {
     budget.estimate(Basis::Basic).unwrap()
 }
 
-/// Two lists that make the same body, known equally well: each number relative to its scale.
+/// Checks that two lists make the same body with the same errors, relative to the scale of each
+/// number.
 fn same(a: &Budget, b: &Budget, what: &str) {
     let (a, b) = (estimate(a), estimate(b));
     let numbers = |e: &Estimate<Body>| {

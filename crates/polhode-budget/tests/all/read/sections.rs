@@ -1,4 +1,4 @@
-//! What a file says besides its parts.
+//! Statements of a file outside its parts.
 
 use polhode::math::{Body, Part, Rotation};
 use polhode_budget::{Basis, CopyErrors, Group, Growth};
@@ -75,7 +75,7 @@ fn copies_and_configurations_are_told_apart() {
     }
     let quantity = file.configurations[1].budget.list().rows[2].quantity;
     assert_eq!((quantity.count, quantity.errors), (2, CopyErrors::Independent));
-    // Without a list the order is that of the rows.
+    // Without a list of configurations, their order is that of the rows.
     let file = csv("name,mass,configuration\na,1,late\nb,1,early; late\n").unwrap();
     let names: Vec<_> = file.configurations.iter().map(|c| c.name.as_deref().unwrap()).collect();
     assert_eq!(names, ["late", "early"]);

@@ -1,10 +1,11 @@
-//! The sign of products of inertia: told, or proved, or asked for.
+//! Sign of products of inertia: stated, proved, or requested.
 
 use polhode_budget::ProductSign;
 
 use super::{budget, csv};
 
-/// About the origin, 1 kg at (0.3, 0.2, 0.1) m and a little box around it: only ∫xy dm = +0.06 and so on make a body.
+/// About the origin, 1 kg at (0.3, 0.2, 0.1) m with a small box around it. Only ∫xy dm = +0.06 and
+/// so on make a possible body.
 const FAR: &str = "name,mass [kg],x [m],y [m],z [m],Ixx [kg m^2],Iyy [kg m^2],Izz [kg m^2],Ixy [kg m^2],Ixz [kg m^2],Iyz [kg m^2],about\n\
                    box,1.000,0.3000,0.2000,0.1000,0.0520,0.1021,0.1322,PRODUCTS,origin\n";
 
@@ -40,15 +41,15 @@ fn a_sign_that_nothing_proves_is_asked_for() {
         let told = budget(&format!("# products = \"{told}\"\n{central}"));
         assert_eq!(told.list().rows[0].part.as_ref().unwrap().tensor.sign, sign);
     }
-    // What a row says comes before what the file says.
+    // The statement of a row overrides that of the file.
     let row = "# products = \"tensor elements\"\nname,mass,Ixx,Iyy,Izz,Ixy,Ixz,Iyz,products\nbox,1,0.01,0.012,0.015,0.001,-0.002,0.0005,positive integrals\n";
     assert_eq!(budget(row).list().rows[0].part.as_ref().unwrap().tensor.sign, ProductSign::PositiveIntegral);
-    // Of a frame that another row has, nothing is proved here.
+    // About the frame of another row, nothing is proved here.
     let framed = FAR
         .replace("PRODUCTS,origin", "-0.06,-0.03,-0.02,datum")
         .replace("about\n", "about\ndatum,,,,,,,,,,,\n");
     assert!(csv(&framed).unwrap_err().to_string().contains("are the products of inertia"));
-    // No products, no question.
+    // Without products, the sign does not matter.
     assert_eq!(
         budget("name,mass,Ixx,Iyy,Izz,Ixy,Ixz,Iyz\nbox,1,0.01,0.012,0.015,0,0,0\n").list().rows.len(),
         1
@@ -57,9 +58,10 @@ fn a_sign_that_nothing_proves_is_asked_for() {
 
 #[test]
 fn rounding_proves_nothing() {
-    // A thin plate: its true tensor is at the edge of what is possible, and its last digits may put it beyond.
+    // A thin plate: its exact tensor is at the limit of possible tensors, and rounding may put it
+    // beyond.
     let plate = |digits: usize, sign: f64| {
-        // Turned by 0.4 about x, 0.5 about y and 0.6 about z, so that all products count.
+        // Rotated by 0.4 about x, 0.5 about y and 0.6 about z, so that no product is 0.
         let (a, b) = (0.010_f64, 0.023_f64);
         let rotation =
             polhode::math::Rotation::<polhode::math::Body, polhode::math::Part>::from_roll_pitch_yaw([
@@ -77,7 +79,7 @@ fn rounding_proves_nothing() {
     for digits in 3..9 {
         for sign in [1.0, -1.0] {
             match csv(&plate(digits, sign)) {
-                // With enough digits it may be proved, and then rightly.
+                // With enough digits, the sign may be proved. It is then right.
                 Ok(file) => {
                     let part = file.configurations[0].budget.rows().part(0).unwrap();
                     let tensor = &part.tensor;

@@ -1,4 +1,4 @@
-//! Tanks and what happens over time, in all three forms, and what is refused.
+//! Tanks and changes over time, in all three forms, and refusals.
 
 use polhode::motion::Outflow;
 use polhode_budget::{Basis, Sequence};
@@ -35,7 +35,7 @@ fn liquids_count_and_go() {
     let volume = std::f64::consts::PI * 0.15_f64.powi(2) * (0.3 + 2.0 / 3.0 * 0.1);
     let masses: Vec<f64> = sequence.tanks.iter().map(|(_, mass)| *mass).collect();
     assert!((masses[0] - 0.75 * 900.0 * volume).abs() < 1e-12 && masses[1] == 8.0, "{masses:?}");
-    // The headline is the body with its liquids, known as well as its parts.
+    // The main result is the body with its liquids, with the errors of its parts.
     for configuration in &file.configurations {
         let name = configuration.name.as_deref();
         let at_first = prescribed.sequence(name, Basis::Basic).unwrap().at(0.0).unwrap().properties;
@@ -50,7 +50,8 @@ fn liquids_count_and_go() {
     }
     let after = sequence.at(40.0).unwrap().properties.mass();
     assert!((after - (23.0 + masses[0] - 4.0)).abs() < 1e-12);
-    // Products of the file's sign: Ixy of the tensor is less than zero where the integral is not.
+    // Products have the sign of the file: Ixy of the tensor is negative if the integral is
+    // positive.
     let full = sequence.tanks[1].0.liquid.at(10.0).unwrap().properties.unwrap();
     assert_eq!(full.inertia().matrix()[0][1], -0.01);
     let over_time = prescribed.over_time.as_ref().unwrap();
@@ -94,7 +95,8 @@ fn a_workbook_has_sheets_of_them() {
     }
 }
 
-/// What is changed, into what, the line and how the message begins; after the bar, how the hint does.
+/// Old text, new text, and the line with the start of the message; after the bar, the start of the
+/// hint.
 const REFUSED: &[(&str, &str, &str)] = &[
     (
         "# shape = \"cylinder\"",
@@ -226,7 +228,7 @@ fn what_is_wrong_is_refused_where_it_is() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-    // A tank in one of several: which is not known.
+    // A tank in one of several copies is ambiguous.
     let several = "# [[tank]]\n# name = \"t\"\n# frame = \"a\"\n# shape = \"sphere\"\n# radius = 1\n# density = 1\n# settles = \"z\"\n# fill = 1\nname,mass,quantity\na,1,2\nb,1,1\n";
     let error = csv(several).unwrap_err();
     let named = csv(&several.replace("name = \"t\"", "name = \"b\"")).unwrap_err();

@@ -1,4 +1,4 @@
-//! Workbooks: what their cells say, and what is refused, with sheet, row and column.
+//! Workbooks: contents of cells, and refusals with sheet, row and column.
 
 use polhode_budget::Growth;
 
@@ -75,7 +75,7 @@ fn a_workbook_says_what_a_csv_says() {
     assert_eq!(list.rows[2].growth, Growth::Code("E".to_owned()));
     assert_eq!(list.growth.get("C 1"), Some(0.1));
     assert_eq!((list.groups[0].mass, list.groups[1].mass), (0.5, 0.75));
-    // Half of the last digit that is shown, not of the last that is stored.
+    // Half a unit of the last digit that is shown, not of the last that is stored.
     assert_eq!(list.rows[0].subtotal.unwrap().tolerance, 0.005e-3);
 }
 
@@ -222,7 +222,7 @@ fn archives_that_are_no_workbooks_are_refused() {
         "{}",
         read(&book[..book.len() / 2])
     );
-    // A gigabyte of spaces: a sheet that inflates a thousand times.
+    // A sheet with 80 MiB of spaces, which compress by a factor of about a thousand.
     let large = "<worksheet><sheetData><row r=\"1\">".to_owned()
         + &" ".repeat(80 << 20)
         + "</row></sheetData></worksheet>";
@@ -272,7 +272,7 @@ fn archives_that_are_no_workbooks_are_refused() {
         let error = read(&zipped(&entries));
         assert!(error.starts_with(&format!("a.xlsx: {expected}")), "{error}");
     }
-    // Cells without names stand one behind another.
+    // Cells without names follow each other.
     entries.pop();
     let nameless = "<worksheet><sheetData><row><c t=\"inlineStr\"><is><t>name</t></is></c><c t=\"str\"><v>mass</v></c></row>\
                     <row><c t=\"str\"><f>A1</f><v>a&#10;&amp;</v></c><c><v>2</v></c></row></sheetData></worksheet>";
@@ -314,7 +314,7 @@ fn a_cell_is_read_alike_however_it_is_written() {
         "<c r=\"B2\"><v>1</v></b>",
         "<c r=\"B2\"><v>1",
     ] {
-        // The second is not plain.
+        // The second form is not plain.
         let (plain, other) = (read(cell, "<c "), read(cell, "<c  "));
         assert_eq!(plain, other, "{cell}");
         refused += usize::from(plain.is_err());

@@ -1,10 +1,10 @@
-//! Workbooks, as small as they can be.
+//! Workbooks that are as small as possible.
 
 use std::io::{Cursor, Write as _};
 
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-/// A workbook of sheets.
+/// Workbook made of sheets.
 #[derive(Default)]
 pub(super) struct Book {
     sheets: Vec<(String, String)>,
@@ -19,12 +19,12 @@ impl Book {
         Self::default()
     }
 
-    /// Adds a sheet of these rows; what a cell begins with says what it is.
+    /// Adds a sheet of these rows. The prefix of a cell is its type.
     pub(super) fn sheet(self, name: &str, rows: &[&[&str]]) -> Self {
         self.sheet_with(name, rows, "", "", &[])
     }
 
-    /// With XML in front of its rows and behind them, and rows that are hidden.
+    /// Adds a sheet with XML before and after its rows, and with hidden rows.
     pub(super) fn sheet_with(
         mut self,
         name: &str,
@@ -48,7 +48,7 @@ impl Book {
         self
     }
 
-    /// Writes all sheets otherwise.
+    /// Changes the XML of all sheets.
     pub(super) fn change(&mut self, change: impl Fn(&str) -> String) {
         self.sheets.iter_mut().for_each(|(_, xml)| *xml = change(xml));
     }

@@ -1,4 +1,4 @@
-//! The body, for other commands.
+//! Body of a configuration, for other commands.
 
 use polhode_budget::Basis;
 use polhode_budget::report::BudgetReport;

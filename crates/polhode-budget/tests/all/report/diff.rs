@@ -1,4 +1,4 @@
-//! What changed from one list to another.
+//! Differences between two lists.
 
 use polhode_budget::report::{BudgetDiff, BudgetReport};
 use polhode_budget::{GivenPart, Growth, Limit, PartsList, Row};
@@ -70,7 +70,7 @@ fn a_difference_has_what_is_stated_besides_the_rows() {
     other.groups[0].rotation = 0.25;
     let of = |list: &PartsList, limits: Vec<Limit>| {
         let budget = list.clone().budget().unwrap();
-        // What is said of both configurations shows once.
+        // A statement about both configurations is shown once.
         let configurations = ["a", "b"].map(|name| (Some(name.to_owned()), budget.clone()));
         BudgetReport::new(None, Vec::new(), configurations.to_vec(), limits, options(0)).unwrap()
     };
@@ -96,7 +96,7 @@ fn a_difference_has_what_is_stated_besides_the_rows() {
     assert!(text.contains("changed besides the rows: group wings"), "{text}");
 }
 
-/// What stood in a frame that is gone stays with its mass.
+/// A part keeps its mass if its frame is removed.
 #[test]
 fn a_frame_that_is_gone_takes_no_mass_along() {
     let inside = |parent: &str| Row {

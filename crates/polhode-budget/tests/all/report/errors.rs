@@ -1,4 +1,4 @@
-//! How well numbers are known.
+//! Errors of numbers in a report.
 
 use polhode::math::Direction;
 use polhode_budget::{Basis, GivenPart, Limit, Measure, PartUncertainty, Row, Spread, Uncertainty};
@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::{at, known, of_points, options, text, with_moments};
 
-/// 1 ± 100 kg: draws miss the tail of the mass, and first order has it.
+/// A mass of 1 ± 100 kg: draws miss its long tail, but first order includes it.
 #[test]
 fn a_mass_with_a_great_error_keeps_its_digits() {
     let doubtful =
@@ -21,7 +21,7 @@ fn a_mass_with_a_great_error_keeps_its_digits() {
     );
 }
 
-/// Where two moments are equal, an error of one of them parts both, which no derivative says.
+/// If two moments are equal, an error of one of them separates both. Derivatives cannot show this.
 #[test]
 fn equal_moments_have_their_errors_from_draws() {
     let spread = PartUncertainty::Separate {
@@ -56,7 +56,7 @@ fn axes_that_symmetry_leaves_free_are_said_to_be() {
     assert!(text.contains("i2 = i3: axes 2 and 3 are free in their plane"), "{text}");
 }
 
-/// Masses scale with the tensor: what depends on neither has no error but rounding.
+/// The tensor scales with the mass. A quantity that depends on neither has only rounding error.
 #[test]
 fn what_rounding_leaves_is_no_error() {
     let row = Row { uncertainty: known(0.1, 0.0), ..with_moments("a", [0.11, 0.13, 0.09], 0.0137) };

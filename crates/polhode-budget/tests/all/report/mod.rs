@@ -1,4 +1,4 @@
-//! The report of a mass budget, over lists that are made here.
+//! Report of a mass budget, for lists that are made here.
 
 mod body;
 mod diff;
@@ -25,7 +25,7 @@ fn at(x: f64, y: f64, z: f64) -> Position<Part> {
     Position::new(x, y, z)
 }
 
-/// A box with sides in m.
+/// Returns a box with sides in m.
 fn solid(mass: f64, center: Position<Part>, [a, b, c]: [f64; 3]) -> GivenPart {
     let moment = |x: f64, y: f64| mass / 12.0 * (x * x + y * y);
     GivenPart {
@@ -48,7 +48,7 @@ fn known(mass: f64, place: f64) -> Uncertainty {
     }
 }
 
-/// A satellite of 3 units, 10 × 10 × 34 cm, with its wings out or not.
+/// Returns a satellite of 3 units, 10 × 10 × 34 cm, with its wings stowed or deployed.
 fn satellite(wings: bool) -> Budget {
     let row = |name: &str, part: GivenPart, code: &str, uncertainty| Row {
         growth: Growth::Code(code.to_owned()),
@@ -162,13 +162,13 @@ fn near(got: &[f64], want: &[f64], tolerance: f64) {
     }
 }
 
-/// A report of one list of points.
+/// Returns a report of one list of points.
 fn of_points(rows: Vec<Row>, limits: Vec<Limit>, options: Questions) -> BudgetReport {
     let list = PartsList { rows, ..PartsList::default() };
     BudgetReport::new(None, Vec::new(), vec![(None, list.budget().unwrap())], limits, options).unwrap()
 }
 
-/// A part with this diagonal tensor about its centre.
+/// Returns a part with this diagonal tensor about its centre.
 fn with_moments(name: &str, moments: [f64; 3], x: f64) -> Row {
     let part = solid(1.3, at(x, 0.0, 0.0), [0.1; 3]);
     let tensor = GivenTensor { moments, ..part.tensor };

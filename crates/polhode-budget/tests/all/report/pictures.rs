@@ -1,4 +1,4 @@
-//! The page and its pictures.
+//! HTML page and its pictures.
 
 use polhode_budget::report::BudgetReport;
 use polhode_budget::{GivenPart, PartsList, Row};
@@ -19,7 +19,7 @@ fn the_box_of_a_part_is_the_part_if_that_is_a_box() {
     sides.sort_by(f64::total_cmp);
     near(&sides, &[0.1, 0.1, 0.34], 1e-12);
     assert!(numbers(&solid("harness")["halves"][0]).iter().all(|x| *x == 0.0));
-    // 0.12 rad about y
+    // rotated by 0.12 rad about y
     let camera = solid("camera")["halves"].as_array().unwrap();
     let longest = camera.iter().map(numbers).max_by(|a, b| a[2].abs().total_cmp(&b[2].abs())).unwrap();
     near(&[longest[0] / longest[2]], &[0.12_f64.tan()], 1e-12);
@@ -41,7 +41,7 @@ fn the_page_has_its_pictures_and_nothing_from_elsewhere() {
     assert!(!page.contains("src=") && !page.contains("href="));
 }
 
-/// Bodies without extent, of one part, or exact have pages too.
+/// Bodies without extent, bodies of one part, and exact bodies have pages too.
 #[test]
 fn a_point_has_a_report() {
     let point = PartsList {

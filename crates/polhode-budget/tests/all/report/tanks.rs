@@ -1,4 +1,4 @@
-//! Tanks, and what happens over time.
+//! Tanks and changes over time, in reports.
 
 use polhode_budget::report::BudgetReport;
 use polhode_budget::{
@@ -31,7 +31,7 @@ fn tanks_and_what_happens_are_those_of_the_sequence() {
     let report = report.with_sequence(None, &sequence, Some(90.0)).unwrap();
     let data = &report.to_json()["configurations"][0]["changing"];
     let rows = data["over_time"]["rows"].as_array().unwrap();
-    // Stretches from 0 to 10, 60, 70 and 90 s, of 17 rows each.
+    // Intervals between 0, 10, 60, 70 and 90 s, with 17 rows each.
     assert_eq!(rows.len(), 4 * 17);
     let mut jumps = 0;
     for row in rows.iter().filter(|row| ![60.0, 70.0, 90.0].contains(&row["time"].as_f64().unwrap())) {
@@ -44,7 +44,7 @@ fn tanks_and_what_happens_are_those_of_the_sequence() {
             (&row["rates"]["center_of_mass"][2], want.rates.center_of_mass.z),
             (&row["rates"]["inertia"][1][1], want.rates.inertia[1]),
         ];
-        // At 10 s there are two rows, of which one is before the burn.
+        // At 10 s there are two rows. One of them is before the burn.
         let is_before = row["time"] == 10.0 && row["rates"]["mass"] == 0.0;
         jumps += usize::from(is_before);
         for (found, want) in pairs.iter().take(if is_before { 3 } else { 5 }) {

@@ -1,4 +1,4 @@
-//! What a list comes to, and what is said of it.
+//! Results of a list, and their text in the report.
 
 use polhode::math::{Body, Part, Position, Rotation};
 use polhode_budget::read::Questions;
@@ -25,14 +25,14 @@ fn json_has_what_the_core_says() {
     assert_eq!(case["mass"]["allowable"], 4.0);
     let growth = 0.03 * 0.78 + 0.1 * (0.26 + 0.55 + 0.42) + 0.25 * (0.9 + 0.12);
     near(&[case["mass"]["growth_allowance"].as_f64().unwrap()], &[growth], 1e-14);
-    // all that is told of the variance of a number is the variance
+    // the listed contributions and the rest add up to the variance
     for error in case["errors"].as_array().unwrap() {
         let told: f64 =
             error["by"].as_array().unwrap().iter().map(|by| by["variance"].as_f64().unwrap()).sum();
         let sd = error["sd"].as_f64().unwrap();
         near(&[told + error["rest"].as_f64().unwrap()], &[sd * sd], 1e-12);
     }
-    // one that is not named is 0 to 1 of what a body may be
+    // the points of the cloud are possible ratios of moments
     for [a, b] in case["principal"]["triangle"]["cloud"]
         .as_array()
         .unwrap()
@@ -53,7 +53,7 @@ fn a_tensor_is_given_about_the_point_and_along_the_axes_that_are_asked_for() {
     let report = report(asked);
     let found = &report.to_json()["configurations"][0]["asked"];
     let whole = satellite(true).mass_properties(Basis::Predicted).unwrap();
-    // R^T J R, with the columns of R the asked axes
+    // Rᵀ J R, with the requested axes as columns of R
     let (j, r) = (whole.inertia_about(point).matrix(), r.matrix());
     for a in 0..3 {
         let want = [0, 1, 2]

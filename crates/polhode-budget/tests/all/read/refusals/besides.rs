@@ -1,6 +1,6 @@
-//! Growth, groups and configurations, the head, forms.
+//! Refusals: growth, groups and configurations, the head, forms.
 
-/// A list, and how the message begins; after the bar, how its hint does.
+/// List, and the start of the message; after the bar, the start of the hint.
 pub(super) const BESIDES: &[(&str, &str)] = &[
     // Growth, groups, configurations
     (

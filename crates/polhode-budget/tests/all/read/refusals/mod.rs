@@ -1,4 +1,4 @@
-//! Every refusal, with its place and what it says.
+//! All refusals, with their places and messages.
 
 mod besides;
 mod rows;

@@ -1,6 +1,6 @@
-//! Headings, cells, trees, numbers and their errors, tensors, rotations.
+//! Refusals: headings, cells, trees, numbers and their errors, tensors, rotations.
 
-/// A list, and how the message begins; after the bar, how its hint does.
+/// List, and the start of the message; after the bar, the start of the hint.
 pub(super) const ROWS: &[(&str, &str)] = &[
     // Headings
     ("", "list.csv: the file has no column with the heading \"name\", or \"path\""),
@@ -131,7 +131,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
         "list.csv:2:1: name = a\u{fffd}[31mb must be a name of characters that can be seen",
     ),
     ("name,mass,\u{1b}[31m\na,1,\n", "list.csv:1:11: unknown key \"\\u{1b}[31m\" in the headings"),
-    // Numbers that cannot be
+    // Numbers out of range
     ("name,mass\na,-1\n", "list.csv:2:3: \"a\" cannot exist: the mass = -1 must be positive and finite"),
     ("name,mass\na,0\n", "list.csv:2:3: \"a\" cannot exist: the mass = 0 must be positive"),
     (

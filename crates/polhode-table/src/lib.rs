@@ -1,9 +1,9 @@
-//! Tables of motions, both ways.
+//! Reading and writing of tables of motions.
 //!
 //! - [`output`]: trajectories as CSV and Parquet, curves as CSV
 //! - [`log`]: motions that other programs logged, as CSV, Parquet and JSON lines
 //!
-//! The heavy formats are linked here and nowhere below.
+//! Only this crate depends on the large libraries for these formats.
 #![forbid(unsafe_code)]
 
 pub mod log;

@@ -1,4 +1,5 @@
-//! Text in blocks of whole lines, whose parts are read side by side: a log does not have to fit into memory as text.
+//! Text in blocks of whole lines. The parts of a block are read in parallel, so a log does not have
+//! to fit in memory as text.
 
 use std::io::{self, Read};
 use std::thread;
@@ -8,15 +9,15 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use super::choice::Plan;
 use super::rows::{RowError, Rows};
 
-/// Bytes of a block; and of a part that a thread is worth.
+/// Size of a block, bytes, and least size of a part for which a thread is started.
 const BLOCK: usize = 8 << 20;
 const PART: usize = 1 << 18;
-/// More threads than this wait for the file.
+/// Largest number of threads. More threads would wait for the file.
 const MOST_THREADS: usize = 8;
-/// A longer line is none of a log.
+/// Largest length of a line, bytes. No line of a log is longer.
 const LONGEST_LINE: usize = 64 << 20;
 
-/// Why rows could not be read.
+/// Reason why rows could not be read.
 #[derive(Debug)]
 pub(crate) enum Failure {
     Io(io::Error),
@@ -35,35 +36,36 @@ impl From<ContentError> for Failure {
     }
 }
 
-/// Reads whole lines as rows.
+/// Reader of whole lines as rows.
 pub(crate) trait Lines: Sync {
-    /// The rows of a text that stands there in the file.
+    /// Reads the rows of a text at an offset in the file.
     fn rows(&self, text: &[u8], offset: usize) -> Result<Rows, RowError>;
 }
 
-/// A text of which some bytes are in memory.
+/// Text of which a part is in memory.
 pub(crate) struct Blocks<R> {
     stream: R,
     bytes: Vec<u8>,
-    /// Where they stand in the file.
+    /// Offset of these bytes in the file.
     offset: usize,
     ended: bool,
 }
 
 impl<R: Read> Blocks<R> {
-    /// With the first block.
+    /// Reads the first block.
     pub(crate) fn new(stream: R) -> io::Result<Self> {
         let mut blocks = Self { stream, bytes: Vec::new(), offset: 0, ended: false };
         blocks.refill()?;
         Ok(blocks)
     }
 
-    /// The first block, or all that there is.
+    /// Returns the first block, or the whole text if that is shorter.
     pub(crate) fn first(&self) -> &[u8] {
         &self.bytes
     }
 
-    /// All rows from a byte of the first block on, where a line begins; the text has so many bytes, if that is known.
+    /// Reads all rows from byte `start` of the first block on, where a line begins. `length` is the
+    /// number of bytes of the text, if known.
     pub(crate) fn rows(
         mut self,
         start: usize,
@@ -86,7 +88,8 @@ impl<R: Read> Blocks<R> {
                     added.map_err(|error| RowError { row: before + error.row, ..error }.told(plan))?;
                 }
                 if let Some(length) = length.filter(|_| is_first) {
-                    // One more in a hundred, as lines grow with the digits of the time.
+                    // One percent is added, because lines become longer with the digits of the
+                    // time.
                     let expected = rows.times.len() as f64 * (length as f64 / whole as f64) * 1.01;
                     rows.reserve(plan, expected as usize);
                 }
@@ -110,7 +113,7 @@ impl<R: Read> Blocks<R> {
         self.offset += count;
     }
 
-    /// Reads on, to twice as many bytes if they are a block already.
+    /// Reads more bytes: up to a block, or to twice as many if a block is in memory already.
     fn refill(&mut self) -> io::Result<()> {
         let room = if self.bytes.len() < BLOCK { BLOCK - self.bytes.len() } else { self.bytes.len() };
         self.bytes.reserve_exact(room);
@@ -120,7 +123,7 @@ impl<R: Read> Blocks<R> {
     }
 }
 
-/// The rows of the parts of a text, in their order.
+/// Returns the rows of the parts of a text, in their order.
 fn side_by_side(text: &[u8], offset: usize, lines: &impl Lines) -> Vec<Result<Rows, RowError>> {
     let threads = thread::available_parallelism().map_or(1, usize::from).min(MOST_THREADS);
     let parts = (text.len() / PART).clamp(1, threads);

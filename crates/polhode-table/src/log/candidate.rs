@@ -6,26 +6,27 @@ use super::columns::{Key, Said};
 use super::euler::Sequence;
 use super::name::{Kind, Name};
 
-/// Columns that may be one of the three.
+/// Columns that may be the time, the attitude or the angular velocity.
 #[derive(Clone, Debug)]
 pub(crate) struct Candidate {
-    /// The least is taken: how far the names are from plain ones, then which of several forms.
+    /// Rank of the candidate; the least is chosen. First the distance of the names from plain ones,
+    /// then the preference for a form.
     pub rank: (u8, u8),
     pub numbers: Numbers,
-    /// In the order of their meaning.
+    /// Indices of the columns, in the order of their meaning.
     pub columns: Vec<usize>,
     pub sense: Option<AttitudeSense>,
     pub axes: Option<OmegaAxes>,
-    /// A column whose meaning another has too.
+    /// Index of a column with the same meaning as another.
     pub twice: Option<usize>,
-    /// What the user says of them.
+    /// Statement of the user about the columns.
     pub said: Option<Said>,
 }
 
-/// What the numbers of columns are.
+/// Meaning of the numbers in columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Numbers {
-    /// A time, or an angular velocity.
+    /// Time, or angular velocity.
     Vector,
     Quaternion(Option<QuaternionOrder>),
     Matrix,
@@ -57,7 +58,7 @@ const EULERS: [(&str, Option<Sequence>); 6] = [
 const VECTORS: [&str; 3] = ["x y z", "0 1 2", "1 2 3"];
 
 impl Candidate {
-    /// A column that is a time.
+    /// Returns a column as a candidate for the time.
     pub(crate) fn time(column: usize, names: &[Option<Name>]) -> Self {
         let distance = names[column].as_ref().map_or(u8::MAX, |name| name.distance);
         Self::of(&[column], names, Numbers::Vector, (distance, 0))
@@ -80,7 +81,9 @@ impl Candidate {
         }
     }
 
-    /// What a user says of columns; what is left open is what their names say. Else angles in another order than their names.
+    /// Returns a candidate from a statement of the user. The names of columns are used for
+    /// everything that the user does not state. Angles in another order than their names are an
+    /// error.
     pub(crate) fn said(
         said: &Said,
         columns: Vec<usize>,
@@ -118,10 +121,11 @@ impl Candidate {
         Ok(Self { sense, axes, said: Some(said.clone()), ..named })
     }
 
-    /// Keeps the order of the file where the columns are named x, y, z, w. An order that the user states is kept.
+    /// Keeps the order of the file if the columns are named x, y, z, w. An order that the user
+    /// states has priority.
     ///
-    /// A header may name numbers in the order w, x, y, z so. In the order of the file they are a
-    /// quaternion, which the motion finds.
+    /// A header may use these names for numbers in the order w, x, y, z. In the order of the file,
+    /// the numbers are a quaternion in any case, and the motion determines which order it is.
     pub(crate) fn in_file_order(self) -> Self {
         let is_scalar_first = self.numbers == Numbers::Quaternion(Some(QuaternionOrder::ScalarFirst));
         match self.columns[..] {
@@ -139,7 +143,8 @@ impl Candidate {
         }
     }
 
-    /// The order of a quaternion, which that of another form has once it is one.
+    /// Returns the order of the quaternion. Other forms are converted to a quaternion with the
+    /// scalar first.
     pub(crate) const fn order(&self) -> Option<QuaternionOrder> {
         match self.numbers {
             Numbers::Quaternion(order) => order,
@@ -148,13 +153,13 @@ impl Candidate {
     }
 }
 
-/// Whether roll, pitch and yaw turn about the axes of a sequence.
+/// Returns true if roll, pitch and yaw are about the axes of a sequence.
 fn agrees(sequence: Sequence, labels: &[&str]) -> bool {
     let axis = |label: &str| ["roll", "pitch", "yaw"].iter().position(|known| *known == label);
     labels.iter().zip(sequence.axes).all(|(label, own)| axis(label) == Some(own))
 }
 
-/// Columns that may be the attitude.
+/// Returns columns that may be the attitude.
 pub(crate) fn attitudes(names: &[Option<Name>]) -> Vec<Candidate> {
     let mut found = Vec::new();
     for group in groups(names, Kind::Attitude) {
@@ -173,7 +178,7 @@ pub(crate) fn attitudes(names: &[Option<Name>]) -> Vec<Candidate> {
     found
 }
 
-/// What is missing of an attitude whose other columns are there, and these.
+/// Returns the missing label of an incomplete attitude, and the columns that exist.
 pub(crate) fn incomplete(names: &[Option<Name>]) -> Option<(&'static str, Vec<usize>)> {
     let groups = groups(names, Kind::Attitude).into_iter().chain(groups(names, Kind::Euler));
     groups
@@ -191,7 +196,8 @@ pub(crate) fn incomplete(names: &[Option<Name>]) -> Option<(&'static str, Vec<us
         .max_by_key(|(_, there)| there.len())
 }
 
-/// Columns that may be the angular velocity: along body axes rather than along space axes, and rather than along unknown ones.
+/// Returns columns that may be the angular velocity. Body axes have the highest preference,
+/// followed by space axes and unknown axes.
 pub(crate) fn omegas(names: &[Option<Name>]) -> Vec<Candidate> {
     let mut found = Vec::new();
     for group in groups(names, Kind::Omega) {
@@ -209,7 +215,7 @@ pub(crate) fn omegas(names: &[Option<Name>]) -> Vec<Candidate> {
     found
 }
 
-/// Columns of one kind whose names differ in the label only.
+/// Columns of one kind whose names differ only in the label.
 struct Group {
     columns: Vec<usize>,
 }
@@ -227,7 +233,8 @@ fn groups(names: &[Option<Name>], kind: Kind) -> Vec<Group> {
 }
 
 impl Group {
-    /// Its columns in the order of the labels, if it has all of them and, of those that are told apart by numbers, no other.
+    /// Returns the columns in the order of the labels, if all labels exist. If the labels are
+    /// numbers, other numbers are not allowed.
     fn candidate(
         &self,
         names: &[Option<Name>],
@@ -252,12 +259,12 @@ impl Group {
     }
 }
 
-/// Where each of the labels stands, if all do.
+/// Returns the position of each label, if all exist.
 fn arranged_within(labels: &str, own: &[&str]) -> Option<Vec<usize>> {
     labels.split(' ').map(|label| own.iter().position(|own| *own == label)).collect()
 }
 
-/// The same if there are no others.
+/// Returns the position of each label, if all exist and no others do.
 fn arranged(labels: &str, own: &[&str]) -> Option<Vec<usize>> {
     arranged_within(labels, own).filter(|order| order.len() == own.len())
 }

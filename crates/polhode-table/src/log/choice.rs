@@ -1,4 +1,4 @@
-//! Which columns of a file are read, and as what.
+//! Choice of the columns that are read, and their meaning.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -17,22 +17,22 @@ use super::euler::Sequence;
 use super::head::Units;
 use super::name::{Kind, Name};
 
-/// The columns that there are.
+/// Columns of a file.
 #[derive(Debug, Default)]
 pub(crate) struct Header {
     pub names: Vec<String>,
-    /// Where each name stands, in a text.
+    /// Position of each name, in a text.
     pub spans: Vec<Range<usize>>,
-    /// True if the columns have an order: the members of an object of JSON have none.
+    /// True if the columns have an order. Members of a JSON object have none.
     pub is_in_order: bool,
-    /// The units of columns that have one by their type.
+    /// Units of columns that have one in their type.
     pub units: BTreeMap<usize, &'static str>,
 }
 
-/// What is read of a row, and what it means.
+/// Columns that are read from a row, and their meaning.
 #[derive(Debug)]
 pub(crate) struct Plan {
-    /// The columns of the time, the attitude and the angular velocity.
+    /// Columns of the time, the attitude and the angular velocity.
     pub slots: Vec<Slot>,
     pub time: Scale,
     pub form: Form,
@@ -40,21 +40,21 @@ pub(crate) struct Plan {
     pub says: DeclaredReading,
     pub read: Vec<ReadColumns>,
     pub ignored: Vec<String>,
-    /// Whether commas part the fields.
+    /// True if commas separate the fields.
     pub has_commas: bool,
 }
 
-/// A column that is read.
+/// Column that is read.
 #[derive(Clone, Debug)]
 pub(crate) struct Slot {
     pub column: usize,
     pub name: String,
 }
 
-/// What the numbers of an attitude are.
+/// Form of the numbers of an attitude.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Form {
-    /// There is no attitude.
+    /// No attitude is read.
     None,
     Quaternion,
     Matrix,
@@ -91,12 +91,12 @@ impl Header {
         columns.iter().map(|column| self.names[*column].clone()).collect()
     }
 
-    /// `a, b, c`
+    /// Lists the names of columns for messages: `a, b, c`.
     fn listed(&self, columns: &[usize]) -> String {
         self.named(columns).iter().map(|name| cut(&escaped(name))).collect::<Vec<_>>().join(", ")
     }
 
-    /// `a "b c" d`, as a user names them.
+    /// Lists the names of columns as a user writes them: `a 'b c' d`.
     fn quoted(&self, columns: &[usize]) -> String {
         let quoted = |name: &String| match name.contains([' ', ',', ';', '=', '\t']) {
             true => format!("'{name}'"),
@@ -105,7 +105,7 @@ impl Header {
         self.named(columns).iter().map(quoted).collect::<Vec<_>>().join(" ")
     }
 
-    /// The columns, as a message lists them.
+    /// Lists all columns for a message, up to 24.
     fn all(&self) -> String {
         const MOST: usize = 24;
         let shown: Vec<usize> = (0..self.names.len().min(MOST)).collect();
@@ -122,7 +122,7 @@ impl Header {
         ContentError::new(kind, self.whole()).hint(format!("{hint}; the columns are {}", self.all()))
     }
 
-    /// The columns that a user names, as many as there have to be.
+    /// Returns the columns that a user names, and checks their number.
     fn find(&self, said: &Said) -> Result<Vec<usize>, ContentError> {
         let mut found = Vec::new();
         for name in &said.columns {
@@ -160,7 +160,7 @@ impl Header {
         }
     }
 
-    /// The one of the candidates that comes first, if none is as good as it.
+    /// Returns the candidate with the lowest rank, unless another has the same rank.
     fn best(
         &self,
         what: &str,
@@ -189,16 +189,16 @@ fn value(what: &str, value: String, rule: String, place: ContentPlace) -> Conten
     ContentError::new(ContentErrorKind::Value { what: what.to_owned(), value, rule }, place)
 }
 
-/// What a log has to have.
+/// Required contents of a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Wanted {
-    /// Attitudes, perhaps with angular velocities.
+    /// Attitudes, and optionally angular velocities.
     Attitude,
-    /// Angular velocities or attitudes, or both.
+    /// Angular velocities, attitudes, or both.
     Either,
 }
 
-/// Which columns are read: those that the user names, then those whose names say what they are.
+/// Chooses the columns to read: those that the user names, then those with known names.
 pub(crate) fn choose(
     header: &Header,
     columns: &Columns,
@@ -223,7 +223,7 @@ pub(crate) fn choose(
     if let Some(attitude) = &attitude {
         (says.order, says.sense) = (attitude.order(), attitude.sense);
         let said = columns.attitude.as_ref();
-        // The quaternions of matrices and angles are made here: their order is certain.
+        // Quaternions are computed here from matrices and angles, so their order is certain.
         let is_quaternion = matches!(form, Form::Quaternion);
         says.by_name.order = is_quaternion && said.is_none_or(|said| said.order.is_none());
         says.by_name.sense = said.is_none_or(|said| said.sense.is_none());
@@ -258,16 +258,16 @@ pub(crate) fn choose(
     Ok(Plan { slots, time: time_unit.scale, form, omega, says, read, ignored, has_commas: false })
 }
 
-/// A unit of columns.
+/// Unit of columns.
 struct Unit {
     scale: Scale,
-    /// Text for messages.
+    /// Unit as shown in messages.
     shown: String,
-    /// False if it is that of SI, as nothing else is stated.
+    /// False for the default unit of SI, if no unit is stated.
     is_stated: bool,
 }
 
-/// What is known of the columns before it is chosen among them.
+/// Known facts about the columns, before the choice.
 struct Known<'a> {
     header: &'a Header,
     names: &'a [Option<Name>],
@@ -275,7 +275,7 @@ struct Known<'a> {
 }
 
 impl Known<'_> {
-    /// The column of the time, and its unit.
+    /// Returns the column of the time, and its unit.
     fn time(&self, said: Option<&Said>) -> Result<(usize, Unit, ReadColumns), ContentError> {
         let header = self.header;
         let column = match said {
@@ -316,7 +316,7 @@ impl Known<'_> {
         })
     }
 
-    /// What the numbers of an attitude are, with the unit of angles.
+    /// Returns the form of the numbers of an attitude, with the unit of angles.
     fn form(&self, attitude: &Candidate) -> Result<(Form, ReadColumns), ContentError> {
         let columns = self.header.named(&attitude.columns);
         let read = |what: String| ReadColumns { what, columns: columns.clone() };
@@ -349,7 +349,7 @@ impl Known<'_> {
         ))
     }
 
-    /// The angular velocity, if there is one that is to be read, and its unit.
+    /// Returns the angular velocity and its unit, if it exists and is to be read.
     fn omega(&self, said: Option<&Said>) -> Result<Option<(Candidate, Unit, ReadColumns)>, ContentError> {
         let header = self.header;
         let candidate = match said {
@@ -369,7 +369,8 @@ impl Known<'_> {
         Ok(Some((candidate, unit, ReadColumns { what, columns })))
     }
 
-    /// The unit of columns: as the user says, as their names say, as the head says, or that of SI where it may be taken for granted.
+    /// Returns the unit of columns: as the user, the names of the columns, or the head states it.
+    /// If `si` is true, the SI unit is the default.
     fn unit(&self, key: Key, said: Option<&Said>, columns: &[usize], si: bool) -> Result<Unit, ContentError> {
         let header = self.header;
         let own = |column: &usize| {

@@ -1,4 +1,5 @@
-//! The notation in which a user says which columns are what: `time ms = t, quaternion xyzw = q0 q1 q2 q3, omega space deg/s = wx wy wz`.
+//! Notation in which a user states the meaning of columns:
+//! `time ms = t, quaternion xyzw = q0 q1 q2 q3, omega space deg/s = wx wy wz`.
 
 use std::error::Error;
 use std::fmt;
@@ -13,7 +14,8 @@ use polhode_source::unit::Dimension;
 use super::euler::Sequence;
 use super::name::spelt_unit;
 
-/// Which columns are what, as a user says it; what is not said is left to the columns' names.
+/// Meaning of columns, as stated by a user. Names of columns are used for everything that is not
+/// stated.
 ///
 /// ```
 /// use polhode_table::log::Columns;
@@ -26,15 +28,16 @@ use super::name::spelt_unit;
 pub struct Columns {
     pub(crate) time: Option<Said>,
     pub(crate) attitude: Option<Said>,
-    /// No columns: there is no angular velocity, or it is not to be read.
+    /// Without columns, no angular velocity is read.
     pub(crate) omega: Option<Said>,
 }
 
-/// What is said of some columns.
+/// Statement about some columns.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Said {
     pub key: Key,
-    /// In the order of their meaning: as the words say, row by row, turn by turn.
+    /// Names in the order of their meaning: that of the words, row by row, or that of the
+    /// rotations.
     pub columns: Vec<String>,
     pub order: Option<QuaternionOrder>,
     pub sense: Option<AttitudeSense>,
@@ -43,7 +46,7 @@ pub(crate) struct Said {
     pub unit: Option<String>,
 }
 
-/// What columns can be.
+/// Possible meaning of columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Key {
     Time,
@@ -53,45 +56,42 @@ pub(crate) enum Key {
     Omega,
 }
 
-/// Why a text does not say which columns are what.
+/// Error of a text in the notation for columns.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ColumnsError {
-    /// A part without `=`, or with nothing behind it.
+    /// A part has no `=`, or nothing after it.
     Form {
-        /// The part.
         part: String,
     },
-    /// A quote that is not closed.
+    /// A quote is not closed.
     Quote,
-    /// A word before the `=` that is none of the things which columns can be.
+    /// The word before the `=` is not a possible meaning of columns.
     Key {
-        /// The word.
         key: String,
-        /// What was probably meant.
+        /// Most similar known word.
         suggestion: Option<&'static str>,
     },
-    /// A word that says nothing of such columns.
+    /// A word does not apply to columns with this meaning.
     Word {
-        /// What the columns are.
+        /// Meaning of the columns.
         key: &'static str,
-        /// The word.
         word: String,
-        /// Words that do.
+        /// Words that apply.
         known: &'static str,
     },
-    /// Too few or too many columns.
+    /// The number of columns is wrong.
     Count {
-        /// What the columns are.
+        /// Meaning of the columns.
         key: &'static str,
-        /// How many it has.
+        /// Required number of columns.
         expected: usize,
-        /// How many are named.
+        /// Number of columns that are named.
         found: usize,
     },
-    /// Two parts that are about the same.
+    /// Two parts are about the same quantity.
     Twice {
-        /// What they are about.
+        /// Name of the quantity.
         what: &'static str,
     },
 }
@@ -99,7 +99,7 @@ pub enum ColumnsError {
 impl Key {
     const ALL: [Self; 5] = [Self::Time, Self::Quaternion, Self::Matrix, Self::Euler, Self::Omega];
 
-    /// How it is written, and in short.
+    /// Returns the full and the short name.
     const fn names(self) -> [&'static str; 2] {
         match self {
             Self::Time => ["time", "t"],
@@ -140,10 +140,11 @@ impl Key {
 }
 
 impl Columns {
-    /// Reads the notation: parts with commas or semicolons between them, each `KEY WORDS… = COLUMNS…`. [`super`] says which there are.
+    /// Parses the notation: parts separated by commas or semicolons, each of the form
+    /// `KEY WORDS… = COLUMNS…`. [`super`] lists the keys and words.
     ///
     /// # Errors
-    /// [`ColumnsError`], which says what does not belong.
+    /// [`ColumnsError`] that names the invalid part.
     pub fn parse(text: &str) -> Result<Self, ColumnsError> {
         let mut columns = Self::default();
         for part in split(text, &[',', ';'])? {
@@ -200,7 +201,7 @@ impl Said {
         match said.columns.as_slice() {
             [] => return Err(form()),
             [none] if key == Key::Omega && none == "none" => said.columns.clear(),
-            // An array of JSON, and the first and the last of neighbours, stand for several.
+            // A single name may stand for several columns: an array of JSON, or a range.
             [_] if key != Key::Time => {}
             all if all.len() == key.count() => {}
             all => {
@@ -211,7 +212,7 @@ impl Said {
         Ok(said)
     }
 
-    /// Whether a word says something of such columns; then it is kept.
+    /// Applies a word to the columns. Returns false if it does not apply to them.
     fn word(&mut self, word: &str) -> bool {
         let is_attitude = matches!(self.key, Key::Quaternion | Key::Matrix | Key::Euler);
         match (self.key, word) {
@@ -236,7 +237,7 @@ impl Said {
     }
 }
 
-/// The parts of a text between separators that are not in quotes.
+/// Splits a text at separators that are not in quotes.
 fn split<'a>(text: &'a str, separators: &[char]) -> Result<Vec<&'a str>, ColumnsError> {
     let (mut parts, mut start, mut quote) = (Vec::new(), 0, None);
     for (at, c) in text.char_indices() {
@@ -254,7 +255,7 @@ fn split<'a>(text: &'a str, separators: &[char]) -> Result<Vec<&'a str>, Columns
     if quote.is_some() { Err(ColumnsError::Quote) } else { Ok(parts) }
 }
 
-/// A text without the quotes around it.
+/// Returns a text without the quotes around it.
 pub(crate) fn unquoted(text: &str) -> &str {
     let within = |quote: char| text.strip_prefix(quote)?.strip_suffix(quote);
     within('"').or_else(|| within('\'')).unwrap_or(text)
@@ -284,7 +285,7 @@ impl fmt::Display for ColumnsError {
 }
 
 impl ColumnsError {
-    /// What to write instead.
+    /// Returns advice on the correct notation.
     pub fn hint(&self) -> String {
         match self {
             Self::Form { .. } => {

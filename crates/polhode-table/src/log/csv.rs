@@ -1,4 +1,5 @@
-//! Text with a line for each row: names in the first, and `# key = value` above it.
+//! Text with a line for each row. The names are in the first line, and `# key = value` lines are
+//! above it.
 
 use std::ops::Range;
 
@@ -10,7 +11,7 @@ use super::choice::{Header, Plan};
 use super::head::Head;
 use super::rows::{MOST, Problem, RowError, Rows};
 
-/// What the first lines say, and where the rows begin.
+/// Contents of the first lines, and the start of the rows.
 #[derive(Debug)]
 pub(crate) struct Opening {
     pub head: Head,
@@ -19,18 +20,19 @@ pub(crate) struct Opening {
     pub rows: usize,
 }
 
-/// Fields of a log: blanks around them do not count, and one that begins with a quote ends with one.
+/// Fields of a log. Blanks around a field are ignored. A field that begins with a quote ends with
+/// one.
 trait Fields: Copy {
     fn is_blank(self, byte: u8) -> bool;
 
-    /// Returns the place behind the blanks at a place.
+    /// Returns the position after the blanks at a position.
     fn skip_blanks(self, bytes: &[u8], at: usize) -> usize;
 
-    /// Returns the end of the field that begins there; of a quoted one, behind the closing quote if
-    /// it has one.
+    /// Returns the end of the field that begins at a position. The end of a quoted field is after
+    /// its closing quote; `None` if that is missing.
     fn field_end(self, bytes: &[u8], start: usize) -> Option<usize>;
 
-    /// Returns the fields of a line that stands there, without their quotes.
+    /// Returns the fields of a line, without their quotes.
     fn fields(self, bytes: &[u8], line: &Range<usize>) -> Result<Vec<(String, Range<usize>)>, ContentError>;
 }
 
@@ -61,7 +63,8 @@ impl Fields for Separator {
         }
         let ends = |byte: &u8| match self {
             Self::Byte(separator) => *byte == separator || *byte == b'\n',
-            // as `skip_blanks`: a form feed ends no field, or nothing would lead beyond it
+            // same as in `skip_blanks`: a form feed does not end a field, or the reader would never
+            // pass it
             Self::Blanks => self.is_blank(*byte) || *byte == b'\n',
         };
         let rest = bytes.get(start..).unwrap_or_default();
@@ -93,7 +96,8 @@ impl Fields for Separator {
     }
 }
 
-/// Reads the lines up to the first row; a file whose columns its user told may be without names: they are numbers then.
+/// Reads the lines up to the first row. A file may lack names if the user states the columns. The
+/// names are then numbers.
 pub(crate) fn opening(bytes: &[u8], is_told: bool) -> Result<Opening, ContentError> {
     let (mut at, mut head, mut comment) = (0, Head::default(), None);
     if bytes.starts_with(b"\xef\xbb\xbf") {
@@ -149,12 +153,12 @@ fn header(fields: Vec<(String, Range<usize>)>) -> Header {
     Header { names, spans, is_in_order: true, ..Header::default() }
 }
 
-/// The rows of a text.
+/// Rows of a text.
 #[derive(Debug)]
 pub(crate) struct Table<'a> {
     plan: &'a Plan,
     separator: Separator,
-    /// The slot of each column, if it is read.
+    /// Slot of each column; `None` if it is not read.
     slots: Vec<Option<u8>>,
 }
 
@@ -167,7 +171,7 @@ impl<'a> Table<'a> {
         Self { plan, separator: opening.separator, slots }
     }
 
-    /// Adds the row at a place to others; gives the place behind its line.
+    /// Adds the row at a position. Returns the position after its line.
     #[inline]
     fn row(
         &self,
@@ -224,7 +228,7 @@ impl<'a> Table<'a> {
         Ok(at + 1)
     }
 
-    /// The number of a slot that stands there, and the place behind it.
+    /// Reads the number of a slot at a position. Returns the number and the position after it.
     #[inline(always)]
     fn number(&self, text: &[u8], at: usize, slot: usize) -> Result<(f64, usize), Error> {
         let rest = text.get(at..).unwrap_or_default();
@@ -241,7 +245,7 @@ impl<'a> Table<'a> {
         byte == b'\n' || self.separator == Separator::Byte(byte) || self.separator.is_blank(byte)
     }
 
-    /// A number in quotes; else what is wrong.
+    /// Reads a number in quotes, or returns the error.
     #[cold]
     fn rare_number(&self, text: &[u8], at: usize, slot: usize) -> Result<(f64, usize), Error> {
         let end = self.separator.field_end(text, at).ok_or_else(|| open_quote(text, at))?;
@@ -258,7 +262,7 @@ impl<'a> Table<'a> {
     }
 }
 
-/// What is wrong with a line, and where in the text.
+/// Error of a line, with its position in the text.
 struct Error {
     at: Range<usize>,
     problem: Problem,
@@ -294,20 +298,20 @@ impl Lines for Table<'_> {
     }
 }
 
-/// A field that begins with a quote and does not end with one.
+/// Returns the error of a field that begins with a quote and does not end with one.
 #[cold]
 fn open_quote(text: &[u8], at: usize) -> Error {
     let line = at..line_end(text, at);
     Error { problem: Problem::OpenQuote { line: shown(text, line.clone()) }, at: line }
 }
 
-/// The end of the line of a place, without what ends it.
+/// Returns the end of a line, without the line break.
 fn line_end(text: &[u8], at: usize) -> usize {
     let rest = text.get(at..).unwrap_or_default();
     at + rest.iter().position(|b| *b == b'\n').unwrap_or(rest.len())
 }
 
-/// A part of a text, not more of it than a message shows.
+/// Returns a part of a text, shortened for a message.
 fn shown(text: &[u8], span: Range<usize>) -> String {
     const MOST: usize = 256;
     let part = text.get(span).unwrap_or_default();

@@ -1,22 +1,24 @@
-//! Euler angles: in which sequence, and what they are as a quaternion.
+//! Euler angles: sequences, and conversion to quaternions.
 
 use polhode::math::{Body, Direction, Rotation};
 
-/// Three turns, each about an axis of the frame as the turns before have left it, or about axes that stand still.
+/// Sequence of three rotations. Each is about an axis of the frame after the previous rotations
+/// (intrinsic), or about a fixed axis (extrinsic).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Sequence {
-    /// The axes in the order of the turns, from 0.
+    /// Axes in the order of the rotations, 0 to 2.
     pub axes: [usize; 3],
     pub extrinsic: bool,
 }
 
 impl Sequence {
-    /// Yaw, pitch, roll.
+    /// Yaw, pitch, roll: intrinsic 3-2-1.
     pub(crate) const YAW_PITCH_ROLL: Self = Self { axes: [2, 1, 0], extrinsic: false };
-    /// Precession, nutation, spin.
+    /// Precession, nutation, spin: intrinsic 3-1-3.
     pub(crate) const PRECESSION_NUTATION_SPIN: Self = Self { axes: [2, 0, 2], extrinsic: false };
 
-    /// `3-2-1`, `321`, `zyx` or `z-y-x`, intrinsic; two turns about one axis in a row are none.
+    /// Parses `3-2-1`, `321`, `zyx` or `z-y-x` as intrinsic. Two successive rotations about one
+    /// axis are not allowed.
     pub(crate) fn parse(word: &str) -> Option<Self> {
         let axis = |c: char| match c.to_ascii_lowercase() {
             '1' | 'x' => Some(0),
@@ -29,19 +31,20 @@ impl Sequence {
         (axes[0] != axes[1] && axes[1] != axes[2]).then_some(Self { axes, extrinsic: false })
     }
 
-    /// `3-2-1`, `extrinsic 1-2-3`
+    /// Formats the sequence: `3-2-1`, `extrinsic 1-2-3`.
     pub(crate) fn shown(self) -> String {
         let [a, b, c] = self.axes.map(|axis| axis + 1);
         format!("{}{a}-{b}-{c}", if self.extrinsic { "extrinsic " } else { "" })
     }
 
-    /// The quaternion, scalar first, of finite angles in rad, in the order of the turns.
+    /// Returns the quaternion, scalar first, of finite angles in rad, in the order of the
+    /// rotations.
     pub(crate) fn quaternion(self, angles: [f64; 3]) -> [f64; 4] {
         let turn = |k: usize| {
             let mut axis = [0.0; 3];
             axis[self.axes[k]] = 1.0;
             let [x, y, z] = axis;
-            // An axis of length 1 and a finite angle are a rotation.
+            // This cannot fail: the axis has length 1, and the angle is finite.
             Rotation::<Body, Body>::about(Direction::new(x, y, z), angles[k]).unwrap_or(Rotation::identity())
         };
         let whole = if self.extrinsic { turn(2) * turn(1) * turn(0) } else { turn(0) * turn(1) * turn(2) };

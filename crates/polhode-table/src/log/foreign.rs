@@ -1,8 +1,8 @@
-//! Files of other kinds, which programs write logs to.
+//! Detection of other file formats to which programs write logs.
 
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
-/// How they begin, what they are, and what to do.
+/// First bytes of a format, its name, and a hint.
 const FOREIGN: [(&[u8], &str, &str); 9] = [
     (b"\x89HDF", "HDF5 files", "write the columns as CSV or Parquet: pandas.read_hdf(FILE).to_parquet(NEW)"),
     (
@@ -23,7 +23,7 @@ const FOREIGN: [(&[u8], &str, &str); 9] = [
     (b"ULog", "logs of PX4", "export the topic as CSV: ulog2csv FILE"),
 ];
 
-/// Why a file of another kind is refused, if it is one.
+/// Returns the error for a file in another format, or `None`.
 pub(crate) fn refusal(bytes: &[u8]) -> Option<ContentError> {
     let refused = |what: &str, hint: &str| {
         let kind = ContentErrorKind::Unsupported { what: what.to_owned() };

@@ -1,4 +1,4 @@
-//! What the head of a log says: `scenario`, `step`, `engine`, `units`, `columns`.
+//! Head of a log, with the keys `scenario`, `step`, `engine`, `units`, `columns`.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use super::columns::{Columns, Key, unquoted};
 use super::name::spelt_unit;
 
-/// What the head of a log says.
+/// Contents of the head of a log.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Head {
     pub scenario: Option<PathBuf>,
@@ -20,11 +20,11 @@ pub(crate) struct Head {
     pub columns: Option<Columns>,
     /// Known keys that were given, without their prefix.
     given: BTreeSet<String>,
-    /// Keys that mean nothing here.
+    /// Keys that are not known here.
     pub ignored: Vec<String>,
 }
 
-/// Units of columns whose names have none.
+/// Units of columns that have none in their names.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Units {
     time: Option<String>,
@@ -33,7 +33,7 @@ pub(crate) struct Units {
 }
 
 impl Units {
-    /// The unit of such columns.
+    /// Returns the unit of columns with this meaning.
     pub(crate) fn of(&self, key: Key) -> Option<String> {
         match key {
             Key::Time => self.time.clone(),
@@ -43,7 +43,7 @@ impl Units {
         }
     }
 
-    /// `SI`, or units with commas between: `ms, deg, deg/s`.
+    /// Parses `SI`, or units separated by commas: `ms, deg, deg/s`.
     fn parse(text: &str) -> Result<Self, String> {
         let mut units = Self::default();
         let put = |slot: &mut Option<String>, unit: String| match slot.replace(unit) {
@@ -74,7 +74,7 @@ impl Units {
 }
 
 impl Head {
-    /// Adds what `key = value` says, which stands there.
+    /// Adds the contents of `key = value` at a place.
     pub(crate) fn add(&mut self, key: &str, value: &str, place: &ContentPlace) -> Result<(), ContentError> {
         let value = unquoted(value.trim());
         let refused = |rule: String| {
@@ -96,7 +96,7 @@ impl Head {
                 Ok(_) => refused("positive: it is the engine's time step, in s".to_owned())?,
                 Err(error) => refused(format!("the engine's time step, in s: {error}"))?,
             },
-            // Tables of polhode have an object here, and a unit in each name.
+            // Tables of polhode have a JSON object here, and a unit in each name.
             "units" if key != plain && value.starts_with('{') => {}
             "units" => match Units::parse(value) {
                 Ok(units) => self.units = units,
@@ -117,7 +117,7 @@ impl Head {
         Ok(())
     }
 
-    /// The key and the value of a comment that is `key = value`, where the key is one word.
+    /// Returns the key and the value of a comment `key = value` whose key is one word.
     pub(crate) fn pair(comment: &str) -> Option<(&str, &str)> {
         let (key, value) = comment.trim_start_matches('#').split_once('=')?;
         let key = key.trim();

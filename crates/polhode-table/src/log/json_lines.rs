@@ -1,4 +1,5 @@
-//! JSON lines: an object for each row, `{"t": 0.5, "q": [1, 0, 0, 0], "omega": {"x": 0.1, "y": 2, "z": 0}}`.
+//! JSON lines: one object for each row,
+//! `{"t": 0.5, "q": [1, 0, 0, 0], "omega": {"x": 0.1, "y": 2, "z": 0}}`.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -15,7 +16,7 @@ use super::head::Head;
 use super::name::{Kind, Name};
 use super::rows::{MOST, Problem, RowError, Rows};
 
-/// What the first lines say, and where the rows begin.
+/// Contents of the first lines, and the start of the rows.
 #[derive(Debug, Default)]
 pub(crate) struct Opening {
     pub head: Head,
@@ -25,7 +26,7 @@ pub(crate) struct Opening {
     pub rows: usize,
 }
 
-/// Where a value stands in an object: `q[0]`, `pose.orientation.w`.
+/// Path of a value in an object: `q[0]`, `pose.orientation.w`.
 type Path = Vec<Step>;
 
 #[derive(Clone, Debug)]
@@ -34,10 +35,10 @@ enum Step {
     Element(usize),
 }
 
-/// More values than this are no row.
+/// Largest number of values in a row.
 const MOST_VALUES: usize = 10_000;
 
-/// Reads the lines up to the first row: a first line without a time is the head.
+/// Reads the lines up to the first row. A first line without a time is the head.
 pub(crate) fn opening(bytes: &[u8], columns: &Columns) -> Result<Opening, ContentError> {
     let mut opening =
         Opening { rows: if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 }, ..Opening::default() };
@@ -79,7 +80,7 @@ pub(crate) fn opening(bytes: &[u8], columns: &Columns) -> Result<Opening, Conten
     Err(ContentError::new(kind, ContentPlace::Whole).hint(hint))
 }
 
-/// The next line that is not blank, without white space around it.
+/// Returns the next line that is not blank, without white space around it.
 fn next_line(bytes: &[u8], from: usize) -> Option<Range<usize>> {
     let rest = bytes.get(from..)?;
     let start = from + rest.iter().position(|b| !b.is_ascii_whitespace())?;
@@ -87,7 +88,7 @@ fn next_line(bytes: &[u8], from: usize) -> Option<Range<usize>> {
     Some(start..start + bytes[start..start + length].trim_ascii_end().len())
 }
 
-/// The object that a line is; else where it is none, and why.
+/// Parses a line as an object. The error has a position and a message.
 fn object(line: &[u8]) -> Result<Map<String, Value>, (usize, String)> {
     let value = json_value(line).map_err(|error| {
         let message = error.to_string();
@@ -100,7 +101,7 @@ fn object(line: &[u8]) -> Result<Map<String, Value>, (usize, String)> {
     }
 }
 
-/// The values in a value, with their names.
+/// Collects all values inside a value, with their names.
 fn flatten(value: &Value, name: String, path: Path, leaves: &mut Vec<(String, Path)>) {
     let with = |step: Step| [path.as_slice(), &[step]].concat();
     match value {
@@ -124,14 +125,14 @@ fn shown(line: &[u8]) -> String {
     String::from_utf8_lossy(&line[..line.len().min(MOST)]).trim().to_owned()
 }
 
-/// The rows of a text.
+/// Rows of a text.
 #[derive(Debug)]
 pub(crate) struct Objects<'a> {
     plan: &'a Plan,
-    /// Of each slot.
+    /// Path of each slot.
     paths: Vec<&'a [Step]>,
     keys: &'a BTreeSet<String>,
-    /// Keys that the first row has not.
+    /// Keys that the first row does not have.
     others: Mutex<BTreeSet<String>>,
 }
 
@@ -141,7 +142,7 @@ impl<'a> Objects<'a> {
         Self { plan, paths, keys: &opening.keys, others: Mutex::default() }
     }
 
-    /// Keys that some row has and the first has not.
+    /// Returns keys that some row has and the first row does not have.
     pub(crate) fn others(self) -> BTreeSet<String> {
         self.others.into_inner().unwrap_or_default()
     }

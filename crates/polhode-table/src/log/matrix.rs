@@ -1,24 +1,25 @@
-//! Matrices of rotations, as programs print them: in single precision, or with six digits.
+//! Rotation matrices as programs print them: in single precision, or with six digits.
 
 use std::error::Error;
 use std::fmt;
 
 use polhode::math::{Body, Rotation};
 
-/// The largest element of |RᵀR − 1| at which a matrix still is a rotation: single precision, and six printed digits.
+/// Largest element of |RᵀR − 1| at which a matrix counts as a rotation. It allows single precision,
+/// and six printed digits.
 pub(crate) const TOLERANCE: f64 = 1e-5;
 
-/// Why a matrix is no rotation.
+/// Reason why a matrix is not a rotation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MatrixError {
-    /// RᵀR is not 1: the largest element of |RᵀR − 1|.
+    /// RᵀR differs from 1; the number is the largest element of |RᵀR − 1|.
     NotRotation(f64),
-    /// det R is −1.
+    /// det R is −1: the matrix is a reflection.
     Mirrored,
 }
 
 impl MatrixError {
-    /// What to do about it.
+    /// Returns advice on how to correct the matrix.
     pub const fn hint(&self) -> &'static str {
         match self {
             Self::NotRotation(_) => {
@@ -31,7 +32,7 @@ impl MatrixError {
     }
 }
 
-/// `|RᵀR − 1| = 1.00e0 must be 0.00001 or less: the matrix has to be a rotation`
+/// Message such as `|RᵀR − 1| = 1.00e0 must be 0.00001 or less: the matrix has to be a rotation`.
 impl fmt::Display for MatrixError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -50,10 +51,12 @@ impl Error for MatrixError {}
 
 type Matrix = [[f64; 3]; 3];
 
-/// The quaternion, scalar first, of the rotation nearest to a matrix of finite numbers, which come row by row.
+/// Returns the quaternion, scalar first, of the rotation nearest to a matrix of finite numbers,
+/// given row by row.
 ///
 /// # Errors
-/// [`MatrixError`] of one that is farther from a rotation than six digits are, or mirrors.
+/// [`MatrixError`] if the matrix differs from a rotation by more than six digits allow, or is a
+/// reflection.
 pub fn matrix_quaternion(numbers: [f64; 9]) -> Result<[f64; 4], MatrixError> {
     let [a, b, c, d, e, f, g, h, i] = numbers;
     let mut r = [[a, b, c], [d, e, f], [g, h, i]];
@@ -73,19 +76,19 @@ pub fn matrix_quaternion(numbers: [f64; 9]) -> Result<[f64; 4], MatrixError> {
         .map_err(|_| MatrixError::NotRotation(departure))
 }
 
-/// RᵀR, of which the rotations have 1.
+/// Returns RᵀR, which is 1 for a rotation.
 fn gram(r: &Matrix) -> Matrix {
     std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|k| r[k][i] * r[k][j]).sum()))
 }
 
-/// The largest element of |RᵀR − 1|; NaN where it has no size.
+/// Returns the largest element of |RᵀR − 1|; NaN if an element is NaN.
 fn departure(r: &Matrix) -> f64 {
     let gram = gram(r);
     let elements = (0..9).map(|k| (gram[k / 3][k % 3] - f64::from(u8::from(k / 3 == k % 3))).abs());
     elements.fold(0.0, |most, e| if e > most || e.is_nan() { e } else { most })
 }
 
-/// R (3 − RᵀR)/2
+/// Returns R (3 − RᵀR)/2.
 fn nearer(r: &Matrix) -> Matrix {
     let gram = gram(r);
     let factor = |k: usize, j: usize| 0.5 * (if k == j { 3.0 } else { 0.0 } - gram[k][j]);

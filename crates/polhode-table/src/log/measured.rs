@@ -1,4 +1,4 @@
-//! What an instrument logged of a motion: rates, attitudes, or both.
+//! Motion logged by an instrument: rates, attitudes, or both.
 
 use polhode::infer::judge::{AttitudeSense, OmegaAxes, QuaternionOrder};
 
@@ -6,22 +6,22 @@ use super::ReadColumns;
 use super::choice::{Form, Plan};
 use super::rows::Rows;
 
-/// Rates and attitudes at the same times, in SI.
+/// Angular velocities and attitudes at the same times, in SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredLog {
-    /// s, ascending.
+    /// Times, s, ascending.
     pub times: Vec<f64>,
-    /// rad/s; `None` if the file has none.
+    /// Angular velocities, rad/s; `None` if the file has none.
     pub omega: Option<Vec<[f64; 3]>>,
-    /// Along which axes, if the columns' names say it.
+    /// Axes of the angular velocity, if the names of its columns state them.
     pub omega_axes: Option<OmegaAxes>,
-    /// Four numbers that are proportional to a quaternion; `None` if the file has none.
+    /// Attitudes, each as four numbers proportional to a quaternion; `None` if the file has none.
     pub attitude: Option<Vec<[f64; 4]>>,
-    /// Which of them is the scalar, if the file says it.
+    /// Position of the scalar in the quaternion, if the file states it.
     pub order: Option<QuaternionOrder>,
-    /// Which way it turns, if the file says it.
+    /// Direction of the rotation, if the file states it.
     pub sense: Option<AttitudeSense>,
-    /// The columns that were read, and as what.
+    /// Columns that were read, with their meaning.
     pub read: Vec<ReadColumns>,
     /// Columns that were not read.
     pub ignored: Vec<String>,

@@ -1,41 +1,48 @@
-//! The log of a motion, as another program wrote it: times, attitudes and perhaps angular velocities, in CSV, Parquet or JSON lines.
+//! Logs of motions that other programs wrote: times, attitudes and optional angular velocities, in
+//! CSV, Parquet or JSON lines.
 //!
-//! The contents of a file decide its format. Text has a line of names, then a line for each time; commas,
-//! semicolons, tabs or blanks separate the fields, and the decimal mark is a point. Lines that begin
-//! with `#` are for people, except `# key = value` above the names; below them such a line is an
-//! error.
+//! The format follows from the contents of a file. Text has a line of names, then a line for each
+//! time. Commas, semicolons, tabs or blanks separate the fields, and the decimal mark is a point.
+//! Lines that begin with `#` are comments, except `# key = value` above the names. Below the names,
+//! a key is an error.
 //!
-//! | key | says |
+//! | key | meaning |
 //! |---|---|
-//! | `scenario` | the scenario that the program was to compute, a path relative to the log |
+//! | `scenario` | the scenario that the program computed, a path relative to the log |
 //! | `step` | the program's time step, in s or with a unit |
-//! | `engine` | which program, in words |
+//! | `engine` | name of the program |
 //! | `units` | units of columns whose names have none: `ms, deg, deg/s`, or `SI` |
-//! | `columns` | what the columns are, in the notation below |
+//! | `columns` | meaning of the columns, in the notation below |
 //!
-//! JSON lines have an object for each time, with numbers, arrays (`"q": [1, 0, 0, 0]`, of which the first is called `q[0]`) and objects (of
-//! which a member is called `orientation.w`); a first line without a time is the head. Parquet has the keys in the file's metadata, as
-//! `polhode.scenario` and so on.
+//! JSON lines have an object for each time, with numbers, arrays and objects. The first number of
+//! the array `"q": [1, 0, 0, 0]` has the name `q[0]`, and a member of an object has a name such as
+//! `orientation.w`. A first line without a time is the head. Parquet has the keys in the file's
+//! metadata, as `polhode.scenario` and so on.
 //!
 //! # Columns by their names
 //!
-//! | thing | names |
+//! | quantity | names |
 //! |---|---|
 //! | time | `t`, `time`, `time_s`, `sim_time_ms`; `timestamp` with a unit |
-//! | quaternion | `attitude_w` …, `qw` …, `orientation.w` …: w, x, y, z by their letters, scalar
-//! last if the columns are x, y, z, w; `q0` … `q3`: in an order that is not known |
+//! | quaternion | `attitude_w` …, `qw` …, `orientation.w` …: order by the letters, scalar last for x, y, z, w |
+//! | quaternion | `q0` … `q3`: the order is not known |
 //! | matrix | `r11` … `r33`, `R_00` … `R_22`, `R[0][0]` …, `xmat_0` … `xmat_8`: row by row |
-//! | Euler angles | `roll`, `pitch`, `yaw` (3-2-1), `precession`, `nutation`, `spin` (3-1-3); of others the sequence is not known |
-//! | angular velocity | `wx` …, `gyro_x` …, `angular_velocity.x` …; `omega_body_x` along body axes, `omega_world_x` along those of space |
+//! | Euler angles | `roll`, `pitch`, `yaw` (3-2-1), `precession`, `nutation`, `spin` (3-1-3) |
+//! | Euler angles | other names: the sequence is not known |
+//! | angular velocity | `wx` …, `gyro_x` …, `angular_velocity.x` … |
+//! | angular velocity | `omega_body_x` along body axes, `omega_world_x` along space axes |
 //!
-//! Other words may stand before a name (`robot.qw`), and a unit behind it (`wx_deg_s`, `wx [deg/s]`). A time is in s and an angular velocity
-//! in rad/s if nothing else is said; angles need a unit. What a name leaves open stays open ([`RunLog::says`]); where two sets of columns are as
-//! likely, or a set is not complete, the file is refused. Angular velocities along body axes are taken rather than those along space
-//! axes. Columns that are not read are listed in [`RunLog::ignored`].
+//! Other words may precede a name (`robot.qw`), and a unit may follow it (`wx_deg_s`,
+//! `wx [deg/s]`). The default units are s for a time and rad/s for an angular velocity; angles need
+//! a unit. A property that the names do not determine remains open ([`RunLog::says`]). A file is
+//! refused if two sets of columns are equally likely, or if a set is not complete. Angular
+//! velocities along body axes are preferred to those along space axes. [`RunLog::ignored`] lists
+//! the columns that are not read.
 //!
 //! # Columns as a user names them
 //!
-//! [`Columns::parse`] reads parts with commas between them, each of which says what columns are, `=`, and which columns:
+//! [`Columns::parse`] reads parts separated by commas. Each part has the meaning of columns, `=`,
+//! and the names of the columns:
 //!
 //! ```text
 //! time ms = t, quaternion xyzw body-to-space = q0 q1 q2 q3, omega space deg/s = w1 w2 w3
@@ -46,12 +53,13 @@
 //! | `time`, `t` | a unit | one |
 //! | `quaternion`, `q` | `wxyz`, `xyzw`; `body-to-space`, `space-to-body` | four, in the order of the words |
 //! | `matrix`, `R` | `body-to-space`, `space-to-body` | nine, row by row |
-//! | `euler`, `e` | `3-2-1`, `zyx` or another sequence; `extrinsic`; `deg`, `rad`; the sense | three, in the order of the turns |
+//! | `euler`, `e` | `3-2-1`, `zyx` or other; `extrinsic`; `deg`, `rad`; the sense | three, in the order of rotations |
 //! | `omega`, `w` | `body`, `space`; a unit | three, or `none` |
 //!
-//! Columns have blanks between them; a name with blanks or commas stands in quotes. `q0..q3` are the columns from the one to the other, and
-//! `q` is the array `q` of JSON lines. A file of numbers only has the columns `1`, `2`, and so on. What the words say holds, whatever the names
-//! say; what they leave open is left to the names, and so is each of the three that has no part.
+//! Columns are separated by blanks. A name with blanks or commas is in quotes. `q0..q3` are the
+//! columns from the first to the last, and `q` is the array `q` of JSON lines. A file with numbers
+//! only has the columns `1`, `2`, and so on. The words override the names of the columns.
+//! Everything that they do not state follows from the names.
 
 mod blocks;
 mod candidate;
@@ -88,57 +96,59 @@ pub use columns::{Columns, ColumnsError};
 pub use matrix::{MatrixError, matrix_quaternion};
 pub use measured::MeasuredLog;
 
-/// A log, and what it says of itself.
+/// Log of a motion, with its own statements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunLog {
-    /// The motion, in SI. Attitudes that are no quaternions in the file are ones here.
+    /// Motion in SI. Attitudes in other forms are converted to quaternions.
     pub log: MotionLog,
-    /// What its columns' names say without doubt, and its user.
+    /// Unambiguous statements of the user and of the names of columns.
     pub says: DeclaredReading,
-    /// The scenario that it is of, as it says, relative to the log.
+    /// Scenario that the log states, as a path relative to the log.
     pub scenario: Option<PathBuf>,
-    /// The program's time step, s.
+    /// Time step of the program, s.
     pub step: Option<f64>,
-    /// The program.
+    /// Name of the program.
     pub engine: Option<String>,
-    /// The columns that were read, and as what.
+    /// Columns that were read, with their meaning.
     pub read: Vec<ReadColumns>,
     /// Columns that were not read.
     pub ignored: Vec<String>,
-    /// Keys of the head that mean nothing here.
+    /// Keys of the head that are not known here.
     pub ignored_keys: Vec<String>,
 }
 
 impl RunLog {
-    /// All that was not read: columns by their names, and keys of the head as `# key`.
+    /// Returns everything that was not read: names of columns, and keys of the head as `# key`.
     pub fn not_read(&self) -> Vec<String> {
         let keys = self.ignored_keys.iter().map(|key| format!("# {key}"));
         self.ignored.iter().cloned().chain(keys).collect()
     }
 }
 
-/// Columns that were read, and as what.
+/// Columns that were read, with their meaning.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReadColumns {
-    /// `"angular velocity along body axes, deg/s"`
+    /// Meaning, such as `"angular velocity along body axes, deg/s"`.
     pub what: String,
-    /// Their names.
+    /// Names of the columns.
     pub columns: Vec<String>,
 }
 
-/// Reads a log; what the user says of its columns holds against what it says itself.
+/// Reads a log. Statements of the user about its columns override those of the log.
 ///
 /// # Errors
-/// [`FormatError`], with the place, if the file cannot be read, lacks columns or leaves open which they are, a row is not complete or
-/// not finite, the time does not go on, or an attitude is none.
+/// [`FormatError`] with its position: if the file cannot be read, if columns are missing or
+/// ambiguous, if a row is incomplete or not finite, if the time does not increase, or if an
+/// attitude is invalid.
 pub fn read(files: &dyn Files, path: &Path, columns: Option<&Columns>) -> Result<RunLog, FormatError> {
     of_file(files, path, columns, Wanted::Attitude, finished)
 }
 
-/// Reads what an instrument logged: angular velocities or attitudes, or both. As [`read()`] otherwise.
+/// Reads the log of an instrument: angular velocities, attitudes, or both. Otherwise the same as
+/// [`read()`].
 ///
 /// # Errors
-/// As [`read()`].
+/// Same as [`read()`].
 pub fn read_measured(
     files: &dyn Files,
     path: &Path,
@@ -147,7 +157,7 @@ pub fn read_measured(
     of_file(files, path, columns, Wanted::Either, |_, plan, rows| Ok(MeasuredLog::of(plan, rows)))
 }
 
-/// The numbers of a file, and what becomes of them.
+/// Reads the numbers of a file, and applies `finish` to them.
 fn of_file<T>(
     files: &dyn Files,
     path: &Path,
@@ -167,7 +177,7 @@ fn of_file<T>(
     };
     let finish = |(head, plan, rows)| finish(head, plan, rows);
     match streamed {
-        // The place of an error is shown with its line.
+        // The whole text is needed to show an error with its line.
         Some(read) => {
             read.and_then(finish).or_else(|error| Err(FormatError::of_content(path, &whole()?, error)))
         }
@@ -179,10 +189,10 @@ fn of_file<T>(
     }
 }
 
-/// What a file says of itself, what its columns are, and its numbers.
+/// Head of a file, meaning of its columns, and its numbers.
 type Numbers = (Head, Plan, Rows);
 
-/// Reads a file of text block by block; `None` of one that has to be in memory as a whole.
+/// Reads a text file block by block. Returns `None` for a file that must be in memory as a whole.
 fn streamed(
     files: &dyn Files,
     path: &Path,
@@ -205,7 +215,7 @@ fn streamed(
     }
 }
 
-/// What a Parquet file begins with.
+/// First bytes of a Parquet file.
 pub const PARQUET: &[u8] = b"PAR1";
 
 /// Reads a log from the bytes of a file.
@@ -225,7 +235,7 @@ pub const PARQUET: &[u8] = b"PAR1";
 /// ```
 ///
 /// # Errors
-/// As [`read()`].
+/// Same as [`read()`].
 pub fn from_bytes(bytes: &[u8], columns: Option<&Columns>) -> Result<RunLog, ContentError> {
     let (head, plan, rows) = numbers(&Bytes::copy_from_slice(bytes), columns, Wanted::Attitude)?;
     finished(head, plan, rows)
@@ -244,7 +254,7 @@ fn numbers(bytes: &Bytes, columns: Option<&Columns>, wanted: Wanted) -> Result<N
     })
 }
 
-/// Reads a log from text of some length.
+/// Reads a log from text. `length` is its number of bytes, if known.
 fn of_text(
     stream: impl Read,
     length: Option<u64>,

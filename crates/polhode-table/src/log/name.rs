@@ -1,54 +1,58 @@
-//! What the name of a column says: of `robot.angularVelocity_y [deg/s]` a number of an angular velocity, the one along y, in deg/s.
+//! Parser for names of columns. For example, `robot.angularVelocity_y [deg/s]` is the y component
+//! of an angular velocity, in deg/s.
 
 use polhode::infer::judge::{AttitudeSense, OmegaAxes};
 
-/// A name, taken apart.
+/// Parts of the name of a column.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Name {
-    /// What its columns have in common: the name without the part that tells them apart, and without the unit.
+    /// Common part of the names of a group: without the label and without the unit.
     pub group: String,
-    /// What its numbers may be.
+    /// Possible meaning of the numbers.
     pub kind: Kind,
-    /// What tells it from the others of its group: `x`, `11`; nothing of a time.
+    /// Label within its group: `x`, `11`; empty for a time.
     pub label: String,
-    /// Along which axes an angular velocity is.
+    /// Axes of an angular velocity.
     pub axes: Option<OmegaAxes>,
-    /// Which way a rotation goes.
+    /// Direction of a rotation.
     pub sense: Option<AttitudeSense>,
-    /// The unit, as units are written.
+    /// Unit in its usual spelling.
     pub unit: Option<String>,
-    /// How far it is from the plain name of a thing: 0 is that, more has something before it, or measures it.
+    /// Distance from the plain name of a quantity: 0 for the plain name. It is greater with
+    /// preceding words, and for a sensor.
     pub distance: u8,
 }
 
-/// What the numbers of a group of columns may be.
+/// Possible meaning of the numbers in a group of columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     Time,
-    /// A quaternion or a matrix: how many there are tells.
+    /// Quaternion or matrix. The number of columns decides.
     Attitude,
     Omega,
     Euler,
 }
 
-/// Words for a time, without blanks; the last ones have no unit of their own that everybody would take for granted.
+/// Words for a time, without blanks. The last ones have no obvious default unit.
 const TIMES: &str = "t time simtime simulationtime elapsed elapsedtime seconds timestamp stamp";
-/// Times of which programs write milliseconds, microseconds and nanoseconds alike.
+/// Words for times that programs write in milliseconds, microseconds or nanoseconds.
 const STAMPS: &str = "timestamp stamp";
 const ATTITUDES: &str = "q quat quaternion attitude att orientation orient rotation rot r rotmat rotationmatrix rmat dcm \
                          directioncosinematrix cosinematrix matrix mat xmat xquat m c a";
 const OMEGAS: &str =
     "omega w gyro gyroscope angvel angularvel angularvelocity angvelocity angularrate angular rate rates om";
-/// Sensors: their axes are the body's, and another column may have the velocity itself.
+/// Words for sensors. Their axes are those of the body, and another column may have the angular
+/// velocity itself.
 const GYROS: &str = "gyro gyroscope";
 const EULERS: &str = "euler eulerangle eulerangles eul rpy";
 const ANGLES: &str = "roll pitch yaw phi theta psi precession nutation spin";
-/// Words that make it another thing, though the rest is the same.
+/// Words that change the meaning of a name.
 const OTHERS: &str = "target desired des cmd command commanded ref reference setpoint error err delta dot wheel rotor orbit initial \
                       cpu wall compute step solver std sigma cov covariance var variance accel acceleration torque moment";
 const SPACE: &str = "space world inertial global eci";
 
-/// Units as the ends of names write them, and as [`polhode_source::unit`] reads them; longer ones first.
+/// Units as written at the end of names, and as read by [`polhode_source::unit`]. Longer ones are
+/// first.
 const UNITS: [(&str, &str); 33] = [
     ("rad per sec", "rad/s"),
     ("deg per sec", "deg/s"),
@@ -86,7 +90,7 @@ const UNITS: [(&str, &str); 33] = [
 ];
 
 impl Name {
-    /// `None` of a name that says nothing of a motion.
+    /// Parses a name. Returns `None` if it does not belong to a motion.
     pub(crate) fn of(text: &str) -> Option<Self> {
         let (text, bracketed) = split_bracket(text.trim());
         let mut words = words(text);
@@ -129,21 +133,21 @@ impl Name {
         if let Some((distance, _)) = stem(&stems, EULERS) {
             return Some(Self { kind: Kind::Euler, distance, ..named });
         }
-        // Plain w, x, y, z are a quaternion where all four are there.
+        // Plain w, x, y, z are a quaternion if all four exist.
         let (distance, word) =
             if stems.is_empty() && is_letter { (2, String::new()) } else { stem(&stems, ATTITUDES)? };
-        // Behind other words, one letter says little: kg_m2.
+        // After other words, one letter is not enough: `kg_m2`.
         let is_said = distance == 0 || !has("m c a", &word);
         is_said.then_some(Self { kind: Kind::Attitude, distance, ..named })
     }
 
-    /// Whether a time of this name needs a unit.
+    /// Returns true if a time with this name needs a unit.
     pub(crate) fn is_stamp(&self) -> bool {
         self.kind == Kind::Time && self.group.rsplit('_').next().is_some_and(|word| has(STAMPS, word))
     }
 }
 
-/// A unit as [`polhode_source::unit`] reads it, if it is spelt otherwise.
+/// Returns a unit in the spelling of [`polhode_source::unit`].
 pub(crate) fn spelt_unit(text: &str) -> String {
     let joined = words(text).join(" ");
     let known = UNITS.iter().find(|(written, _)| *written == joined);
@@ -154,7 +158,7 @@ fn has(list: &str, word: &str) -> bool {
     list.split_whitespace().any(|known| known == word)
 }
 
-/// The name, and what stands in brackets at its end, unless that is an index.
+/// Splits a name from the text in brackets at its end, unless that is an index.
 fn split_bracket(text: &str) -> (&str, Option<&str>) {
     let split = text.strip_suffix([']', ')']).and_then(|open| open.rsplit_once(['[', '(']));
     match split {
@@ -165,7 +169,8 @@ fn split_bracket(text: &str) -> (&str, Option<&str>) {
     }
 }
 
-/// The words of a name in lower case: parted by what is no letter, where small letters meet a capital, and letters a digit.
+/// Splits a name into words, in lower case. Words end at a character that is not a letter or a
+/// digit, before a capital after a small letter, and between letters and digits.
 fn words(text: &str) -> Vec<String> {
     let spelt = text.replace(['ω', 'Ω'], " omega ").replace(['φ', 'ϕ', 'Φ'], " phi ");
     let spelt = spelt.replace('°', " deg ").replace(['θ', 'ϑ', 'Θ'], " theta ").replace(['ψ', 'Ψ'], " psi ");
@@ -187,7 +192,7 @@ fn words(text: &str) -> Vec<String> {
     words
 }
 
-/// Takes the unit off the end; a word alone is none.
+/// Removes the unit from the end. A single word is not a unit.
 fn take_unit(words: &mut Vec<String>) -> Option<String> {
     let joined = words.join(" ");
     let (written, unit) = UNITS
@@ -197,7 +202,7 @@ fn take_unit(words: &mut Vec<String>) -> Option<String> {
     Some((*unit).to_owned())
 }
 
-/// What words say of axes and of the sense, and the words without them.
+/// Returns the axes and the sense that words state, and the remaining words.
 fn qualifiers(words: &[String]) -> (Option<OmegaAxes>, Option<AttitudeSense>, Vec<String>) {
     let is_space = |word: &str| has(SPACE, word);
     let (mut axes, mut sense, mut rest) = ([false; 2], None, Vec::new());
@@ -211,7 +216,7 @@ fn qualifiers(words: &[String]) -> (Option<OmegaAxes>, Option<AttitudeSense>, Ve
             [from, "to" | "2", "body"] if is_space(from) => {
                 (sense, at) = (Some(AttitudeSense::SpaceToBody), at + 3);
             }
-            // R_body_space is one thing here and another elsewhere.
+            // `R_body_space` has different meanings in different programs.
             ["body", other, _] if is_space(other) => at += 2,
             [other, "body", _] if is_space(other) => at += 2,
             ["body", ..] => (axes[0], at) = (true, at + 1),
@@ -230,7 +235,8 @@ fn qualifiers(words: &[String]) -> (Option<OmegaAxes>, Option<AttitudeSense>, Ve
     (axes, sense, rest)
 }
 
-/// Whether the last of the words are one of a list, written in one; how many stand before them, and which it is.
+/// Finds the last words, written as one, in a list. Returns the number of preceding words, and the
+/// word of the list.
 fn stem(words: &[String], list: &str) -> Option<(u8, String)> {
     (0..words.len()).find_map(|start| {
         let joined = words[start..].concat();
@@ -238,7 +244,7 @@ fn stem(words: &[String], list: &str) -> Option<(u8, String)> {
     })
 }
 
-/// Takes off the end what tells a column from its neighbours: `x`, `11`, and of `qw` the w.
+/// Removes the label from the end: `x`, `11`, or the w of `qw`.
 fn take_label(words: &mut Vec<String>) -> Option<String> {
     let last = words.pop()?;
     if has("w x y z i j k real", &last) || is_pair(&last) || has(ANGLES, &last) {
@@ -258,7 +264,7 @@ fn take_label(words: &mut Vec<String>) -> Option<String> {
     Some(label)
 }
 
-/// Two letters of axes, as elements of matrices have them.
+/// Returns true for two letters of axes, as for elements of matrices.
 fn is_pair(text: &str) -> bool {
     text.len() == 2 && text.bytes().all(|b| b"xyz".contains(&b))
 }

@@ -1,4 +1,5 @@
-//! Parquet: a column of doubles, floats or integers for each number, and `polhode.scenario` in the metadata of the file.
+//! Parquet: a column of doubles, floats or integers for each number, and keys such as
+//! `polhode.scenario` in the metadata of the file.
 
 use std::thread;
 
@@ -16,10 +17,10 @@ use super::columns::Columns;
 use super::head::Head;
 use super::rows::{MOST, Problem, RowError, Rows};
 
-/// Rows that are in memory beside the result.
+/// Number of rows that are in memory in addition to the result.
 const BATCH: usize = 1 << 16;
 
-/// Reads a file.
+/// Reads a log from a Parquet file.
 pub(crate) fn read(
     bytes: Bytes,
     told: Option<&Columns>,
@@ -32,7 +33,7 @@ pub(crate) fn read(
     let plan = choice::choose(&header(&file), &columns, &head.units, wanted)?;
     let mut rows = Rows::default();
     let expected = usize::try_from(file.metadata().file_metadata().num_rows()).unwrap_or(0);
-    // A file may say what it likes.
+    // The number of rows that a file states may be wrong.
     rows.reserve(&plan, expected.min(length));
     let places: Vec<usize> = plan.slots.iter().map(|slot| slot.column).collect();
     each_batch(&file, &places, |batch, count| {
@@ -41,12 +42,12 @@ pub(crate) fn read(
     Ok((head, plan, rows))
 }
 
-/// The names of a file's columns.
+/// Returns the names of a file's columns.
 pub fn names(bytes: &Bytes) -> Result<Vec<String>, ContentError> {
     Ok(header(&opened(bytes.clone())?).names)
 }
 
-/// The numbers of some columns, row by row.
+/// Returns the numbers of some columns, row by row.
 pub fn table(bytes: &Bytes, places: &[usize]) -> Result<Vec<Vec<f64>>, ContentError> {
     let file = opened(bytes.clone())?;
     let names = header(&file).names;
@@ -73,7 +74,7 @@ fn opened(bytes: Bytes) -> Result<SerializedFileReader<Bytes>, ContentError> {
     SerializedFileReader::new(bytes).map_err(|error| broken(&error))
 }
 
-/// Hands on the rows of some columns, a batch and its number of rows at a time.
+/// Passes on the rows of some columns in batches, with the number of rows in each.
 fn each_batch(
     file: &SerializedFileReader<Bytes>,
     places: &[usize],
@@ -132,7 +133,7 @@ fn header(file: &SerializedFileReader<Bytes>) -> Header {
     header
 }
 
-/// The unit of a time, where the type of a column has one.
+/// Returns the unit of a time, if the type of the column has one.
 fn unit(column: &ColumnDescriptor) -> Option<&'static str> {
     match (column.logical_type_ref(), column.converted_type()) {
         (Some(LogicalType::Timestamp(time) | LogicalType::Time(time)), _) => Some(match time.unit {
@@ -146,7 +147,7 @@ fn unit(column: &ColumnDescriptor) -> Option<&'static str> {
     }
 }
 
-/// Refuses a column that is not a number in each row.
+/// Refuses a column that does not have a number in each row.
 fn numeric(column: &ColumnDescriptor, name: &str) -> Result<(), ContentError> {
     let unsupported = |what: String| {
         let kind = ContentErrorKind::Unsupported { what };
@@ -162,16 +163,16 @@ fn numeric(column: &ColumnDescriptor, name: &str) -> Result<(), ContentError> {
     }
 }
 
-/// The numbers of a column; NaN where there is none, and where the first of these is.
+/// Numbers of a column, NaN if missing, and the index of the first missing number.
 type Numbers = (Vec<f64>, Option<usize>);
 
-/// The next rows of each column, half of the columns beside the other half.
+/// Reads the next rows of each column. Two threads read half of the columns each.
 fn batch(readers: &mut [(ColumnReader, i16)], count: usize) -> Result<Vec<Numbers>, ParquetError> {
     let next = |readers: &mut [(ColumnReader, i16)]| -> Result<Vec<Numbers>, ParquetError> {
         readers.iter_mut().map(|(reader, level)| numbers(reader, *level, count)).collect()
     };
     let (one, other) = readers.split_at_mut(readers.len() / 2);
-    // Where pages are not what their headers say, the reader of the parquet crate panics.
+    // The `parquet` crate panics if pages contradict their headers.
     let contradicts = |_| ParquetError::General("its pages contradict their headers".to_owned());
     thread::scope(|scope| {
         let halves = [scope.spawn(|| next(one)), scope.spawn(|| next(other))];

@@ -1,4 +1,4 @@
-//! Rows of numbers as rows of a motion, and what can be wrong with one.
+//! Rows of numbers as rows of a motion, and the errors of a row.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use super::choice::{Form, Plan};
 use super::matrix::{self, MatrixError};
 
-/// Numbers of a row: the time, nine of an attitude at most, and an angular velocity.
+/// Largest number of values in a row: the time, nine of an attitude, and an angular velocity.
 pub(crate) const MOST: usize = 13;
 
 /// Rows of a motion in SI.
@@ -16,11 +16,11 @@ pub(crate) struct Rows {
     pub times: Vec<f64>,
     pub attitude: Vec<[f64; 4]>,
     pub omega: Vec<[f64; 3]>,
-    /// Where the first one stands, in a text.
+    /// Position of the first row, in a text.
     first: Range<usize>,
 }
 
-/// What is wrong with a row, and which row it is, from 0.
+/// Error of a row, with its index, from 0.
 #[derive(Debug)]
 pub(crate) struct RowError {
     pub row: usize,
@@ -28,7 +28,7 @@ pub(crate) struct RowError {
     pub problem: Problem,
 }
 
-/// What can be wrong with a row; slots are those of its plan.
+/// Possible error of a row. Slots are those of its plan.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Problem {
     NotNumber {
@@ -60,14 +60,14 @@ pub(crate) enum Problem {
     },
     ZeroQuaternion,
     Matrix(MatrixError),
-    /// A comment `key = value` below the header.
+    /// A key `# key = value` is below the header.
     LateKey {
         key: String,
     },
 }
 
 impl Rows {
-    /// Adds a row of finite numbers, which stands there.
+    /// Adds a row of finite numbers from a place in the text.
     pub(crate) fn push(&mut self, plan: &Plan, numbers: &[f64], place: Range<usize>) -> Result<(), Problem> {
         let [time, numbers @ ..] = numbers else { return Ok(()) };
         let time = plan.time.apply(*time);
@@ -99,7 +99,7 @@ impl Rows {
         Ok(())
     }
 
-    /// Adds rows that follow; an error counts them from 0.
+    /// Adds rows that follow. An error has its row index relative to these rows.
     pub(crate) fn append(&mut self, mut next: Self) -> Result<(), RowError> {
         if let (Some(&before), Some(&time)) = (self.times.last(), next.times.first())
             && time <= before
@@ -116,7 +116,7 @@ impl Rows {
         Ok(())
     }
 
-    /// Makes room for so many rows in all.
+    /// Reserves memory for this number of rows in total.
     pub(crate) fn reserve(&mut self, plan: &Plan, rows: usize) {
         self.times.reserve(rows.saturating_sub(self.times.len()));
         self.attitude.reserve(rows.saturating_sub(self.attitude.len()));
@@ -126,13 +126,13 @@ impl Rows {
     }
 }
 
-/// The first numbers; there are as many, as the plan has a slot for each.
+/// Returns the first N numbers. The plan has a slot for each, so they exist.
 fn array<const N: usize>(numbers: &[f64]) -> [f64; N] {
     numbers.first_chunk().copied().unwrap_or([f64::NAN; N])
 }
 
 impl RowError {
-    /// In words, with the names of the columns.
+    /// Returns the error as a message with the names of the columns.
     pub(crate) fn told(self, plan: &Plan) -> ContentError {
         let row = self.row + 1;
         let of = |slot: usize| format!("{} of row {row}", plan.slots.get(slot).map_or("", |slot| &slot.name));

@@ -1,6 +1,6 @@
-//! Tables as text: RFC 4180 with LF line ends.
+//! Tables as CSV: RFC 4180 with LF line ends.
 //!
-//! Numbers are the shortest decimals that read back bit for bit, so nothing ever needs quoting.
+//! Numbers are the shortest decimals that read back bit for bit, so no field needs quotes.
 
 use std::io::{self, BufWriter, Write};
 
@@ -10,7 +10,7 @@ impl Table<'_> {
     /// Writes the table as text: a line of column names, then a line per row.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn write_csv(&self, out: impl Write) -> io::Result<()> {
         let mut out = BufWriter::new(out);
         separated(&mut out, self.columns(), |out, column| write!(out, "{}", column.name))?;
@@ -21,7 +21,7 @@ impl Table<'_> {
     }
 }
 
-/// One line: each column by `cell`, commas between.
+/// Writes one line: the columns as formatted by `cell`, separated by commas.
 fn separated<W: Write>(
     out: &mut W,
     columns: &[Column<'_>],

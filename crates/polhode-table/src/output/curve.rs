@@ -1,23 +1,24 @@
-//! The curves of a free motion: a row per point.
+//! Curves of a free motion, with a row for each point.
 //!
-//! Points are where the curve bends, not at equal times. A closed curve ends with the point with which it begins.
+//! Points are dense where the curve bends; they are not at equal times. A closed curve ends with
+//! its first point.
 
 use polhode::observe::{Curve, Herpolhode, MomentumTrace, Polhode, RollingCones};
 
 use super::Table;
 
-/// The path of ω in the body.
+/// Returns the path of ω in the body, rad/s.
 pub fn polhode(polhode: &Polhode) -> Table<'_> {
     of(["omega_body", "_rad_s"], "rad/s", &polhode.curve)
 }
 
-/// The path of L in the body.
+/// Returns the path of L in the body, kg·m²/s.
 pub fn momentum(trace: &MomentumTrace) -> Table<'_> {
     of(["momentum_body", "_kg_m2_s"], "kg·m²/s", &trace.curve)
 }
 
-/// The path of ω on the invariable plane: its component across L along space axes, and in two
-/// right-handed axes of the plane.
+/// Returns the path of ω on the invariable plane, rad/s. It has the component of ω perpendicular to
+/// L along space axes, and its coordinates in two right-handed axes of the plane.
 pub fn herpolhode(herpolhode: &Herpolhode) -> Table<'_> {
     let mut table = of(["across_space", "_rad_s"], "rad/s", &herpolhode.curve);
     let plane = herpolhode.in_plane();
@@ -29,12 +30,12 @@ pub fn herpolhode(herpolhode: &Herpolhode) -> Table<'_> {
     table
 }
 
-/// The rulings of the body cone, ω along body axes.
+/// Returns the rulings of the body cone: ω along body axes, rad/s.
 pub fn body_cone(cones: &RollingCones) -> Table<'_> {
     of(["omega_body", "_rad_s"], "rad/s", &cones.body)
 }
 
-/// The rulings of the space cone at the same times, ω along space axes.
+/// Returns the rulings of the space cone at the same times: ω along space axes, rad/s.
 pub fn space_cone(cones: &RollingCones) -> Table<'_> {
     of(["omega_space", "_rad_s"], "rad/s", &cones.space)
 }

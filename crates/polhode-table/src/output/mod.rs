@@ -1,7 +1,7 @@
-//! Tables: one row per sample or point, one column per number.
+//! Tables of numbers: one row for each sample or point, one column for each number.
 //!
-//! The columns of a table are defined in a file of their own, and each format writes any table. SI units, named in the
-//! column's name where it has one.
+//! Each kind of table defines its columns in a separate file, and each format writes any table.
+//! Units are SI. The name of a column contains its unit, if it has one.
 
 mod csv;
 pub mod curve;
@@ -16,7 +16,7 @@ pub use parquet::{io_error, parquet_properties};
 pub use required::required;
 pub use trajectory::Surroundings;
 
-/// A table of numbers, whose rows are computed as they are written.
+/// Table of numbers, whose rows are computed while they are written.
 #[derive(Debug)]
 pub struct Table<'a> {
     name: &'static str,
@@ -24,13 +24,13 @@ pub struct Table<'a> {
     columns: Vec<Column<'a>>,
 }
 
-/// One column of a table.
+/// Column of a table.
 pub struct Column<'a> {
-    /// The name, with its unit as suffix.
+    /// Name, with the unit as a suffix.
     pub name: Cow<'static, str>,
-    /// The unit in SI symbols; `1` for a pure number.
+    /// Unit in SI symbols; `1` for a dimensionless number.
     pub unit: &'static str,
-    /// What it is.
+    /// Description of the numbers, in words.
     pub description: &'static str,
     value: Box<dyn Fn(usize) -> f64 + 'a>,
 }
@@ -40,12 +40,12 @@ impl<'a> Table<'a> {
         Self { name, rows, columns: Vec::new() }
     }
 
-    /// All columns, in order.
+    /// Returns all columns in their order.
     pub fn columns(&self) -> &[Column<'a>] {
         &self.columns
     }
 
-    /// How many rows there are.
+    /// Returns the number of rows.
     pub const fn rows(&self) -> usize {
         self.rows
     }
@@ -60,7 +60,7 @@ impl<'a> Table<'a> {
         self.columns.push(Column { name: name.into(), unit, description, value: Box::new(value) });
     }
 
-    /// Three columns: `NAME_x_SUFFIX` and so on.
+    /// Adds three columns: `NAME_x_SUFFIX` and so on.
     fn vector(
         &mut self,
         [name, suffix]: [&str; 2],
@@ -76,7 +76,7 @@ impl<'a> Table<'a> {
 }
 
 impl Column<'_> {
-    /// The number of a row, from 0; NaN beyond the last.
+    /// Returns the number in a row, from 0; NaN beyond the last row.
     pub fn value(&self, row: usize) -> f64 {
         (self.value)(row)
     }
@@ -88,7 +88,7 @@ impl fmt::Debug for Column<'_> {
     }
 }
 
-/// How signs, orders and frames are to be read: for the metadata of formats that have any.
+/// Conventions for signs, orders and frames, for formats that have metadata.
 pub const CONVENTIONS: &str = "SI units; attitude = R_space_body (v_space = R v_body), unit quaternion, Hamilton, \
     scalar first (w, x, y, z), continuous in time; omega is the body's angular velocity relative to space; inertia, \
     momentum, torque and rotational kinetic energy are about the centre of mass of a free body, about the pivot of a \

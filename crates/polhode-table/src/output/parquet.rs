@@ -1,7 +1,7 @@
 //! Tables as Apache Parquet: columns of required doubles, each with its unit in the file's metadata.
 //!
-//! Bytes of equal weight stand together (`BYTE_STREAM_SPLIT`) before LZ4 packs them, because neighbouring samples
-//! share their signs, exponents and first digits and little else.
+//! `BYTE_STREAM_SPLIT` stores bytes of equal weight together before the LZ4 compression.
+//! Neighbouring samples share their signs, exponents and first digits, and little else.
 
 use std::io::{self, Write};
 use std::sync::Arc;
@@ -16,17 +16,18 @@ use ::parquet::schema::types::{Type, TypePtr};
 
 use super::{CONVENTIONS, Column, Table};
 
-/// Rows that are held in memory, and packed, at a time.
+/// Number of rows that are in memory and compressed at a time.
 const ROW_GROUP: usize = 1 << 20;
 
 impl Table<'_> {
     /// Writes the table as Apache Parquet.
     ///
-    /// The file's metadata holds `polhode.version`, `polhode.conventions` ([`CONVENTIONS`]), `polhode.units` and
-    /// `polhode.descriptions` (JSON objects, column → text), and the pairs of `metadata` after them.
+    /// The file's metadata has `polhode.version`, `polhode.conventions` ([`CONVENTIONS`]),
+    /// `polhode.units` and `polhode.descriptions` (JSON objects, column → text). The pairs of
+    /// `metadata` follow.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of `out`.
     pub fn write_parquet(&self, metadata: &[(String, String)], out: impl Write + Send) -> io::Result<()> {
         self.encode(metadata, out).map_err(io_error)
     }
@@ -70,24 +71,26 @@ fn properties(columns: &[Column<'_>], metadata: &[(String, String)]) -> WriterPr
     parquet_properties(pairs).set_encoding(Encoding::BYTE_STREAM_SPLIT).build()
 }
 
-/// Properties of every Parquet file that polhode writes, with the pairs of its metadata.
+/// Returns the properties of every Parquet file that polhode writes, with these pairs in its
+/// metadata.
 #[must_use]
 pub fn parquet_properties(pairs: Vec<KeyValue>) -> WriterPropertiesBuilder {
     WriterProperties::builder()
         .set_created_by(concat!("polhode version ", env!("CARGO_PKG_VERSION")).to_owned())
         .set_key_value_metadata(Some(pairs))
-        .set_dictionary_enabled(false) // hardly a number of a motion comes twice
+        .set_dictionary_enabled(false) // the numbers of a motion hardly repeat
         .set_compression(Compression::LZ4_RAW)
-        .set_statistics_enabled(EnabledStatistics::None) // nobody searches a motion by value
+        .set_statistics_enabled(EnabledStatistics::None) // motions are not searched by value
 }
 
-/// `{"name": "text", …}` of texts without quotes, backslashes or control characters: ours are (a test says so).
+/// Returns `{"name": "text", …}`. The texts must not contain quotes, backslashes or control
+/// characters. A test checks this.
 fn json_object(columns: &[Column<'_>], text: impl Fn(&Column<'_>) -> &'static str) -> String {
     let members: Vec<_> = columns.iter().map(|c| format!("\"{}\": \"{}\"", c.name, text(c))).collect();
     format!("{{{}}}", members.join(", "))
 }
 
-/// The error of the reader or writer below, where that is what it was.
+/// Returns the error of the underlying reader or writer, if that is the cause.
 pub fn io_error(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(inner) => match inner.downcast::<io::Error>() {

@@ -1,7 +1,7 @@
-//! The table of what a prescribed motion needs: one row per sample.
+//! Table of the torques and forces that a prescribed motion requires, with a row for each sample.
 //!
-//! The first columns are always there; after them come the forces on given points, numbered from 1, and those of a shaft's
-//! bearings.
+//! The first columns always exist. They are followed by the forces on given points, numbered from
+//! 1, and the forces of a shaft's bearings.
 
 use polhode::body::Particle;
 use polhode::math::{Body, Force};
@@ -9,7 +9,8 @@ use polhode::motion::{MountedShaft, Required, Rotor};
 
 use super::Table;
 
-/// The table of some samples, with the forces on points of the body and on the bearings of its shaft.
+/// Returns the table of some samples, with the forces on points of the body and on the bearings of
+/// its shaft.
 pub fn required<'a>(
     samples: &'a [Required],
     rotor: &'a Rotor,

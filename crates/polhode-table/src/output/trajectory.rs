@@ -1,4 +1,4 @@
-//! The table of a trajectory: one row per sample.
+//! Table of a trajectory, with a row for each sample.
 //!
 //! Attitudes are R_space_body as unit quaternions (w, x, y, z).
 
@@ -7,14 +7,14 @@ use polhode::motion::{Orbit, Pointing, Sample, Scenario, StateError, Trajectory,
 
 use super::Table;
 
-/// Wheels inside the body, its orbit, and the angles of interest, which a trajectory does not have.
+/// Wheels inside the body, its orbit, and the reported angles. A trajectory does not contain these.
 #[derive(Clone, Debug, Default)]
 pub struct Surroundings {
-    /// The wheels of the body, in its order.
+    /// Wheels of the body, in their order.
     pub wheels: Vec<Wheel>,
-    /// The orbit of its centre of mass.
+    /// Orbit of the centre of mass.
     pub orbit: Option<Orbit>,
-    /// The angles that are of interest.
+    /// Directions whose angles are reported.
     pub pointings: Vec<Pointing>,
 }
 
@@ -29,15 +29,15 @@ impl From<&Scenario> for Surroundings {
 }
 
 impl<'a> Table<'a> {
-    /// The table of a trajectory. Its columns are, in order:
+    /// Returns the table of a trajectory. Its columns are, in order:
     ///
-    /// - those of every motion
-    /// - the potential energy, where every torque has a potential
+    /// - time, attitude, angular velocity, momentum, torque and kinetic energy
+    /// - the potential energy, if every torque has a potential
     /// - the channels of a body on the ground or in gimbals, with energies and works
-    /// - the estimates of the error, where there are any
+    /// - estimates of the error, if there are any
     /// - momentum and speed of each wheel, numbered from 1; a wheel held at its speed has only the momentum
-    /// - attitude relative to the orbit, and place on it
-    /// - the angles of interest
+    /// - attitude relative to the orbit, and position on it
+    /// - angles of the reported directions
     pub fn of(trajectory: &'a Trajectory, surroundings: &Surroundings) -> Self {
         let samples = trajectory.samples();
         let mut table = Self::new("trajectory", samples.len());
@@ -130,7 +130,7 @@ impl<'a> Table<'a> {
     }
 }
 
-/// A vector of each sample, by its row.
+/// Returns a vector of each sample, as a function of the row.
 fn of_sample<'a, V: Fn(&Sample) -> [f64; 3] + Clone + 'a>(
     samples: &'a [Sample],
     value: V,

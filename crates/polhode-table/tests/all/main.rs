@@ -1,4 +1,5 @@
-//! The integration tests of `polhode-table`, as one program: each links the whole library.
+//! Integration tests of `polhode-table`. They are one program, because each program links the whole
+//! library.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may")]
 
 mod log;

@@ -1,4 +1,4 @@
-//! The trajectory table: its columns, and that every format gives back the bits it was given.
+//! Trajectory table: its columns, and the bit-for-bit output of every format.
 
 use std::fs::File;
 use std::io;
@@ -13,14 +13,14 @@ use polhode::motion::torque::{TorqueModel, UniformGravity};
 use polhode::motion::{ErrorEffort, Method, Motor, Rotor, Simulation, State, Trajectory, Wheel};
 use polhode_table::output::{Surroundings, Table};
 
-/// One wheel whose speed is held, and one that a motor turns.
+/// Returns a wheel whose speed is held, and a wheel that a motor turns.
 fn wheels() -> [Wheel; 2] {
     let motor = Motor::Torque { inertia: 0.31, torque: -0.42, schedule: None };
     let held = Wheel::new(Direction::new(0.3, 0.5, -0.8), 1.7, Motor::HeldSpeed).unwrap();
     [held, Wheel::new(Direction::new(-0.6, 0.2, 0.7), 0.9, motor).unwrap()]
 }
 
-/// A generic body in free fall, the same swinging from a pivot, and the same with wheels.
+/// Returns motions of a generic body: in free fall, swinging from a pivot, and with wheels.
 fn trajectories() -> [(Trajectory, Surroundings); 3] {
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
     let body = MassProperties::new(2.0, Position::new(0.1, -0.2, 0.5), inertia).unwrap();
@@ -40,7 +40,7 @@ fn trajectories() -> [(Trajectory, Surroundings); 3] {
     ]
 }
 
-/// The bits of every number, row by row.
+/// Returns the bits of every number, row by row.
 fn bits(trajectory: &Trajectory, surroundings: &Surroundings) -> Vec<Vec<u64>> {
     let table = Table::of(trajectory, surroundings);
     (0..table.rows()).map(|row| table.columns().iter().map(|c| c.value(row).to_bits()).collect()).collect()
@@ -82,7 +82,7 @@ fn estimated_errors_are_columns_of_their_own() {
     assert!(attitude.value(2) > attitude.value(0));
 }
 
-/// L = R (I ω + Σ h a) in space stays what it is, and a wheel's momentum is J (a·ω + Ω).
+/// L = R (I ω + Σ h a) is constant in space, and the momentum of a wheel is J (a·ω + Ω).
 #[test]
 fn the_columns_of_wheels_balance_those_of_the_body() {
     let [_, _, (motion, surroundings)] = trajectories();

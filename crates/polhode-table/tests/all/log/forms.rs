@@ -22,7 +22,7 @@ fn quaternions_keep_their_bits_and_their_length() {
         assert_eq!(log.log.omega().unwrap()[k], omega(k));
         assert_eq!(log.log.times()[k], time(k));
     }
-    // Scalar last by its letters; by numbers nothing is known.
+    // Letters show that the scalar is last. Numbers do not show the order.
     let last = |k, a: Attitude| {
         let [w, x, y, z] = a.quaternion();
         with_time(k, [x, y, z, w])
@@ -66,7 +66,7 @@ fn matrices_become_quaternions() {
         assert!(angle(&log) < 4e-16, "{header}: {}", angle(&log));
         assert_eq!((log.says.order, log.says.sense), (Some(QuaternionOrder::ScalarFirst), None));
     }
-    // Columns in another order than they stand in, and the inverse.
+    // Columns in another order than that of their names: the transposed matrix is the inverse.
     let header = nine(1, &|i, j| format!("C{j}{i}"));
     let inverse = read(table(&header, ROWS, |k, a| with_time(k, a.matrix().into_iter().flatten())));
     for (attitude, read) in attitudes(ROWS).iter().zip(inverse.log.attitude()) {
@@ -99,7 +99,8 @@ fn matrices_of_few_digits_are_taken_to_the_nearest_rotation() {
     assert!(error.hint().unwrap().contains("left-handed"));
 }
 
-/// The rotation of three turns about axes of the frame as the turns before have left it.
+/// Returns the product of three rotations, each about an axis of the frame after the previous
+/// rotations.
 fn turned(axes: [usize; 3], angles: [f64; 3]) -> Attitude {
     let one = |k: usize| {
         let [x, y, z] = std::array::from_fn(|axis| f64::from(u8::from(axis == axes[k])));
@@ -124,7 +125,7 @@ fn every_sequence_of_euler_angles_is_the_product_of_its_turns() {
             let read =
                 |log: &polhode_table::log::RunLog| Attitude::from_quaternion(log.log.attitude()[k]).unwrap();
             assert!(turned([a, b, c], angles(k)).angle_to(read(&log)) < 1e-15, "{name}");
-            // About axes that stand still, the last turn comes first.
+            // If the axes are fixed, the last rotation comes first.
             let [p, q, r] = angles(k);
             assert!(turned([c, b, a], [r, q, p]).angle_to(read(&fixed)) < 1e-15, "{name}");
         }

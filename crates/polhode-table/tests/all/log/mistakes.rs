@@ -1,4 +1,4 @@
-//! What is refused, and where.
+//! Refusals, with their places.
 
 use super::{read, refused};
 
@@ -50,7 +50,7 @@ fn each_mistake_has_its_line_and_says_what_to_do() {
         let place = error.place().unwrap();
         assert_eq!((place.line, place.column), (5, column), "{rows}");
         assert!(error.hint().unwrap().contains(hint), "{rows}: {:?}", error.hint());
-        // What it refuses is that line alone.
+        // Only that line is refused.
         read(format!("{head}{row}"));
     }
 }
@@ -75,7 +75,7 @@ fn a_key_of_the_head_stands_once() {
     }
 }
 
-/// No key below the line of names is read, and none is ignored without a word.
+/// A key below the line of names is not read. It is an error, so that it is not ignored silently.
 #[test]
 fn a_key_below_the_header_is_refused() {
     let head = "t,qw,qx,qy,qz\n0,1,0,0,0\n# a comment = of several words\n";

@@ -1,4 +1,5 @@
-//! Logs of motions that other programs wrote: each form read back against polhode's own rotations.
+//! Logs of motions by other programs: each form is read back and compared with polhode's own
+//! rotations.
 
 mod forms;
 mod mistakes;
@@ -12,7 +13,7 @@ use polhode_source::FormatError;
 use polhode_table::log as run_log;
 use polhode_table::log::{Columns, RunLog};
 
-/// Attitudes at generic places, none small, continuous.
+/// Returns attitudes at generic places: continuous, with no small numbers.
 fn attitudes(rows: usize) -> Vec<Attitude> {
     let turn = |k: usize| {
         let t = k as f64;
@@ -31,7 +32,7 @@ fn time(k: usize) -> f64 {
     0.125 * k as f64 - 0.3
 }
 
-/// Text with a line for each row.
+/// Returns text with a line for each row.
 fn table(header: &str, rows: usize, numbers: impl Fn(usize, Attitude) -> Vec<f64>) -> String {
     let lines = attitudes(rows).into_iter().enumerate().map(|(k, attitude)| {
         let fields: Vec<String> = numbers(k, attitude).iter().map(|n| format!("{n:?}")).collect();
@@ -56,7 +57,7 @@ fn refused(text: impl AsRef<[u8]>) -> FormatError {
     FormatError::of_content("log.csv".as_ref(), text, error)
 }
 
-/// The largest angle between the attitudes of a log and those that were written.
+/// Returns the largest angle between the attitudes of a log and those that were written.
 fn angle(log: &RunLog) -> f64 {
     let own = attitudes(log.log.times().len());
     let angle = |(own, read): (&Attitude, &[f64; 4])| own.angle_to(Attitude::from_quaternion(*read).unwrap());

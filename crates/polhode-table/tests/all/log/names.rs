@@ -1,4 +1,4 @@
-//! Which columns are read where several could be.
+//! Choice of columns if several are possible.
 
 use polhode::infer::judge::{AttitudeSense, QuaternionOrder};
 use polhode_table::log::{Columns, ColumnsError};

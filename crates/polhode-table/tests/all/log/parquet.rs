@@ -1,4 +1,4 @@
-//! Parquet as pandas and others write it.
+//! Parquet files as written by pandas and other programs.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use polhode_table::log as run_log;
 
 use super::{attitudes, read};
 
-/// A file of these columns: values of an optional one that are NaN are left out. Two groups of rows.
+/// Returns a file of these columns in two groups of rows. NaN in an optional column is left out.
 fn file(schema: &str, pairs: &[(&str, &str)], columns: &[Vec<f64>], compression: Compression) -> Vec<u8> {
     let pairs =
         pairs.iter().map(|(key, value)| KeyValue::new((*key).to_owned(), (*value).to_owned())).collect();

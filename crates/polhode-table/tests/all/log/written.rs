@@ -101,7 +101,7 @@ fn json_lines_have_numbers_arrays_and_objects() {
 
 #[test]
 fn a_large_file_is_read_as_a_small_one_is() {
-    // Several blocks, each in parts; the last line has no end.
+    // Several blocks, each in parts. The last line has no line break.
     let rows = 200_000;
     let mut text = String::from("time_s,attitude_w,attitude_x,attitude_y,attitude_z,note\n");
     let number = |k: usize, j: usize| ((k * 7919 + j * 104_729) % 1_000_003) as f64 / 1_000_003.0 - 0.7;
@@ -122,7 +122,8 @@ fn a_large_file_is_read_as_a_small_one_is() {
             (k as f64 * 1e-3, [1, 2, 3, 4].map(|j| number(k, j)))
         );
     }
-    // A time that goes back far behind is found where it stands, and so is a number that is none.
+    // A time that goes back far into the file is reported at its place, and so is an invalid
+    // number.
     for (row, wrong, message) in [
         (120_001, "119.5,1,0,0,0,", "the time of row 120001 = 119.5 s"),
         (149_000, "148.999,x,0,0,0,", "expected a number as attitude_w of row 149000"),

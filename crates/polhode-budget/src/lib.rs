@@ -35,11 +35,11 @@
 //! | result | function or type |
 //! |---|---|
 //! | basic, predicted and allowable mass | [`Budget::mass_statements`] |
-//! | mass, centre and tensor about any point and axes, with covariance | [`Budget::estimate`], [`Estimate`] |
-//! | principal moments, axes and tilt, with their errors | [`Estimate::principal`], [`PrincipalUncertainty`] |
+//! | mass, centre and tensor with covariance | [`Budget::estimate`], [`Estimate`] |
+//! | principal moments and axes | [`Estimate::principal`], [`PrincipalUncertainty`] |
 //! | contributions of single errors to the variance | [`Budget::sensitivities`] |
 //! | deviations from first order, by random draws | [`Budget::draws`], [`Draws::compare`] |
-//! | bodies that are known only by an estimate | [`Correlated`](polhode::infer::correlated::Correlated) |
+//! | bodies known by an estimate | [`Correlated`](polhode::infer::correlated::Correlated) |
 //! | mass properties over time, or as a function of the tank fill | [`Sequence`], [`Tank`] |
 //! | limits: margin and probability that they are met | [`Budget::limits`], [`Limit`], [`Answer`] |
 //! | light ballast that meets limits, with a lower bound | [`Budget::ballast`], [`FoundBallast`] |

@@ -19,11 +19,12 @@
 //! place of the first Σ m, the left side is 0; if the right side is positive, no ballast up to M
 //! meets the limits.
 //!
-//! A product about the centre of mass c is P = ∫ (u·r − a) (v·r − b) dm − M′ (u·c − a) (v·c − b) for
-//! any a and b, where M′ is the mass of body and ballast. With ballast of at most M, u·c and v·c are
-//! between their values with all of it at the farthest points of the sites. If a and b are both lower
-//! ends or both upper ends, the last term is not positive, and P is at most the integral. If one is a
-//! lower and one an upper end, P is at least the integral (McCormick, Math. Program. 10, 1976, 147).
+//! A product about the centre of mass c is P = ∫ (u·r − a) (v·r − b) dm − M′ (u·c − a) (v·c − b)
+//! for any a and b. M′ is the mass of body and ballast. With ballast of at most M, u·c and v·c are
+//! between the values that they have if all ballast is at the farthest points of the sites. If a
+//! and b are both lower ends or both upper ends of these ranges, the last term is not positive, and
+//! P is at most the integral. If one is a lower end and one an upper end, P is at least the
+//! integral (McCormick, Math. Program. 10, 1976, 147).
 
 use super::problem::{Lot, Problem, total};
 use super::row::{Functional, Moments, Row, weights};
@@ -47,8 +48,8 @@ const ROUNDS: usize = 60;
 impl Problem {
     /// Returns light ballast of any masses, and a lower bound on all ballast.
     ///
-    /// The search starts from `near` and from fixed points of the sites. The bound is infinite if no
-    /// ballast up to the cap meets the limits. It does not hold if products are limited.
+    /// The search starts from `near` and from fixed points of the sites. The bound is infinite if
+    /// no ballast up to the cap meets the limits. The bound does not hold if products are limited.
     pub(super) fn relaxed(&self, near: &[Lot]) -> (Vec<Lot>, f64) {
         let mut pool = self.seeds();
         let mut lots: Vec<Lot> = near.iter().map(|lot| Lot { size: None, ..*lot }).collect();

@@ -1,9 +1,9 @@
 //! Ballast that meets limits: the lightest that a local search finds, with a lower bound.
 //!
-//! Ballast has no uncertainty and is at sites: points, lines, discs and circles. Points take one
-//! mass, other sites several; all can be restricted to pieces of given sizes. The mass and the first
-//! and second moments of the whole are linear in the masses, so most limits are linear or cones.
-//! Products about the moving centre, W − S S/M, are not.
+//! Ballast has no uncertainty. It is at sites: points, lines, discs and circles. A point takes one
+//! mass, other sites take several; all can be restricted to pieces of given sizes. The mass and the
+//! first and second moments of the whole are linear in the masses, so most limits are linear or
+//! cones. Products about the moving centre, W − S S/M, are not.
 
 mod bound;
 mod chart;

@@ -1,4 +1,5 @@
-//! Limits as functions of the moments of the mass: linear, a cone, or a product about the moving centre.
+//! Limits as functions of the moments of the mass: linear, a cone, or a product about the moving
+//! centre.
 
 use polhode::body::MassProperties;
 use polhode::math::{Body, Direction, Position};
@@ -139,7 +140,8 @@ impl Functional {
         self
     }
 
-    /// Returns the standard deviation to first order for a body with uncertain mass, centre and tensor.
+    /// Returns the standard deviation to first order, for a body with uncertain mass, centre and
+    /// tensor.
     fn sd(&self, estimate: &Estimate<Body>, origin: Vector) -> f64 {
         let (m, c) = (estimate.properties.mass(), estimate.properties.center_of_mass().to_array());
         let d: Vector = core::array::from_fn(|k| c[k] - origin[k]);

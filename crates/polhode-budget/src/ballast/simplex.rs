@@ -133,7 +133,7 @@ impl Tableau {
                 self.tolerance = FEASIBLE[1];
                 continue;
             };
-            // Ratio test: a violated row leaves the basis at 0, another one at either of its bounds.
+            // Ratio test: a violated row leaves the basis at 0, another row at one of its bounds.
             let (mut far, mut leaves, mut pivot) = (self.upper[enters], None, 0.0);
             for i in 0..self.basis.len() {
                 let (by, right) = (self.rows[i][enters], self.right(i));

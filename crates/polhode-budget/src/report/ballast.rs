@@ -137,7 +137,8 @@ impl<'a> OfCase<'a> {
         self.limits.iter().filter(|limit| self.found.is_left_out(limit)).map(one).collect()
     }
 
-    /// Returns true if the whole with this ballast meets a limit. An undefined number does not meet it.
+    /// Returns true if the whole with this ballast meets a limit. An undefined number does not meet
+    /// it.
     fn is_met(self, found: &FoundBallast, limit: &Limit) -> bool {
         let body = found.with(&self.case.estimate(limit.basis).properties);
         body.is_ok_and(|body| limit.of.value(&body).is_ok_and(|value| limit.is_met(value)))

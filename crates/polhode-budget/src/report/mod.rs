@@ -311,8 +311,7 @@ fn about_in_range(case: &Case, options: &Questions) -> Result<(), BudgetError> {
     Err(BudgetError::Value { row: RowName { row, name }, what, value: point.max_abs(), rule })
 }
 
-/// Returns words such as
-/// `Predicted mass 4.312 ± 0.041 kg: basic 4.010 ± 0.039 kg, and a growth allowance of 0.302 kg (7.5 %)`.
+/// Returns words such as `Predicted mass 4.312 ± 0.041 kg: basic 4.010 ± 0.039 kg, and …`.
 fn mass_in_words(case: &Case) -> String {
     let of = |basis| {
         let estimate = case.estimate(basis);

@@ -62,6 +62,7 @@ pub(crate) enum Key {
 pub enum ColumnsError {
     /// A part has no `=`, or nothing after it.
     Form {
+        /// Text of the part.
         part: String,
     },
     /// A quote is not closed.

@@ -24,7 +24,8 @@
 //! | quantity | names |
 //! |---|---|
 //! | time | `t`, `time`, `time_s`, `sim_time_ms`; `timestamp` with a unit |
-//! | quaternion | `attitude_w` …, `qw` …, `orientation.w` …: order by the letters, scalar last for x, y, z, w |
+//! | quaternion | `attitude_w` …, `qw` …, `orientation.w` …: order by the letters |
+//! | quaternion, scalar last | the same names, if the columns are in the order x, y, z, w |
 //! | quaternion | `q0` … `q3`: the order is not known |
 //! | matrix | `r11` … `r33`, `R_00` … `R_22`, `R[0][0]` …, `xmat_0` … `xmat_8`: row by row |
 //! | Euler angles | `roll`, `pitch`, `yaw` (3-2-1), `precession`, `nutation`, `spin` (3-1-3) |
@@ -51,9 +52,9 @@
 //! | part | words | columns |
 //! |---|---|---|
 //! | `time`, `t` | a unit | one |
-//! | `quaternion`, `q` | `wxyz`, `xyzw`; `body-to-space`, `space-to-body` | four, in the order of the words |
+//! | `quaternion`, `q` | `wxyz`, `xyzw`; `body-to-space`, `space-to-body` | four, in this order |
 //! | `matrix`, `R` | `body-to-space`, `space-to-body` | nine, row by row |
-//! | `euler`, `e` | `3-2-1`, `zyx` or other; `extrinsic`; `deg`, `rad`; the sense | three, in the order of rotations |
+//! | `euler`, `e` | `3-2-1`, `zyx` …; `extrinsic`; `deg`, `rad`; the sense | three, in this order |
 //! | `omega`, `w` | `body`, `space`; a unit | three, or `none` |
 //!
 //! Columns are separated by blanks. A name with blanks or commas is in quotes. `q0..q3` are the

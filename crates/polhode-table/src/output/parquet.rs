@@ -1,4 +1,4 @@
-//! Tables as Apache Parquet: columns of required doubles, each with its unit in the file's metadata.
+//! Tables as Apache Parquet: required columns of doubles, with their units in the file's metadata.
 //!
 //! `BYTE_STREAM_SPLIT` stores bytes of equal weight together before the LZ4 compression.
 //! Neighbouring samples share their signs, exponents and first digits, and little else.

@@ -35,7 +35,7 @@ impl<'a> Table<'a> {
     /// - the potential energy, if every torque has a potential
     /// - the channels of a body on the ground or in gimbals, with energies and works
     /// - estimates of the error, if there are any
-    /// - momentum and speed of each wheel, numbered from 1; a wheel held at its speed has only the momentum
+    /// - momentum and speed of each wheel, numbered from 1; only the momentum if its speed is held
     /// - attitude relative to the orbit, and position on it
     /// - angles of the reported directions
     pub fn of(trajectory: &'a Trajectory, surroundings: &Surroundings) -> Self {

@@ -31,8 +31,8 @@ pub const MOST_DRAWN_ROWS: usize = 10_000_000_000;
 pub struct Draws {
     /// Body of each draw.
     pub bodies: Vec<MassProperties<Body>>,
-    /// Number of draws in which some part had to be moved to be possible. Without this step, they
-    /// would contain parts that cannot exist, or tanks that overflow.
+    /// Number of draws in which some part had to be moved to be possible. Without this step, the
+    /// bodies would contain parts that cannot exist, or tanks that overflow.
     pub moved: usize,
 }
 
@@ -174,8 +174,8 @@ impl Budget {
         Ok((whole.into_body(), moved))
     }
 
-    /// Draws the error of a row. For each factor, z = √ρ · (variable of the group) + √(1 − ρ) ·
-    /// (variable of the row).
+    /// Draws the error of a row. The variable of each factor is the sum of √ρ times that of the
+    /// group and √(1 − ρ) times that of the row.
     fn error(
         &self,
         k: usize,

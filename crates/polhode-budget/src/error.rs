@@ -86,7 +86,7 @@ errors! {
     /// variance.
     Covariance {
         row: RowName,
-        /// Name of the quantities.
+        /// Names of the quantities.
         what: &'static str,
         /// Row and column of the invalid element, from 1.
         element: [usize; 2],

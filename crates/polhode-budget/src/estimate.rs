@@ -27,8 +27,8 @@ pub const NUMBERS: [(&str, &str); 10] = [
 /// Mass properties along the axes of `F`, with their covariance to first order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate<F: Frame> {
-    /// Mass properties. The tensor is about the centre of mass; off-diagonal elements are −∫ x y
-    /// dm.
+    /// Mass properties. The tensor is about the centre of mass, and its off-diagonal elements are
+    /// −∫ x y dm.
     pub properties: MassProperties<F>,
     /// Covariance of the ten numbers in the order of [`NUMBERS`].
     pub covariance: [[f64; 10]; 10],

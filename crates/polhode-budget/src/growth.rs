@@ -24,7 +24,7 @@ pub enum Growth {
     Fraction(f64),
 }
 
-/// Masses of the parts that are used.
+/// Choice of the masses from which results are computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]

@@ -39,7 +39,7 @@
 //! | principal moments and axes | [`Estimate::principal`], [`PrincipalUncertainty`] |
 //! | contributions of single errors to the variance | [`Budget::sensitivities`] |
 //! | deviations from first order, by random draws | [`Budget::draws`], [`Draws::compare`] |
-//! | bodies known by an estimate | [`Correlated`](polhode::infer::correlated::Correlated) |
+//! | random bodies from an estimate | [`Correlated`](polhode::infer::correlated::Correlated) |
 //! | mass properties over time, or as a function of the tank fill | [`Sequence`], [`Tank`] |
 //! | limits: margin and probability that they are met | [`Budget::limits`], [`Limit`], [`Answer`] |
 //! | light ballast that meets limits, with a lower bound | [`Budget::ballast`], [`FoundBallast`] |

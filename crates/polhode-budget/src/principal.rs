@@ -8,8 +8,8 @@ use crate::estimate::Estimate;
 
 /// Principal moments and axes, with their errors and derivatives.
 ///
-/// First order in δI gives δiₖ = aₖ·δI aₖ. It also gives the rotation of all axes about aₖ by θₖ =
-/// aⱼ·δI aᵢ/(iᵢ − iⱼ), with (i, j, k) cyclic. If errors are not small compared with the difference
+/// First order in δI gives δiₖ = aₖ·δI aₖ. With (i, j, k) cyclic, it also gives the rotation of all
+/// axes about aₖ by θₖ = aⱼ·δI aᵢ/(iᵢ − iⱼ). If errors are not small compared with the difference
 /// of two moments, first order is not valid for the rotation about the third axis. In this case,
 /// use [`Draws`](crate::Draws).
 #[derive(Clone, Debug, PartialEq)]

@@ -71,7 +71,7 @@ fn compared(
     is_other: bool,
 ) -> Result<BudgetReport, Failure> {
     let questions = request.questions(&file.questions);
-    // A list without configurations applies to each of them.
+    // A list without configurations applies to every configuration.
     let is_in_each = is_other && file.configurations.iter().all(|one| one.name.is_none());
     let configuration = request.configuration.as_deref().filter(|_| !is_in_each);
     let report = BudgetReport::of_file(file, &questions, configuration, Scope::Diff, &mut |_, _| ());

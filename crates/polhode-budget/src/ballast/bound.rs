@@ -4,6 +4,7 @@
 //! is such a condition. A cone is replaced by its tangents. A product about the centre of mass is
 //! replaced by the two sides of its McCormick envelope. Let y be any dual variables of the
 //! conditions, not negative where f ≥ 0. All ballast that meets the limits satisfies
+//!
 //! ```text
 //! Σ m ≥ Σ m − y·f = −y·β + Σ m d(r),  d(r) = 1 − y·a(r)
 //! ```
@@ -11,6 +12,7 @@
 //! The reduced cost d is quadratic in r, so its minimum on each site is known in closed form. If
 //! site k takes at most Mₖ, any dual variable πₖ ≥ 0 gives mₖ dₖ ≥ mₖ (dₖ + πₖ) − πₖ Mₖ. The total
 //! ballast is at most M, because heavier ballast is not of interest. Therefore
+//!
 //! ```text
 //! Σ m ≥ −y·β − Σ πₖ Mₖ + M min(0, d₁ + π₁, d₂ + π₂, …)
 //! ```

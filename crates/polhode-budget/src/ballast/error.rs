@@ -12,7 +12,7 @@ errors! {
     NoSites => ("there is no site for ballast");
     /// A number is not allowed.
     Value {
-        /// Name of the site, or `None` for a number of the question.
+        /// Name of the site, or `None` for a number of the search itself.
         site: Option<String>,
         /// Name of the number.
         what: &'static str,

@@ -46,14 +46,14 @@ pub struct Ballast {
 pub enum BallastAnswer {
     /// Ballast that meets all limits.
     Found(FoundBallast),
-    /// No ballast was found that does.
+    /// No ballast was found that meets all limits.
     NotFound(NoBallast),
 }
 
 /// Ballast that meets all limits, and a lower bound on the mass of all such ballast.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoundBallast {
-    /// Pieces in the order of the sites; none if the limits are met without.
+    /// Pieces in the order of the sites; empty if the limits are met without ballast.
     pub pieces: Vec<Piece>,
     /// Mass of all pieces, kg.
     pub mass: f64,

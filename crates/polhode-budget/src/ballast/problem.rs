@@ -40,8 +40,7 @@ pub(super) struct Lot {
 /// Largest mass of ballast that is searched, in masses of the body.
 const CAP: f64 = 1e3;
 
-/// Relative noise of a limit: first of its terms, then of the numbers whose difference its constant
-/// is.
+/// Relative noise of a limit: of each term, and of the numbers whose difference the constant is.
 ///
 /// Inequalities are tightened by the noise.
 const NOISE: [f64; 2] = [1e-12, 8.0 * f64::EPSILON];

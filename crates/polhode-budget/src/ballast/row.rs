@@ -27,7 +27,7 @@ pub(super) struct Functional {
     pub(super) size: f64,
 }
 
-/// A linear condition on the moments of the ballast.
+/// Linear condition on the moments of the ballast.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row {
     pub(super) of: Functional,
@@ -43,7 +43,7 @@ impl Row {
     }
 }
 
-/// A condition on the moments of the ballast.
+/// Condition on the moments of the ballast.
 #[derive(Clone, Debug)]
 pub(super) enum Rule {
     Linear(Row),

@@ -158,8 +158,8 @@ fn a_cap_of_a_sphere_has_a_closed_form() {
     }
 }
 
-/// Horizontal cylinder: A = r² acos((r − h)/r) − (r − h) √(2 r h − h²), its centre ⅔ (2 r h −
-/// h²)^1.5 / A below the middle.
+/// Horizontal cylinder: A = r² acos((r − h)/r) − (r − h) √(2 r h − h²). Its centre is
+/// ⅔ (2 r h − h²)^1.5 / A below the middle.
 #[test]
 fn a_segment_of_a_lying_cylinder_has_a_closed_form() {
     let (r, l) = (0.4_f64, 0.9);

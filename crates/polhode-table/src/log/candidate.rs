@@ -9,8 +9,8 @@ use super::name::{Kind, Name};
 /// Columns that may be the time, the attitude or the angular velocity.
 #[derive(Clone, Debug)]
 pub(crate) struct Candidate {
-    /// Rank of the candidate; the least is chosen. First the distance of the names from plain ones,
-    /// then the preference for a form.
+    /// Rank of the candidate; the least is chosen. The distance of the names from plain ones counts
+    /// first, then the preference for a form.
     pub rank: (u8, u8),
     pub numbers: Numbers,
     /// Indices of the columns, in the order of their meaning.

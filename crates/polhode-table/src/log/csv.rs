@@ -63,8 +63,8 @@ impl Fields for Separator {
         }
         let ends = |byte: &u8| match self {
             Self::Byte(separator) => *byte == separator || *byte == b'\n',
-            // same as in `skip_blanks`: a form feed does not end a field, or the reader would never
-            // pass it
+            // Same as in `skip_blanks`. A form feed does not end a field, or the reader would never
+            // pass it.
             Self::Blanks => self.is_blank(*byte) || *byte == b'\n',
         };
         let rest = bytes.get(start..).unwrap_or_default();

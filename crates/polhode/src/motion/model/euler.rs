@@ -5,12 +5,15 @@ use crate::math::frame::{Body, Principal};
 use crate::math::vector::{AngularAcceleration, AngularVelocity, Torque, Vector};
 
 impl Rotor {
-    /// Euler's equations read from motion to torque, in body axes of any direction: N = I ω̇ + ω × (I ω + h) + ḣ, with the wheels
-    /// as they are just after a time, s.
+    /// Returns the torque that a motion requires, by Euler's equations: N = I ω̇ + ω × (I ω + h) +
+    /// ḣ, in body axes.
+    /// The body axes may have any direction. The wheel momentum h and the motor torque ḣ are those
+    /// just after `time`, s.
     ///
     /// # Source
-    /// The lecture notes, "Euler's equations for a rigid body". Their earlier N = I ω̇ lacks the second term: it holds in axes that do
-    /// not turn, or where ω lies along a principal axis.
+    /// Lecture notes, "Euler's equations for a rigid body". Their preliminary form N = I ω̇ lacks
+    /// the second term. It holds only in axes that do not rotate, or if ω is along a principal
+    /// axis.
     pub fn torque_for(
         &self,
         omega: AngularVelocity<Body>,
@@ -21,10 +24,12 @@ impl Rotor {
         *self.inertia() * acceleration + omega.cross(momentum) + self.motor_torque(time)
     }
 
-    /// Euler's equations read from torque to motion: ω̇ = I⁻¹ (N − ω × I ω). Wheels are not counted: theirs is I⁻¹ (h × ω − ḣ)
-    /// more.
+    /// Returns the angular acceleration due to a torque, by Euler's equations: ω̇ = I⁻¹ (N − ω × I
+    /// ω), body axes.
+    /// Wheels are not included; they add I⁻¹ (h × ω − ḣ).
     ///
-    /// About an axis without inertia (a rod's own) ω̇ = 0: the motion is undetermined there, and this is the choice.
+    /// About an axis without inertia (the axis of a rod) the motion is undetermined; ω̇ = 0 is
+    /// returned.
     pub fn acceleration(
         &self,
         omega: AngularVelocity<Body>,
@@ -35,7 +40,7 @@ impl Rotor {
     }
 }
 
-/// In principal axes:
+/// Evaluates Euler's equations in principal axes:
 ///
 /// i1 ω̇1 = (i2 − i3) ω2 ω3 + N1,  i2 ω̇2 = (i3 − i1) ω3 ω1 + N2,  i3 ω̇3 = (i1 − i2) ω1 ω2 + N3
 pub(in crate::motion) fn euler(
@@ -75,7 +80,8 @@ mod tests {
 
     #[test]
     fn the_torque_is_the_rate_of_angular_momentum_in_space() {
-        // N = dL/dt with L = R (I ω + h) differenced along a motion that turns at ω(t) = ω0 + α t, with two wheels
+        // N = dL/dt with L = R (I ω + h), by central differences along a motion with ω(t) = ω0 + α
+        // t and two wheels
         let motor = Motor::Torque { inertia: 0.3, torque: 0.8, schedule: None };
         let wheels = [
             (Direction::new(0.3, -0.9, 0.4), 0.7, motor),
@@ -87,7 +93,7 @@ mod tests {
         let omega = AngularVelocity::new(0.7, -1.1, 0.4);
         let alpha = AngularAcceleration::new(-0.3, 0.2, 0.9);
         let h = 1e-4;
-        // R(±h) to order h²: rotation vector ±ω0 h + α h²/2
+        // R(±h) to second order in h: rotation vector ±ω0 h + α h²/2
         let l = |h: f64| {
             let v = (omega * h).as_quantity() + (alpha * (0.5 * h * h)).as_quantity();
             let r = crate::math::Rotation::<crate::math::Space, Body>::from_rotation_vector(v.as_frame());

@@ -1,11 +1,12 @@
-//! Events: something that is measured passes a value.
+//! Events: a measured quantity crosses a value.
 //!
-//! An event is a function of the state that passes zero. Of an angle α between directions it is
+//! Each event has a function of the state, the gap, that is zero at the crossing. For an angle α
+//! between directions it is
 //!
 //! cos v − cos α = 2 sin ½(α + v) sin ½(α − v),
 //!
-//! and of an angle φ that comes round sin(φ − v), where cos(φ − v) > 0: these are smooth where the angles themselves are not, and
-//! they rise where the angle does.
+//! and for a periodic angle φ it is sin(φ − v), where cos(φ − v) > 0. These functions are smooth
+//! where the angles themselves are not, and they rise where the angle rises.
 
 use super::event_function::EventFunction;
 use super::pointing::Reference;
@@ -23,7 +24,8 @@ use crate::motion::model::require;
 
 /// An event: a measure, the value that it crosses, and the action.
 ///
-/// It happens when what is measured passes the value, not when the motion starts there, and not when it is only touched.
+/// An event happens when the measured quantity crosses the value. A motion that starts at the
+/// value, or only touches it, has no event.
 ///
 /// ```
 /// use polhode::motion::{Event, EventAction, Measure, Sense};
@@ -41,45 +43,45 @@ pub struct Event {
     action: EventAction,
 }
 
-/// What an event measures. Directions need not be unit vectors.
+/// Quantity that an event measures. Directions need not be unit vectors.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Measure {
-    /// t, s.
+    /// Time t, s.
     Time,
-    /// ω along a direction of the body, rad/s.
+    /// Component of ω along a direction of the body, rad/s.
     OmegaBody(Direction<Body>),
-    /// ω along a direction of space, rad/s.
+    /// Component of ω along a direction of space, rad/s.
     OmegaSpace(Direction<Space>),
-    /// |ω|, rad/s.
+    /// Magnitude |ω|, rad/s.
     Rate,
-    /// T_rot, J.
+    /// Rotational kinetic energy `T_rot`, J.
     KineticEnergy,
-    /// T_rot + U, J; every torque has to have a potential.
+    /// Total energy `T_rot` + U, J. Every torque must have a potential.
     TotalEnergy,
-    /// |L|, that of wheels included, kg·m²/s.
+    /// Magnitude |L| of the angular momentum, wheels included, kg·m²/s.
     Momentum,
-    /// Between a direction of the body and one of space, rad.
+    /// Angle between a direction of the body and a direction of space, rad.
     Tilt {
-        /// Fixed in the body.
+        /// Direction fixed in the body.
         body: Direction<Body>,
-        /// Fixed in space, or given by the orbit or the field.
+        /// Direction fixed in space, or given by the orbit or the magnetic field.
         space: Reference,
     },
-    /// Between ω and a direction of the body, rad.
+    /// Angle between ω and a direction of the body, rad.
     OmegaAngle(Direction<Body>),
-    /// Between L and a direction of the body, rad.
+    /// Angle between L and a direction of the body, rad.
     MomentumAngle(Direction<Body>),
-    /// θ of the 3-1-3 Euler angles, rad.
+    /// Euler angle θ (3-1-3), rad.
     Nutation,
-    /// φ of the 3-1-3 Euler angles, rad, round and round.
+    /// Euler angle φ (3-1-3), rad, modulo 2π.
     Precession,
-    /// ψ of the 3-1-3 Euler angles, rad, round and round.
+    /// Euler angle ψ (3-1-3), rad, modulo 2π.
     Spin,
-    /// A formula of the variables of [`StateVariables`](crate::motion::StateVariables). It should be continuous: a jump over the value counts
-    /// as passing it.
+    /// Formula of the variables of [`StateVariables`](crate::motion::StateVariables). It should be
+    /// continuous: a jump across the value counts as a crossing.
     Formula(Formula),
-    /// A function of the user's own, of which no derivatives are known.
+    /// User-supplied function; its derivatives are not known.
     ///
     /// ```
     /// use polhode::motion::{Ending, Event, EventAction, EventFunction, Measure, Sense, Simulation};
@@ -97,30 +99,30 @@ pub enum Measure {
     Function(EventFunction),
 }
 
-/// In which direction a value is passed.
+/// Direction in which a value is crossed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sense {
-    /// From below.
+    /// Upward crossing.
     Rising,
-    /// From above.
+    /// Downward crossing.
     Falling,
-    /// Both.
+    /// Crossing in either direction.
     Either,
 }
 
-/// What to do when an event happens.
+/// Action to take when an event happens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum EventAction {
-    /// Write it down.
+    /// Record the event.
     Record,
-    /// Write it down and stop there.
+    /// Record the event and stop the motion there.
     Stop,
-    /// Write it down and switch a torque on or off.
+    /// Record the event and switch a torque on or off.
     Switch {
-        /// Which of the torques, from 0.
+        /// Index of the torque, from 0.
         torque: usize,
-        /// On or off.
+        /// True to switch the torque on, false to switch it off.
         on: bool,
     },
 }
@@ -128,22 +130,23 @@ pub enum EventAction {
 /// An event that happened.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossing {
-    /// Which of the events, from 0.
+    /// Index of the event, from 0.
     pub event: usize,
-    /// Its name.
+    /// Name of the event.
     pub name: String,
-    /// The state there.
+    /// State at the crossing.
     pub state: State,
-    /// Whether what is measured was rising.
+    /// True if the measured quantity was rising.
     pub rising: bool,
 }
 
 impl Event {
-    /// An event: `measure` passes `value` in the direction of `sense`.
+    /// Creates an event: `measure` crosses `value` in the direction `sense`.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if the value is not finite, a direction has none, or an angle between directions is not between 0
-    /// and π: such an angle is touched, never passed.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the value is not finite or a
+    /// direction has zero length. Also if the value of an angle between directions is not strictly
+    /// between 0 and π: such an angle can be touched but not crossed.
     pub fn new(
         name: impl Into<String>,
         measure: Measure,
@@ -160,32 +163,32 @@ impl Event {
         Ok(Self { name: name.into(), measure, value, sense, action })
     }
 
-    /// What it is called.
+    /// Returns the name of the event.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// What is measured.
+    /// Returns the measured quantity.
     pub const fn measure(&self) -> &Measure {
         &self.measure
     }
 
-    /// The value that it passes: s, rad/s, J, kg·m²/s or rad, as the measure says.
+    /// Returns the value to cross: s, rad/s, J, kg·m²/s or rad, depending on the measure.
     pub const fn value(&self) -> f64 {
         self.value
     }
 
-    /// In which direction.
+    /// Returns the direction of the crossing.
     pub const fn sense(&self) -> Sense {
         self.sense
     }
 
-    /// What to do then.
+    /// Returns the action to take.
     pub const fn action(&self) -> EventAction {
         self.action
     }
 
-    /// True if what it measures depends on the mass of the body.
+    /// True if the measured quantity depends on the mass properties of the body.
     pub(crate) fn needs_inertia(&self) -> bool {
         match &self.measure {
             Measure::KineticEnergy | Measure::TotalEnergy | Measure::Momentum | Measure::MomentumAngle(_) => {
@@ -197,13 +200,16 @@ impl Event {
         }
     }
 
-    /// True if it switches a torque.
+    /// True if the event switches a torque.
     pub(crate) const fn switches(&self) -> bool {
         matches!(self.action, EventAction::Switch { .. })
     }
 
+    /// Checks that the event is possible for this rotor and these torques.
+    ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if it cannot be measured, or switches what is not there.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the quantity cannot be measured, or
+    /// if the event switches a torque that does not exist.
     pub(crate) fn require_possible(
         &self,
         rotor: &Rotor,
@@ -222,7 +228,7 @@ impl Event {
             }
             _ => {}
         }
-        // Energy that comes and goes with a switch is no potential.
+        // A torque that is switched on and off has no potential.
         let has_energy = torques.is_empty()
             || total_potential(torques, rotor, start).is_some() && !all.iter().any(Self::switches);
         if self.measure == Measure::TotalEnergy && !has_energy {
@@ -231,12 +237,13 @@ impl Event {
         Ok(())
     }
 
-    /// True if it measures a function that may change faster than the body turns.
+    /// True if the event measures a function that may change faster than the body turns.
     pub(crate) const fn may_be_fast(&self) -> bool {
         matches!(self.measure, Measure::Formula(_) | Measure::Function(_))
     }
 
-    /// The gap without the size of its terms, which takes two more evaluations of a formula.
+    /// Returns the gap without the size of its terms, which costs two more evaluations of a
+    /// formula.
     pub(crate) fn gap_alone(&self, rotor: &Rotor, torques: &[TorqueModel], state: &State) -> f64 {
         match &self.measure {
             Measure::Formula(formula) => formula.evaluate(&StateVariables::of(rotor, state)) - self.value,
@@ -245,7 +252,7 @@ impl Event {
         }
     }
 
-    /// How far it is from happening.
+    /// Returns the gap of the event in a state.
     pub(crate) fn gap(&self, rotor: &Rotor, torques: &[TorqueModel], state: &State) -> Gap {
         let (v, omega) = (self.value, state.omega);
         let momentum = || state.attitude.inverse() * rotor.angular_momentum_space(state);
@@ -285,26 +292,28 @@ impl Event {
     }
 }
 
-/// A function that passes zero when an event happens.
+/// Gap of an event: a function of the state that is zero when the event happens.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gap {
-    /// The function.
+    /// Value of the function.
     pub(crate) gap: f64,
-    /// The size of what it is the difference of: its rounding is relative to that.
+    /// Magnitude of the terms whose difference is the gap. The rounding of the gap is relative to
+    /// it.
     pub(crate) scale: f64,
-    /// True where sin(φ − v) vanishes at φ = v + π: not a crossing.
+    /// True at φ = v + π, where sin(φ − v) also vanishes: this zero is not a crossing.
     pub(crate) is_opposite: bool,
 }
 
 impl Gap {
-    /// True if rounding is all that there may be of it.
+    /// Returns true if the gap is zero to within rounding.
     pub(crate) fn may_be_zero(&self) -> bool {
         !(self.gap.abs() > 16.0 * f64::EPSILON * self.scale)
     }
 }
 
-/// The size of the terms of a function that is given as a whole: how fast it changes with relative changes of the
-/// state. T_rot − 10 J has terms of 10 J where it vanishes.
+/// Estimates the magnitude of the terms of a function that is given as a whole.
+/// The estimate is the change of the function per relative change of the state. Example: `T_rot` −
+/// 10 J has terms of 10 J where it vanishes.
 fn scale(value: &dyn Fn(&State) -> f64, state: &State) -> f64 {
     const STEP: f64 = 1.0 / (1_u64 << 40) as f64;
     let [x, y, z] = state.omega.to_array();
@@ -318,20 +327,22 @@ fn scale(value: &dyn Fn(&State) -> f64, state: &State) -> f64 {
     here.abs().max((value(&moved) - here).abs() / STEP)
 }
 
-/// 2 sin ½(α + v) sin ½(α − v)
+/// Gap of an angle between directions: 2 sin ½(α + v) sin ½(α − v).
 fn between(angle: f64, v: f64) -> Gap {
     let slope = 2.0 * sin_cos(0.5 * (angle + v)).0;
     Gap { gap: slope * sin_cos(0.5 * (angle - v)).0, scale: slope, is_opposite: false }
 }
 
-/// sin(φ − v); where θ is small, a small turn of the body changes φ by 1/sin θ as much.
+/// Gap of a periodic Euler angle: sin(φ − v). A small rotation of the body by δ changes φ by up to
+/// δ/sin θ, so the scale is 1/sin θ.
 fn around(angles: [f64; 3], which: usize, v: f64) -> Gap {
     let (sin, cos) = sin_cos(angles[which] - v);
     Gap { gap: sin, scale: 1.0 / sin_cos(angles[1]).0, is_opposite: cos < 0.0 }
 }
 
 impl Measure {
-    /// The unit that its value has; empty for a formula and a function, which may have any.
+    /// Returns the unit of the value. It is empty for a formula or a function, which may have any
+    /// unit.
     pub const fn unit(&self) -> &'static str {
         match self {
             Self::Time => "s",
@@ -347,7 +358,7 @@ impl Measure {
         matches!(self, Self::Tilt { .. } | Self::OmegaAngle(_) | Self::MomentumAngle(_) | Self::Nutation)
     }
 
-    /// The same with unit vectors.
+    /// Normalizes the directions to unit vectors.
     fn normalised(self) -> Result<Self, MotionError> {
         Ok(match self {
             Self::OmegaBody(n) => Self::OmegaBody(unit(n)?),
@@ -365,7 +376,7 @@ fn unit<Q, F>(v: Vector<Q, F>) -> Result<Direction<F>, MotionError> {
 }
 
 impl Sense {
-    /// True if a crossing of this kind counts.
+    /// True if a crossing in this direction counts.
     pub(crate) const fn takes(self, rising: bool) -> bool {
         match self {
             Self::Rising => rising,
@@ -374,7 +385,7 @@ impl Sense {
         }
     }
 
-    /// The name in scenario files and summaries.
+    /// Returns the name used in scenario files and summaries.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Rising => "rising",

@@ -1,12 +1,14 @@
 //! Event detection along an interval of a motion with dense output.
 //!
-//! An interval is divided into pieces in which the body turns by less than a third of a radian, and the phase of a formula
-//! or function advances by less than that, too; pieces are halved where an event's function turns back or is not yet
-//! resolved. A passage is located to the rounding of the time. Not found are two passages within a part of 10⁻³ of a piece
-//! that neither values nor slopes at the ends of the piece show, as those of a short pulse of a formula.
+//! An interval is divided into pieces. In each piece the body turns by less than 0.3 rad, and the
+//! phase of a formula or function advances by less than that. Pieces are halved where the gap of an
+//! event reverses or is not yet resolved. A passage is located to the rounding of the time. Two
+//! passages within 10⁻³ of the length of a piece are missed if neither values nor slopes at the
+//! ends of the piece show them. An example is a short pulse of a formula.
 //!
-//! A function may be constant along the exact motion, as the kinetic energy of a body that is left alone. Its rate by the
-//! equations of motion is zero then, and its change in a step is the error of the step. Such a change passes no value.
+//! A function may be constant along the exact motion, such as the kinetic energy of a torque-free
+//! body. Then its rate by the equations of motion is zero, and its change in a step is the error of
+//! the step. Such a change is not a crossing.
 
 use super::passage::{Course, Passages, Pieces};
 use crate::math::frame::Body;
@@ -20,22 +22,23 @@ use crate::motion::model::torque::TorqueModel;
 
 pub use super::passage::EventSide;
 
-/// Safety factor of the residual of a function where it vanished.
+/// Safety factor of the residual that a function has at a crossing.
 const RESIDUAL: f64 = 4.0;
 
-/// Rounding of the rate of a function, relative to the size of its terms and the rate at which the state changes.
+/// Rounding of the rate of a function, relative to the size of its terms times the rate of change
+/// of the state.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// A motion within an interval.
+/// Motion within an interval.
 pub(crate) struct Watched<'m> {
-    /// The state at a time.
+    /// State as a function of time.
     pub(crate) state: &'m dyn Fn(f64) -> State,
-    /// Ω and ω̇ by the equations of motion in a state, body axes; `None` where the motion has no errors that add up, or
-    /// the equations are not at hand.
+    /// Ω and ω̇ from the equations of motion, body axes. `None` if the motion has no errors that
+    /// accumulate, or if the equations are not available.
     pub(crate) rates: &'m dyn Fn(&State) -> Option<[Direction<Body>; 2]>,
 }
 
-/// The times at which a part of an interval is looked at, and the states there.
+/// Sampling times in a part of an interval, and the states at these times.
 struct Looks {
     pieces: Pieces,
     states: Vec<[State; 2]>,
@@ -49,38 +52,40 @@ impl Looks {
     }
 }
 
-/// The events, and the side of each value on which the motion is.
+/// Detector of events, with the side of each value on which the motion is.
 #[derive(Debug)]
 pub(crate) struct EventDetector<'a> {
     rotor: &'a Rotor,
     torques: &'a [TorqueModel],
     events: &'a [Event],
     sides: Vec<EventSide>,
-    /// The passages of the last interval, event by event.
+    /// Passages of the last interval, one entry per event.
     last: Vec<Passages>,
-    /// The last time at which an interval was cut.
+    /// Last time at which an interval was cut.
     cut: f64,
-    /// The events that have happened there, and whether they rose.
+    /// Events that happened at that time, and whether they were rising.
     happened: Vec<(usize, bool)>,
-    /// Residual of each event's function where it vanished there.
+    /// Residual of each event's function at the crossings found at that time.
     residuals: Vec<f64>,
-    /// Largest value of each event's function while that only drifted; 0 once it has been beyond it.
+    /// Largest value of each event's function while it only drifted; 0 once the function has
+    /// exceeded it.
     drifts: Vec<f64>,
 }
 
-/// A crossing that was found.
+/// A detected crossing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Found {
     pub(crate) time: f64,
     pub(crate) event: usize,
     pub(crate) rising: bool,
-    /// True if the event has happened at this time already, in the same direction. Torques are switched on and off
-    /// without end, if it switches one again.
+    /// True if the event has already happened at this time, in the same direction. If it switches a
+    /// torque again, torques are switched on and off without end.
     pub(crate) repeats: bool,
 }
 
 impl<'a> EventDetector<'a> {
-    /// Begins at a start. A motion that continues has the sides of another; they are empty otherwise.
+    /// Creates a detector at the start of a motion. `sides` holds the sides of the preceding motion
+    /// if this one continues it, and is empty otherwise.
     pub(crate) fn new(
         rotor: &'a Rotor,
         torques: &'a [TorqueModel],
@@ -109,18 +114,18 @@ impl<'a> EventDetector<'a> {
         }
     }
 
-    /// The events that are detected.
+    /// Returns the events.
     pub(crate) const fn events(&self) -> &'a [Event] {
         self.events
     }
 
-    /// The side of each value on which the motion is.
+    /// Returns the side of each value on which the motion is.
     pub(crate) fn sides(&self) -> Vec<EventSide> {
         self.sides.clone()
     }
 
-    /// The first of these crossings and those that happen at its time, too, except for rounding: once for each event.
-    /// `at` gives the motion in the last interval.
+    /// Returns the first of these crossings and all that happen at the same time to within
+    /// rounding, at most one for each event. `at` gives the motion in the last interval.
     pub(crate) fn due(&self, found: &[Found], at: &dyn Fn(f64) -> State) -> Vec<Found> {
         let mut due: Vec<Found> = Vec::new();
         for crossing in found {
@@ -135,7 +140,8 @@ impl<'a> EventDetector<'a> {
         due
     }
 
-    /// True if a crossing is at a time, or after it and the event's function stays within its rounding until then.
+    /// Checks if a crossing is at `time`, or if it is later and the gap stays within its rounding
+    /// in between.
     fn is_simultaneous(&self, time: f64, crossing: &Found, at: &dyn Fn(f64) -> State) -> bool {
         let (Some(event), Some(passages)) = (self.events.get(crossing.event), self.last.get(crossing.event))
         else {
@@ -146,8 +152,8 @@ impl<'a> EventDetector<'a> {
         crossing.time <= Pieces::same(time) || is_zero(time) && is_zero(middle)
     }
 
-    /// Cuts the last interval at the time of a state in which these events have just happened. The motion may be
-    /// another from there on.
+    /// Cuts the last interval at the time of a state at which these events have just happened. The
+    /// motion may follow other equations from there on.
     pub(crate) fn cut(&mut self, state: &State, happened: &[Found]) {
         let (time, until) = (state.time, Pieces::same(state.time));
         if time > self.cut {
@@ -161,7 +167,7 @@ impl<'a> EventDetector<'a> {
             for &(at, rising) in &passages.passages {
                 if at <= until && Pieces::same(at) >= time {
                     *residual = event.gap(self.rotor, self.torques, state).gap.abs();
-                    // It was written down before the interval was cut.
+                    // It was recorded before the interval was cut.
                     if event.sense().takes(rising) {
                         self.happened.push((index, rising));
                     }
@@ -176,7 +182,7 @@ impl<'a> EventDetector<'a> {
         }
     }
 
-    /// All crossings from one time to another, in ascending order.
+    /// Finds all crossings from one time to another, in ascending order.
     ///
     /// # Errors
     /// [`MotionError::EventTooFast`]
@@ -230,7 +236,7 @@ impl<'a> EventDetector<'a> {
                 };
                 let [repeats, turns_back] = [known(true), known(false)];
                 let is_opposite = || event.gap(self.rotor, self.torques, &at(time)).is_opposite;
-                // A switch has turned back what had just passed: that is one event.
+                // A switch has reversed a passage that had just happened: this is one event.
                 if event.sense().takes(rising) && (repeats || !turns_back) && !is_opposite() {
                     found.push(Found { time, event: index, rising, repeats });
                 }
@@ -242,8 +248,9 @@ impl<'a> EventDetector<'a> {
         Ok(found)
     }
 
-    /// The passages of an event's function, which is on a side before the interval and may be at zero up to a floor;
-    /// `None` for a function that changes too fast.
+    /// Finds the passages of an event's gap.
+    /// `side` is the side before the interval. Up to `floor` the gap may be zero. Returns `None`
+    /// for a function that changes too fast.
     fn passages(
         &self,
         event: &Event,
@@ -287,13 +294,14 @@ impl<'a> EventDetector<'a> {
         Some(all)
     }
 
-    /// Rounding of an event's function in these states.
+    /// Returns the rounding of an event's gap in these states.
     fn noise<'s>(&self, event: &Event, states: impl Iterator<Item = &'s State>) -> f64 {
         let scale = |state: &State| event.gap(self.rotor, self.torques, state).scale;
         Passages::rounding(states.map(scale).fold(0.0, f64::max))
     }
 
-    /// True if the function of an event has no rate by the equations of motion in these states, except for rounding.
+    /// Checks if the rate of an event's gap is zero, to within rounding, by the equations of motion
+    /// in these states.
     fn is_constant<'s>(
         &self,
         event: &Event,

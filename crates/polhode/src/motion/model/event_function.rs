@@ -1,4 +1,4 @@
-//! What an event measures by a function of the user's.
+//! User-supplied functions that events measure.
 
 use core::fmt;
 use std::sync::Arc;
@@ -8,9 +8,11 @@ use super::state::State;
 
 type Function = dyn Fn(&Rotor, &State) -> f64 + Send + Sync;
 
-/// A function of the state that an [`Event`](crate::motion::Event) measures; two are equal only if they are the same function.
+/// Function of the state that an [`Event`](crate::motion::Event) measures. Two are equal only if
+/// they are the same object.
 ///
-/// It should be continuous along a motion: a jump over the value counts as passing it. Where it is NaN it passes nothing.
+/// The function should be continuous along a motion: a jump across the value counts as a crossing.
+/// A NaN does not count as a crossing.
 #[derive(Clone)]
 pub struct EventFunction {
     function: Arc<Function>,
@@ -18,12 +20,13 @@ pub struct EventFunction {
 }
 
 impl EventFunction {
-    /// Of time, attitude and ω.
+    /// Creates a function of time, attitude and ω.
     pub fn new(function: impl Fn(&State) -> f64 + Send + Sync + 'static) -> Self {
         Self { function: Arc::new(move |_, state| function(state)), needs_inertia: false }
     }
 
-    /// Of the body too, which is to be one whose mass properties do not change.
+    /// Creates a function of the state and of the body, whose mass properties must not change with
+    /// time.
     pub fn of_body(function: impl Fn(&Rotor, &State) -> f64 + Send + Sync + 'static) -> Self {
         Self { function: Arc::new(function), needs_inertia: true }
     }
@@ -32,7 +35,7 @@ impl EventFunction {
         (self.function)(rotor, state)
     }
 
-    /// True if it depends on the mass of the body.
+    /// True if the function depends on the mass properties of the body.
     pub(crate) const fn needs_inertia(&self) -> bool {
         self.needs_inertia
     }

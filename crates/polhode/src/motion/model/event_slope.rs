@@ -1,4 +1,5 @@
-//! How what an event measures changes: with time along a motion, with the state, and with the inertia.
+//! Derivatives of an event's gap with respect to time along a motion, to the state and to the
+//! inertia tensor.
 
 use super::event::{Event, Measure};
 use super::law::LawInput;
@@ -13,20 +14,21 @@ use crate::math::derivative::derivative;
 use crate::math::frame::{Body, Space};
 use crate::math::vector::Direction;
 
-/// The derivatives of a function that passes zero when an event happens.
+/// Derivatives of the gap g of an event at its crossing.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::motion) struct EventSlope {
-    /// By time, along the motion, 1/s.
+    /// ġ along the motion, per second.
     rate: f64,
-    /// By a turn about body axes and by ω along them.
+    /// ∂g/∂x: with respect to a rotation about the body axes and to ω along them.
     by_state: [f64; 6],
-    /// By the elements of the inertia tensor.
+    /// ∂g/∂I: with respect to the elements of the inertia tensor.
     by_inertia: [f64; 6],
 }
 
 impl EventSlope {
-    /// How the time of the event changes where the state changes by this much, and an element of the inertia by one:
-    /// δt = −(∂g/∂x · δx + ∂g/∂I)/ġ.
+    /// Returns the change of the event's time, δt = −(∂g/∂x · δx + ∂g/∂I)/ġ.
+    /// `change` is the change δx of the state. If `element` is given, that element of the inertia
+    /// tensor changes by one unit.
     pub(in crate::motion) fn time(&self, change: &[f64; 6], element: Option<usize>) -> f64 {
         let of_state: f64 = self.by_state.iter().zip(change).map(|(slope, change)| slope * change).sum();
         let of_inertia = element.and_then(|k| self.by_inertia.get(k)).copied().unwrap_or(0.0);
@@ -35,8 +37,9 @@ impl EventSlope {
 }
 
 impl Event {
-    /// Returns the rate of its function along the motion, 1/s, in a state whose axes turn at Ω and whose ω changes at ω̇, body
-    /// axes. It is NaN for a function of which only values are known.
+    /// Returns the rate of the gap along the motion, per second, in a state with turning rate Ω of
+    /// the axes and acceleration ω̇, body axes. The rate is NaN for a function whose derivatives
+    /// are not known.
     pub(crate) fn rate(
         &self,
         rotor: &Rotor,
@@ -47,7 +50,7 @@ impl Event {
         if *self.measure() == Measure::TotalEnergy && rotor.wheels().is_empty() {
             return 0.0;
         }
-        // A jump has no rate on either side, and that of a function is not known.
+        // A jump has no one-sided rate, and the rate of a user-supplied function is not known.
         if self.roughness().is_some() {
             return f64::NAN;
         }
@@ -56,7 +59,7 @@ impl Event {
         measured(self.measure(), &along).first
     }
 
-    /// Why what it measures has no derivatives, if it has none.
+    /// Returns the reason that the measured quantity has no derivatives, if it has none.
     pub(in crate::motion) fn roughness(&self) -> Option<&'static str> {
         match self.measure() {
             Measure::TotalEnergy => Some("an event measures the total energy, which stays the same"),
@@ -68,7 +71,8 @@ impl Event {
         }
     }
 
-    /// In a state whose axes turn at Ω and whose ω changes at ω̇, body axes.
+    /// Returns the derivatives of the gap in a state with turning rate Ω of the axes and
+    /// acceleration ω̇, body axes.
     pub(in crate::motion) fn slope(
         &self,
         rotor: &Rotor,
@@ -93,7 +97,8 @@ impl Event {
     }
 }
 
-/// What is measured, or a smooth function of it alone: of an angle between directions, its cosine.
+/// Returns the measured quantity, or a smooth function of it: for an angle between directions, its
+/// cosine.
 fn measured<'a>(measure: &Measure, at: &Tangent<'a>) -> <Tangent<'a> as LawInput>::Scalar {
     let momentum = || at.inertia(at.omega()) + at.wheel_momentum();
     let variable = |name: &str| {
@@ -123,10 +128,10 @@ fn measured<'a>(measure: &Measure, at: &Tangent<'a>) -> <Tangent<'a> as LawInput
     }
 }
 
-/// A direction of space at a time, and its rate.
+/// Returns a direction of space at a time, and its rate.
 fn direction(reference: &Reference, time: f64) -> [Direction<Space>; 2] {
     let rate = reference.orbit().map_or(Direction::ZERO, |orbit| {
-        // A tenth of a radian on the way.
+        // Step during which the orbit turns by a tenth of a radian.
         let step = 0.1 / orbit.angular_velocity(time).norm();
         let at = |h: f64| reference.direction(time + h).to_array();
         Direction::from_array(derivative(at, step).best())

@@ -1,4 +1,4 @@
-//! Particles in motion: velocities in a rigid body, and how kinetic energy splits.
+//! Kinematics of particles: velocities in a rigid body, and decomposition of the kinetic energy.
 
 use crate::body::particles::Particle;
 use crate::math::frame::Frame;
@@ -6,11 +6,12 @@ use crate::math::vector::{
     Acceleration, AngularAcceleration, AngularMomentum, AngularVelocity, Momentum, Position, Velocity,
 };
 
-/// The velocity of a point of a rigid body: v = V + ω × r.
+/// Returns the velocity of a point of a rigid body: v = V + ω × r.
 ///
-/// V is the velocity of the body's origin and r leads from it to the point; all along the same axes.
+/// V is the velocity of the body's origin, and r is the vector from the origin to the point. All
+/// vectors have the same axes.
 ///
-/// Source: the lecture notes, "The inertia tensor"; Thornton & Marion, eq. (10.17), as they cite it.
+/// Source: lecture notes, "The inertia tensor"; Thornton & Marion, eq. (10.17), as cited there.
 pub fn rigid_velocity<F>(
     origin_velocity: Velocity<F>,
     omega: AngularVelocity<F>,
@@ -19,7 +20,8 @@ pub fn rigid_velocity<F>(
     origin_velocity + omega.cross(r)
 }
 
-/// The acceleration of a point of a rigid body whose origin moves uniformly: a = ω̇ × r + ω × (ω × r).
+/// Returns the acceleration of a point of a rigid body whose origin moves uniformly: a = ω̇ × r + ω
+/// × (ω × r).
 pub fn rigid_acceleration<F>(
     omega: AngularVelocity<F>,
     angular_acceleration: AngularAcceleration<F>,
@@ -28,34 +30,37 @@ pub fn rigid_acceleration<F>(
     angular_acceleration.cross(r) + omega.cross(omega.cross(r))
 }
 
-/// A particle and its velocity, along the axes of `F`; the particles need not be a rigid body.
+/// Particle with a velocity, along the axes of `F`. A set of them need not be a rigid body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MovingParticle<F> {
-    /// Mass and place.
+    /// Mass and position.
     pub particle: Particle<F>,
     /// Velocity, m/s.
     pub velocity: Velocity<F>,
 }
 
-/// The kinetic energy of particles seen from an origin that moves with velocity V, r and v being relative to it.
+/// Decomposition of the kinetic energy of particles about an origin that moves with velocity V.
+/// Positions r and velocities v are relative to the origin.
 ///
 /// T = ½ M V² + V · Σ m v + ½ Σ m v²
 ///
-/// About the centre of mass Σ m v = 0: the cross term vanishes, and T = T_trans + T_rot.
+/// About the centre of mass Σ m v = 0, the cross term vanishes, and T = `T_trans` + `T_rot`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KineticEnergySplit {
     /// ½ M V², J.
     pub translation: f64,
-    /// V · Σ m v, J: zero about the centre of mass.
+    /// V · Σ m v, J; zero about the centre of mass.
     pub cross: f64,
-    /// ½ Σ m v², J; for a rigid body that turns at ω, v = ω × r and this is T_rot = ½ ω · I ω.
+    /// ½ Σ m v², J. For a rigid body with angular velocity ω, v = ω × r, and this is `T_rot` = ½ ω
+    /// · I ω.
     pub rotation: f64,
 }
 
 impl KineticEnergySplit {
-    /// The kinetic energy of `particles`, split for an origin that moves at `origin_velocity`.
+    /// Decomposes the kinetic energy of `particles` about an origin that moves at
+    /// `origin_velocity`.
     ///
-    /// Source: the lecture notes, "The inertia tensor".
+    /// Source: lecture notes, "The inertia tensor".
     pub fn of<F: Frame>(particles: &[MovingParticle<F>], origin_velocity: Velocity<F>) -> Self {
         let mut split = Self { translation: 0.0, cross: 0.0, rotation: 0.0 };
         for p in particles {
@@ -68,13 +73,13 @@ impl KineticEnergySplit {
         split
     }
 
-    /// T, J: the same for every origin.
+    /// Returns the total kinetic energy T, J, which does not depend on the origin.
     pub const fn total(&self) -> f64 {
         self.translation + self.cross + self.rotation
     }
 }
 
-/// Linear momentum Σ m v, kg·m/s.
+/// Returns the linear momentum Σ m v, kg·m/s.
 pub fn momentum<F: Frame>(particles: &[MovingParticle<F>]) -> Momentum<F> {
     particles
         .iter()
@@ -82,9 +87,10 @@ pub fn momentum<F: Frame>(particles: &[MovingParticle<F>]) -> Momentum<F> {
         .fold(Momentum::ZERO, |sum, p| sum + p)
 }
 
-/// Angular momentum about a point that moves at `point_velocity`: Σ m (r − r₀) × (v − v₀), kg·m²/s.
+/// Returns the angular momentum Σ m (r − r₀) × (v − v₀), kg·m²/s, about a point r₀ that moves at
+/// `point_velocity` v₀.
 ///
-/// Source: the lecture notes, "Angular Momentum".
+/// Source: lecture notes, "Angular Momentum".
 pub fn angular_momentum<F: Frame>(
     particles: &[MovingParticle<F>],
     point: Position<F>,
@@ -126,10 +132,10 @@ mod tests {
         let split = KineticEnergySplit::of(&moving, v_center);
         assert!(split.cross.abs() < 1e-14);
         assert!((split.translation - 0.5 * body.mass() * v_center.dot(v_center)).abs() < 1e-13);
-        // T_rot = ½ ω · I ω
+        // `T_rot` = ½ ω · I ω
         let by_tensor = 0.5 * omega.dot(*body.inertia() * omega);
         assert!((split.rotation - by_tensor).abs() < 1e-14);
-        // Another origin of the same body: the total stays, the cross term is there.
+        // Another origin of the same body: the same total, a nonzero cross term.
         let elsewhere = rigid_velocity(v_center, omega, Position::new(0.3, -0.2, 0.9));
         let other = KineticEnergySplit::of(&moving, elsewhere);
         assert!((other.total() - split.total()).abs() < 1e-13);
@@ -141,7 +147,7 @@ mod tests {
 
     #[test]
     fn acceleration_is_the_rate_of_velocity() {
-        // ω(t) = ω0 + α t in space axes; r turns with the body: r(h) = r + (ω × r) h + O(h²)
+        // ω(t) = ω0 + α t in space axes; r is fixed in the body: r(h) = r + (ω × r) h + O(h²)
         let omega = AngularVelocity::<Body>::new(0.7, -1.1, 0.4);
         let alpha = AngularAcceleration::<Body>::new(-0.3, 0.2, 0.9);
         let r = Position::new(0.5, 0.8, -1.2);

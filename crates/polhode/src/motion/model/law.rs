@@ -1,10 +1,11 @@
-//! What a torque law is: N as a function of the time, the attitude and ω, stated once.
+//! Torque laws: N as a function of time, attitude and ω, each written once.
 //!
-//! A [`Law`] is written over any [`LawInput`], which gives it the components of a body's state, and whose
-//! numbers and vectors know only their operations. So one statement is evaluated in a state
-//! ([`LawInput`] of f64), is recognised as linear or quadratic (`torque/polynomial.rs`), is recorded as a
-//! graph (`torque/graph.rs`), from which Taylor's method has its series, of one body or of several, and
-//! is differentiated (`torque/jacobian.rs`).
+//! A [`Law`] is generic over [`LawInput`], which supplies the components of the state of a body.
+//! The numbers and vectors of a `LawInput` have only arithmetic operations. The same expression
+//! therefore serves four purposes: it is evaluated in a state ([`LawInput`] over f64), recognised
+//! as linear or quadratic (`torque/polynomial.rs`), recorded as a graph for the power series of
+//! Taylor's method, for one body or several (`torque/graph.rs`), and differentiated
+//! (`torque/jacobian.rs`).
 
 use crate::math::algebra::{Scalar, VectorAlgebra};
 use crate::math::frame::{Body, Space};
@@ -17,7 +18,8 @@ use crate::motion::model::state::State;
 
 /// A torque as a function of the state.
 ///
-/// Vectors are along the body's axes, in SI units. A law has no branches on what the input gives: it is the same expression everywhere.
+/// Vectors are along the body axes, in SI units. A law has no branches that depend on the input: it
+/// is the same expression everywhere.
 ///
 /// ```
 /// use polhode::math::{Scalar, VectorAlgebra};
@@ -47,129 +49,140 @@ use crate::motion::model::state::State;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Law {
-    /// N about the point that the body turns about, N·m.
+    /// Returns the torque N about the point about which the body turns, N·m.
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector;
 
-    /// The names of the numbers that motions can be differentiated by, in the order of their places: those that the law takes by
-    /// [`LawInput::parameter`] and its like.
+    /// Returns the names of the parameters with respect to which motions can be differentiated,
+    /// ordered by index. The law reads them with [`LawInput::parameter`] and its variants.
     fn parameters(&self) -> &'static [&'static str] {
         &[]
     }
 
-    /// N in a state, N·m.
+    /// Returns the torque N in a state, N·m.
     fn at(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
         self.torque(&Values { rotor, state, near: None }).as_quantity()
     }
 }
 
-/// The state of a body and what follows from it, along the axes of the body: what a [`Law`] is a function of.
+/// Input of a [`Law`]: the state of a body and derived quantities, along the body axes.
 pub trait LawInput {
-    /// A number.
+    /// Type of numbers.
     type Scalar: Scalar;
-    /// A vector.
+    /// Type of vectors.
     type Vector: VectorAlgebra<Self::Scalar>;
 
-    /// The body, and the point that it turns about. Of a body whose mass properties change it is known in states only, so that a law that asks for it
-    /// has no power series then; [`LawInput::inertia`], [`LawInput::moving_point`] and [`LawInput::moving_moment`] have one.
+    /// Returns the body, with the point about which it turns.
+    ///
+    /// If the mass properties change with time, the body is known only in states, so a law that
+    /// calls this function has no power series. [`LawInput::inertia`], [`LawInput::moving_point`]
+    /// and [`LawInput::moving_moment`] have one.
     fn rotor(&self) -> &Rotor;
 
-    /// A constant.
+    /// Returns a constant.
     fn number(&self, x: f64) -> Self::Scalar;
 
-    /// A vector that is fixed in the body.
+    /// Returns a vector that is fixed in the body.
     fn in_body(&self, v: Direction<Body>) -> Self::Vector;
 
-    /// A vector that is fixed in space.
+    /// Returns a vector that is fixed in space.
     fn in_space(&self, v: Direction<Space>) -> Self::Vector;
 
-    /// t, s.
+    /// Returns the time t, s.
     fn time(&self) -> Self::Scalar;
 
-    /// ω, rad/s.
+    /// Returns ω, rad/s.
     fn omega(&self) -> Self::Vector;
 
-    /// The quaternion (w, v) of R_space_body: that of the start, continued, of either sign.
+    /// Returns the quaternion (w, v) of `R_space_body`, continuous from the start; its sign is
+    /// arbitrary.
     fn attitude(&self) -> (Self::Scalar, Self::Vector);
 
-    /// The quaternion (w, v) of the turn from another attitude, w ≥ 0; v is along the axes of the body at either attitude.
+    /// Returns the quaternion (w, v), w ≥ 0, of the rotation from `rest` to the attitude. v has the
+    /// same components along the body axes of both attitudes.
     fn turn_from(&self, rest: Attitude) -> (Self::Scalar, Self::Vector);
 
-    /// Σ h a of the wheels, kg·m²/s.
+    /// Returns the angular momentum Σ h a of the wheels, kg·m²/s.
     fn wheel_momentum(&self) -> Self::Vector;
 
-    /// Where the body is on an orbit.
+    /// Returns the position of the body on an orbit.
     fn orbit(&self, orbit: &Orbit) -> OrbitPosition<Self::Scalar, Self::Vector>;
 
-    /// I v, of the tensor about the point that the body turns about.
+    /// Returns I v, with I about the point about which the body turns.
     fn inertia(&self, v: Self::Vector) -> Self::Vector;
 
-    /// M v, of a symmetric matrix along body axes by its elements xx, yy, zz, xy, xz, yz.
+    /// Returns M v. The elements of the symmetric matrix M along body axes are xx, yy, zz, xy, xz,
+    /// yz.
     fn symmetric(&self, elements: [f64; 6], v: Self::Vector) -> Self::Vector;
 
-    /// The components of a vector along the body's axes.
+    /// Returns the components of a vector along the body axes.
     fn components(&self, v: Self::Vector) -> [Self::Scalar; 3];
 
-    /// The vector with these components.
+    /// Returns the vector with these components.
     fn vector(&self, components: [Self::Scalar; 3]) -> Self::Vector;
 
-    /// Where the point that the body turns about is in the body, if its mass properties change and the rotor does not know.
+    /// Returns the position in the body of the point about which it turns, if the mass properties
+    /// change and the rotor does not know it.
     fn moving_point(&self) -> Option<Self::Vector> {
         None
     }
 
-    /// M l, l from that point to the centre of mass, if they change.
+    /// Returns the first moment M l if the mass properties change, with l from that point to the
+    /// centre of mass.
     fn moving_moment(&self) -> Option<Self::Vector> {
         None
     }
 
-    /// A constant that is the law's parameter at this place.
+    /// Returns a constant that is a parameter of the law. The arguments are the index of the
+    /// parameter and its value.
     fn parameter(&self, _which: usize, value: f64) -> Self::Scalar {
         self.number(value)
     }
 
-    /// A vector that is fixed in the body, whose components along its axes are three parameters from one on.
+    /// Returns a vector fixed in the body whose components along the body axes are three
+    /// consecutive parameters.
     fn body_parameters(&self, _first: usize, v: Direction<Body>) -> Self::Vector {
         self.in_body(v)
     }
 
-    /// A vector that is fixed in space, in the same way.
+    /// Returns a vector fixed in space whose components are three consecutive parameters.
     fn space_parameters(&self, _first: usize, v: Direction<Space>) -> Self::Vector {
         self.in_space(v)
     }
 
-    /// r × F of a place and a force that are fixed in the body, whose components are six parameters from one on.
+    /// Returns r × F of a position and a force fixed in the body, whose components are six
+    /// consecutive parameters.
     fn moment_parameters(&self, _first: usize, [r, force]: [Direction<Body>; 2]) -> Self::Vector {
         self.in_body(r.cross(force))
     }
 
-    /// M v, of a symmetric matrix whose elements are six parameters from one on.
+    /// Returns M v of a symmetric matrix whose elements are six consecutive parameters.
     fn symmetric_parameters(&self, _first: usize, elements: [f64; 6], v: Self::Vector) -> Self::Vector {
         self.symmetric(elements, v)
     }
 }
 
-/// A position on an orbit, from the attracting mass: r = r₀ ρ with r₀ near |r|.
+/// Position on an orbit, from the attracting mass: r = r₀ ρ, with r₀ close to |r|.
 #[derive(Clone, Copy, Debug)]
 pub struct OrbitPosition<S, V> {
-    /// ρ, along the body's axes.
+    /// ρ, along the body axes.
     pub direction: V,
-    /// |ρ|²
+    /// Square |ρ|².
     pub square: S,
-    /// |ρ|⁻³
+    /// Inverse cube |ρ|⁻³.
     pub inverse_cube: S,
-    /// r₀, m.
+    /// Reference distance r₀, m.
     pub distance: S,
-    /// µ/r₀³, 1/s².
+    /// Strength µ/r₀³ of gravity, 1/s².
     pub strength: S,
 }
 
-/// A state in numbers.
+/// Input of a law that is a state with numeric values.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Values<'a> {
     pub(super) rotor: &'a Rotor,
     pub(super) state: &'a State,
-    /// An attitude near that of the state, with which the quaternions of turns are continuous; without it their
-    /// scalar part is not negative.
+    /// Attitude near that of the state. Quaternions of rotations are continuous relative to it. If
+    /// `None`, their scalar part is not negative.
     pub(super) near: Option<Attitude>,
 }
 
@@ -252,7 +265,7 @@ impl LawInput for Values<'_> {
     }
 }
 
-/// A body without symmetry, for tests.
+/// Returns a body without symmetry, for tests.
 #[cfg(test)]
 pub(super) fn generic_rotor() -> Rotor {
     use crate::body::{InertiaTensor, MassProperties};

@@ -1,4 +1,5 @@
-//! What turns and what turns it: the state, the body with its pivot and wheels, Euler's equations, torques, orbits, events.
+//! Model of the motion: state, body with pivot and wheels, Euler's equations, torques, orbits,
+//! events.
 
 pub(crate) mod energy;
 pub(crate) mod euler;

@@ -1,8 +1,9 @@
-//! Orbits about a point mass: where a centre of mass is, at any time.
+//! Orbits about a point mass: the position of a centre of mass as a function of time.
 //!
-//! A circle, or Kepler's ellipse, parabola or hyperbola, in closed form: nothing is integrated, and how the body turns does not
-//! change it. Kepler's equation is in `math/kepler.rs`, for every eccentricity. Time on an ellipse is counted from the passage of
-//! the periapsis that is nearest to it, and the mean motion n has two words, so that many revolutions cost no digits.
+//! The orbit is a circle, or a Kepler ellipse, parabola or hyperbola, in closed form. It does not
+//! depend on the rotation of the body. `math/kepler.rs` solves Kepler's equation for every
+//! eccentricity. On an ellipse, time is counted from the nearest passage of the periapsis. The mean
+//! motion n is a double-double; many revolutions therefore do not reduce the accuracy.
 
 use super::orbital_elements::{Anomaly, OrbitalElements};
 use crate::math::double::Double;
@@ -13,14 +14,18 @@ use crate::math::vector::{AngularVelocity, Direction, Position, Vector, Velocity
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 
-/// The Earth's gravitational parameter GM, m³/s²: IERS Conventions (2010), table 1.1, with the atmosphere.
+/// Gravitational parameter GM of the Earth, m³/s², with the atmosphere: IERS Conventions (2010),
+/// table 1.1.
 pub const MU_EARTH: f64 = 3.986_004_418e14;
 
 /// An orbit about a point mass at the origin of space: r̈ = −µ r/r³.
 ///
-/// Positions are those of the numbers that made it, to a few ε of the distance, and along the path to a few ε n t₁, t₁ the time
-/// to the nearest periapsis: after 10⁶ revolutions as after one. (A state's own n is a function of six numbers, whose rounding
-/// the orbit takes for true: after N revolutions the last digit of a velocity stands for some 20 N ε rad.)
+/// A position is accurate to a few ε of the distance, and along the path to a few ε n t₁, with t₁
+/// the time to the nearest periapsis. This is independent of the number of revolutions.
+///
+/// The orbit takes the numbers that define it as exact. If it is defined by a state, n depends on
+/// six rounded numbers. After N revolutions, input rounding limits the accuracy to about 20 N ε
+/// rad.
 ///
 /// ```
 /// use polhode::math::{Position, Velocity};
@@ -36,30 +41,31 @@ pub const MU_EARTH: f64 = 3.986_004_418e14;
 pub struct Orbit {
     mu: f64,
     conic: Conic,
-    /// q, the least distance, m.
+    /// Periapsis distance q, m.
     periapsis: f64,
-    /// √(q³/µ), s.
+    /// Unit of time √(q³/µ), s.
     unit: f64,
     clock: Clock,
-    /// Towards the periapsis, and the way it moves there.
+    /// Unit vectors to the periapsis, and along the velocity there.
     axes: [Direction<Space>; 2],
 }
 
-/// The time since the periapsis.
+/// Relation between time and position on the orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Clock {
-    /// Of an ellipse: the mean anomaly at a time (s), and n, rad/s.
+    /// Ellipse: mean anomaly at the epoch (s), and mean motion n, rad/s.
     Closed { epoch: f64, anomaly: f64, rate: Double },
-    /// Of the others: how long ago it was at a time (s), in units of √(q³/µ).
+    /// Parabola or hyperbola: time since the periapsis at the epoch (s), in units of √(q³/µ).
     Open { epoch: f64, since: f64 },
 }
 
 impl Orbit {
-    /// A circle of a radius (m). At t = 0 the body is in the direction `radial`; it moves towards the side of `motion`, of which
-    /// only the part across `radial` counts.
+    /// Creates a circular orbit of a radius (m). At t = 0 the body is in the direction `radial`. It
+    /// moves towards the side of `motion`; only the part of `motion` normal to `radial` counts.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if µ or the radius is not positive, or the directions do not span a plane.
+    /// A parameter's error ([`MotionError::is_parameter`]) if µ or the radius is not positive, or
+    /// the directions do not span a plane.
     pub fn circular(
         mu: f64,
         radius: f64,
@@ -71,10 +77,11 @@ impl Orbit {
         Self::circle(mu, radius, mean_motion(mu, Double::from(1.0) / Double::from(radius)), radial, motion)
     }
 
-    /// A circle that is run through at a rate (rad/s); its radius follows, n² r³ = µ. Otherwise as [`Orbit::circular`].
+    /// Creates a circular orbit with an angular rate (rad/s). The radius follows from n² r³ = µ.
+    /// Otherwise like [`Orbit::circular`].
     ///
     /// # Errors
-    /// As [`Orbit::circular`].
+    /// The errors of [`Orbit::circular`].
     pub fn circular_at_rate(
         mu: f64,
         rate: f64,
@@ -102,11 +109,13 @@ impl Orbit {
         Self::new(mu, Conic { e: 0.0, beta: 1.0 }, radius, clock, (toward, normal))
     }
 
-    /// The orbit through a place at a velocity at a time, in s: an ellipse, a parabola or a hyperbola.
+    /// Creates the orbit through a position with a velocity at a time, s: an ellipse, a parabola or
+    /// a hyperbola.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if µ is not positive, a number not finite, or the velocity along the position: what falls
-    /// straight has no plane.
+    /// A parameter's error ([`MotionError::is_parameter`]) if µ is not positive, if a number is not
+    /// finite, or if the velocity is parallel to the position. A straight fall has no orbital
+    /// plane.
     pub fn through(
         mu: f64,
         position: Position<Space>,
@@ -136,7 +145,7 @@ impl Orbit {
             Some(toward) if in_plane.norm() > CIRCLE => (in_plane.norm(), toward),
             _ => (0.0, u),
         };
-        // q = p/(1 + e), 1 − e = q/a; 1/a in two words, so that n is positive where 1 − e is
+        // q = p/(1 + e), 1 − e = q/a. 1/a is a double-double, so that n is positive where 1 − e is.
         let inverse = inverse_semi_major_axis(mu, position, velocity);
         let alpha = (inverse * Double::from(r)).value();
         require::that("the orbit's r/a", alpha, alpha.is_finite(), "finite")?;
@@ -155,11 +164,12 @@ impl Orbit {
         Self::new(mu, conic, q * r, clock, (toward, normal))
     }
 
-    /// The orbit of classical elements at t = 0.
+    /// Creates the orbit with classical elements at t = 0.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if µ is not positive, e is negative or 1, a has the wrong sign, an angle is not finite, or the
-    /// true anomaly is beyond the asymptotes of a hyperbola.
+    /// A parameter's error ([`MotionError::is_parameter`]) if µ is not positive, e is negative or
+    /// 1, a has the wrong sign, or an angle is not finite. Also if the true anomaly is beyond the
+    /// asymptotes of a hyperbola.
     pub fn of_elements(mu: f64, elements: &OrbitalElements) -> Result<Self, MotionError> {
         let &OrbitalElements { semi_major_axis: a, eccentricity: e, inclination, node, periapsis, anomaly } =
             elements;
@@ -197,7 +207,8 @@ impl Orbit {
         Self::new(mu, conic, a * conic.beta, clock, (axis(1.0, 0.0, 0.0), axis(0.0, 0.0, 1.0)))
     }
 
-    /// From valid parts; `plane` is the direction of the periapsis, and the normal.
+    /// Creates an orbit from valid parts. The last argument is the direction of the periapsis and
+    /// the normal.
     fn new(
         mu: f64,
         conic: Conic,
@@ -215,18 +226,19 @@ impl Orbit {
         Ok(Self { mu, conic, periapsis, unit, clock, axes: [toward, ahead] })
     }
 
-    /// Where it is at a time in s, from the point mass, m.
+    /// Returns the position at a time (s), relative to the point mass, space axes, m.
     pub fn position(&self, time: f64) -> Position<Space> {
         let [x, y] = self.place(time).position;
         self.in_space([x, y]) * self.periapsis
     }
 
-    /// Its velocity at a time in s, m/s.
+    /// Returns the velocity at a time (s), space axes, m/s.
     pub fn velocity(&self, time: f64) -> Velocity<Space> {
         self.in_space(self.place(time).velocity) * (self.periapsis / self.unit)
     }
 
-    /// R_space_orbital at a time in s: from axes along the local vertical and horizontal to those of space.
+    /// Returns `R_space_orbital` at a time (s): the rotation from axes along the local vertical and
+    /// horizontal to space axes.
     ///
     /// z = −r̂ (nadir), y = −r × v/|r × v|, x = y × z.
     pub fn local_axes(&self, time: f64) -> Rotation<Space, Orbital> {
@@ -237,7 +249,7 @@ impl Orbit {
         Rotation::from_axes([y.cross(nadir), y, nadir])
     }
 
-    /// The angular velocity of those axes at a time in s: r × v/r².
+    /// Returns the angular velocity of the orbital axes at a time (s), r × v/r², space axes, rad/s.
     pub fn angular_velocity(&self, time: f64) -> AngularVelocity<Space> {
         let (r, v) = self.position_and_velocity(time);
         let (r, v): (Direction<Space>, Direction<Space>) = (r.as_quantity(), v.as_quantity());
@@ -245,35 +257,35 @@ impl Orbit {
         (unit.cross(v) / r.norm()).as_quantity()
     }
 
-    /// Both at once, which costs no more than one.
+    /// Returns position and velocity. This costs no more than one of them.
     pub(crate) fn position_and_velocity(&self, time: f64) -> (Position<Space>, Velocity<Space>) {
         let OrbitalPoint { position, velocity } = self.place(time);
         (self.in_space(position) * self.periapsis, self.in_space(velocity) * (self.periapsis / self.unit))
     }
 
-    /// On a circle, the direction towards the body, and its rate, rad/s.
+    /// Returns the unit vector to the body on a circular orbit, and its rate, rad/s.
     #[inline]
     pub(crate) fn around(&self, time: f64) -> [Direction<Space>; 2] {
         let OrbitalPoint { position, velocity } = self.place(time);
         [self.in_space(position), self.in_space(velocity) * (1.0 / self.unit)]
     }
 
-    /// µ, m³/s².
+    /// Returns the gravitational parameter µ, m³/s².
     pub const fn mu(&self) -> f64 {
         self.mu
     }
 
-    /// e
+    /// Returns the eccentricity e.
     pub const fn eccentricity(&self) -> f64 {
         self.conic.e
     }
 
-    /// The least distance from the point mass, m: the radius of a circle.
+    /// Returns the periapsis distance from the point mass, m: the radius if the orbit is a circle.
     pub const fn periapsis(&self) -> f64 {
         self.periapsis
     }
 
-    /// n, rad/s; `None` if the orbit is not closed.
+    /// Returns the mean motion n, rad/s; `None` if the orbit is not closed.
     pub fn mean_motion(&self) -> Option<f64> {
         match self.clock {
             Clock::Closed { rate, .. } => Some(rate.value()),
@@ -281,7 +293,7 @@ impl Orbit {
         }
     }
 
-    /// The time of one revolution, s; `None` if the orbit is not closed.
+    /// Returns the period, s; `None` if the orbit is not closed.
     pub fn period(&self) -> Option<f64> {
         match self.clock {
             Clock::Closed { rate, .. } => Some((Double::TAU / rate).value()),
@@ -294,7 +306,7 @@ impl Orbit {
         self.conic.e == 0.0
     }
 
-    /// µ/r³ at a distance that it has; on a circle n², which may be what is given.
+    /// Returns µ/r³ at a distance r on the orbit. On a circle it returns n², which may be an input.
     pub(crate) fn strength(&self, distance: f64) -> f64 {
         match self.mean_motion() {
             Some(rate) if self.is_circular() => rate * rate,
@@ -306,7 +318,7 @@ impl Orbit {
         self.conic.at(match self.clock {
             Clock::Open { epoch, since } => since + (time - epoch) / self.unit,
             Clock::Closed { epoch, anomaly, rate } => {
-                // M = M₀ + n (t − t₀), less whole turns
+                // M = M₀ + n (t − t₀), reduced modulo 2π
                 let m = rate * Double::sum(time, -epoch) + Double::from(anomaly);
                 let m = m - Double::TAU * Double::from((m.high / Double::TAU.high).round());
                 if self.is_circular() {
@@ -335,18 +347,18 @@ impl Clock {
     }
 }
 
-/// An eccentricity that is rounding: the orbit is a circle.
+/// Eccentricity below which the orbit is a circle to within rounding.
 const CIRCLE: f64 = 4.0 * f64::EPSILON;
 
-/// Directions closer than this, rad, span no plane.
+/// Angle, rad, below which two directions do not span a plane.
 const LEAST_ANGLE: f64 = 1e-9;
 
-/// n = √(µ/a³) by 1/a; of no use where that is not positive.
+/// Returns n = √(µ/a³) from 1/a. Meaningless if 1/a is not positive.
 fn mean_motion(mu: f64, inverse: Double) -> Double {
     (Double::from(mu) * inverse).sqrt() * inverse
 }
 
-/// 1/a = 2/r − v²/µ
+/// Returns 1/a = 2/r − v²/µ.
 fn inverse_semi_major_axis(mu: f64, position: Position<Space>, velocity: Velocity<Space>) -> Double {
     let squared = |v: [f64; 3]| v.iter().fold(Double::default(), |sum, &x| sum + Double::product(x, x));
     let r = squared(position.to_array()).sqrt();
@@ -410,7 +422,7 @@ mod tests {
             let want = want * (a * (1.0 - e * e) / (1.0 + e * libm::cos(1.1)));
             assert!((r - want).norm() < 4e-15 * want.norm(), "{r:?} {want:?}");
         }
-        // M = E − e sin E at E = 2: x = a (cos E − e) towards the periapsis
+        // M = E − e sin E at E = 2: x = a (cos E − e) along the periapsis direction
         let orbit = elements(2.6e7, 0.74, Anomaly::Mean(2.0 - 0.74 * libm::sin(2.0)));
         let toward = elements(2.6e7, 0.74, Anomaly::True(0.0)).position(0.0).direction().unwrap();
         let x = toward.dot(orbit.position(0.0)) / 2.6e7;
@@ -435,7 +447,8 @@ mod tests {
 
     #[test]
     fn a_million_revolutions_cost_no_digits() {
-        // a = 1 and µ = 1: n = 1 exactly, and t = 2π N + τ in two words, of which an f64 has the first.
+        // a = 1 and µ = 1: n = 1 exactly, and t = 2π N + τ as a double-double, of which an f64 has
+        // the high word.
         let orbit = Orbit::of_elements(
             1.0,
             &OrbitalElements {
@@ -465,7 +478,7 @@ mod tests {
         let d = 1.7_f64;
         let r = orbit.position(3.0 + d + d * d * d / 3.0);
         assert!((r - Position::new(1.0 - d * d, 2.0 * d, 0.0)).norm() < 4e-15, "{r:?}");
-        // Rounding makes it an ellipse or a hyperbola, as long as one likes.
+        // Rounding makes it an ellipse or a hyperbola of arbitrary period.
         for speed in [2.0_f64.next_up(), 2.0_f64.next_down()] {
             let near = Orbit::through(2.0, Position::new(1.0, 0.0, 0.0), Velocity::new(0.0, speed, 0.0), 3.0)
                 .unwrap();

@@ -1,27 +1,27 @@
-//! The classical elements of an orbit.
+//! Classical orbital elements.
 
-/// The classical elements of an orbit at t = 0.
+/// Classical orbital elements at t = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrbitalElements {
-    /// a, m; negative for a hyperbola.
+    /// Semi-major axis a, m; negative for a hyperbola.
     pub semi_major_axis: f64,
-    /// e, not 1.
+    /// Eccentricity e, not 1.
     pub eccentricity: f64,
-    /// i, from the xy plane of space, rad.
+    /// Inclination i to the xy plane of space, rad.
     pub inclination: f64,
-    /// Ω, from the x axis of space to the ascending node, rad.
+    /// Longitude Ω of the ascending node, from the x axis of space, rad.
     pub node: f64,
-    /// ω, from the node to the periapsis, rad.
+    /// Argument of periapsis ω, from the node, rad.
     pub periapsis: f64,
-    /// Where on the orbit.
+    /// Position on the orbit.
     pub anomaly: Anomaly,
 }
 
-/// Where on an orbit something is, from the periapsis.
+/// Anomaly: position on an orbit, measured from the periapsis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Anomaly {
-    /// M, rad: an angle that grows evenly with time.
+    /// Mean anomaly M, rad: grows linearly with time.
     Mean(f64),
-    /// ν, rad: the angle at the point mass.
+    /// True anomaly ν, rad: the angle at the point mass.
     True(f64),
 }

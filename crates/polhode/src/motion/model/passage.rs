@@ -1,29 +1,31 @@
 //! Passages of a function of time through zero, and the side of zero on which it is between them.
 //!
-//! A function has a side as soon as it is beyond its rounding. Where an interval begins at zero, except for rounding,
-//! the side is that to which the function leaves: it is found at times that follow the start ever further away. A
-//! passage is a change of the side. So a function that only touches zero has none, and one that is on another side
-//! than where the interval before ended has one at the start.
+//! A function has a side as soon as its value exceeds its rounding. If an interval begins at zero
+//! to within rounding, the side is the one to which the function leaves. It is found at times at
+//! increasing distances from the start. A passage is a change of the side. A function that only
+//! touches zero therefore has no passage. A function that begins on another side than the one at
+//! which the preceding interval ended has a passage at the start.
 
 use crate::math::root::root;
 use crate::math::sign_changes::{Node, SLOPE, Sought};
 
-/// A body turns by less than this in a piece of an interval, rad.
+/// Upper limit of the rotation of the body in one piece of an interval, rad.
 const TURN: f64 = 0.3;
 
-/// Pieces of a part of an interval, at least and at most.
+/// Minimum and maximum number of pieces of a part of an interval.
 const PIECES: [f64; 2] = [4.0, 256.0];
 
-/// Limit on the pieces of an interval.
+/// Upper limit of the number of pieces of an interval.
 const MOST_PIECES: f64 = 4_194_304.0;
 
-/// Rounding of a function relative to the size of its terms, and of a time relative to itself.
+/// Rounding of a function relative to the size of its terms, and relative rounding of a time.
 const ROUNDING: [f64; 2] = [16.0 * f64::EPSILON, 4.0 * f64::EPSILON];
 
-/// The side of an event's value on which a motion was last.
+/// Last known side of an event's value on which the motion is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EventSide {
-    /// The motion is at the value and has not left it: a motion that starts there has not passed it.
+    /// The motion is at the value and has not left it. A motion that starts there has not crossed
+    /// it.
     At,
     /// The measure is above the value.
     Above,
@@ -53,14 +55,14 @@ impl EventSide {
     }
 }
 
-/// The times at which an interval is looked at: the ends of its pieces, each with one next to it for the slope. That
-/// is before the last end, and after all others.
+/// Sampling times of an interval: the ends of its pieces, each with a second time nearby for the
+/// slope. The second time is before the last end, and after all others.
 #[derive(Clone, Debug)]
 pub(crate) struct Pieces(Vec<[f64; 2]>);
 
 impl Pieces {
-    /// Divides an interval into parts of at most 256 pieces each, for a function whose phase advances by this angle in the
-    /// interval, rad; `None` for too many pieces.
+    /// Divides an interval into parts of at most 256 pieces each. The phase of the function
+    /// advances by `angle` in the interval, rad. Returns `None` if there are too many pieces.
     pub(crate) fn parts([from, to]: [f64; 2], angle: f64) -> Option<Vec<[f64; 2]>> {
         let pieces = (angle / TURN).ceil();
         if pieces > MOST_PIECES {
@@ -72,7 +74,8 @@ impl Pieces {
         Some((0..count).map(|k| [end(k), end(k + 1)]).collect())
     }
 
-    /// Divides a part of an interval in which the phase of the function advances by this angle, rad.
+    /// Divides a part of an interval in which the phase of the function advances by this angle,
+    /// rad.
     pub(crate) fn of([from, to]: [f64; 2], turn: f64) -> Self {
         let count = (turn / TURN).ceil().clamp(PIECES[0], PIECES[1]) as u32;
         let width = (to - from) / f64::from(count);
@@ -87,7 +90,7 @@ impl Pieces {
         &self.0
     }
 
-    /// The later of two times that are the same except for rounding of the time.
+    /// Returns the latest time that equals `time` to within rounding.
     pub(crate) fn same(time: f64) -> f64 {
         time + ROUNDING[1] * time.abs()
     }
@@ -96,40 +99,41 @@ impl Pieces {
 /// A function on an interval.
 pub(crate) struct Course<'a> {
     pub(crate) pieces: &'a Pieces,
-    /// Its values at the times of the pieces.
+    /// Values at the sampling times of the pieces.
     pub(crate) values: &'a [[f64; 2]],
-    /// The size of its terms, to which its rounding is relative.
+    /// Magnitude of the terms of the function. Its rounding is relative to it.
     pub(crate) scale: f64,
-    /// A value up to which the function may be at zero until it has been beyond it, in addition to its rounding.
+    /// Threshold, in addition to the rounding, below which the function counts as zero until it has
+    /// exceeded it.
     pub(crate) floor: f64,
     pub(crate) function: &'a dyn Fn(f64) -> f64,
 }
 
-/// The passages of an interval.
+/// Passages in an interval.
 #[derive(Clone, Debug)]
 pub(crate) struct Passages {
-    /// The side before the interval.
+    /// Side before the interval.
     before: EventSide,
-    /// The first time at which the function is beyond its rounding, and its side there.
+    /// First time at which the function exceeds its rounding, and its side there.
     since: Option<(f64, EventSide)>,
-    /// When it passes zero, in ascending order, and whether it rises there.
+    /// Times of the zero crossings, in ascending order, each with true if the function rises.
     pub(crate) passages: Vec<(f64, bool)>,
-    /// The rounding of the function.
+    /// Rounding of the function.
     pub(crate) noise: f64,
 }
 
 impl Passages {
-    /// No passage of a function that stays on its side.
+    /// Creates an empty list of passages for a function that stays on its side.
     pub(crate) const fn none(before: EventSide, noise: f64) -> Self {
         Self { before, since: None, passages: Vec::new(), noise }
     }
 
-    /// Rounding of a function whose terms have this size.
+    /// Returns the rounding of a function whose terms have this magnitude.
     pub(crate) const fn rounding(scale: f64) -> f64 {
         ROUNDING[0] * scale
     }
 
-    /// True if the function has been beyond its rounding in the interval.
+    /// True if the function has exceeded its rounding in the interval.
     pub(crate) const fn is_known(&self) -> bool {
         self.since.is_some()
     }
@@ -141,7 +145,7 @@ impl Passages {
         self.noise = self.noise.max(next.noise);
     }
 
-    /// The side just after a time.
+    /// Returns the side just after a time.
     pub(crate) fn side(&self, time: f64) -> EventSide {
         let first = match (self.before, self.since) {
             (EventSide::At, Some((since, side))) if since <= time => side,
@@ -153,7 +157,7 @@ impl Passages {
 }
 
 impl Course<'_> {
-    /// Finds the passages of a function that is on a side before the interval.
+    /// Finds the passages of a function whose side before the interval is `before`.
     pub(crate) fn passages(&self, before: EventSide) -> Passages {
         let noise = Passages::rounding(self.scale);
         let mut passages = Passages::none(before, noise);
@@ -194,8 +198,9 @@ impl Course<'_> {
         passages
     }
 
-    /// The node from which the function is beyond its rounding after the start: outside `None` for a function without
-    /// values, inside where it stays within rounding during the first piece.
+    /// Returns the first node at which the function exceeds its rounding. The outer `None` means
+    /// that the function has no values. The inner `None` means that it stays within rounding during
+    /// the first piece.
     fn start(&self, noise: f64) -> Option<Option<Node>> {
         let (&[from, _], &[next, _]) = (self.pieces.0.first()?, self.pieces.0.get(1)?);
         let first = self.sampled(0)?;
@@ -219,7 +224,8 @@ impl Course<'_> {
         Some(None)
     }
 
-    /// A node where the function is beyond its rounding: an end of a piece, or the time next to it.
+    /// Returns a node at which the function exceeds its rounding: an end of a piece, or the second
+    /// time next to it.
     fn node(&self, k: usize, noise: f64) -> Option<Node> {
         let node = self.sampled(k)?;
         if self.is_beyond(&node, noise) {
@@ -235,18 +241,18 @@ impl Course<'_> {
         Some(Node { at, value, slope: (there - value) / (beside - at) })
     }
 
-    /// True if the value is more than the rounding of the function and of the time.
+    /// Checks if the value exceeds the rounding of the function and of the time.
     fn is_beyond(&self, node: &Node, noise: f64) -> bool {
         node.value.abs() > noise + ROUNDING[1] * (node.at * node.slope).abs()
     }
 
-    /// The passage between two nodes, between which the function is within its rounding.
+    /// Returns the passage between two nodes between which the function is within its rounding.
     fn between(&self, left: &Node, right: &Node) -> Option<f64> {
         let is_passed = (left.value > 0.0) != (right.value > 0.0);
         is_passed.then(|| root(self.function, [left.at, right.at], [left.value, right.value]))
     }
 
-    /// When the function leaves its rounding for another side than before.
+    /// Returns the time at which the function leaves its rounding to another side than before.
     fn left(&self, bracket: [f64; 2]) -> f64 {
         let [a, b] = bracket.map(self.function);
         if (a > 0.0) == (b > 0.0) { bracket[0] } else { root(self.function, bracket, [a, b]) }

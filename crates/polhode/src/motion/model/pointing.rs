@@ -1,4 +1,5 @@
-//! Where a direction of the body points: the angle to a direction that is fixed in space, or that the orbit or the field gives.
+//! Pointing: the angle between a direction of the body and a direction fixed in space or given by
+//! the orbit or the magnetic field.
 
 use super::orbit::Orbit;
 use super::require;
@@ -8,23 +9,23 @@ use crate::math::frame::{Body, Space};
 use crate::math::vector::{Direction, Vector};
 use crate::motion::error::MotionError;
 
-/// A direction of space, which may change with time.
+/// Direction of space, which may change with time.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Reference {
-    /// Fixed.
+    /// Direction fixed in space.
     Space(Direction<Space>),
-    /// Towards the centre of the orbit: −r.
+    /// Direction to the centre of the orbit: −r.
     Nadir(Orbit),
-    /// The way that the centre of mass moves: v.
+    /// Direction of the velocity of the centre of mass: v.
     Velocity(Orbit),
-    /// r × v
+    /// Normal of the orbit: r × v.
     OrbitNormal(Orbit),
-    /// B
+    /// Magnetic field B.
     Field(MagneticField),
 }
 
-/// A direction of the body, and the one to which its angle is of interest.
+/// A direction of the body, and the reference direction from which its angle is measured.
 ///
 /// ```
 /// use polhode::math::{AngularVelocity, Direction, Rotation};
@@ -45,7 +46,7 @@ pub struct Pointing {
 }
 
 impl Reference {
-    /// The direction at a time in s; not of unit length.
+    /// Returns the direction at a time (s); not of unit length.
     pub fn direction(&self, time: f64) -> Direction<Space> {
         match self {
             Self::Space(direction) => *direction,
@@ -56,7 +57,7 @@ impl Reference {
         }
     }
 
-    /// The orbit that it depends on.
+    /// Returns the orbit on which the direction depends.
     pub(crate) const fn orbit(&self) -> Option<&Orbit> {
         match self {
             Self::Nadir(orbit) | Self::Velocity(orbit) | Self::OrbitNormal(orbit) => Some(orbit),
@@ -65,7 +66,7 @@ impl Reference {
         }
     }
 
-    /// As scenario files and summaries name it.
+    /// Returns the name used in scenario files and summaries.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Space(_) => "a fixed direction",
@@ -76,10 +77,10 @@ impl Reference {
         }
     }
 
-    /// The same, of unit length where it is fixed.
+    /// Normalizes a fixed direction to unit length.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if it has no direction.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the vector is zero or not finite.
     pub(crate) fn normalised(self) -> Result<Self, MotionError> {
         match self {
             Self::Space(direction) => Ok(Self::Space(unit(direction)?)),
@@ -96,10 +97,11 @@ impl From<Direction<Space>> for Reference {
 }
 
 impl Pointing {
-    /// The angle between `body` and `reference`, by a name.
+    /// Creates a named pointing, the angle between `body` and `reference`.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if one of them has no direction.
+    /// A parameter's error ([`MotionError::is_parameter`]) if one of the vectors is zero or not
+    /// finite.
     pub fn new(
         name: impl Into<String>,
         body: Direction<Body>,
@@ -108,22 +110,22 @@ impl Pointing {
         Ok(Self { name: name.into(), body: unit(body)?, reference: reference.into().normalised()? })
     }
 
-    /// What it is called.
+    /// Returns the name.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The direction of the body, of unit length.
+    /// Returns the direction of the body, a unit vector.
     pub const fn body(&self) -> Direction<Body> {
         self.body
     }
 
-    /// What its angle is measured from.
+    /// Returns the reference direction.
     pub const fn reference(&self) -> &Reference {
         &self.reference
     }
 
-    /// The angle in a state, 0 … π rad.
+    /// Returns the angle in a state, 0 … π rad.
     pub fn angle(&self, state: &State) -> f64 {
         self.body.angle_to(state.attitude.inverse() * self.reference.direction(state.time))
     }

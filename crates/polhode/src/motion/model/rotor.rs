@@ -1,4 +1,4 @@
-//! A body and the point that it turns about.
+//! A body and the point about which it turns.
 
 use crate::body::inertia::InertiaAbout;
 use crate::body::mass_properties::MassProperties;
@@ -12,7 +12,7 @@ use super::wheel::{Motor, Wheel};
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 
-/// A body turning about a point of its own: its centre of mass when it is free, the pivot when it is held.
+/// Body that turns about a body-fixed point: the centre of mass of a free body, or a pivot.
 ///
 /// Inertia, angular momentum, kinetic energy and torque are all about that point.
 ///
@@ -37,16 +37,16 @@ pub struct Rotor {
     wheels: Vec<Wheel>,
 }
 
-/// What rounding leaves of a moment that the wheels take away, relative to the greatest.
+/// Threshold, relative to the greatest moment, below which a moment reduced by wheels is rounding.
 const MASSLESS: f64 = 1e-13;
 
 impl Rotor {
-    /// A free body, which turns about its centre of mass.
+    /// Creates a free body, which turns about its centre of mass.
     pub fn free(body: &MassProperties<Body>) -> Self {
         Self::about(body, body.center_of_mass(), false)
     }
 
-    /// A body with the point `pivot` held fixed in space.
+    /// Creates a body whose point `pivot` is fixed in space.
     pub fn pivoted(body: &MassProperties<Body>, pivot: Position<Body>) -> Self {
         Self::about(body, pivot, true)
     }
@@ -64,13 +64,14 @@ impl Rotor {
         }
     }
 
-    /// The same with momentum wheels inside.
+    /// Adds momentum wheels.
     ///
-    /// The body's inertia holds the wheels'. What a wheel that a motor turns has about its axis is no longer of the carrier:
-    /// I = I_body − Σ J a aᵀ, and L = I ω + Σ h a.
+    /// The inertia of the body includes the wheels. A wheel turned by a motor does not share its
+    /// axial inertia with the carrier: I = `I_body` − Σ J a aᵀ, and L = I ω + Σ h a.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if a wheel has more inertia than the body, or as much, so that the carrier has none about some axis.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the inertia of a wheel is too large,
+    /// so that the carrier has no inertia about some axis.
     pub fn with_wheels(mut self, wheels: &[Wheel]) -> Result<Self, MotionError> {
         for wheel in wheels {
             if let Motor::Torque { inertia: value, .. } = wheel.motor() {
@@ -91,50 +92,53 @@ impl Rotor {
         Ok(self)
     }
 
-    /// The same body with another inertia tensor about the same point and another lever; `None` if it is unphysical.
+    /// Replaces the inertia tensor about the same point, and the lever; `None` if the tensor is
+    /// unphysical.
     pub(crate) fn with_inertia(&self, inertia: Symmetric3, lever: Position<Body>) -> Option<Self> {
         let inertia = InertiaAbout::from_symmetric(self.inertia.point(), inertia).ok()?;
         Some(Self { principal: PrincipalFrame::about(&inertia), inertia, lever, ..self.clone() })
     }
 
-    /// What spins inside.
+    /// Returns the momentum wheels.
     pub fn wheels(&self) -> &[Wheel] {
         &self.wheels
     }
 
-    /// Σ h a: the angular momentum of the wheels at a time, body axes, kg·m²/s.
+    /// Returns the angular momentum Σ h a of the wheels at a time (s), body axes, kg·m²/s.
     pub fn wheel_momentum(&self, time: f64) -> AngularMomentum<Body> {
         let along = |wheel: &Wheel| wheel.axis().as_quantity() * wheel.momentum_at(time);
         self.wheels.iter().fold(AngularMomentum::ZERO, |sum, wheel| sum + along(wheel))
     }
 
-    /// The torque of the motors on the wheels just after a time, body axes, N·m; that on the carrier is the opposite.
+    /// Returns the torque of the motors on the wheels just after a time (s), body axes, N·m. The
+    /// torque on the carrier is the opposite.
     pub fn motor_torque(&self, time: f64) -> Torque<Body> {
         let along = |wheel: &Wheel| wheel.axis().as_quantity() * wheel.torque_at(time);
         self.wheels.iter().fold(Torque::ZERO, |sum, wheel| sum + along(wheel))
     }
 
-    /// The point that it turns about, in the body, m.
+    /// Returns the point about which the body turns, body axes, m.
     pub const fn point(&self) -> Position<Body> {
         self.inertia.point()
     }
 
-    /// Mass, kg.
+    /// Returns the mass, kg.
     pub const fn mass(&self) -> f64 {
         self.mass
     }
 
-    /// Inertia tensor about the point that the body turns about, kg·m².
+    /// Returns the inertia tensor about the point about which the body turns, body axes, kg·m².
     pub const fn inertia(&self) -> &InertiaAbout<Body> {
         &self.inertia
     }
 
-    /// From the point that the body turns about to its centre of mass, m; zero for a free body.
+    /// Returns the vector from the point about which the body turns to its centre of mass, body
+    /// axes, m. It is zero for a free body.
     pub const fn lever(&self) -> Position<Body> {
         self.lever
     }
 
-    /// Principal moments and axes about the point that the body turns about.
+    /// Returns the principal moments and axes about the point about which the body turns.
     pub const fn principal(&self) -> &PrincipalFrame<Body> {
         &self.principal
     }
@@ -149,22 +153,23 @@ impl Rotor {
         self.principal.symmetry() != Symmetry::Point
     }
 
-    /// L = I ω, kg·m²/s: that of the carrier, without the wheels'.
+    /// Returns the angular momentum L = I ω of the carrier, without wheels, body axes, kg·m²/s.
     pub fn angular_momentum(&self, omega: AngularVelocity<Body>) -> AngularMomentum<Body> {
         self.inertia * omega
     }
 
-    /// L = I ω + Σ h a in space axes, with the wheels', kg·m²/s.
+    /// Returns L = I ω + Σ h a, wheels included, in space axes, kg·m²/s.
     pub fn angular_momentum_space(&self, state: &State) -> AngularMomentum<Space> {
         state.attitude * (self.angular_momentum(state.omega) + self.wheel_momentum(state.time))
     }
 
-    /// T_rot = ½ ω · I ω, J: that of the carrier.
+    /// Returns the kinetic energy `T_rot` = ½ ω · I ω of the carrier, J.
     pub fn kinetic_energy(&self, omega: AngularVelocity<Body>) -> f64 {
         0.5 * omega.dot(self.angular_momentum(omega))
     }
 
-    /// True if T_rot is less than 2.2e-308 J, the least number with all its digits, and is not zero: 0 is what comes of ω = 1e-200 rad/s.
+    /// Returns true if `T_rot` is not zero but less than 2.2e-308 J, the smallest normal f64. With
+    /// ω = 1e-200 rad/s it underflows to 0.
     ///
     /// ```
     /// use polhode::body::{InertiaTensor, MassProperties};
@@ -178,7 +183,7 @@ impl Rotor {
     /// # Ok::<(), polhode::body::BodyError>(())
     /// ```
     pub fn kinetic_energy_underflows(&self, omega: AngularVelocity<Body>) -> bool {
-        // Of a rod that turns about its own line T is zero at every rate.
+        // A rod that turns about its own line has T = 0 at every rate.
         let [x, y, z] = omega.to_array();
         let size = omega.max_abs();
         let unit = AngularVelocity::from_array([x / size, y / size, z / size]);

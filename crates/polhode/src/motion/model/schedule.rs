@@ -1,9 +1,9 @@
-//! When a torque acts.
+//! Schedules: the times at which a torque acts.
 
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 
-/// The times at which a torque acts. Each interval holds its start and not its end.
+/// Times at which a torque acts. Each interval includes its start and excludes its end.
 ///
 /// ```
 /// use polhode::motion::torque::Schedule;
@@ -18,31 +18,33 @@ pub struct Schedule(ScheduleKind);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum ScheduleKind {
-    /// From one time to another; either may be infinite.
+    /// One interval; either end may be infinite.
     Window { from: f64, until: f64 },
     /// Pulses with gaps between them: 0 < width < period.
     Pulses { first: f64, width: f64, period: f64, count: Option<u64> },
 }
 
 impl Schedule {
-    /// From one time to another, s. Either may be infinite: since ever, or for ever.
+    /// Creates a single interval, s. Either end may be infinite.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if it does not end after it begins.
+    /// A parameter's error ([`MotionError::is_parameter`]) unless `from` < `until`.
     pub fn window(from: f64, until: f64) -> Result<Self, MotionError> {
         let rule = "after the time from which it acts";
         require::that("the time until which a torque acts", until, from < until, rule)?;
         Ok(Self(ScheduleKind::Window { from, until }))
     }
 
-    /// A train of pulses, the first from `first` on (s): `width` (s) of every `period` (s), `count` times, or for ever.
+    /// Creates a train of pulses: the first begins at `first` (s), each lasts `width` (s) and the
+    /// next begins after `period` (s). There are `count` pulses, or infinitely many.
     ///
-    /// Pulse k = 0, 1, … begins at first + k period, rounded once, and ends at that + width. Pulses as wide as the period touch, so that
-    /// they are one window.
+    /// Pulse k = 0, 1, … begins at first + k period, rounded once, and ends `width` later. Pulses
+    /// as wide as the period are contiguous and become one window.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if a number is not finite, the width not positive or wider than the period, the count zero, or
-    /// the times so late that their rounding is as wide as a pulse.
+    /// A parameter's error ([`MotionError::is_parameter`]) if a number is not finite, if the width
+    /// is not positive or exceeds the period, or if the count is zero. Also if the times are so
+    /// large that their rounding is as wide as a pulse.
     pub fn pulses(first: f64, width: f64, period: f64, count: Option<u64>) -> Result<Self, MotionError> {
         let width_of = "the width of the pulses";
         require::finite("the time of the first pulse", first)?;
@@ -61,7 +63,7 @@ impl Schedule {
         Ok(Self(ScheduleKind::Pulses { first, width, period, count }))
     }
 
-    /// Its window, from and until, s; `None` if it is a train of pulses.
+    /// Returns the interval [from, until], s; `None` for a train of pulses.
     pub const fn as_window(&self) -> Option<[f64; 2]> {
         match self.0 {
             ScheduleKind::Window { from, until } => Some([from, until]),
@@ -69,7 +71,8 @@ impl Schedule {
         }
     }
 
-    /// The first time, the width and the period of its pulses, s, and how many there are, if they end; `None` if it is a window.
+    /// Returns the first time, the width and the period of the pulses, s, and their number if it is
+    /// finite; `None` for a window.
     pub const fn as_pulses(&self) -> Option<([f64; 3], Option<u64>)> {
         match self.0 {
             ScheduleKind::Pulses { first, width, period, count } => Some(([first, width, period], count)),
@@ -77,7 +80,7 @@ impl Schedule {
         }
     }
 
-    /// Does it act at this time?
+    /// Returns true if the torque acts at this time.
     pub fn is_on(&self, time: f64) -> bool {
         match self.0 {
             ScheduleKind::Window { from, until } => from <= time && time < until,
@@ -88,7 +91,8 @@ impl Schedule {
         }
     }
 
-    /// The first time after this one at which it begins or ends; infinite if there is none.
+    /// Returns the first time after `time` at which the torque begins or ends to act; infinite if
+    /// there is none.
     pub fn next_change(&self, time: f64) -> f64 {
         let later = |change: f64| if change > time { change } else { f64::INFINITY };
         match self.0 {
@@ -101,13 +105,13 @@ impl Schedule {
                     return end;
                 }
                 let next = later(train.begin(k + 1.0)).min(end);
-                // Where pulses are denser than the doubles, each double is a change.
+                // Where pulses are closer together than adjacent doubles, each double is a change.
                 if next < f64::INFINITY { next } else { later(time.next_up()) }
             }
         }
     }
 
-    /// How many pulses begin after a time and no later than another; none of a window.
+    /// Returns the number of pulses that begin in the interval (from, to]; 0 for a window.
     pub(crate) fn pulses_between(&self, from: f64, to: f64) -> f64 {
         match self.0 {
             ScheduleKind::Window { .. } => 0.0,
@@ -119,7 +123,8 @@ impl Schedule {
         }
     }
 
-    /// For how long it has acted from t = 0 to a time, s; for times before 0, minus for how long it acts from then to 0.
+    /// Returns the duration of action between 0 and `time`, s. For a negative time it is negative:
+    /// minus the duration between `time` and 0.
     pub fn time_on(&self, time: f64) -> f64 {
         match self.0 {
             ScheduleKind::Window { from, until } if time >= 0.0 => (time.min(until) - from.max(0.0)).max(0.0),
@@ -127,14 +132,14 @@ impl Schedule {
             ScheduleKind::Pulses { first, width, period, count } => {
                 let train = Train { first, width, period, count };
                 let ([k, part], [k0, part0]) = (train.progress(time), train.progress(0.0));
-                // Whole pulses are counted: nothing cancels, however many there were before 0.
+                // Counting whole pulses avoids cancellation, even with many pulses before t = 0.
                 (k - k0) * width + (part - part0)
             }
         }
     }
 }
 
-/// Pulses that may touch.
+/// Train of pulses, which may be contiguous.
 #[derive(Clone, Copy)]
 struct Train {
     first: f64,
@@ -144,30 +149,32 @@ struct Train {
 }
 
 impl Train {
-    /// first + k period, rounded once: it never falls as k grows.
+    /// Returns first + k period, rounded once: a nondecreasing function of k.
     fn begin(&self, k: f64) -> f64 {
         libm::fma(k, self.period, self.first)
     }
 
-    /// The index of the last pulse.
+    /// Returns the index of the last pulse.
     fn last(&self) -> f64 {
         self.count.map_or(f64::MAX, |count| count.saturating_sub(1) as f64)
     }
 
-    /// The last pulse that begins no later than a time; `None` before the first.
+    /// Returns the index of the last pulse that begins at or before a time; `None` before the
+    /// first.
     fn pulse(&self, time: f64) -> Option<f64> {
         if !(time >= self.first) {
             return None;
         }
-        // Halves, so that the difference does not overflow.
+        // Halved operands, so that the difference does not overflow.
         let guess = ((0.5 * time - 0.5 * self.first) / (0.5 * self.period)).floor().min(self.last());
-        // The division is rounded: the pulse may be one of those beside.
+        // The division is rounded, so the pulse may be one of the neighbours.
         let beside = [guess + 1.0, guess, guess - 1.0];
         let k = beside.into_iter().find(|&k| k <= self.last() && self.begin(k) <= time).unwrap_or(0.0);
         Some(k.max(0.0))
     }
 
-    /// How many pulses before that of a time, and for how long that one has acted, s.
+    /// Returns the number of pulses before the pulse of a time, and the duration for which that
+    /// pulse has acted, s.
     fn progress(&self, time: f64) -> [f64; 2] {
         self.pulse(time).map_or([0.0; 2], |k| [k, (time - self.begin(k)).min(self.width)])
     }
@@ -177,7 +184,8 @@ impl Train {
 mod tests {
     use super::*;
 
-    /// Changes one after the other: each alternates, each is later, and what `is_on` says between them agrees.
+    /// Steps through the changes. Checks that on and off alternate, that times increase, and that
+    /// `is_on` agrees between them.
     fn walk(schedule: &Schedule, mut time: f64, changes: usize) -> Vec<f64> {
         let mut seen = Vec::new();
         for _ in 0..changes {
@@ -190,7 +198,8 @@ mod tests {
             assert_eq!(schedule.is_on(next.next_down()), on, "{schedule:?}: {time} to {next}");
             let middle = 0.5 * time + 0.5 * next;
             assert!(middle >= next || schedule.is_on(middle) == on, "{schedule:?} at {middle}");
-            // The time on is that of the interval, to the rounding of the times.
+            // The increase of the time on is the length of the interval, to the rounding of the
+            // times.
             let grown = schedule.time_on(next) - schedule.time_on(time);
             let want = if on { next - time } else { 0.0 };
             let rounding = 8.0 * f64::EPSILON * (next.abs() + time.abs() + schedule.time_on(next).abs());
@@ -230,7 +239,7 @@ mod tests {
             let changes = walk(&train, first.next_down(), 700);
             assert!(changes.len() == 700 || Some(changes.len() as u64) <= count.map(|n| 2 * n));
             assert_eq!(changes[0], first);
-            // Every begin is first + k period to its rounding, not a sum of roundings.
+            // Every begin is first + k period to within its rounding, without accumulated rounding.
             for (k, pair) in changes.chunks(2).enumerate().filter(|_| period - width > 1e-9 && first < 1e14) {
                 assert_eq!(pair[0], libm::fma(k as f64, period, first));
                 assert_eq!(pair[1], pair[0] + width);
@@ -251,14 +260,14 @@ mod tests {
             let on = train.time_on(begin);
             assert!((on / (k * width) - 1.0).abs() < 1e-15, "{k} {on}");
         }
-        // counted from 0, whatever was before
+        // counted from 0, independent of earlier pulses
         let old = Schedule::pulses(-1e9, width, period, None).unwrap();
         assert!((old.time_on(0.15) - 0.02).abs() < 1e-7 * width, "{}", old.time_on(0.15));
     }
 
     #[test]
     fn pulses_are_counted_without_being_gone_through() {
-        let train = Schedule::pulses(2.0, 0.5, 3.0, Some(4)).unwrap(); // from 2, 5, 8 and 11 on
+        let train = Schedule::pulses(2.0, 0.5, 3.0, Some(4)).unwrap(); // pulses begin at 2, 5, 8 and 11
         for (from, to, count) in
             [(0.0, 1.9, 0.0), (0.0, 2.0, 1.0), (2.0, 8.1, 2.0), (-1e9, 1e9, 4.0), (11.0, 99.0, 0.0)]
         {
@@ -313,7 +322,7 @@ mod tests {
             (0.0, 1.0, f64::NAN, None),
             (0.0, 1.0, infinity, None),
             (0.0, 1.0, 2.0, Some(0)),
-            // so late that a pulse begins and ends at one double
+            // times so large that a pulse begins and ends at the same double
             (1e17, 1.0, 2.0, None),
             (0.0, 1.0, 2.0, Some(u64::MAX)),
         ] {

@@ -1,4 +1,4 @@
-//! The state of a turning body.
+//! State of a rotating body.
 
 use core::fmt;
 
@@ -7,29 +7,29 @@ use crate::math::frame::{Body, Space};
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::AngularVelocity;
 
-/// Where a body points, how it turns, and when.
+/// State of a rotating body: time, attitude and angular velocity.
 ///
-/// Of a time at which a closed form is not known attitude and ω are not numbers.
+/// Attitude and ω are NaN at a time at which a closed form has no solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
     /// Time, s.
     pub time: f64,
-    /// R_space_body.
+    /// Attitude `R_space_body`.
     pub attitude: Attitude,
-    /// ω relative to space, in body axes, rad/s.
+    /// Angular velocity relative to space, body axes, rad/s.
     pub omega: AngularVelocity<Body>,
 }
 
-/// How far a state may be from the true one.
+/// Error bound of a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StateError {
-    /// The angle between the attitudes, rad; π, the largest that there is, where nothing is known.
+    /// Angle between the attitudes, rad; π, the maximum, if the error is unknown.
     pub attitude: f64,
-    /// |δω| / |ω|; infinite where nothing is known, or ω = 0 and δω is not.
+    /// |δω| / |ω|; infinite if the error is unknown, or if ω = 0 and δω ≠ 0.
     pub omega: f64,
 }
 
-/// The time, the attitude's quaternion, and ω.
+/// Shows the time, the quaternion of the attitude, and ω.
 ///
 /// ```
 /// let omega = polhode::math::AngularVelocity::new(0.1, 0.0, 2.0);
@@ -48,7 +48,7 @@ impl fmt::Display for State {
 }
 
 impl StateError {
-    /// Adds another error, times a factor.
+    /// Adds `factor` times another error.
     pub(crate) fn plus(self, other: Self, factor: f64) -> Self {
         let attitude = (self.attitude + factor * other.attitude).min(core::f64::consts::PI);
         Self { attitude, omega: self.omega + factor * other.omega }
@@ -56,14 +56,14 @@ impl StateError {
 }
 
 impl State {
-    /// Of a time at which nothing is known.
+    /// Returns a state with NaN attitude and ω, for a time at which nothing is known.
     #[cold]
     pub(crate) fn unknown(time: f64) -> Self {
         let omega = AngularVelocity::from_array([f64::NAN; 3]);
         Self { time, attitude: Rotation::from_unit([f64::NAN; 4]), omega }
     }
 
-    /// ω in space axes, rad/s.
+    /// Returns ω in space axes, rad/s.
     pub fn omega_space(&self) -> AngularVelocity<Space> {
         self.attitude * self.omega
     }

@@ -1,4 +1,4 @@
-//! How a state depends on its start and on the inertia tensor.
+//! Derivatives of a state with respect to the start and to the inertia tensor.
 
 use super::rotor::Rotor;
 use super::state::State;
@@ -7,23 +7,29 @@ use crate::math::frame::Body;
 use crate::math::symmetric3::Symmetric3;
 use crate::math::vector::Direction;
 
-/// The derivatives of a state: rows θ1 θ2 θ3 ω1 ω2 ω3, where attitude = R exp(θ), θ a small rotation vector along body axes (rad),
-/// ω along body axes (rad/s).
+/// Derivatives of a state, with rows θ1 θ2 θ3 ω1 ω2 ω3. The attitude is R exp(θ), with θ a small
+/// rotation vector along body axes (rad). ω is along body axes (rad/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StateDerivatives {
     /// The state itself.
     pub state: State,
-    /// By θ and ω of the start, along body axes: the state transition matrix Φ(t, t0). Columns θ1 θ2 θ3 ω1 ω2 ω3.
+    /// Derivatives with respect to θ and ω of the start, body axes: the state transition matrix
+    /// Φ(t, t0). Columns θ1 θ2 θ3 ω1 ω2 ω3.
     pub by_start: [[f64; 6]; 6],
-    /// By the elements of the inertia tensor, kg·m²: columns xx, yy, zz, xy, xz, yz. I_xy = I_yx is one number, an element of the tensor:
-    /// minus the integral of xy.
+    /// Derivatives with respect to the elements of the inertia tensor, kg·m²: columns xx, yy, zz,
+    /// xy, xz, yz. `I_xy` = `I_yx` is one variable, an element of the tensor: minus the integral of
+    /// xy.
     pub by_inertia: [[f64; 6]; 6],
 }
 
 impl StateDerivatives {
-    /// The covariance of the state, to first order, from that of all numbers together, which may depend on each other: J C Jᵀ, rows and columns in the order of the
-    /// derivatives. Those of `joint` are θ1 … ω3 of the start, xx … yz, and then parameters of torques, by which derivatives are as
-    /// [`TrajectoryDerivatives::by_parameters`](crate::motion::TrajectoryDerivatives::by_parameters) has them; `None` if it has another number of them.
+    /// Returns the first-order covariance J C Jᵀ of the state from the joint covariance C of all
+    /// inputs, which may be correlated. Rows and columns are in the order of the derivatives.
+    ///
+    /// The inputs of `joint` are θ1 … ω3 of the start, xx … yz, and then the parameters of torques.
+    /// `by_parameters` has the derivatives with respect to the parameters, as in
+    /// [`TrajectoryDerivatives::by_parameters`](crate::motion::TrajectoryDerivatives::by_parameters).
+    /// Returns `None` if the size of `joint` does not match.
     ///
     /// ```
     /// use polhode::prelude::*;
@@ -54,8 +60,9 @@ impl StateDerivatives {
         Some(rows.each_ref().map(|row| half.each_ref().map(|half| dot(row, half))))
     }
 
-    /// The covariance of the state, to first order, from that of the start and that of the inertia tensor, which are independent of each
-    /// other: Φ P Φᵀ + G Q Gᵀ, rows and columns in the order of the derivatives.
+    /// Returns the first-order covariance Φ P Φᵀ + G Q Gᵀ of the state from the covariances of the
+    /// start and of the inertia tensor, which are uncorrelated. Rows and columns are in the order
+    /// of the derivatives.
     #[must_use]
     pub fn covariance(&self, start: &[[f64; 6]; 6], inertia: &[[f64; 6]; 6]) -> [[f64; 6]; 6] {
         let (of_start, of_inertia) = (carried(&self.by_start, start), carried(&self.by_inertia, inertia));
@@ -68,12 +75,18 @@ impl StateDerivatives {
         sum
     }
 
-    /// How θ1 θ2 θ3 ω1 ω2 ω3 depend on the body's mass properties, through its inertia tensor about the point that the rotor turns about: of a
-    /// free body all there is. Of a pivoted one the tensor there has the mass and the centre of mass in it,
+    /// Returns the derivatives of θ1 θ2 θ3 ω1 ω2 ω3 with respect to the mass properties of the
+    /// body.
     ///
-    /// ∂I_p = ∂I + (a² 1 − a aᵀ) ∂M + M (2 a·∂c 1 − a ∂cᵀ − ∂c aᵀ),  a from the pivot to the centre of mass,
+    /// They act through the inertia tensor about the point about which the rotor turns. For a free
+    /// body this is complete. The tensor about a pivot depends on the mass and on the centre of
+    /// mass,
     ///
-    /// but a torque that knows them, as gravity does, depends on them besides: by its own parameters
+    /// ∂`I_p` = ∂I + (a² 1 − a aᵀ) ∂M + M (2 a·∂c 1 − a ∂cᵀ − ∂c aᵀ),  a from the pivot to the
+    /// centre of mass.
+    ///
+    /// A torque that depends on the mass properties, such as gravity, adds its own derivatives: see
+    /// its parameters
     /// ([`Simulation::run_with_derivatives`](crate::motion::Simulation::run_with_derivatives)).
     ///
     /// ```
@@ -114,7 +127,7 @@ impl StateDerivatives {
         })
     }
 
-    /// Of a time at which nothing is known.
+    /// Returns NaN derivatives, for a time at which nothing is known.
     #[cold]
     pub(crate) fn unknown(time: f64) -> Self {
         let none = [[f64::NAN; 6]; 6];
@@ -122,7 +135,7 @@ impl StateDerivatives {
     }
 }
 
-/// D C Dᵀ
+/// Returns D C Dᵀ.
 fn carried(derivatives: &[[f64; 6]; 6], covariance: &[[f64; 6]; 6]) -> [[f64; 6]; 6] {
     let dot = |a: &[f64; 6], b: &[f64; 6]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
     let half = derivatives.map(|row| [0, 1, 2, 3, 4, 5].map(|k| dot(&row, &covariance.map(|c| c[k]))));

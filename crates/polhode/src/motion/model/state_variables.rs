@@ -1,4 +1,4 @@
-//! What formulas of a state are made of.
+//! Variables of formulas of a state.
 
 use super::law::LawInput;
 use super::rotor::Rotor;
@@ -7,19 +7,19 @@ use crate::math::algebra::{Scalar, VectorAlgebra};
 use crate::math::formula::Binary;
 use crate::math::vector::Direction;
 
-/// The variables of formulas of a state, in SI units: their names, and their values.
+/// Variables of formulas of a state, in SI units: names and values.
 ///
 /// | variable | value |
 /// |---|---|
 /// | `t` | time |
 /// | `wx`, `wy`, `wz` | ω along body axes |
 /// | `wX`, `wY`, `wZ` | ω along space axes |
-/// | `Lx`, `Ly`, `Lz` | L along body axes, with that of wheels |
-/// | `LX`, `LY`, `LZ` | the same along space axes |
+/// | `Lx`, `Ly`, `Lz` | L along body axes, wheels included |
+/// | `LX`, `LY`, `LZ` | L along space axes, wheels included |
 /// | `T_rot` | ½ ω · I ω, without wheels |
-/// | `qw`, `qx`, `qy`, `qz` | the attitude's quaternion: that of the start, continued, of either sign |
+/// | `qw`, `qx`, `qy`, `qz` | quaternion of the attitude, continuous from the start; its sign is arbitrary |
 /// | `r11` … `r33` | R_space_body, row by row: `r31` is the cosine between space z and body x |
-/// | `phi`, `theta`, `psi` | 3-1-3 Euler angles: φ and ψ from −π to π, where they jump, θ from 0 to π |
+/// | `phi`, `theta`, `psi` | 3-1-3 Euler angles: φ and ψ in −π … π, with a jump there; θ in 0 … π |
 ///
 /// ```
 /// use polhode::math::formula::{Binary, Formula, Instruction};
@@ -39,10 +39,10 @@ use crate::math::vector::Direction;
 pub struct StateVariables;
 
 impl StateVariables {
-    /// How many there are.
+    /// Number of variables.
     pub const COUNT: usize = 30;
 
-    /// Their names, in the order of their values.
+    /// Names, in the order of the values.
     #[rustfmt::skip]
     pub const NAMES: [&'static str; Self::COUNT] = [
         "t",
@@ -54,13 +54,13 @@ impl StateVariables {
         "phi", "theta", "psi",
     ];
 
-    /// The places of those that depend on the mass of the body.
+    /// Returns the indices of the variables that depend on the mass properties.
     pub(crate) fn of_inertia() -> impl Iterator<Item = usize> {
         let names = Self::NAMES.into_iter().enumerate();
         names.filter(|(_, name)| name.starts_with('L') || *name == "T_rot").map(|(k, _)| k)
     }
 
-    /// Their values in a state.
+    /// Returns the values in a state.
     pub fn of(rotor: &Rotor, state: &State) -> [f64; Self::COUNT] {
         let momentum = rotor.angular_momentum(state.omega) + rotor.wheel_momentum(state.time);
         let [wx, wy, wz] = state.omega.to_array();
@@ -77,7 +77,7 @@ impl StateVariables {
         ]
     }
 
-    /// One of them, of anything that a law can be a function of.
+    /// Returns one variable, for any input of a law.
     pub(crate) fn variable<I: LawInput>(k: usize, at: &I) -> I::Scalar {
         let momentum = || at.inertia(at.omega()) + at.wheel_momentum();
         let quaternion = || {
@@ -113,7 +113,7 @@ impl StateVariables {
                 [b'L', axis @ b'X'..=b'Z'] => momentum().dot(space_axis(at, axis - b'X')),
                 [b'q', b'w'] => at.attitude().0,
                 [b'q', axis @ b'x'..=b'z'] => component(at, at.attitude().1, axis - b'x'),
-                // A row of R_space_body has an axis of space along the body's.
+                // A row of `R_space_body` is an axis of space along body axes.
                 [b'r', row @ b'1'..=b'3', column @ b'1'..=b'3'] => {
                     component(at, space_axis(at, row - b'1'), column - b'1')
                 }

@@ -1,4 +1,4 @@
-//! Momentum wheels: what spins inside a body.
+//! Momentum wheels inside a body.
 
 use crate::math::frame::Body;
 use crate::math::vector::{AngularVelocity, Direction};
@@ -6,15 +6,17 @@ use crate::motion::error::MotionError;
 use crate::motion::model::require;
 use crate::motion::model::schedule::Schedule;
 
-/// A wheel whose axis a is fixed in the body: with wheels the body is a *gyrostat*. The body's inertia holds the wheel's as if it
-/// were locked.
+/// Wheel whose axis a is fixed in the body. A body with wheels is a *gyrostat*. The inertia of the
+/// body includes that of the locked wheel.
 ///
-/// The wheel is symmetric about its axis, so that it turns without changing the body's inertia, and all that matters of it is h,
-/// its angular momentum along a. With L = I ω + Σ h a and the torque N from outside
+/// The wheel is symmetric about its axis, so its rotation does not change the inertia of the body.
+/// Only its angular momentum h along a enters the equations. With L = I ω + Σ h a and the external
+/// torque N,
 ///
 /// I ω̇ = L × ω + N − Σ ḣ a
 ///
-/// Where a motor turns the wheel, or nothing does, I is without what the wheel has about its own axis ([`crate::motion::Rotor::with_wheels`]).
+/// If the wheel is free or turned by a motor, I excludes the inertia of the wheel about its own
+/// axis ([`crate::motion::Rotor::with_wheels`]).
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -39,29 +41,33 @@ pub struct Wheel {
     motor: Motor,
 }
 
-/// What the motor of a wheel does.
+/// Action of the motor of a wheel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Motor {
-    /// It holds the speed relative to the body: h = J Ω is constant along the axis.
+    /// Constant speed relative to the body: h = J Ω is constant along the axis.
     HeldSpeed,
-    /// It turns the wheel with a torque, which may be zero: h = J (a·ω + Ω) changes at that rate, along the axis.
+    /// Torque on the wheel, which may be zero: h = J (a·ω + Ω) changes at that rate, along the
+    /// axis.
     Torque {
-        /// The wheel's moment of inertia about its axis, kg·m².
+        /// Moment of inertia of the wheel about its axis, kg·m².
         inertia: f64,
-        /// On the wheel, along the axis, N·m.
+        /// Torque on the wheel, along the axis, N·m.
         torque: f64,
-        /// When; `None`: always.
+        /// Times at which the torque acts; `None` means always.
         schedule: Option<Schedule>,
     },
 }
 
 impl Wheel {
-    /// A wheel with this angular momentum along its axis at t = 0, kg·m²/s: that relative to the body, J Ω, if the motor holds its
-    /// speed; else that relative to space, J (a·ω + Ω).
+    /// Creates a wheel with angular momentum `momentum` along its axis at t = 0, kg·m²/s.
+    ///
+    /// If the motor holds the speed, `momentum` is relative to the body, J Ω. Otherwise it is
+    /// relative to space, J (a·ω + Ω).
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if the axis has no direction, a number is not finite, or an inertia not positive.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the axis is zero or not finite, if a
+    /// number is not finite, or if an inertia is not positive.
     pub fn new(axis: Direction<Body>, momentum: f64, motor: Motor) -> Result<Self, MotionError> {
         let axis = require::direction("the length of the wheel's axis", axis)?;
         require::finite("the wheel's angular momentum", momentum)?;
@@ -72,11 +78,11 @@ impl Wheel {
         Ok(Self { axis, momentum, motor })
     }
 
-    /// A wheel that turns freely or by its motor, which starts at `speed` relative to the body, whose ω at t = 0 is given:
-    /// h = J (a·ω + Ω).
+    /// Creates a free or motor-driven wheel that starts at `speed` (rad/s) relative to the body.
+    /// `omega` is ω of the body at t = 0: h = J (a·ω + Ω).
     ///
     /// # Errors
-    /// As [`Wheel::new`].
+    /// The errors of [`Wheel::new`].
     pub fn turning(
         axis: Direction<Body>,
         speed: f64,
@@ -91,27 +97,28 @@ impl Wheel {
         Self::new(axis, inertia * (wheel.axis.dot(omega) + speed), motor)
     }
 
-    /// Its axis, a unit vector.
+    /// Returns the unit vector of the axis, body axes.
     pub const fn axis(&self) -> Direction<Body> {
         self.axis
     }
 
-    /// Its angular momentum along the axis at t = 0, kg·m²/s: relative to the body if its speed is held, else relative to space.
+    /// Returns the angular momentum along the axis at t = 0, kg·m²/s. It is relative to the body if
+    /// the speed is held, otherwise relative to space.
     pub const fn momentum(&self) -> f64 {
         self.momentum
     }
 
-    /// What its motor does.
+    /// Returns the action of the motor.
     pub const fn motor(&self) -> Motor {
         self.motor
     }
 
-    /// True if its motor turns it at some time, and so does work on the body.
+    /// Returns true if the motor exerts a torque at some time, and so does work on the body.
     pub fn is_driven(&self) -> bool {
         matches!(self.motor, Motor::Torque { torque, .. } if torque != 0.0)
     }
 
-    /// Its angular momentum along the axis at a time, kg·m²/s.
+    /// Returns the angular momentum along the axis at a time (s), kg·m²/s.
     pub fn momentum_at(&self, time: f64) -> f64 {
         match self.motor {
             Motor::HeldSpeed => self.momentum,
@@ -121,8 +128,9 @@ impl Wheel {
         }
     }
 
-    /// Its speed relative to a body with the angular velocity ω at a time, Ω = h/J − a·ω, rad/s; `None` where the speed is held: the
-    /// body's inertia then holds the wheel's, which is not known.
+    /// Returns the speed Ω = h/J − a·ω relative to a body with angular velocity ω at a time, rad/s.
+    /// `None` if the speed is held: the inertia of the wheel is then part of the body's and not
+    /// known.
     pub fn speed_at(&self, time: f64, omega: AngularVelocity<Body>) -> Option<f64> {
         match self.motor {
             Motor::HeldSpeed => None,
@@ -130,7 +138,7 @@ impl Wheel {
         }
     }
 
-    /// The motor's torque on it just after a time, N·m.
+    /// Returns the torque of the motor on the wheel just after a time, N·m.
     pub fn torque_at(&self, time: f64) -> f64 {
         match self.motor {
             Motor::Torque { torque, schedule, .. } if schedule.is_none_or(|s| s.is_on(time)) => torque,
@@ -138,7 +146,7 @@ impl Wheel {
         }
     }
 
-    /// How many pulses of its motor begin after a time and no later than another.
+    /// Returns the number of pulses of the motor that begin in the interval (from, to].
     pub(crate) fn pulses_between(&self, from: f64, to: f64) -> f64 {
         match self.motor {
             Motor::Torque { schedule: Some(schedule), .. } => schedule.pulses_between(from, to),
@@ -146,7 +154,7 @@ impl Wheel {
         }
     }
 
-    /// When its motor's torque changes next, s.
+    /// Returns the next time at which the torque of the motor changes, s.
     pub(crate) fn next_change(&self, time: f64) -> f64 {
         match self.motor {
             Motor::Torque { schedule: Some(schedule), .. } => schedule.next_change(time),

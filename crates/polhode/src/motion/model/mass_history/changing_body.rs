@@ -1,4 +1,4 @@
-//! A changing body between two changes, and its equations of motion.
+//! A body with changing mass between two jumps or breakpoints, and its equations of motion.
 
 use super::MassHistory;
 use super::instant::{Elements, Instant, difference, steiner, sum, times};
@@ -11,11 +11,11 @@ use crate::motion::model::law::LawInput;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
-/// A body from one change to the next.
+/// Body from one breakpoint of its mass history to the next.
 #[derive(Clone, Debug)]
 pub(in crate::motion) struct ChangingBody {
     epoch: f64,
-    /// About `reference`: the pivot of a body that is held.
+    /// Moments about `reference`, which is the pivot if the body is held.
     moments: Polynomial,
     rates: Polynomial,
     reference: Position<Body>,
@@ -23,7 +23,7 @@ pub(in crate::motion) struct ChangingBody {
     loss: Loss,
 }
 
-/// How it loses mass.
+/// Way in which the body loses mass.
 #[derive(Clone, Debug)]
 enum Loss {
     None,
@@ -31,7 +31,8 @@ enum Loss {
     Exits(Vec<Drain>),
 }
 
-/// An exit: its share, where it is from the reference point, and what its width adds.
+/// An exit: its share of the flow, its position relative to the reference point, and the
+/// contribution of its width.
 #[derive(Clone, Copy, Debug)]
 struct Drain {
     share: f64,
@@ -40,7 +41,7 @@ struct Drain {
 }
 
 impl MassHistory {
-    /// The body just after a time, until the next change.
+    /// Returns the body just after `time`, valid until the next breakpoint.
     pub(in crate::motion) fn body(&self, time: f64, pivot: Option<Position<Body>>) -> ChangingBody {
         let piece = self.piece(time);
         let reference = pivot.unwrap_or(self.reference);
@@ -76,7 +77,8 @@ impl ChangingBody {
         let lever = first.map(|x| x / mass);
         let (mut inertia, mut rate) = (six(&self.moments), six(&self.rates));
         if !self.is_held {
-            // I = J − M (d² 1 − d dᵀ), d the lever; in İ the centre's own motion in the body is that of (M d)˙.
+            // I = J − M (d² 1 − d dᵀ) with d the lever. In İ, the motion of the centre of mass in
+            // the body is included through (M d)˙.
             inertia = difference(inertia, steiner(first, lever));
             let moved = steiner(three(&self.rates), lever).map(|x| x.scaled(2.0));
             rate = sum(difference(rate, moved), times(steiner(lever, lever), mass_rate));
@@ -98,36 +100,37 @@ impl ChangingBody {
         Instant { lever, first, inertia, rate, drain, is_in_place }
     }
 
-    /// ω̇ under a torque.
+    /// Returns ω̇ due to a torque.
     pub(in crate::motion) fn acceleration<I: LawInput>(&self, at: &I, torque: I::Vector) -> I::Vector {
         let omega = Components(at.components(at.omega()));
         let torque = Components(at.components(torque));
         at.vector(self.instant(at).acceleration(omega, torque).0)
     }
 
-    /// I v
+    /// Returns I v.
     pub(in crate::motion) fn inertia<I: LawInput>(&self, at: &I, v: I::Vector) -> I::Vector {
         at.vector(super::instant::image(self.instant(at).inertia, Components(at.components(v))).0)
     }
 
-    /// Where the point that it turns about is in the body.
+    /// Returns the position in the body of the point about which it turns.
     pub(in crate::motion) fn point<I: LawInput>(&self, at: &I) -> I::Vector {
         let reference = at.in_body(self.reference.as_quantity());
         if self.is_held { reference } else { reference + at.vector(self.instant(at).lever) }
     }
 
-    /// M l, l from that point to the centre of mass.
+    /// Returns M l, with l from that point to the centre of mass.
     pub(in crate::motion) fn first_moment<I: LawInput>(&self, at: &I) -> I::Vector {
         if self.is_held { at.vector(self.instant(at).first) } else { at.in_body(Vector::ZERO) }
     }
 
-    /// The body as it is at a time.
+    /// Returns the rotor at `time`.
     pub(in crate::motion) fn rotor(&self, time: f64) -> Option<Rotor> {
         let body = self.moments.at(time - self.epoch).properties(self.reference).ok()?;
         Some(if self.is_held { Rotor::pivoted(&body, self.reference) } else { Rotor::free(&body) })
     }
 
-    /// Power and torque, the latter in space axes, that change ½ ω·I ω and I ω: with what leaves, and with what moves inside.
+    /// Returns the power that changes ½ ω·I ω and the torque, in space axes, that changes I ω. Both
+    /// include the effect of leaving mass and of mass that moves inside the body.
     pub(in crate::motion) fn balances<I>(
         &self,
         at: &I,

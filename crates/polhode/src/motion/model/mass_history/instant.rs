@@ -1,33 +1,34 @@
-//! What a changing body is at one time, in numbers of any kind: so the equations are stated once, for values and for power series.
+//! A changing body at one time, over a generic number type. The equations are stated once, for
+//! values and for power series.
 
 use crate::math::algebra::{Components, Scalar};
 
-/// The elements xx, yy, zz, xy, xz, yz of a symmetric matrix.
+/// Elements xx, yy, zz, xy, xz, yz of a symmetric matrix.
 pub(super) type Elements<S> = [S; 6];
 
-/// A changing body at one time, about the point that it turns about.
+/// Changing body at one time, about the point about which it turns.
 pub(super) struct Instant<S> {
-    /// From the reference point to the centre of mass.
+    /// Vector from the reference point to the centre of mass.
     pub(super) lever: [S; 3],
-    /// M times that.
+    /// M times `lever`.
     pub(super) first: [S; 3],
-    /// I
+    /// Inertia tensor I.
     pub(super) inertia: Elements<S>,
-    /// İ
+    /// Rate of change İ of the inertia tensor.
     pub(super) rate: Elements<S>,
-    /// D: what leaves takes D ω with it.
+    /// D: leaving mass removes the angular momentum D ω per unit time.
     pub(super) drain: Option<Elements<S>>,
     /// True if D = −İ.
     pub(super) is_in_place: bool,
 }
 
-/// M v
+/// Returns M v.
 pub(super) fn image<S: Scalar>([xx, yy, zz, xy, xz, yz]: Elements<S>, v: Components<S>) -> Components<S> {
     let [x, y, z] = v.0;
     Components([xx * x + xy * y + xz * z, xy * x + yy * y + yz * z, xz * x + yz * y + zz * z])
 }
 
-/// (u·v) 1 − ½ (u vᵀ + v uᵀ)
+/// Returns (u·v) 1 − ½ (u vᵀ + v uᵀ).
 pub(super) fn steiner<S: Scalar>([a, b, c]: [S; 3], [x, y, z]: [S; 3]) -> Elements<S> {
     let (ax, by, cz) = (a * x, b * y, c * z);
     let off = |p: S, q: S| -(p + q).scaled(0.5);
@@ -47,7 +48,7 @@ pub(super) fn times<S: Scalar>(a: Elements<S>, by: S) -> Elements<S> {
 }
 
 impl<S: Scalar> Instant<S> {
-    /// ω̇ = I⁻¹ (N − ω × I ω − (İ + D) ω)
+    /// Returns ω̇ = I⁻¹ (N − ω × I ω − (İ + D) ω).
     pub(super) fn acceleration(&self, omega: Components<S>, torque: Components<S>) -> Components<S> {
         let momentum = image(self.inertia, omega);
         let balance = torque - omega.cross(momentum);
@@ -58,7 +59,7 @@ impl<S: Scalar> Instant<S> {
         solved(self.inertia, balance - image(change, omega))
     }
 
-    /// The power of what changes T = ½ ω·I ω, and the torque that changes I ω in space.
+    /// Returns the power that changes T = ½ ω·I ω, and the torque that changes I ω in space.
     pub(super) fn balances(&self, omega: Components<S>, torque: Components<S>) -> (S, Components<S>) {
         // Ṫ = ω·N − ω·D ω − ½ ω·İ ω
         let rate = omega.dot(image(self.rate, omega)).scaled(0.5);
@@ -73,7 +74,7 @@ impl<S: Scalar> Instant<S> {
     }
 }
 
-/// I⁻¹ b by cofactors.
+/// Solves I x = b by cofactors.
 pub(super) fn solved<S: Scalar>([xx, yy, zz, xy, xz, yz]: Elements<S>, b: Components<S>) -> Components<S> {
     let cofactors = [
         yy * zz - yz * yz,

@@ -1,30 +1,39 @@
-//! Mass properties that change with time, as they are prescribed: what burns, drains, is thrown off or unfolds.
+//! Mass properties that change with time as prescribed: burning, draining, separation, deployment.
 //!
-//! With I about the centre of mass C of what is in the body at the time, along body axes,
+//! Let I be the inertia about the centre of mass C of the mass in the body at the time, along body
+//! axes. Then
 //!
 //! d(I ω)/dt + ω × I ω = N − Σ µₖ [ρₖ × (ω × ρₖ) + Gₖ ω]
 //!
-//! where mass leaves through exit k at the rate µₖ, at ρₖ from C. The last sum is the jet damping: what leaves takes angular momentum with it. Gₖ is what the
-//! width of the exit adds, ¼ a² (1 + n nᵀ) for a disc of radius a across n. About a pivot, I and ρₖ are from there.
+//! where mass leaves through exit k at the rate µₖ, at position ρₖ from C. The sum is the jet
+//! damping: the leaving mass carries angular momentum away. Gₖ is the contribution of the width of
+//! the exit, ¼ a² (1 + n nᵀ) for a disc of radius a with normal n. For a pivoted body, I and ρₖ are
+//! relative to the pivot.
 //!
 //! # Derivation
-//! H is the angular momentum about C of what is in a volume that is fixed in the body. About a point of space where C happens to be,
-//! dH/dt + ċ_s × P = N − Σ µₖ ρₖ × vₖ, with ċ_s the velocity of C in space, P the momentum in the volume and vₖ the velocity of what leaves. By continuity
-//! P = M ċ_s + Σ µₖ ρₖ, so that dH/dt = N − Σ µₖ ρₖ × (vₖ − ċ_s), and vₖ − ċ_s = ω × ρₖ + uₖ − ċ, with uₖ relative to the body and ċ the velocity of C in it.
-//! H = I ω + h, with h the angular momentum of the flow relative to the body.
+//! H is the angular momentum about C of the mass in a volume that is fixed in the body. About the
+//! point of space at which C is at that instant, dH/dt + `ċ_s` × P = N − Σ µₖ ρₖ × vₖ. Here `ċ_s`
+//! is the velocity of C in space, P the momentum in the volume, and vₖ the velocity of the leaving
+//! mass. By continuity P = M `ċ_s` + Σ µₖ ρₖ, so that dH/dt = N − Σ µₖ ρₖ × (vₖ − `ċ_s`). Further,
+//! vₖ − `ċ_s` = ω × ρₖ + uₖ − ċ, with uₖ relative to the body and ċ the velocity of C in the body.
+//! Finally H = I ω + h, with h the angular momentum of the flow relative to the body.
 //!
 //! # Assumptions
-//! - The mass flow is prescribed, and so is the thrust: −Σ µₖ ρₖ × (uₖ − ċ) is a torque like any other, to be given as one.
-//! - h = 0: the flow inside neither whirls nor goes round C. It is so if the gas runs along a line through C, or symmetrically about one.
-//! - What has not left turns with the body: no slosh.
+//! - The mass flow and the thrust are prescribed: −Σ µₖ ρₖ × (uₖ − ċ) is supplied as an external
+//!   torque.
+//! - h = 0: the flow inside neither swirls nor circulates around C. This holds if the gas flows
+//!   along a line through C, or symmetrically about one.
+//! - Mass that has not left rotates with the body; slosh is neglected.
 //!
 //! # Jumps
-//! Two rows of one time are a jump. If mass goes (a stage that is dropped), each part keeps the ω that it has: there is no torque between them. If the mass is the
-//! same (an arm that unfolds at once), the angular momentum is kept, and ω is not.
+//! Two rows of the same time are a jump. If mass leaves (separation of a stage), each part keeps
+//! its ω: no torque acts between them. If the mass is the same (sudden deployment of an arm),
+//! the angular momentum is conserved and ω changes.
 //!
 //! # Sources
-//! Thomson, Introduction to Space Dynamics (1961), §7.8 (jet damping); Eke, Wang, J. Appl. Mech. 62 (1995) 1031 and Eke, Mao, Mech. Res. Commun. 29 (2002)
-//! 189 (control volumes fixed in a body; cylinders that burn). The term ċ is left out there, as C moves along the axis of the exit.
+//! Thomson, Introduction to Space Dynamics (1961), §7.8 (jet damping). Eke, Wang, J. Appl. Mech. 62
+//! (1995) 1031, and Eke, Mao, Mech. Res. Commun. 29 (2002) 189 (control volumes fixed in a body;
+//! burning cylinders). These sources omit the term ċ, as C moves along the axis of the exit there.
 
 pub(crate) mod changing_body;
 mod instant;
@@ -41,19 +50,20 @@ use crate::motion::model::rotor::Rotor;
 use moments::{Moments, Polynomial};
 pub use outflow::{Exit, Outflow};
 
-/// Mass properties at a time.
+/// Row of a mass history: mass properties at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassRow {
-    /// s
+    /// Time, s.
     pub time: f64,
-    /// What the body is then.
+    /// Mass properties at that time.
     pub body: MassProperties<Body>,
-    /// How fast it changes, if that is known.
+    /// Rates of change, if known.
     pub rates: Option<MassRates>,
 }
 
 impl MassRow {
-    /// What its numbers are called in tables, with their units: the tensor about the centre of mass; which sign products have is said beside a table.
+    /// Column names in tables, with units. The tensor is about the centre of mass; the sign
+    /// convention of the products of inertia is stated next to the table.
     pub const COLUMNS: [&'static str; 11] = [
         "time_s",
         "mass_kg",
@@ -68,7 +78,7 @@ impl MassRow {
         "inertia_yz_kg_m2",
     ];
 
-    /// What its rates are called.
+    /// Column names of the rates in tables.
     pub const RATE_COLUMNS: [&'static str; 10] = [
         "mass_rate_kg_s",
         "center_rate_x_m_s",
@@ -83,22 +93,27 @@ impl MassRow {
     ];
 }
 
-/// How fast mass properties change, along body axes.
+/// Rates of change of mass properties, along body axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassRates {
-    /// Ṁ, kg/s.
+    /// Rate of change of the mass Ṁ, kg/s.
     pub mass: f64,
-    /// ċ, m/s.
+    /// Velocity ċ of the centre of mass in the body, m/s.
     pub center_of_mass: Velocity<Body>,
-    /// İ about the centre of mass, which moves: xx, yy, zz, xy, xz, yz, kg·m²/s.
+    /// İ about the moving centre of mass: xx, yy, zz, xy, xz, yz, kg·m²/s.
     pub inertia: [f64; 6],
 }
 
-/// The mass properties of a body as a function of time.
+/// Mass properties of a body as a function of time.
 ///
-/// From row to row, mass, first moments and second moments about a point are straight, or cubic with the slopes that the rows have where both have them: so every
-/// body on the way is a mixture of possible ones, and possible. Before the first row and after the last the body stays as it is there. Where straight lines stand
-/// for a smooth curve, they are off by ⅛ of its second derivative times the square of the step, cubics by 1/384 of its fourth times the fourth power.
+/// The mass, the first moments and the second moments about a fixed point are interpolated between
+/// rows. The interpolation is linear, or cubic where both rows have rates. Every intermediate body
+/// is then a convex combination of physical bodies and therefore physical. Before the first row and
+/// after the last the body is constant.
+///
+/// Linear interpolation of a smooth curve has an error of 1/8 of its second derivative times the
+/// square of the step. Cubic interpolation has 1/384 of its fourth derivative times the fourth
+/// power of the step.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -121,24 +136,25 @@ pub struct MassRates {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct MassHistory {
-    /// First and second moments are about this point, so that a place far from the origin costs no digits.
+    /// Point to which first and second moments refer. It is near the mass, so that a body far from
+    /// the origin loses no accuracy.
     reference: Position<Body>,
-    /// In the order of time; the first from the beginning of time on.
+    /// Pieces in order of time. The first is valid from −∞.
     pieces: Vec<MassPiece>,
     outflow: Outflow,
-    /// A ball of one kg·m² in the place of the body: its acceleration is the torque on it.
+    /// Sphere of 1 kg·m² in place of the body: its angular acceleration equals the torque on it.
     ball: Rotor,
 }
 
-/// The moments from a time until the next piece.
+/// Moments from a time until the next piece.
 #[derive(Clone, Debug, PartialEq)]
 struct MassPiece {
     start: f64,
     epoch: f64,
     moments: Polynomial,
-    /// Does mass leave? What the rounding of two rows leaves is none.
+    /// True if mass leaves. A loss within the rounding of the two rows does not count.
     loses_mass: bool,
-    /// What happens at its start, if not everything is continuous there.
+    /// Discontinuity at the start of the piece, if there is one.
     jump: Option<Jump>,
 }
 
@@ -148,27 +164,29 @@ impl MassPiece {
     }
 }
 
-/// What happens at once.
+/// Kind of discontinuity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Jump {
-    /// Mass goes: ω is kept.
+    /// Mass leaves: ω is conserved.
     Separation,
-    /// Mass moves: I ω is kept.
+    /// Mass moves inside: I ω is conserved.
     Internal,
 }
 
-/// Differences of mass below this part of it are rounding.
+/// Threshold below which a relative difference of mass is rounding.
 const SAME_MASS: f64 = 1e-12;
 
-/// A least moment below this part of the greatest is that of a rod.
+/// Ratio of smallest to largest principal moment below which the body is a rod.
 const THIN: f64 = 1e-12;
 
 impl MassHistory {
-    /// A body that is so at these times, of which mass leaves so. Two rows of one time are a jump.
+    /// Creates a mass history from rows and an outflow. Two rows of the same time are a jump.
     ///
     /// # Errors
-    /// [`MotionError::MassHistory`] with the time of the row that is wrong: no rows, times that descend, more than two of one time, a rod, mass that comes, or that
-    /// leaves though nothing says how, what leaves being no possible body, a cubic with impossible bodies on the way. As [`Outflow::Exits`] says of exits.
+    /// [`MotionError::MassHistory`] with the time of the wrong row: no rows, descending times, more
+    /// than two rows of one time, a rod, or an increase of mass. Also if mass leaves without a
+    /// stated outflow, if the leaving mass is not a physical body, or if a cubic has unphysical
+    /// bodies between rows. Errors of exits are those of [`Outflow::Exits`].
     pub fn new(rows: &[MassRow], outflow: Outflow) -> Result<Self, MotionError> {
         outflow.require_possible()?;
         let (Some(first), Some(last)) = (rows.first(), rows.last()) else {
@@ -220,17 +238,18 @@ impl MassHistory {
         Ok(Self { reference, pieces, outflow, ball: Rotor::free(&ball) })
     }
 
-    /// How mass leaves.
+    /// Returns the way in which mass leaves.
     pub const fn outflow(&self) -> &Outflow {
         &self.outflow
     }
 
-    /// The times at which something becomes different, s.
+    /// Returns the times at which a new piece begins, s.
     pub fn times(&self) -> impl Iterator<Item = f64> + '_ {
         self.pieces.iter().skip(1).map(|piece| piece.start)
     }
 
-    /// From when until when something changes, s, in the order of time: at one time, if it jumps.
+    /// Returns the intervals [begin, end] of all changes, s, in order of time. A jump has begin =
+    /// end.
     pub fn changes(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
         self.pieces
             .windows(2)
@@ -242,15 +261,15 @@ impl MassHistory {
             .flatten()
     }
 
-    /// Does something change after one time and before another?
+    /// Returns true if something changes strictly between two times.
     pub fn changes_between(&self, from: f64, to: f64) -> bool {
         self.changes().any(|[begin, end]| begin < to && from < end)
     }
 
-    /// What the body is just after a time, and how fast it changes.
+    /// Returns the mass properties just after a time, and their rates.
     ///
     /// # Errors
-    /// [`MotionError::MassHistory`] of a time that is not a number.
+    /// [`MotionError::MassHistory`] if the time is NaN.
     pub fn at(&self, time: f64) -> Result<(MassProperties<Body>, MassRates), MotionError> {
         let piece = self.piece(time);
         let (moments, rates) = (piece.moments.at(time - piece.epoch), piece.moments.rate(time - piece.epoch));
@@ -259,27 +278,31 @@ impl MassHistory {
         Ok((body, rates.rates(&moments)))
     }
 
-    /// The body as it is just after a time, with the point that it turns about: its centre of mass then, or the pivot.
+    /// Returns the rotor just after a time. It turns about `pivot`, or about its centre of mass at
+    /// that time.
     ///
     /// # Errors
-    /// As [`MassHistory::at`].
+    /// The errors of [`MassHistory::at`].
     pub fn rotor(&self, time: f64, pivot: Option<Position<Body>>) -> Result<Rotor, MotionError> {
         let (body, _) = self.at(time)?;
         Ok(pivot.map_or_else(|| Rotor::free(&body), |pivot| Rotor::pivoted(&body, pivot)))
     }
 
-    /// |h|, kg·m²/s: what the flow just after a time has of angular momentum in the body if it runs straight to the exits from where mass goes, in the mean. The
-    /// motion leaves it out, so that it should be small beside I ω.
+    /// Returns an estimate of |h|, kg·m²/s, the angular momentum of the internal flow relative to
+    /// the body, just after a time.
+    ///
+    /// The estimate assumes that mass flows straight from the mean place of depletion to the exits.
+    /// The equations of motion neglect h, so it should be small compared with I ω.
     ///
     /// # Errors
-    /// As [`MassHistory::at`].
+    /// The errors of [`MassHistory::at`].
     pub fn flow_momentum(&self, time: f64, pivot: Option<Position<Body>>) -> Result<f64, MotionError> {
         let (body, rates) = self.at(time)?;
         let Outflow::Exits(exits) = &self.outflow else { return Ok(0.0) };
         if !self.piece(time).loses_mass {
             return Ok(0.0);
         }
-        // Mass that goes at b to an exit at ρ has μ b × ρ on its way, and (M c)˙ = −μ b.
+        // Mass flowing from b to an exit at ρ has the angular momentum µ b × ρ, and (M c)˙ = −μ b.
         let center = body.center_of_mass();
         let point = pivot.unwrap_or(center);
         let [d, velocity] = [(center - point).to_array(), rates.center_of_mass.to_array()];
@@ -292,7 +315,7 @@ impl MassHistory {
         Ok(momentum.norm())
     }
 
-    /// The same with all lengths along each axis, from a point inside, so many times as long.
+    /// Scales all lengths along each axis by a factor, relative to the reference point.
     pub(crate) fn stretched(&self, by: [f64; 3]) -> Self {
         let piece = |piece: &MassPiece| MassPiece { moments: piece.moments.stretched(by), ..piece.clone() };
         Self {
@@ -302,27 +325,28 @@ impl MassHistory {
         }
     }
 
-    /// The ball that turns in place of the body.
+    /// Returns the sphere that replaces the body.
     pub(crate) const fn ball(&self) -> &Rotor {
         &self.ball
     }
 
-    /// Which piece is just after a time.
+    /// Returns the index of the piece just after a time.
     fn place(&self, time: f64) -> usize {
         self.pieces.partition_point(|piece| piece.start <= time).saturating_sub(1)
     }
 
     fn piece(&self, time: f64) -> &MassPiece {
-        // There is a first one, which begins before everything.
+        // The first piece begins at −∞, so there is always one.
         &self.pieces[self.place(time)]
     }
 
-    /// The first time after this one at which something becomes different; infinite if nothing does.
+    /// Returns the first breakpoint after `time`; infinite if there is none.
     pub(crate) fn next_change(&self, time: f64) -> f64 {
         self.pieces.get(self.place(time) + 1).map_or(f64::INFINITY, |piece| piece.start)
     }
 
-    /// True if at this time mass moves at once within the body, so that I ω is kept and ω is not.
+    /// True if mass moves suddenly inside the body at this time, so that I ω is conserved and ω is
+    /// not.
     pub(crate) fn keeps_momentum(&self, time: f64) -> bool {
         let piece = self.piece(time);
         piece.start == time && piece.jump == Some(Jump::Internal)
@@ -330,15 +354,17 @@ impl MassHistory {
 }
 
 impl MassRates {
-    /// Of mass, first moments and second moments about a point.
+    /// Returns the rates of mass, first moments and second moments about a point.
     fn moments(&self, body: &MassProperties<Body>, reference: Position<Body>) -> Moments {
         let d = (body.center_of_mass() - reference).to_array();
         Moments::of_rates(body.mass(), d, self)
     }
 }
 
+/// Checks one row.
+///
 /// # Errors
-/// [`MotionError::MassHistory`] of what is not finite, and of a rod.
+/// [`MotionError::MassHistory`] for a number that is not finite, and for a rod.
 fn require_row(row: &MassRow) -> Result<(), MotionError> {
     let [least, _, greatest] = row.body.principal().moments();
     let finite = row.rates.is_none_or(|rates| {
@@ -354,8 +380,11 @@ fn require_row(row: &MassRow) -> Result<(), MotionError> {
     Ok(())
 }
 
+/// Classifies the jump between two sets of moments.
+///
 /// # Errors
-/// [`MotionError::MassHistory`] if mass comes, or if what goes is no body.
+/// [`MotionError::MassHistory`] if the mass increases, or if the leaving part is not a physical
+/// body.
 fn jump_between(time: f64, from: Moments, to: Moments) -> Result<Option<Jump>, MotionError> {
     if from == to {
         return Ok(None);

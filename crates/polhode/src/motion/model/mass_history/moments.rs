@@ -1,4 +1,5 @@
-//! Mass, first moments and second moments about a point: what adds, and what mixtures of bodies mix.
+//! Mass, first moments and second moments about a point. These are additive, and linear in convex
+//! combinations of bodies.
 
 use crate::body::error::BodyError;
 use crate::body::inertia::InertiaAbout;
@@ -9,11 +10,13 @@ use crate::math::vector::{Position, Velocity};
 
 use super::MassRates;
 
-/// M, M (c − p), and the elements xx, yy, zz, xy, xz, yz of the tensor about p; or differences or derivatives of these.
+/// M, M (c − p), and the elements xx, yy, zz, xy, xz, yz of the tensor about p; or differences or
+/// derivatives of these.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Moments(pub(super) [f64; 10]);
 
-/// Digits that tables have: what two of their rows differ by is a body to this part of the whole.
+/// Relative accuracy of printed tables: the difference of two rows must be a physical body to
+/// within this part of the whole.
 const PRINTED: f64 = 1e-6;
 
 impl Moments {
@@ -22,7 +25,8 @@ impl Moments {
         Self::joined(m, d.map(|x| m * x), body.inertia_about(about).symmetric().elements())
     }
 
-    /// The derivatives, of a body of a mass at d from the point.
+    /// Returns the derivatives of the moments of a body of mass m with centre of mass at d from the
+    /// point.
     pub(super) fn of_rates(m: f64, d: [f64; 3], rates: &MassRates) -> Self {
         let (rate, velocity) = (rates.mass, rates.center_of_mass.to_array());
         let first = core::array::from_fn(|k| rate * d[k] + m * velocity[k]);
@@ -39,7 +43,7 @@ impl Moments {
         self.0[0]
     }
 
-    /// M (c − p)
+    /// Returns M (c − p).
     const fn first(&self) -> [f64; 3] {
         [self.0[1], self.0[2], self.0[3]]
     }
@@ -49,7 +53,7 @@ impl Moments {
         Symmetric3::from_elements(elements)
     }
 
-    /// c − p
+    /// Returns c − p.
     fn lever(&self) -> [f64; 3] {
         self.first().map(|x| x / self.mass())
     }
@@ -59,7 +63,8 @@ impl Moments {
         MassProperties::from_inertia_about(self.mass(), about + Position::from_array(self.lever()), &tensor)
     }
 
-    /// Read as derivatives of the moments of a body: those of what it is.
+    /// Interprets `self` as the derivatives of the moments `of`, and returns the rates of the mass
+    /// properties.
     pub(super) fn rates(&self, of: &Self) -> MassRates {
         let (m, d, rate) = (of.mass(), of.lever(), self.mass());
         let first = self.first();
@@ -84,7 +89,8 @@ impl Moments {
         Self(self.0.map(|x| by * x))
     }
 
-    /// True if it is a body, to the digits that tables have of a whole, or nothing.
+    /// Checks if these moments are a physical body, to the accuracy of tables relative to `whole`,
+    /// or zero.
     pub(super) fn is_part_of(&self, whole: &Self) -> bool {
         let size = whole.tensor().max_abs();
         if !(self.mass() > 0.0) {
@@ -96,7 +102,7 @@ impl Moments {
         a.min(a + b - c) >= -PRINTED * size
     }
 
-    /// About the point p + d.
+    /// Returns the moments about the point p + d.
     pub(super) fn about(&self, d: [f64; 3]) -> Self {
         let (m, first) = (self.mass(), self.first());
         // ∫ (x − d)(x − d)ᵀ dm
@@ -123,7 +129,7 @@ impl Moments {
     }
 }
 
-/// Σ cₖ τᵏ
+/// Polynomial Σ cₖ τᵏ with moments as coefficients.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Polynomial(pub(super) Vec<Moments>);
 
@@ -132,7 +138,7 @@ impl Polynomial {
         Self(vec![moments])
     }
 
-    /// From one end of a span to the other: straight, or cubic with these slopes.
+    /// Interpolates between the two ends of a span: linearly, or as a cubic with these slopes.
     pub(super) fn between([from, to]: [Moments; 2], slopes: Option<[Moments; 2]>, span: f64) -> Self {
         let mean = to.minus(&from).times(1.0 / span);
         let Some([begin, end]) = slopes else { return Self(vec![from, mean]) };
@@ -154,7 +160,9 @@ impl Polynomial {
         horner(self.derivative().0.into_iter(), tau)
     }
 
-    /// bₖ = Σⱼ (k over j)/(n over j) cⱼ spanʲ: on the span the polynomial is a mixture of them, and if each is a body, so is all between.
+    /// Returns the Bernstein coefficients bₖ = Σⱼ (k over j)/(n over j) cⱼ spanʲ. On the span the
+    /// polynomial is a convex combination of them. If each is physical, so is every body in
+    /// between.
     pub(super) fn bernstein(&self, span: f64) -> Vec<Moments> {
         let n = self.0.len() - 1;
         let coefficient = |k: usize| {
@@ -181,7 +189,8 @@ fn horner(terms: impl DoubleEndedIterator<Item = Moments>, tau: f64) -> Moments 
     terms.rev().fold(Moments([0.0; 10]), |sum, c| c.plus(&sum, tau))
 }
 
-/// The elements of a disc's second moments across its axis n, as a tensor: ¼ a² (1 + n nᵀ).
+/// Returns the elements of the second moments of a disc with normal n, as a tensor: ¼ a² (1 + n
+/// nᵀ).
 pub(super) fn disc(radius: f64, axis: [f64; 3]) -> [f64; 6] {
     let quarter = 0.25 * radius * radius;
     ((Symmetric3::diagonal([1.0; 3]) + Symmetric3::outer(axis)) * quarter).elements()

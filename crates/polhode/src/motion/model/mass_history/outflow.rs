@@ -1,4 +1,4 @@
-//! How mass leaves a body.
+//! Outflow of mass from a body.
 
 use crate::math::frame::Body;
 use crate::math::vector::{Direction, Position};
@@ -8,31 +8,34 @@ use crate::motion::model::require;
 use super::moments::Moments;
 use super::{SAME_MASS, wrong};
 
-/// How mass leaves a body between jumps.
+/// Way in which mass leaves a body between jumps.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outflow {
-    /// None does.
+    /// No mass leaves.
     None,
-    /// It is left behind where it was, with the velocity that it has there, as what evaporates or crumbles off: ω is not changed by it.
+    /// Mass is left behind where it was, with the velocity that it has there, as in evaporation. ω
+    /// does not change.
     InPlace,
-    /// Through exits, whose shares of the flow are positive and make 1.
+    /// Mass leaves through exits. Their shares of the flow are positive and sum to 1.
     Exits(Vec<Exit>),
 }
 
-/// Where mass leaves: evenly over a disc.
+/// Exit through which mass leaves, uniformly over a disc.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exit {
-    /// Its part of the whole flow.
+    /// Fraction of the total flow.
     pub share: f64,
-    /// Its centre, in the body, m.
+    /// Centre of the disc, body axes, m.
     pub position: Position<Body>,
-    /// What the disc is across.
+    /// Normal of the disc, body axes.
     pub axis: Direction<Body>,
-    /// m; zero of a point.
+    /// Radius of the disc, m; zero for a point.
     pub radius: f64,
 }
 
 impl Outflow {
+    /// Checks the exits.
+    ///
     /// # Errors
     /// A parameter's error ([`MotionError::is_parameter`]).
     pub(super) fn require_possible(&self) -> Result<(), MotionError> {
@@ -49,8 +52,11 @@ impl Outflow {
         require::that("the sum of the shares of all exits", sum, (sum - 1.0).abs() <= 1e-9, "1")
     }
 
+    /// Checks a piece that begins at `time`. `bodies` are the Bernstein coefficients of its
+    /// moments.
+    ///
     /// # Errors
-    /// [`MotionError::MassHistory`] of a piece from a time on, by the bodies that it is a mixture of.
+    /// [`MotionError::MassHistory`] if one of them is not physical.
     pub(super) fn require_piece(
         &self,
         time: f64,

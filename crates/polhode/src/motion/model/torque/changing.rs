@@ -1,4 +1,4 @@
-//! A changing body in place of torques: of a ball of one kg·m² the torque is ω̇.
+//! A body with changing mass, expressed as a torque. The torque on a sphere of 1 kg·m² equals ω̇.
 
 use std::sync::Arc;
 
@@ -18,23 +18,24 @@ use crate::motion::model::mass_history::changing_body::ChangingBody;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
-/// A changing body, and the torques that act on it.
+/// Body with changing mass, and the torques that act on it.
 #[derive(Clone, Debug)]
 pub(in crate::motion) struct DrivenBody {
     body: ChangingBody,
-    /// Torques from outside, without schedules.
+    /// External torques, without schedules.
     torques: Vec<TorqueModel>,
 }
 
 impl OwnTorque {
-    /// The law of a changing body.
+    /// Creates the law of a body with changing mass.
     pub(in crate::motion) fn of_changing(body: Arc<DrivenBody>) -> Self {
         Self::smooth("changing mass", body)
     }
 }
 
 impl ChangingBody {
-    /// Why a law has no power series in time if it acts on this body. A user's may ask for the rotor, which is known in states only.
+    /// Returns the reason that a law has no power series in time if it acts on this body. A
+    /// user-supplied law may need the rotor, which is known in states only.
     pub(in crate::motion) fn roughness(&self, torque: &TorqueModel, ball: &Rotor) -> Option<&'static str> {
         let own = match torque {
             TorqueModel::Scheduled(scheduled) => return self.roughness(&scheduled.torque, ball),
@@ -53,13 +54,14 @@ impl DrivenBody {
         Self { body, torques }
     }
 
-    /// The body as it is at a time.
+    /// Returns the rotor at `time`.
     pub(in crate::motion) fn rotor(&self, time: f64) -> Option<Rotor> {
         self.body.rotor(time)
     }
 
-    /// The torque of all that acts from outside, body axes; NaN where the body is not known. Twists are continued
-    /// from an attitude near that of the state, if one is given.
+    /// Returns the total external torque, body axes; NaN if the body is not known. If `near` is
+    /// given, twists are continuous relative to that attitude, which is near the attitude of the
+    /// state.
     fn torque(&self, state: &State, near: Option<Attitude>) -> Torque<Body> {
         if self.torques.is_empty() {
             return Torque::ZERO;
@@ -72,20 +74,21 @@ impl DrivenBody {
         self.torques.iter().fold(Torque::ZERO, |sum, model| sum + torque(model))
     }
 
-    /// As [`ChangingBody::balances`], of the ball that turns in its place.
+    /// Returns [`ChangingBody::balances`] for the sphere that replaces the body.
     pub(in crate::motion) fn evidence(&self, ball: &Rotor, state: &State) -> (f64, AngularMomentum<Space>) {
         let torque = self.torque(state, None);
         self.body.balances(&Values { rotor: ball, state, near: None }, state, torque)
     }
 
-    /// The torque on the ball that turns in its place. Twists are continued from an attitude `near` that of the state.
+    /// Returns the torque on the sphere that replaces the body. Twists are continuous relative to
+    /// the attitude `near`.
     pub(in crate::motion) fn value_near(&self, ball: &Rotor, state: &State, near: Attitude) -> Torque<Body> {
         let torque: Direction<Body> = self.torque(state, Some(near)).as_quantity();
         self.body.acceleration(&Values { rotor: ball, state, near: Some(near) }, torque).as_quantity()
     }
 }
 
-/// It has a graph, and no derivatives.
+/// A driven body has a graph and no derivatives.
 impl AnyLaw for DrivenBody {
     fn value(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
         let torque: Direction<Body> = self.torque(state, None).as_quantity();

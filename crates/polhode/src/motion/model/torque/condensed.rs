@@ -1,30 +1,33 @@
-//! Graphs with fewer operations and the same values.
+//! Reduction of graphs to fewer operations with the same values.
 //!
-//! A law's derivative, recorded in many directions, says much of what it says more than once, and some that nothing comes of. What is linear in a
-//! vector becomes one matrix; two images of the same vector, multiplied, are linear in its six products x xᵀ, of which the series are found once
-//! for all directions; and what is of no use is left out. The matrices are of one body: bodies side by side keep the operations as they are
-//! recorded.
+//! The recorded derivatives of a law in many directions contain repeated and unused operations. The
+//! reduction has three parts. A linear function of a vector becomes one matrix. A cross product of
+//! two images of the same vector x becomes linear in the six products x xᵀ, whose series are
+//! computed once for all directions. Unused operations are removed. The matrices belong to one
+//! body, so batches of bodies keep the recorded operations.
 
 use super::graph::{Graph, Operation, ScalarOperation, VectorOperation};
 
 type Matrix = [[f64; 3]; 3];
 
-/// Σ M v over vectors of the graph, each once.
+/// Linear form Σ M v over vectors of the graph, each of which occurs once.
 type Form = Vec<(usize, Matrix)>;
 
-/// With more terms a sum is worked out where it is, as it would be over and over where it is used.
+/// Maximum number of terms of a form that stays symbolic. A longer sum is evaluated once, not at
+/// each use.
 const MOST: usize = 3;
 
-/// A sum of so many terms is multiplied by a number term by term.
+/// Maximum number of terms of a sum that is multiplied by a number term by term.
 const FEW: usize = 2;
 
 const UNIT: Matrix = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// (y, z, x) of (x, y, z)
+/// Cyclic permutation: (y, z, x) of (x, y, z).
 const CYCLE: Matrix = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
 
 impl Graph {
-    /// The same of one body, with what the vectors at these places need alone; and their new places.
+    /// Returns a reduced graph for one body, restricted to the operations that the vectors `kept`
+    /// need, and the new places of these vectors.
     pub(super) fn condensed(&self, kept: &[usize]) -> (Self, Vec<usize>) {
         let mut condenser = Condenser {
             graph: Self { operations: Vec::new(), counts: [0; 2], places: Vec::new(), ..self.clone() },
@@ -37,7 +40,7 @@ impl Graph {
     }
 
     fn with_what_is_needed(&self, kept: &[usize]) -> (Self, Vec<usize>) {
-        // Which operation makes each number, and each vector.
+        // Index of the operation that produces each number and each vector.
         let mut made_by = [Vec::new(), Vec::new()];
         for (k, operation) in self.operations.iter().enumerate() {
             made_by[usize::from(matches!(operation, Operation::Vector(_)))].push(k);
@@ -77,12 +80,12 @@ impl Graph {
     }
 }
 
-/// Makes a graph of the operations of another.
+/// Builds a graph from the operations of another graph.
 struct Condenser {
     graph: Graph,
-    /// Of each vector of the other.
+    /// Linear form of each vector of the source graph.
     forms: Vec<Form>,
-    /// Where it is in the graph, if it is there.
+    /// Place of each vector of the source graph in the new graph, if it is there.
     places: Vec<Option<usize>>,
 }
 
@@ -90,7 +93,7 @@ impl Condenser {
     fn take(&mut self, operation: Operation) {
         use VectorOperation as Op;
         let form = match operation {
-            // Numbers keep their places: each is there, and none is added.
+            // Numbers keep their places: every number is copied and none is added.
             Operation::Scalar(_) => {
                 let operation = operation.with_operands(|operand| self.moved(operand));
                 self.graph.push(operation);
@@ -104,7 +107,7 @@ impl Condenser {
             }
             Operation::Vector(Op::Add(a, b)) => self.sum([a, b], 1.0),
             Operation::Vector(Op::Subtract(a, b)) => self.sum([a, b], -1.0),
-            // (M x + …) b = M (x b) + …: all directions are of the same few x.
+            // (M x + …) b = M (x b) + …: all directions share the same few x.
             Operation::Vector(Op::Times(a, b)) if self.forms[a].len() <= FEW => {
                 let terms = self.forms[a].clone();
                 terms.into_iter().map(|(x, matrix)| (self.graph.vector(Op::Times(x, b)), matrix)).collect()
@@ -135,7 +138,7 @@ impl Condenser {
         }
     }
 
-    /// Where a vector of the other graph is in this one.
+    /// Returns the place in the new graph of a vector of the source graph, adding it if needed.
     fn place(&mut self, place: usize) -> usize {
         if let Some(known) = self.places[place] {
             return known;
@@ -163,7 +166,7 @@ impl Condenser {
         self.graph.vector(VectorOperation::Image(k, base))
     }
 
-    /// a ± b
+    /// Returns a ± b.
     fn sum(&mut self, [a, b]: [usize; 2], sign: f64) -> Form {
         let sum = added(&self.forms[a], &scaled(&self.forms[b], sign));
         if sum.len() <= MOST {
@@ -173,7 +176,7 @@ impl Condenser {
         added(&a, &scaled(&b, sign))
     }
 
-    /// M x × N x, by (x², y², z²) and (xy, yz, zx).
+    /// Returns M x × N x as a form in (x², y², z²) and (xy, yz, zx).
     fn bilinear(&mut self, x: usize, m: &Matrix, n: &Matrix) -> Form {
         let term = |i: usize, p: usize, q: usize| {
             let (j, k) = ((i + 1) % 3, (i + 2) % 3);
@@ -216,7 +219,7 @@ fn product(a: &Matrix, b: &Matrix) -> Matrix {
     a.map(|row| core::array::from_fn(|k| row[0] * b[0][k] + row[1] * b[1][k] + row[2] * b[2][k]))
 }
 
-/// What an operation is of.
+/// Operand of an operation.
 #[derive(Clone, Copy, Debug)]
 enum Operand {
     Number(usize),
@@ -232,7 +235,7 @@ impl Operand {
 }
 
 impl Operation {
-    /// The same of others.
+    /// Replaces the operands of the operation.
     fn with_operands(self, mut of: impl FnMut(Operand) -> usize) -> Self {
         match self {
             Self::Scalar(operation) => Self::Scalar(operation.with_operands(of)),
@@ -295,7 +298,7 @@ impl ScalarOperation {
             Self::Wrapped(a) => Self::Wrapped(number(a)),
             Self::HalfAngleOverSine(a) => Self::HalfAngleOverSine(number(a)),
             Self::HalfAngleSlope(a) => Self::HalfAngleSlope(number(a)),
-            // Above.
+            // Handled above.
             Self::Dot(..) | Self::Component(..) | Self::Norm(_) => self,
         }
     }
@@ -316,7 +319,7 @@ mod tests {
         Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia).unwrap())
     }
 
-    /// How many operations there are of a kind.
+    /// Counts the operations of a kind.
     fn count(torque: &TorqueModel, is_wanted: impl Fn(&VectorOperation) -> bool) -> usize {
         let graph = Linearization::of(&rotor(), &[torque], &[]).graph;
         let wanted = |operation: &&Operation| matches!(operation, Operation::Vector(of) if is_wanted(of));
@@ -338,7 +341,7 @@ mod tests {
     #[test]
     fn what_comes_to_nothing_is_left_out() {
         let drag = Drag::new(DragLaw::Linear, [[0.3, 0.1, 0.0], [0.1, 0.4, -0.1], [0.0, -0.1, 0.2]]).unwrap();
-        // Its derivatives are constant: of ω itself, there in any case, nothing is made.
+        // Its derivatives are constant: nothing is computed from ω, which is always present.
         assert_eq!(count(&TorqueModel::Drag(drag), |of| matches!(of, VectorOperation::Omega)), 1);
         assert_eq!(count(&TorqueModel::Drag(drag), |of| matches!(of, VectorOperation::Scale(..))), 0);
     }

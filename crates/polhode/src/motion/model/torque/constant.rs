@@ -1,4 +1,4 @@
-//! A constant torque, in body or in space axes.
+//! A torque that is constant in body or in space axes.
 
 use super::model::Model;
 use crate::math::frame::{Body, Space};
@@ -7,12 +7,12 @@ use crate::motion::model::law::{Law, LawInput};
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
-/// A torque that keeps its components along one set of axes, N·m.
+/// Torque with constant components along one set of axes, N·m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ConstantTorque {
-    /// Along the body's axes: a thruster fixed to the body.
+    /// Constant along body axes, such as that of a thruster fixed to the body.
     Body(Torque<Body>),
-    /// Along space axes.
+    /// Constant along space axes.
     Space(Torque<Space>),
 }
 

@@ -1,4 +1,4 @@
-//! Drag: a torque against ω.
+//! Drag torques.
 
 use super::model::Model;
 use crate::math::algebra::VectorAlgebra;
@@ -7,9 +7,10 @@ use crate::motion::error::MotionError;
 use crate::motion::model::law::{Law, LawInput};
 use crate::motion::model::require;
 
-/// A torque that resists turning, in proportion to ω or to its square, and not alike about every axis.
+/// Torque that opposes rotation, proportional to ω or to |ω| ω; it may be anisotropic.
 ///
-/// Its matrix stands along body axes. It is symmetric and positive semi-definite, so that the power N · ω is never positive.
+/// The drag matrix is along body axes. It is symmetric and positive semi-definite, so that the
+/// power N · ω is never positive.
 ///
 /// ```
 /// use polhode::body::{InertiaTensor, MassProperties};
@@ -30,7 +31,7 @@ pub struct Drag {
     matrix: Symmetric3,
 }
 
-/// How drag grows with ω.
+/// Dependence of the drag on ω.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DragLaw {
     /// N = −C ω, C in N·m·s.
@@ -39,7 +40,7 @@ pub enum DragLaw {
     Quadratic,
 }
 
-/// How far rounding may leave a matrix from symmetric and positive, relative to its largest element.
+/// Tolerance, relative to the largest element, on symmetry and positivity of the matrix.
 const TOLERANCE: f64 = 1e-12;
 
 impl Law for Drag {
@@ -58,11 +59,11 @@ impl Law for Drag {
 }
 
 impl Drag {
-    /// Drag with its matrix along body axes: C or D of its law.
+    /// Creates a drag from its matrix C or D along body axes.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if the matrix is not finite, symmetric and positive semi-definite, each to 1e-12 of its largest
-    /// element.
+    /// A parameter's error ([`MotionError::is_parameter`]) unless the matrix is finite, symmetric
+    /// and positive semi-definite, each to 1e-12 of its largest element.
     pub fn new(law: DragLaw, matrix: [[f64; 3]; 3]) -> Result<Self, MotionError> {
         for &value in matrix.as_flattened() {
             require::finite("an element of the drag's matrix", value)?;
@@ -82,12 +83,12 @@ impl Drag {
         Ok(Self { law, matrix })
     }
 
-    /// How it grows with ω.
+    /// Returns the dependence on ω.
     pub const fn law(&self) -> DragLaw {
         self.law
     }
 
-    /// C or D, body axes.
+    /// Returns the matrix C (N·m·s) or D (N·m·s²), body axes.
     pub fn matrix(&self) -> [[f64; 3]; 3] {
         self.matrix.rows()
     }
@@ -113,7 +114,7 @@ mod tests {
         let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         assert!(of(unit).is_ok());
         assert!(of([[0.0; 3]; 3]).is_ok());
-        // Singular, but for the rounding of 0.1 · 0.1 / 0.05.
+        // Singular, except for the rounding of 0.1 · 0.1 / 0.05.
         assert!(of([[0.1, 0.2, 0.0], [0.2, 0.4, 0.0], [0.0, 0.0, 0.0]]).is_ok());
         for (row, column, value) in
             [(0, 0, f64::NAN), (2, 1, f64::INFINITY), (0, 1, 0.5), (1, 2, -1e-9), (2, 2, -1e-9)]
@@ -122,7 +123,7 @@ mod tests {
             matrix[row][column] = value;
             assert!(of(matrix).is_err(), "{matrix:?}");
         }
-        // Positive on the diagonal is not enough.
+        // A positive diagonal is not sufficient.
         assert!(of([[1.0, 2.0, 0.0], [2.0, 1.0, 0.0], [0.0, 0.0, 1.0]]).is_err());
     }
 }

@@ -1,4 +1,4 @@
-//! Energy lost inside a body: L is kept, T is not.
+//! Energy dissipation inside a body: L is conserved, T is not.
 
 use super::model::Model;
 use crate::math::vector::Direction;
@@ -6,30 +6,35 @@ use crate::motion::error::MotionError;
 use crate::motion::model::law::{Law, LawInput};
 use crate::motion::model::require;
 
-/// Dissipation inside a body that bends, sloshes or carries a damper, whose angular momentum it cannot change: an *energy sink*.
+/// Energy dissipation inside a body that flexes, sloshes or carries a damper: an *energy sink*. It
+/// cannot change the angular momentum.
 ///
-/// The damper's own motion is left out; what is kept is that it costs energy and no angular momentum. With ω defined by L = I ω, the
-/// axes of the body turn at
+/// The motion of the damper is not modelled, only its loss of energy at constant angular momentum.
+/// With ω defined by L = I ω, the axes of the body turn at
 ///
 /// Ω = ω + α L × ω
 ///
-/// so that L̇ = L × Ω in body axes: L stays where it is in space, and
+/// so that L̇ = L × Ω in body axes: L is constant in space, and
 ///
 /// Ṫ = −α |L × ω|² ≤ 0
 ///
-/// until the body spins about its axis of greatest moment (or, exactly, about another, where the loss is zero too). So ω here is I⁻¹ L,
-/// by which T = ½ ω · L, and differs from the rate Ω at which the axes turn while energy is being lost, by α |L × ω|, which is small
-/// where the loss in a turn is.
+/// until the body spins about its axis of greatest moment. (A spin exactly about another principal
+/// axis has no loss either.) Here ω is I⁻¹ L, and T = ½ ω · L. It differs from the turning rate Ω
+/// of the axes by α |L × ω| while energy is dissipated. This difference is small if the loss in one
+/// turn is small.
 ///
-/// A body with two equal moments, I along its axis of symmetry and J across, nutates towards or away from that axis by
+/// A body with two equal moments has I along its axis of symmetry and J across it. Its nutation
+/// angle θ from L to the axis grows or decays as
 ///
 /// tan θ = tan θ₀ exp(α L² (1/I − 1/J) t)
 ///
-/// θ being the angle from L to the axis: a spin about the axis of least moment (I < J) ends as a *flat spin* across it. So the time
-/// constant of the nutation is τ = 1 / (α L² |1/I − 1/J|), by which α can be chosen: see [`EnergySink::with_time_constant`].
+/// A spin about the axis of least moment (I < J) ends as a *flat spin* across it. The time constant
+/// of the nutation is τ = 1 / (α L² |1/I − 1/J|), from which α can be chosen: see
+/// [`EnergySink::with_time_constant`].
 ///
 /// # Source
-/// The equation is a double bracket: Bloch, Krishnaprasad, Marsden & Ratiu, Commun. Math. Phys. 175 (1996) 1, for L̇ = L × ω + α L × (L × ω).
+/// The equation is a double bracket: Bloch, Krishnaprasad, Marsden & Ratiu, Commun. Math. Phys. 175
+/// (1996) 1, for L̇ = L × ω + α L × (L × ω).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergySink {
     coefficient: f64,
@@ -40,14 +45,14 @@ impl Law for EnergySink {
         at.in_body(Direction::ZERO)
     }
 
-    /// α is in the equations of motion, not in a torque.
+    /// α is a parameter of the equations of motion, not of a torque.
     fn parameters(&self) -> &'static [&'static str] {
         &["coefficient"]
     }
 }
 
 impl EnergySink {
-    /// The sink with the coefficient α, 1/(N·m·s).
+    /// Creates a sink with the coefficient α, 1/(N·m·s).
     ///
     /// ```
     /// assert!(polhode::motion::torque::EnergySink::new(0.01).is_ok());
@@ -61,13 +66,16 @@ impl EnergySink {
         Ok(Self { coefficient })
     }
 
-    /// The sink by which the tangent of the nutation angle changes by a factor e in a time τ, s, in a body with the extreme moments
-    /// `least` and `greatest`, kg·m², and the angular momentum `momentum`, kg·m²/s: α = 1 / (τ L² (1/least − 1/greatest)).
+    /// Creates a sink from a time constant.
     ///
-    /// For a body with two equal moments that is exact; for another it is the largest of its rates.
+    /// The tangent of the nutation angle changes by a factor e in the time τ, s. `least` and
+    /// `greatest` are the extreme moments of the body, kg·m², and `momentum` is the angular
+    /// momentum, kg·m²/s: α = 1 / (τ L² (1/least − 1/greatest)). This is exact for a body with two
+    /// equal moments. For another body it is its largest rate.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if τ is not positive, or if no such α exists: the moments are equal, the body is at rest.
+    /// A parameter's error ([`MotionError::is_parameter`]) if τ is not positive, or if no such α
+    /// exists because the moments are equal or the body is at rest.
     pub fn with_time_constant(
         time_constant: f64,
         [least, greatest]: [f64; 2],
@@ -81,7 +89,7 @@ impl EnergySink {
         Self::new(1.0 / (time_constant * rate))
     }
 
-    /// α, 1/(N·m·s).
+    /// Returns the coefficient α, 1/(N·m·s).
     pub const fn coefficient(&self) -> f64 {
         self.coefficient
     }

@@ -1,4 +1,4 @@
-//! A torque that is given by formulas.
+//! Torques given by formulas.
 
 use super::model::Model;
 use crate::math::algebra::Scalar;
@@ -10,14 +10,16 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::state_variables::StateVariables;
 
-/// A torque whose components are formulas of time, ω, L and the attitude, N·m: of the variables that [`StateVariables`] lists.
+/// Torque whose components are formulas of time, ω, L and the attitude, N·m. [`StateVariables`]
+/// lists the variables.
 ///
-/// Formulas of smooth functions have a power series, and Taylor's method integrates them. What has corners or jumps, such as
-/// `abs`, `min` or `if`, is for DOP853, whose steps shrink there. NaN ends the motion:
-/// [`MotionError::NotFinite`](crate::motion::MotionError::NotFinite) has the last good time. No power series starts at a root of 0,
-/// `hypot(0, 0)` or `atan2(0, 0)`, unless what they are of stays 0.
+/// Formulas of smooth functions have a power series, and Taylor's method integrates them. Formulas
+/// with corners or jumps (`abs`, `min`, `if`) need DOP853, which reduces its steps there. NaN ends
+/// the motion: [`MotionError::NotFinite`](crate::motion::MotionError::NotFinite) has the last valid
+/// time. A power series cannot start where the operand of a root is 0, nor at `hypot(0, 0)` or
+/// `atan2(0, 0)`, unless the operands stay 0.
 ///
-/// It has no potential here, so that work and impulse are its evidence.
+/// A formula has no known potential, so the checks of the motion are work and impulse.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FormulaTorque {
     /// Components along body axes.
@@ -26,7 +28,8 @@ pub enum FormulaTorque {
     Space([Formula; 3]),
 }
 
-/// The formulas are the law: of values they are evaluated at once, with what has no series too.
+/// The formulas are the law. In numeric states they are evaluated directly, including functions
+/// without a series.
 impl Law for FormulaTorque {
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
         let [x, y, z] = self.components();
@@ -46,7 +49,7 @@ impl Law for FormulaTorque {
         let [x, y, z] = [x, y, z].map(|formula| formula.evaluate(&variables));
         match self {
             Self::Body(_) => Vector::new(x, y, z),
-            // N_body = R_body_space N_space
+            // `N_body` = `R_body_space` `N_space`
             Self::Space(_) => state.attitude.inverse() * Torque::<Space>::new(x, y, z),
         }
     }
@@ -56,7 +59,7 @@ const X: Direction<Space> = Direction::new(1.0, 0.0, 0.0);
 const Y: Direction<Space> = Direction::new(0.0, 1.0, 0.0);
 const Z: Direction<Space> = Direction::new(0.0, 0.0, 1.0);
 
-/// A formula of a state, instruction by instruction.
+/// Evaluates a formula of a state, instruction by instruction.
 pub(in crate::motion) fn evaluate<I: LawInput>(formula: &Formula, at: &I) -> I::Scalar {
     let mut stack: Vec<I::Scalar> = Vec::new();
     for &instruction in formula.instructions() {
@@ -66,7 +69,7 @@ pub(in crate::motion) fn evaluate<I: LawInput>(formula: &Formula, at: &I) -> I::
             (Instruction::Variable(k), _) => StateVariables::variable(k, at),
             (Instruction::Unary(function), &[a]) => a.unary(function),
             (Instruction::Binary(function), &[a, b]) => a.binary(function, b),
-            // What has branches is evaluated in numbers only.
+            // Instructions with branches are evaluated in numeric states only.
             _ => at.number(f64::NAN),
         });
     }
@@ -74,7 +77,7 @@ pub(in crate::motion) fn evaluate<I: LawInput>(formula: &Formula, at: &I) -> I::
 }
 
 impl FormulaTorque {
-    /// Its three formulas.
+    /// Returns the three formulas.
     pub const fn components(&self) -> &[Formula; 3] {
         match self {
             Self::Body(components) | Self::Space(components) => components,

@@ -1,8 +1,10 @@
-//! Laws as graphs: each value that occurs once, with the operation that makes it of others.
+//! Laws as graphs: each distinct value, with the operation that computes it from others.
 //!
-//! A law that is run over a `Recorder` (`recorder.rs`) leaves its operations here, those of numbers and those of vectors along the principal axes, in an
-//! order in which each follows what it is of. `propagate/taylor/torque/tape.rs` works out their Taylor coefficients. What differs from one
-//! body to another (constants, directions, orbits) is beside the operations, so that bodies with the same operations go side by side.
+//! A law that runs over a `Recorder` (`recorder.rs`) stores its operations here: those of numbers,
+//! and those of vectors along principal axes. They are in topological order: each operation follows
+//! its operands. `propagate/taylor/torque/tape.rs` computes their Taylor coefficients. Data that
+//! differ between bodies (constants, directions, orbits) are stored separately, so that bodies with
+//! the same operations can be computed in a batch.
 
 use crate::math::formula::{Binary, Unary};
 use crate::math::frame::Space;
@@ -10,123 +12,124 @@ use crate::math::rotation::Attitude;
 use crate::math::vector::Direction;
 use crate::motion::model::orbit::Orbit;
 
-/// An operation: its result is the next number, or the next vector.
+/// Operation. Its result is the next number, or the next vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::motion) enum Operation {
     Scalar(ScalarOperation),
     Vector(VectorOperation),
 }
 
-/// How a number is made; numbers and vectors by their places among those of their kind.
+/// Operation that produces a number. Operands are places among the numbers or among the vectors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::motion) enum ScalarOperation {
-    /// One of the constants.
+    /// Constant, by index.
     Constant(usize),
     Time,
     Negate(usize),
-    /// The product with one of the constants.
+    /// Product with a constant, by index.
     Scale(usize, usize),
     Add(usize, usize),
     Subtract(usize, usize),
     Multiply(usize, usize),
     Divide(usize, usize),
-    /// The quotient, zero where the divisor is at the start of a step.
+    /// Quotient; zero if the divisor is zero at the start of a step.
     DivideOrZero(usize, usize),
-    /// aᵖ, p by its bits.
+    /// aᵖ; p is given by its bits.
     Power(usize, u64),
-    /// aᵖ − (a + δ)ᵖ, of a, δ, aᵖ and a + δ.
+    /// aᵖ − (a + δ)ᵖ, from a, δ, aᵖ and a + δ.
     PowerDifference([usize; 4], u64),
-    /// aᵇ = exp(b log a), the exponent last.
+    /// aᵇ = exp(b log a); the exponent is the last operand.
     GeneralPower(usize, usize, usize),
     Hypot(usize, usize),
-    /// ∫ of' by, from the function of `of` at the start; `by` may come later.
+    /// ∫ of' by, with the function `start` of `of` as initial value. `by` may follow this
+    /// operation.
     IntegralBy {
         start: Unary,
         of: usize,
         by: usize,
     },
-    /// ∫ of'/over, from the function of `of` at the start.
+    /// ∫ of'/over, with the function `start` of `of` as initial value.
     IntegralOver {
         start: Unary,
         of: usize,
         over: usize,
     },
-    /// The angle of (b, a), and a² + b².
+    /// Angle of (b, a); the last operand is a² + b².
     Angle(usize, usize, usize),
-    /// An angle brought between −π and π at the start.
+    /// Angle reduced to −π … π at the start of a step.
     Wrapped(usize),
-    /// arccos w/√(1 − w²), and its derivative by w.
+    /// arccos w/√(1 − w²), and its derivative with respect to w.
     HalfAngleOverSine(usize),
     HalfAngleSlope(usize),
     Dot(usize, usize),
-    /// A component along a principal axis.
+    /// Component along a principal axis.
     Component(usize, usize),
     Norm(usize),
-    /// w of one of the turns.
+    /// Scalar part w of a rotation quaternion, by index.
     TurnScalar(usize),
-    /// |ρ|², |ρ|⁻³, r₀ and µ/r₀³ of one of the orbits.
+    /// |ρ|², |ρ|⁻³, r₀ and µ/r₀³ of an orbit, by index.
     OrbitSquare(usize),
     OrbitInverseCube(usize),
     OrbitDistance(usize),
     OrbitStrength(usize),
-    /// What has no series.
+    /// Value without a power series.
     Rough,
 }
 
-/// How a vector is made.
+/// Operation that produces a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::motion) enum VectorOperation {
-    /// One of the constant vectors.
+    /// Constant vector, by index.
     Constant(usize),
     Omega,
-    /// Σ h a of the wheels.
+    /// Angular momentum Σ h a of the wheels.
     Wheels,
-    /// One of the vectors that are fixed in space.
+    /// Vector fixed in space, by index.
     Fixed(usize),
-    /// ρ of one of the orbits.
+    /// ρ of an orbit, by index.
     Orbit(usize),
-    /// v of one of the turns.
+    /// Vector part v of a rotation quaternion, by index.
     Turn(usize),
     Negate(usize),
-    /// The product with one of the constants.
+    /// Product with a constant, by index.
     Scale(usize, usize),
     Add(usize, usize),
     Subtract(usize, usize),
-    /// A vector times a number.
+    /// Product of a vector and a number.
     Times(usize, usize),
     Cross(usize, usize),
-    /// The product component by component.
+    /// Component-wise product.
     Product(usize, usize),
-    /// The product with one of the matrices.
+    /// Product with a matrix, by index.
     Image(usize, usize),
-    /// The vector of three numbers, along principal axes.
+    /// Vector from three numbers, along principal axes.
     Of([usize; 3]),
 }
 
-/// The operations of one law or of several, and what they need of a body.
+/// Operations of one or several laws, and the data of a body that they use.
 #[derive(Clone, Debug, Default)]
 pub(in crate::motion) struct Graph {
     pub(in crate::motion) operations: Vec<Operation>,
     pub(in crate::motion) constants: Vec<f64>,
     pub(in crate::motion) vectors: Vec<[f64; 3]>,
-    /// Rows.
+    /// Matrices, by rows.
     pub(in crate::motion) matrices: Vec<[[f64; 3]; 3]>,
     pub(in crate::motion) fixed: Vec<Direction<Space>>,
     pub(in crate::motion) orbits: Vec<Orbit>,
-    /// What turns are from, and whether their w is made positive.
+    /// Rest attitudes of rotations, each with true if w is made positive.
     pub(in crate::motion) turns: Vec<(Attitude, bool)>,
-    /// How many numbers and vectors there are.
+    /// Numbers of scalar and of vector values.
     pub(in crate::motion) counts: [usize; 2],
-    /// The place of the torque among the vectors.
+    /// Place of the torque among the vectors.
     pub(in crate::motion) torque: usize,
-    /// The place of each operation's result.
+    /// Place of the result of each operation.
     pub(super) places: Vec<usize>,
-    /// Did a law ask for the body itself?
+    /// True if a law used the rotor itself.
     pub(super) asks_for_rotor: bool,
 }
 
 impl Graph {
-    /// True if no series follows from it.
+    /// True if some value has no power series.
     pub(super) fn is_rough(&self) -> bool {
         self.operations.contains(&Operation::Scalar(ScalarOperation::Rough))
     }
@@ -148,13 +151,13 @@ impl Graph {
         place
     }
 
-    /// The place of a number, new or not.
+    /// Returns the place of a number, adding it if needed.
     pub(super) fn number(&mut self, operation: ScalarOperation) -> usize {
         let operation = Operation::Scalar(operation);
         self.place_of(operation).unwrap_or_else(|| self.push(operation))
     }
 
-    /// The place of a vector, new or not.
+    /// Returns the place of a vector, adding it if needed.
     pub(super) fn vector(&mut self, operation: VectorOperation) -> usize {
         let operation = Operation::Vector(operation);
         self.place_of(operation).unwrap_or_else(|| self.push(operation))
@@ -165,7 +168,7 @@ impl Graph {
         self.number(ScalarOperation::Constant(k))
     }
 
-    /// The value of a number, if it is a constant.
+    /// Returns the value of a number if it is a constant.
     pub(super) fn value(&self, place: usize) -> Option<f64> {
         let mut numbers = self.operations.iter().filter_map(|operation| match operation {
             Operation::Scalar(operation) => Some(operation),
@@ -177,7 +180,7 @@ impl Graph {
         }
     }
 
-    /// The components of a vector, if it is a constant.
+    /// Returns the components of a vector if it is a constant.
     pub(super) fn vector_value(&self, place: usize) -> Option<[f64; 3]> {
         let mut vectors = self.operations.iter().filter_map(|operation| match operation {
             Operation::Vector(operation) => Some(operation),
@@ -210,12 +213,12 @@ impl Graph {
             Unary::Negate => self.number(Negate(a)),
             Unary::Sqrt => self.number(Power(a, 0.5_f64.to_bits())),
             Unary::Power(n) => self.whole_power(a, n),
-            // exp' = exp: it is its own factor
+            // exp' = exp: the integrand factor is the function itself
             Unary::Exp => self.integral_by(function, a, next, |_, _| {}),
             Unary::Sin => self.sine_and_cosine(a),
             Unary::Cos => self.sine_and_cosine(a) + 1,
             Unary::Tan => {
-                // 1 + tan² comes after it
+                // the factor 1 + tan² follows the tangent
                 let one = self.constant(1.0);
                 let by = self.counts[0] + 2;
                 self.integral_by(function, a, by, |graph, tan| {
@@ -230,7 +233,7 @@ impl Graph {
                 self.number(IntegralOver { start: function, of: a, over })
             }
             Unary::Asin | Unary::Acos => {
-                // √((1 − a)(1 + a)) keeps its digits near 1
+                // √((1 − a)(1 + a)) is accurate near 1
                 let one = self.constant(1.0);
                 let (less, more) = (self.number(Subtract(one, a)), self.number(Add(one, a)));
                 let square = self.number(Multiply(less, more));
@@ -271,7 +274,7 @@ impl Graph {
         }
     }
 
-    /// aⁿ by squaring: a may pass through zero.
+    /// Computes aⁿ by squaring: a may pass through zero.
     pub(super) fn whole_power(&mut self, a: usize, n: i32) -> usize {
         let (mut result, mut square, mut rest) = (None, a, n.unsigned_abs());
         while rest > 0 {
@@ -294,7 +297,7 @@ impl Graph {
         }
     }
 
-    /// The place of the sine, which the cosine and its negative follow.
+    /// Returns the place of the sine. The cosine and the negative sine follow it.
     pub(super) fn sine_and_cosine(&mut self, a: usize) -> usize {
         let by = self.counts[0] + 1;
         self.integral_by(Unary::Sin, a, by, |graph, sine| {
@@ -304,7 +307,8 @@ impl Graph {
         })
     }
 
-    /// The place of an integral whose factor follows it, as `after` adds it; of the same one, if it is there.
+    /// Returns the place of an integral whose factor follows it and is added by `after`. An
+    /// identical integral is reused.
     pub(super) fn integral_by(
         &mut self,
         start: Unary,
@@ -322,12 +326,12 @@ impl Graph {
     }
 }
 
-/// The places of R_principal_body, R_body_principal and the inertia tensor among the matrices.
+/// Places of `R_principal_body`, `R_body_principal` and the inertia tensor among the matrices.
 pub(super) const TO_PRINCIPAL: usize = 0;
 pub(super) const TO_BODY: usize = 1;
 pub(super) const INERTIA: usize = 2;
 
-/// The place of a value in a list, which it joins if it is not there.
+/// Returns the index of a value in a list, appending it if needed.
 pub(super) fn index<T>(list: &mut Vec<T>, value: T, is_same: impl Fn(&T, &T) -> bool) -> usize {
     list.iter().position(|known| is_same(known, &value)).unwrap_or_else(|| {
         list.push(value);

@@ -9,9 +9,9 @@ use crate::motion::model::law::{Law, LawInput};
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
-/// Uniform gravity: N = l × M g, l from the pivot to the centre of mass; U = −M g · l.
+/// Uniform gravity: N = l × M g, with l from the pivot to the centre of mass; U = −M g · l.
 ///
-/// A free body's lever is zero, and so is its torque.
+/// The lever of a free body is zero, and so is the torque.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UniformGravity {
     /// g in space axes, m/s²; downward is usually −z.
@@ -36,7 +36,7 @@ impl UniformGravity {
     /// Standard gravity 9.80665 m/s² along −z (3rd CGPM, 1901).
     pub const STANDARD: Self = Self { acceleration: Acceleration::new(0.0, 0.0, -9.80665) };
 
-    /// U = −M g · l, J: zero with the centre of mass level with the pivot.
+    /// Returns U = −M g · l, J. It is zero when the centre of mass is level with the pivot.
     pub fn potential(&self, rotor: &Rotor, attitude: Attitude) -> f64 {
         -rotor.mass() * self.acceleration.dot(attitude * rotor.lever())
     }
@@ -72,7 +72,7 @@ mod tests {
         let rotor = Rotor::pivoted(&body, Position::new(-0.4, 0.9, 0.2));
         let gravity = UniformGravity { acceleration: Acceleration::new(1.1, -2.2, -8.7) };
         let attitude = Attitude::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap();
-        // dU = −N · dθ for a turn dθ about each body axis
+        // dU = −N · dθ for a rotation dθ about each body axis
         let h = 1e-5;
         let slope = |n: Direction<Body>| {
             let turned = |angle: f64| attitude * Rotation::<Body, Body>::turn(n, angle);

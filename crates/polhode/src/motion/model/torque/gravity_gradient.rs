@@ -1,15 +1,16 @@
-//! Gravity that differs from one end of an orbiting body to the other.
+//! Gravity-gradient torque on an orbiting body.
 //!
-//! The point that the body turns about moves on the orbit, as what falls freely does; for a free body it is the centre of mass.
-//! With r from the attracting mass to it, and x from it to a mass point,
+//! The point about which the body turns follows the orbit of a freely falling particle; for a free
+//! body it is the centre of mass. With r from the attracting mass to this point, and x from it to a
+//! mass point,
 //!
 //! N = Σ x × m (g(r + x) − g(r)),  g(r) = −µ r/r³
 //!
-//! The difference is written so that nothing cancels, however small the body is beside r.
+//! The difference is evaluated without cancellation, however small the body is compared with r.
 //!
-//! To first order in x/r this is N = 3 (µ/r³) r̂ × I r̂.
+//! This is, to first order in x/r, N = 3 (µ/r³) r̂ × I r̂.
 //!
-//! Source of the latter: P. C. Hughes, Spacecraft Attitude Dynamics (1986), ch. 8.1.
+//! Source of the first-order formula: P. C. Hughes, Spacecraft Attitude Dynamics (1986), ch. 8.1.
 
 use super::model::Model;
 use crate::body::particles::Particle;
@@ -23,29 +24,30 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::wheel::Motor;
 
-/// The torque of the gravity of a point mass about which the body moves on an orbit.
+/// Torque of the gravity of a point mass that the body orbits.
 ///
-/// It changes with time as the body goes round, so [`TorqueModel::potential`](crate::motion::torque::TorqueModel::potential) is `None`; what the
-/// body's attitude is worth at one time is [`GravityGradient::potential`].
+/// It changes with time along the orbit, so
+/// [`TorqueModel::potential`](crate::motion::torque::TorqueModel::potential) is `None`. The
+/// potential energy of the attitude at one time is [`GravityGradient::potential`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct GravityGradient {
-    /// How the centre of mass moves.
+    /// Orbit of the centre of mass.
     pub orbit: Orbit,
-    /// The mass that gravity acts on.
+    /// Mass distribution on which gravity acts.
     pub attracted: Attracted,
 }
 
-/// What gravity acts on.
+/// Mass distribution on which gravity acts.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Attracted {
-    /// The inertia tensor, to first order in size over distance: N = 3 µ/r³ r̂ × I r̂.
+    /// Inertia tensor, to first order in size over distance: N = 3 µ/r³ r̂ × I r̂.
     Tensor,
-    /// Mass points, exactly. Positions in the body; they should be all of it.
+    /// Mass points, exactly, with positions in the body. They should represent the whole body.
     Points(Vec<Particle<Body>>),
 }
 
-/// N to a few ε of 3 (µ/r³) i3.
+/// The error of N is a few ε of 3 (µ/r³) i3.
 impl Law for GravityGradient {
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector {
         let OrbitPosition { direction: rho, square, inverse_cube, distance, strength } =
@@ -75,10 +77,12 @@ impl Law for GravityGradient {
 }
 
 impl GravityGradient {
-    /// The potential energy of the attitude at one time, J: U = −½ (µ/r³)(tr I − 3 r̂·I r̂), or for mass points exactly what they
-    /// have beyond one of their mass at the centre. N = −∂U/∂θ while r stands still.
+    /// Returns the potential energy of the attitude at one time, J: U = −½ (µ/r³)(tr I − 3 r̂·I
+    /// r̂).
     ///
-    /// On a circular orbit of rate n about ẑ, T + U − n L·ẑ is constant.
+    /// Mass points have the exact energy relative to a single point of the same mass at the
+    /// centre. N = −∂U/∂θ at constant r. On a circular orbit of rate n about ẑ, T + U − n L·ẑ is
+    /// constant.
     pub fn potential(&self, rotor: &Rotor, state: &State) -> f64 {
         let r = state.attitude.inverse() * self.orbit.position(state.time);
         let distance = r.norm();
@@ -113,12 +117,12 @@ impl Model for GravityGradient {
     }
 }
 
-/// The body's tensor with the inertia of its wheels: gravity acts on all of it.
+/// Returns the inertia tensor of the body with its wheels: gravity acts on both.
 fn whole(rotor: &Rotor) -> Symmetric3 {
     of_wheels(rotor).map_or(*rotor.inertia().symmetric(), |wheels| *rotor.inertia().symmetric() + wheels)
 }
 
-/// What wheels add to the tensor of the body, if there are any that are not part of it.
+/// Returns the contribution of the wheels to the tensor; `None` if it includes all wheels.
 fn of_wheels(rotor: &Rotor) -> Option<Symmetric3> {
     let inertias = rotor.wheels().iter().filter_map(|wheel| match wheel.motor() {
         Motor::Torque { inertia, .. } => Some(Symmetric3::outer(wheel.axis().to_array()) * inertia),
@@ -131,7 +135,7 @@ fn times(inertia: &Symmetric3, v: Direction<Body>) -> Direction<Body> {
     Direction::from_array(inertia.apply(v.to_array()))
 }
 
-/// w = |r + x|/r and w − 1, in units of r.
+/// Returns w = |r + x|/r and w − 1; lengths in units of r.
 fn root(x: Position<Body>, r: Direction<Body>) -> (f64, f64) {
     let u = 2.0 * r.dot(x) + x.dot(x);
     let w = (1.0 + u).sqrt();
@@ -191,7 +195,8 @@ mod tests {
 
     #[test]
     fn points_become_the_tensor_as_the_body_shrinks() {
-        // The next term is (x/r)³ of a body without symmetry: relative to the torque it falls as the size does.
+        // The next term is of order (x/r)³ for a body without symmetry. Relative to the torque it
+        // decreases in proportion to the size.
         let difference = |size: f64| {
             let (rotor, [tensor, points], state) = gradients(size);
             let want = tensor.at(&rotor, &state);
@@ -203,7 +208,7 @@ mod tests {
         };
         let (one, two) = (difference(1e-3), difference(1e-4));
         assert!((one.0 / two.0 - 10.0).abs() < 0.1 && (one.1 / two.1 - 10.0).abs() < 0.1, "{one:?} {two:?}");
-        // and it is the sum still where r + x has no digit of x left
+        // the sum is accurate even if r + x contains no digit of x
         let small = difference(1e-12);
         assert!(small.0 < 1e-11 && small.1 < 1e-11, "{small:?}");
     }

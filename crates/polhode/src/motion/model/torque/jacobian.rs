@@ -1,4 +1,4 @@
-//! How a torque changes with the state: what small oscillations and controllers are made of.
+//! Jacobian of a torque with respect to the state, for small oscillations and for controllers.
 
 use super::TorqueModel;
 use super::tangent::Tangent;
@@ -10,7 +10,8 @@ use crate::motion::error::MotionError;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
-/// ∂N/∂θ and ∂N/∂ω of a torque in a state, body axes: δN = ∂N/∂θ δθ + ∂N/∂ω δω for a small turn δθ about axes of the body and a change δω.
+/// Jacobian ∂N/∂θ and ∂N/∂ω of a torque in a state, body axes: δN = ∂N/∂θ δθ + ∂N/∂ω δω. δθ is a
+/// small rotation about body axes.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -27,31 +28,34 @@ use crate::motion::model::state::State;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct TorqueJacobian {
-    /// ∂N/∂θ by columns, N·m/rad.
+    /// Columns of ∂N/∂θ, N·m/rad.
     pub by_attitude: [Torque<Body>; 3],
-    /// ∂N/∂ω by columns, N·m·s/rad.
+    /// Columns of ∂N/∂ω, N·m·s/rad.
     pub by_omega: [Torque<Body>; 3],
 }
 
-/// The first difference of what can only be evaluated, rad.
+/// First step of the difference quotient for a torque that can only be evaluated, rad.
 const STEP: f64 = 0.1;
 
-/// How far derivatives in opposite directions may differ, relative to themselves.
+/// Relative difference of one-sided derivatives above which the torque has a corner.
 const CORNER: f64 = 1e-9;
 
 impl TorqueModel {
-    /// ∂N/∂θ and ∂N/∂ω: exact but for rounding where the torque is a law, by extrapolated differences (some 11 digits) where it is a function
-    /// or a formula with `abs`, `min`, `if` or the like.
+    /// Computes ∂N/∂θ and ∂N/∂ω.
+    ///
+    /// They are exact except for rounding if the torque is a law. For a function, or a formula with
+    /// `abs`, `min` or `if`, extrapolated differences give about 11 digits.
     ///
     /// # Errors
-    /// [`MotionError::NoDerivative`] where the torque has a corner or a jump in this state, or is not finite.
+    /// [`MotionError::NoDerivative`] if the torque has a corner or a jump in this state, or is not
+    /// finite.
     pub fn jacobian(&self, rotor: &Rotor, state: &State) -> Result<TorqueJacobian, MotionError> {
         let is_law = self.model().roughness().is_none();
         let jacobian = if is_law { self.derived(rotor, state) } else { self.differenced(rotor, state) };
         jacobian.ok_or_else(|| MotionError::NoDerivative { torque: self.name(), time: state.time })
     }
 
-    /// From the law.
+    /// Differentiates the law.
     fn derived(&self, rotor: &Rotor, state: &State) -> Option<TorqueJacobian> {
         let slope = |turn: Direction<Body>, faster: Direction<Body>| {
             let [forth, back] = [1.0, -1.0].map(|sign| {
@@ -68,9 +72,9 @@ impl TorqueModel {
         })
     }
 
-    /// From values.
+    /// Extrapolates differences of values.
     fn differenced(&self, rotor: &Rotor, state: &State) -> Option<TorqueJacobian> {
-        // A rate that belongs to the state: that of turning, or √(N/I)
+        // Scale of the rate: |ω|, or √(N/I)
         let [.., greatest] = rotor.principal().moments();
         let rate = state.omega.norm().max((self.torque(rotor, state).norm() / greatest).sqrt());
         let rate = if rate > 0.0 { rate } else { 1.0 };
@@ -82,7 +86,7 @@ impl TorqueModel {
         let by_omega = AXES.map(|axis| {
             derivative(|h| torque(state.attitude, state.omega + (axis * h).as_quantity()), STEP * rate)
         });
-        // Rounding is relative to the torques that cancel, and these show in some direction.
+        // Rounding is relative to the torques that cancel; these are visible in some direction.
         let largest =
             |slopes: &[Slope; 3]| slopes.iter().fold(0.0, |most: f64, slope| most.max(slope.largest));
         let size = largest(&by_attitude) + self.torque(rotor, state).norm();
@@ -95,6 +99,6 @@ impl TorqueModel {
     }
 }
 
-/// The axes of the body.
+/// Unit vectors of the body axes.
 const AXES: [Direction<Body>; 3] =
     [Direction::new(1.0, 0.0, 0.0), Direction::new(0.0, 1.0, 0.0), Direction::new(0.0, 0.0, 1.0)];

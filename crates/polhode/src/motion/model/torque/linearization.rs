@@ -1,10 +1,12 @@
-//! The equations of motion, differentiated: what a small change of the state, of the inertia or of a parameter does to the rates.
+//! Linearized equations of motion: derivatives of the rates with respect to the state, the inertia
+//! and the parameters.
 //!
-//! With L = I ω + h and friction inside, Ω = ω + α L × ω, the axes of the body turn at Ω, and
+//! The angular momentum is L = I ω + h. The axes of the body turn at Ω = ω + α L × ω, where α is
+//! the coefficient of an energy sink, and
 //!
 //! I ω̇ = L × Ω + N − ḣ
 //!
-//! Ω and L × Ω + N are recorded as a law is (`variation.rs`), so that nothing of a torque is stated here again.
+//! Ω and L × Ω + N are recorded like a law (`variation.rs`), so that no torque is stated twice.
 
 use super::TorqueModel;
 use super::graph::Graph;
@@ -16,33 +18,33 @@ use crate::math::algebra::VectorAlgebra;
 use crate::motion::model::law::LawInput;
 use crate::motion::model::rotor::Rotor;
 
-/// A graph of the derivatives of Ω and of L × Ω + N, principal axes. Without friction it has those of N alone: Ω is ω, and what L × ω has
-/// follows from ω directly, in less time.
+/// Graph of the derivatives of Ω and of L × Ω + N, principal axes. Without a sink it has only the
+/// derivatives of N. Then Ω = ω, and those of L × ω follow directly from ω, which is faster.
 #[derive(Clone, Debug)]
 pub(in crate::motion) struct Linearization {
     pub(in crate::motion) graph: Graph,
-    /// By a turn about each principal axis, and by ω along each.
+    /// Derivatives with respect to a rotation about each principal axis, and to ω along each.
     pub(in crate::motion) by_state: [Slope; 6],
-    /// By the elements of the inertia tensor, body axes.
+    /// Derivatives with respect to the elements of the inertia tensor, body axes.
     pub(in crate::motion) by_inertia: [Slope; 6],
-    /// By the parameters.
+    /// Derivatives with respect to the parameters.
     pub(in crate::motion) by_parameters: Vec<Slope>,
 }
 
-/// Derivatives by their places among the vectors of the graph; `None` where they are zero, or not in it.
+/// Derivatives, given by their places among the vectors of the graph. `None` means zero or absent.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::motion) struct Slope {
-    /// Of Ω.
+    /// Derivative of Ω.
     pub(in crate::motion) turning: Option<usize>,
-    /// Of L × Ω + N.
+    /// Derivative of L × Ω + N.
     pub(in crate::motion) torque: Option<usize>,
 }
 
-/// A parameter of one of the torques that act; `None` of one that does not act now.
+/// Parameter of a torque that acts; `None` for a torque that does not act at present.
 pub(in crate::motion) type ActingParameter<'t> = Option<(&'t TorqueModel, ParameterKind)>;
 
 impl Linearization {
-    /// Of what acts on a body, without schedules.
+    /// Linearizes the torques that act on a body, without schedules.
     pub(in crate::motion) fn of(
         rotor: &Rotor,
         torques: &[&TorqueModel],
@@ -87,12 +89,12 @@ impl Linearization {
         Self { graph, by_state, by_inertia, by_parameters }.condensed()
     }
 
-    /// The same with fewer operations.
+    /// Reduces the number of operations.
     fn condensed(mut self) -> Self {
         let slopes = self.by_state.iter_mut().chain(&mut self.by_inertia).chain(&mut self.by_parameters);
         let mut places: Vec<_> =
             slopes.flat_map(|slope| [&mut slope.turning, &mut slope.torque]).flatten().collect();
-        // With the vector that is there in any case.
+        // Include the vector that is always present.
         let kept: Vec<_> =
             core::iter::once(self.graph.torque).chain(places.iter().map(|place| **place)).collect();
         let (graph, kept) = self.graph.condensed(&kept);
@@ -102,7 +104,7 @@ impl Linearization {
     }
 }
 
-/// Ω and L × Ω. α is its only parameter.
+/// Returns Ω and L × Ω. α is the only parameter.
 fn rigid<I: LawInput>(at: &I, sink: f64) -> [I::Vector; 2] {
     let omega = at.omega();
     let carrier = at.inertia(omega);
@@ -111,7 +113,7 @@ fn rigid<I: LawInput>(at: &I, sink: f64) -> [I::Vector; 2] {
     [turning, momentum.cross(turning)]
 }
 
-/// The place of a derivative.
+/// Returns the place of a derivative.
 fn place(v: VariedVector<'_>) -> Option<usize> {
     v.slope.map(|slope| slope.place)
 }

@@ -1,4 +1,4 @@
-//! A magnet in a field.
+//! A magnetic dipole moment in a magnetic field.
 
 use super::model::Model;
 use crate::math::algebra::{Scalar, VectorAlgebra};
@@ -10,38 +10,39 @@ use crate::motion::model::orbit::Orbit;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
-/// A magnetic moment fixed in the body: N = m × B.
+/// Magnetic moment m fixed in the body: N = m × B.
 ///
-/// In a uniform field its potential is U = −m·B, and a body free to turn about one axis across B swings about the field with
-/// √(m B/I) rad/s where the amplitude is small.
+/// The potential in a uniform field is U = −m·B. A body that is free to turn about one axis
+/// perpendicular to B oscillates about the field at √(m B/I) rad/s for small amplitudes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Magnetic {
-    /// m, A·m².
+    /// Magnetic moment m, body axes, A·m².
     pub moment: Direction<Body>,
-    /// B.
+    /// Magnetic field B.
     pub field: MagneticField,
 }
 
-/// A magnetic field in space.
+/// Magnetic field in space.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum MagneticField {
-    /// The same everywhere and always, T.
+    /// Uniform and constant field, space axes, T.
     Uniform(Direction<Space>),
-    /// A dipole's, at the centre of an orbit that the body is on: B = (µ₀/4π)(3 (M·r̂) r̂ − M)/r³.
+    /// Field of a dipole at the centre of the body's orbit: B = (µ₀/4π)(3 (M·r̂) r̂ − M)/r³.
     Dipole {
-        /// The dipole's moment M, A·m², constant in space. The Earth's is about 7.7e22, towards the south.
+        /// Dipole moment M, space axes, A·m². That of the Earth is about 7.7e22, towards the south.
         dipole: Direction<Space>,
-        /// Where the body is.
+        /// Orbit of the body.
         orbit: Orbit,
     },
 }
 
-/// µ₀/4π, T·m/A: 1e-7 to some 1e-10 of it, since the ampere is defined by the charge of the electron (CODATA 2022).
+/// µ₀/4π, T·m/A. The value 1e-7 has a relative error of about 1e-10, as the SI of 2019 defines the
+/// ampere by the elementary charge (CODATA 2022).
 pub(crate) const MU_0_OVER_4_PI: f64 = 1e-7;
 
 impl MagneticField {
-    /// B at a time in s, space axes, T.
+    /// Returns B at a time (s), space axes, T.
     pub fn at(&self, time: f64) -> Direction<Space> {
         match self {
             Self::Uniform(field) => *field,
@@ -87,7 +88,7 @@ impl Law for Magnetic {
     }
 }
 
-/// B = (µ₀/4π r₀³)(3 (M·ρ) ρ/|ρ|² − M)/|ρ|³ at r = r₀ ρ.
+/// Returns B = (µ₀/4π r₀³)(3 (M·ρ) ρ/|ρ|² − M)/|ρ|³ at r = r₀ ρ.
 fn field_of_dipole<S: Scalar, V: VectorAlgebra<S>>(dipole: V, at: &OrbitPosition<S, V>) -> V {
     let OrbitPosition { direction, square, inverse_cube, distance, .. } = *at;
     let pattern = direction * (dipole.dot(direction).scaled(3.0) / square) - dipole;
@@ -95,7 +96,7 @@ fn field_of_dipole<S: Scalar, V: VectorAlgebra<S>>(dipole: V, at: &OrbitPosition
 }
 
 impl Magnetic {
-    /// U = −m · B, J; `None` where the field changes along an orbit.
+    /// Returns U = −m · B, J; `None` if the field changes along an orbit.
     pub fn potential(&self, attitude: Attitude) -> Option<f64> {
         match self.field {
             MagneticField::Uniform(field) => Some(-(attitude * self.moment).dot(field)),
@@ -167,7 +168,7 @@ mod tests {
         let want = pole(r - arm) - pole(r + arm);
         let field = MagneticField::Dipole { dipole, orbit }.at(time);
         assert!((field - want).norm() < 1e-7 * want.norm(), "{field:?} {want:?}");
-        // what one meets in low Earth orbit: 25 to 60 µT
+        // typical of low Earth orbit: 25 to 60 µT
         assert!((2e-5..6e-5).contains(&field.norm()));
     }
 }

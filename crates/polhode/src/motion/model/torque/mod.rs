@@ -1,4 +1,4 @@
-//! Torques: a sum of small models, each in its own file.
+//! Torques: a sum of models, each in its own file.
 
 pub(crate) mod changing;
 mod condensed;
@@ -54,10 +54,10 @@ pub use thruster::Thruster;
 pub use time_polynomial::{TimePolynomial, TorqueAxes};
 pub use torsion::Torsion;
 
-/// The list of all models: the type, and what the solvers ask of each.
+/// List of all models: the type of each, and its `Model` for the solvers.
 macro_rules! models {
     ($($(#[$doc:meta])* $variant:ident($type:ty): $model:ty,)*) => {
-        /// One cause of torque about the point that the body turns about.
+        /// One torque about the point about which the body turns.
         #[derive(Clone, Debug, PartialEq)]
         #[non_exhaustive]
         pub enum TorqueModel {
@@ -78,41 +78,42 @@ macro_rules! models {
 }
 
 models! {
-    /// Constant along body or space axes.
+    /// Torque constant along body or space axes.
     Constant(ConstantTorque): ConstantTorque,
-    /// The weight of a body held at a pivot.
+    /// Weight of a body held at a pivot.
     Gravity(UniformGravity): UniformGravity,
-    /// Gravity that differs from one end of an orbiting body to the other.
+    /// Gravity gradient on an orbiting body.
     GravityGradient(Box<GravityGradient>): GravityGradient,
-    /// Resistance to turning.
+    /// Drag that opposes rotation.
     Drag(Drag): Drag,
-    /// A torsion spring or wire.
+    /// Torsion spring or wire.
     Torsion(Torsion): Torsion,
-    /// A magnet in a field.
+    /// Magnetic moment in a magnetic field.
     Magnetic(Box<Magnetic>): Magnetic,
-    /// A force fixed to the body.
+    /// Force fixed to the body.
     Thruster(Thruster): Thruster,
-    /// Energy lost inside the body.
+    /// Energy dissipation inside the body.
     EnergySink(EnergySink): EnergySink,
-    /// Given by formulas.
+    /// Torque given by formulas.
     Formula(Box<FormulaTorque>): FormulaTorque,
-    /// A polynomial in time.
+    /// Polynomial in time.
     Polynomial(TimePolynomial): TimePolynomial,
-    /// From a table.
+    /// Interpolated table of times and values.
     Tabulated(Box<Tabulated>): Tabulated,
-    /// A law or a function of the user of this crate.
+    /// User-supplied law or function.
     Own(OwnTorque): OwnTorque,
-    /// Another one, at its times only.
+    /// Another torque, restricted to the times of a schedule.
     Scheduled(Box<Scheduled>): Scheduled,
 }
 
 impl TorqueModel {
-    /// A law of the user of this crate, by a name.
+    /// Creates a torque from a user-supplied law, with a name.
     pub fn own(name: &'static str, law: impl Law + fmt::Debug + Send + Sync + 'static) -> Self {
         Self::Own(OwnTorque::law(name, law))
     }
 
-    /// Any function of the body and its state that gives N in body axes, N·m, by a name. It has no power series: DOP853 integrates it.
+    /// Creates a torque from a user-supplied function that returns N in body axes, N·m, with a
+    /// name. It has no power series: DOP853 integrates it.
     pub fn function(
         name: &'static str,
         torque: impl Fn(&Rotor, &State) -> Torque<Body> + Send + Sync + 'static,
@@ -120,8 +121,11 @@ impl TorqueModel {
         Self::Own(OwnTorque::function(name, torque))
     }
 
-    /// As [`TorqueModel::function`], of many bodies in their states at once: it gives a torque for each of them, in their order, which must not depend on what
-    /// others there are beside one. An [`Ensemble`](crate::motion::Ensemble) calls it once for each stage of the steps of all of its members.
+    /// Creates a torque from a function of many bodies and states, with a name; see
+    /// [`TorqueModel::function`].
+    /// The function returns one torque per body, in the same order. Each torque must not depend on
+    /// the other bodies. An [`Ensemble`](crate::motion::Ensemble) calls it once per stage of a
+    /// step, for all members.
     pub fn vectorized_function(
         name: &'static str,
         torques: impl Fn(&[MemberState<'_>]) -> Vec<Torque<Body>> + Send + Sync + 'static,
@@ -129,37 +133,40 @@ impl TorqueModel {
         Self::Own(OwnTorque::vectorized(name, torques))
     }
 
-    /// The torque on the body in a state, body axes, N·m. What acts inside the body only is none.
+    /// Returns the torque on the body in a state, body axes, N·m. An effect inside the body only
+    /// has zero torque.
     pub fn torque(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
         self.model().value(rotor, state)
     }
 
-    /// The potential energy whose loss is this torque's work, J; `None` if it has none.
+    /// Returns the potential energy of the torque, J; `None` if it has no potential.
     pub fn potential(&self, rotor: &Rotor, state: &State) -> Option<f64> {
         self.model().potential(rotor, state)
     }
 
-    /// The size that its rounding is relative to, N·m.
+    /// Returns the magnitude to which the rounding of the torque is relative, N·m.
     pub(crate) fn scale(&self, rotor: &Rotor, state: &State) -> f64 {
         self.model().scale(rotor, state)
     }
 
-    /// α of an energy sink, 1/(N·m·s); zero for everything else.
+    /// Returns the coefficient α of an energy sink, 1/(N·m·s); zero for all other torques.
     pub(crate) fn sink(&self) -> f64 {
         self.model().sink()
     }
 
-    /// The names of its numbers that motions can be differentiated by, beside "factor", which is what all of it is multiplied by.
+    /// Returns the names of the parameters with respect to which motions can be differentiated. In
+    /// addition, "factor" is a multiplier of the whole torque.
     pub fn parameters(&self) -> &'static [&'static str] {
         self.model().parameters()
     }
 
-    /// The name in scenario files and summaries.
+    /// Returns the name used in scenario files and summaries.
     pub fn name(&self) -> &'static str {
         self.model().name()
     }
 
-    /// When it begins or ends next after a time, s; infinite if it does not.
+    /// Returns the first time after `time` at which the torque begins or ends to act, s; infinite
+    /// if there is none.
     pub(crate) fn next_change(&self, time: f64) -> f64 {
         match self {
             Self::Scheduled(model) => model.schedule.next_change(time).min(model.torque.next_change(time)),
@@ -168,7 +175,7 @@ impl TorqueModel {
         }
     }
 
-    /// Is it unknown what it does to a body whose mass changes?
+    /// True if the effect of the torque on a body with changing mass is not defined.
     pub(crate) fn needs_constant_mass(&self) -> bool {
         match self {
             Self::Scheduled(model) => model.torque.needs_constant_mass(),
@@ -178,7 +185,7 @@ impl TorqueModel {
         }
     }
 
-    /// How many pulses begin after a time and no later than another.
+    /// Returns the number of pulses that begin in the interval (from, to].
     pub(crate) fn pulses_between(&self, from: f64, to: f64) -> f64 {
         match self {
             Self::Scheduled(model) => {
@@ -188,7 +195,8 @@ impl TorqueModel {
         }
     }
 
-    /// What it is just after a time, until the next change; `None` if it does not act then.
+    /// Returns the torque that acts from just after a time until the next change; `None` if it does
+    /// not act then.
     pub(crate) fn acting(&self, time: f64) -> Option<&Self> {
         match self {
             Self::Scheduled(model) if model.schedule.is_on(time) => model.torque.acting(time),
@@ -198,18 +206,19 @@ impl TorqueModel {
         }
     }
 
-    /// Does it act just after a time? A torque with a schedule or a table does so at its times only.
+    /// Returns true if the torque acts just after a time. A torque with a schedule or a table acts
+    /// only at certain times.
     pub fn acts_at(&self, time: f64) -> bool {
         self.acting(time).is_some()
     }
 
-    /// Does it begin, end or become another law at given times?
+    /// True if the torque begins, ends or changes its law at given times.
     pub(crate) const fn is_timed(&self) -> bool {
         matches!(self, Self::Scheduled(_) | Self::Tabulated(_))
     }
 }
 
-/// The sum of torques, body axes, N·m.
+/// Returns the sum of the torques, body axes, N·m.
 pub(crate) fn total_torque<'a>(
     models: impl IntoIterator<Item = &'a TorqueModel>,
     rotor: &Rotor,
@@ -218,8 +227,8 @@ pub(crate) fn total_torque<'a>(
     models.into_iter().fold(Torque::ZERO, |sum, model| sum + model.torque(rotor, state))
 }
 
-/// The sum of all potentials, J; `None` if some torque has none (or there is no torque), or if a motor
-/// does work on the body.
+/// Returns the sum of all potentials, J. `None` if some torque has no potential, if there is no
+/// torque, or if a motor does work on the body.
 pub(crate) fn total_potential(models: &[TorqueModel], rotor: &Rotor, state: &State) -> Option<f64> {
     if rotor.wheels().iter().any(Wheel::is_driven) {
         return None;

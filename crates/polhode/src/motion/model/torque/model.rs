@@ -1,4 +1,4 @@
-//! What the solvers ask of a torque.
+//! Interface of a torque to the solvers.
 
 use core::fmt;
 
@@ -14,24 +14,24 @@ use crate::motion::model::law::Law;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
-/// A law, run over what the solvers need.
+/// Law that can be evaluated over each input type that the solvers need.
 pub(in crate::motion) trait AnyLaw: fmt::Debug {
-    /// N in a state, N·m.
+    /// Returns N in a state, body axes, N·m.
     fn value(&self, rotor: &Rotor, state: &State) -> Torque<Body>;
 
-    /// As a polynomial.
+    /// Returns N as a polynomial.
     fn polynomial(&self, unknowns: &Unknowns<'_>) -> PolynomialVector;
 
-    /// As a part of a graph.
+    /// Records N in a graph.
     fn record<'r>(&self, recorder: &Recorder<'r>) -> VectorNode<'r>;
 
-    /// N′ along a tangent; NaN if it has none.
+    /// Returns the derivative N′ along a tangent; NaN if it does not exist.
     fn derivative(&self, along: &Tangent<'_>) -> Torque<Body>;
 
-    /// As a part of a graph, with its derivative.
+    /// Records N and its derivative in a graph.
     fn variation<'r>(&self, at: &Variation<'_, 'r>) -> VariedVector<'r>;
 
-    /// The names of its parameters.
+    /// Returns the names of the parameters.
     fn parameters(&self) -> &'static [&'static str];
 }
 
@@ -61,49 +61,52 @@ impl<L: Law + fmt::Debug> AnyLaw for L {
     }
 }
 
-/// A torque: its law, and what does not follow from it.
+/// Torque: its law, and properties that do not follow from the law.
 pub(in crate::motion) trait Model: AnyLaw {
-    /// The name in scenario files and summaries.
+    /// Returns the name used in scenario files and summaries.
     fn name(&self) -> &'static str;
 
-    /// The potential energy whose loss is this torque's work, J. In general a torque that follows the body, or that changes with
-    /// time, has none.
+    /// Returns the potential energy, J. A torque that follows the body or changes with time has in
+    /// general no potential.
     fn potential(&self, _rotor: &Rotor, _state: &State) -> Option<f64> {
         None
     }
 
-    /// The size that its rounding is relative to, N·m: sup |N| where that is known, else |N|.
+    /// Returns the magnitude to which the rounding is relative, N·m: sup |N| if it is known,
+    /// otherwise |N|.
     fn scale(&self, rotor: &Rotor, state: &State) -> f64 {
         self.value(rotor, state).norm()
     }
 
-    /// Why it has no power series, if it has none.
+    /// Returns the reason that the torque has no power series, if it has none.
     fn roughness(&self) -> Option<&'static str> {
         None
     }
 
-    /// Why it is no function of attitude and time alone, if it is none: splitting needs that.
+    /// Returns the reason that the torque is not a function of attitude and time alone, if it is
+    /// not. Splitting methods need such a function.
     fn unsplittable(&self) -> Option<&'static str> {
         None
     }
 
-    /// May it be NaN in some states?
+    /// True if the torque may be NaN in some states.
     fn is_partial(&self) -> bool {
         false
     }
 
-    /// α of an energy sink, 1/(N·m·s).
+    /// Returns the coefficient α of an energy sink, 1/(N·m·s).
     fn sink(&self) -> f64 {
         0.0
     }
 
-    /// The attitude without twist of a torsion, whose torque is determined up to half a turn from there.
+    /// Returns the attitude without twist of a torsion. The torque is determined up to half a turn
+    /// from it.
     fn rest(&self) -> Option<Attitude> {
         None
     }
 
-    /// N in a state, N·m. The twist of a torsion is continued from an attitude `near` that of the state, beyond half
-    /// a turn too.
+    /// Returns N in a state, N·m. The twist of a torsion is continuous relative to an attitude
+    /// `near` that of the state, even beyond half a turn.
     fn value_near(&self, rotor: &Rotor, state: &State, _near: Attitude) -> Torque<Body> {
         self.value(rotor, state)
     }

@@ -1,4 +1,4 @@
-//! Torques of the user of this crate.
+//! User-supplied torques.
 
 use core::fmt;
 use core::sync::atomic::{AtomicU64, Ordering};
@@ -19,7 +19,7 @@ use crate::motion::model::law::Law;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
-/// A torque of the user: a [`Law`], which is as fast as those of this crate, or a function, which has no power series.
+/// User-supplied torque. A [`Law`] is as fast as the built-in ones; a function has no power series.
 #[derive(Clone)]
 pub struct OwnTorque {
     name: &'static str,
@@ -28,22 +28,23 @@ pub struct OwnTorque {
 
 type Function = dyn Fn(&Rotor, &State) -> Torque<Body> + Send + Sync;
 
-/// A function of several bodies in their states at once.
+/// Function of several bodies in their states.
 pub(in crate::motion) type VectorizedFunction =
     dyn for<'a> Fn(&[MemberState<'a>]) -> Vec<Torque<Body>> + Send + Sync;
 
-/// A body in a state, of which the torque is wanted.
+/// Body in a state for which a torque is requested.
 #[derive(Clone, Copy, Debug)]
 pub struct MemberState<'a> {
-    /// Which member of an [`Ensemble`](crate::motion::Ensemble) it is, from 0; 0 of a body alone.
+    /// Index of the member of an [`Ensemble`](crate::motion::Ensemble), from 0; 0 for a single
+    /// body.
     pub member: usize,
-    /// The body.
+    /// Body, with its point of rotation.
     pub rotor: &'a Rotor,
-    /// Where it is.
+    /// State of the body.
     pub state: State,
 }
 
-/// A torque that was computed elsewhere, for the state in which it is asked for next.
+/// Torque that was computed elsewhere for the state of the next evaluation.
 #[derive(Debug, Default)]
 pub(in crate::motion) struct GivenTorque([AtomicU64; 3]);
 
@@ -59,7 +60,7 @@ impl GivenTorque {
     }
 }
 
-/// What it is given by.
+/// Definition of the torque.
 #[derive(Clone)]
 enum OwnLaw {
     Law {
@@ -67,7 +68,8 @@ enum OwnLaw {
         is_smooth: bool,
     },
     Function(Arc<Function>),
-    /// With the torque, where somebody else computes it for many bodies at once.
+    /// Function of many bodies. The option holds the torque if it is computed elsewhere for all
+    /// bodies together.
     Vectorized(Arc<VectorizedFunction>, Option<Arc<GivenTorque>>),
 }
 
@@ -78,7 +80,7 @@ impl OwnTorque {
         Self { name, kind: OwnLaw::Law { law, is_smooth } }
     }
 
-    /// A law that is known to have a power series.
+    /// Creates a torque from a law that is known to have a power series.
     pub(super) fn smooth(name: &'static str, law: Arc<dyn AnyLaw + Send + Sync>) -> Self {
         Self { name, kind: OwnLaw::Law { law, is_smooth: true } }
     }
@@ -97,7 +99,7 @@ impl OwnTorque {
         Self { name, kind: OwnLaw::Vectorized(Arc::new(torques), None) }
     }
 
-    /// The function of many bodies that it is, if it is one.
+    /// Returns the function of many bodies, if the torque is one.
     pub(in crate::motion) fn vectorized_function(&self) -> Option<&Arc<VectorizedFunction>> {
         match &self.kind {
             OwnLaw::Vectorized(torques, _) => Some(torques),
@@ -105,7 +107,7 @@ impl OwnTorque {
         }
     }
 
-    /// The same with its torque from somebody else.
+    /// Takes the torque from a value that is computed elsewhere.
     pub(in crate::motion) fn given(&self, torque: &Arc<GivenTorque>) -> Self {
         let kind = match &self.kind {
             OwnLaw::Vectorized(torques, _) => {
@@ -116,7 +118,7 @@ impl OwnTorque {
         Self { name: self.name, kind }
     }
 
-    /// The same as a function of one body, which is this member of an ensemble.
+    /// Restricts a function of many bodies to one member of an ensemble.
     pub(in crate::motion) fn alone(&self, member: usize) -> Self {
         let kind = match &self.kind {
             OwnLaw::Vectorized(torques, _) => {
@@ -131,16 +133,16 @@ impl OwnTorque {
         Self { name: self.name, kind }
     }
 
-    /// What the user calls it.
+    /// Returns the name.
     pub const fn name(&self) -> &'static str {
         self.name
     }
 }
 
-/// What a function does not say.
+/// Torque for a body that the function did not return.
 pub(in crate::motion) const NOT_KNOWN: Torque<Body> = Torque::new(f64::NAN, f64::NAN, f64::NAN);
 
-/// A user's function is known in states only: nothing is made of it.
+/// A function is known in numeric states only: it has no polynomial, graph or derivative.
 impl AnyLaw for OwnTorque {
     fn value(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
         match &self.kind {
@@ -212,7 +214,7 @@ impl Model for OwnTorque {
     }
 }
 
-/// Does a law need what has no power series? That is the same for all bodies.
+/// Checks if a law uses values without a power series. The result is the same for all bodies.
 fn is_rough(law: &dyn AnyLaw) -> bool {
     let sphere = InertiaTensor::diagonal([1.0; 3]);
     let body = sphere.and_then(|inertia| MassProperties::new(1.0, Position::ZERO, inertia));
@@ -230,7 +232,7 @@ impl fmt::Debug for OwnTorque {
     }
 }
 
-/// Two are equal if they are the same one.
+/// Two torques are equal if they are the same object.
 impl PartialEq for OwnTorque {
     fn eq(&self, other: &Self) -> bool {
         match (&self.kind, &other.kind) {

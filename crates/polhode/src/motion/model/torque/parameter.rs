@@ -1,35 +1,38 @@
-//! Numbers of torques that motions are differentiated by.
+//! Parameters of torques with respect to which motions are differentiated.
 
 use super::TorqueModel;
 use crate::motion::error::MotionError;
 
-/// A number of a torque that a motion is differentiated by.
+/// Parameter of a torque with respect to which a motion is differentiated.
 ///
-/// [`TorqueModel::parameters`] has the names of a model's numbers, vectors by their components: `stiffness` of a spring, `xx` … `yz` of
-/// drag, `x`, `y`, `z` of a constant torque or of g. Every torque has a `factor` too, which is 1: the derivative by it is what the whole torque
-/// makes. Of a gravity gradient it is µ over itself, on an orbit that stays as it is.
+/// [`TorqueModel::parameters`] returns the names of a model's parameters, with vectors by
+/// components: `stiffness` of a spring, `xx` … `yz` of a drag matrix, `x`, `y`, `z` of a constant
+/// torque or of g. Every torque also has a `factor`, which is 1. The derivative with respect to it
+/// is the effect of the whole torque. For a gravity gradient it is a relative change of µ on an
+/// unchanged orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct TorqueParameter {
-    /// Which of the torques, from 0.
+    /// Index of the torque, from 0.
     pub torque: usize,
-    /// The number's name.
+    /// Name of the parameter.
     pub name: &'static str,
 }
 
-/// What a parameter is of its torque.
+/// Kind of a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::motion) enum ParameterKind {
-    /// What all of it is multiplied by.
+    /// Multiplier of the whole torque.
     Factor,
-    /// One of the law's, by its place.
+    /// Parameter of the law, by index.
     OfLaw(usize),
 }
 
 impl TorqueParameter {
-    /// What it is, and its torque.
+    /// Finds the torque and the kind of the parameter.
     ///
     /// # Errors
-    /// [`MotionError::NoParameter`] if there is no such torque, or it has no number with this name.
+    /// [`MotionError::NoParameter`] if there is no such torque, or it has no parameter with this
+    /// name.
     pub(in crate::motion) fn of<'t>(
         &self,
         torques: &'t [TorqueModel],
@@ -44,5 +47,5 @@ impl TorqueParameter {
     }
 }
 
-/// The name of what a whole torque is multiplied by.
+/// Name of the multiplier of a whole torque.
 const FACTOR: &str = "factor";

@@ -1,8 +1,9 @@
-//! Laws that are polynomials: which torques are linear or quadratic, and with what coefficients.
+//! Laws that are polynomials: detection of linear and quadratic torques, and their coefficients.
 //!
-//! A law that is run over these numbers says whether it is a polynomial of degree two at most in ω and in one vector u, along the principal
-//! axes. u is fixed in space, or it is the direction to the attracting mass of a circular orbit: both are series of a few products
-//! (`propagate/taylor/recurrence.rs`), which is why such torques need no graph.
+//! A law evaluated over these numbers shows if it is a polynomial of degree at most two in ω and in
+//! one vector u, along the principal axes. u is fixed in space, or it is the direction to the
+//! attracting mass on a circular orbit. Both have series with a few products
+//! (`propagate/taylor/recurrence.rs`), so such torques need no graph.
 
 use core::cell::RefCell;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -20,42 +21,43 @@ use crate::motion::model::rotor::Rotor;
 /// The vector u.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::motion) enum JointVector {
-    /// Fixed in space.
+    /// Vector fixed in space.
     Fixed(Direction<Space>),
-    /// r/r₀ on a circle.
+    /// r/r₀ on a circular orbit.
     Circular(Orbit),
 }
 
-/// The state as unknowns of polynomials, along principal axes.
+/// State as unknowns of polynomials, along principal axes.
 #[derive(Debug)]
 pub(in crate::motion) struct Unknowns<'a> {
     rotor: &'a Rotor,
     to_principal: Rotation<Principal, Body>,
-    /// May u be on a circular orbit?
+    /// True if u may be on a circular orbit.
     with_orbit: bool,
-    /// u, once a law has asked for one.
+    /// u, once a law has used one.
     joint: RefCell<Option<JointVector>>,
 }
 
-/// ω1 ω2 ω3 u1 u2 u3.
+/// Number of unknowns: ω1 ω2 ω3 u1 u2 u3.
 const UNKNOWNS: usize = 6;
 
-/// A polynomial of degree two, or none.
+/// Polynomial of degree at most two; `None` if the value is not one.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::motion) struct Polynomial(Option<Terms>);
 
-/// c + Σ lₖ xₖ + q₁ u₂ u₃ + q₂ u₃ u₁ + q₃ u₁ u₂ + other products of two
+/// Terms c + Σ lₖ xₖ + q₁ u₂ u₃ + q₂ u₃ u₁ + q₃ u₁ u₂ + other products of two unknowns.
 #[derive(Clone, Copy, Debug)]
 struct Terms {
-    /// That of the expression, whatever the coefficients are: what is found of one body holds for all with the same laws.
+    /// Degree of the expression, independent of the coefficients. It is therefore the same for all
+    /// bodies with the same laws.
     degree: u8,
-    /// Does ω occur?
+    /// True if ω occurs.
     of_omega: bool,
     constant: f64,
     linear: [f64; UNKNOWNS],
-    /// q
+    /// Coefficients q of the products.
     products: [f64; 3],
-    /// Are there other products?
+    /// True if other products occur.
     has_others: bool,
 }
 
@@ -98,7 +100,7 @@ impl Terms {
         for (j, &x) in self.linear.iter().enumerate() {
             for (k, &y) in b.linear.iter().enumerate().filter(|(_, y)| x != 0.0 && **y != 0.0) {
                 if j >= 3 && k >= 3 && j != k {
-                    // The axis that is neither: 3 + 4 + 5 = 12.
+                    // The third axis: the indices satisfy 3 + 4 + 5 = 12.
                     product.products[12 - j - k - 3] += x * y;
                 } else {
                     product.has_others = true;
@@ -130,7 +132,7 @@ impl Polynomial {
         Self(self.0.zip(b.0).and_then(|(a, b)| f(&a, &b)))
     }
 
-    /// Its value if it is a constant.
+    /// Returns the value if the polynomial is a constant.
     fn value(self) -> Option<f64> {
         self.0.filter(|terms| terms.degree == 0).map(|terms| terms.constant)
     }
@@ -227,7 +229,7 @@ impl Scalar for Polynomial {
     }
 }
 
-/// A vector of polynomials, along principal axes.
+/// Vector of polynomials, along principal axes.
 pub(in crate::motion) type PolynomialVector = Components<Polynomial>;
 
 impl PolynomialVector {
@@ -248,7 +250,7 @@ impl<'a> Unknowns<'a> {
         Self { rotor, to_principal, with_orbit, joint: RefCell::new(None) }
     }
 
-    /// u, if a law needed one.
+    /// Returns u, if a law used one.
     pub(in crate::motion) fn into_joint(self) -> Option<JointVector> {
         self.joint.into_inner()
     }
@@ -262,12 +264,12 @@ impl<'a> Unknowns<'a> {
         matches!(*self.joint.borrow(), Some(JointVector::Circular(_)))
     }
 
-    /// Undoes what a law has done that is no polynomial.
+    /// Discards the u that a law without this form has set.
     pub(in crate::motion) fn forget_joint(&self) {
         *self.joint.borrow_mut() = None;
     }
 
-    /// u, if it is this vector or may become it.
+    /// Returns u if it is this vector or not yet set.
     fn as_joint(&self, wanted: &JointVector) -> PolynomialVector {
         let mut joint = self.joint.borrow_mut();
         if joint.get_or_insert_with(|| wanted.clone()) == wanted {
@@ -354,21 +356,21 @@ impl LawInput for Unknowns<'_> {
     }
 }
 
-/// N = c + A u + B ω + (g₁ u₂ u₃, g₂ u₃ u₁, g₃ u₁ u₂), principal axes.
+/// Torque N = c + A u + B ω + (g₁ u₂ u₃, g₂ u₃ u₁, g₃ u₁ u₂), principal axes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::motion) struct QuadraticTorque {
     pub(in crate::motion) constant: [f64; 3],
     /// Columns of A.
     pub(in crate::motion) of_joint: [[f64; 3]; 3],
-    /// Columns of B, and whether ω occurs.
+    /// Columns of B, and true if ω occurs.
     pub(in crate::motion) of_omega: [[f64; 3]; 3],
     pub(in crate::motion) has_omega: bool,
-    /// g
+    /// Coefficients g of the products.
     pub(in crate::motion) products: [f64; 3],
 }
 
 impl QuadraticTorque {
-    /// The sum of two.
+    /// Returns the sum of two torques.
     pub(in crate::motion) fn plus(mut self, b: &Self) -> Self {
         let add = |a: &mut [f64; 3], b: &[f64; 3]| a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
         add(&mut self.constant, &b.constant);
@@ -379,7 +381,7 @@ impl QuadraticTorque {
         self
     }
 
-    /// Of what a law says of unknowns, if it has this form.
+    /// Returns the coefficients of a polynomial torque, if it has this form.
     pub(in crate::motion) fn of(torque: &PolynomialVector) -> Option<Self> {
         let mut quadratic = Self::default();
         for (row, component) in torque.0.iter().enumerate() {

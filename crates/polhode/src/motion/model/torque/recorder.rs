@@ -1,4 +1,4 @@
-//! What records a law as a graph: numbers and vectors that leave each operation in it.
+//! Recorder of a law: its numbers and vectors store each operation in a graph.
 
 use core::cell::RefCell;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -16,7 +16,7 @@ use crate::motion::model::orbit::Orbit;
 use crate::motion::model::rotor::Rotor;
 
 impl Graph {
-    /// Records a sum of torques of a body.
+    /// Records the sum of the torques of a body.
     pub(in crate::motion) fn of<'t>(
         torques: impl IntoIterator<Item = &'t super::TorqueModel>,
         rotor: &Rotor,
@@ -29,11 +29,11 @@ impl Graph {
         Self { torque, ..graph }
     }
 
-    /// Records what gives places among its values.
+    /// Records a function that returns places of values.
     pub(super) fn recorded<T>(rotor: &Rotor, record: impl FnOnce(&Recorder<'_>) -> T) -> (Self, T) {
         let to_principal = rotor.principal().rotation().inverse();
         let inertia = Symmetric3::diagonal(rotor.principal().moments()).rows();
-        // By their places: that two are alike in one body must not change what is recorded.
+        // Fixed places: equal matrices of one body must not change the recorded operations.
         let matrices = vec![to_principal.matrix(), to_principal.inverse().matrix(), inertia];
         let graph = RefCell::new(Self { matrices, ..Self::default() });
         let recorded = record(&Recorder { rotor, to_principal, graph: &graph, changing: None });
@@ -41,24 +41,24 @@ impl Graph {
     }
 }
 
-/// Records what a law does with the state of a body.
+/// Input of a law that records its operations on the state of a body.
 #[derive(Debug)]
 pub(in crate::motion) struct Recorder<'r> {
     rotor: &'r Rotor,
     to_principal: Rotation<Principal, Body>,
     graph: &'r RefCell<Graph>,
-    /// The body in whose place the rotor turns.
+    /// Changing body that the rotor replaces.
     changing: Option<&'r ChangingBody>,
 }
 
-/// A number of a graph.
+/// Number in a graph.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::motion) struct NumberNode<'r> {
     graph: &'r RefCell<Graph>,
     place: usize,
 }
 
-/// A vector of a graph.
+/// Vector in a graph.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::motion) struct VectorNode<'r> {
     graph: &'r RefCell<Graph>,
@@ -66,17 +66,17 @@ pub(in crate::motion) struct VectorNode<'r> {
 }
 
 impl NumberNode<'_> {
-    /// A constant of the same graph.
+    /// Returns a constant of the same graph.
     pub(super) fn constant(self, x: f64) -> Self {
         self.make(|graph| graph.constant(x))
     }
 
-    /// Its value, if it is a constant.
+    /// Returns the value if it is a constant.
     pub(super) fn value(self) -> Option<f64> {
         self.graph.borrow().value(self.place)
     }
 
-    /// The derivative of [`Scalar::half_angle_over_sine`].
+    /// Returns the derivative of [`Scalar::half_angle_over_sine`].
     pub(super) fn half_angle_slope(self) -> Self {
         self.make(|graph| graph.number(ScalarOperation::HalfAngleSlope(self.place)))
     }
@@ -91,12 +91,12 @@ impl VectorNode<'_> {
         Self { place: self.graph.borrow_mut().vector(operation), ..self }
     }
 
-    /// Its components, if it is a constant.
+    /// Returns the components if it is a constant.
     fn value(self) -> Option<[f64; 3]> {
         self.graph.borrow().vector_value(self.place)
     }
 
-    /// M v
+    /// Returns M v.
     fn image(self, rows: [[f64; 3]; 3]) -> Self {
         let k = {
             let matrices = &mut self.graph.borrow_mut().matrices;
@@ -112,7 +112,7 @@ impl VectorNode<'_> {
         self.image_by(k)
     }
 
-    /// The product with a matrix by its place.
+    /// Returns the product with a matrix, by its place.
     fn image_by(self, matrix: usize) -> Self {
         self.make(VectorOperation::Image(matrix, self.place))
     }
@@ -245,7 +245,7 @@ impl<'r> VectorAlgebra<NumberNode<'r>> for VectorNode<'r> {
     }
 
     fn cross(self, b: Self) -> Self {
-        // v ↦ a × v
+        // The matrix of v ↦ a × v
         let matrix = |[x, y, z]: [f64; 3]| [[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]];
         match [self, b].map(VectorNode::value) {
             [Some(a), _] => b.image(matrix(a)),
@@ -270,7 +270,7 @@ impl<'r> Recorder<'r> {
         VectorNode { graph: self.graph, place }
     }
 
-    /// Records what a changing body does, of which the rotor knows nothing.
+    /// Records a function of a changing body, which the rotor does not describe.
     pub(super) fn of_changing(
         &self,
         body: &ChangingBody,
@@ -286,7 +286,7 @@ impl<'r> Recorder<'r> {
         self.vector_node(VectorOperation::Constant(k))
     }
 
-    /// What has no series.
+    /// Returns a vector without power series.
     pub(super) fn rough(&self) -> VectorNode<'r> {
         let rough = number(self.graph, ScalarOperation::Rough);
         self.vector_node(VectorOperation::Of([rough.place; 3]))

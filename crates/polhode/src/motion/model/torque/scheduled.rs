@@ -1,4 +1,4 @@
-//! A torque that acts at its times only.
+//! A torque that acts at scheduled times only.
 
 use super::TorqueModel;
 use super::model::{AnyLaw, Model};
@@ -14,16 +14,16 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::schedule::Schedule;
 use crate::motion::model::state::State;
 
-/// A torque and when it acts: the integrators stop at each change, so that no step goes across one.
+/// Torque with a schedule. The integrators stop at each change, so that no step crosses one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scheduled {
-    /// What acts.
+    /// Torque during the scheduled times.
     pub torque: TorqueModel,
-    /// When.
+    /// Times at which it acts.
     pub schedule: Schedule,
 }
 
-/// As a polynomial and in a graph it is what it is while it acts.
+/// The polynomial and the graph are those of the torque while it acts.
 impl AnyLaw for Scheduled {
     fn value(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
         if self.schedule.is_on(state.time) { self.torque.torque(rotor, state) } else { Torque::ZERO }
@@ -50,7 +50,7 @@ impl AnyLaw for Scheduled {
     }
 }
 
-/// What is switched has no potential.
+/// A switched torque has no potential.
 impl Model for Scheduled {
     fn name(&self) -> &'static str {
         self.torque.name()

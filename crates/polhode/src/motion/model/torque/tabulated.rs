@@ -1,4 +1,4 @@
-//! A torque from a table of times and values.
+//! Torques interpolated from a table of times and values.
 
 use super::TorqueModel;
 use super::model::{AnyLaw, Model};
@@ -16,20 +16,22 @@ use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
-/// What a torque is between the rows of its table.
+/// Interpolation between the rows of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Interpolation {
-    /// Each row holds until the next.
+    /// Piecewise constant: each row holds until the next.
     Steps,
-    /// Straight from row to row.
+    /// Piecewise linear.
     Linear,
-    /// The cubic spline through all rows, with two continuous derivatives ("not a knot" at the ends).
+    /// Cubic spline through all rows, with two continuous derivatives ("not-a-knot" end
+    /// conditions).
     Spline,
 }
 
-/// A torque given at times: from row to row a polynomial in time, and zero before the first row and from the last on.
+/// Torque from a table: a polynomial in time between rows, and zero before the first row and from
+/// the last row on.
 ///
-/// The integrators stop at each row, so that no step goes across a corner of the table.
+/// The integrators stop at each row, so that no step crosses a corner of the table.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -48,18 +50,18 @@ pub struct Tabulated {
     times: Vec<f64>,
     interpolation: Interpolation,
     axes: TorqueAxes,
-    /// From each time to the next.
+    /// Torque from each time to the next.
     pieces: Vec<TorqueModel>,
-    /// The greatest |N| of a row, N·m.
+    /// Largest |N| of a row, N·m.
     greatest: f64,
 }
 
 impl Tabulated {
-    /// A torque of these components, N·m, at these times, s.
+    /// Creates a torque from components (N·m) at ascending times (s).
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if there are fewer than two rows, not as many torques as times, or times that do not
-    /// ascend, or if something is not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) if there are fewer than two rows, if the
+    /// numbers of torques and times differ, if times do not ascend, or if a number is not finite.
     pub fn new(
         axes: TorqueAxes,
         interpolation: Interpolation,
@@ -94,40 +96,40 @@ impl Tabulated {
         Ok(Self { times: times.to_vec(), interpolation, axes, pieces, greatest })
     }
 
-    /// The times of its rows, s.
+    /// Returns the times of the rows, s.
     pub fn times(&self) -> &[f64] {
         &self.times
     }
 
-    /// What it is between the rows.
+    /// Returns the interpolation between rows.
     pub const fn interpolation(&self) -> Interpolation {
         self.interpolation
     }
 
-    /// What its components are along.
+    /// Returns the axes of the components.
     pub const fn axes(&self) -> TorqueAxes {
         self.axes
     }
 
-    /// The greatest |N| of its rows, N·m.
+    /// Returns the largest |N| of the rows, N·m.
     pub const fn greatest(&self) -> f64 {
         self.greatest
     }
 
-    /// What it is just after a time; `None` before the first row and from the last on.
+    /// Returns the torque just after a time; `None` before the first row and from the last row on.
     pub(super) fn piece(&self, time: f64) -> Option<&TorqueModel> {
         let begun = self.times.partition_point(|row| *row <= time);
         begun.checked_sub(1).and_then(|row| self.pieces.get(row))
     }
 
-    /// The first row after a time, s; infinite if there is none.
+    /// Returns the time of the first row after a time, s; infinite if there is none.
     pub(super) fn next_change(&self, time: f64) -> f64 {
         let begun = self.times.partition_point(|row| *row <= time);
         self.times.get(begun).copied().unwrap_or(f64::INFINITY)
     }
 }
 
-/// Nᵢ + (Nᵢ₊₁ − Nᵢ)/(tᵢ₊₁ − tᵢ) (t − tᵢ)
+/// Returns the coefficients of Nᵢ + (Nᵢ₊₁ − Nᵢ)/(tᵢ₊₁ − tᵢ) (t − tᵢ).
 fn straight(times: &[f64], torques: &[[f64; 3]]) -> Vec<Vec<[f64; 3]>> {
     let rows = times.windows(2).zip(torques.windows(2));
     rows.map(|(t, n)| {
@@ -137,7 +139,8 @@ fn straight(times: &[f64], torques: &[[f64; 3]]) -> Vec<Vec<[f64; 3]>> {
     .collect()
 }
 
-/// Nᵢ + N′ᵢ (t − tᵢ) + ½ N″ᵢ (t − tᵢ)² + ⅙ (N″ᵢ₊₁ − N″ᵢ)/(tᵢ₊₁ − tᵢ) (t − tᵢ)³
+/// Returns the coefficients of Nᵢ + N′ᵢ (t − tᵢ) + ½ N″ᵢ (t − tᵢ)² + ⅙ (N″ᵢ₊₁ − N″ᵢ)/(tᵢ₊₁ − tᵢ) (t
+/// − tᵢ)³.
 fn cubic(times: &[f64], torques: &[[f64; 3]]) -> Vec<Vec<[f64; 3]>> {
     let Some(spline) = Spline::through(times, torques, 3) else { return Vec::new() };
     let rows: Vec<_> = times.iter().map(|time| spline.at(*time)).collect();
@@ -151,7 +154,8 @@ fn cubic(times: &[f64], torques: &[[f64; 3]]) -> Vec<Vec<[f64; 3]>> {
         .collect()
 }
 
-/// A table is its pieces, none of which crosses a row: as a polynomial or in a graph each is its own.
+/// A table consists of its pieces, and no step crosses a row: each piece has its own polynomial and
+/// graph.
 impl AnyLaw for Tabulated {
     fn value(&self, rotor: &Rotor, state: &State) -> Torque<Body> {
         self.piece(state.time).map_or(Torque::ZERO, |piece| piece.torque(rotor, state))

@@ -1,4 +1,4 @@
-//! A state that moves, with the derivatives of what a law is a function of.
+//! A state that moves along a tangent, with the derivatives of the inputs of a law.
 
 use crate::math::algebra::{Components, Scalar};
 use crate::math::frame::{Body, Space};
@@ -11,26 +11,27 @@ use crate::motion::model::orbit::Orbit;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
-/// A state that moves: R exp(ε t), ω + ε w at ε = 0, for a turn t and a change w along the body's axes, at a time that goes on or not.
+/// State that moves as R exp(ε t), ω + ε w at ε = 0, with a rotation t and a change w along body
+/// axes. The time may advance or stand still.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::motion) struct Tangent<'a> {
     pub(in crate::motion) rotor: &'a Rotor,
     pub(in crate::motion) state: &'a State,
-    /// t
+    /// Rotation t, body axes.
     pub(in crate::motion) turn: Direction<Body>,
-    /// w
+    /// Change w of ω, body axes.
     pub(in crate::motion) faster: AngularVelocity<Body>,
-    /// The rate of the time. Orbits stand still.
+    /// Rate of the time. Orbits do not move.
     pub(in crate::motion) later: f64,
-    /// An element of the inertia tensor that grows at the rate 1.
+    /// Element of the inertia tensor that grows at the rate 1.
     pub(in crate::motion) element: Option<usize>,
 }
 
-/// A vector along the body's axes as it moves.
+/// Moving vector along the body axes.
 pub(in crate::motion) type MovingVector = Components<Jet>;
 
 impl<'a> Tangent<'a> {
-    /// What does not move.
+    /// Returns a state that does not move.
     pub(in crate::motion) const fn still(rotor: &'a Rotor, state: &'a State) -> Self {
         Self { rotor, state, turn: Direction::ZERO, faster: AngularVelocity::ZERO, later: 0.0, element: None }
     }
@@ -41,13 +42,13 @@ impl Tangent<'_> {
         self.state.time
     }
 
-    /// A vector that is fixed in space, v: v′ = v × t, v″ = v′ × t
+    /// Returns a vector v that is fixed in space: v′ = v × t, v″ = v′ × t.
     fn fixed_in_space(&self, v: Direction<Body>) -> MovingVector {
         let first = v.cross(self.turn);
         moving([v, first, first.cross(self.turn)])
     }
 
-    /// q ∘ exp(½ ε t): q′ = ½ q ∘ t, q″ = −¼ t² q
+    /// Returns q ∘ exp(½ ε t): q′ = ½ q ∘ t, q″ = −¼ t² q.
     fn quaternion(&self, [w, x, y, z]: [f64; 4]) -> (Jet, MovingVector) {
         let (v, t) = (Direction::<Body>::new(x, y, z), self.turn);
         let back = -0.25 * t.dot(t);
@@ -56,7 +57,7 @@ impl Tangent<'_> {
     }
 }
 
-/// Of v, v′ and v″.
+/// Returns a moving vector from v, v′ and v″.
 fn moving(derivatives: [Direction<Body>; 3]) -> MovingVector {
     let [value, first, second] = derivatives.map(Direction::to_array);
     Components([0, 1, 2].map(|k| Jet { value: value[k], first: first[k], second: second[k] }))

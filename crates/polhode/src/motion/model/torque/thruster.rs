@@ -6,14 +6,13 @@ use crate::math::frame::Body;
 use crate::math::vector::{Force, Position};
 use crate::motion::model::law::{Law, LawInput};
 
-/// A thruster: a force along body axes at a point of the body, N = (r − c) × F.
-///
-/// c is the point that the body turns about.
+/// Thruster: a force along body axes at a point of the body, N = (r − c) × F. c is the point about
+/// which the body turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thruster {
-    /// Where it acts, in the body, m.
+    /// Point r at which the force acts, body axes, m.
     pub position: Position<Body>,
-    /// F, N.
+    /// Force F, body axes, N.
     pub force: Force<Body>,
 }
 

@@ -7,12 +7,12 @@ use crate::motion::model::law::{Law, LawInput};
 use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 
-/// The axes that components of a torque are along.
+/// Axes of the components of a torque.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TorqueAxes {
-    /// The body's.
+    /// Body axes.
     Body,
-    /// Those of space.
+    /// Space axes.
     Space,
 }
 
@@ -32,16 +32,16 @@ pub enum TorqueAxes {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct TimePolynomial {
-    /// What the components are along.
+    /// Axes of the components.
     pub axes: TorqueAxes,
-    /// t₀, s.
+    /// Epoch t₀, s.
     pub epoch: f64,
-    /// cₖ, from k = 0 on, N·m/sᵏ.
+    /// Coefficients cₖ, starting with k = 0, N·m/sᵏ.
     pub coefficients: Vec<[f64; 3]>,
 }
 
 impl TimePolynomial {
-    /// The components at a time, along its axes, N·m.
+    /// Returns the components at a time, along `axes`, N·m.
     pub fn components(&self, time: f64) -> [f64; 3] {
         let t = time - self.epoch;
         let next = |sum: [f64; 3], c: &[f64; 3]| core::array::from_fn(|k| sum[k] * t + c[k]);
@@ -55,13 +55,13 @@ impl Law for TimePolynomial {
             TorqueAxes::Body => at.body_parameters(3 * k, Direction::from_array(*c)),
             TorqueAxes::Space => at.space_parameters(3 * k, Direction::from_array(*c)),
         };
-        // Horner's scheme; what is constant does not name the time.
+        // Horner's scheme; a constant torque does not use the time.
         let mut falling = self.coefficients.iter().enumerate().rev();
         let Some(highest) = falling.next() else { return along((0, &[0.0; 3])) };
         falling.fold(along(highest), |sum, c| sum * (at.time() - at.number(self.epoch)) + along(c))
     }
 
-    /// Those of a cubic at most.
+    /// Only the coefficients up to degree three have names.
     fn parameters(&self) -> &'static [&'static str] {
         const NAMES: [&str; 12] =
             ["c0.x", "c0.y", "c0.z", "c1.x", "c1.y", "c1.z", "c2.x", "c2.y", "c2.z", "c3.x", "c3.y", "c3.z"];
@@ -77,7 +77,7 @@ impl Law for TimePolynomial {
     }
 }
 
-/// What changes with time has no potential.
+/// A time-dependent torque has no potential.
 impl Model for TimePolynomial {
     fn name(&self) -> &'static str {
         "polynomial"

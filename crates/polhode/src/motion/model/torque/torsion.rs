@@ -1,4 +1,4 @@
-//! A spring that is twisted as the body turns.
+//! A torsion spring or wire.
 
 use super::model::Model;
 use crate::math::algebra::{Scalar, VectorAlgebra};
@@ -13,15 +13,17 @@ use crate::motion::model::state::State;
 
 /// A torsion spring or wire between the body and space.
 ///
-/// With (w, **v**) the quaternion of the turn from rest, w ≥ 0:
+/// Let (w, **v**) be the quaternion of the rotation from rest, w ≥ 0:
 ///
-/// - a *spring* resists every turn alike. θ n̂ is the rotation vector of the turn: U = ½ κ θ², N = −κ θ n̂;
-/// - a *wire* along an axis ê of space resists what turns about it, the twist ψ = 2 atan2(**v** · ê, w), and no tilt:
-///   U = ½ κ ψ², N = −κ ψ **b**, with ψ̇ = **b** · ω, **b** = (w² ê + w ê × **v** + (**v** · ê) **v**)/(w² + (**v** · ê)²), where ê stands in
-///   the axes of the body at rest.
+/// - A *spring* resists every rotation equally. θ n̂ is the rotation vector: U = ½ κ θ², N = −κ θ
+///   n̂.
+/// - A *wire* along an axis ê of space resists the twist about it, ψ = 2 atan2(**v** · ê, w), and
+///   no tilt: U = ½ κ ψ², N = −κ ψ **b**. Here ψ̇ = **b** · ω and **b** = (w² ê + w ê × **v** +
+///   (**v** · ê) **v**)/(w² + (**v** · ê)²), with ê along the axes of the body at rest.
 ///
-/// Twists are within half a turn, w > 0: beyond, an attitude does not determine how often a wire was twisted. A
-/// computed motion ends where a twist comes to half a turn, with [`MotionError::HalfTurn`].
+/// Twists are limited to half a turn, w > 0. Beyond this, an attitude does not determine the number
+/// of twists of a wire. A computed motion ends with [`MotionError::HalfTurn`] if a twist reaches
+/// half a turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Torsion {
     stiffness: f64,
@@ -40,7 +42,7 @@ impl Law for Torsion {
         // N = −κ ψ b, b = (w² ê + w ê × v + s v)/(w² + s²), s = v · ê
         let e = at.in_body(axis);
         let s = v.dot(e);
-        // Turned over, across its axis, a body has no twist.
+        // A body that is turned over across the axis has no twist.
         let twist_over_square = s.atan2(w).over_or_zero(w * w + s * s).scaled(2.0);
         let b = (e * w + e.cross(v)) * w + v * s;
         -(b * (twist_over_square * stiffness))
@@ -52,40 +54,44 @@ impl Law for Torsion {
 }
 
 impl Torsion {
-    /// A spring that resists every turn alike; `stiffness` in N·m/rad, `rest` the attitude without torque.
+    /// Creates a spring that resists every rotation equally. `stiffness` is in N·m/rad, and `rest`
+    /// is the attitude without torque.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if the stiffness is not finite, or negative.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the stiffness is negative or not
+    /// finite.
     pub fn spring(stiffness: f64, rest: Attitude) -> Result<Self, MotionError> {
         require::not_negative("the stiffness", stiffness)?;
         Ok(Self { stiffness, rest, axis: None })
     }
 
-    /// A wire along an axis of space; `stiffness` in N·m/rad, `rest` an attitude without twist.
+    /// Creates a wire along an axis of space. `stiffness` is in N·m/rad, and `rest` is an attitude
+    /// without twist.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if the stiffness is not finite, or negative, or the axis has no direction.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the stiffness is negative or not
+    /// finite, or if the axis is zero or not finite.
     pub fn wire(stiffness: f64, rest: Attitude, axis: Direction<Space>) -> Result<Self, MotionError> {
         let spring = Self::spring(stiffness, rest)?;
         Ok(Self { axis: Some(require::direction("the length of the wire's axis", axis)?), ..spring })
     }
 
-    /// κ, N·m/rad.
+    /// Returns the stiffness κ, N·m/rad.
     pub const fn stiffness(&self) -> f64 {
         self.stiffness
     }
 
-    /// The attitude without twist.
+    /// Returns the attitude without twist.
     pub const fn rest(&self) -> Attitude {
         self.rest
     }
 
-    /// A wire's axis, a unit vector; `None` for a spring that resists every turn alike.
+    /// Returns the unit vector of a wire's axis; `None` for a spring.
     pub const fn axis(&self) -> Option<Direction<Space>> {
         self.axis
     }
 
-    /// The twist: θ of a spring, 0 … π; ψ of a wire, −π … π; rad.
+    /// Returns the twist, rad: θ of a spring, 0 … π; ψ of a wire, −π … π.
     pub fn twist(&self, attitude: Attitude) -> f64 {
         let (w, v) = self.turn(attitude);
         match self.wire_at_rest() {
@@ -94,20 +100,21 @@ impl Torsion {
         }
     }
 
-    /// U, J: zero at rest.
+    /// Returns the potential energy U, J; zero at rest.
     pub fn potential(&self, attitude: Attitude) -> f64 {
         let twist = self.twist(attitude);
         0.5 * self.stiffness * twist * twist
     }
 
-    /// (w, v) of the turn from rest, w ≥ 0: v has the same components along the body's axes now and at rest.
+    /// Returns (w, v), w ≥ 0, of the rotation from rest. v has the same components along the body
+    /// axes now and at rest.
     fn turn(&self, attitude: Attitude) -> (f64, Direction<Body>) {
         let turn: Rotation<Body, Body> = self.rest.inverse() * attitude;
         let [w, x, y, z] = turn.canonical_quaternion();
         (w, Direction::new(x, y, z))
     }
 
-    /// ê in the axes of the body at rest.
+    /// Returns ê along the axes of the body at rest.
     fn wire_at_rest(&self) -> Option<Direction<Body>> {
         self.axis.map(|axis| self.rest.inverse() * axis)
     }
@@ -122,7 +129,7 @@ impl Model for Torsion {
         Some(self.potential(state.attitude))
     }
 
-    /// A wire's, unless the body is tilted.
+    /// The bound for a wire holds unless the body is tilted.
     fn scale(&self, _: &Rotor, _: &State) -> f64 {
         self.stiffness * core::f64::consts::PI
     }
@@ -154,7 +161,7 @@ mod tests {
             [[0.4, -0.7, 1.1, 0.3], [-0.9, 0.2, 0.1, -0.3], [0.1, 0.6, -0.4, 0.7], [0.8, 0.1, -0.4, 0.5]];
         for torsion in generic() {
             for attitude in attitudes.map(|q| Attitude::from_quaternion(q).unwrap()) {
-                // dU = −N · dθ for a turn dθ about each body axis
+                // dU = −N · dθ for a rotation dθ about each body axis
                 let h = 1e-5;
                 let slope = |n: Direction<Body>| {
                     let turned = |angle: f64| attitude * Rotation::<Body, Body>::turn(n, angle);
@@ -179,7 +186,8 @@ mod tests {
         for angle in [-3.1, -1.0, 1e-9, 0.4, 3.1] {
             let turned = Rotation::<Space, Space>::turn(axis, angle) * wire.rest();
             assert!((wire.twist(turned) - angle).abs() < 1e-14, "{angle}");
-            // A tilt about any axis across the wire, before the twist, leaves it.
+            // A tilt about any axis perpendicular to the wire, before the twist, does not change
+            // the twist.
             let across = axis.cross(Direction::new(1.0, 2.0, 0.3)).direction().unwrap();
             let tilted = Rotation::<Space, Space>::turn(axis, angle)
                 * (Rotation::<Space, Space>::turn(across, 0.7) * wire.rest());
@@ -209,7 +217,7 @@ mod tests {
         for axis in [Direction::ZERO, Direction::new(f64::NAN, 0.0, 1.0)] {
             assert!(matches!(Torsion::wire(1.0, rest, axis), Err(MotionError::NoDirection { .. })));
         }
-        // Turned over across the wire there is no twist, and no NaN.
+        // Turned over about an axis perpendicular to the wire: no twist, and no NaN.
         let wire = Torsion::wire(1.0, rest, Direction::new(0.0, 0.0, 1.0)).unwrap();
         let over = Attitude::from_quaternion([0.0, 1.0, 0.0, 0.0]).unwrap();
         let state = State { time: 0.0, attitude: over, omega: AngularVelocity::ZERO };

@@ -1,4 +1,5 @@
-//! The state as a law is recorded together with its derivative: by the state, by the inertia, or by a parameter.
+//! Input of a law that records values with their derivative: with respect to the state, the inertia
+//! or a parameter.
 
 use super::recorder::{NumberNode, Recorder, VectorNode};
 use super::varied::{VariedNumber, VariedVector};
@@ -10,30 +11,30 @@ use crate::motion::model::law::{LawInput, OrbitPosition};
 use crate::motion::model::orbit::Orbit;
 use crate::motion::model::rotor::Rotor;
 
-/// What a law is differentiated by.
+/// Direction of differentiation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::motion) enum Along {
-    /// A turn about one of the principal axes.
+    /// Rotation about a principal axis.
     Turn(usize),
-    /// ω along one of them.
+    /// ω along a principal axis.
     Omega(usize),
-    /// An element of the inertia tensor along body axes, in the order xx, yy, zz, xy, xz, yz.
+    /// Element of the inertia tensor along body axes, in the order xx, yy, zz, xy, xz, yz.
     Inertia(usize),
-    /// One of the law's parameters.
+    /// Parameter of the law, by index.
     Parameter(usize),
 }
 
-/// The unit vector of an axis.
+/// Returns the unit vector of an axis.
 fn axis<F>(k: usize) -> Direction<F> {
     Direction::from_array(unit(k))
 }
 
-/// 1 at one place.
+/// Returns 1 at one index and 0 elsewhere.
 fn unit<const N: usize>(place: usize) -> [f64; N] {
     core::array::from_fn(|k| f64::from(u8::from(k == place)))
 }
 
-/// Records laws, each value with its derivative.
+/// Records a law, each value with its derivative.
 #[derive(Debug)]
 pub(in crate::motion) struct Variation<'a, 'r> {
     pub(super) recorder: &'a Recorder<'r>,
@@ -41,7 +42,7 @@ pub(in crate::motion) struct Variation<'a, 'r> {
 }
 
 impl<'r> Variation<'_, 'r> {
-    /// The turn t, if it is one: a vector of space v changes by v × t.
+    /// Returns the rotation t, if the direction is one. A space-fixed vector v changes by v × t.
     fn turn(&self) -> Option<VectorNode<'r>> {
         match self.along {
             Along::Turn(k) => Some(self.recorder.constant(axis::<Principal>(k))),
@@ -49,7 +50,7 @@ impl<'r> Variation<'_, 'r> {
         }
     }
 
-    /// What has no series.
+    /// Returns a vector without power series.
     pub(super) fn rough(&self) -> VariedVector<'r> {
         let value = self.recorder.rough();
         VariedVector { value, slope: Some(value) }
@@ -63,14 +64,15 @@ impl<'r> Variation<'_, 'r> {
         VariedVector { value, slope: self.turn().map(|turn| value.cross(turn)) }
     }
 
-    /// q ∘ exp(½ t): w′ = −½ v · t, v′ = ½ (w t + v × t)
+    /// Returns q ∘ exp(½ t) with its derivative: w′ = −½ v · t, v′ = ½ (w t + v × t).
     fn quaternion(&self, (w, v): (NumberNode<'r>, VectorNode<'r>)) -> (VariedNumber<'r>, VariedVector<'r>) {
         let slopes = self.turn().map(|t| (v.dot(t).scaled(-0.5), (t * w + v.cross(t)).scaled(0.5)));
         let (scalar, vector) = slopes.unzip();
         (VariedNumber { value: w, slope: scalar }, VariedVector { value: v, slope: vector })
     }
 
-    /// Which of several parameters from one on it is, if it is one of them.
+    /// Returns the index of the parameter relative to `first`, if it is among `count` consecutive
+    /// ones.
     fn parameter_from(&self, first: usize, count: usize) -> Option<usize> {
         match self.along {
             Along::Parameter(which) => which.checked_sub(first).filter(|k| *k < count),

@@ -1,5 +1,5 @@
-//! Numbers and vectors of a graph with their derivative in one direction: what a law leaves in a graph when it is run over these are the
-//! operations of its derivative too.
+//! Numbers and vectors of a graph with their derivative in one direction. A law evaluated over them
+//! also records the operations of its derivative.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -7,21 +7,21 @@ use super::recorder::{NumberNode, VectorNode};
 use crate::math::algebra::{Scalar, VectorAlgebra};
 use crate::math::formula::{Binary, Unary};
 
-/// A number and its derivative; `None` where that is zero.
+/// Number and its derivative; `None` if the derivative is zero.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::motion) struct VariedNumber<'r> {
     pub(super) value: NumberNode<'r>,
     pub(super) slope: Option<NumberNode<'r>>,
 }
 
-/// A vector and its derivative, in the same way.
+/// Vector and its derivative; `None` if the derivative is zero.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::motion) struct VariedVector<'r> {
     pub(super) value: VectorNode<'r>,
     pub(super) slope: Option<VectorNode<'r>>,
 }
 
-/// a + b, of what may be zero.
+/// Returns a + b, where `None` is zero.
 fn sum<T: Add<Output = T>>(a: Option<T>, b: Option<T>) -> Option<T> {
     match (a, b) {
         (Some(a), Some(b)) => Some(a + b),
@@ -29,7 +29,7 @@ fn sum<T: Add<Output = T>>(a: Option<T>, b: Option<T>) -> Option<T> {
     }
 }
 
-/// a − b
+/// Returns a − b, where `None` is zero.
 fn difference<T: Sub<Output = T> + Neg<Output = T>>(a: Option<T>, b: Option<T>) -> Option<T> {
     match (a, b) {
         (Some(a), Some(b)) => Some(a - b),
@@ -39,12 +39,12 @@ fn difference<T: Sub<Output = T> + Neg<Output = T>>(a: Option<T>, b: Option<T>) 
 }
 
 impl<'r> VariedNumber<'r> {
-    /// f(a) with f′(a) a′.
+    /// Returns f(a) with the derivative f′(a) a′.
     fn chain(self, value: NumberNode<'r>, rate: impl FnOnce(NumberNode<'r>) -> NumberNode<'r>) -> Self {
         Self { value, slope: self.slope.map(rate) }
     }
 
-    /// q = a/b with q′ = (a′ − q b′)/b.
+    /// Returns q = a/b with q′ = (a′ − q b′)/b.
     fn quotient(self, b: Self, value: NumberNode<'r>) -> Self {
         let slope = difference(self.slope, b.slope.map(|b| value * b)).map(|slope| slope / b.value);
         Self { value, slope }
@@ -111,7 +111,7 @@ impl Scalar for VariedNumber<'_> {
             Unary::Power(n) => {
                 self.chain(value, |slope| slope * x.unary(Unary::Power(n - 1)).scaled(f64::from(n)))
             }
-            // It has no series either.
+            // The value has no series, so its derivative has none either.
             Unary::Abs => self.chain(value, |_| value),
         }
     }
@@ -146,7 +146,7 @@ impl Scalar for VariedNumber<'_> {
                 let growth = sum(a.slope.map(|slope| a.value * slope), b.slope.map(|slope| b.value * slope));
                 Self { value, slope: growth.map(|growth| growth / value) }
             }
-            // They have no series either.
+            // These have no series, so their derivatives have none either.
             Binary::Min
             | Binary::Max
             | Binary::Less
@@ -175,7 +175,7 @@ impl Scalar for VariedNumber<'_> {
         Self { value: a.power_difference(of, p), slope }
     }
 
-    /// Where the divisor is zero it has no derivative.
+    /// The derivative is undefined where the divisor is zero.
     fn over_or_zero(self, d: Self) -> Self {
         self.quotient(d, self.value.over_or_zero(d.value))
     }

@@ -1,52 +1,55 @@
-//! What changes about a contact.
+//! Changes of a contact.
 
 use core::convert::Infallible;
 use core::fmt;
 
-/// How a body moves on the ground, or that it has left it.
+/// State of contact of a body with the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ContactPhase {
-    /// Its point of contact has the velocity of the ground.
+    /// The point of contact has the velocity of the ground.
     Rolling,
-    /// It slips.
+    /// The point of contact slips.
     Sliding,
-    /// It does not touch the ground.
+    /// The body does not touch the ground.
     Flying,
 }
 
-/// Something that changes about a contact.
+/// Change of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ContactChange {
-    /// Friction is too small to hold the point of contact: it slips.
+    /// Friction cannot hold the point of contact: the body begins to slip.
     Slips,
-    /// The point of contact has come to rest, and friction holds it.
+    /// Slip has vanished and friction holds the point of contact.
     Grips,
-    /// Slipping stops, and goes on in another direction, as friction is too small to hold the body.
+    /// Slip vanishes and continues in another direction, as friction cannot hold the body.
     SlipsAnew,
     /// The normal force has vanished: the body leaves the ground.
     LiftsOff,
-    /// A body that has left the ground comes back: its motion ends, as the impact is not known.
+    /// A flying body reaches the ground again. The motion ends, as impacts are not modelled.
     Lands,
     /// Friction stops the pivoting about the normal.
     PivotingStops,
-    /// Friction is too small to hold the body from pivoting.
+    /// Friction cannot prevent pivoting about the normal.
     Pivots,
-    /// The rolling has come to rest, where rolling friction has no direction: the motion ends here.
+    /// Rolling has stopped, where rolling friction has no direction. The motion ends.
     RollingStops,
-    /// A thick disk stands on both of its rims: its motion ends, as the impact of the other one is not known.
+    /// A thick disk touches with both rims. The motion ends, as the impact of the second rim is not
+    /// modelled.
     OtherRim,
-    /// A disk lies flat, and touches with all of its rim: its motion ends.
+    /// A disk lies flat and touches along its whole rim. The motion ends.
     LiesFlat,
-    /// A cylinder that lies would have to be held beyond its ends: it tips over, and its motion as one that lies ends.
+    /// The support of a lying cylinder would have to be beyond its ends: it tips over. The motion
+    /// ends.
     TipsOver,
-    /// The body fits the ground so closely that the contact is no longer one point: its motion ends.
+    /// The curvatures of body and ground agree, so that the contact is no longer a point. The
+    /// motion ends.
     Osculates,
 }
 
 impl ContactPhase {
-    /// Its name in tables: `rolling`, `sliding` or `flying`.
+    /// Returns the name in tables: `rolling`, `sliding` or `flying`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Rolling => "rolling",
@@ -57,7 +60,7 @@ impl ContactPhase {
 }
 
 impl ContactChange {
-    /// True if the motion is not known after it.
+    /// Returns true if the motion after the change is not modelled.
     pub const fn ends(self) -> bool {
         matches!(
             self,
@@ -70,7 +73,7 @@ impl ContactChange {
         )
     }
 
-    /// Its name in summaries.
+    /// Returns the name in summaries.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Slips => "slips",
@@ -102,7 +105,7 @@ impl fmt::Display for ContactChange {
 }
 
 impl ContactChange {
-    /// The change, in a sentence.
+    /// Returns a sentence that describes the change.
     pub const fn description(self) -> &'static str {
         match self {
             Self::Slips => "friction is too small to hold the point of contact: it slips",
@@ -125,11 +128,11 @@ impl ContactChange {
     }
 }
 
-/// A change of a contact, and when.
+/// Change of a contact, with its time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactEvent {
-    /// s
+    /// Time, s.
     pub time: f64,
-    /// What happened.
+    /// Kind of change.
     pub change: ContactChange,
 }

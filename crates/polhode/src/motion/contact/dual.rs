@@ -1,10 +1,10 @@
-//! Numbers with their derivative in one direction.
+//! Dual numbers: a value with its derivative in one direction.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::math::algebra::Field;
 
-/// a + b ε, ε² = 0
+/// Dual number a + b ε with ε² = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Dual {
     pub(super) value: f64,

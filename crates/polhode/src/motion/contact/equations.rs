@@ -1,92 +1,105 @@
-//! The equations of a rigid body that touches a surface, stated once over numbers of which only the operations are known.
+//! Equations of motion of a rigid body in contact with a surface, over a generic number type.
 //!
-//! All vectors are along the axes of the body's surface, which turn with the body, and a dot is the rate of their components: n the normal of the ground where
-//! it is touched, towards the body; r from the centre of mass to the point of contact, a function of n, as the surface is convex; v the velocity of the
-//! centre of mass; w that of the ground at the contact. The slip is u = v + ω × r − w. With s the velocity at which the point of contact moves over space, and K
-//! the curvature of the ground,
+//! All vectors are along the axes of the body's surface, which turn with the body. A dot is the
+//! rate of their components. The symbols are:
+//!
+//! - n: normal of the ground at the contact, towards the body;
+//! - r: vector from the centre of mass to the point of contact, a function of n, as the surface is
+//!   convex;
+//! - v: velocity of the centre of mass;
+//! - w: velocity of the ground at the contact;
+//! - u = v + ω × r − w: slip;
+//! - s: velocity at which the point of contact moves in space;
+//! - K: curvature of the ground.
+//!
+//! Kinematics:
 //!
 //! ṅ = n × ω − K s,  ṙ = r′ṅ,  s = u + w + ṙ,
 //!
-//! so that (1 + r′K) s = u + w + r′(n × ω). With F the force at the contact and τ the torque of rolling and pivoting friction,
+//! hence (1 + r′K) s = u + w + r′(n × ω). With the contact force F and the torque τ of rolling and
+//! pivoting friction,
 //!
 //! m (v̇ + ω × v) = F + m g,  I ω̇ + ω × I ω = r × F + τ.
 //!
-//! Rolling: u = 0 is v = w − ω × r, which gives F = m (k − ω × (ω × r) − ω̇ × r), k = Ω × s − ω × ṙ − g, Ω the rate at which the ground turns. With it, and
-//! as r × (ω × (ω × r)) = ω × (r × (ω × r)), these are Euler's equations about the point of contact,
+//! Rolling: u = 0 gives v = w − ω × r, and F = m (k − ω × (ω × r) − ω̇ × r). Here k = Ω × s − ω × ṙ
+//! − g, with Ω the angular velocity of the ground. As r × (ω × (ω × r)) = ω × (r × (ω × r)), these
+//! are Euler's equations about the point of contact,
 //!
 //! J ω̇ = −ω × J ω + m r × k + τ,  J = I + m (r² 1 − r rᵀ).
 //!
-//! Sliding: F = N (n − µ u/|u|) − c u, and N follows from (v + ω × r) · n = 0 for all time.
+//! Sliding: F = N (n − µ u/|u|) − c u. N follows from the constraint (v + ω × r) · n = 0 at all
+//! times.
 //!
-//! Source: the laws of Newton and Euler, with the constraint put in; the same equations of what rolls on a plane or a sphere are in A. V. Borisov, I. S. Mamaev, Regul.
-//! Chaotic Dyn. 7 (2002) 177, the kinematics of a contact in D. J. Montana, Int. J. Robot. Res. 7 (1988) 17. Held against another formulation:
-//! `fixtures/contact.toml`.
+//! Sources: the equations are those of Newton and Euler with the constraint inserted. A. V.
+//! Borisov, I. S. Mamaev, Regul. Chaotic Dyn. 7 (2002) 177, has them for rolling on a plane or a
+//! sphere. D. J. Montana, Int. J. Robot. Res. 7 (1988) 17, has the kinematics of contact.
+//! `fixtures/contact.toml` compares them with an independent formulation.
 
 use super::model::{GroundForm, Model};
 use crate::math::algebra::{Components, Field};
 
-/// How the body moves on the ground.
+/// Mode of contact, which selects the equations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Regime {
-    /// Its point of contact has the velocity of the ground.
+    /// The point of contact has the velocity of the ground.
     Rolling,
-    /// It slips.
+    /// The point of contact slips.
     Sliding,
 }
 
-/// What pivoting friction does.
+/// State of pivoting friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Pivot {
-    /// The body turns about the normal in this sense, and is resisted.
+    /// The body turns about the normal with this sign, against friction.
     Turning(f64),
-    /// It does not, as friction holds it.
+    /// Friction prevents turning about the normal.
     Held,
 }
 
-/// The variables: e₁ and e₃, the first and the third axis of the ground along those of the body; ω; the place of the contact; of what slides also v; and the work
-/// of friction and of the ground.
+/// Indices of the variables: e₁ and e₃ (first and third axis of the ground, along the axes of the
+/// body's surface); ω; place of the contact; v if sliding; work of friction and of the ground.
 pub(super) const AXES: usize = 0;
 pub(super) const OMEGA: usize = 6;
 pub(super) const PLACE: usize = 9;
 pub(super) const VELOCITY: usize = 12;
 
-/// What is read off the variables.
+/// Kinematic and dynamic quantities computed from the variables.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Kinetics<S> {
-    /// The three axes of the ground, along those of the surface.
+    /// Three axes of the ground, along those of the surface.
     pub(super) axes: [Components<S>; 3],
     pub(super) normal: Components<S>,
     pub(super) omega: Components<S>,
-    /// From the centre of mass to the contact.
+    /// Vector r from the centre of mass to the contact.
     pub(super) arm: Components<S>,
-    /// v
+    /// Velocity v of the centre of mass.
     pub(super) velocity: Components<S>,
-    /// ω of the body relative to the ground.
+    /// Angular velocity of the body relative to the ground.
     pub(super) relative: Components<S>,
-    /// u
+    /// Slip u.
     pub(super) slip: Components<S>,
-    /// s
+    /// Velocity s of the point of contact in space.
     pub(super) trace: Components<S>,
-    /// The determinant of 1 + r′K: 1 on a plane, zero where body and ground fit.
+    /// Determinant of 1 + r′K: 1 on a plane, and zero if the curvatures of body and ground agree.
     pub(super) fit: S,
-    /// w
+    /// Velocity w of the ground at the contact.
     pub(super) carried: Components<S>,
-    /// N
+    /// Normal force N.
     pub(super) normal_force: S,
-    /// F − N n
+    /// Tangential force F − N n.
     pub(super) tangential: Components<S>,
-    /// τ
+    /// Torque τ of rolling and pivoting friction.
     pub(super) resistance: Components<S>,
-    /// τₚ, of what is held.
+    /// Torque τₚ of pivoting friction if it holds the body.
     pub(super) holding: S,
-    /// What the normal force is divided by, 1 for a point: of what slides it must be positive.
+    /// Divisor of the normal force; 1 for a point mass. It must be positive while the body slides.
     pub(super) inertance: S,
     pub(super) omega_rate: Components<S>,
     pub(super) velocity_rate: Components<S>,
 }
 
 impl Model {
-    /// How many variables there are.
+    /// Returns the number of variables.
     pub(super) const fn count(regime: Regime) -> usize {
         match regime {
             Regime::Rolling => VELOCITY + 2,
@@ -107,7 +120,7 @@ impl Model {
         self.rolling != 0.0 || self.pivoting != 0.0
     }
 
-    /// The rates of the variables, and what is read off them.
+    /// Returns the rates of the variables, and the quantities computed from them.
     pub(super) fn rates<S: Field>(
         &self,
         one: S,
@@ -126,7 +139,7 @@ impl Model {
         (rates, at)
     }
 
-    /// The rates of the place of the contact.
+    /// Returns the rates of the place of the contact.
     #[inline(always)]
     pub(super) fn place_rate<S: Field>(&self, one: S, at: &Kinetics<S>) -> [S; 3] {
         let [e1, e2, e3] = at.axes;
@@ -139,17 +152,18 @@ impl Model {
         }
     }
 
-    /// Reads the contact off the variables.
+    /// Computes the quantities of the contact from the variables.
     pub(super) fn kinetics<S: Field>(&self, one: S, y: &[S], regime: Regime, pivot: Pivot) -> Kinetics<S> {
         self.kinetics_of::<S, false>(one, y, regime, pivot)
     }
 
-    /// True of what rolls on a plane at rest, without resistance.
+    /// True if the body rolls on a plane at rest, without resistance.
     pub(super) fn is_plain(&self, regime: Regime) -> bool {
         regime == Regime::Rolling && self.ground == GroundForm::Plane && !self.turns() && !self.resists()
     }
 
-    /// [`Model::kinetics`]; `PLAIN` where it is known to the compiler that it [is](Model::is_plain).
+    /// Computes [`Model::kinetics`]. `PLAIN` tells the compiler that the case is
+    /// [plain](Model::is_plain).
     #[inline(always)]
     pub(super) fn kinetics_of<S: Field, const PLAIN: bool>(
         &self,
@@ -209,7 +223,8 @@ impl Model {
         };
         let tilting = -ground.curved(trace, e3);
 
-        // The torque of rolling and pivoting friction is N (−µᵣ ω_t/|ω_t| − µₚ ω_n/|ω_n|), and that which holds the body τₚ n.
+        // The torque of rolling and pivoting friction is N (−µᵣ ω_t/|ω_t| − µₚ ω_n/|ω_n|); the
+        // torque that holds the body is τₚ n.
         let relative = omega - turning;
         let mut resisting = zero;
         if let (true, Pivot::Turning(sense)) = (resists && self.pivoting != 0.0, pivot) {
@@ -222,7 +237,8 @@ impl Model {
 
         let mass = self.mass;
         let centripetal = omega.cross(omega.cross(r));
-        // ω̇ = a + N b + τₚ c, and N = (N₀ − m n · (ω̇ × r)): of what rolls with the inertia about the contact, of what slides with that about the centre.
+        // ω̇ = a + N b + τₚ c and N = N₀ − m n · (ω̇ × r). The inertia is about the contact if
+        // rolling, and about the centre of mass if sliding.
         let (inertia, k, viscous, free) = match regime {
             Regime::Rolling => {
                 let mut k = -(omega.cross(arm_rate) + gravity);
@@ -237,7 +253,8 @@ impl Model {
             }
             Regime::Sliding => {
                 let viscous = slip.scaled(-self.viscous);
-                // What the velocity of the point of contact would be changed by, without a force and a torque.
+                // Acceleration of the point of contact without contact force and torque, with the
+                // opposite sign.
                 let k = -(centripetal + omega.cross(arm_rate) + gravity + viscous.scaled(1.0 / mass));
                 let gyroscopic = omega.image(&self.inertia).cross(omega);
                 let inertia = Inverse::known(one, self);
@@ -251,7 +268,7 @@ impl Model {
         }
         let (mut omega_rate, mut inertance, mut holding) = (free, one, one.times(0.0));
         let mut normal_force = n.dot(k - free.cross(r)).times(mass);
-        // What rolls without resistance does not depend on N.
+        // Rolling without resistance does not depend on N.
         if regime == Regime::Sliding || resists {
             let by_normal = inertia.of_vector(r.cross(direction) + resisting);
             inertance = one + n.dot(by_normal.cross(r)).times(mass);
@@ -261,7 +278,7 @@ impl Model {
             normal_force = normal_force / inertance;
             omega_rate = free + by_normal * normal_force;
             if pivot == Pivot::Held {
-                // (ω − Ω) · n stays zero.
+                // (ω − Ω) · n remains zero.
                 let by_torque = inertia.of_vector(n);
                 let normal_by_torque = -(n.dot(by_torque.cross(r)).times(mass) / inertance);
                 let by_torque = by_torque + by_normal * normal_by_torque;
@@ -296,7 +313,7 @@ impl Model {
         }
     }
 
-    /// I + m (r² 1 − r rᵀ)
+    /// Returns I + m (r² 1 − r rᵀ).
     #[inline(always)]
     fn inertia_about_contact<S: Field>(&self, one: S, r: Components<S>) -> Symmetric<S> {
         let (square, Components([x, y, z])) = (r.dot(r), r);
@@ -313,7 +330,7 @@ impl Model {
     }
 }
 
-/// ė₁ and ė₃: ė = e × ω of what is fixed in space.
+/// Returns ė₁ and ė₃: ė = e × ω for vectors fixed in space.
 #[inline(always)]
 pub(super) fn axes_rates<S: Field>(y: &[S]) -> [[S; 3]; 2] {
     let vector = |k: usize| Components([y[k], y[k + 1], y[k + 2]]);
@@ -321,7 +338,7 @@ pub(super) fn axes_rates<S: Field>(y: &[S]) -> [[S; 3]; 2] {
 }
 
 impl<S: Field> Kinetics<S> {
-    /// The power of friction, and that of the ground.
+    /// Returns the power of friction and the power of the ground.
     #[inline(always)]
     pub(super) fn powers(&self) -> [S; 2] {
         let (force, torque) = (self.tangential, self.resistance);
@@ -333,7 +350,7 @@ impl<S: Field> Kinetics<S> {
 }
 
 impl Kinetics<f64> {
-    /// The variables of a body that slips so, from those of one that rolls.
+    /// Converts the variables of rolling to those of sliding with this slip.
     pub(super) fn sliding(&self, rolling: &[f64], slip: Components<f64>) -> Vec<f64> {
         let mut variables = rolling[..VELOCITY].to_vec();
         variables.extend((self.carried - self.omega.cross(self.arm) + slip).0);
@@ -341,7 +358,7 @@ impl Kinetics<f64> {
         variables
     }
 
-    /// u̇ in space, along the axes of the surface.
+    /// Returns u̇ in space, along the axes of the surface.
     pub(super) fn slip_rate(&self, model: &Model) -> Components<f64> {
         let [_, _, e3] = self.axes;
         let turning = e3.scaled(model.turning);
@@ -355,7 +372,8 @@ impl Kinetics<f64> {
     }
 }
 
-/// A symmetric matrix: its diagonal, and what is beside it, each opposite to its row.
+/// Symmetric matrix: its diagonal, and its off-diagonal elements yz, xz, xy, each opposite to the
+/// diagonal element of the same index.
 #[derive(Clone, Copy)]
 struct Symmetric<S> {
     diagonal: [S; 3],
@@ -371,14 +389,15 @@ impl<S: Field> Symmetric<S> {
     }
 }
 
-/// J⁻¹ as a factor and rows; of a body whose axis z keeps its direction, z zᵀ/(z · J z).
+/// Inverse J⁻¹ as a factor and rows. For a body whose axis z keeps its direction it is z zᵀ/(z · J
+/// z).
 struct Inverse<S> {
     factor: S,
     rows: [Components<S>; 3],
 }
 
 impl<S: Field> Inverse<S> {
-    /// By cofactors.
+    /// Inverts by cofactors.
     #[inline(always)]
     fn of(one: S, j: Symmetric<S>, is_about_axis: bool) -> Self {
         let ([xx, yy, zz], [yz, xz, xy]) = (j.diagonal, j.beside);
@@ -394,7 +413,7 @@ impl<S: Field> Inverse<S> {
         Self { factor, rows: [Components([a, b, c]), Components([b, d, e]), Components([c, e, f])] }
     }
 
-    /// Of the inertia about the centre of mass.
+    /// Returns the inverse of the inertia about the centre of mass.
     #[inline(always)]
     fn known(one: S, model: &Model) -> Self {
         let rows = match model.axis_inertia {
@@ -412,7 +431,7 @@ impl<S: Field> Inverse<S> {
     }
 }
 
-/// x with x₁ a + x₂ b + x₃ c = d, by Cramer's rule; and the determinant.
+/// Solves x₁ a + x₂ b + x₃ c = d by Cramer's rule; also returns the determinant.
 #[inline(always)]
 fn solved<S: Field>([a, b, c]: [Components<S>; 3], d: Components<S>) -> (Components<S>, S) {
     let (bc, ca, ab) = (b.cross(c), c.cross(a), a.cross(b));

@@ -1,23 +1,25 @@
-//! A body that has left the ground: its centre of mass falls, and it turns freely.
+//! Flight after the body has left the ground: the centre of mass falls, and the body turns
+//! torque-free.
 
 use super::equations::{AXES, OMEGA};
 use super::model::{GroundForm, Model, SurfaceForm};
 use crate::math::algebra::{Components, Field};
 
-/// The variables of a flight: e₁, e₃, ω; the centre of mass along the axes of the ground and its velocity; the work of friction and of the ground.
+/// Indices of the variables of a flight: e₁, e₃, ω; centre of mass along the axes of the ground,
+/// and its velocity; work of friction and of the ground.
 pub(super) const CENTER: usize = 9;
 pub(super) const CENTER_RATE: usize = 12;
 pub(super) const COUNT: usize = 17;
 
 impl Model {
-    /// True if it is known how far the body is from the ground while it flies.
+    /// True if the distance of the flying body from the ground can be computed.
     pub(super) fn may_fly(&self) -> bool {
         let is_ball = matches!(self.surface, SurfaceForm::Rim { radius: 0.0, .. });
         let is_thick = matches!(self.surface, SurfaceForm::Rim { height, .. } if height != 0.0);
         self.axis_inertia.is_none() && !is_thick && (self.ground == GroundForm::Plane || is_ball)
     }
 
-    /// The rates of the variables, and the distance from the ground.
+    /// Returns the rates of the variables, and the distance from the ground.
     pub(super) fn flight<S: Field>(&self, one: S, y: &[S]) -> (Vec<S>, S) {
         let vector = |k: usize| Components([y[k], y[k + 1], y[k + 2]]);
         let (e1, e3, omega) = (vector(AXES), vector(AXES + 3), vector(OMEGA));
@@ -31,7 +33,7 @@ impl Model {
         (rates, self.gap(one, y))
     }
 
-    /// How far the body is from the ground.
+    /// Returns the distance of the body from the ground.
     fn gap<S: Field>(&self, one: S, y: &[S]) -> S {
         let vector = |k: usize| Components([y[k], y[k + 1], y[k + 2]]);
         let (e1, e3, center) = (vector(AXES), vector(AXES + 3), vector(CENTER));

@@ -1,10 +1,11 @@
-//! The surfaces of body and ground: the point that is touched, by the normal, and how it changes with it.
+//! Geometry of the surfaces of body and ground: the point of contact as a function of the normal,
+//! and its derivative.
 
 use super::model::{GroundForm, SurfaceForm};
 use crate::math::algebra::{Components, Field};
 
 impl GroundForm {
-    /// The normal and the point of contact, along the axes of the ground.
+    /// Returns the normal and the point of contact, along the axes of the ground.
     #[inline(always)]
     pub(super) fn normal_and_position<S: Field>(self, one: S, [a, b, c]: [S; 3]) -> ([S; 3], [S; 3]) {
         let zero = one.times(0.0);
@@ -15,7 +16,7 @@ impl GroundForm {
         }
     }
 
-    /// K t; `axis` is the third of the ground.
+    /// Returns K t; `axis` is the third axis of the ground.
     #[inline(always)]
     pub(super) fn curved<S: Field>(self, t: Components<S>, axis: Components<S>) -> Components<S> {
         match self {
@@ -26,18 +27,20 @@ impl GroundForm {
     }
 }
 
-/// The point of a convex surface whose outer normal is −n, from its centre, and what tells how it changes with n.
+/// Point of a convex surface with outer normal −n, relative to its centre, and data for its
+/// derivative with respect to n.
 pub(super) struct SurfacePoint<S> {
     pub(super) from_center: Components<S>,
     form: SurfaceForm,
-    /// A n of an ellipsoid, the unit vector along a rim.
+    /// A n for an ellipsoid; the unit vector along the rim for a rim.
     along: Components<S>,
-    /// 1/d of an ellipsoid, d² = n · A n; R/|n × z| of a rim.
+    /// 1/d for an ellipsoid, with d² = n · A n; R/|n × z| for a rim.
     scale: S,
 }
 
 impl<S: Field> SurfacePoint<S> {
-    /// r′t, r′ a symmetric operator: −ρ t − R/|n × z| h (h · t) of a rim with the tube ρ, −A t/d + A n (A n · t)/d³ of an ellipsoid.
+    /// Returns r′t, where r′ is a symmetric operator. Rim with tube radius ρ: −ρ t − R/|n × z| h (h
+    /// · t). Ellipsoid: −A t/d + A n (A n · t)/d³.
     #[inline(always)]
     pub(super) fn change(&self, t: Components<S>) -> Components<S> {
         let (along, scale) = (self.along, self.scale);
@@ -54,7 +57,7 @@ impl<S: Field> SurfacePoint<S> {
 }
 
 impl SurfaceForm {
-    /// The point whose outer normal is −n, from the centre.
+    /// Returns the point with outer normal −n, relative to the centre.
     pub(super) fn point<S: Field>(&self, one: S, n: Components<S>) -> Components<S> {
         self.at(one, n).from_center
     }

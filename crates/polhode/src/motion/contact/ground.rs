@@ -1,4 +1,5 @@
-//! The ground that a body touches: a plane, level or not, or turning; the inside or the outside of a sphere or a cylinder.
+//! The ground: a plane, level, inclined or turning; or the inside or outside of a sphere or a
+//! cylinder.
 
 use crate::math::frame::{Part, Space};
 use crate::math::rotation::Rotation;
@@ -6,17 +7,17 @@ use crate::math::vector::{Direction, Position};
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 
-/// On which side of a curved ground the body is.
+/// Side of a curved ground on which the body is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GroundSide {
-    /// In it, as a marble in a bowl.
+    /// Inside, such as a marble in a bowl.
     Inside,
-    /// On it, as a ball on top of another one.
+    /// Outside, such as a ball on top of another ball.
     Outside,
 }
 
 impl GroundSide {
-    /// The radius, negative of what is touched from outside.
+    /// Returns the radius; negative for contact from outside.
     pub(super) const fn signed(self, radius: f64) -> f64 {
         match self {
             Self::Inside => radius,
@@ -25,29 +26,30 @@ impl GroundSide {
     }
 }
 
-/// The form of the ground; its centre is the origin of space.
+/// Shape of the ground, centred at the origin of space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum GroundShape {
-    /// A plane through the origin.
+    /// Plane through the origin.
     Plane,
-    /// A sphere.
+    /// Sphere about the origin.
     Sphere {
-        /// m
+        /// Radius, m.
         radius: f64,
-        /// Where the body is.
+        /// Side on which the body is.
         side: GroundSide,
     },
-    /// A cylinder.
+    /// Cylinder about an axis through the origin.
     Cylinder {
-        /// m
+        /// Radius, m.
         radius: f64,
-        /// Where the body is.
+        /// Side on which the body is.
         side: GroundSide,
     },
 }
 
-/// The ground: its form, the direction of its axis (of a plane: its normal, towards the body), and the rate at which it turns about that.
+/// Ground: its shape, its axis, and its rate of turning about the axis. The axis of a plane is its
+/// normal towards the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ground {
     shape: GroundShape,
@@ -56,14 +58,15 @@ pub struct Ground {
 }
 
 impl Ground {
-    /// The level plane z = 0.
+    /// Level plane z = 0.
     pub const LEVEL: Self =
         Self { shape: GroundShape::Plane, axis: Direction::new(0.0, 0.0, 1.0), turning: 0.0 };
 
-    /// A ground with an axis: of a plane its normal; of a sphere any direction.
+    /// Creates a ground at rest. The axis of a plane is its normal; that of a sphere is arbitrary.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for a radius that is not positive and an axis without direction.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the radius is not positive, or the
+    /// axis is zero or not finite.
     pub fn new(shape: GroundShape, axis: Direction<Space>) -> Result<Self, MotionError> {
         if let GroundShape::Sphere { radius, .. } | GroundShape::Cylinder { radius, .. } = shape {
             require::positive("the radius of the ground", radius)?;
@@ -72,41 +75,43 @@ impl Ground {
         Ok(Self { shape, axis, turning: 0.0 })
     }
 
-    /// Turning about its axis, rad/s: a turntable.
+    /// Sets the rate of turning about the axis, rad/s, as of a turntable.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for a rate that is not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the rate is not finite.
     pub fn turning_at(self, rate: f64) -> Result<Self, MotionError> {
         require::finite("the rate at which the ground turns", rate)?;
         Ok(Self { turning: rate, ..self })
     }
 
-    /// Its form.
+    /// Returns the shape.
     pub const fn shape(&self) -> &GroundShape {
         &self.shape
     }
 
-    /// Its axis; of a plane the normal.
+    /// Returns the unit vector of the axis; for a plane the normal.
     pub const fn axis(&self) -> Direction<Space> {
         self.axis
     }
 
-    /// The rate at which it turns about its axis, rad/s.
+    /// Returns the rate of turning about the axis, rad/s.
     pub const fn turning(&self) -> f64 {
         self.turning
     }
 
-    /// Axes of which the third is its own, and the first, where it can be, lies in the plane of the third and x.
+    /// Returns axes whose third is the axis of the ground. If possible, the first is in the plane
+    /// of the third and x.
     pub(super) fn axes(&self) -> Rotation<Space, Part> {
         let z = self.axis;
-        // What is left of x, or of y, whichever is farther from the axis: so that a level plane has the axes of space.
+        // Component of x, or of y, normal to the axis. The vector farther from the axis is used, so
+        // that a level plane has the axes of space.
         let first =
             if z.x.abs() <= 0.9 { Direction::new(1.0, 0.0, 0.0) } else { Direction::new(0.0, 1.0, 0.0) };
         let x = (first - z * z.dot(first)).direction().unwrap_or(first);
         Rotation::from_axes([x, z.cross(x), z])
     }
 
-    /// The normal at a point of it, towards the body.
+    /// Returns the normal at a point of the ground, towards the body.
     pub fn normal_at(&self, point: Position<Space>) -> Option<Direction<Space>> {
         match self.shape {
             GroundShape::Plane => Some(self.axis),
@@ -120,7 +125,7 @@ impl Ground {
         }
     }
 
-    /// How far a point is above it, m.
+    /// Returns the height of a point above the ground, m.
     pub(super) fn height_of(&self, point: Position<Space>) -> f64 {
         let along = self.axis.dot(point);
         match self.shape {

@@ -1,61 +1,65 @@
-//! What holds a body at its point of contact, and what resists its motion there.
+//! Contact laws: the constraint or friction at the point of contact, and rolling and pivoting
+//! resistance.
 
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 
-/// How the point of contact is held.
+/// Law of the contact force and torque.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactLaw {
     grip: Grip,
     resistance: Resistance,
 }
 
-/// What holds the point of contact.
+/// Constraint or friction at the point of contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Grip {
-    /// It never slips, however large the force that this needs.
+    /// The contact never slips, however large the required force is.
     NoSlip,
-    /// It slips where the force would have to be larger than friction is.
+    /// The contact slips if the required force exceeds static friction.
     Friction(Friction),
 }
 
-/// Friction at the point of contact: F = −(µ N/|u| + c) u of what slips at u; what does not slip holds up to µₛ N.
+/// Friction at the point of contact: F = −(µ N/|u| + c) u while slipping with u; at most µₛ N
+/// without slip.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Friction {
-    /// µₛ
+    /// Coefficient of static friction µₛ.
     pub sticking: f64,
-    /// µ
+    /// Coefficient of kinetic friction µ.
     pub kinetic: f64,
-    /// c, N·s/m
+    /// Coefficient of viscous friction c, N·s/m.
     pub viscous: f64,
 }
 
-/// Torques that resist rolling and pivoting, −N (µᵣ ω_t/|ω_t| + µₚ ω_n/|ω_n|), as lengths in m: ω_t lies in the ground, ω_n along its normal.
+/// Resistance to rolling and pivoting: the torque −N (µᵣ `ω_t`/|`ω_t`| + µₚ `ω_n`/|`ω_n`|). `ω_t`
+/// is tangential to the ground, `ω_n` along its normal; µᵣ and µₚ are lengths.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Resistance {
-    /// µᵣ, m
+    /// Length µᵣ of rolling resistance, m.
     pub rolling: f64,
-    /// µₚ, m
+    /// Length µₚ of pivoting resistance, m.
     pub pivoting: f64,
 }
 
 impl ContactLaw {
-    /// Rolling without slipping.
+    /// Rolling without slip and without resistance.
     pub const ROLLING: Self =
         Self { grip: Grip::NoSlip, resistance: Resistance { rolling: 0.0, pivoting: 0.0 } };
 
-    /// A contact without friction.
+    /// Contact without friction.
     pub const FRICTIONLESS: Self = Self {
         grip: Grip::Friction(Friction { sticking: 0.0, kinetic: 0.0, viscous: 0.0 }),
         resistance: Resistance { rolling: 0.0, pivoting: 0.0 },
     };
 
-    /// With friction.
+    /// Creates a law with friction.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for what is negative or not finite, and where friction of what slips is larger than that of
-    /// what does not, or is zero and that of what does not is not.
+    /// A parameter's error ([`MotionError::is_parameter`]) if a coefficient is negative or not
+    /// finite, or if static friction is below kinetic friction. Also if kinetic friction is zero
+    /// and static friction is not.
     pub fn with_friction(friction: Friction) -> Result<Self, MotionError> {
         require::not_negative("the coefficient of friction", friction.kinetic)?;
         require::not_negative("the coefficient of static friction", friction.sticking)?;
@@ -69,27 +73,27 @@ impl ContactLaw {
         Ok(Self { grip: Grip::Friction(friction), resistance: Resistance::default() })
     }
 
-    /// With what resists rolling and pivoting.
+    /// Adds resistance to rolling and pivoting.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for what is negative or not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) if a length is negative or not finite.
     pub fn resisted_by(self, resistance: Resistance) -> Result<Self, MotionError> {
         require::not_negative("the lever of rolling friction", resistance.rolling)?;
         require::not_negative("the lever of pivoting friction", resistance.pivoting)?;
         Ok(Self { resistance, ..self })
     }
 
-    /// What holds the point of contact.
+    /// Returns the constraint or friction at the point of contact.
     pub const fn grip(&self) -> &Grip {
         &self.grip
     }
 
-    /// What resists rolling and pivoting.
+    /// Returns the resistance to rolling and pivoting.
     pub const fn resistance(&self) -> Resistance {
         self.resistance
     }
 
-    /// Friction of what slips; none of what never does.
+    /// Returns the friction coefficients; zero if the contact never slips.
     pub(super) fn friction(&self) -> Friction {
         match self.grip {
             Grip::NoSlip => Friction::default(),

@@ -1,12 +1,14 @@
-//! A rigid body that rolls, slides and spins on a surface, with one point of contact.
+//! Rigid bodies that roll, slide and spin on a surface, with a single point of contact.
 //!
-//! The [`BodySurface`] of a body (a sphere, an ellipsoid, the rim of a disk or a hoop, a cylinder that
-//! lies) touches the [`Ground`] (a plane, level or not, or turning; the inside or the outside of a sphere
-//! or a cylinder). A [`ContactLaw`] states what holds the point of contact: it rolls without slipping, or
-//! there is friction, or none. [`Simulation::on_ground`](crate::motion::Simulation::on_ground) computes the
-//! motion by collocation where it is smooth and by Taylor series where it is not, and finds the changes
-//! between rolling, sliding and flying ([`ContactChange`]). Impacts are not computed: a motion ends where
-//! a body comes back to the ground.
+//! The [`BodySurface`] of a body touches the [`Ground`]. A body surface is a sphere, an ellipsoid,
+//! the rim of a disk or hoop, or a lying cylinder. The ground is a plane, level, inclined or
+//! turning, or the inside or outside of a sphere or a cylinder. A [`ContactLaw`] states if the
+//! contact never slips, or has friction, or is frictionless.
+//!
+//! [`Simulation::on_ground`](crate::motion::Simulation::on_ground) computes the motion: by
+//! collocation where it is smooth, and by Taylor series elsewhere. It detects the changes between
+//! rolling, sliding and flying ([`ContactChange`]). Impacts are not modelled: a motion ends when a
+//! flying body reaches the ground.
 
 mod arrangement;
 mod change;

@@ -1,4 +1,4 @@
-//! What the equations need, in numbers: along the axes of the body's surface and those of the ground.
+//! Numeric data of the equations, along the axes of the body's surface and of the ground.
 
 use super::ground::{Ground, GroundShape};
 use super::law::ContactLaw;
@@ -8,43 +8,45 @@ use crate::math::frame::{Body, Part, Space};
 use crate::math::rotation::Rotation;
 use crate::math::vector::Acceleration;
 
-/// A body, its surface, the ground and the law of their contact.
+/// Body, its surface, the ground and the contact law.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Model {
     pub(super) mass: f64,
-    /// About the centre of mass, and its inverse.
+    /// Inertia tensor about the centre of mass, and its inverse.
     pub(super) inertia: [[f64; 3]; 3],
     pub(super) inverse_inertia: [[f64; 3]; 3],
-    /// About the third axis, if that keeps its direction: of a cylinder that lies.
+    /// Inertia about the third axis, for a lying cylinder, whose axis keeps its direction.
     pub(super) axis_inertia: Option<f64>,
-    /// From the centre of mass to the centre of the surface.
+    /// Vector from the centre of mass to the centre of the surface.
     pub(super) offset: [f64; 3],
     pub(super) surface: SurfaceForm,
     pub(super) ground: GroundForm,
-    /// Along the axes of the ground.
+    /// Gravity along the axes of the ground.
     pub(super) gravity: [f64; 3],
-    /// The rate at which the ground turns about its third axis.
+    /// Rate of turning of the ground about its third axis.
     pub(super) turning: f64,
     pub(super) kinetic: f64,
     pub(super) viscous: f64,
-    /// Of rolling and pivoting friction, as lengths.
+    /// Lengths of rolling and pivoting resistance, m.
     pub(super) rolling: f64,
     pub(super) pivoting: f64,
-    /// Of the surface in the body, and of the ground in space.
+    /// Rotations of the surface axes in the body, and of the ground axes in space.
     pub(super) in_body: Rotation<Body, Part>,
     pub(super) in_space: Rotation<Space, Part>,
 }
 
-/// A convex surface about its centre.
+/// Convex surface relative to its centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum SurfaceForm {
-    /// A circle about z with a tube around it: a sphere if its radius is zero, a sharp edge without a tube; `height` along z.
+    /// Circle about z with a tube around it. A zero radius is a sphere, a zero tube a sharp edge.
+    /// `height` is the position along z.
     Rim { radius: f64, tube: f64, height: f64 },
-    /// By the squares of its semi-axes.
+    /// Ellipsoid, by the squares of its semi-axes.
     Ellipsoid { squares: [f64; 3] },
 }
 
-/// The ground, in axes of its own: a plane z = 0; a sphere about the origin; a cylinder about z. A radius is negative of what is touched from outside.
+/// Ground in its own axes: a plane z = 0, a sphere about the origin, or a cylinder about z. A
+/// radius is negative for contact from outside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum GroundForm {
     Plane,
@@ -53,7 +55,7 @@ pub(super) enum GroundForm {
 }
 
 impl GroundForm {
-    /// The point at a place.
+    /// Returns the point at a place.
     pub(super) fn position(self, [a, b, c]: [f64; 3]) -> [f64; 3] {
         match self {
             Self::Plane => [a, b, 0.0],
@@ -62,7 +64,7 @@ impl GroundForm {
         }
     }
 
-    /// The place of a point.
+    /// Returns the place of a point.
     pub(super) fn place(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         match self {
             Self::Plane => [x, y, 0.0],
@@ -129,7 +131,7 @@ impl Model {
     }
 }
 
-/// Of a tensor of inertia.
+/// Inverts a tensor of inertia.
 fn inverse([a, b, c]: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
     let cross = |a: [f64; 3], b: [f64; 3]| {
         [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]

@@ -1,9 +1,12 @@
-//! The onset of slip where friction has just become too small: slip grows with the square of time, and friction turns it against itself much faster.
+//! Onset of slip at the limit of static friction. Slip grows with the square of time, and friction
+//! aligns against the slip on a much shorter time scale.
 //!
-//! The equations are stiff there, and the direction of slip has no value at the start; yet the motion is smooth. So it is found as a polynomial that
-//! satisfies the equations at the nodes of Gauss (collocation, of order 2 × [`STAGES`]), by Newton's method.
+//! The equations are stiff, and the direction of slip is undefined at the start, but the motion is
+//! smooth. A polynomial is therefore found by collocation at Gauss nodes (order 2 × [`STAGES`])
+//! with Newton's method.
 //!
-//! Source: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.5 and IV.8; for the onset D. E. Stewart, SIAM Rev. 42 (2000) 3.
+//! Sources: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.5 and IV.8; on the
+//! onset of slip, D. E. Stewart, SIAM Rev. 42 (2000) 3.
 
 use super::equations::{Kinetics, Pivot, Regime};
 use super::stepper::Stepper;
@@ -11,15 +14,17 @@ use super::watch::Watch;
 use crate::math::algebra::Components;
 use crate::motion::solve::collocation::{Nodes, monomials};
 
-/// Nodes in the step.
+/// Number of collocation nodes.
 const STAGES: usize = 9;
-/// The last coefficients of a polynomial that is the motion, relative to the sizes of the variables: near the start friction is as uncertain as the direction of
-/// a slip of some 1e-9 of the speed is.
+/// Threshold on the last coefficients of an accepted polynomial, relative to the sizes of the
+/// variables. Near the start friction is as uncertain as the direction of a slip of about 1e-9 of
+/// the speed.
 const SMALL: f64 = 1e-12;
-/// Of Newton's method.
+/// Maximum number of Newton iterations.
 const ITERATIONS: usize = 12;
 
-/// The motion after an onset, as polynomials of the time since: their coefficients, of each variable and of each function that is watched.
+/// Motion after an onset, as polynomials of the elapsed time: coefficients of each variable and of
+/// each watched function.
 pub(super) struct Onset {
     pub(super) duration: f64,
     pub(super) variables: Vec<Vec<f64>>,
@@ -27,8 +32,8 @@ pub(super) struct Onset {
 }
 
 impl Stepper {
-    /// How a body begins to slip that has rolled until now, along a direction of the surface's axes; `rolling` are its variables, and `longest` is a
-    /// step of what rolls.
+    /// Computes the onset of slip of a body that has rolled so far. `rolling` gives its variables,
+    /// and `longest` is the step of the rolling motion.
     pub(super) fn onset(
         &self,
         rolling: &dyn Fn(f64) -> Vec<f64>,
@@ -37,8 +42,8 @@ impl Stepper {
         watches: &[Watch],
     ) -> Option<Onset> {
         let nodes = Nodes::new();
-        // Shorter and shorter, where it begins to slip very slowly, or soon to do something else: too long a polynomial does not converge, and in too short a time
-        // the slip has no digits.
+        // Try shorter and shorter steps. If slip begins slowly, or another change follows soon, a
+        // long polynomial does not converge. In a very short time the slip is below rounding.
         let factor = |k: i32| libm::exp2(-f64::from(k) / 3.0);
         (1..36).find_map(|k| self.collocated(rolling, pivot, longest * factor(k), &nodes, watches))
     }
@@ -56,7 +61,7 @@ impl Stepper {
         let beginning = read(&first).sliding(&first, Components([0.0; 3]));
         let count = beginning.len();
         let rates = |y: &[f64]| self.model.rates(1.0, y, Regime::Sliding, pivot).0;
-        // As if it rolled on, and slipped against the force that would hold it.
+        // Initial guess: it rolls on, and slips against the force that would hold it.
         let mut stages: Vec<Vec<f64>> = Vec::new();
         for c in nodes.at {
             let y = rolling(c * h);
@@ -104,7 +109,7 @@ impl Stepper {
             if size.is_nan() {
                 return None;
             }
-            // Quadratic until rounding is all that is left.
+            // Quadratic convergence until only rounding remains.
             if size < 1e-14 || size < 1e-11 && size > 0.5 * last {
                 return self.polynomials((&beginning, &stages), pivot, (h, nodes), watches);
             }
@@ -113,7 +118,7 @@ impl Stepper {
         None
     }
 
-    /// ∂(rates)/∂(variable), by columns: good enough for Newton's method.
+    /// Returns the columns of ∂(rates)/∂(variable), accurate enough for Newton's method.
     fn jacobian(&self, y: &[f64], pivot: Pivot, sizes: &[f64]) -> Vec<Vec<f64>> {
         let at = self.model.kinetics(1.0, y, Regime::Sliding, pivot);
         let slip = at.slip.dot(at.slip).sqrt();
@@ -121,7 +126,7 @@ impl Stepper {
         let rates = |y: &[f64]| self.model.rates(1.0, y, Regime::Sliding, pivot).0;
         (0..y.len())
             .map(|k| {
-                // A change of the slip by a part of itself.
+                // Relative change of the slip.
                 let step = 1e-4 * sizes[k] * (slip / speed).min(1e-2);
                 let shifted = |by: f64| {
                     let mut y = y.to_vec();
@@ -134,7 +139,8 @@ impl Stepper {
             .collect()
     }
 
-    /// The polynomials through the stages, if they have converged: their last coefficients are small.
+    /// Returns the polynomials through the stages if they have converged, i.e. if their last
+    /// coefficients are small.
     fn polynomials(
         &self,
         (beginning, stages): (&[f64], &[Vec<f64>]),
@@ -174,13 +180,13 @@ impl Stepper {
     }
 }
 
-/// Against the force of friction.
+/// Returns the unit vector opposite to the force of friction.
 fn against(at: &Kinetics<f64>) -> Option<Components<f64>> {
     let size = at.tangential.dot(at.tangential).sqrt();
     (size > 0.0).then(|| at.tangential.scaled(-1.0 / size))
 }
 
-/// By elimination with partial pivoting; `None` of a matrix that is singular.
+/// Solves by elimination with partial pivoting; `None` if the matrix is singular.
 fn solved(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Option<Vec<f64>> {
     let n = b.len();
     for k in 0..n {

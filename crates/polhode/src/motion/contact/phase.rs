@@ -1,4 +1,5 @@
-//! Phases: rolling, sliding and flying, each with its equations and with what ends it.
+//! Phases of a contact: rolling, sliding and flying, each with its equations and the functions that
+//! end it.
 
 use super::flight;
 use super::model::Model;
@@ -9,17 +10,18 @@ use crate::motion::solve::collocation::{Collocation, ROOM, StepWork, Wanted};
 use crate::motion::solve::limits::TIGHTEST_TOLERANCE;
 use crate::motion::solve::series::{Expansion, System};
 
-/// The first step of a phase, times a rate of its motion.
+/// First step of a phase times the rate of the motion.
 const FIRST_STEP: f64 = 0.1;
 
-/// How a phase is worked out: where it is smooth by collocation, and else by Taylor series, which go on analytically where a root has its zero.
+/// Solver of a phase: collocation for smooth equations, otherwise Taylor series, which continue a
+/// root analytically through its zero.
 #[derive(Clone, Debug)]
 enum Solution {
     Collocation(Box<Collocation>),
     Series(Expansion),
 }
 
-/// A phase, with room for its solution.
+/// Phase, with memory for its solution.
 #[derive(Clone, Debug)]
 pub(super) struct Phase {
     pub(super) kind: Kind,
@@ -32,7 +34,7 @@ impl Phase {
     pub(super) fn new(of: Sides<'_>, kind: Kind, tolerance: f64) -> Self {
         let Sides { model, law, length } = of;
         let watches = watches(of, kind);
-        // The direction of a slip has all the digits of the slip, however small that is.
+        // The direction of a slip must be as accurate as the slip itself, however small it is.
         let tolerance = if watches.contains(&Watch::SlipSpeed) { TIGHTEST_TOLERANCE } else { tolerance };
         let series = |system| Solution::Series(Expansion::new(system, tolerance));
         let (count, solution) = match kind {
@@ -59,14 +61,15 @@ impl Phase {
         Self { kind, watches, solution, count }
     }
 
-    /// Begins anew; `rate` is one of the motion.
+    /// Restarts the phase; `rate` is a rate of the motion.
     pub(super) fn begin(&mut self, rate: f64) {
         if let Solution::Collocation(collocation) = &mut self.solution {
             collocation.begin(FIRST_STEP / rate);
         }
     }
 
-    /// From a state: the length of the step. The variables and what is watched are measured with `sizes`.
+    /// Computes a step from a state and returns its length. `sizes` are the scales of the variables
+    /// and of the watched functions.
     pub(super) fn about(&mut self, of: Sides<'_>, state: &[f64], sizes: [&[f64]; 2], wanted: Wanted) -> f64 {
         match (&mut self.solution, self.kind) {
             (Solution::Collocation(collocation), Kind::Touching(regime, pivot)) => {
@@ -78,19 +81,19 @@ impl Phase {
         }
     }
 
-    /// True of collocation: the end of a step has more digits than what is within it.
+    /// True for collocation, whose solution is more accurate at the end of a step than within it.
     pub(super) const fn is_collocation(&self) -> bool {
         matches!(self.solution, Solution::Collocation(_))
     }
 
-    /// A motion that is known otherwise, by the coefficients of the variables and of what is watched.
+    /// Sets a known motion by the coefficients of the variables and of the watched functions.
     pub(super) fn impose(&mut self, variables: &[Vec<f64>], outputs: &[Vec<f64>]) {
         if let Solution::Series(expansion) = &mut self.solution {
             expansion.impose(variables, outputs);
         }
     }
 
-    /// The changes of the variables since the start of the step.
+    /// Returns the changes of the variables since the start of the step.
     pub(super) fn changes(&self, t: f64) -> [f64; ROOM] {
         match &self.solution {
             Solution::Collocation(collocation) => collocation.changes(t),
@@ -100,7 +103,7 @@ impl Phase {
         }
     }
 
-    /// The variables t after the start of the step.
+    /// Returns the variables at time t after the start of the step.
     pub(super) fn variables(&self, t: f64) -> Vec<f64> {
         let changes = self.changes(t);
         let start = |k: usize| match &self.solution {
@@ -110,7 +113,7 @@ impl Phase {
         (0..self.count).map(|k| start(k) + changes[k]).collect()
     }
 
-    /// When in a step of length h what is watched vanishes, if it does.
+    /// Returns the time within a step of length h at which watched function k vanishes, if it does.
     pub(super) fn vanishing(&self, k: usize, h: f64) -> Option<f64> {
         match &self.solution {
             Solution::Collocation(collocation) if collocation.keeps_its_sign(k) => None,
@@ -119,7 +122,7 @@ impl Phase {
         }
     }
 
-    /// What the step cost: evaluations, or the coefficients of its series.
+    /// Returns the cost of the step: evaluations, or the coefficients of its series.
     pub(super) fn take_work(&mut self) -> StepWork {
         match &mut self.solution {
             Solution::Collocation(collocation) => collocation.take_work(),

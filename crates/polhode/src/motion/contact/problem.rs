@@ -18,16 +18,16 @@ pub(in crate::motion) struct ContactProblem<'a> {
     pub(in crate::motion) events: &'a [Event],
     pub(in crate::motion) event_sides: &'a [EventSide],
     pub(in crate::motion) tolerance: f64,
-    /// Noise of a comparison run.
+    /// Perturbation of a comparison run.
     pub(in crate::motion) noise: Option<StepNoise>,
 }
 
-/// Loosest bound on the error of a step on the ground, relative to the sizes of the variables: what a contact does
-/// next depends on signs, and looser steps would hardly be longer.
+/// Loosest bound on the error of a step on the ground, relative to the sizes of the variables.
+/// Changes of the contact depend on signs, and looser steps would hardly be longer.
 pub(in crate::motion) const LOOSEST: f64 = 1e-12;
 
 impl ContactProblem<'_> {
-    /// The bound on the error of each step.
+    /// Returns the bound on the error of each step.
     pub(in crate::motion) const fn bound(&self) -> f64 {
         self.tolerance.min(LOOSEST)
     }

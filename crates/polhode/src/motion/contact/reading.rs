@@ -1,4 +1,4 @@
-//! What is read off the variables for a sample.
+//! Quantities of a sample, computed from the variables.
 
 use super::equations::{AXES, PLACE, Regime};
 use super::flight::{CENTER, CENTER_RATE};
@@ -7,7 +7,8 @@ use super::stepper::Stepper;
 use super::watch::{Kind, Watch};
 use crate::math::algebra::Components;
 
-/// What is read off the variables for a sample: lengths and forces along the axes of the surface, the centre of mass along those of the ground.
+/// Quantities of a sample. Lengths and forces are along the axes of the surface, the centre of mass
+/// along the axes of the ground.
 pub(super) struct Reading {
     pub(super) center: [f64; 3],
     pub(super) arm: [f64; 3],
@@ -25,7 +26,7 @@ impl Stepper {
         let Some(mut at) = self.kinetics(y) else {
             return of_flight(model, y);
         };
-        // Friction of what is about to slip, and does not yet, is what held it.
+        // Friction at the moment before slip begins equals the holding force.
         if let (true, Kind::Touching(_, pivot)) = (at.normal_force.is_nan(), self.kind()) {
             at = model.kinetics(1.0, y, Regime::Rolling, pivot);
         }
@@ -46,13 +47,15 @@ impl Stepper {
         }
     }
 
-    /// True if a body that has left the ground is below it at a time of the step: it has left it by rounding alone.
+    /// True if a flying body is below the ground at a time of the step: then only rounding lifted
+    /// it off.
     pub(super) fn sinks(&self, time: f64) -> bool {
         let is_below = || self.model.flight(1.0, &self.variables_at(time)).1 < -1e-9 * self.size();
         self.kind() == Kind::Flying && is_below()
     }
 
-    /// What has become too small to go on with, as the series do not reach beyond it.
+    /// Returns the watched function that has become too small to continue: the series do not extend
+    /// beyond its zero.
     pub(super) fn exhausted(&self) -> Option<Watch> {
         let y = self.variables();
         let watches = self.watches();
@@ -76,7 +79,7 @@ impl Stepper {
     }
 }
 
-/// What is read off the variables; the contact is the point that is nearest to the ground.
+/// Computes the quantities of a flight. The contact is the point that is nearest to the ground.
 fn of_flight(model: &Model, y: &[f64]) -> Reading {
     let vector = |k: usize| Components([y[k], y[k + 1], y[k + 2]]);
     let (e1, e3, center, velocity) = (vector(AXES), vector(AXES + 3), vector(CENTER), vector(CENTER_RATE));

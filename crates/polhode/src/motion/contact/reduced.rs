@@ -1,14 +1,16 @@
-//! The equations of a body on level ground without what they do not depend on: the place, and the turn about the vertical.
+//! Reduced equations of a body on level ground, without the position and the rotation about the
+//! vertical, on which they do not depend.
 //!
-//! What is left is n, the upward vertical along the axes of the body's surface, and ω; of what slides with viscous friction also the velocity v of
-//! the centre of mass. Without friction the velocity along the ground is constant, and nothing depends on it.
+//! The remaining variables are n, the upward vertical along the axes of the body's surface, and ω.
+//! With viscous sliding friction the velocity v of the centre of mass is added. Without friction,
+//! the horizontal velocity is constant and has no effect.
 //!
-//! A steady motion is one in which these turn about the axis of a symmetric body, at a rate σ, or stay: with x = (n, ω, v), ẋ = f(x) and
-//! the axis e,
+//! These variables are constant in a steady motion, or turn about the axis of a symmetric body at a
+//! rate σ. With x = (n, ω, v), ẋ = f(x) and the axis e,
 //!
 //! f(x) + σ e × x = 0, δẋ = f′(x) δx + σ e × δx.
 //!
-//! f′ is exact: f is evaluated over numbers with their derivatives.
+//! f′ is exact: f is evaluated over dual numbers.
 
 use super::arrangement::Contact;
 use super::dual::Dual;
@@ -25,19 +27,19 @@ use crate::math::vector::Direction;
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 
-/// What acts along the ground when a body departs from a steady motion without slip.
+/// Tangential force at the contact for a perturbation of a steady motion without slip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Footing {
-    /// What holds it: it rolls.
+    /// Constraint force: the body rolls.
     Rolling,
-    /// Nothing.
+    /// No force.
     Frictionless,
-    /// A force against its slip, proportional to it.
+    /// Force opposite and proportional to the slip.
     Viscous,
 }
 
 impl Footing {
-    /// Its name in JSON: `rolling`, `frictionless` or `viscous`.
+    /// Returns the name in JSON: `rolling`, `frictionless` or `viscous`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Rolling => "rolling",
@@ -47,12 +49,12 @@ impl Footing {
     }
 }
 
-/// A body on level ground, with its equations in n, ω and v.
+/// Body on level ground, with its equations in n, ω and v.
 #[derive(Clone, Debug)]
 pub(crate) struct Reduced {
     model: Model,
     footing: Footing,
-    /// The unit vector along the axis of a symmetric body.
+    /// Unit vector along the axis of a symmetric body.
     axis: Option<[f64; 3]>,
 }
 
@@ -63,15 +65,18 @@ pub(crate) struct Reading {
     pub(crate) omega: [f64; 3],
 }
 
-/// What is left of symmetry by rounding, relative to sizes.
+/// Relative threshold below which a violation of symmetry is rounding.
 const SYMMETRIC: f64 = 1e-9;
 
-/// The most variables: two of n, three of ω, two of v.
+/// Maximum number of variables: two of n, three of ω, two of v.
 pub(crate) const MOST: usize = 7;
 
 impl Reduced {
+    /// Creates the reduced equations.
+    ///
     /// # Errors
-    /// [`MotionError::NoSteadyMotion`] for ground that is curved, turns or slopes, for torques that resist rolling and pivoting, and for a cylinder that lies.
+    /// [`MotionError::NoSteadyMotion`] if the ground is curved, turning or inclined, if there is
+    /// rolling or pivoting resistance, or for a lying cylinder.
     pub(crate) fn new(body: &MassProperties<Body>, contact: &Contact) -> Result<Self, MotionError> {
         let refused = |why| Err(MotionError::NoSteadyMotion { why });
         let model = Model::of(body, &contact.surface, &contact.ground, &contact.law, contact.gravity, 0.0);
@@ -139,17 +144,17 @@ impl Reduced {
         self.model.mass
     }
 
-    /// g
+    /// Returns g, m/s².
     pub(crate) fn gravity(&self) -> f64 {
         -self.model.gravity[2]
     }
 
-    /// From the centre of mass to the centre of the surface.
+    /// Returns the vector from the centre of mass to the centre of the surface.
     pub(crate) const fn offset(&self) -> [f64; 3] {
         self.model.offset
     }
 
-    /// The radius of a surface that is a sphere.
+    /// Returns the radius if the surface is a sphere.
     pub(crate) fn sphere(&self) -> Option<f64> {
         match self.model.surface {
             SurfaceForm::Rim { radius: 0.0, tube, .. } => Some(tube),
@@ -162,23 +167,23 @@ impl Reduced {
         !matches!(self.model.surface, SurfaceForm::Rim { radius, .. } if radius != 0.0)
     }
 
-    /// Of the axes of the surface in the body.
+    /// Returns the rotation of the surface axes in the body.
     pub(crate) const fn in_body(&self) -> Rotation<Body, Part> {
         self.model.in_body
     }
 
-    /// I v
+    /// Returns I v.
     pub(crate) fn image(&self, v: [f64; 3]) -> [f64; 3] {
         self.model.inertia.map(|row| dot(row, v))
     }
 
-    /// From the centre of mass to the point that is touched.
+    /// Returns the vector from the centre of mass to the point of contact.
     pub(crate) fn arm(&self, normal: [f64; 3]) -> [f64; 3] {
         let Components(r) = self.model.surface.point(1.0, Components(normal));
         core::array::from_fn(|k| r[k] + self.model.offset[k])
     }
 
-    /// −r′ along two tangents: the radii of curvature of the surface where it is touched.
+    /// Returns −r′ along two tangents: the radii of curvature of the surface at the contact.
     pub(crate) fn radii(&self, normal: [f64; 3], tangents: [[f64; 3]; 2]) -> [[f64; 2]; 2] {
         let columns = tangents.map(|t| {
             let n = core::array::from_fn(|k| Dual::new(normal[k], t[k]));
@@ -187,13 +192,14 @@ impl Reduced {
         core::array::from_fn(|i| core::array::from_fn(|j| dot(tangents[i], columns[j])))
     }
 
-    /// n and ω of an attitude.
+    /// Returns n and ω of an attitude.
     pub(crate) fn reading(&self, up: Direction<Body>, omega: [f64; 3]) -> Reading {
         let omega = self.model.in_body.inverse() * Direction::<Body>::from_array(omega);
         Reading { normal: (self.model.in_body.inverse() * up).to_array(), omega: omega.to_array() }
     }
 
-    /// What turns n with the body's axis in a steady motion: zero of a body without one, and where n lies along it.
+    /// Returns the rate σ at which n turns about the body's axis in a steady motion. It is zero for
+    /// a body without an axis, and if n is along it.
     pub(crate) fn turning(&self, at: &Reading) -> f64 {
         let Some(e) = self.axis else { return 0.0 };
         // n × ω + σ e × n = 0
@@ -202,7 +208,8 @@ impl Reduced {
         if square < SYMMETRIC { 0.0 } else { -dot(moved, along) / square }
     }
 
-    /// How far f(x) + σ e × x is from zero, relative to the square of the rate; it is zero of a steady motion.
+    /// Returns the norm of f(x) + σ e × x relative to the square of the rate; zero for a steady
+    /// motion.
     pub(crate) fn unsteadiness(&self, at: &Reading) -> f64 {
         let rates = self.rates(1.0, at.normal, at.omega, self.velocity(at));
         let turning = self.turned(at);
@@ -217,14 +224,14 @@ impl Reduced {
         (n / rate).max(w / (rate * rate)).max(v / (size * rate * rate))
     }
 
-    /// A rate of the motion: |ω|, or √(g/r).
+    /// Returns the rate of the motion: |ω|, or √(g/r).
     pub(crate) fn rate(&self, at: &Reading) -> f64 {
         let arm = self.arm(at.normal);
         dot(at.omega, at.omega).sqrt().max((self.gravity() / dot(arm, arm).sqrt()).sqrt())
     }
 
-    /// The matrix of the linear equations in (two of n, ω, two of v), each in units of the rate and of the arm, in the time one over the rate; and how many
-    /// variables there are.
+    /// Returns the matrix of the linearized equations in (two of n, ω, two of v), and the number of
+    /// variables. Units are the rate, the arm, and one over the rate for time.
     pub(crate) fn linearised(&self, at: &Reading) -> ([[f64; MOST]; MOST], usize) {
         let count = if self.footing == Footing::Viscous { MOST } else { 5 };
         let rate = self.rate(at);
@@ -238,7 +245,7 @@ impl Reduced {
         (core::array::from_fn(|i| core::array::from_fn(|j| element(i, j))), count)
     }
 
-    /// The rates of the variables of `linearised`, for a change of them.
+    /// Returns the rates of the variables of `linearised` for a change of them.
     fn slope(&self, at: &Reading, [p, q, x, y, z, a, b]: [f64; MOST]) -> [f64; MOST] {
         let [s, t] = tangents(at.normal, self.axis);
         let in_ground = |a: f64, b: f64| core::array::from_fn(|k| a * s[k] + b * t[k]);
@@ -254,11 +261,11 @@ impl Reduced {
         [dot(s, dn), dot(t, dn), x, y, z, dot(s, dv), dot(t, dv)]
     }
 
-    /// The rates of n, ω and v.
+    /// Returns the rates of n, ω and v.
     fn rates<S: Field>(&self, one: S, n: [S; 3], omega: [S; 3], v: [S; 3]) -> [[S; 3]; 3] {
         let regime = if self.footing == Footing::Rolling { Regime::Rolling } else { Regime::Sliding };
         let mut y = vec![one.times(0.0); Model::count(regime)];
-        // Gravity is along the third axis of the ground, and the first is not asked for.
+        // Gravity is along the third axis of the ground, and the first axis is not used.
         y[AXES + 3..OMEGA].copy_from_slice(&n);
         y[OMEGA..PLACE].copy_from_slice(&omega);
         if regime == Regime::Sliding {
@@ -270,12 +277,12 @@ impl Reduced {
         [vector(AXES + 3), vector(OMEGA), v]
     }
 
-    /// v without slip.
+    /// Returns v without slip.
     fn velocity(&self, at: &Reading) -> [f64; 3] {
         cross(self.arm(at.normal), at.omega)
     }
 
-    /// v with such a component along n that the body touches the ground.
+    /// Returns v with the component along n that keeps the body on the ground.
     fn touching(&self, n: [Dual; 3], w: [Dual; 3], v: [Dual; 3]) -> [Dual; 3] {
         let (n, w, v) = (Components(n), Components(w), Components(v));
         let arm =
@@ -284,14 +291,14 @@ impl Reduced {
         (v - n * leaving).0
     }
 
-    /// σ e
+    /// Returns σ e.
     fn turned(&self, at: &Reading) -> [f64; 3] {
         let rate = self.turning(at);
         self.axis.map_or([0.0; 3], |e| e.map(|x| x * rate))
     }
 }
 
-/// Two unit vectors across n, the second as far along the axis as can be.
+/// Returns two unit vectors normal to n; the second is as close to the axis as possible.
 pub(crate) fn tangents(n: [f64; 3], axis: Option<[f64; 3]>) -> [[f64; 3]; 2] {
     let unit = |k: usize| core::array::from_fn::<f64, 3, _>(|i| if i == k { 1.0 } else { 0.0 });
     let least =
@@ -304,7 +311,8 @@ pub(crate) fn tangents(n: [f64; 3], axis: Option<[f64; 3]>) -> [[f64; 3]; 2] {
 }
 
 impl Contact {
-    /// The axis about which a body and its surface are symmetric: of a ball from the centre of mass to its middle, if they are not one.
+    /// Returns the axis about which the body and its surface are symmetric. For a ball whose centre
+    /// of mass is not its centre, it points from the centre of mass to the centre.
     pub fn symmetry_axis(&self, body: &MassProperties<Body>) -> Option<Direction<Body>> {
         let model = Model::of(body, &self.surface, &self.ground, &self.law, self.gravity, 0.0);
         let axis = symmetry_axis(&model)?;
@@ -312,7 +320,7 @@ impl Contact {
     }
 }
 
-/// The axis about which body and surface are symmetric.
+/// Returns the axis about which body and surface are symmetric.
 fn symmetry_axis(model: &Model) -> Option<[f64; 3]> {
     let unit = |k: usize| core::array::from_fn::<f64, 3, _>(|i| if i == k { 1.0 } else { 0.0 });
     let length = dot(model.offset, model.offset).sqrt();

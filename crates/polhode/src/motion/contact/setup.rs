@@ -1,4 +1,4 @@
-//! From an initial value problem to the variables of its first phase: what is refused is refused here.
+//! Setup: checks an initial value problem and computes the variables of its first phase.
 
 use super::equations::{Pivot, Regime};
 use super::ground::{GroundShape, GroundSide};
@@ -14,7 +14,7 @@ use crate::motion::error::MotionError;
 use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 
-/// The stepper at the start, before it is asked whether friction can hold it.
+/// Creates the stepper at the start, before the check if friction can hold the body.
 pub(super) fn started(of: &ContactProblem<'_>) -> Result<Stepper, MotionError> {
     let (body, contact, start) = (of.body, of.contact, &of.start);
     for (what, value) in [
@@ -35,7 +35,7 @@ pub(super) fn started(of: &ContactProblem<'_>) -> Result<Stepper, MotionError> {
     )?;
     require_inside(of)?;
     require_fit(of)?;
-    // The rim that is lower: that at z = −½ thickness where the normal has a component along z.
+    // The lower rim is that at z = −½ thickness if the normal has a positive component along z.
     let normal = contact.ground.normal_at(start.at).ok_or(MotionError::NoDirection {
         parameter: "the point of contact from the axis of the ground",
         length: start.at.norm(),
@@ -70,8 +70,10 @@ pub(super) fn started(of: &ContactProblem<'_>) -> Result<Stepper, MotionError> {
     Ok(stepper)
 }
 
+/// Checks that the centre of mass is inside the surface.
+///
 /// # Errors
-/// A parameter's error where the centre of mass lies outside the surface.
+/// A parameter's error if the centre of mass is outside the surface.
 fn require_inside(of: &ContactProblem<'_>) -> Result<(), MotionError> {
     let (surface, center) = (&of.contact.surface, of.body.center_of_mass());
     let rule =
@@ -85,8 +87,10 @@ fn require_inside(of: &ContactProblem<'_>) -> Result<(), MotionError> {
     )
 }
 
+/// Checks that a body inside a curved ground touches it at one point only.
+///
 /// # Errors
-/// A parameter's error where a body may touch the ground that it is in at more than one point.
+/// A parameter's error if the body may touch at more than one point.
 fn require_fit(of: &ContactProblem<'_>) -> Result<(), MotionError> {
     let (GroundShape::Sphere { radius, side } | GroundShape::Cylinder { radius, side }) =
         *of.contact.ground.shape()
@@ -96,7 +100,8 @@ fn require_fit(of: &ContactProblem<'_>) -> Result<(), MotionError> {
     if side == GroundSide::Outside {
         return Ok(());
     }
-    // By Blaschke's theorem a convex body rolls freely in what is nowhere more curved than it.
+    // By Blaschke's theorem, a convex body rolls freely inside a surface whose curvature is nowhere
+    // larger than that of the body.
     let flattest = match *of.contact.surface.shape() {
         SurfaceShape::Sphere { radius } | SurfaceShape::Cylinder { radius, .. } => radius,
         SurfaceShape::Rim { radius, tube, .. } => radius + tube,
@@ -109,10 +114,10 @@ fn require_fit(of: &ContactProblem<'_>) -> Result<(), MotionError> {
     require::that("the radius of the ground", radius, flattest < radius, rule)
 }
 
-/// The variables of a start, and whether the body slides.
+/// Returns the variables of a start, and its kind of contact.
 ///
 /// # Errors
-/// A parameter's error where the start violates the contact.
+/// A parameter's error if the start violates the contact.
 fn variables(of: &ContactProblem<'_>, stepper: &Stepper) -> Result<(Kind, Vec<f64>), MotionError> {
     let (model, start) = (&stepper.model, &of.start);
     let size = stepper.size();
@@ -175,8 +180,10 @@ fn variables(of: &ContactProblem<'_>, stepper: &Stepper) -> Result<(Kind, Vec<f6
     Ok(if !never_sticks && fast <= 1e-13 * size { rolls } else { slides(slip) })
 }
 
+/// Checks that the axis of a lying cylinder keeps its direction.
+///
 /// # Errors
-/// A parameter's error where a cylinder that lies would not keep the direction of its axis.
+/// A parameter's error if it does not.
 fn require_cylinder(of: &ContactProblem<'_>, stepper: &Stepper) -> Result<(), MotionError> {
     let model = &stepper.model;
     let [[_, _, xz], [_, _, yz], [_, _, zz]] = model.inertia;

@@ -1,4 +1,5 @@
-//! A contact whose equations are smooth: what rolls without resistance, or slides without dry friction, on a surface without an edge.
+//! Contacts with smooth equations: rolling without resistance, or sliding without dry friction, on
+//! a surface without an edge.
 
 use super::equations::{OMEGA, PLACE, Pivot, Regime, VELOCITY, axes_rates};
 use super::model::{Model, SurfaceForm};
@@ -6,7 +7,7 @@ use super::watch::{Sides, Watch};
 use crate::math::algebra::Field;
 use crate::motion::solve::collocation::{OUTPUTS, ROOM, System, Variables};
 
-/// A phase of such a contact, and what is watched.
+/// Phase of a smooth contact, with its watched functions.
 pub(super) struct Smooth<'a> {
     pub(super) of: Sides<'a>,
     pub(super) regime: Regime,
@@ -15,7 +16,7 @@ pub(super) struct Smooth<'a> {
 }
 
 impl Model {
-    /// True where neither the direction of a slip or of rolling nor that of an edge ends the analytic motion.
+    /// True if the equations are analytic: no direction of slip, of rolling or of an edge occurs.
     pub(super) fn is_smooth(&self, regime: Regime) -> bool {
         let has_edge = matches!(self.surface, SurfaceForm::Rim { radius, .. } if radius != 0.0);
         !has_edge && self.rolling == 0.0 && (regime == Regime::Rolling || self.kinetic == 0.0)

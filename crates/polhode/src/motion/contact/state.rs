@@ -7,43 +7,43 @@ use crate::motion::model::energy::Energy;
 use crate::motion::model::state::State;
 use crate::motion::solve::system::Sampled;
 
-/// A body and its contact at one time.
+/// State of a body and its contact at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactState {
     /// Time, attitude and ω.
     pub state: State,
-    /// Whether it rolls, slides or flies.
+    /// State of contact: rolling, sliding or flying.
     pub phase: ContactPhase,
-    /// The centre of mass.
+    /// Position of the centre of mass, m.
     pub center: Position<Space>,
-    /// Its velocity.
+    /// Velocity of the centre of mass, m/s.
     pub velocity: Velocity<Space>,
-    /// Where the ground is touched; of what flies the lowest point.
+    /// Point of contact on the ground, m; for a flying body its lowest point.
     pub contact: Position<Space>,
-    /// The same point in the body.
+    /// Same point in the body, m.
     pub contact_in_body: Position<Body>,
-    /// The normal of the ground there, towards the body.
+    /// Normal of the ground at the contact, towards the body.
     pub normal: Direction<Space>,
-    /// The velocity of the body's point of contact relative to the ground's.
+    /// Slip: velocity of the body's point of contact relative to the ground, m/s.
     pub slip: Velocity<Space>,
-    /// N ≥ 0, N.
+    /// Normal force N ≥ 0, N.
     pub normal_force: f64,
-    /// The force of friction.
+    /// Force of friction, N.
     pub friction: Force<Space>,
-    /// The torque about the centre of mass, of all forces at the contact.
+    /// Torque about the centre of mass of all contact forces, N·m.
     pub torque: Torque<Body>,
-    /// T, with that of the centre of mass, J.
+    /// Kinetic energy T, including that of the centre of mass, J.
     pub kinetic_energy: f64,
-    /// −m g · x of the centre of mass, J: zero at the origin.
+    /// Potential energy −m g · x of the centre of mass, J: zero at the origin.
     pub potential_energy: f64,
-    /// The work of friction since the start, relative to the ground, J: never positive.
+    /// Work of friction since the start, relative to the ground, J: never positive.
     pub friction_work: f64,
-    /// The work that the ground has done by its own motion since the start, J.
+    /// Work done by the motion of the ground since the start, J.
     pub ground_work: f64,
 }
 
 impl ContactState {
-    /// Energy, and the works of friction and of the ground.
+    /// Returns the energies, and the work of friction and of the ground.
     pub(in crate::motion) fn energy(&self) -> Energy {
         Energy {
             kinetic: self.kinetic_energy,
@@ -52,12 +52,12 @@ impl ContactState {
         }
     }
 
-    /// T + U less the work of friction and of the ground, J: as it was at the start.
+    /// Returns T + U minus the work of friction and of the ground, J: constant along the motion.
     pub(in crate::motion) fn balance(&self) -> f64 {
         self.kinetic_energy + self.potential_energy - self.friction_work - self.ground_work
     }
 
-    /// |T| + |U| + the absolute works, J.
+    /// Returns |T| + |U| + the absolute values of the work, J.
     pub(in crate::motion) const fn size_of_balance(&self) -> f64 {
         self.kinetic_energy.abs()
             + self.potential_energy.abs()

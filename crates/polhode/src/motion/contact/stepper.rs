@@ -1,4 +1,4 @@
-//! Steps along a phase, from one state to another, the rounding of the variables carried along.
+//! Steps along a phase, with compensated rounding of the variables.
 
 use super::equations::{AXES, Kinetics, OMEGA, PLACE, Pivot, Regime, VELOCITY};
 use super::flight::{CENTER, CENTER_RATE};
@@ -11,36 +11,36 @@ use crate::math::sum::two_sum;
 use crate::motion::solve::collocation::{StepWork, Wanted};
 use crate::motion::solve::propagate::noise::{Random, StepNoise};
 
-/// A body on its way.
+/// Integrator of a body on the ground.
 #[derive(Clone, Debug)]
 pub(super) struct Stepper {
     pub(super) model: Model,
     law: ContactLaw,
     length: Option<f64>,
     tolerance: f64,
-    /// The size of the body, m.
+    /// Size of the body, m.
     size: f64,
-    /// Those that have been needed, and which goes on.
+    /// Phases used so far, and the index of the current one.
     phases: Vec<Phase>,
     current: usize,
-    /// Where the last step began, and what it was.
+    /// Start time of the last step, and its length.
     begun: f64,
     step: f64,
-    /// The variables at the end of the last step, and what rounding left of them.
+    /// Variables at the end of the last step: high and low words.
     high: Vec<f64>,
     low: Vec<f64>,
     time: f64,
-    /// Noise that is added to the variables after each step, and its amplitude.
+    /// Generator of the perturbation after each step, and its amplitude.
     noise: Option<(Random, f64)>,
     stretch: f64,
-    /// How long a motion is known that no series has.
+    /// Duration for which an imposed motion replaces the series.
     imposed: Option<f64>,
 }
 
-/// The end of a phase, found in a step.
+/// End of a phase, found in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Passing {
-    /// Since the start of the step, s.
+    /// Time since the start of the step, s.
     pub(super) after: f64,
     pub(super) watch: Watch,
 }
@@ -72,13 +72,13 @@ impl Stepper {
         }
     }
 
-    /// Adds rounding to each step, and changes the length of steps: for a comparison run.
+    /// Adds rounding noise to each step and changes the step size, for a comparison run.
     pub(super) fn perturbed(self, noise: Option<StepNoise>) -> Self {
         let Some(StepNoise { seed, amplitude, stretch }) = noise else { return self };
         Self { noise: Some((Random::new(seed), amplitude * f64::EPSILON)), stretch, ..self }
     }
 
-    /// Goes on by other equations, from these variables.
+    /// Continues with other equations, from these variables.
     pub(super) fn enter(&mut self, kind: Kind, variables: Vec<f64>) {
         let known = self.phases.iter().position(|phase| phase.kind == kind);
         self.current = known.unwrap_or_else(|| {
@@ -94,13 +94,13 @@ impl Stepper {
         self.imposed = None;
     }
 
-    /// Begins to slip from where it rolled until now, slowly at first; false if it is not known how.
+    /// Begins to slip from rolling, slowly at first; returns false if the onset cannot be computed.
     pub(super) fn begin_to_slip(&mut self, pivot: Pivot) -> bool {
         if self.step == 0.0 {
             return false;
         }
         let kind = Kind::Touching(Regime::Sliding, pivot);
-        // As if it rolled on.
+        // Initial guess: it rolls on.
         let mut phase = self.phases[self.current].clone();
         let (sizes, watched) = (self.sizes_of(&self.high), self.sizes_of_watched());
         let wanted = self.wanted(self.step, f64::INFINITY, self.time);
@@ -115,7 +115,7 @@ impl Stepper {
         true
     }
 
-    /// The value of what is watched.
+    /// Returns the value of a watched function.
     pub(super) fn value(&self, at: &Kinetics<f64>, watch: Watch, pivot: Pivot) -> f64 {
         self.model.watched(1.0, at, watch, &self.law, self.length, pivot)
     }
@@ -137,12 +137,12 @@ impl Stepper {
         &self.law
     }
 
-    /// What may end the phase.
+    /// Returns the functions that may end the phase.
     pub(super) fn watches(&self) -> &[Watch] {
         &self.phases[self.current].watches
     }
 
-    /// What the last step cost: evaluations, or the coefficients of its series.
+    /// Returns the cost of the last step: evaluations, or the coefficients of its series.
     pub(super) fn take_work(&mut self) -> StepWork {
         self.phases[self.current].take_work()
     }
@@ -155,12 +155,12 @@ impl Stepper {
         self.time
     }
 
-    /// The variables at the end of the last step.
+    /// Returns the variables at the end of the last step.
     pub(super) fn variables(&self) -> &[f64] {
         &self.high
     }
 
-    /// The variables within the last step.
+    /// Returns the variables within the last step.
     pub(super) fn variables_at(&self, time: f64) -> Vec<f64> {
         if time == self.time {
             return self.high.clone();
@@ -170,17 +170,17 @@ impl Stepper {
         y
     }
 
-    /// How fast slip is where it is too small to be told from rounding, m/s.
+    /// Returns the slip speed below which slip is rounding, m/s.
     pub(super) fn least_slip(&self, y: &[f64]) -> f64 {
         1e-13 * self.speed(y)
     }
 
-    /// What velocities are measured with, m/s.
+    /// Returns the scale of velocities, m/s.
     pub(super) fn speed(&self, y: &[f64]) -> f64 {
         self.rate(y) * self.size
     }
 
-    /// What rates of turning are measured with, rad/s.
+    /// Returns the scale of angular rates, rad/s.
     pub(super) fn rate(&self, y: &[f64]) -> f64 {
         let [gx, gy, gz] = self.model.gravity;
         let falling = (gx.hypot(gy).hypot(gz) / self.size).sqrt();
@@ -189,7 +189,8 @@ impl Stepper {
         if rate > 0.0 { rate } else { 1.0 }
     }
 
-    /// The step that may be taken from here, until `end`; its series. No number if there is none. Before `first_look` it is not asked for but at its end.
+    /// Computes the next step, at most until `end`, and returns its length; NaN if there is none.
+    /// The solution before `first_look` is not needed, except at the end.
     pub(super) fn expand(&mut self, end: f64, first_look: f64) -> f64 {
         let since = self.step;
         self.begun = self.time;
@@ -210,12 +211,14 @@ impl Stepper {
         Wanted { time: self.time, since, stretch: self.stretch, most, first_look }
     }
 
-    /// How long the step is once it has within it what the tolerance asks for; nothing if it has that.
+    /// Recomputes the step so that the tolerance also holds within it, and returns its length;
+    /// `None` if it holds already.
     pub(super) fn refined(&mut self, end: f64) -> Option<f64> {
         self.phases[self.current].is_collocation().then(|| self.expand(end, self.time))
     }
 
-    /// Ends the step earlier, and returns when, as a step is as good as it can be at its end: then, or before if that takes more than one step.
+    /// Shortens the step to end at `to`, as a step is most accurate at its end. Returns the end
+    /// reached, which is earlier if this takes more than one step.
     pub(super) fn shorten(&mut self, to: f64, first_look: f64) -> f64 {
         if !self.phases[self.current].is_collocation() || !(to > self.time) {
             return to;
@@ -224,7 +227,7 @@ impl Stepper {
         if (to - reached).abs() <= 4.0 * f64::EPSILON * to.abs() { to } else { reached }
     }
 
-    /// What ends the phase within h of the start of the step, first.
+    /// Returns the first end of the phase within h of the start of the step.
     pub(super) fn passing(&self, h: f64) -> Option<Passing> {
         let phase = &self.phases[self.current];
         let all = phase
@@ -235,7 +238,7 @@ impl Stepper {
         all.reduce(|first, next| if next.after < first.after { next } else { first })
     }
 
-    /// Takes the step, or as much of it as is good.
+    /// Takes the step, or a part of length h of it.
     pub(super) fn advance(&mut self, h: f64, to: f64) {
         let changes = self.phases[self.current].changes(h);
         for ((high, low), change) in self.high.iter_mut().zip(&mut self.low).zip(changes) {
@@ -252,7 +255,8 @@ impl Stepper {
         self.high = y;
     }
 
-    /// The value of what is watched, at the end of the last step; nothing if it is not.
+    /// Returns the value of a watched function at the end of the last step; `None` if it is not
+    /// watched.
     pub(super) fn watched(&self, watch: Watch) -> Option<f64> {
         let phase = &self.phases[self.current];
         if !phase.watches.contains(&watch) {
@@ -263,7 +267,7 @@ impl Stepper {
         Some(self.value(&at, watch, pivot))
     }
 
-    /// What is read off the variables of what touches the ground.
+    /// Returns the quantities of the contact; `None` for a flying body.
     pub(super) fn kinetics(&self, y: &[f64]) -> Option<Kinetics<f64>> {
         match self.kind() {
             Kind::Touching(regime, pivot) => Some(self.model.kinetics(1.0, y, regime, pivot)),
@@ -271,14 +275,15 @@ impl Stepper {
         }
     }
 
-    /// What each function that is watched is measured with. The gap below a body that flies has singularities of its own, as the lowest point of its surface
-    /// has; others have those of the variables, or end a step where they are zero.
+    /// Returns the scale of each watched function. The gap of a flying body has its own
+    /// singularities, those of the lowest point. Other functions have those of the variables, or
+    /// end a step at their zero.
     fn sizes_of_watched(&self) -> Vec<f64> {
         let size = |watch: &Watch| if matches!(watch, Watch::Gap) { self.size } else { f64::INFINITY };
         self.watches().iter().map(size).collect()
     }
 
-    /// What each variable is measured with.
+    /// Returns the scale of each variable.
     pub(super) fn sizes_of(&self, y: &[f64]) -> Vec<f64> {
         let rate = self.rate(y);
         let speed = rate * self.size;
@@ -312,8 +317,7 @@ impl Stepper {
         sizes
     }
 
-    /// Brings the axes back to right angles and unit length, a normal to unit length, and a velocity into the ground, where rounding has led away from
-    /// it.
+    /// Corrects rounding: orthonormal axes, a unit normal, and a velocity tangential to the ground.
     fn normalise(&self, y: &mut [f64]) {
         const SMALL: f64 = 4.0 * f64::EPSILON;
         let vector = |y: &[f64], k: usize| Components([y[k], y[k + 1], y[k + 2]]);

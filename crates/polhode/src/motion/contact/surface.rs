@@ -1,4 +1,4 @@
-//! The surface with which a body touches the ground.
+//! Surface with which a body touches the ground.
 
 use crate::math::frame::{Body, Part};
 use crate::math::rotation::Rotation;
@@ -6,40 +6,40 @@ use crate::math::vector::Position;
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 
-/// A convex surface of a body, or as much of one as may touch the ground.
+/// Convex surface of a body, or the part of it that may touch the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SurfaceShape {
-    /// A sphere; its centre need not be the centre of mass.
+    /// Sphere; its centre need not be the centre of mass.
     Sphere {
-        /// m
+        /// Radius, m.
         radius: f64,
     },
-    /// An ellipsoid about its own axes.
+    /// Ellipsoid with its own axes.
     Ellipsoid {
-        /// Along x, y and z, m.
+        /// Semi-axes along x, y and z, m.
         semi_axes: [f64; 3],
     },
-    /// The rim of a disk or of a hoop, about its z axis: a circle, or the tube around one. Of a thick disk there are two, a thickness apart; it touches
-    /// the ground with the lower one.
+    /// Rim of a disk or hoop about its z axis: a circle, or a torus around one. A thick disk has
+    /// two rims separated by its thickness, and touches the ground with the lower one.
     Rim {
-        /// Of the circle, m.
+        /// Radius of the circle, m.
         radius: f64,
         /// Radius of the tube, m: zero for a sharp edge.
         tube: f64,
-        /// Between the two rims, m: zero for a thin disk.
+        /// Distance between the two rims, m: zero for a thin disk.
         thickness: f64,
     },
-    /// A cylinder about its z axis that lies on the ground, so that its axis keeps its direction.
+    /// Cylinder about its z axis that lies on the ground, so that its axis keeps its direction.
     Cylinder {
-        /// m
+        /// Radius, m.
         radius: f64,
-        /// m: beyond its ends it would tip over; endless if `None`.
+        /// Length, m, beyond whose ends the support cannot lie; `None` for an infinite cylinder.
         length: Option<f64>,
     },
 }
 
-/// Where the surface of a body is in it.
+/// Surface of a body, with its position and orientation in the body.
 ///
 /// ```
 /// use polhode::math::{Body, Part, Position, Rotation};
@@ -58,10 +58,11 @@ pub struct BodySurface {
 }
 
 impl BodySurface {
-    /// A shape with its centre at a point of the body, along axes of its own.
+    /// Creates a surface from a shape, the position of its centre in the body, and its axes.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for lengths that are not positive (of a tube and a thickness: negative) or not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) if a length is not positive or not
+    /// finite. A tube radius and a thickness may be zero.
     pub fn new(
         shape: SurfaceShape,
         center: Position<Body>,
@@ -88,22 +89,23 @@ impl BodySurface {
         Ok(Self { shape, center, axes })
     }
 
-    /// Its shape.
+    /// Returns the shape.
     pub const fn shape(&self) -> &SurfaceShape {
         &self.shape
     }
 
-    /// Its centre.
+    /// Returns the centre, body axes, m.
     pub const fn center(&self) -> Position<Body> {
         self.center
     }
 
-    /// Its axes.
+    /// Returns the rotation from the axes of the surface to body axes.
     pub const fn axes(&self) -> Rotation<Body, Part> {
         self.axes
     }
 
-    /// The largest distance of its points from its centre, m; of a cylinder across its axis.
+    /// Returns the largest distance of a point of the surface from its centre, m; for a cylinder,
+    /// across its axis.
     pub(super) fn size(&self) -> f64 {
         match self.shape {
             SurfaceShape::Sphere { radius } | SurfaceShape::Cylinder { radius, .. } => radius,
@@ -112,14 +114,14 @@ impl BodySurface {
         }
     }
 
-    /// True if `point` is inside, where the surface bounds something.
+    /// True if `point` is inside the surface, where the surface is closed.
     pub(super) fn contains(&self, point: Position<Body>) -> bool {
         let [x, y, z] = (self.axes.inverse() * (point - self.center)).to_array();
         match self.shape {
             SurfaceShape::Sphere { radius } => x.hypot(y).hypot(z) < radius,
             SurfaceShape::Cylinder { radius, .. } => x.hypot(y) < radius,
             SurfaceShape::Ellipsoid { semi_axes: [a, b, c] } => (x / a).hypot(y / b).hypot(z / c) < 1.0,
-            // The rest of the body is where it likes along the axis.
+            // The position along the axis is not restricted.
             SurfaceShape::Rim { radius, tube, .. } => x.hypot(y) < radius + tube,
         }
     }

@@ -1,4 +1,4 @@
-//! A body on the ground, step by step: its steps, what ends its phases, and its samples.
+//! A body on the ground as a stepwise system: its steps, the ends of its phases, and its samples.
 
 use super::change::{ContactChange, ContactEvent, ContactPhase};
 use super::equations::Regime;
@@ -18,27 +18,29 @@ use crate::motion::solve::propagate::step_statistics::StepStatistics;
 use crate::motion::solve::start::require_ascending;
 use crate::motion::solve::system::System;
 
-/// A body on the ground, step by step.
+/// Integration of a body on the ground.
 pub(in crate::motion) struct OnGround<'a> {
     of: &'a ContactProblem<'a>,
     pub(super) stepper: Stepper,
     pub(in crate::motion) changes: Vec<ContactEvent>,
     pub(in crate::motion) statistics: StepStatistics,
-    /// True once steps were computed by collocation, and by Taylor series.
+    /// True if steps were computed by collocation, and by Taylor series.
     has_collocated: bool,
     has_expanded: bool,
-    /// End of the step that has begun, s, and the end of the phase there.
+    /// End of the current step, s, and the end of the phase there.
     to: f64,
     passing: Option<Passing>,
 }
 
 impl<'a> OnGround<'a> {
-    /// The body at its start, the sample of that, and the change that ends the motion at once.
+    /// Creates the system at its start. Also returns the first sample, and the change that ends the
+    /// motion immediately, if there is one.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for times out of order, a tolerance out of range, a start that is not
-    /// finite and one that violates the contact; [`MotionError::Painleve`] and [`MotionError::Undecided`] where it is not known
-    /// how it begins.
+    /// A parameter's error ([`MotionError::is_parameter`]) if times are out of order, if the
+    /// tolerance is out of range, or if the start is not finite or violates the contact.
+    /// [`MotionError::Painleve`] and [`MotionError::Undecided`] if the first phase is not
+    /// determined.
     pub(in crate::motion) fn new(
         of: &'a ContactProblem<'a>,
     ) -> Result<(Self, ContactState, Option<ContactChange>), MotionError> {
@@ -57,12 +59,14 @@ impl<'a> OnGround<'a> {
             passing: None,
         };
         let halted = system.settle_start()?;
-        // With the forces of the phase that holds; the start as it was given, not as it comes back from other axes.
+        // Forces of the phase that holds; the start as given, without rounding by the change of
+        // axes.
         let start = ContactState { state: of.start.state, ..system.sample_at(time)? };
         Ok((system, start, halted))
     }
 
-    /// True if steps so far were computed by collocation, and by Taylor series; those to come where there are none.
+    /// Returns true if steps so far used collocation, and true if they used Taylor series. Before
+    /// the first step this refers to the next step.
     pub(in crate::motion) fn solvers(&self) -> [bool; 2] {
         match [self.has_collocated, self.has_expanded] {
             [false, false] => [self.stepper.is_collocation(), !self.stepper.is_collocation()],
@@ -141,27 +145,27 @@ impl System for OnGround<'_> {
     }
 }
 
-/// Attitude and ω of the variables.
+/// Returns attitude and ω from the variables.
 fn state(of: &ContactProblem<'_>, stepper: &Stepper, time: f64, y: &[f64]) -> State {
     let model = &stepper.model;
     let e1 = Direction::<Part>::new(y[0], y[1], y[2]);
     let e3 = Direction::<Part>::new(y[3], y[4], y[5]);
-    // The axes of the ground along those of the surface are the rows of R_ground_surface.
+    // The axes of the ground along those of the surface are the rows of `R_ground_surface`.
     let surface_ground: Rotation<Part, Part> = Rotation::from_axes([e1, e3.cross(e1), e3]);
     let attitude = model.in_space * surface_ground.inverse() * model.in_body.inverse();
     let attitude = attitude.continuous_with(of.start.state.attitude);
     State { time, attitude, omega: model.in_body * Vector::new(y[6], y[7], y[8]) }
 }
 
-/// A vector along the axes of the surface, along those of the body.
+/// Converts a vector from the axes of the surface to those of the body.
 fn in_body<Q>(model: &Model, v: [f64; 3]) -> Vector<Q, Body> {
     model.in_body * Vector::<Q, Part>::from_array(v)
 }
 
-/// A body and its contact at one time.
+/// Returns a sample of the body and its contact.
 ///
 /// # Errors
-/// [`MotionError::NotFinite`] where a number of it is not.
+/// [`MotionError::NotFinite`] if one of its numbers is not finite.
 fn sample(
     of: &ContactProblem<'_>,
     stepper: &Stepper,
@@ -173,7 +177,7 @@ fn sample(
     if numbers.iter().all(|x| x.is_finite()) { Ok(sample) } else { Err(MotionError::NotFinite { time }) }
 }
 
-/// A body and its contact at one time, finite or not.
+/// Returns a sample of the body and its contact, finite or not.
 fn read(of: &ContactProblem<'_>, stepper: &Stepper, time: f64, y: &[f64]) -> ContactState {
     let (model, kind) = (&stepper.model, stepper.kind());
     let state = state(of, stepper, time, y);

@@ -1,4 +1,4 @@
-//! From one phase to the next: which equations hold after a change of the contact.
+//! Transitions between phases: the equations that hold after a change of the contact.
 
 use super::change::{ContactChange, ContactEvent};
 use super::equations::{AXES, Kinetics, OMEGA, PLACE, Pivot, Regime, VELOCITY};
@@ -10,27 +10,28 @@ use crate::math::algebra::Components;
 use crate::math::root::root;
 use crate::motion::error::MotionError;
 
-/// How many directions of slipping are tried.
+/// Number of trial directions of slip.
 const DIRECTIONS: u32 = 72;
 
-/// Slip from which it is computed how a body begins to slip, relative to what velocities are measured with: small beside all, and large beside rounding.
+/// Slip of trial evaluations at the onset, relative to the scale of velocities: much smaller than
+/// the motion, much larger than rounding.
 const TRIAL: f64 = 1e-8;
 
-/// Slip with which it begins to slip.
+/// Relative slip with which slipping starts.
 const BEGINNING: f64 = 2e-13;
 
 impl OnGround<'_> {
-    /// What holds at the start, of a body that might be held by friction.
+    /// Determines the phase at the start of a body that friction may hold.
     ///
     /// # Errors
-    /// As [`OnGround::pass`].
+    /// The errors of [`OnGround::pass`].
     pub(super) fn settle_start(&mut self) -> Result<Option<ContactChange>, MotionError> {
         let stepper = &mut self.stepper;
         let y = stepper.variables().to_vec();
         let (Some(at), Kind::Touching(regime, _)) = (stepper.kinetics(&y), stepper.kind()) else {
             return Ok(None);
         };
-        // Pivoting friction that holds a body from the start.
+        // Pivoting friction that holds the body from the start.
         if stepper.model.pivoting != 0.0 {
             let rate = at.relative.dot(at.normal);
             if rate.abs() <= 1e-13 * stepper.rate(&y) {
@@ -46,7 +47,7 @@ impl OnGround<'_> {
         self.settle()
     }
 
-    /// Looks whether the phase that begins can last.
+    /// Checks if the phase that begins can last.
     fn settle(&mut self) -> Result<Option<ContactChange>, MotionError> {
         const STRICT: [Watch; 6] =
             [Watch::Inertance, Watch::NormalForce, Watch::Grip, Watch::Holding, Watch::Ends, Watch::Fit];
@@ -57,12 +58,12 @@ impl OnGround<'_> {
         }
     }
 
-    /// Goes on after something that was watched has vanished.
+    /// Continues after a watched function has vanished.
     ///
     /// # Errors
-    /// [`MotionError::Painleve`]; [`MotionError::Undecided`] where changes do not end.
+    /// [`MotionError::Painleve`]; [`MotionError::Undecided`] if changes do not end.
     pub(super) fn pass(&mut self, watch: Watch) -> Result<Option<ContactChange>, MotionError> {
-        /// The most changes at one time.
+        /// Maximum number of changes at one time.
         const MOST: usize = 32;
         let y = self.stepper.variables().to_vec();
         let time = self.stepper.time();
@@ -139,7 +140,8 @@ impl OnGround<'_> {
         debug_assert_eq!(flying.len(), flight::COUNT);
         self.stepper.enter(Kind::Flying, flying);
         let time = self.stepper.time();
-        // Where a law of rolling took friction for which N is too small, what is left without that may press the body into the ground.
+        // A rolling law may have used friction for which N is too small. Without it, the remaining
+        // force may press the body into the ground.
         let soon = time + 0.1 * self.stepper.expand(f64::INFINITY, time);
         if self.stepper.sinks(soon) {
             return Err(MotionError::Undecided { time });
@@ -148,12 +150,12 @@ impl OnGround<'_> {
         Ok(None)
     }
 
-    /// Begins to slip from where it does not.
+    /// Begins to slip.
     fn slip(&mut self, y: &[f64], change: ContactChange) -> Result<(), MotionError> {
         let Kind::Touching(_, pivot) = self.stepper.kind() else { return Ok(()) };
         let Some(rolling) = self.stepper.kinetics(y) else { return Ok(()) };
         let time = self.stepper.time();
-        // At the threshold itself slip grows from nothing with the square of time.
+        // At the threshold, slip grows from zero with the square of time.
         let friction = self.stepper.law().friction();
         let slowly = change == ContactChange::Slips && friction.sticking == friction.kinetic;
         if slowly && self.stepper.begin_to_slip(pivot) {
@@ -169,7 +171,7 @@ impl OnGround<'_> {
         Ok(())
     }
 
-    /// Rolls from now on.
+    /// Begins to roll.
     fn enter_rolling(&mut self, y: &[f64]) {
         let Kind::Touching(_, pivot) = self.stepper.kind() else { return };
         let mut rolling = y[..VELOCITY].to_vec();
@@ -179,11 +181,12 @@ impl OnGround<'_> {
 }
 
 impl Stepper {
-    /// The direction in which a body begins to slip, along the axes of the surface: that in which friction lets the slip grow.
+    /// Returns the initial direction of slip, along the axes of the surface: the one in which
+    /// friction lets the slip grow.
     fn slip_direction(&self, y: &[f64], rolling: &Kinetics<f64>, pivot: Pivot) -> Option<Components<f64>> {
         let force = rolling.tangential;
         let size = force.dot(force).sqrt();
-        // At the threshold itself slip grows from nothing, against the force that held it.
+        // At the threshold, slip grows from zero, opposite to the force that held the body.
         let against = (size > 0.0).then(|| force.scaled(-1.0 / size));
         let friction = self.law().friction();
         if friction.sticking == friction.kinetic
@@ -208,7 +211,7 @@ impl Stepper {
         let step = core::f64::consts::TAU / f64::from(DIRECTIONS);
         let mut best: Option<(f64, f64)> = None;
         for k in 0..DIRECTIONS {
-            // Once round.
+            // Search the full circle.
             let from = (f64::from(k) - 0.5) * step;
             let [a, b] = [growth(from)[1], growth(from + step)[1]];
             if a != 0.0 && (a > 0.0) == (b > 0.0) {

@@ -1,59 +1,59 @@
-//! What ends a phase: functions that are positive as long as it goes on.
+//! Watched functions, which are positive while a phase lasts.
 
 use super::equations::{Kinetics, Pivot, Regime};
 use super::law::{ContactLaw, Grip};
 use super::model::{GroundForm, Model, SurfaceForm};
 use crate::math::algebra::{Components, Field};
 
-/// Which equations hold.
+/// Kind of a phase, which selects the equations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Kind {
     Touching(Regime, Pivot),
     Flying,
 }
 
-/// The two sides of a contact, and the law between them.
+/// Both sides of a contact, and the law between them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sides<'a> {
     pub(super) model: &'a Model,
     pub(super) law: &'a ContactLaw,
-    /// Of a cylinder that lies, if it has ends.
+    /// Length of a lying cylinder, if it is finite.
     pub(super) length: Option<f64>,
 }
 
-/// A function that is positive as long as a phase goes on.
+/// Function that is positive while a phase lasts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Watch {
-    /// N
+    /// Normal force N.
     NormalForce,
-    /// µₛ² N² − F_t²
+    /// Margin of static friction, µₛ² N² − `F_t`².
     Grip,
-    /// |u|
+    /// Slip speed |u|.
     SlipSpeed,
-    /// What N is divided by.
+    /// Divisor of N.
     Inertance,
-    /// The rate at which the body turns about the normal, in its sense.
+    /// Signed rate of turning about the normal.
     Turning,
-    /// µₚ² N² − τₚ²
+    /// Margin of pivoting friction, µₚ² N² − τₚ².
     Holding,
-    /// |ω_t|
+    /// Rolling rate |`ω_t`|.
     RollingRate,
-    /// How much the rim that is touched is lower than the other one.
+    /// Height of the other rim above the rim in contact.
     OtherRim,
-    /// How much the axis of a rim is off the normal, less what counts as nothing.
+    /// Inclination of a rim's axis to the normal, minus the threshold of zero.
     Slope,
-    /// (½ N l)² less the square of the torque that keeps the axis level.
+    /// (½ N l)² minus the square of the torque that keeps the axis level.
     Ends,
-    /// The determinant of 1 + r′K.
+    /// Determinant of 1 + r′K.
     Fit,
-    /// The distance from the ground.
+    /// Distance from the ground.
     Gap,
 }
 
-/// The slope of a disk, and the room between curvatures, that counts as none.
+/// Threshold of zero for the slope of a disk and for the difference of curvatures.
 const LEAST: f64 = 1e-8;
 
-/// What may end a phase.
+/// Returns the functions that may end a phase.
 pub(super) fn watches(Sides { model, law, length }: Sides<'_>, kind: Kind) -> Vec<Watch> {
     let Kind::Touching(regime, pivot) = kind else { return vec![Watch::Gap] };
     let mut watches = vec![Watch::NormalForce];
@@ -89,7 +89,7 @@ pub(super) fn watches(Sides { model, law, length }: Sides<'_>, kind: Kind) -> Ve
 }
 
 impl Model {
-    /// The value of what is watched.
+    /// Returns the value of a watched function.
     #[inline(always)]
     pub(super) fn watched<S: Field>(
         &self,
@@ -123,7 +123,7 @@ impl Model {
                 SurfaceForm::Rim { height, .. } => n.0[2].times(-height),
                 SurfaceForm::Ellipsoid { .. } => one,
             },
-            // Of a disk that falls straight over the root goes on through zero.
+            // For a disk that falls straight over, the root continues through zero.
             Watch::Slope => (n.0[0] * n.0[0] + n.0[1] * n.0[1]).root() - one.times(LEAST),
             Watch::Ends => {
                 let half = 0.5 * length.unwrap_or(f64::INFINITY);
@@ -135,18 +135,20 @@ impl Model {
         }
     }
 
-    /// True of a rim whose axis is along the normal: where it touches the ground, rounding decides.
+    /// True if a rim's axis is along the normal. Then rounding determines the point of contact.
     pub(super) fn lies_flat(&self, at: &Kinetics<f64>) -> bool {
         let Components([x, y, _]) = at.normal;
         matches!(self.surface, SurfaceForm::Rim { radius, .. } if radius != 0.0) && x.hypot(y) <= LEAST
     }
 
-    /// True where the ground is as curved as the body: rounding decides here too.
+    /// True if the curvatures of ground and body agree. Then rounding determines the point of
+    /// contact.
     pub(super) fn osculates(&self, at: &Kinetics<f64>) -> bool {
         self.ground != GroundForm::Plane && at.fit <= LEAST
     }
 
-    /// The torque about z × n that keeps the axis of a cylinder level, beside that of a force in its middle.
+    /// Returns the torque about z × n that keeps the axis of a cylinder level, in addition to that
+    /// of a central force.
     #[inline(always)]
     fn leveling<S: Field>(&self, one: S, at: &Kinetics<S>) -> S {
         let force = at.tangential + at.normal * at.normal_force;

@@ -1,31 +1,37 @@
-//! Lagrange's equations of two gimbals and a rotor, M(q) q̈ + c(q, q̇) = Q, q = (α, β, γ).
+//! Lagrange's equations of two gimbals and a rotor, M(q) q̈ + c(q, q̇) = Q, with q = (α, β, γ).
 //!
-//! With ω₀ the angular velocity of the base and the axes e₁ of the outer gimbal, e₂ of the inner one, e₃ of the rotor, the angular velocities are, each
-//! along its own axes but for the rotor's, which is along those of the inner gimbal,
+//! Let ω₀ be the angular velocity of the base, and e₁, e₂, e₃ the axes of the outer gimbal, the
+//! inner gimbal and the rotor. Each angular velocity is along the axes of its own body, except the
+//! rotor's, which is along those of the inner gimbal:
 //!
-//! ω₁ = R₁ᵀ ω₀ + α̇ e₁,  ω₂ = R₂ᵀ ω₁ + β̇ e₂,  ω₃ = ω₂ + γ̇ e₃,
+//! ω₁ = R₁ᵀ ω₀ + α̇ e₁,  ω₂ = R₂ᵀ ω₁ + β̇ e₂,  ω₃ = ω₂ + γ̇ e₃.
 //!
-//! T = ½ Σ ωᵢ · Iᵢ ωᵢ about the crossing, U = −Σ mᵢ cᵢ · g. With Nᵢ = Iᵢ ω̇ᵢ + ωᵢ × Iᵢ ωᵢ − mᵢ cᵢ × g, the torque that has to act on body i, Lagrange's
-//! equations are e₃ · N₃ = Q₃, e₂ · (N₂ + N₃) = Q₂, e₁ · (N₁ + N₂ + N₃) = Q₁: the left sides for q̈ = 0 are c, and M comes of the tensors of what each
-//! axis carries. Q = −d q̇ − k (q − q₀) + τ, and what a lock or a motor adds so that q̈ = 0.
+//! T = ½ Σ ωᵢ · Iᵢ ωᵢ about the intersection of the axes, and U = −Σ mᵢ cᵢ · g. The torque required
+//! on body i is Nᵢ = Iᵢ ω̇ᵢ + ωᵢ × Iᵢ ωᵢ − mᵢ cᵢ × g. Lagrange's equations are e₃ · N₃ = Q₃, e₂ ·
+//! (N₂ + N₃) = Q₂, e₁ · (N₁ + N₂ + N₃) = Q₁.
 //!
-//! Source: H. Goldstein, Classical Mechanics (1980), §1-4 (d'Alembert) and §5-7; K. Magnus, Kreisel (1971), on gyroscopes in gimbals.
+//! The left sides at q̈ = 0 are c, and M follows from the tensors of the bodies that each axis
+//! carries. Q = −d q̇ − k (q − q₀) + τ, plus the torque of a lock or motor that makes q̈ = 0.
+//!
+//! Sources: H. Goldstein, Classical Mechanics (1980), §1-4 (d'Alembert) and §5-7; K. Magnus,
+//! Kreisel (1971), on gyroscopes in gimbals.
 
 use super::axis::{Axis, Hold, Spring};
 use super::model::{Form, Model};
 use crate::math::algebra::{Components, Field};
 
-/// The variables: α, β, γ; their rates; cos and sin of each; the work of damping and of motors.
+/// Indices of the variables: α, β, γ; their rates; cosine and sine of each; work of damping and of
+/// motors.
 pub(super) const ANGLES: usize = 0;
 pub(super) const RATES: usize = 3;
 pub(super) const TURNS: usize = 6;
 pub(super) const WORKS: usize = 12;
 pub(super) const COUNT: usize = 14;
 
-/// Below this part of itself a pivot of M is lost: what it belongs to has no inertia of its own.
+/// Relative threshold below which a pivot of M is rounding: the axis carries no inertia of its own.
 const LOST: f64 = 1e-10;
 
-/// cos and sin of an angle.
+/// Cosine and sine of an angle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turn<S> {
     cosine: S,
@@ -33,24 +39,24 @@ pub(super) struct Turn<S> {
 }
 
 impl<S: Field> Turn<S> {
-    /// In the plane of two axes, from the first to the second: along turned axes.
+    /// Converts components in the plane of two axes to the turned axes.
     fn back(self, a: S, b: S) -> [S; 2] {
         [self.cosine * a + self.sine * b, self.cosine * b - self.sine * a]
     }
 
-    /// And from those.
+    /// Converts components along the turned axes back.
     fn forth(self, a: S, b: S) -> [S; 2] {
         [self.cosine * a - self.sine * b, self.cosine * b + self.sine * a]
     }
 }
 
-/// About the first axis, along the axes of what is turned.
+/// Converts a vector to axes that are turned about the first axis.
 fn into_outer<S: Field>(turn: Turn<S>, Components([x, y, z]): Components<S>) -> Components<S> {
     let [y, z] = turn.back(y, z);
     Components([x, y, z])
 }
 
-/// About the second axis, along the axes of what is turned.
+/// Converts a vector to axes that are turned about the second axis.
 fn into_inner<S: Field>(turn: Turn<S>, Components([x, y, z]): Components<S>) -> Components<S> {
     let [z, x] = turn.back(z, x);
     Components([x, y, z])
@@ -66,14 +72,15 @@ fn out_of_outer<S: Field>(turn: Turn<S>, Components([x, y, z]): Components<S>) -
     Components([x, y, z])
 }
 
-/// The rotor's tensor and m c along the axes of the inner gimbal.
+/// Tensor of the rotor and m c, along the axes of the inner gimbal.
 struct Rotor<S> {
     rows: [[S; 3]; 3],
     moment: Components<S>,
 }
 
 impl<S: Field> Rotor<S> {
-    /// By the mean of both moments across and half their difference, so that nothing of the angle is left where that is zero.
+    /// Uses the mean of the two transverse moments and half their difference, so that the angle
+    /// cancels exactly if the difference is zero.
     fn turned(one: S, form: &Form, turn: Turn<S>) -> Self {
         let Form { inertia: [[a, d, e], [_, b, f], [.., c]], moment: [x, y, z] } = *form;
         let (mean, half) = (one.times(0.5 * (a + b)), 0.5 * (a - b));
@@ -94,28 +101,30 @@ impl<S: Field> Rotor<S> {
     }
 }
 
-/// Two constants, turned.
+/// Rotates two constant components.
 fn turned<S: Field>(Turn { cosine, sine }: Turn<S>, [a, b]: [f64; 2]) -> [S; 2] {
     [cosine.times(a) - sine.times(b), sine.times(a) + cosine.times(b)]
 }
 
-/// What is read off the variables.
+/// Quantities computed from the variables.
 pub(super) struct Dynamics<S> {
-    /// M
+    /// Mass matrix M.
     pub(super) inertia: [[S; 3]; 3],
-    /// q̈
+    /// Accelerations q̈, rad/s².
     pub(super) accelerations: [S; 3],
-    /// What locks and motors add to Q.
+    /// Torques of locks and motors in Q, N·m.
     pub(super) holding: [S; 3],
-    /// The pivots of M beyond the first, less what is lost of each: positive where the axes are free of each other.
+    /// Pivots of M beyond the first, minus their thresholds. They are positive if the axes are
+    /// independent.
     pub(super) pivots: Vec<S>,
 }
 
-/// Of the outer gimbal, the inner one and the rotor, the last along the axes of the inner one, as their own turn.
+/// Motion of the outer gimbal, the inner gimbal and the rotor. That of the rotor is along the axes
+/// of the inner gimbal.
 struct Motion<S> {
     omega: [Components<S>; 3],
     omega_rate: [Components<S>; 3],
-    /// g along the axes of each.
+    /// Gravity along the axes of each.
     gravity: [Components<S>; 3],
 }
 
@@ -126,7 +135,7 @@ impl Form {
 }
 
 impl Model {
-    /// The rates of the variables, and the pivots of M.
+    /// Returns the rates of the variables, and the pivots of M.
     pub(super) fn rates<S: Field>(&self, one: S, y: &[S]) -> (Vec<S>, Vec<S>) {
         let dynamics = self.dynamics(one, y);
         let zero = one.times(0.0);
@@ -135,7 +144,7 @@ impl Model {
             let rate = self.rate(one, y, k);
             rates[ANGLES + k] = rate;
             rates[RATES + k] = dynamics.accelerations[k];
-            // Of what nothing depends on no series is needed.
+            // Variables on which nothing depends need no series.
             if axis.hold() != Hold::Locked && !(k == 2 && self.rotor.is_symmetric()) {
                 rates[TURNS + 2 * k] = -(y[TURNS + 2 * k + 1] * rate);
                 rates[TURNS + 2 * k + 1] = y[TURNS + 2 * k] * rate;
@@ -148,7 +157,7 @@ impl Model {
         (rates, dynamics.pivots)
     }
 
-    /// M, c and what follows.
+    /// Returns M, q̈, and the torques of locks and motors.
     pub(super) fn dynamics<S: Field>(&self, one: S, y: &[S]) -> Dynamics<S> {
         let constant = |v: [f64; 3]| Components(v.map(|x| one.times(x)));
         let zero = one.times(0.0);
@@ -156,7 +165,7 @@ impl Model {
         let rotor = Rotor::turned(one, &self.rotor, own);
         let rate = |k| self.rate(one, y, k);
 
-        // What is needed without q̈.
+        // Torques required at q̈ = 0.
         let at = self.motion(one, y, [zero; 3]);
         let needed = |k: usize, image: &dyn Fn(Components<S>) -> Components<S>, moment: Components<S>| {
             let (omega, gravity) = (at.omega[k], at.gravity[k]);
@@ -168,7 +177,7 @@ impl Model {
         let on_outer = out_of_inner(inner, on_inner) + of_outer;
         let bias = [on_outer.0[0], on_inner.0[1], on_rotor.0[2]];
 
-        // The tensors of what the axes carry, along the inner gimbal's; e₁ there.
+        // Tensors of the bodies carried by each axis, and e₁, along the axes of the inner gimbal.
         let carried: [[S; 3]; 3] = core::array::from_fn(|i| {
             core::array::from_fn(|j| rotor.rows[i][j] + one.times(self.inner.inertia[i][j]))
         });
@@ -194,7 +203,7 @@ impl Model {
         Dynamics { inertia, accelerations, holding, pivots }
     }
 
-    /// q̇, of what is held a constant.
+    /// Returns q̇, which is constant for a locked or driven axis.
     fn rate<S: Field>(&self, one: S, y: &[S], axis: usize) -> S {
         if self.is_free(axis) { y[RATES + axis] } else { one.times(self.axes[axis].rate()) }
     }
@@ -209,7 +218,7 @@ impl Model {
         })
     }
 
-    /// ω, its rate for a q̈, and g.
+    /// Returns ω, its rate for a given q̈, and g.
     fn motion<S: Field>(&self, one: S, y: &[S], accelerations: [S; 3]) -> Motion<S> {
         let [first, second, _] = self.turns(one, y);
         let constant = |v: [f64; 3]| Components(v.map(|x| one.times(x)));
@@ -230,7 +239,8 @@ impl Model {
         }
     }
 
-    /// q̈ of the axes that are free, and the pivots beyond the first: M is eliminated from the rotor outwards, so that what gimbals that lock lose is the last.
+    /// Solves for q̈ of the free axes; also returns the pivots beyond the first. M is eliminated
+    /// from the rotor outwards, so that the last pivot vanishes at gimbal lock.
     fn solved<S: Field>(&self, zero: S, mut m: [[S; 3]; 3], mut right: [S; 3]) -> ([S; 3], Vec<S>) {
         let order: Vec<usize> = (0..3).rev().filter(|&k| self.is_free(k)).collect();
         let mut pivots = Vec::new();
@@ -256,26 +266,27 @@ impl Model {
     }
 }
 
-/// −c q̇ − k (q − q₀) + τ
+/// Returns −c q̇ − k (q − q₀) + τ.
 fn applied<S: Field>(one: S, axis: &Axis, angle: S, rate: S) -> S {
     let spring = axis.spring().unwrap_or(Spring { stiffness: 0.0, rest: 0.0 });
     let constant = axis.torque() + spring.stiffness * spring.rest;
     one.times(constant) - rate.times(axis.damping()) - angle.times(spring.stiffness)
 }
 
-/// What a sample has of the motion, in numbers.
+/// Numeric quantities of a sample.
 pub(super) struct Reading {
-    /// ω of the rotor along the axes of its own suspension, and the torque about the crossing on it.
+    /// ω of the rotor along the axes of its suspension, and the torque on it about the intersection
+    /// of the axes.
     pub(super) omega: [f64; 3],
     pub(super) torque: [f64; 3],
-    /// L of all about the crossing, along the axes of the base.
+    /// Total L about the intersection of the axes, along the axes of the base.
     pub(super) momentum: [f64; 3],
     pub(super) kinetic_energy: f64,
     pub(super) potential_energy: f64,
 }
 
 impl Model {
-    /// What a sample has.
+    /// Returns the quantities of a sample.
     pub(super) fn reading(&self, y: &[f64]) -> Reading {
         let [outer, inner, own] = self.turns(1.0, y);
         let rotor = Rotor::turned(1.0, &self.rotor, own);
@@ -294,7 +305,7 @@ impl Model {
             torque: into_rotor(torque),
             momentum: out_of_outer(outer, l1 + out_of_inner(inner, l2 + l3)).0,
             kinetic_energy: 0.5 * (w1.dot(l1) + w2.dot(l2) + w3.dot(l3)),
-            // Not −0.
+            // Avoids −0.
             potential_energy: 0.0 - weight,
         }
     }

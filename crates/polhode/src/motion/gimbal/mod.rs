@@ -1,11 +1,13 @@
-//! A rotor in a Cardan suspension: a gyroscope in gimbals, a gyrocompass.
+//! Rotors in a Cardan suspension: gyroscopes in gimbals, gyrocompasses.
 //!
-//! [`Gimbals`] hang a body, the rotor, from a [`Base`] that stands still or turns (with the Earth, or a
-//! vehicle): the outer gimbal turns about an axis of the base, the inner one about an axis of the outer,
-//! the rotor about an axis of the inner. Each [`Axis`] is free, locked or driven, damped, sprung and turned
-//! by a constant torque; each [`Gimbal`] has mass, or none.
-//! [`Simulation::in_gimbals`](crate::motion::Simulation::in_gimbals) computes the motion by Taylor series of
-//! Lagrange's equations.
+//! [`Gimbals`] suspend a body, the rotor, from a [`Base`] that is at rest or turns with the Earth
+//! or a vehicle. The outer gimbal turns about an axis of the base, the inner gimbal about an axis
+//! of the outer one, and the rotor about an axis of the inner one. Each [`Axis`] is free, locked or
+//! driven, and may have damping, a spring and a constant torque. Each [`Gimbal`] has mass
+//! properties or is massless.
+//!
+//! [`Simulation::in_gimbals`](crate::motion::Simulation::in_gimbals) computes the motion by Taylor
+//! series of Lagrange's equations.
 
 mod axis;
 mod base;

@@ -1,4 +1,4 @@
-//! What the equations need, in numbers: along the three axes of the suspension.
+//! Numeric data of the equations, along the three axes of the suspension.
 
 use super::axis::{Axis, Hold};
 use super::suspension::{Gimbal, Gimbals};
@@ -7,25 +7,26 @@ use crate::math::frame::{Body, Part, Space};
 use crate::math::rotation::Rotation;
 use crate::math::vector::{Direction, Vector};
 
-/// What is left of a symmetry by rounding, relative to the trace of the tensor.
+/// Threshold, relative to the trace of the tensor, below which an asymmetry is rounding.
 const SYMMETRIC: f64 = 4.0 * f64::EPSILON;
 
-/// A rotor, its gimbals and their base. The axes: 1 the outer one, 2 the inner, 3 = 1 × 2 the rotor's, each turned with what they are of.
+/// Rotor, gimbals and base. Axis 1 is the outer one, 2 the inner one, and 3 = 1 × 2 the rotor's;
+/// each turns with its own body.
 #[derive(Clone, Debug)]
 pub(super) struct Model {
-    /// The angular velocity of the base, and gravity, along its axes.
+    /// Angular velocity of the base, and gravity, along the axes of the base.
     pub(super) turning: [f64; 3],
     pub(super) gravity: [f64; 3],
     pub(super) outer: Form,
     pub(super) inner: Form,
     pub(super) rotor: Form,
     pub(super) axes: [Axis; 3],
-    /// Of the suspension in the base, and in the body.
+    /// Rotations of the suspension in the base, and in the body.
     pub(super) in_base: Rotation<Space, Part>,
     pub(super) in_body: Rotation<Body, Part>,
 }
 
-/// The tensor about the crossing, and m c.
+/// Inertia tensor about the intersection of the axes, and m c.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Form {
     pub(super) inertia: [[f64; 3]; 3],
@@ -33,11 +34,11 @@ pub(super) struct Form {
 }
 
 impl Form {
-    /// Along other axes.
+    /// Converts the tensor and the moment to other axes.
     fn along(axes: [[f64; 3]; 3], inertia: [[f64; 3]; 3], moment: [f64; 3]) -> Self {
         let image = |v: [f64; 3]| inertia.map(|row| dot(row, v));
         let mut along = axes.map(|a| axes.map(|b| dot(a, image(b))));
-        // Symmetric to the last bit.
+        // Symmetric bit for bit.
         for (i, j) in [(0, 1), (0, 2), (1, 2)] {
             let mean = 0.5 * (along[i][j] + along[j][i]);
             (along[i][j], along[j][i]) = (mean, mean);
@@ -45,7 +46,8 @@ impl Form {
         Self { inertia: along, moment: axes.map(|a| dot(a, moment)) }
     }
 
-    /// A rotor that is symmetric but for rounding is symmetric: then nothing depends on its own angle.
+    /// Makes a rotor exactly symmetric if it is symmetric to within rounding. Then nothing depends
+    /// on its own angle.
     fn symmetrised(mut self) -> Self {
         let [[a, b, c], [_, d, e], [.., f]] = self.inertia;
         let small = SYMMETRIC * (a + d + f);
@@ -60,7 +62,7 @@ impl Form {
         self
     }
 
-    /// True if a turn about the third axis changes nothing.
+    /// True if a rotation about the third axis has no effect.
     pub(super) fn is_symmetric(&self) -> bool {
         let [[a, b, c], [_, d, e], _] = self.inertia;
         let [x, y, _] = self.moment;
@@ -92,13 +94,13 @@ impl Model {
         }
     }
 
-    /// True of an axis that nothing holds.
+    /// True if the axis is free.
     pub(super) fn is_free(&self, axis: usize) -> bool {
         self.axes[axis].hold() == Hold::Free
     }
 }
 
-/// Axes of which the third is this one, and the first, where it can be, lies in the plane of it and x.
+/// Returns axes whose third is `z`. If possible, the first is in the plane of `z` and x.
 fn perpendicular_to(z: Direction<Body>) -> [Direction<Body>; 3] {
     let first = if z.x.abs() <= 0.9 { Direction::new(1.0, 0.0, 0.0) } else { Direction::new(0.0, 1.0, 0.0) };
     let x = (first - z * z.dot(first)).direction().unwrap_or(first);

@@ -7,9 +7,11 @@ use crate::motion::model::event::Event;
 use crate::motion::model::event_detection::EventSide;
 use crate::motion::solve::propagate::noise::StepNoise;
 
-/// Initial value problem of a body as the rotor of two gimbals, whose axes say where they start, sampled at `times`.
+/// Initial value problem of a body as the rotor of two gimbals, sampled at `times`. The axes
+/// contain the initial angles and rates.
 ///
-/// It is integrated by Taylor series, the rounding of the variables carried along. The evidence is the balance of energy.
+/// Taylor series integrate it, with compensated rounding of the variables. The balance of energy
+/// checks the result.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::motion) struct GimbalProblem<'a> {
     pub(in crate::motion) body: &'a MassProperties<Body>,
@@ -21,6 +23,6 @@ pub(in crate::motion) struct GimbalProblem<'a> {
     pub(in crate::motion) event_sides: &'a [EventSide],
     /// Bound on the error of each step, relative to the sizes of the variables.
     pub(in crate::motion) tolerance: f64,
-    /// Noise of a comparison run.
+    /// Perturbation of a comparison run.
     pub(in crate::motion) noise: Option<StepNoise>,
 }

@@ -1,4 +1,4 @@
-//! Steps: Taylor series about one state after another, the rounding of the variables carried along.
+//! Steps by Taylor series, with compensated rounding of the variables.
 
 use super::axis::Hold;
 use super::equations::{ANGLES, COUNT, RATES, TURNS, WORKS};
@@ -9,29 +9,30 @@ use crate::math::sum::two_sum;
 use crate::motion::solve::propagate::noise::{Random, StepNoise};
 use crate::motion::solve::series::{Expansion, System};
 
-/// The smallest rate that rates are measured with, relative to that of the motion.
+/// Smallest scale of a rate, relative to the rate of the motion.
 const SLOWEST: f64 = 1e-10;
 
-/// The variables that are carried along: angles, rates and works, in two words each. Cosines and sines follow.
+/// Variables stored as double-doubles: angles, rates and works. Cosines and sines follow from the
+/// angles.
 const CARRIED: [usize; 8] = [ANGLES, ANGLES + 1, ANGLES + 2, RATES, RATES + 1, RATES + 2, WORKS, WORKS + 1];
 
-/// A rotor in its gimbals on its way.
+/// Integrator of a rotor in its gimbals.
 pub(super) struct Stepper {
     pub(super) model: Model,
     expansion: Expansion,
-    /// How many pivots there are.
+    /// Number of pivots.
     pivots: usize,
-    /// Where the last step began.
+    /// Start time of the last step.
     begun: f64,
     time: f64,
-    /// At the end of the last step, and what rounding left of it.
+    /// Variables at the end of the last step: high and low words.
     high: [f64; COUNT],
     low: [f64; COUNT],
     noise: Option<(Random, f64)>,
     stretch: f64,
 }
 
-/// The variables at a time, and what rounding left of them.
+/// Variables at a time: high and low words.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Variables {
     pub(super) high: [f64; COUNT],
@@ -61,7 +62,7 @@ impl Stepper {
         stepper
     }
 
-    /// Cosines and sines of the angles, to the last bit of both words.
+    /// Computes cosines and sines of the angles, from both words.
     fn turn(&mut self) {
         with_turns(&mut self.high, &self.low);
     }
@@ -70,24 +71,24 @@ impl Stepper {
         self.time
     }
 
-    /// How many coefficients a step takes.
+    /// Returns the number of coefficients of a step.
     pub(super) const fn terms(&self) -> u64 {
         self.expansion.terms()
     }
 
-    /// The least of the pivots of M, less what is lost of it; positive unless the gimbals lock.
+    /// Returns the smallest pivot of M minus its threshold; positive except at gimbal lock.
     pub(super) fn least_pivot(&self) -> f64 {
         let (_, pivots) = self.model.rates(1.0, &self.high);
-        // A minimum that NaN does not escape.
+        // A minimum that propagates NaN.
         pivots.into_iter().fold(f64::INFINITY, |least, x| if x.is_nan() || x < least { x } else { least })
     }
 
-    /// The variables at the end of the last step.
+    /// Returns the variables at the end of the last step.
     pub(super) const fn variables(&self) -> Variables {
         Variables { high: self.high, low: self.low }
     }
 
-    /// The variables within the step that has begun, or at the end of the last one.
+    /// Returns the variables within the current step, or at the end of the last one.
     pub(super) fn variables_at(&self, time: f64) -> Variables {
         if time == self.time {
             return self.variables();
@@ -100,14 +101,14 @@ impl Stepper {
         Variables { high, low }
     }
 
-    /// The step that may be taken from here; its series. NaN if there is none.
+    /// Computes the next step and returns its length; NaN if there is none.
     pub(super) fn expand(&mut self) -> f64 {
         self.begun = self.time;
         let sizes = self.sizes();
         self.stretch * self.expansion.about(&self.high, [&sizes, &vec![f64::INFINITY; self.pivots]])
     }
 
-    /// When gimbals lock within h of the start of the step.
+    /// Returns the time of gimbal lock within h of the start of the step, if it occurs.
     pub(super) fn locks(&self, h: f64) -> Option<f64> {
         (0..self.pivots).filter_map(|k| vanishing(|t| self.expansion.output(t, k), h)).reduce(f64::min)
     }
@@ -117,7 +118,7 @@ impl Stepper {
             let (before, change) = (self.high[k].abs(), self.expansion.change(h, k));
             (self.high[k], self.low[k]) = two_sum(self.high[k], self.low[k] + change);
             if let Some((random, amplitude)) = &mut self.noise {
-                // Of an angle the change alone is rounded, as its two words are carried along.
+                // For an angle only the change is rounded, as both words are stored.
                 let size = if k < RATES { change.abs() } else { 0.5 * (before + self.high[k].abs()) };
                 self.low[k] += *amplitude * size * random.next();
             }
@@ -126,8 +127,8 @@ impl Stepper {
         self.turn();
     }
 
-    /// What each variable is measured with: a rate with its own size and with what it changes by while the motion goes round, so that a slow one beside a
-    /// fast one has its digits.
+    /// Returns the scale of each variable. The scale of a rate combines its own magnitude and its
+    /// change during one revolution, so that a slow rate next to a fast one keeps its accuracy.
     fn sizes(&self) -> [f64; COUNT] {
         let dynamics = self.model.dynamics(1.0, &self.high);
         let free = |k: &usize| self.model.axes[*k].hold() == Hold::Free;
@@ -149,7 +150,7 @@ impl Stepper {
     }
 }
 
-/// Cosines and sines of angles in two words.
+/// Computes cosines and sines of double-double angles.
 fn with_turns(high: &mut [f64; COUNT], low: &[f64; COUNT]) {
     for k in 0..3 {
         let ((sine, cosine), rest) = (sin_cos(high[ANGLES + k]), low[ANGLES + k]);

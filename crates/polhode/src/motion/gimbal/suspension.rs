@@ -9,46 +9,50 @@ use crate::math::vector::{Acceleration, Direction, Position};
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 
-/// A gimbal, along the axes that are those of the base when all angles are zero, from the crossing of the axes.
+/// Mass properties of a gimbal about the intersection of the axes, along the axes of the base at
+/// zero angles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gimbal {
-    /// About the crossing.
+    /// Tensor about the intersection of the axes.
     inertia: [[f64; 3]; 3],
-    /// m c, kg·m
+    /// m c, kg·m.
     moment: [f64; 3],
 }
 
 impl Gimbal {
-    /// One whose mass does not count.
+    /// Massless gimbal.
     pub const MASSLESS: Self = Self { inertia: [[0.0; 3]; 3], moment: [0.0; 3] };
 
-    /// One whose centre of mass is the crossing of the axes, by its tensor about that.
+    /// Creates a gimbal whose centre of mass is the intersection of the axes, from its tensor about
+    /// that point.
     pub fn balanced(inertia: &InertiaTensor<Part>) -> Self {
         Self { inertia: inertia.matrix(), moment: [0.0; 3] }
     }
 
-    /// One that hangs: its centre of mass is not the crossing, which is the origin.
+    /// Creates a gimbal whose centre of mass is not the intersection of the axes. The origin of
+    /// `mass` is the intersection.
     pub fn pendulous(mass: &MassProperties<Part>) -> Self {
         let moment = mass.center_of_mass().to_array().map(|x| mass.mass() * x);
         Self { inertia: mass.inertia_about(Position::ZERO).matrix(), moment }
     }
 
-    /// Its tensor about the crossing, kg·m².
+    /// Returns the tensor about the intersection of the axes, kg·m².
     pub const fn inertia(&self) -> [[f64; 3]; 3] {
         self.inertia
     }
 
-    /// Its mass times the place of its centre of mass, kg·m.
+    /// Returns the mass times the position of the centre of mass, kg·m.
     pub const fn moment(&self) -> [f64; 3] {
         self.moment
     }
 }
 
-/// Two gimbals that hang a rotor, and how their three axes are held.
+/// Two gimbals that suspend a rotor, with the constraints of their three axes.
 ///
-/// The outer gimbal turns about an axis of the base by α; the inner one by β about an axis of the outer one that is perpendicular to that; the rotor by γ
-/// about an axis of the inner one that is perpendicular to the second. With all angles zero the third axis is the first × the second. All cross in
-/// one point.
+/// The outer gimbal turns by α about an axis of the base. The inner gimbal turns by β about an axis
+/// of the outer one, perpendicular to the first. The rotor turns by γ about an axis of the inner
+/// one, perpendicular to the second. At zero angles the third axis is the first × the second. All
+/// axes intersect at one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gimbals {
     base: Base,
@@ -61,16 +65,19 @@ pub struct Gimbals {
     gravity: Acceleration<Space>,
 }
 
-/// How far from a right angle two axes may be by rounding.
+/// Tolerance on the right angle between two axes.
 const PERPENDICULAR: f64 = 1e-9;
 
 impl Gimbals {
-    /// Massless ones on a base at rest, without gravity, that hold a body at the origin of its axes, its z axis along the third of theirs.
+    /// Creates massless gimbals on a base at rest, without gravity. They hold the body at its
+    /// origin, with its z axis along the third axis.
     ///
-    /// `outer_axis` and `inner_axis` are where the first two axes stand in the base with all angles zero; `axes` how they are held: outer, inner, rotor's.
+    /// `outer_axis` and `inner_axis` are the directions of the first two axes in the base at zero
+    /// angles. `axes` are the constraints of the outer, inner and rotor axes.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for axes without direction, or not perpendicular.
+    /// A parameter's error ([`MotionError::is_parameter`]) if an axis is zero or not finite, or if
+    /// the axes are not perpendicular.
     pub fn new(
         outer_axis: Direction<Space>,
         inner_axis: Direction<Space>,
@@ -95,72 +102,74 @@ impl Gimbals {
         })
     }
 
-    /// Holding the body at a point of it, by an axis of it through that.
+    /// Sets the point and the axis of the body at which the rotor is held. The axis passes through
+    /// the point.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for an axis without direction and a point that is not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the axis is zero or not finite, or
+    /// the point is not finite.
     pub fn holding(self, crossing: Position<Body>, axis: Direction<Body>) -> Result<Self, MotionError> {
         require::finite("the crossing of the axes", crossing.norm())?;
         Ok(Self { crossing, rotor_axis: require::direction("the axis of the rotor", axis)?, ..self })
     }
 
-    /// With mass properties of the outer and the inner gimbal.
+    /// Sets the mass properties of the outer and the inner gimbal.
     #[must_use]
     pub const fn with_mass(self, outer: Gimbal, inner: Gimbal) -> Self {
         Self { gimbals: [outer, inner], ..self }
     }
 
-    /// On a base.
+    /// Sets the base.
     #[must_use]
     pub const fn on(self, base: Base) -> Self {
         Self { base, ..self }
     }
 
-    /// Under gravity, m/s², constant in the base.
+    /// Sets gravity, m/s², constant in the base.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for one that is not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) if it is not finite.
     pub fn under(self, gravity: Acceleration<Space>) -> Result<Self, MotionError> {
         require::finite("the acceleration of gravity", gravity.norm())?;
         Ok(Self { gravity, ..self })
     }
 
-    /// What carries them.
+    /// Returns the base.
     pub const fn base(&self) -> &Base {
         &self.base
     }
 
-    /// The outer axis, in the base.
+    /// Returns the direction of the outer axis in the base.
     pub const fn outer_axis(&self) -> Direction<Space> {
         self.outer_axis
     }
 
-    /// The inner axis, in the base when all angles are zero.
+    /// Returns the direction of the inner axis in the base at zero angles.
     pub const fn inner_axis(&self) -> Direction<Space> {
         self.inner_axis
     }
 
-    /// The rotor's axis, in the body.
+    /// Returns the direction of the rotor's axis in the body.
     pub const fn rotor_axis(&self) -> Direction<Body> {
         self.rotor_axis
     }
 
-    /// Where the axes cross, in the body.
+    /// Returns the intersection of the axes, body axes, m.
     pub const fn crossing(&self) -> Position<Body> {
         self.crossing
     }
 
-    /// Mass properties of the outer gimbal and of the inner one.
+    /// Returns the mass properties of the outer and the inner gimbal.
     pub const fn masses(&self) -> &[Gimbal; 2] {
         &self.gimbals
     }
 
-    /// How the axes are held: outer, inner, rotor's.
+    /// Returns the outer, inner and rotor axes.
     pub const fn axes(&self) -> &[Axis; 3] {
         &self.axes
     }
 
-    /// g, m/s², along the axes of the base.
+    /// Returns g along the axes of the base, m/s².
     pub const fn gravity(&self) -> Acceleration<Space> {
         self.gravity
     }

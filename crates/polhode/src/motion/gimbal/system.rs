@@ -1,4 +1,4 @@
-//! A rotor in its gimbals, step by step: what is refused, its steps and samples.
+//! A rotor in its gimbals as a stepwise system: checks, steps and samples.
 
 use core::convert::Infallible;
 
@@ -25,8 +25,10 @@ const INERTIA: [&str; 3] = [
     "the moment of inertia about the rotor's axis",
 ];
 
+/// Checks that every free axis can move independently.
+///
 /// # Errors
-/// A parameter's error where an axis that is free has no inertia about it, or two of them turn the same.
+/// A parameter's error if a free axis has no inertia about it, or if two free axes coincide.
 fn require_movable(stepper: &Stepper) -> Result<(), MotionError> {
     let model = &stepper.model;
     let high = stepper.variables().high;
@@ -38,14 +40,14 @@ fn require_movable(stepper: &Stepper) -> Result<(), MotionError> {
     require::that("the angle of the inner gimbal", high[ANGLES + 1], stepper.least_pivot() > 0.0, rule)
 }
 
-/// A rotor in its gimbals, step by step.
+/// Integration of a rotor in its gimbals.
 pub(in crate::motion) struct InGimbals<'a> {
     of: &'a GimbalProblem<'a>,
     stepper: Stepper,
-    /// ω₀ · L at the start.
+    /// ω₀ · L at the start, J.
     base: f64,
     pub(in crate::motion) statistics: StepStatistics,
-    /// End of the step that has begun, s, and whether the gimbals lock there.
+    /// End of the current step, s, and true if the gimbals lock there.
     to: f64,
     locks: bool,
 }
@@ -100,12 +102,12 @@ impl System for InGimbals<'_> {
 }
 
 impl<'a> InGimbals<'a> {
-    /// The rotor at its start, and the sample of that.
+    /// Creates the system at its start; also returns the first sample.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for times out of order, a tolerance out of range, an axis that is free
-    /// and about which nothing has inertia, and gimbals that lock at the start. Those that lock later end the motion
-    /// ([`MotionError::GimbalLock`]).
+    /// A parameter's error ([`MotionError::is_parameter`]) if times are out of order, if the
+    /// tolerance is out of range, if a free axis has no inertia about it, or if the gimbals are
+    /// locked at the start. A later gimbal lock ends the motion ([`MotionError::GimbalLock`]).
     pub(in crate::motion) fn new(of: &'a GimbalProblem<'a>) -> Result<(Self, GimbalState), MotionError> {
         require::finite("the start's time", of.start)?;
         require_ascending(of.start, of.times)?;
@@ -120,21 +122,21 @@ impl<'a> InGimbals<'a> {
         Ok((system, start))
     }
 
-    /// ω₀ · L
+    /// Returns ω₀ · L, J.
     fn base_energy(&self, at: &Variables) -> f64 {
         dot(self.stepper.model.turning, self.stepper.model.reading(&at.high).momentum)
     }
 
-    /// The attitude of the base.
+    /// Returns the attitude of the base.
     fn base_attitude(&self, time: f64) -> Rotation<Space, Space> {
         let turned = self.of.gimbals.base().angular_velocity() * (time - self.of.start);
         Rotation::from_rotation_vector(Direction::from_array(turned.to_array()))
     }
 
-    /// Attitude and ω of the rotor, relative to space.
+    /// Returns attitude and ω of the rotor, relative to space.
     fn state(&self, time: f64, at: &Variables) -> State {
         let (model, high) = (&self.stepper.model, &at.high);
-        // In two words, as an angle may be that of many turns.
+        // Both words are used, as an angle may contain many turns.
         let turn = |k: usize| {
             let axis =
                 Direction::<Part>::from_array(core::array::from_fn(|i| if i == k { 1.0 } else { 0.0 }));
@@ -147,8 +149,10 @@ impl<'a> InGimbals<'a> {
         State { time, attitude, omega }
     }
 
+    /// Returns a sample.
+    ///
     /// # Errors
-    /// [`MotionError::NotFinite`] where a number is not.
+    /// [`MotionError::NotFinite`] if a number is not finite.
     fn sample(&self, time: f64, at: &Variables) -> Result<GimbalState, MotionError> {
         let (model, high) = (&self.stepper.model, &at.high);
         let reading = model.reading(high);

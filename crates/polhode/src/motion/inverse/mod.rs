@@ -1,4 +1,4 @@
-//! From motion to torque: prescribed motions, and what they need.
+//! Inverse dynamics: prescribed motions and the torques that they require.
 
 pub(crate) mod prescribed;
 pub(crate) mod required;

@@ -1,4 +1,4 @@
-//! From motion to torque, and to the forces that make it.
+//! Torques and forces that a motion requires.
 
 use super::prescribed::Prescribed;
 use crate::body::particles::Particle;
@@ -13,38 +13,40 @@ use crate::motion::model::rotor::Rotor;
 use crate::motion::model::state::State;
 use crate::motion::model::wheel::Wheel;
 
-/// What a motion needs at one time.
+/// Torque and related quantities that a motion requires at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Required {
-    /// Attitude and ω.
+    /// State of the motion: attitude and ω.
     pub state: State,
-    /// dω/dt, body axes.
+    /// Angular acceleration dω/dt, body axes, rad/s².
     pub acceleration: AngularAcceleration<Body>,
-    /// N = I ω̇ + ω × L about the point that the body turns about, L = I ω + h with the momentum h of its wheels, body axes, N·m.
+    /// Torque N = I ω̇ + ω × L about the point about which the body turns, body axes, N·m. L = I ω
+    /// + h, with h the angular momentum of the wheels.
     pub torque: Torque<Body>,
-    /// N · ω, W.
+    /// Power N · ω, W.
     pub power: f64,
-    /// T_rot about that point, J.
+    /// Kinetic energy `T_rot` about that point, J.
     pub kinetic_energy: f64,
-    /// L about that point, space axes, kg·m²/s.
+    /// Angular momentum L about that point, space axes, kg·m²/s.
     pub momentum: AngularMomentum<Space>,
 }
 
-/// The force that one particle needs to follow a motion.
+/// Force that one particle requires to follow a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParticleForce {
-    /// F = m a, body axes, N.
+    /// Force F = m a, body axes, N.
     pub force: Force<Body>,
-    /// The part of F along r, which makes no torque: tension (against r) or thrust (along it) of a rod from the point.
+    /// Component of F along r, which has no torque: tension (against r) or compression (along r) of
+    /// a massless rod.
     pub along: Force<Body>,
-    /// The part of F across r, which makes all the torque.
+    /// Component of F normal to r, which has the whole torque.
     pub across: Force<Body>,
-    /// r × F about the point that the body turns about, N·m.
+    /// Torque r × F about the point about which the body turns, body axes, N·m.
     pub torque: Torque<Body>,
 }
 
 impl Required {
-    /// The torque that a prescribed motion needs at a time.
+    /// Computes the torque that a prescribed motion requires at a time.
     ///
     /// ```
     /// use polhode::prelude::*;
@@ -65,8 +67,9 @@ impl Required {
     /// ```
     ///
     /// # Errors
-    /// As [`Prescribed::at`]; a parameter's error ([`MotionError::is_parameter`]) if a motor turns a wheel, whose work is not the torque's;
-    /// [`MotionError::NotFinite`] where torque, power, energy or momentum leave the range of f64.
+    /// The errors of [`Prescribed::at`]. A parameter's error ([`MotionError::is_parameter`]) if a
+    /// motor turns a wheel, as part of the work is then done by the motor.
+    /// [`MotionError::NotFinite`] if torque, power, energy or momentum exceeds the range of f64.
     pub fn by(rotor: &Rotor, motion: &Prescribed, time: f64) -> Result<Self, MotionError> {
         let (motor, is_driven) =
             (rotor.motor_torque(time).norm(), rotor.wheels().iter().any(Wheel::is_driven));
@@ -93,32 +96,37 @@ impl Required {
         if finite { Ok(needed) } else { Err(MotionError::NotFinite { time }) }
     }
 
-    /// N in space axes, N·m.
+    /// Returns N in space axes, N·m.
     pub fn torque_space(&self) -> Torque<Space> {
         self.state.attitude * self.torque
     }
 
-    /// The work of the torque since an earlier time of the same motion, ∫ N · ω dt = T − T₀, J.
+    /// Returns the work of the torque since an earlier time of the same motion, ∫ N · ω dt = T −
+    /// T₀, J.
     pub fn work_since(&self, earlier: &Self) -> f64 {
         self.kinetic_energy - earlier.kinetic_energy
     }
 
-    /// The angular impulse of the torque since an earlier time of the same motion, ∫ N dt = L − L₀, space axes, N·m·s.
+    /// Returns the angular impulse of the torque since an earlier time of the same motion, ∫ N dt =
+    /// L − L₀, space axes, N·m·s.
     pub fn impulse_since(&self, earlier: &Self) -> AngularMomentum<Space> {
         self.momentum - earlier.momentum
     }
 
-    /// The force that a particle of the body, or one fixed to it, needs to follow the motion.
+    /// Returns the force that a particle of the body, or one fixed to it, requires to follow the
+    /// motion.
     pub fn force_on(&self, particle: &Particle<Body>, rotor: &Rotor) -> ParticleForce {
         ParticleForce::on(particle, rotor.point(), self.state.omega, self.acceleration)
     }
 }
 
 impl ParticleForce {
-    /// The force on one particle of a body that turns about `point`: F = m [ω̇ × r + ω × (ω × r)], r from the point.
+    /// Returns the force on one particle of a body that turns about `point`: F = m [ω̇ × r + ω × (ω
+    /// × r)], with r from the point.
     ///
-    /// Summed over all particles, r × F is the torque that the motion needs. No other set of *external* forces is
-    /// determined: a rigid body passes forces on, so any set with the same sum and the same torque does.
+    /// The sum of r × F over all particles is the torque that the motion requires. The motion does
+    /// not determine the distribution of *external* forces: in a rigid body, any set with the same
+    /// sum and the same torque has the same effect.
     pub fn on(
         particle: &Particle<Body>,
         point: Position<Body>,
@@ -159,7 +167,7 @@ mod tests {
             assert!((f.along + f.across - f.force).norm() < 1e-14);
             assert!((p.position() - pivot).cross(f.along).norm() < 1e-13);
         }
-        // The power is the rate of the kinetic energy.
+        // The power equals the rate of the kinetic energy.
         let h = 1e-5;
         let energy = |t: f64| rotor.kinetic_energy(motion.at(t).unwrap().0.omega);
         assert!(((energy(0.8 + h) - energy(0.8 - h)) / (2.0 * h) - needed.power).abs() < 1e-8);

@@ -5,7 +5,7 @@ use crate::math::number::sin_cos;
 use crate::math::rotation::{Attitude, Rotation};
 use crate::math::vector::{AngularAcceleration, AngularVelocity, Direction, Vector};
 
-/// R₃(φ) R₁(θ) R₃(ψ)
+/// Returns R₃(φ) R₁(θ) R₃(ψ).
 pub(super) fn turns([phi, theta, psi]: [f64; 3]) -> Attitude {
     let z = Direction::new(0.0, 0.0, 1.0);
     let first = Rotation::<Space, Space>::turn(z, phi);
@@ -13,9 +13,9 @@ pub(super) fn turns([phi, theta, psi]: [f64; 3]) -> Attitude {
     first * second * Rotation::<Body, Body>::turn(Direction::new(0.0, 0.0, 1.0), psi)
 }
 
-/// ω = (φ̇ sθ sψ + θ̇ cψ, φ̇ sθ cψ − θ̇ sψ, φ̇ cθ + ψ̇) and its derivative.
+/// Returns ω = (φ̇ sθ sψ + θ̇ cψ, φ̇ sθ cψ − θ̇ sψ, φ̇ cθ + ψ̇) and its derivative.
 ///
-/// The derivative of R₃(φ) R₁(θ) R₃(ψ), which the tests difference.
+/// This is the derivative of R₃(φ) R₁(θ) R₃(ψ). The tests compare it with difference quotients.
 pub(super) fn kinematics(
     [_, theta, psi]: [f64; 3],
     [p, n, s]: [f64; 3],
@@ -23,7 +23,7 @@ pub(super) fn kinematics(
 ) -> (AngularVelocity<Body>, AngularAcceleration<Body>) {
     let ((st, ct), (sp, cp)) = (sin_cos(theta), sin_cos(psi));
     let omega = Vector::new(p * st * sp + n * cp, p * st * cp - n * sp, p * ct + s);
-    // What the turning of the axes adds at constant rates, and what the rates' own change does.
+    // Terms of constant rates in turning axes, and terms of the second derivatives.
     let acceleration = Vector::new(
         p * n * ct * sp + p * s * st * cp - n * s * sp + pp * st * sp + nn * cp,
         p * n * ct * cp - p * s * st * sp - n * s * cp + pp * st * cp - nn * sp,

@@ -1,7 +1,7 @@
-//! Prescribed motions: given, not computed.
+//! Prescribed motions, as input of inverse dynamics.
 //!
-//! `euler` and `quaternion` have the kinematics of the ways in which an attitude can be given; `turning` finds the attitude
-//! where ω is given, by formulas or by a table (`rates`); `table` makes a table smooth.
+//! `euler` and `quaternion` have the kinematics of prescribed attitudes. `turning` integrates the
+//! attitude if ω is prescribed, by formulas or by a table (`rates`). `table` interpolates a table.
 
 mod euler;
 mod quaternion;
@@ -21,7 +21,7 @@ use rates::Rates;
 pub use table::{AttitudeTable, Uncertainty};
 pub use turning::{RateAxes, Turning};
 
-/// A motion that is prescribed; the question is what torque it needs.
+/// Prescribed motion, for which the required torque can be computed.
 ///
 /// ```
 /// use polhode::math::{Attitude, Direction};
@@ -39,16 +39,16 @@ pub enum Prescribed {
     /// Rotation about an axis fixed in the body and in space: ω(t) = n (rate + acceleration t).
     #[non_exhaustive]
     FixedAxis {
-        /// The attitude at t = 0.
+        /// Attitude at t = 0.
         attitude: Attitude,
-        /// The axis n, a unit vector.
+        /// Unit vector n of the axis, body axes.
         axis: Direction<Body>,
         /// ω at t = 0, rad/s.
         rate: f64,
         /// dω/dt, rad/s².
         acceleration: f64,
     },
-    /// 3-1-3 Euler angles that change uniformly: φ = φ₀ + φ̇ t and so on.
+    /// Euler angles (3-1-3) that change uniformly: φ = φ₀ + φ̇ t, and likewise θ and ψ.
     #[non_exhaustive]
     EulerRates {
         /// φ, θ, ψ at t = 0, rad.
@@ -56,21 +56,22 @@ pub enum Prescribed {
         /// φ̇, θ̇, ψ̇, rad/s.
         rates: [f64; 3],
     },
-    /// 3-1-3 Euler angles φ, θ, ψ, rad, that are formulas of t.
+    /// Euler angles (3-1-3) φ, θ, ψ, rad, as formulas of t.
     EulerAngles([Formula; 3]),
-    /// An attitude q/|q| whose four components w, x, y, z are formulas of t.
+    /// Attitude q/|q| whose components w, x, y, z are formulas of t.
     Quaternion([Formula; 4]),
-    /// ω(t) is given, and an attitude to start from.
+    /// Angular velocity ω(t), with an initial attitude.
     Turning(Box<Turning>),
-    /// A table of attitudes, made smooth.
+    /// Table of attitudes, interpolated by a smooth curve.
     Table(Box<AttitudeTable>),
 }
 
 impl Prescribed {
-    /// A rotation about a fixed axis.
+    /// Creates a rotation about a fixed axis.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if the axis has no direction or a number is not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the axis is zero, or a number is not
+    /// finite.
     pub fn fixed_axis(
         attitude: Attitude,
         axis: Direction<Body>,
@@ -83,7 +84,8 @@ impl Prescribed {
         Ok(Self::FixedAxis { attitude, axis, rate, acceleration })
     }
 
-    /// Uniformly changing 3-1-3 Euler angles: steady precession, a coin's roll, a gyroscope's sweep.
+    /// Creates a motion with uniformly changing 3-1-3 Euler angles, such as steady precession or a
+    /// rolling coin.
     ///
     /// # Errors
     /// A parameter's error ([`MotionError::is_parameter`]) if a number is not finite.
@@ -97,14 +99,16 @@ impl Prescribed {
         Ok(Self::EulerRates { angles, rates })
     }
 
-    /// A motion whose ω is three formulas of t along body or space axes, rad/s, from an attitude at t = 0 up to `end`, s.
+    /// Creates a motion from ω as three formulas of t along body or space axes, rad/s. It starts
+    /// from an attitude at t = 0 and ends at `end`, s.
     ///
-    /// The attitude is integrated at once, in 256 steps or more; [`Turning::attitude_error`] says how far it may be off. A pulse
-    /// much shorter than a step may be missed.
+    /// The attitude is integrated immediately, in at least 256 steps. [`Turning::attitude_error`]
+    /// returns an estimate of its error. A pulse much shorter than a step may be missed.
     ///
     /// # Errors
-    /// [`MotionError::NotFinite`] where ω is not; [`MotionError::StepTooSmall`] and [`MotionError::TooManySteps`] where it cannot
-    /// be followed; a parameter's error ([`MotionError::is_parameter`]) for an end that is negative or not finite.
+    /// [`MotionError::NotFinite`] if ω is not finite. [`MotionError::StepTooSmall`] or
+    /// [`MotionError::TooManySteps`] if ω changes too fast. A parameter's error
+    /// ([`MotionError::is_parameter`]) if the end is negative or not finite.
     pub fn omega(
         attitude: Attitude,
         axes: RateAxes,
@@ -116,12 +120,12 @@ impl Prescribed {
         Ok(Self::Turning(Box::new(turning)))
     }
 
-    /// A motion through ω, rad/s, at ascending times, s, from an attitude at the first of them: ω by a spline of degree 7, the
-    /// attitude integrated from it.
+    /// Creates a motion from a table of ω, rad/s, at ascending times, s, and an attitude at the
+    /// first time. A spline of degree 7 interpolates ω, and the attitude is integrated from it.
     ///
     /// # Errors
-    /// As [`Prescribed::omega`]; a parameter's error ([`MotionError::is_parameter`]) for fewer than four rows, times that do not ascend, or a number that
-    /// is not finite.
+    /// The errors of [`Prescribed::omega`]. A parameter's error ([`MotionError::is_parameter`]) if
+    /// there are fewer than four rows, if times do not ascend, or if a number is not finite.
     pub fn omega_table(
         attitude: Attitude,
         axes: RateAxes,
@@ -132,7 +136,7 @@ impl Prescribed {
         Ok((Self::Turning(Box::new(Turning::new(rates, axes, attitude, span)?)), uncertainty))
     }
 
-    /// A motion through attitudes at ascending times, s.
+    /// Creates a motion from a table of attitudes at ascending times, s.
     ///
     /// ```
     /// use polhode::math::{Attitude, Direction};
@@ -148,15 +152,15 @@ impl Prescribed {
     /// ```
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for fewer than four rows, times that do not ascend, or more than a quarter of a turn from a row
-    /// to the next.
+    /// A parameter's error ([`MotionError::is_parameter`]) if there are fewer than four rows, if
+    /// times do not ascend, or if successive rows differ by more than a quarter of a turn.
     pub fn attitude_table(times: &[f64], attitudes: &[Attitude]) -> Result<(Self, Uncertainty), MotionError> {
         let table = AttitudeTable::new(times, attitudes)?;
         let uncertainty = table.uncertainty();
         Ok((Self::Table(Box::new(table)), uncertainty))
     }
 
-    /// From when to when the motion is known, s; `None` where that is always.
+    /// Returns the interval in which the motion is defined, s; `None` if it is always defined.
     pub fn span(&self) -> Option<[f64; 2]> {
         match self {
             Self::Turning(motion) => Some(motion.span()),
@@ -165,11 +169,12 @@ impl Prescribed {
         }
     }
 
-    /// The state and the angular acceleration (body axes) at a time, s.
+    /// Returns the state and the angular acceleration (body axes) at a time, s.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for a time outside [`Prescribed::span`], [`MotionError::NotFinite`] where a formula is not
-    /// finite, or a quaternion zero.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the time is outside
+    /// [`Prescribed::span`]. [`MotionError::NotFinite`] if a formula is not finite, or a quaternion
+    /// is zero.
     pub fn at(&self, time: f64) -> Result<(State, AngularAcceleration<Body>), MotionError> {
         if let Some([first, last]) = self.span() {
             let rule = "within the time for which the motion is given";

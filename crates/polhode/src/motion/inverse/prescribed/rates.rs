@@ -3,7 +3,7 @@
 use crate::math::formula::Formula;
 use crate::math::spline::Spline;
 
-/// Three components of ω, rad/s, along whatever axes.
+/// Three components of ω, rad/s, along body or space axes.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Rates {
     Formulas([Formula; 3]),
@@ -11,7 +11,7 @@ pub(super) enum Rates {
 }
 
 impl Rates {
-    /// ω
+    /// Returns ω, rad/s.
     pub(super) fn omega(&self, time: f64) -> [f64; 3] {
         match self {
             Self::Formulas(formulas) => formulas.each_ref().map(|formula| formula.evaluate(&[time])),
@@ -19,7 +19,7 @@ impl Rates {
         }
     }
 
-    /// ω and dω/dt
+    /// Returns ω, rad/s, and dω/dt, rad/s².
     pub(super) fn at(&self, time: f64) -> [[f64; 3]; 2] {
         match self {
             Self::Formulas(formulas) => {

@@ -1,12 +1,14 @@
-//! A table of attitudes or of ω, made smooth.
+//! Smooth interpolation of a table of attitudes or of ω.
 //!
-//! Attitudes are interpolated as quaternions of four components, each by a spline of degree 7, and the curve is brought back
-//! to length 1. Turning the axes of space or of the body multiplies quaternions by a fixed one, which is linear: so the curve
-//! does not depend on the axes. Between rows h apart the attitude is wrong by some h⁸, ω by h⁷, dω/dt by h⁶; all three are
-//! continuous, and ω and dω/dt are the exact derivatives of the attitude that is given.
+//! Attitudes are interpolated as quaternions. Each component has a spline of degree 7, and the
+//! result is normalized. A change of space or body axes multiplies all quaternions by a constant
+//! one, which is a linear operation. The curve therefore does not depend on the axes. With rows at
+//! distance h, the errors are of order h⁸ in the attitude, h⁷ in ω and h⁶ in dω/dt. All three are
+//! continuous, and ω and dω/dt are exact derivatives of the interpolated attitude.
 //!
-//! How wrong is seen from a spline of degree 5 through the same rows, which is worse: their difference is an upper estimate.
-//! With every second row it must be larger; where it is smaller, the rows say more of their own noise than of the motion.
+//! The error is estimated from the difference to a less accurate spline of degree 5 through the
+//! same rows: this is an upper estimate. With every second row the difference must be larger. If it
+//! is smaller, the rows are dominated by noise.
 
 use crate::math::rotation::Attitude;
 use crate::math::spline::Spline;
@@ -19,14 +21,14 @@ use super::quaternion;
 use super::rates::Rates;
 use crate::math::frame::Body;
 
-/// The degree of the curve, and of the one that it is compared with.
+/// Degrees of the interpolating curve and of the curve for comparison.
 const DEGREE: usize = 7;
 const LOWER: usize = 5;
 
-/// Fewer rows than this say nothing of dω/dt.
+/// Minimum number of rows that determine dω/dt.
 const FEWEST: usize = 4;
 
-/// A table of attitudes as a smooth motion.
+/// Smooth motion through a table of attitudes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AttitudeTable {
     spline: Spline<4>,
@@ -34,29 +36,30 @@ pub struct AttitudeTable {
     uncertainty: Uncertainty,
 }
 
-/// How far a motion through the rows of a table may be from the one that was sampled: the largest differences between splines
-/// of degree 7 and 5, halfway between rows.
+/// Estimated difference between a motion through the rows of a table and the sampled motion. It is
+/// the largest difference between splines of degree 7 and 5, halfway between rows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Uncertainty {
-    /// Of the attitude, rad.
+    /// Attitude, rad.
     pub attitude: f64,
-    /// Of ω, rad/s.
+    /// ω, rad/s.
     pub omega: f64,
-    /// Of dω/dt, rad/s².
+    /// dω/dt, rad/s².
     pub acceleration: f64,
-    /// That of dω/dt relative to the greatest |dω/dt| + |ω|² of the motion.
+    /// `acceleration` relative to the largest |dω/dt| + |ω|² of the motion.
     pub relative: f64,
-    /// When that of dω/dt is greatest, s.
+    /// Time of the largest difference in dω/dt, s.
     pub time: f64,
-    /// True if every second row gives a smaller difference than all: the rows are rounded or noisy, and nearer ones no better.
+    /// True if the difference is smaller with every second row than with all rows. Then the rows
+    /// are rounded or noisy, and closer rows do not help.
     pub is_noisy: bool,
 }
 
 impl AttitudeTable {
-    /// A motion through attitudes at ascending times.
+    /// Creates a motion through attitudes at ascending times.
     ///
     /// # Errors
-    /// As [`Prescribed::attitude_table`](super::Prescribed::attitude_table).
+    /// The errors of [`Prescribed::attitude_table`](super::Prescribed::attitude_table).
     pub(super) fn new(times: &[f64], attitudes: &[Attitude]) -> Result<Self, MotionError> {
         let span = require_rows(times, attitudes.len())?;
         let mut quaternions: Vec<[f64; 4]> = Vec::with_capacity(attitudes.len());
@@ -81,24 +84,24 @@ impl AttitudeTable {
         Ok(Self { spline, span, uncertainty })
     }
 
-    /// From the first row to the last, s.
+    /// Returns the times of the first and the last row, s.
     pub const fn span(&self) -> [f64; 2] {
         self.span
     }
 
-    /// How far it may be from the motion that was sampled.
+    /// Returns the estimated difference from the sampled motion.
     pub const fn uncertainty(&self) -> Uncertainty {
         self.uncertainty
     }
 
-    /// The state and dω/dt at a time of the span; `None` where the curve is undetermined.
+    /// Returns the state and dω/dt at a time of the span; `None` if the curve is undetermined.
     pub(super) fn at(&self, time: f64) -> Option<(State, AngularAcceleration<Body>)> {
         let (attitude, omega, acceleration) = quaternion::kinematics(self.spline.at(time))?;
         Some((State { time, attitude, omega }, acceleration))
     }
 }
 
-/// The components of ω in a table as functions of time, from when to when, and how far they may be off.
+/// Interpolates a table of ω. Returns ω as functions of time, their span, and their uncertainty.
 pub(super) fn rates(times: &[f64], rows: &[[f64; 3]]) -> Result<(Rates, [f64; 2], Uncertainty), MotionError> {
     let span = require_rows(times, rows.len())?;
     for &value in rows.as_flattened() {
@@ -116,13 +119,13 @@ pub(super) fn rates(times: &[f64], rows: &[[f64; 3]]) -> Result<(Rates, [f64; 2]
         })
     };
     let mut uncertainty = Uncertainty::of(times, rows, curve);
-    // What ω is wrong by, for as long as it can be.
+    // Upper limit of the attitude error: the error of ω times the whole duration.
     uncertainty.attitude = uncertainty.omega * (span[1] - span[0]);
     let spline = Spline::through(times, rows, DEGREE).ok_or_else(|| disorder(times))?;
     Ok((Rates::Table(spline), span, uncertainty))
 }
 
-/// A motion at one time, for comparison.
+/// Motion at one time, for comparison.
 struct TablePoint {
     attitude: Attitude,
     omega: AngularVelocity<Body>,
@@ -130,7 +133,8 @@ struct TablePoint {
 }
 
 impl Uncertainty {
-    /// From the curves of two degrees through all rows, and through every second one.
+    /// Estimates the uncertainty from curves of two degrees, through all rows and through every
+    /// second row.
     fn of<const N: usize, F: Fn(f64) -> Option<TablePoint>>(
         times: &[f64],
         rows: &[[f64; N]],
@@ -174,7 +178,7 @@ impl Uncertainty {
     }
 }
 
-/// The first and the last time of enough ascending ones.
+/// Checks the number and the order of times; returns the first and the last time.
 fn require_rows(times: &[f64], rows: usize) -> Result<[f64; 2], MotionError> {
     let holds = times.len() >= FEWEST && rows == times.len();
     require::that("the number of rows", rows as f64, holds, "at least 4, with a time for each")?;
@@ -189,7 +193,7 @@ fn require_rows(times: &[f64], rows: usize) -> Result<[f64; 2], MotionError> {
     }
 }
 
-/// The first time that is not after the one before it.
+/// Returns the error for the first time that is not after its predecessor.
 fn disorder(times: &[f64]) -> MotionError {
     let wrong = times.windows(2).find(|pair| !(pair[0] < pair[1]));
     let value = wrong.map_or(f64::NAN, |pair| pair[1]);

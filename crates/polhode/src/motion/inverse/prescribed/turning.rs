@@ -1,9 +1,11 @@
-//! ω as a function of time, and the attitude that follows from it.
+//! Attitude from a prescribed ω(t).
 //!
-//! Ṙ = R [ω×] along body axes, Ṙ = [ω×] R along those of space. A step is the turn by the rotation vector of Magnus' series
-//! to sixth order, with ω at the three nodes of Gauss and Legendre: a rotation whatever the step, and exact where ω keeps
-//! its direction and is a polynomial of degree up to five. Steps are as long as one and two halves agree to 2·10⁻¹⁴ rad; the
-//! halves are kept, and any time in between is one shorter step from the kept attitude before it.
+//! Ṙ = R [ω×] along body axes, and Ṙ = [ω×] R along space axes. A step is the rotation of the
+//! sixth-order Magnus series, with ω at the three Gauss–Legendre nodes. It is an exact rotation for
+//! every step size. It is the exact solution if ω has a constant direction and is a polynomial of
+//! degree up to five. The step size is chosen so that one step and two half steps agree to 2·10⁻¹⁴
+//! rad. The half steps are stored. A state in between is one shorter step from the stored attitude
+//! before it.
 //!
 //! # Source
 //! S. Blanes, F. Casas, J. A. Oteo & J. Ros, Physics Reports 470 (2009) 151.
@@ -15,40 +17,41 @@ use crate::math::vector::{AngularAcceleration, AngularVelocity, Direction};
 use crate::motion::error::MotionError;
 use crate::motion::model::state::State;
 
-/// One step and two halves agree to this, rad; the halves are better by 2⁶.
+/// Tolerance on the difference between one step and two half steps, rad. The error of the half
+/// steps is smaller by 2⁶.
 const AGREEMENT: f64 = 2e-14;
 
-/// Steps at least: what a longer one would jump over, it could not see.
+/// Minimum number of steps, as a long step may miss a short pulse.
 const FEWEST: f64 = 256.0;
 
-/// Kept attitudes; more is a mistake in the units.
+/// Maximum number of stored attitudes; a larger number indicates wrong units.
 const MOST: usize = 10_000_000;
 
-/// Axes that ω is given along.
+/// Axes of the components of ω.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RateAxes {
-    /// Fixed in the body.
+    /// Body axes.
     Body,
-    /// Fixed in space.
+    /// Space axes.
     Space,
 }
 
-/// A motion whose ω(t) is given.
+/// Motion with a prescribed ω(t).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turning {
     rates: Rates,
     axes: RateAxes,
-    /// Times and attitudes, from the start to the end; at least the start.
+    /// Times and attitudes from the start to the end; at least the start.
     kept: Vec<(f64, Attitude)>,
     end: f64,
     error: f64,
 }
 
 impl Turning {
-    /// From an attitude at the time `start` up to `end`.
+    /// Integrates from an attitude at the time `start` to `end`.
     ///
     /// # Errors
-    /// [`MotionError`] where ω is not finite, or turns too often for any computer.
+    /// [`MotionError`] if ω is not finite, or if the body turns too often.
     pub(super) fn new(
         rates: Rates,
         axes: RateAxes,
@@ -69,7 +72,7 @@ impl Turning {
             let twice = motion.step(time + 0.5 * step, half, 0.5 * step);
             let difference = whole.angle_to(twice);
             if !difference.is_finite() {
-                // A step too long may meet what is not finite; a short one shows that it is there.
+                // A long step may meet a value that is not finite; a short step confirms it.
                 if step < 1e-9 * (end - start) {
                     return Err(MotionError::NotFinite { time });
                 }
@@ -92,22 +95,23 @@ impl Turning {
         Ok(motion)
     }
 
-    /// From when to when it is known, s.
+    /// Returns the interval in which the motion is defined, s.
     pub fn span(&self) -> [f64; 2] {
         [self.kept.first().map_or(self.end, |(time, _)| *time), self.end]
     }
 
-    /// The axes that ω is given along.
+    /// Returns the axes of the components of ω.
     pub const fn axes(&self) -> RateAxes {
         self.axes
     }
 
-    /// An estimate of the error of the attitude at the end of the span, rad: those of all steps, added.
+    /// Returns an estimate of the error of the attitude at the end of the span, rad: the sum over
+    /// all steps.
     pub const fn attitude_error(&self) -> f64 {
         self.error
     }
 
-    /// The state at a time of the span, and dω/dt along body axes.
+    /// Returns the state at a time of the span, and dω/dt along body axes.
     pub(super) fn at(&self, time: f64) -> (State, AngularAcceleration<Body>) {
         let next = self.kept.partition_point(|(kept, _)| *kept <= time);
         let attitude = match self.kept.get(next.saturating_sub(1)) {
@@ -120,7 +124,7 @@ impl Turning {
             RateAxes::Body => {
                 (AngularVelocity::from_array(omega), AngularAcceleration::from_array(acceleration))
             }
-            // d/dt (Rᵀ ω) = Rᵀ ω̇: ω × ω is zero.
+            // d/dt (Rᵀ ω) = Rᵀ ω̇, as ω × ω is zero.
             RateAxes::Space => (
                 attitude.inverse() * AngularVelocity::<Space>::from_array(omega),
                 attitude.inverse() * AngularAcceleration::<Space>::from_array(acceleration),
@@ -129,14 +133,18 @@ impl Turning {
         (State { time, attitude, omega }, acceleration)
     }
 
-    /// The attitude a step later.
+    /// Returns the attitude one step later.
     ///
-    /// α₁ = h A₂,  α₂ = (√15/3) h (A₃ − A₁),  α₃ = (10/3) h (A₃ − 2 A₂ + A₁),  Aₖ at h (½ − √15/10, ½, ½ + √15/10)
-    /// C₁ = [α₁, α₂],  C₂ = −[α₁, 2 α₃ + C₁]/60
-    /// Ω = α₁ + α₃/12 + [−20 α₁ − α₃ + C₁, α₂ + C₂]/240
+    /// α₁ = h A₂,  α₂ = (√15/3) h (A₃ − A₁),  α₃ = (10/3) h (A₃ − 2 A₂ + A₁),
+    ///
+    /// C₁ = [α₁, α₂],  C₂ = −[α₁, 2 α₃ + C₁]/60,
+    ///
+    /// Ω = α₁ + α₃/12 + [−20 α₁ − α₃ + C₁, α₂ + C₂]/240,
+    ///
+    /// where Aₖ is A at h (½ − √15/10, ½, ½ + √15/10).
     fn step(&self, time: f64, attitude: Attitude, h: f64) -> Attitude {
         const NODE: f64 = 0.387_298_334_620_741_7; // √15/10
-        // Y′ = A Y with Y = R and A = ω along space axes; along body axes Y = Rᵀ and A = −ω.
+        // Y′ = A Y. Along space axes Y = R and A = ω; along body axes Y = Rᵀ and A = −ω.
         let sign = if self.axes == RateAxes::Body { -1.0 } else { 1.0 };
         let a = |node: f64| Vector::from_array(self.rates.omega(time + node * h)) * (sign * h);
         let [a1, a2, a3] = [0.5 - NODE, 0.5, 0.5 + NODE].map(a);
@@ -152,5 +160,5 @@ impl Turning {
     }
 }
 
-/// Three numbers along the axes of ω.
+/// Vector along the axes of ω.
 type Vector = Direction<Space>;

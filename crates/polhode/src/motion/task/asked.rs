@@ -1,4 +1,4 @@
-//! What is asked of the body of a scenario, and how it is held.
+//! Task of a scenario, and the support of its body.
 
 use super::mounted_shaft::MountedShaft;
 use crate::math::frame::{Body, Space};
@@ -10,38 +10,38 @@ use crate::motion::model::event::Event;
 use crate::motion::model::event_detection::EventSide;
 use crate::motion::model::torque::TorqueModel;
 
-/// What is asked of the body.
+/// Task of a scenario.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Task {
-    /// Forward dynamics: from torques to the motion.
+    /// Forward dynamics: computes the motion from torques.
     Forward(Forward),
-    /// Inverse dynamics: from a motion to the torque that it needs.
+    /// Inverse dynamics: computes the torque that a motion requires.
     Inverse(Prescribed),
-    /// A shaft that turns as prescribed: what its bearings hold.
+    /// Shaft with a prescribed rotation: computes the reactions of its bearings.
     Shaft(Box<MountedShaft>, Prescribed),
 }
 
-/// The torques on a body, and the events to detect.
+/// Torques on a body, and events to detect.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Forward {
     pub(super) torques: Vec<TorqueModel>,
     pub(super) names: Vec<Option<String>>,
     pub(super) switched_off: Vec<usize>,
     pub(super) events: Vec<Event>,
-    /// On which side of each event's value it starts, where another motion goes on.
+    /// Initial side of each event's value, if the motion continues another one.
     pub(super) event_sides: Vec<EventSide>,
     pub(super) hanging: Option<Suspension>,
 }
 
-/// A torque of a scenario.
+/// Torque of a scenario.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ActingTorque {
-    /// What turns the body.
+    /// Model of the torque.
     pub model: TorqueModel,
-    /// By which events switch it.
+    /// Name by which events switch the torque.
     pub name: Option<String>,
-    /// Whether it acts from the start, or once an event has switched it on.
+    /// True if it acts from the start; false if an event must switch it on.
     pub is_on: bool,
 }
 
@@ -51,33 +51,33 @@ impl From<TorqueModel> for ActingTorque {
     }
 }
 
-/// How a body is on the ground.
+/// Contact of a body with the ground, and its start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GroundContact {
-    /// What touches what, and how.
+    /// Surfaces, contact law and gravity.
     pub contact: Contact,
-    /// The point of the ground that is touched at the start.
+    /// Point of contact on the ground at the start, space axes, m.
     pub at: Position<Space>,
-    /// The velocity of the centre of mass at the start.
+    /// Velocity of the centre of mass at the start.
     pub velocity: StartVelocity,
 }
 
-/// The support of a body while it moves.
+/// Support of a body during its motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mechanism<'a> {
-    /// A rotor that is free or held at a pivot.
+    /// Free rotor, or rotor held at a pivot.
     Rotor,
-    /// A body on the ground.
+    /// Body in contact with the ground.
     Ground(&'a GroundContact),
-    /// A rotor in gimbals.
+    /// Rotor suspended in gimbals.
     Gimbals(&'a Gimbals),
 }
 
-/// The fixed axis of a pendulum.
+/// Fixed axis of a pendulum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Suspension {
-    /// The axis through the pivot.
+    /// Direction of the axis through the pivot.
     pub axis: Direction<Body>,
-    /// The amplitude of its swing, rad; that of the start if `None`.
+    /// Amplitude of the swing, rad; `None` for the one that follows from the start.
     pub amplitude: Option<f64>,
 }

@@ -1,4 +1,4 @@
-//! What can be seen of a scenario before it runs.
+//! Checks of a scenario before it runs.
 
 use super::asked::Mechanism;
 use super::scenario::Scenario;
@@ -11,12 +11,13 @@ use crate::motion::model::torque::{MagneticField, TorqueModel};
 use crate::motion::model::wheel::Wheel;
 
 impl Scenario {
-    /// What can be seen of it before it runs: gravity, torques and runs that do nothing, energies below the range of numbers.
+    /// Checks the scenario before it runs. Reports gravity, torques and runs without effect, and
+    /// energies below the range of f64.
     pub fn check(&self) -> Vec<Finding> {
         let finding = |code, severity, message| Finding { code, severity, message, place: None };
         let mut found = Vec::new();
         let has_gravity = self.torques().iter().any(|torque| matches!(torque, TorqueModel::Gravity(_)));
-        // Rounding of the centre of mass is no lever.
+        // A lever within the rounding of the centre of mass counts as zero.
         let is_balanced = |pivot: Position<Body>| {
             let center = self.body().center_of_mass();
             (center - pivot).norm() <= 1e-14 * (center.norm() + pivot.norm())

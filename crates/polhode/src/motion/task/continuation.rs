@@ -1,4 +1,4 @@
-//! Motions that go on from the end of others.
+//! Continuation of a motion from its end.
 
 use super::asked::Mechanism;
 use super::run::Run;
@@ -9,9 +9,12 @@ use crate::motion::run::ending::Ending;
 use crate::motion::run::trajectory::Trajectory;
 
 impl Scenario {
-    /// The same scenario from the end of a motion of it on, where an event may have stopped that, at these times: with the torques that are on there, and
-    /// on the side of each event's value on which the motion is. So both motions are one that was computed in one go, but for rounding and the errors of
-    /// steps. Work, impulse and the estimate of the error count from the new start.
+    /// Continues the scenario from the end of its motion, which an event may have stopped, with new
+    /// sample times.
+    ///
+    /// The same torques are switched on, and the motion is on the same side of each event's value.
+    /// Both motions together equal one uninterrupted motion, except for rounding and step errors.
+    /// Work, impulse and the error estimate start again from zero.
     ///
     /// ```
     /// use polhode::motion::{Run, Scenario};
@@ -26,7 +29,8 @@ impl Scenario {
     /// ```
     ///
     /// # Errors
-    /// [`MotionError::NotContinued`] of a motion that failed, and of a body on the ground or in gimbals, whose state is more than attitude and ω; as
+    /// [`MotionError::NotContinued`] if the motion failed, or for a body on the ground or in
+    /// gimbals, whose state is more than attitude and ω. The errors of
     /// [`MassHistory::at`](crate::motion::MassHistory::at).
     pub fn after(&self, motion: &Trajectory, times: Vec<f64>) -> Result<Self, MotionError> {
         let none = |why| Err(MotionError::NotContinued { why });

@@ -1,9 +1,9 @@
-//! What of a scenario excludes what.
+//! Parts of a scenario that exclude each other.
 
 use super::scenario::Scenario;
 
 impl Scenario {
-    /// The parts of a scenario, as a file names them, that exclude each other, and why.
+    /// Pairs of parts that exclude each other, by their names in scenario files, with the reason.
     pub const EXCLUSIVE: [(&'static str, &'static str, &'static str); 31] = [
         ("contact", "orbit", "a body on the ground is on no orbit"),
         ("contact", "shaft", SHAFT),

@@ -1,11 +1,12 @@
-//! What can be seen of a body whose mass properties change, before it runs.
+//! Checks of a body with changing mass properties, before it runs.
 
 use super::scenario::Scenario;
 use crate::body::finding::{Finding, Severity};
 use crate::motion::error::plain;
 
 impl Scenario {
-    /// That the body is the one at the start, for what takes it as one that stays as it is; `None` if it does.
+    /// Returns a finding that the mass properties are those at the start, for a computation that
+    /// assumes constant ones. `None` if they are constant.
     pub fn taken_at_start(&self) -> Option<Finding> {
         self.history()?;
         let time = plain(self.start().time);
@@ -13,12 +14,12 @@ impl Scenario {
         Some(Finding { code: "mass_history.start", severity: Severity::Info, message, place: None })
     }
 
-    /// When its run ends, s; infinite without one.
+    /// Returns the end of the run, s; infinite without a run.
     fn end(&self) -> f64 {
         self.run().and_then(|run| run.times.last().copied()).unwrap_or(f64::INFINITY)
     }
 
-    /// Nothing changes while the body is seen.
+    /// Returns a finding if nothing changes during the run.
     pub(super) fn idle_history(&self) -> Option<Finding> {
         let history = self.history()?;
         let [start, end] = [self.start().time, self.end()];
@@ -47,15 +48,16 @@ impl Scenario {
         Some(Finding { code: "mass_history.idle", severity: Severity::Warning, message, place: None })
     }
 
-    /// The flow inside is taken to have no angular momentum of its own: where that may be a part of the whole, it is said.
+    /// Returns a finding if the neglected angular momentum of the internal flow may be significant.
     pub(super) fn flow_left_out(&self) -> Option<Finding> {
-        /// Of I ω at the start.
+        /// Threshold relative to I ω at the start.
         const SMALL: f64 = 1e-2;
         let history = self.history()?;
         let [start, end] = [self.start().time, self.end()];
         let own = self.rotor().angular_momentum(self.start().omega).norm();
         let flow = |time: f64| history.flow_momentum(time, self.pivot()).unwrap_or_default();
-        // Along a straight line a distance is greatest at an end: just after a row, or just before the next.
+        // On a straight line the distance is largest at an end: just after a row, or just before
+        // the next.
         let rows = || history.times().filter(|time| start < *time && *time < end);
         let last = Some(end).filter(|end| end.is_finite() && *end > start);
         let begins = rows().chain([start]).map(|time| (flow(time), time));

@@ -1,4 +1,4 @@
-//! Tasks: a scenario with its motion, a pendulum, a shaft in its bearings.
+//! Tasks: a scenario and its motion, a pendulum, a shaft in bearings.
 
 pub(crate) mod asked;
 mod check;

@@ -1,4 +1,4 @@
-//! A shaft in its bearings: how it turns, and where it may be balanced.
+//! A rotating shaft in its bearings, with its balancing planes.
 
 use super::shaft::{CorrectionMass, Reactions, Shaft};
 use crate::math::frame::Space;
@@ -6,34 +6,35 @@ use crate::math::rotation::Attitude;
 use crate::math::vector::Acceleration;
 use crate::motion::error::MotionError;
 
-/// A shaft that turns.
+/// Rotating shaft in its bearings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MountedShaft {
-    /// The body on its line, with its bearings.
+    /// Body on the shaft, with the bearings.
     pub shaft: Shaft,
     /// ω at t = 0, rad/s.
     pub rate: f64,
     /// dω/dt, rad/s².
     pub acceleration: f64,
-    /// g in space axes, m/s²; zero where weight does not count.
+    /// g in space axes, m/s²; zero to neglect the weight.
     pub gravity: Acceleration<Space>,
-    /// Planes and radii for correction masses, m: none, one or two.
+    /// Balancing planes, none, one or two: position along the axis and radius, m.
     pub balance: Vec<[f64; 2]>,
 }
 
 impl MountedShaft {
-    /// The masses that balance it in its planes; none without a plane.
+    /// Returns the masses that balance the shaft in its planes; empty without a plane.
     ///
     /// # Errors
-    /// As [`Shaft::balance_in_planes`].
+    /// The errors of [`Shaft::balance_in_planes`].
     pub fn correction_masses(&self) -> Result<Vec<CorrectionMass>, MotionError> {
         Self::corrections(&self.shaft, &self.balance)
     }
 
-    /// The masses that balance a shaft in one plane, or in two, each with its radius, m.
+    /// Returns the masses that balance a shaft in one or two planes, each with position and radius,
+    /// m.
     ///
     /// # Errors
-    /// As [`Shaft::balance_in_planes`].
+    /// The errors of [`Shaft::balance_in_planes`].
     pub fn corrections(shaft: &Shaft, planes: &[[f64; 2]]) -> Result<Vec<CorrectionMass>, MotionError> {
         match *planes {
             [] => Ok(Vec::new()),
@@ -42,7 +43,8 @@ impl MountedShaft {
         }
     }
 
-    /// What the bearings and the drive do at a rate, with the body's axes standing in space so.
+    /// Returns the reactions of the bearings and the drive torque at a rate (rad/s) and an
+    /// attitude.
     pub fn reactions(&self, rate: f64, attitude: Attitude) -> Reactions {
         self.shaft.reactions(rate, self.acceleration, attitude.inverse() * self.gravity)
     }

@@ -1,4 +1,4 @@
-//! The compound pendulum: a body hung from a fixed axis.
+//! The compound pendulum: a body suspended from a fixed axis.
 
 use crate::math::elliptic::complete_k;
 use crate::math::frame::Body;
@@ -9,10 +9,10 @@ use crate::motion::model::require;
 use crate::motion::model::rotor::Rotor;
 use crate::motion::solve::pendulum_motion::PendulumMotion;
 
-/// A body that swings about a fixed axis under gravity: θ̈ = −ω₀² sin θ.
+/// Body that swings about a fixed axis under gravity: θ̈ = −ω₀² sin θ.
 ///
-/// ω₀² = M g⊥ d / I, d the distance of the centre of mass from the axis, g⊥ the part of gravity across the axis, I the
-/// moment of inertia about it.
+/// ω₀² = M g⊥ d / I, with d the distance of the centre of mass from the axis, g⊥ the component of
+/// gravity normal to the axis, and I the moment of inertia about it.
 ///
 /// ```
 /// use polhode::body::{InertiaTensor, MassProperties};
@@ -40,38 +40,40 @@ pub struct Pendulum {
     angle: f64,
 }
 
-/// How a pendulum moves for its energy.
+/// Kind of motion of a pendulum, which depends on its energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Swing {
-    /// It hangs still.
+    /// The pendulum hangs at rest.
     Rest,
-    /// To and fro between ± amplitude.
+    /// Oscillation between ± amplitude.
     Oscillation {
         /// Largest angle, rad.
         amplitude: f64,
-        /// One full swing, s.
+        /// Period of a full swing, s.
         period: f64,
     },
-    /// Exactly enough energy to come to rest upside down, which takes forever.
+    /// Exactly the energy to reach the upper equilibrium, after infinite time.
     Separatrix,
-    /// Over the top and round.
+    /// Rotation over the top.
     Revolution {
-        /// One turn, s.
+        /// Period of one turn, s.
         period: f64,
     },
 }
 
 impl Pendulum {
-    /// A body hung at the rotor's pivot from the axis `axis`, gravity `g` given in body axes (as the body hangs now).
+    /// Creates a pendulum from a body suspended at the rotor's pivot. `axis` and gravity `g` (m/s²)
+    /// are in the current body axes.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) if the axis has no direction, gravity is along it, or the centre of mass is on it.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the axis is zero or not finite, if
+    /// gravity is along it, or if the centre of mass is on it.
     pub fn hung(rotor: &Rotor, axis: Direction<Body>, g: Acceleration<Body>) -> Result<Self, MotionError> {
         let n = require::direction("the length of the axis", axis)?;
         let across = |v: Direction<Body>| v - n * n.dot(v);
         let (l, g): (Direction<Body>, Direction<Body>) = (rotor.lever().as_quantity(), g.as_quantity());
         let (arm, down) = (across(l), across(g));
-        // What rounding leaves of a vector along the axis is not an arm.
+        // A normal component within rounding is not an arm.
         let is_across = |v: Direction<Body>, of: Direction<Body>| v.norm() > 1e-12 * of.norm();
         let rule = "positive: it lies on the axis";
         require::that("the arm of the centre of mass", arm.norm(), is_across(arm, l), rule)?;
@@ -84,34 +86,36 @@ impl Pendulum {
         Ok(Self { moment, arm: arm.norm(), gravity: down.norm(), frequency, angle })
     }
 
-    /// Moment of inertia about the axis, kg·m².
+    /// Returns the moment of inertia about the axis, kg·m².
     pub const fn moment(&self) -> f64 {
         self.moment
     }
 
-    /// Distance of the centre of mass from the axis, m.
+    /// Returns the distance of the centre of mass from the axis, m.
     pub const fn arm(&self) -> f64 {
         self.arm
     }
 
-    /// The part of gravity across the axis, m/s².
+    /// Returns the component of gravity normal to the axis, m/s².
     pub const fn gravity(&self) -> f64 {
         self.gravity
     }
 
-    /// The angle from hanging straight down, right-handed about the axis, rad, in −π … π.
+    /// Returns the initial angle from the lower equilibrium, right-handed about the axis, rad, in
+    /// −π … π.
     pub const fn angle(&self) -> f64 {
         self.angle
     }
 
-    /// ω₀ = √(M g⊥ d / I): the angular frequency of small oscillations, rad/s.
+    /// Returns the angular frequency of small oscillations, ω₀ = √(M g⊥ d / I), rad/s.
     pub const fn small_frequency(&self) -> f64 {
         self.frequency
     }
 
-    /// The exact period of oscillations between ± amplitude (rad), s: T = 4 K(sin²(θ₀/2)) / ω₀.
+    /// Returns the exact period of oscillations between ± amplitude (rad), s: T = 4 K(sin²(θ₀/2)) /
+    /// ω₀.
     ///
-    /// Infinite at π (upside down) and beyond; 2π/ω₀ at 0.
+    /// It is 2π/ω₀ at 0, and infinite at π (upside down) and beyond.
     pub fn period(&self, amplitude: f64) -> f64 {
         if !(amplitude.abs() < PI) {
             return f64::INFINITY;
@@ -120,18 +124,20 @@ impl Pendulum {
         4.0 * complete_k(cosine * cosine) / self.frequency
     }
 
-    /// The angle and its rate at any time after a start at `angle` (rad from straight down) with the rate `rate` (rad/s).
+    /// Returns the motion that starts at `angle` (rad from the lower equilibrium) with the rate
+    /// `rate` (rad/s).
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for an angle or a rate that is not finite.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the angle or the rate is not finite.
     pub fn motion(&self, angle: f64, rate: f64) -> Result<PendulumMotion, MotionError> {
         PendulumMotion::of(self.frequency, angle, rate)
     }
 
-    /// The kind of the motion that starts at `angle` (rad from straight down) with the rate `rate` (rad/s) about the axis.
+    /// Returns the kind of the motion that starts at `angle` (rad from the lower equilibrium) with
+    /// the rate `rate` (rad/s).
     ///
-    /// With k² = sin²(θ/2) + (θ̇ / 2ω₀)²: oscillation of amplitude 2 asin k for k < 1, revolution of period
-    /// 2 K(1/k²) / (ω₀ k) for k > 1.
+    /// Let k² = sin²(θ/2) + (θ̇ / 2ω₀)². The motion is an oscillation of amplitude 2 asin k for k <
+    /// 1, and a revolution of period 2 K(1/k²) / (ω₀ k) for k > 1.
     pub fn swing(&self, angle: f64, rate: f64) -> Swing {
         let (s, c) = sin_cos(0.5 * angle);
         let r = 0.5 * rate / self.frequency;

@@ -1,4 +1,4 @@
-//! A scenario: one body, one motion.
+//! Scenarios: one body and one motion.
 
 use super::asked::{ActingTorque, Forward, GroundContact, Mechanism, Suspension, Task};
 use super::mounted_shaft::MountedShaft;
@@ -27,7 +27,8 @@ use crate::motion::model::wheel::Wheel;
 use crate::motion::run::channels::CONTACT;
 use crate::motion::run::simulation::Simulation;
 
-/// One body and one motion, as a scenario file describes them: what exists can be computed.
+/// One body and one motion, as in a scenario file. Every value of this type is consistent and can
+/// be computed.
 ///
 /// ```
 /// use polhode::motion::Run;
@@ -68,7 +69,7 @@ pub struct Scenario {
 }
 
 impl Scenario {
-    /// A free body at rest, its axes along those of space.
+    /// Creates a scenario with a free body at rest, body axes along space axes.
     pub fn new(body: MassProperties<Body>) -> Self {
         Self {
             title: None,
@@ -90,41 +91,42 @@ impl Scenario {
         }
     }
 
-    /// What it is about.
+    /// Sets the title.
     #[must_use]
     pub fn titled(self, title: impl Into<String>) -> Self {
         Self { title: Some(title.into()), ..self }
     }
 
-    /// The parts that the body was made of.
+    /// Sets the parts of which the body was assembled.
     #[must_use]
     pub fn made_of(self, parts: Vec<BodyPart>) -> Self {
         Self { parts, ..self }
     }
 
-    /// When to sample the motion, and how to compute it.
+    /// Sets the sample times and the method.
     #[must_use]
     pub fn sampled(self, run: Run) -> Self {
         Self { run: Some(run), ..self }
     }
 
-    /// Without a run.
+    /// Removes the run.
     #[must_use]
     pub fn not_sampled(self) -> Self {
         Self { run: None, ..self }
     }
 
-    /// With what was noticed on the way.
+    /// Adds findings of the checks of the input.
     #[must_use]
     pub fn noting(mut self, findings: impl IntoIterator<Item = Finding>) -> Self {
         self.findings.extend(findings);
         self
     }
 
-    /// With a point of the body held fixed in space.
+    /// Holds a point of the body fixed in space.
     ///
     /// # Errors
-    /// As [`Rotor::with_wheels`], of wheels that are there already; [`MotionError::Exclusive`] of a body on a shaft, or one that moves.
+    /// The errors of [`Rotor::with_wheels`] for wheels that were added before.
+    /// [`MotionError::Exclusive`] for a body on a shaft, or one with a velocity.
     pub fn held_at(self, pivot: Position<Body>) -> Result<Self, MotionError> {
         if self.velocity != Velocity::ZERO {
             return Err(exclusive("pivot", "velocity", "a point of the body is held: it only turns"));
@@ -139,10 +141,11 @@ impl Scenario {
         Ok(Self { pivot: Some(pivot), rotor, ..self })
     }
 
-    /// With wheels that spin inside.
+    /// Adds momentum wheels.
     ///
     /// # Errors
-    /// As [`Rotor::with_wheels`]; [`MotionError::Exclusive`] of a pendulum, a prescribed motion and a shaft.
+    /// The errors of [`Rotor::with_wheels`]. [`MotionError::Exclusive`] for a pendulum, a
+    /// prescribed motion or a shaft.
     pub fn with_wheels(self, wheels: &[Wheel]) -> Result<Self, MotionError> {
         self.require_compatible("wheel", !wheels.is_empty())?;
         let carrier = match self.pivot {
@@ -152,13 +155,14 @@ impl Scenario {
         Ok(Self { rotor: carrier.with_wheels(wheels)?, ..self })
     }
 
-    /// With what its wheels are called, in their order.
+    /// Sets the names of the wheels, in their order.
     #[must_use]
     pub fn naming_wheels(self, names: Vec<Option<String>>) -> Self {
         Self { wheel_names: names, ..self }
     }
 
-    /// With mass properties that change with time; those at the start become the body's. It is to know already where it starts and where it is held.
+    /// Sets mass properties that change with time; those at the start become the body's. The start
+    /// and the pivot must be set before.
     ///
     /// ```
     /// use polhode::body::InertiaTensor;
@@ -179,7 +183,8 @@ impl Scenario {
     /// ```
     ///
     /// # Errors
-    /// [`MotionError::Exclusive`] of a body with wheels, a pendulum, a prescribed motion and a shaft; as [`MassHistory::at`].
+    /// [`MotionError::Exclusive`] for a body with wheels, a pendulum, a prescribed motion or a
+    /// shaft. The errors of [`MassHistory::at`].
     pub fn changing(self, history: MassHistory) -> Result<Self, MotionError> {
         self.require_compatible("mass_history", true)?;
         let (body, _) = history.at(self.start.time)?;
@@ -187,11 +192,11 @@ impl Scenario {
         Ok(Self { body, rotor, history: Some(history), ..self })
     }
 
-    /// On the ground. It is to know already where it starts.
+    /// Puts the body on the ground. The start must be set before.
     ///
     /// # Errors
-    /// [`MotionError::Exclusive`] of a body that is held at a pivot, and of all that a body on the ground does not have; as
-    /// [`Simulation::run`].
+    /// [`MotionError::Exclusive`] for a body held at a pivot, and for every part that a body on the
+    /// ground cannot have. The errors of [`Simulation::run`].
     pub fn on_ground(self, ground: GroundContact) -> Result<Self, MotionError> {
         self.require_compatible("contact", true)?;
         if self.pivot.is_some() {
@@ -204,11 +209,11 @@ impl Scenario {
         Ok(Self { velocity, contact: Some(Box::new(ground)), ..self })
     }
 
-    /// Hung in gimbals, whose axes say where it starts.
+    /// Suspends the body in gimbals. Their axes determine the start.
     ///
     /// # Errors
-    /// [`MotionError::Exclusive`] of a body that is held at a pivot or moves, and of all that a rotor in gimbals does not have; as
-    /// [`Simulation::run`].
+    /// [`MotionError::Exclusive`] for a body that is held at a pivot or has a velocity, and for
+    /// every part that a rotor in gimbals cannot have. The errors of [`Simulation::run`].
     pub fn in_gimbals(self, gimbals: Gimbals) -> Result<Self, MotionError> {
         self.require_compatible("gimbals", true)?;
         if self.pivot.is_some() && self.gimbals.is_none() {
@@ -223,10 +228,11 @@ impl Scenario {
         Ok(Self { start, rotor, pivot: Some(point), gimbals: Some(Box::new(gimbals)), ..self })
     }
 
-    /// From this attitude and ω; of a prescribed motion they are its own.
+    /// Sets the start: time, attitude and ω. A prescribed motion has its own start.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for numbers that are not finite; [`MotionError::Exclusive`] of a rotor in gimbals.
+    /// A parameter's error ([`MotionError::is_parameter`]) if a number is not finite.
+    /// [`MotionError::Exclusive`] for a rotor in gimbals.
     pub fn starting(self, start: State) -> Result<Self, MotionError> {
         if self.gimbals.is_some() {
             return Err(exclusive("gimbals", "start", "the angles of the axes say how the rotor starts"));
@@ -241,10 +247,10 @@ impl Scenario {
         Ok(Self { start, ..self })
     }
 
-    /// With a velocity of the centre of mass.
+    /// Sets the velocity of the centre of mass, m/s.
     ///
     /// # Errors
-    /// [`MotionError::Exclusive`] of a body that is held at a pivot or by bearings.
+    /// [`MotionError::Exclusive`] for a body that is held at a pivot or by bearings.
     pub fn moving(self, velocity: Velocity<Space>) -> Result<Self, MotionError> {
         if self.rotor.is_pivoted() {
             return Err(exclusive("pivot", "velocity", "a point of the body is held: it only turns"));
@@ -255,10 +261,11 @@ impl Scenario {
         Ok(Self { velocity, ..self })
     }
 
-    /// On an orbit about a point mass. Torques that depend on the place have an orbit of their own, which is to be the same.
+    /// Sets the orbit of the centre of mass. Torques that depend on the position have their own
+    /// orbit, which should be the same.
     ///
     /// # Errors
-    /// [`MotionError::Exclusive`] of a body that is held by bearings, or has a velocity.
+    /// [`MotionError::Exclusive`] for a body that is held by bearings or has a velocity.
     pub fn in_orbit(self, orbit: Orbit) -> Result<Self, MotionError> {
         self.require_compatible("orbit", true)?;
         if self.velocity != Velocity::ZERO {
@@ -267,16 +274,16 @@ impl Scenario {
         Ok(Self { orbit: Some(orbit), ..self })
     }
 
-    /// With angles that are of interest.
+    /// Sets the pointing angles to report.
     #[must_use]
     pub fn pointing(self, pointings: Vec<Pointing>) -> Self {
         Self { pointings, ..self }
     }
 
-    /// Under torques.
+    /// Sets the torques.
     ///
     /// # Errors
-    /// [`MotionError::Exclusive`] of a prescribed motion and a shaft.
+    /// [`MotionError::Exclusive`] for a prescribed motion or a shaft.
     pub fn under<T: Into<ActingTorque>>(
         self,
         torques: impl IntoIterator<Item = T>,
@@ -290,19 +297,20 @@ impl Scenario {
         }))
     }
 
-    /// With events to detect.
+    /// Sets the events to detect.
     ///
     /// # Errors
-    /// [`MotionError::Exclusive`] of a prescribed motion and a shaft.
+    /// [`MotionError::Exclusive`] for a prescribed motion or a shaft.
     pub fn watching(self, events: Vec<Event>) -> Result<Self, MotionError> {
         self.require_compatible("event", !events.is_empty())?;
         Ok(self.changed(|task| (task.events, task.event_sides) = (events, Vec::new())))
     }
 
-    /// Hung from an axis, under the gravity that acts on it.
+    /// Suspends the body from an axis, under the gravity that acts on it.
     ///
     /// # Errors
-    /// [`MotionError::Exclusive`] of a body with wheels, a prescribed motion and a shaft; as [`Pendulum::hung`](crate::motion::Pendulum::hung).
+    /// [`MotionError::Exclusive`] for a body with wheels, a prescribed motion or a shaft. The
+    /// errors of [`Pendulum::hung`](crate::motion::Pendulum::hung).
     pub fn suspended_from(self, hanging: Suspension) -> Result<Self, MotionError> {
         self.require_compatible("pendulum", true)?;
         let hung = self.changed(|task| task.hanging = Some(hanging));
@@ -310,20 +318,22 @@ impl Scenario {
         Ok(hung)
     }
 
-    /// With a motion that is given instead of computed; it starts where that does.
+    /// Sets a prescribed motion, which also determines the start.
     ///
     /// # Errors
-    /// [`MotionError::Exclusive`] of a body under torques or with wheels, events, a pendulum and a shaft.
+    /// [`MotionError::Exclusive`] for a body under torques or with wheels, and for events, a
+    /// pendulum or a shaft.
     pub fn prescribed_as(self, motion: Prescribed) -> Result<Self, MotionError> {
         self.require_compatible("prescribed", true)?;
         let start = starting_as(&motion, self.start);
         Ok(Self { task: Task::Inverse(motion), start, ..self })
     }
 
-    /// On a shaft, which turns from the start's attitude.
+    /// Mounts the body on a shaft, which turns from the attitude of the start.
     ///
     /// # Errors
-    /// [`MotionError::Exclusive`] of all else that moves or holds a body; as [`Prescribed::fixed_axis`].
+    /// [`MotionError::Exclusive`] for any other support or motion of the body. The errors of
+    /// [`Prescribed::fixed_axis`].
     pub fn mounted(self, shaft: MountedShaft) -> Result<Self, MotionError> {
         self.require_compatible("shaft", true)?;
         if self.pivot.is_some() {
@@ -346,8 +356,10 @@ impl Scenario {
         self
     }
 
+    /// Checks that a new part is compatible with the existing ones.
+    ///
     /// # Errors
-    /// [`MotionError::Exclusive`] where a part that comes excludes one that is there.
+    /// [`MotionError::Exclusive`] if it is not.
     fn require_compatible(&self, comes: &'static str, is_any: bool) -> Result<(), MotionError> {
         let is_there = |part: &str| match part {
             "prescribed" => matches!(self.task, Task::Inverse(_)),
@@ -370,52 +382,53 @@ impl Scenario {
         }
     }
 
-    /// What it is about.
+    /// Returns the title.
     pub fn title(&self) -> Option<&str> {
         self.title.as_deref()
     }
 
-    /// The parts of the body.
+    /// Returns the parts of the body.
     pub fn parts(&self) -> &[BodyPart] {
         &self.parts
     }
 
-    /// All parts together.
+    /// Returns the mass properties of the whole body.
     pub const fn body(&self) -> &MassProperties<Body> {
         &self.body
     }
 
-    /// The body, the point that it turns about, its centre of mass or the pivot, and its wheels.
+    /// Returns the body with its wheels and the point about which it turns: its centre of mass or
+    /// the pivot.
     pub const fn rotor(&self) -> &Rotor {
         &self.rotor
     }
 
-    /// The point of the body that is held fixed; `None` for a free body.
+    /// Returns the point of the body that is fixed in space; `None` for a free body.
     pub const fn pivot(&self) -> Option<Position<Body>> {
         self.pivot
     }
 
-    /// Attitude and ω at the start.
+    /// Returns the start: time, attitude and ω.
     pub const fn start(&self) -> State {
         self.start
     }
 
-    /// Velocity of the centre of mass; of the pivot, which does not move, it is zero.
+    /// Returns the velocity of the centre of mass, m/s; zero for a body held at a pivot.
     pub const fn velocity(&self) -> Velocity<Space> {
         self.velocity
     }
 
-    /// The orbit of the centre of mass, if it is on one.
+    /// Returns the orbit of the centre of mass, if there is one.
     pub const fn orbit(&self) -> Option<&Orbit> {
         self.orbit.as_ref()
     }
 
-    /// The angles that are of interest.
+    /// Returns the pointing angles to report.
     pub fn pointings(&self) -> &[Pointing] {
         &self.pointings
     }
 
-    /// What is asked of the body.
+    /// Returns the task.
     pub const fn task(&self) -> &Task {
         &self.task
     }
@@ -427,42 +440,44 @@ impl Scenario {
         }
     }
 
-    /// What turns it.
+    /// Returns the torques.
     pub fn torques(&self) -> &[TorqueModel] {
         self.forward().map_or(&[], |forward| &forward.torques)
     }
 
-    /// The names of the torques, of those that have one.
+    /// Returns the names of the torques; `None` for a torque without a name.
     pub fn torque_names(&self) -> &[Option<String>] {
         self.forward().map_or(&[], |forward| &forward.names)
     }
 
-    /// Which of the torques, from 0, act only once an event has switched them on.
+    /// Returns the indices, from 0, of the torques that act only after an event has switched them
+    /// on.
     pub fn switched_off(&self) -> &[usize] {
         self.forward().map_or(&[], |forward| &forward.switched_off)
     }
 
-    /// On which side of each event's value it starts, where another motion goes on; else empty.
+    /// Returns the initial side of each event's value if the scenario continues another motion;
+    /// otherwise empty.
     pub(super) fn event_sides(&self) -> &[EventSide] {
         self.forward().map_or(&[], |forward| &forward.event_sides)
     }
 
-    /// The events to detect.
+    /// Returns the events to detect.
     pub fn events(&self) -> &[Event] {
         self.forward().map_or(&[], |forward| &forward.events)
     }
 
-    /// What spins inside it.
+    /// Returns the momentum wheels.
     pub fn wheels(&self) -> &[Wheel] {
         self.rotor.wheels()
     }
 
-    /// Its mass properties over time, if they change.
+    /// Returns the mass history, if the mass properties change.
     pub const fn history(&self) -> Option<&MassHistory> {
         self.history.as_ref()
     }
 
-    /// The support of the body while it moves.
+    /// Returns the support of the body.
     pub fn mechanism(&self) -> Mechanism<'_> {
         match (&self.contact, &self.gimbals) {
             (Some(ground), _) => Mechanism::Ground(ground),
@@ -471,24 +486,24 @@ impl Scenario {
         }
     }
 
-    /// How it is on the ground, if it is.
+    /// Returns the contact with the ground, if there is one.
     pub fn ground(&self) -> Option<&GroundContact> {
         self.contact.as_deref()
     }
 
-    /// True if nothing but its inertia, which stays as it is, decides its motion.
+    /// True if the motion is torque-free: no torques, wheels, support or mass history.
     pub fn is_free(&self) -> bool {
         let alone = self.torques().is_empty() && self.wheels().is_empty();
         let is_held = self.contact.is_some() || self.gimbals.is_some();
         alone && self.prescribed().is_none() && self.history.is_none() && !is_held
     }
 
-    /// The name of a wheel, from 0, if it has one.
+    /// Returns the name of a wheel, by index from 0, if it has one.
     pub fn wheel_name(&self, wheel: usize) -> Option<&str> {
         self.wheel_names.get(wheel)?.as_deref()
     }
 
-    /// A motion that is given instead of computed, that of a shaft too.
+    /// Returns the prescribed motion, including that of a shaft.
     pub const fn prescribed(&self) -> Option<&Prescribed> {
         match &self.task {
             Task::Forward(_) => None,
@@ -496,12 +511,13 @@ impl Scenario {
         }
     }
 
-    /// The axis from which it hangs.
+    /// Returns the axis of a pendulum, if there is one.
     pub fn suspension(&self) -> Option<Suspension> {
         self.forward()?.hanging
     }
 
-    /// The bearings on which it turns; the prescribed motion is their shaft's.
+    /// Returns the shaft in its bearings, if there is one. The prescribed motion is then that of
+    /// the shaft.
     pub fn shaft(&self) -> Option<&MountedShaft> {
         match &self.task {
             Task::Shaft(mounted, _) => Some(mounted),
@@ -509,22 +525,22 @@ impl Scenario {
         }
     }
 
-    /// For how long and how to compute.
+    /// Returns the sample times and the method.
     pub const fn run(&self) -> Option<&Run> {
         self.run.as_ref()
     }
 
-    /// What was noticed on the way.
+    /// Returns the findings of the checks of the input.
     pub fn findings(&self) -> &[Finding] {
         &self.findings
     }
 
-    /// All particles of the body.
+    /// Returns all particles of the body.
     pub fn particles(&self) -> Vec<Particle<Body>> {
         self.parts.iter().flat_map(|part| part.particles.iter().copied()).collect()
     }
 
-    /// True if particles are all that the body is made of.
+    /// True if the body consists of particles only.
     pub fn is_all_particles(&self) -> bool {
         self.parts.iter().all(|part| !part.particles.is_empty())
     }
@@ -536,7 +552,7 @@ const fn exclusive(a: &'static str, b: &'static str, why: &'static str) -> Motio
     MotionError::Exclusive { parts: [a, b], why }
 }
 
-/// The first state of a prescribed motion; the start that is given where it has none.
+/// Returns the first state of a prescribed motion, or `start` if it has none.
 fn starting_as(motion: &Prescribed, start: State) -> State {
     let first = motion.span().map_or(0.0, |[first, _]| first.max(0.0));
     motion.at(first).map_or(start, |(state, _)| state)

@@ -1,19 +1,23 @@
-//! A shaft: a body that turns about a line fixed in it and in space, held by two bearings.
+//! Shafts: a body that turns about a line fixed in the body and in space, supported by two
+//! bearings.
 //!
-//! All is seen along body axes, which turn with the shaft: there the unbalance stands still. The line goes through the point
-//! P along n, the bearings are at P + z₁ n and P + z₂ n. A bearing holds across the line; along it one of them has to hold
-//! too, and which one is not asked: that force is the thrust. With r = c − P from P to the centre of mass:
+//! All vectors are along body axes, in which the unbalance is constant. The line passes through the
+//! point P along n, and the bearings are at P + z₁ n and P + z₂ n. Each bearing supports forces
+//! normal to the line. One of them also supports the axial force, the thrust; which one does not
+//! matter here. With r = c − P from P to the centre of mass:
 //!
 //! ```text
 //! M a = F₁ + F₂ + M g,  a = α n × r + Ω² n × (n × r)
 //! I_P α n + Ω² n × I_P n = n × (z₁ F₁ + z₂ F₂) + r × M g + N n
 //! ```
 //!
-//! The part of the second along n gives the driving torque N, the part across it, crossed with n, the moment z₁ F₁ + z₂ F₂.
+//! The component of the second equation along n gives the driving torque N. Its normal component,
+//! crossed with n, gives the moment z₁ F₁ + z₂ F₂.
 //!
-//! Unbalance has two parts. Static: M e, e the centre of mass from the line; it shows at rest, where the heavy side sinks.
-//! Of the couple: ∫ z ρ dm = −(I n)⊥, ρ from the line; it shows in turning only. The shaft is balanced where both vanish, and
-//! then the line is a principal axis through the centre of mass.
+//! Unbalance has two parts. The static unbalance is M e, with e the vector from the line to the
+//! centre of mass; it is measurable at rest. The couple unbalance is ∫ z ρ dm = −(I n)⊥, with ρ the
+//! vector from the line; it is measurable only in rotation. The shaft is balanced if both vanish.
+//! Then the line is a principal axis through the centre of mass.
 
 use crate::body::error::BodyError;
 use crate::body::inertia::InertiaTensor;
@@ -28,7 +32,7 @@ use crate::motion::error::MotionError;
 use crate::motion::model::kinematics::rigid_acceleration;
 use crate::motion::model::require;
 
-/// A body on a shaft with two bearings.
+/// Body on a shaft with two bearings.
 ///
 /// ```
 /// use polhode::body::{InertiaTensor, MassProperties};
@@ -58,32 +62,32 @@ pub struct Shaft {
     bearings: [f64; 2],
 }
 
-/// What holds and drives a shaft at one time, along body axes.
+/// Reactions of the bearings and drive torque of a shaft at one time, body axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reactions {
-    /// The force of each bearing on the shaft, across the line, N.
+    /// Force of each bearing on the shaft, normal to the line, N.
     pub bearings: [Force<Body>; 2],
-    /// The force along the line that one of them has to hold, along n, N.
+    /// Axial force on the shaft along n, supported by one of the bearings, N.
     pub thrust: f64,
-    /// The torque about n that drives it, N·m.
+    /// Driving torque about n, N·m.
     pub torque: f64,
 }
 
-/// How the mass lies about the line of a shaft (the words of ISO 21940-2).
+/// Kind of unbalance of a shaft (terms of ISO 21940-2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unbalance {
     /// Balanced: the line is a principal axis through the centre of mass.
     None,
-    /// The line is parallel to a principal axis: the centre of mass is off it, and nothing else.
+    /// Only the centre of mass is off the line; the line is parallel to a principal axis.
     Static,
-    /// The centre of mass is on the line, which is no principal axis.
+    /// The centre of mass is on the line, but the line is not a principal axis.
     Couple,
-    /// Both: the usual case.
+    /// Both kinds, the usual case.
     Dynamic,
 }
 
 impl Unbalance {
-    /// The name in reports and JSON.
+    /// Returns the name in reports and JSON.
     pub const fn name(self) -> &'static str {
         match self {
             Self::None => "none",
@@ -94,29 +98,33 @@ impl Unbalance {
     }
 }
 
-/// A mass to be added for balance.
+/// Mass to be added for balance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CorrectionMass {
-    /// The plane across the line that it is in: its distance from the shaft's point along n, m.
+    /// Position of its plane, normal to the line: distance from the shaft's point along n, m.
     pub plane: f64,
-    /// Its distance from the line, m.
+    /// Distance from the line, m.
     pub radius: f64,
-    /// Its mass, kg; zero where the plane needs none.
+    /// Mass to add, kg; zero if the plane needs none.
     pub mass: f64,
-    /// Its angle about n, right-handed, from [`Shaft::zero_mark`], rad, in (−π, π]; zero where the mass is.
+    /// Angle about n from [`Shaft::zero_mark`], right-handed, rad, in (−π, π]; zero if the mass is
+    /// zero.
     pub angle: f64,
-    /// Where it goes, body axes, m.
+    /// Position of the mass, body axes, m.
     pub position: Position<Body>,
 }
 
-/// Unbalance below this part of what the body's size could make is rounding.
+/// Threshold below which unbalance is rounding, relative to the largest that the size of the body
+/// allows.
 const ROUNDING: f64 = 1e-13;
 
 impl Shaft {
-    /// A body on a line through `point` along `axis`, with bearings at two distances from the point along the axis, m.
+    /// Creates a shaft: a body on a line through `point` along `axis`. `bearings` are the distances
+    /// of the bearings from the point along the axis, m.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for an axis without direction, or bearings at one place or nowhere.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the axis is zero or not finite, or if
+    /// the bearings coincide or are not finite.
     pub fn new(
         body: MassProperties<Body>,
         point: Position<Body>,
@@ -135,51 +143,53 @@ impl Shaft {
         Ok(Self { body, point, axis, bearings })
     }
 
-    /// What turns.
+    /// Returns the rotating body.
     pub const fn body(&self) -> &MassProperties<Body> {
         &self.body
     }
 
-    /// The unit vector n along the line, body axes.
+    /// Returns the unit vector n along the line, body axes.
     pub const fn axis(&self) -> Direction<Body> {
         self.axis
     }
 
-    /// The point P on the line, body axes, m.
+    /// Returns the point P on the line, body axes, m.
     pub const fn point(&self) -> Position<Body> {
         self.point
     }
 
-    /// Where the bearings are: distances from P along n, m.
+    /// Returns the positions of the bearings: distances from P along n, m.
     pub const fn bearings(&self) -> [f64; 2] {
         self.bearings
     }
 
-    /// The moment of inertia about the line, kg·m².
+    /// Returns the moment of inertia about the line, kg·m².
     pub fn moment(&self) -> f64 {
         self.body.inertia_about(self.point).about_axis(self.axis)
     }
 
-    /// The static unbalance M e, kg·m: e leads from the line to the centre of mass.
+    /// Returns the static unbalance M e, body axes, kg·m; e is the vector from the line to the
+    /// centre of mass.
     pub fn static_unbalance(&self) -> Position<Body> {
         self.across(self.arm()) * self.body.mass()
     }
 
-    /// The unbalance of the couple about a plane at `z` along the line, ∫ (z′ − z) ρ dm, kg·m²: its turning asks for the moment
-    /// Ω² of that size.
+    /// Returns the couple unbalance about a plane at `z` along the line, ∫ (z′ − z) ρ dm, body
+    /// axes, kg·m². Its rotation requires a moment of magnitude Ω² times this.
     pub fn couple_unbalance(&self, z: f64) -> Position<Body> {
-        // About the plane of the centre of mass the couple is of the body's own products of inertia.
+        // About the plane of the centre of mass, the couple follows from the products of inertia
+        // about it.
         let own = self.body.inertia().symmetric().apply(self.axis.to_array());
         let own = -self.across(Position::from_array(own));
         own + self.static_unbalance() * (self.axis.dot(self.arm()) - z)
     }
 
-    /// What is unbalanced, but for rounding.
+    /// Returns the kind of unbalance, ignoring rounding.
     pub fn unbalance(&self) -> Unbalance {
         let center = self.axis.dot(self.arm());
         let (mass, greatest) = (self.body.mass(), self.body.inertia().about_axis(self.axis));
         let spread = self.body.inertia().symmetric().max_abs().max(greatest);
-        // What the place of the centre of mass, and the tensor, are known to.
+        // Scales of the accuracy of the centre of mass and of the tensor.
         let place = self.point.norm() + self.body.center_of_mass().norm() + (spread / mass).sqrt();
         let off = self.static_unbalance().norm() > ROUNDING * mass * place;
         let tilted = self.couple_unbalance(center).norm() > ROUNDING * spread;
@@ -191,13 +201,13 @@ impl Shaft {
         }
     }
 
-    /// What the bearings and the drive have to do at the rate Ω, rad/s, and the acceleration α, rad/s², under the gravity g,
-    /// along body axes at that moment, m/s².
+    /// Returns the reactions of the bearings and the drive torque at the rate Ω, rad/s, and the
+    /// acceleration α, rad/s². `gravity` is g along body axes at that time, m/s².
     pub fn reactions(&self, rate: f64, acceleration: f64, gravity: Acceleration<Body>) -> Reactions {
         let (n, r, mass) = (self.axis, self.arm(), self.body.mass());
         let omega: AngularVelocity<Body> = (n * rate).as_quantity();
         let alpha: AngularAcceleration<Body> = (n * acceleration).as_quantity();
-        // S = F₁ + F₂ + the thrust = M (a − g)
+        // S = F₁ + F₂ + thrust = M (a − g)
         let force: Force<Body> = ((rigid_acceleration(omega, alpha, r) - gravity) * mass).as_quantity();
         let weight: Force<Body> = (gravity * mass).as_quantity();
         // K = I_P α n + Ω² n × I_P n − r × M g
@@ -214,29 +224,35 @@ impl Shaft {
         Reactions { bearings: [first, second].map(Direction::as_quantity), thrust, torque: n.dot(moment) }
     }
 
-    /// The direction across the line from which angles of correction masses count: the body's x axis as far as it is across the
-    /// line, or its y axis where x is nearly along it.
+    /// Returns the direction normal to the line from which angles of correction masses are
+    /// measured. It is the normal component of the body's x axis, or of its y axis if x is nearly
+    /// along the line.
     pub fn zero_mark(&self) -> Direction<Body> {
         let x = Direction::new(1.0, 0.0, 0.0);
         let mark = if self.axis.x.abs() < 0.9 { x } else { Direction::new(0.0, 1.0, 0.0) };
         (mark - self.axis * self.axis.dot(mark)).direction().unwrap_or(mark)
     }
 
-    /// The mass that balances the shaft statically, in a plane at `plane` along the line, m, at `radius` from it, m.
+    /// Returns the mass that balances the shaft statically, in a plane at `plane` along the line,
+    /// m, at `radius` from the line, m.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for a plane that is not finite or a radius that is not positive.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the plane is not finite, or the
+    /// radius is not positive.
     pub fn balance_in_plane(&self, plane: f64, radius: f64) -> Result<CorrectionMass, MotionError> {
         self.correction(plane, radius, -self.static_unbalance())
     }
 
-    /// The masses that balance the shaft, one in each of two planes, m along the line, at these radii, m.
+    /// Returns the masses that balance the shaft, one in each of two planes (m along the line) at
+    /// these radii, m.
     ///
-    /// With U_A + U_B = −M e and z_A U_A + z_B U_B = −∫ z ρ dm: U_B is minus the couple about plane A over the distance of the
-    /// planes, U_A the same with the planes exchanged.
+    /// The conditions are `U_A` + `U_B` = −M e and `z_A` `U_A` + `z_B` `U_B` = −∫ z ρ dm. `U_B` is
+    /// minus the couple about plane A divided by the distance of the planes. `U_A` is the same with
+    /// the planes exchanged.
     ///
     /// # Errors
-    /// A parameter's error ([`MotionError::is_parameter`]) for planes at one place or not finite, or a radius that is not positive.
+    /// A parameter's error ([`MotionError::is_parameter`]) if the planes coincide or are not
+    /// finite, or if a radius is not positive.
     pub fn balance_in_planes(
         &self,
         planes: [f64; 2],
@@ -253,7 +269,7 @@ impl Shaft {
         ])
     }
 
-    /// The shaft with masses added.
+    /// Returns the shaft with masses added.
     ///
     /// # Errors
     /// [`BodyError`] if the sum is not finite.
@@ -267,17 +283,17 @@ impl Shaft {
         Ok(Self { body: MassProperties::combined(&parts)?, ..*self })
     }
 
-    /// From P to the centre of mass.
+    /// Returns the vector from P to the centre of mass.
     fn arm(&self) -> Position<Body> {
         self.body.center_of_mass() - self.point
     }
 
-    /// The part across the line.
+    /// Returns the component normal to the line.
     fn across(&self, v: Position<Body>) -> Position<Body> {
         v - (self.axis * self.axis.dot(v)).as_quantity()
     }
 
-    /// The mass whose unbalance m ρ is `wanted`.
+    /// Returns the mass whose unbalance m ρ is `wanted`.
     fn correction(
         &self,
         plane: f64,
@@ -293,7 +309,7 @@ impl Shaft {
             plane,
             radius,
             mass: wanted.norm() / radius,
-            // Half a turn is π, not −π: + 0 takes the sign of a zero.
+            // Half a turn is π, not −π: adding 0 changes −0 to 0.
             angle: libm::atan2(self.axis.cross(mark).dot(towards) + 0.0, mark.dot(towards)),
             position: on_axis + (towards * radius).as_quantity(),
         })

@@ -1,4 +1,4 @@
-//! What becomes of a scenario: its motion, the derivatives of that, its pendulum.
+//! Results of a scenario: its motion, the derivatives of the motion, and its pendulum.
 
 use super::asked::Mechanism;
 use super::pendulum::Pendulum;
@@ -14,18 +14,19 @@ use crate::motion::run::simulation::Simulation;
 use crate::motion::run::trajectory::Trajectory;
 
 impl Scenario {
-    /// The motion at the times of the run; `None` without a run.
+    /// Computes the motion at the times of the run; `None` without a run.
     ///
     /// # Errors
-    /// [`MotionError`] as [`Simulation::run`].
+    /// The errors of [`Simulation::run`].
     pub fn simulate(&self) -> Option<Result<Trajectory, MotionError>> {
         self.simulate_watched(&mut |_| true)
     }
 
-    /// [`Scenario::simulate`], telling `progress` the time (s) that an integration has reached after each step; `false` ends the work.
+    /// Computes [`Scenario::simulate`] and calls `progress` after each step with the time reached,
+    /// s. If `progress` returns `false`, the computation ends.
     ///
     /// # Errors
-    /// [`MotionError`] as [`Simulation::run_watched`].
+    /// The errors of [`Simulation::run_watched`].
     pub fn simulate_watched(
         &self,
         progress: &mut dyn FnMut(f64) -> bool,
@@ -33,10 +34,10 @@ impl Scenario {
         self.trajectory(|simulation| simulation.run_watched(progress))
     }
 
-    /// [`Scenario::simulate_watched`] with the estimate of its error.
+    /// Computes [`Scenario::simulate_watched`] with an estimate of the error.
     ///
     /// # Errors
-    /// [`MotionError`] as [`Simulation::run`].
+    /// The errors of [`Simulation::run`].
     pub fn simulate_with_error(
         &self,
         effort: ErrorEffort,
@@ -45,10 +46,11 @@ impl Scenario {
         self.trajectory(|simulation| simulation.run_with_error(effort, progress))
     }
 
-    /// The derivatives of the motion, at the times of the run; `None` without a run.
+    /// Computes the derivatives of the motion at the times of the run; `None` without a run.
     ///
     /// # Errors
-    /// [`MotionError`] as [`Simulation::run_with_derivatives_watched`]; [`MotionError::NoMotionDerivatives`] of a motion that is prescribed.
+    /// The errors of [`Simulation::run_with_derivatives_watched`].
+    /// [`MotionError::NoMotionDerivatives`] for a prescribed motion.
     pub fn derivatives_watched(
         &self,
         parameters: &[TorqueParameter],
@@ -93,7 +95,7 @@ impl Scenario {
             .tolerance(run.tolerance)
     }
 
-    /// The member of an ensemble that moves as it does.
+    /// Returns the ensemble member with the same motion.
     ///
     /// ```
     /// use polhode::motion::Ensemble;
@@ -111,8 +113,8 @@ impl Scenario {
     /// ```
     ///
     /// # Errors
-    /// [`MotionError::Exclusive`] of what no member of an ensemble is: a body on the ground, in gimbals or on a shaft, one whose mass properties change, and
-    /// one whose motion is prescribed.
+    /// [`MotionError::Exclusive`] for a body on the ground, in gimbals or on a shaft, for changing
+    /// mass properties, and for a prescribed motion.
     pub fn member(&self) -> Result<Member, MotionError> {
         let is_there = [
             (
@@ -136,10 +138,11 @@ impl Scenario {
         Ok(member.switched_off(self.switched_off().to_vec()).watching(self.events().to_vec()))
     }
 
-    /// The pendulum that hangs from the scenario's axis under its gravity; `None` without an axis or without gravity.
+    /// Returns the pendulum that hangs from the scenario's axis under its gravity; `None` without
+    /// an axis or without gravity.
     ///
     /// # Errors
-    /// [`MotionError`] as [`Pendulum::hung`].
+    /// The errors of [`Pendulum::hung`].
     pub fn pendulum(&self) -> Option<Result<Pendulum, MotionError>> {
         let hanging = self.suspension()?;
         let gravity = self.torques().iter().find_map(|torque| match torque {

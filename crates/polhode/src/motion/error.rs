@@ -1,256 +1,263 @@
-//! Why a motion cannot be computed.
+//! Errors of motions.
 
 use core::fmt;
 
-/// Why a motion cannot be computed: each variant carries the value and the time.
+/// Error of a motion. Each variant carries the value and the time, if they apply.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum MotionError {
-    /// A number that is NaN or infinite.
+    /// Number that is NaN or infinite.
     NonFiniteParameter {
-        /// What the number is.
+        /// Description of the number.
         parameter: &'static str,
-        /// The number.
+        /// Value of the number.
         value: f64,
     },
-    /// A number that has to be positive and finite, and is not.
+    /// Number that must be positive and finite, and is not.
     NonPositiveParameter {
-        /// What the number is.
+        /// Description of the number.
         parameter: &'static str,
-        /// The number.
+        /// Value of the number.
         value: f64,
     },
-    /// A number that has to be finite and not negative, and is not.
+    /// Number that must be nonnegative and finite, and is not.
     NegativeParameter {
-        /// What the number is.
+        /// Description of the number.
         parameter: &'static str,
-        /// The number.
+        /// Value of the number.
         value: f64,
     },
-    /// A vector without a direction: zero, or not finite.
+    /// Vector without a direction: zero, or not finite.
     NoDirection {
-        /// What its length is.
+        /// Description of its length.
         parameter: &'static str,
-        /// The length.
+        /// Length of the vector.
         length: f64,
     },
-    /// A number outside a range of its own.
+    /// Number outside its range.
     ParameterOutOfRange {
-        /// What the number is.
+        /// Description of the number.
         parameter: &'static str,
-        /// The number.
+        /// Value of the number.
         value: f64,
-        /// What it has to be.
+        /// Rule that the number violates.
         rule: &'static str,
     },
-    /// Mass properties over time that cannot be, or whose motion is not known.
+    /// Mass history that is impossible, or whose motion cannot be computed.
     MassHistory {
-        /// When, s.
+        /// Time of the violation, s.
         time: f64,
-        /// What the history does then.
+        /// Description of the violation.
         why: &'static str,
     },
-    /// Something that is not known of a rotor in gimbals.
+    /// Unsupported property of a rotor in gimbals.
     InGimbals {
-        /// What, and why.
+        /// Property, with the reason.
         why: &'static str,
     },
     /// Two parts of a scenario that exclude each other.
     Exclusive {
-        /// Both, as a scenario file names them.
+        /// Names of both parts in scenario files.
         parts: [&'static str; 2],
-        /// Why.
+        /// Reason for the exclusion.
         why: &'static str,
     },
-    /// All the mass is in the point that the body turns about: it has no inertia at all.
+    /// All the mass is at the point about which the body turns: it has no inertia.
     NotSpinnable,
-    /// A torque is NaN or infinite at the start.
+    /// Torque that is NaN or infinite at the start.
     TorqueNotFinite {
-        /// Which of the torques, from 0.
+        /// Index of the torque, from 0.
         torque: usize,
-        /// Its components at the start, body axes, N·m.
+        /// Components at the start, body axes, N·m.
         value: [f64; 3],
     },
-    /// A torque along an axis about which the body has no inertia.
+    /// Torque along an axis about which the body has no inertia.
     TorqueWithoutInertia {
-        /// The torque along that axis, N·m.
+        /// Component of the torque along that axis, N·m.
         torque: f64,
-        /// When, s.
+        /// Time at which it occurs, s.
         time: f64,
     },
-    /// A torque has no derivative in a state, though one is needed: it has a corner or a jump there, or is not finite near it.
+    /// Torque without a derivative in a state where one is needed: it has a corner or a jump, or is
+    /// not finite nearby.
     NoDerivative {
-        /// Which one, by its name.
+        /// Name of the torque.
         torque: &'static str,
-        /// When, s.
+        /// Time of the state, s.
         time: f64,
     },
-    /// A torque has no number of this name to differentiate by, or there is no such torque.
+    /// Unknown torque, or unknown parameter of a torque.
     NoParameter {
-        /// Which of the torques, from 0.
+        /// Index of the torque, from 0.
         torque: usize,
-        /// The name.
+        /// Name of the parameter.
         name: &'static str,
     },
-    /// A motion has no derivatives, or none that are known here.
+    /// Motion without derivatives, or with derivatives that are not implemented.
     NoMotionDerivatives {
-        /// Why.
+        /// Reason for the absence.
         why: &'static str,
-        /// When, s.
+        /// Time at which it occurs, s.
         time: f64,
     },
-    /// A motion does not go on from its end.
+    /// Motion that cannot be continued from its end.
     NotContinued {
-        /// Why.
+        /// Reason for the refusal.
         why: &'static str,
     },
-    /// A state is no equilibrium, though one was asked for: the torque there turns the body, or changes on the way.
+    /// State that is not an equilibrium: the torque turns the body, or changes with time.
     NotSteady {
-        /// What is left of the torque, N·m.
+        /// Residual of the torque, N·m.
         torque: f64,
-        /// The sum of the sizes of what should balance, N·m.
+        /// Sum of the magnitudes of the terms that should balance, N·m.
         scale: f64,
     },
-    /// A body on the ground has no steady motion of which it is known here whether it lasts.
+    /// Body on the ground without a steady motion whose stability can be computed.
     NoSteadyMotion {
-        /// Why, and what would have one.
+        /// Reason, and conditions for a steady motion.
         why: &'static str,
     },
-    /// No closed form is known here for this body and start.
+    /// No closed form is known for this body and start.
     NoClosedForm {
-        /// Why.
+        /// Reason for the absence.
         why: &'static str,
     },
-    /// A time beyond which the phase of a closed form is not known, or NaN.
+    /// Time at which the phase of a closed form has no accuracy, or NaN.
     BeyondReach {
-        /// The time, s.
+        /// Requested time, s.
         time: f64,
-        /// How far from its start the motion is known, s.
+        /// Largest distance from the start at which the motion is known, s.
         reach: f64,
     },
-    /// A torque that splitting cannot take: it is no function of attitude and time alone.
+    /// Torque that splitting cannot integrate: it is not a function of attitude and time alone.
     NotSplittable {
-        /// The torque's model.
+        /// Model of the torque.
         what: &'static str,
-        /// Why.
+        /// Reason for the refusal.
         why: &'static str,
     },
-    /// The step needed for the tolerance is lost in the rounding of the time.
+    /// The step required by the tolerance is below the rounding of the time.
     StepTooSmall {
-        /// The last good time, s.
+        /// Last valid time, s.
         time: f64,
-        /// The step that was tried, s.
+        /// Step that was tried, s.
         step: f64,
     },
-    /// More steps than the limit.
+    /// The limit on the number of steps is exceeded.
     TooManySteps {
-        /// The last good time, s.
+        /// Last valid time, s.
         time: f64,
-        /// The step there, s.
+        /// Step at that time, s.
         step: f64,
-        /// The most steps that are tried.
+        /// Limit on the number of steps.
         most: u64,
     },
-    /// More pulses than the limit on steps: no step crosses the beginning or the end of one.
+    /// The limit on the number of pulses is exceeded. No step crosses the beginning or the end of a
+    /// pulse.
     TooManyPulses {
-        /// The torque with the most of them, from 0; `None` for a wheel's motor.
+        /// Index of the torque with the largest number of pulses, from 0; `None` for a wheel's
+        /// motor.
         torque: Option<usize>,
-        /// How many there are from the start to the end, of all torques and motors.
+        /// Number of pulses from the start to the end, over all torques and motors.
         count: f64,
-        /// The most that are gone through.
+        /// Limit on the number of pulses.
         most: u64,
     },
-    /// More events than the limit.
+    /// The limit on the number of events is exceeded.
     TooManyEvents {
-        /// The time of the last, s.
+        /// Time of the last event, s.
         time: f64,
-        /// The most that are written down.
+        /// Limit on the number of recorded events.
         most: usize,
     },
-    /// Painlevé's paradox: friction of what slides is so large that no normal force keeps the body on the ground, or any does.
+    /// Painlevé's paradox: sliding friction is so large that either no normal force keeps the body
+    /// on the ground, or every one does.
     Painleve {
-        /// When, s.
+        /// Time at which it occurs, s.
         time: f64,
     },
-    /// A contact at which it cannot be decided whether the body lifts off, or whether, or whither, it slips.
+    /// Contact whose next phase is undetermined: lift-off, or slip and its direction.
     Undecided {
-        /// When, s.
+        /// Time at which it occurs, s.
         time: f64,
     },
-    /// A change of the contact with the ground after which the motion is not known, where all of it was asked for.
+    /// Change of the contact after which the motion is not modelled, although a later time was
+    /// requested.
     ContactChanged {
-        /// The change, in a sentence.
+        /// Sentence that describes the change.
         what: &'static str,
         /// Time of the change, s.
         time: f64,
     },
-    /// Gimbals without inertia lock: the rotor's axis has come to lie along the outer one, and what both turn by is not known apart.
+    /// Gimbal lock without gimbal inertia: the rotor's axis is along the outer axis, and the
+    /// rotations about both cannot be distinguished.
     GimbalLock {
-        /// When, s.
+        /// Time of the lock, s.
         time: f64,
-        /// The angle of the inner gimbal, rad.
+        /// Angle of the inner gimbal, rad.
         angle: f64,
     },
-    /// The body turns faster and faster, beyond all that its start and the torques of each beginning explain: |ω| becomes 10⁹ times as
-    /// large, or grows towards infinity within a time.
+    /// The body accelerates beyond any rate that its start and the initial torques explain: |ω|
+    /// grows by a factor of 10⁹, or diverges in finite time.
     RunAway {
-        /// The start of the current run of steps whose |ω| exceeds the bound, s.
+        /// Start of the current sequence of steps with |ω| above the bound, s.
         time: f64,
-        /// |ω| there, rad/s.
+        /// |ω| at that time, rad/s.
         rate: f64,
-        /// The bound on |ω|: 10³ times what the start and the torques explain, rad/s.
+        /// Bound on |ω|: 10³ times the rate that the start and the torques explain, rad/s.
         most: f64,
     },
-    /// An event measures the total energy, and a torque has no potential.
+    /// An event measures the total energy, but a torque has no potential.
     NoPotential,
-    /// Taylor's method was asked for, and a torque has no power series.
+    /// Taylor's method was requested, but a torque has no power series.
     NotSmooth {
-        /// Which of the torques, from 0.
+        /// Index of the torque, from 0.
         torque: usize,
-        /// What it has that has none: a function of a formula.
+        /// Function or formula without a power series.
         why: &'static str,
     },
-    /// A torsion spring or wire comes to half a turn, beyond which an attitude does not determine its twist.
+    /// A torsion spring or wire reaches half a turn. Beyond it, an attitude does not determine the
+    /// twist.
     HalfTurn {
         /// Time of the half turn, s.
         time: f64,
     },
-    /// Events switch torques on and off at one instant without end: each torque takes the motion back to where the
-    /// other is switched.
+    /// Chattering: events switch torques on and off at one instant without end. Each torque takes
+    /// the motion back to the switching point of the other.
     Chatter {
-        /// Index of an event that happens again and again, from 0.
+        /// Index of an event that happens repeatedly, from 0.
         event: usize,
         /// Time of the switches, s.
         time: f64,
     },
-    /// The function of an event changes so fast that its passages cannot all be found.
+    /// The function of an event changes too fast to find all its crossings.
     EventTooFast {
         /// Index of the event, from 0.
         event: usize,
-        /// Time up to which its passages are known, s.
+        /// Time up to which the crossings are known, s.
         time: f64,
-        /// End of the step in which it changes too fast, s.
+        /// End of the step in which the function changes too fast, s.
         until: f64,
     },
     /// The progress callback ended an integration.
     Stopped {
-        /// The time it had reached, s.
+        /// Time reached, s.
         time: f64,
     },
     /// Cancelled by the progress callback.
     Cancelled {
-        /// How many were done.
+        /// Number of completed computations.
         done: usize,
     },
     /// The state became infinite or undefined.
     NotFinite {
-        /// The last good time, s.
+        /// Last valid time, s.
         time: f64,
     },
 }
 
 impl MotionError {
-    /// True if the input was fine but the computation could not reach its tolerance.
+    /// True if the input was valid, but the computation could not reach its tolerance.
     pub const fn is_numerical(&self) -> bool {
         matches!(
             self,
@@ -282,7 +289,7 @@ impl MotionError {
         )
     }
 
-    /// What to try next, where there is something to try.
+    /// Returns a hint on how to fix the error, if there is one.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
             Self::NotSpinnable => Some("give the mass an extent: a point has no attitude"),
@@ -505,12 +512,12 @@ impl fmt::Display for MotionError {
     }
 }
 
-/// The rule that a number breaks.
+/// Writes the rule that a number violates.
 fn broken(f: &mut fmt::Formatter<'_>, parameter: &str, value: f64, rule: &str) -> fmt::Result {
     write!(f, "{parameter} = {} must be {rule}", plain(value))
 }
 
-/// A number without a power of ten where people write it so: 1e300 has no three hundred digits.
+/// Formats a number without exponent if it is of moderate size.
 pub(super) fn plain(x: f64) -> String {
     if x != 0.0 && !(1e-9..1e16).contains(&x.abs()) { format!("{x:e}") } else { x.to_string() }
 }

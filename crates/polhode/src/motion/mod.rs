@@ -1,28 +1,37 @@
-//! Motion: states in time, and what moves them. This module reads and writes no files.
+//! Rotational motion of rigid bodies: states in time, and the torques that cause them. This module
+//! does not read or write files.
 //!
-//! A [`Rotor`] is a body with the point that it turns about: its centre of mass, or a pivot. With L = I ω + h, I about that point and h the
-//! momentum of its wheels, Euler's equations are
+//! A [`Rotor`] is a body with the point about which it turns: its centre of mass, or a pivot. With
+//! L = I ω + h, I about that point and h the angular momentum of its wheels, Euler's equations are
 //!
 //! L̇ = L × ω + N,  q̇ = ½ q ω,
 //!
-//! in body axes, q the attitude. The torque N is a sum of [`torque::TorqueModel`]s.
+//! in body axes, with q the attitude. The torque N is a sum of [`torque::TorqueModel`]s.
 //!
-//! # From torque to motion
-//! [`Simulation`] takes a start to a [`Trajectory`]; [`Trajectory::compute`] is its short form. [`Method::Auto`] takes a closed form where
-//! one is known ([`FreeMotion`], [`HeavyTop`], [`SwingingBody`]), which gives the state at any time at once; Taylor's method where all
-//! torques are analytic; DOP853 elsewhere. [`Event`]s are found on the way, a [`GlobalError`] is estimated, and an [`Ensemble`] computes
-//! many bodies at once.
+//! # Forward dynamics
+//! [`Simulation`] computes a [`Trajectory`] from a start; [`Trajectory::compute`] is its short
+//! form. [`Method::Auto`] selects the method:
 //!
-//! # From motion to torque
-//! [`Prescribed`] motions have the torque N = L̇ − L × ω that they need ([`Required`]), and the force that each particle needs
-//! ([`ParticleForce`]). A [`Shaft`] is a motion about a fixed axis with the reactions of its bearings; a [`Pendulum`] swings about one.
+//! - a closed form if one is known ([`FreeMotion`], [`HeavyTop`], [`SwingingBody`]), which gives
+//!   the state at any time directly;
+//! - Taylor's method if all torques are analytic;
+//! - DOP853 otherwise.
 //!
-//! # Bodies that something holds
-//! [`contact`] has bodies that roll and slide on the ground, [`gimbal`] rotors in a Cardan suspension. The
-//! same [`Simulation`] computes them; [`channel`]s of their trajectories have forces, angles and energies.
+//! [`Event`]s are detected along the motion, a [`GlobalError`] is estimated, and an [`Ensemble`]
+//! computes many bodies in one call.
 //!
-//! # A body and its motion in one value
-//! A [`Scenario`] is what a scenario file describes.
+//! # Inverse dynamics
+//! [`Required`] is the torque N = L̇ − L × ω that a [`Prescribed`] motion requires, and
+//! [`ParticleForce`] the force on each particle. A [`Shaft`] turns about a fixed axis and has
+//! bearing reactions; a [`Pendulum`] swings about one.
+//!
+//! # Supported bodies
+//! [`contact`] has bodies that roll and slide on the ground, and [`gimbal`] rotors in a Cardan
+//! suspension. The same [`Simulation`] computes them. The [`channel`]s of their trajectories have
+//! forces, angles and energies.
+//!
+//! # Scenarios
+//! A [`Scenario`] is one body and one motion, as in a scenario file.
 
 pub mod contact;
 pub(crate) mod error;

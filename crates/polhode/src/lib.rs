@@ -1,8 +1,9 @@
 //! Rigid-body dynamics: from mass to motion.
 //!
-//! A body in (particles, solids, meshes, assemblies, a tensor) → mass, centre of mass, inertia tensor, principal moments
-//! and axes → Euler's equations: torque → motion, motion → torque. Exact wherever an exact answer is implemented, and
-//! with the evidence of its own error everywhere else.
+//! The input is a body: particles, solids, meshes, assemblies, or a tensor. The crate computes its
+//! mass, centre of mass, inertia tensor, and principal moments and axes. Euler's equations then
+//! give the motion from the torque, or the torque from the motion. Results are exact where a closed
+//! form is implemented. All others come with an estimate of their error.
 //!
 //! ```
 //! use polhode::prelude::*;
@@ -35,23 +36,28 @@
 //! # Conventions
 //!
 //! - SI units: m, kg, s, rad, N·m, J.
-//! - Off-diagonal elements of an inertia tensor are *minus* the integrals, I_xy = −∫xy dm, so that L = I ω. It is about the
-//!   centre of mass, along body axes, unless its type ([`body::InertiaAbout`]) says otherwise.
-//! - [`Rotation<A, B>`](math::Rotation) is R_AB, v_A = R_AB v_B. The [`Attitude`](math::Attitude) is R_space_body; its quaternion is unit, Hamilton, scalar first.
-//! - ω is the body's angular velocity relative to [`Space`](math::Space), along [`Body`](math::Body) axes unless its type says otherwise.
-//! - Principal moments ascend, i1 ≤ i2 ≤ i3; their axes are right-handed.
+//! - Off-diagonal elements of an inertia tensor are *minus* the integrals, `I_xy` = −∫xy dm, so
+//!   that L = I ω. The tensor is about the centre of mass, along body axes, unless its type
+//!   ([`body::InertiaAbout`]) states otherwise.
+//! - [`Rotation<A, B>`](math::Rotation) is `R_AB`, with `v_A = R_AB v_B`. The
+//!   [`Attitude`](math::Attitude) is `R_space_body`. Its quaternion is a unit Hamilton quaternion,
+//!   scalar first.
+//! - ω is the body's angular velocity relative to [`Space`](math::Space), along
+//!   [`Body`](math::Body) axes unless its type states otherwise.
+//! - Principal moments are in ascending order, i1 ≤ i2 ≤ i3; their axes are right-handed.
 //!
-//! # Where things are
+//! # Modules
 //!
-//! | module | holds | knows nothing of |
+//! | module | contents | independent of |
 //! |---|---|---|
 //! | [`math`] | frames, vectors, rotations, elliptic functions, formulas | mass |
-//! | [`body`] | what has mass → mass, centre, inertia tensor, principal axes | time |
-//! | [`motion`] | torque → motion, motion → torque | files |
-//! | [`observe`] | what can be read off a motion | integration |
-//! | [`infer`] | whether another program's motion is right, and if not why | files |
+//! | [`body`] | mass, centre of mass, inertia tensor and principal axes of bodies | time |
+//! | [`motion`] | motion from torque, and torque from motion | files |
+//! | [`observe`] | quantities derived from a motion | integration |
+//! | [`infer`] | verification of another program's motion, and the cause of its errors | files |
 //!
-//! Each uses those above it only. [`prelude`] has the names that most programs use; [`interop`] are conversions to nalgebra, glam, mint and serde.
+//! Each module uses only the modules above it. [`prelude`] has the names that most programs use;
+//! [`interop`] has conversions to nalgebra, glam, mint and serde.
 
 #![forbid(unsafe_code)]
 

@@ -186,7 +186,7 @@ impl Formula {
 
     /// Returns the value at a point; a missing variable is NaN.
     ///
-    /// For formulas of usual length, no memory is allocated.
+    /// No memory is allocated for formulas of usual length.
     pub fn evaluate(&self, point: &[f64]) -> f64 {
         let mut shallow = [0.0; SHALLOW];
         let mut deep = Vec::new();

@@ -223,7 +223,7 @@ impl Formula {
     /// Returns the value and the first and second derivative with respect to the only variable.
     /// They are exact except for rounding, without differences.
     ///
-    /// At a corner of the formula (`abs`, `min`, `max`, `if`) they are one-sided derivatives.
+    /// Derivatives at a corner of the formula (`abs`, `min`, `max`, `if`) are one-sided.
     ///
     /// ```
     /// use polhode::math::formula::{Formula, Instruction, Unary};

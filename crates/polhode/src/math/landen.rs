@@ -1,7 +1,7 @@
 //! Descending Landen transformations, which convert amplitudes to arguments that are linear in
 //! time.
 //!
-//! With the means a₀ = 1, g₀ = √m₁, aₙ₊₁ = ½(aₙ + gₙ), gₙ₊₁ = √(aₙ gₙ), every step halves the
+//! The means are a₀ = 1, g₀ = √m₁, aₙ₊₁ = ½(aₙ + gₙ), gₙ₊₁ = √(aₙ gₙ). Every step halves the
 //! argument's share of the elliptic integral and brings the amplitude closer to a linear angle. The
 //! correction η of each step is computed without cancellation. Therefore the smallest amplitude and
 //! the parameter nearest to 0 keep full relative precision.
@@ -62,7 +62,7 @@ impl Landen {
 
     /// Returns π F(φ|m) / 2K, with φ = atan2(sin, cos) in (−π, π].
     ///
-    /// From tan(φₙ₊₁ − φₙ) = (gₙ/aₙ) tan φₙ follows φₙ₊₁ = 2φₙ − ηₙ with tan ηₙ = (1 − r) sin cos /
+    /// The relation tan(φₙ₊₁ − φₙ) = (gₙ/aₙ) tan φₙ gives φₙ₊₁ = 2φₙ − ηₙ with tan ηₙ = (1 − r) sin cos /
     /// (cos² + r sin²).
     pub(crate) fn angle(&self, sin: f64, cos: f64) -> f64 {
         let (mut s, mut c) = (sin, cos);
@@ -82,7 +82,7 @@ impl Landen {
     /// It is valid for sinh χ ≤ m^−¼, half of the way to K′. Beyond, the steps converge slowly; the
     /// caller uses the distance from K′ instead.
     ///
-    /// From tanh(χₙ₊₁ − χₙ) = (gₙ/aₙ) tanh χₙ follows χₙ₊₁ = 2χₙ − ηₙ with e^2ηₙ − 1 = 2 (1 − r)
+    /// The relation tanh(χₙ₊₁ − χₙ) = (gₙ/aₙ) tanh χₙ gives χₙ₊₁ = 2χₙ − ηₙ with e^2ηₙ − 1 = 2 (1 − r)
     /// tanh χₙ / ((1 − tanh χₙ)(1 + r tanh χₙ)).
     pub(crate) fn hyperbolic_correction(&self, tanh: f64, sech2: f64) -> f64 {
         let (mut th, mut sigma) = (tanh, sech2);

@@ -48,7 +48,7 @@ const SQUARE_IS_NOTHING: f64 = 1e-17;
 
 /// Returns the mean of sn² over a period, (1 − E/K)/m, between ½ and 1, from m and √(1 − m) > 0.
 ///
-/// With the differences cₙ of the means it is ½ + Σ 2ⁿ⁻¹ cₙ²/m, c₁ = m/2(1 + √(1 − m)),
+/// It is ½ + Σ 2ⁿ⁻¹ cₙ²/m, where cₙ are the differences of the means: c₁ = m/2(1 + √(1 − m)),
 /// cₙ₊₁ = cₙ²/4aₙ₊₁.
 ///
 /// Source: DLMF 19.8.6.

@@ -191,7 +191,7 @@ macro_rules! vectors {
                 self
             }
 
-            /// Rounds twice if there is no fused instruction.
+            /// Rounds twice if the processor has no fused instruction.
             #[inline(always)]
             fn mul_add(self, b: Self, c: Self) -> Self {
                 // The fused operation of WebAssembly may be of either kind.

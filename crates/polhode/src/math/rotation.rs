@@ -197,7 +197,7 @@ impl<A, B> Rotation<A, B> {
 
     /// Returns the 3-1-3 Euler angles (φ, θ, ψ) in rad: φ and ψ in (−π, π], θ in [0, π].
     ///
-    /// At θ = 0 and θ = π only φ ± ψ is determined; then ψ = 0 is returned.
+    /// Only φ ± ψ is determined at θ = 0 and θ = π; then ψ = 0 is returned.
     pub fn euler313(self) -> [f64; 3] {
         let [w, x, y, z] = self.quaternion();
         let theta = 2.0 * libm::atan2(libm::hypot(x, y), libm::hypot(w, z));
@@ -238,7 +238,7 @@ impl<A, B> Rotation<A, B> {
 
     /// Returns roll, pitch and yaw (φ, θ, ψ), 3-2-1, in rad: φ and ψ in (−π, π], θ in [−π/2, π/2].
     ///
-    /// At θ = ±π/2 only ψ ∓ φ is determined; then φ = 0 is returned.
+    /// Only ψ ∓ φ is determined at θ = ±π/2; then φ = 0 is returned.
     pub fn roll_pitch_yaw(self) -> [f64; 3] {
         let [w, x, y, z] = self.quaternion();
         let (less, more) = ([w - y, x + z], [w + y, z - x]);

@@ -8,8 +8,8 @@ use crate::motion::model::require;
 /// The roll axis is along the velocity, the pitch axis along the orbit normal, and the yaw axis
 /// along the radius. The body rotates once per orbit.
 ///
-/// With the moments A, B, C about roll, pitch and yaw, k1 = (B − C)/A, k2 = (A − C)/B,
-/// k3 = (B − A)/C, and the orbital rate n:
+/// Let A, B, C be the moments about roll, pitch and yaw. Then k1 = (B − C)/A, k2 = (A − C)/B,
+/// k3 = (B − A)/C. With the orbital rate n, the characteristic equations are:
 ///
 /// pitch, in the orbital plane: s² + 3 k2 n² = 0
 ///

@@ -242,11 +242,11 @@ impl Family {
     /// Returns the motion whose largest nutation θ′ satisfies tan² θ′ = z/ρ, with z = eʸ and
     /// ρ = (1/i2 − 1/i3)/(1/i1 − 1/i3).
     ///
-    /// With ν = 1/ρ − 1, the smallest nutation θ and the parameter satisfy tan² θ = z/(1 + νz),
+    /// Let ν = 1/ρ − 1. The smallest nutation θ and the parameter satisfy tan² θ = z/(1 + νz),
     /// m = νz/(1 + νz) and 1 − m = 1/(1 + νz). Nothing cancels between the permanent rotation (z
     /// → 0) and the separatrix (z → ∞), nor in the limit of a symmetric body (ν → 0).
     ///
-    /// As in `motion/solve/free/elements.rs`, λ = cos θ √((1/i1 − 1/i3)(1/i2 − 1/i3)) and
+    /// The quantities of `motion/solve/free/elements.rs` are λ = cos θ √((1/i1 − 1/i3)(1/i2 − 1/i3)) and
     /// Ω = 1/i2 + ½ (1/i1 − 1/i2) R.
     fn at(&self, y: f64) -> Wobble {
         let [i1, i2, i3] = self.moments;

@@ -91,7 +91,7 @@ pub struct FieldMassProperties {
 
 /// Estimated errors of [`FieldMassProperties`].
 ///
-/// In every piece the result is compared with that of an embedded rule of lower degree. The
+/// The result in every piece is compared with that of an embedded rule of lower degree. The
 /// absolute differences and the rounding bounds of the sums are added. The estimate is far too
 /// large for a smooth density, and too large by a moderate factor for a density with steps. It
 /// knows only the samples: it cannot detect a feature that lies between all of them, such as a

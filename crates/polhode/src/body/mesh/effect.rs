@@ -21,8 +21,8 @@ impl ClosedMesh {
     /// Returns bounds of the errors of the mass properties if `volume`, m³, may or may not belong
     /// to the solid and lies at most `beyond` m farther out than the solid's corners.
     ///
-    /// With the solid's volume V, the uncertain volume ΔV, and its largest distance R from the
-    /// centre of mass: Δc ≤ ΔV R/(V − ΔV), ΔI ≤ ΔV R² + (V + ΔV) Δc².
+    /// Let V be the solid's volume, ΔV the uncertain volume, and R its largest distance from the
+    /// centre of mass. Then Δc ≤ ΔV R/(V − ΔV), ΔI ≤ ΔV R² + (V + ΔV) Δc².
     pub fn effect(&self, volume: f64, beyond: f64) -> MeshEffect {
         MeshEffect::of(&self.spread(), self.surface().coordinates(), volume, beyond)
     }

@@ -73,7 +73,7 @@ impl TriangleMesh {
     /// Fills the holes whose diameter is at most `size`, m. The diameter is the largest distance
     /// between two vertices.
     ///
-    /// Among all triangulations of a loop with its own vertices, the one with the smallest area is
+    /// The triangulation of a loop, with its own vertices only, that has the smallest area is
     /// used. If its area is no less than that of the surface whose rim the loop is, or if that
     /// surface has no other vertices, the surface is a sheet and the loop is not filled. The true
     /// surface is unknown: `volume_bound` is the total volume of the balls around the holes. Each

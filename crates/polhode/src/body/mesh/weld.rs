@@ -47,7 +47,7 @@ impl TriangleMesh {
     /// Returns the same triangles with each vertex once, in the order in which triangles use them,
     /// on at most `threads` threads.
     ///
-    /// For triangles without shared indices, as in STL, this reduces the memory to about a quarter,
+    /// This reduces the memory for triangles without shared indices, as in STL, to about a quarter,
     /// and later searches for equal corners take almost no time.
     #[must_use]
     pub fn with_shared_vertices(self, threads: usize) -> Self {

@@ -45,7 +45,7 @@ impl Shape for Ellipsoid {
     /// the whole line with step ½ therefore has the relative error e^(−4π²), less than the
     /// rounding.
     ///
-    /// With a ≥ b ≥ c, A/ab depends on b/a and c/b only. If one of these ratios is small, its
+    /// Let a ≥ b ≥ c. Then A/ab depends on b/a and c/b only. If one of these ratios is small, its
     /// effect is proportional to its square and becomes negligible.
     ///
     /// Source: DLMF §19.33(i), and R_G as the integral of §19.16(i), with 1/t for t.

@@ -1,7 +1,7 @@
 //! Carlson's symmetric elliptic integrals by duplication, with the *square roots* of their usual
 //! arguments.
 //!
-//! With roots, duplication x → ¼(x + √x√y + √x√z + √y√z) becomes a → ½√((a + b)(a + c)). This is a
+//! Duplication x → ¼(x + √x√y + √x√z + √y√z) becomes a → ½√((a + b)(a + c)) for the roots. This is a
 //! product of sums of nonnegative numbers, which keeps full relative precision for any ratio of the
 //! arguments. Squares of 10⁻¹⁶² or 10¹⁵⁴ do not occur.
 //!

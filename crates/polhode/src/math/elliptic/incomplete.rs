@@ -1,10 +1,11 @@
 //! Incomplete elliptic integrals F, E and Π for any amplitude, with one formula for the three
 //! kinds.
 //!
-//! With s = sin φ, c = cos φ, Δ² = 1 − m s² = c² + m₁ s²,
+//! Let s = sin φ, c = cos φ and Δ² = 1 − m s² = c² + m₁ s². Then
 //!
-//! F, E, Π(n) = s R_F(c², Δ², 1) + w s³/3 R_J(c², Δ², 1, 1 − n s²),   (w, n) = none, (−m, 0), (n,
-//! n).
+//! F, E, Π(n) = s R_F(c², Δ², 1) + w s³/3 R_J(c², Δ², 1, 1 − n s²),
+//!
+//! where (w, n) is absent for F, (−m, 0) for E and (n, n) for Π.
 //!
 //! All terms are positive except the second term of E for m > 0, which cancels by a factor of about
 //! 100 at most (double-double arithmetic has sufficient digits), and that of Π for n < 0. For large

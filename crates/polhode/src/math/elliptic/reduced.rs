@@ -30,7 +30,7 @@ impl Reduced {
 
     /// Reduces `x` · `rate` quarter turns.
     ///
-    /// With a triple-double rate, the absolute error of the remainder is 2⁻¹⁵⁵ x rate. Beyond 2¹⁵⁰
+    /// The absolute error of the remainder is 2⁻¹⁵⁵ x rate, for a triple-double rate. Beyond 2¹⁵⁰
     /// quarter turns the remainder is undetermined and set to 0.
     pub(super) fn new(x: f64, rate: Triple) -> Self {
         let about = x * rate.value();

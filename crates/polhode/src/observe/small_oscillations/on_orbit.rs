@@ -63,7 +63,7 @@ impl OrbitalEquilibrium {
     /// along the orbital axes, and from the start's attitude; the nearest to the start's attitude
     /// first. `None` if no gravity gradient on a circular orbit acts.
     ///
-    /// With three distinct moments and no other torque, these are all equilibria. If there is a
+    /// These are all equilibria if the moments are distinct and no other torque acts. If there is a
     /// continuous circle of them, as for a body with two equal moments, those along the principal
     /// axes represent it.
     ///

@@ -1,6 +1,6 @@
-//! What calls of free motion cost in Rust, for `benches/python/calls.py`, which has the same calls in Python.
+//! Cost of calls of free motion in Rust. `benches/python/calls.py` has the same calls in Python.
 //!
-//! Each line: what, the least time of many runs, the unit.
+//! Each line: name of the call, minimum time of many runs, unit.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -9,7 +9,7 @@ use polhode::prelude::*;
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 
-/// The least time of many short runs, ns.
+/// Returns the minimum time of many short runs, ns.
 fn least(mut work: impl FnMut()) -> f64 {
     let mut least = Duration::MAX;
     let begin = Instant::now();

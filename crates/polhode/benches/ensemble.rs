@@ -1,7 +1,9 @@
-//! Many bodies in nanoseconds. `cargo bench -p polhode --bench ensemble`; `benches/ensemble.py` runs it beside peers and with narrower
-//! vectors, and writes the numbers of `book/ensembles.md`.
+//! Cost of ensembles of many bodies. `cargo bench -p polhode --bench ensemble`.
+//! `benches/ensemble.py` runs it together with other libraries and with narrower vectors, and
+//! writes the numbers of `book/ensembles.md`.
 //!
-//! Each line: what, the number, its unit. Times are the least of many runs so short that some are left undisturbed.
+//! Each line: name, number, unit. Times are the minimum of many runs, each so short that some are
+//! undisturbed.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -16,7 +18,7 @@ use polhode::motion::{Ensemble, FreeMotions, MU_EARTH, Member, MemberFailure, Or
 use polhode::prelude::*;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // Only the torques whose names have what is given, if something is.
+    // Restricts the run to torques whose names contain the argument, if one is given.
     let wanted = std::env::args().skip(1).find(|argument| !argument.starts_with('-'));
     if wanted.is_none() {
         scaling("fused multiply–add", "GFLOP/s", |threads| Ok(peak(threads)))?;
@@ -33,7 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A rate on one thread and on two, and how many times the one the other is; that of one thread.
+/// Prints a rate on one thread and on two, and their ratio; returns the rate on one thread.
 fn scaling(
     name: &str,
     unit: &str,
@@ -46,7 +48,7 @@ fn scaling(
     Ok(one)
 }
 
-/// The least time of many short runs, s.
+/// Returns the minimum time of many short runs, s.
 fn least(mut work: impl FnMut()) -> f64 {
     let mut least = f64::INFINITY;
     let begin = Instant::now();
@@ -63,13 +65,13 @@ fn generic() -> Result<MassProperties<Body>, BodyError> {
     MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia)
 }
 
-/// A start of its own for each.
+/// Returns a different start for each k.
 fn start(k: usize) -> State {
     let omega = AngularVelocity::new(0.3 + 1e-4 * k as f64, 0.5, 0.9);
     State { time: 0.0, attitude: Attitude::identity(), omega }
 }
 
-/// A name, a body, and what turns it.
+/// A name, a body, and its torques.
 type Subject = (&'static str, Rotor, Vec<TorqueModel>);
 
 fn subjects() -> Result<Vec<Subject>, Box<dyn Error>> {
@@ -125,7 +127,7 @@ fn subjects() -> Result<Vec<Subject>, Box<dyn Error>> {
     ])
 }
 
-/// (0.2 sin(2 t) − 0.1 ωx, 0.3 r31 ωy, −0.05 ωz²)
+/// Formula torque (0.2 sin(2 t) − 0.1 ωx, 0.3 r31 ωy, −0.05 ωz²).
 fn formulas() -> Result<FormulaTorque, FormulaError> {
     use Instruction as I;
     let place = |name| StateVariables::NAMES.iter().position(|known| *known == name).unwrap_or_default();
@@ -143,7 +145,7 @@ fn ensemble(rotor: &Rotor, torques: &[TorqueModel], count: usize) -> Result<Ense
     Ensemble::new((0..count).map(member).collect())
 }
 
-/// ns per body and step of its own, in batches of eight and more.
+/// Measures ns per body and step, in batches of at least eight bodies with individual steps.
 fn taylor(rotor: &Rotor, torques: &[TorqueModel]) -> Result<[f64; 2], Box<dyn Error>> {
     let (bodies, tolerance, times) = (64, 1e-9, [100.0]);
     let all = ensemble(rotor, torques, bodies)?;
@@ -168,7 +170,7 @@ fn taylor(rotor: &Rotor, torques: &[TorqueModel]) -> Result<[f64; 2], Box<dyn Er
     Ok([seconds / steps as f64 * 1e9, one / (8.0 * per_body) * 1e9])
 }
 
-/// Free motions in closed form.
+/// Measures free motions in closed form.
 fn exact() -> Result<(), Box<dyn Error>> {
     let rotor = Rotor::free(&generic()?);
     let times: Vec<f64> = (0..1024).map(|k| f64::from(k) * 0.977 + 0.1).collect();
@@ -187,8 +189,9 @@ fn exact() -> Result<(), Box<dyn Error>> {
     let mut states = motion.at_times(&times);
     let seconds = least(|| motion.fill(black_box(&times), black_box(&mut states)));
     println!("exact, one body, prepared\t{:.1}\tmillion states/s", times.len() as f64 / seconds * 1e-6);
-    // The latter come from memory: each of many fleets waits for the others to have passed. Their states go to memory too, each to a
-    // place of its own, or to places that stay near, as of one who reduces them on the way.
+    // With many fleets the bodies come from memory: each fleet waits until all others have been
+    // computed. The states are also written to memory: each to its own place, or to places that
+    // stay in the cache, as in a reduction.
     for (fleets, count, places, whither) in
         [(1, 1_000, 1, ""), (10, 100_000, 10, ""), (100, 10_000, 1, ", states that stay near")]
     {
@@ -215,7 +218,7 @@ fn exact() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The rate of fused multiply–adds in registers on so many threads together, GFLOP/s.
+/// Rate of fused multiply–adds in registers on this many threads, GFLOP/s.
 #[cfg(all(feature = "simd", target_arch = "x86_64"))]
 fn peak(threads: usize) -> f64 {
     let mut best: f64 = 0.0;
@@ -231,7 +234,7 @@ fn peak(threads: usize) -> f64 {
     best * 1e-9
 }
 
-/// For about ten milliseconds; the number of operations.
+/// Runs for about ten milliseconds; returns the number of operations.
 #[cfg(all(feature = "simd", target_arch = "x86_64"))]
 fn multiply_and_add() -> f64 {
     let level = fearless_simd::Level::new();
@@ -242,7 +245,7 @@ fn multiply_and_add() -> f64 {
     level.as_avx2().map_or(0.0, chains::<_, 6>)
 }
 
-/// So many sums of eight, each of which waits for itself alone.
+/// Computes independent sums of eight lanes, so that each waits only for itself.
 #[cfg(all(feature = "simd", target_arch = "x86_64"))]
 fn chains<S: fearless_simd::Simd, const CHAINS: usize>(simd: S) -> f64 {
     const ROUNDS: usize = 6_000_000;

@@ -1,9 +1,10 @@
-//! Taylor's method for many bodies side by side, ns per step of a body, on one core.
+//! Cost of Taylor's method for batches of bodies, in ns per step of a body, on one core.
 //!
-//! `cargo bench -p polhode --bench ensemble_taylor -- [BODIES]`, 1024 unless said otherwise; `benches/ensemble_taylor.py` runs it beside
-//! heyoka's batches of eight, with the same bodies.
+//! `cargo bench -p polhode --bench ensemble_taylor -- [BODIES]`; the default is 1024 bodies.
+//! `benches/ensemble_taylor.py` also runs heyoka's batches of eight with the same bodies.
 //!
-//! Each line: problem, tolerance, steps per body, ns per step of a body in the ensemble, and alone. Times are the least of many runs.
+//! Each line: problem, tolerance, steps per body, ns per step of a body in the ensemble and alone.
+//! Times are the minimum of many runs.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -14,13 +15,13 @@ use polhode::motion::torque::{Attracted, GravityGradient};
 use polhode::motion::{Ensemble, Member, Orbit};
 use polhode::prelude::*;
 
-/// Moments about the point that the bodies turn about, kg·m².
+/// Moments about the point about which the bodies turn, kg·m².
 const MOMENTS: [f64; 3] = [3.1, 4.2, 5.3];
 
-/// Until when, s.
+/// End time, s.
 const END: f64 = 100.0;
 
-/// Orders 24 and 20.
+/// Tolerances that correspond to orders 24 and 20.
 const TOLERANCES: [f64; 2] = [1e-15, 1e-8];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -59,13 +60,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A name, a body, and what turns it.
+/// A name, a body, and its torques.
 type Problem = (&'static str, Rotor, Vec<TorqueModel>);
 
-/// Nothing acts; gravity at a pivot, M g l = 1 N·m; the gravity gradient on a circle at 0.5 rad/s.
+/// Returns three problems: no torque; gravity at a pivot with M g l = 1 N·m; the gravity gradient
+/// on a circle at 0.5 rad/s.
 fn problems() -> Result<[Problem; 3], Box<dyn Error>> {
     let free = Rotor::free(&MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal(MOMENTS)?)?);
-    // A mass so small that its place hardly matters to the tensor, and gravity as much larger.
+    // A small mass hardly affects the tensor; gravity is larger in proportion.
     let (mass, g, [i1, i2, i3]) = (1e-3, 1e3, MOMENTS);
     let about_center = InertiaTensor::diagonal([i1 - mass, i2 - mass, i3])?;
     let body = MassProperties::new(mass, Position::new(0.0, 0.0, 1.0), about_center)?;
@@ -79,7 +81,7 @@ fn problems() -> Result<[Problem; 3], Box<dyn Error>> {
     ])
 }
 
-/// Tilted by 1 rad about x.
+/// Returns a start tilted by 1 rad about x.
 fn start(k: usize) -> State {
     let attitude = Rotation::about(Direction::new(1.0, 0.0, 0.0), 1.0).unwrap_or(Rotation::identity());
     State { time: 0.0, attitude, omega: AngularVelocity::new(0.3, 0.5 - 3e-4 * k as f64, 0.9) }
@@ -90,7 +92,7 @@ fn alone(member: &Member, tolerance: f64) -> Simulation<'_> {
     simulation.method(Method::Taylor).tolerance(tolerance)
 }
 
-/// The least time of many runs, ns.
+/// Returns the minimum time of many runs, ns.
 fn least(mut work: impl FnMut()) -> f64 {
     let (mut least, begin) = (f64::INFINITY, Instant::now());
     while begin.elapsed().as_secs_f64() < 1.0 {

@@ -1,7 +1,7 @@
-//! Free motion in nanoseconds. `cargo bench -p polhode --bench free_motion`; `benches/speed.py` runs it beside a peer and
-//! with narrower vectors, and writes the page `book/speed.md`.
+//! Cost of free motion. `cargo bench -p polhode --bench free_motion`. `benches/speed.py` runs it
+//! together with another library and with narrower vectors, and writes the page `book/speed.md`.
 //!
-//! Each line: what, the least time of many runs, the unit.
+//! Each line: name, minimum time of many runs, unit.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -9,7 +9,7 @@ use std::time::Instant;
 use polhode::motion::{FreeMotionDerivatives, FreeMotions};
 use polhode::prelude::*;
 
-/// The least time of many short runs, ns per item: what the machine can do when nothing disturbs it.
+/// Returns the minimum time of many short runs, ns per item: the speed of the undisturbed machine.
 fn least(items: usize, mut work: impl FnMut()) -> f64 {
     let mut least = f64::INFINITY;
     let begin = Instant::now();

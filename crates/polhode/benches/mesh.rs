@@ -1,6 +1,6 @@
-//! Meshes in nanoseconds a triangle and in milliseconds. `cargo bench -p polhode --bench mesh`.
+//! Cost of meshes, in ns per triangle and in ms. `cargo bench -p polhode --bench mesh`.
 //!
-//! Each line: what, the least time of a few runs, the unit.
+//! Each line: name, minimum time of a few runs, unit.
 
 use std::collections::HashMap;
 use std::hint::black_box;
@@ -10,7 +10,7 @@ use polhode::body::MassPropertiesGradient;
 use polhode::body::mesh::{ConvexHull, MeshDerivatives, MeshDiagnosis, MeshShell};
 use polhode::prelude::*;
 
-/// The least time of a few runs, s.
+/// Returns the minimum time of a few runs, s.
 fn least<T>(mut work: impl FnMut() -> T) -> f64 {
     let mut least = f64::INFINITY;
     let begin = Instant::now();
@@ -22,7 +22,7 @@ fn least<T>(mut work: impl FnMut() -> T) -> f64 {
     least
 }
 
-/// An octahedron with each face divided into four, so many times, on a wavy sphere.
+/// Returns an octahedron on a wavy sphere, with each face divided into four `level` times.
 fn lump(level: u32) -> Result<TriangleMesh, BodyError> {
     let mut vertices = vec![];
     for axis in 0..3 {
@@ -62,7 +62,7 @@ fn lump(level: u32) -> Result<TriangleMesh, BodyError> {
     TriangleMesh::new(vertices.into_iter().map(wavy).collect(), faces)
 }
 
-/// The same, rough: each corner moved by up to so much.
+/// Returns the mesh with each corner moved by up to `by`.
 fn rough(mesh: &TriangleMesh, by: f64) -> Result<TriangleMesh, BodyError> {
     let mut state = 7_u64;
     let mut chance = || {
@@ -73,8 +73,8 @@ fn rough(mesh: &TriangleMesh, by: f64) -> Result<TriangleMesh, BodyError> {
     TriangleMesh::new(moved.collect(), mesh.triangles().to_vec())
 }
 
-/// What derivatives by all vertices cost beside the mass integrals, which is what a change of unit takes; on one thread with
-/// `taskset -c 0`, as derivatives are found on one.
+/// Measures derivatives with respect to all vertices, compared with the mass integrals, which a
+/// change of unit computes. Run with `taskset -c 0`, as derivatives use one thread.
 fn derivatives(mesh: &TriangleMesh) -> Result<(), BodyError> {
     let count = mesh.triangles().len() as f64;
     let (mut solid, mut factor) = (Some(ClosedMesh::of(mesh)?), 2.0);

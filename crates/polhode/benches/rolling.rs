@@ -1,4 +1,4 @@
-//! Bodies that roll: `cargo bench -p polhode --bench rolling`; the figures of `book/contact.md`.
+//! Cost of rolling bodies: `cargo bench -p polhode --bench rolling`; numbers of `book/contact.md`.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -10,7 +10,7 @@ use polhode::motion::channel::ENERGY;
 use polhode::motion::contact::{BodySurface, Contact, ContactStart, SurfaceShape};
 use polhode::prelude::*;
 
-/// The least time of many runs, s.
+/// Returns the minimum time of many runs, s.
 fn least(mut work: impl FnMut()) -> f64 {
     let mut least = f64::INFINITY;
     let begin = Instant::now();
@@ -23,7 +23,7 @@ fn least(mut work: impl FnMut()) -> f64 {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // `examples/rattleback.toml`
+    // body of `examples/rattleback.toml`
     let inertia = InertiaTensor::from_matrix([[2e-4, -2e-5, 0.0], [-2e-5, 1.6e-3, 0.0], [0.0, 0.0, 1.7e-3]])?;
     let body = MassProperties::new(1.0, Position::ZERO, inertia)?;
     let shape = SurfaceShape::Ellipsoid { semi_axes: [0.2, 0.03, 0.02] };

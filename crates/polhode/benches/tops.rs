@@ -1,4 +1,5 @@
-//! Heavy tops and swinging bodies: the closed form beside Taylor's method. `cargo bench -p polhode --bench tops`; the table of `book/tops.md`.
+//! Cost of heavy tops and swinging bodies: closed form and Taylor's method. `cargo bench -p polhode
+//! --bench tops`; table of `book/tops.md`.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -7,7 +8,7 @@ use std::time::Instant;
 use polhode::motion::ClosedForm;
 use polhode::prelude::*;
 
-/// The least time of many short runs, s.
+/// Returns the minimum time of many short runs, s.
 fn least(mut work: impl FnMut()) -> f64 {
     let mut least = f64::INFINITY;
     let begin = Instant::now();
@@ -48,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let many = least(|| drop(black_box(motion.at_times(black_box(&times)))));
         let [exact, taylor] = [Method::Exact, Method::Taylor].map(|method| {
             let simulation = Simulation::new(&rotor, &torques, start, &times).method(method);
-            // First what needs more memory: the allocator then keeps it.
+            // The run with more memory is first: the allocator then keeps it.
             let samples = least(|| drop(black_box(simulation.run().ok())));
             [least(|| drop(black_box(simulation.states().ok()))), samples]
         });

@@ -1,8 +1,11 @@
-//! What derivatives cost: the Taylor problems of `book/work-precision.md`, without and with the derivatives by start and inertia.
+//! Cost of derivatives: the Taylor problems of `book/work-precision.md`, without and with
+//! derivatives with respect to start and inertia.
 //!
-//! `cargo run --release -p polhode --example derivatives`; `benches/derivatives.py` runs it beside heyoka.
+//! `cargo run --release -p polhode --example derivatives`. `benches/derivatives.py` runs it
+//! together with heyoka.
 //!
-//! Columns: problem, tolerance, seconds without and with derivatives (the least of many runs), Φ at the end row by row.
+//! Columns: problem, tolerance, seconds without and with derivatives (the minimum of many runs), Φ
+//! at the end row by row.
 
 use std::error::Error;
 use std::time::{Duration, Instant};
@@ -11,10 +14,10 @@ use polhode::motion::Orbit;
 use polhode::motion::torque::{Attracted, Drag, DragLaw, GravityGradient};
 use polhode::prelude::*;
 
-/// For how long each run is repeated.
+/// Duration for which each run is repeated.
 const PATIENCE: Duration = Duration::from_millis(60);
 
-/// A body, what turns it, where it starts, and when it ends.
+/// A body, its torques, its start, and the end time.
 struct Problem {
     name: &'static str,
     rotor: Rotor,
@@ -32,15 +35,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A: I = (1, 2, 3), ω = (0.3, 0.5, 0.9), nothing acts.
+/// Problem A: I = (1, 2, 3), ω = (0.3, 0.5, 0.9), no torque.
 fn free() -> Result<Problem, Box<dyn Error>> {
     let rotor = Rotor::free(&body([1.0, 2.0, 3.0])?);
     Ok(Problem { name: "A", rotor, torques: Vec::new(), start: start([0.3, 0.5, 0.9]), end: 100.0 })
 }
 
-/// B: a heavy top about its tip, I = (1, 1, 0.5) there, M g l = 1, ω = (0, 0, 5), tilted by 60°.
+/// Problem B: a heavy top about its tip, I = (1, 1, 0.5) there, M g l = 1, ω = (0, 0, 5), tilted by
+/// 60°.
 fn heavy_top() -> Result<Problem, Box<dyn Error>> {
-    // A mass so small that the tensor about its centre is possible too, and gravity as much larger.
+    // A small mass keeps the tensor about its centre physical; gravity is larger in proportion.
     let (mass, g) = (1.0 / 1024.0, 1024.0);
     let inertia = InertiaTensor::diagonal([1.0 - mass, 1.0 - mass, 0.5])?;
     let body = MassProperties::new(mass, Position::new(0.0, 0.0, 1.0), inertia)?;
@@ -51,7 +55,8 @@ fn heavy_top() -> Result<Problem, Box<dyn Error>> {
     Ok(Problem { name: "B", rotor: Rotor::pivoted(&body, Position::ZERO), torques, start, end: 100.0 })
 }
 
-/// C-gg: I = (1, 2, 2.5), ω = (0.3, 0.5, 0.9), N = 3n² r × I r on the circle r = (cos nt, sin nt, 0), n = 0.5.
+/// Problem C-gg: I = (1, 2, 2.5), ω = (0.3, 0.5, 0.9), N = 3n² r × I r on the circle r = (cos nt,
+/// sin nt, 0), n = 0.5.
 fn gravity_gradient() -> Result<Problem, Box<dyn Error>> {
     let orbit = Orbit::through(0.25, Position::new(1.0, 0.0, 0.0), Velocity::new(0.0, 0.5, 0.0), 0.0)?;
     let torque = GravityGradient { orbit, attracted: Attracted::Tensor };
@@ -60,7 +65,7 @@ fn gravity_gradient() -> Result<Problem, Box<dyn Error>> {
     Ok(Problem { name: "C-gg", rotor, torques, start: start([0.3, 0.5, 0.9]), end: 20.0 })
 }
 
-/// C-damp: I = (1, 2, 3), ω = (0.3, 0.5, 0.9), N = −0.05 ω.
+/// Problem C-damp: I = (1, 2, 3), ω = (0.3, 0.5, 0.9), N = −0.05 ω.
 fn damped() -> Result<Problem, Box<dyn Error>> {
     let c = 0.05;
     let drag = Drag::new(DragLaw::Linear, [[c, 0.0, 0.0], [0.0, c, 0.0], [0.0, 0.0, c]])?;
@@ -93,7 +98,7 @@ fn measure(problem: &Problem, tolerance: f64) -> Result<(), MotionError> {
     Ok(())
 }
 
-/// The least time of many runs, s.
+/// Returns the minimum time of many runs, s.
 fn least(run: impl Fn() -> Result<(), MotionError>) -> Result<f64, MotionError> {
     let (mut least, begin) = (f64::INFINITY, Instant::now());
     while begin.elapsed() < PATIENCE {

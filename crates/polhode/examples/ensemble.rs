@@ -1,4 +1,5 @@
-//! A thousand satellites that were let go alike, but for what the separation gave each: how far apart they point after an orbit.
+//! A thousand identical satellites with different angular velocities after separation: how far
+//! apart they point after one orbit.
 //!
 //! `cargo run --release -p polhode --example ensemble`
 
@@ -18,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let period = orbit.period().ok_or("a circle is closed")?;
     let gradient = GravityGradient { orbit, attracted: Attracted::Tensor };
     let member = |k: u32| {
-        // A spread of rates, 0.01 rad/s each way: the golden ratio's multiples fill it evenly.
+        // Rates spread over ±0.01 rad/s: multiples of the golden ratio fill the interval evenly.
         let spread = |ratio: f64| 0.02 * ((f64::from(k) * ratio).fract() - 0.5);
         let omega = AngularVelocity::new(spread(0.618_034), spread(0.754_878), spread(0.569_840));
         Member::new(

@@ -1,4 +1,4 @@
-//! The energy error of splitting over many steps: writes the page `book/splitting.md`.
+//! Energy error of splitting over many steps: writes the page `book/splitting.md`.
 //!
 //! `cargo run --release -p polhode --example splitting [steps] > book/splitting.md`
 
@@ -9,12 +9,12 @@ use polhode::motion::torque::{Attracted, GravityGradient};
 use polhode::motion::{Orbit, SplittingOrder, TIGHTEST_TOLERANCE};
 use polhode::prelude::*;
 
-/// Stretches that a run is divided into.
+/// Number of stretches into which a run is divided.
 const STRETCHES: usize = 10;
-/// Steps from one sample to the next: a prime, so that samples do not beat with the motion.
+/// Steps between samples: a prime, so that samples are not in phase with the motion.
 const APART: usize = 997;
 
-/// A body, what turns it, where it starts, and what it conserves.
+/// A body, its torques, its start, and its conserved quantity.
 struct Problem {
     name: &'static str,
     rotor: Rotor,
@@ -23,13 +23,13 @@ struct Problem {
     energy: fn(&Problem, &Sample) -> f64,
 }
 
-/// A method, its step, and what came of it.
+/// A method, its step, and its results.
 struct Run {
     order: SplittingOrder,
     step: f64,
-    /// Of the energy in each stretch: the largest error, and the mean one, relative to the largest kinetic energy.
+    /// Largest and mean energy error in each stretch, relative to the largest kinetic energy.
     stretches: Vec<[f64; 2]>,
-    /// s a step.
+    /// Cost, s per step.
     cost: f64,
 }
 
@@ -95,7 +95,7 @@ The step of order 6 is a binary fraction, so that its times are exact. With 0.1 
 table, where the torque depends on the time: 1.4e-11 at the end, while the others are the same.
 ";
 
-/// The heavy top I = (1, 1, 0.5), M g l = 1, ω = (0, 0, 5), tilted by 60°.
+/// Returns the heavy top I = (1, 1, 0.5), M g l = 1, ω = (0, 0, 5), tilted by 60°.
 fn symmetric() -> Result<Problem, Box<dyn Error>> {
     heavy(
         "Heavy top: I = (1, 1, 0.5), M g l = 1, ω = (0, 0, 5), tilted by 60°",
@@ -105,7 +105,7 @@ fn symmetric() -> Result<Problem, Box<dyn Error>> {
     )
 }
 
-/// A heavy body without any symmetry: its motion is chaotic.
+/// Returns a heavy body without symmetry: its motion is chaotic.
 fn generic() -> Result<Problem, Box<dyn Error>> {
     let lever = Direction::new(0.48, -0.6, 0.64);
     heavy(
@@ -116,14 +116,14 @@ fn generic() -> Result<Problem, Box<dyn Error>> {
     )
 }
 
-/// A body about a pivot with these moments there, mass 1 kg, g = 1 m/s² and a lever of 1 m.
+/// Returns a body about a pivot with these moments there, mass 1 kg, g = 1 m/s² and a lever of 1 m.
 fn heavy(
     name: &'static str,
     moments: [f64; 3],
     lever: Direction<Body>,
     omega: AngularVelocity<Body>,
 ) -> Result<Problem, Box<dyn Error>> {
-    // A mass so small beside the moments that the tensor about the centre of mass is possible too, and g as much larger.
+    // A small mass keeps the tensor about the centre of mass physical; g is larger in proportion.
     let (mass, g) = (1e-3, 1e3);
     let [x, y, z] = lever.to_array();
     let steiner = |a: f64, b: f64| mass * (a * a + b * b);
@@ -143,8 +143,8 @@ fn heavy(
     })
 }
 
-/// A satellite on the circle r = (cos nt, sin nt, 0), n = 0.5 rad/s, with I = (1, 2, 2.5) and ω = (0.3, 0.5, 0.9): what is conserved is
-/// T − n L_z + 3/2 n² r · I r.
+/// Returns a satellite on the circle r = (cos nt, sin nt, 0), n = 0.5 rad/s, with I = (1, 2, 2.5)
+/// and ω = (0.3, 0.5, 0.9). It conserves T − n `L_z` + 3/2 n² r · I r.
 fn satellite() -> Result<Problem, Box<dyn Error>> {
     let orbit = Orbit::through(N * N, Position::new(1.0, 0.0, 0.0), Velocity::new(0.0, N, 0.0), 0.0)?;
     let torque = GravityGradient { orbit, attracted: Attracted::Tensor };
@@ -167,7 +167,7 @@ fn satellite() -> Result<Problem, Box<dyn Error>> {
     })
 }
 
-/// The rate of the orbit, rad/s.
+/// Rate of the orbit, rad/s.
 const N: f64 = 0.5;
 
 fn measure(problem: &Problem, order: SplittingOrder, step: f64, steps: usize) -> Result<Run, MotionError> {
@@ -188,7 +188,7 @@ fn measure(problem: &Problem, order: SplittingOrder, step: f64, steps: usize) ->
     Ok(Run { order, step, stretches: stretches.collect(), cost })
 }
 
-/// The tables of one problem.
+/// Prints the tables of one problem.
 fn print(problem: &Problem, runs: &[Run]) {
     println!("### {}\n", problem.name);
     let cells = |cell: &dyn Fn(&Run) -> String| runs.iter().map(cell).collect::<Vec<_>>().join(" | ");

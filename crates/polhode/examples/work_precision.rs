@@ -1,8 +1,9 @@
-//! What accuracy costs: problems of `book/work-precision.md` by each method, a line for each run.
+//! Cost of accuracy: problems of `book/work-precision.md` by each method, one line per run.
 //!
 //! `cargo run --release -p polhode --example work_precision`
 //!
-//! Columns: problem, method, its tolerance or step, seconds (the least of many runs), steps, the quaternion at the end.
+//! Columns: problem, method, its tolerance or step, seconds (the minimum of many runs), steps, the
+//! quaternion at the end.
 
 use std::error::Error;
 use std::time::{Duration, Instant};
@@ -11,10 +12,10 @@ use polhode::motion::torque::{Attracted, Drag, DragLaw, GravityGradient};
 use polhode::motion::{Orbit, SplittingOrder, TIGHTEST_TOLERANCE};
 use polhode::prelude::*;
 
-/// For how long each run is repeated.
+/// Duration for which each run is repeated.
 const PATIENCE: Duration = Duration::from_millis(60);
 
-/// A body, what turns it, where it starts, and when it ends.
+/// A body, its torques, its start, and the end time.
 struct Problem {
     name: String,
     rotor: Rotor,
@@ -32,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             measure("dop853", tolerance, Method::Dop853)?;
         }
         if problem.torques.is_empty() {
-            // Splitting would be the exact motion, whatever its step.
+            // Splitting would be exact for every step.
             measure("exact", 0.0, Method::Exact)?;
             continue;
         }
@@ -43,14 +44,14 @@ fn main() -> Result<(), Box<dyn Error>> {
             for halving in 0..halvings {
                 let step = 0.5 * 0.5_f64.powi(halving);
                 match measure(&name, step, Method::Splitting { order, step }) {
-                    // It takes no drag.
+                    // Splitting cannot integrate drag.
                     Err(MotionError::NotSplittable { .. }) => break,
                     result => result?,
                 }
             }
         }
     }
-    // What is left is rounding, and one start is one draw of it.
+    // Only rounding remains, and one start is one sample of it.
     for k in 0..12 {
         let mut problem = Problem { name: format!("top {k}"), ..heavy_top()? };
         problem.start.omega = AngularVelocity::new(0.0, 0.0, 5.0 + 0.01 * f64::from(k));
@@ -61,16 +62,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// A: I = (1, 2, 3), ω = (0.3, 0.5, 0.9), nothing acts.
+/// Problem A: I = (1, 2, 3), ω = (0.3, 0.5, 0.9), no torque.
 fn free() -> Result<Problem, Box<dyn Error>> {
     let rotor = Rotor::free(&body([1.0, 2.0, 3.0])?);
     let start = start([0.3, 0.5, 0.9]);
     Ok(Problem { name: "A".to_owned(), rotor, torques: Vec::new(), start, end: 100.0 })
 }
 
-/// B: a heavy top about its tip, I = (1, 1, 0.5) there, M g l = 1, ω = (0, 0, 5), tilted by 60°.
+/// Problem B: a heavy top about its tip, I = (1, 1, 0.5) there, M g l = 1, ω = (0, 0, 5), tilted by
+/// 60°.
 fn heavy_top() -> Result<Problem, Box<dyn Error>> {
-    // A mass so small that the tensor about its centre is possible too, and gravity as much larger.
+    // A small mass keeps the tensor about its centre physical; gravity is larger in proportion.
     let (mass, g) = (1.0 / 1024.0, 1024.0);
     let inertia = InertiaTensor::diagonal([1.0 - mass, 1.0 - mass, 0.5])?;
     let rotor =
@@ -82,7 +84,8 @@ fn heavy_top() -> Result<Problem, Box<dyn Error>> {
     Ok(Problem { name: "B".to_owned(), rotor, torques, start, end: 100.0 })
 }
 
-/// C-gg: I = (1, 2, 2.5), ω = (0.3, 0.5, 0.9), N = 3n² r × I r on the circle r = (cos nt, sin nt, 0), n = 0.5.
+/// Problem C-gg: I = (1, 2, 2.5), ω = (0.3, 0.5, 0.9), N = 3n² r × I r on the circle r = (cos nt,
+/// sin nt, 0), n = 0.5.
 fn gravity_gradient() -> Result<Problem, Box<dyn Error>> {
     let orbit = Orbit::through(0.25, Position::new(1.0, 0.0, 0.0), Velocity::new(0.0, 0.5, 0.0), 0.0)?;
     let torque = GravityGradient { orbit, attracted: Attracted::Tensor };
@@ -95,7 +98,7 @@ fn gravity_gradient() -> Result<Problem, Box<dyn Error>> {
     })
 }
 
-/// C-damp: I = (1, 2, 3), ω = (0.3, 0.5, 0.9), N = −0.05 ω.
+/// Problem C-damp: I = (1, 2, 3), ω = (0.3, 0.5, 0.9), N = −0.05 ω.
 fn damped() -> Result<Problem, Box<dyn Error>> {
     let c = 0.05;
     let drag = Drag::new(DragLaw::Linear, [[c, 0.0, 0.0], [0.0, c, 0.0], [0.0, 0.0, c]])?;
@@ -121,7 +124,7 @@ fn run(problem: &Problem, name: &str, size: f64, method: Method) -> Result<(), M
     let (mut least, begin) = (f64::INFINITY, Instant::now());
     while begin.elapsed() < PATIENCE {
         let once = Instant::now();
-        // States alone, as the others give them: no evidence of the error.
+        // States only, as the other programs compute them: without an error estimate.
         let again = simulation.states()?;
         least = least.min(once.elapsed().as_secs_f64());
         std::hint::black_box(again);

@@ -1,4 +1,5 @@
-//! Every torque on a body that burns and drops a part, free and held, against an integration that shares no formula.
+//! Every torque on a body that burns and drops a part, free and held, compared with an independent
+//! integration.
 
 mod reference;
 
@@ -38,7 +39,7 @@ fn history() -> MassHistory {
     MassHistory::new(&rows, Outflow::Exits(EXITS.map(exit).to_vec())).unwrap()
 }
 
-/// A torque, the same stated in arrays, and where it has corners.
+/// A torque, the same torque written with arrays, and the times of its corners.
 struct Case {
     name: &'static str,
     model: TorqueModel,
@@ -65,7 +66,7 @@ fn gravity_gradient(now: &Now) -> V {
     cross(r, times(now.tensor, r)).map(|x| 3.0 * MU / dot(r, r).powf(2.5) * x)
 }
 
-/// (w, v) of the turn from rest, w ≥ 0.
+/// Returns (w, v), w ≥ 0, of the rotation from rest.
 fn turn([a, b, c, d]: [f64; 4], [w, x, y, z]: [f64; 4]) -> (f64, V) {
     let scalar = a * w + b * x + c * y + d * z;
     let vector =
@@ -185,7 +186,8 @@ fn of_rates_and_times() -> Vec<Case> {
 
 const WEIGHT: V = [0.012, -0.006, -0.188];
 
-/// N = M l × w + p × ω/10 − ½ I ω, p the point and l from there to the centre of mass: by the numbers of the rotor.
+/// Torque N = M l × w + p × ω/10 − ½ I ω, with the point p and l from it to the centre of mass.
+/// Uses the rotor.
 #[derive(Debug)]
 struct OfRotor;
 
@@ -198,7 +200,7 @@ impl Law for OfRotor {
     }
 }
 
-/// The same of a body that changes.
+/// The same torque, for a body with changing mass.
 #[derive(Debug)]
 struct OfChanging;
 
@@ -223,7 +225,7 @@ fn of_rotor(now: &Now) -> V {
 
 fn of_users() -> Vec<Case> {
     let place = |name| StateVariables::NAMES.iter().position(|known| *known == name).unwrap();
-    // −0.3 a b
+    // Returns −0.3 a b.
     let product = |a, b| {
         let multiply = Instruction::Binary(Binary::Multiply);
         let all = [
@@ -288,7 +290,8 @@ fn every_torque_acts_on_the_body_as_it_is_at_the_time() {
                 let drift = Drift::of(&motion).unwrap();
                 let state = motion.samples()[0].state;
                 let (error, angle) = ((state.omega - omega).norm(), state.attitude.angle_to(attitude));
-                // Gravity about the pivot is two orders stronger than the others, and its motion as much more sensitive.
+                // Gravity about the pivot is stronger than the others by two orders of magnitude,
+                // and its motion is more sensitive in proportion.
                 let limit = if name == "gravity" { 1e-11 } else { 1e-12 };
                 assert!(error < limit && angle < limit, "{name} {pivot:?} {method:?}: {error:e} {angle:e}");
                 assert!(drift.work_energy < 1e-12 && drift.momentum < 1e-12, "{name}: {drift:?}");

@@ -17,18 +17,19 @@ use crate::common::held::Held;
 /// Standard gravity, m/s².
 const G: f64 = 9.80665;
 
-/// Its surface has its centre here, along the axes of the body.
+/// Returns a surface with this centre, along body axes.
 fn surface(shape: SurfaceShape, center: [f64; 3]) -> BodySurface {
     BodySurface::new(shape, Position::from_array(center), Rotation::identity()).unwrap()
 }
 
-/// A homogeneous ball of mass 2 kg.
+/// Returns a homogeneous ball of mass 2 kg.
 fn ball(radius: f64) -> MassProperties<Body> {
     let moment = 0.4 * 2.0 * radius * radius;
     MassProperties::new(2.0, Position::ZERO, InertiaTensor::diagonal([moment; 3]).unwrap()).unwrap()
 }
 
-/// Three moments, three products, 1.7 kg; its centre of mass is at the origin.
+/// Returns a body of 1.7 kg with three moments and three products; its centre of mass is at the
+/// origin.
 fn generic_body() -> MassProperties<Body> {
     let inertia =
         InertiaTensor::with_negative_products([0.011, 0.014, 0.017], [0.002, -0.0015, 0.001]).unwrap();

@@ -1,4 +1,5 @@
-//! Polhode, momentum trace, herpolhode and cones: on their quadrics, in their plane, and near their chords.
+//! Polhode, momentum trace, herpolhode and cones: points on their quadrics, in their plane, and
+//! close to their chords.
 
 use polhode::motion::Regime;
 use polhode::observe::{Curve, CurveError, Herpolhode, MomentumTrace, Polhode, RollingCones};
@@ -13,7 +14,7 @@ struct Case {
 }
 
 impl Case {
-    /// Of moments along axes that stand in the body as the Euler angles say.
+    /// Creates a case from moments along axes given by Euler angles in the body.
     fn turned(name: &'static str, moments: [f64; 3], angles: [f64; 3], omega: [f64; 3]) -> Self {
         let r = Rotation::<Body, Principal>::from_euler313(angles).unwrap();
         let m = r.matrix();
@@ -29,7 +30,7 @@ impl Case {
         Self { name, motion, inertia, units: [1.0; 2] }
     }
 
-    /// Of moments along the body's axes, in units of kg·m² and of rad/s.
+    /// Creates a case from moments along the body axes, in units of kg·m² and of rad/s.
     fn scaled(name: &'static str, moments: [f64; 3], omega: [f64; 3], units: [f64; 2]) -> Self {
         let [unit_i, unit_w] = units;
         let omega = AngularVelocity::from_array(omega.map(|w| w * unit_w));
@@ -39,13 +40,13 @@ impl Case {
         Self { name, motion, inertia: [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]], units }
     }
 
-    /// L in kg·m²/s over the units, from ω in rad/s.
+    /// Returns L in kg·m²/s divided by the units, from ω in rad/s.
     fn momentum(&self, omega: AngularVelocity<Body>) -> [f64; 3] {
         let w = (omega / self.units[1]).to_array();
         self.inertia.map(|row| row[0] * w[0] + row[1] * w[1] + row[2] * w[2])
     }
 
-    /// 2T and |L|² over the units.
+    /// Returns 2T and |L|² divided by the units.
     fn quadrics(&self, omega: AngularVelocity<Body>) -> [f64; 2] {
         let l = self.momentum(omega);
         let w = (omega / self.units[1]).to_array();
@@ -62,7 +63,7 @@ fn start(omega: AngularVelocity<Body>) -> State {
     State { time: 0.3, attitude: Attitude::from_euler313([0.4, 1.1, -2.0]).unwrap(), omega }
 }
 
-/// ω3 for which L² − 2T i2 is `excess` of its first term.
+/// Returns ω3 for which L² − 2T i2 is `excess` times its first term.
 fn near_separatrix([i1, i2, i3]: [f64; 3], w1: f64, excess: f64) -> f64 {
     (i1 * (i2 - i1) * w1 * w1 * (1.0 + excess) / (i3 * (i3 - i2))).sqrt()
 }
@@ -92,7 +93,8 @@ fn moving() -> Vec<Case> {
     ]
 }
 
-/// The largest distance of the path, at 50 times in every chord, from the chord; relative to `largest`.
+/// Returns the largest distance of the path, at 50 times in every chord, from the chord; relative
+/// to `largest`.
 fn dense_error(times: &[f64], points: &[[f64; 3]], path: impl Fn(f64) -> [f64; 3]) -> f64 {
     let minus = |p: [f64; 3], q: [f64; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
     let dot = |p: [f64; 3], q: [f64; 3]| p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
@@ -109,7 +111,7 @@ fn dense_error(times: &[f64], points: &[[f64; 3]], path: impl Fn(f64) -> [f64; 3
     worst
 }
 
-/// The same of a curve: what it claims, found again.
+/// Checks the error that a curve states by recomputing it.
 fn check_chords<Q, F>(name: &str, curve: &Curve<Q, F>, path: impl Fn(f64) -> Vector<Q, F>) {
     let unit = |v: Vector<Q, F>| (v / curve.largest()).to_array();
     let points: Vec<_> = curve.points().iter().map(|p| unit(*p)).collect::<Vec<_>>();
@@ -149,7 +151,7 @@ fn momentum_traces_lie_on_their_sphere() {
         let size = case.motion.momentum().norm();
         for (l, &time) in curve.points().iter().zip(curve.times()) {
             assert!((l.norm() / size - 1.0).abs() < 1e-14, "{}", case.name);
-            // L = Iω of the tensor itself
+            // L = Iω with the tensor itself
             let truth = Vector::from_array(case.momentum(case.motion.at(time).omega));
             assert!((*l / unit - truth).norm() < 1e-14 * size / unit, "{}", case.name);
         }
@@ -193,7 +195,8 @@ fn herpolhode_foot(herpolhode: &Herpolhode) -> AngularVelocity<Space> {
     AngularVelocity::from_array((herpolhode.normal * herpolhode.height).to_array())
 }
 
-/// The largest, or with sign −1 the smallest, magnitude on a path: from the best point by thirds.
+/// Returns the largest magnitude on a path, or the smallest for sign −1: refines the best sample by
+/// trisection.
 fn extreme<Q, F>(curve: &Curve<Q, F>, sign: f64, path: impl Fn(f64) -> Vector<Q, F>) -> f64 {
     let size = |t: f64| sign * path(t).norm();
     let times = curve.times();
@@ -226,7 +229,7 @@ fn the_smallest_radius_has_its_digits_near_the_separatrix_and_near_the_axes() {
         assert!((least / (2.0 * y * z / l) - 1.0).abs() < 1e-14, "{d}: {least}");
         assert!((greatest / (3.0 * 2.0 * w3 / l) - 1.0).abs() < 1e-14, "{d}: {greatest}");
     }
-    // a wobble far below the rounding of ω has its radii, and a curve that ends
+    // a wobble far below the rounding of ω has correct radii, and a curve that ends
     let motion =
         FreeMotion::of_moments([3.0, 4.0, 6.0], start(AngularVelocity::new(1e-14, 0.0, 1.0))).unwrap();
     let herpolhode = Herpolhode::of(&motion, 1.0, 1e-6).unwrap();
@@ -384,17 +387,17 @@ fn what_cannot_be_drawn_says_so() {
     for periods in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(matches!(Herpolhode::of(&motion, periods, 1e-3), Err(CurveError::Parameter { .. })));
     }
-    // too many turns, at once
+    // too many turns: fails immediately
     assert!(matches!(RollingCones::of(&motion, 1e12, 1e-3), Err(CurveError::TooManyPoints { .. })));
     let nearly_round = FreeMotion::of_moments([2.0, 2.0 + 1e-9, 2.0 + 2e-9], motion.start()).unwrap();
     assert!(matches!(Herpolhode::of(&nearly_round, 1.0, 1e-3), Err(CurveError::TooManyPoints { .. })));
     assert!(Polhode::of(&nearly_round, 1e-3).is_ok());
-    // too many points, in time
+    // too many points: fails in reasonable time
     assert!(matches!(Herpolhode::of(&motion, 100.0, 1e-10), Err(CurveError::TooManyPoints { .. })));
-    // a start so late that its times are too coarse
+    // a late start, whose times are too coarse
     let late = State { time: 1e15, ..motion.start() };
     let late = FreeMotion::of_moments([2.0, 3.1, 4.3], late).unwrap();
-    // 1/8 s: too coarse for the tolerance, if not for the parts
+    // 1/8 s: too coarse for the tolerance, but not for the division into parts
     let error = Polhode::of(&late, 1e-6).unwrap_err();
     assert!(matches!(error, CurveError::StepTooSmall { step, .. } if step >= 0.0), "{error}");
 }

@@ -1,4 +1,4 @@
-//! Bodies of varying density against closed forms and exact rational integrals.
+//! Bodies of varying density compared with closed forms and exact rational integrals.
 
 mod voxel_grid;
 
@@ -8,7 +8,7 @@ use polhode::body::density::{
 use polhode::body::shape::{Capsule, Cone, Ellipsoid, Tetrahedron, Torus, TriangularPrism};
 use polhode::prelude::*;
 
-/// Numbers in [0, 1) that look random (Knuth's MMIX generator).
+/// Pseudorandom numbers in [0, 1) (Knuth's MMIX generator).
 struct Random(u64);
 
 impl Random {
@@ -22,7 +22,7 @@ impl Random {
     }
 }
 
-/// ∫ρ (1, x, y, z, xx, yy, zz, xy, xz, yz) dV about the origin, as the truth.
+/// Exact ∫ρ (1, x, y, z, xx, yy, zz, xy, xz, yz) dV about the origin.
 type Moments = [f64; 10];
 
 const POWERS: [[u32; 3]; 10] = [
@@ -38,7 +38,8 @@ const POWERS: [[u32; 3]; 10] = [
     [0, 1, 1],
 ];
 
-/// The true errors, in the units of the estimate: mass, centre of mass, inertia relative to half its trace.
+/// Returns the true errors, in the units of the estimate: mass, centre of mass, inertia relative to
+/// half its trace.
 fn true_errors(body: &FieldMassProperties, truth: &Moments) -> [f64; 3] {
     let [m, x, y, z, xx, yy, zz, xy, xz, yz] = *truth;
     let c = [x / m, y / m, z / m];
@@ -58,8 +59,8 @@ fn true_errors(body: &FieldMassProperties, truth: &Moments) -> [f64; 3] {
     ]
 }
 
-/// The truth must lie within the estimate, and the estimate within the tolerance. A closed form that is evaluated in f64 has
-/// some rounding of its own.
+/// Checks that the true error is within the estimate, and the estimate within the tolerance. A
+/// closed form evaluated in f64 has rounding of its own.
 fn check(name: &str, solid: Solid<'_>, field: &dyn DensityField, tolerance: f64, truth: &Moments) {
     let cubature = Cubature { tolerance, ..Cubature::default() };
     let body = mass_properties_of_field(solid, field, cubature).unwrap_or_else(|e| panic!("{name}: {e}"));
@@ -68,7 +69,7 @@ fn check(name: &str, solid: Solid<'_>, field: &dyn DensityField, tolerance: f64,
         / (2.0 * body.properties.mass()))
     .sqrt();
     let [dm, dc, di] = true_errors(&body, truth);
-    // What the truth itself has of rounding.
+    // Rounding of the reference.
     let slack = 2e-15;
     let errors = format!("{name}: {dm:e} of {mass:e}, {dc:e} of {center_of_mass:e}, {di:e} of {inertia:e}");
     assert!(dm <= mass + slack * truth[0] && dc <= center_of_mass && di <= inertia, "{errors}");
@@ -77,14 +78,15 @@ fn check(name: &str, solid: Solid<'_>, field: &dyn DensityField, tolerance: f64,
     assert!(center_of_mass <= tolerance * size + f64::EPSILON * far && inertia <= tolerance, "{name}");
 }
 
-/// A convex wedge, and a block with a step and a notch in it: every coordinate in quarters.
+/// Returns a convex wedge, and a block with a step and a notch. Coordinates are multiples of a
+/// quarter.
 fn solids() -> Vec<ClosedMesh> {
     let quarter = |p: [i64; 3]| p.map(|c| c as f64 / 4.0);
     let wedge = {
         let [a, b, c, d] = [[-3, 1, 2], [5, -2, 1], [1, 6, -2], [2, 3, 7]].map(quarter);
         vec![[a, c, b], [a, b, d], [b, c, d], [c, a, d]]
     };
-    // An L, extruded along a slanted direction.
+    // An L shape, extruded along a slanted direction.
     let outline = [[0, 0], [6, 1], [7, 3], [3, 2], [2, 7], [-1, 5]];
     let at = |k: usize, top: bool| {
         let [x, y] = outline[k % 6];
@@ -95,7 +97,7 @@ fn solids() -> Vec<ClosedMesh> {
         block.push([at(k, false), at(k + 1, false), at(k + 1, true)]);
         block.push([at(k, false), at(k + 1, true), at(k, true)]);
     }
-    // The corner at 3 is the only one that turns inward: a fan from it covers the outline.
+    // The corner at 3 is the only reentrant one: a fan from it covers the outline.
     for k in [4, 5, 6, 7] {
         block.push([at(3, true), at(k, true), at(k + 1, true)]);
         block.push([at(3, false), at(k + 1, false), at(k, false)]);
@@ -103,13 +105,13 @@ fn solids() -> Vec<ClosedMesh> {
     [wedge, block].map(|triangles| ClosedMesh::from_triangles(triangles).unwrap()).into()
 }
 
-/// ∫x^a y^b z^c dV over a polyhedron whose corners are quarters, exactly: over the signed tetrahedra (0, p, q, r), the
-/// monomial is a sum over the ways to choose a corner for each of its n factors,
-/// ∫λ₁^i λ₂^j λ₃^k dV = 6V i! j! k! / (n + 3)!
+/// Computes ∫x^a y^b z^c dV exactly over a polyhedron whose corners are multiples of a quarter. It
+/// sums over the signed tetrahedra (0, p, q, r). The monomial is a sum over the choices of a corner
+/// for each of its n factors, with ∫λ₁^i λ₂^j λ₃^k dV = 6V i! j! k! / (n + 3)!
 fn exact_monomial(mesh: &ClosedMesh, powers: [u32; 3]) -> f64 {
     let n = powers.iter().sum::<u32>();
     let factorial = |n: u32| (1..=i128::from(n)).product::<i128>();
-    // A form Σ c_ijk λ₁^i λ₂^j λ₃^k, by i and j; k is the rest.
+    // A form Σ c_ijk λ₁^i λ₂^j λ₃^k, indexed by i and j; k is the remaining exponent.
     let mut sum = 0_i128;
     for triangle in mesh.triangles() {
         let p = triangle.map(|p| p.map(|c| (c * 4.0) as i128));
@@ -141,7 +143,8 @@ fn polynomials_over_meshes_are_exact_to_rounding() {
     let mut random = Random(7);
     for (s, mesh) in solids().iter().enumerate() {
         for trial in 0..8 {
-            // A positive constant, and monomials up to degree 6 with exact coefficients in 1/64, 1/1024 for the high ones.
+            // A positive constant, and monomials up to degree 6 with exact coefficients in 1/64, or
+            // in 1/1024 for the high degrees.
             let mut terms = vec![([0, 0, 0], 900.0)];
             for _ in 0..5 {
                 let powers: [u32; 3] = std::array::from_fn(|_| random.below(3) as u32);
@@ -161,7 +164,8 @@ fn polynomials_over_meshes_are_exact_to_rounding() {
     }
 }
 
-/// ∫ e^(k t) t^n dt from a to b, n = 0, 1, 2; by 40 terms of the series, so that small k loses nothing.
+/// Computes ∫ e^(k t) t^n dt from a to b for n = 0, 1, 2, by 40 terms of the series, so that a
+/// small k loses no accuracy.
 fn exponential(k: f64, a: f64, b: f64) -> [f64; 3] {
     [0, 1, 2].map(|n| {
         let mut coefficient = 1.0;
@@ -175,12 +179,12 @@ fn exponential(k: f64, a: f64, b: f64) -> [f64; 3] {
     })
 }
 
-/// The ten moments of a product of three functions of one coordinate each.
+/// Returns the ten moments of a product of three functions of one coordinate each.
 fn product(lines: [[f64; 3]; 3]) -> Moments {
     POWERS.map(|[a, b, c]| lines[0][a as usize] * lines[1][b as usize] * lines[2][c as usize])
 }
 
-/// A box as a mesh, with its corner at `low`.
+/// Returns a box as a mesh, with its corner at `low`.
 fn box_mesh(low: [f64; 3], high: [f64; 3]) -> ClosedMesh {
     let corner =
         |k: usize| std::array::from_fn(|axis| if k >> axis & 1 == 0 { low[axis] } else { high[axis] });
@@ -203,7 +207,7 @@ fn exponentials_over_a_box() {
         let truth = product(std::array::from_fn(|a| exponential(k[a], LOW[a], HIGH[a]))).map(|m| 12.5 * m);
         check(&format!("exp {k:?}"), Solid::Mesh(&mesh), &field, 1e-11, &truth);
     }
-    // The box as a shape is about its own middle.
+    // The box shape is centred at the origin.
     let size: [f64; 3] = std::array::from_fn(|a| HIGH[a] - LOW[a]);
     let shape = BoxShape::new(size).unwrap();
     for k in [[0.3, -0.2, 0.7], [1.9, 0.4, -2.3], [-8.1, 2.2, 11.4]] {
@@ -214,7 +218,7 @@ fn exponentials_over_a_box() {
     }
 }
 
-/// The same box with its faces divided into 10 × 10 squares: more triangles than the fine rule is used for.
+/// The same box with its faces divided into 10 × 10 squares: too many triangles for the fine rule.
 fn tiled_box(low: [f64; 3], high: [f64; 3]) -> ClosedMesh {
     const N: usize = 10;
     let at = |axis: usize, i: usize| low[axis] + (high[axis] - low[axis]) * i as f64 / N as f64;
@@ -249,7 +253,7 @@ fn meshes_of_many_triangles_take_fewer_samples_each() {
     assert!((1200 * 735..2 * 1200 * 735).contains(&body.evaluations), "{}", body.evaluations);
 }
 
-/// ∫ρ(r) r^n dr times what the angles give: a ball's moments from its radial ones.
+/// Returns the moments of a ball from its radial integrals ∫ρ(r) r^n dr.
 fn radial(m0: f64, m2: f64) -> Moments {
     let pi = std::f64::consts::PI;
     let second = 4.0 * pi / 3.0 * m2;
@@ -276,7 +280,7 @@ fn radial_densities_of_a_ball() {
     check("e^-2r", Solid::Shape(&ball), &field, 1e-12, &radial(moment(2), moment(4)));
 }
 
-/// ∫ r^n e^(−2r) dr from 0 to b, by its series.
+/// Computes ∫ r^n e^(−2r) dr from 0 to b, by its series.
 fn series(n: i32, b: f64) -> f64 {
     let mut coefficient = 1.0;
     let mut sum = 0.0;
@@ -289,7 +293,7 @@ fn series(n: i32, b: f64) -> f64 {
 
 #[test]
 fn a_gaussian_far_inside_a_body_has_its_textbook_moments() {
-    // Cut off at 9 σ: below the rounding. Generic axes and centre.
+    // Truncated at 9 σ, below the rounding. Generic axes and centre.
     let (center, sigma) = ([0.2, -0.1, 0.3], [0.11, 0.17, 0.14]);
     let field =
         |p: [f64; 3]| (0..3).map(|k| -0.5 * ((p[k] - center[k]) / sigma[k]).powi(2)).sum::<f64>().exp();
@@ -341,7 +345,7 @@ fn every_shape_has_the_parametrisation_of_its_own_spread() {
 
 #[test]
 fn steps_converge_and_the_estimate_covers_them() {
-    // 3 kg/m³ below the cut, 8 above: two boxes.
+    // 3 kg/m³ below the cut, 8 kg/m³ above: two boxes.
     let two = |cut: f64, low: [f64; 3], high: [f64; 3]| {
         let line = |a: f64, b: f64| [b - a, (b * b - a * a) / 2.0, (b.powi(3) - a.powi(3)) / 3.0];
         let below = product([line(low[0], high[0]), line(low[1], high[1]), line(low[2], cut)]);
@@ -349,7 +353,7 @@ fn steps_converge_and_the_estimate_covers_them() {
         std::array::from_fn(|k| 3.0 * below[k] + 8.0 * above[k])
     };
     let field = |p: [f64; 3]| if p[2] < 0.13 { 3.0 } else { 8.0 };
-    // A shape is divided along the step.
+    // A shape is divided at the discontinuity.
     let size: [f64; 3] = std::array::from_fn(|a| HIGH[a] - LOW[a]);
     let half = size.map(|s| 0.5 * s);
     let shape = BoxShape::new(size).unwrap();
@@ -373,7 +377,7 @@ fn a_kink_converges() {
 
 #[test]
 fn a_body_far_away_and_one_of_another_scale_lose_nothing() {
-    // Quarters stay exact at 2^20; the field counts from the body's own place.
+    // Quarters remain exact at 2^20; the field uses coordinates relative to the body.
     let (low, high) = ([-0.75, 0.25, -1.0], [0.5, 2.0, 0.5]);
     let solve = |scale: f64, far: f64, tolerance: f64| {
         let at = |p: [f64; 3]| p.map(|c| (c + far) * scale);
@@ -389,7 +393,7 @@ fn a_body_far_away_and_one_of_another_scale_lose_nothing() {
     for (scale, far, tolerance, within) in [
         (1e-9, 0.0, 1e-12, 1e-15),
         (1e9, 0.0, 1e-12, 1e-15),
-        // The field itself sees coordinates with a rounding of 2⁻³³ m.
+        // The field sees coordinates with a rounding of 2⁻³³ m.
         (1.0, 1_048_576.0, 1e-8, 1e-9),
     ] {
         let other = solve(scale, far, tolerance);
@@ -422,7 +426,7 @@ fn a_density_that_cannot_be_is_refused_with_its_place() {
     assert!(solve(Solid::Shape(&ball), &|p: [f64; 3]| 1.0 / p[2].abs().min(0.0)).is_err());
     let nothing = solve(Solid::Shape(&ball), &|_: [f64; 3]| 0.0);
     assert!(matches!(nothing, Err(BodyError::Parameter { what: "the mass", .. })), "{nothing:?}");
-    // In the notch of the block, outside of the body, ρ may be negative; inside it may not.
+    // ρ may be negative in the notch of the block, outside the body, but not inside.
     let [wedge, block] = &solids()[..] else { panic!() };
     let seen = std::sync::atomic::AtomicBool::new(false);
     let notch = |p: [f64; 3]| {
@@ -456,7 +460,7 @@ fn a_tolerance_out_of_reach_is_an_error_that_says_how_far_it_came() {
         other => panic!("{other:?}"),
     }
     assert!(matches!(solve(1e-2, 10_000), Err(BodyError::Cubature { evaluations: 0, .. })));
-    // Beyond the rounding there is nothing to reach: it stops long before the limit.
+    // Accuracy beyond rounding cannot be reached: the computation stops long before the limit.
     let constant = |_: [f64; 3]| 4.5;
     let beyond = mass_properties_of_field(
         Solid::Mesh(mesh),

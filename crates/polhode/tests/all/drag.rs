@@ -1,4 +1,4 @@
-//! Drag against closed forms, and against fixtures/damping.toml.
+//! Drag compared with closed forms, and with fixtures/damping.toml.
 
 use crate::common::*;
 use polhode::motion::torque::{Drag, DragLaw};
@@ -41,7 +41,7 @@ fn drag_follows_the_reference() {
                 assert!(error < 3e-14 && angle < 1e-13, "{name} {method:?} t = {t}: {error:e} {angle:e}");
                 let drift = Drift::of(&motion).unwrap();
                 assert!(drift.work_energy < 1e-13 && drift.momentum < 1e-13, "{name} {method:?}: {drift:?}");
-                // Work is what is lost.
+                // The work equals the lost energy.
                 assert!(sample.work < 0.0);
             }
         }
@@ -99,14 +99,14 @@ fn a_body_starts_from_rest_under_quadratic_drag() {
             assert!((sample.state.omega.y - want).abs() < 1e-14, "{method:?} {:?}", sample.state);
         }
     }
-    // At rest without another torque it stays there.
+    // A body at rest without another torque remains at rest.
     for method in METHODS {
         let motion = Trajectory::compute(&rotor, &torques[..1], at([0.0; 3]), &[5.0], method, 1e-15).unwrap();
         assert_eq!(motion.samples()[0].state.omega, AngularVelocity::ZERO);
     }
 }
 
-/// Where ω passes through zero |ω| has a corner: ω falls as √(N/D) tan, then as −√(N/D) tanh.
+/// |ω| has a corner where ω passes through zero: ω falls as √(N/D) tan, then as −√(N/D) tanh.
 #[test]
 fn a_spin_that_reverses_under_quadratic_drag_does_not_stall() {
     let rotor = free_body([1.1, 2.3, 3.1]);
@@ -136,7 +136,8 @@ fn a_spin_that_reverses_under_quadratic_drag_does_not_stall() {
 
 #[test]
 fn both_integrators_agree_near_rest() {
-    // A generic body that a torque in space turns round: ω comes near zero, not through it.
+    // A generic body whose rotation a torque in space reverses: ω comes close to zero, but not
+    // through it.
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
     let body = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap();
     let rotor = Rotor::free(&body);

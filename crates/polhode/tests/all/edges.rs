@@ -1,4 +1,5 @@
-//! Thresholds from both sides, signs and ties, and evidence that must not be zero: each against its definition.
+//! Thresholds from both sides, signs and ties, and evidence that must not be zero, each compared
+//! with its definition.
 
 use std::f64::consts::{PI, TAU};
 
@@ -10,7 +11,7 @@ use polhode::prelude::*;
 
 pub(super) const TURN: [f64; 4] = [0.4, -0.7, 1.1, 0.3];
 
-/// A body of 2.3 kg with these principal moments, its principal axes turned away from its own.
+/// Returns a body of 2.3 kg with these principal moments and rotated principal axes.
 pub(super) fn turned(moments: [f64; 3], q: [f64; 4]) -> MassProperties<Body> {
     let r = Rotation::<Body, Part>::from_quaternion(q).unwrap();
     let inertia = InertiaTensor::<Part>::diagonal(moments).unwrap().in_frame(r);
@@ -26,7 +27,7 @@ fn gravity(g: [f64; 3]) -> TorqueModel {
     TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::from_array(g) })
 }
 
-/// A heavy top: an asymmetric body held away from its centre of mass.
+/// Returns a heavy top: an asymmetric body held away from its centre of mass.
 fn heavy() -> Rotor {
     Rotor::pivoted(&turned([1.3, 2.1, 2.9], TURN), Position::new(-0.4, 0.9, 0.2))
 }
@@ -35,7 +36,8 @@ pub(super) fn relative(got: f64, want: f64) -> f64 {
     (got / want - 1.0).abs()
 }
 
-/// A flattened and an elongated top, spinning either way round: [i_axial, i_transverse] and the rotor.
+/// Returns an oblate and a prolate top, spinning in either sense: [`i_axial`, `i_transverse`],
+/// rotor and start.
 fn tops() -> impl Iterator<Item = ([f64; 2], Rotor, State)> {
     let kinds = [([2.0, 2.0, 3.1], [3.1, 2.0]), ([1.3, 2.9, 2.9], [1.3, 2.9])];
     kinds.into_iter().flat_map(|(moments, pair)| {
@@ -60,7 +62,7 @@ fn a_symmetric_tops_period_is_one_round_of_its_body_cone() {
         let axis = if axial > transverse { rotor.principal().axis(2) } else { rotor.principal().axis(0) };
         let by_euler = (axial - transverse) / transverse * axis.dot(start.omega);
         assert!(relative(rate, by_euler) < 4e-15);
-        // integrated: after half of it ω across the axis is reversed, not before
+        // integrated: after half the period the transverse ω is reversed, but not before
         let times = [0.5 * period, period];
         for method in [Method::Dop853, Method::Taylor] {
             let motion = Trajectory::compute(&rotor, &[], start, &times, method, 1e-14).unwrap();
@@ -91,7 +93,7 @@ fn the_cones_have_the_angles_between_the_vectors() {
             (top.momentum_direction() - rotor.angular_momentum_space(&start).direction().unwrap()).norm()
                 < 1e-15
         );
-        // L, ω and e are in one plane, but not at a state of another motion
+        // L, ω and e are coplanar, but not for a state of another motion
         assert!(Cones::coplanarity(&top, &FreeMotion::of(&rotor, start).unwrap().at(3.0)) < 1e-15);
         let r = Rotation::<Space, Space>::about(Direction::new(0.3, -2.0, 0.9), 0.8).unwrap();
         let wrong = State { attitude: r * start.attitude, ..start };
@@ -115,13 +117,13 @@ fn rotation_about_the_intermediate_axis_decays_at_its_growth_rate() {
     let times = [3.0 / rate, 7.0 / rate];
     for method in [Method::Dop853, Method::Taylor] {
         let motion = Trajectory::compute(&rotor, &[], start, &times, method, 1e-15).unwrap();
-        // linearised, ω1 = ω1(0) cosh σt
+        // linearized: ω1 = ω1(0) cosh σt
         let [early, late] = [0, 1].map(|k| (motion.samples()[k].state.omega.x / 1e-7).acosh());
         assert!(relative((late - early) / (times[1] - times[0]), rate) < 1e-6);
     }
 }
 
-/// Every field of a drift by its definition.
+/// Checks every field of a drift by its definition.
 fn assert_drift(motion: &Trajectory, at_least: f64) {
     let drift = Drift::of(motion).unwrap();
     let first = motion.start();
@@ -161,7 +163,7 @@ fn a_loose_solution_drifts_and_says_so() {
         assert_drift(&run(&free, &wind, tolerance), 1e-9);
         assert_drift(&run(&heavy(), &weight, tolerance), 1e-9);
     }
-    // Work is what makes up for the change of T, impulse for that of L.
+    // Work equals the change of T, and impulse that of L.
     for (rotor, torques) in [(free.clone(), &thrust[..]), (free, &wind), (heavy(), &weight)] {
         let drift = Drift::of(&run(&rotor, torques, 1e-14)).unwrap();
         assert!(drift.kinetic_energy > 0.1 && drift.momentum_magnitude > 0.1, "{drift:?}");
@@ -178,7 +180,7 @@ fn a_pendulum_started_anywhere_has_the_period_of_its_energy() {
     for (angle, factor) in [(1.0, 0.5), (-1.0, 0.5), (1.0, -1.3), (2.5, 0.2)] {
         let rate: f64 = factor * w0;
         let Swing::Oscillation { amplitude, period } = pendulum.swing(angle, rate) else { panic!("{angle}") };
-        // ½ θ̇² − ω0² cos θ is constant
+        // ½ θ̇² − ω0² cos θ is conserved
         let top = (f64::cos(angle) - 0.5 * factor * factor).acos();
         assert!(relative(amplitude, top) < 1e-14);
         // dt = dθ/θ̇ with θ = top · sin u: smooth and periodic in u
@@ -267,7 +269,7 @@ fn two_weights_are_their_sum() {
 
 #[test]
 fn quaternions_stay_on_their_side_from_sample_to_sample() {
-    // 0.8 turns from one sample to the next: the half-angle's quaternion changes its side each time
+    // 0.8 turns between samples: the quaternion of the half angle changes its hemisphere each time
     let start = state(0.0, [0.05, 0.02, 3.0]);
     let shaft = Prescribed::fixed_axis(start.attitude, Direction::new(1.0, -2.0, 0.5), 3.0, 0.0).unwrap();
     let coin = Prescribed::euler_rates([0.4, 0.9, -1.2], [3.0, 0.01, 0.02]).unwrap();
@@ -300,7 +302,7 @@ fn attitudes_on_the_edge_of_their_charts() {
         assert!(phi > -PI && phi <= PI);
         assert!(Attitude::from_euler313([phi, theta, psi]).unwrap().angle_to(r) < 1e-15);
     }
-    // the first component that is not zero is positive
+    // the first nonzero component is positive
     for (given, canonical) in [
         ([-0.6, 0.0, 0.8, 0.0], [0.6, 0.0, -0.8, 0.0]),
         ([0.0, -0.6, 0.8, 0.0], [0.0, 0.6, -0.8, 0.0]),
@@ -312,7 +314,7 @@ fn attitudes_on_the_edge_of_their_charts() {
             assert!((got - want).abs() < 1e-15, "{given:?}: {got} {want}");
         }
     }
-    // RᵀR is off by 2d where one diagonal element is, by d where one other is
+    // the deviation of RᵀR is 2d for a changed diagonal element, and d for an off-diagonal one
     let matrix = |i: usize, j: usize, d: f64| {
         let mut m = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         m[i][j] += d;
@@ -340,7 +342,8 @@ fn an_axis_need_not_be_a_unit_vector() {
     assert!(relative(about(n), sum) < 1e-15 && relative(about(n.map(|c| -1e-200 * c)), sum) < 1e-15);
 }
 
-/// Σ i_k n_k n_kᵀ with rounding noise, `k`-th sample, of a few ε on every element.
+/// Returns `Σ i_k n_k n_kᵀ` with rounding noise of a few ε on every element; `k` selects the
+/// sample.
 fn noisy(axes: [[f64; 3]; 3], moments: [f64; 3], k: u32) -> PrincipalFrame<Body> {
     let element = |i: usize, j: usize| {
         let exact: f64 = (0..3).map(|n| moments[n] * axes[n][i] * axes[n][j]).sum();
@@ -364,7 +367,8 @@ fn rounding_does_not_choose_between_tied_components() {
         let p = noisy([[t, -t, -t], [2.0 * s, s, s], [0.0, h, -h]], [1.3, 2.1, 2.9], k);
         assert!((p.axis(0) - Direction::new(t, -t, -t)).norm() < 1e-14, "{k}: {:?}", p.axis(0));
     }
-    // The axis of a flattened body leans equally to two or three of the body's axes: the last is left out.
+    // The axis of an oblate body is equally close to two or three body axes: the last one is left
+    // out.
     let flat = |n: [f64; 3], k: u32| {
         let noise = |c: usize| 1e-15 * (f64::from((3 * k + 5 * c as u32) % 7) - 3.0);
         let n =
@@ -400,7 +404,8 @@ fn free_axes_are_the_nearest_to_the_bodys_own() {
         let along = n.to_array().map(f64::abs);
         let out = (0..3).fold(0, |best, k| if along[k] > along[best] { k } else { best });
         let (a, b) = ([1, 0, 0][out], [2, 2, 1][out]);
-        // with the axes named by where they point, u · a + v · b over all turns of the pair in its plane
+        // axes named by the body axis they are near; u · a + v · b over all rotations of the pair
+        // in its plane
         let nearness = |u: Direction<Body>, v: Direction<Body>| u.to_array()[a].abs() + v.to_array()[b].abs();
         let [u, v, _] = flat.axes();
         let best = (0..3600)
@@ -410,7 +415,7 @@ fn free_axes_are_the_nearest_to_the_bodys_own() {
             })
             .fold(0.0, f64::max);
         assert!(nearness(u, v) > best - 1e-12, "{n:?}: {} {best}", nearness(u, v));
-        // of an elongated body too
+        // the same for a prolate body
         let [_, v, w] = long.axes();
         assert!((v - u).norm() < 1e-14 && w.dot(flat.axis(1)).abs() > 1.0 - 1e-14);
     }
@@ -420,7 +425,7 @@ fn free_axes_are_the_nearest_to_the_bodys_own() {
 fn no_torque_spins_a_rod_about_its_line() {
     let rod = free_body([0.0, 1.2, 1.2]);
     let alpha = rod.acceleration(AngularVelocity::new(0.9, -0.4, 0.7), Torque::new(0.3, 0.6, -1.1));
-    // what acts along the rod is not answered; about a line without inertia ω × Iω = i (ω3, −ω2) ω1
+    // the torque along the rod has no effect; about a line without inertia ω × Iω = i (ω3, −ω2) ω1
     assert_eq!(alpha.x, 0.0);
     assert!(
         (alpha.y - (0.5 + 0.7 * 0.9)).abs() < 1e-15 && (alpha.z - (-1.1 / 1.2 + 0.4 * 0.9)).abs() < 1e-15
@@ -435,7 +440,7 @@ fn no_torque_spins_a_rod_about_its_line() {
     }
 }
 
-/// 0.8 kg and 1.3 kg on a line through a generic point.
+/// Returns masses of 0.8 kg and 1.3 kg on a line through a generic point.
 fn dumbbell(line: Direction<Body>) -> MassProperties<Body> {
     let at = |x: f64| Position::new(0.3, -0.2, 0.7) + Position::from_array((line * x).to_array());
     let masses = [(0.8, 0.4), (1.3, 1.1)].map(|(m, x)| Particle::new(m, at(x)).unwrap());

@@ -1,4 +1,4 @@
-//! Bodies at the edge of what there is.
+//! Bodies at the limits of the range of numbers.
 
 use std::f64::consts::{PI, TAU};
 
@@ -84,11 +84,11 @@ fn a_size_that_f64_does_not_hold_is_refused() {
         assert!(too_far(Plate::new([s; 2])) && too_far(Rod::new(s)));
         assert!(too_far(closed(s)) && too_far(tetrahedron(s)));
     }
-    // the coordinates fit, their differences do not
+    // the coordinates are in range, their differences are not
     let wide = |p: [f64; 3]| p.map(|x| (x - 0.6) * 1.2e308);
     assert!(too_far(Tetrahedron::new(corners.map(wide))));
     assert!(too_far(ClosedMesh::from_triangles(mesh.map(|t| t.map(wide)).to_vec())));
-    // each number fits, their product does not
+    // each number is in range, their product is not
     let speck = BoxShape::new([1e-100; 3]).unwrap();
     assert!(too_far(speck.mass_properties(Substance::Mass(1e-150))));
     let moon = BoxShape::new([1e100; 3]).unwrap();
@@ -100,16 +100,16 @@ fn a_size_that_f64_does_not_hold_is_refused() {
 #[test]
 fn a_needle_and_a_flake_have_an_area() {
     let area = |semi_axes| Ellipsoid::new(semi_axes).unwrap().surface_area();
-    // two sides of a disk; of an ellipse
+    // two sides of a disk, and of an ellipse
     assert!(relative(area([0.7, 1e-200, 0.7]), TAU * 0.49) < 2e-15);
     assert!(relative(area([0.7, 0.3, 1e-250]), TAU * 0.21) < 2e-15);
-    // of a round needle ∫ 2π b √(1 − x²/a²) dx over its length = π² a b
+    // a round needle: ∫ 2π b √(1 − x²/a²) dx over its length = π² a b
     assert!(relative(area([1e130, 1e-150, 1e-150]), PI * PI * 1e-20) < 2e-15);
     assert!(relative(area([1e-90, 1e120, 1e-90]), PI * PI * 1e30) < 2e-15);
-    // flat as well as thin: two sides of an ellipse again
+    // flat and thin: again two sides of an ellipse
     assert!(relative(area([1.0, 1e-12, 1e-24]), TAU * 1e-12) < 2e-15);
     assert!(relative(area([1e-40, 1e20, 1e-10]), TAU * 1e10) < 2e-15);
-    // near the ratio below which it no longer changes
+    // near the ratio below which the result no longer changes
     for ratio in [1e-10, 1e-11, 1e-12, 1e-13] {
         assert!(relative(area([1.0, ratio, ratio]), PI * PI * ratio) < 2e-15);
     }

@@ -1,4 +1,5 @@
-//! Elliptic integrals and Jacobi's functions: against tables of 40 digits, and the identities between them.
+//! Elliptic integrals and Jacobi elliptic functions, compared with tables of 40 digits, and
+//! identities between them.
 #![allow(clippy::excessive_precision, clippy::approx_constant, reason = "the tables' digits, as they are")]
 
 use crate::common::{cases, number, table};
@@ -7,7 +8,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Compares with correctly rounded values, in units of their last place.
+/// Comparison with correctly rounded values, in ulp.
 #[derive(Default)]
 struct Comparison {
     seen: usize,
@@ -40,9 +41,10 @@ impl Comparison {
     }
 }
 
-/// A double nearest to the exact value may be missed where that is close to the middle of two.
+/// Tolerance in ulp: the nearest double may be missed if the exact value is close to the midpoint
+/// of two doubles.
 const ROUNDED: f64 = 1.0;
-/// At m = 1 the functions are those of libm.
+/// Tolerance at m = 1, where the functions are those of libm.
 const HYPERBOLIC: f64 = 3.0;
 
 fn given(by: &str, value: f64) -> EllipticParameter {
@@ -100,7 +102,8 @@ fn every_value_of_the_table_is_met_to_the_last_place() {
     comparison.conclude(3200);
 }
 
-/// By the functions of fixtures/elliptic.py: the doubles nearest to a zero of sn or cn, after up to 10⁵ periods.
+/// References by fixtures/elliptic.py: the doubles nearest to a zero of sn or cn, after up to 10⁵
+/// periods.
 #[test]
 fn the_nearest_double_to_a_distant_zero_keeps_its_digits() {
     let mut comparison = Comparison::default();
@@ -153,7 +156,7 @@ fn the_nearest_double_to_a_distant_zero_keeps_its_digits() {
     comparison.conclude(48);
 }
 
-/// By the functions of fixtures/elliptic.py: characteristics and parameters that its table has not.
+/// References by fixtures/elliptic.py: characteristics and parameters that are not in its table.
 #[test]
 fn the_third_kind_is_right_at_the_ends_of_the_range() {
     let mut comparison = Comparison::default();
@@ -209,7 +212,7 @@ fn what_has_no_integral_is_refused() {
         EllipticParameter::new(1.5).unwrap_err().to_string(),
         "the elliptic parameter m = 1.5 must be finite and at most 1"
     );
-    // Amplitudes and arguments are answered, not refused.
+    // Infinite amplitudes and arguments give values, not errors.
     assert_eq!((p.incomplete_f(infinite), p.incomplete_e(-infinite)), (infinite, -infinite));
     assert!(p.incomplete_f(f64::NAN).is_nan() && p.incomplete_pi(0.1, f64::NAN).unwrap().is_nan());
     assert!(p.jacobi(infinite).sn.is_nan() && p.jacobi(f64::NAN).am.is_nan());
@@ -230,7 +233,7 @@ fn finite_arguments_never_give_nan() {
                 at.sn.abs() <= 1.0 && at.cn.abs() <= 1.0 && at.dn >= 0.0 && !at.am.is_nan(),
                 "{p:?} {x} {at:?}"
             );
-            // Odd, and of the sign of φ
+            // Odd functions with the sign of φ
             let (f, e) = (p.incomplete_f(x), p.incomplete_e(x));
             assert!(f * x.signum() >= 0.0 && f == -p.incomplete_f(-x), "{p:?} {x} {f}");
             assert!(e * x.signum() >= 0.0 && e == -p.incomplete_e(-x), "{p:?} {x} {e}");
@@ -242,7 +245,7 @@ fn finite_arguments_never_give_nan() {
     }
 }
 
-/// m of every kind, and the same by its complement.
+/// m of every kind, given by m or by its complement.
 fn parameter() -> impl Strategy<Value = EllipticParameter> {
     prop_oneof![
         (0.0..1.0).prop_map(|m| given("m", m)),
@@ -256,7 +259,7 @@ fn characteristic() -> impl Strategy<Value = f64> {
     prop_oneof![-1.0..1.0, -100.0..-1.0, (-15.0..0.0).prop_map(|x| 1.0 - 10f64.powf(x))]
 }
 
-/// |a − b| in ε times the size of the terms.
+/// Checks |a − b| in ε times the size of the terms.
 fn close(a: f64, b: f64, size: f64) -> bool {
     (a - b).abs() <= 4.0 * f64::EPSILON * size
 }
@@ -269,7 +272,7 @@ proptest! {
         let JacobiFunctions { sn, cn, dn, am } = p.jacobi(w * p.k());
         prop_assert!(close(sn * sn + cn * cn, 1.0, 1.0));
         prop_assert!(close(dn * dn + p.m() * sn * sn, 1.0, dn * dn + p.m().abs() + 1.0));
-        // without the cancellation
+        // without cancellation
         prop_assert!(close(dn * dn, cn * cn + p.complement() * sn * sn, dn * dn));
         prop_assert!(close(am.sin(), sn, 1.0 + am.abs()) && close(am.cos(), cn, 1.0 + am.abs()));
     }
@@ -277,14 +280,14 @@ proptest! {
     #[test]
     fn the_amplitude_is_the_inverse_of_the_first_kind(p in parameter(), phi in -20.0..20.0) {
         let u = p.incomplete_f(phi);
-        // u is rounded, and the amplitude follows it at the rate dn
+        // u is rounded, and the amplitude changes at the rate dn
         let at = p.jacobi(u);
         prop_assert!(close(at.am, phi, phi.abs() + at.dn * u.abs()), "{u} {}", at.am);
     }
 
     #[test]
     fn quarters_are_where_they_should_be(p in parameter(), phi in -20.0..20.0, n in characteristic()) {
-        // F(π/2) = K but for the distance of the double from π/2, and whole half turns add 2K
+        // F(π/2) = K except for the distance of the double from π/2, and whole half turns add 2K
         prop_assume!(p.complement() > 1e-12 && n < 0.999);
         let (up, down) = (phi + PI, phi);
         let size = |x: f64| 40.0 * x / (1.0 - n).min(1.0) / p.complement().min(1.0).sqrt();

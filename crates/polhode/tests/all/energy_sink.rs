@@ -1,4 +1,4 @@
-//! Energy lost inside a body, against what defines it and a closed form.
+//! Energy dissipation inside a body, compared with its definition and with a closed form.
 
 use polhode::motion::Motor;
 use polhode::motion::torque::EnergySink;
@@ -83,7 +83,7 @@ fn the_rates_are_those_of_the_definition() {
 
 #[test]
 fn a_symmetric_body_nutates_by_the_closed_form() {
-    // A generic axis of symmetry, moments I along it and J across; prolate and oblate.
+    // A generic axis of symmetry with moment I along it and J across; prolate and oblate.
     let axis = Direction::<Body>::new(0.6, -0.3, 0.9).direction().unwrap();
     for (along, across, towards) in [(1.3, 4.1, false), (5.2, 3.7, true)] {
         let n = axis.to_array();
@@ -114,7 +114,7 @@ fn a_symmetric_body_nutates_by_the_closed_form() {
                 );
             }
         }
-        // The time constant is that of the same formula.
+        // The time constant follows from the same formula.
         let tau = 1.0 / rate.abs();
         let extremes = [f64::min(along, across), f64::max(along, across)];
         let same = EnergySink::with_time_constant(tau, extremes, momentum.norm()).unwrap();

@@ -1,4 +1,5 @@
-//! Ensembles: each member has the bits that it has alone, and moves as the equations say.
+//! Ensembles: each member has the same bits as when computed alone, and satisfies the equations of
+//! motion.
 
 use std::num::NonZero;
 
@@ -17,7 +18,7 @@ fn body() -> MassProperties<Body> {
     MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap()
 }
 
-/// Every torque that there is, each with a body that it turns; generic numbers.
+/// Returns every torque model, each with a body; generic numbers.
 pub(crate) fn every_torque() -> Vec<(&'static str, Rotor, Vec<TorqueModel>)> {
     let body = body();
     let (free, held) = (Rotor::free(&body), Rotor::pivoted(&body, Position::new(-0.4, 0.9, 0.2)));
@@ -97,7 +98,7 @@ pub(crate) fn every_torque() -> Vec<(&'static str, Rotor, Vec<TorqueModel>)> {
     ]
 }
 
-/// A start unlike any other.
+/// Returns a different start for each k.
 pub(crate) fn start(k: usize) -> State {
     let k = k as f64;
     let attitude = Attitude::from_quaternion([0.4 + 0.01 * k, -0.7, 1.1 - 0.003 * k, 0.3]).unwrap();
@@ -108,7 +109,7 @@ fn ensemble(members: &[Member]) -> Ensemble {
     Ensemble::new(members.to_vec()).unwrap()
 }
 
-/// Distance of two states: an angle, and a part of |ω|.
+/// Returns the distance of two states: angle, and relative difference of ω.
 fn distance(a: &State, b: &State) -> f64 {
     let omega = (a.omega - b.omega).norm() / b.omega.norm();
     a.attitude.angle_to(b.attitude).max(omega)
@@ -118,7 +119,8 @@ fn bits(states: &[State]) -> Vec<[u64; 8]> {
     states.iter().map(|state| <[f64; 8]>::from(*state).map(f64::to_bits)).collect()
 }
 
-/// The textbook's method, in body axes of any direction, of I ω̇ = L × Ω + N − ḣ and q̇ = ½ q ∘ Ω.
+/// Integrates by the classical Runge–Kutta method, in arbitrary body axes: I ω̇ = L × Ω + N − ḣ and
+/// q̇ = ½ q ∘ Ω.
 fn textbook(member: &Member, until: f64, steps: usize) -> State {
     let Member { rotor, torques, start, .. } = member;
     let inverse = inverse(rotor);
@@ -174,7 +176,7 @@ fn textbook(member: &Member, until: f64, steps: usize) -> State {
     State { time: until, attitude, omega: AngularVelocity::new(a, b, c) }
 }
 
-/// I⁻¹, by cofactors.
+/// Returns I⁻¹, by cofactors.
 fn inverse(rotor: &Rotor) -> [[f64; 3]; 3] {
     let unit = |k: usize| AngularVelocity::from_array(std::array::from_fn(|i| f64::from(u8::from(i == k))));
     let [a, b, c] = [0, 1, 2].map(|k| rotor.angular_momentum(unit(k)).to_array());
@@ -192,7 +194,7 @@ fn every_torque_moves_a_member_as_the_textbook_does() {
             let found = ensemble(std::slice::from_ref(&member)).at(&[1.0, 2.25], method, 1e-13, ONE).unwrap();
             assert_eq!(found.failures, [], "{name}");
             for state in &found.states {
-                // In steps of 1 ms, whose own error is some 1e-12.
+                // Steps of 1 ms, with an error of about 1e-12.
                 let steps = ((state.time - 0.25) / 0.001).round() as usize;
                 let error = distance(state, &textbook(&member, state.time, steps));
                 assert!(error < 2e-11, "{name}: {error:e} at {} s", state.time);
@@ -201,7 +203,7 @@ fn every_torque_moves_a_member_as_the_textbook_does() {
     }
 }
 
-/// A few of everything, from different starts and starting times.
+/// Returns members of every kind, with different starts and starting times.
 fn some_members(count: usize) -> Vec<Member> {
     let zoo = every_torque();
     (0..count)
@@ -235,7 +237,7 @@ fn a_member_has_the_bits_that_it_has_alone() {
                 assert_eq!(bits(&few.states), wanted[3 * size * k..][..3 * batch.len()], "{size}");
             }
         }
-        // 160 and 37 have no common divisor.
+        // 160 and 37 are coprime.
         let order: Vec<usize> = (0..160).map(|k| k * 37 % 160).collect();
         let shuffled: Vec<_> = order.iter().map(|&k| members[k].clone()).collect();
         let states = ensemble(&shuffled).at(&times, method, tolerance, ONE).unwrap().states;
@@ -245,7 +247,7 @@ fn a_member_has_the_bits_that_it_has_alone() {
     }
 }
 
-/// The FNV hash of all bits.
+/// Returns the FNV hash of all bits.
 fn hash(states: &[State]) -> u64 {
     let bytes = bits(states).into_iter().flatten().flat_map(u64::to_le_bytes);
     bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
@@ -255,7 +257,8 @@ fn hash(states: &[State]) -> u64 {
 
 #[test]
 fn the_bits_are_those_of_every_machine() {
-    // The same with AVX-512 and with AVX2 (`--cfg no_avx512`); others without a fused multiply–add (`--no-default-features`).
+    // The same with AVX-512 and with AVX2 (`--cfg no_avx512`); different without a fused
+    // multiply–add (`--no-default-features`).
     let fused = cfg!(any(target_arch = "aarch64", target_feature = "fma", feature = "simd"));
     let expected = if fused { 13_504_864_640_321_744_062 } else { 5_488_790_972_265_668_531 };
     let members = some_members(160);
@@ -284,7 +287,7 @@ fn exact_members_have_the_bits_of_the_closed_form() {
     let times: Vec<f64> = (0..700).map(|k| 0.25 + 0.37 * f64::from(k)).collect();
     let members: Vec<_> = (0..70).map(|k| Member::new(Rotor::free(&body()), vec![], start(k))).collect();
     let all = ensemble(&members);
-    // Closed forms are kept from the second call on.
+    // Closed forms are cached from the second call on.
     for (count, threads) in [(700, 1), (700, 2), (700, 1), (5, 1), (4, 2), (1, 1)] {
         let times = &times[..count];
         let threads = NonZero::new(threads).unwrap();
@@ -318,7 +321,8 @@ fn one_that_fails_leaves_the_others_alone() {
     for (method, tolerance) in [(Method::Auto, 1e-9), (Method::Dop853, 1e-9)] {
         let mut members = some_members(40);
         let good = ensemble(&members).at(&times, method, tolerance, ONE).unwrap();
-        // A wire that is let go beyond half a turn from where it was; and a body that spins beyond all numbers.
+        // A wire that is released beyond half a turn from its rest attitude, and a body whose spin
+        // overflows.
         let rest = Attitude::identity();
         members[11] = Member::new(
             Rotor::free(&body()),
@@ -329,7 +333,7 @@ fn one_that_fails_leaves_the_others_alone() {
         assert_eq!(bad.failures.len(), 1);
         assert_eq!(bad.failures[0].member, 11);
         assert!(matches!(bad.failures[0].cause, MotionError::HalfTurn { .. }), "{:?}", bad.failures);
-        // The wire is at half a turn after some π/5 s. The first of the times is before that.
+        // The wire reaches half a turn after about π/5 s. The first of the times is before that.
         let [known, stuck, same] = bad.states[33..36] else { panic!() };
         assert_eq!(known.time, 0.5);
         assert!(stuck == same && (0.5..0.64).contains(&stuck.time), "{stuck:?}");
@@ -459,7 +463,7 @@ fn work_tells_how_far_it_is_and_can_be_ended() {
         told.push(done);
         true
     });
-    // Springs among them are twisted too far.
+    // Some of them have springs that are twisted too far.
     let found = all.at(&[1.0], Method::Auto, 1e-9, ONE).unwrap();
     assert_eq!(outcome.map(|outcome| outcome.failures), Ok(found.failures));
     assert!(told.is_sorted() && told.last() == Some(&300) && told.len() > 4, "{told:?}");

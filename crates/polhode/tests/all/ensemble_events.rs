@@ -1,4 +1,4 @@
-//! Events of an ensemble's members are those that each has alone.
+//! Events of an ensemble's members are the same as for each member alone.
 
 use std::num::NonZero;
 
@@ -15,7 +15,8 @@ fn event(name: &str, measure: Measure, value: f64, action: EventAction) -> Event
     Event::new(name, measure, value, Sense::Either, action).unwrap()
 }
 
-/// What most members pass sooner or later, some once and some often; those of every third are stopped by it.
+/// Events that most members cross sooner or later, once or often; every third member is stopped by
+/// one.
 fn events(k: usize) -> Vec<Event> {
     let action = if k.is_multiple_of(3) { EventAction::Stop } else { EventAction::Record };
     let along = Measure::OmegaBody(Direction::new(0.3, -0.5, 0.9));
@@ -26,7 +27,7 @@ fn events(k: usize) -> Vec<Event> {
     ]
 }
 
-/// One under each torque, every fifth of them without events.
+/// Returns one member under each torque; every fifth has no events.
 fn members() -> Vec<Member> {
     let of = |(k, (_, rotor, torques))| {
         let member = Member::new(rotor, torques, start(k));
@@ -81,7 +82,7 @@ fn members_with_events_have_the_bits_of_a_run() {
 
 #[test]
 fn neither_threads_nor_neighbours_change_them() {
-    // More than a thread takes at a time.
+    // More members than a thread takes at a time.
     let members: Vec<_> = (0..8).flat_map(|_| members()).collect();
     let (one, many) = (at(&members, 1), at(&members, 3));
     assert_eq!(bits(&one.states), bits(&many.states));
@@ -92,7 +93,7 @@ fn neither_threads_nor_neighbours_change_them() {
     assert!(of_few.map(|happened| &happened.crossing).eq(few.crossings.iter().map(|h| &h.crossing)));
 }
 
-/// A torque that is off until an event switches it on, beside members that it never turns.
+/// A torque that is off until an event switches it on, together with members that it never turns.
 #[test]
 fn torques_are_switched() {
     let (_, rotor, torques) = every_torque().swap_remove(1);
@@ -112,7 +113,8 @@ fn torques_are_switched() {
     }
 }
 
-/// A function of many members is asked about one alone where that has events: it is told which.
+/// A function of many members is called for a single member where that member has events; it
+/// receives the index.
 #[test]
 fn functions_of_many_members_have_events() {
     let law = |state: &State, member: usize| {

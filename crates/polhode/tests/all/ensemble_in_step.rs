@@ -10,7 +10,8 @@ use polhode::motion::{Ensemble, Member, Method, MotionError, Rotor, State};
 
 const TIMES: [f64; 4] = [0.0, 0.7, 1.9, 6.0];
 
-/// Drag that grows with the attitude's first component, and a push that differs from member to member.
+/// Returns drag that grows with the attitude's first component, plus a push that differs between
+/// members.
 fn law(state: &State, push: f64) -> Torque<Body> {
     let [w, ..] = state.attitude.quaternion();
     let drag = Torque::from_array(state.omega.to_array().map(|rate| -0.1 * (1.0 + w * w) * rate));
@@ -26,14 +27,14 @@ fn member(k: usize, torques: Vec<TorqueModel>) -> Member {
     Member::new(rotor, torques, State { time: 0.0, attitude, omega })
 }
 
-/// A torque that acts for a while, with a function beside it.
+/// Returns a torque that acts for a while, together with a function.
 fn beside(function: TorqueModel) -> Vec<TorqueModel> {
     let push = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.2, 0.0, -0.1)));
     let schedule = Schedule::window(0.5, 2.5).unwrap();
     vec![TorqueModel::Scheduled(Box::new(Scheduled { schedule, torque: push })), function]
 }
 
-/// Members in step have the bits of each alone, and one call serves all of them.
+/// Members in step have the same bits as each alone, and one call serves all of them.
 #[test]
 fn bits_are_those_of_the_function_alone() {
     let calls = Arc::new(Mutex::new(Vec::new()));
@@ -66,7 +67,8 @@ fn bits_are_those_of_the_function_alone() {
     assert!(calls.len() < steps / 20, "{} calls for {steps} evaluations", calls.len());
 }
 
-/// One that cannot go on stays where it was, and the others go on; too few torques are none.
+/// A member that cannot continue stays where it was, and the others continue. Too few returned
+/// torques are NaN.
 #[test]
 fn failures_are_of_members() {
     let partial = TorqueModel::vectorized_function("partial", |asked| {

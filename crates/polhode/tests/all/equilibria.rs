@@ -1,4 +1,4 @@
-//! The steady motions that a start is meant to be near: on a circular orbit, of a heavy top, with friction inside.
+//! Steady motions near a start: on a circular orbit, of a heavy top, with an energy sink.
 
 use polhode::motion::torque::{Attracted, EnergySink, GravityGradient, Schedule, Torsion};
 use polhode::motion::{HeavyTop, MU_EARTH, Motor, Orbit, TopPath};
@@ -31,7 +31,8 @@ fn on_orbit() -> (Orbit, [TorqueModel; 1]) {
     (orbit.clone(), [TorqueModel::GravityGradient(Box::new(GravityGradient { orbit, attracted }))])
 }
 
-/// The start turns nearly as the orbit does, or anyhow: all 24 are found, with the libration of the scalar equations.
+/// The start turns nearly with the orbit, or arbitrarily: all 24 equilibria are found, with the
+/// libration of the scalar equations.
 #[test]
 fn all_attitudes_at_rest_on_an_orbit_are_found() {
     let (orbit, gravity) = on_orbit();
@@ -61,14 +62,15 @@ fn all_attitudes_at_rest_on_an_orbit_are_found() {
                     && expected.roll_yaw.is_none_or(|both| both.into_iter().all(has))
             );
         }
-        // Lagrange's and DeBra and Delp's: the long axis up and the greatest moment across, or the latter's.
+        // The Lagrange and the DeBra–Delp equilibria: the long axis up and the greatest moment
+        // across, or the latter's.
         assert!(all.iter().any(|e| e.axes.map(|(k, _)| k) == [0, 1, 2]));
     }
     let none = OrbitalEquilibrium::all(&rotor, &[], at(generic_attitude(), AngularVelocity::ZERO)).unwrap();
     assert!(none.is_none());
 }
 
-/// A wheel turns the attitudes at rest away from the principal axes; none of them leaves its place.
+/// A wheel turns the equilibrium attitudes away from the principal axes; none of them is displaced.
 #[test]
 fn a_wheel_tilts_what_rests_on_an_orbit() {
     let (orbit, gravity) = on_orbit();
@@ -89,7 +91,7 @@ fn a_wheel_tilts_what_rests_on_an_orbit() {
     }
 }
 
-/// A symmetric top about its pivot, its axis anyhow in the body.
+/// Returns a symmetric top about its pivot, with a generic axis in the body.
 fn top() -> Rotor {
     let axis = turned() * Direction::new(0.0, 0.0, 1.0);
     let inertia = InertiaTensor::diagonal([0.4, 0.4, 0.33]).unwrap().in_frame(turned());
@@ -101,7 +103,7 @@ fn gravity() -> UniformGravity {
     UniformGravity { acceleration: Acceleration::new(1.3, -2.2, 8.1) }
 }
 
-/// An attitude with the top's axis at an angle from the vertical.
+/// Returns an attitude with the top's axis at an angle from the vertical.
 fn leaning(angle: f64) -> Attitude {
     let up: Direction<Space> = -gravity().acceleration.direction().unwrap();
     let across = up.cross(Direction::new(0.2, 0.9, -0.3)).direction().unwrap();
@@ -120,7 +122,7 @@ fn a_top_off_its_steady_precession_nods_about_it() {
         let omega = e * spin + (attitude.inverse() * up) * across;
         let start = at(attitude, AngularVelocity::from_array(omega.to_array()));
         let steady = SteadyTop::with_momenta_of(&rotor, &gravity, start).unwrap();
-        // The same momenta about the vertical and about the axis.
+        // The same angular momenta about the vertical and about the axis.
         let momenta = |s: &State| {
             let l = rotor.angular_momentum(s.omega);
             [l.dot(e), (s.attitude * l).dot(up)]
@@ -128,14 +130,14 @@ fn a_top_off_its_steady_precession_nods_about_it() {
         for (now, then) in momenta(&steady.state).into_iter().zip(momenta(&start)) {
             assert!((now - then).abs() < 1e-12 * (1.0 + then.abs()), "{now} {then}");
         }
-        // It keeps its angle, which the start's nods go around.
+        // It keeps its angle, about which the axis of the start nutates.
         let top = HeavyTop::of(&rotor, &gravity, steady.state).unwrap();
         let [highest, lowest] = top.nutation_bounds();
         assert!(lowest - highest < 1e-12 && (highest - steady.angle).abs() < 1e-12, "{steady:?}");
         assert!(matches!(steady.path, TopPath::SteadySlow | TopPath::SteadyFast | TopPath::Conical));
         let [high, low] = HeavyTop::of(&rotor, &gravity, start).unwrap().nutation_bounds();
         assert!(high - 1e-12 < steady.angle && steady.angle < low + 1e-12, "{high} {low} {}", steady.angle);
-        // Small nutations have the period of the elliptic functions' limit.
+        // Small nutations have the limiting period of the elliptic functions.
         let frequency = std::f64::consts::TAU / top.nutation_period().unwrap();
         let modes = &steady.oscillations.modes;
         assert_eq!((modes.len(), steady.oscillations.is_stable()), (1, true), "{modes:?}");
@@ -162,18 +164,18 @@ fn an_upright_top_sleeps_or_leans() {
         assert!(turned < 1e-7 && slower > 1e-3 && slower < 3e-3, "{turned} {slower}");
         let steady = SteadyTop::with_momenta_of(&rotor, &gravity, touched).unwrap();
         assert!(steady.oscillations.is_stable());
-        // Below the threshold it would lean where (1 + cos θ)² A M g l = (C ω3)².
+        // Below the threshold it would be inclined where (1 + cos θ)² A M g l = (C ω3)².
         let x: f64 = 2.0 * part;
         let lean = if sleeps { 0.0 } else { (x - 1.0).acos() };
         assert!((steady.angle - lean).abs() < 2e-3, "{} {lean}", steady.angle);
     }
-    // Suspension, with spin: it stays so.
+    // Hanging, with spin: it remains so.
     let hangs = at(leaning(std::f64::consts::PI), start(3.0).omega);
     let steady = SteadyTop::with_momenta_of(&rotor, &gravity, hangs).unwrap();
     assert_eq!(steady.path, TopPath::Hanging);
 }
 
-/// The roots of friction.rs are those of the six equations of a small departure.
+/// The roots of friction.rs are those of the six equations of a small perturbation.
 #[test]
 fn friction_ends_every_spin_but_those_of_least_energy() {
     let sink = EnergySink::new(0.013).unwrap();
@@ -187,7 +189,7 @@ fn friction_ends_every_spin_but_those_of_least_energy() {
             assert_eq!(one.is_ended_by_friction(), one.with_friction(&sink).name() == "leaves");
             let state = at(generic_attitude(), one.omega);
             let six = SmallOscillations::about(&rotor, &[TorqueModel::EnergySink(sink)], state).unwrap();
-            // Separates those that only turn the axis in space, and are kept.
+            // Excludes the roots that only turn the axis in space and are conserved.
             let rates = six.modes.iter().map(|mode| mode.growth_rate).filter(|rate| *rate != 0.0);
             let fastest = rates.fold(f64::NEG_INFINITY, f64::max);
             let rate = match one.with_friction(&sink) {
@@ -198,7 +200,7 @@ fn friction_ends_every_spin_but_those_of_least_energy() {
             assert!((rate / fastest - 1.0).abs() < 1e-8, "{rate} {fastest} {one:?}");
         }
     }
-    // A flat spin of a body with two equal moments settles onto one of the circle of them.
+    // A flat spin of a body with two equal moments settles onto one point of their circle.
     let flat = free([0.2, 5.0, 5.0]);
     for k in [1, 2] {
         let omega = AngularVelocity::from_array((flat.principal().axis(k) * 0.4).to_array());
@@ -211,7 +213,8 @@ fn friction_ends_every_spin_but_those_of_least_energy() {
     }
 }
 
-/// A motor that runs for a while leaves its wheel with another momentum, and another axis may be stable then.
+/// A motor that runs for a while changes the angular momentum of its wheel; then another axis may
+/// be stable.
 #[test]
 fn permanent_rotations_are_those_of_the_wheels_of_the_time() {
     let body = free([1.3, 2.9, 3.7]);
@@ -220,7 +223,7 @@ fn permanent_rotations_are_those_of_the_wheels_of_the_time() {
     let rotor = body.with_wheels(&[Wheel::new(Direction::new(0.2, 0.5, -0.4), 0.0, motor).unwrap()]).unwrap();
     assert_eq!(PermanentRotation::times(&rotor), [0.0, 8.0]);
     let [before, after] = [0.0, 8.0].map(|time| PermanentRotation::all_at(&rotor, 2.0, time).unwrap());
-    assert_eq!((before.len(), after.len()), (6, 2)); // at the end the wheel, 4.5 kg·m²/s, rules
+    assert_eq!((before.len(), after.len()), (6, 2)); // at the end the wheel, 4.5 kg·m²/s, dominates
     for one in after {
         assert!((one.momentum.norm() / 2.0 - 1.0).abs() < 1e-13);
         let motion = [TorqueModel::EnergySink(EnergySink::new(1e-9).unwrap())];
@@ -249,17 +252,17 @@ fn modes_of_one_frequency_are_a_basis() {
         assert!(u.dot(v).abs() < 1e-9 && (u.norm() - 1.0).abs() < 1e-12);
     }
     assert_eq!((a.minor_axis, b.minor_axis), (Direction::ZERO, Direction::ZERO));
-    // Upside down it falls about any of them, and comes up so.
+    // Upside down it falls about any of them and swings back up.
     let over = SmallOscillations::about(&rotor, &gravity, at(leaning(0.0), AngularVelocity::ZERO)).unwrap();
     assert!(
         over.modes.len() == 4 && over.modes.iter().all(|m| m.multiplicity == 2 && m.axis.dot(e).abs() < 1e-9)
     );
-    // A spring that resists every turn alike, on a body that does too.
+    // A spring that resists every rotation equally, on a spherical body.
     let rest = generic_attitude();
     let spring = [TorqueModel::Torsion(Torsion::spring(0.7, rest).unwrap())];
     let ball = SmallOscillations::about(&free([2.1; 3]), &spring, at(rest, AngularVelocity::ZERO)).unwrap();
     assert!(ball.modes.len() == 3 && ball.modes.iter().all(|m| m.multiplicity == 3));
-    // Three different moments: each by itself.
+    // Three different moments: three separate modes.
     let one =
         SmallOscillations::about(&free([1.3, 2.9, 3.7]), &spring, at(rest, AngularVelocity::ZERO)).unwrap();
     assert!(one.modes.len() == 3 && one.modes.iter().all(|m| m.multiplicity == 1));

@@ -1,4 +1,4 @@
-//! Events against closed forms, and motions that cannot go on.
+//! Events compared with closed forms, and motions that cannot continue.
 
 use crate::common::free_body;
 use polhode::math::Velocity;
@@ -13,7 +13,7 @@ use polhode::prelude::*;
 const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];
 const TAU: f64 = std::f64::consts::TAU;
 
-/// A start that looks out for nothing, at t = 0.7, to be sampled at its ends.
+/// Returns a simulation from t = 0.7 without events, sampled at its ends.
 fn simulation<'a>(
     rotor: &'a Rotor,
     torques: &'a [TorqueModel],
@@ -37,7 +37,7 @@ fn body_torque(n: [f64; 3]) -> TorqueModel {
     TorqueModel::Constant(ConstantTorque::Body(Torque::from_array(n)))
 }
 
-/// The times of all crossings.
+/// Returns the times of all crossings.
 fn times(motion: &Trajectory) -> Vec<f64> {
     motion.events().iter().map(|crossing| crossing.state.time).collect()
 }
@@ -82,7 +82,8 @@ fn the_phase_of_a_symmetric_body_passes_at_its_times() {
 
 #[test]
 fn a_near_miss_is_none_and_a_near_touch_is_two() {
-    // ω_x has the amplitude A: just below it there are two crossings close together at each crest, just above it none.
+    // ω_x has the amplitude A. Just below it there are two close crossings at each crest, just
+    // above it none.
     let rotor = free_body([1.7, 1.7, 3.1]);
     let omega: [f64; 3] = [0.9, -0.4, 2.3];
     let amplitude = omega[0].hypot(omega[1]);
@@ -103,7 +104,7 @@ fn a_near_miss_is_none_and_a_near_touch_is_two() {
 
 #[test]
 fn what_is_passed_twice_in_a_step_happens_once_where_it_stops() {
-    // ω_x passes 0.99 A twice at each crest, in one step.
+    // ω_x crosses 0.99 A twice at each crest, within one step.
     let rotor = free_body([1.7, 1.7, 3.1]);
     let omega: [f64; 3] = [0.9, -0.4, 2.3];
     let x = Measure::OmegaBody(Direction::new(1.0, 0.0, 0.0));
@@ -117,7 +118,7 @@ fn what_is_passed_twice_in_a_step_happens_once_where_it_stops() {
 
 #[test]
 fn a_spin_up_stops_at_its_rate() {
-    // About a principal axis that is none of the drawing's, ω = N t / I.
+    // About a principal axis that is not a body axis, ω = N t / I.
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
     let rotor = Rotor::free(&MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap());
     let (axis, moment) = (rotor.principal().axis(1), rotor.principal().moments()[1]);
@@ -149,7 +150,8 @@ fn a_pendulum_is_upright_at_quarters_of_its_period() {
     let gravity = Acceleration::new(0.0, 0.0, -9.80665);
     let period = Pendulum::hung(&rotor, axis, gravity).unwrap().period(amplitude);
     let attitude = Attitude::about(Direction::from_array(axis.to_array()), amplitude).unwrap();
-    // The rod's y axis is level when the rod hangs straight down: the angle to the vertical passes 90°.
+    // The y axis of the rod is level when the rod hangs straight down: its angle to the vertical
+    // passes 90°.
     let level =
         Measure::Tilt { body: Direction::new(0.0, 1.0, 0.0), space: Direction::new(0.0, 0.0, 1.0).into() };
     let events = [
@@ -167,7 +169,8 @@ fn a_pendulum_is_upright_at_quarters_of_its_period() {
         let at = |k: usize| times_of(&motion, k);
         let quarter = |k: u32| period * f64::from(2 * k + 1) / 4.0;
         close(&at(0), &(0..6).map(quarter).collect::<Vec<_>>(), 1e-13);
-        // It starts with its y axis pointing up, nearer than 90° to the vertical: first the angle rises.
+        // It starts with its y axis pointing up, less than 90° from the vertical: first the angle
+        // rises.
         close(&at(1), &at(0).into_iter().skip(1).step_by(2).collect::<Vec<_>>(), 1e-13);
         assert!(at(2).is_empty());
     }
@@ -223,7 +226,7 @@ fn a_relay_swings_between_its_rates() {
     }
 }
 
-/// An ellipse that turns about as fast as the body.
+/// Returns an ellipse with about the same period as the rotation of the body.
 fn quick_orbit() -> Orbit {
     let (position, velocity) = (Position::new(0.7, 0.1, -0.4), Velocity::new(-0.3, 0.9, 0.2));
     Orbit::through(0.8, position, velocity, 0.0).unwrap()
@@ -231,7 +234,7 @@ fn quick_orbit() -> Orbit {
 
 #[test]
 fn a_generic_motion_is_cut_and_goes_on_the_same() {
-    // A switch that changes nothing (a torque of zero) must not change the motion either.
+    // A switch without effect (a torque of zero) must not change the motion either.
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
     let body = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap();
     let rotor = Rotor::pivoted(&body, Position::new(-0.4, 0.9, 0.2));
@@ -254,7 +257,7 @@ fn a_generic_motion_is_cut_and_goes_on_the_same() {
     let omega = [1.3, -0.8, 2.1];
     let plain = run(simulation(&rotor, &torques, omega, &ends));
     for measure in measures {
-        // A value that is passed: that of the motion at a time of its own.
+        // A value that is crossed: that of the motion at a chosen time.
         let value = value_at(&rotor, &torques, omega, &measure, 1.234);
         let events = [
             event(measure.clone(), value, Sense::Either, EventAction::Record),
@@ -275,7 +278,7 @@ fn a_generic_motion_is_cut_and_goes_on_the_same() {
     }
 }
 
-/// What is measured at a time, found by bisection of what an event says of it.
+/// Returns the measure at a time, by bisection with events.
 fn value_at(rotor: &Rotor, torques: &[TorqueModel], omega: [f64; 3], measure: &Measure, time: f64) -> f64 {
     let ends = [0.0, time];
     let motion = run(simulation(rotor, torques, omega, &ends));
@@ -311,7 +314,7 @@ fn a_start_at_the_value_is_no_event() {
             assert_eq!(motion.events().len(), wanted);
         }
     }
-    // Time itself: passed once, not at the start.
+    // Time itself: crossed once, not at the start.
     let at = |t| event(Measure::Time, t, Sense::Either, EventAction::Record);
     let events = [at(1.0), at(3.3), at(7.0)];
     let ends = [1.0, 5.0];
@@ -342,7 +345,7 @@ fn events_that_cannot_be_are_refused() {
 
 #[test]
 fn what_cannot_go_on_keeps_what_is_good() {
-    // 1e15 s at 3 rad/s: more steps than anybody would wait for.
+    // 1e15 s at 3 rad/s: too many steps.
     let rotor = free_body([2.0, 3.5, 5.0]);
     let push = [body_torque([1e-3, 2e-3, -1e-3])];
     for method in METHODS {
@@ -356,7 +359,7 @@ fn what_cannot_go_on_keeps_what_is_good() {
         assert_eq!(sampled, [0.0, 1.0, time]);
         assert!(Drift::of(&motion).unwrap().work_energy < 1e-12);
     }
-    // ω leaves the range of f64: the start is all that is left.
+    // ω leaves the range of f64: only the start remains.
     let push = [body_torque([1e300, 2e300, -1e300])];
     for method in METHODS {
         let ends = [0.0, 1e10];
@@ -387,7 +390,7 @@ fn a_method_says_why_it_is_used() {
     assert_eq!(why(&push, Method::Dop853), ("dop853", MethodReason::Asked));
 }
 
-/// A torque along body z, by a formula.
+/// Returns a torque along body z, by a formula.
 fn formula_torque(z: &[Instruction]) -> TorqueModel {
     let nothing = || Formula::constant(0.0);
     let components = [nothing(), nothing(), Formula::new(z.iter().copied()).unwrap()];
@@ -406,7 +409,8 @@ fn a_motion_that_runs_away_ends_where_it_is_still_right() {
     let (w, times) = (variable("wz"), Instruction::Binary(Binary::Multiply));
     let push = [formula_torque(&[Instruction::Constant(k), w, times, w, times])];
     let last = moment / (k * spin);
-    // However long the run would be, with its end next to t₁ or far beyond: steps shrink to nothing before ω is infinite.
+    // For every duration of the run, with its end near t₁ or far beyond: steps shrink to zero
+    // before ω is infinite.
     for (method, end) in METHODS.into_iter().flat_map(|method| [17.9, 50.0, 1e6].map(|end| (method, end))) {
         let sampled = [0.0, 5.0, 15.0, end];
         let motion = run(simulation(&rotor, &push, [0.0, 0.0, spin], &sampled).method(method));
@@ -415,7 +419,7 @@ fn a_motion_that_runs_away_ends_where_it_is_still_right() {
         else {
             panic!("{method:?}: {:?}", motion.ending())
         };
-        // It ends before the numbers are absurd, and after they are believed no more.
+        // It ends before the numbers are absurd, and after they are no longer plausible.
         assert!((most / (1e3 * spin) - 1.0).abs() < 1e-12 && rate <= most && rate > 1e-2 * most, "{rate}");
         assert!(time == at && time < last && time > last * (1.0 - 0.1), "{time} {last}");
         assert_eq!(motion.samples().len(), 4);
@@ -428,7 +432,8 @@ fn a_motion_that_runs_away_ends_where_it_is_still_right() {
 
 #[test]
 fn what_grows_by_much_and_not_without_bound_does_not_run_away() {
-    // At rest, until a push like a bell's curve in time: at its foot there is next to nothing to compare with.
+    // At rest, until a push with a bell-shaped time history: at its beginning the torque is nearly
+    // zero.
     let rotor = free_body([2.0, 3.5, 5.0]);
     let op = Instruction::Binary;
     let bell = [
@@ -445,7 +450,7 @@ fn what_grows_by_much_and_not_without_bound_does_not_run_away() {
         let push = [formula_torque(&bell)];
         let motion = run(simulation(&rotor, &push, [0.0; 3], &[0.0, 10.0]).method(method));
         assert_eq!(*motion.ending(), Ending::Complete, "{method:?}");
-        // ∫ N dt = 2000 √π, but for the bell's tails.
+        // ∫ N dt = 2000 √π, except for the tails of the bell.
         let omega = 2e3 * std::f64::consts::PI.sqrt() / 5.0;
         assert!((motion.samples()[1].state.omega.z / omega - 1.0).abs() < 1e-10, "{motion:?}");
     }

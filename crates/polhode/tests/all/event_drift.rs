@@ -1,9 +1,9 @@
-//! Measures that are constant after a switch, as the energy of a body that is left alone: the
-//! errors of later steps pass no value.
+//! Measures that are constant after a switch, such as the energy of a torque-free body: step errors
+//! must not cross the value.
 //!
-//! An event that switches off the only torque leaves its measure at its own value. At tolerances from 1e-4 to 1e-15 it
-//! happens once, and so does an event of the same value that records. A torque that acts later moves the measure off the
-//! value: that is a passage, or none, as before the drift.
+//! An event that switches off the only torque leaves its measure at its value. At tolerances from
+//! 1e-4 to 1e-15 it happens once, and so does a recording event of the same value. A torque that
+//! acts later moves the measure off the value. This is a passage, or none, as before the drift.
 
 use crate::common::scenario::Random;
 use polhode::motion::torque::{Schedule, Scheduled};
@@ -13,8 +13,8 @@ use polhode::prelude::*;
 const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];
 const TOLERANCES: [f64; 5] = [1e-4, 1e-6, 1e-9, 1e-13, 1e-15];
 
-/// Random motions of the gate, and of the large run: `POLHODE_SCENARIOS=0..400 cargo test -p
-/// polhode --test all event_drift`.
+/// Returns the seeds of random motions: those of the gate, or those of the large run,
+/// `POLHODE_SCENARIOS=0..400 cargo test -p polhode --test all event_drift`.
 fn scenarios() -> core::ops::Range<u64> {
     let Ok(range) = std::env::var("POLHODE_SCENARIOS") else { return 0..6 };
     let (from, to) = range.split_once("..").unwrap_or_else(|| panic!("POLHODE_SCENARIOS is FROM..TO"));

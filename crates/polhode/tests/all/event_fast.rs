@@ -1,4 +1,5 @@
-//! Events of formulas and functions that change much faster than the body turns: all passages are found, or the run ends.
+//! Events of formulas and functions that change much faster than the body turns: all passages are
+//! found, or the run ends.
 
 use core::f64::consts::PI;
 
@@ -11,7 +12,7 @@ fn event(measure: Measure, value: f64) -> Event {
     Event::new("it", measure, value, Sense::Either, EventAction::Record).unwrap()
 }
 
-/// sin κt
+/// Returns the measure sin κt.
 fn wave(kappa: f64) -> Measure {
     let time = StateVariables::NAMES.iter().position(|name| *name == "t").unwrap();
     let instructions = [
@@ -53,7 +54,7 @@ fn all_zeros_of_a_fast_formula_are_found() {
 
 #[test]
 fn narrow_tops_of_a_fast_formula_are_found() {
-    // sin κt > 1 − 10⁻⁶ within 0.0014 rad of each top.
+    // sin κt > 1 − 10⁻⁶ within 0.0014 rad of each maximum.
     let (kappa, end, value) = (50.0, 10.0, 1.0 - 1e-6);
     let motion = run(event(wave(kappa), value), [0.0; 3], 0.5, end, Method::Auto);
     let tops = (kappa * end / (2.0 * PI) + 0.75).floor() as usize;
@@ -68,7 +69,7 @@ fn narrow_tops_of_a_fast_formula_are_found() {
 
 #[test]
 fn a_fast_ripple_on_a_slow_function_is_followed() {
-    // t − 3.3 + 10⁻³ sin 5000t passes zero five times or so where it is within 10⁻³.
+    // t − 3.3 + 10⁻³ sin 5000t crosses zero about five times where it is within 10⁻³.
     let ripple = |t: f64| t - 3.3 + 1e-3 * (5000.0 * t).sin();
     let grid = |k: u32| 3.29 + 0.02 * f64::from(k) / 1e6;
     let wanted = (0..1_000_000).filter(|&k| ripple(grid(k)) * ripple(grid(k + 1)) < 0.0).count();

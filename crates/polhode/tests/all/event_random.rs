@@ -1,12 +1,17 @@
-//! Events of random motions: Taylor's method, DOP853 and a dense grid of samples agree on every one of them.
+//! Events of random motions: Taylor's method, DOP853 and a dense grid of samples agree on each of
+//! them.
 //!
-//! Each scenario has up to four torques, some with schedules, and up to four events, which record, switch or stop.
-//! Next to each event there is another that records both directions. Along the motion by Taylor's method, what the
-//! events measure is computed here at 600 times, and at times that approach each switch to 10⁻⁷ s. Between two of
-//! them there is an odd number of passages if the sign differs, an even one if not, and two where a parabola through
-//! three values reaches beyond zero. Both methods have the same passages and ending. Their times differ by 10⁻⁹ s at
-//! most, a hundred times the error of such a motion at the tolerance of 10⁻¹³, or else what is measured by Taylor's
-//! method at the time of DOP853 is at the value to 10⁻¹⁰: near a turning point a time has fewer digits than a value.
+//! Each scenario has up to four torques, some with schedules, and up to four events, which record,
+//! switch or stop. Each event has a twin that records both directions. The measures of the events
+//! are computed here along the motion by Taylor's method, at 600 times, and at times that approach
+//! each switch to 10⁻⁷ s. Between two of these times there is an odd number of passages if the sign
+//! differs, and an even number otherwise. There are two if a parabola through three values reaches
+//! beyond zero.
+//!
+//! Both methods have the same passages and ending. Their times differ by at most 10⁻⁹ s, a hundred
+//! times the error of such a motion at the tolerance of 10⁻¹³. Otherwise the measure by Taylor's
+//! method at the time of DOP853 must be at the value to 10⁻¹⁰, because near a turning point a time
+//! is less accurate than a value.
 
 use crate::common::scenario::{Numbers, Random};
 use polhode::motion::{Ending, EventAction, Measure, Sense};
@@ -14,8 +19,8 @@ use polhode::prelude::*;
 
 const TOLERANCE: f64 = 1e-13;
 
-/// Random scenarios of the gate, and of the large run: `POLHODE_SCENARIOS=0..2000 cargo test -p polhode --test all
-/// event_random`, which takes some minutes; ranges may be run one by one.
+/// Seeds of random scenarios of the gate. The large run, `POLHODE_SCENARIOS=0..2000 cargo test -p
+/// polhode --test all event_random`, takes some minutes; its ranges may be run one by one.
 const SCENARIOS: core::ops::Range<u64> = 0..16;
 
 fn scenarios() -> core::ops::Range<u64> {
@@ -24,8 +29,8 @@ fn scenarios() -> core::ops::Range<u64> {
     from.parse().unwrap()..to.parse().unwrap()
 }
 
-/// Returns the measure of an event less its value, or a function that vanishes with that; the size
-/// of its terms; and whether a passage there counts.
+/// Returns the measure of an event minus its value, or a function with the same zeros; the size of
+/// its terms; and true if a passage there counts.
 fn gap(event: &Event, rotor: &Rotor, state: &State) -> (f64, f64, bool) {
     let (v, omega) = (event.value(), state.omega);
     let momentum = state.attitude.inverse() * rotor.angular_momentum_space(state);
@@ -79,7 +84,8 @@ struct Case {
     torques: Vec<TorqueModel>,
     start: State,
     events: Vec<Event>,
-    /// The number of events; behind them are the same again, which record, and once more, which record both directions.
+    /// Number of events. They are followed by the same number of twins that record, and of twins
+    /// that record both directions.
     count: usize,
     off: Vec<usize>,
     end: f64,
@@ -93,7 +99,7 @@ impl Case {
         let times: Vec<f64> = (0..=100).map(|k| numbers.duration * f64::from(k) / 100.0).collect();
         let plain = Simulation::new(&rotor, &torques, start, &times).run().unwrap();
         let samples = plain.samples();
-        // Of a motion that comes to half a turn of a torsion, too: switches may change that.
+        // Includes motions that reach half a turn of a torsion, as switches may change that.
         let end = numbers.duration;
         let count = 1 + random.below(4);
         let mut events = Vec::new();
@@ -108,7 +114,8 @@ impl Case {
                     _ => gap(&zero, &rotor, &sample.state).0 + 1e-9,
                 })
                 .collect();
-            // The value at a time, or near the highest or lowest value: passed twice soon after each other.
+            // Value at a time, or near the highest or lowest value, where it is crossed twice in
+            // short succession.
             let most = |sign: f64| values.iter().map(|v| sign * v).fold(f64::NEG_INFINITY, f64::max) * sign;
             let range = most(1.0) - most(-1.0);
             let near = range * 10_f64.powf(random.between(-6.0, -1.0));
@@ -125,13 +132,13 @@ impl Case {
                 _ => EventAction::Record,
             };
             let sense = [Sense::Either, Sense::Either, Sense::Rising, Sense::Falling][random.below(4)];
-            // What stays the same does not pass its value, and an angle has to be between 0 and π.
+            // A constant does not cross its value, and an angle must be between 0 and π.
             let (measure, value) = if range > 1e-6 { (measure, value) } else { (Measure::Time, 0.3 * end) };
             if Event::new("event", measure.clone(), value, sense, action).is_ok() {
                 events.push((measure, value, sense, action));
             }
         }
-        // Often an event of the same measure and value, of another sense or action.
+        // Often an event of the same measure and value, with another sense or action.
         if random.next() < 0.3 && !torques.is_empty() && !events.is_empty() {
             let (measure, value, ..) = events[0].clone();
             let action = EventAction::Switch { torque: random.below(torques.len()), on: random.next() < 0.5 };
@@ -164,7 +171,7 @@ impl Case {
         gap(&self.events[event], &self.rotor, state)
     }
 
-    /// Passages by event, then in the order of time.
+    /// Returns the passages by event, then in the order of time.
     fn passages(&self, motion: &Trajectory) -> Vec<(usize, f64, bool)> {
         let mut found: Vec<_> =
             motion.events().iter().map(|it| (it.event, it.state.time, it.rising)).collect();
@@ -172,7 +179,8 @@ impl Case {
         found
     }
 
-    /// Compares an event with its twin, and the twin of both directions with the signs of what is measured.
+    /// Compares an event with its twin, and the twin of both directions with the signs of the
+    /// measure.
     fn check_grid(&self, motion: &Trajectory, switches: &[f64]) {
         let passages = self.passages(motion);
         for event in 0..self.count {
@@ -201,7 +209,7 @@ impl Case {
             let inside = |a: f64, b: f64| times.iter().filter(|t| **t > a && **t <= b).count();
             for pair in definite.windows(2) {
                 let [(a, left, counts), (b, right, also)] = *pair else { continue };
-                // A switch may turn a motion back at the value.
+                // A switch may reverse the motion at the value.
                 if !(counts && also) || switches.iter().any(|t| *t > a && *t <= b) {
                     continue;
                 }
@@ -215,7 +223,7 @@ impl Case {
                 if !(counts && also && c < l && c < r) || switches.iter().any(|t| *t > a && *t <= b) {
                     continue;
                 }
-                // The parabola through three values.
+                // Parabola through three values.
                 let [s1, s2] = [(c - l) / (m - a), (r - c) / (b - m)];
                 let curvature = (s2 - s1) / (b - a);
                 let slope = s1 + curvature * (m - a);

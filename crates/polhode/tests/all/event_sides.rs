@@ -1,4 +1,5 @@
-//! The side of an event's value on which a motion is, where torques change: a passage is neither lost nor counted twice.
+//! The side of an event's value on which a motion is, where torques change: a passage is neither
+//! lost nor counted twice.
 
 use crate::common::free_body;
 use polhode::math::{Position, quantity};
@@ -12,7 +13,7 @@ fn event(measure: Measure, value: f64, sense: Sense, action: EventAction) -> Eve
     Event::new("it", measure, value, sense, action).unwrap()
 }
 
-/// ω about z.
+/// Returns an event of ω about z.
 fn spin(value: f64, sense: Sense, action: EventAction) -> Event {
     event(Measure::OmegaBody(Direction::new(0.0, 0.0, 1.0)), value, sense, action)
 }
@@ -29,7 +30,7 @@ fn within(torque: TorqueModel, from: f64, to: f64) -> TorqueModel {
     TorqueModel::Scheduled(Box::new(Scheduled { torque, schedule: Schedule::window(from, to).unwrap() }))
 }
 
-/// A body of moments (2, 3.5, 5) that turns about z.
+/// Returns a body of moments (2, 3.5, 5) that turns about z.
 fn turning(start: f64, angle: f64, omega: f64) -> (Rotor, State) {
     let attitude = Attitude::about(Direction::new(0.0, 0.0, 1.0), angle).unwrap();
     (
@@ -38,7 +39,7 @@ fn turning(start: f64, angle: f64, omega: f64) -> (Rotor, State) {
     )
 }
 
-/// The events that happened: which, when after the start, and whether rising.
+/// Returns the events that happened: index, time since the start, and true if rising.
 fn happened(motion: &Trajectory) -> Vec<(usize, f64, bool)> {
     let start = motion.start().state.time;
     motion.events().iter().map(|it| (it.event, it.state.time - start, it.rising)).collect()
@@ -54,8 +55,8 @@ fn assert_happened(motion: &Trajectory, wanted: &[(usize, f64, bool)], tolerance
 
 #[test]
 fn a_value_that_switches_a_torque_is_passed_again_soon_after() {
-    // A spring about z and a push N: ψ̈ = (N − κ ψ)/I. The push ends at ω = v, where ψ = −ε; then ω goes up to its
-    // maximum at ψ = 0 and passes v at ψ = ε: (2/p) atan(ε p/v) later, p = √(κ/I).
+    // A spring about z and a push N: ψ̈ = (N − κ ψ)/I. The push ends at ω = v, where ψ = −ε. Then ω
+    // rises to its maximum at ψ = 0 and crosses v at ψ = ε, (2/p) atan(ε p/v) later, p = √(κ/I).
     let (moment, stiffness, push, v) = (5.0, 1.7, 2.3, 0.6);
     let p = f64::sqrt(stiffness / moment);
     for (epsilon, start) in [(0.3, 0.0), (1e-2, 0.0), (1e-4, 0.0), (1e-6, 0.0), (1e-2, 1e5)] {
@@ -151,7 +152,8 @@ fn a_magnetic_torque_that_is_switched_off_leaves_two_passages() {
             .unwrap();
         let passages: Vec<f64> =
             motion.events().iter().filter(|it| it.event == 0).map(|it| it.state.time).collect();
-        // At the first, the switch turns |ω| back: in the samples |ω| − v changes its sign in the millisecond of the second alone.
+        // At the first crossing, the switch reverses |ω|: in the samples, |ω| − v changes its sign
+        // only in the millisecond of the second.
         let above: Vec<bool> =
             motion.samples().iter().map(|s| s.state.omega.norm() > 0.7460382732361684).collect();
         let changes = (1..above.len()).filter(|&k| above[k] != above[k - 1]);
@@ -162,7 +164,7 @@ fn a_magnetic_torque_that_is_switched_off_leaves_two_passages() {
     }
 }
 
-/// Linear drag of moment 5 about z: ω̇ = (N − c ω)/5.
+/// Returns linear drag on a moment of 5 about z: ω̇ = (N − c ω)/5.
 fn drag(coefficient: f64) -> TorqueModel {
     let matrix = [[coefficient, 0.0, 0.0], [0.0, coefficient, 0.0], [0.0, 0.0, coefficient]];
     TorqueModel::Drag(Drag::new(DragLaw::Linear, matrix).unwrap())
@@ -170,7 +172,8 @@ fn drag(coefficient: f64) -> TorqueModel {
 
 #[test]
 fn a_motor_that_is_switched_off_at_a_value_turns_back_there_and_has_one_passage() {
-    // ω = (N/c) (1 − e^(−c t/I)) up to v, then it decays: it touches v, and the event has happened once.
+    // ω = (N/c) (1 − e^(−c t/I)) up to v, then it decays: it touches v, and the event has happened
+    // once.
     let (push, c, v) = (2.3, 0.7, 1.1);
     let reached = -5.0 / c * f64::ln(1.0 - v * c / push);
     for sense in [Sense::Either, Sense::Rising] {
@@ -231,7 +234,8 @@ fn switching_on_and_off_at_one_value_ends_the_motion() {
 
 #[test]
 fn a_value_that_is_reached_where_a_schedule_changes_is_passed_or_not_by_what_comes_after() {
-    // ω = N t/I is v at t₁, to rounding. After t₁ the push goes on at another rate, ends, or is reversed.
+    // ω = N t/I is v at t₁, to rounding. After t₁ the push continues at another rate, ends, or is
+    // reversed.
     for (push, corner) in [(1.0, 1.0), (0.37, 2.9), (2.3, 0.7), (0.1, 3.3), (7.7, 0.3), (1.3, 1.9)] {
         let v = push * corner / 5.0;
         for (after, count) in [(0.4, 1), (0.0, 0), (-0.6, 0)] {
@@ -259,7 +263,8 @@ fn events_at_one_time_all_happen() {
         let (rotor, state) = turning(start, 0.3, 0.2);
         let (push, corner) = (1.3, 1.75);
         let torques = [within(about_z(push), start, start + corner), about_z(0.4), about_z(0.6)];
-        // At the corner ω = 0.2 + 1.7 t/5; at the time of the switch, which two events of one measure make, a time passes, too.
+        // At the corner ω = 0.2 + 1.7 t/5. At the time of the switch, which two events of one
+        // measure cause, a time event also happens.
         let middle = 0.5_f64;
         let rate = |t: f64| 0.2 + (push + 0.4) * t / 5.0;
         let events = [
@@ -269,7 +274,7 @@ fn events_at_one_time_all_happen() {
             spin(rate(middle), either, switch(1, false)),
             spin(rate(middle), Sense::Falling, record),
             event(Measure::Time, start + middle, either, record),
-            // The body does not start with this ω, and does not pass it either.
+            // The body does not start with this ω, and does not cross it either.
             spin(0.2, either, record),
         ];
         for method in METHODS {
@@ -282,7 +287,7 @@ fn events_at_one_time_all_happen() {
                 .unwrap();
             let mut found = happened(&motion);
             found.sort_by_key(|it| it.0);
-            // From the middle on the torque is 1.3 + 0.6.
+            // From the middle on, the torque is 1.3 + 0.6.
             let second = middle + (rate(corner) - rate(middle)) * 5.0 / (push + 0.6);
             let wanted = [(0, corner), (1, second), (2, middle), (3, middle), (5, middle)];
             let tolerance = 1e-13 + 1e-15 * start;
@@ -299,7 +304,8 @@ fn events_at_one_time_all_happen() {
 
 #[test]
 fn a_start_at_the_value_is_left_and_come_back_to_within_a_step() {
-    // ω_x = A cos(Ω t + δ) of a symmetric body: at the start it falls, or rises, from its value, to which it comes back at −δ.
+    // ω_x = A cos(Ω t + δ) of a symmetric body: at the start it falls, or rises, from its value, to
+    // which it returns at −δ.
     let (axial, transverse) = (3.1, 1.7);
     let rotor = free_body([transverse, transverse, axial]);
     let rate = (axial - transverse) / transverse * 2.3;
@@ -309,7 +315,7 @@ fn a_start_at_the_value_is_left_and_come_back_to_within_a_step() {
         let start = State { time: 0.0, attitude: Attitude::identity(), omega };
         let measure = || Measure::OmegaBody(Direction::new(1.0, 0.0, 0.0));
         let events = [event(measure(), 0.8 * cos, Sense::Either, EventAction::Record)];
-        // The other place with the same cosine is −δ, modulo a turn.
+        // The other time with the same cosine is −δ, modulo a turn.
         let turn = std::f64::consts::TAU;
         let period = turn / rate;
         let back = (-2.0 * delta).rem_euclid(turn) / rate;
@@ -329,7 +335,7 @@ fn a_start_at_the_value_is_left_and_come_back_to_within_a_step() {
 
 #[test]
 fn a_motion_that_continues_another_loses_no_event_and_counts_none_twice() {
-    // Stopped at an event, at a time before it, and at the time of it.
+    // Stopped at an event, before it, and at its time.
     let body = MassProperties::new(
         2.0,
         Position::new(0.1, -0.2, 0.3),
@@ -374,7 +380,7 @@ fn a_motion_that_continues_another_loses_no_event_and_counts_none_twice() {
                 assert!((a.0, a.2) == (b.0, b.2) && (a.1 - b.1).abs() < 1e-11, "{a:?} {b:?}");
             }
         }
-        // Stopped at each passage of the first event, and continued there.
+        // Stopped at each passage of the first event, and continued from there.
         let stopping = whole(watched(EventAction::Stop), vec![0.0, 12.0], method);
         let mut found = Vec::new();
         let mut motion = stopping.simulate().unwrap().unwrap();

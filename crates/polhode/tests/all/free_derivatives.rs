@@ -1,13 +1,14 @@
-//! Derivatives of free motion against differences in high precision, their own differential equations, and the laws of motion.
+//! Derivatives of free motion compared with differences in high precision, their own differential
+//! equations, and the laws of motion.
 
 use crate::common::{cases, matrix, number, numbers, table};
 use polhode::motion::{FreeMotionDerivatives, StateDerivatives};
 use polhode::prelude::*;
 
-/// Rows and columns of a derivative.
+/// Rows and columns of a derivative, with a name.
 type Block<'a> = (&'a str, core::ops::Range<usize>, core::ops::Range<usize>);
 
-/// A body with the elements xx, yy, zz, xy, xz, yz.
+/// Returns a body with the elements xx, yy, zz, xy, xz, yz.
 fn body([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Rotor {
     let inertia = InertiaTensor::with_negative_products([xx, yy, zz], [xy, xz, yz]).unwrap();
     Rotor::free(&MassProperties::new(1.3, Position::new(0.2, -0.1, 0.4), inertia).unwrap())
@@ -22,7 +23,7 @@ fn motion(tensor: [f64; 6], omega: [f64; 3]) -> FreeMotionDerivatives {
     FreeMotionDerivatives::of(&body(tensor), start(omega)).unwrap()
 }
 
-/// Bodies of every kind with a start, and a time in which something happens.
+/// Returns bodies of every kind with a start, and a characteristic time.
 fn motions() -> Vec<(&'static str, [f64; 6], [f64; 3], f64)> {
     let diagonal = |a: f64, b: f64, c: f64| [a, b, c, 0.0, 0.0, 0.0];
     let products = [1.5, 2.25, 2.5, 0.125, -0.25, 0.375];
@@ -46,7 +47,7 @@ fn norm<'a>(elements: impl IntoIterator<Item = &'a f64>) -> f64 {
     elements.into_iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// |a − b|/|b| of a block of six rows; |a − b| where b is zero.
+/// Returns |a − b|/|b| of a block of six rows; |a − b| where b is zero.
 fn error<const N: usize>(a: &[[f64; N]; 6], b: &[[f64; N]; 6], (_, rows, columns): &Block<'_>) -> f64 {
     let (mut difference, mut size) = (0.0, 0.0);
     for row in rows.clone() {
@@ -77,7 +78,7 @@ fn differences_in_high_precision_are_these_derivatives() {
             let turn = matrix(&row["turn"]);
             for (i, of_start) in by_start.iter().enumerate() {
                 for k in 0..3 {
-                    // θ by θ(0) is attitude(t)ᵀ attitude(0), and ω does not depend on the attitude
+                    // ∂θ/∂θ(0) is attitude(t)ᵀ attitude(0), and ω does not depend on the attitude
                     let exact = if i < 3 { turn[k][i] } else { 0.0 };
                     assert!((of_start[k] - exact).abs() < 1e-14, "{name} at {t}: {:e}", of_start[k] - exact);
                 }
@@ -102,7 +103,7 @@ fn differences_in_high_precision_are_these_derivatives() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// θ̇ = θ × ω + δω, and (I ω)˙ = I ω × ω, varied; the left sides by differences in time.
+/// Variations of θ̇ = θ × ω + δω and (I ω)˙ = I ω × ω; the left sides by differences in time.
 #[test]
 fn the_derivatives_satisfy_the_variational_equations() {
     for (name, tensor, omega, t) in motions() {
@@ -129,7 +130,7 @@ fn the_derivatives_satisfy_the_variational_equations() {
                 let unit = |v: [f64; 3]| if part == 0 { [0.0; 3] } else { apply(unit_of(column), v) };
                 let acceleration = motion.motion().angular_acceleration(&now.state).to_array();
                 let expected_turn = cross(turn, w);
-                // (I ω)̇ = I ω × ω, varied
+                // variation of (I ω)̇ = I ω × ω
                 let mut momentum_rate = cross(inertia(change), w);
                 for term in [cross(unit(w), w), cross(inertia(w), change)] {
                     for (sum, x) in momentum_rate.iter_mut().zip(term) {
@@ -172,7 +173,8 @@ fn scaling_the_tensor_changes_nothing_and_energy_and_momentum_are_conserved() {
             let null: f64 = row.iter().zip(&tensor).map(|(x, y)| x * y).sum();
             assert!(null.abs() < 1e-13 * size, "{name}: {null:e} of {size:e}");
         }
-        // ω(t; κω0) = κ ω(κt; ω0):  (∂ω/∂ω0) ω0 = ω + t ω̇, and the attitude is that at κt: (∂θ/∂ω0) ω0 = t ω
+        // ω(t; κω0) = κ ω(κt; ω0), so (∂ω/∂ω0) ω0 = ω + t ω̇. The attitude is that at κt, so
+        // (∂θ/∂ω0) ω0 = t ω
         let state = now.state;
         let (w, a) = (state.omega.to_array(), motion.motion().angular_acceleration(&state).to_array());
         for k in 0..3 {
@@ -185,7 +187,7 @@ fn scaling_the_tensor_changes_nothing_and_energy_and_momentum_are_conserved() {
                 "{name}: {turn:e}, {rate:e} of {size:e}"
             );
         }
-        // δ(2T)/2 = L·δω + ½ ω·δI ω is what it is at the start
+        // δ(2T)/2 = L·δω + ½ ω·δI ω is conserved
         for column in 0..9 {
             let inertia = column >= 3;
             let (unit, from, before) = if inertia {
@@ -207,7 +209,7 @@ fn scaling_the_tensor_changes_nothing_and_energy_and_momentum_are_conserved() {
     }
 }
 
-/// In θ and L the flow is Hamiltonian: with ω = I⁻¹ L, Φᵀ J(t) Φ = J(0), J = [[−L×, 1], [−1, 0]].
+/// The flow in θ and L is Hamiltonian: with ω = I⁻¹ L, Φᵀ J(t) Φ = J(0), J = [[−L×, 1], [−1, 0]].
 #[test]
 fn the_transition_matrix_is_symplectic() {
     for (name, tensor, omega, t) in motions() {
@@ -280,7 +282,7 @@ fn at_the_start_nothing_has_changed_and_beyond_reach_nothing_is_known() {
             let none = motion.at(far);
             assert!(none.by_start.iter().chain(&none.by_inertia).flatten().all(|x| x.is_nan()), "{name}");
         }
-        // The state is the motion's, to the bit.
+        // The state is that of the motion, bit for bit.
         assert_eq!(motion.at(t).state, motion.motion().at(t), "{name}");
         assert_eq!(motion.at_times(&[t, 0.0]), [motion.at(t), first], "{name}");
     }
@@ -293,7 +295,8 @@ fn at_the_start_nothing_has_changed_and_beyond_reach_nothing_is_known() {
     assert!(rod.is_err_and(|error| error.is_parameter()));
 }
 
-/// Next to the intermediate axis derivatives grow like e^|λ|t and leave the range of f64: then they are no numbers.
+/// Near the intermediate axis, derivatives grow like e^|λ|t and leave the range of f64: then they
+/// are NaN.
 #[test]
 fn what_leaves_the_range_of_numbers_is_not_a_number() {
     let motion = motion([3.0, 4.0, 6.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
@@ -316,7 +319,7 @@ fn what_leaves_the_range_of_numbers_is_not_a_number() {
 fn a_covariance_is_carried_to_first_order() {
     let motion = motion([1.5, 2.25, 2.5, 0.125, -0.25, 0.375], [0.1, 0.9, 0.2]);
     let now = motion.at(3.0);
-    // Of one direction each the covariance is that of a vector.
+    // With one direction each, the covariance is that of a vector.
     let (a, b) = ([0.1, -0.2, 0.3, 0.4, 0.5, -0.6], [0.7, 0.2, -0.1, 0.3, -0.4, 0.5]);
     let outer = |v: [f64; 6]| v.map(|x| v.map(|y| x * y));
     let image =
@@ -342,7 +345,8 @@ fn plus(a: [f64; 3], x: f64, b: [f64; 3]) -> [f64; 3] {
     [a[0] + x * b[0], a[1] + x * b[1], a[2] + x * b[2]]
 }
 
-/// θ and ω of every column after a time, by Taylor's method: L̇ = L × ω, δL̇ = δL × ω + L × δω, θ̇ = θ × ω + δω.
+/// Computes θ and ω of every column after a time, by Taylor's method: L̇ = L × ω, δL̇ = δL × ω + L
+/// × δω, θ̇ = θ × ω + δω.
 fn by_taylor(tensor: [f64; 6], omega: [f64; 3], time: f64) -> [Vectors; 2] {
     const ORDER: usize = 20;
     let [xx, yy, zz, xy, xz, yz] = tensor;
@@ -392,7 +396,7 @@ fn by_taylor(tensor: [f64; 6], omega: [f64; 3], time: f64) -> [Vectors; 2] {
     [theta, core::array::from_fn(|c| solved(plus(delta[c], -1.0, of_element(c, w))))]
 }
 
-/// Numbers between 0 and 1, the same in every run.
+/// Pseudorandom numbers between 0 and 1, the same in every run.
 struct Draw(u64);
 
 impl Draw {
@@ -405,7 +409,7 @@ impl Draw {
         2.0 * self.unit() - 1.0
     }
 
-    /// 1, or as often something down to `least`, evenly by its logarithm.
+    /// Returns 1, or with equal probability a number down to `least`, log-uniform.
     fn small(&mut self, least: f64) -> f64 {
         let chosen = self.unit() < 0.5;
         if chosen { least.powf(self.unit()) } else { 1.0 }
@@ -417,7 +421,8 @@ fn random_bodies_turn_as_taylors_method_says() {
     let mut draw = Draw(7);
     let mut worst: f64 = 0.0;
     for _ in 0..1000 {
-        // Second moments, nearly equal for some; axes and ω anywhere, ω near an axis for some.
+        // Second moments, nearly equal for some; arbitrary axes and ω, with ω near an axis for
+        // some.
         let b = 1.0 - 0.9 * draw.unit() * draw.small(1e-12);
         let c = b * (1.0 - 0.9 * draw.unit() * draw.small(1e-12));
         let moments = [b + c, 1.0 + c, 1.0 + b];
@@ -428,7 +433,7 @@ fn random_bodies_turn_as_taylors_method_says() {
         let tensor =
             [element(0, 0), element(1, 1), element(2, 2), element(0, 1), element(0, 2), element(1, 2)];
         let omega = axes.map(|row| (0..3).map(|k| row[k] * along[k]).sum::<f64>());
-        // Of shorter times doubles know too little: θ by I begins with t².
+        // At shorter times doubles are not accurate enough: ∂θ/∂I begins with t².
         let time = 6.0 * (0.1 + draw.unit()) * draw.signed().signum() * draw.small(0.1) / norm(&omega);
         let [theta, change] = by_taylor(tensor, omega, time);
         let expected = core::array::from_fn::<[f64; 9], 6, _>(|row| {

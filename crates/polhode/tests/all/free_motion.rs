@@ -1,10 +1,10 @@
-//! Free motion against 40-digit references, in every regime.
+//! Free motion compared with references of 40 digits, in every regime.
 
 use crate::common::{cases, number, numbers, start, table};
 use polhode::motion::FreeMotions;
 use polhode::prelude::*;
 
-/// What the worst row of a case is off by, and when.
+/// Errors of the worst row of a case, and their times.
 #[derive(Default)]
 struct Worst {
     omega: (f64, f64),
@@ -57,7 +57,8 @@ fn many_states_have_the_bits_of_one() {
     for case in cases(&table("free_motion"), "case") {
         let motion = FreeMotion::of_moments(numbers(&case["moments"]), start(case)).unwrap();
         let unit = motion.period().unwrap_or(1.0);
-        // 0 … 139: full blocks, full groups and rests, the start among them, and times that are too far away
+        // counts 0 … 139: full blocks, full groups and remainders, including the start, and times
+        // out of range
         let times: Vec<f64> =
             (0..140).map(|k| unit * (f64::from(k) - 7.0) * 0.0917 * 3f64.powi(k / 10)).collect();
         let times: Vec<f64> = times.into_iter().chain([1e300, -f64::MAX, f64::NAN, 1e20 * unit]).collect();
@@ -113,12 +114,12 @@ fn beyond_reach_nothing_is_said() {
             assert!(matches!(refused, Err(MotionError::BeyondReach { .. })));
         }
     }
-    // One motion far away, the others near: each for itself.
+    // One motion far away, the others near: each is independent.
     let slow = FreeMotion::of(&rotor, State { omega: start.omega * 1e-9, ..start }).unwrap();
     let states = FreeMotions::of(&[motion, slow, motion]).at(2.0 * reach);
     assert!(is_unknown(&states[0]) && is_unknown(&states[2]) && states[1] == slow.at(2.0 * reach));
     assert!(motion.require(&[0.9 * reach, -0.9 * reach]).is_ok());
-    // What is at rest is known for ever.
+    // A body at rest is known at all times.
     let rest = FreeMotion::of(&rotor, State { omega: AngularVelocity::ZERO, ..start }).unwrap();
     assert_eq!(rest.at(1e300).attitude.quaternion().map(f64::is_nan), [false; 4]);
 }
@@ -140,7 +141,7 @@ fn a_start_that_is_unit_to_rounding_keeps_its_bits() {
         let start = State { time: 0.0, attitude, omega: AngularVelocity::new(0.3, 0.5, 0.9) };
         let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start).unwrap();
         assert_eq!(motion.at(0.0).attitude.quaternion(), unit);
-        // once more than rounding
+        // repeated with more than rounding
         let longer = unit.map(|c| c * (1.0 + 1e-14));
         changed += usize::from(Attitude::from_quaternion(longer).unwrap().quaternion() != longer);
     }
@@ -154,7 +155,7 @@ fn a_motion_starts_where_it_starts() {
             let start = State { time, ..start(case) };
             let motion = FreeMotion::of_moments(numbers(&case["moments"]), start).unwrap();
             assert_eq!(motion.at(time), start);
-            // and next to it no jump
+            // and no jump next to it
             let beside = motion.at(if time == 0.0 { f64::MIN_POSITIVE } else { time.next_up() });
             let step = (beside.time - time) * start.omega.norm();
             if motion.require(&[beside.time]).is_err() {
@@ -201,14 +202,16 @@ fn many_bodies_have_the_bits_of_one() {
     }
 }
 
-/// 3 R of a rotation R with rational elements, rows: a body turned by it has exactly known numbers.
+/// 3 R of a rotation R with rational elements, by rows: a body rotated by it has exactly known
+/// numbers.
 const TURN: [[f64; 3]; 3] = [[1.0, 2.0, 2.0], [2.0, 1.0, -2.0], [-2.0, 2.0, -1.0]];
 
 fn turned(v: [f64; 3]) -> [f64; 3] {
     TURN.map(|row| (row[0] * v[0] + row[1] * v[1] + row[2] * v[2]) / 3.0)
 }
 
-/// A body with moments 9 m turned by R, and with ω = 3 R w: exact for integers of moderate size.
+/// Returns a body with moments 9 m rotated by R, and with ω = 3 R w: exact for integers of moderate
+/// size.
 fn turned_body([a, b, c]: [f64; 3]) -> Rotor {
     let element = |i: usize, j: usize| {
         let t = TURN;
@@ -250,7 +253,7 @@ fn a_turned_tensor_loses_nothing() {
             let (p, q) = (along.at(time), across.at(time));
             let truth = AngularVelocity::<Body>::from_array(turned(p.omega.to_array()));
             let error = (q.omega - truth).norm() / truth.norm();
-            // Turned body axes, the same attitude: A′(t) = A(0) R A(0)⁻¹ · A(t) · R⁻¹
+            // Rotated body axes, the same attitude: A′(t) = A(0) R A(0)⁻¹ · A(t) · R⁻¹
             let expected = (attitude * r * attitude.inverse()) * p.attitude * r.inverse();
             let angle = q.attitude.angle_to(expected);
             assert!(angle < 6e-15, "{name} at {periods} periods: attitude {angle:e}");
@@ -263,7 +266,8 @@ fn a_turned_tensor_loses_nothing() {
 
 #[test]
 fn a_start_at_any_time_keeps_the_digits() {
-    // A nearly spherical body from a time with digits of its own; turn(L̂, |L| τ/i1) · turn(e, −Ω τ) with 80 digits, by mpmath.
+    // A nearly spherical body from a generic time; turn(L̂, |L| τ/i1) · turn(e, −Ω τ) with 80
+    // digits, by mpmath.
     let omega = AngularVelocity::new(0.3, 0.5, 0.9);
     let start = State { time: 1e9 / 3.0, attitude: Attitude::identity(), omega };
     let motion = FreeMotion::of_moments([1.0, 1.0, 1.0 + 1e-12], start).unwrap();

@@ -13,14 +13,16 @@ use polhode::prelude::*;
 
 use crate::common::held::Held;
 
-/// Three moments, three products, 1.7 kg, its centre of mass off the origin.
+/// Returns a body of 1.7 kg with three moments and three products, its centre of mass off the
+/// origin.
 fn generic_rotor() -> MassProperties<Body> {
     let inertia =
         InertiaTensor::with_negative_products([0.011, 0.014, 0.017], [0.002, -0.0015, 0.001]).unwrap();
     MassProperties::new(1.7, Position::new(0.02, -0.03, 0.05), inertia).unwrap()
 }
 
-/// A rotor whose third axis is one of symmetry, its centre of mass at a height over the origin.
+/// Returns a rotor that is symmetric about its third axis, its centre of mass at a height above the
+/// origin.
 fn symmetric_rotor(across: f64, along: f64, mass: f64, height: f64) -> MassProperties<Body> {
     let inertia = InertiaTensor::diagonal([across, across, along]).unwrap();
     MassProperties::new(mass, Position::new(0.0, 0.0, height), inertia).unwrap()
@@ -30,7 +32,7 @@ fn balanced(moments: [f64; 3], products: [f64; 3]) -> Gimbal {
     Gimbal::balanced(&InertiaTensor::<Part>::with_negative_products(moments, products).unwrap())
 }
 
-/// The outer axis up, the inner one east.
+/// Returns gimbals with the outer axis up and the inner one east.
 fn upright(axes: [Axis; 3]) -> Gimbals {
     Gimbals::new(Direction::new(0.0, 0.0, 1.0), Direction::new(1.0, 0.0, 0.0), axes).unwrap()
 }

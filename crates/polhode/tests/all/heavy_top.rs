@@ -1,4 +1,5 @@
-//! Lagrange's top in closed form: references of 32 digits, the integrators, and what a top can do.
+//! Lagrange's top in closed form: references of 32 digits, the integrators, and the kinds of
+//! motion.
 
 use crate::common::{cases, number, numbers, table};
 use polhode::motion::{ClosedForm, HeavyTop, TopPath};
@@ -7,7 +8,7 @@ use std::f64::consts::PI;
 
 const DOWN: UniformGravity = UniformGravity { acceleration: Acceleration::new(0.0, 0.0, -9.81) };
 
-/// A = 0.5234375, C = 0.21875 kg·m², M g l = 5.518125 N·m.
+/// Returns the top with A = 0.5234375, C = 0.21875 kg·m², M g l = 5.518125 N·m.
 fn top() -> Rotor {
     let inertia = InertiaTensor::diagonal([0.3125, 0.3125, 0.21875]).unwrap();
     Rotor::pivoted(
@@ -68,7 +69,7 @@ fn thousand_nutations_have_the_digits_of_the_reference() {
         }
         let [lowest, highest] = numbers::<2>(&case["cosines"]);
         let bounds = motion.nutation_bounds().map(f64::cos);
-        // cos rounds the angle: by half an ulp of π at most
+        // the cosine rounds the angle: by at most half an ulp of π
         assert!((bounds[0] - highest).abs() < 4.5e-16 && (bounds[1] - lowest).abs() < 4.5e-16, "{name}");
     }
     println!("{seen} rows; worst {worst:?}");
@@ -77,7 +78,8 @@ fn thousand_nutations_have_the_digits_of_the_reference() {
 
 #[test]
 fn far_away_it_is_where_it_should_be_or_nowhere() {
-    // By `legendre` and `state` of fixtures/heavy_tops.py in 110 digits: some 10⁹, 10¹³ and 2 · 10¹⁵ nutations.
+    // By `legendre` and `state` of fixtures/heavy_tops.py with 110 digits: about 10⁹, 10¹³ and 2 ·
+    // 10¹⁵ nutations.
     let inertia = InertiaTensor::diagonal([0.625, 0.09375, 0.625]).unwrap();
     let prolate = MassProperties::new(2.25, Position::new(0.0, -0.4375, 0.0), inertia).unwrap();
     let tops = [
@@ -158,7 +160,8 @@ fn both_integrators_follow_every_kind_of_path() {
         let motion = HeavyTop::of(&top(), &DOWN, leaning(angle, [0.0, 0.0, spin])).unwrap();
         let rates = motion.steady_precession(angle, spin).unwrap();
         let rate = if fast { rates.fast.unwrap() } else { rates.slow };
-        // ω of a steady precession: φ̇ along the vertical and ψ̇ along the axis, which is turned by ψ = −0.7
+        // ω of a steady precession: φ̇ along the vertical and ψ̇ along the axis, which is rotated
+        // by ψ = −0.7
         let (s, c) = (-0.7_f64).sin_cos();
         leaning(angle, [rate * angle.sin() * s, rate * angle.sin() * c, spin])
     };
@@ -191,7 +194,8 @@ fn both_integrators_follow_every_kind_of_path() {
                     (state.omega - sample.state.omega).norm() / start.omega.norm(),
                 ];
                 println!("  {method:?} {}: {errors:?}", sample.state.time);
-                // An upright top too slow to sleep multiplies errors by e^λt, some thousandfold here.
+                // An upright top below the sleeping threshold multiplies errors by e^λt, here by
+                // some thousands.
                 assert!(errors.iter().all(|e| *e < 2e-11), "{path:?} {method:?}: {errors:?}");
             }
         }
@@ -201,7 +205,7 @@ fn both_integrators_follow_every_kind_of_path() {
 
 #[test]
 fn the_peers_problem_agrees_with_taylor_to_twelve_digits() {
-    // I = (1, 1, ½) about the pivot, M g l = 1, leaning by 60° about x, ω = (0, 0, 5), for 100 s
+    // I = (1, 1, ½) about the pivot, M g l = 1, inclined by 60° about x, ω = (0, 0, 5), for 100 s
     let inertia = InertiaTensor::diagonal([0.75, 0.75, 0.5]).unwrap();
     let body = MassProperties::new(1.0, Position::new(0.0, 0.0, 0.5), inertia).unwrap();
     let rotor = Rotor::pivoted(&body, Position::ZERO);
@@ -259,7 +263,7 @@ fn vertical_tops_sleep_hang_and_fall() {
             * Rotation::<Body, Body>::about(Direction::new(0.0, 0.0, 1.0), 2.5 * spin).unwrap();
         assert!(state.attitude.angle_to(turned) < 1e-14 && state.omega == start.omega);
     }
-    // Just below the threshold a sleeping top that is pushed nods a little; far below it falls.
+    // Just below the sleeping-top threshold, a perturbed top nutates slightly; far below it falls.
     for (part, least, most) in [(1.01, 0.0, 0.01), (0.95, 0.1, 1.0), (0.5, 1.0, PI)] {
         let motion = HeavyTop::of(&top(), &DOWN, leaning(0.0, [1e-4, 0.0, part * threshold])).unwrap();
         let [_, lowest] = motion.nutation_bounds();
@@ -269,7 +273,8 @@ fn vertical_tops_sleep_hang_and_fall() {
 
 #[test]
 fn a_tiny_push_falls_from_upright_as_the_linear_law_says() {
-    // θ = (ω/κ) sinh κt while it is small, κ² = M g l/A without spin; 10⁻³⁰ rad/s keeps its digits.
+    // θ = (ω/κ) sinh κt for small angles, κ² = M g l/A without spin; 10⁻³⁰ rad/s keeps full
+    // relative accuracy.
     let motion = HeavyTop::of(&top(), &DOWN, leaning(0.0, [1e-30, 0.0, 0.0])).unwrap();
     let kappa = (5.518125_f64 / 0.5234375).sqrt();
     for t in [0.1, 3.0, 15.0] {
@@ -299,7 +304,7 @@ fn a_body_that_is_no_such_top_is_refused_with_the_reason() {
 
 #[test]
 fn a_body_swings_about_a_principal_axis_as_the_integrators_say() {
-    // Three different moments; the axis, y, is level and across the arm.
+    // Three different moments; the axis, y, is level and perpendicular to the arm.
     let inertia = InertiaTensor::diagonal([0.3125, 0.4375, 0.21875]).unwrap();
     let body = MassProperties::new(1.5, Position::new(0.3, 0.0, 0.375), inertia).unwrap();
     let pivot = Position::new(0.3, 0.0, 0.0);
@@ -324,7 +329,8 @@ fn a_body_swings_about_a_principal_axis_as_the_integrators_say() {
     assert!(ClosedForm::of(&rotor, &[TorqueModel::Gravity(gravity)], off_plane).is_err());
 }
 
-/// The azimuth of the axis from one turning point to the next of its kind: of tops that go through the vertical, up or down, and of one that does not.
+/// Azimuth of the axis from one turning point to the next of the same kind: for tops that pass
+/// through the vertical, up or down, and for one that does not.
 #[test]
 fn how_far_a_top_precesses_in_a_nutation_is_seen_at_its_turning_points() {
     let motion = |angle, omega| HeavyTop::of(&top(), &DOWN, leaning(angle, omega)).unwrap();
@@ -343,7 +349,8 @@ fn how_far_a_top_precesses_in_a_nutation_is_seen_at_its_turning_points() {
         assert_eq!(top.path() == TopPath::ThroughVertical, passes, "{:?}", top.path());
         let period = top.nutation_period().unwrap();
         let axis = |t: f64| (top.at(t).attitude * Direction::<Body>::new(0.0, 0.0, 1.0)).to_array();
-        // The lowest point, or the highest of one that goes through the bottom, by golden sections about the best of some samples.
+        // The lowest point, or the highest for a top that passes through the bottom, by
+        // golden-section search about the best of some samples.
         let down = if top.nutation_bounds()[1] > PI - 1e-6 { -1.0 } else { 1.0 };
         let height = |t: f64| down * axis(t)[2];
         let count = 400;

@@ -1,4 +1,5 @@
-//! Limits, digits and errors of hollow shapes and triangles; `shapes.rs` compares them with their definitions.
+//! Limits, accuracy and errors of hollow shapes and triangles; `shapes.rs` compares them with their
+//! definitions.
 
 use std::f64::consts::PI;
 
@@ -9,7 +10,7 @@ use polhode::body::shape::{
 };
 use polhode::prelude::*;
 
-/// Volume or area, surface area and second moments per unit mass.
+/// Returns volume or area, surface area, and second moments per unit mass.
 fn numbers(shape: &dyn Shape) -> [f64; 11] {
     let spread = shape.spread();
     let body = shape.mass_properties(Substance::Mass(1.0)).unwrap();
@@ -25,17 +26,17 @@ fn without_a_cavity_a_hollow_shape_is_the_solid_to_the_bit() {
     for (r, l) in [(0.37, 0.91), (1.7e-3, 4.1e2), (2.3e40, 0.013)] {
         assert_eq!(numbers(&Cylinder::hollow(r, 0.0, l).unwrap()), numbers(&Cylinder::new(r, l).unwrap()));
         assert_eq!(numbers(&Sphere::hollow(r, 0.0).unwrap()), numbers(&Sphere::new(r).unwrap()));
-        // The solids' textbook formulas.
+        // Textbook formulas of the solids.
         let solid = numbers(&Cylinder::new(r, l).unwrap());
         assert_eq!(solid[0], PI * r * r * l);
         assert_eq!(numbers(&Sphere::new(r).unwrap())[0], 4.0 / 3.0 * PI * r * r * r);
-        // A cavity below the rounding of the radius changes nothing.
+        // A cavity below the rounding of the radius has no effect.
         assert_eq!(numbers(&Sphere::hollow(r, 1e-17 * r).unwrap()), numbers(&Sphere::new(r).unwrap()));
     }
 }
 
-/// Differences of powers for r = R (1 − e): R³ − r³ = R³ (3e − 3e² + e³), R⁵ − r⁵ = R⁵ (5e −
-/// 10e² + 10e³ − 5e⁴ + e⁵). e is a power of two, so that r is exact.
+/// Differences of powers for r = R (1 − e): R³ − r³ = R³ (3e − 3e² + e³), R⁵ − r⁵ = R⁵ (5e − 10e² +
+/// 10e³ − 5e⁴ + e⁵). e is a power of two, so that r is exact.
 #[test]
 fn a_thin_wall_keeps_its_digits() {
     let (outer, length, mass) = (1.0, 0.7, 2.3);
@@ -65,7 +66,7 @@ fn a_wall_without_thickness_is_a_shell() {
     let wall = r - inner;
     let near = |solid: &dyn Shape, shell: &dyn Shape| {
         let (solid, shell) = (numbers(solid), numbers(shell));
-        // The volume is the area times the wall, and both sides are surface.
+        // The volume is the area times the wall, and both sides count as surface.
         assert!((solid[0] / (shell[0] * wall) - 1.0).abs() < 1e-15);
         for (solid, shell) in solid.into_iter().zip(shell).skip(2) {
             assert!((solid - shell).abs() < 1e-15, "{solid} {shell}");
@@ -99,7 +100,7 @@ fn cones_and_prisms_have_their_limits() {
     for (got, want) in pairs {
         assert!((got - want).abs() < 1e-15, "{got} {want}");
     }
-    // A prism without length is the plate.
+    // A prism of zero length is the plate.
     let corners = [[0.2, -0.3], [1.1, 0.1], [0.4, 0.9]];
     let [plate, thin] = [
         numbers(&TriangularPlate::new(corners).unwrap()),

@@ -1,11 +1,12 @@
-//! From motion to torque: every way to give a motion, against the others and against motions that torques make.
+//! Inverse dynamics: every kind of prescribed motion, compared with the others and with motions
+//! under torques.
 
 use polhode::math::AngularAcceleration;
 use polhode::math::formula::{Binary, Formula, Instruction, Unary};
 use polhode::motion::{Motor, Prescribed, RateAxes, Required, Run};
 use polhode::prelude::*;
 
-/// A body without symmetry, about a point that is not its centre of mass.
+/// Returns a body without symmetry, about a point that is not its centre of mass.
 fn rotor() -> Rotor {
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
     let body = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap();
@@ -29,12 +30,12 @@ fn two(function: Binary, a: Vec<Instruction>, b: Vec<Instruction>) -> Vec<Instru
     [a, b, vec![Instruction::Binary(function)]].concat()
 }
 
-/// a + b t
+/// Returns the formula a + b t.
 fn line(a: f64, b: f64) -> Vec<Instruction> {
     two(Binary::Add, number(a), two(Binary::Multiply, number(b), t()))
 }
 
-/// a + b sin(c + d t)
+/// Returns the formula a + b sin(c + d t).
 fn wave(a: f64, b: f64, c: f64, d: f64) -> Vec<Instruction> {
     two(Binary::Add, number(a), two(Binary::Multiply, number(b), of(Unary::Sin, line(c, d))))
 }

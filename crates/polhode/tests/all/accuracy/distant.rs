@@ -1,20 +1,21 @@
-//! Motions beyond the tables.
+//! Motions at times beyond the tables.
 
 use polhode::prelude::*;
 
 use crate::accuracy::free_motion::error_of;
 
-/// A motion beyond the tables: its inputs, a time, ω and the attitude then (from the functions of `fixtures/free_motion.py`).
+/// A motion at a time beyond the tables: its inputs, the time, and ω and attitude then (from the
+/// functions of `fixtures/free_motion.py`).
 pub(crate) struct Distant {
     pub(crate) what: &'static str,
     pub(crate) periods: &'static str,
-    /// Moments, or the tensor: xx, yy, zz, xy, xz, yz.
+    /// Principal moments, or the tensor elements xx, yy, zz, xy, xz, yz.
     inertia: &'static [f64],
     omega0: [f64; 3],
     t: f64,
     omega: [f64; 3],
     attitude: [f64; 4],
-    /// What the book's laws allow, rad.
+    /// Error bound by the laws stated in the book, rad.
     law: f64,
 }
 

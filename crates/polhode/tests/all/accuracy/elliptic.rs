@@ -1,10 +1,10 @@
-//! Elliptic functions against the references of 40 digits.
+//! Elliptic functions compared with references of 40 digits.
 
 use polhode::math::elliptic::EllipticParameter;
 
 use crate::common::{cases, number, table};
 
-/// How a function compares with the double nearest to the exact value.
+/// Comparison of a function with the double nearest to the exact value.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Function {
     pub(crate) values: usize,

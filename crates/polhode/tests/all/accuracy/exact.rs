@@ -1,13 +1,13 @@
-//! Whole numbers of 256 bits, and pairs of doubles to compare them with an answer.
+//! Integers of 256 bits, and pairs of doubles to compare them with a result.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A whole number between ±2²⁵⁵, in two's complement, the least word first.
+/// Integer between ±2²⁵⁵ in two's complement, least significant word first.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Whole([u64; 4]);
 
 impl Whole {
-    /// a b, exactly.
+    /// Returns a b, exactly.
     pub(crate) fn product(a: i128, b: i128) -> Self {
         const LOW: u128 = u64::MAX as u128;
         let (x, y) = (a.unsigned_abs(), b.unsigned_abs());
@@ -19,7 +19,7 @@ impl Whole {
         if (a < 0) != (b < 0) { -magnitude } else { magnitude }
     }
 
-    /// The nearest pair of doubles, nearly: to 2⁻¹⁰⁴ of it.
+    /// Returns the nearest pair of doubles, to a relative error of 2⁻¹⁰⁴.
     pub(crate) fn pair(self) -> Pair {
         if self.0[3] >> 63 == 1 {
             return -(-self).pair();
@@ -49,7 +49,7 @@ impl Neg for Whole {
     }
 }
 
-/// high + low, some 32 digits.
+/// Sum high + low, about 32 digits.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Pair {
     high: f64,
@@ -61,7 +61,7 @@ impl Pair {
         Self { high, low: 0.0 }
     }
 
-    /// The double nearest to the quotient, and what is left beside it.
+    /// Returns the double nearest to the quotient, and the remainder.
     pub(crate) fn over(self, b: Self) -> Self {
         let high = self.high / b.high;
         let rest = self - b * Self::of(high);
@@ -107,7 +107,7 @@ impl Mul for Pair {
     }
 }
 
-/// a + b as the double nearest to it and the rest (Knuth).
+/// Returns a + b as the nearest double and the rounding error (Knuth).
 fn two_sum(a: f64, b: f64) -> Pair {
     let high = a + b;
     let of_b = high - a;

@@ -1,4 +1,4 @@
-//! Free motion against the references of 40 digits.
+//! Free motion compared with references of 40 digits.
 
 use std::f64::consts::TAU;
 
@@ -7,13 +7,13 @@ use polhode::prelude::*;
 
 use crate::common::{cases, number, numbers, start, table};
 
-/// What the project promises of every group of cases, at every time: ω relative, attitude in rad.
+/// Error bound of every group of cases, at every time: ω relative, attitude in rad.
 pub(crate) const PROMISED: f64 = 4e-15;
 
-/// And of the constants of motion, relative.
+/// Relative error bound of the constants of motion.
 const CONSTANTS: f64 = 1e-15;
 
-/// The groups of cases, in the order of the page.
+/// Groups of cases, in the order of the page.
 pub(crate) const GROUPS: [(&str, &str); 13] = [
     ("generic", "moments such as 1, 2, 3; both modes, every order of the axes, every sign"),
     ("awkward", "moments and ω that fill all bits of their doubles"),
@@ -62,11 +62,12 @@ fn group(case: &toml::Table) -> usize {
     })
 }
 
-/// Spans of time, in periods: the name, and what is above all of its rows and below those of the next.
+/// Spans of time in periods: the name, and a limit above all of its rows and below those of the
+/// next span.
 pub(crate) const SPANS: [(&str, f64); 4] =
     [("≤ 13", 100.0), ("≤ 1e3", 1e5), ("≤ 1e6", 1e8), ("≤ 1e9", f64::INFINITY)];
 
-/// The period; where there is none, a turn, or on the separatrix the time 1/λ.
+/// Returns the period; without a period one turn, or the time 1/λ on the separatrix.
 fn unit_of_time(motion: &FreeMotion) -> f64 {
     let [i1, i2, i3] = motion.labelled_moments();
     match motion.regime() {
@@ -81,7 +82,8 @@ pub(crate) struct Worst {
     pub(crate) rows: [usize; SPANS.len()],
     pub(crate) omega: [f64; SPANS.len()],
     pub(crate) attitude: [f64; SPANS.len()],
-    /// Of the period, the mean precession and 1 − m, relative; none where there is none.
+    /// Relative errors of the period, of the mean precession and of 1 − m; `None` if the quantity
+    /// does not exist.
     pub(crate) constants: [Option<f64>; 3],
 }
 
@@ -102,7 +104,8 @@ pub(crate) fn measured() -> [Worst; GROUPS.len()] {
             ("precession_rate", Some(motion.precession_rate())),
             ("one_minus_m", Some(motion.parameter()[1])),
         ];
-        // A body within rounding of a sphere or a symmetric one is called such, and may have no period.
+        // A body that is spherical or symmetric to within rounding is treated as such, and may have
+        // no period.
         for (worst, (key, got)) in worst.constants.iter_mut().zip(constants) {
             if let (Some(got), Some(want)) = (got, case.get(key).map(number)) {
                 let error = if got == want { 0.0 } else { (got / want - 1.0).abs() };

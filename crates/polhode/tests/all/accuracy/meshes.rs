@@ -1,28 +1,30 @@
-//! The central inertia of closed meshes against sums in whole numbers.
+//! Central inertia of closed meshes compared with integer sums.
 
 use polhode::prelude::*;
 
 use crate::accuracy::exact::{Pair, Whole};
 use crate::accuracy::random::Random;
 
-/// What is promised of every mesh, relative to half the trace.
+/// Error bound of every mesh, relative to half the trace.
 pub(crate) const PROMISED: f64 = 2e-15;
 
-/// Corners lie within ±2³¹ units, so that a place 10⁶ sizes away is still a whole number below 2⁵³.
+/// Half-size of a mesh: with ±2³¹ units, a position at 10⁶ sizes is still an integer below 2⁵³.
 const SIZE: f64 = 2_147_483_648.0;
 
-/// How far from the origin a mesh is put, in units of SIZE.
+/// Distances of a mesh from the origin, in units of SIZE.
 const OFFSETS: [i64; 3] = [0, 1_000, 1_000_000];
 
-/// The unit, a power of two, so that coordinates stay exact: bodies of some 1e-9, 1 and 1e9 m.
+/// Exponents of the unit, a power of two, so that coordinates are exact. The bodies are about 1e-9,
+/// 1 and 1e9 m in size.
 const SCALES: [i32; 3] = [-61, -31, -1];
 
-/// Meshes of one number of triangles: 2 `around` (`down` − 1) of them.
+/// Meshes with one number of triangles, 2 `around` (`down` − 1).
 struct Kind {
     around: usize,
     down: usize,
     meshes: usize,
-    /// Places and units, numbers in OFFSETS and SCALES. The large ones, which are slow to diagnose, are put far away only.
+    /// Offsets and scales, as indices of OFFSETS and SCALES. The large meshes, which are slow to
+    /// diagnose, are tested far away only.
     placed: &'static [(usize, usize)],
 }
 
@@ -39,23 +41,23 @@ const KINDS: [Kind; 7] = [
     Kind { around: 2500, down: 1001, meshes: 1, placed: &[(2, 0)] },
 ];
 
-/// The largest errors of the meshes of one number of triangles.
+/// Largest errors of the meshes with one number of triangles.
 pub(crate) struct Row {
     pub(crate) triangles: usize,
     pub(crate) meshes: usize,
-    /// At each of the offsets.
+    /// Largest error at each offset.
     pub(crate) errors: [Option<f64>; OFFSETS.len()],
 }
 
-/// A closed surface with whole coordinates.
+/// Closed surface with integer coordinates.
 struct Surface {
     vertices: Vec<[i64; 3]>,
     triangles: Vec<[u32; 3]>,
 }
 
 impl Surface {
-    /// A lump that is seen whole from its middle: waves, with every vertex moved at random by up to its distance to the
-    /// next one or so, all stretched and sheared.
+    /// Returns a star-shaped surface: waves with every vertex moved at random by up to about the
+    /// distance to the next one, then stretched and sheared.
     fn random(kind: &Kind, random: &mut Random) -> Self {
         let Kind { around, down, .. } = *kind;
         let roughness = random.between(0.1, 2.0) / (1.0 + down as f64);
@@ -93,7 +95,7 @@ impl Surface {
         Self { vertices, triangles }
     }
 
-    /// The same surface at `offset` SIZE along a generic direction, with a unit of 2^`scale` m.
+    /// Returns the surface at `offset` SIZE along a generic direction, with a unit of 2^`scale` m.
     fn mesh(&self, offset: i64, scale: i32) -> TriangleMesh {
         let unit = 2.0_f64.powi(scale);
         let place = [2 * offset, -3 * offset, offset].map(|k| k * SIZE as i64);
@@ -105,11 +107,12 @@ impl Surface {
         TriangleMesh::new(self.vertices.iter().map(moved).collect(), self.triangles.clone()).unwrap()
     }
 
-    /// The central inertia tensor per unit mass, in squares of the unit; xx, yy, zz, xy, xz, yz.
+    /// Computes the central inertia tensor per unit mass, in squares of the unit; xx, yy, zz, xy,
+    /// xz, yz.
     ///
-    /// Over the tetrahedra from the origin to each triangle, with d = a · (b × c) and s = a + b + c, exactly:
-    /// D = Σ d = 6V,  F = Σ d s = 24V c,  S = Σ d (a aᵀ + b bᵀ + c cᵀ + s sᵀ) = 120V ⟨x xᵀ⟩;  and then, to 32 digits,
-    /// ⟨x_i x_j⟩ − c_i c_j = (4 S_ij D − 5 F_i F_j) / 80 D².
+    /// Sums over the tetrahedra from the origin to each triangle, with d = a · (b × c) and s = a +
+    /// b + c, are exact: D = Σ d = 6V,  F = Σ d s = 24V c,  S = Σ d (a aᵀ + b bᵀ + c cᵀ + s sᵀ) =
+    /// 120V ⟨x xᵀ⟩. Then, to 32 digits, `⟨x_i x_j⟩ − c_i c_j = (4 S_ij D − 5 F_i F_j) / 80 D²`.
     fn inertia(&self) -> [Pair; 6] {
         let mut whole = 0_i128;
         let mut first = [Whole::default(); 3];
@@ -138,10 +141,10 @@ impl Surface {
     }
 }
 
-/// Rows and columns of a symmetric matrix.
+/// Rows and columns of the elements of a symmetric matrix.
 const ELEMENTS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
-/// The largest error of the central tensor of unit mass, relative to half its trace.
+/// Returns the largest error of the central tensor for unit mass, relative to half its trace.
 fn error(surface: &Surface, exact: &[Pair; 6], offset: i64, scale: i32) -> f64 {
     let mesh = ClosedMesh::of(&surface.mesh(offset, scale)).unwrap();
     assert!(mesh.findings().is_empty(), "{:?}", mesh.findings());

@@ -1,6 +1,7 @@
-//! The accuracy page of the book, measured against references of 30 digits and more.
+//! Accuracy page of the book, measured against references of at least 30 digits.
 //!
-//! `POLHODE_GOLDEN=write cargo test -p polhode --test all accuracy` writes `book/accuracy.md` anew; read the difference.
+//! `POLHODE_GOLDEN=write cargo test -p polhode --test all accuracy` rewrites `book/accuracy.md`.
+//! Review the difference.
 
 mod distant;
 mod elliptic;
@@ -13,7 +14,7 @@ mod random;
 
 use std::path::Path;
 
-/// Everything that the page has numbers of.
+/// All measurements of the page.
 struct Measured {
     groups: [free_motion::Worst; free_motion::GROUPS.len()],
     distant: Vec<f64>,
@@ -33,7 +34,7 @@ impl Measured {
         }
     }
 
-    /// Every number is within what is promised.
+    /// Checks that every number is within its bound.
     fn require_promised(&self) {
         for ((name, _), worst) in free_motion::GROUPS.iter().zip(&self.groups) {
             assert!(worst.cases > 0, "no case in {name}");

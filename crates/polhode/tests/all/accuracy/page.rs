@@ -1,4 +1,4 @@
-//! The page: its words in `page.md`, and the numbers in their places.
+//! The page: its text in `page.md`, with the numbers inserted.
 
 use std::fmt::Write as _;
 
@@ -9,10 +9,10 @@ use crate::accuracy::free_motion::{self, Worst};
 use crate::accuracy::meshes;
 use crate::accuracy::principal_axes;
 
-/// The page, but for its numbers.
+/// Text of the page without its numbers.
 const PAGE: &str = include_str!("page.md");
 
-/// The page with its numbers.
+/// Returns the page with its numbers.
 pub(crate) fn page(measured: &Measured) -> String {
     let Measured { groups, distant, functions, meshes, axes } = measured;
     let mut group_list = String::new();
@@ -68,7 +68,8 @@ fn bound(promised: f64) -> String {
     format!("{promised:e}")
 }
 
-/// Two significant digits, rounded up; below what a double can tell, only that.
+/// Formats with two significant digits, rounded up; a number below double precision is given as a
+/// bound.
 pub(crate) fn up(x: f64) -> String {
     if x < 1e-17 {
         return "< 1e-17".into();
@@ -85,7 +86,7 @@ fn row(cells: impl IntoIterator<Item = String>) -> String {
     format!("| {} |\n", cells.into_iter().collect::<Vec<_>>().join(" | "))
 }
 
-/// Group, cases, rows, and an error for each span.
+/// Returns rows of group, number of cases, number of rows, and an error for each span.
 fn errors(groups: &[Worst], rows: bool, of: impl Fn(&Worst) -> [f64; free_motion::SPANS.len()]) -> String {
     let mut text = String::new();
     let sum = |w: &Worst| w.rows.iter().sum::<usize>().to_string();

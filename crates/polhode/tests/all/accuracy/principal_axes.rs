@@ -1,17 +1,18 @@
-//! Principal moments and axes of random tensors: what is rebuilt from them, and that they are always the same.
+//! Principal moments and axes of random tensors: reconstruction of the tensor, and reproducibility.
 
 use polhode::prelude::*;
 
 use crate::accuracy::exact::Pair;
 use crate::accuracy::random::Random;
 
-/// What is promised of R diag Rᵀ, relative to the largest element of the tensor, and of R Rᵀ.
+/// Bound on the errors of R diag Rᵀ, relative to the largest element of the tensor, and of R Rᵀ.
 pub(crate) const PROMISED: f64 = 1e-15;
 
-/// How many tensors are in each group.
+/// Number of tensors in each group.
 pub(crate) const TENSORS: usize = 250_000;
 
-/// The groups: the name, and the mean squares of a body's points along its principal axes, ∫x² dm and so on.
+/// Group of tensors: its name, and the mean squares of the body's points along its principal axes,
+/// ∫x² dm etc.
 pub(crate) type Group = (&'static str, fn(&mut Random) -> [f64; 3]);
 
 pub(crate) const GROUPS: [Group; 4] = [
@@ -19,7 +20,7 @@ pub(crate) const GROUPS: [Group; 4] = [
     ("moments equal to 1e-16 … 1e-14", |random| {
         let a = random.between(0.01, 1.0);
         let gap = |random: &mut Random| 1.0 + decade(random, -16.0, -14.0);
-        // two of them, or all three
+        // two moments nearly equal, or all three
         let c = if random.next() < 0.7 { random.between(0.01, 1.0) } else { a * gap(random) };
         [a, a * gap(random), c]
     }),
@@ -35,16 +36,16 @@ fn decade(random: &mut Random, low: f64, high: f64) -> f64 {
     libm::exp10(random.between(low, high))
 }
 
-/// The largest errors of a group.
+/// Largest errors of a group.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Worst {
-    /// Of R diag Rᵀ, relative to the largest element of the tensor.
+    /// Error of R diag Rᵀ, relative to the largest element of the tensor.
     pub(crate) rebuilt: f64,
-    /// Of R Rᵀ.
+    /// Error of R Rᵀ.
     pub(crate) orthonormal: f64,
 }
 
-/// A tensor of the group, turned at random and rounded.
+/// Returns a tensor of the group, rotated at random and rounded.
 fn tensor(squares: fn(&mut Random) -> [f64; 3], random: &mut Random) -> InertiaTensor<Body> {
     let [a, b, c] = squares(random);
     let q = loop {
@@ -63,7 +64,8 @@ fn tensor(squares: fn(&mut Random) -> [f64; 3], random: &mut Random) -> InertiaT
     .unwrap()
 }
 
-/// The errors of one answer, whose numbers are taken as exact: all products are formed to 32 digits.
+/// Returns the errors of one result, whose numbers are taken as exact. All products are computed to
+/// 32 digits.
 fn errors(tensor: &InertiaTensor<Body>, frame: &PrincipalFrame<Body>) -> Worst {
     let axes = frame.axes().map(|axis| axis.to_array().map(Pair::of));
     let moments = frame.moments().map(Pair::of);
@@ -71,7 +73,7 @@ fn errors(tensor: &InertiaTensor<Body>, frame: &PrincipalFrame<Body>) -> Worst {
     let scale = given.iter().flatten().fold(0.0, |most: f64, e| most.max(e.abs()));
     let mut worst = Worst::default();
     for (i, j) in [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)] {
-        // (R diag Rᵀ)_ij = Σ_k i_k a_k,i a_k,j
+        // `(R diag Rᵀ)_ij = Σ_k i_k a_k,i a_k,j`
         let rebuilt =
             (0..3).fold(Pair::of(-given[i][j]), |sum, k| sum + moments[k] * axes[k][i] * axes[k][j]);
         let unit = if i == j { 1.0 } else { 0.0 };
@@ -84,7 +86,7 @@ fn errors(tensor: &InertiaTensor<Body>, frame: &PrincipalFrame<Body>) -> Worst {
     worst
 }
 
-/// All bits of an answer, mixed into one word.
+/// Returns a hash of all bits of a result.
 fn bits(frame: &PrincipalFrame<Body>) -> u64 {
     let axes = frame.axes().map(Vector::to_array);
     let words = frame.moments().into_iter().chain(axes.into_iter().flatten()).map(f64::to_bits);
@@ -106,7 +108,7 @@ pub(crate) fn measured() -> [Worst; GROUPS.len()] {
             worst.orthonormal = worst.orthonormal.max(orthonormal);
             once.push(bits(&frame));
         }
-        // again, on three threads
+        // repeated, on three threads
         let again = |part: &[InertiaTensor<Body>]| {
             part.iter().map(|t| bits(&PrincipalFrame::of(t))).collect::<Vec<_>>()
         };

@@ -1,6 +1,8 @@
-//! A burning body from which a part is dropped, integrated as an angular momentum in space: A (N − D ω) is its rate, ω = I⁻¹ Aᵀ L.
+//! A burning body that drops a part, integrated as an angular momentum in space: its rate is A (N −
+//! D ω), and ω = I⁻¹ Aᵀ L.
 //!
-//! Arrays of numbers, the parts put together at every time, and the orbit integrated beside: no formula is the library's.
+//! It uses arrays of numbers, assembles the parts at every time, and integrates the orbit as well.
+//! It shares no formula with the library.
 
 pub(super) type V = [f64; 3];
 pub(super) type M = [V; 3];
@@ -21,12 +23,12 @@ pub(super) fn transposed(m: M) -> M {
     [0, 1, 2].map(|i| [m[0][i], m[1][i], m[2][i]])
 }
 
-/// a + s b
+/// Returns a + s b.
 pub(super) fn plus(a: V, s: f64, b: V) -> V {
     [0, 1, 2].map(|k| a[k] + s * b[k])
 }
 
-/// s (d² 1 − d dᵀ)
+/// Returns s (d² 1 − d dᵀ).
 fn spread(s: f64, d: V) -> M {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| s * (if i == j { dot(d, d) } else { 0.0 } - d[i] * d[j])))
 }
@@ -35,7 +37,7 @@ fn add(a: M, s: f64, b: M) -> M {
     [0, 1, 2].map(|i| plus(a[i], s, b[i]))
 }
 
-/// Cramer's rule.
+/// Solves by Cramer's rule.
 fn solved(m: M, b: V) -> V {
     let [x, y, z] = transposed(m);
     let d = dot(x, cross(y, z));
@@ -52,26 +54,26 @@ fn rotation(q: [f64; 4]) -> M {
     ]
 }
 
-/// A part: its mass, its centre, and its tensor about that.
+/// A part: mass, centre of mass, and tensor about it.
 pub(super) type Part = (f64, V, M);
 
 const HULL: Part =
     (1.7, [0.02, -0.05, 0.31], [[0.31, 0.012, -0.02], [0.012, 0.36, 0.03], [-0.02, 0.03, 0.14]]);
 const BOOSTER: Part =
     (0.6, [-0.3, 0.2, 0.15], [[0.02, 0.001, -0.002], [0.001, 0.03, 0.004], [-0.002, 0.004, 0.025]]);
-/// Of 1 kg.
+/// The charge, per kg.
 const CHARGE: Part =
     (1.0, [0.13, 0.08, -0.22], [[0.021, 0.002, -0.001], [0.002, 0.034, 0.003], [-0.001, 0.003, 0.028]]);
-/// Of the charge, kg at first and kg/s.
+/// Mass of the charge, initial value in kg and rate in kg/s.
 pub(super) const BURN: [f64; 2] = [2.5, 0.1875];
-/// When the booster goes, and the end, s.
+/// Time at which the booster is dropped, and end time, s.
 pub(super) const DROP: f64 = 2.5;
 pub(super) const END: f64 = 6.0;
-/// Share, place, axis and radius.
+/// Exits: share, position, axis and radius.
 pub(super) const EXITS: [(f64, V, V, f64); 2] =
     [(0.75, [0.05, 0.02, -0.9], [0.1, -0.2, 1.0], 0.3), (0.25, [-0.4, 0.3, 0.1], [1.0, 0.5, 0.0], 0.0)];
 
-/// Mass, centre and tensor about that.
+/// Returns mass, centre of mass and tensor about it.
 pub(super) fn body(time: f64, with_booster: bool) -> Part {
     let charge = BURN[0] - BURN[1] * time;
     let all = [HULL, (charge, CHARGE.1, CHARGE.2.map(|row| row.map(|x| charge * x))), BOOSTER];
@@ -83,27 +85,27 @@ pub(super) fn body(time: f64, with_booster: bool) -> Part {
     (mass, center, parts.iter().fold([[0.0; 3]; 3], about))
 }
 
-/// What a torque may depend on, along body axes.
+/// Inputs of a torque, along body axes.
 #[derive(Clone, Copy)]
 pub(super) struct Now {
     pub(super) time: f64,
     pub(super) mass: f64,
-    /// The point that it turns about, and from there to the centre.
+    /// Point about which the body turns, and the vector from it to the centre of mass.
     pub(super) point: V,
     pub(super) lever: V,
-    /// About that point.
+    /// Tensor about that point.
     pub(super) tensor: M,
     pub(super) omega: V,
-    /// From body to space.
+    /// Rotation from body to space.
     pub(super) attitude: M,
     pub(super) quaternion: [f64; 4],
-    /// From the attracting mass.
+    /// Vector from the attracting mass.
     pub(super) r: V,
 }
 
 pub(super) type Law = dyn Fn(&Now) -> V;
 
-/// Such a motion.
+/// Motion of the burning body.
 pub(super) struct Motion<'a> {
     pub(super) pivot: Option<V>,
     pub(super) law: &'a Law,
@@ -150,7 +152,8 @@ impl Motion<'_> {
         [l0, l1, l2, q0, q1, q2, q3, y[10], y[11], y[12], a0, a1, a2]
     }
 
-    /// From ω and the attitude at t = 0, and place and velocity on the orbit: ω and the attitude at the end. Nothing has a corner but at `corners`.
+    /// Integrates from ω and the attitude at t = 0, and position and velocity on the orbit. Returns
+    /// ω and the attitude at the end. The motion has corners at `corners` only.
     pub(super) fn end(&self, omega: V, attitude: [f64; 4], orbit: [V; 2], corners: &[f64]) -> (V, [f64; 4]) {
         let norm = attitude.iter().map(|x| x * x).sum::<f64>().sqrt();
         let [q0, q1, q2, q3] = attitude.map(|x| x / norm);
@@ -170,7 +173,7 @@ impl Motion<'_> {
             let h = (end - from) / steps;
             for k in 0..steps as u32 {
                 let more = self.increment(from + f64::from(k) * h, &y, h, with_booster);
-                // What rounding takes from one sum is in the next.
+                // Carries the rounding error of one sum to the next.
                 for ((y, carried), more) in y.iter_mut().zip(&mut carried).zip(more) {
                     let (old, more) = (*y, more + *carried);
                     *y += more;
@@ -178,7 +181,7 @@ impl Motion<'_> {
                 }
             }
             if end == DROP {
-                // What is left keeps its ω.
+                // The remaining part keeps its ω.
                 let omega = self.now(end, &y, true).omega;
                 let left = self.now(end, &y, false);
                 y[..3].copy_from_slice(&times(left.attitude, times(left.tensor, omega)));
@@ -190,8 +193,9 @@ impl Motion<'_> {
         (now.omega, now.quaternion)
     }
 
-    /// Gragg's midpoint rule, and Bulirsch and Stoer's extrapolation of it, of differences, which have more digits than what they are added to. At its ends a
-    /// step has the law of its inside: there may be a corner.
+    /// Computes an increment by Gragg's midpoint rule with Bulirsch–Stoer extrapolation.
+    /// Extrapolating differences loses fewer digits than extrapolating values. The torque at the
+    /// ends of a step is the one-sided limit from inside, as there may be a corner.
     fn increment(&self, from: f64, y: &Y, h: f64, with_booster: bool) -> Y {
         const COLUMNS: usize = 8;
         let at = |a: &Y, s: f64, b: &Y| -> Y { std::array::from_fn(|k| a[k] + s * b[k]) };

@@ -1,10 +1,10 @@
-//! A motion with the state of what holds the body at each sample.
+//! A motion with the state of the mechanism at each sample.
 
 use core::ops::Deref;
 
 use polhode::motion::{Channel, Trajectory};
 
-/// A motion with the state of what holds the body at each sample.
+/// A motion with the state of the mechanism that supports the body at each sample.
 pub(crate) struct Held<T> {
     motion: Trajectory,
     start: T,

@@ -1,4 +1,4 @@
-//! Reading the reference tables in fixtures/. A table that is missing fails its test.
+//! Reading of the reference tables in fixtures/. A missing table fails its test.
 #![allow(dead_code, reason = "each test file uses some of it")]
 
 pub(crate) mod held;
@@ -12,14 +12,14 @@ pub(crate) fn table(name: &str) -> toml::Table {
     text.parse().unwrap_or_else(|e| panic!("{path}: {e}"))
 }
 
-/// The tables under `key`, which must not be none.
+/// Returns the tables under `key`; there must be at least one.
 pub(crate) fn cases<'a>(table: &'a toml::Table, key: &str) -> Vec<&'a toml::Table> {
     let list: Vec<_> = table[key].as_array().unwrap().iter().map(|t| t.as_table().unwrap()).collect();
     assert!(!list.is_empty(), "no {key}");
     list
 }
 
-/// A number, whether it is printed as one or, to 30 digits, as a string.
+/// Returns a number that is stored as a number or, with 30 digits, as a string.
 pub(crate) fn number(value: &toml::Value) -> f64 {
     match value {
         toml::Value::Float(x) => *x,
@@ -43,7 +43,7 @@ pub(crate) fn attitude(value: &toml::Value) -> Attitude {
     Attitude::from_quaternion(numbers(value)).unwrap()
 }
 
-/// The body and its start of a computed case; pivoted if it has an arm that is not zero.
+/// Returns the body and its start of a computed case; pivoted if its arm is not zero.
 pub(crate) fn start(case: &toml::Table) -> State {
     State {
         time: 0.0,
@@ -52,13 +52,13 @@ pub(crate) fn start(case: &toml::Table) -> State {
     }
 }
 
-/// A free body with these moments along its axes.
+/// Returns a free body with these moments along its axes.
 pub(crate) fn free_body(moments: [f64; 3]) -> Rotor {
     let inertia = InertiaTensor::diagonal(moments).unwrap();
     Rotor::free(&MassProperties::new(1.0, Position::ZERO, inertia).unwrap())
 }
 
-/// |a − b| elementwise at most, relative to the largest element of b.
+/// Returns max |a − b| over the elements, relative to the largest element of b.
 pub(crate) fn matrix_error(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> f64 {
     let scale = b.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
     let pairs = a.iter().flatten().zip(b.iter().flatten());

@@ -1,4 +1,4 @@
-//! Random scenarios as plain numbers, which transform as axes and units do.
+//! Random scenarios as plain numbers, which transform like axes and units.
 
 use polhode::motion::torque::{
     Drag, DragLaw, EnergySink, Magnetic, MagneticField, Schedule, Scheduled, Thruster, Torsion,
@@ -9,7 +9,7 @@ use polhode::prelude::*;
 type V = [f64; 3];
 pub(crate) type M = [[f64; 3]; 3];
 
-/// Knuth's MMIX generator, mixed: seeds that follow each other have nothing in common.
+/// Knuth's MMIX generator with mixing: successive seeds give unrelated sequences.
 pub(crate) struct Random(u64);
 
 impl Random {
@@ -28,7 +28,7 @@ impl Random {
         low + (high - low) * self.next()
     }
 
-    /// One of 0 … count − 1.
+    /// Returns one of 0 … count − 1.
     pub(crate) fn below(&mut self, count: usize) -> usize {
         (self.next() * count as f64) as usize
     }
@@ -37,7 +37,7 @@ impl Random {
         [0; 3].map(|_| self.between(-size, size))
     }
 
-    /// A unit quaternion.
+    /// Returns a unit quaternion.
     pub(crate) fn quaternion(&mut self) -> [f64; 4] {
         loop {
             let q = [0; 4].map(|_| self.between(-1.0, 1.0));
@@ -48,7 +48,7 @@ impl Random {
         }
     }
 
-    /// A symmetric matrix with eigenvalues between these.
+    /// Returns a symmetric matrix with eigenvalues in this range.
     fn symmetric(&mut self, [low, high]: [f64; 2]) -> M {
         let r = matrix(self.quaternion());
         let moments = [0; 3].map(|_| self.between(low, high));
@@ -72,7 +72,7 @@ fn transposed(m: &M) -> M {
     core::array::from_fn(|i| core::array::from_fn(|j| m[j][i]))
 }
 
-/// R M Rᵀ, exactly symmetric.
+/// Returns R M Rᵀ, exactly symmetric.
 fn turned(r: &M, m: M) -> M {
     let m = product(&product(r, &m), &transposed(r));
     core::array::from_fn(|i| core::array::from_fn(|j| 0.5 * (m[i][j] + m[j][i])))
@@ -90,7 +90,7 @@ pub(crate) struct Lump {
     pub(crate) tensor: M,
 }
 
-/// A torque by its numbers.
+/// A torque, given by its numbers.
 #[derive(Clone, Debug)]
 pub(crate) enum Push {
     Body(V),
@@ -105,7 +105,7 @@ pub(crate) enum Push {
     Window(Box<Push>, [f64; 2]),
 }
 
-/// A body, what acts on it, its start, and a duration.
+/// A body, its torques, its start, and a duration.
 #[derive(Clone, Debug)]
 pub(crate) struct Numbers {
     pub(crate) lumps: Vec<Lump>,
@@ -113,15 +113,16 @@ pub(crate) struct Numbers {
     attitude: [f64; 4],
     omega: V,
     pub(crate) pushes: Vec<Push>,
-    /// Axis, momentum, and the motor's inertia and torque.
+    /// Wheels: axis, angular momentum, and inertia and torque of the motor.
     wheels: Vec<(V, f64, [f64; 2])>,
     pub(crate) duration: f64,
 }
 
-/// Other axes and units: new components are R times old ones, and new numbers are old ones times the unit's factor.
+/// Change of axes and units: new components are R times old ones, and new numbers are old ones
+/// times the factor of the unit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Change {
-    /// Rotations of the body's axes and of those of space.
+    /// Rotations of the body axes and of the space axes.
     pub(crate) axes: [[f64; 4]; 2],
     pub(crate) length: f64,
     pub(crate) mass: f64,
@@ -135,7 +136,7 @@ impl Change {
         self.axes.map(matrix)
     }
 
-    /// The state that is this one in the new axes and units.
+    /// Converts a state to the new axes and units.
     pub(crate) fn state(&self, state: &State) -> State {
         let [body, space] = self.axes.map(|q| Attitude::from_quaternion(q).unwrap().quaternion());
         let attitude =
@@ -246,10 +247,11 @@ impl Push {
 }
 
 impl Numbers {
-    /// A body of 3 to 5 lumps that turns by a few radians in its duration, under up to 4 torques.
+    /// Returns a body of 3 to 5 parts that turns by a few radians in its duration, under up to 4
+    /// torques.
     pub(crate) fn random(random: &mut Random) -> Self {
         let lump = |random: &mut Random| {
-            // The moments of a tensor whose second moments are positive.
+            // Moments of a tensor with positive second moments.
             let seconds = random.symmetric([0.02, 0.3]);
             let mass = random.between(0.4, 3.0);
             let trace: f64 = (0..3).map(|k| seconds[k][k]).sum();
@@ -282,12 +284,12 @@ impl Numbers {
         }
     }
 
-    /// True if splitting can compute its motion.
+    /// True if splitting can compute the motion.
     pub(crate) fn is_splittable(&self) -> bool {
         self.wheels.is_empty() && self.pushes.iter().all(Push::is_splittable)
     }
 
-    /// The same in other axes and units.
+    /// Returns the scenario in other axes and units.
     pub(crate) fn changed(&self, change: &Change) -> Self {
         let [body, _] = change.matrices();
         let Change { length, mass, time, .. } = *change;

@@ -1,4 +1,4 @@
-//! Motions of which the solution is known.
+//! Motions with known solutions.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -22,7 +22,8 @@ fn coulomb(kinetic: f64) -> ContactLaw {
     ContactLaw::with_friction(Friction { sticking: kinetic, kinetic, viscous: 0.0 }).unwrap()
 }
 
-/// A ball that is thrown without spin slides, and rolls after t = 2 v/(7 µ g) with 5/7 of its velocity.
+/// A ball that is thrown without spin slides. It rolls after t = 2 v/(7 µ g) with 5/7 of its
+/// velocity.
 #[test]
 fn a_sliding_ball_rolls_with_five_sevenths_of_its_velocity() {
     let (mu, v) = (0.17, 2.1);
@@ -40,12 +41,12 @@ fn a_sliding_ball_rolls_with_five_sevenths_of_its_velocity() {
     near(sliding.velocity.x, 0.6 * (v - mu * G * 0.1), 1e-15);
     near(rolling.velocity.norm(), 5.0 / 7.0 * v, 1e-14);
     near(rolling.velocity.y / rolling.velocity.x, 4.0 / 3.0, 1e-14);
-    // The work of friction is the energy lost: 2/7 of ½ m v².
+    // The work of friction is the lost energy: 2/7 of ½ m v².
     near(rolling.friction_work, -2.0 / 7.0 * 0.5 * 2.0 * v * v, 1e-14);
     assert!(motion.energy_drift() < 1e-15, "{:e}", motion.energy_drift());
 }
 
-/// On a turntable a ball runs in circles, at 2/7 of its rate.
+/// A ball on a turntable moves on a circle, at 2/7 of the rate of the table.
 #[test]
 fn a_ball_on_a_turntable_runs_in_circles() {
     let rate = 3.7;
@@ -64,13 +65,13 @@ fn a_ball_on_a_turntable_runs_in_circles() {
     let [x, y, _] = first.velocity.to_array();
     near(third.velocity.x, x * turn.cos() - y * turn.sin(), 1e-14);
     near(third.velocity.y, x * turn.sin() + y * turn.cos(), 1e-14);
-    // The table does work on it, and takes it back.
+    // The table does work on the ball and takes it back.
     assert!(third.ground_work.abs() > 0.01);
     near(last.ground_work, 0.0, 1e-13);
     assert!(motion.energy_drift() < 1e-14, "{:e}", motion.energy_drift());
 }
 
-/// Down an incline a ball rolls with 5/7 g sin α, as long as tan α ≤ 7/2 µ.
+/// A ball rolls down an incline with the acceleration 5/7 g sin α, if tan α ≤ 7/2 µ.
 #[test]
 fn a_ball_rolls_down_an_incline_or_slips() {
     let slope = 0.6_f64;
@@ -86,7 +87,7 @@ fn a_ball_rolls_down_an_incline_or_slips() {
         let contact = Contact { ground, law: coulomb(mu), ..Contact::rolling(surface(sphere(), [0.0; 3])) };
         let motion = run(&ball(RADIUS), &contact, start, &[0.5, 2.0]);
         let end = motion.samples()[1];
-        // The beginning of slip is a push of 2e-13 of the speed.
+        // Slip starts with 2e-13 of the speed.
         near(end.contact.norm(), 0.5 * acceleration * 4.0, 3e-12);
         near(end.contact.dot(normal), 0.0, 1e-14);
         near(end.contact.x / end.contact.y, 0.75, 1e-12);
@@ -97,7 +98,8 @@ fn a_ball_rolls_down_an_incline_or_slips() {
     }
 }
 
-/// A ball that rolls down another one leaves it at cos θ = 10/17, without friction at 2/3; then its path is a parabola.
+/// A ball that rolls down another ball leaves it at cos θ = 10/17, or at 2/3 without friction; then
+/// its path is a parabola.
 #[test]
 fn a_ball_leaves_the_ball_that_it_rolls_down() {
     let big = 1.1;
@@ -106,7 +108,7 @@ fn a_ball_leaves_the_ball_that_it_rolls_down() {
         Direction::new(0.0, 0.0, 1.0),
     );
     let ground = ground.unwrap();
-    // Let go at an angle of 0.1 from the top, at rest.
+    // Released at rest at an angle of 0.1 from the top.
     let top = 0.1_f64;
     let at = Position::new(big * top.sin() * 0.8, big * top.sin() * 0.6, big * top.cos());
     for (law, share) in [(ContactLaw::ROLLING, 10.0 / 17.0), (ContactLaw::FRICTIONLESS, 2.0 / 3.0)] {
@@ -133,7 +135,7 @@ fn a_ball_leaves_the_ball_that_it_rolls_down() {
     }
 }
 
-/// Across the axis of a cylinder it leaves it as it leaves a ball.
+/// The same, perpendicular to the axis of a cylinder.
 #[test]
 fn a_ball_leaves_the_cylinder_that_it_rolls_down() {
     let big = 1.1;
@@ -155,8 +157,8 @@ fn a_ball_leaves_the_cylinder_that_it_rolls_down() {
     }
 }
 
-/// Near the bottom of a bowl of radius ρ that turns about the vertical at Ω, a ball that turns with it has, with x = ξ + i η of its middle,
-/// ẍ = (2/7) i Ω ẋ − (5/7) g/(ρ − a) x.
+/// A ball near the bottom of a bowl of radius ρ that turns about the vertical at Ω, and turning
+/// with it. The position x = ξ + i η of its centre satisfies ẍ = (2/7) i Ω ẋ − (5/7) g/(ρ − a) x.
 #[test]
 fn a_ball_in_a_bowl_that_turns_has_two_circles() {
     let (bowl, rate) = (0.9, 3.0);
@@ -169,11 +171,12 @@ fn a_ball_in_a_bowl_that_turns_has_two_circles() {
     let small = 1e-6;
     let angle: f64 = small / (bowl - RADIUS);
     let at = Position::new(bowl * angle.sin(), 0.0, -bowl * angle.cos());
-    // It stands on the ground that carries it along: v = Ω × c, and ω is along the vertical.
+    // It is at rest relative to the moving ground: v = Ω × c, and ω is along the vertical.
     let start = ContactStart { at, ..ContactStart::rolling(state(Attitude::identity(), [0.0, 0.0, rate])) };
     let motion = run(&ball(RADIUS), &contact, start, &[0.0, 0.7, 1.9, 4.0]);
     assert!(motion.energy_drift() < 1e-14, "{:e}", motion.energy_drift());
-    // x = A exp(i λ₁ t) + B exp(i λ₂ t) with λ² − (2/7) Ω λ − (5/7) g/(ρ − a) = 0; at the start x is real and ẋ = i v.
+    // x = A exp(i λ₁ t) + B exp(i λ₂ t) with λ² − (2/7) Ω λ − (5/7) g/(ρ − a) = 0. At the start x
+    // is real and ẋ = i v.
     let half = rate / 7.0;
     let root = (half * half + 5.0 / 7.0 * G / (bowl - RADIUS)).sqrt();
     let (first, second) = (half + root, half - root);
@@ -190,7 +193,7 @@ fn a_ball_in_a_bowl_that_turns_has_two_circles() {
     }
 }
 
-/// In a bowl a ball swings as a pendulum of length 7/5 (ρ − a).
+/// A ball in a bowl swings like a pendulum of length 7/5 (ρ − a).
 #[test]
 fn a_ball_in_a_bowl_swings_as_a_pendulum() {
     let bowl = 1.3;
@@ -215,7 +218,7 @@ fn a_ball_in_a_bowl_swings_as_a_pendulum() {
     }
 }
 
-/// K(k) by the arithmetic–geometric mean.
+/// Returns K(k) by the arithmetic–geometric mean.
 fn complete(k: f64) -> f64 {
     let (mut a, mut b) = (1.0, (1.0 - k * k).sqrt());
     for _ in 0..8 {
@@ -224,18 +227,18 @@ fn complete(k: f64) -> f64 {
     FRAC_PI_2 / a
 }
 
-/// A disk rolls steadily in a circle where its rates fit its tilt.
+/// A disk rolls steadily in a circle if its rates match its inclination.
 #[test]
 fn a_disk_rolls_in_a_circle() {
-    // A disk of radius r whose axis is at θ from the vertical, precessing at Ω with spin s = ω along its axis:
-    // L̇ = r × F is Ω sin θ (A Ω cos θ − (C + m r²) s) = m g r cos θ.
+    // A disk of radius r with its axis at θ from the vertical, precessing at Ω with spin s = ω
+    // along its axis: L̇ = r × F gives Ω sin θ (A Ω cos θ − (C + m r²) s) = m g r cos θ.
     let (mass, r, theta, precession) = (1.7, 0.25, 1.1_f64, 2.3);
     let (a, c) = (0.027, 0.051);
     let inertia = InertiaTensor::diagonal([a, a, c]).unwrap();
     let body = MassProperties::new(mass, Position::ZERO, inertia).unwrap();
     let (sin, cos) = (theta.sin(), theta.cos());
     let spin = (a * precession * cos - mass * G * r * cos / (precession * sin)) / (c + mass * r * r);
-    // Its axis leans towards −y: the lowest point is at −x' in the plane of the tilt.
+    // The axis is inclined towards −y: the lowest point is at −x' in the plane of the inclination.
     let attitude: Attitude = Rotation::about(Direction::new(1.0, 0.0, 0.0), theta).unwrap();
     let axis: Direction<Space> = attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
     let up = Direction::<Space>::new(0.0, 0.0, 1.0);
@@ -255,7 +258,8 @@ fn a_disk_rolls_in_a_circle() {
     assert!(motion.energy_drift() < 1e-14, "{:e}", motion.energy_drift());
 }
 
-/// A cylinder rolls in a trough as a pendulum, and down an incline with 2/3 g sin α; too short a one tips over.
+/// A cylinder rolls in a trough like a pendulum, and down an incline with 2/3 g sin α. If it is too
+/// short, it tips over.
 #[test]
 fn a_cylinder_rolls_about_its_axis_alone() {
     let slope = 0.4_f64;
@@ -264,7 +268,7 @@ fn a_cylinder_rolls_about_its_axis_alone() {
     let moment = 0.5 * 2.0 * RADIUS * RADIUS;
     let inertia = InertiaTensor::diagonal([0.06, 0.06, moment]).unwrap();
     let body = MassProperties::new(2.0, Position::ZERO, inertia).unwrap();
-    // Its axis, z of the body, along y of space.
+    // The axis z of the body is along y of space.
     let attitude = Rotation::about(Direction::new(1.0, 0.0, 0.0), -FRAC_PI_2).unwrap();
     let shape = SurfaceShape::Cylinder { radius: RADIUS, length: Some(0.5) };
     let contact = Contact { ground, ..Contact::rolling(surface(shape, [0.0; 3])) };
@@ -272,7 +276,8 @@ fn a_cylinder_rolls_about_its_axis_alone() {
     let motion = run(&body, &contact, start, &[1.5]);
     near(motion.samples()[0].contact.norm(), 0.5 * 2.0 / 3.0 * G * slope.sin() * 2.25, 1e-14);
     assert!(motion.energy_drift() < 1e-15);
-    // With its axis 0.2 from the level line it is pulled along it too, and stands as long as that goes through its length.
+    // The axis is 0.2 rad from the level line, so gravity has a component along it. The cylinder
+    // does not tip over while the line of the force passes within its length.
     let turned: Attitude = Rotation::about(normal, 1.3).unwrap() * attitude;
     let short = SurfaceShape::Cylinder { radius: RADIUS, length: Some(0.1) };
     for (shape, tips) in [(shape, false), (short, true)] {
@@ -283,7 +288,8 @@ fn a_cylinder_rolls_about_its_axis_alone() {
     }
 }
 
-/// Without friction the centre of mass of a body on level ground moves evenly, and what turns about the normal keeps L along it.
+/// Without friction, the centre of mass of a body on level ground moves uniformly, and L along the
+/// normal is conserved.
 #[test]
 fn without_friction_nothing_pushes_along_the_ground() {
     let shape = SurfaceShape::Ellipsoid { semi_axes: [0.3, 0.25, 0.2] };

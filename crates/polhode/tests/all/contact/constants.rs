@@ -1,4 +1,4 @@
-//! What stays as it is.
+//! Conserved quantities.
 
 use polhode::math::{Direction, Rotation, Velocity};
 use polhode::motion::contact::{
@@ -14,7 +14,7 @@ fn attitude() -> Attitude {
     Rotation::about(Direction::new(0.48, 0.6, 0.64), 0.8).unwrap()
 }
 
-/// L about the point of contact, space axes.
+/// Returns L about the point of contact, space axes.
 fn momentum_about_contact(body: &MassProperties<Body>, motion: &Held<ContactState>, k: usize) -> [f64; 3] {
     let s = motion.samples()[k];
     let own = Rotor::free(body).angular_momentum_space(&s.state);
@@ -24,7 +24,8 @@ fn momentum_about_contact(body: &MassProperties<Body>, motion: &Held<ContactStat
     [own.x + y * pz - z * py, own.y + z * px - x * pz, own.z + x * py - y * px]
 }
 
-/// A rolling ball with its centre of mass in its middle and three moments keeps its angular momentum about the point of contact (Chaplygin 1903).
+/// A rolling ball with its centre of mass at its centre and three different moments conserves its
+/// angular momentum about the point of contact (Chaplygin 1903).
 #[test]
 fn the_chaplygin_ball_keeps_its_momentum_about_the_contact() {
     let body = generic_body();
@@ -40,7 +41,8 @@ fn the_chaplygin_ball_keeps_its_momentum_about_the_contact() {
     assert!(motion.energy_drift() < 1e-13, "{:e}", motion.energy_drift());
 }
 
-/// A symmetric ball with its centre of mass on its axis, under any friction at its point of contact: L · r stays as it is (Jellett 1872).
+/// A symmetric ball with its centre of mass on its axis conserves L · r under any friction at its
+/// point of contact (Jellett 1872).
 #[test]
 fn a_tippe_top_keeps_jelletts_constant() {
     let inertia = InertiaTensor::diagonal([0.00045, 0.00045, 0.0005]).unwrap();
@@ -69,7 +71,8 @@ fn a_tippe_top_keeps_jelletts_constant() {
     assert!(motion.energy_drift() < 1e-12, "{:e}", motion.energy_drift());
 }
 
-/// Energy less the work of friction stays as it is, of each surface, with and without resistance to rolling and pivoting.
+/// Energy minus the work of friction is conserved, for each surface, with and without resistance to
+/// rolling and pivoting.
 #[test]
 fn energy_and_work_are_in_balance() {
     let body = generic_body();
@@ -106,10 +109,12 @@ fn energy_and_work_are_in_balance() {
     }
 }
 
-/// A disk that rolls on a plane has two constants besides its energy (Appell, Korteweg 1899; Chaplygin 1897). With x = cos θ of its axis and the vertical,
-/// y = Ω sin² θ of the rate Ω of its precession and ω₃ about its axis:
+/// A disk that rolls on a plane has two constants in addition to its energy (Appell, Korteweg 1899;
+/// Chaplygin 1897). Let x = cos θ of its axis and the vertical, y = Ω sin² θ with the rate Ω of its
+/// precession, and ω₃ the rate about its axis:
 ///
-/// dy/dx = −(C/A) ω₃,  dω₃/dx = −(m R²/(C + m R²)) y/(1 − x²),  so that (1 − x²) y″ = κ y,  κ = C m R²/(A (C + m R²)):
+/// dy/dx = −(C/A) ω₃,  dω₃/dx = −(m R²/(C + m R²)) y/(1 − x²),  so that (1 − x²) y″ = κ y,  κ = C m
+/// R²/(A (C + m R²)):
 ///
 /// y = c₁ y₁ + c₂ y₂, with the solutions that are even and odd in x.
 #[test]
@@ -146,7 +151,8 @@ fn a_rolling_disk_keeps_the_two_constants_of_its_tilt() {
     assert!(range > 0.2, "{range}");
 }
 
-/// The even (`first` 0) or odd (1) solution of (1 − x²) y″ = κ y, and its derivative: (n + 2)(n + 1) aₙ₊₂ = (n (n − 1) + κ) aₙ.
+/// Returns the even (`first` 0) or odd (1) solution of (1 − x²) y″ = κ y, and its derivative: (n +
+/// 2)(n + 1) aₙ₊₂ = (n (n − 1) + κ) aₙ.
 fn solution(kappa: f64, first: i32, x: f64) -> [f64; 2] {
     let mut term = 1.0;
     let [mut y, mut slope] = [0.0; 2];

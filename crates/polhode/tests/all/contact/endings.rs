@@ -1,4 +1,4 @@
-//! What ends a motion or one of its phases, against what is known of it.
+//! Ends of motions and of phases, compared with known results.
 
 use polhode::math::{Direction, Rotation, Space, Torque};
 use polhode::motion::contact::{
@@ -12,7 +12,7 @@ use crate::common::held::Held;
 
 use super::{G, ball, generic_body, near, run, state, surface};
 
-/// What ended a motion, if a change of its contact did.
+/// Returns the change of contact that ended a motion, if one did.
 fn ended_by(motion: &Held<ContactState>) -> Option<ContactChange> {
     match motion.ending() {
         Ending::Contact { change, .. } => Some(*change),
@@ -20,7 +20,8 @@ fn ended_by(motion: &Held<ContactState>) -> Option<ContactChange> {
     }
 }
 
-/// What leaves level ground comes back to it, and touches it then: of surfaces whose lowest point has a root in it too.
+/// A body that leaves level ground returns and touches it. This includes surfaces whose lowest
+/// point contains a root.
 #[test]
 fn what_lands_touches_the_ground() {
     let shapes = [
@@ -72,7 +73,8 @@ fn friction_stops_pivoting_and_rolling() {
     near(end.kinetic_energy, 0.0, 1e-15);
 }
 
-/// A lying cylinder that would turn off its line, or pivot, is none; a ground that turns below it neither.
+/// A start is refused if a lying cylinder would turn off its line or pivot, or if the ground turns
+/// below it.
 #[test]
 fn a_cylinder_that_would_not_keep_its_axis_is_refused() {
     let attitude = Rotation::about(Direction::new(1.0, 0.0, 0.0), -core::f64::consts::FRAC_PI_2).unwrap();
@@ -91,12 +93,13 @@ fn a_cylinder_that_would_not_keep_its_axis_is_refused() {
     assert!(refused(&symmetric, Contact { ground, ..rolling }).contains("direction of its axis"));
     let law = ContactLaw::ROLLING.resisted_by(Resistance { rolling: 0.0, pivoting: 1e-3 }).unwrap();
     assert!(refused(&symmetric, Contact { law, ..rolling }).contains("does not pivot"));
-    // What slips without friction never grips.
+    // Slip without friction never ends.
     assert!(ContactLaw::with_friction(Friction { sticking: 0.3, kinetic: 0.0, viscous: 0.1 }).is_err());
 }
 
-/// A disk that falls over without spinning, about the point where it stands or with its middle straight down: its energy says with which rate it lies flat, to
-/// the tilt of 1e-8 that counts as none.
+/// A disk falls over without spin, about its resting point or with its centre moving straight down.
+/// Energy conservation gives the rate at which it lies flat, to within the threshold of inclination
+/// 1e-8.
 #[test]
 fn a_disk_that_falls_over_lies_flat() {
     let (radius, mass, a) = (0.2, 1.7, 0.0313);
@@ -104,7 +107,7 @@ fn a_disk_that_falls_over_lies_flat() {
         MassProperties::new(mass, Position::ZERO, InertiaTensor::diagonal([a, a, 0.0507]).unwrap()).unwrap();
     let tilt = 1.2_f64;
     let rim = surface(SurfaceShape::Rim { radius, tube: 0.0, thickness: 0.0 }, [0.0; 3]);
-    // Along a coordinate axis the components across stay exactly zero.
+    // Along a coordinate axis, the perpendicular components remain exactly zero.
     let axes = [Direction::new(0.6, 0.8, 0.0), Direction::new(1.0, 0.0, 0.0), Direction::new(0.0, 1.0, 0.0)];
     let laws = [ContactLaw::ROLLING, ContactLaw::FRICTIONLESS];
     for (axis, law) in axes.into_iter().flat_map(|axis| laws.map(|law| (axis, law))) {
@@ -113,14 +116,15 @@ fn a_disk_that_falls_over_lies_flat() {
         let motion = run(&body, &Contact { law, ..Contact::rolling(rim) }, start, &[10.0]);
         assert_eq!(ended_by(&motion), Some(ContactChange::LiesFlat));
         let end = motion.samples().last().unwrap();
-        // In both cases the middle falls straight down in the last moment, at R ω.
+        // In both cases the centre moves straight down at the end, at R ω.
         let moment = a + mass * radius * radius;
         near(end.state.omega.norm().powi(2), 2.0 * mass * G * radius * tilt.sin() / moment, 1e-6);
         near(end.center.z, 0.0, 3e-9);
     }
 }
 
-/// A thick disk that leans within its base falls back onto its other rim, turning about the point where it stands.
+/// A thick disk inclined within its base falls back onto its other rim, turning about its resting
+/// point.
 #[test]
 fn a_thick_disk_falls_back_onto_its_other_rim() {
     let (radius, half, mass, a) = (0.2, 0.05, 1.7, 0.0413);
@@ -138,7 +142,7 @@ fn a_thick_disk_falls_back_onto_its_other_rim() {
     let end = motion.samples().last().unwrap();
     near(end.state.omega.norm().powi(2), 2.0 * mass * G * fallen / moment, 1e-10);
     near(end.center.z, radius, 1e-12);
-    // Leaning farther than its base, it lies flat on its face.
+    // A disk inclined beyond its base falls onto its face.
     let attitude = Rotation::about(Direction::new(0.6, 0.8, 0.0), 1.2).unwrap();
     let motion =
         run(&body, &Contact::rolling(rim), ContactStart::rolling(state(attitude, [0.0; 3])), &[10.0]);
@@ -148,7 +152,8 @@ fn a_thick_disk_falls_back_onto_its_other_rim() {
     near(end.state.omega.norm().powi(2), 2.0 * mass * G * fallen / moment, 1e-6);
 }
 
-/// A disk that falls over in a bowl touches it with all of its rim where the sine of its tilt is r/ρ.
+/// A disk that falls over in a bowl touches it with its whole rim where the sine of its inclination
+/// is r/ρ.
 #[test]
 fn a_disk_that_falls_over_in_a_bowl_osculates() {
     let (bowl, radius, mass, a) = (0.9, 0.2, 1.7, 0.0313);
@@ -179,7 +184,7 @@ fn a_disk_that_falls_over_in_a_bowl_osculates() {
     near(end.state.omega.norm().powi(2), 2.0 * mass * G * fallen / moment, 1e-6);
 }
 
-/// A ball with three moments that is held from pivoting until friction is too small for it.
+/// A ball with three moments that friction prevents from pivoting until friction is too small.
 #[test]
 fn a_ball_is_held_from_pivoting_and_pivots_anew() {
     let levers = Resistance { rolling: 0.0, pivoting: 0.002 };
@@ -198,7 +203,8 @@ fn a_ball_is_held_from_pivoting_and_pivots_anew() {
         let time = sample.state.time;
         let pivoting = (sample.state.attitude * sample.state.omega).z;
         let torque: Torque<Space> = sample.state.attitude * sample.torque;
-        // Of the forces at a ball's lowest point only friction against pivoting has a torque about the vertical.
+        // Of the forces at a ball's lowest point, only pivoting friction has a torque about the
+        // vertical.
         if stops.time < time && time < anew.time {
             held += 1;
             near(pivoting, 0.0, 1e-12);
@@ -217,7 +223,8 @@ fn a_ball_is_held_from_pivoting_and_pivots_anew() {
     assert!(pivoting * torque.z < 0.0 && pivoting.abs() > 1e-9, "{pivoting:e}");
 }
 
-/// At N = 0 a body that rolls may need friction that nothing has: without it, it would enter the ground, and it does not fly.
+/// At N = 0, rolling may require friction that is not available. Without it the body would
+/// penetrate the ground, so it does not lift off.
 #[test]
 fn what_friction_held_down_does_not_lift_off() {
     let inertia = InertiaTensor::diagonal([0.004, 0.006, 0.005]).unwrap();
@@ -233,7 +240,8 @@ fn what_friction_held_down_does_not_lift_off() {
     assert_eq!(motion.changes(), []);
 }
 
-/// `states` has the states of a run as far as that is known, and refuses one that ends before.
+/// `states` returns the states of a run as far as the motion is known, and refuses a run that ends
+/// earlier.
 #[test]
 fn states_end_where_the_contact_does() {
     let (radius, mass, a) = (0.2, 1.7, 0.0313);

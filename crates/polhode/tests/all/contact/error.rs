@@ -1,4 +1,4 @@
-//! The estimate of the error of a motion on the ground.
+//! Error estimate of a motion on the ground.
 
 use polhode::math::{Direction, Rotation};
 use polhode::motion::contact::{Contact, ContactChange, ContactLaw, Friction, StartVelocity, SurfaceShape};
@@ -20,7 +20,8 @@ fn motion_of(omega: [f64; 3], contact: Contact, tolerance: f64, end: f64) -> Tra
     scenario.simulate_with_error(ErrorEffort::Thorough, &mut |_| true).unwrap().unwrap()
 }
 
-/// Of what rolls and of what slips and grips, with the loosest steps (which a tolerance of 1e-4 has too) and with tighter ones.
+/// Rolling, slipping and gripping, with the loosest steps (as with a tolerance of 1e-4) and with
+/// tighter ones.
 #[test]
 fn an_estimate_is_not_below_half_of_the_error() {
     let shape = SurfaceShape::Ellipsoid { semi_axes: [0.3, 0.25, 0.2] };
@@ -45,13 +46,14 @@ fn an_estimate_is_not_below_half_of_the_error() {
                 );
             }
         }
-        // It says something: rounding and its growth.
+        // The estimate is not trivial: it includes rounding and its growth.
         let end = reference.error().unwrap().end().attitude;
         assert!(end > 1e-16 && end < 1e-6, "{end:e}");
     }
 }
 
-/// A ball that is spun fast leaves the ground and comes back: the end moves with the error, and is still an end.
+/// A ball with a fast spin leaves the ground and returns. The time of the end varies with the
+/// error, but it remains an end.
 #[test]
 fn an_end_by_a_change_of_the_contact_has_an_error() {
     let ball = surface(SurfaceShape::Sphere { radius: 0.3 }, [0.05, -0.06, 0.04]);
@@ -63,7 +65,7 @@ fn an_end_by_a_change_of_the_contact_has_an_error() {
     assert!(end > 1e-16 && end < 1e-9, "{end:e}");
 }
 
-/// Rolling is smooth, and is computed by collocation; slipping with dry friction by Taylor series.
+/// Rolling is smooth and is computed by collocation; slipping with dry friction by Taylor series.
 #[test]
 fn the_stated_solver_is_the_one_that_ran() {
     let shape = SurfaceShape::Ellipsoid { semi_axes: [0.3, 0.25, 0.2] };

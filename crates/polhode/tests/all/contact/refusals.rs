@@ -1,4 +1,4 @@
-//! Starts that no motion has, and contacts that cannot be.
+//! Impossible starts and impossible contacts.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -16,7 +16,7 @@ fn error(body: &MassProperties<Body>, contact: Contact, start: ContactStart) -> 
     Simulation::on_ground(body, &contact, start, &[1.0]).run().unwrap_err()
 }
 
-/// The parameter that is refused.
+/// Returns the parameter that is refused.
 fn refused(body: &MassProperties<Body>, contact: Contact, start: ContactStart) -> String {
     let error = error(body, contact, start);
     assert!(error.is_parameter(), "{error}");
@@ -62,7 +62,7 @@ fn bodies_and_grounds_that_cannot_be_are_refused() {
     assert!(refused(&generic_body(), contact, ContactStart { at, ..start }).contains("more than one point"));
     let thick = surface(SurfaceShape::Rim { radius: 0.2, tube: 0.0, thickness: 0.02 }, [0.0; 3]);
     let upright = Rotation::about(Direction::new(1.0, 0.0, 0.0), FRAC_PI_2).unwrap();
-    // An exact right angle: the axis of the disk along x.
+    // An exact right angle: the axis of the disk is along x.
     let exact = Rotation::from_matrix([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]).unwrap();
     let stands = ContactStart::rolling(state(exact, [0.0, 0.0, 3.0]));
     assert!(refused(&generic_body(), Contact::rolling(thick), stands).contains("both of its rims"));
@@ -105,7 +105,8 @@ fn numbers_that_cannot_be_are_refused() {
     assert!(ContactLaw::ROLLING.resisted_by(Resistance { rolling: -1.0, pivoting: 0.0 }).is_err());
 }
 
-/// A rod that is pushed along the ground with its lower end ahead: no normal force is large enough (Painlevé 1895).
+/// A rod that is pushed along the ground with its lower end ahead: no normal force is large enough
+/// (Painlevé 1895).
 #[test]
 fn painleves_paradox_is_named() {
     let inertia = InertiaTensor::diagonal([0.0005, 0.084, 0.084]).unwrap();
@@ -113,13 +114,13 @@ fn painleves_paradox_is_named() {
     let rod = surface(SurfaceShape::Ellipsoid { semi_axes: [0.5, 0.03, 0.03] }, [0.0; 3]);
     let friction = Friction { sticking: 1.8, kinetic: 1.8, viscous: 0.0 };
     let contact = Contact { law: ContactLaw::with_friction(friction).unwrap(), ..Contact::rolling(rod) };
-    // Its x axis leans by 0.95 rad from the level, its upper end towards +x.
+    // The x axis is at 0.95 rad from the level, its upper end towards +x.
     let attitude = Rotation::about(Direction::new(0.0, 1.0, 0.0), -0.95).unwrap();
     let start = |v: f64| ContactStart {
         velocity: StartVelocity::Along(Velocity::new(v, 0.0, 0.0)),
         ..ContactStart::rolling(state(attitude, [0.0; 3]))
     };
-    // Drawn behind its upper end it slides.
+    // Drawn with its upper end ahead, it slides.
     let found = [1.0, -1.0].map(|v| Simulation::on_ground(&body, &contact, start(v), &[0.01]).run());
     let paradox = |r: &Result<_, _>| matches!(r, Err(MotionError::Painleve { .. }));
     assert_eq!(found.each_ref().map(paradox), [false, true], "{found:?}");

@@ -1,4 +1,5 @@
-//! Against motions of 36 digits, which another formulation of mechanics gives: `fixtures/contact.py`.
+//! Motions compared with references of 36 digits from another formulation of mechanics:
+//! `fixtures/contact.py`.
 
 use polhode::math::{Acceleration, Direction, Rotation, Velocity};
 use polhode::motion::contact::{
@@ -17,13 +18,13 @@ fn motions_are_those_of_another_formulation() {
     for case in cases(&table, "case") {
         let worst = error_of(case);
         let name = case["name"].as_str().unwrap();
-        // Friction in the first moments of a slip is as uncertain as its direction.
+        // Just after the onset of slip, friction is as uncertain as the direction of slip.
         let bound = if case["event"].as_str() == Some("slip") { 2e-12 } else { 1e-13 };
         assert!(worst < bound, "{name}: {worst:.2e}");
     }
 }
 
-/// The largest relative difference of what is stored.
+/// Returns the largest relative difference of the stored quantities.
 fn error_of(case: &Table) -> f64 {
     let name = case["name"].as_str().unwrap();
     let text = |key: &str| case[key].as_str().unwrap();
@@ -94,7 +95,7 @@ fn error_of(case: &Table) -> f64 {
     }
     let at_event = |t: f64| text("event") != "none" && (t - number(&case["event_t"])).abs() < 1e-9;
     for (sample, row) in motion.samples().iter().zip(&rows) {
-        // On which side of an event a sample is, rounding decides.
+        // Rounding determines on which side of an event a sample is.
         if at_event(sample.state.time) {
             continue;
         }
@@ -106,7 +107,7 @@ fn error_of(case: &Table) -> f64 {
     worst
 }
 
-/// Each number relative to the largest of its kind.
+/// Returns the difference of each number relative to the largest of its kind.
 fn error_of_sample(sample: &ContactState, row: &Table, body: &MassProperties<Body>) -> f64 {
     let wanted = |key: &str| numbers::<3>(&row[key]);
     let phase = match row["phase"].as_str().unwrap() {

@@ -1,11 +1,11 @@
-//! Voxel grids against assemblies of boxes and cubature.
+//! Voxel grids compared with assemblies of boxes and with cubature.
 
 use polhode::body::density::{Cubature, Solid, VoxelGrid, mass_properties_of_field};
 use polhode::prelude::*;
 
 use super::Random;
 
-/// Random voxels in a slanted lattice, some of them empty.
+/// Returns random voxels in a slanted lattice, some of them empty.
 fn voxels(counts: [usize; 3], random: &mut Random) -> Vec<f64> {
     let n: usize = counts.iter().product();
     (0..n).map(|_| if random.below(3) == 0 { 0.0 } else { 1000.0 + 500.0 * random.next() }).collect()
@@ -19,7 +19,7 @@ fn a_voxel_grid_is_the_assembly_of_its_boxes() {
     for counts in [[3, 4, 5], [1, 1, 1], [7, 1, 2], [2, 5, 1]] {
         let values = voxels(counts, &mut random).iter().map(|v| v + 1.0).collect::<Vec<_>>();
         let size = [0.02, 0.035, 0.05];
-        // The lattice stands along the turned axes: step k is column k of R.
+        // The lattice is along the rotated axes: step k is column k of R.
         let steps = std::array::from_fn(|k| std::array::from_fn(|x| rows[x][k] * size[k]));
         let grid = VoxelGrid::new([0.7, -1.3, 0.4], steps, counts).unwrap();
         let body = grid.mass_properties(|voxel| values[voxel]).unwrap();
@@ -59,7 +59,7 @@ fn a_trilinear_density_is_integrated_exactly_by_the_trilinear_reading() {
     let steps = [[size[0], 0.0, 0.0], [0.0, size[1], 0.0], [0.0, 0.0, size[2]]];
     let grid = VoxelGrid::new(origin, steps, counts).unwrap();
     let read = grid.mass_properties(|voxel| values[voxel]).unwrap();
-    // The same function by cubature over every half voxel, on which it is a polynomial.
+    // The same function by cubature over every half voxel, where it is a polynomial.
     let at = |index: [usize; 3]| values[index[0] + counts[0] * (index[1] + counts[1] * index[2])];
     let field = |p: [f64; 3]| {
         let place: [f64; 3] =
@@ -85,7 +85,7 @@ fn a_trilinear_density_is_integrated_exactly_by_the_trilinear_reading() {
         let middle: [f64; 3] = std::array::from_fn(|k| (index[k] as f64 + 0.5) * 0.5 * size[k]);
         let local = |p: [f64; 3]| field(std::array::from_fn(|k| p[k] + middle[k]));
         let cubature = Cubature { tolerance: 1e-13, ..Cubature::default() };
-        // An eighth without any mass is none.
+        // An octant without mass is skipped.
         if let Ok(body) = mass_properties_of_field(Solid::Shape(&half), &local, cubature) {
             let part = body.properties;
             parts.push(PlacedPart::new(part, Position::from_array(middle), Rotation::identity()).unwrap());
@@ -101,7 +101,7 @@ fn a_trilinear_density_is_integrated_exactly_by_the_trilinear_reading() {
     for k in 0..9 {
         assert!((got[k / 3][k % 3] - exact[k / 3][k % 3]).abs() < 1e-15 * trace);
     }
-    // The estimate is how far the two readings are apart.
+    // The estimate is the difference of the two interpretations.
     let (a, b) = (read.properties.center_of_mass(), read.trilinear.center_of_mass());
     assert!((a - b).norm() > 1e-4 && (a - b).norm() <= read.error_estimate.center_of_mass);
     assert!(read.error_estimate.inertia > 1e-3 && read.error_estimate.inertia < 0.5);

@@ -1,4 +1,4 @@
-//! Events: how their times change, and what a switch makes of that.
+//! Derivatives of event times, and of motions with switches.
 
 use polhode::math::formula::{Formula, Instruction, Unary};
 use polhode::motion::torque::{Drag, DragLaw, TorqueParameter};
@@ -20,7 +20,7 @@ fn event(measure: Measure, value: f64, action: EventAction) -> Event {
     Event::new("event", measure, value, Sense::Either, action).unwrap()
 }
 
-/// The first crossing: its time, and the state there.
+/// Returns the first crossing: its time and state.
 fn crossing(problem: &Problem) -> State {
     let rotor = problem.rotor();
     let motion = problem.simulation(&rotor, &[6.0]).method(Method::Taylor).tolerance(1e-15).run().unwrap();
@@ -61,7 +61,7 @@ fn measures() -> Vec<(Measure, f64)> {
     ] {
         all.push(Measure::Tilt { body, space });
     }
-    // The value that it has at t = 1.2: it is passed there.
+    // The value of the measure at t = 1.2, which is therefore crossed there.
     let problem = problem(Vec::new());
     let rotor = problem.rotor();
     let state = problem.states(&[1.2])[0];
@@ -145,7 +145,8 @@ fn times_of_events_change_as_those_of_whole_runs() {
 
 #[test]
 fn a_switch_changes_the_motion_after_it() {
-    // The push begins where a nutation is passed, and ends with |ω|: two switches, and a sample between them.
+    // The push begins at a nutation and ends at a value of |ω|: two switches, with a sample between
+    // them.
     let on = EventAction::Switch { torque: 0, on: true };
     let off = EventAction::Switch { torque: 0, on: false };
     let rising = |measure, value, action| Event::new("e", measure, value, Sense::Rising, action).unwrap();
@@ -164,7 +165,7 @@ fn a_switch_changes_the_motion_after_it() {
     let motion = switched.derivatives(&[], &times);
     assert!(motion.events.len() >= 2, "{:?}", motion.events.len());
     check("switched", &switched, &times, 1e-7);
-    // Friction inside the body changes Ω at once where it is switched.
+    // An energy sink changes Ω discontinuously where it is switched on.
     let sink = TorqueModel::EnergySink(polhode::motion::torque::EnergySink::new(0.05).unwrap());
     let rate = Measure::OmegaBody(Direction::new(0.0, 0.0, 1.0));
     let value = Problem::free(vec![push()]).states(&[1.0])[0].omega.z;

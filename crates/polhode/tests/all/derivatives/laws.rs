@@ -1,4 +1,4 @@
-//! What holds of all derivatives.
+//! Properties of all derivatives.
 
 use polhode::motion::torque::{Drag, DragLaw, Magnetic, MagneticField, TorqueParameter, Torsion};
 use polhode::prelude::*;
@@ -44,7 +44,7 @@ fn a_free_motion_does_not_know_the_size_of_the_body() {
 
 #[test]
 fn conservative_motions_are_symplectic() {
-    // θ₁ · I δω₂ − θ₂ · I δω₁ + L · (θ₁ × θ₂) of two changes is kept.
+    // θ₁ · I δω₂ − θ₂ · I δω₁ + L · (θ₁ × θ₂) of two changes is conserved.
     let field = MagneticField::Uniform(Direction::new(0.9, -1.1, 0.4));
     let magnet = Magnetic { moment: Direction::new(0.3, 1.2, -0.7), field };
     let rest = Attitude::from_quaternion([0.5, -0.6, 1.0, 0.4]).unwrap();
@@ -104,7 +104,8 @@ fn a_joint_covariance_is_that_of_motions_that_differ_together() {
         },
         0.02,
     ));
-    // Three directions in which start, tensor and torque differ together: Σ v vᵀ is carried to Σ (J v)(J v)ᵀ.
+    // Three directions in which start, tensor and torque vary together: Σ v vᵀ is mapped to Σ (J
+    // v)(J v)ᵀ.
     let directions: Vec<Vec<f64>> =
         (0..3).map(|n| (0..13).map(|k| (f64::from(7 * n + 3 * k) * 0.61).sin()).collect()).collect();
     let sum = |of: &dyn Fn(&[f64]) -> f64| directions.iter().map(|v| of(v)).sum::<f64>();
@@ -133,13 +134,13 @@ fn what_has_no_derivatives_is_refused() {
     let problem = Problem::free(vec![function]);
     let refused = problem.simulation(&problem.rotor(), &[1.0]).run_with_derivatives(&[]);
     assert!(matches!(refused, Err(MotionError::NotSmooth { torque: 0, .. })));
-    // Quadratic drag has no second derivative at rest, but it has a first one; nothing is made of 0/0.
+    // Quadratic drag has no second derivative at rest, but a first one; 0/0 does not occur.
     let drag = Drag::new(DragLaw::Quadratic, [[0.5, 0.0, 0.0], [0.0, 0.4, 0.0], [0.0, 0.0, 0.7]]).unwrap();
     let mut problem = Problem::free(vec![TorqueModel::Drag(drag)]);
     problem.start.omega = AngularVelocity::ZERO;
     let refused = problem.simulation(&problem.rotor(), &[1.0]).run_with_derivatives(&[]);
     assert!(matches!(refused, Err(MotionError::NoMotionDerivatives { .. })), "{refused:?}");
-    // A rod.
+    // The tensor of a rod.
     let line = InertiaTensor::diagonal([0.0, 1.0, 1.0]).unwrap();
     let rod = Rotor::free(&MassProperties::new(1.0, Position::ZERO, line).unwrap());
     let start = State { omega: AngularVelocity::new(0.0, 1.0, 2.0), ..problem.start };

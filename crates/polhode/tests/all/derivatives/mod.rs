@@ -1,4 +1,5 @@
-//! Derivatives of motions: against differences of whole runs, the differential equations, and what must hold of them.
+//! Derivatives of motions, compared with differences of whole runs, with the differential
+//! equations, and with general properties.
 
 mod events;
 mod laws;
@@ -8,10 +9,11 @@ use polhode::motion::torque::TorqueParameter;
 use polhode::motion::{StateDerivatives, TrajectoryDerivatives};
 use polhode::prelude::*;
 
-/// The tensor about the point that the body turns about has these elements and more: xx, yy, zz, xy, xz, yz.
+/// Tensor elements xx, yy, zz, xy, xz, yz about the centre of mass; the tensor about the point of
+/// rotation is larger.
 const ELEMENTS: [f64; 6] = [3.1, 4.2, 5.3, 0.4, -0.3, 0.2];
 
-/// What is run: a body by its tensor about the centre of mass, the torques on it, and the start.
+/// Problem to run: a body by its tensor about the centre of mass, its torques, and the start.
 #[derive(Clone)]
 struct Problem {
     elements: [f64; 6],
@@ -59,7 +61,7 @@ impl Problem {
         self.simulation(&self.rotor(), times).run_with_derivatives(parameters).unwrap()
     }
 
-    /// The same with one of the twelve numbers of the start and the tensor changed: θ, ω, elements.
+    /// Changes one of the twelve numbers of the start and the tensor: θ, ω, elements.
     fn changed(&self, column: usize, by: f64) -> Self {
         let mut other = self.clone();
         let axis = core::array::from_fn(|k| if k == column % 3 { by } else { 0.0 });
@@ -72,7 +74,7 @@ impl Problem {
     }
 }
 
-/// R exp(θ)
+/// Returns R exp(θ).
 fn turned(attitude: Attitude, theta: [f64; 3]) -> Attitude {
     let angle = theta.iter().map(|x| x * x).sum::<f64>().sqrt();
     let half = if angle == 0.0 { 0.5 } else { (0.5 * angle).sin() / angle };
@@ -84,7 +86,7 @@ fn cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
-/// From one state to another: θ and ω.
+/// Returns the difference of two states: θ and ω.
 fn between(from: &State, to: &State) -> [f64; 6] {
     let [w, x, y, z] = (from.attitude.inverse() * to.attitude).canonical_quaternion();
     let sine = (x * x + y * y + z * z).sqrt();
@@ -93,7 +95,8 @@ fn between(from: &State, to: &State) -> [f64; 6] {
     [scale * x, scale * y, scale * z, a, b, c]
 }
 
-/// f′(0) by central differences over h, h/2, h/4 …, extrapolated: the best of the table (Ridders).
+/// Computes f′(0) by central differences over h, h/2, h/4 …, extrapolated; the best value of the
+/// table (Ridders).
 fn derivative(f: impl Fn(f64) -> Vec<f64>, h: f64) -> Vec<f64> {
     let mut best: Option<(Vec<f64>, f64)> = None;
     let mut previous: Vec<Vec<f64>> = Vec::new();
@@ -121,21 +124,21 @@ fn derivative(f: impl Fn(f64) -> Vec<f64>, h: f64) -> Vec<f64> {
     best.unwrap().0
 }
 
-/// The columns of a state's derivatives by the start and the inertia.
+/// Returns the columns of a state's derivatives with respect to the start and the inertia.
 fn columns(derivatives: &StateDerivatives) -> Vec<[f64; 6]> {
     let of = |matrix: &[[f64; 6]; 6], k: usize| matrix.map(|row| row[k]);
     let start = (0..6).map(|k| of(&derivatives.by_start, k));
     start.chain((0..6).map(|k| of(&derivatives.by_inertia, k))).collect()
 }
 
-/// |a − b| at most, relative to the largest of b, and to 1.
+/// Returns max |a − b|, relative to the largest of |b| and 1.
 fn difference(a: &[f64], b: &[f64]) -> f64 {
     let scale = b.iter().fold(1.0, |most: f64, x| most.max(x.abs()));
     assert_eq!(a.len(), b.len());
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / scale
 }
 
-/// Differences of whole runs in all columns by the start and the inertia.
+/// Computes all columns with respect to the start and the inertia by differences of whole runs.
 fn differenced(problem: &Problem, times: &[f64]) -> Vec<Vec<f64>> {
     let here = problem.states(times);
     let of = |other: &Problem| -> Vec<f64> {
@@ -144,7 +147,7 @@ fn differenced(problem: &Problem, times: &[f64]) -> Vec<Vec<f64>> {
     (0..12).map(|column| derivative(|h| of(&problem.changed(column, h)), 0.02)).collect()
 }
 
-/// That the derivatives of a problem are its differences; the greatest difference.
+/// Checks that the derivatives of a problem agree with differences; returns the largest deviation.
 fn check(name: &str, problem: &Problem, times: &[f64], tolerance: f64) {
     let motion = problem.derivatives(&[], times);
     assert_eq!(motion.states.len(), times.len(), "{name}: {:?}", motion.ending);

@@ -1,4 +1,5 @@
-//! Every model of torque at a generic point: the derivatives are those of whole runs, and they follow the differential equations.
+//! Every torque model at a generic point: the derivatives agree with those of whole runs, and
+//! satisfy the differential equations.
 
 use polhode::math::formula::{Binary, Formula, Instruction, Unary};
 use polhode::motion::torque::{
@@ -35,7 +36,7 @@ fn rest() -> Attitude {
     Attitude::from_quaternion([0.5, -0.6, 1.0, 0.4]).unwrap()
 }
 
-/// N = −c |ω|ᵖ ω + k sin(r₁₂) x̂, of parameters c, p and k.
+/// Torque N = −c |ω|ᵖ ω + k sin(r₁₂) x̂ with the parameters c, p and k.
 #[derive(Debug)]
 struct Own {
     c: f64,
@@ -58,7 +59,7 @@ impl Law for Own {
     }
 }
 
-/// Formulas with every smooth function.
+/// Returns a torque by formulas with every smooth function.
 fn formula() -> TorqueModel {
     let variable = |name| {
         let place = StateVariables::NAMES.iter().position(|known| *known == name).unwrap();
@@ -148,7 +149,7 @@ fn dipole() -> MagneticField {
     MagneticField::Dipole { dipole: Direction::new(3e7, -2e7, 5e7), orbit: orbit() }
 }
 
-/// All models, by names.
+/// Returns all models, by name.
 fn models() -> Vec<(&'static str, Problem)> {
     let gravity = TorqueModel::Gravity(UniformGravity { acceleration: Acceleration::new(1.1, -2.2, -8.7) });
     let uniform = MagneticField::Uniform(Direction::new(0.9, -1.1, 0.4));
@@ -222,8 +223,9 @@ fn derivatives_are_those_of_whole_runs() {
 
 #[test]
 fn derivatives_follow_the_differential_equations() {
-    // θ̇ = θ × ω + δω, I δω̇ = δL × ω + L × δω + ∂N/∂θ θ + ∂N/∂ω δω, and δL × ω − δI ω̇ more by the inertia, N being of torques that do not
-    // know it: with Jacobians of the torques, which are found in another way.
+    // θ̇ = θ × ω + δω and I δω̇ = δL × ω + L × δω + ∂N/∂θ θ + ∂N/∂ω δω. Derivatives with respect to
+    // the inertia add δL × ω − δI ω̇, for torques that do not depend on it. The Jacobians of the
+    // torques are computed independently.
     for (name, problem) in models() {
         if name.contains("friction") || name == "sink" {
             continue;
@@ -277,7 +279,7 @@ fn derivatives_follow_the_differential_equations() {
     }
 }
 
-/// A torque with a number changed, by the number's name.
+/// A torque with one number changed, by the name of the number.
 type Changed = (&'static str, Problem, &'static str, Box<dyn Fn(f64) -> TorqueModel>);
 
 #[test]
@@ -391,7 +393,7 @@ fn parameters_are_those_of_whole_runs() {
     };
     cases.push(("scheduled", Problem::free(Vec::new()), "z", Box::new(timed)));
     for (title, problem, name, torque) in cases {
-        // Among others, so that places count.
+        // Among other torques, to test the index.
         let with = |h: f64| {
             let torques = vec![gradient(orbit(), Attracted::Tensor), torque(h), drag(DragLaw::Linear)];
             Problem { torques, ..problem.clone() }

@@ -1,10 +1,10 @@
-//! Double-double numbers: some 31 digits.
+//! Double-double numbers with about 31 digits.
 //!
 //! Source: T. J. Dekker, Numer. Math. 18 (1971) 224.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The sum of two doubles, the second below half a unit in the last place of the first.
+/// Sum of two doubles, the second below half an ulp of the first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Double(pub(crate) f64, pub(crate) f64);
 

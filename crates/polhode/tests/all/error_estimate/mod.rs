@@ -24,14 +24,14 @@ use scenario::{Random, RandomScenario};
 const TOLERANCES: [f64; 14] =
     [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15];
 
-/// The seeds of the scenarios, and their longest duration in turns.
+/// Returns the seeds of the scenarios, and their longest duration in turns.
 fn scenarios() -> (std::ops::Range<u64>, f64) {
     let Ok(text) = std::env::var("POLHODE_SCENARIOS") else { return (1000..1036, 5.0) };
     let (first, end) = text.split_once("..").unwrap();
     (first.parse().unwrap()..end.parse().unwrap(), 100.0)
 }
 
-/// The times of the samples, and every how many of them are compared.
+/// Returns the times of the samples, and the stride of the compared ones.
 fn times(random: &mut Random, end: f64) -> (Vec<f64>, usize) {
     let samples = [1_usize, 2, 5, 40, 1200][random.below(5)];
     ((1..=samples).map(|k| end * (k as f64 / samples as f64)).collect(), samples.div_ceil(4))
@@ -40,7 +40,7 @@ fn times(random: &mut Random, end: f64) -> (Vec<f64>, usize) {
 #[test]
 fn at_every_tolerance_no_stated_error_is_below_half_of_the_true_one() {
     let (seeds, most) = scenarios();
-    // Stated over true errors at each tolerance, and the seeds.
+    // Ratios of stated to true errors at each tolerance, and the seeds.
     let mut table: Vec<Vec<(f64, u64)>> = vec![Vec::new(); TOLERANCES.len()];
     let mut low = Vec::new();
     for seed in seeds {
@@ -88,7 +88,8 @@ fn at_every_tolerance_no_stated_error_is_below_half_of_the_true_one() {
     );
 }
 
-/// The stated error of a free motion is that of the formulas. True errors are below it, whatever the body and the attitude.
+/// The stated error of a free motion is that of the closed form. True errors are below it, for
+/// every body and attitude.
 #[test]
 fn the_stated_error_of_a_free_motion_bounds_the_true_one() {
     let (seeds, most) = scenarios();
@@ -114,9 +115,9 @@ fn the_stated_error_of_a_free_motion_bounds_the_true_one() {
     );
 }
 
-/// Derivatives of symmetric tops by the tensor, against differences of true motions: each column of
-/// θ and of ω relative to its own size and to 1e-2 of that of all six, as a column of a body that
-/// hardly wobbles is small because large parts cancel.
+/// Derivatives of symmetric tops with respect to the tensor, compared with differences of true
+/// motions. Each column of θ and of ω is relative to its own size and to 1e-2 of that of all six. A
+/// column of a body that hardly wobbles is small because large parts cancel.
 #[test]
 fn derivatives_of_symmetric_tops_are_differences_of_true_motions() {
     const H: f64 = 1e-9;
@@ -151,13 +152,14 @@ fn derivatives_of_symmetric_tops_are_differences_of_true_motions() {
         }
     }
     println!("{worst:?}");
-    // θ by the diagonal elements that break the symmetry has fewer digits, as the documentation states; the axis is x, y or z.
+    // Derivatives of θ with respect to the diagonal elements that break the symmetry have fewer
+    // digits, as documented; the axis is x, y or z.
     let [theta, omega] = worst;
     assert!(theta[..3].iter().all(|e| *e < 2e-11), "{theta:?}");
     assert!(theta[3..].iter().chain(&omega).all(|e| *e < 2e-13), "{theta:?} {omega:?}");
 }
 
-/// Runs whose loose steps are set by the end of the run and by pulses, not by the tolerance.
+/// Runs whose loose steps are limited by the end of the run and by pulses, not by the tolerance.
 #[test]
 fn steps_that_the_end_or_a_pulse_sets_have_their_error_stated() {
     let space = TorqueModel::Constant(ConstantTorque::Space(Torque::new(-0.06, 0.014, 0.03)));
@@ -193,7 +195,7 @@ fn steps_that_the_end_or_a_pulse_sets_have_their_error_stated() {
                 let run = run.run_with_error(ErrorEffort::Auto, &mut |_| true).unwrap();
                 let stated = run.error().unwrap().end().attitude;
                 let off = run.samples()[0].state.attitude.angle_to(best.samples()[0].state.attitude);
-                // The reference itself is good to 1e-14 rad.
+                // The reference itself is accurate to 1e-14 rad.
                 assert!(stated >= 0.5 * (off - 1e-14), "{method:?} {tolerance:e}: {stated:e} of {off:e}");
                 if tolerance == 1e-2 && method == Method::Taylor {
                     assert!(off > 1e-9 && stated < 20.0 * off, "{stated:e} of {off:e}");

@@ -1,5 +1,5 @@
 //! True motions: equations of motion with quadratic right-hand sides, by Taylor's method of order
-//! 30 in double-double numbers.
+//! 30 in double-double arithmetic.
 //!
 //! Nothing is shared with the library: the equations are stated along body axes, with the full
 //! tensor about the centre of mass or the pivot.
@@ -10,10 +10,10 @@ use super::double::Double;
 
 const ORDER: usize = 30;
 
-/// The error of a step, relative to the largest variable of its kind.
+/// Error of a step, relative to the largest variable of its kind.
 const REMAINDER: f64 = 1e-27;
 
-/// A polynomial of the second degree: coefficients of products of two variables; variable 0 is the number 1.
+/// Polynomial of degree two: coefficients of products of two variables; variable 0 is the number 1.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Polynomial(BTreeMap<[usize; 2], Double>);
 
@@ -22,7 +22,7 @@ impl Polynomial {
         Self([([0, 0], x)].into())
     }
 
-    /// A variable.
+    /// Returns a variable.
     pub(super) fn variable(k: usize) -> Self {
         Self([([0, k], Double::of(1.0))].into())
     }
@@ -39,7 +39,7 @@ impl Polynomial {
         Self(self.0.iter().map(|(&product, &factor)| (product, factor * by)).collect())
     }
 
-    /// The product of two linear polynomials.
+    /// Returns the product of two linear polynomials.
     pub(super) fn product(&self, other: &Self) -> Self {
         let mut all = Self::default();
         for ([_, j], a) in &self.0 {
@@ -76,10 +76,10 @@ pub(super) fn image(matrix: &[[Double; 3]; 3], a: &Polynomials) -> Polynomials {
     std::array::from_fn(|i| (0..3).fold(Polynomial::default(), |sum, k| sum.plus(&a[k].times(matrix[i][k]))))
 }
 
-/// ẏ as polynomials of y, y₀ = 1.
+/// ẏ as polynomials of y, with y₀ = 1.
 pub(super) struct System {
     products: Vec<[usize; 2]>,
-    /// The products in the rate of each variable from 1 on, and their factors.
+    /// Products in the rate of each variable from 1 on, and their coefficients.
     rates: Vec<Vec<(usize, Double)>>,
 }
 
@@ -112,7 +112,7 @@ impl System {
         }
     }
 
-    /// The series of each variable from 1 on.
+    /// Returns the series of each variable from 1 on.
     fn series(&self, y: &[Double]) -> Vec<[Double; ORDER + 1]> {
         let mut series = vec![[Double::ZERO; ORDER + 1]; y.len() - 1];
         for (series, y) in series.iter_mut().zip(&y[1..]) {
@@ -141,8 +141,8 @@ impl System {
     }
 }
 
-/// The step at which the last two terms are as small as they should be, in each group of variables
-/// relative to its largest: ω, the quaternion, and vectors.
+/// Returns the step at which the last two terms meet the tolerance. They are relative to the
+/// largest variable of each group: ω, the quaternion, and vectors.
 fn step(series: &[[Double; ORDER + 1]]) -> f64 {
     let mut step = f64::INFINITY;
     let [omega, others] = [&series[..3], &series[3..]];

@@ -17,7 +17,7 @@ impl Random {
         Self(seed)
     }
 
-    /// Uniform from 0 to 1 (SplitMix64).
+    /// Returns a uniform number from 0 to 1 (SplitMix64).
     pub(super) fn unit(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -58,7 +58,7 @@ impl Random {
         }
     }
 
-    /// A tensor about the centre of mass: distinct moments, two nearly equal, or all three.
+    /// Returns a tensor about the centre of mass: distinct moments, two nearly equal, or all three.
     pub(super) fn inertia(&mut self) -> InertiaTensor<Body> {
         let near = self.log(1e-9, 1e-2);
         let [a, b, c] = [0; 3].map(|_| self.between(0.15, 1.5));
@@ -67,7 +67,7 @@ impl Random {
             1 => [a, a * (1.0 + near), a * (1.0 - 0.7 * near)],
             _ => [a, b, c],
         };
-        // second moments, so that a body has them
+        // second moments are given, so that the tensor is physical
         let moments = [b + c, a + c, a + b];
         let rows = self.attitude().matrix();
         let of = |i: usize, j: usize| (0..3).map(|k| rows[i][k] * rows[j][k] * moments[k]).sum::<f64>();
@@ -76,7 +76,7 @@ impl Random {
     }
 }
 
-/// A torque of the true motion: when it acts, and its value along body axes.
+/// Torque of the true motion: its times, and its value along body axes.
 struct Acting {
     window: [f64; 2],
     own: Own,
@@ -84,7 +84,7 @@ struct Acting {
 
 enum Own {
     Body([f64; 3]),
-    /// A vector fixed in space, and the arm it pulls at, if it is a force.
+    /// Vector fixed in space, and the arm of the force if it is one.
     Space([f64; 3], Option<[Double; 3]>),
     Damping([[f64; 3]; 3]),
     Gradient {
@@ -102,7 +102,7 @@ pub(super) struct RandomScenario {
     pub(super) end: f64,
     acting: Vec<Acting>,
     inertia: [[Double; 3]; 3],
-    /// The angular momentum of the wheels, body axes.
+    /// Angular momentum of the wheels, body axes.
     wheels: [Double; 3],
 }
 
@@ -117,7 +117,8 @@ const TURN: usize = 4;
 const VECTORS: usize = 8;
 
 impl RandomScenario {
-    /// `most`: the most turns of the body, of some hundredths on.
+    /// Creates a random scenario; `most` is the largest number of turns of the body, the smallest
+    /// is some hundredths.
     pub(super) fn new(random: &mut Random, most: f64) -> Self {
         let tensor = random.inertia();
         let mass = random.log(0.3, 3.0);
@@ -191,7 +192,7 @@ impl RandomScenario {
         scenario
     }
 
-    /// A free body with a diagonal tensor, one element of which is off by a number.
+    /// Creates a free body with a diagonal tensor, one element of which is changed by a number.
     pub(super) fn of_diagonal(moments: [f64; 3], omega: [f64; 3], end: f64, off: ([usize; 2], f64)) -> Self {
         let body =
             MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal(moments).unwrap()).unwrap();
@@ -208,7 +209,7 @@ impl RandomScenario {
         Self { rotor: Rotor::free(&body), torques, start, end, acting, inertia, wheels }
     }
 
-    /// The same without torques and wheels, its tensor exactly that of the rotor.
+    /// Returns the scenario without torques and wheels, with exactly the tensor of the rotor.
     pub(super) fn free(mut self) -> Self {
         self.rotor = self.rotor.clone().with_wheels(&[]).unwrap();
         self.inertia = self.rotor.inertia().matrix().map(|row| row.map(Double::of));
@@ -237,7 +238,7 @@ impl RandomScenario {
         (TorqueModel::GravityGradient(Box::new(gradient)), Own::Gradient { rate, radial, along })
     }
 
-    /// The true states at times.
+    /// Returns the true states at times.
     pub(super) fn truth(&self, times: &[f64]) -> Vec<True> {
         let attitude = normalised(self.start.attitude.quaternion().map(Double::of));
         let mut y = vec![Double::of(1.0)];
@@ -271,7 +272,7 @@ impl RandomScenario {
         states
     }
 
-    /// The equations from a time on, until something begins or ends.
+    /// Returns the equations from a time until a torque begins or ends.
     fn system(&self, time: f64) -> System {
         let omega = variables(OMEGA);
         let wheels = self.wheels.map(Polynomial::constant);
@@ -325,17 +326,17 @@ fn turning() -> [Polynomial; 4] {
 }
 
 impl True {
-    /// (θ, ω) − (θ, ω) of another state near to it, θ along body axes.
+    /// Returns (θ, ω) minus (θ, ω) of a nearby state, θ along body axes.
     pub(super) fn beyond(&self, other: &Self) -> [f64; 6] {
         let ([a, b, c, d], [w, x, y, z]) = (other.attitude, self.attitude);
-        // the vector of conj(other) ∘ self, half of θ
+        // the vector part of conj(other) ∘ self is half of θ
         let half =
             [a * x - b * w - c * z + d * y, a * y + b * z - c * w - d * x, a * z - b * y + c * x - d * w];
         std::array::from_fn(
             |k| if k < 3 { 2.0 * half[k].0 } else { (self.omega[k - 3] - other.omega[k - 3]).0 },
         )
     }
-    /// The angle to an attitude, rad, and |Δω|/|ω|.
+    /// Returns the angle to an attitude, rad, and |Δω|/|ω|.
     pub(super) fn off(&self, state: &State) -> [f64; 2] {
         let q = normalised(state.attitude.quaternion().map(Double::of));
         let dot = q.iter().zip(self.attitude).fold(Double::ZERO, |sum, (a, b)| sum + *a * b);
@@ -343,7 +344,7 @@ impl True {
         let square = q.iter().zip(self.attitude).map(|(a, b)| (*a * sign - b).0.powi(2)).sum::<f64>();
         let omega = state.omega.to_array();
         let delta = (0..3).map(|k| (Double::of(omega[k]) - self.omega[k]).0.powi(2)).sum::<f64>().sqrt();
-        // unit quaternions are 2 sin(θ/4) apart
+        // the distance of unit quaternions is 2 sin(θ/4)
         [
             4.0 * (0.5 * square.sqrt()).min(1.0).asin(),
             delta / self.omega.map(|w| w.0).iter().fold(0.0, |s: f64, w| s.hypot(*w)),
@@ -356,14 +357,14 @@ fn normalised<const N: usize>(v: [Double; N]) -> [Double; N] {
     v.map(|x| x / norm)
 }
 
-/// Two directions at right angles, the first as it is.
+/// Returns two orthonormal directions, the first along a.
 fn orthonormal(a: [f64; 3], b: [f64; 3]) -> [[Double; 3]; 2] {
     let (a, b) = (normalised(a.map(Double::of)), b.map(Double::of));
     let dot = (0..3).fold(Double::ZERO, |sum, k| sum + a[k] * b[k]);
     [a, normalised(std::array::from_fn(|k| b[k] - a[k] * dot))]
 }
 
-/// Rᵀ v
+/// Returns Rᵀ v.
 fn in_body([w, x, y, z]: [Double; 4], v: [Double; 3]) -> [Double; 3] {
     let two = Double::of(2.0);
     // v + 2 u × (u × v) − 2 w u × v

@@ -1,4 +1,5 @@
-//! Against closed forms: tops and free bodies in massless gimbals, gyrocompasses, nutation, precession and Magnus' drift.
+//! Comparison with closed forms: tops and free bodies in massless gimbals, gyrocompasses, nutation,
+//! precession and Magnus' drift.
 
 use core::f64::consts::TAU;
 
@@ -9,7 +10,8 @@ use polhode::prelude::*;
 
 use super::{GRAVITY, balanced, free, generic_rotor, near, run, symmetric_rotor, upright};
 
-/// A rotor in massless gimbals without friction is held at a point: by the closed form of that, whichever way the axes stand.
+/// Checks that a rotor in massless gimbals without friction moves like a body held at a point, for
+/// any orientation of the axes.
 fn assert_as_held_at_a_point(rotor: &MassProperties<Body>, gimbals: &Gimbals, torques: &[TorqueModel]) {
     let times: Vec<f64> = (0..=40).map(|k| 0.1 * f64::from(k)).collect();
     let motion = run(rotor, gimbals, &times);
@@ -48,7 +50,8 @@ fn an_asymmetric_rotor_in_massless_gimbals_is_free_though_the_base_turns() {
     assert_as_held_at_a_point(&rotor, &gimbals, &[]);
 }
 
-/// A α̈ = (B − D) ω_n² sin α cos α − C (ν + ω_n cos α) ω_n sin α, ω_n = ω cos λ: of what is level, A about the vertical, B across the rotor, D of the gimbals
+/// A α̈ = (B − D) `ω_n`² sin α cos α − C (ν + `ω_n` cos α) `ω_n` sin α, `ω_n` = ω cos λ. A is the
+/// moment of the level parts about the vertical, B across the rotor, and D that of the gimbals
 /// along it.
 fn assert_period_of_compass(turning: f64, spin: f64, amplitude: f64, tolerance: f64) -> f64 {
     let (a, c, latitude) = (0.012, 0.02, 0.9_f64);
@@ -60,7 +63,7 @@ fn assert_period_of_compass(turning: f64, spin: f64, amplitude: f64, tolerance: 
     let base = Base::turning(AngularVelocity::new(0.0, turning * cosine, turning * s)).unwrap();
     let gimbals = upright(axes).on(base).with_mass(outer, inner);
     let north = turning * cosine;
-    // Along the axes of the base with all angles zero: x the inner axis, y the rotor's, z up.
+    // Along the axes of the base at zero angles: x the inner axis, y the rotor's, z up.
     let (about, across, along) = (a + 0.003 + 0.0025, a + 0.004 + 0.002, 0.005 + 0.003);
     let stiffness = (c * (spin + north) + (along - across) * north) * north;
     let period = TAU * (about / stiffness).sqrt();
@@ -75,7 +78,7 @@ fn assert_period_of_compass(turning: f64, spin: f64, amplitude: f64, tolerance: 
 
 #[test]
 fn a_gyrocompass_swings_about_north_with_its_period() {
-    // Fast, so that the terms in ω² count; small, so that sin α = α.
+    // Fast, so that the terms in ω² are significant; small, so that sin α = α.
     assert_period_of_compass(0.7, 15.0, 1e-7, 1e-12);
     let period = assert_period_of_compass(Base::EARTH_RATE, 1500.0, 1e-7, 1e-9);
     // 2π √(A/(C ν ω_E cos λ))
@@ -91,7 +94,7 @@ fn a_base_on_the_earth_turns_about_the_pole() {
     assert!(omega.x == 0.0 && omega.y > 0.0);
 }
 
-/// Near β = 0 A_α α̇ = −H β and B β̈ = H α̇: at H/√(A_α B).
+/// Near β = 0, A_α α̇ = −H β and B β̈ = H α̇: the frequency is H/√(A_α B).
 #[test]
 fn nutation_in_gimbals_with_mass_has_the_rate_of_both_inertias() {
     let (a, c, spin) = (0.012, 0.02, 200.0);
@@ -110,7 +113,8 @@ fn nutation_in_gimbals_with_mass_has_the_rate_of_both_inertias() {
     near(whole.rates[1] / 1e-6, 1.0, 1e-7);
 }
 
-/// C (γ̇ + Ω sin β) = m g l/Ω + (A + A₂ − C₂) Ω sin β keeps β and turns α at Ω: A₂, C₂ of the inner gimbal.
+/// C (γ̇ + Ω sin β) = m g l/Ω + (A + A₂ − C₂) Ω sin β keeps β constant and turns α at Ω; A₂, C₂ of
+/// the inner gimbal.
 #[test]
 fn a_heavy_gyroscope_in_gimbals_with_mass_precesses_steadily() {
     let (a, c, mass, height, elevation, rate) = (0.012_f64, 0.02, 3.0, 0.06, 0.4_f64, 0.8);
@@ -129,10 +133,11 @@ fn a_heavy_gyroscope_in_gimbals_with_mass_precesses_steadily() {
     }
 }
 
-/// Magnus' drift: a nutation of amplitude a about β₀ turns the outer gimbal at −½ H a² (A₁ + C₂) sin β₀/Φ², Φ = A₁ + (A + A₂) cos² β₀ + C₂ sin² β₀; massless
-/// gimbals do not drift.
+/// Magnus' drift: a nutation of amplitude a about β₀ turns the outer gimbal at −½ H a² (A₁ + C₂)
+/// sin β₀/Φ², Φ = A₁ + (A + A₂) cos² β₀ + C₂ sin² β₀. Massless gimbals do not drift.
 ///
-/// From T of the gimbals with p_α = Φ(β) α̇ + H sin β and H constant, to second order in a. Source: K. Magnus, Kreisel (1971).
+/// It follows from T of the gimbals with `p_α` = Φ(β) α̇ + H sin β and H constant, to second order
+/// in a. Source: K. Magnus, Kreisel (1971).
 #[test]
 fn nutation_makes_gimbals_with_mass_drift() {
     let (a, c, spin, tilt, amplitude) = (0.012, 0.02, 300.0, 0.5_f64, 1e-3);
@@ -158,7 +163,7 @@ fn nutation_makes_gimbals_with_mass_drift() {
         let gimbals = Gimbals::new(gimbals.outer_axis(), gimbals.inner_axis(), axes)
             .unwrap()
             .with_mass(gimbals.masses()[0], gimbals.masses()[1]);
-        // So long that what a swing adds at its ends is small.
+        // So long that the contribution of a swing at the ends is small.
         let end = 500.0 * TAU / rate;
         let motion = run(&rotor, &gimbals, &[end]);
         let drift = -0.5 * momentum * amplitude * amplitude * s * (outer_moment + along) / (phi * phi);

@@ -1,4 +1,4 @@
-//! Axes that are locked, driven, damped, sprung; gimbals that lock.
+//! Locked, driven, damped and sprung axes; gimbal lock.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -9,7 +9,8 @@ use polhode::prelude::*;
 
 use super::{GRAVITY, balanced, free, generic_rotor, near, run, symmetric_rotor, upright};
 
-/// With all axes locked the whole is one body that turns with the base: what holds the axes is ω × I ω less the weight, along each of them.
+/// All axes locked: the whole is one body that turns with the base. The holding torques are ω × I ω
+/// minus that of the weight, along each axis.
 #[test]
 fn locks_hold_what_turns_with_the_base() {
     let rotor = generic_rotor();
@@ -38,7 +39,7 @@ fn locks_hold_what_turns_with_the_base() {
     let weight = arm.cross(Direction::from_array(g.to_array())) * rotor.mass();
     near(start.holding[2], gimbals.rotor_axis().dot(gyroscopic - weight), 1e-15);
     assert!((start.state.attitude * w - Vector::from_array(omega.to_array())).norm() < 1e-14);
-    // In the base nothing changes.
+    // Nothing changes relative to the base.
     let end = &motion.samples()[1];
     assert_eq!(end.angles, angles);
     end.holding.iter().zip(start.holding).for_each(|(end, start)| near(*end, start, 1e-15));
@@ -46,7 +47,8 @@ fn locks_hold_what_turns_with_the_base() {
     assert!((turned.unwrap() * start.state.attitude).angle_to(end.state.attitude) < 1e-15);
 }
 
-/// One axis free is a pendulum with damping and a spring: θ̈ = −(k + …) θ − d θ̇ + τ, without gravity in closed form.
+/// One free axis is a pendulum with damping and a spring: θ̈ = −(k + …) θ − d θ̇ + τ, without
+/// gravity in closed form.
 #[test]
 fn a_single_axis_swings_as_its_spring_and_its_damping_say() {
     let rotor = symmetric_rotor(0.03, 0.05, 1.0, 0.0);
@@ -65,7 +67,7 @@ fn a_single_axis_swings_as_its_spring_and_its_damping_say() {
     assert!(motion.energy_drift() < 1e-14);
 }
 
-/// A driven rotor keeps its rate, and the motor's work is the energy that comes in.
+/// A driven rotor keeps its rate, and the work of the motor is the added energy.
 #[test]
 fn a_motor_keeps_the_rate_of_an_asymmetric_rotor() {
     let rotor = generic_rotor();
@@ -85,7 +87,8 @@ fn a_motor_keeps_the_rate_of_an_asymmetric_rotor() {
     assert!(motion.energy_drift() < 1e-14, "{:.1e}", motion.energy_drift());
 }
 
-/// A rotor that does not spin tips straight to where massless gimbals lock; with a gimbal that has mass it goes on.
+/// A rotor without spin tips straight to the lock of massless gimbals; with a gimbal that has mass
+/// it continues.
 #[test]
 fn massless_gimbals_lock_and_end_the_motion() {
     let rotor = symmetric_rotor(0.012, 0.02, 1.0, 0.0);
@@ -102,7 +105,7 @@ fn massless_gimbals_lock_and_end_the_motion() {
     near(motion.samples()[1].angles[1], 1.9, 1e-13);
 }
 
-/// Nothing but the angles themselves depends on where a gimbal's axes were when they were zero.
+/// Only the angles themselves depend on the zero positions of the axes.
 #[test]
 fn turned_zeros_of_the_angles_are_the_same_motion() {
     let rotor = generic_rotor();
@@ -116,14 +119,14 @@ fn turned_zeros_of_the_angles_are_the_same_motion() {
     near(a.angles[0], b.angles[0] + 0.3, 1e-13);
 }
 
-/// The outer axis turns at 2 rad/s, and the rotor's away from where it was.
+/// The outer axis turns at 2 rad/s, and the rotor's axis away from its start.
 #[test]
 fn an_event_stops_a_motion_in_gimbals() {
     let axes = [Axis::driven(0.0, 2.0), Axis::locked(0.0), Axis::locked(0.0)].map(Result::unwrap);
     let (rotor, gimbals) = (generic_rotor(), upright(axes));
     let tilt =
         |space: Direction<Space>| Measure::Tilt { body: Direction::new(0.0, 0.0, 1.0), space: space.into() };
-    // The rotor's axis is that of y at first.
+    // The rotor's axis is along y at first.
     let event = |name, value, action| {
         Event::new(name, tilt(Direction::new(0.0, 1.0, 0.0)), value, Sense::Rising, action).unwrap()
     };
@@ -138,7 +141,7 @@ fn an_event_stops_a_motion_in_gimbals() {
     assert_eq!(motion.samples().last().unwrap().state.time, time);
     let switch = [event("on", 0.5, EventAction::Switch { torque: 0, on: true })];
     assert!(matches!(simulation.events(&switch).run(), Err(MotionError::Exclusive { .. })));
-    // Without events all times are there.
+    // Without events, all times are present.
     let states: Vec<State> =
         simulation.events(&[]).run().unwrap().samples().iter().map(|s| s.state).collect();
     assert_eq!(simulation.states().unwrap(), states);

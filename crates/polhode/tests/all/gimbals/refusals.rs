@@ -1,4 +1,4 @@
-//! What cannot be is refused, with the number and the rule.
+//! Impossible inputs are refused, with the number and the rule.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -53,12 +53,12 @@ fn axes_that_nothing_holds_apart_are_refused() {
         let message = "off ±90 deg";
         refused(Simulation::in_gimbals(&rotor, &gimbals, 0.0, &[1.0]).run(), message);
     }
-    // A needle has no inertia about itself.
+    // A needle has no inertia about its own axis.
     let needle = symmetric_rotor(0.01, 0.0, 1.0, 0.0);
     let gimbals = upright(free([0.1, 0.2, 0.3], [0.0; 3]));
     let message = "the moment of inertia about the rotor's axis = 0 must be positive";
     refused(Simulation::in_gimbals(&needle, &gimbals, 0.0, &[1.0]).run(), message);
-    // With its axis driven that is no matter, and neither are ±90°.
+    // With its axis driven this does not matter, and neither does ±90°.
     let axes =
         [Axis::free(0.1, 0.0), Axis::free(FRAC_PI_2 - 0.5, 0.2), Axis::driven(0.0, 3.0)].map(Result::unwrap);
     assert!(Simulation::in_gimbals(&needle, &upright(axes), 0.0, &[1.0]).run().is_ok());

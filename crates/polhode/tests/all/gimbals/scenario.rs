@@ -1,4 +1,4 @@
-//! Rotors in gimbals as scenarios, and the estimate of their error.
+//! Rotors in gimbals as scenarios, and their error estimate.
 
 use polhode::motion::gimbal::{Axis, Base, Gimbals};
 use polhode::motion::{Ending, ErrorEffort, MethodReason, MotionError, Run, channel};
@@ -28,7 +28,7 @@ fn a_scenario_in_gimbals_moves() {
     assert_eq!(*trajectory.reason(), MethodReason::Gimbals);
     assert_eq!(*trajectory.ending(), Ending::Complete);
     assert!(trajectory.energy_drift() < 1e-13 && Drift::of(&trajectory).is_none());
-    // L of the rotor changes as the torque on it says: by differences along the samples near one.
+    // The rate of L of the rotor equals the torque on it: by differences of nearby samples.
     let scenario = Scenario::new(generic_rotor()).in_gimbals(gimbals()).unwrap();
     let (at, h) = (1.3, 1e-4);
     let times = vec![at - h, at, at + h];
@@ -60,7 +60,8 @@ fn an_estimate_is_not_below_half_of_the_error() {
     assert!(end > 1e-16 && end < 1e-9, "{end:e}");
 }
 
-/// Massless gimbals that lock end the motion, perturbed ones a little earlier or later.
+/// Gimbal lock of massless gimbals ends the motion; perturbed motions end a little earlier or
+/// later.
 #[test]
 fn an_end_by_locking_has_an_error() {
     let rotor = symmetric_rotor(0.012, 0.02, 1.0, 0.0);
@@ -97,7 +98,7 @@ fn what_does_not_go_with_gimbals_is_refused() {
     let derivatives =
         hung().sampled(Run::evenly(1.0, 2, Method::Auto, 1e-13)).derivatives_watched(&[], &mut |_| true);
     assert!(matches!(derivatives, Some(Err(MotionError::NoMotionDerivatives { .. }))));
-    // Locked at once where massless: the scenario does not come about.
+    // Locked immediately if massless: the scenario is refused.
     let axes = [Axis::free(0.0, 0.0), Axis::free(std::f64::consts::FRAC_PI_2, 0.0), Axis::free(0.0, 1.0)];
     let error = Scenario::new(generic_rotor()).in_gimbals(upright(axes.map(Result::unwrap))).unwrap_err();
     assert!(error.is_parameter(), "{error}");

@@ -1,4 +1,5 @@
-//! Against motions of 36 digits, by three bodies in space with unknown torques between them: `fixtures/gimbals.py`.
+//! Motions compared with references of 36 digits, from three bodies in space with unknown torques
+//! between them: `fixtures/gimbals.py`.
 
 use polhode::body::InertiaAbout;
 use polhode::math::{Acceleration, Direction, Part};
@@ -20,7 +21,7 @@ fn motions_are_those_of_another_formulation() {
     }
 }
 
-/// The largest relative difference of what is stored.
+/// Returns the largest relative difference of the stored quantities.
 fn error_of(case: &Table) -> f64 {
     let triple = |key: &str| numbers::<3>(&case[key]);
     let inertia = InertiaTensor::from_matrix(matrix(&case["inertia"])).unwrap();
@@ -57,7 +58,8 @@ fn error_of(case: &Table) -> f64 {
     compared.map(|(sample, row)| error_of_sample(sample, row)).fold(0.0, worse)
 }
 
-/// A gimbal of a tensor and a moment about the crossing: so heavy that any moment is near it, and by a power of two.
+/// Returns a gimbal with a tensor and a moment about the intersection of the axes. Its mass is a
+/// power of two, and so large that any moment is close to the intersection.
 fn gimbal(case: &Table, name: &str) -> Gimbal {
     let rows = matrix(&case[&format!("{name}_inertia")]);
     let center = numbers::<3>(&case[&format!("{name}_moment")]).map(|x| x / 64.0);
@@ -69,7 +71,7 @@ fn gimbal(case: &Table, name: &str) -> Gimbal {
     Gimbal::pendulous(&MassProperties::from_inertia_about(64.0, center, &about).unwrap())
 }
 
-/// Each number relative to the largest of its kind.
+/// Returns the difference of each number relative to the largest of its kind.
 fn error_of_sample(sample: &GimbalState, row: &Table) -> f64 {
     let mut worst = attitude(&row["attitude"]).angle_to(sample.state.attitude);
     let mut compare = |got: [f64; 3], key: &str, least: f64| {

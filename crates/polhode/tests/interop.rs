@@ -1,4 +1,4 @@
-//! Values as text, and as other crates have them.
+//! Values as text, and as types of other crates.
 
 #![allow(clippy::unwrap_used, reason = "in a test that is a failure")]
 
@@ -54,7 +54,8 @@ fn components_are_found_by_their_numbers() {
     }
 }
 
-/// There and back, and what is impossible refused: each crate has its own types and the same conversions.
+/// Round trip, and refusal of impossible values: each crate has its own types and the same
+/// conversions.
 macro_rules! there_and_back {
     ($name:ident, $vector:ty, $quaternion:ty, $matrix:ty, $components:expr, $turned:expr) => {
         #[test]

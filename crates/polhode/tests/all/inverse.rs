@@ -44,7 +44,7 @@ fn formula(instructions: Vec<Instruction>) -> Formula {
     Formula::new(instructions).unwrap()
 }
 
-/// A nod and a sway on a steady precession.
+/// A nutation and an oscillation on a steady precession.
 fn swaying() -> Prescribed {
     Prescribed::EulerAngles([
         formula(two(Binary::Add, line(0.3, 0.8), wave(0.0, 0.2, 0.4, 1.7))),
@@ -53,7 +53,7 @@ fn swaying() -> Prescribed {
     ])
 }
 
-/// ω and dω/dt are the derivatives of the attitude, by differences of fourth order.
+/// Checks that ω and dω/dt are the derivatives of the attitude, by fourth-order differences.
 #[track_caller]
 fn consistent(motion: &Prescribed, time: f64, tolerance: f64) {
     let h = 1e-3;
@@ -64,7 +64,8 @@ fn consistent(motion: &Prescribed, time: f64, tolerance: f64) {
         let v = AngularVelocity::<Body>::new(x, y, z);
         v * (2.0 * v.norm().atan2(w) / v.norm())
     };
-    // Half the turn from −k h to k h, in the middle's axes but for order h³, which cancels here.
+    // Half the rotation from −k h to k h, in the axes of the middle except for order h³, which
+    // cancels here.
     let omega = (turn(1.0) * 8.0 - turn(2.0)) / (12.0 * h);
     assert!((omega - state.omega).norm() < tolerance, "{omega:?} {:?}", state.omega);
     let rate = ((at(1.0).omega - at(-1.0).omega) * 8.0 - (at(2.0).omega - at(-2.0).omega)) / (12.0 * h);
@@ -88,7 +89,7 @@ fn formulas_of_a_steady_precession_are_the_uniform_rates() {
 
 #[test]
 fn a_quaternion_of_any_length_is_the_attitude() {
-    // (cos β, sin β n) times a growing length, with a direction that is not a unit vector
+    // (cos β, sin β n) times an increasing length, with a direction n that is not a unit vector
     let half = || line(0.2, 0.45);
     let grown = |f: Vec<Instruction>| two(Binary::Multiply, of(Unary::Exp, line(0.1, -0.3)), f);
     let component = |k: f64| formula(grown(two(Binary::Multiply, number(k), of(Unary::Sin, half()))));
@@ -118,7 +119,7 @@ fn a_quaternion_of_any_length_is_the_attitude() {
     assert!(matches!(nothing.at(0.0), Err(MotionError::NotFinite { .. })));
 }
 
-/// ω(t) of a swaying body: R₃(φ) R₁(θ) with uniform rates, in body and in space axes.
+/// ω(t) of a body in regular precession: R₃(φ) R₁(θ) with uniform rates, in body and in space axes.
 #[test]
 fn the_attitude_follows_from_omega_along_either_axes() {
     let ([a, b, c], [p, n, s]) = ([0.4, 0.9, -1.2], [0.7, -0.3, 2.1]);
@@ -152,7 +153,7 @@ fn the_attitude_follows_from_omega_along_either_axes() {
         let motion = Prescribed::omega(start, axes, omega.map(formula), 10.0).unwrap();
         for time in [0.0, 0.37, 4.9, 10.0] {
             let ((a, rate), (b, expected)) = (motion.at(time).unwrap(), known.at(time).unwrap());
-            // Measured at the end, after some 25 rad: 3e-14 rad.
+            // Measured at the end, after about 25 rad: 3e-14 rad.
             let [attitude, omega] = [a.attitude.angle_to(b.attitude), (a.omega - b.omega).norm()];
             println!("{axes:?} {time} {attitude:e} {omega:e} {:e}", (rate - expected).norm());
             assert!(attitude < 1e-13, "{axes:?} {time} {attitude:e}");
@@ -171,7 +172,8 @@ fn the_attitude_follows_from_omega_along_either_axes() {
     assert!(refused.unwrap_err().is_numerical());
 }
 
-/// A generic motion under torque, simulated; its attitudes as a table; the torque comes back, and with the spline's order.
+/// A generic simulated motion under torque, with its attitudes as a table: the torque is recovered
+/// with the order of the spline.
 #[test]
 fn the_torque_comes_back_from_a_table_of_attitudes() {
     let rotor = rotor();
@@ -195,7 +197,7 @@ fn the_torque_comes_back_from_a_table_of_attitudes() {
         let pairs = found.samples().iter().zip(truth.samples());
         let torque = pairs.clone().map(|(a, b)| (a.torque - b.torque).norm()).fold(0.0, f64::max);
         let attitude = pairs.map(|(a, b)| a.state.attitude.angle_to(b.state.attitude)).fold(0.0, f64::max);
-        // What it says of itself is no less than what it is.
+        // The stated uncertainty is not below the error.
         assert!(attitude < 2.0 * uncertainty.attitude + 1e-14, "{attitude:e} {uncertainty:?}");
         (torque, uncertainty)
     };
@@ -205,7 +207,7 @@ fn the_torque_comes_back_from_a_table_of_attitudes() {
     assert!(first > 5.0 && second > 5.0, "{first} {second}");
     assert!(finer < 1e-5 && !said.is_noisy, "{finer:e} {said:?}");
     consistent(&tabled(80).0, 1.234, 1e-8);
-    // Work and impulse are those of the motion that was simulated.
+    // Work and impulse are those of the simulated motion.
     let needed = Required::by(&rotor, &tabled(160).0, 4.0).unwrap();
     let first = Required::by(&rotor, &tabled(160).0, 0.0).unwrap();
     let last = truth.samples().last().unwrap();
@@ -251,7 +253,7 @@ fn a_table_says_when_it_is_noisy_or_coarse() {
     assert!(good.relative < 1e-4 && !good.is_noisy, "{good:?}");
     assert!(noisy.relative > 0.003 && noisy.is_noisy, "{noisy:?}");
     assert!(coarse.relative > 0.01 && !coarse.is_noisy, "{coarse:?}");
-    // Of too little no table is made.
+    // Too few rows are refused.
     let attitudes = rows(&evenly(13), 0.0);
     let parameter = |times: &[f64], rows: &[Attitude]| {
         assert!(matches!(Prescribed::attitude_table(times, rows), Err(ref error) if error.is_parameter()));
@@ -279,7 +281,7 @@ fn the_forces_on_given_points_make_the_torque_at_any_time() {
     }
 }
 
-/// N = dL/dt, with the momentum of wheels in L.
+/// N = dL/dt, with the angular momentum of wheels in L.
 #[test]
 fn wheels_count_in_the_torque_that_a_motion_needs() {
     let held = Wheel::new(Direction::new(0.4, -0.2, 0.9), 3.7, Motor::HeldSpeed).unwrap();
@@ -293,7 +295,7 @@ fn wheels_count_in_the_torque_that_a_motion_needs() {
     let needed = Required::by(&rotor, &motion, time).unwrap();
     let error = (needed.torque_space() - Torque::from_array(rate.to_array())).norm();
     assert!(error < 1e-9 * needed.torque.norm(), "{error:e}");
-    // The carrier's energy is all that the torque changes.
+    // The torque changes the carrier's energy only.
     let energy = |k: f64| Required::by(&rotor, &motion, time + k * h).unwrap().kinetic_energy;
     let power = ((energy(1.0) - energy(-1.0)) * 8.0 - (energy(2.0) - energy(-2.0))) / (12.0 * h);
     assert!((power / needed.power - 1.0).abs() < 1e-8, "{power} {}", needed.power);

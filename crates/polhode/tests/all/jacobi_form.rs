@@ -1,4 +1,4 @@
-//! ω(t) in Jacobi's functions, against the free motion and against its constants.
+//! ω(t) in Jacobi elliptic functions, compared with the free motion and with its constants.
 
 use polhode::motion::{FreeMotion, Regime};
 use polhode::observe::{JacobiForm, JacobiFunction};

@@ -1,4 +1,4 @@
-//! The derivatives of torques, against differences of the torques themselves at generic points.
+//! Jacobians of torques, compared with differences of the torques at generic points.
 
 use polhode::math::formula::{Binary, Formula, Instruction, Unary};
 use polhode::math::{Scalar, VectorAlgebra};
@@ -13,13 +13,13 @@ fn axes() -> [Direction<Body>; 3] {
     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Direction::from_array)
 }
 
-/// (f(h) − f(−h))/2h with errors of the sixth order.
+/// Returns (f(h) − f(−h))/2h with errors of sixth order.
 fn difference(f: impl Fn(f64) -> Torque<Body>, h: f64) -> Torque<Body> {
     let odd = |k: f64| f(k * h) - f(-k * h);
     (odd(1.0) * 45.0 - odd(2.0) * 9.0 + odd(3.0)) / (60.0 * h)
 }
 
-/// The same by differences, from the torque alone.
+/// Returns the Jacobian by differences of the torque.
 fn expected(torque: &TorqueModel, rotor: &Rotor, state: &State) -> [[Torque<Body>; 3]; 2] {
     let turned = |axis: Direction<Body>| {
         difference(
@@ -54,7 +54,7 @@ fn every_torque_has_its_derivatives() {
         for k in 0..4 {
             for torque in &torques {
                 agrees(name, torque, &rotor, &start(k), 3e-11);
-                // The same as a function, of which differences are taken.
+                // The same torque as a function, which is differentiated by differences.
                 let copy = torque.clone();
                 let function = TorqueModel::function("copy", move |rotor, state| copy.torque(rotor, state));
                 agrees(name, &function, &rotor, &start(k), 1e-9);
@@ -63,7 +63,7 @@ fn every_torque_has_its_derivatives() {
     }
 }
 
-/// Σ cₖ sin(xₖ + 0.1 k) of all variables of formulas, or with an `if` about them.
+/// Returns Σ cₖ sin(xₖ + 0.1 k) of all variables of formulas, or the same inside an `if`.
 fn of_all_variables(is_rough: bool) -> TorqueModel {
     use Instruction as I;
     let component = |seed: usize| {
@@ -104,7 +104,7 @@ fn what_is_switched_off_has_none() {
     assert!(at(3.5).norm() > 0.1);
 }
 
-/// N = c |ω| ê: it has a corner at rest.
+/// Torque N = c |ω| ê, which has a corner at rest.
 #[derive(Debug)]
 struct Tug(f64);
 
@@ -134,7 +134,7 @@ fn corners_are_refused() {
         let refused = SmallOscillations::about(&rotor, core::slice::from_ref(&torque), rest);
         assert!(matches!(refused, Err(MotionError::NoDerivative { .. })), "{torque:?} {refused:?}");
     }
-    // |ω| ω and the like have derivatives at rest: none.
+    // |ω| ω and similar functions have the derivative zero at rest.
     let smooth = along_x(vec![
         variable("wx"),
         Instruction::Unary(Unary::Abs),
@@ -157,7 +157,7 @@ fn corners_are_refused() {
 
 #[test]
 fn modes_have_the_digits_of_their_derivatives() {
-    // A stick held by its end: √(M g l/I).
+    // A rod held at its end: √(M g l/I).
     let inertia = InertiaTensor::diagonal([0.096, 0.099, 0.011]).unwrap();
     let stick = MassProperties::new(0.8, Position::ZERO, inertia).unwrap();
     let rotor = Rotor::pivoted(&stick, Position::new(0.0, 0.0, 0.6));

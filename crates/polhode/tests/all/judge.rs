@@ -1,4 +1,4 @@
-//! Motions of other programs, planted: what their numbers mean, how far off they are, and in what respect.
+//! Simulated logs of other programs: the meaning of their numbers, their error, and its kind.
 
 use polhode::infer::judge::{
     AccuracyOrder, AttitudeSense, DeclaredReading, Growth, JudgeError, Judgement, MotionLog, OmegaAxes,
@@ -25,7 +25,7 @@ fn exact(scenario: &Scenario, times: &[f64]) -> Vec<State> {
     Reference::of(scenario, times).unwrap().states().to_vec()
 }
 
-/// Each exact attitude turned by θ (body axes) as a function of the state.
+/// Returns each exact attitude rotated by θ (body axes), a function of the state.
 fn turned(states: &[State], theta: impl Fn(&State) -> [f64; 3]) -> Vec<[f64; 4]> {
     let turn = |state: &State| {
         let theta = Direction::<Body>::from_array(theta(state));
@@ -38,7 +38,7 @@ fn turned(states: &[State], theta: impl Fn(&State) -> [f64; 3]) -> Vec<[f64; 4]>
     states.iter().map(turn).collect()
 }
 
-/// What a program writes whose numbers have this meaning.
+/// Returns the log of a program whose numbers have this meaning.
 fn written(states: &[State], reading: &Reading, omega_axes: OmegaAxes) -> MotionLog {
     let along = |v: [f64; 3]| {
         let one = |k: usize| reading.axes.to_scenario(std::array::from_fn(|i| f64::from(u8::from(i == k))));
@@ -112,10 +112,11 @@ fn a_log_in_single_precision_has_the_same_meaning() {
     assert!(split.noise > 0.5 * split.total && split.main_parts().is_empty(), "{split:?}");
 }
 
-/// Where the numbers do not tell, it does not matter, or it is asked.
+/// If the numbers do not determine the meaning, either it does not matter or a declaration is
+/// requested.
 #[test]
 fn what_the_numbers_do_not_tell_is_asked() {
-    // About z from the identity: axes that differ by turns about z give one motion.
+    // About z from the identity: axes that differ by rotations about z give the same motion.
     let body =
         MassProperties::new(2.3, Position::ZERO, InertiaTensor::diagonal([2.0, 3.0, 4.0]).unwrap()).unwrap();
     let start =
@@ -130,7 +131,8 @@ fn what_the_numbers_do_not_tell_is_asked() {
         time_origin: 0.0,
         time_factor: 1.0,
     };
-    // Which of the axes is upwards such a motion does not tell: it is asked; and ω is along both kinds of axes.
+    // Such a motion does not determine which axis is up, so a declaration is requested. ω is along
+    // both kinds of axes.
     let log = written(&states, &plain, OmegaAxes::Space);
     let error = Readings::of(&log, &spinning, &DeclaredReading::default()).unwrap_err();
     assert!(matches!(&error, JudgeError::Ambiguous { fitting: 8, .. }), "{error}");
@@ -141,13 +143,13 @@ fn what_the_numbers_do_not_tell_is_asked() {
     let scenario = free();
     let at = times(0.4, 0.02, 150);
     let states = exact(&scenario, &at);
-    // Numbers that are no motion of this kind.
+    // Numbers that are not a motion of this kind.
     let wild: Vec<[f64; 4]> =
         (0..150).map(|k| [0, 1, 2, 3].map(|i| (f64::from(k * k) * 1.7 + f64::from(i)).sin())).collect();
     let log = MotionLog::new(at.clone(), wild).unwrap();
     let error = Readings::of(&log, &scenario, &DeclaredReading::default()).unwrap_err();
     assert!(matches!(&error, JudgeError::NoReading { tried } if tried.len() >= 4), "{error}");
-    // Declared, they are taken at their word.
+    // Declared, they are accepted as declared.
     let declared = DeclaredReading {
         order: Some(QuaternionOrder::ScalarFirst),
         sense: Some(AttitudeSense::BodyToSpace),
@@ -155,7 +157,8 @@ fn what_the_numbers_do_not_tell_is_asked() {
     };
     assert!(Readings::of(&log, &scenario, &declared).unwrap().tried[0].relative > 1.0);
 
-    // A law of motion that is wrong from the first step on: the first row tells the meaning. Here ω along the body's axes was taken for space.
+    // Equations of motion that are wrong from the first step on: the first row determines the
+    // meaning. Here ω along body axes was taken as along space axes.
     let mut attitude = scenario.start().attitude;
     let mut leapt = vec![attitude.quaternion()];
     for state in &states[1..] {
@@ -173,7 +176,7 @@ fn what_the_numbers_do_not_tell_is_asked() {
         (AttitudeSense::BodyToSpace, Some(OmegaAxes::Body))
     );
 
-    // ω that is neither along the axes of space nor along those of the body.
+    // ω that is neither along space axes nor along body axes.
     let good = MotionLog::new(at.clone(), states.iter().map(|s| s.attitude.quaternion()).collect()).unwrap();
     let log = good.with_omega(vec![[0.1, 0.2, -0.3]; 150]).unwrap();
     let error = Readings::of(&log, &scenario, &DeclaredReading::default()).unwrap_err();
@@ -182,7 +185,8 @@ fn what_the_numbers_do_not_tell_is_asked() {
     assert_eq!(Readings::of(&log, &scenario, &declared).unwrap().omega_axes(), Some(OmegaAxes::Space));
 }
 
-/// A program that logs from its first step on, and is a step's length off: its times are those that it says.
+/// A program that logs from its first step on, with times late by one step: the stated times are
+/// used.
 #[test]
 fn the_times_of_a_rough_run_are_not_shifted() {
     let scenario = free();
@@ -195,7 +199,8 @@ fn the_times_of_a_rough_run_are_not_shifted() {
     assert!(clock.kind == PartKind::Clock && (clock.value.unwrap()[0] + 0.006).abs() < 1e-5, "{clock:?}");
 }
 
-/// 1e-10 rad is known to what doubles leave, 2e-6 of itself in a row, and to 1e-7 in the mean.
+/// An error of 1e-10 rad is resolved to double precision: 2e-6 (relative) in a row, and 1e-7 in the
+/// mean.
 #[test]
 fn a_small_error_is_known_to_six_digits() {
     let scenario = free();
@@ -213,7 +218,7 @@ fn rates_energy_and_momentum_are_off_by_what_they_are() {
     let scenario = free();
     let states = exact(&scenario, &times(0.4, 0.05, 200));
     let attitude = turned(&states, |_| [0.01, -0.02, 0.015]);
-    // ω larger by a hundredth, in space axes.
+    // ω too large by one per cent, in space axes.
     let omega: Vec<[f64; 3]> = states.iter().map(|s| (s.omega_space() * 1.01).to_array()).collect();
     let log = MotionLog::new(states.iter().map(|s| s.time).collect(), attitude.clone())
         .unwrap()
@@ -239,7 +244,7 @@ fn rates_energy_and_momentum_are_off_by_what_they_are() {
     }
 }
 
-/// Every part of an error is found with its numbers, beside all others.
+/// Every component of an error is found with its numbers, in the presence of all others.
 #[test]
 fn an_error_is_split_into_its_parts() {
     let scenario = free();
@@ -264,7 +269,7 @@ fn an_error_is_split_into_its_parts() {
     assert!(split.rest < 1e-3 * split.total && split.until > 30.0, "{split:?}");
 }
 
-/// A start that is wrong by a radian is named, and what else is wrong beside it.
+/// A start that is wrong by a radian is reported, together with the other errors.
 #[test]
 fn a_wrong_start_is_taken_out() {
     let scenario = free();
@@ -301,7 +306,7 @@ fn growth_is_that_which_was_planted() {
     assert!((rate - 0.37).abs() < 1e-3);
 }
 
-/// The order of RK4 and of Euler's method, and no error of what is exact.
+/// The order of RK4 and of Euler's method; no error for an exact motion.
 #[test]
 fn the_order_of_a_method_is_found_by_its_steps() {
     let scenario = free();
@@ -360,7 +365,7 @@ fn the_order_of_a_method_is_found_by_its_steps() {
     }
 }
 
-/// I⁻¹ v by the principal axes.
+/// Returns I⁻¹ v by the principal axes.
 fn principal_solve(scenario: &Scenario, v: [f64; 3]) -> [f64; 3] {
     let principal = scenario.rotor().principal();
     let v = Torque::<Body>::from_array(v);
@@ -372,7 +377,7 @@ fn principal_solve(scenario: &Scenario, v: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|i| a[i] + b[i] + c[i])
 }
 
-/// polhode's own motion under torque has no error that could be told.
+/// A motion of polhode itself under torque has no detectable error.
 #[test]
 fn what_is_exact_is_not_blamed() {
     let gravity = UniformGravity::STANDARD;

@@ -1,4 +1,5 @@
-//! Causes of wrong motions, planted by a program of the test's own, and named; and right motions, which are not accused.
+//! Causes of wrong motions, introduced by an independent program and identified; correct motions
+//! are not reported.
 
 mod bodies;
 mod equations;

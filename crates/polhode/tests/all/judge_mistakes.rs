@@ -1,4 +1,4 @@
-//! Logs of wrong motions: no mistake is taken for another meaning of the numbers.
+//! Logs of wrong motions: a mistake is not interpreted as another meaning of the numbers.
 
 use std::f64::consts::{PI, TAU};
 
@@ -7,7 +7,7 @@ use polhode::prelude::*;
 
 use super::judge_readings::{Draws, along, by_name, count, scenario};
 
-/// Angle that the exact motion turns through from row to row, rad.
+/// Rotation angle of the exact motion between rows, rad.
 const TURN: f64 = 0.05;
 
 fn exact(scenario: &Scenario, times: &[f64]) -> Vec<State> {
@@ -27,7 +27,8 @@ fn judged(scenario: &Scenario, log: &MotionLog) -> Result<Judgement, JudgeError>
     Judgement::of(scenario, log, &by_name())
 }
 
-/// Without ω × I ω, standing still, or turned the other way. Other axes may fit the beginning as well: then it is refused.
+/// Without ω × I ω, at rest, or rotated in the opposite sense. Other axes may fit the beginning as
+/// well: then the log is refused.
 #[test]
 fn a_wrong_law_is_never_called_right() {
     let (count, mut refused) = (count(30), 0);
@@ -53,7 +54,8 @@ fn a_wrong_law_is_never_called_right() {
     assert!(100 * refused <= count, "{refused} of {count} refused");
 }
 
-/// A program that turns too fast or too slowly, as one that is given deg/s for rad/s, is not excused by a unit of time.
+/// A program that rotates too fast or too slowly, such as one that takes deg/s as rad/s, is not
+/// explained by a unit of time.
 ///
 /// A small factor is an error, a large one is refused.
 #[test]
@@ -85,7 +87,8 @@ fn a_wrong_rate_is_no_unit_of_time() {
     println!("{counts:?} of large and small factors");
 }
 
-/// Rows that are stated from the start on, or from one row after it, and are those of later times.
+/// Rows whose times are stated from the start on, or from one row after it, but whose states are
+/// those of later times.
 #[test]
 fn rows_that_are_late_are_a_mistake() {
     for seed in 0..count(30) {
@@ -111,7 +114,7 @@ fn rows_that_are_late_are_a_mistake() {
     }
 }
 
-/// Late by less than a part of the beginning, the times are those that are stated.
+/// If the delay is less than a part of the beginning, the stated times are used.
 #[test]
 fn rows_that_are_late_by_little_are_an_error() {
     for seed in 0..count(12) {
@@ -125,7 +128,7 @@ fn rows_that_are_late_by_little_are_an_error() {
     }
 }
 
-/// ω whose components are mirrored, in body axes or in space, with attitudes of body to space.
+/// ω with mirrored components, in body axes or in space axes, with body-to-space attitudes.
 #[test]
 fn a_mirrored_omega_is_a_mistake() {
     for seed in 0..count(30) {
@@ -160,7 +163,7 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
 }
 
-/// The ω of space relative to the body, −ω, goes with attitudes of space to body.
+/// The ω of space relative to the body, −ω, belongs to space-to-body attitudes.
 #[test]
 fn a_conjugate_motion_has_the_opposite_omega() {
     for seed in 0..count(12) {
@@ -181,7 +184,7 @@ fn a_conjugate_motion_has_the_opposite_omega() {
     }
 }
 
-/// −ω of a motion about one axis is a mirrored ω, or one along axes that are turned by π: it is refused.
+/// −ω of a motion about one axis is a mirrored ω, or one along axes rotated by π: it is refused.
 #[test]
 fn a_sign_that_the_motion_does_not_tell_is_refused() {
     let body =
@@ -201,7 +204,8 @@ fn a_sign_that_the_motion_does_not_tell_is_refused() {
     assert!(matches!(error, JudgeError::AmbiguousOmega { .. }), "{error}");
 }
 
-/// ω that is a fifth too large fits one reading roughly, and is judged by it. Readings that are farther off do not compete.
+/// ω that is too large by 20 % fits one reading roughly, and is judged by it. Readings with larger
+/// deviations are not considered.
 #[test]
 fn a_scaled_omega_is_an_error() {
     let scenario = scenario(&mut Draws::of(3, 29));

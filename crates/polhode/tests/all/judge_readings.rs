@@ -1,4 +1,4 @@
-//! Logs of right motions whose columns are named wrongly: the meaning is found.
+//! Logs of correct motions with wrong column names: the meaning is found.
 
 use polhode::infer::judge::{
     AttitudeSense, DeclaredByName, DeclaredReading, JudgeError, Judgement, MotionLog, OmegaAxes,
@@ -7,7 +7,7 @@ use polhode::infer::judge::{
 use polhode::motion::{Event, EventAction, Measure, Sense};
 use polhode::prelude::*;
 
-/// Numbers from 0 to 1 by the 64-bit generator of Knuth.
+/// Random numbers from 0 to 1 by Knuth's 64-bit generator.
 pub(crate) struct Draws(u64);
 
 impl Draws {
@@ -31,7 +31,8 @@ impl Draws {
     }
 }
 
-/// A free body, or one under a torque along its axes, with three different moments and products of both signs.
+/// Returns a free body, or one under a torque along its axes, with three different moments and
+/// products of both signs.
 pub(crate) fn scenario(draws: &mut Draws) -> Scenario {
     let (a, b) = (draws.within(1.0, 3.0), draws.within(1.0, 3.0));
     let moments = [a, b, draws.within((a - b).abs() + 0.2, a + b - 0.2)];
@@ -58,13 +59,13 @@ pub(crate) fn scenario(draws: &mut Draws) -> Scenario {
     scenario
 }
 
-/// v along other axes.
+/// Returns v along other axes.
 pub(crate) fn along(axes: SignedAxes, v: [f64; 3]) -> [f64; 3] {
     let one = |k: usize| axes.to_scenario(std::array::from_fn(|i| f64::from(u8::from(i == k))));
     std::array::from_fn(|k| one(k).iter().zip(v).map(|(a, b)| a * b).sum())
 }
 
-/// Difference of a log from the plain one.
+/// Difference of a log from polhode's own format.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Unusual {
     Nothing,
@@ -79,7 +80,7 @@ enum Unusual {
     OmegaFrame,
 }
 
-/// A log with columns that are named as polhode's own, and with one or two things unusual.
+/// Returns a log with polhode's column names and one or two differences.
 fn log(draws: &mut Draws, scenario: &Scenario, unusual: &[Unusual]) -> MotionLog {
     let has = |one: Unusual| unusual.contains(&one);
     let rate = scenario.start().omega.norm();
@@ -135,7 +136,7 @@ fn log(draws: &mut Draws, scenario: &Scenario, unusual: &[Unusual]) -> MotionLog
     log.with_omega(states.iter().map(omega).collect()).unwrap()
 }
 
-/// Declaration by the names of polhode's own columns.
+/// Returns the declaration by the names of polhode's own columns.
 pub(crate) fn by_name() -> DeclaredReading {
     DeclaredReading {
         order: Some(QuaternionOrder::ScalarFirst),
@@ -152,12 +153,13 @@ pub(crate) fn by_name() -> DeclaredReading {
     }
 }
 
-/// The number of logs: `POLHODE_LOGS=2000 cargo test -p polhode --test all judge_ -- --nocapture` draws more.
+/// Returns the number of logs: `POLHODE_LOGS=2000 cargo test -p polhode --test all judge_ --
+/// --nocapture` draws more.
 pub(crate) fn count(default: u64) -> u64 {
     std::env::var("POLHODE_LOGS").map_or(default, |count| count.parse().unwrap())
 }
 
-/// Logs with one or two things unusual are read rightly, unless the axes are ambiguous.
+/// Logs with one or two differences are read correctly, unless the axes are ambiguous.
 #[test]
 fn a_right_motion_is_found() {
     let count = count(40);
@@ -186,7 +188,7 @@ fn a_right_motion_is_found() {
                 let readings = &judgement.readings;
                 let found = readings.reading;
                 assert_eq!(readings.mistakes, [], "{seed} {unusual:?}");
-                // A clock that is fitted, and times that are rounded.
+                // A fitted clock, and rounded times.
                 let most = 1e-9 + 10.0 * judgement.floor();
                 let off = judgement.largest_attitude_error();
                 assert!(off < most, "{seed} {unusual:?}: {off} rad as {found}");
@@ -201,7 +203,8 @@ fn a_right_motion_is_found() {
             }
             Err(error) => {
                 refused.push(format!("{seed} {unusual:?}: {error}"));
-                // Other axes and a later first row are not sought together; a short turn from the identity has many axes.
+                // Other axes and a later first row are not searched together. A short rotation from
+                // the identity fits many axes.
                 let is_unsought = [Unusual::Axes, Unusual::Later].iter().all(|one| unusual.contains(one));
                 let is_ambiguous = matches!(error, JudgeError::Ambiguous { .. });
                 if !(is_unsought || is_ambiguous && unusual.contains(&Unusual::Axes)) {
@@ -214,7 +217,7 @@ fn a_right_motion_is_found() {
     assert_eq!(missed, 0, "{refused:#?}");
 }
 
-/// A body under torque that starts slowly: a row in ms, read in s, is minutes later. Its log may
+/// A body under torque that starts slowly: a row in ms, read in s, is minutes later. The log may
 /// also begin after the start.
 #[test]
 fn a_torqued_body_is_found_in_another_unit_and_later() {
@@ -242,7 +245,8 @@ fn a_torqued_body_is_found_in_another_unit_and_later() {
     }
 }
 
-/// A body whose motion an event stops long before the times of the log, in the stated unit, end.
+/// A body whose motion is stopped by an event long before the last time of the log, in the stated
+/// unit.
 #[test]
 fn a_motion_that_stops_is_found_in_another_unit() {
     let stop = Event::new("stop", Measure::Time, 20.0, Sense::Either, EventAction::Stop).unwrap();
@@ -253,13 +257,14 @@ fn a_motion_that_stops_is_found_in_another_unit() {
     let judgement = Judgement::of(&scenario, &log, &by_name()).unwrap();
     assert_eq!(judgement.readings.reading.time_factor, 1e-3);
     assert!(judgement.largest_attitude_error() < 1e-9);
-    // Hours are not tried: no unit fits.
+    // Hours are not among the candidates: no unit fits.
     let log = MotionLog::new(states.iter().map(|state| state.time / 3600.0).collect(), attitude).unwrap();
     let error = Judgement::of(&scenario, &log, &by_name()).unwrap_err();
     assert!(matches!(error, JudgeError::OtherRate { .. }), "{error}");
 }
 
-/// Constant torque along body axes from a slow start, watched, and its states over 10 s.
+/// Returns a body under constant torque along body axes from a slow start, with events, and its
+/// states over 10 s.
 fn torqued(events: Vec<Event>) -> (Scenario, Vec<State>) {
     let inertia = InertiaTensor::with_negative_products([0.42, 0.61, 0.77], [-0.05, 0.07, 0.04]).unwrap();
     let body = MassProperties::new(2.6, Position::ZERO, inertia).unwrap();

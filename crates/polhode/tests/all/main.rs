@@ -1,4 +1,4 @@
-//! The integration tests of `polhode`, as one program: each links the whole library.
+//! Integration tests of `polhode` in one program, as each program links the whole library.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod accuracy;

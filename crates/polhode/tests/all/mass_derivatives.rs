@@ -1,4 +1,4 @@
-//! Derivatives of mass properties against differences, and the laws that they obey.
+//! Derivatives of mass properties compared with differences, and their general properties.
 
 use polhode::body::mesh::MeshDerivatives;
 use polhode::body::shape::Ellipsoid;
@@ -9,7 +9,7 @@ use polhode::motion::FreeMotionDerivatives;
 use polhode::motion::torque::TorqueParameter;
 use polhode::prelude::*;
 
-/// Mass, centre of mass, and the tensor's elements xx, yy, zz, xy, xz, yz.
+/// Returns mass, centre of mass, and the tensor elements xx, yy, zz, xy, xz, yz.
 fn numbers<F: polhode::math::Frame>(body: &MassProperties<F>) -> [f64; 10] {
     let [x, y, z] = body.center_of_mass().to_array();
     let [[xx, xy, xz], [_, yy, yz], [.., zz]] = body.inertia().matrix();
@@ -21,7 +21,7 @@ fn changes<F>(by: &MassPropertiesDerivative<F>) -> [f64; 10] {
     [by.mass, x, y, z, xx, yy, zz, xy, xz, yz]
 }
 
-/// f′(0) by differences of the sixth order.
+/// Computes f′(0) by sixth-order differences.
 fn difference<const N: usize>(h: f64, f: impl Fn(f64) -> [f64; N]) -> [f64; N] {
     let central = |k: f64| {
         let (a, b) = (f(k * h), f(-k * h));
@@ -31,7 +31,8 @@ fn difference<const N: usize>(h: f64, f: impl Fn(f64) -> [f64; N]) -> [f64; N] {
     std::array::from_fn(|i| 1.5 * a[i] - 0.6 * b[i] + 0.1 * c[i])
 }
 
-/// |a − b| of all numbers, at most so much of the largest of their kind: mass, centre, tensor.
+/// Checks that all |a − b| are within a tolerance, relative to the largest number of their kind:
+/// mass, centre, tensor.
 #[track_caller]
 fn assert_near(a: [f64; 10], b: [f64; 10], tolerance: f64, what: &str) {
     for (kind, range) in [("mass", 0..1), ("centre", 1..4), ("tensor", 4..10)] {
@@ -43,7 +44,8 @@ fn assert_near(a: [f64; 10], b: [f64; 10], tolerance: f64, what: &str) {
     }
 }
 
-/// A hollow-cheeked solid of 128 triangles, off the origin and along no axis.
+/// Returns a solid of 128 triangles with concave parts, off the origin and not aligned with the
+/// axes.
 fn lump(offset: [f64; 3]) -> TriangleMesh {
     let mut triangles: Vec<[[f64; 3]; 3]> = Vec::new();
     for octant in 0..8 {
@@ -60,7 +62,7 @@ fn lump(offset: [f64; 3]) -> TriangleMesh {
         }
         triangles.extend(faces);
     }
-    // On a grid of 2⁻¹⁰, so that offsets of whole numbers are exact.
+    // On a grid of 2⁻¹⁰, so that integer offsets are exact.
     let moved = |[x, y, z]: [f64; 3]| {
         let r = 1.0 + 0.2 * (5.0 * x).sin() * (3.0 * y + 1.0).cos() + 0.1 * (4.0 * z).sin();
         let warped = [1.3 * r * x + 0.2 * y, 0.8 * r * y + 0.1 * z, 0.6 * r * z - 0.1 * x];
@@ -70,7 +72,7 @@ fn lump(offset: [f64; 3]) -> TriangleMesh {
     TriangleMesh::of_triangles(&triangles).unwrap()
 }
 
-/// The surface with one coordinate moved.
+/// Returns the surface with one coordinate of a vertex moved.
 fn moved(solid: &ClosedMesh, vertex: usize, axis: usize, by: f64) -> ClosedMesh {
     let mut points = solid.surface().coordinates().to_vec();
     points[vertex][axis] += by;
@@ -109,7 +111,7 @@ fn vertices_moved_together() {
             });
             changes(&each.fold(none, |sum, by| sum + by))
         };
-        // All along an axis, and all about an axis.
+        // Translation along an axis, and rotation about an axis.
         let cross = |[a, b, c]: [f64; 3], [x, y, z]: [f64; 3]| [b * z - c * y, c * x - a * z, a * y - b * x];
         let point = Position::new(0.3, 0.1, -0.2);
         let moves = MassPropertiesDerivative::<Part>::by_translation();
@@ -119,7 +121,8 @@ fn vertices_moved_together() {
             let turn = |p: [f64; 3]| cross(axis, std::array::from_fn(|k| p[k] - point.to_array()[k]));
             assert_near(along(&turn), changes(&turns[k]), 1e-13, "rotation");
         }
-        // Homogeneous: the mass of the third degree in lengths, the centre of the first, the tensor of the fifth; at constant mass 0, 1, 2.
+        // Homogeneity: in lengths, the mass has degree 3, the centre 1, and the tensor 5; at
+        // constant mass 0, 1, 2.
         let [mass, x, y, z, inertia @ ..] = numbers(body);
         let (of_mass, of_tensor) =
             if matches!(substance, Substance::Mass(_)) { (0.0, 2.0) } else { (3.0, 5.0) };
@@ -167,7 +170,8 @@ fn vertices_are_found_by_their_place() {
     assert_eq!(solid.vertex_numbers(&[[0.5, -0.25, 0.75]]), [None]);
 }
 
-/// The parts of a body: each off its own origin, turned, of another density, one of them thin and one a mesh.
+/// Parts of a body: each off its own origin, rotated, of another density; one is thin and one a
+/// mesh.
 #[derive(Clone)]
 struct Built {
     densities: [f64; 3],
@@ -189,7 +193,7 @@ impl Built {
         [Box::new(Ellipsoid::new([0.5, 0.9, 1.2]).unwrap()), Box::new(Rod::new(1.7).unwrap()), Box::new(mesh)]
     }
 
-    /// `turned` goes before the turn of the part.
+    /// Returns the parts; `turned` is applied before the rotation of the part.
     fn parts(&self, turned: [[f64; 3]; 3]) -> Vec<PlacedPart> {
         let part = |k: usize| {
             let density = self.densities[k];
@@ -284,7 +288,7 @@ fn start() -> State {
     State { time: 0.0, attitude, omega: AngularVelocity::new(0.7, -0.4, 1.1) }
 }
 
-/// θ from one state, along body axes, and ω.
+/// Returns the difference from a state: θ along body axes, and ω.
 fn from(state: &State, other: &State) -> [f64; 6] {
     let [a, b, c] = (state.attitude.inverse() * other.attitude).log().to_array();
     let [x, y, z] = other.omega.to_array();
@@ -337,7 +341,7 @@ fn a_free_motion_by_parts_and_vertices() {
     assert_same_change(by, by_vertex, "vertex");
 }
 
-/// Of a top all three count: the tensor about the pivot, the lever, and the mass.
+/// A top depends on all three: the tensor about the pivot, the lever, and the mass.
 #[test]
 fn a_top_by_the_mass_of_a_part() {
     let built = Built::generic();
@@ -357,7 +361,7 @@ fn a_top_by_the_mass_of_a_part() {
     let extent = Built::shapes()[0].spread().extent();
     let change = part.by_density(extent) + part.by_position()[1] * 0.7;
     let TorqueModel::Gravity(gravity) = &torques[0] else { unreachable!() };
-    // A body that is heavier by δM has the weight of one in a field that is stronger by g δM/M.
+    // A body heavier by δM has the weight of one in a field stronger by g δM/M.
     let heavier = (gravity.acceleration * (change.mass / body.mass())).to_array();
     let lever = change.center_of_mass.to_array();
     let by_parameters = &motion.by_parameters[0];

@@ -1,4 +1,5 @@
-//! Bodies whose mass properties change, against closed forms, against fixtures/mass_history.toml, and drop by drop.
+//! Bodies with changing mass properties, compared with closed forms, with
+//! fixtures/mass_history.toml, and with a body that loses drops.
 
 use crate::common::*;
 use polhode::motion::torque::{ConstantTorque, Drag, DragLaw, EnergySink, Thruster};
@@ -99,10 +100,12 @@ fn changing_bodies_follow_the_reference() {
     }
 }
 
-/// Thomson's jet damping: a body of revolution that burns evenly about its centre, with a nozzle on its axis.
+/// Thomson's jet damping: a body of revolution that burns uniformly about its centre, with a nozzle
+/// on its axis.
 #[test]
 fn a_body_of_revolution_has_a_closed_form() {
-    // I = I₀ − a t, J = J₀ − b t along the axis; what leaves at l behind through a disc of radius r takes µ (l² + r²/4) Ω and µ r²/2 ω_z.
+    // I = I₀ − a t, J = J₀ − b t along the axis. Mass that leaves at distance l behind, through a
+    // disc of radius r, carries away µ (l² + r²/4) Ω and µ r²/2 ω_z.
     let ([i0, j0], [a, b], mu, l, r) = ([2.3, 0.7], [0.11, 0.05], 0.13, 1.4, 0.35);
     let mass = |t: f64| 3.0 - mu * t;
     let body = |t: f64| {
@@ -136,7 +139,8 @@ fn a_body_of_revolution_has_a_closed_form() {
     }
 }
 
-/// What leaves is moved to the exit within the body, where L is kept, and let go there, where ω is: the equations say no more, and their limit is the motion.
+/// Each drop is moved to the exit inside the body at constant L, and released there at constant ω.
+/// The equations of motion are the limit of this process.
 #[test]
 fn what_leaves_drop_by_drop_is_the_limit() {
     let hull = {
@@ -165,7 +169,7 @@ fn what_leaves_drop_by_drop_is_the_limit() {
     let by_drops = |n: u32| {
         let (h, mut state) = (end / f64::from(n), start);
         let mass = |k: f64| m0 + (m1 - m0) * k / f64::from(n);
-        // In the middle of each stretch of time a drop leaves.
+        // A drop leaves in the middle of each time interval.
         for k in 0..n {
             let (before, after) = (mass(f64::from(k)), mass(f64::from(k) + 1.0));
             let whole = Rotor::free(&joined(&[hull, charge(before)]));
@@ -185,12 +189,12 @@ fn what_leaves_drop_by_drop_is_the_limit() {
         state
     };
     let [coarse, fine] = [200, 400].map(|n| by_drops(n).omega - smooth.samples()[0].state.omega);
-    // of first order, and nothing left where that is taken away
+    // of first order, and zero after its extrapolation
     assert!(coarse.norm() < 3e-3 && fine.norm() > 1e-5, "{coarse:?} {fine:?}");
     assert!((fine * 2.0 - coarse).norm() < 2e-5, "{:?}", fine * 2.0 - coarse);
 }
 
-/// Cramer's rule.
+/// Solves by Cramer's rule.
 fn solved(m: [[f64; 3]; 3], b: [f64; 3]) -> AngularVelocity<Body> {
     let v = |k: usize| Direction::<Body>::new(m[0][k], m[1][k], m[2][k]);
     let (x, y, z) = (v(0), v(1), v(2));
@@ -220,7 +224,7 @@ fn a_body_that_stays_as_it_is_moves_as_without_a_history() {
     ];
     let times = [0.4, 1.7, 5.0];
     for pivot in [None, Some(Position::new(-0.4, 0.9, 0.2))] {
-        // With the function DOP853 alone can; without it Taylor's method too.
+        // The function requires DOP853; without it Taylor's method is possible too.
         for (method, torques) in [(Method::Dop853, &torques[..]), (Method::Taylor, &torques[..3])] {
             let rotor = history.rotor(0.0, pivot).unwrap();
             let plain = Simulation::new(&rotor, torques, at([0.3, -0.5, 1.4]), &times).method(method);
@@ -265,7 +269,8 @@ fn the_best_method_an_error_and_events_come_with_it() {
     assert_eq!(simulation.states().unwrap()[0].time, 8.0);
 }
 
-/// Mass goes at b: h = µ b × ρ, of ρ from the centre of mass, about which b is where what goes is.
+/// Mass leaves from b: h = µ b × ρ, with ρ from the centre of mass, and b the mean position of the
+/// lost mass relative to it.
 #[test]
 fn the_flow_that_is_left_out_is_known() {
     let dry = generic(2.0);
@@ -320,7 +325,8 @@ fn what_is_no_history_or_not_known_is_refused() {
         (two(row(0.0, whole), row(1.0, lighter(2.0))), Outflow::None, "nothing says where"),
         (two(row(0.0, lighter(2.0)), row(1.0, whole)), exits(1.0, 0.1), "gains mass"),
         (two(row(1.0, lighter(2.0)), row(1.0, whole)), exits(1.0, 0.1), "gains mass"),
-        // A body of this tensor that is all that is lost would be left with nothing about its centre, but less is left.
+        // A loss with this tensor would leave a body without inertia about its centre, but the
+        // remainder is smaller.
         (two(row(0.0, whole), row(1.0, bulky())), Outflow::InPlace, "no possible body"),
         (two(row(1.0, whole), row(1.0, bulky())), Outflow::None, "no possible body"),
         (two(row(0.0, whole), row(f64::NAN, whole)), Outflow::None, "not finite"),
@@ -361,7 +367,7 @@ fn what_is_no_history_or_not_known_is_refused() {
     assert!(plain.run_with_derivatives(&[]).is_err());
 }
 
-/// Lighter than the generic body, but larger.
+/// Returns a body lighter than the generic one, but larger.
 fn bulky() -> MassProperties<Body> {
     let inertia = InertiaTensor::with_negative_products([6.1, 7.2, 8.3], [0.4, -0.3, 0.2]).unwrap();
     MassProperties::new(2.0, Position::new(0.11, -0.07, 0.23), inertia).unwrap()

@@ -1,4 +1,5 @@
-//! Meshes against exact rational arithmetic, and every way in which triangles are not a solid.
+//! Meshes compared with exact rational arithmetic, and all ways in which triangles are not a closed
+//! solid.
 
 use std::collections::HashMap;
 
@@ -8,11 +9,11 @@ use polhode::body::shape::{Shape, Substance};
 
 type Point = [i64; 3];
 
-/// A polyhedron with integer corners.
+/// Polyhedron with integer corners.
 type Solid = Vec<[Point; 3]>;
 
-/// Exact sums over the tetrahedra from the origin to each triangle, d = a · (b × c), s = a + b + c:
-/// 6V = Σ d,  24V c = Σ d s,  120V ⟨x xᵀ⟩ = Σ d (a aᵀ + b bᵀ + c cᵀ + s sᵀ).
+/// Exact sums over the tetrahedra from the origin to each triangle, with d = a · (b × c) and s = a
+/// + b + c: 6V = Σ d,  24V c = Σ d s,  120V ⟨x xᵀ⟩ = Σ d (a aᵀ + b bᵀ + c cᵀ + s sᵀ).
 struct Exact {
     d: i128,
     first: [i128; 3],
@@ -38,12 +39,12 @@ impl Exact {
         sum
     }
 
-    /// ⟨x_i x_j⟩ − c_i c_j = (4 S_ij Σd − 5 F_i F_j) / 80 (Σd)²
+    /// Returns `⟨x_i x_j⟩ − c_i c_j = (4 S_ij Σd − 5 F_i F_j) / 80 (Σd)²`.
     fn covariance(&self, i: usize, j: usize) -> (i128, i128) {
         (4 * self.second[i][j] * self.d - 5 * self.first[i] * self.first[j], 80 * self.d * self.d)
     }
 
-    /// The tensor at unit mass, as numerators over one denominator.
+    /// Returns an element of the tensor at unit mass, as numerator and denominator.
     fn inertia(&self, i: usize, j: usize) -> (i128, i128) {
         let trace: i128 = (0..3).map(|k| self.covariance(k, k).0).sum();
         let (c, denominator) = self.covariance(i, j);
@@ -51,13 +52,13 @@ impl Exact {
     }
 }
 
-/// got − n/d, to a few parts in 10²⁰ of the quotient where that is some hundreds or more.
+/// Returns got − n/d, to a few parts in 10²⁰ of the quotient if it is several hundred or more.
 fn error(got: f64, (n, d): (i128, i128)) -> f64 {
     let (whole, rest) = (n.div_euclid(d), n.rem_euclid(d));
     (got - whole as f64) - rest as f64 / d as f64
 }
 
-/// Each coordinate becomes `unit` (x + offset), which must be exact.
+/// Maps each coordinate to `unit` (x + offset), which must be exact.
 fn triangles(solid: &Solid, unit: f64, offset: Point) -> Vec<Triangle> {
     let coordinate = |x: i64| {
         let value = x as f64;
@@ -68,7 +69,7 @@ fn triangles(solid: &Solid, unit: f64, offset: Point) -> Vec<Triangle> {
     solid.iter().map(|t| t.map(point)).collect()
 }
 
-/// The largest error of the unit-mass central tensor, in parts of half its trace.
+/// Returns the largest error of the central tensor at unit mass, relative to half its trace.
 fn inertia_error(solid: &Solid, unit: f64, offset: Point) -> f64 {
     let exact = Exact::of(solid);
     let mesh = ClosedMesh::from_triangles(triangles(solid, unit, offset)).unwrap();
@@ -90,13 +91,13 @@ fn inertia_error(solid: &Solid, unit: f64, offset: Point) -> f64 {
     worst * unit * unit / half_trace
 }
 
-/// Rows and columns of a symmetric matrix.
+/// Rows and columns of the elements of a symmetric matrix.
 const ELEMENTS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
-/// Corners lie within ±SIZE: large enough to be generic, small enough for `i128`.
+/// Corners are within ±SIZE: large enough to be generic, small enough for `i128`.
 const SIZE: i64 = 4096;
 
-/// Numbers in [0, 1) that look random (Knuth's MMIX generator).
+/// Pseudorandom numbers in [0, 1) (Knuth's MMIX generator).
 struct Random(u64);
 
 impl Random {
@@ -106,7 +107,7 @@ impl Random {
     }
 }
 
-/// An octahedron with each face divided into four, `level` times, on the unit sphere.
+/// Returns an octahedron on the unit sphere, with each face divided into four `level` times.
 fn sphere(level: u32) -> Vec<[[f64; 3]; 3]> {
     let mut faces = Vec::new();
     for k in 0..8 {
@@ -129,7 +130,8 @@ fn sphere(level: u32) -> Vec<[[f64; 3]; 3]> {
     faces
 }
 
-/// A lump: the sphere with random distances from the middle, stretched and sheared, rounded to integers.
+/// Returns the sphere with random distances from the centre, stretched and sheared, rounded to
+/// integers.
 fn lump(level: u32, random: &mut Random) -> Solid {
     let roughness = random.next();
     let stretch: [f64; 3] = std::array::from_fn(|_| 0.05 + 0.6 * random.next());
@@ -164,7 +166,7 @@ fn a_place_far_away_or_another_unit_costs_nothing() {
             assert!(e < 4e-16, "{sizes} sizes away: {e:e}");
         }
         for power in [-42, -12, 18] {
-            let e = inertia_error(&solid, 2.0_f64.powi(power), [0; 3]); // some 1e-9, 1 and 1e9 m
+            let e = inertia_error(&solid, 2.0_f64.powi(power), [0; 3]); // about 1e-9, 1 and 1e9 m
             assert!(e < 4e-16, "unit 2^{power}: {e:e}");
         }
     }
@@ -199,7 +201,7 @@ fn thin_walls_keep_their_digits() {
 
 #[test]
 fn many_triangles_cost_no_digits_and_threads_no_bits() {
-    // waves, so that neighbours do not cross where they are rounded
+    // waves, so that neighbours do not cross after rounding
     let wavy = |p: [f64; 3]| {
         let [x, y, z] = p;
         let r =
@@ -232,7 +234,7 @@ fn needles_and_flakes_keep_the_digits_of_every_element() {
     }
 }
 
-/// A box with integer corners, seen from outside counter-clockwise.
+/// Returns a box with integer corners, counter-clockwise as seen from outside.
 fn cuboid([x0, y0, z0]: Point, [x1, y1, z1]: Point) -> Solid {
     let quads = [
         [[x0, y0, z0], [x0, y1, z0], [x1, y1, z0], [x1, y0, z0]],
@@ -245,7 +247,7 @@ fn cuboid([x0, y0, z0]: Point, [x1, y1, z1]: Point) -> Solid {
     quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect()
 }
 
-/// A box of 24 m³ in the generic corner of space.
+/// Returns a box of 24 m³ at a generic position.
 fn brick() -> Vec<Triangle> {
     triangles(&cuboid([0; 3], [2, 3, 4]), 1.0, [5, -7, 11])
 }
@@ -267,7 +269,7 @@ fn a_missing_triangle_or_top_is_an_open_mesh() {
     let BodyError::OpenMesh { edges: 4, example: [a, b], .. } = refusal(topless) else { panic!() };
     assert_eq!([a[2], b[2]], [15.0; 2]); // the rim, at z = 11 + 4
 
-    // a corner that only nearly coincides is another one
+    // a corner that only nearly coincides is a different corner
     let mut torn = brick();
     torn[4][0][0] += 1e-12;
     assert!(matches!(refusal(torn), BodyError::OpenMesh { .. }));
@@ -291,7 +293,7 @@ fn turned_triangles_are_turned_back_if_they_are_few() {
         assert_eq!(codes(&mesh), ["mesh.inverted", "mesh.flipped"]);
         assert_eq!(mesh.volume(), 24.0);
     }
-    // of as many one way as the other, nobody knows which
+    // with equal numbers of both orientations, the majority is undetermined
     let mut half = brick();
     half[..6].iter_mut().for_each(|t| t.swap(0, 1));
     let error = refusal(half);
@@ -330,7 +332,7 @@ fn another_unit_is_that_of_all_coordinates() {
         let [a, b] = [&scaled, &direct].map(|mesh| mesh.mass_properties(Substance::Density(3.0)).unwrap());
         assert_eq!((a, scaled.volume(), scaled.surface_area()), (b, direct.volume(), direct.surface_area()));
         assert_eq!(scaled.findings(), direct.findings());
-        let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs(); // what scaling rounds, of a box far away
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs(); // rounding by scaling of a distant box
         for (a, b) in scaled.diagnosis().components.iter().zip(&direct.diagnosis().components) {
             assert!(near(a.volume, b.volume) && near(a.area, b.area), "{a:?} {b:?}");
             assert!(a.bounds.as_flattened().iter().zip(b.bounds.as_flattened()).all(|(a, b)| near(*a, *b)));
@@ -347,10 +349,10 @@ fn a_triangle_given_twice_is_refused() {
     let refused = |triangles: Vec<Triangle>, count: usize, first: usize, second: usize| {
         assert_eq!(refusal(triangles), BodyError::DuplicateTriangle { count, first, second });
     };
-    refused([brick(), brick()].concat(), 12, 1, 13); // closed, but of double weight
+    refused([brick(), brick()].concat(), 12, 1, 13); // closed, but with double weight
     let mut one = brick();
     let [a, b, c] = one[3];
-    one.insert(8, [b, c, a]); // the same, from another corner on
+    one.insert(8, [b, c, a]); // the same triangle, starting at another corner
     refused(one, 1, 4, 9);
 
     // back to back is something else: a wall without thickness, or two bodies that touch
@@ -409,13 +411,14 @@ fn what_encloses_nothing_is_refused() {
     let [a, b, c] = brick()[0];
     assert_eq!(refusal(vec![[a; 3]; 4]), BodyError::Empty { what: "triangles" });
     assert!(matches!(refusal(vec![[a, b, c], [a, c, b]]), BodyError::FlatMesh { .. }));
-    // four corners on a slanted plane, but for the rounding of the last
+    // four corners on a slanted plane, except for the rounding of the last
     let [o, p, q] = [[0.1, 0.2, 0.3], [1.7, 0.1, -0.4], [0.6, 0.9, 0.8]];
     let r: [f64; 3] = std::array::from_fn(|k| o[k] + 0.7 * (p[k] - o[k]) + 0.6 * (q[k] - o[k]));
     assert!(matches!(refusal(vec![[o, q, p], [o, p, r], [o, r, q], [p, q, r]]), BodyError::FlatMesh { .. }));
 }
 
-/// A strip `n` long and `m` wide, its end joined to its beginning the other way round; across, closed or not.
+/// Returns a strip `n` long and `m` wide whose end is joined to its beginning with reversed
+/// orientation; closed across or not.
 fn twisted(n: usize, m: usize, closed: bool) -> Vec<Triangle> {
     let mut random = Random(6);
     let points: Vec<[f64; 3]> = (0..n * (m + 1)).map(|_| std::array::from_fn(|_| random.next())).collect();

@@ -1,4 +1,4 @@
-//! What a mesh is said to be: each fault with its count and place, and how parts lie in each other.
+//! Diagnosis of meshes: each fault with its count and place, and the nesting of parts.
 
 #[path = "mesh_diagnosis/grids.rs"]
 mod grids;
@@ -8,7 +8,8 @@ use polhode::body::mesh::{ClosedMesh, ComponentRole, MeshDiagnosis, Triangle, Tr
 
 type Point = [f64; 3];
 
-/// A box between two corners, its faces divided into n × n squares, seen from outside counter-clockwise.
+/// Returns a box between two corners, its faces divided into n × n squares, counter-clockwise as
+/// seen from outside.
 fn cuboid(low: Point, high: Point, n: u32) -> Vec<Triangle> {
     let mut triangles = Vec::new();
     for axis in 0..3 {
@@ -39,7 +40,7 @@ fn mesh(parts: &[Vec<Triangle>]) -> TriangleMesh {
     TriangleMesh::of_triangles(&parts.concat()).unwrap()
 }
 
-/// What is not looked for decides nothing: the same volume, or the same error.
+/// Checks that remarks do not affect the verdict: the same volume, or the same error.
 fn is_judged_alike_without_remarks(mesh: &TriangleMesh) {
     let judged = [ClosedMesh::with_threads(mesh, 1), ClosedMesh::without_remarks(mesh, 1, &|| true)];
     let [all, brief] = judged.map(|judged| judged.map(|solid| (solid.volume(), solid.inverted())));
@@ -60,7 +61,8 @@ fn roles(diagnosis: &MeshDiagnosis) -> Vec<ComponentRole> {
     diagnosis.components.iter().map(|component| component.role).collect()
 }
 
-/// A slanted place: a turn by a rational rotation and a shift, so that planes are not those of the axes.
+/// Moves the parts to a slanted position by a rational rotation and a shift, so that planes are not
+/// parallel to the axes.
 fn slanted(parts: &[Vec<Triangle>]) -> Vec<Vec<Triangle>> {
     let turn = |[x, y, z]: Point| {
         // (2, −2, 1; 1, 2, 2; −2, −1, 2): three times a rotation, exact for small integers
@@ -69,7 +71,7 @@ fn slanted(parts: &[Vec<Triangle>]) -> Vec<Vec<Triangle>> {
     parts.iter().map(|part| part.iter().map(|t| t.map(turn)).collect()).collect()
 }
 
-/// Both as given and slanted.
+/// Runs the check for the parts as given and slanted.
 fn both_ways(parts: &[Vec<Triangle>], check: impl Fn(&MeshDiagnosis, Result<ClosedMesh, BodyError>)) {
     for parts in [parts.to_vec(), slanted(parts)] {
         check(&diagnosis(&parts), ClosedMesh::of(&mesh(&parts)));
@@ -160,7 +162,7 @@ fn solids_that_overlap_are_refused_in_every_position() {
             assert!(refused, "{what}: {solid:?}");
         });
     }
-    // an octahedron with its equator in a face: no edge goes through a triangle
+    // an octahedron with its equator in a face: no edge crosses a triangle
     let [c, r] = [[1.0, 1.0, 2.0], [0.5, 0.0, 0.0]];
     let at = |k: usize, s: f64| {
         let mut p: Point = c;
@@ -213,7 +215,7 @@ fn solids_that_touch_are_one_body() {
 
 #[test]
 fn one_part_that_goes_through_itself_is_a_warning() {
-    // a prism over a star of five: its middle is wound about twice
+    // a prism over a pentagram: its centre has winding number two
     let star = |k: u32, z: f64| {
         let angle = f64::from(2 * k) * std::f64::consts::TAU / 5.0;
         [angle.cos(), angle.sin(), z]
@@ -256,7 +258,7 @@ fn empty_and_hopeless_meshes_are_told_apart() {
     assert_eq!((point.degenerate.count, point.vertices, point.components.len()), (7, 1, 0));
 }
 
-/// In another order.
+/// Returns the items in another order.
 fn shuffled<T>(mut items: Vec<T>) -> Vec<T> {
     let mut state = 11_u64;
     for k in (1..items.len()).rev() {
@@ -284,7 +286,8 @@ fn many_triangles_are_the_parts_that_they_make_in_any_order() {
 
 #[test]
 fn a_large_surface_with_one_side_is_found_in_any_order() {
-    // Klein's bottle as a figure of eight that makes half a turn on its way round.
+    // Figure-eight immersion of the Klein bottle: a figure eight that makes half a turn along its
+    // way round.
     let (n, m) = (300_u32, 120_u32);
     let point = |k: u32| {
         let [u, v] =

@@ -1,9 +1,9 @@
-//! Holes, filled: what comes of it, what it may be off, what stays open.
+//! Filling of holes: the result, its error bound, and holes that remain open.
 
 use polhode::body::mesh::{ClosedMesh, Triangle, TriangleMesh};
 use polhode::body::shape::{Shape, Substance};
 
-/// A box of three sides with a corner at a generic point, each side of two triangles.
+/// Returns a box of three sides with a corner at a generic point, each side of two triangles.
 fn cuboid() -> Vec<Triangle> {
     let at =
         |x: u8, y: u8, z: u8| [0.3 + 2.1 * f64::from(x), -1.7 + 3.3 * f64::from(y), 0.9 + 0.7 * f64::from(z)];
@@ -18,7 +18,7 @@ fn cuboid() -> Vec<Triangle> {
     sides.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect()
 }
 
-/// A star-shaped prism with a lid, whose other end is open: a plane hole that is not convex.
+/// Returns a star-shaped prism with a lid, whose other end is open: a planar, nonconvex hole.
 fn prism(corners: usize) -> (Vec<Triangle>, f64) {
     let corner = |k: usize, z: f64| {
         let (k, turn) = (k % corners, std::f64::consts::TAU / corners as f64);
@@ -79,7 +79,7 @@ fn what_is_larger_or_meets_another_hole_stays_open() {
     triangles.remove(7);
     let small = filled(&triangles, 0.5);
     assert_eq!((small.holes, small.triangles, small.open_edges, small.volume_bound), (0, 0, 3, 0.0));
-    // Two triangles that meet in a corner only, of different sides.
+    // Two triangles of different sides that meet at a corner only.
     let mut triangles = cuboid();
     let at = |t: &Triangle| t.contains(&[0.3, -1.7, 0.9]);
     let first = triangles.iter().position(at).unwrap();
@@ -96,7 +96,8 @@ fn what_is_larger_or_meets_another_hole_stays_open() {
     assert_eq!(mesh.filled(1.0).unwrap().holes, 0);
 }
 
-/// Sheets beside a closed solid: one plane with a vertex in it, one bent, one that is one triangle; and a bowl, which is none.
+/// Sheets next to a closed solid: one planar with an interior vertex, one bent, one a single
+/// triangle. A bowl is not a sheet.
 #[test]
 fn the_rim_of_a_sheet_is_no_hole() {
     let [a, b, c, d] = [[5.0, 0.1, 0.2], [5.3, 0.2, 0.1], [5.4, 0.5, 0.3], [4.9, 0.4, 0.5]];
@@ -130,7 +131,7 @@ fn what_is_left_open_has_its_reason() {
     assert_eq!(left(&triangles, 0.5), [0, 1, 0, 0]);
     assert_eq!(left(&prism(258).0, 40.0), [1, 0, 0, 0]);
     assert_eq!(left(&prism(256).0, 40.0), [0; 4]);
-    // two holes that meet in one corner
+    // two holes that meet at one corner
     let (first, at) = (triangles[0], |t: &Triangle| t.contains(&triangles[0][0]));
     let edges = |t: &Triangle| t.iter().filter(|p| first.contains(p)).count();
     let mut whole = cuboid();
@@ -144,7 +145,7 @@ fn what_is_left_open_has_its_reason() {
 
 #[test]
 fn the_bound_holds_for_a_bulge_in_the_ball_about_the_hole() {
-    // A tetrahedron's base, which had a pyramid on it: its tip lies in the ball about the base.
+    // The base of a tetrahedron whose missing tip lies in the ball about the base.
     let [a, b, c] = [[0.1, 0.2, 0.3], [2.2, 0.1, 0.4], [0.9, 1.9, 0.2]];
     let (top, tip) = ([1.0, 0.8, 3.1], [1.1, 0.9, -1.0]);
     let open = [[a, b, top], [b, c, top], [c, a, top]];
@@ -157,7 +158,8 @@ fn the_bound_holds_for_a_bulge_in_the_ball_about_the_hole() {
     assert!(filled.largest_radius < filled.largest && filled.largest_radius > 0.5 * filled.largest);
 }
 
-/// The hole's rim lies askew to the axes, so that the ball about the middle of its box goes farther out than the rim, by more than its radius.
+/// The rim of the hole is oblique to the axes, so that the ball about the centre of its box extends
+/// beyond the rim by more than its radius.
 #[test]
 fn the_bound_of_centre_and_tensor_holds_however_the_hole_was_closed() {
     let at = |[x, y, z]: [f64; 3]| [0.7 + x, -1.3 + 1.1 * y, 2.9 + 0.9 * z];
@@ -181,7 +183,8 @@ fn the_bound_of_centre_and_tensor_holds_however_the_hole_was_closed() {
     let farthest_corner = corners.fold(0.0, f64::max);
     let (mut farthest, mut most_center, mut most_tensor) = (0.0_f64, 0.0_f64, 0.0_f64);
     let mut tried = 0;
-    // domes and dents between the rim and points of the ball: each triangle of the fill raised to a point, its three sides to others
+    // domes and dents between the rim and points of the ball: each triangle of the fill is raised
+    // to a point, its three sides to others
     for k in 0..400 {
         let part = |j: u32| (f64::from(k * j) * 0.618_034).fract();
         let (turn, z, r) = (std::f64::consts::TAU * part(1), 2.0 * part(3) - 1.0, part(7).cbrt());
@@ -212,7 +215,7 @@ fn the_bound_of_centre_and_tensor_holds_however_the_hole_was_closed() {
     );
 }
 
-/// The cuboid with each triangle cut into 4ⁿ.
+/// Returns the cuboid with each triangle divided into 4ⁿ.
 fn fine(cuts: usize) -> Vec<Triangle> {
     (0..cuts).fold(cuboid(), |triangles, _| {
         let middle = |p: [f64; 3], q: [f64; 3]| -> [f64; 3] { std::array::from_fn(|k| 0.5 * (p[k] + q[k])) };
@@ -228,7 +231,7 @@ fn fine(cuts: usize) -> Vec<Triangle> {
 fn an_open_mesh_says_at_which_size_its_holes_are_filled() {
     let whole = fine(5);
     let mut triangles = whole.clone();
-    // one triangle of a long side, and two that lie side by side in a short one
+    // one triangle of a long side, and two adjacent ones of a short side
     triangles.remove(2_900);
     triangles.drain(302..304);
     let mesh = TriangleMesh::of_triangles(&triangles).unwrap();
@@ -243,7 +246,7 @@ fn an_open_mesh_says_at_which_size_its_holes_are_filled() {
         (closed.volume() / ClosedMesh::from_triangles(whole.clone()).unwrap().volume() - 1.0).abs() < 1e-13
     );
     assert_eq!(mesh.closing_fill(&|| false), None);
-    // closed already; a hole that is large beside the mesh
+    // closed already; a hole that is large compared with the mesh
     assert_eq!(TriangleMesh::of_triangles(&whole).unwrap().closing_fill(&|| true), None);
     assert_eq!(TriangleMesh::of_triangles(&cuboid()[1..]).unwrap().closing_fill(&|| true), None);
 }

@@ -1,29 +1,30 @@
-//! Convex hulls against what defines them, by integers.
+//! Convex hulls compared with their definition, in integer arithmetic.
 
 use std::collections::HashSet;
 
 use polhode::body::BodyError;
 use polhode::body::mesh::{ClosedMesh, ConvexHull};
 
-/// Numbers that look random (Knuth's MMIX generator).
+/// Pseudorandom numbers (Knuth's MMIX generator).
 struct Random(u64);
 
 impl Random {
-    /// 0 … n − 1
+    /// Returns an integer in 0 … n − 1.
     fn below(&mut self, n: u64) -> i64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         ((self.0 >> 33) % n) as i64
     }
 }
 
-/// (b − a) × (c − a) · (p − a), exactly.
+/// Returns (b − a) × (c − a) · (p − a), exactly.
 fn side([a, b, c]: [[i64; 3]; 3], p: [i64; 3]) -> i128 {
     let from = |q: [i64; 3]| [0, 1, 2].map(|k| i128::from(q[k] - a[k]));
     let ([x, y, z], [u, v, w], [p, q, r]) = (from(b), from(c), from(p));
     (y * w - z * v) * p + (z * u - x * w) * q + (x * v - y * u) * r
 }
 
-/// The hull of the points is closed, its corners are points, no point is outside, and no corner lies between others.
+/// Checks the hull of the points: it is closed, its corners are points, no point is outside, and no
+/// corner lies between others.
 fn check(points: &[[i64; 3]]) -> Result<(usize, usize), BodyError> {
     let given: Vec<[f64; 3]> = points.iter().map(|p| p.map(|c| c as f64)).collect();
     let hull = ConvexHull::of(&given)?;
@@ -38,7 +39,7 @@ fn check(points: &[[i64; 3]]) -> Result<(usize, usize), BodyError> {
     assert_eq!(corners.len(), hull.coordinates().len());
     // Euler: F = 2 V − 4
     assert_eq!(faces.len(), 2 * corners.len() - 4);
-    // At a true corner three planes meet: the normals of its faces are not all in one plane.
+    // At a true corner at least three planes meet: the normals of its faces are not coplanar.
     for &corner in &corners {
         let normals: Vec<[i64; 3]> = faces
             .iter()
@@ -61,14 +62,14 @@ fn check(points: &[[i64; 3]]) -> Result<(usize, usize), BodyError> {
 #[test]
 fn hulls_of_few_points_are_what_defines_them() {
     let mut random = Random(1);
-    // on coarse grids most points lie on common planes and lines, and many twice
+    // on coarse grids most points lie on common planes and lines, and many coincide
     for (count, grid) in [(5, 2), (8, 3), (20, 3), (30, 5), (50, 20), (40, 1000)].repeat(60) {
         let points: Vec<[i64; 3]> =
             (0..count).map(|_| [0; 3].map(|_: i64| random.below(grid) - grid as i64 / 2)).collect();
         match check(&points) {
             Ok(_) => {}
             Err(BodyError::FlatPoints { .. }) => {
-                // all in one plane indeed
+                // truly all in one plane
                 let flat = points.iter().all(|&p| {
                     points.iter().all(|&q| points.iter().all(|&r| side([points[0], q, r], p) == 0))
                 });
@@ -122,7 +123,7 @@ fn what_has_no_hull_is_refused() {
     {
         assert!(message(points).contains(place), "{}", message(points));
     }
-    // and any scale is fine
+    // and any scale is accepted
     for scale in [1e-300, 1e-9, 1e9, 1e300] {
         let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.1; 3]];
         let hull = ConvexHull::of(&corner.map(|p: [f64; 3]| p.map(|c| c * scale))).unwrap();
@@ -132,7 +133,8 @@ fn what_has_no_hull_is_refused() {
 
 #[test]
 fn a_face_with_thousands_of_corners_is_not_made_anew_for_each() {
-    // A parabola of lattice points is a polygon without three corners in a line; under one apex, and under a copy of itself.
+    // A parabola of lattice points is a polygon without three collinear corners: under one apex,
+    // and under a copy of itself.
     let base = |z: i64| (-5000..5000).map(move |k: i64| [k, k * k, z].map(|c| c as f64));
     let apex = [3.0, 12_000_000.0, 700.0];
     let pyramid: Vec<_> = base(0).chain([apex]).collect();
@@ -145,7 +147,8 @@ fn a_face_with_thousands_of_corners_is_not_made_anew_for_each() {
 
 #[test]
 fn a_corner_of_twenty_thousand_faces_is_no_work_for_each_pair_of_them() {
-    // On the moment curve (t, t², t³) every point is a corner, and its two ends belong to every other face (Gale's evenness).
+    // On the moment curve (t, t², t³) every point is a corner, and its two ends belong to every
+    // second face (Gale's evenness condition).
     let n = 20_000;
     let points: Vec<[f64; 3]> = (0..n)
         .map(|k| {
@@ -156,7 +159,8 @@ fn a_corner_of_twenty_thousand_faces_is_no_work_for_each_pair_of_them() {
     let hull = ConvexHull::of(&points).unwrap();
     assert_eq!((hull.coordinates().len(), hull.triangles().len()), (20_000, 39_996));
     let solid = ClosedMesh::of(&hull).unwrap();
-    // Of the whole curve Π B(k, k), k = 1, 2, 3, for 0 ≤ t ≤ 1 (Karlin & Shapley 1953), times 2 · 4 · 8.
+    // The volume for the whole curve is Π B(k, k), k = 1, 2, 3, for 0 ≤ t ≤ 1 (Karlin & Shapley
+    // 1953), times 2 · 4 · 8.
     assert!((solid.volume() - 16.0 / 45.0).abs() < 1e-7, "{}", solid.volume());
     assert!(solid.diagnosis().overlaps.is_empty());
 }

@@ -1,4 +1,5 @@
-//! Every primitive against its own fine mesh, thin ones against sheets, and assemblies against the union of placed meshes.
+//! Every primitive compared with its own fine mesh, thin ones with sheets, and assemblies with the
+//! union of placed meshes.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -9,7 +10,7 @@ use polhode::body::shape::{
 };
 use polhode::prelude::*;
 
-/// Numbers that look random (Knuth's MMIX generator).
+/// Pseudorandom numbers (Knuth's MMIX generator).
 struct Random(u64);
 
 impl Random {
@@ -19,7 +20,8 @@ impl Random {
     }
 }
 
-/// The surface swept by a profile of (r, z) from the bottom up, n steps round the axis.
+/// Returns the surface of revolution of a profile (r, z), from the bottom up, with n steps around
+/// the axis.
 fn revolved(profile: &[[f64; 2]], n: u32) -> Vec<Triangle> {
     let point = |[r, z]: [f64; 2], j: u32| {
         let angle = f64::from(j % n) * TAU / f64::from(n);
@@ -38,7 +40,7 @@ fn revolved(profile: &[[f64; 2]], n: u32) -> Vec<Triangle> {
     profile.windows(2).flat_map(strip).collect()
 }
 
-/// n steps along a circle about (r, z); exactly on the axis where nearly so.
+/// Returns n steps along a circle about (r, z); points close to the axis are placed exactly on it.
 fn arc([r, z]: [f64; 2], radius: f64, [from, to]: [f64; 2], n: u32) -> Vec<[f64; 2]> {
     let on_axis = |r: f64| if r.abs() < 1e-12 { 0.0 } else { r };
     let angle = |k: u32| from + (to - from) * f64::from(k) / f64::from(n);
@@ -47,7 +49,7 @@ fn arc([r, z]: [f64; 2], radius: f64, [from, to]: [f64; 2], n: u32) -> Vec<[f64;
 
 type Mesher = Box<dyn Fn(u32) -> Vec<Triangle>>;
 
-/// The convex mesh of a few corners.
+/// Returns the convex mesh of a few corners.
 fn hull(points: Vec<[f64; 3]>) -> Mesher {
     Box::new(move |_| ConvexHull::of(&points).unwrap().corners().collect())
 }
@@ -56,7 +58,7 @@ fn corners_of_a_box(size: [f64; 3]) -> Vec<[f64; 3]> {
     (0..8).map(|k| [0, 1, 2].map(|i| if k >> i & 1 == 0 { -0.5 * size[i] } else { 0.5 * size[i] })).collect()
 }
 
-/// Every solid, of random size.
+/// Returns every solid, with random sizes.
 fn solids(random: &mut Random) -> Vec<(Box<dyn Shape>, Mesher)> {
     let [a, b, c] = [0; 3].map(|_| random.between(0.3, 2.0));
     let sphere = |n: u32| revolved(&arc([0.0; 2], 1.0, [-FRAC_PI_2, FRAC_PI_2], n / 2), n);
@@ -108,7 +110,7 @@ fn solids(random: &mut Random) -> Vec<(Box<dyn Shape>, Mesher)> {
     ]
 }
 
-/// Every thin surface, of random size.
+/// Returns every thin surface, with random sizes.
 fn surfaces(random: &mut Random) -> Vec<(Box<dyn Shape>, Mesher)> {
     let [a, b, c] = [0; 3].map(|_| random.between(0.3, 2.0));
     let sphere = move |n: u32| revolved(&arc([0.0; 2], a, [-FRAC_PI_2, FRAC_PI_2], n / 2), n);
@@ -136,7 +138,7 @@ fn surfaces(random: &mut Random) -> Vec<(Box<dyn Shape>, Mesher)> {
     ]
 }
 
-/// Area, centre and tensor at unit mass.
+/// Returns area, centre and tensor at unit mass.
 fn numbers(shape: &dyn Shape) -> Vec<f64> {
     let body = shape.mass_properties(Substance::Mass(1.0)).unwrap();
     let center = body.center_of_mass().to_array();
@@ -144,7 +146,8 @@ fn numbers(shape: &dyn Shape) -> Vec<f64> {
     [&[shape.surface_area()], &center[..], tensor.as_flattened()].concat()
 }
 
-/// What meshes of n and 2n steps extrapolate to, as their errors fall by four, is the shape.
+/// Checks that meshes of n and 2n steps extrapolate to the shape, as their errors fall by a factor
+/// of four.
 fn assert_limit(shape: &dyn Shape, mesh: impl Fn(u32) -> Vec<f64>) {
     let (exact, coarse, fine) = (numbers(shape), mesh(64), mesh(128));
     for ((want, coarse), fine) in exact.into_iter().zip(coarse).zip(fine) {
@@ -209,7 +212,7 @@ fn a_thick_sheet_is_a_brick_wherever_it_lies() {
     for (got, want) in
         sheet.inertia().matrix().as_flattened().iter().zip(want.inertia().matrix().as_flattened())
     {
-        assert!((got - want).abs() < 1e-12, "{got} {want}"); // of corners rounded at 2000
+        assert!((got - want).abs() < 1e-12, "{got} {want}"); // corners rounded at 2000
     }
     let mesh = TriangleMesh::of_triangles(&[[p, q, r]]).unwrap();
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {

@@ -1,4 +1,4 @@
-//! Unions of parts that overlap: against a boolean kernel, and against exact ones.
+//! Unions of overlapping parts, compared with a Boolean kernel and with exact results.
 
 mod cases;
 
@@ -20,14 +20,15 @@ fn refused(bodies: &[Body]) -> BodyError {
     MeshUnion::of(&mesh(bodies)).unwrap_err()
 }
 
-/// Volume, centre of mass, and the tensor about it at density 1: xx, yy, zz, xy, xz, yz.
+/// Returns volume, centre of mass, and the tensor about it at density 1: xx, yy, zz, xy, xz, yz.
 fn numbers(shape: &impl Shape) -> [f64; 10] {
     let body = shape.mass_properties(Substance::Density(1.0)).unwrap();
     let ([x, y, z], m) = (body.center_of_mass().to_array(), body.inertia().matrix());
     [body.mass(), x, y, z, m[0][0], m[1][1], m[2][2], m[0][1], m[0][2], m[1][2]]
 }
 
-/// The largest of how far apart two are: of the volume, of the radius of gyration, of the trace.
+/// Returns the largest relative difference of two results: in units of the volume, of the radius of
+/// gyration, of the trace.
 fn deviation(a: &[f64; 10], b: &[f64; 10]) -> f64 {
     let trace = b[4] + b[5] + b[6];
     let scale = |k| match k {
@@ -58,7 +59,7 @@ fn cases_agree_with_a_boolean_kernel() {
         assert_eq!(kernel_name, name);
         let kernel: Vec<f64> = row.split(',').map(|n| n.parse().unwrap()).collect();
         let union = union(bodies);
-        // 3e-15 was measured: both are right to the last digits.
+        // The measured deviation is 3e-15: both are accurate to rounding.
         let off = deviation(&numbers(&union), &kernel.try_into().unwrap());
         assert!(off < 1e-13, "{name}: {off:e}");
         assert!(union.error() < 2e-15 * union.volume(), "{name}: {:e}", union.error());
@@ -67,7 +68,7 @@ fn cases_agree_with_a_boolean_kernel() {
     assert!(shared > 100, "{shared}");
 }
 
-/// The cases as `unions.py` reads them: the name, and of each body its points and triangles.
+/// Writes the cases for `unions.py`: the name, and the points and triangles of each body.
 fn write(folder: &Path) {
     for (k, Case { name, bodies }) in cases().iter().enumerate() {
         let mut text = format!("{name}\n");
@@ -80,11 +81,11 @@ fn write(folder: &Path) {
     }
 }
 
-/// Bricks between integer corners, some of them hollow: what they enclose is cells.
+/// Boxes between integer corners, some of them hollow: the enclosed region is a set of cells.
 struct Cells {
     bodies: Vec<Body>,
     solid: BTreeSet<[i32; 3]>,
-    /// Cells in more than one.
+    /// Number of cells in more than one box.
     shared: usize,
     cavities: usize,
 }
@@ -121,7 +122,7 @@ impl Cells {
         }
     }
 
-    /// Exact but for the last rounding.
+    /// Returns the exact numbers, except for the last rounding.
     fn numbers(&self) -> [f64; 10] {
         let volume = self.solid.len() as f64;
         let sum = |of: &dyn Fn([f64; 3]) -> f64| {
@@ -137,7 +138,7 @@ impl Cells {
         [volume, x, y, z, yy + zz, xx + zz, xx + yy, -second(0, 1), -second(0, 2), -second(1, 2)]
     }
 
-    /// Faces between what is solid and what is not.
+    /// Returns the number of faces between solid and empty cells.
     fn area(&self) -> usize {
         let sides = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].into_iter().flat_map(|d: [i32; 3]| [d, d.map(|c| -c)]);
         let beside = |cell: &[i32; 3], d: [i32; 3]| [0, 1, 2].map(|k| cell[k] + d[k]);
@@ -164,7 +165,7 @@ fn bricks_with_faces_edges_and_corners_in_common_are_their_cells() {
         assert!((union.shared() - cells.shared as f64).abs() < 1e-12, "{round}");
         shared += usize::from(cells.shared > 0);
         hollow += usize::from(cells.cavities > 0);
-        // The same, turned: nothing lies in one plane or on one line any more, but for rounding.
+        // The same, rotated: nothing is coplanar or collinear any more, except for rounding.
         let turn = turned(&mut random);
         let turned: Vec<_> = cells.bodies.iter().map(|body| body.clone().moved(&turn)).collect();
         let turned = MeshUnion::of(&mesh(&turned)).unwrap();
@@ -173,7 +174,7 @@ fn bricks_with_faces_edges_and_corners_in_common_are_their_cells() {
     assert!(shared > 50 && hollow > 20, "{shared} {hollow}");
 }
 
-/// A prism over a five-pointed star whose outline goes round twice: the pentagon inside counts twice.
+/// Returns a prism over a pentagram: its inner pentagon has winding number two.
 fn star(height: f64) -> Body {
     let corner = |k: u32, z: f64| [(0.8 * PI * f64::from(k)).cos(), (0.8 * PI * f64::from(k)).sin(), z];
     let mut points: Vec<_> = (0..5).map(|k| corner(k, 0.0)).collect();
@@ -240,7 +241,7 @@ fn a_body_that_is_small_beside_its_distance_counts_as_what_it_is() {
     let large = brick([0.0; 3], [1.0, 1.5, 0.5]);
     for (size, away) in [(1e-6, 1e6), (1e-6, 1e3), (1e-4, 1e4), (0.3, 1e7)] {
         let small = brick([away; 3], [away + size, away + size, away + size]);
-        // Of coordinates that are rounded.
+        // Effect of rounded coordinates.
         let edge = (away + size) - away;
         let bodies = [large.clone(), small];
         let (solid, united) = (ClosedMesh::of(&mesh(&bodies)).unwrap(), union(&bodies));
@@ -273,11 +274,11 @@ fn a_mesh_wound_inward_is_turned_and_parts_that_are_are_refused() {
     assert_eq!(numbers(&one), numbers(&other));
     assert!((one.volume() - 9.0).abs() < 1e-14 && (one.shared() - 1.0).abs() < 1e-14);
     assert_eq!(other.findings().iter().map(|f| f.code).collect::<Vec<_>>(), ["mesh.inverted"]);
-    // A cavity that reaches out of its solid.
+    // A cavity that extends beyond its solid.
     let error = refused(&[bodies[0].clone(), inward[1].clone()]);
     let BodyError::NegativeUnion { volume, whole } = error else { panic!("{error}") };
     assert!((volume - 1.0).abs() < 1e-14 && (whole - 7.0).abs() < 1e-14);
-    // A cavity, filled by another body as far as that reaches.
+    // A cavity that another body fills partly.
     let hollow = brick([-1.0; 3], [3.0; 3]).with(&inward[0]);
     let filled = union(&[hollow, brick([1.0, 1.0, -2.0], [1.5, 1.5, 1.0])]);
     assert!((filled.volume() - (64.0 - 8.0 + 0.25 + 0.25)).abs() < 1e-13, "{}", filled.volume());
@@ -298,7 +299,7 @@ fn what_is_not_closed_or_encloses_nothing_is_refused() {
         turned[1].triangles[k].swap(0, 1);
     }
     assert!(matches!(refused(&turned), BodyError::InconsistentWinding { .. }), "{}", refused(&turned));
-    // One face turned back, as ever.
+    // One face reversed.
     let mut flipped = bodies.to_vec();
     flipped[1].triangles[4].swap(0, 1);
     let flipped = union(&flipped);
@@ -310,7 +311,7 @@ fn what_is_not_closed_or_encloses_nothing_is_refused() {
     assert!(matches!(ended, Err(BodyError::UnionUndecided { .. } | BodyError::OverlapsUndecided { .. })));
 }
 
-/// Whatever corners do to each other, there is an answer or an error.
+/// Arbitrary contacts of corners give a result or an error.
 #[test]
 fn crumpled_surfaces_are_united_or_refused() {
     let (mut united, mut negative) = (0, 0);
@@ -323,7 +324,7 @@ fn crumpled_surfaces_are_united_or_refused() {
                 let to = random.point(by);
                 *p = [0, 1, 2].map(|k| p[k] + to[k]);
                 if seed % 3 == 0 {
-                    *p = p.map(|c| (c * 4.0).round() / 4.0); // much in one plane, on one line, in one point
+                    *p = p.map(|c| (c * 4.0).round() / 4.0); // many coplanar, collinear and coincident points
                 }
             }
             body

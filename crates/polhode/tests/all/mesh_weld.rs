@@ -1,11 +1,11 @@
-//! Torn meshes, welded: what comes of it, what it may be off, what is refused.
+//! Welding of torn meshes: the result, its error bound, and refusals.
 
 use polhode::body::BodyError;
 use polhode::body::mesh::{ClosedMesh, Triangle, TriangleMesh, WeldedMesh};
 use polhode::body::shape::{Shape, Substance};
 use proptest::prelude::*;
 
-/// A pseudo-random number in (−1, 1).
+/// Pseudorandom numbers in (−1, 1).
 struct Random(u64);
 
 impl Random {
@@ -19,7 +19,7 @@ impl Random {
     }
 }
 
-/// A ring of oval section off the origin.
+/// Returns a ring of oval cross-section off the origin.
 fn ring(around: usize, along: usize) -> Vec<Triangle> {
     let corner = |i: usize, k: usize| {
         let [u, v] = [(i % around, around), (k % along, along)]
@@ -37,14 +37,14 @@ fn ring(around: usize, along: usize) -> Vec<Triangle> {
     triangles
 }
 
-/// The same with every corner of every triangle moved by up to so much.
+/// Returns the mesh with every corner of every triangle moved by up to `by`.
 fn torn(triangles: &[Triangle], by: f64, seed: u64) -> TriangleMesh {
     let mut random = Random(seed);
     let torn: Vec<_> = triangles.iter().map(|corners| corners.map(|p| random.moved(p, by))).collect();
     TriangleMesh::of_triangles(&torn).unwrap()
 }
 
-/// The triangles by their corners, in an order of their own, each from its least corner.
+/// Returns the triangles by their corners, sorted, each starting at its smallest corner.
 fn sorted(mesh: &TriangleMesh) -> Vec<Triangle> {
     let key = |triangle: &Triangle| triangle.map(|p| p.map(|c| (c + 0.0).to_bits()));
     let from_least =
@@ -69,7 +69,7 @@ fn a_mesh_whose_triangles_were_all_torn_off_has_its_mass_properties_to_the_bound
     assert!(welded.largest_distance > 1e-8 * size && welded.largest_distance <= 2e-7 * size);
     assert!(welded.farthest_move > 0.3 * welded.largest_distance);
     let solid = ClosedMesh::of(&welded.mesh).unwrap();
-    // The mean of a vertex's corners is within the largest displacement of it too.
+    // The mean of the corners of a vertex also is within the largest displacement.
     let off = (solid.volume() - whole.volume()).abs();
     assert!(off > 0.0 && off <= welded.volume_bound, "{off:e} {:e}", welded.volume_bound);
     assert!(welded.volume_bound < 3e-6 * whole.volume());
@@ -95,7 +95,7 @@ fn the_bound_holds_wherever_in_their_spread_the_vertices_are() {
     let mut largest = 0.0_f64;
     for seed in 0..40 {
         let mut random = Random(seed);
-        // outward or inward altogether, and at random
+        // all outward, all inward, or at random
         let to = |p: &[f64; 3]| match seed {
             0 | 1 => {
                 let from = [p[0] - 1.3, p[1] + 0.8, p[2] - 0.4];
@@ -150,7 +150,7 @@ fn a_tolerance_that_would_lose_features_is_refused_with_the_reason() {
 fn a_triangle_of_which_two_corners_become_one_is_counted_and_bounds_nothing() {
     let [o, x, y, z] = [[0.1, 0.2, -0.3], [2.3, 0.1, 0.0], [0.2, 3.1, 0.3], [0.1, 0.4, 1.7]];
     let z2 = [0.1, 0.4001, 1.7002];
-    // a sliver between z and z2 that no other triangle knows
+    // a sliver between z and z2 without neighbours
     let mesh =
         TriangleMesh::of_triangles(&[[o, y, x], [o, x, z], [o, z2, y], [x, y, z], [z, z2, o]]).unwrap();
     let welded = mesh.welded(3e-4).unwrap();
@@ -178,7 +178,8 @@ fn an_open_mesh_says_at_which_weld_it_closes() {
     assert_eq!(self::torn(&whole, 5e-3 * size, 4).closing_weld(&|| true), None);
 }
 
-/// Two squares of one side, 0.5 mm apart and wound against each other, without the walls between them.
+/// Two parallel squares, 0.5 mm apart and with opposite orientation, without the walls between
+/// them.
 #[test]
 fn a_weld_that_presses_two_sheets_onto_each_other_closes_nothing_worth_a_mention() {
     let at = |i: usize, k: usize, z: f64| [0.1 + 0.2 * i as f64, -0.3 + 0.2 * k as f64, z];

@@ -1,19 +1,20 @@
-//! Random scenarios in other words: results transform as axes, units and parts do, and do not depend on the order of
-//! torques, on the method, on the tolerance, or on whether a motion is computed in one piece. Two results differ by
-//! at most twice the sum of their stated errors.
+//! Metamorphic tests with random scenarios: results transform like axes, units and parts. They do
+//! not depend on the order of torques, on the method, on the tolerance, or on a division of the run
+//! into parts. Two results differ by at most twice the sum of their stated errors.
 
 use crate::common::scenario::{Change, Lump, Numbers, Random};
 use polhode::motion::{Ending, ErrorEffort, EventAction, Measure, Run, Sense, SplittingOrder, StateError};
 use polhode::prelude::*;
 
-/// Tolerances of the runs that are compared.
+/// Tolerances of the compared runs.
 const TOLERANCES: [f64; 5] = [1e-13, 1e-11, 1e-8, 1e-5, 1e-2];
 
-/// Rounding of the inputs in the transformed words, in units of that which the stated error of the inputs assumes: a
-/// tensor is rotated by some twenty operations.
+/// Rounding of the transformed inputs, in units of the rounding that the stated input error
+/// assumes: a tensor is rotated by about twenty operations.
 const INPUTS: f64 = 16.0;
 
-/// Scenarios of the gate. Others: `POLHODE_METAMORPHIC=0..2000 cargo test -p polhode --test all metamorphic`.
+/// Scenarios of the gate. Others: `POLHODE_METAMORPHIC=0..2000 cargo test -p polhode --test all
+/// metamorphic`.
 const SCENARIOS: core::ops::Range<u64> = 0..300;
 
 fn scenarios() -> core::ops::Range<u64> {
@@ -22,7 +23,7 @@ fn scenarios() -> core::ops::Range<u64> {
     from.parse().unwrap()..to.parse().unwrap()
 }
 
-/// A scenario, and what is watched.
+/// A scenario with its events.
 #[derive(Clone)]
 struct Case {
     numbers: Numbers,
@@ -43,7 +44,7 @@ struct Outcome {
 }
 
 impl Case {
-    /// `None` of a motion that ends too early for a comparison.
+    /// Returns a random scenario; `None` if its motion ends too early for a comparison.
     fn random(seed: u64) -> Option<Self> {
         let mut random = Random::new(seed ^ 0x5eed);
         let numbers = Numbers::random(&mut random);
@@ -97,7 +98,7 @@ impl Case {
         self.run(&(0..self.numbers.pushes.len()).collect::<Vec<_>>())
     }
 
-    /// The same in two runs.
+    /// Computes the motion in two runs.
     fn in_two(&self) -> Outcome {
         let Self { numbers, end, method, tolerance, .. } = self;
         let times = [0.25, 0.5, 0.75, 1.0].map(|part| part * end);
@@ -132,7 +133,7 @@ impl Case {
         Self { numbers: self.numbers.changed(change), rate, time, end, ..*self }
     }
 
-    /// Every part in two of different mass at different places, and in another order.
+    /// Splits every part into two of different mass at different places, and changes the order.
     fn in_parts(&self, random: &mut Random) -> Self {
         let mut numbers = self.numbers.clone();
         let halves = |lump: &Lump| {
@@ -140,7 +141,8 @@ impl Case {
             let offset = random.vector(0.02);
             let masses = [part * lump.mass, (1.0 - part) * lump.mass];
             let shifts = [offset, offset.map(|x| -x * part / (1.0 - part))];
-            // Σ m (d² 1 − d dᵀ) of the two is taken from their tensors, in parts that are their masses'.
+            // Σ m (d² 1 − d dᵀ) of the two is subtracted from their tensors, in proportion to their
+            // masses.
             let spread: [[f64; 3]; 3] = core::array::from_fn(|i| {
                 core::array::from_fn(|j| {
                     let steiner = |m: f64, d: [f64; 3]| {
@@ -177,13 +179,14 @@ impl Outcome {
         Self { states: motion.samples().iter().map(|sample| sample.state).collect(), errors, events, ending }
     }
 
-    /// The same in other axes and units.
+    /// Returns the scenario in other axes and units.
     fn changed(&self, change: &Change) -> Self {
         let states = self.states.iter().map(|state| change.state(state)).collect();
         Self { states, errors: self.errors.clone(), events: self.events.clone(), ending: self.ending }
     }
 
-    /// The largest difference of two outcomes as a part of twice their stated errors; infinite if they have other events.
+    /// Returns the largest difference of two results relative to twice their stated errors;
+    /// infinite if their events differ.
     fn difference(&self, other: &Self) -> f64 {
         if (&self.events, self.ending) != (&other.events, other.ending) {
             return f64::INFINITY;
@@ -218,7 +221,7 @@ fn results_transform_as_scenarios_do() {
         let scaled = Change { length: 0.3048, mass: 1.0 / 0.45359237, time: 1.0 / 60.0, ..none };
         let order: Vec<usize> = (0..case.numbers.pushes.len()).rev().collect();
         let with = |method, tolerance| Case { method, tolerance, ..case.clone() };
-        // One of the comparisons, each in its turn; all of them in other scenarios than those of the gate.
+        // The gate runs one comparison per scenario, in turn; other scenarios run all.
         let all = if seed < SCENARIOS.end { seed % 9..seed % 9 + 1 } else { 0..9 };
         for k in all {
             let same = |other: &Outcome, what: &str| (base.difference(other), what.to_owned());

@@ -1,4 +1,4 @@
-//! The triangle of moments against its definition.
+//! The triangle of moments compared with its definition.
 
 use polhode::body::{MOMENT_TRIANGLE, place_in_moment_triangle, ratio_region};
 
@@ -28,7 +28,7 @@ fn the_outline_is_where_the_square_of_the_error_is_the_quantile() {
 
 #[test]
 fn no_impossible_body_is_inside() {
-    // a thin plate, and nearly a rod
+    // a thin plate, and a body close to a rod
     for (ratios, sd) in [([0.301, 0.702], [0.01, 0.02]), ([0.02, 0.985], [0.03, 0.03])] {
         let region = ratio_region(ratios, sd, -0.2, 0.95).unwrap();
         assert!(region.len() > 20);

@@ -1,10 +1,10 @@
-//! Motions against 40-digit references (fixtures/, which says how they were made).
+//! Motions compared with references of 40 digits (fixtures/ describes how they were computed).
 
 use crate::common::*;
 use polhode::motion::{ErrorEffort, Pendulum, Regime, Swing, TIGHTEST_TOLERANCE};
 use polhode::prelude::*;
 
-/// Errors of ω (relative) and attitude (rad) at one row of a case.
+/// Returns the errors of ω (relative) and attitude (rad) at one row of a case.
 fn errors(row: &toml::Table, state: &State) -> (f64, f64) {
     let omega = AngularVelocity::from_array(numbers(&row["omega"]));
     ((state.omega - omega).norm() / omega.norm(), state.attitude.angle_to(attitude(&row["attitude"])))
@@ -12,13 +12,13 @@ fn errors(row: &toml::Table, state: &State) -> (f64, f64) {
 
 const METHODS: [Method; 2] = [Method::Dop853, Method::Taylor];
 
-/// The larger of each error.
+/// Returns the larger of each error.
 fn worst(errors: [(f64, f64); 2]) -> [f64; 2] {
     [errors[0].0.max(errors[1].0), errors[0].1.max(errors[1].1)]
 }
 
-/// A motion at one time, before its start too: every torque here depends on the attitude alone, so the motion with ω
-/// reversed is the same one run backwards.
+/// Returns a motion at one time, which may be before its start. Every torque here depends on the
+/// attitude only, so the motion with reversed ω is the same motion backwards.
 fn integrate(
     method: Method,
     rotor: &Rotor,
@@ -183,7 +183,8 @@ fn times_and_tolerances_out_of_range_are_refused() {
 
 #[test]
 fn a_rod_swings_but_takes_no_torque_along_itself() {
-    // Thornton & Marion, example 11.4: m1 at the end of a rod of length b, m2 in the middle; swung by 40°.
+    // Thornton & Marion, example 11.4: m1 at the end of a rod of length b, m2 in the middle;
+    // released at 40°.
     let (m1, m2, b, g) = (1.3, 0.8, 0.9, 9.81);
     let particles =
         [(m1, b), (m2, b / 2.0)].map(|(m, x)| Particle::new(m, Position::new(x, 0.0, 0.0)).unwrap());
@@ -202,7 +203,7 @@ fn a_rod_swings_but_takes_no_torque_along_itself() {
     let by_the_notes = ((m1 + m2 / 2.0) / (m1 + m2 / 4.0) * g / b).sqrt();
     assert!((pendulum.small_frequency() / by_the_notes - 1.0).abs() < 1e-15);
     assert!((pendulum.angle() - amplitude).abs() < 1e-15);
-    // After the exact period it is back; after half of it, on the other side.
+    // After the exact period it has returned; after half of it, it is on the other side.
     let period = pendulum.period(amplitude);
     let times = [0.5 * period, period, 7.0 * period];
     let motion = Trajectory::compute(&rotor, &gravity, start, &times, Method::Auto, 1e-15).unwrap();
@@ -227,7 +228,7 @@ fn pendulums_of_any_amplitude_have_their_period() {
     let rotor = Rotor::pivoted(&rod.unwrap(), Position::new(-0.1, 0.2, 0.3));
     let axis = Direction::new(0.2, -0.3, 1.0);
     let pendulum = Pendulum::hung(&rotor, axis, Acceleration::new(9.0, 1.0, -3.0)).unwrap();
-    // ω0² by the definitions
+    // ω0² from the definitions
     let n = axis.direction().unwrap();
     let l = rotor.lever().to_array();
     let l = Direction::<Body>::from_array(l);
@@ -242,7 +243,7 @@ fn pendulums_of_any_amplitude_have_their_period() {
         let amplitude = number(&case["amplitude_rad"]);
         let ratio = pendulum.period(amplitude) * small / (2.0 * std::f64::consts::PI);
         let expected = number(&case["period_ratio"]);
-        // cos²(θ/2) loses relative digits towards π
+        // cos²(θ/2) loses relative accuracy towards π
         let bound = 1e-15 + 3e-16 / (0.5 * amplitude).cos().powi(2).sqrt();
         assert!((ratio / expected - 1.0).abs() < bound, "{:?} {:e}", case["label"], ratio / expected - 1.0);
         if let Swing::Oscillation { amplitude: a, period } = pendulum.swing(amplitude, 0.0) {
@@ -254,19 +255,20 @@ fn pendulums_of_any_amplitude_have_their_period() {
             assert!(amplitude == 0.0);
         }
     }
-    // Through the bottom at twice the rate that just reaches the top: a revolution, whose period by the integral of dθ/θ̇.
+    // Through the bottom at twice the rate that just reaches the top: a revolution, with its period
+    // by the integral of dθ/θ̇.
     let rate = 4.0 * small;
     let Swing::Revolution { period } = pendulum.swing(0.0, rate) else { panic!("must go round") };
     let n = 4000;
     let h = 2.0 * std::f64::consts::PI / f64::from(n);
     let speed = |theta: f64| (rate * rate - 4.0 * small * small * (theta / 2.0).sin().powi(2)).sqrt();
-    let by_quadrature: f64 = (0..n).map(|k| h / speed(f64::from(k) * h)).sum(); // spectrally accurate: periodic
+    let by_quadrature: f64 = (0..n).map(|k| h / speed(f64::from(k) * h)).sum(); // spectral accuracy, as the integrand is periodic
     assert!((period / by_quadrature - 1.0).abs() < 1e-14);
     assert!(matches!(pendulum.swing(0.0, 0.0), Swing::Rest));
     assert!(pendulum.period(std::f64::consts::PI).is_infinite());
 }
 
-/// An estimate may cost 14 times the motion: a caller sees its progress, and can end it.
+/// An error estimate may cost 14 times the motion: a caller sees its progress and can stop it.
 #[test]
 fn an_estimate_of_the_error_tells_that_it_is_made() {
     let rotor = free_body([1.3, 2.1, 2.9]);
@@ -288,11 +290,11 @@ fn an_estimate_of_the_error_tells_that_it_is_made() {
             })
             .unwrap();
         assert_eq!(motion.samples(), with_error.samples());
-        // Thirteen runs, one of them of twice as many steps, all of them after the motion's own.
+        // Thirteen runs, one of them with twice as many steps, all after the motion itself.
         assert!(told.len() > 12 * steps && steps > 10, "{} of {steps}", told.len());
         assert!(told.iter().skip(steps).all(|time| *time == 30.0));
         assert_eq!(simulation.global_error(&motion, ErrorEffort::Thorough).as_ref(), with_error.error());
-        // A stop is heard in the motion, and in each run of the estimate.
+        // A stop takes effect in the motion, and in each run of the estimate.
         for most in [5, steps + 3] {
             let mut left = i64::try_from(most).unwrap();
             let stopped = simulation.run_with_error(ErrorEffort::Thorough, &mut |_| {

@@ -1,4 +1,5 @@
-//! Steady motions of bodies on level ground: closed forms against eigenvalues of the linear equations, and both against motions.
+//! Steady motions of bodies on level ground: closed forms compared with eigenvalues of the linear
+//! equations, and both with motions.
 
 mod closed_form;
 mod departures;
@@ -34,7 +35,8 @@ fn body(mass: f64, moments: [f64; 3]) -> MassProperties<Body> {
     MassProperties::new(mass, Position::ZERO, InertiaTensor::diagonal(moments).unwrap()).unwrap()
 }
 
-/// With the axis z at an angle from the vertical, turned about the vertical too.
+/// Returns an attitude with the z axis at an angle from the vertical, also rotated about the
+/// vertical.
 fn leaning(angle: f64) -> Attitude {
     Rotation::<Space, Space>::about(Direction::new(0.0, 0.0, 1.0), 0.7).unwrap()
         * Attitude::about(Direction::new(1.0, 0.0, 0.0), angle).unwrap()
@@ -48,7 +50,7 @@ fn steady(body: &MassProperties<Body>, contact: &Contact, start: &ContactStart) 
     SteadyOnGround::near(body, contact, start).unwrap()
 }
 
-/// Where `holds` changes between two spins.
+/// Returns the spin at which `holds` changes, by bisection.
 fn bisected(holds: impl Fn(f64) -> bool, [mut a, mut b]: [f64; 2]) -> f64 {
     let first = holds(a);
     assert_ne!(first, holds(b), "between {a} and {b}");
@@ -59,7 +61,7 @@ fn bisected(holds: impl Fn(f64) -> bool, [mut a, mut b]: [f64; 2]) -> f64 {
     0.5 * (a + b)
 }
 
-/// The thresholds in closed form against those of the eigenvalues.
+/// Compares the thresholds in closed form with those of the eigenvalues.
 #[track_caller]
 fn holds_against_eigenvalues(at: impl Fn(f64) -> SteadyOnGround, expected: usize, tolerance: f64) {
     let spins = at(3.0).stable_spins.unwrap();
@@ -92,7 +94,7 @@ fn wheels_roll_upright_beyond_a_rate() {
             let rolling = |spin: f64| {
                 let steady = steady(&body, &contact, &start(leaning(FRAC_PI_2 - 0.02), [0.0, 0.0, spin]));
                 assert!(matches!(steady.path, SteadyPath::RollingUpright(_)), "{:?}", steady.path);
-                // Two more at a threshold.
+                // Two additional neutral modes at a threshold.
                 assert!(matches!(steady.neutral - steady.neutral_ways().len(), 0 | 2), "{:?}", steady.modes);
                 steady
             };
@@ -125,7 +127,7 @@ fn a_symmetric_body_sleeps_upright_beyond_a_rate() {
     let ball = SurfaceShape::Sphere { radius: 0.11 };
     let egg = SurfaceShape::Ellipsoid { semi_axes: [0.07, 0.07, 0.11] };
     for (shape, center, moments) in [
-        // Higher than the middle; the moments of each group of tippe tops.
+        // Centre of mass above the centre of the ball; moments of each group of tippe tops.
         (ball, -0.03, [0.0021, 0.0021, 0.0027]),
         (ball, -0.03, [0.0031, 0.0031, 0.0027]),
         (ball, -0.03, [0.0041, 0.0041, 0.0027]),
@@ -149,7 +151,8 @@ fn a_symmetric_body_sleeps_upright_beyond_a_rate() {
     }
 }
 
-/// An ellipsoid whose principal axes are turned about the vertical from those of its surface.
+/// Returns an ellipsoid whose principal axes are rotated about the vertical relative to those of
+/// its surface.
 fn turned(moments: [f64; 3], angle: f64) -> MassProperties<Body> {
     let [a, b, c] = moments;
     let (sin, cos) = angle.sin_cos();
@@ -185,7 +188,9 @@ fn an_ellipsoid_spins_on_its_end_within_bounds() {
             let contact = contact(SurfaceShape::Ellipsoid { semi_axes }, [0.0, 0.0, -0.01], footing);
             let at = |spin: f64| on_vertex(&body, &contact, spin);
             let count = at(1.0).stable_spins.unwrap().thresholds().len();
-            // A rate below 1e-6 counts as zero, and growth below 1e-12 as none: of a rattleback that is held by a real rate that passes through zero, that is seen.
+            // A rate below 1e-6 counts as zero, and a growth rate below 1e-12 as none. For a
+            // rattleback whose stability limit is a real root passing through zero, the difference
+            // is visible.
             let is_slow = angle != 0.0 && moments[2] < moments[0];
             holds_against_eigenvalues(at, count, if is_slow { 1e-7 } else { 1e-10 });
             seen += count;
@@ -202,7 +207,7 @@ fn a_rattleback_prefers_one_sense() {
     let at = |spin: f64| on_vertex(&body, &contact, spin);
     let SteadyPath::OnVertex(vertex) = at(1.0).path else { panic!("it stands on its vertex") };
     let rattle = vertex.rattleback().unwrap();
-    // The swings at rest, and their growth per spin.
+    // The oscillations at rest, and their growth rates per spin.
     let small = 1e-5;
     let [slow, fast] = rattle.modes[..] else { panic!("two swings") };
     assert!(slow.growth_per_spin * fast.growth_per_spin < 0.0, "{rattle:?}");
@@ -218,7 +223,7 @@ fn a_rattleback_prefers_one_sense() {
     assert!(at(1.01 * rattle.stable_sense * threshold).is_stable());
     assert!(!at(0.99 * rattle.stable_sense * threshold).is_stable());
     assert!(!at(-1.01 * rattle.stable_sense * threshold).is_stable());
-    // The mirror image prefers the other one.
+    // The mirror image prefers the other sense.
     let mirrored = turned([0.0012, 0.0081, 0.0089], -0.15);
     let SteadyPath::OnVertex(other) = on_vertex(&mirrored, &contact, 1.0).path else { panic!("it stands") };
     let other = other.rattleback().unwrap();
@@ -226,7 +231,7 @@ fn a_rattleback_prefers_one_sense() {
     assert!((other.threshold.unwrap() / threshold - 1.0).abs() < 1e-13);
 }
 
-/// Starts far from what is steady, and ground on which nothing is.
+/// Starts far from a steady motion, and ground without steady motions.
 #[test]
 fn what_is_not_steady_is_refused() {
     let body = body(1.7, [0.037, 0.037, 0.061]);

@@ -1,5 +1,5 @@
-//! Bodies turned on their orbits: the gravity gradient, and magnets, against integrations in 50 digits, published runs and
-//! closed forms (fixtures/, which says how they were made).
+//! Rotation of bodies on orbits: gravity gradient and magnets, compared with integrations in 50
+//! digits, published runs and closed forms (fixtures/ describes how they were computed).
 
 use crate::common::*;
 use polhode::body::Symmetry;
@@ -47,7 +47,7 @@ fn generic_start() -> State {
     }
 }
 
-/// A case of fixtures/orbits.toml.
+/// Returns a case of fixtures/orbits.toml.
 fn case(case: &toml::Table) -> (Orbit, Rotor, TorqueModel) {
     let mu = number(&case["mu"]);
     let position = Position::from_array(numbers(&case["position"]));
@@ -112,7 +112,7 @@ fn bodies_on_orbits_follow_the_reference() {
     }
 }
 
-/// R_space_body of a published R_body_space.
+/// Returns `R_space_body` from a published `R_body_space`.
 fn published_attitude(row: &toml::Table) -> Attitude {
     let t = matrix(&row["transform"]);
     Rotation::<Body, Space>::from_matrix(t).unwrap().inverse()
@@ -179,7 +179,7 @@ fn the_sphere_keeps_its_rate() {
     let omega = AngularVelocity::<Body>::from_array(numbers(&rows[0]["omega"]));
     let start = State { time: 0.0, attitude: published_attitude(rows[0]), omega };
     let t = number(&rows[1]["t"]);
-    // Free, and with a gradient that does not turn a sphere.
+    // Free, and with a gravity gradient, which has no torque on a spherical body.
     let gradient = [gradient(&orbit, Attracted::Tensor)];
     for (torques, method) in
         [(&[][..], Method::Auto), (&gradient[..], Method::Taylor), (&gradient[..], Method::Dop853)]
@@ -194,7 +194,8 @@ fn the_sphere_keeps_its_rate() {
 
 #[test]
 fn energy_less_n_l_is_constant_on_a_circle() {
-    // In axes that turn with the orbit gravity stands still: T + U − n L·ẑ, ẑ along the orbit's normal.
+    // In axes that turn with the orbit, gravity is constant: T + U − n L·ẑ, ẑ along the orbit
+    // normal.
     let (radial, motion) = (Direction::new(0.3, -1.2, 0.7), Direction::new(1.0, 0.4, 2.0));
     let rate = 0.45;
     let orbit = Orbit::circular_at_rate(0.4, rate, radial, motion).unwrap();
@@ -225,8 +226,8 @@ fn energy_less_n_l_is_constant_on_a_circle() {
 
 #[test]
 fn the_pitch_of_a_satellite_has_its_period() {
-    // Axes along the track (x), the orbit's normal (y) and up (z): ω² = 3 n² (Ix − Iz)/Iy of small librations. At any amplitude
-    // 2θ is a pendulum's angle: T = 4 K(sin² θ₀)/ω.
+    // Axes along the track (x), the orbit normal (y) and up (z): ω² = 3 n² (Ix − Iz)/Iy for small
+    // librations. For any amplitude, 2θ is a pendulum's angle: T = 4 K(sin² θ₀)/ω.
     let (ix, iy, iz) = (8.2, 9.1, 1.7);
     let inertia = InertiaTensor::diagonal([ix, iy, iz]).unwrap();
     let rotor = Rotor::free(&MassProperties::new(40.0, Position::ZERO, inertia).unwrap());
@@ -333,7 +334,7 @@ fn both_integrators_agree_and_the_theorems_hold() {
             let drift = Drift::of(&motion).unwrap();
             let sample = motion.samples()[0];
             assert!(drift.work_energy < 1e-13, "{name} {method:?}: {drift:?}");
-            // the impulse on wheels that a motor turns is in L, and so in the drift
+            // the impulse on motor-driven wheels is included in L, and therefore in the drift
             assert!(drift.momentum < 1e-13, "{name} {method:?}: {drift:?}");
             assert!(sample.work.abs() > 1e-3 && sample.impulse.norm() > 1e-2, "{name}: nothing happened");
             sample.state

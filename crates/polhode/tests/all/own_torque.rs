@@ -1,4 +1,4 @@
-//! Torques of the user: laws and functions from outside the crate.
+//! User-supplied torques: laws and functions from outside the crate.
 
 use polhode::math::formula::Unary;
 use polhode::math::{Scalar, VectorAlgebra};
@@ -6,7 +6,7 @@ use polhode::motion::Orbit;
 use polhode::motion::torque::{Drag, DragLaw, Law, LawInput, OrbitPosition};
 use polhode::prelude::*;
 
-/// N = −|ω| C ω, as the crate has it too.
+/// Torque N = −|ω| C ω, as in the crate.
 #[derive(Debug)]
 struct QuadraticDrag([f64; 6]);
 
@@ -17,7 +17,7 @@ impl Law for QuadraticDrag {
     }
 }
 
-/// The gravity gradient, with a sine and the attitude: nothing that the crate has.
+/// A gravity gradient with a sine and the attitude, different from all laws of the crate.
 #[derive(Debug)]
 struct Swarm {
     orbit: Orbit,
@@ -36,7 +36,7 @@ impl Law for Swarm {
     }
 }
 
-/// The same, state by state.
+/// Returns the same torque in one state.
 fn swarm(orbit: &Orbit, rest: Attitude, rotor: &Rotor, state: &State) -> Torque<Body> {
     let r = (state.attitude.inverse() * orbit.position(state.time)).to_array();
     let distance = (r[0] * r[0] + r[1] * r[1] + r[2] * r[2]).sqrt();
@@ -108,7 +108,7 @@ fn a_law_is_integrated_as_what_it_says() {
     }
 }
 
-/// N = −c (|ωx|, ωy, ωz)
+/// Torque N = −c (|ωx|, ωy, ωz).
 #[derive(Debug)]
 struct Corner;
 

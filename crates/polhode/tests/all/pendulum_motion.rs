@@ -1,4 +1,4 @@
-//! The pendulum's exact motion, against references of 32 digits.
+//! The exact motion of a pendulum, compared with references of 32 digits.
 
 use crate::common::{cases, number, table};
 use polhode::body::{InertiaTensor, MassProperties};
@@ -43,7 +43,7 @@ fn far_away_it_is_where_it_should_be_or_nowhere() {
         assert!(motion.reach() > time, "{given:?}: {:e}", motion.reach());
         let (theta, speed) = motion.at(time);
         assert!((speed - want[2]).abs() < law, "{given:?}: {speed}");
-        // an angle that counts more turns than it has digits says nothing of where it is
+        // an angle that contains more turns than digits does not determine the position
         if theta.abs() < 4.0 {
             let (sine, cosine) = (0.5 * theta).sin_cos();
             assert!((sine * want[1] - cosine * want[0]).abs() < law, "{given:?}: {theta}");
@@ -76,7 +76,7 @@ fn a_rod_swings_with_the_period_that_its_kind_says() {
             }
             other => panic!("{other:?}"),
         };
-        // 7 periods, rounded, are off by 10⁻¹⁵ s
+        // 7 periods, rounded, have an error of 10⁻¹⁵ s
         assert!((later - angle - turn).abs() < 2e-14 && (speed - rate).abs() < 2e-14);
     }
 }

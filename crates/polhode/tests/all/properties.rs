@@ -1,11 +1,12 @@
-//! Laws that hold for every body and every motion, tried on many, with generators that hug the edges.
+//! Properties of all bodies and all motions, tested with random inputs close to the limits.
 
 use polhode::math::{Frame, quantity};
 use polhode::prelude::*;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-/// Possible principal moments: generic, nearly equal, flat, needle-like, and at any scale.
+/// Generates physical principal moments: generic, nearly equal, flat, needle-like, and at any
+/// scale.
 fn moments() -> impl Strategy<Value = [f64; 3]> {
     // second moments a, b, c ≥ 0 make i = (b + c, a + c, a + b)
     let second = prop_oneof![
@@ -32,7 +33,7 @@ where
     prop::array::uniform3(-size..size).prop_map(Vector::from_array)
 }
 
-/// A tensor with its principal axes anywhere.
+/// Generates a tensor with arbitrary principal axes.
 fn tensor() -> impl Strategy<Value = InertiaTensor<Body>> {
     (moments(), rotation::<Body, Part>())
         .prop_map(|(moments, r)| InertiaTensor::<Part>::diagonal(moments).unwrap().in_frame(r))
@@ -40,7 +41,8 @@ fn tensor() -> impl Strategy<Value = InertiaTensor<Body>> {
 
 fn body() -> impl Strategy<Value = MassProperties<Body>> {
     (tensor(), vector(3.0), 0.1..10.0).prop_map(|(inertia, center, mass)| {
-        // a mass that fits the size of the tensor, so that neither term of parallel axes drowns
+        // a mass that matches the size of the tensor, so that both terms of the parallel axis
+        // theorem are significant
         let size = PrincipalFrame::of(&inertia).moments()[2];
         MassProperties::new(mass * size, center, inertia).unwrap()
     })
@@ -81,7 +83,7 @@ proptest! {
             let sign = axis.to_array().into_iter().find(|c| c.abs() >= (1.0 - 1e-9) * axis.max_abs()).unwrap();
             prop_assert!(sign > 0.0);
         }
-        // and its rotation takes principal to body components
+        // and its rotation maps principal to body components
         for (k, unit) in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].into_iter().enumerate() {
             prop_assert!((p.rotation() * Direction::from_array(unit) - p.axis(k)).norm() < 2e-15);
         }
@@ -104,7 +106,7 @@ proptest! {
         let about = b.inertia_about(p).about_axis(n);
         let expected = b.inertia().about_axis(n) + b.mass() * distance2;
         prop_assert!((about - expected).abs() < 1e-14 * largest(b.inertia_about(p).matrix()));
-        // by way of the centre of mass from p to q
+        // from p to q through the centre of mass
         let back = MassProperties::from_inertia_about(b.mass(), b.center_of_mass(), &b.inertia_about(p)).unwrap();
         let whole = largest(b.inertia_about(p).matrix()) / largest(b.inertia_about(q).matrix());
         prop_assert!(difference(back.inertia_about(q).matrix(), b.inertia_about(q).matrix()) < 1e-14 * (1.0 + whole));
@@ -137,7 +139,7 @@ proptest! {
         b in body(), attitude in rotation::<Space, Body>(), omega in vector(3.0), pivot in vector(2.0),
         kind in 0..4, load in vector::<quantity::Torque, Space>(1.0),
     ) {
-        // loads that fit the scale of the body
+        // torques that match the scale of the body
         let scale = PrincipalFrame::of(b.inertia()).moments()[2];
         let (rotor, torques) = match kind {
             0 => (Rotor::free(&b), vec![]),
@@ -151,7 +153,7 @@ proptest! {
                 (Rotor::pivoted(&b, pivot), vec![TorqueModel::Gravity(UniformGravity { acceleration })])
             }
         };
-        // Needles spun up about their thin axis turn without bound: not the subject here.
+        // Needles that spin up about their thin axis are excluded.
         prop_assume!(rotor.principal().moments()[0] > 1e-3 * scale || torques.is_empty());
         let times: Vec<f64> = (0..=20).map(|k| 0.25 * f64::from(k)).collect();
         let start = State { time: 0.0, attitude, omega };

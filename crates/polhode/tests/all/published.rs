@@ -1,4 +1,4 @@
-//! Published results: other people's numbers, at the tolerance that their printed digits allow.
+//! Published results, compared to the tolerance of their printed digits.
 
 use crate::common::*;
 use polhode::body::Symmetry;
@@ -13,7 +13,7 @@ fn assert_matrix(got: [[f64; 3]; 3], want: [[f64; 3]; 3], tolerance: f64, what: 
     assert!(matrix_error(got, want) <= tolerance, "{what}: {got:?} is not {want:?}");
 }
 
-/// A box with its edges; a plate where one edge is zero.
+/// Returns a box with its edges; a plate if one edge is zero.
 fn box_or_plate(size: [f64; 3], mass: f64) -> MassProperties<Part> {
     let shape: Box<dyn Shape> = if size[1] == 0.0 {
         Box::new(Plate::new([size[0], size[2]]).unwrap())
@@ -24,7 +24,7 @@ fn box_or_plate(size: [f64; 3], mass: f64) -> MassProperties<Part> {
     if size[1] != 0.0 {
         return part;
     }
-    // the plate's own y is the case's z
+    // the y axis of the plate is z of the case
     part.in_frame(Rotation::about(Direction::new(1.0, 0.0, 0.0), 90.0 * DEG).unwrap())
 }
 
@@ -88,7 +88,7 @@ fn thornton_and_marion_particles_and_cube() {
     for (got, want) in principal.moments().iter().zip(numbers::<3>(&case["principal_moments"])) {
         assert!((got - want).abs() < 1e-15);
     }
-    // the diagonal, and a free pair across it
+    // the diagonal, and an arbitrary pair perpendicular to it
     assert_eq!(principal.symmetry(), Symmetry::Prolate);
     assert!(principal.axis(0).angle_to(Direction::<Part>::new(1.0, 1.0, 1.0)) < 1e-15);
 }
@@ -102,8 +102,8 @@ fn curtis_precessing_tube() {
     let tube = tube.mass_properties(Substance::Mass(value("mass"))).unwrap();
     let [a, _, c] = [0, 1, 2].map(|k| tube.inertia().matrix()[k][k]);
     assert!((a - value("moment_transverse")).abs() < 1e-12 && (c - value("moment_axial")).abs() < 1e-12);
-    // The book's spin ψ̇ is relative to the precessing frame: minus our Ω. With precession φ̇ about L at the angle θ
-    // from e: ω_e = ψ̇ + φ̇ cos θ, ω_t = φ̇ sin θ.
+    // The book's spin ψ̇ is relative to the precessing frame: minus Ω here. With precession φ̇
+    // about L at the angle θ from e: ω_e = ψ̇ + φ̇ cos θ, ω_t = φ̇ sin θ.
     let (theta, spin) = (value("nutation_deg") * DEG, value("spin_rad_per_min"));
     let phi = c / (a - c) * spin / theta.cos();
     let omega = AngularVelocity::new(phi * theta.sin(), 0.0, spin + phi * theta.cos());
@@ -151,7 +151,8 @@ fn schaub_momentum_axes_and_energy() {
     assert_matrix(again.inertia().matrix(), inertia.matrix(), 1e-14, "and back");
 
     let part = &case["rotated"];
-    // [DB] of the MRP σ takes body to D components: the transpose of the rotation with that quaternion.
+    // [DB] of the MRP σ converts body to D components: the transpose of the rotation with that
+    // quaternion.
     let [x, y, z] = numbers::<3>(&part["mrp_db"]);
     let s2 = x * x + y * y + z * z;
     let r = Rotation::<Body, Part>::from_quaternion([1.0 - s2, 2.0 * x, 2.0 * y, 2.0 * z]).unwrap();
@@ -226,7 +227,7 @@ fn gazebo_tensors_are_judged() {
     }
 }
 
-/// The attitude after t as modified Rodrigues parameters (x, y, z)/(1 + w), w ≥ 0.
+/// Returns the attitude after t as modified Rodrigues parameters (x, y, z)/(1 + w), w ≥ 0.
 fn mrp(attitude: Attitude) -> [f64; 3] {
     let [w, x, y, z] = attitude.canonical_quaternion();
     [x, y, z].map(|c| c / (1.0 + w))
@@ -253,7 +254,7 @@ fn orekit_torque_free() {
     let fixture = table("free_top");
     let case = fixture["orekit"].as_table().unwrap();
     let (rotor, start) = (free_body(numbers(&case["moments"])), start(case));
-    // against a rotation that keeps its first ω: the angle grows as t²
+    // compared with a rotation at the initial ω: the angle grows as t²
     for row in cases(case, "linear") {
         let window = number(&row["window_s"]);
         let motion = Trajectory::compute(&rotor, &[], start, &[window], Method::Auto, 1e-14).unwrap();
@@ -264,8 +265,8 @@ fn orekit_torque_free() {
         assert!((angle - number(&row["angle_rad"])).abs() < number(&row["tolerance"]));
         assert!((angle / number(&row["angle_computed_rad"]) - 1.0).abs() < 1e-6);
     }
-    // The direction of L stays, for every order and sign of moments and rates.
-    // Theirs is a closed form; this is integrated.
+    // The direction of L is constant, for every order and sign of moments and rates. The published
+    // result is a closed form; this motion is integrated.
     let tolerance = 3.0 * number(&case["momentum_direction_tolerance_rad"]);
     let times: Vec<f64> = (0..=40).map(f64::from).collect();
     let (i, w) = (numbers::<3>(&case["moments"]), [0.05, -0.02, 0.04]);
@@ -293,7 +294,7 @@ fn principia_symmetric_tops() {
         let omega = AngularVelocity::from_array([0, 1, 2].map(|k| l[k] / moments[k]));
         let start = State { time: 0.0, attitude: Attitude::identity(), omega };
         if moments == [3.0, 3.0, 9.0] {
-            // No body has these; a test beside the closed form takes them.
+            // These moments are not physical; a test next to the closed form uses them.
             assert!(matches!(
                 InertiaTensor::<Body>::diagonal(moments),
                 Err(BodyError::TriangleInequality { .. })
@@ -349,8 +350,8 @@ fn nesc_tumbling_brick() {
         for (got, want) in state.omega.to_array().iter().zip(numbers::<3>(&row["rates_deg_s"])) {
             assert!((got / DEG - want).abs() < number(&case["tolerance_rates_deg_s"]), "t = {t}");
         }
-        // Local axes (north, east, down) on the equator turn with the Earth and with the brick's longitude about
-        // north, which is their x.
+        // Local axes (north, east, down) on the equator turn with the Earth and with the brick's
+        // longitude about north, which is x of the published axes.
         let turn = number(&case["earth_rate_rad_s"]) * t + number(&row["longitude_deg"]) * DEG;
         let local = Rotation::<Space, Space>::about(Direction::new(-1.0, 0.0, 0.0), turn).unwrap();
         let r = (local * state.attitude).matrix();
@@ -369,7 +370,8 @@ fn nesc_tumbling_brick() {
 fn the_earth_wobbles_in_305_days() {
     let case = table("earth_wobble");
     let check = |excess: f64, turns: f64, ratio: f64| {
-        // A rigid Earth with C/A = 1 + excess, its spin a little off the axis; time in sidereal days.
+        // A rigid Earth with C/A = 1 + excess, its spin slightly off the axis; time in sidereal
+        // days.
         let [a, c] = [1.0, 1.0 + excess];
         let omega = AngularVelocity::new(1e-6, 0.0, 2.0 * std::f64::consts::PI);
         let start = State { time: 0.0, attitude: Attitude::identity(), omega };
@@ -378,7 +380,7 @@ fn the_earth_wobbles_in_305_days() {
         let cones = Cones::of(&earth);
         let period = 2.0 * std::f64::consts::PI / cones.body_rate;
         assert!((period / turns - 1.0).abs() < 1e-12, "{period}");
-        // it is not the Chandler wobble
+        // this is not the Chandler wobble
         let [low, high] = numbers::<2>(&case["observed_chandler_days"]);
         assert!(!(low..=high).contains(&period));
         let space = 2.0 * std::f64::consts::PI / cones.space_rate;

@@ -1,13 +1,13 @@
-//! Rotational constants: published geometries, limits, and κ against exact arithmetic.
+//! Rotational constants: published geometries, limits, and κ compared with exact arithmetic.
 
 use crate::common::{cases, number, numbers, table};
 use polhode::observe::{RotationalConstants, Top};
 use polhode::prelude::*;
 
-/// kg (CODATA 2018)
+/// Atomic mass constant u, kg (CODATA 2018).
 const U: f64 = 1.660_539_066_60e-27;
 
-/// AME2020 masses of the most abundant isotopes, u.
+/// Returns AME2020 masses of the most abundant isotopes, u.
 fn mass(atomic_number: f64) -> f64 {
     match atomic_number as u8 {
         1 => 1.007_825_031_898,
@@ -80,14 +80,14 @@ fn a_wavenumber_is_the_frequency_over_c() {
         // 1 cm⁻¹ = 29.9792458 GHz
         assert!((ghz.unwrap() / cm1.unwrap() / 29.979_245_8 - 1.0).abs() < 4e-16);
     }
-    // h/(8π²) = 505 379.0 MHz u Å² (as spectroscopists have it), moments in u Å²
+    // h/(8π²) = 505 379.0 MHz u Å² (in the units of spectroscopy), moments in u Å²
     let [i1, _, _] = found.moments_in_unified_units();
     assert!((found.hertz()[0].unwrap() * 1e-6 * i1 / 505_379.0 - 1.0).abs() < 1e-7);
 }
 
 #[test]
 fn kappa_is_that_of_exact_arithmetic() {
-    // from the doubles as fractions
+    // exact fractions of the doubles
     let exact = [
         ([1.3e-46, 2.1e-46, 2.9e-46], -0.380_952_380_952_380_7),
         ([2.7, 3.1, 3.100_6], -0.997_391_010_258_805_6),
@@ -115,7 +115,7 @@ fn kappa_has_its_limits() {
 fn a_point_has_no_constants_and_a_turned_line_has_no_a() {
     let atom = [Particle::<Body>::new(4.0 * U, Position::new(1e-10, -2e-10, 3e-10)).unwrap()];
     assert_eq!(RotationalConstants::of(&mass_properties_of_particles(&atom).unwrap()), None);
-    // CO2 along a generic direction, its places rounded to 1e-3 Å
+    // CO2 along a generic direction, its positions rounded to 1e-3 Å
     let rounded = |c: f64| (c * 1e3).round() * 1e-13;
     let at = |s: f64| Position::<Body>::new(rounded(0.36 * s), rounded(-0.48 * s), rounded(0.8 * s));
     let particles = [(15.995, -1.162), (12.0, 0.0), (15.995, 1.162)]

@@ -1,4 +1,4 @@
-//! Scenarios: what excludes what, in either order, and what a scenario says before it runs.
+//! Scenarios: exclusions, in either order, and findings before a run.
 
 use polhode::math::Rotation;
 use polhode::motion::contact::{BodySurface, Contact, StartVelocity, SurfaceShape};
@@ -19,7 +19,7 @@ fn z() -> Direction<Body> {
     Direction::new(0.0, 0.0, 1.0)
 }
 
-/// One part of a scenario, by the name that a file has for it.
+/// Adds one part to a scenario, by its name in scenario files.
 fn with(part: &str, scenario: Scenario) -> Result<Scenario, MotionError> {
     match part {
         "prescribed" => {
@@ -79,7 +79,7 @@ fn what_excludes_each_other_does_so_in_either_order() {
             assert!(refused.to_string().contains(why) && !refused.is_numerical());
         }
     }
-    // What is not in the list goes together.
+    // Parts that are not in the list are compatible.
     let both = with("event", with("wheel", with("torque", Scenario::new(body())).unwrap()).unwrap()).unwrap();
     assert_eq!((both.torques().len(), both.wheels().len(), both.events().len()), (1, 1, 1));
 }

@@ -1,4 +1,4 @@
-//! Torques that begin and end: each change is stepped on exactly.
+//! Torques that begin and end: a step ends exactly at each change.
 
 use crate::common::*;
 use polhode::math::formula::{Binary, Formula, Instruction};
@@ -10,7 +10,7 @@ const METHODS: [Method; 2] = [Method::Taylor, Method::Dop853];
 const MOMENTS: [f64; 3] = [1.1, 2.3, 3.1];
 const TORQUE: f64 = 0.31;
 
-/// A torque about the principal axis 3.
+/// Returns a scheduled torque about principal axis 3.
 fn at_times(schedule: Schedule) -> TorqueModel {
     let torque = TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.0, 0.0, TORQUE)));
     TorqueModel::Scheduled(Box::new(Scheduled { torque, schedule }))
@@ -25,7 +25,7 @@ fn steps(motion: &Trajectory) -> u64 {
     motion.solution().statistics().unwrap().accepted
 }
 
-/// ω about the axis against N t_on/I, relative to the largest.
+/// Compares ω about the axis with N t_on/I, relative to the largest.
 fn check(schedules: &[Schedule], omega0: f64, times: &[f64], bound: f64) -> [Trajectory; 2] {
     let torques: Vec<_> = schedules.iter().copied().map(at_times).collect();
     METHODS.map(|method| {
@@ -57,7 +57,7 @@ fn windows_at_irrational_times_give_the_exact_spin() {
     let times: Vec<_> = (0..=90).map(|k| f64::from(k) * 0.1).collect();
     for omega0 in [0.0, 0.9, -2.0] {
         let motions = check(&schedules, omega0, &times, 1e-14);
-        // Seven changes, and nothing between them that needs more than a few steps.
+        // Seven changes, and only a few steps between them.
         assert!(steps(&motions[0]) < 60, "{}", steps(&motions[0]));
     }
 }
@@ -73,7 +73,7 @@ fn switching_at_the_start_and_at_the_end_is_exact() {
         for motion in motions {
             let gained = motion.samples()[1].state.omega.z - 0.4;
             assert!((gained - TORQUE * on / MOMENTS[2]).abs() < 1e-15, "{from} {until}: {gained}");
-            // What acts just after a time stands in its sample.
+            // A sample contains the torque just after its time.
             let torque = |k: usize| motion.samples()[k].torque.z;
             assert_eq!(torque(0) == TORQUE, schedule.is_on(0.0));
             assert_eq!(torque(1) == TORQUE, schedule.is_on(end));
@@ -83,7 +83,8 @@ fn switching_at_the_start_and_at_the_end_is_exact() {
 
 #[test]
 fn thousands_of_pulses_add_up() {
-    // Each change is a double: a pulse is wrong by up to an ulp of its time, and 5000 of them by √5000 times that in the mean.
+    // Each change is rounded to a double. A pulse has an error of up to an ulp of its time, and
+    // 5000 pulses √5000 times that in the mean.
     let (first, width, period) = (0.3_f64.sqrt(), 2.0e-3_f64.sqrt(), 7.0e-3_f64.sqrt());
     let train = Schedule::pulses(first, width, period, Some(5000)).unwrap();
     let end = 1.01 * (first + 5000.0 * period);
@@ -95,7 +96,7 @@ fn thousands_of_pulses_add_up() {
         assert!((gained / want - 1.0).abs() < 2.0 * rounding, "{gained} {want}");
         assert!(steps(&motion) >= 10_000);
     }
-    // Where the times are doubles with room to spare, nothing is lost.
+    // If the times are exact doubles, nothing is lost.
     let binary = Schedule::pulses(0.125, 1.0 / 1024.0, 1.0 / 256.0, Some(5000)).unwrap();
     for motion in check(&[binary], 0.0, &[30.0], 1e-14) {
         assert!((motion.samples()[0].impulse.norm() / (TORQUE * 5000.0 / 1024.0) - 1.0).abs() < 1e-14);
@@ -104,7 +105,7 @@ fn thousands_of_pulses_add_up() {
 
 #[test]
 fn a_pulse_narrower_than_any_step_is_not_missed() {
-    // The body is free otherwise, so that a step without the pulse would be seconds long.
+    // The body is free otherwise, so that a step without the pulse would take seconds.
     let width = 1e-9;
     let schedule = Schedule::window(50.0, 50.0 + width).unwrap();
     let on = schedule.time_on(100.0);
@@ -151,7 +152,7 @@ fn a_generic_body_with_pulses_in_space_keeps_the_theorems() {
     }
 }
 
-/// NASA JEOD, run 9A: a torque on the ISS from 1000 s to 2000 s, eight hours in all.
+/// NASA JEOD, run 9A: a torque on the ISS from 1000 s to 2000 s, eight hours in total.
 #[test]
 fn the_iss_turns_as_in_jeod() {
     let case = table("iss_torque");
@@ -163,7 +164,7 @@ fn the_iss_turns_as_in_jeod() {
     let schedule = Schedule::window(from, until).unwrap();
     let torques = [TorqueModel::Scheduled(Box::new(Scheduled { torque, schedule }))];
     let rows = cases(&case, "row");
-    // Their matrix takes space to body.
+    // The published matrix converts space to body.
     let attitude = |row: &toml::Table| {
         let to_body = Rotation::<Body, Space>::from_matrix(matrix(&row["matrix_body_space"])).unwrap();
         to_body.inverse()
@@ -209,7 +210,7 @@ fn more_pulses_than_steps_are_refused_before_the_first() {
         let all = simulation(&[]);
         assert_eq!(all.run().err().map(found), want);
         assert_eq!(all.states().err().map(found), want);
-        // One that stays off has none.
+        // A torque that stays off has none.
         let off = if want == Some(Some(1)) { None } else { want };
         assert_eq!(simulation(&[1]).run().err().map(found), off);
         let member = Member::new(rotor.clone(), torques.clone(), start);
@@ -224,7 +225,8 @@ fn more_pulses_than_steps_are_refused_before_the_first() {
     }
 }
 
-/// A formula that is zero when it begins, on a body at rest: there is no ω to measure a step with, and no torque yet.
+/// A formula torque that is zero when it begins, on a body at rest: neither ω nor the torque gives
+/// a scale for the step.
 #[test]
 fn a_torque_that_rises_from_zero_moves_a_body_at_rest() {
     let time = StateVariables::NAMES.iter().position(|name| *name == "t").unwrap();

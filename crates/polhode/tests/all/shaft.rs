@@ -1,9 +1,9 @@
-//! Shafts: bearing reactions and balance, against sums over mass points.
+//! Shafts: bearing reactions and balance, compared with sums over mass points.
 
 use polhode::motion::{Prescribed, Required, Shaft, Unbalance};
 use polhode::prelude::*;
 
-/// Mass points without any symmetry.
+/// Returns mass points without symmetry.
 fn points() -> Vec<Particle<Body>> {
     [
         (1.5, [0.5, -1.0, 0.25]),
@@ -44,7 +44,7 @@ fn length(a: [f64; 3]) -> f64 {
     a.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// Newton for every mass point: Σ m (a − g) and Σ r × m (a − g) about P.
+/// Newton's law for every mass point: returns Σ m (a − g) and Σ r × m (a − g) about P.
 fn needed(rate: f64, acceleration: f64, gravity: [f64; 3]) -> ([f64; 3], [f64; 3]) {
     let n = scaled(AXIS, 1.0 / length(AXIS));
     let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
@@ -73,14 +73,14 @@ fn the_bearings_and_the_drive_make_what_every_mass_point_needs() {
     let lever = add(cross(scaled(n, BEARINGS[0]), f1), cross(scaled(n, BEARINGS[1]), f2));
     let all = add(lever, scaled(n, held.torque));
     assert!(length(add(all, scaled(moment, -1.0))) < 3e-15 * length(moment), "{all:?} {moment:?}");
-    // Bearings hold across the line only.
+    // Bearings support forces normal to the line only.
     for f in held.bearings {
         assert!(f.dot(shaft.axis()).abs() < 1e-14 * scale);
     }
-    // The drive's part is the moment of inertia's and the weight's.
+    // The drive torque consists of the parts of the moment of inertia and of the weight.
     let without = shaft.reactions(rate, acceleration, Acceleration::ZERO);
     assert!((without.torque - shaft.moment() * acceleration).abs() < 1e-12);
-    // The work theorem: the motion about the point on the line needs the same torque about the line.
+    // Work theorem: the motion about the point on the line needs the same torque about the line.
     let rotor = Rotor::pivoted(shaft.body(), point());
     let turn = Prescribed::fixed_axis(Attitude::identity(), shaft.axis(), rate, acceleration).unwrap();
     let needed = Required::by(&rotor, &turn, 0.0).unwrap();
@@ -104,7 +104,7 @@ fn two_masses_in_two_planes_balance_any_shaft() {
     let before = shaft.reactions(21.0, -3.0, Acceleration::ZERO);
     let masses = shaft.balance_in_planes([-0.3, 1.2], [0.7, 0.45]).unwrap();
     for mass in masses {
-        // Where it says it is: in its plane, at its radius and angle.
+        // The stated position: in its plane, at its radius and angle.
         let r = mass.position - point();
         assert!((shaft.axis().dot(r) - mass.plane).abs() < 1e-14);
         let across = r - Position::from_array((shaft.axis() * mass.plane).to_array());
@@ -119,7 +119,7 @@ fn two_masses_in_two_planes_balance_any_shaft() {
         assert!(after.norm() < 1e-13 * before.norm(), "{after:?}");
     }
     assert_eq!(balanced.unbalance(), Unbalance::None);
-    // The same of the mass points themselves.
+    // The same for the mass points.
     let mut all = points();
     all.extend(masses.map(|mass| Particle::new(mass.mass, mass.position).unwrap()));
     let body = mass_properties_of_particles(&all).unwrap();
@@ -127,7 +127,7 @@ fn two_masses_in_two_planes_balance_any_shaft() {
     for force in again.reactions(21.0, -3.0, Acceleration::ZERO).bearings {
         assert!(force.norm() < 1e-13 * before.bearings[0].norm());
     }
-    // What is left at rest is the weight's, which no balance takes away.
+    // The remaining reaction at rest is that of the weight, which balancing does not remove.
     let hung = balanced.reactions(0.0, 0.0, Acceleration::new(0.0, 0.0, -9.81));
     let sum = hung.bearings[0] + hung.bearings[1];
     let [x, y, z] = (shaft.axis() * hung.thrust).to_array();
@@ -142,10 +142,11 @@ fn one_mass_in_a_plane_takes_the_static_unbalance_only() {
     let balanced = shaft.with(&[mass]).unwrap();
     assert_eq!(balanced.unbalance(), Unbalance::Couple);
     assert!(balanced.static_unbalance().norm() < 1e-14);
-    // The forces of the bearings are a pure couple now.
+    // The forces of the bearings are now a pure couple.
     let held = balanced.reactions(9.0, 0.0, Acceleration::ZERO).bearings;
     assert!((held[0] + held[1]).norm() < 1e-13 * held[0].norm() && held[0].norm() > 1.0);
-    // In the plane of the centre of mass of a body whose axis is parallel to a principal one, one is enough.
+    // For a body whose axis is parallel to a principal axis, one mass in the plane of the centre of
+    // mass is sufficient.
     let inertia = InertiaTensor::diagonal([0.3, 0.4, 0.6]).unwrap();
     let body = MassProperties::new(3.0, Position::new(0.02, -0.05, 0.4), inertia).unwrap();
     let disk = Shaft::new(body, Position::ZERO, Direction::new(0.0, 0.0, -2.0), [0.1, -1.0]).unwrap();
@@ -154,7 +155,8 @@ fn one_mass_in_a_plane_takes_the_static_unbalance_only() {
     assert_eq!(disk.with(&[mass]).unwrap().unbalance(), Unbalance::None);
 }
 
-/// Two equal masses on a shaft at a, on opposite sides: a pure couple, whose force on the bearings is m r d Ω²/l.
+/// Two equal masses on a shaft, a apart, on opposite sides: a pure couple, whose force on the
+/// bearings is m r d Ω²/l.
 #[test]
 fn the_couple_of_two_opposite_masses() {
     let (m, r, d, l, omega) = (0.7, 0.2, 0.5, 1.6, 30.0);

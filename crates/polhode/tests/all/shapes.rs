@@ -1,4 +1,5 @@
-//! Every shape against its own definition, integrated numerically, against its own mesh, and against print.
+//! Every shape compared with its definition by numerical integration, with its own mesh, and with
+//! published formulas.
 
 use std::f64::consts::{PI, TAU};
 use std::ops::Add;
@@ -11,7 +12,7 @@ use polhode::body::shape::{
 };
 use polhode::math::{Part, Position};
 
-/// ∫ dm, ∫ x dm and ∫ (r² 1 − x xᵀ) dm at unit density, the last about [`POINT`].
+/// Integrals ∫ dm, ∫ x dm and ∫ (r² 1 − x xᵀ) dm at unit density, the last about [`POINT`].
 #[derive(Clone, Copy)]
 struct Integrals {
     measure: f64,
@@ -19,15 +20,15 @@ struct Integrals {
     inertia: [[f64; 3]; 3],
 }
 
-/// A generic point to take moments about.
+/// Generic point about which moments are taken.
 const POINT: [f64; 3] = [0.3, -0.7, 1.1];
 
-/// For a parameter that a curve or surface does not have.
+/// Range of a parameter that a curve or surface does not have.
 const NONE: [f64; 2] = [0.0, 1.0];
 
 impl Integrals {
-    /// Over a piece of a shape: a map from a box of parameters to a point and its volume, area or line
-    /// element.
+    /// Integrates over a piece of a shape: a map from a box of parameters to a point and its
+    /// volume, area or line element.
     fn over([u, v, w]: [[f64; 2]; 3], map: impl Fn(f64, f64, f64) -> ([f64; 3], f64)) -> Self {
         let mut sum = Self { measure: 0.0, first: [0.0; 3], inertia: [[0.0; 3]; 3] };
         for (u, du) in gauss_legendre(u) {
@@ -62,7 +63,7 @@ impl Add for Integrals {
     }
 }
 
-/// Nodes and weights on an interval: 24 points, by Newton's method on P₂₄.
+/// Returns 24 nodes and weights on an interval, by Newton's method on P₂₄.
 fn gauss_legendre([low, high]: [f64; 2]) -> Vec<(f64, f64)> {
     const POINTS: u32 = 24;
     let node = |k: u32| {
@@ -82,7 +83,7 @@ fn gauss_legendre([low, high]: [f64; 2]) -> Vec<(f64, f64)> {
     (0..POINTS).map(node).collect()
 }
 
-/// Extent, centroid and the full tensor about a generic point, to 1e-13.
+/// Checks extent, centroid and the full tensor about a generic point, to 1e-13.
 #[track_caller]
 fn assert_integrals(shape: &dyn Shape, want: Integrals) {
     let close = |got: f64, want: f64, scale: f64| {
@@ -102,11 +103,11 @@ fn assert_integrals(shape: &dyn Shape, want: Integrals) {
     match spread.extent() {
         Extent::Area(area) => assert_eq!(shape.surface_area(), area),
         Extent::Length(_) => assert_eq!(shape.surface_area(), 0.0),
-        Extent::Volume(_) => {} // by its mesh
+        Extent::Volume(_) => {} // compared with its mesh
     }
 }
 
-/// Along the direction (θ, φ).
+/// Returns the direction (θ, φ).
 fn direction(theta: f64, phi: f64) -> [f64; 3] {
     [theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos()]
 }
@@ -166,7 +167,8 @@ fn solids_are_the_integrals_of_their_definitions() {
         assert_integrals(&Torus::new(ring, tube).unwrap(), torus);
     }
 
-    // x = o + s (p + t (q − p) + t w (r − q)): the Duffy map, whose element is s² t |det|
+    // x = o + s (p + t (q − p) + t w (r − q)): the Duffy transformation, with the element s² t
+    // |det|
     let corners = [[0.2, -0.3, 0.5], [1.1, 0.1, 0.4], [0.0, 0.9, 0.7], [0.3, 0.2, 1.9]];
     let [o, p, q, r] = corners;
     let det = 0.9 * (1.2 * 1.4 - 0.2 * 0.5) - 0.4 * (-0.2 * 1.4 - 0.2 * 0.1) - 0.1 * (-0.2 * 0.5 - 1.2 * 0.1);
@@ -185,7 +187,8 @@ fn solids_are_the_integrals_of_their_definitions() {
 /// Corners of a generic triangle, far from the origin compared with its size.
 const TRIANGLE: [[f64; 2]; 3] = [[0.2, -0.3], [1.1, 0.1], [0.4, 0.9]];
 
-/// [`TRIANGLE`] over an interval of z, or flat at z = 0, by the Duffy map, whose element is u |det|.
+/// Integrates [`TRIANGLE`] over an interval of z, or flat at z = 0, by the Duffy transformation,
+/// with the element u |det|.
 fn triangle(along: Option<[f64; 2]>) -> Integrals {
     let [o, p, q] = TRIANGLE;
     let det = (p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0]);
@@ -220,7 +223,7 @@ fn thin_shapes_are_the_integrals_of_their_definitions() {
     });
     assert_integrals(&SphereShell::new(r).unwrap(), sphere);
 
-    // Of a frustum's wall dA = ρ (s/h) dφ dz with the slant height s.
+    // Wall of a frustum: dA = ρ (s/h) dφ dz with the slant height s.
     for (base, top) in [(0.9, 0.35), (0.35, 0.9), (0.9, 0.0), (0.0, 0.9), (0.6, 0.6)] {
         let h = 1.3;
         let radius = |z: f64| base + (top - base) * z / h;
@@ -250,8 +253,8 @@ fn thin_shapes_are_the_integrals_of_their_definitions() {
     assert_integrals(&BoxShell::new([a, b, c]).unwrap(), faces[0] + faces[1]);
 }
 
-/// The surface of a profile (distance from the axis, z) that goes up on the outside, turned about z in `n`
-/// steps.
+/// Returns the surface of revolution of a profile (distance from the axis, z), which ascends on the
+/// outside, about z in `n` steps.
 fn revolved(profile: &[[f64; 2]], n: u32) -> Vec<Triangle> {
     let point = |[r, z]: [f64; 2], j: u32| {
         let (sin, cos) = (TAU * f64::from(j % n) / f64::from(n)).sin_cos();
@@ -266,23 +269,23 @@ fn revolved(profile: &[[f64; 2]], n: u32) -> Vec<Triangle> {
     profile.windows(2).flat_map(|p| strip(p[0], p[1])).collect()
 }
 
-/// `n` steps along a circle about (r, z), between two angles from the outward direction; on the axis,
-/// exactly.
+/// Returns `n` steps along a circle about (r, z), between two angles from the outward direction;
+/// points on the axis are exact.
 fn arc([r, z]: [f64; 2], radius: f64, [from, to]: [f64; 2], n: u32) -> Vec<[f64; 2]> {
     let on_axis = |r: f64| if r.abs() < 1e-15 { 0.0 } else { r };
     let angle = |k: u32| from + (to - from) * f64::from(k) / f64::from(n);
     (0..=n).map(|k| [on_axis(r + radius * angle(k).cos()), z + radius * angle(k).sin()]).collect()
 }
 
-/// Volume, area, height of the centroid, and the diagonal of the tensor at unit mass.
+/// Returns volume, area, height of the centroid, and the diagonal of the tensor at unit mass.
 fn numbers(shape: &dyn Shape) -> [f64; 6] {
     let body = shape.mass_properties(Substance::Mass(1.0)).unwrap();
     let [[xx, ..], [_, yy, _], [.., zz]] = body.inertia().matrix();
     [shape.spread().extent().measure(), shape.surface_area(), body.center_of_mass().z, xx, yy, zz]
 }
 
-/// The error of a mesh falls by four as it is refined by two, and what Richardson extrapolates from two
-/// meshes is the shape.
+/// Checks that the error of a mesh falls by four for a refinement by two, and that Richardson
+/// extrapolation from two meshes gives the shape.
 #[track_caller]
 fn assert_meshed(shape: &dyn Shape, triangles: impl Fn(u32) -> Vec<Triangle>) {
     let mesh = |n: u32| {
@@ -307,7 +310,7 @@ fn round_solids_are_the_limits_of_their_meshes() {
     let quarter = 0.5 * PI;
     let sphere = |n: u32| revolved(&arc([0.0; 2], 0.8, [-quarter, quarter], n / 2), n);
     assert_meshed(&Sphere::new(0.8).unwrap(), sphere);
-    let stretch = |p: [f64; 3]| [p[0] * 0.875, p[1] * 1.625, p[2] * 0.5]; // of the sphere 0.8
+    let stretch = |p: [f64; 3]| [p[0] * 0.875, p[1] * 1.625, p[2] * 0.5]; // of the sphere of radius 0.8
     let ellipsoid = |n: u32| sphere(n).into_iter().map(|t| t.map(stretch)).collect();
     assert_meshed(&Ellipsoid::new([0.7, 1.3, 0.4]).unwrap(), ellipsoid);
 
@@ -492,7 +495,7 @@ fn impossible_sizes_are_refused_by_name() {
     assert_eq!(tetrahedron([0.0, 0.0, 2.0]), None);
     refused("the tetrahedron's vertex", f64::NAN, tetrahedron([0.0, f64::NAN, 0.0]));
     refused("the tetrahedron's vertex", f64::INFINITY, tetrahedron([0.0, f64::INFINITY, 0.0]));
-    // on the plane of the others, but for the rounding of its own coordinates
+    // on the plane of the others, except for the rounding of its own coordinates
     for (u, v) in [(0.3, 0.4), (-2.7, 0.1), (1.0, 1.0), (1.0, 0.0)] {
         let c = std::array::from_fn(|k| o[k] + u * (a[k] - o[k]) + v * (b[k] - o[k]));
         let error = tetrahedron(c).unwrap();

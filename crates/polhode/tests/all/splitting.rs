@@ -1,10 +1,11 @@
-//! Splitting: its orders, its bounded energy error, and what it refuses.
+//! Splitting methods: order, bounded energy error, and refusals.
 
 use polhode::motion::torque::{Attracted, EnergySink, GravityGradient, Schedule, Scheduled};
 use polhode::motion::{Ending, Motor, Orbit, SplittingOrder};
 use polhode::prelude::*;
 
-/// A body with three distinct moments, products of inertia and an offset centre, held at a generic pivot.
+/// Returns a body with three distinct moments, products of inertia and an offset centre, held at a
+/// generic pivot.
 fn heavy() -> Rotor {
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
     let body = MassProperties::new(2.3, Position::new(0.11, -0.07, 0.23), inertia).unwrap();
@@ -55,7 +56,7 @@ fn each_order_is_what_it_says() {
     }
 }
 
-/// T + U less what it was, at every tenth step and between, over the largest T.
+/// Returns the change of T + U at every tenth step and between, relative to the largest T.
 fn energy_errors(rotor: &Rotor, start: State, order: SplittingOrder, step: f64, steps: u32) -> Vec<f64> {
     let times: Vec<f64> = (0..=steps).step_by(10).map(|k| start.time + (f64::from(k) + 0.3) * step).collect();
     let motion = run(rotor, &[gravity()], start, &times, splitting(order, step));
@@ -66,7 +67,8 @@ fn energy_errors(rotor: &Rotor, start: State, order: SplittingOrder, step: f64, 
 
 #[test]
 fn the_energy_error_does_not_grow() {
-    // 10⁵ steps of a generic heavy body, whose motion is chaotic: the last quarter is no worse than the first.
+    // 10⁵ steps of a generic heavy body, whose motion is chaotic: the error of the last quarter
+    // does not exceed that of the first.
     for (order, step, bound) in [
         (SplittingOrder::Two, 0.01, 1e-4),
         (SplittingOrder::Four, 0.03, 2e-10),
@@ -84,7 +86,8 @@ fn the_energy_error_does_not_grow() {
 
 #[test]
 fn rounding_does_not_add_up() {
-    // With a step at which the method's own error is below rounding, rounding is all that there is: a walk, not a drift.
+    // At a step for which the error of the method is below rounding, only rounding remains: a
+    // random walk, not a drift.
     let errors = energy_errors(&heavy(), start(), SplittingOrder::Six, 2e-3, 100_000);
     let worst = errors.iter().fold(0.0, |most: f64, e| most.max(e.abs()));
     assert!(worst < 2e-14, "{worst:e}");
@@ -99,7 +102,7 @@ fn work_and_impulse_are_what_the_kicks_gave() {
         let drift = Drift::of(&motion).unwrap();
         assert!(drift.work_energy < 2e-14 && drift.momentum < 2e-14, "{order:?}: {drift:?}");
     }
-    // and with a short step it is the work of the true motion
+    // and with a short step it equals the work of the true motion
     let [split, taylor] = [splitting(SplittingOrder::Six, 0.01), Method::Taylor]
         .map(|method| run(&heavy(), &torques, start(), &[10.3], method).samples()[0]);
     assert!((split.work - taylor.work).abs() < 1e-11, "{:e}", split.work - taylor.work);
@@ -108,7 +111,7 @@ fn work_and_impulse_are_what_the_kicks_gave() {
 
 #[test]
 fn steps_end_where_a_torque_begins_or_ends() {
-    // Neither change is a multiple of the step: a step across one would leave an error of first order.
+    // Neither change is a multiple of the step: a step across one would have a first-order error.
     let push = ConstantTorque::Body(Torque::new(0.9, -0.7, 0.4));
     let pulses = Schedule::pulses(0.517, 0.211, 0.613, Some(5)).unwrap();
     let torques = [
@@ -126,7 +129,7 @@ fn steps_end_where_a_torque_begins_or_ends() {
 
 #[test]
 fn free_motion_needs_no_steps() {
-    // Whatever the step, the flow is exact: ten long steps, and a thousand short ones.
+    // The flow is exact for every step: ten long steps, and a thousand short ones.
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
     let rotor = Rotor::free(&MassProperties::new(2.3, Position::ZERO, inertia).unwrap());
     let exact = run(&rotor, &[], start(), &[20.3], Method::Exact).samples()[0];
@@ -165,7 +168,7 @@ fn what_is_no_kick_is_refused() {
     assert_eq!(error.to_string(), said);
     assert_eq!(error.hint(), Some("use method = \"taylor\" or \"dop853\""));
     assert!(!error.is_numerical());
-    // out of its times too
+    // also outside its times
     let schedule = Schedule::window(7.0, 8.0).unwrap();
     let later = TorqueModel::Scheduled(Box::new(Scheduled { torque: sink(), schedule }));
     assert_eq!(refusal(&heavy(), later), error);
@@ -186,7 +189,7 @@ fn what_is_no_kick_is_refused() {
             "{step}"
         );
     }
-    // More steps than anybody waits for, and steps that are lost in the rounding of the time.
+    // Too many steps, and steps below the rounding of the time.
     let far = |time: f64, span: f64, step: f64| {
         let start = State { time, ..start() };
         let method = splitting(SplittingOrder::Two, step);
@@ -235,7 +238,7 @@ fn gravity_gradient_keeps_the_jacobi_integral() {
         let (early, late) = (worst(&errors[..2500]), worst(&errors[7500..]));
         assert!(late < 1.5 * early && early < bound, "{order:?}: {early:e} {late:e}");
     }
-    // and it is the motion
+    // and it agrees with the motion
     let [split, taylor] = [splitting(SplittingOrder::Six, 0.02), Method::Taylor]
         .map(|method| run(&rotor, &torques, start(), &[20.3], method).samples()[0].state);
     assert!(split.attitude.angle_to(taylor.attitude) < 1e-11);

@@ -1,4 +1,5 @@
-//! Permanent rotations and small oscillations, against closed forms and simulated perturbations.
+//! Permanent rotations and small oscillations, compared with closed forms and simulated
+//! perturbations.
 
 use polhode::motion::torque::EnergySink;
 use polhode::motion::{Motor, Pendulum};
@@ -23,7 +24,7 @@ fn spin(axis: Direction<Body>, rate: f64) -> AngularVelocity<Body> {
     AngularVelocity::from_array((axis * rate).to_array())
 }
 
-/// How much faster than at first a small departure of ω is after a time, and its largest size on the way.
+/// Returns the growth rate of a small perturbation of ω after a time, and its largest magnitude.
 fn departure(rotor: &Rotor, omega: AngularVelocity<Body>, end: f64) -> (f64, f64) {
     let small = 1e-7;
     let off = AngularVelocity::new(0.5 * small, -0.3 * small, 0.7 * small);
@@ -31,7 +32,7 @@ fn departure(rotor: &Rotor, omega: AngularVelocity<Body>, end: f64) -> (f64, f64
     let times: Vec<f64> = (0..=400).map(|k| end * f64::from(k) / 400.0).collect();
     let motion = Trajectory::compute(rotor, &[], start, &times, Method::Taylor, 1e-14).unwrap();
     let sizes: Vec<f64> = motion.samples().iter().map(|s| (s.state.omega - omega).norm() / small).collect();
-    // over the last half, where the growing part is all there is
+    // over the last half, where only the growing part remains
     let rate = (sizes[400] / sizes[200]).ln() / (times[400] - times[200]);
     (rate, sizes.iter().copied().fold(0.0, f64::max))
 }
@@ -77,8 +78,8 @@ fn equal_moments_are_marginal() {
     }
 }
 
-/// A wheel of momentum h along the intermediate axis 2, at ω: c = (h + (i2 − i1) ω)(h + (i2 − i3) ω)/(i1 i3), so that the
-/// threshold is h = (i3 − i2) ω, or h = −(i2 − i1) ω against the spin.
+/// A wheel of momentum h along the intermediate axis 2, at ω: c = (h + (i2 − i1) ω)(h + (i2 − i3)
+/// ω)/(i1 i3). The threshold is h = (i3 − i2) ω, or h = −(i2 − i1) ω against the spin.
 #[test]
 fn a_wheel_makes_the_intermediate_axis_stable_beyond_its_threshold() {
     let moments = [1.3, 2.9, 3.7];
@@ -119,13 +120,14 @@ fn a_wheel_makes_the_intermediate_axis_stable_beyond_its_threshold() {
 #[test]
 fn all_permanent_rotations_are_found() {
     let body = free([1.3, 2.9, 3.7]);
-    // Without wheels: both ways about each axis.
+    // Without wheels: both senses about each axis.
     let all = PermanentRotation::all(&body, 5.0).unwrap();
     assert_eq!(all.len(), 6);
     let names: Vec<_> = all.iter().map(|p| p.stability.name()).collect();
     assert_eq!(names, ["stable", "stable", "unstable", "unstable", "stable", "stable"]);
     assert_eq!(PermanentRotation::all(&body, 0.0).unwrap().len(), 0);
-    // With a generic wheel: six while it is weak, two once it rules; along a principal axis, and of next to nothing.
+    // With a generic wheel: six rotations if it is weak, two if it dominates; also along a
+    // principal axis, and nearly zero.
     let [a, b, c] = [0, 1, 2].map(|k| body.principal().axis(k));
     let generic = a * 0.5 - b * 0.7 + c * 0.3;
     for (axis, h, count) in [
@@ -143,13 +145,14 @@ fn all_permanent_rotations_are_found() {
             assert!((p.momentum.norm() / 5.0 - 1.0).abs() < 1e-13, "{h}: {p:?}");
             let bending = p.momentum.cross(p.omega).norm();
             assert!(bending < 2e-13 * p.momentum.norm() * p.omega.norm(), "{h}: {bending:e} {p:?}");
-            // Any one of them is a permanent rotation by itself.
+            // Each of them is a permanent rotation.
             assert_eq!(
                 PermanentRotation::about(&rotor, p.omega).unwrap().stability.name(),
                 p.stability.name()
             );
         }
-        // Extrema on a sphere: as many maxima and minima as saddles, and two more (Euler, Poincaré).
+        // Extrema on a sphere: the numbers of maxima and minima exceed that of saddles by two
+        // (Euler, Poincaré).
         let saddles = all.iter().filter(|p| p.stability.name() == "unstable").count();
         assert_eq!(all.len() - saddles, saddles + 2, "{h}: {all:?}");
     }
@@ -191,7 +194,8 @@ fn at(attitude: Attitude, omega: AngularVelocity<Body>) -> State {
     State { time: 0.0, attitude, omega }
 }
 
-/// A body that hangs 0.37 m below its pivot, given by its moments along x, y, z there, all as seen in axes turned anyhow.
+/// Returns a body that hangs 0.37 m below its pivot, with given moments along x, y, z there, in
+/// arbitrarily rotated axes.
 fn hanging(moments: [f64; 3], r: Rotation<Body, Body>) -> (Rotor, Attitude) {
     let lever = Position::new(0.0, 0.0, -0.37);
     let mass = 2.3;
@@ -209,7 +213,7 @@ fn a_hanging_body_swings_about_two_axes() {
     let swings = SmallOscillations::about(&rotor, &gravity(), at(upright, AngularVelocity::ZERO)).unwrap();
     assert_eq!((swings.modes.len(), swings.neutral), (2, 2));
     assert!(swings.is_stable());
-    // the lower frequency about the axis of greater moment
+    // the lower frequency is about the axis of greater moment
     for (mode, (moment, axis)) in swings.modes.iter().zip([(0.83, [0.0, 1.0, 0.0]), (0.71, [1.0, 0.0, 0.0])])
     {
         let expected = (2.3 * G * 0.37 / moment).sqrt();
@@ -222,7 +226,7 @@ fn a_hanging_body_swings_about_two_axes() {
     let g = upright.inverse() * Acceleration::new(0.0, 0.0, -G);
     let pendulum = Pendulum::hung(&rotor, r * Direction::new(1.0, 0.0, 0.0), g).unwrap();
     assert!((swings.modes[1].frequency / pendulum.small_frequency() - 1.0).abs() < 1e-10);
-    // On its head it falls at the same rates.
+    // Upside down it falls at the same rates.
     let over: Rotation<Space, Space> =
         Rotation::about(Direction::new(0.0, 1.0, 0.0), std::f64::consts::PI).unwrap();
     let falls =
@@ -243,7 +247,7 @@ fn the_nearest_equilibrium_is_found() {
     let lever = found.attitude * rotor.lever();
     assert!(lever.angle_to(Direction::new(0.0, 0.0, -1.0)) < 1e-14, "{lever:?}");
     assert!(SmallOscillations::about(&rotor, &gravity(), found).unwrap().is_stable());
-    // No torque in sight that could vanish: there is no equilibrium.
+    // The torque cannot vanish: an equilibrium does not exist.
     let constant = [TorqueModel::Constant(ConstantTorque::Body(Torque::new(0.1, 0.2, 0.3)))];
     let none = SmallOscillations::equilibrium_near(&rotor, &constant, start);
     assert!(matches!(none, Err(MotionError::NotSteady { .. })), "{none:?}");
@@ -251,7 +255,8 @@ fn the_nearest_equilibrium_is_found() {
 
 #[test]
 fn a_wheel_makes_a_pendulum_a_gyroscope() {
-    // Two equal moments I, a wheel h along the vertical: I s² ± i h s + M g l = 0, so ϖ = (√(h² + 4 I M g l) ± h)/2I.
+    // Two equal moments I, a wheel h along the vertical: I s² ± i h s + M g l = 0, so ϖ = (√(h² + 4
+    // I M g l) ± h)/2I.
     let (i, h) = (0.83, 1.9);
     let (rotor, upright) = hanging([i, i, 0.42], generic_turn());
     let wheel = Wheel::new(generic_turn() * Direction::new(0.0, 0.0, 1.0), h, Motor::HeldSpeed).unwrap();
@@ -261,13 +266,14 @@ fn a_wheel_makes_a_pendulum_a_gyroscope() {
     assert_eq!(swings.modes.len(), 2);
     for (mode, expected) in swings.modes.iter().zip([(root - h) / (2.0 * i), (root + h) / (2.0 * i)]) {
         assert!((mode.frequency / expected - 1.0).abs() < 1e-10, "{mode:?} {expected}");
-        // It goes round on a cone.
+        // It moves on a cone.
         assert!((mode.minor_axis.norm() - 1.0).abs() < 1e-8, "{mode:?}");
     }
 }
 
-/// A top that stands on its tip, moments A across and C along at the pivot, spinning at ω3. In space its axis z = x + iy obeys
-/// A z̈ − i C ω3 ż − M g l z = 0, so that z = e^(iνt) with A ν² − C ω3 ν + M g l = 0; seen from the body, which turns at ω3, ν − ω3.
+/// A top that stands on its tip, with moments A across and C along at the pivot, spinning at ω3.
+/// Its axis z = x + iy in space satisfies A z̈ − i C ω3 ż − M g l z = 0, so z = e^(iνt) with A ν² −
+/// C ω3 ν + M g l = 0. In body axes, which turn at ω3, the frequency is ν − ω3.
 #[test]
 fn a_sleeping_top_wakes_below_its_threshold() {
     let (a, c, mgl) = (0.83, 0.42, 2.3 * G * 0.37);
@@ -304,7 +310,7 @@ fn a_sleeping_top_wakes_below_its_threshold() {
 
 #[test]
 fn friction_inside_damps_nutation_at_the_rate_of_its_closed_form() {
-    // Spin about the axis of symmetry: tan θ goes as exp(αL²(1/I − 1/J)t).
+    // Spin about the axis of symmetry: tan θ is proportional to exp(αL²(1/I − 1/J)t).
     for (along, across) in [(1.3, 2.1), (3.3, 2.1)] {
         let body = MassProperties::new(
             1.0,
@@ -340,20 +346,21 @@ fn a_free_body_at_rest_has_only_neutral_ways() {
     assert_eq!((found.modes.len(), found.neutral), (0, 6));
 }
 
-/// NASA's check-case 10A prints 3257.94 s in the orbit's plane and 2821.46 s across it, for a cylinder of 500 and 12 250 kg·m². They
-/// are 2π/(n √(3k)) and 2π/(2n √k) with k = 11 750/12 250 and an orbit of 5526.6 s: the second leaves out the coupling of
-/// roll with yaw, which makes it 2π/(n √(1 + 3k)), 0.5 % shorter.
+/// NASA's check-case 10A prints 3257.94 s in the orbit plane and 2821.46 s across it, for a
+/// cylinder of 500 and 12 250 kg·m². These are 2π/(n √(3k)) and 2π/(2n √k) with k = 11 750/12 250
+/// and an orbit of 5526.6 s. The second neglects the coupling of roll with yaw; with it, the period
+/// is 2π/(n √(1 + 3k)), 0.5 % shorter.
 #[test]
 fn the_printed_libration_of_a_cylinder() {
     let [plane, across] = [3257.94, 2821.46];
     let tau = std::f64::consts::TAU;
-    // The case's orbit: a from its first state, µ = 3.986 004 415e14 m³/s².
+    // Orbit of the case: a from its first state, µ = 3.986 004 415e14 m³/s².
     let n = (3.986_004_415e14_f64 / 6_758_662.0_f64.powi(3)).sqrt();
     let k: f64 = 11_750.0 / 12_250.0;
     let found = Libration::of([12_250.0, 12_250.0, 500.0], n).unwrap();
     assert!((tau / found.pitch.unwrap() / plane - 1.0).abs() < 6e-4);
     assert!((tau / (2.0 * n * k.sqrt()) / across - 1.0).abs() < 6e-4);
-    // The two agree on the orbit to all their digits.
+    // The two periods agree on the orbit to all their digits.
     let [from_plane, from_across] = [plane * (3.0 * k).sqrt(), across * 2.0 * k.sqrt()];
     assert!((from_plane / from_across - 1.0).abs() < 3e-6, "{from_plane} {from_across}");
     let [yaw, roll] = found.roll_yaw.unwrap();

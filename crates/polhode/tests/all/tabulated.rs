@@ -1,4 +1,5 @@
-//! Torques from tables, by both integrators: against windows, and against a formula that is the same polynomial.
+//! Torques from tables, by both integrators, compared with windows, and with a formula that is the
+//! same polynomial.
 
 use polhode::motion::torque::{Interpolation, Schedule, Scheduled, Tabulated, TimePolynomial, TorqueAxes};
 use polhode::motion::{Ensemble, Member};
@@ -83,7 +84,8 @@ fn a_linear_table_has_its_impulse() {
     has_its_impulse(start(), &TIMES, &ROWS);
 }
 
-/// At rest what ω is measured with is what the table comes to: the torque of now is zero there, and so is ω.
+/// At rest, the scale of ω follows from the later torques of the table: the present torque is zero,
+/// and so is ω.
 #[test]
 fn a_linear_table_that_rises_from_zero_moves_a_body_at_rest() {
     let rest = State { omega: AngularVelocity::ZERO, ..start() };
@@ -109,7 +111,8 @@ fn has_its_impulse(start: State, times: &[f64], rows: &[[f64; 3]]) {
     }
 }
 
-/// How far the change of L is from ∫ N dt, by the trapezoidal rule along space axes.
+/// Returns the difference between the change of L and ∫ N dt, by the trapezoidal rule along space
+/// axes.
 fn impulse_error(start: State, end: &State, times: &[f64], rows: &[[f64; 3]]) -> f64 {
     let mut impulse = [0.0; 3];
     for (t, n) in times.windows(2).zip(rows.windows(2)) {

@@ -1,10 +1,12 @@
-//! Taylor's recurrence has a layout for each kind of motion; every layout with all its terms at once, against DOP853, which has the laws.
+//! Layouts of Taylor's recurrence, one for each kind of motion. Every layout with all its terms is
+//! compared with DOP853, which evaluates the laws.
 
 use polhode::motion::Orbit;
 use polhode::motion::torque::{Attracted, Drag, DragLaw, GravityGradient};
 use polhode::prelude::*;
 
-/// Three distinct moments, all products, mass not 1, the centre of mass off the origin.
+/// Returns a body with three distinct moments, all products, mass not 1, and the centre of mass off
+/// the origin.
 fn body() -> MassProperties<Body> {
     let inertia = InertiaTensor::with_negative_products([2.1, 2.9, 3.7], [0.31, -0.23, 0.17]).unwrap();
     MassProperties::new(1.7, Position::new(0.3, -0.2, 0.5), inertia).unwrap()
@@ -33,7 +35,7 @@ fn at_end(rotor: &Rotor, torques: &[TorqueModel], method: Method, tolerance: f64
     let attitude = Rotation::from_quaternion([0.4, -0.7, 1.1, 0.3]).unwrap();
     let start = State { time: 0.0, attitude, omega: AngularVelocity::new(0.9, -1.4, 0.6) };
     let simulation = Simulation::new(rotor, torques, start, &[3.0]).method(method).tolerance(tolerance);
-    // With evidence and without it: the same motion.
+    // The same motion with and without evidence.
     let (states, run) = (simulation.states().unwrap(), simulation.run().unwrap());
     let sample = run.samples()[0].state;
     assert_eq!(states[0].attitude.quaternion(), sample.attitude.quaternion());

@@ -1,4 +1,4 @@
-//! Torsion springs and wires: pendulums that swing alike at every amplitude, and energy that is kept.
+//! Torsion springs and wires: isochronous pendulums, and conservation of energy.
 
 use std::num::NonZero;
 
@@ -17,7 +17,7 @@ fn rest() -> Attitude {
     Attitude::from_quaternion([0.8, 0.1, -0.4, 0.5]).unwrap()
 }
 
-/// A spring, and a wire along an axis of space.
+/// Returns a spring, and a wire along an axis of space.
 fn springs(stiffness: f64, axis: Direction<Space>) -> [TorqueModel; 2] {
     [Torsion::spring(stiffness, rest()), Torsion::wire(stiffness, rest(), axis)]
         .map(|torsion| TorqueModel::Torsion(torsion.unwrap()))
@@ -26,7 +26,7 @@ fn springs(stiffness: f64, axis: Direction<Space>) -> [TorqueModel; 2] {
 #[test]
 fn the_period_is_the_same_at_every_amplitude() {
     let rotor = Rotor::free(&body());
-    // About the intermediate axis a tilt of rounding would grow.
+    // About the intermediate axis, rounding would grow into a tilt.
     let (moment, axis) = (rotor.principal().moments()[2], rest() * rotor.principal().axis(2));
     let stiffness = 1.7;
     let rate = (stiffness / moment).sqrt();
@@ -46,10 +46,11 @@ fn the_period_is_the_same_at_every_amplitude() {
                     let angle = amplitude * (rate * sample.state.time).cos();
                     let want = Rotation::<Space, Space>::about(axis, angle).unwrap() * rest();
                     let error = sample.state.attitude.angle_to(want);
-                    // The smallest is as accurate as the tolerance, not relative to itself.
+                    // The error of the smallest amplitude is absolute, at the tolerance, not
+                    // relative.
                     assert!(error < 6e-14, "{method:?} {amplitude} t = {}: {error:e}", sample.state.time);
                 }
-                // Angles are good to the tolerance, whatever the amplitude.
+                // Angles are accurate to the tolerance, for every amplitude.
                 let energy = Drift::of(&motion).unwrap().total_energy.unwrap();
                 assert!(energy < 1e-13 + 2e-14 / amplitude, "{method:?} {amplitude}: {energy:e}");
             }
@@ -90,8 +91,8 @@ fn both_integrators_keep_the_energy_and_agree() {
 
 const TOLERANCES: [f64; 7] = [1e-15, 1e-13, 1e-11, 1e-9, 1e-7, 1e-5, 1e-3];
 
-/// A body that is let go from rest about its third axis, fast enough for this amplitude, rad; and when it comes to
-/// half a turn: sin √(κ/I) t = π/amplitude.
+/// Returns a body that starts from rest attitude about its third axis, fast enough for this
+/// amplitude, rad. Also returns the time of half a turn: sin √(κ/I) t = π/amplitude.
 fn thrown(amplitude: f64, stiffness: f64) -> (Rotor, State, Direction<Space>, f64) {
     let rotor = Rotor::free(&body());
     let (moment, axis) = (rotor.principal().moments()[2], rotor.principal().axis(2));
@@ -103,16 +104,16 @@ fn thrown(amplitude: f64, stiffness: f64) -> (Rotor, State, Direction<Space>, f6
 
 #[test]
 fn half_a_turn_ends_the_motion_at_one_time_at_all_tolerances() {
-    // The second goes beyond half a turn for a hundredth of its period, within a step; the last is short of it by a
-    // part of 10⁻⁶.
+    // The second case exceeds half a turn for a hundredth of its period, within a step. The last
+    // one stays below it by a relative 10⁻⁶.
     for (amplitude, ends) in [(400.0_f64, true), (180.4, true), (180.0002, true), (179.9998, false)] {
         let stiffness = 1.7;
         let (rotor, start, axis, passes) = thrown(amplitude.to_radians(), stiffness);
         for torque in springs(stiffness, axis) {
             for method in METHODS {
                 for tolerance in TOLERANCES {
-                    // Near the turning point a small error of the angle is a large one of the time, or of whether
-                    // there is a half turn.
+                    // Near the turning point, a small error of the angle is a large error of the
+                    // time, and may decide if half a turn is reached.
                     let slope = (amplitude.to_radians().powi(2) - std::f64::consts::PI.powi(2)).abs().sqrt();
                     if 100.0 * tolerance > slope * slope {
                         continue;
@@ -180,7 +181,7 @@ fn an_event_before_half_a_turn_wins() {
     let (rotor, start, axis, passes) = thrown(400_f64.to_radians(), 1.7);
     let angle = |torque: &TorqueModel, at: f64, action| {
         let TorqueModel::Torsion(torsion) = torque.clone() else { panic!() };
-        // −cos ½θ, which goes on smoothly beyond half a turn.
+        // −cos ½θ is smooth beyond half a turn.
         let twist = EventFunction::new(move |state| {
             let [w, ..] = (torsion.rest().inverse() * state.attitude).quaternion();
             -w
@@ -202,7 +203,7 @@ fn an_event_before_half_a_turn_wins() {
                     panic!("{:?}", stopped.ending())
                 };
                 assert!((time - passes + 8.3e-5).abs() < 5e-5 + 50.0 * tolerance, "{time} {passes}");
-                // Switched off, it turns on without limit.
+                // After the switch-off it turns without limit.
                 let off = run(EventAction::Switch { torque: 0, on: false });
                 assert_eq!(*off.ending(), Ending::Complete, "{method:?} {tolerance}");
                 let recorded = run(EventAction::Record);

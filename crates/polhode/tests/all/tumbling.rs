@@ -1,4 +1,4 @@
-//! Tumblers: the periods of observers, the spins that have them, phases, and where dissipation ends.
+//! Tumblers: observed periods, spins with given periods, phases, and final states of dissipation.
 
 use crate::common::{number, numbers, table};
 use core::f64::consts::{PI, TAU};
@@ -18,7 +18,7 @@ fn motion(moments: [f64; 3], omega: [f64; 3]) -> FreeMotion {
     FreeMotion::of_moments(moments, start).unwrap()
 }
 
-/// Generic points of both modes, with ascending moments.
+/// Returns generic motions of both modes, with ascending moments.
 fn generic() -> Vec<FreeMotion> {
     let motions = vec![
         motion([1.0, 2.0, 2.7], [0.9, -0.3, 0.2]),
@@ -37,7 +37,7 @@ fn generic() -> Vec<FreeMotion> {
     motions
 }
 
-/// How far the azimuth about L of an axis fixed in the body winds while the time runs to `end`, rad.
+/// Returns the increase of the azimuth about L of a body-fixed axis until `end`, rad.
 fn winding(motion: &FreeMotion, axis: Direction<Body>, end: f64, steps: u32) -> f64 {
     let pole: Direction<Space> = motion.momentum().direction().unwrap();
     let seed = if pole.x.abs() < 0.6 { Direction::new(1.0, 0.0, 0.0) } else { Direction::new(0.0, 1.0, 0.0) };
@@ -74,7 +74,7 @@ fn the_precession_is_the_winding_of_the_axis_about_the_momentum() {
                 (periods.ratio() - periods.rotation / periods.precession).abs() < 1e-15 * periods.ratio()
             );
         }
-        // the intermediate axis goes with the one that L does not circle
+        // the convention of the intermediate axis is that of the axis not circled by L
         let circled =
             if motion.circles_least() { AxisConvention::ShortAxis } else { AxisConvention::LongAxis };
         let periods = TumblingPeriods::of(&motion, circled).unwrap();
@@ -84,7 +84,8 @@ fn the_precession_is_the_winding_of_the_axis_about_the_momentum() {
     println!("worst winding {worst:.1e}");
 }
 
-/// ψ: the angle of the body about one of its axes, from the plane of that axis and L, followed through one period of ω.
+/// Returns ψ, the angle of the body about one of its axes from the plane of that axis and L,
+/// continued through one period of ω.
 fn turns_about(motion: &FreeMotion, axis: usize) -> f64 {
     let frame = motion.principal();
     let [a, b] = [(axis + 1) % 3, (axis + 2) % 3].map(|k| frame.axis(k));
@@ -119,13 +120,13 @@ fn a_symmetric_body_has_periods_in_both_conventions() {
         assert_eq!(motion.regime(), Regime::Symmetric);
         for convention in CONVENTIONS {
             let periods = TumblingPeriods::of(&motion, convention).unwrap();
-            // the middle axis is always one across the symmetry axis
+            // the middle axis is always normal to the symmetry axis
             let symmetry = if circled == AxisConvention::ShortAxis { 2 } else { 0 };
             let axis = motion.principal().axis(if convention == circled { symmetry } else { 1 });
             let turned = winding(&motion, axis, 20.0 * periods.rotation, 4000);
             assert!((turned / (TAU * 20.0 * periods.ratio()) - 1.0).abs() < 1e-13);
         }
-        // L/i of the transverse moment
+        // L/i with the transverse moment
         let periods = TumblingPeriods::of(&motion, circled).unwrap();
         let rate = motion.momentum().norm() / moments[1];
         assert!((periods.precession * rate / TAU - 1.0).abs() < 1e-15);
@@ -148,7 +149,7 @@ fn what_does_not_circle_has_no_tumbling_periods() {
         }
         assert!(GeometricPhase::of(&motion).is_none());
     }
-    // moments whose separatrix is at numbers: i1 (i2 − i1) = i3 (i3 − i2) = 6
+    // moments whose separatrix is at simple numbers: i1 (i2 − i1) = i3 (i3 − i2) = 6
     let separatrix = motion([2.0, 5.0, 6.0], [1.0, 0.5, 1.0]);
     assert_eq!(separatrix.regime(), Regime::Separatrix);
     assert!(TumblingPeriods::of(&separatrix, AxisConvention::LongAxis).is_none());
@@ -173,7 +174,7 @@ fn toutatis_has_its_published_periods() {
         for (x, printed) in found.into_iter().zip(values(key)) {
             assert!((x - printed).abs() < number(&toutatis[key]["tolerance_days"]), "{key}: {x} {printed}");
         }
-        // and back: the printed periods have one spin, near the one fitted to other data
+        // inverse: the printed periods have one spin, close to the one fitted to other data
         let [precession, rotation] = values(key);
         let printed = TumblingPeriods { precession, rotation };
         let spins = TumblingSolution::all(moments, printed, AxisConvention::LongAxis).unwrap();
@@ -185,7 +186,7 @@ fn toutatis_has_its_published_periods() {
     }
 }
 
-/// Possible moments in any order and a spin: bricks, and slabs and needles more or less.
+/// Generates physical moments in any order and a spin: bricks, and approximate slabs and needles.
 fn tumbler() -> impl Strategy<Value = ([f64; 3], [f64; 3])> {
     (prop::array::uniform3(0.02..1.0_f64), prop::array::uniform3(-1.0..1.0_f64))
         .prop_map(|([a, b, c], omega)| ([b + c, a + c, a + b], omega))
@@ -219,7 +220,7 @@ proptest! {
             for spin in spins {
                 let again = self::motion(moments.map(|i| i * scale), spin.omega.to_array());
                 prop_assert_eq!(again.regime(), spin.regime);
-                // ω in doubles holds 1 − m to about ε/(1 − m)
+                // rounding of ω limits the accuracy of 1 − m to about ε/(1 − m)
                 let held = 1e-13 + 1e-14 / again.parameter()[1];
                 let achieved = spin.periods.unwrap();
                 prop_assert!((achieved.precession / periods.precession - 1.0).abs() < held);
@@ -242,7 +243,7 @@ proptest! {
         let axis: Direction<Space> = motion.momentum().direction().unwrap();
         let turned = Rotation::<Space, Space>::about(axis, phase.total).unwrap() * motion.start().attitude;
         let after = motion.at(motion.period().unwrap()).attitude;
-        // near the separatrix the period's own last digit moves the body
+        // near the separatrix, rounding of the period changes the phase
         let held = 1e-14 * (1.0 + phase.total);
         prop_assert!(after.angle_to(turned) < held, "{:e}", after.angle_to(turned));
     }
@@ -250,7 +251,8 @@ proptest! {
 
 #[test]
 fn two_modes_may_share_their_periods() {
-    // slab-like: 1/√((i3/i1 − 1)(i3/i2 − 1)) is little above 1, so a long-axis mode near the separatrix has the same ratio
+    // slab-like: 1/√((i3/i1 − 1)(i3/i2 − 1)) is slightly above 1, so a long-axis mode near the
+    // separatrix has the same ratio
     let moments = [1.0, 1.6, 2.5];
     let periods = TumblingPeriods { precession: 3600.0, rotation: 7200.0 };
     let spins = TumblingSolution::all(moments, periods, AxisConvention::LongAxis).unwrap();
@@ -283,7 +285,8 @@ fn a_symmetric_spin_is_found_from_its_periods() {
 
 #[test]
 fn a_spin_on_the_verge_of_the_separatrix_is_found() {
-    // so long a period that 1 − m is far below a double's last digit: the energy is still right, ω no longer
+    // a period so long that 1 − m is far below the rounding of a double: the energy is still
+    // correct, ω is not
     let moments = [1.0, 2.0, 2.7];
     let periods = TumblingPeriods { precession: 1.0, rotation: 60.0 };
     for convention in CONVENTIONS {
@@ -291,7 +294,7 @@ fn a_spin_on_the_verge_of_the_separatrix_is_found() {
         assert_eq!(spins.len(), 2);
         for spin in spins {
             assert!((spin.energy_ratio / (2.7 / 2.0) - 1.0).abs() < 1e-14);
-            // on the way along the intermediate axis ω is L/i2, and there it is nearly always
+            // the motion is nearly always along the intermediate axis, with ω = L/i2
             assert!((spin.momentum / (2.0 * TAU) - 1.0).abs() < 0.05);
         }
     }
@@ -329,7 +332,7 @@ fn impossible_questions_say_what_is_possible() {
     assert!(matches!(all([1.0, 1.0, 1.5], 1.0, 0.2), Err(TumblerError::NoSolution { long_axis: None, .. })));
 }
 
-/// S = ∮ (1 − cos θ) dφ round the axis that L circles, by the trapezoidal rule in the time.
+/// Computes S = ∮ (1 − cos θ) dφ about the axis that L circles, by the trapezoidal rule in time.
 fn solid_angle(motion: &FreeMotion) -> f64 {
     let frame = motion.principal();
     let (steps, period) = (4000, motion.period().unwrap());
@@ -355,7 +358,7 @@ fn the_geometric_part_is_the_solid_angle_of_the_momentums_path() {
         assert_eq!(signed > 0.0, !motion.circles_least());
         worst = worst.max((phase.geometric + signed).abs());
         assert!((phase.geometric + signed).abs() < 1e-13, "{} {signed}", phase.geometric);
-        // what an axis that L does not go round winds in one period
+        // the azimuth gained in one period by an axis that L does not circle
         let other = motion.principal().axis(if motion.circles_least() { 2 } else { 0 });
         let wound = winding(&motion, other, motion.period().unwrap(), 1000);
         assert!((wound - phase.total).abs() < 1e-13 * (1.0 + phase.total), "{wound} {}", phase.total);
@@ -373,7 +376,7 @@ fn the_phase_of_a_symmetric_top_is_a_cap() {
         assert!((phase.geometric - sign * TAU * (1.0 - nutation.cos())).abs() < 1e-14);
         assert!((phase.dynamic + phase.geometric - phase.total).abs() < 1e-14 * phase.total);
     }
-    // a rod that is held to spin: half of the sphere
+    // a rod with a formal spin: half of the sphere
     let rod = motion([0.0, 2.0, 2.0], [1.0, 0.2, 0.1]);
     assert!((GeometricPhase::of(&rod).unwrap().geometric - TAU).abs() < 1e-14);
 }
@@ -402,7 +405,7 @@ fn dissipation_ends_about_the_axis_of_greatest_moment() {
         assert!(end.energy_ratio <= moments[2] / moments[0]);
         assert_eq!(end.energy_ratio > moments[2] / moments[1], motion.circles_least());
     }
-    // what is left to lose near the end: ½ i1 (i3 − i1)/i3 ω1² = 0.6 ω1² / 2
+    // remaining energy loss near the end: ½ i1 (i3 − i1)/i3 ω1² = 0.6 ω1² / 2
     let end = LeastEnergySpin::of(&motion([1.0, 2.0, 2.5], [1e-20, 0.0, 3.0])).unwrap();
     assert!((end.energy_lost / 0.3e-40 - 1.0).abs() < 1e-15, "{:e}", end.energy_lost);
     // permanent rotations and bodies with equal moments

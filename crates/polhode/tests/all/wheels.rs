@@ -1,4 +1,4 @@
-//! Bodies with momentum wheels: conservation, a larger system without any of the library's equations, and closed forms.
+//! Bodies with momentum wheels: conservation laws, an independent larger system, and closed forms.
 
 use polhode::motion::Motor;
 use polhode::motion::torque::{Schedule, Scheduled};
@@ -54,14 +54,14 @@ fn nothing_inside_changes_the_whole_angular_momentum() {
     for (name, wheels) in wheels() {
         let rotor = body().with_wheels(&wheels).unwrap();
         for method in METHODS {
-            // some ten turns
+            // about ten turns
             let motion = compute(&rotor, &[], 50.0, method);
             let first = motion.start().momentum;
             let worst = motion.samples().iter().map(|s| (s.momentum - first).norm() / first.norm());
             let worst = worst.fold(0.0, f64::max);
             let bound = if method == Method::Taylor { 1e-14 } else { 5e-14 };
             assert!(worst < bound, "{name} {method:?}: {worst:e}");
-            // The motors' reaction is the work: without it T would change for nothing.
+            // The reaction of the motors does work: without it, the balance of T would fail.
             let drift = Drift::of(&motion).unwrap();
             assert!(drift.work_energy < 3e-14, "{name} {method:?}: {drift:?}");
             let motors = wheels.iter().any(Wheel::is_driven);
@@ -121,10 +121,12 @@ fn energy_is_kept_under_gravity_unless_a_motor_works() {
     }
 }
 
-/// Carrier and wheel as two bodies on one axle, from their two angular momenta: nothing of the library's equations.
+/// Integrates carrier and wheel as two bodies on one axle, from their two angular momenta,
+/// independently of the library's equations.
 ///
-/// Carrier with the locked wheel I, wheel J about a. Unknown: ω and the relative rate Ω. L = I ω + J Ω a, and along the axle
-/// J (a·ω̇ + Ω̇) = u. So (I − J a aᵀ) ω̇ = (I ω + J Ω a) × ω − u a, Ω̇ = u/J − a·ω̇. By the classical Runge–Kutta method.
+/// The carrier with the locked wheel has I, the wheel J about a. The unknowns are ω and the
+/// relative rate Ω. L = I ω + J Ω a, and along the axle J (a·ω̇ + Ω̇) = u. So (I − J a aᵀ) ω̇ = (I
+/// ω + J Ω a) × ω − u a, Ω̇ = u/J − a·ω̇. The method is the classical Runge–Kutta method.
 fn two_bodies(inertia: f64, torque: f64, speed: f64, end: f64, steps: u32) -> [f64; 4] {
     let a = axis().direction().unwrap().to_array();
     let carrier: [[f64; 3]; 3] =
@@ -170,7 +172,7 @@ fn a_motor_wheel_is_two_bodies_on_an_axle() {
         for method in METHODS {
             let last = *compute(&rotor, &[], end, method).samples().last().unwrap();
             let omega = last.state.omega;
-            // 1e-12: what 20 000 steps of order 4 leave
+            // 1e-12: the error of 20 000 steps of order 4
             assert!(
                 (omega - AngularVelocity::new(x, y, z)).norm() < 2e-12,
                 "{torque} {method:?} {omega:?} {x} {y} {z}"
@@ -183,7 +185,7 @@ fn a_motor_wheel_is_two_bodies_on_an_axle() {
 
 #[test]
 fn a_spin_up_turns_the_carrier_the_other_way() {
-    // About a principal axis: (i − J) ω = −u t, and with held speed nothing happens at all.
+    // About a principal axis: (i − J) ω = −u t; with held speed nothing happens.
     let principal = *body().principal();
     let axis = principal.axis(1);
     let (inertia, torque) = (0.25, 0.4);
@@ -200,7 +202,7 @@ fn a_spin_up_turns_the_carrier_the_other_way() {
             assert!((sample.state.omega - expected).norm() < 1e-15, "{method:?} {on}");
             assert!(sample.momentum.norm() < 2e-15);
         }
-        // and the whole turn: half a t² while it speeds up, then on at that rate
+        // and the whole rotation: half a t² during spin-up, then at constant rate
         let rate = torque / (principal.moments()[1] - inertia);
         let angle = rate * (0.5 * 2.5 * 2.5 + 2.5 * 4.5);
         let turned = Attitude::about(Direction::new(1.0, 0.0, 0.0), angle).unwrap().angle();
@@ -217,7 +219,7 @@ fn wheels_that_no_body_can_hold_are_refused() {
     assert!(refused(Wheel::new(axis(), f64::INFINITY, Motor::HeldSpeed)));
     assert!(refused(Wheel::new(axis(), 1.0, motor(0.0, 1.0, None))));
     assert!(refused(Wheel::new(axis(), 1.0, motor(1.0, f64::NAN, None))));
-    // More inertia than the body, and as much as it has.
+    // More inertia than the body, and exactly as much.
     let wheel =
         |inertia: f64| Wheel::new(Direction::new(0.0, 0.0, 1.0), 1.0, motor(inertia, 0.0, None)).unwrap();
     assert!(body().with_wheels(&[wheel(6.0)]).is_err());

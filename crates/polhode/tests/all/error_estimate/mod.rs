@@ -1,11 +1,13 @@
-//! The stated error of random scenarios at every tolerance, against their true motions.
+//! Stated errors of random scenarios at every tolerance, compared with their true motions.
 //!
-//! Bodies with distinct, nearly equal and nearly spherical moments, free and held at a pivot, with
-//! wheels; constant torques in body and in space, linear damping, gravity at a pivot, gravity
-//! gradient along an orbit, always or from one time to another; 0.01 to 100 turns; one sample or
-//! hundreds. Springs, formulas, ellipses and events are in `polhode-scenario`, `motion_errors`.
+//! The bodies have distinct, nearly equal or nearly spherical moments, are free or held at a pivot,
+//! and have wheels. The torques are constant in body or space, linear damping, gravity at a pivot,
+//! or the gravity gradient along an orbit, permanent or scheduled. The duration is 0.01 to 100
+//! turns, with one sample or hundreds. Springs, formulas, ellipses and events are in
+//! `polhode-scenario`, `motion_errors`.
 //!
-//! The gate takes 36 scenarios of up to 5 turns. The large test, in parts of 50 scenarios of up to 100 turns:
+//! The gate runs 36 scenarios of up to 5 turns. The large test, in parts of 50 scenarios of up to
+//! 100 turns:
 //!
 //! ```console
 //! $ POLHODE_SCENARIOS=0..50 cargo test -p polhode --test all error_estimate -- --nocapture

@@ -12,7 +12,7 @@ fn wrong_tensors() {
     let axes: M = principal.axes().map(Direction::to_array);
     let [a, b, c] = principal.moments();
     let diagonal = [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]];
-    // The right one is axesᵀ D axes: the rows of `axes` are the principal axes.
+    // The right tensor is axesᵀ D axes: the rows of `axes` are the principal axes.
     let transposed_one = product(&axes, &product(&diagonal, &transposed(&axes)));
     let reversed = [axes[2], axes[0].map(|c| -c), axes[1]];
     let reversed =
@@ -49,13 +49,14 @@ fn the_tensor_of_another_body() {
             let error = (0..3)
                 .flat_map(|k| (0..3).map(move |l| (k, l)))
                 .map(|(k, l)| (found[k][l] / times - tensor[k][l]).abs());
-            // With ω from differences of the attitudes it is good to the square of the spacing.
+            // If ω is from differences of the attitudes, its accuracy is the square of the spacing.
             *has_scale == scale && error.fold(0.0, f64::max) < 0.03
         });
     }
 }
 
-/// Half a per cent, in rows that are far apart: the fit of the motion itself finds it, with and without ω, and to more digits than differences of rows.
+/// Half a per cent, with rows far apart: the fit of the motion finds it with and without ω, and
+/// more accurately than differences of rows.
 #[test]
 fn the_tensor_of_a_body_that_is_a_little_different() {
     let tensor = tensor([1.305, 2.094, 2.912], [0.248, -0.353, 0.1512]);

@@ -1,4 +1,4 @@
-//! Bodies of many shapes, nearly symmetric ones and such that turn near an axis too.
+//! Bodies of many shapes, including nearly symmetric ones and rotations near an axis.
 
 use polhode::infer::judge::{Cause, Scheme, Turn};
 use polhode::prelude::*;
@@ -8,7 +8,7 @@ use super::program::*;
 use super::right_motions::noise;
 use super::scene::*;
 
-/// A free body, its tensor and its start.
+/// Returns a free body, its tensor and its start.
 fn body_of(seed: &mut u64) -> (Scenario, M, (Q, V)) {
     let mut random = || noise(seed);
     let q = unit([random(), random(), random(), random()]);

@@ -1,11 +1,11 @@
-//! Methods of fixed steps.
+//! Fixed-step methods.
 
 use polhode::infer::judge::{Cause, Scheme, Turn};
 
 use super::program::*;
 use super::scene::*;
 
-/// One step with the right acceleration by a map of the test.
+/// Returns a log of steps with the right acceleration by the map `step`.
 fn mapped(
     right: Equations,
     each: usize,
@@ -39,7 +39,7 @@ fn methods_of_order_one() {
             require_named(&scenario, &log, h, |c| {
                 is_scheme(c, Scheme::SemiImplicitEuler(Turn::FirstOrder), h)
             });
-            // L along space axes: ω_s = R I⁻¹ Rᵀ L, the torque added first
+            // L along space axes: ω_s = R I⁻¹ Rᵀ L, with the torque added first
             let log = mapped(right, each, h, |_, q, w| {
                 let inertia = right.tensor;
                 let l = to_space(q, add(times(&inertia, w), (right.torque)(q), h));
@@ -47,15 +47,15 @@ fn methods_of_order_one() {
                 let q = unit(hamilton(exponential(rate.map(|c| c * h)), q));
                 (q, times(&inverse(&inertia), to_body(q, l)))
             });
-            // Without a torque it is the same whether L or the attitude comes first.
+            // Without a torque, the order of L and attitude has no effect.
             require_named(&scenario, &log, h, |c| is_scheme(c, Scheme::MomentumFirst(Turn::Exponential), h));
-            // The attitude to first order, ω right
+            // First-order attitude, correct ω
             let log = mapped(right, each, h, |a, q, w| {
                 let (_, after) = rk4(0.0, q, w, h, &|_, q, w| (turning(q, w), a(q, w)));
                 (first_order(q, w, h), after)
             });
             require_named(&scenario, &log, h, |c| is_scheme(c, Scheme::HeldAtStart(Turn::FirstOrder), h));
-            // One step of Newton's for the implicit gyroscopic term
+            // One Newton step for the implicit gyroscopic term
             let log = mapped(right, each, h, |_, q, w| {
                 let inertia = right.tensor;
                 let l = times(&inertia, w);
@@ -73,7 +73,8 @@ fn methods_of_order_one() {
     }
 }
 
-/// The gyroscopic terms of engines, free: the new ω of the old one.
+/// Returns a log of free motion with the gyroscopic term of a physics engine: the new ω as a
+/// function of the old one.
 fn engine_log(h: f64, each: usize, omega: impl Fn(V) -> V) -> Vec<(f64, Q, V)> {
     run(start(), h, each, 300, |_, q, w| {
         let w = omega(w);
@@ -109,7 +110,7 @@ fn gyroscopic_terms_of_engines() {
         require_named(&free(), &rescaled, h, |c| {
             is_scheme(c, Scheme::RescaledMomentum(Turn::Exponential), h)
         });
-        // With damping as large as the method's error only both together explain it.
+        // With damping as large as the method's error, only both together explain it.
         let damped = engine_log(h, 1, |w| newton(w, h).map(|c| c * (1.0 - 0.04 * h)));
         require_named(&free(), &damped, h, |c| {
             matches!(c, Cause::MethodWithDamping { scheme: Scheme::ImplicitGyroscopic(Turn::Exponential), rate, .. }

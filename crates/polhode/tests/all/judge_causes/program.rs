@@ -1,4 +1,4 @@
-//! A little program that computes rigid bodies, right or wrong, by itself: plain arrays, its own steps.
+//! An independent program for rigid bodies, right or wrong: plain arrays and its own steps.
 
 pub(super) type V = [f64; 3];
 pub(super) type Q = [f64; 4];
@@ -36,7 +36,7 @@ pub(super) fn inverse(m: &M) -> M {
     transposed(&columns.map(|v| v.map(|x| x / det)))
 }
 
-/// p q
+/// Returns the quaternion product p q.
 pub(super) fn hamilton(p: Q, q: Q) -> Q {
     let ([a, b, c, d], [w, x, y, z]) = (p, q);
     [
@@ -52,31 +52,31 @@ pub(super) fn unit(q: Q) -> Q {
     q.map(|c| c / n)
 }
 
-/// R_space_body v
+/// Returns `R_space_body` v.
 pub(super) fn to_space([w, x, y, z]: Q, v: V) -> V {
     let [_, a, b, c] = hamilton(hamilton([w, x, y, z], [0.0, v[0], v[1], v[2]]), [w, -x, -y, -z]);
     [a, b, c]
 }
 
-/// Rᵀ v
+/// Returns Rᵀ v.
 pub(super) fn to_body([w, x, y, z]: Q, v: V) -> V {
     to_space([w, -x, -y, -z], v)
 }
 
-/// By the angle |r| about r.
+/// Returns the rotation by the angle |r| about r.
 pub(super) fn exponential(r: V) -> Q {
     let half = 0.5 * norm(r);
     let s = if half == 0.0 { 0.5 } else { half.sin() / (2.0 * half) };
     [half.cos(), s * r[0], s * r[1], s * r[2]]
 }
 
-/// q + ½ q ω h, normalised.
+/// Returns q + ½ q ω h, normalized.
 pub(super) fn first_order(q: Q, w: V, h: f64) -> Q {
     let d = hamilton(q, [0.0, w[0], w[1], w[2]]);
     unit([0, 1, 2, 3].map(|k| q[k] + 0.5 * h * d[k]))
 }
 
-/// Steps h, with every `each`th a row, `rows` of them besides the start.
+/// Runs with step h. Every `each`-th step is a row; there are `rows` rows in addition to the start.
 pub(super) fn run(
     start: (Q, V),
     h: f64,
@@ -95,7 +95,7 @@ pub(super) fn run(
     log
 }
 
-/// One step of RK4 for q̇ and ω̇.
+/// Performs one step of RK4 for q̇ and ω̇.
 pub(super) fn rk4(t: f64, q: Q, w: V, h: f64, slope: &impl Fn(f64, Q, V) -> (Q, V)) -> (Q, V) {
     let at = |s: f64, (dq, dw): (Q, V)| ([0, 1, 2, 3].map(|k| q[k] + s * dq[k]), add(w, dw, s));
     let go = |t: f64, (q, w): (Q, V)| slope(t, q, w);
@@ -108,7 +108,7 @@ pub(super) fn rk4(t: f64, q: Q, w: V, h: f64, slope: &impl Fn(f64, Q, V) -> (Q, 
     (unit(q), w)
 }
 
-/// ½ q ω
+/// Returns ½ q ω.
 pub(super) fn turning(q: Q, w: V) -> Q {
     hamilton(q, [0.0, w[0], w[1], w[2]]).map(|c| 0.5 * c)
 }

@@ -1,4 +1,4 @@
-//! Right motions, noise, few digits and other starts: what is not to be accused.
+//! Correct motions, noise, few digits and other starts: no cause must be reported.
 
 use polhode::infer::judge::{Cause, Scheme, TriedStart, Untried};
 use polhode::prelude::*;
@@ -7,7 +7,7 @@ use super::methods::is_scheme;
 use super::program::*;
 use super::scene::*;
 
-/// Numbers between −1 and 1 that repeat.
+/// Returns reproducible numbers between −1 and 1.
 pub(super) fn noise(seed: &mut u64) -> f64 {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     (*seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
@@ -17,7 +17,7 @@ fn changed(log: &[(f64, Q, V)], mut q: impl FnMut(f64) -> f64) -> Vec<(f64, Q, V
     log.iter().map(|&(t, p, w)| (t, p.map(&mut q), w.map(&mut q))).collect()
 }
 
-/// The motion as polhode itself computes it.
+/// Returns the motion computed by polhode.
 fn own_log(scenario: &Scenario) -> Vec<(f64, Q, V)> {
     let times: Vec<f64> = (0..400).map(|k| 0.05 * f64::from(k)).collect();
     let (rotor, torques) = (scenario.rotor(), scenario.torques());
@@ -79,7 +79,7 @@ fn another_start() {
         let turned = (hamilton(q, exponential([0.02, -0.03, 0.01])), w);
         require_named(&scenario, &from(turned, right), h, |c| matches!(c, Cause::OtherStart { .. }));
         require_named(&scenario, &from((q, to_body(q, w)), right), h, |c| *c == Cause::StartOmegaAlongSpace);
-        // Another ω: from the log it is known, else nothing is said.
+        // Another ω: known from the log; otherwise no cause is reported.
         let faster = from((q, [0.71, -1.08, 1.57]), right);
         let said = found(&scenario, &faster, true, None);
         assert!(
@@ -89,7 +89,7 @@ fn another_start() {
         );
         let said = found(&scenario, &faster, false, None);
         assert!(said.mistake().is_none(), "{:?}", said.likeliest());
-        // Another start, and a mistake besides.
+        // Another start, and a mistake in addition.
         let turned = hamilton(q, exponential([0.2, -0.3, 0.1]));
         let both = from((turned, [0.71, -1.08, 1.57]), Equations { gyroscopic: 0.0, ..right });
         let said = found(&scenario, &both, true, None);
@@ -98,7 +98,8 @@ fn another_start() {
     }
 }
 
-/// Fehlberg's pair with steps that keep to a tolerance, as loose as some programs have it.
+/// Returns a log of Fehlberg's pair with adaptive steps, at a tolerance as loose as in some
+/// programs.
 fn adaptive_log(right: Equations, tolerance: f64) -> Vec<(f64, Q, V)> {
     let slope = |_: f64, q: Q, w: V| (turning(q, w), right.acceleration(q, w));
     let (mut q, mut w) = start();
@@ -122,7 +123,8 @@ fn adaptive_log(right: Equations, tolerance: f64) -> Vec<(f64, Q, V)> {
     log
 }
 
-/// Half a kick of L, turns about the principal axes there and back, half a kick: written along the body's axes.
+/// Half a kick of L, rotations about the principal axes forward and backward, half a kick; along
+/// body axes.
 fn split_log(right: Equations, each: usize, h: f64, order: [usize; 5]) -> Vec<(f64, Q, V)> {
     let (moments, axes) = (body().principal().moments(), body().principal().axes().map(Direction::to_array));
     let inertia = right.tensor;

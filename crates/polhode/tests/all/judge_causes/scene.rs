@@ -1,4 +1,4 @@
-//! The body, its scenarios, the program's equations, and what is asked of causes.
+//! The body, its scenarios, the equations of the program, and the checks of causes.
 
 use polhode::infer::judge::ReadMotion;
 use polhode::infer::judge::{Cause, Causes, causes};
@@ -36,14 +36,14 @@ pub(super) fn free() -> Scenario {
 pub(super) const BODY_TORQUE: V = [0.6, -0.45, 0.35];
 pub(super) const SPACE_TORQUE: V = [-0.5, 0.4, 0.7];
 
-/// Under a torque along body axes and one along space axes.
+/// Returns a scenario under one torque along body axes and one along space axes.
 pub(super) fn driven() -> Scenario {
     let body = TorqueModel::Constant(ConstantTorque::Body(Torque::from_array(BODY_TORQUE)));
     let space = TorqueModel::Constant(ConstantTorque::Space(Torque::from_array(SPACE_TORQUE)));
     free().under([body, space]).unwrap()
 }
 
-/// What it logs: with ω, or without.
+/// Returns the causes found in a log, with or without ω.
 pub(super) fn found(scenario: &Scenario, log: &[(f64, Q, V)], with_omega: bool, step: Option<f64>) -> Causes {
     let times: Vec<f64> = log.iter().map(|row| row.0).collect();
     let exact =
@@ -57,7 +57,7 @@ pub(super) fn found(scenario: &Scenario, log: &[(f64, Q, V)], with_omega: bool, 
     causes(scenario, &motion, &exact, step)
 }
 
-/// The first named, of runs with and without ω and with and without the step.
+/// Checks the first cause found, with and without ω, and with and without the step size.
 pub(super) fn require_named(
     scenario: &Scenario,
     log: &[(f64, Q, V)],
@@ -89,7 +89,7 @@ pub(super) fn require_not_accused(scenario: &Scenario, log: &[(f64, Q, V)], step
     }
 }
 
-/// The program's equations: tensor, torque in body axes, and what differs.
+/// Equations of the program: tensor, torque in body axes, and the mistakes.
 #[derive(Clone, Copy)]
 pub(super) struct Equations {
     pub(super) tensor: M,
@@ -116,7 +116,7 @@ impl Equations {
         add(times(&inverse(&self.tensor), force), w, -self.damping)
     }
 
-    /// 400 rows of 0.05 s, of steps that leave no error.
+    /// Returns 400 rows at 0.05 s, with steps of negligible error.
     pub(super) fn log(&self) -> Vec<(f64, Q, V)> {
         let h = 0.005;
         run(start(), h, 10, 400, |t, q, w| {

@@ -61,7 +61,7 @@ fn damping_and_limits() {
             |c| matches!(c, Cause::DampingWithoutGyroscopicTerm { rate } if (rate - 0.05).abs() < 1e-6),
         );
     }
-    // As the engine of a game: 7 rad/s at most, from a body at 9.
+    // A limit as in a game engine: at most 7 rad/s, for a body at 9 rad/s.
     let (q, w) = start();
     let w = w.map(|c| 4.5 * c);
     let scenario = free();

@@ -1,7 +1,8 @@
-//! Boxes, L-shapes and combs on a small grid of integers, two or three together: whether they overlap is counted, cell by cell.
+//! Boxes, L-shapes and combs on a small integer grid, two or three together: cell counts determine
+//! if they overlap.
 //!
-//! Every mesh is made in two ways: by unit squares, so that all that touches does so along common edges and corners, and by as few triangles
-//! as there can be, so that edges lie within faces and corners within edges.
+//! Every mesh is built in two ways. With unit squares, all contacts are along common edges and
+//! corners. With as few triangles as possible, edges lie within faces and corners within edges.
 
 use std::collections::HashMap;
 
@@ -10,10 +11,10 @@ use polhode::body::mesh::{ClosedMesh, MeshDiagnosis, Triangle, TriangleMesh};
 
 type Cell = [i32; 3];
 
-/// Cells along each axis.
+/// Number of cells along each axis.
 const SIZE: i32 = 5;
 
-/// A whole number below `n` that looks random (Knuth's MMIX generator).
+/// Pseudorandom integers below `n` (Knuth's MMIX generator).
 struct Random(u64);
 
 impl Random {
@@ -22,7 +23,7 @@ impl Random {
         ((self.0 >> 33) % n as u64) as i32
     }
 
-    /// A stretch of at least `least` within `low` … `high`.
+    /// Returns an interval of at least `least` within `low` … `high`.
     fn stretch(&mut self, low: i32, high: i32, least: i32) -> [i32; 2] {
         let length = least + self.below(high - low - least + 1);
         let begin = low + self.below(high - low - length + 1);
@@ -30,7 +31,8 @@ impl Random {
     }
 }
 
-/// A prism over a polygon of right angles, counter-clockwise; its axis is `axis`, wound inward if it is a cavity.
+/// Prism over a rectilinear polygon, counter-clockwise, along `axis`; wound inward if it is a
+/// cavity.
 #[derive(Clone, Debug)]
 struct Prism {
     axis: usize,
@@ -50,7 +52,7 @@ impl Prism {
                 vec![[x[0], y[0]], [x[1], y[0]], [x[1], v], [u, v], [u, y[1]], [x[0], y[1]]]
             }
             1 if wide > 2 && high > 1 => {
-                // teeth one wide, upward
+                // teeth of width one, upward
                 let base = y[0] + 1 + random.below(high - 1);
                 let mut polygon = vec![[x[0], y[0]], [x[1], y[0]]];
                 let mut u = x[1];
@@ -66,7 +68,7 @@ impl Prism {
         Self { axis: random.below(3) as usize, polygon, along, cavity: random.below(6) == 0 }
     }
 
-    /// A cavity in a prism, if some of those tried lie in it.
+    /// Returns a cavity in a prism, if one of the trials lies in it.
     fn in_prism(prism: &Self, random: &mut Random) -> Option<Self> {
         let mut tried = (0..20).map(|_| Self { cavity: true, ..Self::random(random) });
         tried.find(|cavity| cavity.is_in(prism) && !prism.is_in(cavity))
@@ -76,19 +78,20 @@ impl Prism {
         cells().all(|cell| !self.holds(cell) || other.holds(cell))
     }
 
-    /// Has each of the two cells of its own, and are there common ones? Then their surfaces go through each other.
+    /// True if each of the two has cells of its own and there are common cells. Then their surfaces
+    /// cross.
     fn crosses(&self, other: &Self) -> bool {
         cells().any(|cell| self.holds(cell) && other.holds(cell)) && !self.is_in(other) && !other.is_in(self)
     }
 
-    /// The axes' coordinates from those across and along.
+    /// Returns the coordinates along the axes from those across and along the prism.
     fn place(&self, [u, v]: [i32; 2], w: i32) -> Cell {
         let mut p = [0; 3];
         (p[self.axis], p[(self.axis + 1) % 3], p[(self.axis + 2) % 3]) = (w, u, v);
         p
     }
 
-    /// Is the cell in it?
+    /// True if the cell is in the prism.
     fn holds(&self, cell: Cell) -> bool {
         let [u, v, w] = [1, 2, 0].map(|k| cell[(self.axis + k) % 3]);
         let edges = self.polygon.iter().zip(self.polygon.iter().cycle().skip(1));
@@ -101,7 +104,7 @@ impl Prism {
         i32::from(self.holds(cell)) * if self.cavity { -1 } else { 1 }
     }
 
-    /// Four corners in one plane as two triangles.
+    /// Adds a planar quadrilateral as two triangles.
     fn square(&self, mut corners: [Cell; 4], random: &mut Random, triangles: &mut Vec<[Cell; 3]>) {
         corners.rotate_left(random.below(2) as usize);
         let [a, b, c, d] = corners;
@@ -113,7 +116,7 @@ impl Prism {
         triangles.push(if self.cavity { [a, c, b] } else { [a, b, c] });
     }
 
-    /// By unit squares.
+    /// Returns the surface as unit squares.
     fn fine(&self, random: &mut Random) -> Vec<[Cell; 3]> {
         let mut triangles = Vec::new();
         for cell in cells().filter(|&cell| self.holds(cell)) {
@@ -142,7 +145,7 @@ impl Prism {
         triangles
     }
 
-    /// By its own corners only.
+    /// Returns the surface with its own corners only.
     fn coarse(&self, random: &mut Random) -> Vec<[Cell; 3]> {
         let (mut triangles, n) = (Vec::new(), self.polygon.len());
         let [low, high] = self.along;
@@ -151,7 +154,7 @@ impl Prism {
             let square = [self.place(p, low), self.place(q, low), self.place(q, high), self.place(p, high)];
             self.square(square, random, &mut triangles);
         }
-        // The caps, ear by ear.
+        // The caps, by ear clipping.
         let mut rest = self.polygon.clone();
         while rest.len() > 2 {
             let n = rest.len();
@@ -183,15 +186,15 @@ fn cells() -> impl Iterator<Item = Cell> {
     (0..SIZE).flat_map(|x| (0..SIZE).flat_map(move |y| (0..SIZE).map(move |z| [x, y, z])))
 }
 
-/// What counting says of some prisms.
+/// Results of the cell counts of some prisms.
 #[derive(Debug, Default)]
 struct Counted {
-    /// Lowest and highest winding number; that of infinity is 0.
+    /// Lowest and highest winding number; at infinity it is 0.
     lowest: i32,
     highest: i32,
     volume: i32,
-    /// Two of them go through each other, or have a unit square in common the same way round: such a mesh is refused even where a third
-    /// makes up for it.
+    /// True if two of them cross, or share a unit square with the same orientation. Such a mesh is
+    /// refused even if a third one compensates for it.
     doubled: bool,
 }
 
@@ -223,7 +226,8 @@ impl Counted {
     }
 }
 
-/// A mesh of triangles with the vertices each once, or with three for each triangle; slanted, or along the axes.
+/// Returns a mesh of the triangles, with shared vertices or with three per triangle; slanted, or
+/// along the axes.
 fn mesh(triangles: &[[Cell; 3]], merged: bool, slanted: bool) -> TriangleMesh {
     let place = |p: Cell| {
         let [x, y, z] = p.map(f64::from);
@@ -256,10 +260,11 @@ fn what_overlaps_with_corners_in_edges_is_refused_and_what_touches_is_not() {
     judge(2_500, false);
 }
 
-/// Holds the verdict on so many meshes against the count, all by unit squares or all by their own corners.
+/// Compares the diagnosis of random meshes with the cell counts, all by unit squares or all by
+/// their own corners.
 fn judge(rounds: u32, fine: bool) {
     let mut random = Random(if fine { 20 } else { 21 });
-    // How many were sound, touched each other, and were not sound.
+    // Numbers of meshes that were sound, touched each other, and were not sound.
     let [mut sound, mut touching, mut unsound] = [0; 3];
     for round in 0..rounds {
         let mut prisms: Vec<Prism> = (0..2 + random.below(2)).map(|_| Prism::random(&mut random)).collect();

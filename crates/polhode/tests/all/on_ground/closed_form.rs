@@ -1,4 +1,4 @@
-//! What slides and circles in closed form, against the motion.
+//! Sliding and circling bodies: closed forms compared with the motion.
 
 use core::f64::consts::TAU;
 
@@ -17,7 +17,7 @@ use super::{body, contact, leaning, start};
 
 const MASS: f64 = 0.31;
 const RADIUS: f64 = 0.043;
-/// Of a hollow ball, more or less.
+/// Moment of inertia, close to that of a hollow ball.
 const MOMENT: f64 = 0.61 * MASS * RADIUS * RADIUS;
 
 fn run(
@@ -34,7 +34,7 @@ fn near(got: f64, want: f64, tolerance: f64) {
     assert!((got - want).abs() <= tolerance * want.abs().max(1e-300), "{got} is not {want}");
 }
 
-/// A ball on a plane of this slope, which moves and turns in general position.
+/// Returns a ball on a plane with this slope, in general motion.
 fn ball(slope: f64, friction: Friction, turning: f64) -> (BallOnPlane, Contact, ContactStart) {
     let normal = Direction::new(0.6 * slope.sin(), 0.8 * slope.sin(), slope.cos());
     let ground = Ground::new(GroundShape::Plane, normal).unwrap().turning_at(turning).unwrap();
@@ -50,7 +50,8 @@ fn ball(slope: f64, friction: Friction, turning: f64) -> (BallOnPlane, Contact, 
     (ball, contact, start)
 }
 
-/// The slip ends when the closed form says, with its velocity: on the level, on slopes in a general direction, with viscous friction beside.
+/// The slip ends at the time and velocity of the closed form: on level ground, and on slopes in a
+/// general direction, also with viscous friction.
 #[test]
 fn slip_ends_when_it_should() {
     let dry = |kinetic| Friction { sticking: kinetic, kinetic, viscous: 0.0 };
@@ -74,7 +75,7 @@ fn slip_ends_when_it_should() {
     }
 }
 
-/// Too steep for friction to stop the slip, and a slip that goes straight uphill.
+/// Slopes too steep for friction to stop the slip, and a slip straight uphill.
 #[test]
 fn slip_on_a_steep_slope_does_not_end() {
     let friction = Friction { sticking: 0.9, kinetic: 0.1, viscous: 0.0 };
@@ -83,7 +84,7 @@ fn slip_on_a_steep_slope_does_not_end() {
     let first = *run(&mass, &contact, start, &[]).start();
     assert_eq!(steep.slip_end(first.slip, &friction), SlipEnd::Never);
     assert!(run(&mass, &contact, start, &[20.0]).changes().is_empty());
-    // Straight uphill it stops, and what does not slip is held.
+    // A slip straight uphill stops, and a body that does not slip is held.
     start.state.omega = AngularVelocity::ZERO;
     start.velocity = StartVelocity::Along(Velocity::from_array((steep.downhill() * -0.31).to_array()));
     let first = *run(&mass, &contact, start, &[]).start();
@@ -98,7 +99,7 @@ fn moved(velocity: Velocity<Space>, time: f64) -> Position<Space> {
     Position::from_array((velocity * time).to_array())
 }
 
-/// On a turntable that slopes a ball circles while its circle drifts across.
+/// A ball on an inclined turntable moves on a circle that drifts horizontally.
 #[test]
 fn circles_drift_across_a_slope() {
     let (ball, contact, start) = ball(0.08, Friction::default(), 4.3);
@@ -128,7 +129,7 @@ fn disk(tube: f64, thickness: f64, center: f64) -> (CirclingDisk, MassProperties
     )
 }
 
-/// Steady circles stay, with the tilt, the radius and the energy that the closed form has.
+/// Steady circles persist, with the inclination, the radius and the energy of the closed form.
 #[test]
 fn disks_run_in_steady_circles() {
     for (tube, thickness, center) in
@@ -139,7 +140,7 @@ fn disks_run_in_steady_circles() {
             let rates = disk.rates(tilt, spin);
             assert!(!rates.is_empty());
             for rate in rates {
-                // ω = −Ω sin θ p + s e, and p is −y of a body that is turned about x.
+                // ω = −Ω sin θ p + s e, where p is −y of a body that is rotated about x.
                 let start = start(leaning(tilt), [0.0, rate * tilt.sin(), spin]);
                 let times = [0.0, 0.23 / rate.abs(), 2.1 / rate.abs()];
                 let motion = run(&mass, &contact, start, &times);
@@ -166,7 +167,7 @@ fn disks_run_in_steady_circles() {
     }
 }
 
-/// Euler's disk settles as the formulas for a small tilt have it.
+/// Euler's disk settles according to the formulas for small inclination.
 #[test]
 fn eulers_disk_lies_flat_after_its_time() {
     let (disk, mass, contact) = disk(0.0, 0.0, 0.0);
@@ -181,14 +182,15 @@ fn eulers_disk_lies_flat_after_its_time() {
     assert_eq!(motion.changes()[0].change, ContactChange::LiesFlat);
     let half = motion.samples()[0];
     let axis: Direction<Space> = half.state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
-    // Ω = Ω₀ T/(T − t), and so a quarter of the tilt is left after half of the time.
+    // Ω = Ω₀ T/(T − t), so a quarter of the inclination remains after half of the time.
     near(axis.z.acos(), 0.25 * tilt, 5e-3);
     let turned: Rotation<Space, Body> = half.state.attitude;
     let omega = turned * half.state.omega;
     near(omega.norm(), 2.0 * rate * (0.25 * tilt).sin(), 1e-2);
 }
 
-/// A ball that rolls in a bowl goes where the axis of its top does; one that rolls down another ball does so until it leaves it.
+/// A ball that rolls in a bowl moves like the axis of the corresponding top; one that rolls down
+/// another ball does so until it leaves it.
 #[test]
 fn a_ball_in_a_bowl_is_a_top() {
     let mass = body(MASS, [MOMENT; 3]);
@@ -214,7 +216,7 @@ fn a_ball_in_a_bowl_is_a_top() {
     }
 }
 
-/// Upright the disk is the wheel of which the stability is known.
+/// An upright disk is the wheel with known stability.
 #[test]
 fn an_upright_disk_is_a_wheel() {
     let (disk, mass, contact) = disk(0.013, 0.0, 0.0);

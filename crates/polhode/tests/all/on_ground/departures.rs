@@ -1,4 +1,4 @@
-//! Small departures from steady motions, integrated on both sides of the thresholds.
+//! Small perturbations of steady motions, integrated on both sides of the thresholds.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -12,10 +12,11 @@ use crate::common::held::Held;
 
 use super::{FOOTINGS, body, contact, leaning, start, steady, turned};
 
-/// How far the start is from what is steady, rad.
+/// Perturbation of the start, rad.
 const DEPARTURE: f64 = 1e-9;
 
-/// Starts a little beside a steady motion and says by how much the departure has grown: over the whole time at most, and its rate between the middle and the end.
+/// Integrates a perturbed steady motion. Returns the largest growth of the perturbation over the
+/// whole time, and its growth rate between the middle and the end.
 fn growth(
     body: &MassProperties<Body>,
     contact: &Contact,
@@ -46,7 +47,8 @@ fn growth(
     [most(0.0, 1.0) / DEPARTURE, rate]
 }
 
-/// Below a threshold a departure grows at the rate that the linear equations say, above it stays.
+/// Below a threshold a perturbation grows at the rate of the linear equations; above it remains
+/// bounded.
 #[track_caller]
 fn changes_at(
     body: &MassProperties<Body>,
@@ -63,7 +65,7 @@ fn changes_at(
             let [most, _] = growth(body, contact, attitude, omega, 20.0);
             assert!(most < 30.0, "{side} {most}");
         } else {
-            // Until it has grown some millionfold.
+            // Until it has grown by a factor of some millions.
             let time = 16.0 / fastest;
             let [_, rate] = growth(body, contact, attitude, omega, time);
             assert!((rate / fastest - 1.0).abs() < 0.05, "{side} {rate} {:?}", linear.modes);

@@ -1,4 +1,4 @@
-//! Where sliding friction leads a tippe top.
+//! Final motions of a tippe top under sliding friction.
 
 use polhode::math::Velocity;
 use polhode::motion::channel::CONTACT;
@@ -18,7 +18,7 @@ fn top(across: f64, along: f64, eccentricity: f64) -> TippeTop {
     TippeTop { mass: 0.006, gravity: 9.80665, radius: RADIUS, eccentricity, across, along }
 }
 
-/// The motion at a tilt without slip, if the search finds it.
+/// Returns the motion at an inclination without slip, if the search finds it.
 fn at(top: &TippeTop, jellett: f64, cosine: f64) -> SteadyOnGround {
     let (body, contact) = (
         body(top.mass, [top.across, top.across, top.along]),
@@ -39,7 +39,8 @@ fn at(top: &TippeTop, jellett: f64, cosine: f64) -> SteadyOnGround {
     SteadyOnGround::near(&body, &contact, &start).unwrap()
 }
 
-/// What is a minimum of the energy at its Jellett constant is stable with viscous friction, and nothing else is.
+/// A motion is stable with viscous friction if and only if it is a minimum of the energy at its
+/// Jellett constant.
 #[test]
 fn minima_of_the_energy_are_what_friction_leads_to() {
     let mut seen = [0; 4];
@@ -74,7 +75,7 @@ fn minima_of_the_energy_are_what_friction_leads_to() {
                 seen[place] += usize::from(state.is_minimum || place == 2);
             }
         }
-        // The thresholds in J are those in spin.
+        // The thresholds in J agree with those in spin.
         for (limit, cosine, of_spin) in [
             (top.bottom_up_to(), 1.0, top.jellett_of_bottom(1.0)),
             (top.inverted_from(), -1.0, top.jellett_of_inverted(1.0)),
@@ -90,7 +91,7 @@ fn minima_of_the_energy_are_what_friction_leads_to() {
     assert!(seen.iter().all(|count| *count > 3), "{seen:?}");
 }
 
-/// The tilt is where the energy is least: the slope of W by differences.
+/// The inclination minimizes the energy: slope of W by differences.
 #[test]
 fn tilts_are_extrema_of_the_energy() {
     let top = top(8.1e-7, 6.3e-7, 0.2);
@@ -109,7 +110,8 @@ fn tilts_are_extrema_of_the_energy() {
     }
 }
 
-/// One turns over, and another one, of group III, rises to a tilt: that of least energy for its Jellett constant.
+/// One top turns over. Another, of group III, rises to the inclination of least energy for its
+/// Jellett constant.
 #[test]
 fn friction_leads_to_the_minimum() {
     for (across, place) in [(1.9e-6, Place::Inverted), (2.5e-6, Place::Tilted)] {
@@ -129,7 +131,7 @@ fn friction_leads_to_the_minimum() {
         assert_eq!(end.place, place);
         let motion = Held::of(Simulation::on_ground(&body, &contact, start, &[80.0]).run().unwrap(), CONTACT);
         let axis = motion.samples()[0].state.attitude * Direction::<Body>::new(0.0, 0.0, 1.0);
-        // What is left of its swings after 80 s.
+        // Remaining oscillation after 80 s.
         assert!((axis.z - end.cosine).abs() < 5e-4, "{} {end:?}", axis.z);
     }
 }

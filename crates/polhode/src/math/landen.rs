@@ -62,8 +62,8 @@ impl Landen {
 
     /// Returns π F(φ|m) / 2K, with φ = atan2(sin, cos) in (−π, π].
     ///
-    /// The relation tan(φₙ₊₁ − φₙ) = (gₙ/aₙ) tan φₙ gives φₙ₊₁ = 2φₙ − ηₙ with tan ηₙ = (1 − r) sin cos /
-    /// (cos² + r sin²).
+    /// The relation tan(φₙ₊₁ − φₙ) = (gₙ/aₙ) tan φₙ gives φₙ₊₁ = 2φₙ − ηₙ with tan ηₙ = (1 − r) sin
+    /// cos / (cos² + r sin²).
     pub(crate) fn angle(&self, sin: f64, cos: f64) -> f64 {
         let (mut s, mut c) = (sin, cos);
         let (mut sum, mut share) = (0.0, 0.5);
@@ -82,8 +82,8 @@ impl Landen {
     /// It is valid for sinh χ ≤ m^−¼, half of the way to K′. Beyond, the steps converge slowly; the
     /// caller uses the distance from K′ instead.
     ///
-    /// The relation tanh(χₙ₊₁ − χₙ) = (gₙ/aₙ) tanh χₙ gives χₙ₊₁ = 2χₙ − ηₙ with e^2ηₙ − 1 = 2 (1 − r)
-    /// tanh χₙ / ((1 − tanh χₙ)(1 + r tanh χₙ)).
+    /// The relation tanh(χₙ₊₁ − χₙ) = (gₙ/aₙ) tanh χₙ gives χₙ₊₁ = 2χₙ − ηₙ with e^2ηₙ − 1 = 2 (1 −
+    /// r) tanh χₙ / ((1 − tanh χₙ)(1 + r tanh χₙ)).
     pub(crate) fn hyperbolic_correction(&self, tanh: f64, sech2: f64) -> f64 {
         let (mut th, mut sigma) = (tanh, sech2);
         let (mut sum, mut share) = (0.0, 0.5);

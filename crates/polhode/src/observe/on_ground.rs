@@ -74,9 +74,9 @@ pub struct SteadyMode {
 /// Steady motion of a body on level ground, and its modes of small deviations.
 ///
 /// The equations are those that [`Simulation::on_ground`](crate::motion::Simulation::on_ground)
-/// integrates, in the upward vertical n along the body's axes, ω, and, with viscous friction, the velocity. Their
-/// derivatives are exact. Each rate that is zero belongs to a continuous change from one steady
-/// motion to another.
+/// integrates, in the upward vertical n along the body's axes, ω, and, with viscous friction, the
+/// velocity. Their derivatives are exact. Each rate that is zero belongs to a continuous change
+/// from one steady motion to another.
 ///
 /// ```
 /// use polhode::motion::contact::{BodySurface, Contact, ContactStart, SurfaceShape};

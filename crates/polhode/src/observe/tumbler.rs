@@ -246,8 +246,8 @@ impl Family {
     /// m = νz/(1 + νz) and 1 − m = 1/(1 + νz). Nothing cancels between the permanent rotation (z
     /// → 0) and the separatrix (z → ∞), nor in the limit of a symmetric body (ν → 0).
     ///
-    /// The quantities of `motion/solve/free/elements.rs` are λ = cos θ √((1/i1 − 1/i3)(1/i2 − 1/i3)) and
-    /// Ω = 1/i2 + ½ (1/i1 − 1/i2) R.
+    /// The quantities of `motion/solve/free/elements.rs` are
+    /// λ = cos θ √((1/i1 − 1/i3)(1/i2 − 1/i3)) and Ω = 1/i2 + ½ (1/i1 − 1/i2) R.
     fn at(&self, y: f64) -> Wobble {
         let [i1, i2, i3] = self.moments;
         let (d21, d31, d32) = (i2 - i1, i3 - i1, i3 - i2);

@@ -89,9 +89,9 @@ impl TumblingPeriods {
 
     /// Returns P_ψ/P_φ, the mean number of turns of the axis about L in one period of ω.
     ///
-    /// It determines, for given principal moments, the state of rotation up to its scale: within each
-    /// mode it increases monotonically from the permanent rotation to the separatrix, where it is
-    /// infinite. In the long-axis convention it exceeds 1/√((i3/i1 − 1)(i3/i2 − 1)) ≥ 1 in
+    /// It determines, for given principal moments, the state of rotation up to its scale: within
+    /// each mode it increases monotonically from the permanent rotation to the separatrix, where it
+    /// is infinite. In the long-axis convention it exceeds 1/√((i3/i1 − 1)(i3/i2 − 1)) ≥ 1 in
     /// short-axis mode, and 1/√((1 − i1/i2)(1 − i1/i3)) − 1 > 0 in long-axis mode. A ratio below 1
     /// therefore means long-axis mode. In the short-axis convention both bounds are larger by 1.
     pub fn ratio(&self) -> f64 {

@@ -215,15 +215,16 @@ fn extreme<Q, F>(curve: &Curve<Q, F>, sign: f64, path: impl Fn(f64) -> Vector<Q,
 
 #[test]
 fn the_smallest_radius_has_its_digits_near_the_separatrix_and_near_the_axes() {
-    // exact numbers: i = (3, 4, 6), ω = (2, 0, 1 + d): L² − 2T i2 = 12 ((1 + d)² − 1), ω × L = (0, 3 ω1 ω3, 0) · (−1)
+    // exact numbers: i = (3, 4, 6), ω = (2, 0, 1 + d): L² − 2T i2 = 12 ((1 + d)² − 1),
+    // ω × L = (0, 3 ω1 ω3, 0) · (−1)
     for d in [2.0_f64.powi(-40), 0.25] {
         let motion =
             FreeMotion::of_moments([3.0, 4.0, 6.0], start(AngularVelocity::new(2.0, 0.0, 1.0 + d))).unwrap();
         let w3 = 1.0 + d;
         let l = (36.0 + 36.0 * w3 * w3).sqrt();
         let excess = 12.0 * d * (2.0 + d);
-        // where ω1 = 0: i2 ω2² + i3 ω3² = 2T, i2² ω2² + i3² ω3² = L², so i3 (i3 − i2) ω3² = L² − 2T i2 and
-        // i2 (i3 − i2) ω2² = 2T i3 − L² = i1 (i3 − i1) ω1²
+        // where ω1 = 0: i2 ω2² + i3 ω3² = 2T, i2² ω2² + i3² ω3² = L², so
+        // i3 (i3 − i2) ω3² = L² − 2T i2 and i2 (i3 − i2) ω2² = 2T i3 − L² = i1 (i3 − i1) ω1²
         let (z, y) = ((excess / 12.0).sqrt(), (3.0 * 3.0 * 4.0 / (4.0 * 2.0_f64)).sqrt());
         let [least, greatest] = Herpolhode::of(&motion, 1.0, 1e-3).unwrap().annulus;
         assert!((least / (2.0 * y * z / l) - 1.0).abs() < 1e-14, "{d}: {least}");

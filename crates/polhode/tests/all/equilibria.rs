@@ -62,8 +62,8 @@ fn all_attitudes_at_rest_on_an_orbit_are_found() {
                     && expected.roll_yaw.is_none_or(|both| both.into_iter().all(has))
             );
         }
-        // The Lagrange and the DeBra–Delp equilibria: the long axis up and the greatest moment
-        // across, or the latter's.
+        // The Lagrange equilibrium (the long axis up, the greatest moment
+        // across the orbit), or the DeBra–Delp equilibrium.
         assert!(all.iter().any(|e| e.axes.map(|(k, _)| k) == [0, 1, 2]));
     }
     let none = OrbitalEquilibrium::all(&rotor, &[], at(generic_attitude(), AngularVelocity::ZERO)).unwrap();

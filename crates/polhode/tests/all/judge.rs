@@ -199,8 +199,8 @@ fn the_times_of_a_rough_run_are_not_shifted() {
     assert!(clock.kind == PartKind::Clock && (clock.value.unwrap()[0] + 0.006).abs() < 1e-5, "{clock:?}");
 }
 
-/// An error of 1e-10 rad is resolved to double precision: 2e-6 (relative) in a row, and 1e-7 in the
-/// mean.
+/// An error of 1e-10 rad is found to 2e-6 (relative) in a row, the limit of double precision, and
+/// to 1e-7 in the mean.
 #[test]
 fn a_small_error_is_known_to_six_digits() {
     let scenario = free();

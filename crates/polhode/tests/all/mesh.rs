@@ -355,7 +355,7 @@ fn a_triangle_given_twice_is_refused() {
     one.insert(8, [b, c, a]); // the same triangle, starting at another corner
     refused(one, 1, 4, 9);
 
-    // back to back is something else: a wall without thickness, or two bodies that touch
+    // a reversed copy is a different case: a wall without thickness, or two bodies that touch
     let wall = [[a, b, c], [a, c, b]];
     let mesh =
         ClosedMesh::from_triangles([brick(), wall.map(|t| t.map(|p| p.map(|x| 0.5 * x))).to_vec()].concat());

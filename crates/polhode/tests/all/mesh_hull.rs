@@ -134,7 +134,7 @@ fn what_has_no_hull_is_refused() {
 #[test]
 fn a_face_with_thousands_of_corners_is_not_made_anew_for_each() {
     // A parabola of lattice points is a polygon without three collinear corners: under one apex,
-    // and under a copy of itself.
+    // and under a second copy.
     let base = |z: i64| (-5000..5000).map(move |k: i64| [k, k * k, z].map(|c| c as f64));
     let apex = [3.0, 12_000_000.0, 700.0];
     let pyramid: Vec<_> = base(0).chain([apex]).collect();

@@ -188,9 +188,8 @@ fn an_ellipsoid_spins_on_its_end_within_bounds() {
             let contact = contact(SurfaceShape::Ellipsoid { semi_axes }, [0.0, 0.0, -0.01], footing);
             let at = |spin: f64| on_vertex(&body, &contact, spin);
             let count = at(1.0).stable_spins.unwrap().thresholds().len();
-            // A rate below 1e-6 counts as zero, and a growth rate below 1e-12 as none. For a
-            // rattleback whose stability limit is a real root passing through zero, the difference
-            // is visible.
+            // A rate below 1e-6 counts as zero, and a growth rate below 1e-12 as none. This is
+            // visible for a rattleback whose stability limit is a real root passing through zero.
             let is_slow = angle != 0.0 && moments[2] < moments[0];
             holds_against_eigenvalues(at, count, if is_slow { 1e-7 } else { 1e-10 });
             seen += count;

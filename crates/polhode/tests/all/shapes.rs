@@ -367,7 +367,8 @@ fn printed_moments_come_back() {
     let tensor = |shape: &dyn Shape, mass: f64| shape.mass_properties(Substance::Mass(mass)).unwrap();
     let close = |got: f64, want: f64| assert!((got / want - 1.0).abs() < 1e-14, "{got} instead of {want}");
 
-    // Landau & Lifshitz, Mechanics, §32, problem 2(e): a cone about its centre of mass and about its vertex
+    // Landau & Lifshitz, Mechanics, §32, problem 2(e): a cone about its centre of mass and about
+    // its vertex
     let (m, r, h) = (2.3, 0.8, 1.9);
     for (cone, apex) in [(Cone::new(r, 0.0, h).unwrap(), h), (Cone::new(0.0, r, h).unwrap(), 0.0)] {
         let body = tensor(&cone, m);
@@ -390,7 +391,8 @@ fn printed_moments_come_back() {
     close(body[2][2], m * (1.21 + 0.12));
     close(body[0][0], m * (0.605 + 0.1));
 
-    // Curtis, Orbital Mechanics for Engineering Students, 2nd ed., example 10.2: a thin open cylinder
+    // Curtis, Orbital Mechanics for Engineering Students, 2nd ed., example 10.2: a thin open
+    // cylinder
     let body = tensor(&CylinderShell::new(1.0, 3.0, false).unwrap(), 100.0).inertia().matrix();
     close(body[2][2], 100.0);
     close(body[0][0], 125.0);

@@ -84,7 +84,7 @@ fn a_linear_table_has_its_impulse() {
     has_its_impulse(start(), &TIMES, &ROWS);
 }
 
-/// At rest, the scale of ω follows from the later torques of the table: the present torque is zero,
+/// The scale of ω at rest follows from the later torques of the table: the present torque is zero,
 /// and so is ω.
 #[test]
 fn a_linear_table_that_rises_from_zero_moves_a_body_at_rest() {

@@ -1,4 +1,5 @@
-//! Torsion springs and wires: isochronous pendulums, and conservation of energy.
+//! Torsion springs and wires: oscillations with the same period at every amplitude, and
+//! conservation of energy.
 
 use std::num::NonZero;
 

@@ -1,9 +1,9 @@
 //! Carlson's symmetric elliptic integrals by duplication, with the *square roots* of their usual
 //! arguments.
 //!
-//! Duplication x → ¼(x + √x√y + √x√z + √y√z) becomes a → ½√((a + b)(a + c)) for the roots. This is a
-//! product of sums of nonnegative numbers, which keeps full relative precision for any ratio of the
-//! arguments. Squares of 10⁻¹⁶² or 10¹⁵⁴ do not occur.
+//! Duplication x → ¼(x + √x√y + √x√z + √y√z) becomes a → ½√((a + b)(a + c)) for the roots. This is
+//! a product of sums of nonnegative numbers, which keeps full relative precision for any ratio of
+//! the arguments. Squares of 10⁻¹⁶² or 10¹⁵⁴ do not occur.
 //!
 //! Source: B. C. Carlson, Numerical Algorithms 10 (1995) 13; the series are DLMF 19.36.1 and
 //! 19.36.2.

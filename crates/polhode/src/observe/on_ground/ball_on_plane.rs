@@ -32,8 +32,8 @@ use crate::motion::contact::{Contact, Friction, GroundShape};
 ///
 /// T = (κ |u₀| + g_t · u₀)/(κ² − g_t²),  v(T) = v₀ − σ u₀ + (1 − σ) g_t T.
 ///
-/// The time on level ground is T = |u₀|/κ. Viscous friction F = −(µ N/|u| + c) u keeps the direction of u:
-/// T = ln(1 + λ |u₀|/κ)/λ, λ = c/(σ m).
+/// The time on level ground is T = |u₀|/κ. Viscous friction F = −(µ N/|u| + c) u keeps the
+/// direction of u, and then T = ln(1 + λ |u₀|/κ)/λ, λ = c/(σ m).
 ///
 /// Source: L. Euler, Mém. Acad. Berlin 14 (1758) 284, and G. Coriolis, Théorie mathématique des
 /// effets du jeu de billard (1835), on level ground; J. A. Weckesser, Am. J. Phys. 65 (1997) 736,

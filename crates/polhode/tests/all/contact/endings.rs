@@ -223,7 +223,7 @@ fn a_ball_is_held_from_pivoting_and_pivots_anew() {
     assert!(pivoting * torque.z < 0.0 && pivoting.abs() > 1e-9, "{pivoting:e}");
 }
 
-/// At N = 0, rolling may require friction that is not available. Without it the body would
+/// Rolling at N = 0 may require friction that is not available. Without it the body would
 /// penetrate the ground, so it does not lift off.
 #[test]
 fn what_friction_held_down_does_not_lift_off() {

@@ -39,10 +39,13 @@ use crate::motion::contact::Footing;
 /// The other bounds are roots of quadratic equations in x.
 ///
 /// Let the body be symmetric, with A perpendicular to the axis, C along it and b = R. With
-/// η = q₁ + i q₂ in space, the equation becomes (A + µ h²) η̈ − i (C + µ h b) Ω η̇ − m g (h − b) η = 0. It is stable if
-/// (C + µ h b)² Ω² > 4 (A + µ h²) m g (h − b), like a sleeping top. With viscous friction, the
-/// stability limit is a motion without slip and friction force: h η̇ = i b Ω η and A η̈ − i C Ω
-/// η̇ = m g (h − b) η. The spin is stable if b (C h − A b) Ω² > m g h² (h − b), for any
+/// η = q₁ + i q₂ in space, the equation becomes
+///
+/// (A + µ h²) η̈ − i (C + µ h b) Ω η̇ − m g (h − b) η = 0.
+///
+/// The spin is stable if (C + µ h b)² Ω² > 4 (A + µ h²) m g (h − b), like a sleeping top. With viscous
+/// friction, the stability limit is a motion without slip and friction force: h η̇ = i b Ω η and
+/// A η̈ − i C Ω η̇ = m g (h − b) η. The spin is stable if b (C h − A b) Ω² > m g h² (h − b), for any
 /// coefficient.
 ///
 /// Source: A. V. Karapetyan, J. Appl. Math. Mech. 45 (1981) 808; A. Garcia, M. Hubbard, Proc. R.

@@ -67,8 +67,8 @@ fn bits_are_those_of_the_function_alone() {
     assert!(calls.len() < steps / 20, "{} calls for {steps} evaluations", calls.len());
 }
 
-/// A member that cannot continue stays where it was, and the others continue. Too few returned
-/// torques are NaN.
+/// A member that cannot continue stays where it was, and the others continue. A function that
+/// returns too few torques is refused.
 #[test]
 fn failures_are_of_members() {
     let partial = TorqueModel::vectorized_function("partial", |asked| {

@@ -155,8 +155,8 @@ fn one_mass_in_a_plane_takes_the_static_unbalance_only() {
     assert_eq!(disk.with(&[mass]).unwrap().unbalance(), Unbalance::None);
 }
 
-/// Two equal masses on a shaft, a apart, on opposite sides: a pure couple, whose force on the
-/// bearings is m r d Ω²/l.
+/// Two equal masses at distance d along a shaft, on opposite sides: a pure couple, whose force on
+/// the bearings is m r d Ω²/l.
 #[test]
 fn the_couple_of_two_opposite_masses() {
     let (m, r, d, l, omega) = (0.7, 0.2, 0.5, 1.6, 30.0);

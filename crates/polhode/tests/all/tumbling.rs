@@ -74,7 +74,7 @@ fn the_precession_is_the_winding_of_the_axis_about_the_momentum() {
                 (periods.ratio() - periods.rotation / periods.precession).abs() < 1e-15 * periods.ratio()
             );
         }
-        // the convention of the intermediate axis is that of the axis not circled by L
+        // the intermediate axis follows the convention of the axis that L does not circle
         let circled =
             if motion.circles_least() { AxisConvention::ShortAxis } else { AxisConvention::LongAxis };
         let periods = TumblingPeriods::of(&motion, circled).unwrap();

@@ -73,8 +73,8 @@ fn friction_stops_pivoting_and_rolling() {
     near(end.kinetic_energy, 0.0, 1e-15);
 }
 
-/// A start is refused if a lying cylinder would turn off its line or pivot, or if the ground turns
-/// below it.
+/// A lying cylinder is refused if it does not turn about a principal axis, if friction resists its
+/// pivoting, or if the ground turns below it.
 #[test]
 fn a_cylinder_that_would_not_keep_its_axis_is_refused() {
     let attitude = Rotation::about(Direction::new(1.0, 0.0, 0.0), -core::f64::consts::FRAC_PI_2).unwrap();

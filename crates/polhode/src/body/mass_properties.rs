@@ -85,8 +85,8 @@ impl<F: Frame> MassProperties<F> {
         Self::new(mass, center_of_mass, inertia)
     }
 
-    /// Returns a body from its mass, centre of mass, and second moments about it per unit mass, ∫ x
-    /// xᵀ dm / M.
+    /// Returns a body from its mass, centre of mass, and second moments about it per unit mass,
+    /// ∫ x xᵀ dm / M.
     pub(crate) fn from_covariance(
         mass: f64,
         center_of_mass: Position<F>,

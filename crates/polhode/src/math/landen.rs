@@ -82,8 +82,8 @@ impl Landen {
     /// It is valid for sinh χ ≤ m^−¼, half of the way to K′. Beyond, the steps converge slowly; the
     /// caller uses the distance from K′ instead.
     ///
-    /// The relation tanh(χₙ₊₁ − χₙ) = (gₙ/aₙ) tanh χₙ gives χₙ₊₁ = 2χₙ − ηₙ with e^2ηₙ − 1 = 2 (1 −
-    /// r) tanh χₙ / ((1 − tanh χₙ)(1 + r tanh χₙ)).
+    /// The relation tanh(χₙ₊₁ − χₙ) = (gₙ/aₙ) tanh χₙ gives χₙ₊₁ = 2χₙ − ηₙ with
+    /// e^2ηₙ − 1 = 2 (1 − r) tanh χₙ / ((1 − tanh χₙ)(1 + r tanh χₙ)).
     pub(crate) fn hyperbolic_correction(&self, tanh: f64, sech2: f64) -> f64 {
         let (mut th, mut sigma) = (tanh, sech2);
         let (mut sum, mut share) = (0.0, 0.5);

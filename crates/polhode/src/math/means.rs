@@ -5,8 +5,8 @@ use super::double::Double;
 /// Returns K(m), and R = 2 − Σ Qₙ, where Π(1 − p²|m)/K = 1 + ½ (1/p² − 1) Σ Qₙ, from k₁ = √(1 − m)
 /// and p² ≥ 1.
 ///
-/// The means are a₀ = 1, g₀ = k₁, p₀ = p, aₙ₊₁ = ½(aₙ + gₙ), gₙ₊₁ = √(aₙgₙ), with Q₀ = 1, Qₙ₊₁ = ½
-/// Qₙ εₙ, εₙ = (pₙ² − aₙgₙ)/(pₙ² + aₙgₙ), pₙ₊₁ = (pₙ² + aₙgₙ)/2pₙ.
+/// The means are a₀ = 1, g₀ = k₁, p₀ = p, aₙ₊₁ = ½(aₙ + gₙ), gₙ₊₁ = √(aₙgₙ), with Q₀ = 1,
+/// Qₙ₊₁ = ½ Qₙ εₙ, εₙ = (pₙ² − aₙgₙ)/(pₙ² + aₙgₙ), pₙ₊₁ = (pₙ² + aₙgₙ)/2pₙ.
 ///
 /// Toward the separatrix, and for large p, Σ Qₙ is nearly 2. Its difference R = Σ Qₙ (1 − εₙ) from
 /// 2 has only positive terms, because pₙ ≥ aₙ ≥ gₙ, and therefore keeps full relative precision.

@@ -28,8 +28,8 @@ use super::tumbling::{AxisConvention, TumblingPeriods};
 /// *Proof.* Let |L| = 1 and e = 2T. From the permanent rotation outward, e changes with the sign σ
 /// (+1 in short-axis mode, −1 in long-axis mode). In one period P, the axis that L circles advances
 /// by e P − σS + 2πσ ([`crate::observe::GeometricPhase`]), where S is the solid angle enclosed by
-/// the path of L. Further P = 2σ dS/de, because |L| S is the area in phase space. Therefore 2π
-/// d(P_ψ/P_φ)/de = P + e P′ − P/2 = √e d(√e P)/de, and √e P is the period at constant *energy*.
+/// the path of L. Further P = 2σ dS/de, because |L| S is the area in phase space. Therefore
+/// 2π d(P_ψ/P_φ)/de = P + e P′ − P/2 = √e d(√e P)/de, and √e P is the period at constant *energy*.
 /// This period is 4K(m)/λ. Toward the separatrix K increases, and λ, which at constant T is
 /// proportional to √(L² − 2T i1) or √(2T i3 − L²), decreases. ∎
 ///

@@ -345,8 +345,8 @@ fn plus(a: [f64; 3], x: f64, b: [f64; 3]) -> [f64; 3] {
     [a[0] + x * b[0], a[1] + x * b[1], a[2] + x * b[2]]
 }
 
-/// Computes θ and ω of every column after a time, by Taylor's method: L̇ = L × ω, δL̇ = δL × ω + L
-/// × δω, θ̇ = θ × ω + δω.
+/// Computes θ and ω of every column after a time, by Taylor's method: L̇ = L × ω,
+/// δL̇ = δL × ω + L × δω, θ̇ = θ × ω + δω.
 fn by_taylor(tensor: [f64; 6], omega: [f64; 3], time: f64) -> [Vectors; 2] {
     const ORDER: usize = 20;
     let [xx, yy, zz, xy, xz, yz] = tensor;

@@ -266,8 +266,8 @@ fn a_turned_tensor_loses_nothing() {
 
 #[test]
 fn a_start_at_any_time_keeps_the_digits() {
-    // A nearly spherical body from a generic time; turn(L̂, |L| τ/i1) · turn(e, −Ω τ) with 80
-    // digits, by mpmath.
+    // A nearly spherical body from a generic time; turn(L̂, |L| τ/i1) · turn(e, −Ω τ) with
+    // 80 digits, by mpmath.
     let omega = AngularVelocity::new(0.3, 0.5, 0.9);
     let start = State { time: 1e9 / 3.0, attitude: Attitude::identity(), omega };
     let motion = FreeMotion::of_moments([1.0, 1.0, 1.0 + 1e-12], start).unwrap();

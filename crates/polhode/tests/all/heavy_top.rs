@@ -78,8 +78,8 @@ fn thousand_nutations_have_the_digits_of_the_reference() {
 
 #[test]
 fn far_away_it_is_where_it_should_be_or_nowhere() {
-    // By `legendre` and `state` of fixtures/heavy_tops.py with 110 digits: about 10⁹, 10¹³ and 2 ·
-    // 10¹⁵ nutations.
+    // By `legendre` and `state` of fixtures/heavy_tops.py with 110 digits: about 10⁹, 10¹³ and
+    // 2 · 10¹⁵ nutations.
     let inertia = InertiaTensor::diagonal([0.625, 0.09375, 0.625]).unwrap();
     let prolate = MassProperties::new(2.25, Position::new(0.0, -0.4375, 0.0), inertia).unwrap();
     let tops = [

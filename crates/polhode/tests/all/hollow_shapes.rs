@@ -35,8 +35,8 @@ fn without_a_cavity_a_hollow_shape_is_the_solid_to_the_bit() {
     }
 }
 
-/// Differences of powers for r = R (1 − e): R³ − r³ = R³ (3e − 3e² + e³), R⁵ − r⁵ = R⁵ (5e − 10e² +
-/// 10e³ − 5e⁴ + e⁵). e is a power of two, so that r is exact.
+/// Differences of powers for r = R (1 − e): R³ − r³ = R³ (3e − 3e² + e³), R⁵ − r⁵ = R⁵
+/// (5e − 10e² + 10e³ − 5e⁴ + e⁵). e is a power of two, so that r is exact.
 #[test]
 fn a_thin_wall_keeps_its_digits() {
     let (outer, length, mass) = (1.0, 0.7, 2.3);

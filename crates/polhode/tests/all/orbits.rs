@@ -1,5 +1,5 @@
-//! Rotation of bodies on orbits: gravity gradient and magnets, compared with integrations in 50
-//! digits, published runs and closed forms (fixtures/ describes how they were computed).
+//! Rotation of bodies on orbits: gravity gradient and magnets, compared with integrations in
+//! 50 digits, published runs and closed forms (fixtures/ describes how they were computed).
 
 use crate::common::*;
 use polhode::body::Symmetry;

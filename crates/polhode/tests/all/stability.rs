@@ -78,8 +78,9 @@ fn equal_moments_are_marginal() {
     }
 }
 
-/// A wheel of momentum h along the intermediate axis 2, at ω: c = (h + (i2 − i1) ω)(h + (i2 − i3)
-/// ω)/(i1 i3). The threshold is h = (i3 − i2) ω, or h = −(i2 − i1) ω against the spin.
+/// A wheel of momentum h along the intermediate axis 2, at ω:
+/// c = (h + (i2 − i1) ω)(h + (i2 − i3) ω)/(i1 i3). The threshold is h = (i3 − i2) ω, or
+/// h = −(i2 − i1) ω against the spin.
 #[test]
 fn a_wheel_makes_the_intermediate_axis_stable_beyond_its_threshold() {
     let moments = [1.3, 2.9, 3.7];
@@ -272,8 +273,8 @@ fn a_wheel_makes_a_pendulum_a_gyroscope() {
 }
 
 /// A top that stands on its tip, with moments A across and C along at the pivot, spinning at ω3.
-/// Its axis z = x + iy in space satisfies A z̈ − i C ω3 ż − M g l z = 0, so z = e^(iνt) with A ν² −
-/// C ω3 ν + M g l = 0. In body axes, which turn at ω3, the frequency is ν − ω3.
+/// Its axis z = x + iy in space satisfies A z̈ − i C ω3 ż − M g l z = 0, so z = e^(iνt) with A
+/// ν² − C ω3 ν + M g l = 0. In body axes, which turn at ω3, the frequency is ν − ω3.
 #[test]
 fn a_sleeping_top_wakes_below_its_threshold() {
     let (a, c, mgl) = (0.83, 0.42, 2.3 * G * 0.37);

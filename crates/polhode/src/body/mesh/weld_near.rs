@@ -56,8 +56,8 @@ impl TriangleMesh {
     /// because details smaller than the tolerance would be lost.
     ///
     /// The volume is then known to within `volume_bound`. Moving the vertices of N triangles with
-    /// areas A and perimeters P by up to d changes the volume by at most d (ΣA + d ΣP/3 + 2 N
-    /// d²/3).
+    /// areas A and perimeters P by up to d changes the volume by at most
+    /// d (ΣA + d ΣP/3 + 2 N d²/3).
     ///
     /// ```
     /// use polhode::body::mesh::{ClosedMesh, TriangleMesh};

@@ -21,9 +21,9 @@
 //!
 //! m (v̇ + ω × v) = F + m g,  I ω̇ + ω × I ω = r × F + τ.
 //!
-//! Rolling: u = 0 gives v = w − ω × r, and F = m (k − ω × (ω × r) − ω̇ × r). Here k = Ω × s − ω × ṙ
-//! − g, with Ω the angular velocity of the ground. As r × (ω × (ω × r)) = ω × (r × (ω × r)), these
-//! are Euler's equations about the point of contact,
+//! Rolling: u = 0 gives v = w − ω × r, and F = m (k − ω × (ω × r) − ω̇ × r). Here
+//! k = Ω × s − ω × ṙ − g, with Ω the angular velocity of the ground. As
+//! r × (ω × (ω × r)) = ω × (r × (ω × r)), these are Euler's equations about the point of contact,
 //!
 //! J ω̇ = −ω × J ω + m r × k + τ,  J = I + m (r² 1 − r rᵀ).
 //!
@@ -389,8 +389,8 @@ impl<S: Field> Symmetric<S> {
     }
 }
 
-/// Inverse J⁻¹ as a factor and rows. For a body whose axis z keeps its direction it is z zᵀ/(z · J
-/// z).
+/// Inverse J⁻¹ as a factor and rows. For a body whose axis z keeps its direction it is
+/// z zᵀ/(z · J z).
 struct Inverse<S> {
     factor: S,
     rows: [Components<S>; 3],

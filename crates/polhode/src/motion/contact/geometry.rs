@@ -39,8 +39,8 @@ pub(super) struct SurfacePoint<S> {
 }
 
 impl<S: Field> SurfacePoint<S> {
-    /// Returns r′t, where r′ is a symmetric operator. Rim with tube radius ρ: −ρ t − R/|n × z| h (h
-    /// · t). Ellipsoid: −A t/d + A n (A n · t)/d³.
+    /// Returns r′t, where r′ is a symmetric operator. Rim with tube radius ρ:
+    /// −ρ t − R/|n × z| h (h · t). Ellipsoid: −A t/d + A n (A n · t)/d³.
     #[inline(always)]
     pub(super) fn change(&self, t: Components<S>) -> Components<S> {
         let (along, scale) = (self.along, self.scale);

@@ -23,8 +23,8 @@ pub struct Spring {
     pub rest: f64,
 }
 
-/// Axis of a suspension: initial angle φ and rate, constraint, and the torque about it, −d φ̇ − k
-/// (φ − φ₀) + τ.
+/// Axis of a suspension: initial angle φ and rate, constraint, and the torque about it,
+/// −d φ̇ − k (φ − φ₀) + τ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
     hold: Hold,

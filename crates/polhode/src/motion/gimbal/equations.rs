@@ -7,8 +7,8 @@
 //! ω₁ = R₁ᵀ ω₀ + α̇ e₁,  ω₂ = R₂ᵀ ω₁ + β̇ e₂,  ω₃ = ω₂ + γ̇ e₃.
 //!
 //! T = ½ Σ ωᵢ · Iᵢ ωᵢ about the intersection of the axes, and U = −Σ mᵢ cᵢ · g. The torque required
-//! on body i is Nᵢ = Iᵢ ω̇ᵢ + ωᵢ × Iᵢ ωᵢ − mᵢ cᵢ × g. Lagrange's equations are e₃ · N₃ = Q₃, e₂ ·
-//! (N₂ + N₃) = Q₂, e₁ · (N₁ + N₂ + N₃) = Q₁.
+//! on body i is Nᵢ = Iᵢ ω̇ᵢ + ωᵢ × Iᵢ ωᵢ − mᵢ cᵢ × g. Lagrange's equations are e₃ · N₃ = Q₃,
+//! e₂ · (N₂ + N₃) = Q₂, e₁ · (N₁ + N₂ + N₃) = Q₁.
 //!
 //! The left sides at q̈ = 0 are c, and M follows from the tensors of the bodies that each axis
 //! carries. Q = −d q̇ − k (q − q₀) + τ, plus the torque of a lock or motor that makes q̈ = 0.

@@ -20,8 +20,8 @@ pub struct Required {
     pub state: State,
     /// Angular acceleration dω/dt, body axes, rad/s².
     pub acceleration: AngularAcceleration<Body>,
-    /// Torque N = I ω̇ + ω × L about the point about which the body turns, body axes, N·m. L = I ω
-    /// + h, with h the angular momentum of the wheels.
+    /// Torque N = I ω̇ + ω × L about the point about which the body turns, body axes, N·m.
+    /// L = I ω + h, with h the angular momentum of the wheels.
     pub torque: Torque<Body>,
     /// Power N · ω, W.
     pub power: f64,
@@ -101,14 +101,14 @@ impl Required {
         self.state.attitude * self.torque
     }
 
-    /// Returns the work of the torque since an earlier time of the same motion, ∫ N · ω dt = T −
-    /// T₀, J.
+    /// Returns the work of the torque since an earlier time of the same motion,
+    /// ∫ N · ω dt = T − T₀, J.
     pub fn work_since(&self, earlier: &Self) -> f64 {
         self.kinetic_energy - earlier.kinetic_energy
     }
 
-    /// Returns the angular impulse of the torque since an earlier time of the same motion, ∫ N dt =
-    /// L − L₀, space axes, N·m·s.
+    /// Returns the angular impulse of the torque since an earlier time of the same motion,
+    /// ∫ N dt = L − L₀, space axes, N·m·s.
     pub fn impulse_since(&self, earlier: &Self) -> AngularMomentum<Space> {
         self.momentum - earlier.momentum
     }
@@ -121,8 +121,8 @@ impl Required {
 }
 
 impl ParticleForce {
-    /// Returns the force on one particle of a body that turns about `point`: F = m [ω̇ × r + ω × (ω
-    /// × r)], with r from the point.
+    /// Returns the force on one particle of a body that turns about `point`:
+    /// F = m [ω̇ × r + ω × (ω × r)], with r from the point.
     ///
     /// The sum of r × F over all particles is the torque that the motion requires. The motion does
     /// not determine the distribution of *external* forces: in a rigid body, any set with the same

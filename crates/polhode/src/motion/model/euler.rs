@@ -80,8 +80,8 @@ mod tests {
 
     #[test]
     fn the_torque_is_the_rate_of_angular_momentum_in_space() {
-        // N = dL/dt with L = R (I ω + h), by central differences along a motion with ω(t) = ω0 + α
-        // t and two wheels
+        // N = dL/dt with L = R (I ω + h), by central differences along a motion with
+        // ω(t) = ω0 + α t and two wheels
         let motor = Motor::Torque { inertia: 0.3, torque: 0.8, schedule: None };
         let wheels = [
             (Direction::new(0.3, -0.9, 0.4), 0.7, motor),

@@ -20,8 +20,8 @@ pub fn rigid_velocity<F>(
     origin_velocity + omega.cross(r)
 }
 
-/// Returns the acceleration of a point of a rigid body whose origin moves uniformly: a = ω̇ × r + ω
-/// × (ω × r).
+/// Returns the acceleration of a point of a rigid body whose origin moves uniformly:
+/// a = ω̇ × r + ω × (ω × r).
 pub fn rigid_acceleration<F>(
     omega: AngularVelocity<F>,
     angular_acceleration: AngularAcceleration<F>,
@@ -51,8 +51,8 @@ pub struct KineticEnergySplit {
     pub translation: f64,
     /// V · Σ m v, J; zero about the centre of mass.
     pub cross: f64,
-    /// ½ Σ m v², J. For a rigid body with angular velocity ω, v = ω × r, and this is `T_rot` = ½ ω
-    /// · I ω.
+    /// ½ Σ m v², J. For a rigid body with angular velocity ω, v = ω × r, and this is
+    /// `T_rot` = ½ ω · I ω.
     pub rotation: f64,
 }
 

@@ -112,8 +112,8 @@ impl Pendulum {
         self.frequency
     }
 
-    /// Returns the exact period of oscillations between ± amplitude (rad), s: T = 4 K(sin²(θ₀/2)) /
-    /// ω₀.
+    /// Returns the exact period of oscillations between ± amplitude (rad), s:
+    /// T = 4 K(sin²(θ₀/2)) / ω₀.
     ///
     /// It is 2π/ω₀ at 0, and infinite at π (upside down) and beyond.
     pub fn period(&self, amplitude: f64) -> f64 {
@@ -136,8 +136,8 @@ impl Pendulum {
     /// Returns the kind of the motion that starts at `angle` (rad from the lower equilibrium) with
     /// the rate `rate` (rad/s).
     ///
-    /// Let k² = sin²(θ/2) + (θ̇ / 2ω₀)². The motion is an oscillation of amplitude 2 asin k for k <
-    /// 1, and a revolution of period 2 K(1/k²) / (ω₀ k) for k > 1.
+    /// Let k² = sin²(θ/2) + (θ̇ / 2ω₀)². The motion is an oscillation of amplitude 2 asin k for
+    /// k < 1, and a revolution of period 2 K(1/k²) / (ω₀ k) for k > 1.
     pub fn swing(&self, angle: f64, rate: f64) -> Swing {
         let (s, c) = sin_cos(0.5 * angle);
         let r = 0.5 * rate / self.frequency;

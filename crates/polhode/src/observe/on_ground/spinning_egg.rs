@@ -9,8 +9,8 @@ use crate::motion::contact::{Contact, SurfaceShape};
 /// Symmetric body whose surface is an ellipsoid with semi-axes b, b, c centred at its centre of
 /// mass. It spins about the vertical n at the rate Ω, with its axis e at the angle θ from n.
 ///
-/// Friction is assumed to be weak compared with the spin. The gyroscopic torques then balance, (C
-/// ω_e − A Ω cos θ) Ω sin θ = 0, so that L = A Ω n apart from nutation. With the height of the
+/// Friction is assumed to be weak compared with the spin. The gyroscopic torques then balance,
+/// (C ω_e − A Ω cos θ) Ω sin θ = 0, so that L = A Ω n apart from nutation. With the height of the
 /// centre of mass h(θ) = √(b² sin² θ + c² cos² θ), J = −L · r = A Ω h is constant like Jellett's
 /// constant of a ball, and the energy is
 ///

@@ -11,9 +11,9 @@ use crate::motion::contact::{Contact, SurfaceShape};
 /// Symmetric ball whose centre of mass is on its axis, at the distance α R from its centre.
 ///
 /// Any friction at the point of contact conserves Jellett's constant J = −L · r, and dissipates
-/// energy while the point slips. Without slip, with ζ = n − α e = −r/R, the ball rotates at ω = J
-/// ζ/(R D) with its centre of mass at rest. Of all motions with this J at this tilt, this has the
-/// least energy,
+/// energy while the point slips. Without slip, with ζ = n − α e = −r/R, the ball rotates at
+/// ω = J ζ/(R D) with its centre of mass at rest. Of all motions with this J at this tilt, this has
+/// the least energy,
 ///
 /// W(u) = J²/(2 R² D(u)) + m g R (1 − α u),  D = A (1 − u²) + C (u − α)²,  u = cos θ = e · n
 ///

@@ -1,8 +1,8 @@
 //! Effect of internal friction on permanent rotations.
 //!
-//! An energy sink makes the body axes rotate at Ω = ω + α L × ω, and L̇ = L × Ω in the body. ω − ν
-//! L is zero in the rotation, and a small δL perpendicular to L changes it by (I⁻¹ − ν) δL. Let M
-//! be the part of I⁻¹ − ν perpendicular to L, and J the rotation by 90° about L:
+//! An energy sink makes the body axes rotate at Ω = ω + α L × ω, and L̇ = L × Ω in the body.
+//! ω − ν L is zero in the rotation, and a small δL perpendicular to L changes it by (I⁻¹ − ν) δL.
+//! Let M be the part of I⁻¹ − ν perpendicular to L, and J the rotation by 90° about L:
 //!
 //! δL̇ = (|L| J − α L²) M δL
 //!

@@ -1,5 +1,5 @@
-//! A burning body that drops a part, integrated as an angular momentum in space: its rate is A (N −
-//! D ω), and ω = I⁻¹ Aᵀ L.
+//! A burning body that drops a part, integrated as an angular momentum in space: its rate is A
+//! (N − D ω), and ω = I⁻¹ Aᵀ L.
 //!
 //! It uses arrays of numbers, assembles the parts at every time, and integrates the orbit as well.
 //! It shares no formula with the library.

@@ -151,8 +151,8 @@ fn a_rolling_disk_keeps_the_two_constants_of_its_tilt() {
     assert!(range > 0.2, "{range}");
 }
 
-/// Returns the even (`first` 0) or odd (1) solution of (1 − x²) y″ = κ y, and its derivative: (n +
-/// 2)(n + 1) aₙ₊₂ = (n (n − 1) + κ) aₙ.
+/// Returns the even (`first` 0) or odd (1) solution of (1 − x²) y″ = κ y, and its derivative:
+/// (n + 2)(n + 1) aₙ₊₂ = (n (n − 1) + κ) aₙ.
 fn solution(kappa: f64, first: i32, x: f64) -> [f64; 2] {
     let mut term = 1.0;
     let [mut y, mut slope] = [0.0; 2];

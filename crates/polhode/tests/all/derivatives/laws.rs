@@ -104,8 +104,8 @@ fn a_joint_covariance_is_that_of_motions_that_differ_together() {
         },
         0.02,
     ));
-    // Three directions in which start, tensor and torque vary together: Σ v vᵀ is mapped to Σ (J
-    // v)(J v)ᵀ.
+    // Three directions in which start, tensor and torque vary together: Σ v vᵀ is mapped to
+    // Σ (J v)(J v)ᵀ.
     let directions: Vec<Vec<f64>> =
         (0..3).map(|n| (0..13).map(|k| (f64::from(7 * n + 3 * k) * 0.61).sin()).collect()).collect();
     let sum = |of: &dyn Fn(&[f64]) -> f64| directions.iter().map(|v| of(v)).sum::<f64>();

@@ -2,8 +2,8 @@
 //!
 //! The bodies have distinct, nearly equal or nearly spherical moments, are free or held at a pivot,
 //! and have wheels. The torques are constant in body or space, linear damping, gravity at a pivot,
-//! or the gravity gradient along an orbit, permanent or scheduled. The duration is 0.01 to 100
-//! turns, with one sample or hundreds. Springs, formulas, ellipses and events are in
+//! or the gravity gradient along an orbit, permanent or scheduled. The duration is 0.01 to
+//! 100 turns, with one sample or hundreds. Springs, formulas, ellipses and events are in
 //! `polhode-scenario`, `motion_errors`.
 //!
 //! The gate runs 36 scenarios of up to 5 turns. The large test, in parts of 50 scenarios of up to

@@ -32,8 +32,8 @@ const NOTICED_OF_ALL: [f64; 2] = [1e-3, 1e-3];
 const ROUNDS: usize = 6;
 
 impl Trials<'_> {
-    /// Tries the tensor with which the body would move like the run. First, the tensor for which R
-    /// I ω + R h − ∫ R N dt is constant along the run, by least squares; then the tensor whose
+    /// Tries the tensor with which the body would move like the run. First, the tensor for which
+    /// R I ω + R h − ∫ R N dt is constant along the run, by least squares; then the tensor whose
     /// motion is closest to the run's attitudes.
     pub(super) fn try_other_tensor(&mut self) {
         let law = self.law.clone();

@@ -31,8 +31,8 @@ const ELSEWHERE: f64 = 1e-3;
 /// `exact` are the exact states at the run's times. `step` is the step size of the program, s, if
 /// it is known.
 ///
-/// Rows are compared from the scenario's start until the run and the exact motion differ by 1.5
-/// rad, or the body has rotated by 120 rad.
+/// Rows are compared from the scenario's start until the run and the exact motion differ by
+/// 1.5 rad, or the body has rotated by 120 rad.
 pub fn causes(scenario: &Scenario, motion: &ReadMotion, exact: &[State], step: Option<f64>) -> Causes {
     if scenario.prescribed().is_some() {
         return Causes::untried(Untried::Prescribed);

@@ -3,9 +3,9 @@
 //! Ṙ = R [ω×] along body axes, and Ṙ = [ω×] R along space axes. A step is the rotation of the
 //! sixth-order Magnus series, with ω at the three Gauss–Legendre nodes. It is an exact rotation for
 //! every step size. It is the exact solution if ω has a constant direction and is a polynomial of
-//! degree up to five. The step size is chosen so that one step and two half steps agree to 2·10⁻¹⁴
-//! rad. The half steps are stored. A state in between is one shorter step from the stored attitude
-//! before it.
+//! degree up to five. The step size is chosen so that one step and two half steps agree to
+//! 2·10⁻¹⁴ rad. The half steps are stored. A state in between is one shorter step from the stored
+//! attitude before it.
 //!
 //! # Source
 //! S. Blanes, F. Casas, J. A. Oteo & J. Ros, Physics Reports 470 (2009) 151.

@@ -248,8 +248,8 @@ impl MassHistory {
         self.pieces.iter().skip(1).map(|piece| piece.start)
     }
 
-    /// Returns the intervals [begin, end] of all changes, s, in order of time. A jump has begin =
-    /// end.
+    /// Returns the intervals [begin, end] of all changes, s, in order of time. A jump has
+    /// begin = end.
     pub fn changes(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
         self.pieces
             .windows(2)

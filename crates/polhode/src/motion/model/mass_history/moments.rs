@@ -189,8 +189,8 @@ fn horner(terms: impl DoubleEndedIterator<Item = Moments>, tau: f64) -> Moments 
     terms.rev().fold(Moments([0.0; 10]), |sum, c| c.plus(&sum, tau))
 }
 
-/// Returns the elements of the second moments of a disc with normal n, as a tensor: ¼ a² (1 + n
-/// nᵀ).
+/// Returns the elements of the second moments of a disc with normal n, as a tensor:
+/// ¼ a² (1 + n nᵀ).
 pub(super) fn disc(radius: f64, axis: [f64; 3]) -> [f64; 6] {
     let quarter = 0.25 * radius * radius;
     ((Symmetric3::diagonal([1.0; 3]) + Symmetric3::outer(axis)) * quarter).elements()

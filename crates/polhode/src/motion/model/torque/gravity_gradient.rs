@@ -77,8 +77,8 @@ impl Law for GravityGradient {
 }
 
 impl GravityGradient {
-    /// Returns the potential energy of the attitude at one time, J: U = −½ (µ/r³)(tr I − 3 r̂·I
-    /// r̂).
+    /// Returns the potential energy of the attitude at one time, J:
+    /// U = −½ (µ/r³)(tr I − 3 r̂·I r̂).
     ///
     /// Mass points have the exact energy relative to a single point of the same mass at the
     /// centre. N = −∂U/∂θ at constant r. On a circular orbit of rate n about ẑ, T + U − n L·ẑ is

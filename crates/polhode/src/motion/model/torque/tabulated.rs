@@ -139,8 +139,8 @@ fn straight(times: &[f64], torques: &[[f64; 3]]) -> Vec<Vec<[f64; 3]>> {
     .collect()
 }
 
-/// Returns the coefficients of Nᵢ + N′ᵢ (t − tᵢ) + ½ N″ᵢ (t − tᵢ)² + ⅙ (N″ᵢ₊₁ − N″ᵢ)/(tᵢ₊₁ − tᵢ) (t
-/// − tᵢ)³.
+/// Returns the coefficients of
+/// Nᵢ + N′ᵢ (t − tᵢ) + ½ N″ᵢ (t − tᵢ)² + ⅙ (N″ᵢ₊₁ − N″ᵢ)/(tᵢ₊₁ − tᵢ) (t − tᵢ)³.
 fn cubic(times: &[f64], torques: &[[f64; 3]]) -> Vec<Vec<[f64; 3]>> {
     let Some(spline) = Spline::through(times, torques, 3) else { return Vec::new() };
     let rows: Vec<_> = times.iter().map(|time| spline.at(*time)).collect();

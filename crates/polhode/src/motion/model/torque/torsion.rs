@@ -15,11 +15,12 @@ use crate::motion::model::state::State;
 ///
 /// Let (w, **v**) be the quaternion of the rotation from rest, w ≥ 0:
 ///
-/// - A *spring* resists every rotation equally. θ n̂ is the rotation vector: U = ½ κ θ², N = −κ θ
-///   n̂.
+/// - A *spring* resists every rotation equally. θ n̂ is the rotation vector: U = ½ κ θ²,
+///   N = −κ θ n̂.
 /// - A *wire* along an axis ê of space resists the twist about it, ψ = 2 atan2(**v** · ê, w), and
-///   no tilt: U = ½ κ ψ², N = −κ ψ **b**. Here ψ̇ = **b** · ω and **b** = (w² ê + w ê × **v** +
-///   (**v** · ê) **v**)/(w² + (**v** · ê)²), with ê along the axes of the body at rest.
+///   no tilt: U = ½ κ ψ², N = −κ ψ **b**. Here ψ̇ = **b** · ω and
+///   **b** = (w² ê + w ê × **v** + (**v** · ê) **v**)/(w² + (**v** · ê)²), with ê along the axes of
+///   the body at rest.
 ///
 /// Twists are limited to half a turn, w > 0. Beyond this, an attitude does not determine the number
 /// of twists of a wire. A computed motion ends with [`MotionError::HalfTurn`] if a twist reaches

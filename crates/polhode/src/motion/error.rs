@@ -62,7 +62,7 @@ pub enum MotionError {
         /// Reason for the exclusion.
         why: &'static str,
     },
-    /// All the mass is at the point about which the body turns: it has no inertia.
+    /// All the mass is at the rotor's reference point: it has no inertia.
     NotSpinnable,
     /// Torque that is NaN or infinite at the start.
     TorqueNotFinite {

@@ -1,8 +1,9 @@
 //! Rotational motion of rigid bodies: states in time, and the torques that cause them. This module
 //! does not read or write files.
 //!
-//! A [`Rotor`] is a body with the point about which it turns: its centre of mass, or a pivot. With
-//! L = I ω + h, I about that point and h the angular momentum of its wheels, Euler's equations are
+//! A [`Rotor`] is a body with the reference point about which it turns: its centre of mass, or a
+//! pivot. With L = I ω + h, I about that point and h the angular momentum of its wheels, Euler's
+//! equations are
 //!
 //! L̇ = L × ω + N,  q̇ = ½ q ω,
 //!

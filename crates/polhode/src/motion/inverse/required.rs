@@ -20,8 +20,8 @@ pub struct Required {
     pub state: State,
     /// Angular acceleration dω/dt, body axes, rad/s².
     pub acceleration: AngularAcceleration<Body>,
-    /// Torque N = I ω̇ + ω × L about the point about which the body turns, body axes, N·m.
-    /// L = I ω + h, with h the angular momentum of the wheels.
+    /// Torque N = I ω̇ + ω × L about the rotor's reference point, body axes, N·m. L = I ω + h, with
+    /// h the angular momentum of the wheels.
     pub torque: Torque<Body>,
     /// Power N · ω, W.
     pub power: f64,
@@ -41,7 +41,7 @@ pub struct ParticleForce {
     pub along: Force<Body>,
     /// Component of F normal to r, which has the whole torque.
     pub across: Force<Body>,
-    /// Torque r × F about the point about which the body turns, body axes, N·m.
+    /// Torque r × F about the rotor's reference point, body axes, N·m.
     pub torque: Torque<Body>,
 }
 

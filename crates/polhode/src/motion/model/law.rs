@@ -49,7 +49,7 @@ use crate::motion::model::state::State;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Law {
-    /// Returns the torque N about the point about which the body turns, N·m.
+    /// Returns the torque N about the body's reference point (centre of mass or pivot), N·m.
     fn torque<I: LawInput>(&self, at: &I) -> I::Vector;
 
     /// Returns the names of the parameters with respect to which motions can be differentiated,
@@ -71,7 +71,7 @@ pub trait LawInput {
     /// Type of vectors.
     type Vector: VectorAlgebra<Self::Scalar>;
 
-    /// Returns the body, with the point about which it turns.
+    /// Returns the body with its reference point.
     ///
     /// If the mass properties change with time, the body is known only in states, so a law that
     /// calls this function has no power series. [`LawInput::inertia`], [`LawInput::moving_point`]
@@ -107,7 +107,7 @@ pub trait LawInput {
     /// Returns the position of the body on an orbit.
     fn orbit(&self, orbit: &Orbit) -> OrbitPosition<Self::Scalar, Self::Vector>;
 
-    /// Returns I v, with I about the point about which the body turns.
+    /// Returns I v, with I about the body's reference point.
     fn inertia(&self, v: Self::Vector) -> Self::Vector;
 
     /// Returns M v. The elements of the symmetric matrix M along body axes are xx, yy, zz, xy, xz,
@@ -120,8 +120,8 @@ pub trait LawInput {
     /// Returns the vector with these components.
     fn vector(&self, components: [Self::Scalar; 3]) -> Self::Vector;
 
-    /// Returns the position in the body of the point about which it turns, if the mass properties
-    /// change and the rotor does not know it.
+    /// Returns the position of the reference point in the body, if the mass properties change and
+    /// the rotor does not know it.
     fn moving_point(&self) -> Option<Self::Vector> {
         None
     }

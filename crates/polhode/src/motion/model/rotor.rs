@@ -1,4 +1,4 @@
-//! A body and the point about which it turns.
+//! A body and the reference point about which it turns.
 
 use crate::body::inertia::InertiaAbout;
 use crate::body::mass_properties::MassProperties;
@@ -12,9 +12,9 @@ use super::wheel::{Motor, Wheel};
 use crate::motion::error::MotionError;
 use crate::motion::model::require;
 
-/// Body that turns about a body-fixed point: the centre of mass of a free body, or a pivot.
+/// Body that turns about its reference point: the centre of mass of a free body, or the pivot.
 ///
-/// Inertia, angular momentum, kinetic energy and torque are all about that point.
+/// Inertia, angular momentum, kinetic energy and torque refer to this point.
 ///
 /// ```
 /// use polhode::body::{InertiaTensor, MassProperties};
@@ -117,7 +117,7 @@ impl Rotor {
         self.wheels.iter().fold(Torque::ZERO, |sum, wheel| sum + along(wheel))
     }
 
-    /// Returns the point about which the body turns, body axes, m.
+    /// Returns the reference point (centre of mass or pivot), body axes, m.
     pub const fn point(&self) -> Position<Body> {
         self.inertia.point()
     }
@@ -127,18 +127,18 @@ impl Rotor {
         self.mass
     }
 
-    /// Returns the inertia tensor about the point about which the body turns, body axes, kg·m².
+    /// Returns the inertia tensor about the reference point, body axes, kg·m².
     pub const fn inertia(&self) -> &InertiaAbout<Body> {
         &self.inertia
     }
 
-    /// Returns the vector from the point about which the body turns to its centre of mass, body
-    /// axes, m. It is zero for a free body.
+    /// Returns the vector from the reference point to the centre of mass, body axes, m. It is zero
+    /// for a free body.
     pub const fn lever(&self) -> Position<Body> {
         self.lever
     }
 
-    /// Returns the principal moments and axes about the point about which the body turns.
+    /// Returns the principal moments and axes about the reference point.
     pub const fn principal(&self) -> &PrincipalFrame<Body> {
         &self.principal
     }

@@ -78,9 +78,8 @@ impl StateDerivatives {
     /// Returns the derivatives of θ1 θ2 θ3 ω1 ω2 ω3 with respect to the mass properties of the
     /// body.
     ///
-    /// They act through the inertia tensor about the point about which the rotor turns. For a free
-    /// body this is complete. The tensor about a pivot depends on the mass and on the centre of
-    /// mass,
+    /// They act through the inertia tensor about the rotor's reference point. For a free body this
+    /// is complete. The tensor about a pivot depends on the mass and on the centre of mass,
     ///
     /// ∂`I_p` = ∂I + (a² 1 − a aᵀ) ∂M + M (2 a·∂c 1 − a ∂cᵀ − ∂c aᵀ),  a from the pivot to the
     /// centre of mass.

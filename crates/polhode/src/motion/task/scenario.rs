@@ -397,8 +397,7 @@ impl Scenario {
         &self.body
     }
 
-    /// Returns the body with its wheels and the point about which it turns: its centre of mass or
-    /// the pivot.
+    /// Returns the body with its wheels and its reference point: the centre of mass or the pivot.
     pub const fn rotor(&self) -> &Rotor {
         &self.rotor
     }

@@ -112,7 +112,7 @@ impl ChangingBody {
         at.vector(super::instant::image(self.instant(at).inertia, Components(at.components(v))).0)
     }
 
-    /// Returns the position in the body of the point about which it turns.
+    /// Returns the point about which the body turns, its centre of mass or pivot, body axes, m.
     pub(in crate::motion) fn point<I: LawInput>(&self, at: &I) -> I::Vector {
         let reference = at.in_body(self.reference.as_quantity());
         if self.is_held { reference } else { reference + at.vector(self.instant(at).lever) }

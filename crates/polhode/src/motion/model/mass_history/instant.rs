@@ -6,9 +6,9 @@ use crate::math::algebra::{Components, Scalar};
 /// Elements xx, yy, zz, xy, xz, yz of a symmetric matrix.
 pub(super) type Elements<S> = [S; 6];
 
-/// Changing body at one time, about the point about which it turns.
+/// Changing body at one time. Inertia is about the centre of mass, or about the pivot if held.
 pub(super) struct Instant<S> {
-    /// Vector from the reference point to the centre of mass.
+    /// Vector from `ChangingBody::reference` to the centre of mass, m.
     pub(super) lever: [S; 3],
     /// M times `lever`.
     pub(super) first: [S; 3],

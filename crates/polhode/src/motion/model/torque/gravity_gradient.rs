@@ -1,8 +1,8 @@
 //! Gravity-gradient torque on an orbiting body.
 //!
-//! The point about which the body turns follows the orbit of a freely falling particle; for a free
-//! body it is the centre of mass. With r from the attracting mass to this point, and x from it to a
-//! mass point,
+//! The reference point of the rotor follows the orbit of a freely falling particle; for a free body
+//! it is the centre of mass. With r from the attracting mass to this point, and x from it to a mass
+//! point,
 //!
 //! N = Σ x × m (g(r + x) − g(r)),  g(r) = −µ r/r³
 //!

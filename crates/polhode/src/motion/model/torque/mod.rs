@@ -57,7 +57,7 @@ pub use torsion::Torsion;
 /// List of all models: the type of each, and its `Model` for the solvers.
 macro_rules! models {
     ($($(#[$doc:meta])* $variant:ident($type:ty): $model:ty,)*) => {
-        /// One torque about the point about which the body turns.
+        /// One torque about the rotor's reference point (centre of mass or pivot).
         #[derive(Clone, Debug, PartialEq)]
         #[non_exhaustive]
         pub enum TorqueModel {

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
-"""What derivatives cost, here and in heyoka, in one run: prints a table.
+"""Measures the cost of derivatives in polhode and in heyoka and prints a table.
 
     pip install heyoka numpy
     cargo build --release -p polhode --example derivatives
     python3 crates/polhode/benches/derivatives.py
 
-Both find the state transition matrix at the end: here by θ and ω, and the derivatives by the six elements of the inertia tensor besides, twelve
-columns in all; in heyoka by (ω, q), seven columns. Times are the least of many runs, one process after the other; compilation is not counted.
-Errors are the largest of Φ's elements relative to its largest, against heyoka in 80-bit numbers at 1e-18.
+Both compute the state transition matrix at the end. polhode differentiates with respect to θ and ω
+and to the six elements of the inertia tensor, twelve columns. heyoka differentiates with respect to
+(ω, q), seven columns. Times are the minimum of many runs, one process after the other, without
+compilation. The error is the largest error of an element of Φ relative to its largest element,
+compared with heyoka in 80-bit numbers at 1e-18.
 """
 
 import math
@@ -20,7 +22,7 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[3]
 
-# Moments, ω, the end; a tilt, a weight M g l, an orbit's n, a damping: those of work_precision.py.
+# Moments, ω, end time; tilt, weight M g l, orbital rate n, damping: as in work_precision.py.
 PROBLEMS = {
     "A": ((1.0, 2.0, 3.0), (0.3, 0.5, 0.9), 100.0, 0.0, 0.0, 0.0, 0.0),
     "B": ((1.0, 1.0, 0.5), (0.0, 0.0, 5.0), 100.0, math.pi / 3, 1.0, 0.0, 0.0),
@@ -30,7 +32,7 @@ PROBLEMS = {
 
 
 def equations(problem):
-    """Of ω and q."""
+    """Returns the rates of ω and q."""
     (i1, i2, i3), _, _, _, weight, n, damping = PROBLEMS[problem]
     variables = hy.make_vars("w1", "w2", "w3", "a", "b", "c", "d")
     w1, w2, w3, a, b, c, d = variables
@@ -59,7 +61,7 @@ def start(problem, kind=float):
 
 
 def integrator(problem, tolerance, kind=float, compact=False):
-    """An integrator of the variational equations, compiled, and what its state is at the start."""
+    """Returns a compiled integrator of the variational equations, and its initial state."""
     system = hy.var_ode_sys(equations(problem), hy.var_args.vars, order=1)
     made = hy.taylor_adaptive(system, start(problem, kind), tol=kind(tolerance), fp_type=kind, compact_mode=compact)
     return made, np.array(made.state)
@@ -81,14 +83,14 @@ def least_of(seconds, made, first, end):
 
 
 def turned(q, v):
-    """½ q ∘ v"""
+    """Returns ½ q ∘ v."""
     a, b, c, d = q
     x, y, z = v
     return np.array([-b * x - c * y - d * z, a * x + c * z - d * y, a * y + d * x - b * z, a * z + b * y - c * x]) / 2
 
 
 def transition(made, q0):
-    """Φ of θ and ω, of derivatives by (ω, q): θ = 2 q̄ ∘ δq."""
+    """Returns Φ for θ and ω from derivatives with respect to (ω, q): θ = 2 q̄ ∘ δq."""
     state = np.array(made.state)
     by, (a, b, c, d) = state[7:].reshape(7, 7), state[3:7]
     phi = np.zeros((6, 6), dtype=state.dtype)
@@ -105,7 +107,7 @@ def error(phi, exact):
 
 
 def at(curve, target):
-    """Seconds at an error, between runs by straight lines of logarithms; none where no run is as bad, or as good."""
+    """Returns the time in s at an error by log-log interpolation between runs; None outside their range."""
     errors, seconds = np.log([[wrong, seconds] for seconds, wrong in sorted(curve, key=lambda run: run[1])]).T
     return math.exp(np.interp(math.log(target), errors, seconds, left=math.nan, right=math.nan))
 

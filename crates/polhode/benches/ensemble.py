@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Measures ensembles beside other programs in one run and writes the numbers of book/ensembles.md.
+"""Measures ensembles and other programs in one run and writes the numbers of book/ensembles.md.
 
     pip install heyoka numpy scipy
     python3 crates/polhode/benches/ensemble.py
 
-Every rate is the best of many runs; each program has one core, unless it says otherwise.
+Every rate is the best of many runs. Each program has one core unless stated otherwise.
 """
 
 import os
@@ -21,7 +21,7 @@ MOMENTS, OMEGA = (1.0, 2.0, 3.0), (0.3, 0.5, 0.9)
 
 
 def bench(flags="", features=()):
-    """Lines of the bench program, {what: (number, unit)}."""
+    """Returns the lines of the benchmark, {name: (number, unit)}."""
     target = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / ("speed" + "".join(c for c in flags if c.isalnum()))
     environment = dict(os.environ, RUSTFLAGS=flags, CARGO_TARGET_DIR=str(target))
     command = ["cargo", "bench", "-q", "-p", "polhode", "--bench", "ensemble", *features]
@@ -30,7 +30,7 @@ def bench(flags="", features=()):
 
 
 def best(work, seconds=2.0):
-    """The least time of many runs, s."""
+    """Returns the minimum time of many runs, s."""
     least, begin = float("inf"), time.perf_counter()
     while time.perf_counter() - begin < seconds:
         start = time.perf_counter()
@@ -40,7 +40,7 @@ def best(work, seconds=2.0):
 
 
 def heyoka():
-    """ns per body-step of Taylor's method in batches as wide as the vectors, order 20."""
+    """Returns ns per body and step of heyoka's Taylor method, in batches of the vector width, order 20."""
     import heyoka as hy
     import numpy as np
 
@@ -66,7 +66,7 @@ def heyoka():
 
 
 def scipy_loop():
-    """µs per body and unit of time by solve_ivp, DOP853 at 1e-9, one body after the other."""
+    """Returns µs per body and unit of time of solve_ivp, DOP853 at 1e-9, one body after the other."""
     import scipy
     from scipy.integrate import solve_ivp
 

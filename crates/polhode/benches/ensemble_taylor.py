@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Taylor's method side by side, beside heyoka's batches of eight: ns per step of a body, on one core.
+"""Measures Taylor's method for batches of bodies and heyoka's batches of eight: ns per step of a body, on one core.
 
     pip install heyoka
     python3 crates/polhode/benches/ensemble_taylor.py [BODIES]
 
-Runs `cargo bench -p polhode --bench ensemble_taylor` and then the same bodies by heyoka (https://bluescarni.github.io/heyoka.py), whose
-integrators are built before the clock starts. Its order is 20 at its own tolerance, 2.2e-16; ours is 20 at 1e-8. Times are the least of
+Runs `cargo bench -p polhode --bench ensemble_taylor`, then the same bodies with heyoka
+(https://bluescarni.github.io/heyoka.py), whose integrators are built before the measurement. The order
+of heyoka is 20 at its default tolerance 2.2e-16; that of polhode is 20 at 1e-8. Times are the minimum of
 many runs.
 """
 
@@ -20,7 +21,7 @@ MOMENTS, BATCH, END = (3.1, 4.2, 5.3), 8, 100.0
 
 
 def equations(problem):
-    """Of the angular velocity in principal axes and the attitude's quaternion."""
+    """Returns the rates of the angular velocity in principal axes and of the attitude quaternion."""
     import heyoka as hy
 
     w1, w2, w3, q0, q1, q2, q3 = hy.make_vars("w1", "w2", "w3", "q0", "q1", "q2", "q3")
@@ -45,7 +46,7 @@ def equations(problem):
 
 
 def heyoka(problem):
-    """Order, steps per body, ns per step of a body."""
+    """Returns order, steps per body, and ns per step of a body."""
     import heyoka as hy
     import numpy as np
 

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Measures free motion beside heyoka in one run and writes book/speed.md.
+"""Measures free motion and heyoka in one run and writes book/speed.md.
 
     pip install heyoka mpmath
     python3 crates/polhode/benches/speed.py
 
-Times are the least of many short runs. heyoka (https://bluescarni.github.io/heyoka.py) integrates the same table with
-its Taylor method at its own tolerance, 2.2e-16; its integrator is built before the clock starts.
+Times are the minimum of many short runs. heyoka (https://bluescarni.github.io/heyoka.py) integrates the
+same table with its Taylor method at its default tolerance 2.2e-16. Its integrator is built before the
+measurement.
 """
 
 import os
@@ -21,7 +22,7 @@ ROUNDS = 4
 
 
 def bench(flags, features=()):
-    """Lines of the bench program, {what: number}; the last one as text."""
+    """Returns the lines of the benchmark, {name: number}; the last one as text."""
     target = ROOT / "target" / ("speed" + "".join(c for c in flags if c.isalnum()))
     environment = dict(os.environ, RUSTFLAGS=flags, CARGO_TARGET_DIR=str(target))
     command = ["cargo", "bench", "-q", "-p", "polhode", "--bench", "free_motion", *features]
@@ -30,12 +31,12 @@ def bench(flags, features=()):
 
 
 def least(lines):
-    """Of each line the least of several runs; what is no time is the same in all."""
+    """Returns the minimum of several runs for each line; lines that are not times are equal in all runs."""
     return {name: min((run[name] for run in lines), key=lambda value: 0 if "[" in value else float(value)) for name in lines[0]}
 
 
 def heyoka():
-    """ns for the table, and the quaternion at its end."""
+    """Returns ns for the table, and the quaternion at its end."""
     import heyoka as hy
     import numpy as np
 
@@ -60,7 +61,7 @@ def heyoka():
 
 
 def angle(q, truth):
-    """Between two attitudes, rad, in high precision."""
+    """Returns the angle between two attitudes, rad, in high precision."""
     from mpmath import mp, mpf, asin, sqrt
 
     mp.dps = 40
@@ -83,7 +84,7 @@ def main():
     def first(*command):
         return subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout.strip()
 
-    # Rounds, so that each meets the machine's faster minutes as well as its slower ones.
+    # Alternating rounds average over changes of the machine's speed.
     rounds = [(heyoka(), bench(""), bench("--cfg no_avx512"), bench("", ["--no-default-features"])) for _ in range(ROUNDS)]
     peers, *own = zip(*rounds)
     peer_ns, (_, peer_end, peer_version) = min(peer[0] for peer in peers), peers[0]

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Measures what accuracy costs, here and elsewhere, in one run, and writes book/work-precision.md and its figures.
+"""Measures the cost of accuracy in polhode and other programs and writes book/work-precision.md and its figures.
 
     pip install heyoka scipy mujoco mpmath numpy
     python3 crates/polhode/benches/work_precision.py
 
-Everything runs in this process or started by it, one after the other, in rounds; a time is the least of all rounds. Set-up is not
-counted: compilation (heyoka, numba), models (MuJoCo). Errors are against a Taylor series in 40 digits, in this file. With numba, SciPy's
-right-hand sides are compiled, without it they are plain Python, and the page says so.
+All programs run in this process or are started by it, one after the other, in rounds. A time is the
+minimum over all rounds, without set-up: compilation (heyoka, numba) and models (MuJoCo). Errors are
+relative to a Taylor series with 40 digits, in this file. With numba, SciPy's right-hand sides are
+compiled; without it they are plain Python, and the page states this.
 """
 
 import math
@@ -23,12 +24,12 @@ ROOT = Path(__file__).resolve().parents[3]
 ROUNDS = 3
 DIGITS = 40
 TARGETS = (1e-6, 1e-9, 1e-12)
-# Where the two Taylor methods are compared at equal tolerance.
+# Tolerances at which the two Taylor methods are compared.
 EQUAL = (1e-6, 1e-9, 1e-12, 1e-15)
 
 
 class Problem:
-    """I, ω and q = (w, x, y, z) at the start, the end, and what acts: a weight M g l along e3, an orbit's n, a damping c."""
+    """Initial I, ω and q = (w, x, y, z), end time, and torques: weight M g l along e3, orbital rate n, damping c."""
 
     def __init__(self, name, title, moments, omega, end, tilt=0.0, weight=0.0, orbit=0.0, damping=0.0):
         self.name, self.title, self.moments, self.omega, self.end = name, title, moments, omega, end
@@ -47,25 +48,25 @@ PROBLEMS = [
 
 
 HEAVY_TOP = PROBLEMS[1]
-# B with other spins: at the tightest tolerance what is left is rounding, and one start is one draw of it.
+# B with other spins: at the tightest tolerance only rounding remains, and one start is one sample of it.
 TOPS = [Problem(f"top {k}", "", (1.0, 1.0, 0.5), (0.0, 0.0, 5.0 + 0.01 * k), 100.0, tilt=math.pi / 3, weight=1.0) for k in range(12)]
 
 
-# The truth
+# Reference solution
 
 
 def truth(problem):
-    """The quaternion at the end to some 35 digits, by Taylor series whose last term is below 10^-DIGITS.
+    """Returns the quaternion at the end to about 35 digits, by Taylor series with a last term below 10^-DIGITS.
 
-    u and v stand for what space is to the turning body, u̇ = u × ω: the vertical for the weight; for the orbit the way to the body and
-    along its path, u̇ = u × ω + n v, v̇ = v × ω − n u."""
+    u and v are space directions along body axes. With a weight, u is the vertical, u̇ = u × ω. On an orbit, u is
+    the direction to the body and v that along its path, u̇ = u × ω + n v, v̇ = v × ω − n u."""
     from mpmath import cos, fdot, mp, mpf, sin
 
     mp.dps = DIGITS + 8
     order = DIGITS + 6
     i1, i2, i3 = map(mpf, problem.moments)
     n, weight, damping = mpf(problem.orbit), mpf(problem.weight), mpf(problem.damping)
-    # A tilt is 60°, exactly.
+    # The tilt is exactly 60°.
     half = mp.pi / 6 if problem.tilt else mpf(0)
     q = [cos(half), sin(half), mpf(0), mpf(0)]
     omega = [mpf(w) for w in problem.omega]
@@ -126,13 +127,13 @@ def matrix(q):
 
 
 def seen_from_body(q, v):
-    """A vector of space along body axes."""
+    """Returns a space vector along body axes."""
     m = matrix(q)
     return [sum(m[i][k] * v[i] for i in range(3)) for k in range(3)]
 
 
 def angle(q, exact):
-    """Between two attitudes, rad."""
+    """Returns the angle between two attitudes, rad."""
     from mpmath import asin, mp, mpf, sqrt
 
     mp.dps = DIGITS
@@ -143,7 +144,7 @@ def angle(q, exact):
     return float(4 * asin(min(mpf(1), sqrt(sum((c - sign * d) ** 2 for c, d in zip(a, exact))) / 2)))
 
 
-# The programs: each gives {(problem, method, tolerance or step): (seconds, quaternion)}
+# Programs: each returns {(problem, method, tolerance or step): (seconds, quaternion)}
 
 
 def polhode():
@@ -157,7 +158,7 @@ def polhode():
 
 
 def least_of(seconds, run):
-    """The least time of runs that take so long together, and the last one's result."""
+    """Returns the minimum time of runs with this total duration, and the result of the last one."""
     least, result, begin = float("inf"), None, time.perf_counter()
     while result is None or time.perf_counter() - begin < seconds:
         once = time.perf_counter()
@@ -167,7 +168,7 @@ def least_of(seconds, run):
 
 
 def heyoka_integrators():
-    """Built before any clock starts: (problem, tolerance) → integrator."""
+    """Builds the integrators before the measurement: (problem, tolerance) → integrator."""
     import heyoka as hy
 
     w1, w2, w3, a, b, c, d = hy.make_vars("w1", "w2", "w3", "a", "b", "c", "d")
@@ -208,7 +209,7 @@ def heyoka(built):
 
 
 def heyoka_call(built):
-    """Seconds that the way from Python into heyoka and back takes, and the return to the start: a run without a step."""
+    """Returns the time in s of a run without a step: the call from Python and the reset to the start."""
     integrator, start = built[HEAVY_TOP, EQUAL[0]], HEAVY_TOP.start()
 
     def run():
@@ -220,7 +221,7 @@ def heyoka_call(built):
 
 
 def right_hand_side(problem):
-    """ẏ of (ω, q) for SciPy, and whether it is compiled."""
+    """Returns ẏ of (ω, q) for SciPy, and True if it is compiled."""
     i1, i2, i3 = problem.moments
     weight, orbit, damping = problem.weight, problem.orbit, problem.damping
 
@@ -271,7 +272,7 @@ def scipy(functions):
 
 
 def mujoco():
-    """A body on a ball joint. Its gravity gradient would be Python's callback, not MuJoCo: it is left out."""
+    """Runs a body on a ball joint. The gravity gradient is omitted: it would be a Python callback, not MuJoCo."""
     import mujoco as mj
 
     runs = {}
@@ -301,7 +302,7 @@ def mujoco():
     return runs
 
 
-# The page
+# Page
 
 
 STYLES = {  # colour, dashes
@@ -318,7 +319,7 @@ STYLES = {  # colour, dashes
 
 
 def figure(problem, curves):
-    """Attitude error against time, both logarithmic: down and to the left is better."""
+    """Plots attitude error against time, both logarithmic: lower left is better."""
     left, right, top, bottom, width, height = 66, 500, 52, 362, 672, 413
     points = [point for curve in curves.values() for point in curve if 0 < point[1]]
     x0, x1 = [f(math.log10(p[0])) for f, p in ((math.floor, min(points)), (math.ceil, max(points)))]
@@ -355,7 +356,7 @@ def figure(problem, curves):
 
 
 def table(curves):
-    """ms of the cheapest run that reaches each target."""
+    """Returns ms of the fastest run that reaches each target."""
     rows = []
     for name, curve in curves.items():
         cells = []
@@ -367,7 +368,7 @@ def table(curves):
 
 
 def equal_tolerance(runs, exact):
-    """Both Taylor methods side by side: the rows of the table. Of the twelve tops the middle time and the middle error."""
+    """Returns the rows of the table of both Taylor methods. The twelve tops give the median time and error."""
 
     def middle(values):
         return sorted(values)[len(values) // 2]
@@ -408,7 +409,7 @@ def main():
     is_compiled = all(compiled for _, compiled in functions.values())
     functions = {problem: f for problem, (f, _) in functions.items()}
     polhode()  # builds
-    # Rounds, so that each meets the machine's faster minutes as well as its slower ones.
+    # Alternating rounds average over changes of the machine's speed.
     runs, call = {}, math.inf
     for _ in range(ROUNDS):
         call = min(call, heyoka_call(built))

@@ -74,7 +74,7 @@ pub struct BodyPart {
 /// ```
 ///
 /// # Errors
-/// [`BodyError::Empty`] if there are no parts; [`BodyError::Parameter`] if a sum is not finite.
+/// [`BodyError::Empty`] if `parts` is empty; [`BodyError::Parameter`] if a sum is not finite.
 pub fn assemble(parts: &[PlacedPart]) -> Result<MassProperties<Body>, BodyError> {
     let placed: Vec<_> = parts.iter().map(PlacedPart::in_body).collect();
     MassProperties::combined(&placed)

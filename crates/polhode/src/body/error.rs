@@ -52,7 +52,7 @@ pub enum BodyError {
         /// Principal moments of I, ascending, kg·m².
         moments: [f64; 3],
     },
-    /// There are no particles, no parts, or no triangles.
+    /// A required list is empty: particles, parts, points, triangles or voxels.
     Empty {
         /// Name of the missing items.
         what: &'static str,

@@ -103,7 +103,7 @@ impl<F: Frame> MassProperties<F> {
     /// digits.
     ///
     /// # Errors
-    /// [`BodyError::Empty`] if there are no parts; [`BodyError::Parameter`] if a sum is not finite.
+    /// [`BodyError::Empty`] if `parts` is empty; [`BodyError::Parameter`] if a sum is not finite.
     pub fn combined(parts: &[Self]) -> Result<Self, BodyError> {
         let centers: Vec<_> = parts.iter().map(|part| (part.mass, part.center_of_mass)).collect();
         let Center { mass, reference, rest } =
@@ -212,7 +212,7 @@ pub(super) struct Center<F> {
 }
 
 impl<F: Frame> Center<F> {
-    /// Computes the centre of masses at points; `None` if there are no points.
+    /// Computes the centre of masses at points; `None` if `points` is empty.
     pub(super) fn of(points: &[(f64, Position<F>)]) -> Option<Self> {
         let (_, first) = *points.first()?;
         let mut mass = Sum::default();

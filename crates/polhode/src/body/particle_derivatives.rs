@@ -36,7 +36,7 @@ impl<F: Frame> ParticleDerivatives<F> {
     /// [`mass_properties_of_particles`](super::mass_properties_of_particles), in their order.
     ///
     /// # Errors
-    /// [`BodyError::Empty`] if there are no particles.
+    /// [`BodyError::Empty`] if `particles` is empty.
     pub fn of(particles: &[Particle<F>]) -> Result<Vec<Self>, BodyError> {
         let points: Vec<_> = particles.iter().map(|p| (p.mass(), p.position())).collect();
         let Center { mass: whole, reference, rest } =

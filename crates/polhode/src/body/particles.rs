@@ -60,7 +60,7 @@ impl<F: Frame> Particle<F> {
 /// ```
 ///
 /// # Errors
-/// [`BodyError::Empty`] if there are no particles; [`BodyError::Parameter`] if a sum is not finite.
+/// [`BodyError::Empty`] if `particles` is empty; [`BodyError::Parameter`] if a sum is not finite.
 ///
 /// Source: the lecture notes, "The inertia tensor".
 pub fn mass_properties_of_particles<F: Frame>(

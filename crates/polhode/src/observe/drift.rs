@@ -20,14 +20,13 @@ pub struct Drift {
     /// Relative error of the impulse–momentum balance: |L(t) − L(0) − J(t)| / max (|L|, 2 T/|ω|),
     /// as vectors in space. It includes the error of the attitude.
     pub momentum: f64,
-    /// Relative change of |L|: ||L(t)| − |L(0)|| / max |L|. It is an error only if there is no
-    /// torque.
+    /// Relative change of |L|: ||L(t)| − |L(0)|| / max |L|. It is an error only without torque.
     pub momentum_magnitude: f64,
     /// Relative change of the total energy E = T + U: |E(t) − E(0)| / max(|T|, |U − U(0)|). `None`
-    /// if a torque has no potential, or if there is no torque.
+    /// without torque, or if a torque has no potential.
     pub total_energy: Option<f64>,
-    /// Relative change of the kinetic energy: max |T(t) − T(0)| / max T. It is an error only if
-    /// there is no torque.
+    /// Relative change of the kinetic energy: max |T(t) − T(0)| / max T. It is an error only
+    /// without torque.
     pub kinetic_energy: f64,
 }
 

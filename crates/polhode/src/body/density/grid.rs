@@ -58,8 +58,8 @@ impl VoxelGrid {
     /// numbers of voxels along each axis.
     ///
     /// # Errors
-    /// [`BodyError::Empty`] if there are no voxels; [`BodyError::Parameter`] if a number is not
-    /// finite, if the steps are coplanar, or if the number of voxels exceeds `usize`.
+    /// [`BodyError::Empty`] if a count is zero; [`BodyError::Parameter`] if a number is not finite,
+    /// if the steps are coplanar, or if the number of voxels exceeds `usize`.
     pub fn new(origin: [f64; 3], steps: [[f64; 3]; 3], counts: [usize; 3]) -> Result<Self, BodyError> {
         finite("the origin of the voxels", origin)?;
         for step in steps {

@@ -240,7 +240,7 @@ impl ClosedMesh {
     }
 
     /// Returns the index of the vertex of [`ClosedMesh::surface`] with exactly the coordinates of
-    /// each point, or `None` if there is no such vertex.
+    /// each point, or `None` if such a vertex does not exist.
     pub fn vertex_numbers(&self, points: &[[f64; 3]]) -> Vec<Option<u32>> {
         let bits = |point: &[f64; 3]| point.map(|c| (c + 0.0).to_bits()); // −0 is 0
         let numbers: HashMap<_, _> = self.surface.vertices.iter().map(bits).zip(0..).collect();

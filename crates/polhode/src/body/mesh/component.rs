@@ -32,7 +32,7 @@ pub struct MeshComponent {
     /// Smallest component that contains it, as an index into
     /// [`MeshDiagnosis::components`](crate::body::mesh::MeshDiagnosis::components).
     pub inside: Option<usize>,
-    /// Number of triangles oriented against the majority; 0 if there is no clear majority.
+    /// Number of triangles oriented against the majority; 0 without a clear majority.
     pub flipped: usize,
     /// First of these triangles, from 1.
     pub first_flipped: Option<usize>,

@@ -152,9 +152,9 @@ impl<'a> MeshDerivatives<'a> {
     /// Returns the contribution per unit volume at x to the scalar, with x from the centre of mass
     /// in scaled units; a moved vertex adds volume.
     ///
-    /// It is, at constant density, ρ (α + β·x + xᵀ Q x) with α = ∂/∂M, β = ∂/∂c / M, and Q from
-    /// ∂/∂I : (x² 1 − x xᵀ). At constant mass the density decreases elsewhere, so that α = −(∂/∂I :
-    /// I)/M.
+    /// The value at constant density is ρ (α + β·x + xᵀ Q x) with α = ∂/∂M, β = ∂/∂c / M, and Q
+    /// from ∂/∂I : (x² 1 − x xᵀ). At constant mass the density decreases elsewhere, so that
+    /// α = −(∂/∂I : I)/M.
     fn weight(&self, of_number: &MassPropertiesGradient<Part>, unit: f64) -> Weight {
         let MassPropertiesGradient { by_mass, by_center_of_mass, by_inertia } = of_number;
         let mass = self.properties.mass();

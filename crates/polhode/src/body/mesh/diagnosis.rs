@@ -17,7 +17,7 @@ use super::work::{GoesOn, Work};
 /// an error, a correction or a remark, with its place.
 ///
 /// Corners are the same vertex if their coordinates are exactly equal, and exact signs decide
-/// whether triangles intersect; there is no tolerance. The numbers are the same for any number of
+/// whether triangles intersect, without a tolerance. The numbers are the same for any number of
 /// threads. Time and memory are proportional to the triangles plus the pairs of close triangles.
 /// The search for overlaps stops at the counting limit. Of several identical triangles with the
 /// same orientation, only one is compared with others.
@@ -88,7 +88,7 @@ pub struct Faults<P> {
 }
 
 impl<P> Faults<P> {
-    /// Returns true if there is no fault.
+    /// Returns true if the number of faults is zero.
     pub const fn is_empty(&self) -> bool {
         self.count == 0
     }

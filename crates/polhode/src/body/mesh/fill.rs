@@ -73,8 +73,8 @@ impl TriangleMesh {
     /// Fills the holes whose diameter is at most `size`, m. The diameter is the largest distance
     /// between two vertices.
     ///
-    /// The triangulation of a loop, with its own vertices only, that has the smallest area is
-    /// used. If its area is no less than that of the surface whose rim the loop is, or if that
+    /// Each loop is filled with the triangulation of smallest area that uses the vertices of the
+    /// loop only. If its area is at least that of the surface whose rim the loop is, or if that
     /// surface has no other vertices, the surface is a sheet and the loop is not filled. The true
     /// surface is unknown: `volume_bound` is the total volume of the balls around the holes. Each
     /// ball is centred at the centre of the bounding box of the hole's vertices and reaches the

@@ -35,8 +35,8 @@ impl ConvexHull {
     /// Returns the surface of the hull, with vertices in the order of the input.
     ///
     /// # Errors
-    /// [`BodyError::Empty`] if there are no points; [`BodyError::Parameter`] for a coordinate that
-    /// is not finite; [`BodyError::FlatPoints`] if all points are coplanar.
+    /// [`BodyError::Empty`] if `points` is empty; [`BodyError::Parameter`] for a coordinate that is
+    /// not finite; [`BodyError::FlatPoints`] if all points are coplanar.
     pub fn of(points: &[[f64; 3]]) -> Result<TriangleMesh, BodyError> {
         for &point in points {
             finite("the point's coordinate", point)?;

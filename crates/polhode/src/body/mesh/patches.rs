@@ -31,7 +31,7 @@ pub(crate) struct Patch {
     pub(crate) crowded: usize,
     /// True if a consistent orientation exists; the component need not have it.
     pub(crate) orientable: bool,
-    /// Number of triangles against the majority; 0 if there is no clear majority.
+    /// Number of triangles against the majority; 0 without a clear majority.
     pub(crate) against: usize,
 }
 

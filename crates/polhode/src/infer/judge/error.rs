@@ -10,7 +10,7 @@ use crate::motion::error::MotionError;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum JudgeError {
-    /// The scenario's motion is prescribed: there is no computed motion to compare with.
+    /// The scenario's motion is prescribed, so a log cannot be compared with a computed motion.
     NoMotion,
     /// The mass properties of the scenario's body change; causes of errors are implemented only for
     /// constant bodies.

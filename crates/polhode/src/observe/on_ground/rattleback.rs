@@ -24,7 +24,7 @@ pub struct Rattleback {
     pub stable_sense: f64,
     /// Spin above which the stable sense is stable, rad/s; `None` if no spin is stable.
     pub threshold: Option<f64>,
-    /// Upper bound of the stable spins, rad/s; `None` if there is no bound.
+    /// Upper bound of the stable spins, rad/s; `None` if unbounded.
     pub until: Option<f64>,
     /// Oscillation modes without spin, the slower one first; empty for a body that falls over.
     pub modes: Vec<RattleMode>,

@@ -10,7 +10,7 @@
 //!
 //! (p_φ − p_ψ)²/(1 − u)² − (p_φ + p_ψ)²/(1 + u)² + 4 A M g l = 0,
 //!
-//! or is upright or hanging if there is no such u. The axis precesses at
+//! or is upright or hanging if such a u does not exist. The axis precesses at
 //!
 //! φ̇ = (p_φ − p_ψ u)/(A (1 − u²)).
 //!

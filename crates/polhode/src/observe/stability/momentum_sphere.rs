@@ -7,7 +7,7 @@
 //! g has a double pole at each 1/i_k and is convex between them: it has one root below all poles,
 //! one above, and none or two between neighbours. Every root is computed as its distance from a
 //! pole, by bisection of the logarithm, so that a wheel with very small momentum costs no digits.
-//! If h_k = 0 there is no pole at 1/i_k, and L_k is free there.
+//! If h_k = 0, the pole at 1/i_k vanishes, and L_k is free there.
 
 use crate::math::frame::Principal;
 use crate::math::vector::AngularVelocity;

@@ -31,7 +31,7 @@ impl TorqueParameter {
     /// Finds the torque and the kind of the parameter.
     ///
     /// # Errors
-    /// [`MotionError::NoParameter`] if there is no such torque, or it has no parameter with this
+    /// [`MotionError::NoParameter`] if the torque does not exist, or has no parameter with this
     /// name.
     pub(in crate::motion) fn of<'t>(
         &self,

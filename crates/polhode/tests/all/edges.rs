@@ -117,7 +117,7 @@ fn rotation_about_the_intermediate_axis_decays_at_its_growth_rate() {
     let times = [3.0 / rate, 7.0 / rate];
     for method in [Method::Dop853, Method::Taylor] {
         let motion = Trajectory::compute(&rotor, &[], start, &times, method, 1e-15).unwrap();
-        // linearized: ω1 = ω1(0) cosh σt
+        // linearised: ω1 = ω1(0) cosh σt
         let [early, late] = [0, 1].map(|k| (motion.samples()[k].state.omega.x / 1e-7).acosh());
         assert!(relative((late - early) / (times[1] - times[0]), rate) < 1e-6);
     }

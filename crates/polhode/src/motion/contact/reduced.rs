@@ -230,7 +230,7 @@ impl Reduced {
         dot(at.omega, at.omega).sqrt().max((self.gravity() / dot(arm, arm).sqrt()).sqrt())
     }
 
-    /// Returns the matrix of the linearized equations in (two of n, ω, two of v), and the number of
+    /// Returns the matrix of the linearised equations in (two of n, ω, two of v), and the number of
     /// variables. Units are the rate, the arm, and one over the rate for time.
     pub(crate) fn linearised(&self, at: &Reading) -> ([[f64; MOST]; MOST], usize) {
         let count = if self.footing == Footing::Viscous { MOST } else { 5 };

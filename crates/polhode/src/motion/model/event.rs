@@ -358,7 +358,7 @@ impl Measure {
         matches!(self, Self::Tilt { .. } | Self::OmegaAngle(_) | Self::MomentumAngle(_) | Self::Nutation)
     }
 
-    /// Normalizes the directions to unit vectors.
+    /// Normalises the directions to unit vectors.
     fn normalised(self) -> Result<Self, MotionError> {
         Ok(match self {
             Self::OmegaBody(n) => Self::OmegaBody(unit(n)?),

@@ -77,7 +77,7 @@ impl Reference {
         }
     }
 
-    /// Normalizes a fixed direction to unit length.
+    /// Normalises a fixed direction to unit length.
     ///
     /// # Errors
     /// A parameter's error ([`MotionError::is_parameter`]) if the vector is zero or not finite.

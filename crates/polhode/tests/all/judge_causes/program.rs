@@ -70,7 +70,7 @@ pub(super) fn exponential(r: V) -> Q {
     [half.cos(), s * r[0], s * r[1], s * r[2]]
 }
 
-/// Returns q + ½ q ω h, normalized.
+/// Returns q + ½ q ω h, normalised.
 pub(super) fn first_order(q: Q, w: V, h: f64) -> Q {
     let d = hamilton(q, [0.0, w[0], w[1], w[2]]);
     unit([0, 1, 2, 3].map(|k| q[k] + 0.5 * h * d[k]))

@@ -91,7 +91,7 @@ fn minima_of_the_energy_are_what_friction_leads_to() {
     assert!(seen.iter().all(|count| *count > 3), "{seen:?}");
 }
 
-/// The inclination minimizes the energy: slope of W by differences.
+/// The inclination minimises the energy: slope of W by differences.
 #[test]
 fn tilts_are_extrema_of_the_energy() {
     let top = top(8.1e-7, 6.3e-7, 0.2);

@@ -1,7 +1,7 @@
 //! Smooth interpolation of a table of attitudes or of ω.
 //!
 //! Attitudes are interpolated as quaternions. Each component has a spline of degree 7, and the
-//! result is normalized. A change of space or body axes multiplies all quaternions by a constant
+//! result is normalised. A change of space or body axes multiplies all quaternions by a constant
 //! one, which is a linear operation. The curve therefore does not depend on the axes. With rows at
 //! distance h, the errors are of order h⁸ in the attitude, h⁷ in ω and h⁶ in dω/dt. All three are
 //! continuous, and ω and dω/dt are exact derivatives of the interpolated attitude.

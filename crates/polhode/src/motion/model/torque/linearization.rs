@@ -1,4 +1,4 @@
-//! Linearized equations of motion: derivatives of the rates with respect to the state, the inertia
+//! Linearised equations of motion: derivatives of the rates with respect to the state, the inertia
 //! and the parameters.
 //!
 //! The angular momentum is L = I ω + h. The axes of the body turn at Ω = ω + α L × ω, where α is
@@ -44,7 +44,7 @@ pub(in crate::motion) struct Slope {
 pub(in crate::motion) type ActingParameter<'t> = Option<(&'t TorqueModel, ParameterKind)>;
 
 impl Linearization {
-    /// Linearizes the torques that act on a body, without schedules.
+    /// Linearises the torques that act on a body, without schedules.
     pub(in crate::motion) fn of(
         rotor: &Rotor,
         torques: &[&TorqueModel],

@@ -111,32 +111,36 @@ impl IdentifyError {
     /// Returns a hint on how to fix the error, if there is one.
     pub fn hint(&self) -> Option<&'static str> {
         match self {
-            Self::TooFew { .. } => Some("measure for longer, more often, or find fewer numbers"),
-            Self::Steady { .. } => Some("throw it so that it tumbles: about none of its principal axes"),
+            Self::TooFew { .. } => Some("measure longer or more often, or estimate fewer parameters"),
+            Self::Steady { .. } => {
+                Some("throw the body so that it tumbles: about a direction that is not a principal axis")
+            }
             Self::NoConvergence { .. } => Some(
-                "the measurements may not determine all that is asked for, or noise may hide the motion: turn faster and about more axes, or find fewer numbers, as without drag or the gyro's scale and skew",
+                "the measurements may not determine all parameters, or noise may hide the motion: rotate faster and about more axes, or estimate fewer parameters, for example no drag and no gyro scale or skew",
             ),
-            Self::NotFinite { .. } => Some("look for a wrong unit, or a reading that is not a measurement"),
+            Self::NotFinite { .. } => Some("check for a wrong unit or an invalid reading"),
             Self::OneBody { .. } => Some(
-                "add a flight without the added body, or with another; or leave out `added` to get the ratios of the body with it",
+                "add a flight without the added body, or with a different one; or remove `added` to get the ratios of both bodies together",
             ),
             Self::Unit { .. } => {
-                Some("say the unit in the columns' names, or by columns = \"omega deg/s = wx wy wz\"")
+                Some("state the unit in the column names, or in columns = \"omega deg/s = wx wy wz\"")
             }
             Self::LeftHanded { .. } => {
-                Some("write the axis with the other sign in the log, so that the axes are right-handed")
+                Some("reverse the sign of the axis in the log, so that the axes are right-handed")
             }
-            Self::NotFree { .. } => {
-                Some("say when each flight was, [[tumble.flight]] with from and to; or flights = \"find\"")
-            }
-            Self::Saturated { .. } => Some("throw it more slowly, or leave the flight out"),
-            Self::Missing { .. } => Some("say it in the plan: nothing is guessed"),
+            Self::NotFree { .. } => Some(
+                "state the times of each flight, [[tumble.flight]] with from and to; or write flights = \"find\"",
+            ),
+            Self::Saturated { .. } => Some("throw the body more slowly, or remove this flight from the plan"),
+            Self::Missing { .. } => Some("state it in the plan; there is no default"),
             Self::Body(error) => error.hint(),
             Self::Motion(error) => error.hint(),
             Self::Growing { .. } => Some(
-                "write amplitudes in the order of time, the largest first; with damping = \"both\" use viscous or quadratic damping alone",
+                "write amplitudes in order of time, the largest first; instead of damping = \"both\" use \"viscous\" or \"quadratic\"",
             ),
-            Self::AllZero { .. } => Some("look for a sensor that is not connected, or for other columns"),
+            Self::AllZero { .. } => {
+                Some("check that the sensor was connected, and that these are the right columns")
+            }
             Self::Value { .. } => None,
         }
     }
@@ -160,9 +164,9 @@ impl IdentifyError {
 impl fmt::Display for IdentifyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Value { what, value, rule } => write!(f, "{what} is {value}, and has to be {rule}"),
+            Self::Value { what, value, rule } => write!(f, "{what} is {value}, but must be {rule}"),
             Self::TooFew { what, given, needed } => {
-                write!(f, "too few {what}: {given}, where at least {needed} are needed")
+                write!(f, "too few {what}: {given}; at least {needed} are needed")
             }
             Self::Missing { what } => write!(f, "{what} is missing"),
             Self::Body(error) => error.fmt(f),
@@ -172,48 +176,53 @@ impl fmt::Display for IdentifyError {
                     ..0.05 => "deg/s",
                     ..1.0 => "rpm",
                     ..10.0 => "rev/s",
-                    _ => "rad/s, and were taken for deg/s",
+                    _ => "rad/s, not in deg/s",
                 };
                 write!(
                     f,
-                    "are these rates in {unit}? What is left of their free motion is {better:.0} times smaller then"
+                    "the rates are probably in {unit}: the residuals of free motion are then {better:.0} times smaller"
                 )
             }
             Self::LeftHanded { axes, better } => write!(
                 f,
-                "are the gyro's axes left-handed? With {axes} reversed what is left is {better:.0} times smaller"
+                "the gyro's axes are probably left-handed: with {axes} reversed, the residuals are {better:.0} times smaller"
             ),
             Self::Saturated { flight, inside, given } => write!(
                 f,
-                "the gyro is at its limit in {flight}: {inside} of {given} readings are inside its range"
+                "the gyro is saturated in {flight}: only {inside} of {given} readings are inside its range"
             ),
             Self::NotFree { flight, free: [from, to] } => write!(
                 f,
-                "no free motion fits: something else turns the body in {flight}, as a hand does, but between {from:.3} and {to:.3} s"
+                "no free motion fits {flight}: an external torque, such as of a hand, acts on the body, except between {from:.3} and {to:.3} s"
             ),
             Self::Steady { noise } => write!(
                 f,
-                "the rates of every flight are the same from beginning to end but for their noise, {noise:.2e} rad/s: a sphere turns so, and any body about a principal axis. \
-                 That shows neither moments nor the gyro's bias"
+                "the rates of every flight are constant within their noise, {noise:.2e} rad/s, as for a sphere or rotation about a principal axis. \
+                 Constant rates determine neither the moments nor the gyro's bias"
             ),
             Self::Growing { test, number, value, sd, unit } => {
                 let unit = if *unit == "1" { String::new() } else { format!("\u{a0}{unit}") };
                 write!(
                     f,
-                    "the {number} of {test} is {value:.3e} ± {sd:.1e}{unit}, {:.0} standard deviations below zero: an amplitude does not grow by itself",
+                    "the {number} of “{test}” is {value:.3e} ± {sd:.1e}{unit}, {:.0} standard deviations below zero: an amplitude does not grow by itself",
                     -value / sd
                 )
             }
             Self::AllZero { what } => write!(f, "every {what} in the log is zero"),
-            Self::NotFinite { quantity } => write!(f, "{quantity} is not finite"),
+            Self::NotFinite { quantity } => write!(f, "{quantity} is NaN or infinite"),
             Self::OneBody { flights: 1 } => {
-                write!(f, "one flight with an added body determines only the ratios of the moments with it")
+                write!(
+                    f,
+                    "one flight with an added body determines only the ratios of the moments of both together"
+                )
             }
             Self::OneBody { flights } => write!(
                 f,
-                "{flights} flights with the same added body determine only the ratios of the moments with it"
+                "{flights} flights with the same added body determine only the ratios of the moments of both together"
             ),
-            Self::NoConvergence { steps } => write!(f, "no least sum of squares was found in {steps} steps"),
+            Self::NoConvergence { steps } => {
+                write!(f, "the least-squares fit did not converge in {steps} steps")
+            }
         }
     }
 }

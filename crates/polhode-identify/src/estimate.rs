@@ -75,14 +75,14 @@ impl Undetermined {
 impl fmt::Display for Undetermined {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::UnknownDirection => f.write_str("it changes along a direction that is unknown"),
+            Self::UnknownDirection => f.write_str("it changes along an unobservable direction"),
             Self::BeyondRange { sd, .. } if sd.is_infinite() => {
                 f.write_str("its standard deviation is infinite")
             }
             Self::BeyondRange { sd, largest } => {
                 write!(
                     f,
-                    "its standard deviation, {sd:.2e}, is larger than {largest:.3}, which its range allows"
+                    "its standard deviation, {sd:.2e}, exceeds {largest:.3}, the largest that its range allows"
                 )
             }
         }

@@ -29,38 +29,38 @@ impl Request {
     pub fn plan(&self) -> Result<GivenPlan, Failure> {
         let (gyro, swings) = (first(self.of_gyro()), self.swings_option());
         if let (true, Some(option)) = (self.strict, swings) {
-            let message = format!("--strict tests what is left, and of the one test of {option} nothing is");
+            let message = format!("--strict tests the residuals, but the one test of {option} has none");
             return Err(Failure::usage(
                 message,
-                "leave --strict out, or write a plan with more than it takes",
+                "remove --strict, or write a plan with more measurements than parameters",
             ));
         }
-        let ends = || format!("logs end in {}", LOGS.join(", "));
+        let ends = || format!("file extensions of logs are {}", LOGS.join(", "));
         match (&self.files[..], gyro, swings) {
             ([], Some(option), _) => Err(Failure::usage(
-                format!("{option} says something of a log, and there is none"),
-                "name the log",
+                format!("{option} applies to a log, but there is none"),
+                "add the path of the log",
             )),
             ([], None, _) => self.swing_plan().map(GivenPlan::Text),
             ([file, ..], _, Some(option)) => {
-                let message = format!("{option} says something of counted swings, which are in no file");
+                let message = format!("{option} applies to counted swings, which do not come from a file");
                 let hint = match option {
-                    "--mass" => "leave it out; or print the body with --body, of which it is the mass",
-                    _ => "leave the file out, or write a plan",
+                    "--mass" => "remove it; or add --body, to print a body of this mass",
+                    _ => "remove the file, or write a plan of the swings",
                 };
                 Err(Failure::usage(message, hint).about(file))
             }
             ([plan], gyro, None) if !is_log(plan) => match gyro {
                 Some(option) => Err(Failure::usage(
-                    format!("{option} says something of a log, and this file is read as a plan"),
-                    ends() + "; in a plan, write it there",
+                    format!("{option} applies to a log, but this file is read as a plan"),
+                    ends() + "; with a plan, write the setting in the plan",
                 )
                 .about(plan)),
                 None => Ok(GivenPlan::File(plan.clone())),
             },
             (all, _, None) => match all.iter().find(|file| !is_log(file)) {
                 Some(plan) => {
-                    Err(Failure::usage("a plan stands alone, and its logs are in it", ends()).about(plan))
+                    Err(Failure::usage("a plan must be the only file: it names its logs", ends()).about(plan))
                 }
                 None => Ok(GivenPlan::Text(self.tumble_plan())),
             },
@@ -116,14 +116,14 @@ impl Request {
             [rig] => rig,
             [] => {
                 return Err(Failure::usage(
-                    "nothing says what was measured",
-                    "name a plan or a log, or say --bifilar, --trifilar or --pendulum",
+                    "no measurement is specified",
+                    "add the path of a plan or a log, or use --bifilar, --trifilar or --pendulum",
                 ));
             }
             [one, other, ..] => {
                 return Err(Failure::usage(
-                    format!("{one} and {other} are two tests"),
-                    "write a plan for several",
+                    format!("{one} and {other} are two different tests"),
+                    "use one of them, or write a plan for several tests",
                 ));
             }
         };
@@ -131,7 +131,10 @@ impl Request {
             let value =
                 self.named().into_iter().find(|(own, _)| *own == name).and_then(|(_, value)| value.as_ref());
             value.ok_or_else(|| {
-                Failure::usage(format!("{rig} needs {name}"), format!("as in {name} {}", quoted(example)))
+                Failure::usage(
+                    format!("{rig} needs {name}"),
+                    format!("for example {name} {}", quoted(example)),
+                )
             })
         };
         let mass = measured("--mass", require("--mass", "1.24 kg ± 1 g")?)?;
@@ -139,8 +142,8 @@ impl Request {
         let wires = if rig == "--pendulum" {
             if self.length.is_some() {
                 return Err(Failure::usage(
-                    "--pendulum has no wires: --length is theirs",
-                    "the distance from the axis to the centre of mass is --distance",
+                    "--length is the length of wires, but --pendulum has none",
+                    "remove --length; --distance is the distance from the axis to the centre of mass",
                 ));
             }
             None
@@ -179,15 +182,15 @@ impl Request {
     fn counted(&self, swings: &str, time: &str, amplitude: &str) -> Result<String, Failure> {
         if !swings.trim().parse::<f64>().is_ok_and(|count| count > 0.0 && count.is_finite()) {
             return Err(Failure::usage(
-                format!("--swings is {}, and has to be a number", quoted(swings)),
-                "as in --swings 20",
+                format!("--swings is {}, but must be a positive number", quoted(swings)),
+                "for example --swings 20",
             ));
         }
         let with_sd = |name: &str, value: &str, example: &str| {
             let (value, sd) = parts(name, value)?;
             let Some(sd) = sd else {
-                let message = format!("{name} needs its standard deviation");
-                return Err(Failure::usage(message, format!("as in {name} {}", quoted(example))));
+                let message = format!("{name} needs a standard deviation");
+                return Err(Failure::usage(message, format!("for example {name} {}", quoted(example))));
             };
             Ok((value, sd))
         };
@@ -198,8 +201,8 @@ impl Request {
             [one] => (one.clone(), ", damping = \"none\""),
             [first, last] => (format!("[{first}, {last}]"), ""),
             _ => {
-                let message = "--amplitude is one angle, or two, at the beginning and at the end";
-                return Err(Failure::usage(message, "write a plan for more"));
+                let message = "--amplitude takes one angle, or two: at the beginning and at the end";
+                return Err(Failure::usage(message, "for more amplitudes, write a plan"));
             }
         };
         Ok(format!(
@@ -245,10 +248,10 @@ pub(crate) fn parts(name: &str, text: &str) -> Result<(String, Option<String>), 
     let has_unit = |part: &str| part.chars().any(|c| c.is_alphabetic() && !matches!(c, 'e' | 'E'));
     if value.is_empty() || sd.is_empty() || has_unit(value) != has_unit(sd) {
         let message = format!(
-            "{name} is {}, and has to be a value and its standard deviation, each with its unit",
+            "{name} is {}, but must be a value and its standard deviation, each with its unit",
             quoted(text)
         );
-        return Err(Failure::usage(message, "as in \"31.4 s ± 0.1 s\""));
+        return Err(Failure::usage(message, "for example \"31.4 s ± 0.1 s\""));
     }
     Ok((value.to_owned(), Some(sd.to_owned())))
 }

@@ -136,7 +136,8 @@ impl BodyUnits {
         if seen.is_empty() {
             return Ok(DMatrix::zeros(m, 0));
         }
-        let Svd { u, values, .. } = svd("an unknown direction of the body", DMatrix::from_columns(&seen))?;
+        let Svd { u, values, .. } =
+            svd("an unobservable direction of the body", DMatrix::from_columns(&seen))?;
         let kept: Vec<_> = values
             .iter()
             .zip(u.column_iter())

@@ -15,7 +15,7 @@ use crate::report::{BodySize, IdentifyReport};
 use crate::request::Request;
 
 /// Display name of a plan composed from options.
-const OPTIONS: &str = "the flags";
+const OPTIONS: &str = "the options";
 
 /// Estimates the body from the measurements of a request.
 ///
@@ -66,11 +66,11 @@ impl Report for Identified {
 
 /// Returns the mass and greatest moment stated in the request.
 fn size(request: &Request) -> Result<BodySize, Failure> {
-    const HINT: &str = "as in --mass \"350 g\"";
+    const HINT: &str = "for example --mass \"350 g\"";
     let mass = |text: &String| {
         let (value, sd) = parts("--mass", text)?;
         if sd.is_some() {
-            let message = "--mass has a standard deviation, for which a scenario has no place";
+            let message = "--mass has a standard deviation, but a scenario stores only the value";
             return Err(Failure::usage(message, HINT));
         }
         let mass: Result<Positive<Mass>, String> = value.parse();

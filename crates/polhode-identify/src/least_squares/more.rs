@@ -24,7 +24,7 @@ impl Information {
     ///
     /// plus the directions that remain unobservable.
     pub(crate) fn with_rows(&self, rows: &DMatrix<f64>) -> Result<Self, IdentifyError> {
-        const DERIVATIVES: &str = "a derivative of what another experiment would measure";
+        const DERIVATIVES: &str = "the Jacobian of another experiment";
         let (n, known) = (self.root.nrows(), self.root.ncols());
         let a = rows * &self.root;
         let (mut seen, mut unseen) = (Vec::new(), Vec::new());

@@ -95,7 +95,7 @@ impl Information {
         for k in 0..n {
             scaled.view_mut((0, k), (rows.nrows(), 1)).copy_from(&(rows.column(k) / unit(k)));
         }
-        let Svd { values, v_t: vectors, .. } = svd("a derivative of the predictions", scaled)?;
+        let Svd { values, v_t: vectors, .. } = svd("the Jacobian of the predictions", scaled)?;
         let largest = values.max();
         let (mut known, mut unknown) = (Vec::new(), Vec::new());
         for (k, &value) in values.iter().enumerate() {

@@ -162,7 +162,7 @@ fn along(
         let scaled = information.root.tr_mul(&DMatrix::from_vec(n, 1, slope));
         across.set_column(k, &(&scaled / scaled.norm()).column(0));
     }
-    let q = qr("the directions across the edge", across)?.q();
+    let q = qr("the directions perpendicular to the limit of physical bodies", across)?.q();
     let rest = &information.root - &information.root * &q * q.transpose();
     Ok(Some(Information::with(n, &columns(&rest), &columns(&information.unknown))))
 }

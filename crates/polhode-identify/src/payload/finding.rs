@@ -84,9 +84,7 @@ impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::AccelerationInG => "the acceleration is in units of g",
-            Self::AccelerationHasGravity => {
-                "the acceleration has gravity in it, as an accelerometer reads it"
-            }
+            Self::AccelerationHasGravity => "the acceleration includes gravity, as accelerometer readings do",
             Self::GravityReversed => "gravity points up",
             Self::OmegaInDegrees => "the angular velocity is in °/s",
             Self::AlphaInDegrees => "the angular acceleration is in °/s²",
@@ -103,32 +101,39 @@ impl fmt::Display for PayloadFinding {
         match self {
             Self::NegativeMass { mass, sd } => write!(
                 f,
-                "the mass would be {} ± {} kg: the wrench is that on the other side of the sensor, or gravity points up",
+                "the estimated mass is negative, {} ± {} kg: the wrench has the opposite sign (swap \"on sensor\" and \"on payload\" in the plan), or gravity points up",
                 short(*mass),
                 short(*sd)
             ),
             Self::ImpossibleBeyondNoise { chi_square_rise } => write!(
                 f,
-                "no possible body fits as well as an impossible one: χ² rises by {}, more than noise explains",
+                "no physical body fits the data: the constraint to physical bodies increases χ² by {}, more than noise explains",
                 short(*chi_square_rise)
             ),
             Self::NotOfKind { kind, chi_square_rise } => write!(
                 f,
-                "the payload is not {kind}: χ² rises by {}, more than noise explains",
+                "the payload is not {kind}: this kind increases χ² by {}, more than noise explains",
                 short(*chi_square_rise)
             ),
             Self::GravityVaries { least, most } => {
-                write!(f, "gravity is between {} and {} m/s²", short(*least), short(*most))
+                write!(
+                    f,
+                    "gravity is not constant: it varies between {} and {} m/s²",
+                    short(*least),
+                    short(*most)
+                )
             }
-            Self::UnusualGravity { size } => write!(f, "gravity is {} m/s²", short(*size)),
+            Self::UnusualGravity { size } => {
+                write!(f, "gravity is {} m/s², unlike that of the Earth", short(*size))
+            }
             Self::Likely { mistake, as_given, undone } => write!(
                 f,
-                "probably {mistake}: χ² by degrees of freedom would be {}, and is {}",
+                "probably {mistake}: reduced χ² would be {} instead of {}",
                 short(*undone),
                 short(*as_given)
             ),
             Self::ManyOutliers { count } => {
-                write!(f, "{count} rows are far off, more than one in ten: none was left out")
+                write!(f, "{count} rows are outliers, more than one in ten; none was discarded")
             }
         }
     }

@@ -196,7 +196,7 @@ impl Settled<'_> {
         let n = self.numbers.len();
         let noise = self.regression.noise_information(self.numbers.as_slice(), &self.noise)?;
         let shares = information.root.transpose() * noise * &information.root;
-        let shares = eigen("the information that is noise of the motion", shares)?;
+        let shares = eigen("the information lost to noise of the motion", shares)?;
         let (mut known, mut unknown) = (Vec::new(), columns(&information.unknown));
         let (mut only_noise, mut steps) = (Vec::new(), Vec::new());
         for (turn, &share) in shares.eigenvectors.column_iter().zip(&shares.eigenvalues) {

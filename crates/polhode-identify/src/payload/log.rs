@@ -134,7 +134,12 @@ impl PayloadLog {
                     IdentifyError::require(what, value, true, "finite")?;
                 }
             }
-            IdentifyError::require("a time", row.time, row.time > before, "finite and after the one before")?;
+            IdentifyError::require(
+                "a time",
+                row.time,
+                row.time > before,
+                "finite and later than the previous one",
+            )?;
             before = row.time;
         }
         // A connected sensor has noise, so zeros mean an empty column.
@@ -191,11 +196,14 @@ impl PayloadLog {
                             what,
                             c[i][j],
                             equal,
-                            "that of the other side of the diagonal",
+                            "equal to the element on the other side of the diagonal",
                         )?;
                     }
                 }
-                let (what, rule) = ("the covariance of the wrench", "positive definite: its least pivot");
+                let (what, rule) = (
+                    "the smallest pivot of the wrench's covariance",
+                    "positive: the covariance must be positive definite",
+                );
                 let pivot = if small::cholesky(&c).is_some() { 1.0 } else { small::least_pivot(&c) };
                 IdentifyError::require(what, pivot, pivot > 0.0, rule)?;
             }

@@ -140,7 +140,7 @@ fn pull(unknown: &DMatrix<f64>, n: usize) -> Result<DVector<f64>, IdentifyError>
     (4..7).for_each(|k| trace[k] = 0.5);
     let mut pull = DVector::zeros(n);
     if unknown.ncols() > 0 {
-        let q = qr("an unknown direction", unknown.clone())?.q();
+        let q = qr("an unobservable direction", unknown.clone())?.q();
         pull = &q * (q.transpose() * trace) * SMALL;
     }
     Ok(pull)

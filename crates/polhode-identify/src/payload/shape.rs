@@ -69,7 +69,7 @@ fn step(
     for (mut column, norm) in scaled.column_iter_mut().zip(&norms) {
         column /= if *norm > 0.0 { *norm } else { 1.0 };
     }
-    let Svd { u, values, v_t } = svd("a derivative by the numbers of a thin body", scaled)?;
+    let Svd { u, values, v_t } = svd("the Jacobian of a thin body", scaled)?;
     let mut along = u.tr_mul(residual);
     for (x, s) in along.iter_mut().zip(&values) {
         *x *= s / (s * s + damping);

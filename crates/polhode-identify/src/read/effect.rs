@@ -11,18 +11,18 @@ pub(crate) fn require(tumble: &Table<'_>, flights: &[Flight]) -> Result<(), Form
     let has_attitudes = flights.iter().any(|flight| !flight.attitudes().is_empty());
     if let Some(gyro) = tumble.get("gyro") {
         if !has_gyro {
-            return Err(gyro.invalid("left out: the logs have no rates of a gyro, only attitudes"));
+            return Err(gyro.invalid("omitted: the logs have no rates of a gyro, only attitudes"));
         }
         let has_both = flights.iter().any(|f| !f.gyro().is_empty() && !f.attitudes().is_empty());
         if let Some(clock) = gyro.table()?.get("clock").filter(|_| !has_both)
             && clock.boolean()?
         {
-            let rule = "left out: a gyro's clock is late against that of attitudes, and no flight has both";
+            let rule = "omitted: the clock offset is between gyro and attitudes, and no flight has both";
             return Err(clock.invalid(rule));
         }
     }
     match tumble.get("attitude").filter(|_| !has_attitudes) {
-        Some(attitude) => Err(attitude.invalid("left out: the logs have no attitudes, only rates of a gyro")),
+        Some(attitude) => Err(attitude.invalid("omitted: the logs have no attitudes, only rates of a gyro")),
         None => Ok(()),
     }
 }

@@ -70,8 +70,8 @@ impl Logs {
 fn readings(log: &Value<'_>, measured: &MeasuredLog) -> Result<Measured, FormatError> {
     if measured.omega_axes == Some(OmegaAxes::Space) {
         return Err(log
-            .invalid("a log of rates along axes of the body: a gyro turns with it")
-            .with_hint("its columns say that they are along axes of space"));
+            .invalid("a log of rates along body axes, as a gyro on the body measures them")
+            .with_hint("its column names state space axes"));
     }
     let times = measured.times.iter();
     let gyro = measured
@@ -83,9 +83,8 @@ fn readings(log: &Value<'_>, measured: &MeasuredLog) -> Result<Measured, FormatE
     let mut attitudes = Vec::new();
     if let Some(numbers) = &measured.attitude {
         let (Some(order), Some(sense)) = (measured.order, measured.sense) else {
-            let rule =
-                "a log that says in which order the numbers of its quaternion are, and which way it turns";
-            let hint = "say it: columns = \"quaternion wxyz body-to-space = qw qx qy qz\"";
+            let rule = "a log that states the order of the components of its quaternion and its direction";
+            let hint = "state them: columns = \"quaternion wxyz body-to-space = qw qx qy qz\"";
             return Err(log.invalid(rule).with_hint(hint));
         };
         for (four, &time) in numbers.iter().zip(times) {

@@ -58,7 +58,10 @@ impl Plan {
             Measurement::Tumble(plan) => {
                 let mut all: Vec<String> = lines(&plan.logs);
                 if plan.found {
-                    all.push("Flights were found where the body turns fast and nothing turns it".to_owned());
+                    all.push(
+                        "Flights were found where the body rotates fast without an external torque"
+                            .to_owned(),
+                    );
                 }
                 all.extend(plan.cut_off.iter().cloned());
                 all
@@ -104,7 +107,7 @@ pub fn from_text(files: &dyn Files, path: &Path, text: &str) -> Result<Plan, For
     let root = Table::root(source, &entries);
     root.allow(&[&["title"], &KINDS[..]].concat())?;
     let title = root.get("title").map(|title| title.string().map(str::to_owned)).transpose()?;
-    let kind = root.at_most_one(&KINDS, "a plan is of one kind of measurement")?;
+    let kind = root.at_most_one(&KINDS, "a plan has one kind of measurement")?;
     let Some(kind) = kind else {
         return Err(root
             .missing("tumble", "[tumble], [swing] or [payload], such as [tumble] with log = \"gyro.csv\""));

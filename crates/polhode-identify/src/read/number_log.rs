@@ -33,8 +33,8 @@ pub(crate) fn read(
     let mut add = |columns: &Columns, mut numbers: Row, place: ContentPlace| {
         numbers.iter_mut().zip(&columns.units).for_each(|(number, unit)| *number *= unit);
         if numbers[0] <= last {
-            let (what, value) = ("the time".to_owned(), numbers[0].to_string());
-            let rule = "after that of the row before".to_owned();
+            let (what, value) = ("time".to_owned(), numbers[0].to_string());
+            let rule = "later than in the previous row".to_owned();
             return Err(ContentError::new(ContentErrorKind::Value { what, value, rule }, place));
         }
         last = numbers[0];
@@ -55,7 +55,7 @@ pub(crate) fn read(
         let text = csv::text(&bytes).map_err(refused)?;
         let mut lines = fields(text);
         let Some((_, places)) = lines.next() else {
-            return Err(refused(missing("lines").hint("write a header, and a row for each time")));
+            return Err(refused(missing("lines").hint("write a header, and one row for each time")));
         };
         let names = places.iter().map(|field| text[field.clone()].trim_matches('"').trim()).collect();
         let columns = find(&Header { names, places: &places }).map_err(|wrong| wrong.into_error(refused))?;

@@ -66,19 +66,19 @@ fn gravity<'a>(table: &Table<'a>) -> Result<Gravity<'a>, FormatError> {
     let Some(value) = table.get("gravity") else {
         return match table.get("attitude") {
             Some(attitude) => Err(attitude
-                .invalid("left out, or given beside gravity")
-                .with_hint("write gravity = [0, 0, \"-9.80665 m/s^2\"], along axes of space")),
+                .invalid("omitted, or used together with gravity")
+                .with_hint("write gravity = [0, 0, \"-9.80665 m/s^2\"], along space axes")),
             None => Ok(Gravity::Logged),
         };
     };
     let told = Acceleration::from_array(value.quantities(Dimension::ACCELERATION)?);
     if told == Acceleration::ZERO {
         return match table.get("attitude") {
-            Some(attitude) => Err(attitude.invalid("left out where there is no gravity")),
+            Some(attitude) => Err(attitude.invalid("omitted if gravity is zero")),
             None => Ok(Gravity::None),
         };
     }
-    let example = "attitude = \"body-to-space\", if the log's quaternions turn vectors of the sensor's axes to axes of space";
+    let example = "attitude = \"body-to-space\", if the log's quaternions transform vectors from sensor axes to space axes";
     let sense = match table.require("attitude", example)?.choice(&["body-to-space", "space-to-body"])? {
         "body-to-space" => AttitudeSense::BodyToSpace,
         _ => AttitudeSense::SpaceToBody,
@@ -91,7 +91,7 @@ fn gravity<'a>(table: &Table<'a>) -> Result<Gravity<'a>, FormatError> {
 fn wrench_noise(value: &Value<'_>) -> Result<WrenchNoise, FormatError> {
     let table = value.table()?;
     table.allow(&["force", "torque", "covariance"])?;
-    let rule = "noise is said by deviations of force and torque, or by a covariance";
+    let rule = "noise is either the standard deviations of force and torque, or a covariance";
     for key in ["force", "torque"] {
         table.at_most_one(&[key, "covariance"], rule)?;
     }
@@ -110,7 +110,7 @@ fn wrench_noise(value: &Value<'_>) -> Result<WrenchNoise, FormatError> {
         sd if sd > 0.0 => Ok(sd),
         _ => Err(value
             .invalid("positive")
-            .with_hint("it is a standard deviation; leave noise out to find it in the log")),
+            .with_hint("it is a standard deviation; remove noise to estimate it from the log")),
     };
     Ok(WrenchNoise::Deviations {
         force: above_zero(force, Dimension::FORCE)?,
@@ -136,8 +136,10 @@ fn motion_noise(value: &Value<'_>) -> Result<MotionNoise, FormatError> {
         acceleration: deviation("acceleration", Dimension::ACCELERATION)?,
     };
     if [noise.omega, noise.alpha, noise.acceleration] == [0.0; 3] {
-        let error = value.invalid("a deviation of omega, alpha or acceleration that is above zero");
-        return Err(error.with_hint("leave it out where the motion has no noise"));
+        let error = value.invalid(
+            "a table with at least one standard deviation above zero, of omega, alpha or acceleration",
+        );
+        return Err(error.with_hint("remove motion_noise if the motion has no noise"));
     }
     Ok(noise)
 }

@@ -19,9 +19,9 @@ impl ReadLog {
     /// Returns the summary, line by line.
     pub fn lines(&self) -> impl Iterator<Item = String> + use<> {
         let path = shown(&self.path);
-        let read = format!("{path}: {}", self.read.join("; "));
-        let ignored =
-            (!self.ignored.is_empty()).then(|| format!("Not read of {path}: {}", self.ignored.join(", ")));
+        let read = format!("Columns of {path}: {}", self.read.join("; "));
+        let ignored = (!self.ignored.is_empty())
+            .then(|| format!("Ignored columns of {path}: {}", self.ignored.join(", ")));
         [Some(read), ignored].into_iter().flatten()
     }
 }

@@ -39,7 +39,10 @@ pub(crate) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
     let mut logs = Logs::default();
     let mut cut_off = Vec::new();
     let mut flights = Vec::new();
-    let given = table.at_most_one(&["flight", "flights"], "flights are given one by one, or found")?;
+    let given = table.at_most_one(
+        &["flight", "flights"],
+        "flights are either listed ([[tumble.flight]]) or found (flights)",
+    )?;
     let found = match &given {
         Some(value) if value.key() == "flight" => {
             let tables = value.tables("tumble.flight")?;
@@ -50,7 +53,7 @@ pub(crate) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
             for key in ["log", "columns"] {
                 let is_own = !tables.is_empty() && tables.iter().all(|flight| flight.get(key).is_some());
                 if let Some(value) = table.get(key).filter(|_| is_own) {
-                    return Err(value.invalid("left out where each flight has its own"));
+                    return Err(value.invalid("omitted if each flight has its own"));
                 }
             }
             false
@@ -60,10 +63,14 @@ pub(crate) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
     };
     // An entry without effect is probably a mistake.
     if let Some(value) = table.get("search").filter(|_| !found) {
-        return Err(value.invalid("beside flights = \"find\"").with_hint("nothing else is searched for"));
+        return Err(value
+            .invalid("used with flights = \"find\"")
+            .with_hint("add flights = \"find\", or remove search"));
     }
     if let Some(value) = given.filter(|value| value.key() == "flight" && flights.is_empty()) {
-        return Err(value.invalid("a list with a flight in it").with_hint("leave it out for the whole log"));
+        return Err(value
+            .invalid("a list of at least one flight")
+            .with_hint("remove it to read the whole log as one flight"));
     }
     if flights.is_empty() {
         let log = table.require("log", "log = \"gyro.csv\"")?;
@@ -72,7 +79,7 @@ pub(crate) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
             let known = logs.measured.len();
             let number = logs.read(log, table.get("columns").as_ref())?;
             if number < known {
-                return Err(log.invalid("another log than those before: each counts once"));
+                return Err(log.invalid("different from the previous logs: each log is used once"));
             }
             let measured = &logs.measured[number];
             let several = if each.len() > 1 { format!("{}: ", log.string()?) } else { String::new() };
@@ -83,8 +90,8 @@ pub(crate) fn plan(table: &Table<'_>) -> Result<TumblePlan, FormatError> {
             logs.measured.iter().flat_map(|log| log.gyro.iter().copied()).collect();
         options.gyro_range = options.gyro_range.or(found.then(|| GyroRange::shown_by(&readings)));
         if flights.is_empty() {
-            let rule = "a log with flights: nowhere in it does the body turn fast and freely";
-            let hint = "are the rates in rad/s? Slow ones are found by search = { slowest = \"1 rad/s\" }";
+            let rule = "a log with flights: the body never rotates fast and freely in this one";
+            let hint = "check the unit of the rates, or search for slower flights: search = { slowest = \"1 rad/s\" }";
             return Err(log.invalid(rule).with_hint(hint));
         }
     }
@@ -107,8 +114,8 @@ fn of_log(
     };
     if measured.gyro.is_empty() {
         return Err(log
-            .invalid("a log of a gyro: flights are found in its rates")
-            .with_hint("say when each flight was: [[tumble.flight]] with from and to"));
+            .invalid("a log of a gyro: the search for flights needs rates")
+            .with_hint("state the times of each flight: [[tumble.flight]] with from and to"));
     }
     let spans = find_flights(&measured.gyro, search).map_err(|error| at(log, &error))?;
     let [begins, ends] = [measured.gyro.first(), measured.gyro.last()].map(|r| r.map(|r| r.time));
@@ -117,7 +124,7 @@ fn of_log(
         let name = format!("{prefix}flight {}, {:.2} s", k + 1, span[0]);
         for (is_cut, what) in [(begins == Some(span[0]), "begins"), (ends == Some(span[1]), "ends")] {
             if is_cut {
-                cut_off.push(format!("The log {what} in mid-flight: {name}"));
+                cut_off.push(format!("The log {what} during a flight: {name}"));
             }
         }
         flights.push(measured.flight(name, *span).map_err(|error| at(log, &error))?);
@@ -196,7 +203,7 @@ fn one(
     }
     if spans.iter().any(|(of, span)| *of == number && from.max(span[0]) < to.min(span[1])) {
         let place = flight.get("from").or(flight.get("to")).unwrap_or(log);
-        return Err(place.invalid("after the end of the flights before: each reading counts once"));
+        return Err(place.invalid("after the end of the previous flights: each reading is used once"));
     }
     spans.push((number, [from, to]));
     let name = match flight.get("name") {
@@ -229,8 +236,8 @@ fn added(value: &Value<'_>) -> Result<[f64; 6], FormatError> {
     };
     if [xx, yy, zz, xy, xz, yz] == [0.0; 6] {
         return Err(value
-            .invalid("something: a tensor that is not zero")
-            .with_hint("leave it out of a flight with nothing added"));
+            .invalid("a tensor that is not zero")
+            .with_hint("remove it if nothing was added in this flight"));
     }
     Ok([xx, yy, zz, xy, xz, yz])
 }
@@ -244,8 +251,8 @@ fn wheel(value: &Value<'_>) -> Result<Wheel, FormatError> {
     let momentum = given.quantity(Dimension::ANGULAR_MOMENTUM)?;
     if momentum == 0.0 {
         return Err(given
-            .invalid("other than zero")
-            .with_hint("a wheel that stands still is a part of the body"));
+            .invalid("different from zero")
+            .with_hint("remove the wheel: at rest, it is a part of the body"));
     }
     let direction = polhode::math::Direction::from_array(axis.numbers()?);
     Wheel::new(direction, momentum, Motor::HeldSpeed).map_err(|error| axis.motion(error))

@@ -86,7 +86,7 @@ impl Columns {
             Gravity::Logged => {
                 unused(
                     &ATTITUDE,
-                    "left out where gravity is logged: it turns gravity = [...] to the sensor",
+                    "omitted if gravity is logged: it transforms gravity = [...] to the sensor's axes",
                 )?;
                 found.add(&GRAVITY, header, told).map_err(|wrong| match wrong {
                     Wrong::Log(error) if matches!(error.kind, ContentErrorKind::Missing { .. }) => Wrong::Log(
@@ -98,15 +98,15 @@ impl Columns {
                     wrong => wrong,
                 })?;
             }
-            Gravity::None => unused(&GRAVITY, "left out where gravity is told")?,
+            Gravity::None => unused(&GRAVITY, "omitted if the plan states gravity")?,
             Gravity::Turned { value, .. } => {
-                unused(&GRAVITY, "left out where gravity is told")?;
+                unused(&GRAVITY, "omitted if the plan states gravity")?;
                 found.add(&ATTITUDE, header, told).map_err(|wrong| match wrong {
                     Wrong::Log(error) if matches!(error.kind, ContentErrorKind::Missing { .. }) => {
                         Wrong::Plan(
                             value
-                                .invalid("turned to the sensor's axes by attitudes, and the log has none")
-                                .with_hint("log quaternions, qw, qx, qy, qz, or say which columns they are"),
+                                .invalid("transformed to the sensor's axes by attitudes, but the log has none")
+                                .with_hint("log quaternions, qw, qx, qy, qz, or name their columns: columns = { attitude = [...] }"),
                         )
                     }
                     wrong => wrong,
@@ -138,7 +138,7 @@ impl Columns {
         for place in &places {
             if let Some(twice) = self.places.iter().find(|known| *known == place) {
                 let name = header.names.get(*twice).copied().unwrap_or_default();
-                let rule = "of one quantity: say by columns = { … } which it is";
+                let rule = "used for one quantity only: state which in columns = { … }";
                 return Err(header.refused(*place, "the column", name, rule).into());
             }
             self.units.push(header.unit(*place, quantity, told_unit.as_ref())?);
@@ -186,7 +186,7 @@ impl Header<'_> {
                 return Err(self.refused(second, "the column", wanted, "named once").into());
             }
             if places.contains(&place) {
-                return Err(name.invalid("another column for each axis").into());
+                return Err(name.invalid("a different column for each axis").into());
             }
             places.push(place);
         }
@@ -208,7 +208,7 @@ impl Header<'_> {
                     }
                     Some(_) if found.is_some() => {
                         let rule = format!(
-                            "the only one of {}: say which by columns = {{ {} = … }}",
+                            "the only column of {}: choose one by columns = {{ {} = … }}",
                             quantity.what, quantity.key
                         );
                         return Err(self.refused(k, "the column", name, &rule));
@@ -225,7 +225,7 @@ impl Header<'_> {
                         false => format!("column of {} along {axis}", quantity.what),
                     };
                     return Err(missing(&what).hint(format!(
-                        "name it in the header as in {}, or say which it is by columns = {{ {} = … }}",
+                        "name it in the header, for example {}, or state it in the plan: columns = {{ {} = … }}",
                         quantity.example, quantity.key
                     )));
                 }
@@ -271,7 +271,7 @@ impl Header<'_> {
         };
         match (own, told) {
             (Some(own), Some((told, value))) if own != told => {
-                Err(value.invalid(format!("the unit that the column {name} has in its name")).into())
+                Err(value.invalid(format!("the unit in the name of the column {name}")).into())
             }
             (Some(unit), _) | (None, Some((unit, _))) => Ok(unit),
             (None, None) => {
@@ -280,7 +280,7 @@ impl Header<'_> {
                     found: String::new(),
                 };
                 let hint = format!(
-                    "name it in the header, as in {}, or in the plan: units = {{ {} = \"…\" }}",
+                    "state it in the header, for example {}, or in the plan: units = {{ {} = \"…\" }}",
                     quantity.example, quantity.key
                 );
                 Err(ContentError::new(kind, self.place(column)).hint(hint).into())

@@ -50,7 +50,7 @@ fn row(numbers: &Row, gravity: &Gravity<'_>, place: ContentPlace) -> Result<Payl
                 AttitudeSense::SpaceToBody => [w, -x, -y, -z],
             };
             let attitude = Attitude::from_quaternion(body_to_space).map_err(|_| {
-                let (what, value) = ("the attitude".to_owned(), format!("{w}, {x}, {y}, {z}"));
+                let (what, value) = ("attitude".to_owned(), format!("{w}, {x}, {y}, {z}"));
                 let rule = "a quaternion that is not zero".to_owned();
                 ContentError::new(ContentErrorKind::Value { what, value, rule }, place)
             })?;

@@ -21,7 +21,7 @@ const XYZ: &[&str] = &["x", "y", "z"];
 
 pub(crate) const TIME: Quantity = Quantity {
     key: "time",
-    what: "the time",
+    what: "time",
     dimension: Dimension::TIME,
     axes: &[""],
     names: &["time", "t"],
@@ -30,7 +30,7 @@ pub(crate) const TIME: Quantity = Quantity {
 pub(crate) const MEASURED: [Quantity; 5] = [
     Quantity {
         key: "omega",
-        what: "the angular velocity",
+        what: "angular velocity",
         dimension: Dimension::ANGULAR_VELOCITY,
         axes: XYZ,
         names: &["w", "omega", "omega_body", "gyro", "angular_velocity"],
@@ -38,7 +38,7 @@ pub(crate) const MEASURED: [Quantity; 5] = [
     },
     Quantity {
         key: "alpha",
-        what: "the angular acceleration",
+        what: "angular acceleration",
         dimension: Dimension::ANGULAR_ACCELERATION,
         axes: XYZ,
         names: &["alpha", "alpha_body", "angular_acceleration"],
@@ -46,7 +46,7 @@ pub(crate) const MEASURED: [Quantity; 5] = [
     },
     Quantity {
         key: "acceleration",
-        what: "the acceleration",
+        what: "acceleration",
         dimension: Dimension::ACCELERATION,
         axes: XYZ,
         names: &["a", "acc", "acceleration"],
@@ -54,7 +54,7 @@ pub(crate) const MEASURED: [Quantity; 5] = [
     },
     Quantity {
         key: "force",
-        what: "the force",
+        what: "force",
         dimension: Dimension::FORCE,
         axes: XYZ,
         names: &["f", "force"],
@@ -62,7 +62,7 @@ pub(crate) const MEASURED: [Quantity; 5] = [
     },
     Quantity {
         key: "torque",
-        what: "the torque",
+        what: "torque",
         dimension: Dimension::TORQUE,
         axes: XYZ,
         names: &["t", "tau", "torque"],
@@ -79,7 +79,7 @@ pub(crate) const GRAVITY: Quantity = Quantity {
 };
 pub(crate) const ATTITUDE: Quantity = Quantity {
     key: "attitude",
-    what: "the attitude",
+    what: "attitude",
     dimension: Dimension::NONE,
     axes: &["w", "x", "y", "z"],
     names: &["q", "quaternion", "attitude"],

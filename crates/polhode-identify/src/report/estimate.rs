@@ -2,14 +2,14 @@
 
 use polhode::body::{Finding, Severity};
 use polhode_document::Section;
-use polhode_document::number::{count, number, with_error};
+use polhode_document::number::{count, counted, number, with_error};
 use serde_json::{Value, json};
 
 use super::picture;
 use crate::{Estimate, Number, PrincipalEstimate, ResidualTest, Undetermined};
 
 pub(crate) fn cell(value: f64, sd: Option<f64>) -> String {
-    sd.map_or_else(|| "not known".to_owned(), |sd| with_error(value, sd))
+    sd.map_or_else(|| "unobservable".to_owned(), |sd| with_error(value, sd))
 }
 
 /// Returns the same text as [`cell`], or `not determined` for a value beyond its range.
@@ -33,7 +33,7 @@ pub(crate) fn ratio_cell(p: &PrincipalEstimate, k: usize) -> String {
 /// Adds a table with a row per number: name, value ± sd, unit.
 pub(crate) fn table(section: &mut Section, numbers: &[Number]) {
     let row = |number: &Number| vec![number.name.clone(), number_cell(number), number.unit.to_owned()];
-    section.table(&["number", "value ± sd", "unit"], numbers.iter().map(row).collect());
+    section.table(&["parameter", "value ± 1σ", "unit"], numbers.iter().map(row).collect());
 }
 
 /// Adds the strongest correlations, and the unobservable directions.
@@ -52,16 +52,21 @@ pub(crate) fn relations(section: &mut Section, estimate: &Estimate) {
         section.line(format!("correlation of {} and {}: {}", named(*i), named(*j), number(*r, 3)));
     }
     if pairs.len() > MOST {
-        section.say(format!("{} more correlations are as strong.", pairs.len() - MOST));
+        section
+            .say(format!("Not shown: {} with |r| ≥ 0.9.", counted(pairs.len() - MOST, "more correlation")));
     }
     picture::draw_correlations(section, estimate);
+    let unobservable: Vec<&str> = (0..n).filter(|&k| estimate.numbers[k].sd.is_none()).map(named).collect();
+    if !unobservable.is_empty() {
+        section.say(format!("Unobservable: {}.", unobservable.join(", ")));
+    }
     for direction in &estimate.unknown {
         let largest = direction.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
         let parts: Vec<String> = (0..n)
             .filter(|&k| direction[k].abs() > 1e-3 * largest)
             .map(|k| format!("{} {}", number(direction[k] / largest, 3), named(k)))
             .collect();
-        section.say(format!("Nothing is known along {}.", parts.join(", ")));
+        section.say(format!("Unobservable direction: {}.", parts.join(", ")));
     }
 }
 
@@ -75,19 +80,19 @@ pub(crate) fn residuals(section: &mut Section, tests: &[ResidualTest]) {
             test.lag_correlation.map_or_else(|| "—".to_owned(), |r| number(r, 3)),
         ]
     };
-    let headers = ["measured", "numbers", "noise (sd)", "χ²/degrees of freedom", "correlation with the next"];
+    let headers = ["quantity", "values", "noise (1σ)", "reduced χ²", "lag-1 autocorrelation"];
     section.table(&headers, tests.iter().map(row).collect());
     for test in tests {
         if test.is_too_large() {
             section.say(format!(
-                "What is left of {} is {} times the noise: there is more in the motion than in the model.",
+                "The residual of {} is {} times the noise: the model does not describe the motion completely.",
                 test.what,
                 number(test.reduced_chi_square.sqrt(), 3)
             ));
         }
         if test.is_correlated() {
             section.say(format!(
-                "Residuals of {} follow each other: they are no noise, and all errors are widened for it.",
+                "Successive residuals of {} are correlated, so they are not noise. All errors are multiplied by a factor to allow for it.",
                 test.what
             ));
         }
@@ -112,7 +117,7 @@ pub(crate) fn model_findings(tests: &[ResidualTest]) -> Vec<Finding> {
     let odd = tests.iter().filter(|test| test.shows_model_error());
     odd.map(|test| {
         let message = format!(
-            "what is left of {} is no noise (χ² {} per degree of freedom): errors are widened {}-fold, and hold only if what is missing acts like noise",
+            "the residuals of {} are not noise (reduced χ² = {}): the model is incomplete. All errors are multiplied by {}; they are valid only if the missing effect acts like noise",
             test.what,
             number(test.reduced_chi_square, 3),
             number(widening, 3)
@@ -129,7 +134,7 @@ pub(crate) fn small_findings<'a>(tests: impl IntoIterator<Item = &'a ResidualTes
     small
         .map(|test| {
             let message = format!(
-                "what is left of {} is {} of the noise that was told (χ² {} per degree of freedom): the errors are of that noise, and too wide if it is less",
+                "the residuals of {} are only {} times the stated noise (reduced χ² = {}): if the stated noise is too large, the errors are too large too",
                 test.what,
                 number(test.reduced_chi_square.sqrt(), 2),
                 number(test.reduced_chi_square, 2)
@@ -142,15 +147,15 @@ pub(crate) fn small_findings<'a>(tests: impl IntoIterator<Item = &'a ResidualTes
 pub(crate) fn principal(section: &mut Section, p: &PrincipalEstimate, unit: Option<&str>) {
     if let Some(unit) = unit {
         let row = |k: usize| vec![format!("i{}", k + 1), cell(p.moments[k], p.moment_sd[k]), unit.to_owned()];
-        section.table(&["moment", "value ± sd", "unit"], (0..3).map(row).collect());
+        section.table(&["principal moment", "value ± 1σ", "unit"], (0..3).map(row).collect());
     }
     section.line(format!("i1/i3 = {}", ratio_cell(p, 0)));
     section.line(format!("i2/i3 = {}", ratio_cell(p, 1)));
     if let Some(r) = p.ratio_correlation {
-        section.line(format!("correlation of the two: {}", number(r, 3)));
+        section.line(format!("correlation of i1/i3 and i2/i3: {}", number(r, 3)));
     }
     let thickness = bounded_cell(p.thickness, p.thickness_sd, p.undetermined_thickness());
-    section.line(format!("(i1 + i2 − i3)/i3 = {thickness}, zero of a lamina"));
+    section.line(format!("(i1 + i2 − i3)/i3 = {thickness} (0 for a lamina)"));
     let row = |k: usize| {
         let [x, y, z] = p.axes[k];
         let turn = match (p.turn_sd[k], p.undetermined_turn(k)) {
@@ -160,7 +165,7 @@ pub(crate) fn principal(section: &mut Section, p: &PrincipalEstimate, unit: Opti
         vec![format!("axis {}", k + 1), number(x, 5), number(y, 5), number(z, 5), turn]
     };
     section.table(
-        &["axis of", "x", "y", "z", "all may be turned about it by (deg, sd)"],
+        &["principal axis", "x", "y", "z", "rotation error about it (deg, 1σ)"],
         (0..3).map(row).collect(),
     );
     picture::draw_triangle(section, p);

@@ -18,7 +18,7 @@ pub(crate) fn unseen(found: &SwingEstimate) -> Option<String> {
     };
     (!named.is_empty()).then(|| {
         format!(
-            "these mistakes would make the numbers wrong without showing in what is left: {}{more}",
+            "these mistakes would change the results, and the residuals would not show it: {}{more}",
             named.join("; ")
         )
     })
@@ -28,28 +28,28 @@ pub(crate) fn unseen(found: &SwingEstimate) -> Option<String> {
 pub(crate) fn table(section: &mut Section, found: &SwingEstimate) {
     let Some(first) = found.mistakes.first() else { return };
     section.say(format!(
-        "What a mistake would do, in standard deviations: it shows where it moves what is left by {}, and else goes into the numbers unseen.",
+        "Sensitivity to mistakes, in standard deviations. A mistake is detected if it changes the residuals by at least {}; otherwise it changes the results undetected.",
         number(first.needed, 2)
     ));
     let row = |mistake: &Mistake| {
         let shows = match (mistake.shows(), mistake.matters()) {
             (true, _) => "yes",
             (false, true) => "no",
-            (false, false) => "no, and does not matter",
+            (false, false) => "no, but negligible",
         };
         vec![name(found, mistake), number(mistake.shift, 2), number(mistake.left, 2), shows.to_owned()]
     };
     section.table(
-        &["mistake", "moves the numbers by", "moves what is left by", "shows"],
+        &["mistake", "change of results", "change of residuals", "detected"],
         found.mistakes.iter().map(row).collect(),
     );
 }
 
 fn name(found: &SwingEstimate, mistake: &Mistake) -> String {
     let what = match &mistake.kind {
-        MistakeKind::Miscount => "a swing more or less than counted",
-        MistakeKind::SideToSide => "amplitudes from side to side",
-        MistakeKind::Twice { number } => return format!("{} twice as long", printable(number)),
+        MistakeKind::Miscount => "swings miscounted by one",
+        MistakeKind::SideToSide => "peak-to-peak angles given as amplitudes",
+        MistakeKind::Twice { number } => return format!("{} stated at half its value", printable(number)),
         MistakeKind::Clock => "all times 1 % too long",
     };
     match mistake.test.and_then(|k| found.tests.get(k)) {

@@ -48,7 +48,7 @@ impl<F, E> Found<F, E> {
 
     /// Returns a section that describes the input.
     fn measured(&self) -> Section {
-        let mut section = Section::new(1, "What was measured");
+        let mut section = Section::new(1, "Data");
         self.sources.iter().for_each(|line| section.say(format!("{line}.")));
         section
     }
@@ -79,7 +79,7 @@ impl IdentifyReport {
             Measurement::Swing(plan) => {
                 let found = identify_swings(plan)?;
                 let next = next_swing(plan, &found)?;
-                let title = title.unwrap_or("a body that swings").to_owned();
+                let title = title.unwrap_or("Body from swing tests").to_owned();
                 Ok(Self::Swing(Found { title, sources, found, next }))
             }
         }
@@ -98,7 +98,7 @@ impl IdentifyReport {
     ) -> Result<Self, IdentifyError> {
         let found = identify_tumbles(flights, options)?;
         let next = next_flight(flights, options, &found)?;
-        let title = title.unwrap_or("a tumbling body").to_owned();
+        let title = title.unwrap_or("Body from free motion").to_owned();
         Ok(Self::Tumble(Found { title, sources, found, next }))
     }
 
@@ -114,7 +114,7 @@ impl IdentifyReport {
     ) -> Result<Self, IdentifyError> {
         let found = identify_payload(log)?;
         let next = next_motion(log, &found)?;
-        let title = title.unwrap_or("a payload").to_owned();
+        let title = title.unwrap_or("Payload").to_owned();
         Ok(Self::Payload(Found { title, sources, found, next }))
     }
 

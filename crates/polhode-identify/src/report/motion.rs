@@ -20,7 +20,7 @@ impl Named for NextMotion {
     fn details(&self) -> Option<String> {
         let Self::Turn { amplitude, rate, .. } = self else { return None };
         Some(format!(
-            "± {}°, to and fro in {} s, gravity as said in the middle",
+            "± {}°, period {} s; gravity direction at mid-swing",
             number(amplitude.to_degrees(), 2),
             number(core::f64::consts::TAU / rate, 2)
         ))

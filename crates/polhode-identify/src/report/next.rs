@@ -1,7 +1,7 @@
 //! Report of the most useful next experiment.
 
 use polhode_document::Section;
-use polhode_document::number::{count, number};
+use polhode_document::number::{count, counted, number};
 use serde_json::{Value, json};
 
 use crate::{Candidate, Knowledge, NextExperiment};
@@ -13,7 +13,7 @@ const PART: f64 = 0.3;
 
 /// Name of an experiment, for people and for programs.
 pub(crate) trait Named {
-    /// Returns the experiment as a phrase that continues "Most would help".
+    /// Returns the experiment as a phrase that continues "Most useful:".
     fn name(&self) -> String;
 
     /// Returns further settings of the experiment, if any.
@@ -24,35 +24,37 @@ pub(crate) trait Named {
 }
 
 pub(crate) fn section<E: Named>(next: &NextExperiment<E>) -> Section {
-    let mut s = Section::new(0, "What to measure next");
+    let mut s = Section::new(0, "Recommended next measurements");
     let now = &next.now;
     s.say(match now.unknown {
-        0 => format!("Least is known {}: ± {}.", direction(now), percent(now.largest_sd)),
-        1 => "One direction of the body's numbers is not known.".to_owned(),
-        n => format!("{n} directions of the body's numbers are not known."),
+        0 => format!("Largest uncertainty: ± {}, {}.", percent(now.largest_sd), direction(now)),
+        1 => "1 direction of the body's parameters is unobservable.".to_owned(),
+        n => format!("{n} directions of the body's parameters are unobservable."),
     });
     match next.best() {
         Some(best) => {
-            s.say(format!("Most would help {}: {}.", in_full(&best.experiment), gain(now, &best.then)));
+            s.say(format!("Most useful: {}. {}.", in_full(&best.experiment), gain(now, &best.then)));
         }
         None if now.unknown > 0 => {
-            s.say("None of the experiments below makes known what is not: another kind is needed.");
+            s.say("None of the experiments below makes an unobservable direction observable: another kind of experiment is needed.");
         }
-        None => s.say("None of the experiments below would help by more than 1 % alone."),
+        None => s.say(
+            "None of the experiments below would alone reduce the largest uncertainty by more than 1 %.",
+        ),
     }
     if next.together.len() > 1 {
         let all: Vec<String> = next.together.iter().map(|&k| next.candidates[k].experiment.name()).collect();
-        s.say(format!("All would be known with {}.", all.join("; ")));
+        s.say(format!("Together, these experiments make all directions observable: {}.", all.join("; ")));
     }
     table(&mut s, next);
-    s.say("Errors are over the greatest moment i3, as they would be by the derivatives of what would be measured, with the same noise, of the body that was found.");
+    s.say("Uncertainties (1σ) are relative to the greatest moment i3. They are linear predictions for the estimated body, with the same noise.");
     if next.candidates.len() > SHOWN {
-        s.say(format!("All {} are in the JSON.", next.candidates.len()));
+        s.say(format!("--json lists all {} experiments.", next.candidates.len()));
     }
     if let Some((first, error)) = next.refused.first() {
         s.say(format!(
-            "{} more cannot be made, as {}: {error}.",
-            count(next.refused.len() as u64),
+            "Not feasible: {}, for example {}: {error}.",
+            counted(next.refused.len(), "other experiment"),
             first.name()
         ));
     }
@@ -81,11 +83,11 @@ fn table<E: Named>(s: &mut Section, next: &NextExperiment<E>) {
         row(name, &candidate.then)
     });
     let headers: &[&str] = if is_known {
-        &["with", "least known", "sd i1", "sd i2", "sd i3"]
+        &["experiment", "largest uncertainty", "i1", "i2", "i3"]
     } else {
-        &["with", "directions not known", "mean sd of the rest"]
+        &["experiment", "unobservable directions", "mean uncertainty of the others"]
     };
-    s.table(headers, core::iter::once(row("as it is".to_owned(), &next.now)).chain(shown).collect());
+    s.table(headers, core::iter::once(row("present state".to_owned(), &next.now)).chain(shown).collect());
 }
 
 fn in_full(experiment: &impl Named) -> String {
@@ -98,7 +100,7 @@ fn percent(sd: f64) -> String {
 }
 
 fn sd(sd: Option<f64>) -> String {
-    sd.map_or_else(|| "not known".to_owned(), percent)
+    sd.map_or_else(|| "unobservable".to_owned(), percent)
 }
 
 /// Returns a direction as text: `along 0.71 i3, 0.61 i2`.
@@ -113,12 +115,12 @@ fn direction(now: &Knowledge) -> String {
 /// rotations of these axes.
 fn meaning(name: &str) -> &str {
     match name {
-        "i12" => "i12 (a turn about axis 3)",
-        "i13" => "i13 (a turn about axis 2)",
-        "i23" => "i23 (a turn about axis 1)",
-        "center 1" => "centre along axis 1",
-        "center 2" => "centre along axis 2",
-        "center 3" => "centre along axis 3",
+        "i12" => "i12 (rotation about axis 3)",
+        "i13" => "i13 (rotation about axis 2)",
+        "i23" => "i23 (rotation about axis 1)",
+        "center 1" => "centre of mass along axis 1",
+        "center 2" => "centre of mass along axis 2",
+        "center 3" => "centre of mass along axis 3",
         name => name,
     }
 }
@@ -126,14 +128,14 @@ fn meaning(name: &str) -> &str {
 fn gain(now: &Knowledge, then: &Knowledge) -> String {
     if then.unknown < now.unknown {
         return match then.unknown {
-            0 => "all would be known then".to_owned(),
-            n => format!("{n} directions would not be known then, where {} are not now", now.unknown),
+            0 => "It would make all directions observable".to_owned(),
+            n => format!("It would reduce the number of unobservable directions from {} to {n}", now.unknown),
         };
     }
     format!(
-        "what is known least would be so to ± {}, where it is ± {} now",
-        percent(then.largest_sd),
-        percent(now.largest_sd)
+        "It would reduce the largest uncertainty from ± {} to ± {}",
+        percent(now.largest_sd),
+        percent(then.largest_sd)
     )
 }
 
@@ -152,7 +154,7 @@ pub(crate) fn to_json<E: Named>(next: &NextExperiment<E>) -> Value {
         json
     };
     json!({
-        "units": "tensor over i3, mass over itself, centre over √(i3/mass), along the principal axes; off-diagonal elements times √2",
+        "units": "along the principal axes: tensor relative to i3, mass relative to itself, centre of mass relative to √(i3/mass); off-diagonal elements multiplied by √2",
         "now": known(&next.now),
         "together": next.together,
         "candidates": next.candidates.iter().map(candidate).collect::<Value>(),

@@ -66,8 +66,13 @@ impl Report for PayloadReport {
         if let Some(p) = self.found.principal() {
             let of = |k: usize| estimate::cell(p.moments[k], p.moment_sd[k]);
             answer.push(match p.moment_sd.iter().all(Option::is_some) {
-                true => format!("Principal moments about it {}; {}; {} kg·m²", of(0), of(1), of(2)),
-                false => "Principal moments about it not determined".to_owned(),
+                true => format!(
+                    "Principal moments about the centre of mass {}; {}; {} kg·m²",
+                    of(0),
+                    of(1),
+                    of(2)
+                ),
+                false => "Principal moments about the centre of mass not determined".to_owned(),
             });
         }
         let mut sections = vec![self.read(), self.body()];
@@ -119,7 +124,7 @@ impl PayloadReport {
         }
         if !payload.left_out.is_empty() {
             let message = format!(
-                "{} of {} wrenches were left out as outliers",
+                "discarded {} of {} wrenches as outliers",
                 payload.left_out.len(),
                 self.found.times.len()
             );
@@ -127,17 +132,17 @@ impl PayloadReport {
         }
         if let Some(edge) = &payload.edge {
             let message = format!(
-                "the likeliest possible payload is {}: within its error it has no extent in {} direction{}, across which noise draws the answer off the edge by half a \
-                 standard deviation on average; if it is one, say kind = \"{}\" in the plan",
+                "the most likely physical payload is {}: within its error it has no extent in {}. In such directions, noise biases the estimate by half a \
+                 standard deviation on average. If the payload is {}, state it in the plan: kind = \"{}\"",
                 edge.kind,
-                edge.thin.len(),
-                if edge.thin.len() == 1 { "" } else { "s" },
+                counted(edge.thin.len(), "direction"),
+                edge.kind,
                 kind_key(edge.kind)
             );
             say("identify.edge", Severity::Info, message);
         }
         if payload.body.is_none() {
-            let message = "the motion does not determine the whole payload: what has no error is not known, and moves with the wrist turning about other axes";
+            let message = "the motion does not determine the whole payload: parameters without an error are unobservable. Also rotate the wrist about other axes";
             say("identify.unknown", Severity::Warning, message.to_owned());
         }
         findings
@@ -156,7 +161,7 @@ impl PayloadReport {
     }
 
     fn body(&self) -> Section {
-        let mut s = Section::new(2, "The payload");
+        let mut s = Section::new(2, "Parameters");
         s.formula(
             "f = m (a − g) + α × h + ω × (ω × h), h = m c",
             "f = m (a - g) + \\alpha \\times h + \\omega \\times (\\omega \\times h),\\quad h = m c",
@@ -165,7 +170,7 @@ impl PayloadReport {
             "τ = h × (a − g) + I α + ω × I ω",
             "\\tau = h \\times (a - g) + I \\alpha + \\omega \\times I \\omega",
         );
-        s.say("Mass, centre of mass from the sensor's origin, and the tensor about the centre, along the sensor's axes:");
+        s.say("Mass, centre of mass relative to the sensor's origin, and inertia tensor about the centre of mass, along the sensor's axes:");
         estimate::table(&mut s, &self.found.about_center.numbers);
         estimate::relations(&mut s, &self.found.about_center);
         if let Some(p) = self.found.principal() {
@@ -176,9 +181,9 @@ impl PayloadReport {
     }
 
     fn edge(&self, edge: &Edge) -> Section {
-        let mut s = Section::new(3, "The edge of what is possible");
+        let mut s = Section::new(3, "Limit of physical bodies");
         s.say(format!(
-            "Noise makes second moments of the payload negative where they are small. The likeliest possible payload is {}: it has no extent in these directions.",
+            "Noise makes small second moments of the payload negative. The most likely physical payload is {}: it has no extent in these directions.",
             edge.kind
         ));
         let mass = self.mass();
@@ -194,20 +199,20 @@ impl PayloadReport {
             AXES[1],
             AXES[2],
             "∫x² dm, unconstrained (kg·m²)",
-            "at most (kg·m², 95 %)",
-            "as thickness (m)",
+            "upper bound (kg·m², 95 %)",
+            "upper bound of the thickness (m)",
         ];
         s.table(&headers, edge.thin.iter().map(row).collect());
         match (&edge.along, edge.kind) {
             (Some(along), EdgeKind::Point) => estimate::table(&mut s, &along.numbers),
             (Some(along), kind) => {
                 s.say(format!(
-                    "If it is {kind}, these are the errors; kind = \"{}\" in the plan finds it as one.",
+                    "Errors if the payload is {kind}; to estimate it as such, write kind = \"{}\" in the plan:",
                     kind_key(kind)
                 ));
                 estimate::table(&mut s, &along.numbers);
             }
-            (None, _) => s.say("Errors of such a body do not follow from the measurements."),
+            (None, _) => s.say("The measurements do not determine the errors of such a body."),
         }
         s
     }
@@ -217,7 +222,7 @@ impl PayloadReport {
     }
 
     fn left(&self) -> Section {
-        let mut s = Section::new(4, "What is left");
+        let mut s = Section::new(4, "Residuals");
         estimate::residuals(&mut s, &self.found.tests);
         for scatter in self.scatters() {
             s.draw(Drawing::Scatter(scatter));
@@ -226,14 +231,14 @@ impl PayloadReport {
         for left in all.iter().take(SHOWN) {
             let time = self.found.times.get(left.row).copied().unwrap_or(f64::NAN);
             s.line(format!(
-                "left out: row {} at {} s, {} times the noise",
+                "discarded: row {} at {} s, {} times the noise",
                 left.row + 1,
                 number(time, 6),
                 number(left.size, 3)
             ));
         }
         if all.len() > SHOWN {
-            s.say(format!("{} more are in the JSON.", all.len() - SHOWN));
+            s.say(format!("--json lists {} more.", all.len() - SHOWN));
         }
         s
     }
@@ -250,7 +255,7 @@ impl PayloadReport {
                 points: points(i),
             };
             Scatter {
-                title: format!("What is left of the {}", test.what),
+                title: format!("Residuals of the {}", test.what),
                 across: ["t", "s"],
                 up: ["measured − predicted", ["N", "N·m"][k]],
                 series: vec![series(0), series(1), series(2)],
@@ -262,18 +267,21 @@ impl PayloadReport {
     }
 
     fn unconstrained(&self) -> Section {
-        let mut s = Section::new(5, "Beside least squares without a body");
+        let mut s = Section::new(5, "Comparison with unconstrained least squares");
         let free = &self.found.unconstrained;
         s.say(match (free.is_possible, free.least_second_moment) {
-            (true, _) => "Least squares without regard to what is possible gives a possible body: the same.".to_owned(),
-            (false, None) => "Least squares without regard to what is possible has a mass that is not positive.".to_owned(),
+            (true, _) => "Unconstrained least squares gives the same body: it is physical.".to_owned(),
+            (false, None) => "Unconstrained least squares gives a mass that is not positive.".to_owned(),
             (false, Some(least)) => format!(
-                "Least squares without regard to what is possible gives no body: its least ∫x² dm is {} kg·m².",
+                "Unconstrained least squares gives an unphysical body: its smallest ∫x² dm is {} kg·m².",
                 number(least, 3)
             ),
         });
         if !free.is_possible || free.chi_square_rise > 0.0 {
-            s.say(format!("χ² of the payload is {} above its.", number(free.chi_square_rise, 3)));
+            s.say(format!(
+                "The constraint to physical bodies increases χ² by {}.",
+                number(free.chi_square_rise, 3)
+            ));
             let rows = self.found.about_origin.numbers.iter().zip(&free.numbers);
             let row = |(found, free): (&crate::Number, &f64)| {
                 vec![
@@ -283,7 +291,7 @@ impl PayloadReport {
                     found.unit.to_owned(),
                 ]
             };
-            s.table(&["number", "payload ± sd", "without", "unit"], rows.map(row).collect());
+            s.table(&["parameter", "constrained ± 1σ", "unconstrained", "unit"], rows.map(row).collect());
         }
         s
     }

@@ -35,10 +35,12 @@ impl NoBody {
     /// Returns a hint on how to fix the error.
     pub const fn hint(&self) -> &'static str {
         match self {
-            Self::Unknown { .. } => "leave --body out to see what is unknown",
-            Self::Mass => "weigh the body, and say it: --mass \"350 g\"",
-            Self::Size => "say how large it is, as by one swing test: --greatest-moment \"0.0166 kg m^2\"",
-            Self::Found { .. } => "leave the flag out",
+            Self::Unknown { .. } => "run without --body to see which parameters are unobservable",
+            Self::Mass => "weigh the body, and add the mass: --mass \"350 g\"",
+            Self::Size => {
+                "measure the greatest moment, for example with a swing test, and add it: --greatest-moment \"0.0166 kg m^2\""
+            }
+            Self::Found { .. } => "remove this option",
         }
     }
 }
@@ -47,14 +49,16 @@ impl fmt::Display for NoBody {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unknown { by } => {
-                write!(f, "--body has no body to print: {by} does not determine all of it")
+                write!(f, "--body cannot print the body: {by} does not determine it completely")
             }
-            Self::Mass => f.write_str("--body has no body to print: free motion does not show the mass"),
-            Self::Size => {
-                f.write_str("--body has no body to print: this motion shows only ratios of moments")
+            Self::Mass => {
+                f.write_str("--body cannot print the body: free motion does not determine the mass")
             }
+            Self::Size => f.write_str(
+                "--body cannot print the body: this motion determines only the ratios of the moments",
+            ),
             Self::Found { what } => {
-                write!(f, "--{what} has nothing to say: the {} was found", what.replace('-', " "))
+                write!(f, "--{what} has no effect: the measurements determine the {}", what.replace('-', " "))
             }
         }
     }

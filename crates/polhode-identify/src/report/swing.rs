@@ -72,11 +72,12 @@ impl Report for SwingReport {
             let of = |k: usize| estimate::cell(p.moments[k], p.moment_sd[k]);
             answer.push(format!("Principal moments {}; {}; {} kg·m²", of(0), of(1), of(2)));
         } else {
-            answer.push(format!("The whole tensor is not known: {}", self.swung()));
+            answer.push(format!("The inertia tensor is not completely determined: {}", self.swung()));
         }
         for test in &self.found.tests {
             if let Some(Number { value, sd, unit, .. }) = &test.moment {
-                answer.push(format!("{}: {} {unit}", printable(&test.name), estimate::cell(*value, *sd)));
+                let (name, moment) = (printable(&test.name), estimate::cell(*value, *sd));
+                answer.push(format!("Moment in test “{name}”: {moment} {unit}"));
             }
         }
         let mut sections = vec![self.body(), self.each(), self.left()];
@@ -105,7 +106,7 @@ impl SwingReport {
     /// # Errors
     /// [`NoBody`] if it is not completely determined.
     pub fn to_scenario(&self) -> Result<String, NoBody> {
-        let body = self.known().ok_or(NoBody::Unknown { by: "what was swung" })?;
+        let body = self.known().ok_or(NoBody::Unknown { by: "the set of swing tests" })?;
         let meaning = "in kg, m, kg m^2, along the axes of the body, from their origin";
         Ok(BodyPart::of_body(format!("{}: {meaning}", self.title), "body", &body).to_toml())
     }
@@ -130,7 +131,7 @@ impl SwingReport {
             say(
                 "identify.model",
                 format!(
-                    "what is left is no noise: errors are widened {}-fold, and hold only if what is missing acts like noise",
+                    "the residuals are not noise: the model is incomplete. All errors are multiplied by {}; they are valid only if the missing effect acts like noise",
                     number(self.found.widening, 3)
                 ),
             );
@@ -139,20 +140,21 @@ impl SwingReport {
         if unknown > 0 {
             say(
                 "identify.unknown",
-                format!("{} are not determined by these tests: {}", directions(unknown), self.swung()),
+                format!("these tests do not determine {}: {}", directions(unknown), self.swung()),
             );
         }
         if self.found.model_tests().next().is_none() {
             say(
                 "identify.untested",
-                "as much is found as was measured: nothing is left that could show a wrong model".to_owned(),
+                "there are as many parameters as measurements: no residual can reveal a wrong model"
+                    .to_owned(),
             );
         }
         for test in &self.found.tests {
             for damping in test.own.iter().filter(|number| number.name.ends_with("damping")) {
                 let Some(sd) = damping.sd.filter(|sd| damping.value < -GROWS * sd) else { continue };
                 let message = format!(
-                    "the {} of {} is {}, {:.1} standard deviations below zero: an amplitude does not grow by itself",
+                    "the {} of “{}” is {}, {:.1} standard deviations below zero: an amplitude does not grow by itself",
                     damping.name,
                     test.name,
                     with_unit(damping, sd),
@@ -167,7 +169,7 @@ impl SwingReport {
         findings.extend(estimate::small_findings(self.found.model_tests()));
         let gravity = self.found.estimate.numbers.iter().find(|number| number.name == "gravity");
         if let Some(gravity) = gravity.filter(|gravity| !ON_EARTH.contains(&gravity.value)) {
-            let message = format!("gravity is {} m/s²", number(gravity.value, 6));
+            let message = format!("gravity is {} m/s², unlike that of the Earth", number(gravity.value, 6));
             findings.push(estimate::finding("identify.gravity", Severity::Info, message));
         }
         findings
@@ -177,20 +179,20 @@ impl SwingReport {
     fn swung(&self) -> String {
         let axes = self.found.tests.iter().filter(|test| test.moment.is_some()).count();
         match axes {
-            0 => "no test has the body".to_owned(),
-            1 => "only one axis was swung".to_owned(),
+            0 => "no test includes the body".to_owned(),
+            1 => "only the moment about one axis was measured".to_owned(),
             n => format!(
-                "{n} tests have the body, where a whole tensor takes six axes that are not all on one quadratic cone"
+                "{n} tests include the body; a complete tensor needs six axes that are not all on one quadratic cone"
             ),
         }
     }
 
     fn body(&self) -> Section {
-        let mut s = Section::new(1, "The body");
+        let mut s = Section::new(1, "Parameters");
         for line in &self.sources {
             s.say(format!("{line}."));
         }
-        s.say("The tensor is about the centre of mass, along the body's axes; a number without an error was given as exact.");
+        s.say("The inertia tensor is about the centre of mass, along the body's axes. A parameter without an error was stated as exact.");
         let numbers: Vec<Number> = self
             .found
             .estimate
@@ -202,15 +204,15 @@ impl SwingReport {
         if self.is_known() {
             estimate::principal(&mut s, &self.principal(), Some("kg·m²"));
         } else {
-            s.say("Principal moments and axes are left out: they need the whole tensor.");
+            s.say("Principal moments and axes need the complete tensor and are omitted.");
         }
         estimate::relations(&mut s, &self.found.estimate);
         s
     }
 
     fn each(&self) -> Section {
-        let mut s = Section::new(2, "Test by test");
-        s.say("The moment is nᵀ I n of the body alone, about the axis n of the swing through the body's centre of mass.");
+        let mut s = Section::new(2, "Tests");
+        s.say("The moment about the axis is nᵀ I n of the body alone, about the swing axis n moved to the centre of mass.");
         let mut rows = Vec::new();
         for test in &self.found.tests {
             let name = printable(&test.name);
@@ -219,22 +221,25 @@ impl SwingReport {
                 vec![name.clone(), number.name.clone(), value, number.unit.to_owned()]
             }));
         }
-        s.table(&["test", "number", "value ± sd", "unit"], rows);
+        s.table(&["test", "parameter", "value ± 1σ", "unit"], rows);
         s
     }
 
     fn left(&self) -> Section {
-        let mut s = Section::new(3, "What is left");
+        let mut s = Section::new(3, "Residuals");
         match &self.found.counted {
             Some(test) => estimate::residuals(&mut s, core::slice::from_ref(test)),
-            None => s.say("As much was found as was measured: no residual tests the model."),
+            None if self.found.model_tests().next().is_none() => {
+                s.say("There are as many parameters as measurements: no residual tests the model.");
+            }
+            None => {}
         }
         let row = |test: &SwingResult| {
             let left = &test.residuals;
             let rms = (left.reduced_chi_square * left.degrees_of_freedom / left.count.max(1) as f64).sqrt();
             vec![printable(&test.name), count(left.count as u64), number(rms, 3)]
         };
-        let headers = ["test", "numbers", "left (standard deviations, rms)"];
+        let headers = ["test", "values", "rms residual (standard deviations)"];
         s.table(&headers, self.found.tests.iter().map(row).collect());
         if let Some(scatter) = self.scatter() {
             s.draw(Drawing::Scatter(scatter));
@@ -255,13 +260,13 @@ impl SwingReport {
         let place = |j: usize| WIDTH * ((j as f64 + 0.5) / left.len() as f64 - 0.5);
         let numbers = left.iter().enumerate().map(|(j, r)| [place(j), *r]).collect();
         (points.len() > 1).then(|| Scatter {
-            title: "What is left, test by test in their order".to_owned(),
+            title: "Residuals by test, in the order of the plan".to_owned(),
             across: ["test", "1"],
             up: ["measured − predicted", "sd"],
             series: vec![
-                Series { name: "times, then amplitudes; or a log".to_owned(), mark: '•', points },
+                Series { name: "times, then amplitudes, or log".to_owned(), mark: '•', points },
                 Series {
-                    name: "at 0: mass, centre and other measured numbers".to_owned(),
+                    name: "at 0: mass, centre and other measured inputs".to_owned(),
                     mark: 'o',
                     points: numbers,
                 },
@@ -274,9 +279,9 @@ impl SwingReport {
 
 fn directions(count: usize) -> String {
     if count == 1 {
-        "one direction of the numbers".to_owned()
+        "1 direction of the parameters".to_owned()
     } else {
-        format!("{count} directions of the numbers")
+        format!("{count} directions of the parameters")
     }
 }
 
@@ -287,7 +292,7 @@ impl Named for NextSwing {
                 format!("a swing {} in the rig of “{}”", printable(&test.name), printable(like))
             }
             Self::Number { name, sd, unit } => {
-                format!("{} once more, to ± {} {unit}", printable(name), number(*sd, 2))
+                format!("another measurement of {} (± {} {unit})", printable(name), number(*sd, 2))
             }
         }
     }
@@ -314,11 +319,11 @@ impl Named for NextSwing {
     }
 }
 
-/// Returns text such as `40 swings would take 63.9 s`; `None` for a log.
+/// Returns text such as `expected time of 40 swings: 63.9 s`; `None` for a log.
 fn predicted(test: &SwingTest) -> Option<String> {
     let Measurement::Counted(counted) = &test.measurement else { return None };
     let first = counted.intervals.first()?;
-    Some(format!("{} swings would take {} s", number(first.to - first.from, 4), number(first.time, 4)))
+    Some(format!("expected time of {} swings: {} s", number(first.to - first.from, 4), number(first.time, 4)))
 }
 
 /// Returns predicted times and amplitudes; null for a log.

@@ -69,8 +69,9 @@ impl Report for TumbleReport {
             estimate::ratio_cell(p, 1)
         ));
         if !tumble.scale_is_known {
+            answer.push("Free motion determines only the ratios of the moments, not their size".to_owned());
             answer.push(
-                "How large the moments are does not show in free motion: throw the body once more with something known on it".to_owned(),
+                "For absolute values, throw the body once more with a part of known moments attached (in the plan: added = { moments = [...] } in this [[tumble.flight]]), or measure the greatest moment with a swing test and state it: --body --mass \"350 g\" --greatest-moment \"0.0166 kg m^2\"".to_owned(),
             );
         }
         let mut sections = vec![self.read(), self.body(), self.left(), self.each()];
@@ -110,11 +111,13 @@ impl TumbleReport {
         let mass = size.mass.ok_or(NoBody::Mass)?;
         let mut comments = vec![format!("{}: in kg, m, kg m^2, along the axes of the sensor", self.title)];
         comments.push(if tumble.scale_is_known {
-            "Free motion does not show the mass, which was said.".to_owned()
+            "Free motion does not determine the mass; it was stated.".to_owned()
         } else {
-            format!("Its motion showed the ratios of the moments. The greatest, {greatest:?} kg m^2, and the mass were said.")
+            format!("The motion determined the ratios of the moments. The greatest moment, {greatest:?} kg m^2, and the mass were stated.")
         });
-        comments.push("Where the centre of mass is does not show: it is put into the origin.".to_owned());
+        comments.push(
+            "Free motion does not determine the centre of mass; it is placed at the origin.".to_owned(),
+        );
         let inertia = core::array::from_fn(|k| greatest * tumble.estimate.numbers[k].value);
         let part = BodyPart { comments, name: "body", mass, center: [0.0; 3], inertia };
         Ok(part.to_toml() + &self.flown().unwrap_or_default())
@@ -127,7 +130,7 @@ impl TumbleReport {
         let [x, y, z] = flight.state.omega.to_array();
         let turns = TURNS * core::f64::consts::TAU / flight.state.omega.norm();
         Some(format!(
-            "\n# As {} begins\n[start]\nspin = {{ body = [{x:?}, {y:?}, {z:?}] }}\n\n[run]\nduration = {turns:.3}\nsamples = 1001\n",
+            "\n# Initial state of {}\n[start]\nspin = {{ body = [{x:?}, {y:?}, {z:?}] }}\n\n[run]\nduration = {turns:.3}\nsamples = 1001\n",
             printable(&flight.name)
         ))
     }
@@ -150,14 +153,14 @@ impl TumbleReport {
         if left_out > 0 {
             say(
                 "identify.outliers",
-                format!("{left_out} of {} readings were left out as outliers", left_out + used),
+                format!("discarded {left_out} of {} readings as outliers", left_out + used),
             );
         }
         let p = &self.found.principal;
         if p.thickness_sd.is_some_and(|sd| p.thickness < sd) {
             say(
                 "identify.lamina",
-                "within its error the body is a lamina: i1 + i2 = i3, the edge of what is possible"
+                "within its error the body is a lamina (i1 + i2 = i3), the limit of physical bodies"
                     .to_owned(),
             );
         }
@@ -173,25 +176,25 @@ impl TumbleReport {
     }
 
     fn body(&self) -> Section {
-        let mut s = Section::new(2, "The body");
+        let mut s = Section::new(2, "Parameters");
         s.formula("I ω̇ = I ω × ω + N", "I \\dot\\omega = I \\omega \\times \\omega + N");
         let unit = self.found.scale_is_known.then_some("kg·m²");
         estimate::principal(&mut s, &self.found.principal, unit);
         if let Some([small, middle]) = self.found.left_handed_ratios() {
             s.say(format!(
-                "The axes of the gyro are taken for right-handed. Free motion does not show it: with one reversed, i1/i3 = {} and i2/i3 = {}.",
+                "The gyro's axes are assumed to be right-handed; free motion cannot verify it. With one axis reversed, i1/i3 = {} and i2/i3 = {}.",
                 number(small, 4),
                 number(middle, 4)
             ));
         }
-        s.say("The tensor along the axes of the sensor, and what else was found:");
+        s.say("Inertia tensor along the sensor's axes, and the other estimated parameters:");
         estimate::table(&mut s, &self.found.estimate.numbers);
         estimate::relations(&mut s, &self.found.estimate);
         s
     }
 
     fn left(&self) -> Section {
-        let mut s = Section::new(3, "What is left");
+        let mut s = Section::new(3, "Residuals");
         estimate::residuals(&mut s, &self.found.residuals);
         if let Some(scatter) = self.worst().and_then(|flight| self.scatter(flight)) {
             s.draw(Drawing::Scatter(scatter));
@@ -214,7 +217,7 @@ impl TumbleReport {
             points: of.iter().enumerate().map(|(k, r)| [(k + 1) as f64, r[i]]).collect(),
         };
         (of.len() > 2).then(|| Scatter {
-            title: format!("What is left of {}, the flight that fits worst", printable(&flight.name)),
+            title: format!("Residuals of {}, the flight with the worst fit", printable(&flight.name)),
             across: ["reading", "1"],
             up: ["measured − predicted", if is_gyro { "rad/s" } else { "rad" }],
             series: vec![series(0), series(1), series(2)],
@@ -224,7 +227,7 @@ impl TumbleReport {
     }
 
     fn each(&self) -> Section {
-        let mut s = Section::new(4, "Flight by flight");
+        let mut s = Section::new(4, "Flights");
         let row = |flight: &FlightFit| {
             let [x, y, z] = flight.state.omega.to_array();
             let omega = [x, y, z].map(|w| number(w, 5)).join(", ");
@@ -238,10 +241,10 @@ impl TumbleReport {
             ]
         };
         let headers =
-            ["flight", "readings", "left out", "ω at its start (rad/s)", "left (rad/s, rms)", "χ²/dof"];
+            ["flight", "readings", "discarded", "initial ω (rad/s)", "rms residual (rad/s)", "reduced χ²"];
         s.table(&headers, self.found.flights.iter().take(SHOWN).map(row).collect());
         if let Some(more) = self.found.flights.len().checked_sub(SHOWN + 1) {
-            s.say(format!("{} more are in the JSON.", more + 1));
+            s.say(format!("--json lists {} more.", more + 1));
         }
         s
     }
@@ -267,15 +270,15 @@ impl Named for NextFlight {
                 .collect()
         };
         let about = match named(0.9)[..] {
-            [ref axis] => format!("about 10° off axis {axis}"),
-            _ => format!("between the axes {}", named(0.3).join(", ")),
+            [ref axis] => format!("about a direction 10° from axis {axis}"),
+            _ => format!("about a direction between axes {}", named(0.3).join(", ")),
         };
         format!("a flight {about}")
     }
 
     fn details(&self) -> Option<String> {
         let omega = self.omega.map(|w| number(w, 3)).join(", ");
-        Some(format!("ω = ({omega}) rad/s at its start, and all else as in “{}”", printable(&self.like)))
+        Some(format!("initial ω = ({omega}) rad/s, otherwise as “{}”", printable(&self.like)))
     }
 
     fn to_json(&self) -> Value {

@@ -126,7 +126,7 @@ fn slope(family: &Family, decay: Decay, clock: Clock, state: &[f64]) -> Result<V
         "an amplitude, rad",
         amplitude,
         amplitude > 0.0 && amplitude <= 1.1 * family.most,
-        "above zero, and within what was computed",
+        "above zero, and within the computed range",
     )?;
     let at = family.at(amplitude);
     let rate = family.rate(&at);

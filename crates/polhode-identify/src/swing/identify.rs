@@ -97,8 +97,7 @@ fn start(plan: &SwingPlan, swings: &Swings) -> Result<Vec<f64>, IdentifyError> {
     }
     let mass = plan.measured()[MASS].value;
     let mut best: Option<(f64, Vec<f64>)> = None;
-    let mut refused =
-        IdentifyError::NotFinite { quantity: "the misfit of every radius of gyration that was tried" };
+    let mut refused = IdentifyError::NotFinite { quantity: "the misfit of every tried radius of gyration" };
     for step in 0..SIZES {
         let radius = SMALLEST * libm::pow(LARGEST / SMALLEST, f64::from(step) / f64::from(SIZES - 1));
         shared[tensor..tensor + 3].fill(mass * radius * radius);
@@ -133,9 +132,7 @@ fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingE
         let left = residuals(swings, solution, k + 1)?;
         let share = solution.found_by(k + 1, &found);
         let (what, noise) = match &test.measurement {
-            Measurement::Counted(_) => {
-                ("times and amplitudes of counted swings, in standard deviations", 1.0)
-            }
+            Measurement::Counted(_) => ("times and amplitudes of counted swings, normalized", 1.0),
             Measurement::Logged(logged) if logged.signal == Signal::Angle => ("angle", logged.sd),
             Measurement::Logged(logged) => ("rate", logged.sd),
         };
@@ -205,7 +202,7 @@ impl Together {
     fn test(&self) -> Option<ResidualTest> {
         (self.runs.len() as f64 > self.found + 0.5).then(|| {
             ResidualTest::of(
-                "counted swings and measured numbers, in standard deviations",
+                "counted swings and measured inputs, normalized",
                 Noise::told(1.0),
                 self.found,
                 &self.runs,

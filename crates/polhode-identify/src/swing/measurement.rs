@@ -171,28 +171,23 @@ impl Counted {
         for interval in &self.intervals {
             let Interval { from, to, time, sd } = *interval;
             IdentifyError::require(
-                "the count at which an interval begins",
+                "the swing count at the beginning of an interval",
                 from,
                 from >= 0.0 && from.fract() == 0.0,
                 "a whole number of swings, zero or more",
             )?;
             IdentifyError::require(
-                "the count at which an interval ends",
+                "the swing count at the end of an interval",
                 to,
                 to > from && to.fract() == 0.0,
-                "a whole number of swings, beyond its beginning",
+                "a whole number of swings, after its beginning",
             )?;
             IdentifyError::above_zero("the time of counted periods", time)?;
             deviation("the standard deviation of a time", sd)?;
         }
         for reading in &self.amplitudes {
             let AmplitudeReading { at, amplitude, sd } = *reading;
-            IdentifyError::require(
-                "the count at which an amplitude was read",
-                at,
-                at >= 0.0,
-                "zero or more",
-            )?;
+            IdentifyError::require("the swing count of an amplitude reading", at, at >= 0.0, "zero or more")?;
             IdentifyError::above_zero("an amplitude", amplitude)?;
             deviation("the standard deviation of an amplitude", sd)?;
         }
@@ -225,7 +220,12 @@ impl Logged {
         at_least("times of a log", self.times.len(), self.values.len())?;
         deviation("the standard deviation of a log's values", self.sd)?;
         for pair in self.times.windows(2) {
-            IdentifyError::require("a time of a log", pair[1], pair[1] > pair[0], "after the one before")?;
+            IdentifyError::require(
+                "a time of a log",
+                pair[1],
+                pair[1] > pair[0],
+                "later than the previous one",
+            )?;
         }
         for &value in &self.values {
             IdentifyError::require("a value of a log", value, value.is_finite(), "finite")?;
@@ -236,7 +236,7 @@ impl Logged {
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
         let middle = 0.5 * (low + high);
         let crossings = self.crossings(middle, 0.25 * (high - low));
-        at_least("passages of the middle in a log", crossings.len(), 4)?;
+        at_least("passages through the middle position in a log", crossings.len(), 4)?;
         let n = crossings.len() as f64;
         let mean = crossings.iter().sum::<f64>() / n;
         let (mut squares, mut products) = (0.0, 0.0);

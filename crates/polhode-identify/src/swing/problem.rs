@@ -70,7 +70,7 @@ impl<'a> Swings<'a> {
                 "an amplitude, rad",
                 seen,
                 seen > 0.0 && seen <= most,
-                "above zero, and 1.75 at most on wires and 2.97 about an axis",
+                "above zero, and at most 1.75 on wires or 2.97 about an axis",
             )?;
             let amplitudes = Amplitudes::up_to((ROOM * seen).max(LEAST).min(most));
             tests.push(Prepared {

@@ -36,7 +36,7 @@ pub(crate) fn tensor_with_scale(flights: &[Flight]) -> Result<[f64; 6], Identify
     let (of_a, of_b) = (of(&|flight| flight.added() == a)?, of(&|flight| flight.added() == b)?);
     let difference: [f64; 6] = core::array::from_fn(|k| b[k] - a[k]);
     let columns = DMatrix::from_fn(6, 2, |i, k| if k == 0 { of_b[i] } else { -of_a[i] });
-    let Svd { u, values, v_t } = svd("the first tensors of two bodies", columns)?;
+    let Svd { u, values, v_t } = svd("the initial tensors of two bodies", columns)?;
     let mut along = u.tr_mul(&DVector::from_row_slice(&difference));
     for (x, s) in along.iter_mut().zip(&values) {
         *x = if *s > f64::EPSILON { *x / s } else { 0.0 };
@@ -99,7 +99,7 @@ pub(super) fn tensor(flights: &[Rates]) -> Result<[f64; 6], IdentifyError> {
     let size = if square.trace() > 0.0 { square.trace() } else { 1.0 };
     let hold = SPHERE * size / 6.0;
     let damped = &square + DMatrix::identity(6, 6) * hold;
-    let solved = lu("the normal matrix of the first tensor", damped)?.solve(&(-&square * &sphere));
+    let solved = lu("the normal matrix of the initial tensor", damped)?.solve(&(-&square * &sphere));
     let x = solved.unwrap_or_else(|| DVector::zeros(6));
     let found = sphere + x;
     let trace = found[0] + found[1] + found[2];

@@ -37,7 +37,7 @@ impl fmt::Display for Flaw {
                 let axis = ["x", "y", "z"].get(*axis).copied().unwrap_or_default();
                 write!(
                     f,
-                    "the gyro's {axis} is at its limit, {limit:.4} rad/s ({:.1} deg/s), in {count} readings, the first at {time:.3} s ({flight}): they were not used",
+                    "gyro axis {axis} is saturated at {limit:.4} rad/s ({:.1} deg/s) in {count} readings, the first at {time:.3} s ({flight}): these readings were not used",
                     limit.to_degrees()
                 )
             }
@@ -46,13 +46,16 @@ impl fmt::Display for Flaw {
             }
             Self::Hand { flight, free, given } => {
                 let [begins, ends] = [free[0] > given[0], free[1] < given[1]];
-                write!(f, "{flight} is no free motion ")?;
+                write!(f, "{flight} is not free motion ")?;
                 match (begins, ends) {
                     (true, true) => write!(f, "before {:.3} and after {:.3} s", free[0], free[1])?,
                     (true, false) => write!(f, "before {:.3} s", free[0])?,
                     _ => write!(f, "after {:.3} s", free[1])?,
                 }
-                write!(f, ": something else turns the body there, as a hand does; end the flight before")
+                write!(
+                    f,
+                    ": an external torque, such as of a hand, acts on the body there; shorten the flight with from and to"
+                )
             }
         }
     }

@@ -68,7 +68,7 @@ impl Flight {
         }
         for reading in &gyro {
             for value in reading.omega.to_array() {
-                IdentifyError::require("a component of a gyro's reading", value, true, "a number")?;
+                IdentifyError::require("a component of a gyro reading", value, true, "a number")?;
             }
         }
         ascending(gyro.iter().map(|reading| reading.time))?;
@@ -174,7 +174,7 @@ impl Flight {
 fn ascending(times: impl Iterator<Item = f64>) -> Result<(), IdentifyError> {
     let mut previous = f64::NEG_INFINITY;
     for time in times {
-        IdentifyError::require("a time of a flight", time, time > previous, "later than the one before")?;
+        IdentifyError::require("a time of a flight", time, time > previous, "later than the previous one")?;
         previous = time;
     }
     Ok(())

@@ -81,10 +81,10 @@ fn identified(flights: &[Flight], options: &TumbleOptions) -> Result<Tumble, Ide
     let given: usize = flights.iter().map(|f| CHANNELS * (f.gyro().len() + f.attitudes().len())).sum();
     let needed = 7 + gyro.count() + if options.drag.is_some() { 6 } else { 0 } + flights.len() * 3;
     if given < needed {
-        return Err(IdentifyError::TooFew { what: "measured numbers in flights", given, needed });
+        return Err(IdentifyError::TooFew { what: "measured values in flights", given, needed });
     }
     let positive = |what, value: f64| IdentifyError::require(what, value, value > 0.0, "positive");
-    positive("the limit of outliers", options.outlier)?;
+    positive("the outlier threshold", options.outlier)?;
     let attitude_noise = match options.attitude_noise {
         None if has_attitudes => return Err(IdentifyError::Missing { what: "the noise of the attitudes" }),
         noise => noise.unwrap_or(1.0),
@@ -189,7 +189,9 @@ fn gyro_noise(flights: &[Flight], options: &TumbleOptions) -> Result<Noise, Iden
         .collect();
     match noise(&channels) {
         Some(noise) if noise.deviation > 0.0 => Ok(noise),
-        _ => Err(IdentifyError::Missing { what: "the gyro's noise (the readings do not show it)" }),
+        _ => Err(IdentifyError::Missing {
+            what: "the gyro's noise (it cannot be estimated from these readings)",
+        }),
     }
 }
 

@@ -89,7 +89,7 @@ impl Flown<'_> {
         if decay <= HEAVIEST {
             Ok(())
         } else {
-            Err(IdentifyError::NotFinite { quantity: "the rate after so much drag" })
+            Err(IdentifyError::NotFinite { quantity: "the rate under this drag" })
         }
     }
 

@@ -100,9 +100,9 @@ pub(super) fn require_fine(flights: &[Flight]) -> Result<(), IdentifyError> {
         let rates: f64 = flight.gyro().iter().map(|r| r.omega.norm()).sum();
         let readings = flight.gyro().len() as f64;
         let turn = rates / readings * (to - from) / (readings - 1.0);
-        let rule = "less than π: are the times in s, or the rates in rad/s?";
+        let rule = "less than π; check that times are in s and rates in rad/s";
         IdentifyError::require(
-            "the turn from reading to reading, rad,",
+            "the rotation from one reading to the next, rad,",
             turn,
             turn < core::f64::consts::PI,
             rule,

@@ -14,7 +14,7 @@ use crate::swing::{Damping, Logged, Signal};
 
 const ANGLE: Quantity = Quantity {
     key: "angle",
-    what: "the angle",
+    what: "angle",
     dimension: Dimension::ANGLE,
     axes: &[""],
     names: &["angle", "theta", "twist"],
@@ -22,7 +22,7 @@ const ANGLE: Quantity = Quantity {
 };
 const RATE: Quantity = Quantity {
     key: "rate",
-    what: "the rate",
+    what: "rate",
     dimension: Dimension::ANGULAR_VELOCITY,
     axes: &[""],
     names: &["rate", "omega", "gyro"],
@@ -42,15 +42,19 @@ pub(crate) fn logged(value: &Value<'_>) -> Result<(Logged, Option<ReadLog>), For
         "angle" => (Signal::Angle, &ANGLE),
         _ => (Signal::Rate, &RATE),
     };
-    let sd = table.require("sd", "sd = \"0.2 deg\", or \"0.01 rad/s\" of a rate: of each value")?;
+    let sd = table.require(
+        "sd",
+        "sd = \"0.2 deg\", or \"0.01 rad/s\" for a rate; the standard deviation of each value",
+    )?;
     let sd = sd.positive(quantity.dimension)?;
     let damping = table.get("damping").map_or(Ok(Damping::Viscous), |value| damping(&value))?;
-    let given = table.at_most_one(&["log", "times"], "a log is a file, or in the plan")?;
+    let given =
+        table.at_most_one(&["log", "times"], "a log is either a file (log) or part of the plan (times)")?;
     if let Some(times) = given.as_ref().filter(|given| given.key() == "times") {
         if let Some(key) = OF_FILE.into_iter().find_map(|key| table.get(key)) {
             return Err(key
-                .invalid("left out: it is of a file")
-                .with_hint("leave it out, or write log = \"swing.csv\""));
+                .invalid("omitted: it applies to a log file")
+                .with_hint("remove it, or write log = \"swing.csv\""));
         }
         let (times, values) = lists(times, &table, quantity)?;
         return Ok((Logged { times, values, sd, signal, damping }, None));
@@ -58,8 +62,8 @@ pub(crate) fn logged(value: &Value<'_>) -> Result<(Logged, Option<ReadLog>), For
     let values = table.get("values");
     if let Some(values) = values.filter(|_| given.is_some()) {
         return Err(values
-            .invalid("left out: the log is a file")
-            .with_hint("leave it out, or write times = [...] in place of the file"));
+            .invalid("omitted: the log is a file")
+            .with_hint("remove it, or write times = [...] instead of the file"));
     }
     let log = table.require("log", "log = \"swing.csv\", with time_s and angle_deg or rate_rad_s")?;
     let told = Told {
@@ -81,7 +85,7 @@ pub(crate) fn logged(value: &Value<'_>) -> Result<(Logged, Option<ReadLog>), For
         },
     )?;
     if let (true, Some(value)) = (times.is_empty(), table.get("from").or_else(|| table.get("to"))) {
-        return Err(value.invalid("inside the log: no row is left"));
+        return Err(value.invalid("within the log: it has no row in this interval"));
     }
     Ok((Logged { times, values, sd, signal, damping }, Some(read)))
 }
@@ -97,17 +101,13 @@ fn lists(
     for time in times.elements("times")? {
         let at = time.quantity(Dimension::TIME)?;
         if ascending.last().is_some_and(|&last| at <= last) {
-            return Err(time.invalid("after the time before"));
+            return Err(time.invalid("later than the previous time"));
         }
         ascending.push(at);
     }
     let each = values.elements("values of the signal")?;
     if each.len() != ascending.len() {
-        return Err(values.invalid(format!(
-            "as many as there are times: {}, not {}",
-            ascending.len(),
-            each.len()
-        )));
+        return Err(values.invalid(format!("as many as the times: {}, not {}", ascending.len(), each.len())));
     }
     let values = each.iter().map(|value| value.quantity(signal.dimension)).collect::<Result<_, _>>()?;
     Ok((ascending, values))

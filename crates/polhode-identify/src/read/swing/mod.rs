@@ -41,7 +41,7 @@ pub(crate) fn plan(table: &Table<'_>, logs: &mut Vec<ReadLog>) -> Result<SwingPl
         let value = test.require("name", "name = \"about x\"")?;
         let name = value.string()?;
         if names.contains(&name) {
-            return Err(value.invalid("another name than that of a test before"));
+            return Err(value.invalid("different from the names of the other tests"));
         }
         names.push(name);
         let made = self::test(&test, name, &mut numbers, logs)?;
@@ -49,7 +49,7 @@ pub(crate) fn plan(table: &Table<'_>, logs: &mut Vec<ReadLog>) -> Result<SwingPl
         numbers.plan.add(made);
     }
     if names.is_empty() {
-        return Err(tests.invalid("one test at least"));
+        return Err(tests.invalid("at least one test"));
     }
     let is_upright = |test: &Table<'_>| Ok(test.require("rig", "")?.string()? == "spindle");
     if let Some(gravity) = table.get("gravity")
@@ -61,7 +61,7 @@ pub(crate) fn plan(table: &Table<'_>, logs: &mut Vec<ReadLog>) -> Result<SwingPl
             .iter()
             .all(|is| *is)
     {
-        return Err(gravity.invalid("left out: the weight has no part in swings about upright axes"));
+        return Err(gravity.invalid("omitted: the weight has no effect on swings about vertical axes"));
     }
     numbers.all_used()?;
     Ok(numbers.plan)
@@ -85,10 +85,10 @@ fn test<'a>(
     let (rig, body) = rig::rig(table, name, numbers)?;
     let fixture = rig::fixture(table, name, numbers)?;
     if let (None, None, Some(value)) = (&body, &fixture, table.get("body")) {
-        return Err(value.invalid("true, or something else hangs there: fixture = { ... }"));
+        return Err(value.invalid("true, unless the test has a fixture = { ... }"));
     }
     let air = rig::air(table, name, numbers)?;
-    let given = table.at_most_one(&["counted", "logged"], "a test has counted swings, or a log")?;
+    let given = table.at_most_one(&["counted", "logged"], "a test has either counted swings or a log")?;
     if let Some(logged) = given.filter(|given| given.key() == "logged") {
         let (logged, read) = log::logged(&logged)?;
         logs.extend(read);
@@ -114,7 +114,7 @@ fn counted(value: &Value<'_>) -> Result<Counted, FormatError> {
     let swings = counted.positive(Dimension::NONE)?;
     if swings.fract() != 0.0 || swings > MOST_SWINGS {
         let rule = "a whole number of swings, up to a billion";
-        return Err(counted.invalid(rule).with_hint("count whole swings, to and fro"));
+        return Err(counted.invalid(rule).with_hint("count full periods, to and fro"));
     }
     let time =
         table.require("time", "time = \"31.42 s\", of all swings together")?.positive(Dimension::TIME)?;
@@ -131,8 +131,8 @@ fn counted(value: &Value<'_>) -> Result<Counted, FormatError> {
         Damping::Both => 3,
     };
     if amplitudes.len() < needed {
-        let error = given.invalid(format!("{needed} amplitudes at least: they show the damping"));
-        return Err(error.with_hint("without damping that matters one will do: damping = \"none\""));
+        let error = given.invalid(format!("at least {needed} amplitudes, to determine the damping"));
+        return Err(error.with_hint("if damping is negligible, one is enough: damping = \"none\""));
     }
     let intervals = vec![Interval { from: 0.0, to: swings, time, sd: time_sd }];
     Ok(Counted { intervals, amplitudes, damping })
@@ -161,19 +161,21 @@ fn amplitudes(value: &Value<'_>, swings: f64, sd: f64) -> Result<Vec<AmplitudeRe
         [first, last] if first.table().is_err() && last.table().is_err() => {
             return Ok(vec![reading(0.0, first)?, reading(swings, last)?]);
         }
-        [] => return Err(value.invalid("one amplitude at least")),
+        [] => return Err(value.invalid("at least one amplitude")),
         _ => {}
     }
     let one = |element: &Value<'_>| {
         let table = element.table().map_err(|error| {
-            error.with_hint("two are those at the beginning and at the end; of others say when: { after = 10, value = \"11 deg\" }")
+            error.with_hint("two amplitudes are at the beginning and at the end; for others, state the count: { after = 10, value = \"11 deg\" }")
         })?;
         table.allow(&["after", "value"])?;
         let after = table.require("after", "after = 10, in swings")?;
         let at = after.number()?;
         if !(at >= 0.0 && (2.0 * at).fract() == 0.0) {
             let rule = "a number of whole or half swings, zero or more";
-            return Err(after.invalid(rule).with_hint("amplitudes are read where the swing turns"));
+            return Err(after
+                .invalid(rule)
+                .with_hint("amplitudes are read at the turning points of the swing"));
         }
         reading(at, &table.require("value", "value = \"11 deg\"")?)
     };

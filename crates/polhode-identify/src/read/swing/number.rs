@@ -27,7 +27,7 @@ pub(crate) fn measured(value: &Value<'_>, dimension: Dimension) -> Result<Measur
     let is_plausible = measured.value.abs() <= LARGEST && !(measured.sd.is_finite() && measured.sd > LARGEST);
     match is_plausible {
         true => Ok(measured),
-        false => Err(value.invalid("at most 1e12 in SI: the equations of the rig overflow")),
+        false => Err(value.invalid("at most 1e12 in SI units; otherwise the equations of the rig overflow")),
     }
 }
 
@@ -37,20 +37,18 @@ const LARGEST: f64 = 1e12;
 fn read(value: &Value<'_>, dimension: Dimension) -> Result<Measured, FormatError> {
     let Ok(table) = value.table() else { return Ok(Measured::exact(value.quantity(dimension)?)) };
     table.allow(&["value", "sd", "about"])?;
-    table.at_most_one(&["about", "sd"], "a number that is to be found has no standard deviation")?;
-    match table.at_most_one(&["value", "about"], "a number is measured, or to be found")? {
+    table.at_most_one(&["about", "sd"], "an unknown number has no standard deviation")?;
+    match table.at_most_one(&["value", "about"], "a number is either measured (value) or unknown (about)")? {
         Some(about) if about.key() == "about" => Ok(Measured::unknown(about.quantity(dimension)?)),
         Some(number) => {
             let sd = table.require(
                 "sd",
-                "sd = \"1 mm\", in the unit's dimension; or write the number alone: it is exact",
+                "sd = \"1 mm\", in a unit of the same kind; or write only the value if it is exact",
             )?;
             Ok(Measured::new(number.quantity(dimension)?, sd.positive(dimension)?))
         }
-        None => Err(table.missing(
-            "value",
-            "value = \"0.2 m\", sd = \"0.5 mm\"; or about = \"0.2 m\" of what is to be found",
-        )),
+        None => Err(table
+            .missing("value", "value = \"0.2 m\", sd = \"0.5 mm\"; or about = \"0.2 m\" if it is unknown")),
     }
 }
 
@@ -76,9 +74,8 @@ impl<'a> Numbers<'a> {
             let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic())
                 && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
             if !is_name || OWN.contains(&name) {
-                let rule =
-                    "called by a letter, then letters, digits, _ or -, and not as the body's own numbers";
-                return Err(value.invalid(rule).with_hint(format!("call \"{name}\" something else")));
+                let rule = "made of a letter, then letters, digits, _ or -, and different from the body's own parameters";
+                return Err(value.invalid(rule).with_hint(format!("rename \"{name}\"")));
             }
             let (dimension, unit) = dimension_of(&value)?;
             let id = numbers.plan.number(name, unit, measured(&value, dimension)?);
@@ -92,7 +89,7 @@ impl<'a> Numbers<'a> {
         match self.named.iter().find(|named| !named.is_used) {
             Some(Named { name, value, .. }) => Err(value
                 .invalid("used in a test")
-                .with_hint(format!("write \"{name}\" where a test has it, or leave it out"))),
+                .with_hint(format!("write \"{name}\" in a test that uses this number, or remove it"))),
             None => Ok(()),
         }
     }
@@ -184,12 +181,12 @@ impl<'a> Numbers<'a> {
             return Err(match nearest(name, names) {
                 Some(near) => error.with_hint(format!("did you mean \"{near}\"?")),
                 None => error
-                    .with_hint(format!("define it: {name} = {{ value = …, sd = … }} below [swing.numbers]")),
+                    .with_hint(format!("define it under [swing.numbers]: {name} = {{ value = …, sd = … }}")),
             });
         };
         if named.dimension != dimension {
             let rule = format!("{dimension}: {name} is {}", named.dimension);
-            return Err(value.invalid(rule).with_hint("a number has one unit wherever it is used"));
+            return Err(value.invalid(rule).with_hint("a shared number has the same dimension in all tests"));
         }
         named.is_used = true;
         Ok(named.id)
@@ -217,16 +214,14 @@ fn dimension_of(value: &Value<'_>) -> Result<(Dimension, &'static str), FormatEr
         return if number.table().is_ok() {
             Err(measured(value, Dimension::LENGTH).err().unwrap_or_else(|| value.invalid("a number")))
         } else {
-            Err(number
-                .invalid("a string with a unit, which says what the number is")
-                .with_hint("write \"0.2 m\""))
+            Err(number.invalid("a string with a unit").with_hint("write \"0.2 m\""))
         };
     };
     let (_, found) = unit::measured(text).map_err(|error| number.error(FormatErrorKind::Unit(error)))?;
     UNITS.into_iter().find(|(dimension, _)| *dimension == found).ok_or_else(|| {
         number
             .invalid("a length, a stiffness (N m/rad), a mass or a moment of inertia")
-            .with_hint("nothing else of a rig is a number that tests share")
+            .with_hint("tests share no other kinds of numbers")
     })
 }
 
@@ -235,6 +230,6 @@ pub(crate) fn unit_vector(value: &Value<'_>) -> Result<[f64; 3], FormatError> {
     let given: Direction<polhode::math::Body> = Direction::from_array(value.numbers()?);
     match given.direction() {
         Some(unit) => Ok(unit.to_array()),
-        None => Err(value.invalid("a direction: not all zero").with_hint("write [0, 0, 1]")),
+        None => Err(value.invalid("a direction that is not zero").with_hint("write [0, 0, 1]")),
     }
 }

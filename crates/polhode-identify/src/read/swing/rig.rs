@@ -57,7 +57,7 @@ pub(crate) fn rig<'a>(
         (true, false) => Some(Placement::AS_IT_IS),
         (false, _) => {
             if let Some(value) = PLACE.iter().find_map(|key| test.get(key)) {
-                return Err(value.invalid("of a test with the body: this one has body = false"));
+                return Err(value.invalid("used in a test with the body; this one has body = false"));
             }
             None
         }
@@ -70,7 +70,7 @@ fn radii<'a>(
     name: &str,
     numbers: &mut Numbers<'a>,
 ) -> Result<(Linear, Linear), FormatError> {
-    let rule = "wires are at one distance from the middle, or at two: above and below";
+    let rule = "wires have either one distance from the middle (radius), or two (above and below)";
     test.at_most_one(&["radius", "above"], rule)?;
     test.at_most_one(&["radius", "below"], rule)?;
     let mut at =
@@ -82,7 +82,7 @@ fn radii<'a>(
     }
     match (test.get("above"), test.get("below")) {
         (None, None) => {
-            Err(test.missing("radius", "radius = \"r\", with r below [swing.numbers], or \"0.2 m\""))
+            Err(test.missing("radius", "radius = \"r\", with r under [swing.numbers], or \"0.2 m\""))
         }
         (None, Some(_)) => Err(test.missing("above", "above = \"0.2 m\"")),
         (Some(_), None) => Err(test.missing("below", "below = \"0.2 m\"")),
@@ -91,7 +91,7 @@ fn radii<'a>(
 }
 
 fn length<'a>(table: &Table<'a>, name: &str, numbers: &mut Numbers<'a>) -> Result<Linear, FormatError> {
-    let length = table.require("length", "length = \"l\", with l below [swing.numbers], or \"1.5 m\"")?;
+    let length = table.require("length", "length = \"l\", with l under [swing.numbers], or \"1.5 m\"")?;
     numbers.linear(&length, Dimension::LENGTH, &format!("{name}: length"))
 }
 
@@ -161,7 +161,7 @@ fn placement(test: &Table<'_>, kind: &str) -> Result<Placement, FormatError> {
     let given = unit_vector(&across)?;
     let along: f64 = given.iter().zip(&up).map(|(a, b)| a * b).sum();
     if along.abs() > 1e-6 {
-        return Err(across.invalid("at a right angle to up"));
+        return Err(across.invalid("perpendicular to up"));
     }
     let x: [f64; 3] = core::array::from_fn(|k| given[k] - along * up[k]);
     placed(up, x, test)
@@ -201,10 +201,10 @@ pub(crate) fn hangs(test: &Table<'_>, made: &SwingTest, center: [Measured; 3]) -
     }
     let place = test.get("point").unwrap_or(rig);
     let rule = format!(
-        "where two wires hold a body that hangs: its centre is {:.3} mm above their lower ends",
+        "such that the body hangs from the two wires: its centre of mass is {:.3} mm above their lower ends",
         1e3 * height
     );
-    let hint = "point is the point of the body between the lower ends, along the body's axes, and up points from its centre to there";
+    let hint = "point is the point of the body midway between the lower wire ends, in body axes; up points from the centre of mass towards it";
     Err(place.invalid(rule).with_hint(hint))
 }
 
@@ -241,7 +241,7 @@ pub(crate) fn air<'a>(test: &Table<'a>, name: &str, numbers: &mut Numbers<'a>) -
         return Err(table.missing("moment", "moment = \"1e-5 kg m^2\", or displaced = \"2 g\""));
     }
     if let (Some(displaced), "spindle") = (table.get("displaced"), test.require("rig", "")?.string()?) {
-        return Err(displaced.invalid("left out: the weight has no part in the swing about an upright axis"));
+        return Err(displaced.invalid("omitted: the weight has no effect on the swing about a vertical axis"));
     }
     let name = format!("{name}: air");
     Ok(Air {

@@ -109,7 +109,7 @@ impl Held {
         let [a, b, w, k] = [0, 1, 2, 3].map(|k| quantities[k].value);
         let (inertia, stiffness) = (a - 2.0 * b, w + k);
         IdentifyError::above_zero("the moment of inertia about the axis", inertia)?;
-        IdentifyError::above_zero("what turns it back, N·m/rad", stiffness)?;
+        IdentifyError::above_zero("the restoring stiffness, N·m/rad", stiffness)?;
         let rest = Rest { u: vec![0.0], mode: vec![1.0], rate: (stiffness / inertia).sqrt() };
         Ok(Self { quantities, rest })
     }

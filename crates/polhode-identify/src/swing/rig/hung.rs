@@ -81,7 +81,7 @@ impl Hung {
         if self.wires == 1 {
             let distance = bottom(0).norm();
             IdentifyError::require(
-                "the distance of the centre of mass from where one wire holds",
+                "the distance of the centre of mass from the attachment of the wire",
                 distance,
                 distance > ON_LINE * length,
                 "above zero",
@@ -91,7 +91,7 @@ impl Hung {
             return Ok(None);
         }
         let along = bottom(1) - bottom(0);
-        IdentifyError::above_zero("the distance of two wires", along.norm())?;
+        IdentifyError::above_zero("the distance between two wires", along.norm())?;
         let n = along / along.norm();
         let is_neutral = n.cross(&bottom(0)).norm() <= ON_LINE * length;
         Ok(is_neutral.then(|| n.into()))
@@ -127,10 +127,10 @@ impl Hung {
             if far < 1e-13 {
                 self.check(&u)?;
                 IdentifyError::require(
-                    "the cosine of half the angle between the rig at rest and as it was described",
+                    "the cosine of half the angle between the rig at rest and the described rig",
                     u[3],
                     u[3] >= AS_DESCRIBED,
-                    "0.966 at least",
+                    "at least 0.966",
                 )?;
                 return Ok(u);
             }
@@ -178,21 +178,21 @@ impl Hung {
         let share = |k: usize| about_axis * shapes[(5, k)] * shapes[(5, k)];
         let best = (0..free).max_by(|&a, &b| share(a).total_cmp(&share(b))).unwrap_or(0);
         IdentifyError::require(
-            "the part of the twist in the motion that is most a twist",
+            "the share of twist in the mode closest to a twist",
             share(best),
             share(best) >= TWIST,
-            "0.6 at least: otherwise it is as much a sway",
+            "at least 0.6; otherwise the mode is as much a sway",
         )?;
         let square = modes.eigenvalues[best];
-        IdentifyError::above_zero("the square of the twist's rate at rest", square)?;
+        IdentifyError::above_zero("the squared frequency of small twists", square)?;
         // Two wires let a body roll about the line of their lower ends, almost freely if its centre
         // is close to the line.
         let least = modes.eigenvalues.min() / square;
         IdentifyError::require(
-            "the square of the rate of a small motion besides the twist, over the twist's",
+            "the squared frequency of another small motion, relative to that of the twist,",
             least,
             least >= if self.wires == 2 { -NEARLY_FREE } else { -1e-9 },
-            "zero or more: where the body is described it would turn over, its centre is too high for these wires",
+            "zero or more: in the described position the body would turn over, because its centre of mass is too high for these wires",
         )?;
         let mut mode = vec![0.0; n];
         (0..3).for_each(|k| mode[k] = shapes[(k, best)]);
@@ -358,7 +358,7 @@ impl Oscillator for Hung {
                 "the tension of a wire",
                 tension,
                 tension > 0.0,
-                "above zero: a wire that is slack holds nothing",
+                "above zero; a slack wire carries no load",
             )?;
         }
         Ok(())

@@ -97,9 +97,9 @@ pub(in super::super) fn all_of<'a>(
 ) -> Result<(), IdentifyError> {
     let wrong = all.into_iter().filter(|linear| !linear.is_of(count)).count();
     IdentifyError::require(
-        "how many quantities of a rig are not finite, or made of another plan's numbers",
+        "the number of rig quantities that are not finite or refer to another plan",
         wrong as f64,
         wrong == 0,
-        "none",
+        "zero",
     )
 }

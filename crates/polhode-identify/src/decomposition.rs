@@ -92,7 +92,7 @@ mod tests {
             assert_eq!(lu(name, matrix.clone()).err(), Some(error.clone()));
             assert_eq!(symmetric_eigen(name, matrix.clone()).err(), Some(error.clone()));
             assert_eq!(cholesky(name, matrix).err(), Some(error.clone()));
-            assert_eq!(error.to_string(), "the test matrix is not finite");
+            assert_eq!(error.to_string(), "the test matrix is NaN or infinite");
         }
         let finite = DMatrix::from_row_slice(2, 2, &[2.0, 0.3, 0.3, 1.0]);
         let Svd { u, values, v_t } = svd("the test matrix", finite.clone()).unwrap();

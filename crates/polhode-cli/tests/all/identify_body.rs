@@ -32,7 +32,7 @@ fn a_body_that_was_swung_is_a_scenario() {
     near(&[read.body().mass(), c[0], c[1], c[2]], &["mass", "center x", "center y", "center z"].map(of));
     for flag in [["--mass", "3 kg"], ["--greatest-moment", "0.05 kg m^2"]] {
         let error = refused(&scratch.run(&["identify", &plan, "--body", flag[0], flag[1]]), 2);
-        assert!(error.contains(&format!("{} has nothing to say", flag[0])), "{error}");
+        assert!(error.contains(&format!("{} has no effect", flag[0])), "{error}");
     }
 }
 
@@ -42,13 +42,18 @@ fn a_body_that_was_thrown_is_one_of_the_size_that_is_said() {
     let plan = example("identify/racket-like.toml");
     let with = |flags: &[&str]| scratch.run(&[&["identify", &plan, "--body"], flags].concat());
     let error = refused(&with(&["--mass", "350 g"]), 2);
-    assert!(error.contains("only ratios of moments") && error.contains("--greatest-moment"), "{error}");
+    assert!(
+        error.contains("only the ratios of the moments") && error.contains("--greatest-moment"),
+        "{error}"
+    );
     let error = refused(&with(&["--greatest-moment", "0.0166 kg m^2"]), 2);
-    assert!(error.contains("does not show the mass") && error.contains("--mass"), "{error}");
+    assert!(error.contains("does not determine the mass") && error.contains("--mass"), "{error}");
     refused(&with(&["--greatest-moment", "-1 kg m^2", "--mass", "350 g"]), 2);
     let text = stdout(&with(&["--greatest-moment", "0.0166 kg m^2", "--mass", "350 g"]));
     assert!(
-        text.contains("# Its motion showed the ratios of the moments. The greatest, 0.0166 kg m^2"),
+        text.contains(
+            "# The motion determined the ratios of the moments. The greatest moment, 0.0166 kg m^2"
+        ),
         "{text}"
     );
     scratch.write("body.toml", &text);
@@ -61,7 +66,7 @@ fn a_body_that_was_thrown_is_one_of_the_size_that_is_said() {
     let scenario = polhode_scenario::read::read(&scratch.0.join("body.toml")).unwrap();
     assert!((scenario.body().mass() - 0.35).abs() < 1e-15);
     let flight = &report["flights"][0];
-    assert!(text.contains(&format!("# As {} begins", flight["name"].as_str().unwrap())), "{text}");
+    assert!(text.contains(&format!("# Initial state of {}\n", flight["name"].as_str().unwrap())), "{text}");
     let omega = numbers(&flight["omega"]);
     assert!(
         text.contains(&format!("spin = {{ body = [{:?}, {:?}, {:?}] }}", omega[0], omega[1], omega[2])),
@@ -87,7 +92,7 @@ fn what_is_not_known_is_no_body() {
     let scratch = Scratch::new("identify-body-unknown");
     scratch.write("plan.toml", ONE_AXIS);
     let error = refused(&scratch.run(&["identify", "plan.toml", "--body"]), 2);
-    assert!(error.contains("what was swung does not determine all of it"), "{error}");
+    assert!(error.contains("the set of swing tests does not determine it completely"), "{error}");
     let report = json(&scratch.run(&["identify", "plan.toml", "--json"]));
     assert_eq!(report["next"]["now"]["unknown"], 5);
     assert_eq!(report["next"]["candidates"][0]["then"]["unknown"], 4);
@@ -95,8 +100,8 @@ fn what_is_not_known_is_no_body() {
     assert_eq!(report["principal"], Value::Null);
     let text = stdout(&scratch.run(&["identify", "plan.toml"]));
     assert!(
-        text.contains("5 directions of the body's numbers are not known.")
-            && text.contains("All would be known with")
+        text.contains("5 directions of the body's parameters are unobservable.")
+            && text.contains("Together, these experiments make all directions observable: ")
     );
     // there is no place on the triangle
     assert!(!stdout(&scratch.run(&["identify", "plan.toml", "--html"])).contains("The triangle of moments"));

@@ -67,7 +67,7 @@ fn moments_have_the_covariance_of_their_ratios() {
 #[test]
 fn pages_have_the_pictures_and_texts_have_the_words() {
     let scratch = Scratch::new("identify-pages");
-    let left = ["What is left of flight", "What is left, test by test", "What is left of the torque"];
+    let left = ["Residuals of flight", "Residuals by test", "Residuals of the torque"];
     for (name, left) in EXAMPLES.into_iter().zip(left) {
         let plan = example(&format!("identify/{name}.toml"));
         let page = stdout(&scratch.run(&["identify", &plan, "--html"]));
@@ -76,13 +76,13 @@ fn pages_have_the_pictures_and_texts_have_the_words() {
             "times as large",
             "<title>Correlations</title>",
             left,
-            "What to measure next",
+            "Recommended next measurements",
         ] {
             assert!(page.contains(words), "{name}: {words}");
         }
         assert!(!page.contains("NaN") && !page.contains("<script"), "{name}");
         let text = stdout(&scratch.run(&["identify", &plan]));
-        for words in [left, "What to measure next", "Most would help", "as it is"] {
+        for words in [left, "Recommended next measurements", "Most useful: ", "present state"] {
             assert!(text.contains(words), "{name}: {words}");
         }
         assert!(!text.contains("triangle of moments"), "letters do not show it");
@@ -146,10 +146,10 @@ fn the_books_pictures_are_those_of_the_examples() {
         &scratch,
         &[
             (&of(&racket), "The triangle of moments", "identify-triangle.svg"),
-            (&of(&racket), "What is left of flight", "identify-left.svg"),
+            (&of(&racket), "Residuals of flight", "identify-left.svg"),
             (&of(&bifilar), "Correlations", "identify-correlations.svg"),
-            (&of(&bifilar), "What is left, test by test", "identify-swing-left.svg"),
-            (&of(&payload), "What is left of the torque", "identify-payload-left.svg"),
+            (&of(&bifilar), "Residuals by test", "identify-swing-left.svg"),
+            (&of(&payload), "Residuals of the torque", "identify-payload-left.svg"),
         ],
     );
 }

@@ -63,7 +63,11 @@ fn one_axis_says_nothing_of_the_others() {
     let scratch = Scratch::new("identify-one-axis");
     scratch.write("plan.toml", ONE_AXIS);
     let text = stdout(&scratch.run(&["identify", "plan.toml"]));
-    assert!(text.contains("only one axis was swung") && text.contains("need the whole tensor"), "{text}");
+    assert!(
+        text.contains("only the moment about one axis was measured")
+            && text.contains("need the complete tensor"),
+        "{text}"
+    );
     assert!(text.contains("about z: length"), "{text}");
     let found = json(&scratch.run(&["identify", "plan.toml", "--json"]));
     assert!(found["principal"].is_null());
@@ -93,7 +97,7 @@ fn an_amplitude_that_grows_is_refused() {
     assert!(plan.contains(reversed));
     scratch.write("plan.toml", &plan.replace(reversed, "amplitude = [\"11.4 deg\", \"14.7 deg\"]"));
     let text = refused(&scratch.run(&["identify", "plan.toml"]), 2);
-    assert!(text.contains("viscous damping of about y") && text.contains("does not grow"), "{text}");
+    assert!(text.contains("viscous damping of “about y”") && text.contains("does not grow"), "{text}");
     assert!(text.contains("largest first"), "{text}");
 }
 
@@ -182,25 +186,28 @@ fn flags_that_say_too_little_or_too_much_are_refused() {
     };
     for flag in ["--mass", "--distance", "--length", "--swings", "--time", "--amplitude"] {
         let text = refused(&scratch.run(&without(flag)), 2);
-        assert!(text.contains(&format!("--bifilar needs {flag}")) && text.contains("hint: as in"), "{text}");
+        assert!(
+            text.contains(&format!("--bifilar needs {flag}")) && text.contains("hint: for example"),
+            "{text}"
+        );
     }
     let instead = |from: &str, to: &'static str| -> Vec<&str> {
         BIFILAR.iter().map(|a| if *a == from { to } else { *a }).collect()
     };
     for (from, to, says) in [
-        ("103.2 s ± 0.2 s", "103.2 s", "--time needs its standard deviation"),
+        ("103.2 s ± 0.2 s", "103.2 s", "--time needs a standard deviation"),
         ("103.2 s ± 0.2 s", "103.2 s ± 0.2", "each with its unit"),
         ("103.2 s ± 0.2 s", "103.2 s ± 0.2 m", "a length where a time belongs"),
-        ("50", "fifty", "has to be a number"),
-        ("18 deg, 15 deg ± 0.3 deg", "18 deg, 17 deg, 15 deg ± 0.3 deg", "is one angle, or two"),
+        ("50", "fifty", "must be a positive number"),
+        ("18 deg, 15 deg ± 0.3 deg", "18 deg, 17 deg, 15 deg ± 0.3 deg", "takes one angle, or two"),
         ("2 kg ± 1 g", "2 kgg", "there is no unit"),
-        ("--bifilar", "--pendulum", "--pendulum has no wires"),
+        ("--bifilar", "--pendulum", "but --pendulum has none"),
     ] {
         let text = refused(&scratch.run(&instead(from, to)), 2);
         assert!(text.contains(says), "{to}: {text}");
     }
     let text = refused(&scratch.run(&["identify"]), 2);
-    assert!(text.contains("nothing says what was measured") && text.contains("--pendulum"), "{text}");
+    assert!(text.contains("no measurement is specified") && text.contains("--pendulum"), "{text}");
 }
 
 #[test]
@@ -229,7 +236,7 @@ fn an_amplitude_that_grows_is_reported_and_absurd_numbers_are_refused_where_they
     let grows = findings.iter().find(|finding| finding["code"] == "identify.growing").unwrap();
     let message = grows["message"].as_str().unwrap();
     assert!(
-        message.contains("viscous damping of about z is -")
+        message.contains("viscous damping of “about z” is -")
             && message.contains("standard deviations below zero")
     );
     let swings = refused(&with("swings = 50", "swings = 1e300"), 2);

@@ -27,7 +27,7 @@ pub(crate) fn section<E: Named>(next: &NextExperiment<E>) -> Section {
     let mut s = Section::new(0, "Recommended next measurements");
     let now = &next.now;
     s.say(match now.unknown {
-        0 => format!("Largest uncertainty: ± {}, {}.", percent(now.largest_sd), direction(now)),
+        0 => format!("Largest uncertainty: {}, {}.", plus_minus(now.largest_sd), direction(now)),
         1 => "1 direction of the body's parameters is unobservable.".to_owned(),
         n => format!("{n} directions of the body's parameters are unobservable."),
     });
@@ -99,6 +99,11 @@ fn percent(sd: f64) -> String {
     format!("{} %", number(100.0 * sd, 3))
 }
 
+/// Returns text such as `± 0.426 %`, which is not broken over two lines.
+fn plus_minus(sd: f64) -> String {
+    format!("± {}", percent(sd)).replace(' ', "\u{a0}")
+}
+
 fn sd(sd: Option<f64>) -> String {
     sd.map_or_else(|| "unobservable".to_owned(), percent)
 }
@@ -133,9 +138,9 @@ fn gain(now: &Knowledge, then: &Knowledge) -> String {
         };
     }
     format!(
-        "It would reduce the largest uncertainty from ± {} to ± {}",
-        percent(now.largest_sd),
-        percent(then.largest_sd)
+        "It would reduce the largest uncertainty from {} to {}",
+        plus_minus(now.largest_sd),
+        plus_minus(then.largest_sd)
     )
 }
 

@@ -74,7 +74,7 @@ fn columns_are_found_by_their_names() {
     assert_eq!((plan.log.rows().len(), last.time), (3, 1.0));
     assert_eq!(numbers(last), (1..19).map(|k| f64::from(k) + 0.5).collect::<Vec<f64>>());
     assert!(plan.source.ignored.is_empty());
-    assert_eq!(plan.source.read[1], "the angular velocity: wx_rad_s, wy_rad_s, wz_rad_s");
+    assert_eq!(plan.source.read[1], "angular velocity: wx_rad_s, wy_rad_s, wz_rad_s");
 
     // Other order, names and units, and additional columns.
     let other = "Tz [mN m],note,t [ms],T [degC],force_x_N,force_y_N,force_z_N,Tx [N m],Ty [N m],omega_x_deg_s,\
@@ -169,18 +169,23 @@ fn mistakes_of_plans_have_their_place() {
             "the forces are lbf",
         ),
         ("wrench = 'on sensor'\nmotion_noise = { alpha = '-1 rad/s^2' }\n", [4, 26], "zero or positive", ""),
-        ("wrench = 'on sensor'\nmotion_noise = { alpha = 0 }\n", [4, 16], "above zero", "leave it out"),
+        (
+            "wrench = 'on sensor'\nmotion_noise = { alpha = 0 }\n",
+            [4, 16],
+            "above zero",
+            "remove motion_noise",
+        ),
         (
             "wrench = 'on sensor'\nnoise = { force = '1 N', covariance = [] }\n",
             [4, 39],
-            "by deviations of force and torque, or by a covariance",
+            "the standard deviations of force and torque, or a covariance",
             "",
         ),
         ("wrench = 'on sensor'\nnoise = { covariance = [1, 2] }\n", [4, 24], "an array of 6", ""),
         (
             "wrench = 'on sensor'\ngravity = [0, 0, 0]\nunits = { gravity = 'm/s^2' }\n",
             [5, 21],
-            "left out where gravity is told",
+            "omitted if the plan states gravity",
             "",
         ),
         (
@@ -192,12 +197,12 @@ fn mistakes_of_plans_have_their_place() {
         (
             "wrench = 'on sensor'\ncolumns = { force = ['fx_n', 'fx_n', 'fz_n'] }\n",
             [4, 30],
-            "another column for each axis",
+            "a different column for each axis",
             "",
         ),
         ("wrench = 'on sensor'\ncolumns = { force = ['fx_n', 'fy_n'] }\n", [4, 21], "an array of 3", ""),
         ("wrench = 'on sensor'\ncolumns = { forces = 1 }\n", [4, 13], "unknown key \"forces\"", "force"),
-        ("wrench = 'on sensor'\nunits = { force = 'kN' }\n", [4, 19], "that the column fx_n has", ""),
+        ("wrench = 'on sensor'\nunits = { force = 'kN' }\n", [4, 19], "in the name of the column fx_n", ""),
         ("wrench = 'on sensor'\nunits = { force = 'kg' }\n", [4, 19], "a unit: ", "such as N"),
         ("wrench = 'on sensor'\ngravity = [0, 0, -9.81]\n", [1, 1], "the key attitude is missing", ""),
         (
@@ -206,14 +211,19 @@ fn mistakes_of_plans_have_their_place() {
             "the log has none",
             "qw, qx, qy, qz",
         ),
-        ("wrench = 'on sensor'\nattitude = 'body-to-space'\n", [4, 12], "given beside gravity", "gravity = "),
+        (
+            "wrench = 'on sensor'\nattitude = 'body-to-space'\n",
+            [4, 12],
+            "used together with gravity",
+            "gravity = ",
+        ),
         (
             "wrench = 'on sensor'\ngravity = [0, 0, 0]\nattitude = 'body-to-space'\n",
             [5, 12],
-            "where there is no gravity",
+            "omitted if gravity is zero",
             "",
         ),
-        ("wrench = 'on sensor'\n[tumble]\nlog = 'log.csv'\n", [4, 1], "a plan is of one kind", ""),
+        ("wrench = 'on sensor'\n[tumble]\nlog = 'log.csv'\n", [4, 1], "a plan has one kind", ""),
     ] {
         let error = folder.read(&log, keys).expect_err(keys);
         let at = error.place().unwrap();
@@ -317,7 +327,7 @@ fn parquet_is_read_as_csv_is() {
     assert!(error.to_string().contains("time_s of row 2"), "{error}");
     let late = log.replace("\n0.5,", "\n-1,");
     let error = folder.read(parquet_of(&late), SIDE).unwrap_err();
-    assert!(error.to_string().contains("row 2") && error.message().contains("row before"), "{error}");
+    assert!(error.to_string().contains("row 2") && error.message().contains("previous row"), "{error}");
     let other = parquet_of(&log.replace("fz_n", "fz"));
     let error = folder.read(other, SIDE).unwrap_err();
     assert!(error.message().contains("in which unit is fz?"), "{error}");
@@ -382,24 +392,24 @@ fn what_has_no_effect_on_tumbles_is_refused() {
         ),
         (format!("{gyro}attitude = {{ noise = '1 deg' }}\n"), [3, 12], "only rates of a gyro"),
         (format!("{gyro}gyro = {{ clock = true }}\n"), [3, 18], "no flight has both"),
-        (format!("{gyro}search = {{ slowest = '1 rad/s' }}\n"), [3, 10], "beside flights"),
-        (format!("{gyro}{}", flight("log = 'gyro.csv'")), [2, 7], "left out where each flight has its own"),
+        (format!("{gyro}search = {{ slowest = '1 rad/s' }}\n"), [3, 10], "used with flights"),
+        (format!("{gyro}{}", flight("log = 'gyro.csv'")), [2, 7], "omitted if each flight has its own"),
         (
             format!(
                 "{gyro}columns = 'omega = gyro_x gyro_y gyro_z'\n{}",
                 flight("columns = 'time = time_s'")
             ),
             [3, 11],
-            "left out where each flight has its own",
+            "omitted if each flight has its own",
         ),
         (format!("{gyro}{}", flight("added = { moments = [0, 0, 0] }")), [5, 9], "not zero"),
         (
             format!("{gyro}{}", flight("wheel = { axis = [0, 0, 1], momentum = 0 }")),
             [5, 40],
-            "other than zero",
+            "different from zero",
         ),
-        (format!("{gyro}{}{}", flight("to = 0.2"), flight("from = 0.1")), [8, 8], "counts once"),
-        ("log = ['gyro.csv', 'gyro.csv']\n".to_owned(), [2, 20], "counts once"),
+        (format!("{gyro}{}{}", flight("to = 0.2"), flight("from = 0.1")), [8, 8], "used once"),
+        ("log = ['gyro.csv', 'gyro.csv']\n".to_owned(), [2, 20], "used once"),
         (format!("{gyro}gyro = {{ range = '-1 rad/s' }}\n"), [3, 18], "positive"),
     ]
     .into_iter()

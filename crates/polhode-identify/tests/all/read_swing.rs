@@ -123,15 +123,15 @@ fn refuses(from: &str, to: &str, cited: &str, says: &str, hint: &str) {
 #[test]
 fn mistakes_are_shown_where_they_are() {
     refuses("radius = \"r\"", "radius = \"R\"", "\"R\"", "[swing.numbers]: r, l, platform", "\"r\"");
-    refuses("[0, 0, \"platform\"]", "[0, 0, \"l\"]", "\"l\"]", "l is a length", "one unit");
+    refuses("[0, 0, \"platform\"]", "[0, 0, \"l\"]", "\"l\"]", "l is a length", "same dimension");
     refuses("edge = ", "egde = ", "egde", "egde", "edge");
     refuses("edge = ", "length = ", "length = \"1 mm\"", "length", "");
     refuses("\"trifilar\"", "\"trifillar\"", "\"trifillar\"", "one of bifilar", "trifilar");
-    refuses("across = [1, 0, 0]", "across = [1, 0, 1]", "[1, 0, 1]", "right angle", "");
+    refuses("across = [1, 0, 0]", "across = [1, 0, 1]", "[1, 0, 1]", "perpendicular", "");
     refuses("l = \"1.5 m\"", "l = 1.5", "1.5\n", "unit", "0.2 m");
     refuses("l = \"1.5 m\"", "l = \"1.5 m\"\nspare = \"1 m\"", "\"1 m\"\n", "used in a test", "spare");
     refuses("l = \"1.5 m\"", "l = \"1.5 m/s\"", "\"1.5 m/s\"", "a length, a stiffness", "");
-    refuses("l = \"1.5 m\"", "l = \"1.5 m\"\nmass = \"1 m\"", "\"1 m\"\n", "body's own", "else");
+    refuses("l = \"1.5 m\"", "l = \"1.5 m\"\nmass = \"1 m\"", "\"1 m\"\n", "body's own", "rename");
     refuses("sd = \"1 g\"", "sd = \"1 mm\"", "\"1 mm\"", "a length where a mass belongs", "");
     refuses("\"3.2 kg\"", "\"-3.2 kg\"", "{ value = \"-3.2", "above zero", "");
     refuses("\"5 deg\", ", "\"5 deg\", sd = 1, ", "sd = 1", "", "");
@@ -141,7 +141,7 @@ fn mistakes_are_shown_where_they_are() {
         "name = \"as a pendulum\"",
         "name = \"on a platform\"",
         "\"on a platform\"\nrig = \"comp",
-        "another name",
+        "different from the names",
         "",
     );
     refuses("rig = \"compound\"", "rig = \"compound\"\nbody = false", "false", "fixture", "");
@@ -228,7 +228,7 @@ fn logs_of_swings_are_read() {
         ("signal = \"rate\"", "the key sd is missing"),
         ("signal = \"angle\", sd = \"1 deg\", columns = { rate = \"note\" }", "unknown key \"rate\""),
         ("signal = \"angle\", sd = \"1 deg\", columns = { angle = \"note\" }", "in which unit is note?"),
-        ("signal = \"angle\", sd = \"1 deg\", from = \"2 s\"", "inside the log"),
+        ("signal = \"angle\", sd = \"1 deg\", from = \"2 s\"", "within the log"),
     ] {
         let error = logged(keys).unwrap_err();
         assert!(error.message().contains(says), "{keys}: {error}");
@@ -247,17 +247,14 @@ fn logs_of_swings_are_read() {
     let listed = listed.unwrap();
     assert_eq!((&listed.times, &listed.values), (&angle.times, &angle.values));
     for (keys, says) in [
-        ("signal = \"angle\", times = [0, 1], values = [\"10 deg\"]", "as many as there are times: 2, not 1"),
-        ("signal = \"angle\", times = [0, 1, 1], values = [0, 1, 2]", "after the time before"),
+        ("signal = \"angle\", times = [0, 1], values = [\"10 deg\"]", "as many as the times: 2, not 1"),
+        ("signal = \"angle\", times = [0, 1, 1], values = [0, 1, 2]", "later than the previous time"),
         ("signal = \"angle\", times = [0, 1]", "the key values is missing"),
         (
             "signal = \"angle\", times = [0, 1], values = [0, 1], units = { angle = \"deg\" }",
-            "it is of a file",
+            "it applies to a log file",
         ),
-        (
-            "signal = \"angle\", times = [0, 1], values = [0, 1], log = \"log.csv\"",
-            "a log is a file, or in the plan",
-        ),
+        ("signal = \"angle\", times = [0, 1], values = [0, 1], log = \"log.csv\"", "a log is either a file"),
         ("signal = \"angle\", log = \"log.csv\", values = [0, 1]", "the log is a file"),
     ] {
         let error = lists(keys).unwrap_err();
@@ -265,7 +262,7 @@ fn logs_of_swings_are_read() {
     }
     let both =
         plan("logged = { log = \"log.csv\", signal = \"angle\", sd = \"1 deg\" }\ncounted = { swings = 3 }");
-    assert!(both.unwrap_err().message().contains("counted swings, or a log"));
+    assert!(both.unwrap_err().message().contains("counted swings or a log"));
     fs::remove_dir_all(&folder).unwrap();
 }
 
@@ -285,7 +282,7 @@ air = { displaced = "1 g" }
 counted = { swings = 20, time = "20.1 s", sd = "0.05 s", amplitude = "5 deg", amplitude_sd = "0.5 deg", damping = "none" }
 "#;
     let error = read("displaced", spindle).unwrap_err();
-    assert!(error.message().contains("the weight has no part"), "{error}");
+    assert!(error.message().contains("the weight has no effect"), "{error}");
     let still = spindle.replace("air = { displaced = \"1 g\" }\n", "");
     let error = read("gravity", &still).unwrap_err();
     assert_eq!(error.place().unwrap().line, 4, "{error}");

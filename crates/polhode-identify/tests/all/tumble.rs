@@ -358,9 +358,9 @@ fn outliers_are_left_out_and_counted() {
 fn what_cannot_be_a_flight_is_refused() {
     let reading = |time: f64, x: f64| GyroReading { time, omega: AngularVelocity::new(x, 1.0, 2.0) };
     let few = Flight::of_gyro("few", vec![reading(0.0, 1.0), reading(0.1, 1.0)]).unwrap_err();
-    assert_eq!(few.to_string(), "too few readings of a flight: 2, where at least 4 are needed");
+    assert_eq!(few.to_string(), "too few readings of a flight: 2; at least 4 are needed");
     let back = vec![reading(0.0, 1.0), reading(0.2, 1.0), reading(0.1, 1.0), reading(0.3, 1.0)];
-    assert!(Flight::of_gyro("back", back).unwrap_err().to_string().contains("later than the one before"));
+    assert!(Flight::of_gyro("back", back).unwrap_err().to_string().contains("later than the previous one"));
     let none = vec![reading(0.0, 1.0), reading(0.2, f64::NAN), reading(0.3, 1.0), reading(0.4, 1.0)];
     assert!(Flight::of_gyro("none", none).unwrap_err().to_string().contains("NaN"));
     let still: Vec<_> = (0..200).map(|k| reading(0.01 * f64::from(k), 0.0)).collect();
@@ -377,7 +377,7 @@ fn a_rate_in_degrees_is_no_free_motion() {
         Flight::of_gyro("degrees", log.iter().map(degrees).collect()).unwrap()
     });
     let error = identify_tumbles(&flights, &TumbleOptions::default()).unwrap_err();
-    assert!(error.to_string().starts_with("are these rates in deg/s?"), "{error}");
+    assert!(error.to_string().starts_with("the rates are probably in deg/s"), "{error}");
 }
 
 #[test]
@@ -390,7 +390,7 @@ fn rates_in_turns_are_no_free_motion() {
             Flight::of_gyro("turns", log.iter().map(turns).collect()).unwrap()
         });
         let error = identify_tumbles(&flights, &TumbleOptions::default()).unwrap_err();
-        assert!(error.to_string().starts_with(&format!("are these rates in {unit}?")), "{error}");
+        assert!(error.to_string().starts_with(&format!("the rates are probably in {unit}")), "{error}");
     }
 }
 
@@ -416,6 +416,6 @@ fn times_in_another_unit_are_refused() {
             Flight::of_gyro("ms", log.iter().map(late).collect()).unwrap()
         });
         let error = identify_tumbles(&flights, &TumbleOptions::default()).unwrap_err();
-        assert!(error.to_string().contains("are the times in s"), "{error}");
+        assert!(error.to_string().contains("check that times are in s"), "{error}");
     }
 }

@@ -54,7 +54,7 @@ fn readings_at_a_limit_are_not_used() {
         }
         assert_eq!(count, reached, "{limit}: {:?}", found.flaws);
         let said = found.flaws[0].to_string();
-        assert!(said.starts_with("the gyro's x is at its limit") && said.contains("(one)"), "{said}");
+        assert!(said.starts_with("gyro axis x is saturated at") && said.contains("(one)"), "{said}");
     }
 }
 
@@ -226,7 +226,7 @@ fn where_more_is_known_left_handed_axes_are_asked_about() {
     let is_asked = |flights: &[Flight], options: &TumbleOptions, axis: &str| {
         let error = identify_tumbles(flights, options).unwrap_err().to_string();
         assert!(
-            error.starts_with(&format!("are the gyro's axes left-handed? With {axis} reversed")),
+            error.starts_with(&format!("the gyro's axes are probably left-handed: with {axis} reversed")),
             "{error}"
         );
     };
@@ -277,7 +277,7 @@ fn fewer_numbers_than_are_sought_are_refused() {
     let short: Vec<GyroReading> = flights(30, 0.01)[0].gyro().iter().copied().take(4).collect();
     let options = TumbleOptions { gyro_noise: Some(0.01), ..TumbleOptions::default() };
     let error = identify_tumbles(&[Flight::of_gyro("short", short).unwrap()], &options).unwrap_err();
-    assert_eq!(error.to_string(), "too few measured numbers in flights: 12, where at least 13 are needed");
+    assert_eq!(error.to_string(), "too few measured values in flights: 12; at least 13 are needed");
     let error = identify_tumbles(&[], &options).unwrap_err();
     assert!(matches!(error, IdentifyError::TooFew { given: 0, .. }), "{error}");
 }

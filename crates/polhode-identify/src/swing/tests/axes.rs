@@ -166,7 +166,10 @@ fn a_body_that_would_turn_over_is_refused() {
     }
     for (above, below, high) in [(0.25, 0.15, 4.0), (0.05, 0.17, 2.0)] {
         let error = on(above, below, high).unwrap_err().to_string();
-        assert!(error.contains("its centre is too high for these wires"), "{above} {below} {high}: {error}");
+        assert!(
+            error.contains("its centre of mass is too high for these wires"),
+            "{above} {below} {high}: {error}"
+        );
     }
     // One wire attached below the centre.
     let mut plan = SwingPlan::new(Measured::exact(2.0), [0.0, 0.0, 0.1].map(Measured::exact));

@@ -14,7 +14,7 @@ fn what_cannot_be_used_is_refused() {
     let mut bad = good.clone();
     bad[3].torque = Torque::new(0.0, f64::NAN, 0.0);
     let error = PayloadLog::new(bad, SENSE).unwrap_err();
-    assert_eq!(error.to_string(), "a torque is NaN, and has to be finite");
+    assert_eq!(error.to_string(), "a torque is NaN, but must be finite");
 
     let mut bad = good.clone();
     bad[5].time = bad[4].time;
@@ -48,7 +48,7 @@ fn noise_that_cannot_be_is_refused() {
     for (noise, what) in [
         (WrenchNoise::Deviations { force: 0.0, torque: 1.0 }, "the noise of a force is 0"),
         (WrenchNoise::Deviations { force: 1.0, torque: f64::NAN }, "the noise of a torque is NaN"),
-        (WrenchNoise::Covariance([[1.0; 6]; 6]), "the covariance of the wrench is 0"),
+        (WrenchNoise::Covariance([[1.0; 6]; 6]), "the smallest pivot of the wrench's covariance is 0"),
     ] {
         let error = plain.clone().with_noise(noise).unwrap_err().to_string();
         assert!(error.starts_with(what), "{error}");
@@ -60,8 +60,5 @@ fn noise_that_cannot_be_is_refused() {
         plain.clone().with_noise(WrenchNoise::Covariance(skew)).unwrap_err().to_string().contains("is 0.3")
     );
     let error = plain.with_motion_noise(MotionNoise { alpha: -1.0, ..MotionNoise::default() }).unwrap_err();
-    assert_eq!(
-        error.to_string(),
-        "the noise of an angular acceleration is -1, and has to be zero or positive"
-    );
+    assert_eq!(error.to_string(), "the noise of an angular acceleration is -1, but must be zero or positive");
 }

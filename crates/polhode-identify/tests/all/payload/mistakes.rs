@@ -23,7 +23,7 @@ fn the_wrong_side_has_a_negative_mass() {
     assert!((mass.unwrap() + Carried::generic().about_center()[0]).abs() < 0.05);
     assert!(!found.unconstrained.is_possible && found.unconstrained.least_second_moment.is_none());
     assert!(found.tests[0].is_too_large());
-    assert!(found.findings[0].to_string().contains("the other side of the sensor"));
+    assert!(found.findings[0].to_string().contains("the wrench has the opposite sign"));
 }
 
 fn likely(found: &Payload) -> Option<Mistake> {

@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use polhode::infer::judge::{AttitudeSense, DeclaredByName, DeclaredReading, OmegaAxes, SignedAxes};
-use polhode_document::number::number;
+use polhode_document::number::{counted, number};
 use polhode_source::files::Files;
 use polhode_source::{Failure, read_text_file, shown};
 use polhode_table::log::{self, RunLog};
@@ -34,7 +34,10 @@ pub(crate) fn grade(folder: &Path, judge: Judge<'_>) -> Result<Card, Failure> {
         let run = match runs.get(case.name) {
             Some(runs) => judged(case, runs, judge, reasons.get(case.name).map(String::as_str))?,
             None => CardRun::NotRun(
-                reasons.get(case.name).cloned().unwrap_or_else(|| "there is no run of it".to_owned()),
+                reasons
+                    .get(case.name)
+                    .cloned()
+                    .unwrap_or_else(|| "the folder has no run of this case".to_owned()),
             ),
         };
         let title = case.scenario()?.scenario.title().unwrap_or(case.name).to_owned();
@@ -103,7 +106,7 @@ fn as_asked(says: &DeclaredReading) -> DeclaredReading {
 fn other_scenario(log: &RunLog, case: &str) -> Option<String> {
     let said = log.scenario.as_ref()?;
     let is_case = said.file_stem().is_some_and(|stem| stem == case);
-    (!is_case).then(|| format!("it says that it is a run of {:?}", said.display()))
+    (!is_case).then(|| format!("it names another scenario, {:?}", said.display()))
 }
 
 /// Returns a message if a run ends more than two rows before the end of its case, or has fewer than
@@ -115,13 +118,16 @@ fn too_short(times: &[f64], wanted: &[f64]) -> Option<String> {
     if have < want - 2.0 * row(wanted).max(row(times).min(want / 10.0)) {
         return Some(format!("it ends after {} s of {} s", number(have, 6), number(want, 6)));
     }
-    (times.len() < 10).then(|| format!("it has {} rows, and ten at least are needed", times.len()))
+    (times.len() < 10).then(|| format!("it has {}; at least 10 are needed", counted(times.len(), "row")))
 }
 
 /// Returns the files of each case, with the step in their names.
 fn runs(folder: &Path, files: &dyn Files) -> Result<BTreeMap<String, Vec<RunFile>>, Failure> {
     let unreadable = |error: io::Error| {
-        Failure::usage(format!("{} cannot be listed: {error}", shown(folder)), "name a folder of runs")
+        Failure::usage(
+            format!("{} cannot be listed: {error}", shown(folder)),
+            "specify the folder with the runs",
+        )
     };
     let mut found: BTreeMap<String, Vec<RunFile>> = BTreeMap::new();
     let entries = files.entries(folder).map_err(unreadable)?;
@@ -134,15 +140,22 @@ fn runs(folder: &Path, files: &dyn Files) -> Result<BTreeMap<String, Vec<RunFile
             continue;
         }
         if !files.is_file(&path) {
-            return Err(Failure::usage(format!("{} is no file", shown(&path)), "a run is a file: remove it"));
+            return Err(Failure::usage(
+                format!("{} is not a file", shown(&path)),
+                "a run must be a file: rename or remove it",
+            ));
         }
         let (name, step) = match stem.split_once('@') {
             None => (stem, None),
             Some((name, step)) => {
                 let number = step.parse::<f64>().ok().filter(|step| *step > 0.0 && step.is_finite());
                 let wrong = || {
-                    let message = format!("{} names no step: {step:?} is no number of s", shown(&path));
-                    Failure::usage(message, "after @ stands the program's step: free-flips@0.001.csv")
+                    let message =
+                        format!("{} has an invalid step: {step:?} is not a positive number", shown(&path));
+                    Failure::usage(
+                        message,
+                        "write the step of the program in s after @, as in free-flips@0.001.csv",
+                    )
                 };
                 (name, Some(number.ok_or_else(wrong)?))
             }
@@ -153,7 +166,10 @@ fn runs(folder: &Path, files: &dyn Files) -> Result<BTreeMap<String, Vec<RunFile
                 || "`polhode judge --write-suite DIR` writes the cases".to_owned(),
                 |name| format!("did you mean {name}?"),
             );
-            return Err(Failure::usage(format!("{} is a run of no case of the suite", shown(&path)), hint));
+            return Err(Failure::usage(
+                format!("{} does not belong to any case of the suite", shown(&path)),
+                hint,
+            ));
         }
         found.entry(name.to_owned()).or_default().push((path.clone(), step));
     }
@@ -167,15 +183,15 @@ fn reasons(folder: &Path, files: &dyn Files) -> Result<BTreeMap<String, String>,
         return Ok(BTreeMap::new());
     }
     let text = read_text_file(files, &path, |text| Ok(text.to_owned()))
-        .map_err(|error| error.with_hint("it is text, a line for each case: NAME: reason"))?;
+        .map_err(|error| error.with_hint("it must be text with one line per case: NAME: reason"))?;
     let mut reasons = BTreeMap::new();
     for (k, line) in text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
         let named = line.split_once(':').map(|(name, why)| (name.trim(), why.trim()));
         match named.filter(|(name, _)| CASES.iter().any(|case| case.name == *name)) {
             Some((name, why)) => drop(reasons.insert(name.to_owned(), why.to_owned())),
             None => {
-                let message = format!("{line:?} names no case of the suite");
-                return Err(Failure::located(message, &path, [k + 1, 1], "a line is NAME: reason"));
+                let message = format!("{line:?} does not name a case of the suite");
+                return Err(Failure::located(message, &path, [k + 1, 1], "write each line as NAME: reason"));
             }
         }
     }

@@ -138,8 +138,8 @@ impl FromStr for AxesOfRun {
 
     fn from_str(text: &str) -> Result<Self, String> {
         SignedAxes::parse(text).map(Self).ok_or_else(|| {
-            "three axes of x, y and z, each once, that are right-handed belong here (hint: y upwards is x,z,-y; of left-handed axes reverse all three, \
-             as for rotations that is the same)"
+            "expected three right-handed axes, x, y and z each once (hint: y up is x,z,-y; for left-handed axes reverse all three, \
+             which gives the same rotations)"
                 .to_owned()
         })
     }

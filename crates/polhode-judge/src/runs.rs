@@ -32,11 +32,11 @@ impl<'a> Judge<'a> {
             return Err(Failure::usage(message, "judge the runs of one scenario at a time"));
         }
         if runs.is_empty() {
-            let hint = "name the log that a program wrote: polhode judge SCENARIO.toml RUN.csv";
+            let hint = "add the log that a program wrote: polhode judge SCENARIO.toml RUN.csv";
             return Err(Failure::usage("no log to judge was given", hint));
         }
         if let (Some(_), [_, second, ..]) = (&self.request.step, &runs[..]) {
-            let message = format!("--step is of one run, and {} is another", shown(second));
+            let message = format!("--step applies to one run only, but {} is a second one", shown(second));
             return Err(Failure::usage(
                 message,
                 "write the step into each run: a line `# step = 0.001` before the header",
@@ -71,21 +71,18 @@ impl<'a> Judge<'a> {
         for (run, log) in logs {
             let path = shown(run);
             let Some(said) = &log.scenario else {
-                let hint = "name the scenario before it, or in it: a line `# scenario = \"t-handle.toml\"` before the header";
-                return Err(Failure::usage(
-                    format!("{path} does not say of which scenario it is a run"),
-                    hint,
-                ));
+                let hint = "add the scenario: polhode judge SCENARIO.toml RUN; or name it in the log: a line `# scenario = \"t-handle.toml\"` before the header";
+                return Err(Failure::usage(format!("{path} does not name its scenario"), hint));
             };
             let files = Confined::beside(self.files, run, &self.request.roots);
             let scenario = files.named(folder(run), said).map_err(|why| {
-                let message = format!("the scenario {:?} that it names is not opened: {why}", said.display());
+                let message = format!("the log names the scenario {:?}, which is not opened: {why}", said.display());
                 let hint = match why {
                     NotOpened::Outside => {
-                        "name the scenario before the run: polhode judge SCENARIO.toml RUN; or allow its folder: --root DIR"
+                        "add the scenario before the run: polhode judge SCENARIO.toml RUN; or allow its folder: --root DIR"
                     }
                     NotOpened::Missing | NotOpened::NotRegular | NotOpened::NotGiven => {
-                        "name the scenario before the run: polhode judge SCENARIO.toml RUN"
+                        "add the scenario before the run: polhode judge SCENARIO.toml RUN"
                     }
                 };
                 Failure::usage(message, hint).about(run)
@@ -93,7 +90,7 @@ impl<'a> Judge<'a> {
             match &found {
                 Some((other, _)) if *other != scenario => {
                     let message = format!(
-                        "{path} is a run of {}, and the one before of {}",
+                        "{path} is a run of {}, but the previous log is a run of {}",
                         shown(&scenario),
                         shown(other)
                     );
@@ -103,9 +100,8 @@ impl<'a> Judge<'a> {
                 None => found = Some((scenario, files)),
             }
         }
-        let (scenario, files) = found.ok_or_else(|| {
-            Failure::usage("no log to judge was given", "name the log that a program wrote")
-        })?;
+        let (scenario, files) = found
+            .ok_or_else(|| Failure::usage("no log to judge was given", "add the log that a program wrote"))?;
         Ok(ScenarioFile::read(&files, &scenario)?)
     }
 
@@ -122,7 +118,7 @@ impl<'a> Judge<'a> {
             Ok(named) => named,
             Err(why) => {
                 let message = format!(
-                    "it names the scenario {:?}, which was not compared with {}: {why}",
+                    "the log names the scenario {:?}, which could not be compared with {}: {why}",
                     said.display(),
                     shown(&scenario.path)
                 );
@@ -143,11 +139,11 @@ impl<'a> Judge<'a> {
             return Ok(());
         }
         let message = format!(
-            "it says that it is a run of {:?}, and {} is given",
+            "the log names the scenario {:?}, but {} was given",
             said.display(),
             shown(&scenario.path)
         );
-        let hint = "give the scenario that it is of, or remove the line `scenario = …` from the log";
+        let hint = "use the scenario that the log names, or remove the line `scenario = …` from the log";
         Err(Failure::usage(message, hint).about(run))
     }
 

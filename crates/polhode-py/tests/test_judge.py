@@ -138,7 +138,7 @@ def test_what_is_right_is_said_to_be(exact: polhode.Motion) -> None:
     assert judgement.is_exact and judgement.largest_attitude_error <= 3 * judgement.exact_to < 1e-11
     assert judgement.growth is None and judgement.causes == []
     assert repr(judgement).startswith("Judgement(301 rows, right to ") and "\n" not in repr(judgement)
-    assert "right: no error beyond" in judgement.report() == str(judgement)
+    assert "Correct: no error above" in judgement.report() == str(judgement)
 
 
 def test_rotations_are_scalar_last_and_of_body_to_space(exact: polhode.Motion) -> None:
@@ -222,8 +222,8 @@ def replaced(array: np.ndarray, index: Any, value: Any) -> np.ndarray:
         ({"times": replaced(TIMES, 17, np.nan)}, r"times\[17\] = nan must be finite"),
         ({"times": replaced(TIMES, 18, TIMES[16])}, r"row 18: the time 0.32 s is not later than 0.34 s"),
         ({"times": replaced(TIMES, 18, TIMES[17])}, r"row 18: the time 0.34 s is not later than 0.34 s"),
-        ({"attitude": constant_omega()[:-2]}, "there are 299 attitudes of 301 times"),
-        ({"omega": np.ones((299, 3))}, "there are 299 angular velocities of 301 times"),
+        ({"attitude": constant_omega()[:-2]}, "there are 299 attitudes but 301 times"),
+        ({"omega": np.ones((299, 3))}, "there are 299 angular velocities but 301 times"),
         ({"omega": np.ones((301, 4))}, r"omega must have the shape \(n, 3\)"),
         ({"attitude": replaced(constant_omega(), (9, 2), np.inf)}, r"attitude\[9, 2\] = inf must be finite"),
         ({"attitude": replaced(constant_omega(), 9, 0.0)}, r"attitude\[9, 0\] = 0.0 must be part of a quaternion that is not zero"),
@@ -236,7 +236,7 @@ def replaced(array: np.ndarray, index: Any, value: Any) -> np.ndarray:
         ({"columns": "time = t"}, "columns mean nothing for arrays"),
         ({"step": 0.0}, "step = 0.0 must be positive"),
         ({"quaternion": "wxyz", "attitude": np.tile(np.eye(3), (301, 1, 1))}, "quaternion means nothing for matrices"),
-        ({"time_origin": 1.0}, "a row at -1 s, before the scenario's start at 0 s\nhint: time_origin says"),
+        ({"time_origin": 1.0}, "a row at -1 s, before the scenario's start at 0 s\nhint: set time_origin, the run"),
         ({"run": "log.csv"}, "times and attitude mean nothing for a log"),
     ],
 )
@@ -249,18 +249,18 @@ def test_what_is_no_motion_is_refused(given: dict[str, Any], says: str) -> None:
 def test_what_cannot_be_read_is_asked() -> None:
     """Of a motion that is none of the scenario's, and of two readings that both fit."""
     odd = np.random.default_rng(4).normal(size=(len(TIMES), 4))
-    with pytest.raises(polhode.PolhodeError, match="no reading") as error:
+    with pytest.raises(polhode.PolhodeError, match="no interpretation") as error:
         polhode.judge(BODY, times=TIMES, attitude=odd)
     assert 'quaternion="wxyz" or "xyzw", and sense="body_to_space" or "space_to_body"' in (error.value.hint or "")
-    with pytest.raises(polhode.PolhodeError, match="no reading") as error:
+    with pytest.raises(polhode.PolhodeError, match="no interpretation") as error:
         polhode.judge(BODY, times=TIMES, attitude=odd, quaternion="wxyz")
     assert 'sense="body_to_space"' in (error.value.hint or "") and "quaternion" not in (error.value.hint or "")
     judgement = polhode.judge(BODY, times=TIMES, attitude=odd, quaternion="wxyz", sense="body_to_space")
     assert judgement.largest_attitude_error > 1.0
     omega = np.random.default_rng(5).normal(size=(len(TIMES), 3))
-    with pytest.raises(polhode.PolhodeError, match="no reading of the run's angular velocities") as error:
+    with pytest.raises(polhode.PolhodeError, match="no interpretation of the run's angular velocities") as error:
         polhode.judge(BODY, times=TIMES, attitude=constant_omega(), omega=omega)
-    assert (error.value.hint or "").startswith('omega_axes="body" or omega_axes="space" compares it as it is')
+    assert (error.value.hint or "").startswith('omega_axes="body" or omega_axes="space" compares it as written')
 
 
 HEADER = "time_s,qx,qy,qz,qw,wx,wy,wz"
@@ -310,7 +310,7 @@ def test_errors_of_a_log_have_their_place(tmp_path: Path) -> None:
     with pytest.raises(polhode.PolhodeError, match="times and omega mean nothing for a log"):
         polhode.judge(BODY, path, times=TIMES, omega=np.ones((301, 3)))
     odd = write(tmp_path / "odd.csv", HEADER, np.random.default_rng(4).normal(size=(301, 4)), np.ones((301, 3)))
-    with pytest.raises(polhode.PolhodeError, match="no reading") as error:
+    with pytest.raises(polhode.PolhodeError, match="no interpretation") as error:
         polhode.judge(BODY, odd)
     assert error.value.path == str(odd)
 

@@ -55,7 +55,7 @@ fn a_table_of_simulate_is_a_run_without_error() {
     assert!(number(&run["error"]["attitude_largest_rad"]) < 1e-15);
     assert!(number(&run["error"]["rates"]["omega_relative"]) < 1e-15);
     let text = stdout(&scratch.run(&["judge", "tumbling.toml", "exact/trajectory.csv"]));
-    assert!(text.contains("→ right: no error beyond"), "{text}");
+    assert!(text.contains("→ Correct: no error above"), "{text}");
 }
 
 /// Columns that say nothing of order, sense and axes, times from elsewhere: all is found; and a wrong law is named.
@@ -103,14 +103,12 @@ fn what_is_not_said_is_found() {
     let output = scratch.run(&["judge", "tumbling.toml", "wrong.csv", "--limit", "0.6 deg"]);
     assert_eq!(output.status.code(), Some(1));
     let text = String::from_utf8(output.stdout).unwrap();
-    assert!(text.contains("likeliest cause: ω × I ω is left out"), "{text}");
+    assert!(text.contains("Most likely cause: the gyroscopic term ω × I ω is missing"), "{text}");
     let page = blamed(&scratch.run(&["judge", "tumbling.toml", "wrong.csv", "--html"]));
+    assert!(page.contains("<svg") && page.contains("Attitude error"));
     assert!(
-        page.contains("<svg") && page.contains("The attitude&#39;s error")
-            || page.contains("The attitude's error")
-    );
-    assert!(
-        blamed(&scratch.run(&["judge", "tumbling.toml", "wrong.csv", "--markdown"])).contains("| part |")
+        blamed(&scratch.run(&["judge", "tumbling.toml", "wrong.csv", "--markdown"]))
+            .contains("| component |")
     );
 }
 
@@ -204,7 +202,7 @@ fn clocks_and_units_that_the_columns_do_not_say_are_found() {
         assert!(number(&error["attitude_largest_rad"]) < most, "{name}: {error}");
         assert!(number(&error["rates"]["omega_relative"]) < most, "{name}: {error}");
         let text = stdout(&scratch.run(&["judge", "tumbling.toml", name]));
-        assert!(text.contains("→ read as "), "{text}");
+        assert!(text.contains("→ Interpreted as "), "{text}");
         // Its lines are wrapped.
         (run["reading"].clone(), text.split_whitespace().collect::<Vec<_>>().join(" "))
     };
@@ -239,7 +237,7 @@ fn clocks_and_units_that_the_columns_do_not_say_are_found() {
     let last = |row: &[f64]| vec![row[0], -row[2], -row[3], -row[4], row[1], row[5], row[6], row[7]];
     let (reading, text) = judged("last.csv", &last);
     assert_eq!((&reading["found"]["quaternion"], &reading["against_names"]), (&"xyzw".into(), &true.into()));
-    assert!(text.contains("against the names of its columns"), "{text}");
+    assert!(text.contains("contrary to its column names"), "{text}");
     // A log that begins some time after the start, by another clock.
     let text: String = rows[77..]
         .iter()
@@ -322,7 +320,7 @@ fn a_run_of_another_scenario_is_refused() {
     log("# scenario = \"tumbling.toml\"\n");
     let error = refused(&scratch.run(&["judge", "other.toml", "run.csv"]), 2);
     assert!(
-        error.contains("it says that it is a run of \"tumbling.toml\", and other.toml is given"),
+        error.contains("the log names the scenario \"tumbling.toml\", but other.toml was given"),
         "{error}"
     );
     // The same, and one with the same text.
@@ -418,7 +416,7 @@ fn the_suite_is_passed_by_its_own_answers_and_by_nothing_else() {
     scratch.write("runs/needel.csv", "t\n");
     assert!(refused(&scratch.run(&["judge", "--suite", "runs"]), 2).contains("did you mean needle?"));
     fs::rename(scratch.0.join("runs/needel.csv"), scratch.0.join("runs/needle@fast.csv")).unwrap();
-    assert!(refused(&scratch.run(&["judge", "--suite", "runs"]), 2).contains("names no step"));
+    assert!(refused(&scratch.run(&["judge", "--suite", "runs"]), 2).contains("has an invalid step"));
 }
 
 #[test]
@@ -431,10 +429,11 @@ fn what_cannot_be_judged_is_refused() {
         "good.csv",
         &table("t,qw,qx,qy,qz", &rows.iter().map(|r| r[..5].to_vec()).collect::<Vec<_>>()),
     );
-    assert!(judged(&["good.csv"]).contains("does not say of which scenario"));
+    assert!(judged(&["good.csv"]).contains("does not name its scenario"));
     assert!(judged(&["tumbling.toml", "tumbling.toml", "good.csv"]).contains("a second scenario"));
     assert!(
-        judged(&["tumbling.toml", "good.csv", "good.csv", "--step", "1 ms"]).contains("--step is of one run")
+        judged(&["tumbling.toml", "good.csv", "good.csv", "--step", "1 ms"])
+            .contains("--step applies to one run")
     );
     for (name, text, said) in [
         ("short.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n", "at least 2 rows"),
@@ -459,7 +458,10 @@ fn what_cannot_be_judged_is_refused() {
         ),
     );
     let error = judged(&["tumbling.toml", "other.csv"]);
-    assert!(error.contains("no reading of the run's attitudes") && error.contains("--sense"), "{error}");
+    assert!(
+        error.contains("no interpretation of the run's attitudes") && error.contains("--sense"),
+        "{error}"
+    );
     // Before the scenario's start, as the run says.
     assert!(
         judged(&["tumbling.toml", "good.csv", "--time-origin", "1"]).contains("before the scenario's start")
@@ -503,7 +505,7 @@ fn every_option_is_honoured_or_refused() {
     };
     let plain = told(&[]);
     assert_eq!(plain.0, Some(0), "{}", plain.2);
-    let axes = plain.1.lines().find(|line| line.contains("read as quaternions")).unwrap().to_owned();
+    let axes = plain.1.lines().find(|line| line.contains("Interpreted as quaternions")).unwrap().to_owned();
     assert!(axes.contains("w, x, y, z of body to space, axes (x, −z, y), times from 100 s"), "{axes}");
     for (k, option) in given.iter().enumerate() {
         let alone = told(option);

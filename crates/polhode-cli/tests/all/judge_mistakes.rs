@@ -41,7 +41,7 @@ fn a_program_that_is_given_degrees_is_refused() {
         for (head, count) in [(OWN, 8), (HEAD, 8), ("t,qw,qx,qy,qz", 5)] {
             scratch.write("degrees.csv", &format!("{head}\n{}", lines(count)));
             let error = refused(&scratch.run(&["judge", "tumbling.toml", "degrees.csv"]), 2);
-            assert!(error.contains("the run turns 0.017"), "{error}");
+            assert!(error.contains("the run rotates 0.017"), "{error}");
             assert!(error.contains("deg/s for rad/s"), "{error}");
         }
     }
@@ -62,7 +62,7 @@ fn rows_that_are_late_are_named() {
             scratch.write("late.csv", &table(head, &late_rows(count)));
             let text = unwrapped(&blamed(&scratch.run(&["judge", "tumbling.toml", "late.csv"])));
             let shift = rows[late][0] - rows[0][0];
-            let expected = format!("its rows are those of times {shift:.6} s later than they say");
+            let expected = format!("each row has the motion of {shift:.6} s after its stated time");
             assert!(text.contains(&expected), "{text}");
         }
     }
@@ -82,7 +82,7 @@ fn a_mirrored_omega_is_named() {
             scratch.write("run.csv", &table(head, &signs(components)));
             let text =
                 unwrapped(&blamed(&scratch.run(&["judge", "tumbling.toml", "run.csv", "--limit", "10"])));
-            assert!(text.contains(&format!("its ω has the components {expected}")), "{text}");
+            assert!(text.contains(&format!("ω has the components {expected}")), "{text}");
             let reading = reading(&scratch, "run.csv");
             assert_eq!(reading["against_names"], true);
             assert_eq!(reading["mistakes"].as_array().unwrap().len(), 1);
@@ -95,7 +95,7 @@ fn a_mirrored_omega_is_named() {
     // A fifth too large fits one reading, and that is judged.
     scratch.write("run.csv", &table(HEAD, &signs([1.2, 1.2, 1.2])));
     let text = unwrapped(&blamed(&scratch.run(&["judge", "tumbling.toml", "run.csv"])));
-    assert!(text.contains("ω is off by up to 0.2"), "{text}");
+    assert!(text.contains("ω error at most 0.2"), "{text}");
 }
 
 /// Names that state a unit or an order are contradicted by numbers of another one; names that state none are not.
@@ -147,7 +147,7 @@ fn a_scenario_that_cannot_be_compared_is_another_one() {
         log(named);
         let error = refused(&given("one/tumbling.toml", &[]), 2);
         assert!(
-            error.contains(&format!("it names the scenario {named:?}")) && error.contains(hint),
+            error.contains(&format!("the log names the scenario {named:?}")) && error.contains(hint),
             "{error}"
         );
     }
@@ -156,7 +156,7 @@ fn a_scenario_that_cannot_be_compared_is_another_one() {
     stdout(&given("one/tumbling.toml", &["--root", "two"]));
     scratch.write("two/tumbling.toml", &SCENARIO.replace("3.1", "3.2"));
     let error = refused(&given("one/tumbling.toml", &["--root", "two"]), 2);
-    assert!(error.contains("it says that it is a run of \"../two/tumbling.toml\""), "{error}");
+    assert!(error.contains("the log names the scenario \"../two/tumbling.toml\""), "{error}");
     log("tumbling.toml");
     stdout(&given("one/tumbling.toml", &[]));
     // A root that is none.

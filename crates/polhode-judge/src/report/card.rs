@@ -98,7 +98,7 @@ impl CardCase {
         let last_order = self.order().and_then(|order| order.orders.into_iter().flatten().last());
         let order = last_order.map_or_else(|| "—".to_owned(), |p| format!("{p:.2}"));
         let omega = run.omega_off().map_or_else(|| "—".to_owned(), error);
-        let why = if run.is_exact() { "right".to_owned() } else { words::why(run) };
+        let why = if run.is_exact() { "correct".to_owned() } else { words::why(run) };
         vec![self.name.clone(), grade, words::step(run), error(run.largest()), omega, order, why]
     }
 
@@ -169,17 +169,18 @@ impl Card {
             [Grade::Passed, Grade::Failed, Grade::NotRun].map(|grade| self.count(grade));
         let limit = number(self.limit, 3);
         let mut answer = vec![format!(
-            "{passed} of {} cases passed: no attitude off by more than {limit} rad, nor ω by that part of its largest. {failed} failed, {not_run} not run.",
+            "{passed} of {} cases passed, {failed} failed, {not_run} not run. Limits: attitude error {limit} rad, relative error of ω {limit}.",
             self.cases.len()
         )];
         let engines = self.engines();
         if !engines.is_empty() {
-            answer.push(format!("Made by {}.", engines.join("; ")));
+            answer.push(format!("Run with {}.", engines.join("; ")));
         }
-        let mut cases = Section::new(1, "The cases");
-        let headers = ["case", "grade", "step", "largest error (rad)", "of ω", "order", "why"];
+        let mut cases = Section::new(1, "Cases");
+        let headers =
+            ["case", "grade", "step", "largest error (rad)", "error of ω (relative)", "order", "reason"];
         cases.table(&headers, self.cases.iter().map(|case| case.row(self.limit)).collect());
-        let mut errors = Section::new(2, "The errors over the time");
+        let mut errors = Section::new(2, "Errors against time");
         for case in &self.cases {
             let Some(run) = case.best() else { continue };
             errors.say(format!("{}. {}: {}.", case.name, case.title, words::how_far(run)));

@@ -22,10 +22,10 @@ pub(crate) fn of_error(run: &JudgedRun) -> Option<Graph> {
         .collect();
     let (first, last) = (*points.first()?, *points.last()?);
     (points.len() > 2).then(|| Graph {
-        title: format!("The attitude's error: {}", run.name),
+        title: format!("Attitude error: {}", run.name),
         across: ["t", "s"],
-        up: ["lg of the error", "rad"],
-        level: ([first[0], last[0], floor.log10()], "what the exact motion may be wrong by"),
+        up: ["log₁₀ of the error", "rad"],
+        level: ([first[0], last[0], floor.log10()], "estimated error of the exact motion"),
         points,
     })
 }

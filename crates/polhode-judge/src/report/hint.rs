@@ -7,37 +7,39 @@ pub fn judge_hint(error: &JudgeError) -> Option<&'static str> {
     Some(match error {
         JudgeError::Motion(error) => return error.hint(),
         JudgeError::NoMotion => {
-            "give a scenario with [start]; of a prescribed motion `polhode torque` says what it needs"
+            "use a scenario with [start]; for a prescribed motion, `polhode torque` computes the torque"
         }
         JudgeError::Changing => {
-            "leave out [mass_history] if the run is of the body as it is at the start; `polhode simulate` computes the motion of one that changes"
+            "remove [mass_history] if the body of the run does not change; `polhode simulate` computes the motion of one that does"
         }
         JudgeError::OnGround | JudgeError::InGimbals => "`polhode simulate` computes its motion",
-        JudgeError::BeforeStart { .. } => "--time-origin says the run's time at the scenario's time 0",
-        JudgeError::Ends { .. } => "leave the event that stops the scenario out, or judge the rows before it",
+        JudgeError::BeforeStart { .. } => "set --time-origin, the run's time at the scenario's time 0",
+        JudgeError::Ends { .. } => {
+            "remove the event that stops the scenario, or judge only the rows before it"
+        }
         // If only one quaternion order was tried, it is known.
         JudgeError::NoReading { tried }
             if tried.windows(2).all(|pair| pair[0].reading.order == pair[1].reading.order) =>
         {
-            "is it the run of another scenario? Else say which way its rotations go: --sense body-to-space or space-to-body"
+            "check that it is a run of this scenario; if so, state the sense of its rotations: --sense body-to-space or space-to-body"
         }
         JudgeError::NoReading { .. } => {
-            "is it the run of another scenario? Else say what its numbers are: --quaternion wxyz or xyzw, and --sense body-to-space or space-to-body"
+            "check that it is a run of this scenario; if so, state its conventions: --quaternion wxyz or xyzw, and --sense body-to-space or space-to-body"
         }
         JudgeError::OtherRate { .. } => {
-            "check the unit of the angular velocity that the program was given: deg/s for rad/s is 57.3 times; and that of its times: --columns \"time ms = t\""
+            "check the unit of the program's angular velocity (deg/s for rad/s is a factor of 57.3) and of its times: --columns \"time ms = t\""
         }
         JudgeError::NotSearched { .. } => {
-            "--time-origin says the run's time at the scenario's time 0; --quaternion and --sense say what its numbers are"
+            "set --time-origin, the run's time at the scenario's time 0, or state its conventions: --quaternion, --sense"
         }
-        JudgeError::Ambiguous { .. } => {
-            "say what its numbers are: --quaternion, --sense, --axes, --time-origin"
+        JudgeError::Ambiguous { .. } => "state its conventions: --quaternion, --sense, --axes, --time-origin",
+        JudgeError::AmbiguousOmega { .. } => {
+            "state its axes: --omega body or --omega space; or check its unit"
         }
-        JudgeError::AmbiguousOmega { .. } => "say it: --omega body or --omega space; or is it not in rad/s?",
         JudgeError::NoOmega { .. } => {
-            "--omega body or --omega space compares it as it is; --columns \"omega = none\" leaves it out"
+            "--omega body or --omega space compares it as written; --columns \"omega = none\" ignores it"
         }
-        JudgeError::FarTimes { .. } => "--time-origin is the run's time at the scenario's time 0",
-        _ => "say what its numbers are: --quaternion, --sense, --omega, --axes, --time-origin",
+        JudgeError::FarTimes { .. } => "set --time-origin, the run's time at the scenario's time 0",
+        _ => "state its conventions: --quaternion, --sense, --omega, --axes, --time-origin",
     })
 }

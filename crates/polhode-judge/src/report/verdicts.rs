@@ -4,7 +4,7 @@ use polhode::body::Finding;
 use polhode::infer::judge::AccuracyOrder;
 use polhode::motion::Scenario;
 use polhode_document::layout::printable;
-use polhode_document::number::{count, error, number};
+use polhode_document::number::{count, counted, error, number};
 use polhode_document::{Document, Section};
 use serde_json::Value;
 
@@ -50,7 +50,7 @@ impl JudgeReport {
     /// Returns the report as a document, which can be printed as text, Markdown or HTML.
     pub fn to_document(&self) -> Document {
         let named = |run: &JudgedRun, what: String| match self.runs.len() {
-            1 => what,
+            1 => capitalized(what),
             _ => format!("{}: {what}", printable(&run.name)),
         };
         let answer = self.runs.iter().flat_map(|run| {
@@ -73,13 +73,13 @@ impl JudgeReport {
     }
 
     fn runs(&self) -> Section {
-        let mut s = Section::new(1, "The runs");
+        let mut s = Section::new(1, "Data");
         let row = |run: &JudgedRun| {
             let times = &run.judgement.motion.times;
             let (first, last) = (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(0.0));
             vec![
                 printable(&run.name),
-                run.engine.as_deref().map_or_else(|| "not said".to_owned(), printable),
+                run.engine.as_deref().map_or_else(|| "not stated".to_owned(), printable),
                 count(times.len() as u64),
                 format!("{} … {}", number(first, 6), number(last, 6)),
                 words::step(run),
@@ -88,43 +88,46 @@ impl JudgeReport {
         s.table(&["run", "program", "rows", "t (s)", "step"], self.runs.iter().map(row).collect());
         for run in self.runs.iter().filter(|run| !run.ignored.is_empty()) {
             let names: Vec<String> = run.ignored.iter().map(|name| printable(name)).collect();
-            s.say(format!("Not read of {}: {}.", run.name, names.join(", ")));
+            s.say(format!("Ignored columns of {}: {}.", run.name, names.join(", ")));
         }
         for run in self.runs.iter().filter(|run| run.judgement.is_single_precision) {
-            s.say(format!("The numbers of {} are in single precision, 6e-8 of themselves.", run.name));
+            s.say(format!("The numbers of {} have single precision (6e-8 relative).", run.name));
         }
         s
     }
 
     fn readings(&self) -> Section {
-        let mut s = Section::new(2, "What their numbers mean");
+        let mut s = Section::new(2, "Interpretation of the columns");
         for run in &self.runs {
             let readings = &run.judgement.readings;
             let omega = readings.omega.map_or_else(|| "no ω".to_owned(), |omega| omega.to_string());
             s.say(format!("{}: {}; {omega}.", run.name, readings.reading));
             if readings.from_own_start {
-                s.say("None begins with the scenario's attitude: what is compared is the turn since the first row.");
+                s.say("No interpretation begins with the scenario's attitude, so the rotation since the first row is compared.");
             }
             if readings.equivalent > 1 {
                 s.say(format!(
-                    "The first {} of these give the same motion to the last row.",
+                    "The first {} interpretations give the same motion up to the last row.",
                     readings.equivalent
                 ));
             }
             let row = |tried: &polhode::infer::judge::ReadingResidual| {
                 vec![tried.reading.to_string(), error(tried.attitude), number(tried.relative, 3)]
             };
-            let headers = ["read as", "off at the beginning (rad)", "of the turn"];
+            let headers = ["interpretation", "error at the beginning (rad)", "relative to the rotation"];
             s.table(&headers, readings.tried.iter().take(SHOWN).map(row).collect());
             if let Some(more) = readings.tried.len().checked_sub(SHOWN + 1) {
-                s.say(format!("{} more are farther off.", more + 1));
+                s.say(format!(
+                    "Not shown: {} with larger errors.",
+                    counted(more + 1, "other interpretation")
+                ));
             }
         }
         s
     }
 
     fn errors(&self) -> Section {
-        let mut s = Section::new(3, "How far off they are");
+        let mut s = Section::new(3, "Errors");
         let row = |run: &JudgedRun| {
             let (judgement, errors) = (&run.judgement, &run.judgement.errors);
             let largest = |of: &[f64]| error(of.iter().map(|e| e.abs()).fold(0.0, f64::max));
@@ -143,16 +146,17 @@ impl JudgeReport {
                 error(judgement.floor()),
             ]
         };
-        let headers = ["run", "attitude, end", "largest", "ω", "T", "|L|", "direction of L", "exact to"];
+        let headers =
+            ["run", "attitude (end)", "attitude (max)", "ω", "T", "|L|", "direction of L", "reference"];
         s.table(&headers, self.runs.iter().map(row).collect());
         s.say(
-            "Angles in rad; ω, T and |L| as parts of the largest of the exact motion, each the largest of all rows. The exact \
-             attitude itself may be wrong by the last column.",
+            "Attitude and direction of L in rad; ω, T and |L| relative to the largest of the exact motion; each the largest of all rows. The \
+             last column is the estimated error of the exact attitude.",
         );
         for run in &self.runs {
             if run.judgement.errors.norm > 1e-6 {
                 let norm = error(run.judgement.errors.norm);
-                s.say(format!("{}: the quaternions' length differs from 1 by up to {norm}.", run.name));
+                s.say(format!("{}: the quaternion norm differs from 1 by up to {norm}.", run.name));
             }
         }
         self.runs.iter().filter_map(graph::of_error).for_each(|graph| s.graph(graph));
@@ -160,12 +164,12 @@ impl JudgeReport {
     }
 
     fn parts(&self) -> Section {
-        let mut s = Section::new(4, "What the errors are made of");
+        let mut s = Section::new(4, "Error breakdown");
         for run in self.runs.iter().filter(|run| !run.is_exact()) {
             let split = &run.judgement.split;
             let until = number(split.until, 4);
             s.say(format!(
-                "{}, until {until} s, of {} rad (root of the mean square; the squares of the parts add up to it):",
+                "{}: error until {until} s, {} rad (root mean square). The squares of the components add up to its square:",
                 run.name,
                 error(split.total)
             ));
@@ -173,27 +177,27 @@ impl JudgeReport {
             let mut rows: Vec<Vec<String>> = (split.parts.iter())
                 .map(|part| {
                     let worth = part.value.map_or_else(|| "—".to_owned(), |_| of_total(part.attitude));
-                    vec![words::part_name(part.kind).to_owned(), worth, words::part(part)]
+                    vec![words::part_title(part.kind).to_owned(), worth, words::part(part)]
                 })
                 .collect();
             rows.push(vec![
                 "noise".to_owned(),
                 of_total(split.noise),
-                format!("{} rad from row to row", error(split.noise)),
+                format!("random, {} rad from row to row", error(split.noise)),
             ]);
             let rest = (split.rest.powi(2) - split.noise.powi(2)).max(0.0).sqrt();
-            rows.push(vec!["rest".to_owned(), of_total(rest), "none of these".to_owned()]);
-            s.table(&["part", "of the error", "what it is"], rows);
+            rows.push(vec!["remainder".to_owned(), of_total(rest), "none of the above".to_owned()]);
+            s.table(&["component", "share of the error", "value"], rows);
         }
         if s.blocks.is_empty() {
-            s.say("There is no error that could be told from zero.");
+            s.say("No error is distinguishable from zero.");
         }
         s
     }
 
     /// Returns a section on the causes that were tested; `None` without any.
     fn causes(&self) -> Option<Section> {
-        let mut s = Section::new(5, "Likeliest causes");
+        let mut s = Section::new(5, "Most likely causes");
         for run in self.runs.iter().filter(|run| !run.causes.tried.is_empty()) {
             let causes = &run.causes;
             let [from, to] = causes.span.map(|time| number(time, 4));
@@ -203,7 +207,7 @@ impl JudgeReport {
                 let explained = words::share(tried.explained.max(0.0));
                 vec![printable(&tried.cause.to_string()), error(tried.residual), explained, named.to_owned()]
             };
-            let headers = ["a program that does this", "is off the run by (rad)", "explains", "named"];
+            let headers = ["tested cause", "residual (rad)", "explains", "likely"];
             s.table(&headers, causes.tried.iter().take(SHOWN).map(row).collect());
             for tried in causes.named().take(2) {
                 s.say(tried.cause.hint());
@@ -213,10 +217,18 @@ impl JudgeReport {
     }
 }
 
+/// Returns a text with an upper-case first letter.
+fn capitalized(mut text: String) -> String {
+    if let Some(first) = text.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    text
+}
+
 fn order(order: &AccuracyOrder) -> Section {
     let mut s = Section::new(6, "Order of accuracy");
     let until = number(order.time, 4);
-    s.say(format!("The largest error until {until} s, up to which every run is off by less than 0.5 rad:"));
+    s.say(format!("Largest error until {until} s, while the errors of all runs are below 0.5 rad:"));
     let row = |(k, (step, off)): (usize, &(f64, f64))| {
         let found = k.checked_sub(1).and_then(|k| order.orders[k]);
         vec![number(*step, 6), error(*off), found.map_or_else(|| "—".to_owned(), |p| format!("{p:.2}"))]

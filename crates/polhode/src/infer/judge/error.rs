@@ -88,16 +88,16 @@ impl fmt::Display for JudgeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoMotion => {
-                f.write_str("the scenario prescribes its motion, so there is no motion to judge another by")
+                f.write_str("the scenario prescribes its motion, so it has no computed motion to compare with")
             }
             Self::Changing => f.write_str(
-                "the mass properties of the scenario's body change, and what makes motions wrong is known of bodies that stay as they are",
+                "the mass properties of the scenario's body change, but only motions of constant bodies can be judged",
             ),
             Self::OnGround => f.write_str(
-                "the scenario's body is on the ground, and what makes motions wrong is known of bodies that are free or held at a point",
+                "the scenario's body is on the ground, but only motions of bodies that are free or held at a point can be judged",
             ),
             Self::InGimbals => f.write_str(
-                "the scenario's body hangs in gimbals, and what makes motions wrong is known of bodies that are free or held at a point",
+                "the scenario's body is in gimbals, but only motions of bodies that are free or held at a point can be judged",
             ),
             Self::BeforeStart { time, start } => {
                 write!(f, "the run has a row at {time} s, before the scenario's start at {start} s")
@@ -107,39 +107,39 @@ impl fmt::Display for JudgeError {
             }
             Self::Motion(error) => error.fmt(f),
             Self::NoReading { tried } => {
-                f.write_str("no reading of the run's attitudes begins as the scenario does")?;
+                f.write_str("no interpretation of the run's attitudes matches the scenario at the beginning")?;
                 list(f, tried, 4)
             }
             Self::OtherRate { ratio, tried } => {
                 write!(
                     f,
-                    "the run turns {ratio:.4} times as fast as the scenario at its start, and no other unit of time fits"
+                    "the run rotates {ratio:.4} times as fast as the scenario at its start, and no other unit of time fits"
                 )?;
                 list(f, tried, 2)
             }
             Self::NotSearched { tried } => {
                 f.write_str(
-                    "no reading of the run's attitudes begins as the scenario does; whether it begins some time after the scenario's start \
-                     was not searched, as that motion cannot be computed far enough",
+                    "no interpretation of the run's attitudes matches the scenario at the beginning; a later beginning was not searched, \
+                     because the exact motion cannot be computed far enough",
                 )?;
                 list(f, tried, 4)
             }
             Self::Ambiguous { tried, fitting } => {
-                write!(f, "{fitting} readings of the run's attitudes fit its beginning, and differ later")?;
+                write!(f, "{fitting} interpretations of the run's attitudes fit its beginning, but differ later")?;
                 list(f, tried, *fitting)
             }
             Self::NoOmega { tried } => {
-                f.write_str("no reading of the run's angular velocities begins as the scenario does")?;
+                f.write_str("no interpretation of the run's angular velocities matches the scenario at the beginning")?;
                 list_omega(f, tried)
             }
             Self::AmbiguousOmega { tried } => {
-                f.write_str("several readings of the run's angular velocities fit, and differ later")?;
+                f.write_str("several interpretations of the run's angular velocities fit, but differ later")?;
                 list_omega(f, tried)
             }
             Self::FarTimes { first, start } => write!(
                 f,
                 "the run's first row is at {first} s, too long after the scenario's start at {start} s for the motion to be computed \
-                 until there, and it does not begin as the scenario starts either"
+                 until then, and it does not match the scenario's start either"
             ),
         }
     }
@@ -147,14 +147,14 @@ impl fmt::Display for JudgeError {
 
 fn list_omega(f: &mut fmt::Formatter<'_>, tried: &[OmegaResidual]) -> fmt::Result {
     for (k, OmegaResidual { reading, relative }) in tried.iter().take(3).enumerate() {
-        write!(f, "{} {reading} ({relative:.1e} of |ω| off)", if k == 0 { ":" } else { ";" })?;
+        write!(f, "{} {reading} (error {relative:.1e} of |ω|)", if k == 0 { ":" } else { ";" })?;
     }
     Ok(())
 }
 
 fn list(f: &mut fmt::Formatter<'_>, tried: &[ReadingResidual], count: usize) -> fmt::Result {
     for (k, ReadingResidual { reading, attitude, .. }) in tried.iter().take(count).enumerate() {
-        write!(f, "{} {reading} ({attitude:.1e} rad off)", if k == 0 { ":" } else { ";" })?;
+        write!(f, "{} {reading} (error {attitude:.1e} rad)", if k == 0 { ":" } else { ";" })?;
     }
     Ok(())
 }

@@ -96,7 +96,7 @@ fn fitted_line(points: &[(f64, f64)]) -> (f64, f64) {
 impl fmt::Display for Growth {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Unknown => f.write_str("too small or too short to say how it grows"),
+            Self::Unknown => f.write_str("too small or too short to determine its growth"),
             Self::Power { exponent } if exponent.abs() < 0.15 => f.write_str("does not grow"),
             Self::Power { exponent } => write!(f, "grows as t^{exponent:.2}"),
             Self::Exponential { rate } => write!(f, "grows as e^({rate:.3} t/s)"),

@@ -97,19 +97,22 @@ pub enum LogError {
 impl fmt::Display for LogError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::TooShort { rows } => write!(f, "a motion needs at least 2 rows, and here are {rows}"),
-            Self::Lengths { what, count, times } => write!(f, "there are {count} {what} of {times} times"),
+            Self::TooShort { rows } => write!(f, "a motion needs at least 2 rows, but this one has {rows}"),
+            Self::Lengths { what, count, times } => write!(f, "there are {count} {what} but {times} times"),
             Self::NotLater { row, time, before } => {
-                write!(f, "row {row}: the time {time} s is not later than {before} s, that of the row before")
+                write!(
+                    f,
+                    "row {row}: the time {time} s is not later than {before} s, that of the previous row"
+                )
             }
             Self::NotFinite { row, what, value } => {
-                write!(f, "row {row}: {what} is {value}, and has to be finite")
+                write!(f, "row {row}: {what} is {value}, but must be finite")
             }
             Self::ZeroQuaternion { row } => {
-                write!(f, "row {row}: the quaternion is zero, which is no attitude")
+                write!(f, "row {row}: the quaternion is zero, but must have length 1")
             }
             Self::Length { row, length } => {
-                write!(f, "row {row}: the quaternion's length is {length:e}, and has to be near 1")
+                write!(f, "row {row}: the quaternion's length is {length:e}, but must be near 1")
             }
         }
     }

@@ -21,15 +21,15 @@ pub enum LogMistake {
     },
 }
 
-/// Text such as `its rows are those of times 0.05 s later than they say`.
+/// Text such as `each row has the motion of 0.05 s after its stated time`.
 impl fmt::Display for LogMistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::LateRows { shift } => {
-                write!(f, "its rows are those of times {shift:.6} s later than they say")
+                write!(f, "each row has the motion of {shift:.6} s after its stated time")
             }
             Self::OmegaComponents { components } => {
-                write!(f, "its ω has the components {components}, which no right-handed axes give")
+                write!(f, "ω has the components {components}, which no right-handed axes give")
             }
         }
     }

@@ -71,11 +71,13 @@ pub enum Untried {
 impl fmt::Display for Untried {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Exact => "the run is the exact motion to 1e-8 rad while the body turns by 120 rad",
+            Self::Exact => {
+                "the run agrees with the exact motion to 1e-8 rad while the body rotates by 120 rad"
+            }
             Self::TooShort => "fewer than two rows can be compared",
-            Self::Prescribed => "the motion of the scenario is given, not computed",
+            Self::Prescribed => "the motion of the scenario is prescribed, not computed",
             Self::Switched => "events of the scenario switch torques",
-            Self::Late => "the run begins more than 2000 rad of turning after the scenario's start",
+            Self::Late => "the run begins after more than 2000 rad of rotation since the scenario's start",
         })
     }
 }

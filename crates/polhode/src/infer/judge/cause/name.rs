@@ -178,7 +178,7 @@ impl Cause {
                  eigenvectors are rows or columns."
             }
             Self::PrincipalMomentsAlongBodyAxes(_) => {
-                "Principal moments belong along the principal axes: turn the body's axes to those, or use the full tensor."
+                "Principal moments are about the principal axes: align the body axes with them, or use the full tensor."
             }
             Self::ProductsReversed => {
                 "The elements off the diagonal of the tensor are I_xy = −∫ x y dm; CAD reports often have +∫ x y dm."
@@ -187,52 +187,54 @@ impl Cause {
                 "Use the full tensor; a diagonal one is right only along the principal axes."
             }
             Self::ProductsReordered(_) => {
-                "See in which order the file's format has the products: xy, xz, yz is as usual as yz, xz, xy."
+                "Check the order of the products in the file format: both xy, xz, yz and yz, xz, xy are common."
             }
             Self::TensorAboutOrigin => {
-                "A free body turns about its centre of mass: I_c = I_o − m (c² 1 − c cᵀ), with c from the origin to the centre of mass."
+                "A free body rotates about its centre of mass: I_c = I_o − m (c² 1 − c cᵀ), with c from the origin to the centre of mass."
             }
             Self::TensorAboutCenterOfMass => {
                 "About a pivot the tensor is I_p = I_c + m (l² 1 − l lᵀ), with l from the pivot to the centre of mass."
             }
             Self::WheelsLeftOut => "With wheels L = I ω + Σ h a, and the gyroscopic term is ω × (I ω + h).",
             Self::TorqueBodyAsSpace { .. } => {
-                "A torque given along body axes is R N along those of space: rotate it before it is added, at each step anew."
+                "A torque N along body axes is R N along space axes: rotate it in each step before adding it."
             }
             Self::TorqueSpaceAsBody { .. } => {
-                "A torque given along space axes is Rᵀ N along those of the body: rotate it before it is added, at each step anew."
+                "A torque N along space axes is Rᵀ N along body axes: rotate it in each step before adding it."
             }
             Self::TorqueReversed { .. } => {
-                "Change the sign: N = r × F, with r from the point that the body turns about to where the force acts."
+                "Change the sign: N = r × F, with r from the centre of rotation to the point where the force acts."
             }
             Self::TorqueLeftOut { .. } => {
-                "Apply the torque in every step; engines clear what was applied after each."
+                "Apply the torque in every step: engines clear applied torques after each step."
             }
             Self::TorqueScaled { .. } => {
-                "See the torque's numbers: its unit, the mass, g, the lever, and whether it is applied once in each step."
+                "Check the unit of the torque, the mass, g, the lever arm, and that it is applied once in each step."
             }
             Self::Damping { .. } | Self::MethodWithDamping { .. } => {
-                "Set the angular damping of the body to zero: in some engines it is 0.04 or 0.05 1/s unless it is set."
+                "Set the angular damping of the body to zero: the default of some engines is 0.04 or 0.05 1/s."
             }
             Self::SpeedLimit { .. } => {
-                "Raise the greatest angular speed of the body: in some engines it is 7, 47 or 100 rad/s unless it is set."
+                "Raise the maximum angular speed of the body: the default of some engines is 7, 47 or 100 rad/s."
             }
             Self::Method { scheme, .. } => method_hint(*scheme),
-            Self::RoundedRows(_) => "Log all 17 digits of doubles, if the program has them.",
+            Self::RoundedRows(_) => {
+                "Log all 17 digits of doubles, if the program computes in double precision."
+            }
             Self::SinglePrecisionArithmetic => {
                 "Compute in double precision if that matters: single precision loses about 6e-8 in each step."
             }
             Self::TimeShift { .. } => {
-                "See whether the rows are written before a step and stamped after it, or the other way round."
+                "Check whether rows are written before a step but stamped with the time after it, or the reverse."
             }
             Self::StartOmegaAlongSpace => {
-                "The scenario's ω is along body axes; an engine that takes it along space axes is to be given R ω."
+                "The scenario's ω is along body axes; an engine that expects space axes needs R ω."
             }
             Self::OtherStart { .. } => {
-                "Start from the scenario's attitude and ω; mind along which axes ω is given to the engine."
+                "Start from the scenario's attitude and ω; check whether the engine expects ω along body or space axes."
             }
             Self::OtherTensor { .. } => {
-                "See which tensor the program has: about which point, along which axes, of which parts and densities."
+                "Check the tensor of the program: its reference point, axes, parts and densities."
             }
         }
     }
@@ -241,22 +243,22 @@ impl Cause {
 const fn method_hint(scheme: Scheme) -> &'static str {
     match scheme {
         Scheme::ImplicitGyroscopic(_) | Scheme::LaggedMomentum(_) => {
-            "An implicit gyroscopic term is stable and loses energy in proportion to the step: the body ends up turning about its axis of \
+            "An implicit gyroscopic term is stable and loses energy in proportion to the step: the body finally rotates about its axis of \
              greatest moment. Take shorter steps, or keep L along space axes and use a method of order 2 or more."
         }
         Scheme::HeldAtStart(_) | Scheme::HeldAtEnd(_) => {
-            "Turn the attitude by the ω of the middle of the step, (ω + ω′)/2, as q′ = q exp(½ h ω): then the error falls with h²."
+            "Rotate the attitude with ω at the middle of the step, (ω + ω′)/2, as q′ = q exp(½ h ω): the error is then of order h²."
         }
         _ if scheme.order() < 2 => {
-            "The error falls with h alone. Use a method of order 2 (midpoint, splitting into turns about the principal axes) or 4 (RK4 for q \
+            "The error is of order h. Use a method of order 2 (midpoint, splitting into rotations about the principal axes) or 4 (RK4 for q \
              and ω), or take many steps for each row."
         }
         Scheme::RungeKutta4MeanRate => {
-            "The mean of ω turns the attitude with an error of h² even where ω has one of h⁴: integrate the quaternion itself by RK4, or \
+            "Rotating by the mean ω has an error of order h² even if ω has one of order h⁴: integrate the quaternion itself by RK4, or \
              add the commutators of Munthe-Kaas. Otherwise take shorter steps."
         }
         _ => {
-            "This is the error of the method at this step, and no mistake: take shorter steps for a smaller one."
+            "This is the discretization error of the method, not a mistake: take shorter steps to reduce it."
         }
     }
 }
@@ -266,29 +268,29 @@ impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let of = |torque: &Option<&'static str>| torque.map_or_else(String::new, |name| format!(" ({name})"));
         match self {
-            Self::NoGyroscopicTerm => f.write_str("ω × I ω is left out"),
+            Self::NoGyroscopicTerm => f.write_str("the gyroscopic term ω × I ω is missing"),
             Self::OmegaBodyAsSpace => {
-                f.write_str("the attitude is turned by body components of ω as if along space axes")
+                f.write_str("the body components of ω rotate the attitude as if they were along space axes")
             }
             Self::OmegaSpaceAsBody => {
-                f.write_str("the attitude is turned by space components of ω as if along body axes")
+                f.write_str("the space components of ω rotate the attitude as if they were along body axes")
             }
-            Self::ConjugateAttitude => f.write_str("the attitude is the inverse one, R_body_space"),
+            Self::ConjugateAttitude => f.write_str("the attitude is the inverse, R_body_space"),
             Self::ScalarLast => f.write_str("the quaternion has its scalar last"),
             Self::TensorTransposed => f.write_str(
-                "the tensor is turned from principal axes to the body's the wrong way, Rᵀ D R for R D Rᵀ",
+                "the tensor is transformed from principal to body axes the wrong way, Rᵀ D R instead of R D Rᵀ",
             ),
             Self::PrincipalMomentsAlongBodyAxes(order) => {
-                write!(f, "the principal moments {} are used along the body's x, y, z", numbered(order, 1))
+                write!(f, "the principal moments {} are used as moments about the body's x, y, z axes", numbered(order, 1))
             }
             Self::ProductsReversed => f.write_str("the products of inertia have the wrong sign"),
-            Self::ProductsLeftOut => f.write_str("the products of inertia are left out"),
+            Self::ProductsLeftOut => f.write_str("the products of inertia are missing"),
             Self::ProductsReordered(order) => {
                 let name = |k: usize| ["I_xy", "I_xz", "I_yz"].get(k).copied().unwrap_or("?");
                 let [a, b, c] = order.map(name);
                 write!(
                     f,
-                    "the products of inertia are in the wrong order: {a}, {b}, {c} for I_xy, I_xz, I_yz"
+                    "the products of inertia are in the wrong order: {a}, {b}, {c} instead of I_xy, I_xz, I_yz"
                 )
             }
             Self::TensorAboutOrigin => {
@@ -297,59 +299,59 @@ impl fmt::Display for Cause {
             Self::TensorAboutCenterOfMass => {
                 f.write_str("the tensor is about the centre of mass, not about the pivot")
             }
-            Self::WheelsLeftOut => f.write_str("the momentum of the wheels is left out"),
+            Self::WheelsLeftOut => f.write_str("the angular momentum of the wheels is missing"),
             Self::TorqueBodyAsSpace { torque } => {
-                write!(f, "the torque{} has its body components along space axes", of(torque))
+                write!(f, "the body components of the torque{} are applied along space axes", of(torque))
             }
             Self::TorqueSpaceAsBody { torque } => {
-                write!(f, "the torque{} has its space components along body axes", of(torque))
+                write!(f, "the space components of the torque{} are applied along body axes", of(torque))
             }
             Self::TorqueReversed { torque } => write!(f, "the torque{} has the wrong sign", of(torque)),
-            Self::TorqueLeftOut { torque } => write!(f, "the torque{} is left out", of(torque)),
+            Self::TorqueLeftOut { torque } => write!(f, "the torque{} is missing", of(torque)),
             Self::TorqueScaled { factor } => {
                 write!(
                     f,
-                    "the torque is {factor:.6} times as large for this body: it, the mass that it acts on, or the tensor is another"
+                    "the torque is wrong by a factor of {factor:.6}, or the mass or the tensor is wrong"
                 )
             }
-            Self::Damping { rate } => write!(f, "ω is damped: ω̇ has −c ω besides, c = {rate:.4} 1/s"),
+            Self::Damping { rate } => write!(f, "ω is damped: ω̇ has the additional term −c ω, c = {rate:.4} 1/s"),
             Self::DampingWithoutGyroscopicTerm { rate } => {
-                write!(f, "ω × I ω is left out, and ω is damped: ω̇ = I⁻¹ N − c ω, c = {rate:.4} 1/s")
+                write!(f, "the gyroscopic term ω × I ω is missing, and ω is damped: ω̇ = I⁻¹ N − c ω, c = {rate:.4} 1/s")
             }
             Self::SpeedLimit { limit, gyroscopic } => {
-                let besides = if *gyroscopic { "" } else { ", and ω × I ω is left out" };
-                write!(f, "|ω| is cut off at {limit:.6} rad/s{besides}")
+                let besides = if *gyroscopic { "" } else { ", and the gyroscopic term ω × I ω is missing" };
+                write!(f, "|ω| is limited to {limit:.6} rad/s{besides}")
             }
             Self::Method { scheme, step } if scheme.order() < 2 => {
-                write!(f, "its steps are of order 1: {scheme}, h = {step:.6} s")
+                write!(f, "first-order integration ({scheme}), h = {step:.6} s")
             }
             Self::MethodWithDamping { scheme, step, rate } => {
                 write!(
                     f,
-                    "ω is damped, c = {rate:.4} 1/s, and its steps are of order 1: {scheme}, h = {step:.6} s"
+                    "ω is damped, c = {rate:.4} 1/s, with first-order integration ({scheme}), h = {step:.6} s"
                 )
             }
             Self::Method { scheme, step } => {
-                write!(f, "this is the error of {scheme}, h = {step:.6} s")
+                write!(f, "discretization error of {scheme}, h = {step:.6} s")
             }
-            Self::RoundedRows(None) => f.write_str("the motion is right to the single precision of its rows"),
+            Self::RoundedRows(None) => f.write_str("the motion is correct to the single precision of its rows"),
             Self::RoundedRows(Some(digits)) => {
-                write!(f, "the motion is right to the {digits} digits behind the point that its rows have")
+                write!(f, "the motion is correct to the precision of its rows (decimal places: {digits})")
             }
             Self::SinglePrecisionArithmetic => f.write_str("the motion is computed in single precision"),
             Self::TimeShift { shift } => {
-                write!(f, "its rows are those of times {shift:.6} s later than they say")
+                write!(f, "each row has the motion of {shift:.6} s after its stated time")
             }
             Self::StartOmegaAlongSpace => {
-                f.write_str("it starts with the body components of ω along space axes")
+                f.write_str("the body components of the initial ω are used along space axes")
             }
             Self::OtherStart { angle, omega } => {
-                write!(f, "it starts elsewhere: {angle:.6} rad from the scenario's attitude")?;
+                write!(f, "the start is different: {angle:.6} rad from the scenario's attitude")?;
                 omega.map_or(Ok(()), |omega| write!(f, ", with ω = {omega}"))
             }
             Self::OtherTensor { tensor: [a, b, c], has_scale } => {
                 let scale = if *has_scale { "kg·m²" } else { "kg·m² times any factor" };
-                write!(f, "it is the motion of another body, whose tensor is [")?;
+                write!(f, "the motion is that of another body, with the tensor [")?;
                 for (k, row) in [a, b, c].into_iter().enumerate() {
                     let [x, y, z] = row;
                     let lead = if k == 0 { "" } else { ", " };

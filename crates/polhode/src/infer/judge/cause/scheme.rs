@@ -372,17 +372,17 @@ impl fmt::Display for Scheme {
                 ("semi-implicit Euler with a gyroscopic term linear in the new ω", Some(turn))
             }
             RescaledMomentum(turn) => ("semi-implicit Euler with |L| restored", Some(turn)),
-            HeldAtStart(turn) => ("the attitude turned by the ω of the step's start", Some(turn)),
-            HeldAtEnd(turn) => ("the attitude turned by the ω of the step's end", Some(turn)),
+            HeldAtStart(turn) => ("attitude rotated with ω at the start of the step", Some(turn)),
+            HeldAtEnd(turn) => ("attitude rotated with ω at the end of the step", Some(turn)),
             Midpoint => ("the midpoint method (RK2)", None),
             Heun => ("Heun's method (RK2)", None),
             VelocityVerlet => ("velocity Verlet", None),
-            KickTurnKick(turn) => ("kick, turn, kick", Some(turn)),
+            KickTurnKick(turn) => ("kick-rotate-kick splitting", Some(turn)),
             ImplicitMidpoint(turn) => ("the implicit midpoint method", Some(turn)),
-            Splitting => ("splitting into turns about the principal axes", None),
+            Splitting => ("splitting into rotations about the principal axes", None),
             RungeKutta4 => ("RK4", None),
             RungeKutta4Momentum => ("RK4 with L along space axes", None),
-            RungeKutta4MeanRate => ("RK4 with the attitude turned by the mean ω", None),
+            RungeKutta4MeanRate => ("RK4 with the attitude rotated by the mean ω", None),
         };
         f.write_str(name)?;
         match turn {

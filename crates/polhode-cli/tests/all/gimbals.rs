@@ -63,7 +63,7 @@ fn what_does_not_know_gimbals_says_so() {
         (&["explain", &compass][..], "the body hangs in gimbals: the steps of a worked solution"),
         (&["stability", &compass], "hangs its body in gimbals"),
         (&["spin", &compass], "is not a free motion: the body hangs in gimbals"),
-        (&["judge", &compass, "run.csv"], "the scenario's body hangs in gimbals"),
+        (&["judge", &compass, "run.csv"], "the scenario's body is in gimbals"),
         (&["torque", &compass], "its motion is computed, not given"),
         (&["sweep", &compass], "[sweep]"),
     ] {

@@ -242,31 +242,31 @@ fn mistakes_of_logs_have_their_place() {
     let tail = ",1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18";
     for (log, place, message, hint) in [
         (String::new(), None, "lines", "write a header"),
-        (HEAD.replace("fz_n,", "") + "0\n", None, "column of the force along z", "fx_n,fy_n,fz_n"),
+        (HEAD.replace("fz_n,", "") + "0\n", None, "column of force along z", "fx_n,fy_n,fz_n"),
         (HEAD.replace("gx_m_s2,", "") + "0\n", None, "column of gravity along x", "gravity ="),
         (HEAD.replace("fz_n,", "fz,") + &rows, Some([1, 111]), "in which unit is fz?", "units = { force"),
         (
             HEAD.replace("fz_n,", "fz_kg,") + &rows,
             Some([1, 111]),
-            "the unit of the force = kg must be another",
+            "the unit of force = kg must be another",
             "N",
         ),
         (
             HEAD.replace("fz_n,", "fz [lb],") + &rows,
             Some([1, 111]),
-            "the unit of the force = lb must be another",
+            "the unit of force = lb must be another",
             "",
         ),
         (
             HEAD.replace("gz_m_s2", "gz_m_s2,force_z [N]") + &rows,
             Some([1, 161]),
-            "the only one of the force",
+            "the only column of force",
             "",
         ),
         (last("7,1,2"), Some([5, 1]), "19 fields long", ""),
         (last(&format!("7{}", tail.replace(",9,", ",nine,"))), Some([5, 19]), "a number", ""),
         (last(&format!("7{}", tail.replace(",9,", ",inf,"))), Some([5, 19]), "not finite", ""),
-        (last(&format!("1.0{tail}")), Some([5, 1]), "after that of the row before", ""),
+        (last(&format!("1.0{tail}")), Some([5, 1]), "later than in the previous row", ""),
         ("PAR1 and no more".to_owned(), None, "this Parquet file", "without compression"),
     ] {
         let error = folder.read(&log, SIDE).expect_err(&log);

@@ -9,11 +9,11 @@ use crate::failure::Failure;
 use crate::form::Form;
 use crate::stdout::print;
 
-/// Find a body's mass properties from measurements of its motion.
+/// Estimate a body's mass properties from measurements of its motion.
 ///
-/// A plan, a TOML file, says what was measured: the free motion of a thrown body by a gyro on it ([tumble]), the periods of its swings on wires or about an axis
-/// ([swing]), or the wrenches of a force–torque sensor that moves with the body ([payload]). The log of a gyro, or counted swings about one axis, need no plan.
-/// Every answer is a possible body; what the measurements do not determine is said, and what is left is tested for being noise.
+/// A plan (a TOML file) describes the measurement: the free motion of a thrown body with a gyro on it ([tumble]), the periods of its swings on wires or about an axis
+/// ([swing]), or the wrenches of a force–torque sensor that moves with the body ([payload]). A gyro log, or swings counted about one axis, need no plan.
+/// Every estimate is a physical body. The report states what the measurements do not determine, and tests whether the residuals are noise.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -32,7 +32,7 @@ Examples:
 pub(crate) struct Identify {
     #[command(flatten)]
     request: Request,
-    /// Print the plan that all this stands for, and find nothing.
+    /// Print the plan that the options are equivalent to, and estimate nothing.
     #[arg(long)]
     print_plan: bool,
     #[command(flatten)]
@@ -58,8 +58,8 @@ impl Identify {
         let text = match self.request.plan()? {
             GivenPlan::Text(text) => text,
             GivenPlan::File(plan) => {
-                let message = "--print-plan prints what flags stand for, and this is a plan already";
-                return Err(Failure::usage(message, "leave --print-plan out").about(&plan));
+                let message = "--print-plan prints the plan of the options, but this file is already a plan";
+                return Err(Failure::usage(message, "remove --print-plan").about(&plan));
             }
         };
         let request = &self.request;
@@ -68,8 +68,8 @@ impl Identify {
         let other = others.into_iter().find_map(|(other, is_given)| is_given.then_some(other));
         match self.form.option().or(other) {
             Some(other) => Err(Failure::usage(
-                format!("--print-plan prints a plan and finds nothing: there is nothing for {other}"),
-                "leave one of them out",
+                format!("--print-plan only prints a plan, so {other} has no effect"),
+                "remove one of them",
             )),
             None => print(&text),
         }

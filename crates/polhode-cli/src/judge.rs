@@ -13,14 +13,14 @@ use crate::form::Form;
 
 /// Check the motion that another program computed, and find the cause of its error.
 ///
-/// The scenario says what the motion is, and RUN is the log of the program: times and attitudes,
-/// and perhaps angular velocities, as CSV, Parquet or JSON lines. A log may name a scenario in its
-/// own folder. The meaning of the numbers is found by the motion that they begin with: the order of
-/// quaternions, their sense, the axes, the origin and unit of time, frame, components and unit of
-/// ω. Each row is then compared with the exact motion. Several runs of one scenario with different
-/// steps give the order of accuracy.
+/// The scenario defines the motion, and RUN is the log of the program: times and attitudes, and
+/// optionally angular velocities, as CSV, Parquet or JSON lines. A log may name a scenario in its
+/// own folder. The conventions of the log are detected from the beginning of its motion: order and
+/// sense of quaternions, axes, origin and unit of time; frame, components and unit of ω. Each row
+/// is then compared with the exact motion. Several runs of one scenario with different steps give
+/// the order of accuracy.
 ///
-/// Exit status: 0 if the motion is right, 1 if a mistake was found or an error is above the limit,
+/// Exit status: 0 if the motion is correct, 1 if a mistake was found or an error is above the limit,
 /// 2 if the run cannot be judged.
 #[derive(Debug, Args)]
 #[command(after_help = "\

@@ -132,7 +132,7 @@ impl IdentifyError {
                 "state the times of each flight, [[tumble.flight]] with from and to; or write flights = \"find\"",
             ),
             Self::Saturated { .. } => Some("throw the body more slowly, or remove this flight from the plan"),
-            Self::Missing { .. } => Some("state it in the plan; there is no default"),
+            Self::Missing { .. } => Some("state it in the plan: it has no default value"),
             Self::Body(error) => error.hint(),
             Self::Motion(error) => error.hint(),
             Self::Growing { .. } => Some(

@@ -46,7 +46,7 @@ pub(super) fn write(target: &Path) -> Result<(), Failure> {
     }
     folder.publish(|partial| fs::rename(partial.path(), target)).map_err(|error| output(target, error))?;
     print(&format!(
-        "wrote {}: {} cases; run them, write NAME.csv for each beside suite.json, then: polhode judge --suite {}\n",
+        "wrote {}: {} cases; run them, write NAME.csv for each next to suite.json, then: polhode judge --suite {}\n",
         shown(target),
         CASES.len(),
         shown(target)

@@ -113,7 +113,7 @@ fn errors_are_what_they_are_said_to_be() {
     }
     for k in 0..2 {
         let (sd, said) = (squares[k].sqrt(), said[k].sqrt());
-        println!("bias {:.3} sd, sd {:.3} of what is said", sums[k] / said, sd / said);
+        println!("bias {:.3} sd, sd {:.3} of the stated sd", sums[k] / said, sd / said);
         assert!((sums[k] / said).abs() < tolerance(0.15), "{}", sums[k] / said);
         assert!(is_about_one(sd / said, 0.1), "{}", sd / said);
     }

@@ -49,7 +49,7 @@ fn name(found: &SwingEstimate, mistake: &Mistake) -> String {
     let what = match &mistake.kind {
         MistakeKind::Miscount => "swings miscounted by one",
         MistakeKind::SideToSide => "peak-to-peak angles given as amplitudes",
-        MistakeKind::Twice { number } => return format!("{} stated at half its value", printable(number)),
+        MistakeKind::Twice { number } => return format!("{} twice too large", printable(number)),
         MistakeKind::Clock => "all times 1 % too long",
     };
     match mistake.test.and_then(|k| found.tests.get(k)) {

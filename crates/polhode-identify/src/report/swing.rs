@@ -72,13 +72,13 @@ impl Report for SwingReport {
             let of = |k: usize| estimate::cell(p.moments[k], p.moment_sd[k]);
             answer.push(format!("Principal moments {}; {}; {} kg·m²", of(0), of(1), of(2)));
         } else {
-            answer.push(format!("The inertia tensor is not completely determined: {}", self.swung()));
-        }
-        for test in &self.found.tests {
-            if let Some(Number { value, sd, unit, .. }) = &test.moment {
-                let (name, moment) = (printable(&test.name), estimate::cell(*value, *sd));
-                answer.push(format!("Moment in test “{name}”: {moment} {unit}"));
+            for test in &self.found.tests {
+                if let Some(Number { value, sd, unit, .. }) = &test.moment {
+                    let (name, moment) = (printable(&test.name), estimate::cell(*value, *sd));
+                    answer.push(format!("Moment of inertia in test “{name}”: {moment} {unit}"));
+                }
             }
+            answer.push(format!("The inertia tensor is not completely determined: {}", self.swung()));
         }
         let mut sections = vec![self.body(), self.each(), self.left()];
         sections.extend(self.next.as_ref().map(next::section));

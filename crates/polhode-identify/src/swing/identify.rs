@@ -132,7 +132,7 @@ fn said(plan: &SwingPlan, swings: &Swings, solution: &Solution) -> Result<SwingE
         let left = residuals(swings, solution, k + 1)?;
         let share = solution.found_by(k + 1, &found);
         let (what, noise) = match &test.measurement {
-            Measurement::Counted(_) => ("times and amplitudes of counted swings, normalized", 1.0),
+            Measurement::Counted(_) => ("times and amplitudes of counted swings (normalized)", 1.0),
             Measurement::Logged(logged) if logged.signal == Signal::Angle => ("angle", logged.sd),
             Measurement::Logged(logged) => ("rate", logged.sd),
         };
@@ -202,7 +202,7 @@ impl Together {
     fn test(&self) -> Option<ResidualTest> {
         (self.runs.len() as f64 > self.found + 0.5).then(|| {
             ResidualTest::of(
-                "counted swings and measured inputs, normalized",
+                "counted swings and measured inputs (normalized)",
                 Noise::told(1.0),
                 self.found,
                 &self.runs,

@@ -1,4 +1,4 @@
-//! Why the contents of a file are not what its format asks for.
+//! Errors in the contents of a file that does not follow its format.
 
 use std::error::Error;
 use std::fmt;
@@ -8,132 +8,133 @@ use polhode::body::BodyError;
 
 use crate::text::cut;
 
-/// Why the contents of a file are not what its format asks for: what is wrong, where, and what to do.
+/// Error in the contents of a file: what is wrong, the place, and advice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContentError {
-    /// What is wrong.
+    /// Error kind, with its details.
     pub kind: ContentErrorKind,
-    /// Where.
+    /// Place in the file.
     pub place: ContentPlace,
-    /// What to do about it, where there is something to say.
+    /// Advice for the user; `None` if there is none.
     pub hint: Option<String>,
 }
 
-/// What is wrong with the contents of a file.
+/// Kind of error in the contents of a file.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ContentErrorKind {
-    /// Something else stands where the grammar has its place.
+    /// The grammar requires something else here.
     Expected {
-        /// What belongs there: `"a number"`.
+        /// Expected content: `"a number"`.
         what: String,
-        /// What stands there; empty at the end of the file.
+        /// Text found instead; empty at the end of the file.
         found: String,
     },
-    /// A number that is infinite or not a number.
+    /// A number that is infinite or NaN.
     NotFinite {
-        /// What it is: `"the coordinate"`.
+        /// Description of the number: `"the coordinate"`.
         what: String,
-        /// The number as it is written.
+        /// The number as written in the file.
         found: String,
     },
-    /// An index of something that is not there.
+    /// An index out of range.
     Index {
-        /// What it counts: `"vertex"`.
+        /// Kind of the indexed elements: `"vertex"`.
         what: String,
-        /// The index, as the file counts.
+        /// The index, in the file's own numbering.
         index: i64,
-        /// How many there are so far.
+        /// Number of elements read so far.
         count: usize,
     },
-    /// A count, or a length, that the file does not fill or runs over.
+    /// A count or length that disagrees with the number of elements in the file.
     Count {
-        /// What is counted: `"vertices"`, `"bytes"`.
+        /// Kind of the counted elements: `"vertices"`, `"bytes"`.
         what: String,
-        /// How many the file declares.
+        /// Count declared in the file.
         declared: u64,
-        /// How many are there.
+        /// Count found in the file.
         present: u64,
     },
     /// A value that breaks a rule.
     Value {
-        /// What it is: `"the element"`.
+        /// Description of the value: `"the element"`.
         what: String,
-        /// The value, as it is written.
+        /// The value as written in the file.
         value: String,
-        /// What it has to be.
+        /// Rule that the value must satisfy.
         rule: String,
     },
-    /// Something that the format needs and the file lacks.
+    /// A required part that is missing.
     Missing {
-        /// What: `"vertices"`.
+        /// Name of the missing part: `"vertices"`.
         what: String,
     },
-    /// Something that the format has and polhode does not read.
+    /// A feature of the format that polhode does not support.
     Unsupported {
-        /// What.
+        /// Name of the feature.
         what: String,
     },
-    /// Something that can be read in more than one way; the hint says how to answer.
+    /// An ambiguous statement; the hint says how to resolve it.
     Unclear {
-        /// What the reader would have to guess, as a question.
+        /// The open question.
         question: String,
-        /// What the file says; may be empty.
+        /// Text in the file; may be empty.
         found: String,
     },
-    /// Numbers that are not a body.
+    /// Numbers that do not describe a physical body.
     Body(Box<BodyError>),
-    /// Products of inertia whose sign cannot be proved: both residuals are small, or both are large.
+    /// Products of inertia of unknown sign: both residuals are small, or both are large.
     ProductSign {
-        /// By what it was tried: `"parallel axes"`.
+        /// Test that was applied: `"parallel axes"`.
         by: &'static str,
-        /// By how many times the printed rounding the report is off if they are −∫xy dm.
+        /// Residual for the sign convention −∫xy dm, in units of the printed rounding.
         negative: f64,
-        /// By how many times the printed rounding it is off if they are +∫xy dm.
+        /// Residual for the sign convention +∫xy dm, in units of the printed rounding.
         positive: f64,
     },
 }
 
-/// Where in the contents of a file.
+/// Place in the contents of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ContentPlace {
-    /// The file as a whole.
+    /// The whole file.
     Whole,
-    /// Bytes of a text file; printed as line and column.
+    /// Range of bytes of a text file; printed as line and column.
     Text(Range<usize>),
-    /// A byte of a binary file.
+    /// Byte of a binary file.
     Byte {
-        /// Which, from 0.
+        /// Offset from the start of the file, bytes.
         offset: u64,
-        /// What stands there: `"vertex 12"`; may be empty.
+        /// Description of the content at that byte: `"vertex 12"`; may be empty.
         what: String,
     },
-    /// A part of the file that has no offset of its own: `"nodes[3].matrix"`, `"3D/3dmodel.model, line 12"`.
+    /// Part of the file without an offset of its own: `"nodes[3].matrix"`,
+    /// `"3D/3dmodel.model, line 12"`.
     Within(String),
 }
 
 impl ContentError {
-    /// An error without a hint.
+    /// Creates an error without a hint.
     pub fn new(kind: ContentErrorKind, place: ContentPlace) -> Self {
         Self { kind, place, hint: None }
     }
 
-    /// Error about the file as a whole.
+    /// Creates an error about the file as a whole.
     pub fn of_file(kind: ContentErrorKind) -> Self {
         Self::new(kind, ContentPlace::Whole)
     }
 
-    /// Error of something that the file lacks.
+    /// Creates an error about a missing part.
     pub fn missing(what: impl Into<String>) -> Self {
         Self::of_file(ContentErrorKind::Missing { what: what.into() })
     }
 
-    /// Error of something that is not read.
+    /// Creates an error about an unsupported feature.
     pub fn unsupported(what: impl Into<String>) -> Self {
         Self::of_file(ContentErrorKind::Unsupported { what: what.into() })
     }
 
-    /// The same with a hint.
+    /// Returns the error with this hint.
     #[must_use]
     pub fn hint(mut self, hint: impl Into<String>) -> Self {
         self.hint = Some(hint.into());
@@ -142,58 +143,58 @@ impl ContentError {
 }
 
 impl ContentErrorKind {
-    /// Something else, `found`, stands where `what` belongs; empty at the end of the file.
+    /// Creates an error for `found` in place of `what`; `found` is empty at the end of the file.
     pub fn expected(what: impl Into<String>, found: impl Into<String>) -> Self {
         Self::Expected { what: what.into(), found: found.into() }
     }
 
-    /// A number, as it is written, that is infinite or not a number.
+    /// Creates an error for a number, as written, that is infinite or NaN.
     pub fn not_finite(what: impl Into<String>, found: impl Into<String>) -> Self {
         Self::NotFinite { what: what.into(), found: found.into() }
     }
 
-    /// An index of something of which there are `count`.
+    /// Creates an error for an index out of range, with `count` elements present.
     pub fn index(what: impl Into<String>, index: i64, count: usize) -> Self {
         Self::Index { what: what.into(), index, count }
     }
 
-    /// A count that the file does not fill or runs over.
+    /// Creates an error for a declared count that differs from the count in the file.
     pub fn count(what: impl Into<String>, declared: u64, present: u64) -> Self {
         Self::Count { what: what.into(), declared, present }
     }
 
-    /// A value that breaks a rule.
+    /// Creates an error for a value that breaks a rule.
     pub fn value(what: impl Into<String>, value: impl Into<String>, rule: impl Into<String>) -> Self {
         Self::Value { what: what.into(), value: value.into(), rule: rule.into() }
     }
 
-    /// Something that the file lacks.
+    /// Creates an error for a missing part.
     pub fn missing(what: impl Into<String>) -> Self {
         Self::Missing { what: what.into() }
     }
 
-    /// Something that polhode does not read.
+    /// Creates an error for an unsupported feature.
     pub fn unsupported(what: impl Into<String>) -> Self {
         Self::Unsupported { what: what.into() }
     }
 
-    /// A question that the file leaves open.
+    /// Creates an error for an ambiguous statement.
     pub fn unclear(question: impl Into<String>, found: impl Into<String>) -> Self {
         Self::Unclear { question: question.into(), found: found.into() }
     }
 
-    /// Returns the error at bytes of a text.
+    /// Returns the error with a range of bytes of a text as its place.
     pub fn at(self, span: Range<usize>) -> ContentError {
         ContentError::new(self, ContentPlace::Text(span))
     }
 
-    /// Returns the error of the file as a whole.
+    /// Returns the error with the whole file as its place.
     pub fn of_whole(self) -> ContentError {
         ContentError::new(self, ContentPlace::Whole)
     }
 }
 
-/// Refuses a told unit, if there is one, that is not positive and finite.
+/// Checks that a unit stated by the caller, if any, is positive and finite.
 pub fn told_unit(what: &str, unit: Option<f64>) -> Result<(), ContentError> {
     match unit {
         Some(unit) if !(unit > 0.0 && unit.is_finite()) => {
@@ -213,7 +214,7 @@ impl fmt::Display for ContentErrorKind {
             }
             Self::Expected { what, found } => write!(f, "expected {what}, found {:?}", cut(found)),
             Self::NotFinite { what, found } => write!(f, "{what} {} is not finite", cut(found)),
-            // As large as indices are read: the file's is larger.
+            // The parser clamps larger indices to these limits.
             Self::Index { what, index: i64::MAX | -9_223_372_036_854_775_807, count } => {
                 write!(f, "a {what} of 18 digits or more does not exist: there are {count}")
             }

@@ -1,4 +1,4 @@
-//! Why a file could not be read, and exactly where.
+//! Errors of reading a file, with their places.
 
 use std::error::Error;
 use std::fmt;
@@ -16,10 +16,9 @@ use crate::suggestion::nearest;
 use crate::text::{cut, escaped, is_utf16, visible};
 use crate::unit::UnitError;
 
-/// Why a file could not be read: which file, where in it, what stands there, the rule that it breaks, and what to
-/// write instead.
+/// Error of reading a file: path, place, content found there, broken rule, and advice.
 ///
-/// Prints as `path:line:column: message`; [`FormatError::place`] has the line itself for whoever draws a snippet.
+/// Prints as `path:line:column: message`. [`FormatError::place`] returns the line for a snippet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FormatError(Box<Report>);
 
@@ -35,107 +34,107 @@ struct Report {
 /// A place in a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Spot {
-    /// Of text.
+    /// Place in a text file.
     Text(Place),
-    /// A cell of a workbook, as its programs write it: `parts!F12`.
+    /// Cell of a workbook, in spreadsheet notation: `parts!F12`.
     Cell(String),
 }
 
-/// What is wrong with a file.
+/// Kind of error in a file.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum FormatErrorKind {
     /// The file cannot be opened or read.
     Io {
-        /// The file, as its user wrote it.
+        /// Path as the user wrote it.
         file: String,
-        /// What kind of failure it was.
+        /// Kind of the I/O error.
         kind: io::ErrorKind,
-        /// In words.
+        /// Description of the failure.
         why: String,
     },
     /// A text file that is not UTF-8.
     NotUtf8 {
-        /// The first byte that does not belong.
+        /// First invalid byte.
         byte: u8,
     },
-    /// Text in UTF-16, where UTF-8 belongs.
+    /// UTF-16 text; only UTF-8 is read.
     Utf16,
-    /// The text does not follow TOML's grammar.
+    /// Text that violates the grammar of TOML.
     Toml {
-        /// What the parser says.
+        /// Message of the parser.
         message: String,
     },
-    /// A key that means nothing in its place.
+    /// An unknown key.
     UnknownKey {
-        /// The key.
+        /// The unknown key.
         key: String,
-        /// The table that it stands in.
+        /// Name of the table that contains the key.
         table: String,
-        /// The key that was probably meant.
+        /// Closest known key, if one is close.
         suggestion: Option<&'static str>,
-        /// All keys that mean something there.
+        /// All known keys of this table.
         known: Vec<&'static str>,
     },
-    /// A key that has to be there and is not.
+    /// A required key that is missing.
     MissingKey {
-        /// The key.
+        /// The missing key.
         key: &'static str,
-        /// The table that lacks it.
+        /// Name of the table without the key.
         table: String,
-        /// A line that would do.
+        /// Example of a valid line.
         example: &'static str,
     },
     /// Two keys that exclude each other.
     Conflict {
-        /// The keys, in the order of the file.
+        /// The two keys, in the order of the file.
         keys: [&'static str; 2],
-        /// Why they do.
+        /// Reason for the conflict.
         rule: &'static str,
     },
     /// A value of the wrong type, or an array of the wrong length.
     WrongType {
-        /// The key whose value it is.
+        /// Key of the value.
         key: String,
-        /// What belongs there.
+        /// Expected type.
         expected: String,
-        /// What stands there.
+        /// Type found.
         found: String,
     },
     /// A value that breaks a rule.
     Value {
-        /// The key whose value it is.
+        /// Key of the value.
         key: String,
-        /// The value, as it is written.
+        /// The value as written in the file.
         value: String,
-        /// What it has to be.
+        /// Rule that the value must satisfy.
         rule: String,
     },
-    /// A text that is not the quantity that belongs there.
+    /// Text that is not a quantity of the required dimension.
     Unit(UnitError),
-    /// A text that is not a formula.
+    /// Text that is not a valid formula.
     Formula(ExpressionError),
-    /// Numbers that are not a body.
+    /// Numbers that do not describe a physical body.
     Body(BodyError),
-    /// Triangles that bound no solid.
+    /// Triangles that do not bound a solid.
     Mesh {
-        /// The part of the file, if it has a name.
+        /// Name of the part of the file, if it has one.
         part: Option<String>,
-        /// Why not.
+        /// Violated condition.
         error: BodyError,
     },
-    /// Numbers that are not a motion.
+    /// Numbers that do not describe a valid motion.
     Motion(MotionError),
-    /// Numbers that are not a rotation.
+    /// Numbers that do not describe a rotation.
     Rotation(RotationError),
-    /// Numbers that break a rule of the file's subject: of a budget, a measurement, a mesh.
+    /// Numbers that break a rule of the subject: of a budget, a measurement, or a mesh.
     Subject {
         /// Rule in words, with the values.
         message: String,
         /// Advice for the user.
         hint: Option<String>,
     },
-    /// Contents that are not what the format asks for.
+    /// Contents that do not follow the format.
     Content(ContentError),
 }
 
@@ -146,26 +145,28 @@ pub struct Place {
     pub line: usize,
     /// Character in the line, from 1.
     pub column: usize,
-    /// Bytes in the file.
+    /// Range of bytes in the file.
     pub span: Range<usize>,
-    /// The line, one visible character for each of its own; of a very long one, the part around the place.
+    /// Text of the line with control characters made visible. A very long line is cut around the
+    /// place.
     pub excerpt: String,
-    /// Characters of the excerpt that the place covers.
+    /// Range of characters of the excerpt to mark.
     pub marked: Range<usize>,
 }
 
 impl FormatError {
-    /// Error in a file, at a place in its text if there is one.
+    /// Creates an error in a file, at a place in its text if `place` is given.
     pub fn new(path: &Path, place: Option<Place>, kind: FormatErrorKind) -> Self {
         Self::at(path, place.map(Spot::Text), kind)
     }
 
-    /// Error in a file, at a place in its text or at a cell.
+    /// Creates an error in a file, at a place in its text or at a cell.
     pub fn at(path: &Path, place: Option<Spot>, kind: FormatErrorKind) -> Self {
         Self(Box::new(Report { path: path.to_owned(), place, kind, hint: None, named_in: None }))
     }
 
-    /// The same where a text that was made of cells is that of no file: its places become those of the cells.
+    /// Returns the error with its places in the text of `path` mapped by `spot`. The text was
+    /// generated from a workbook, and the places become cells.
     pub fn moved(mut self, path: &Path, spot: impl Fn(&Place) -> Option<Spot>) -> Self {
         let moved = |place: Spot| match place {
             Spot::Text(place) => spot(&place),
@@ -179,7 +180,7 @@ impl FormatError {
         self
     }
 
-    /// An error in the contents, with its line if they are text.
+    /// Creates an error from a content error; a place in text gets its line.
     pub fn of_content(path: &Path, bytes: &[u8], error: ContentError) -> Self {
         if is_utf16(bytes) {
             return Self::new(path, None, FormatErrorKind::Utf16);
@@ -191,30 +192,30 @@ impl FormatError {
         Self::new(path, place, FormatErrorKind::Content(error))
     }
 
-    /// Text that is not UTF-8, from some byte on.
+    /// Creates an error for text that is not valid UTF-8 after the first `valid` bytes.
     pub fn not_utf8(path: &Path, bytes: &[u8], valid: usize) -> Self {
         if is_utf16(bytes) {
             return Self::new(path, None, FormatErrorKind::Utf16);
         }
         let byte = bytes.get(valid).copied().unwrap_or_default();
-        // What stands before it is text, and shows the place.
+        // The valid bytes before the place locate it.
         let place = Place::in_text(&String::from_utf8_lossy(bytes), valid..valid);
         Self::new(path, Some(place), FormatErrorKind::NotUtf8 { byte })
     }
 
-    /// Something else that is wrong at the same place.
+    /// Returns the error with another kind at the same place.
     pub fn replaced(mut self, kind: FormatErrorKind) -> Self {
         (self.0.kind, self.0.hint) = (kind, None);
         self
     }
 
-    /// The same with a hint that knows more than its kind does.
+    /// Returns the error with this hint instead of the hint of its kind.
     pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
         self.0.hint = Some(hint.into());
         self
     }
 
-    /// The same with this hint, if there is one.
+    /// Returns the error with this hint, if there is one.
     pub fn with_hint_of(self, hint: Option<impl Into<String>>) -> Self {
         match hint {
             Some(hint) => self.with_hint(hint),
@@ -222,28 +223,28 @@ impl FormatError {
         }
     }
 
-    /// The same with the question whether a name near to this word was meant, if one is near.
+    /// Returns the error with the hint "did you mean …?" if one of the names is close to the word.
     pub fn suggesting<'a>(self, word: &str, names: impl IntoIterator<Item = &'a str>) -> Self {
         self.with_hint_of(nearest(word, names).map(|near| format!("did you mean \"{near}\"?")))
     }
 
-    /// The same about a file that another file names.
+    /// Returns the error with the place in another file that names this file.
     pub fn named_in(self, path: &Path, place: Place) -> Self {
         self.named_at(path, Spot::Text(place))
     }
 
-    /// The same error in a file that another file names, at a place or a cell there.
+    /// Returns the error with the place or cell in another file that names this file.
     pub fn named_at(mut self, path: &Path, place: Spot) -> Self {
         self.0.named_in = Some((path.to_owned(), place));
         self
     }
 
-    /// The file that it is about.
+    /// Returns the path of the file.
     pub fn path(&self) -> &Path {
         &self.0.path
     }
 
-    /// Where in the file; `None` if it is about the file as a whole, or the file is binary.
+    /// Returns the place in the file; `None` if the error concerns the whole file or a binary file.
     pub fn place(&self) -> Option<&Place> {
         match &self.0.place {
             Some(Spot::Text(place)) => Some(place),
@@ -251,7 +252,7 @@ impl FormatError {
         }
     }
 
-    /// The cell of a workbook, as its programs write it: `parts!F12`.
+    /// Returns the cell of a workbook in spreadsheet notation, such as `parts!F12`.
     pub fn cell(&self) -> Option<&str> {
         match &self.0.place {
             Some(Spot::Cell(cell)) => Some(cell),
@@ -259,22 +260,23 @@ impl FormatError {
         }
     }
 
-    /// What is wrong.
+    /// Returns the kind of error.
     pub fn kind(&self) -> &FormatErrorKind {
         &self.0.kind
     }
 
-    /// What is wrong, as a sentence without the place.
+    /// Returns the message, one sentence without the place.
     pub fn message(&self) -> String {
         self.0.kind.to_string()
     }
 
-    /// What to do about it, where there is something to say.
+    /// Returns the advice for the user, if there is any.
     pub fn hint(&self) -> Option<String> {
         self.0.hint.clone().or_else(|| self.0.kind.hint())
     }
 
-    /// The file and the place that name the file that it is about: the `file = "part.stl"` of a scenario.
+    /// Returns the file and place that name the file of this error, such as `file = "part.stl"` in
+    /// a scenario.
     pub fn origin(&self) -> Option<(&Path, &Place)> {
         match &self.0.named_in {
             Some((path, Spot::Text(place))) => Some((path, place)),
@@ -282,7 +284,7 @@ impl FormatError {
         }
     }
 
-    /// The workbook and its cell that name the file that it is about.
+    /// Returns the workbook and cell that name the file of this error.
     pub fn origin_cell(&self) -> Option<(&Path, &str)> {
         match &self.0.named_in {
             Some((path, Spot::Cell(cell))) => Some((path, cell)),
@@ -326,7 +328,7 @@ impl fmt::Display for FormatErrorKind {
             Self::WrongType { key, expected, found } => write!(f, "{key} must be {expected}, not {found}"),
             Self::Value { key, value, rule } => write!(f, "{key} = {value} must be {rule}"),
             Self::Unit(e) => e.fmt(f),
-            // The column is the error's own.
+            // The message has its own column.
             Self::Formula(e) => e.kind.fmt(f),
             Self::Body(e) | Self::Mesh { part: None, error: e } => e.fmt(f),
             Self::Mesh { part: Some(part), error } => write!(f, "part {part:?}: {error}"),
@@ -346,7 +348,7 @@ impl From<ContentError> for FormatErrorKind {
 }
 
 impl FormatErrorKind {
-    /// An error of a subject, with what to do about it.
+    /// Creates an error of a subject, with advice.
     pub fn subject(error: &impl fmt::Display, hint: Option<&str>) -> Self {
         Self::Subject { message: error.to_string(), hint: hint.map(str::to_owned) }
     }
@@ -395,7 +397,7 @@ impl FormatErrorKind {
     }
 }
 
-/// What a file's author can do about a body that the core has no advice for.
+/// Returns advice to the author of a file about a body error for which `polhode` itself has none.
 fn body_hint(error: &BodyError) -> &'static str {
     match error {
         BodyError::Parameter { what: "the torus's tube radius", .. } => {
@@ -450,7 +452,8 @@ fn rotation_hint(error: &RotationError) -> &'static str {
 }
 
 impl Place {
-    /// The bytes `span` of a file that is text, or nearly; lines end in \n, \r\n or \r.
+    /// Returns the place of the bytes `span` of a text that need not be valid UTF-8. Line ends are
+    /// \n, \r\n or \r.
     pub fn in_bytes(bytes: &[u8], span: Range<usize>) -> Self {
         let start = span.start.min(bytes.len());
         let end = span.end.clamp(start, bytes.len());
@@ -469,15 +472,15 @@ impl Place {
         Self { line, span: start..end, ..local }
     }
 
-    /// The bytes `span` of a text.
+    /// Returns the place of the bytes `span` of a text.
     pub fn in_text(text: &str, span: Range<usize>) -> Self {
-        /// Characters that are shown of a line.
+        /// Largest number of characters of a line that are printed.
         const SHOWN: usize = 160;
         let start = text.floor_char_boundary(span.start.min(text.len()));
         let end = text.floor_char_boundary(span.end.clamp(start, text.len()));
         let line_start = text[..start].rfind('\n').map_or(0, |newline| newline + 1);
         let line_end = text[start..].find('\n').map_or(text.len(), |newline| start + newline);
-        // A byte order mark is no character of the first line.
+        // The byte order mark does not count as a character of the first line.
         let first = if line_start == 0 && text.starts_with('\u{feff}') { 3.min(start) } else { line_start };
         let before = text[first..start].chars().count();
         let width = text[start..end.min(line_end).max(start)].trim_end().chars().count().max(1);
@@ -500,7 +503,7 @@ impl Place {
     }
 }
 
-/// A path as messages print it.
+/// Returns a path as messages print it.
 fn shown(path: &Path) -> String {
     escaped(&path.to_string_lossy())
 }

@@ -1,4 +1,4 @@
-//! Failures of requests: what is wrong, where, and what to do.
+//! Failures of requests, with place and advice.
 
 use std::fmt::{self, Write as _};
 use std::path::Path;
@@ -11,7 +11,7 @@ use crate::text::escaped;
 
 /// Reason why a request has no result.
 ///
-/// Its text is what the command prints: the message, the place with the line of the file, and advice.
+/// Displays as the command prints it: message, place with the line of the file, and advice.
 ///
 /// ```
 /// use polhode_source::Failure;
@@ -25,32 +25,32 @@ pub enum Failure {
     Input(Box<FormatError>),
     /// A motion that cannot be computed.
     Motion {
-        /// What is about: the path of a file, or an argument.
+        /// Subject of the error: the path of a file, or an argument.
         path: String,
-        /// Why.
+        /// Reason of the failure.
         error: MotionError,
     },
-    /// A request that makes no sense, or a file that does not fit it.
+    /// An invalid request, or a file that does not fit the request.
     Usage {
-        /// What is wrong.
+        /// Message without place and advice.
         message: String,
-        /// The file that it is about.
+        /// Path of the file, if one is concerned.
         file: Option<String>,
-        /// The line and column in the file.
+        /// Line and column in the file, from 1.
         place: Option<[usize; 2]>,
-        /// Advice.
+        /// Advice for the user.
         hint: Option<String>,
     },
 }
 
 impl Failure {
-    /// A request that makes no sense; no advice if `hint` is empty.
+    /// Creates a failure for an invalid request; an empty `hint` means no advice.
     pub fn usage(message: impl Into<String>, hint: impl Into<String>) -> Self {
         let hint = Some(hint.into()).filter(|hint: &String| !hint.is_empty());
         Self::Usage { message: message.into(), file: None, place: None, hint }
     }
 
-    /// As [`Failure::usage`], at a line and column of a file.
+    /// Same as [`Failure::usage`], at a line and column of a file.
     pub fn located(
         message: impl Into<String>,
         file: &Path,
@@ -61,12 +61,12 @@ impl Failure {
         Self::Usage { message, file, place: Some(place), hint }
     }
 
-    /// A motion of a file that cannot be computed.
+    /// Creates a failure for the motion of a file that cannot be computed.
     pub fn of_motion(file: &Path, error: MotionError) -> Self {
         Self::Motion { path: shown(file), error }
     }
 
-    /// The failure of one of several files, which it names if it has not done so yet.
+    /// Returns the failure with the path of its file, unless it has one already.
     #[must_use]
     pub fn about(self, file: &Path) -> Self {
         match self {
@@ -77,12 +77,12 @@ impl Failure {
         }
     }
 
-    /// Returns true if the request was right and the computation could not reach its tolerance.
+    /// Returns true if the request is valid but the computation does not reach its tolerance.
     pub fn is_numerical(&self) -> bool {
         matches!(self, Self::Motion { error, .. } if error.is_numerical())
     }
 
-    /// Returns what is wrong, without place and advice.
+    /// Returns the message without place and advice.
     pub fn message(&self) -> String {
         match self {
             Self::Input(error) => error.message(),
@@ -111,7 +111,8 @@ impl Failure {
         }
     }
 
-    /// Returns `line` and `column` in the file, `message` and `hint`; `null` for what there is not.
+    /// Returns an object with `line` and `column` in the file, `message` and `hint`; missing ones
+    /// are `null`.
     pub fn to_json(&self, file: &Path) -> Value {
         let [line, column] = self.place_in(file).map_or([None; 2], |place| place.map(Some));
         json!({ "line": line, "column": column, "message": self.message(), "hint": self.hint() })
@@ -141,12 +142,12 @@ impl fmt::Display for Failure {
 
 impl std::error::Error for Failure {}
 
-/// A path within a message: on one line, whatever is in it.
+/// Returns a path as messages print it: on one line, with control characters escaped.
 pub fn shown(path: &Path) -> String {
     escaped(&path.to_string_lossy())
 }
 
-/// Where an error is, and where the file with the error is named.
+/// Returns the place of an error, and the place that names its file.
 fn places(error: &FormatError) -> String {
     let mut text = String::new();
     match error.cell() {
@@ -162,7 +163,7 @@ fn places(error: &FormatError) -> String {
     text
 }
 
-/// The line of the file, and a mark under what is wrong with it.
+/// Appends the line of the file with a mark under the error.
 fn snippet(text: &mut String, path: &Path, place: Option<&Place>, note: &str) {
     let path = shown(path);
     let Some(Place { line, column, excerpt, marked, .. }) = place else {

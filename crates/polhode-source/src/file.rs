@@ -1,6 +1,7 @@
 //! Bytes from files.
 //!
-//! A file is read, never mapped into memory: one that somebody shortens meanwhile is then an error and not a signal that ends the process.
+//! A file is read, never mapped into memory. If another process shortens it meanwhile, that gives
+//! an error instead of a fatal signal.
 
 use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
@@ -8,15 +9,17 @@ use std::path::{Path, PathBuf};
 use crate::error::{FormatError, FormatErrorKind};
 use crate::files::{Files, Kind, Look, OpenFile};
 
-/// A pipe or a device can be endless, and has no length to know it by.
+/// Largest accepted input from a pipe or device, bytes. Its length is unknown in advance and may be
+/// infinite.
 const LARGEST_STREAM: u64 = 1 << 30;
 
 const SHORTER: &str = "it became shorter while it was read";
 
-/// All bytes of a file; `written` is the path as its user wrote it.
+/// Reads all bytes of a file; `written` is the path as the user wrote it.
 ///
-/// A directory is refused in words, a file of more than `limit` bytes before it fills the memory, one for which there is not enough memory
-/// instead of ending the process, and one that changes while it is read.
+/// A folder gives an error, as does a file of more than `limit` bytes, before it fills the memory.
+/// Insufficient memory is an error and does not end the process. A file that changes while it is
+/// read is an error.
 pub fn bytes(files: &dyn Files, path: &Path, written: &str, limit: u64) -> Result<Vec<u8>, FormatErrorKind> {
     let failed = |error: io::Error| failed(written, &error);
     let look = files.look(path).map_err(failed)?;
@@ -27,7 +30,7 @@ pub fn bytes(files: &dyn Files, path: &Path, written: &str, limit: u64) -> Resul
     let too_large =
         || failed(io::Error::new(io::ErrorKind::FileTooLarge, format!("it has more than {limit} bytes")));
     let mut file = files.open(path).map_err(failed)?;
-    // Of what was opened, which may be another file by now.
+    // Metadata of the opened file; the path may point to another file by now.
     let before = file.look().map_err(failed)?;
     if before.is_file() && before.length > limit {
         return Err(too_large());
@@ -39,10 +42,10 @@ pub fn bytes(files: &dyn Files, path: &Path, written: &str, limit: u64) -> Resul
     Ok(bytes)
 }
 
-/// The bytes of an open file, but no more than `most` of them; `before` is what the system said when it was opened.
+/// Reads at most `most` bytes of an open file; `before` is its metadata at opening.
 ///
 /// # Errors
-/// What the system says; [`io::ErrorKind::OutOfMemory`]; and as [`unchanged`].
+/// I/O errors of the system; [`io::ErrorKind::OutOfMemory`]; and the errors of [`unchanged`].
 pub fn all(file: &mut dyn OpenFile, most: u64, before: &Look) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let expected = if before.is_file() { before.length.min(most) } else { 0 };
@@ -52,7 +55,7 @@ pub fn all(file: &mut dyn OpenFile, most: u64, before: &Look) -> io::Result<Vec<
         return Err(io::Error::new(io::ErrorKind::OutOfMemory, why));
     }
     (&mut *file).take(most).read_to_end(&mut bytes)?;
-    // Files that the system makes up as they are read, as in /proc, say that they have no bytes.
+    // Virtual files, such as those in /proc, report a length of 0.
     if expected > 0 {
         if (bytes.len() as u64) < expected {
             return Err(io::Error::new(io::ErrorKind::UnexpectedEof, SHORTER));
@@ -62,10 +65,11 @@ pub fn all(file: &mut dyn OpenFile, most: u64, before: &Look) -> io::Result<Vec<
     Ok(bytes)
 }
 
-/// Whether a file is what it was: its bytes were read one after another, and belong together only then.
+/// Checks that a file did not change while its bytes were read one after another.
 ///
 /// # Errors
-/// What the system says; [`io::ErrorKind::UnexpectedEof`] if it is shorter now, another kind if it was written to otherwise.
+/// I/O errors of the system; [`io::ErrorKind::UnexpectedEof`] if the file is shorter now, another
+/// kind if it changed otherwise.
 pub fn unchanged(now: Look, before: &Look) -> io::Result<()> {
     if now.length < before.length {
         return Err(io::Error::new(io::ErrorKind::UnexpectedEof, SHORTER));
@@ -77,7 +81,7 @@ pub fn unchanged(now: Look, before: &Look) -> io::Result<()> {
     Ok(())
 }
 
-/// The error of a file that its user calls `written`.
+/// Returns the error kind for a file; `written` is its path as the user wrote it.
 pub fn failed(written: &str, error: &io::Error) -> FormatErrorKind {
     let why = match error.kind() {
         io::ErrorKind::NotFound => "there is no such file".to_owned(),
@@ -89,10 +93,10 @@ pub fn failed(written: &str, error: &io::Error) -> FormatErrorKind {
     FormatErrorKind::Io { file: written.to_owned(), kind: error.kind(), why }
 }
 
-/// Checks the folders that a user allows.
+/// Checks that the folders allowed by the user exist.
 ///
 /// # Errors
-/// [`FormatError`] of one that does not exist or is a file.
+/// [`FormatError`] for a root that does not exist or is not a folder.
 pub fn require_folders(files: &dyn Files, roots: &[PathBuf]) -> Result<(), FormatError> {
     let require = |root: &PathBuf| match files.look(root)?.kind {
         Kind::Folder => Ok(()),
@@ -114,7 +118,7 @@ mod tests {
     use super::*;
     use crate::files::Disk;
 
-    /// What reading says of a file that is changed after the system was asked for its length.
+    /// Returns the result of reading a file that changes after its length was determined.
     fn changed(name: &str, change: impl Fn(&File)) -> io::Result<Vec<u8>> {
         let path = std::env::temp_dir().join(format!("polhode-changed-{}-{name}", std::process::id()));
         fs::write(&path, [7; 1000]).unwrap();
@@ -146,7 +150,7 @@ mod tests {
     fn a_file_larger_than_the_memory_is_refused() {
         let path = std::env::temp_dir().join(format!("polhode-huge-{}", std::process::id()));
         let file = File::create(&path).unwrap();
-        // Without a byte on the disk, and more than any machine addresses.
+        // A sparse file, larger than the address space of any machine.
         let huge =
             (0..63).rev().map(|bits| 1_u64 << bits).find(|&length| file.set_len(length).is_ok()).unwrap();
         assert!(huge >= 1 << 40);

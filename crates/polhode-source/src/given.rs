@@ -1,6 +1,5 @@
-//! Numbers as a user gives them to a command or a function: quantities with their units, and lists of them.
-//!
-//! Errors are words without a place: what asks says which argument it is.
+//! Numbers in arguments of a command or function: quantities with units, and lists of them. Errors
+//! are strings without a place; the caller adds the name of the argument.
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -14,9 +13,9 @@ use crate::times;
 use crate::unit;
 use crate::unit::Dimension;
 
-/// Argument as a user writes it, and what it means.
+/// Argument as the user wrote it, with its parsed value.
 ///
-/// It serializes as its text; a number in place of a text means that number in SI units.
+/// It serializes as its text. When deserializing, a number is accepted as a value in SI units.
 ///
 /// ```
 /// use polhode_source::given::{Given, Positive, Time};
@@ -28,9 +27,9 @@ use crate::unit::Dimension;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Given<T> {
-    /// What the user wrote.
+    /// Text as the user wrote it.
     pub text: String,
-    /// What it means.
+    /// Parsed value.
     pub value: T,
 }
 
@@ -78,7 +77,7 @@ impl<'de, T: FromStr<Err = String>> Deserialize<'de> for Given<T> {
     }
 }
 
-/// Quantities: their names, dimensions and SI units.
+/// Defines quantities from their names, dimensions and SI units.
 macro_rules! quantities {
     ($($name:ident: $dimension:ident, $about:literal;)*) => {$(
         #[doc = $about]
@@ -125,7 +124,7 @@ impl<T: FromStr<Err = String> + Into<f64> + Copy> FromStr for Positive<T> {
     }
 }
 
-/// Point of a body: x,y,z from its origin, m.
+/// Point of a body, parsed from `x,y,z`: position from the origin, body axes, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point(pub Position<Body>);
 
@@ -137,7 +136,7 @@ impl FromStr for Point {
     }
 }
 
-/// Rotation as a quaternion, scalar first, of any length but zero.
+/// Rotation, parsed from a quaternion `w,x,y,z`, scalar first, of any nonzero length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn<A: Frame, B: Frame>(pub Rotation<A, B>);
 
@@ -149,7 +148,7 @@ impl<A: Frame, B: Frame> FromStr for Turn<A, B> {
     }
 }
 
-/// A number, with its unit or in SI.
+/// Parses a number with a unit, or without one in SI; returns it in SI.
 pub fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
     unit::parse(text, dimension).map_err(|error| match error.hint() {
         Some(hint) => format!("{error} (hint: {hint})"),
@@ -157,7 +156,7 @@ pub fn quantity(text: &str, dimension: Dimension) -> Result<f64, String> {
     })
 }
 
-/// One of a unit of this name, in SI.
+/// Returns the value of one unit of this name in SI.
 pub fn unit_named(name: &str, dimension: Dimension) -> Result<f64, String> {
     unit::factor(name, dimension).map_err(|error| match error.hint_for_name() {
         Some(hint) => format!("{error} (hint: {hint})"),
@@ -165,7 +164,7 @@ pub fn unit_named(name: &str, dimension: Dimension) -> Result<f64, String> {
     })
 }
 
-/// Numbers with commas between, as many as there are, each with its unit; `(1, 2, 3) deg/s` gives all of them one.
+/// Parses numbers separated by commas, each with its unit; `(1, 2, 3) deg/s` gives one unit to all.
 pub fn list(text: &str, dimension: Dimension) -> Result<Vec<f64>, String> {
     let without = text.trim().trim_start_matches('(').replace(')', " ");
     match without.split(',').find(|part| unit::may_be_several(part)) {
@@ -176,7 +175,7 @@ pub fn list(text: &str, dimension: Dimension) -> Result<Vec<f64>, String> {
     }
 }
 
-/// Times in s.
+/// Times in s, parsed from a list such as `1 s, 2 s` or a range such as `0:1:0.1`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Times(pub Vec<f64>);
 
@@ -188,7 +187,7 @@ impl FromStr for Times {
     }
 }
 
-/// Times with commas between, each with its unit, in which `0:1:0.1` are those from 0 to 1 in steps of 0.1.
+/// Parses times separated by commas, each with its unit. `0:1:0.1` means 0 to 1 in steps of 0.1.
 pub fn times(text: &str) -> Result<Times, String> {
     if !text.contains(':') {
         return list(text, Dimension::TIME).map(Times);
@@ -220,8 +219,8 @@ pub fn times(text: &str) -> Result<Times, String> {
     Ok(Times(all))
 }
 
-/// The numbers of a list. One in which some have a unit and others, not zero, have none is refused: the unit of the last is often
-/// meant for all.
+/// Parses the numbers of a list. Refuses a list with units on some of its nonzero numbers only: the
+/// author often means the last unit for all of them.
 fn each(text: &str, dimension: Dimension) -> Result<Vec<f64>, String> {
     let (inside, unit) = match text.trim().strip_prefix('(').and_then(|rest| rest.split_once(')')) {
         Some((inside, unit)) => (inside, unit),
@@ -237,7 +236,7 @@ fn each(text: &str, dimension: Dimension) -> Result<Vec<f64>, String> {
     }
 }
 
-/// As [`list`], of `N` numbers.
+/// Same as [`list`], for exactly `N` numbers.
 pub fn numbers<const N: usize>(text: &str, form: &str, dimension: Dimension) -> Result<[f64; N], String> {
     let found = if text.trim().is_empty() { 0 } else { text.split(',').count() };
     if found != N {
@@ -246,18 +245,18 @@ pub fn numbers<const N: usize>(text: &str, form: &str, dimension: Dimension) -> 
     each(text, dimension)?.try_into().map_err(|_| format!("{N} numbers belong here ({form})"))
 }
 
-/// A quaternion, scalar first, of any length but zero.
+/// Parses a quaternion, scalar first, of any nonzero length.
 pub fn rotation<A: Frame, B: Frame>(text: &str) -> Result<Rotation<A, B>, String> {
     let q = numbers(text, "w,x,y,z", Dimension::NONE)?;
     Rotation::from_quaternion(q).map_err(|e| e.to_string())
 }
 
-/// A point of a body: x,y,z from its origin.
+/// Parses a point of a body: `x,y,z` from its origin, body axes, m.
 pub fn point(text: &str) -> Result<Position<Body>, String> {
     numbers(text, "x,y,z", Dimension::LENGTH).map(Position::from_array)
 }
 
-/// The number, if it is positive.
+/// Returns the number if it is positive, else an error.
 pub fn positive(value: f64) -> Result<f64, String> {
     if value > 0.0 { Ok(value) } else { Err("it must be positive".to_owned()) }
 }

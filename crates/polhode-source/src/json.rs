@@ -1,11 +1,11 @@
-//! JSON whose objects have each key once.
+//! JSON reader that refuses duplicate keys.
 
 use std::fmt;
 
 use serde_core::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Number, Value};
 
-/// Reads a document; an object in which a key stands twice is refused, as it is not known which of its values is meant.
+/// Reads a JSON document; refuses an object with a duplicate key, whose meaning is ambiguous.
 ///
 /// ```
 /// let read = polhode_source::json_value(br#"{"mass": 1, "part": {"mass": 2}}"#)?;
@@ -16,12 +16,12 @@ use serde_json::{Map, Number, Value};
 /// ```
 ///
 /// # Errors
-/// What is not JSON, and a key that stands twice, with line and column.
+/// Syntax errors and duplicate keys, with line and column.
 pub fn json_value(text: &[u8]) -> Result<Value, serde_json::Error> {
     serde_json::from_slice(text).map(|Unique(value)| value)
 }
 
-/// A value in which no object has a key twice.
+/// JSON value in which every key of an object is unique.
 struct Unique(Value);
 
 impl<'de> Deserialize<'de> for Unique {

@@ -1,21 +1,21 @@
-//! Input text with places: what every reader of polhode needs, whatever the subject of its files.
+//! Input text with places, shared by all readers of polhode.
 //!
 //! | module | holds |
 //! |---|---|
-//! | [`FormatError`] | path, line, column, what is there, the rule, what to write instead |
-//! | [`ContentError`] | the same of bytes whose file is not known yet |
-//! | [`Failure`] | what a slice answers to a request that has no result |
-//! | [`given`] | quantities and lists as a user gives them |
+//! | [`FormatError`] | path, line, column, text found, broken rule, advice |
+//! | [`ContentError`] | the same for bytes whose file is not known yet |
+//! | [`Failure`] | the error of a request without a result |
+//! | [`given`] | quantities and lists in arguments |
 //! | [`read_file`], [`read_text_file`], [`mod@file`] | files, with limits |
-//! | [`files`] | where files come from: this machine, memory, some folders of another |
+//! | [`files`] | sources of files: this machine, memory, certain folders of another source |
 //! | [`mod@unit`] | quantities in text |
 //! | [`expression`] | formulas in text |
 //! | [`toml`] | TOML: tables, values and rotations with their places |
-//! | [`mod@csv`] | lines and fields of tables; numbers with commas between them |
+//! | [`mod@csv`] | lines and fields of tables; numbers separated by commas |
 //! | [`times`] | lists of times, one per line |
 //! | [`xml`] | elements, attributes and numbers with their places |
-//! | [`package`] | XML in ZIP archives, with limits on what they unfold to |
-//! | [`text`] | excerpts in which nothing is unseen |
+//! | [`package`] | XML in ZIP archives, with limits on the unpacked size |
+//! | [`text`] | excerpts with all control characters made visible |
 #![forbid(unsafe_code)]
 
 mod content;

@@ -1,4 +1,4 @@
-//! Files into values: the bytes of one, and where in it an error is.
+//! Reading files into values, with errors located in the file.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use crate::error::FormatError;
 use crate::file;
 use crate::files::Files;
 
-/// Reads a file with a parser of bytes: an error in the contents gets its line.
+/// Reads a file with a parser of bytes; an error in the contents gets its line.
 ///
 /// ```
 /// use polhode_source::{files::Disk, read_file};
@@ -19,7 +19,7 @@ use crate::files::Files;
 /// ```
 ///
 /// # Errors
-/// [`FormatError`] if the file cannot be read, or its contents are not what the parser takes.
+/// [`FormatError`] if the file cannot be read, or if the parser refuses its contents.
 pub fn read_file<T>(
     files: &dyn Files,
     path: &Path,
@@ -30,10 +30,10 @@ pub fn read_file<T>(
     parse(&bytes).map_err(|error| FormatError::of_content(path, &bytes, error))
 }
 
-/// The same for a parser of text, which has to be UTF-8.
+/// Reads a file with a parser of UTF-8 text.
 ///
 /// # Errors
-/// As [`read_file`], and for text that is not UTF-8.
+/// Same as [`read_file`], and an error for text that is not UTF-8.
 pub fn read_text_file<T>(
     files: &dyn Files,
     path: &Path,

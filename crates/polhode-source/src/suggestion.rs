@@ -1,6 +1,7 @@
-//! What was probably meant.
+//! Suggestions for misspelt names.
 
-/// The candidate nearest to a word, if it is near enough to be a slip of the pen and no other is as near.
+/// Returns the candidate closest to a word, if it is close enough to be a misspelling and no other
+/// is as close.
 pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let letters = |text: &str| -> Vec<char> {
         text.chars()
@@ -8,7 +9,7 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
             .map(|c| if c == '-' || c == ' ' { '_' } else { c.to_ascii_lowercase() })
             .collect()
     };
-    // Another digit is another thing: euler321 is not euler313.
+    // A different digit means a different name: euler321 is not a misspelling of euler313.
     let digits = |text: &str| text.chars().filter(char::is_ascii_digit).collect::<String>();
     let number = digits(word);
     let word = letters(word);
@@ -21,20 +22,21 @@ pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|candidate| (edits(&word, &letters(candidate)), candidate))
         .filter(|&(edits, candidate)| {
             let length = candidate.chars().count();
-            // Up to a third of the letters: wood is not gold.
+            // Allows edits of up to a third of the letters: wood is not a misspelling of gold.
             edits <= (length.max(word.len()) / 3).min(2)
         })
         .collect();
     near.sort_by_key(|&(edits, _)| edits);
     match near[..] {
-        // Two that are as near are no answer: w2 is neither wx nor wy.
+        // A tie gives no suggestion: w2 may mean wx or wy.
         [(least, one), (edits, other), ..] if edits == least && one != other => None,
         [(_, candidate), ..] => Some(candidate),
         [] => None,
     }
 }
 
-/// Letters inserted, left out, replaced or swapped with their neighbour, at the least, to make `a` into `b`.
+/// Returns the edit distance of `a` and `b`: insertions, deletions, replacements and swaps of
+/// neighbours.
 fn edits(a: &[char], b: &[char]) -> usize {
     let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
     for i in 1..=a.len() {

@@ -1,6 +1,7 @@
-//! Text of others, as messages print it.
+//! Foreign text as messages print it.
 
-/// A character of one column that leaves the terminal and the direction of the text alone.
+/// Returns a visible substitute for a control character: a space or U+FFFD; other characters are
+/// unchanged.
 pub fn visible(c: char) -> char {
     match c {
         '\t' | '\n' | '\r' => ' ',
@@ -9,14 +10,15 @@ pub fn visible(c: char) -> char {
     }
 }
 
-/// The start of a text, and a mark if that is not all of it.
+/// Returns the first 60 characters of a text, with an ellipsis if the text is longer.
 pub fn cut(text: &str) -> String {
     const MOST: usize = 60;
     let more = text.chars().nth(MOST).map(|_| '…');
     text.chars().take(MOST).chain(more).collect()
 }
 
-/// Whether bytes are UTF-16 text: by their mark, or as every other one of the first is zero.
+/// Returns true if the bytes are UTF-16 text: they have its byte order mark, or every other one of
+/// the first bytes is zero.
 pub fn is_utf16(bytes: &[u8]) -> bool {
     const LOOKED_AT: usize = 64;
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
@@ -30,7 +32,7 @@ pub fn is_utf16(bytes: &[u8]) -> bool {
             || pairs.iter().all(|[a, b]| *a == 0 && ascii(*b)))
 }
 
-/// The whole text on one line: what cannot be seen is escaped.
+/// Returns the whole text on one line, with invisible characters escaped.
 pub fn escaped(text: &str) -> String {
     let mut shown = String::new();
     for c in text.chars() {
@@ -39,14 +41,15 @@ pub fn escaped(text: &str) -> String {
     shown
 }
 
-/// Whether a character controls the terminal, turns the text around, or has no width.
+/// Returns true for a character that controls the terminal, changes the text direction, or has no
+/// width.
 pub fn is_unseen(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{ad}' | '\u{61c}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}')
         || matches!(c, '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{e0000}'..='\u{e007f}')
 }
 
-/// "1 hole", "2 holes"
+/// Returns a count with its noun: "1 hole", "2 holes".
 pub fn counted(count: usize, noun: &str) -> String {
     match count {
         1 => format!("1 {noun}"),

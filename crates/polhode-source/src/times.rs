@@ -1,6 +1,7 @@
-//! Times: lists of them in files, and evenly spaced ones.
+//! Lists of times from files, and evenly spaced times.
 //!
-//! A file has one time per line, a number of seconds or a number with a unit; blank lines and what follows a `#` are for people.
+//! A file has one time per line: a number in seconds, or a number with a unit. Blank lines and text
+//! after `#` are ignored.
 
 use std::io::{self, Read};
 use std::path::Path;
@@ -11,25 +12,25 @@ use crate::files::Files;
 use crate::text::{cut, is_utf16};
 use crate::unit::{self, Dimension};
 
-/// More times than this would not fit the memory of a small machine: at 240 bytes a sample, 2.4 GB.
+/// Largest number of times; at 240 bytes per sample, 2.4 GB.
 pub const MOST: u64 = 10_000_000;
 
-/// A list larger than this is longer than [`MOST`], or something else.
+/// Largest accepted file, bytes: more than [`MOST`] times need.
 const LARGEST_FILE: u64 = 256 << 20;
 
 /// Reads a file of times.
 ///
 /// # Errors
-/// [`FormatError`] if it cannot be read, holds no time, or a line is none.
+/// [`FormatError`] if the file cannot be read, has no times, or a line is not a time.
 pub fn read(files: &dyn Files, path: &Path) -> Result<Vec<f64>, FormatError> {
     let bytes = file::bytes(files, path, &path.to_string_lossy(), LARGEST_FILE);
     from_bytes(&bytes.map_err(|kind| FormatError::new(path, None, kind))?, path)
 }
 
-/// Reads times from an open stream; `path` is what messages call it.
+/// Reads times from an open stream; `path` is its name in messages.
 ///
 /// # Errors
-/// As [`read`].
+/// Same as [`read`].
 pub fn read_from(stream: impl Read, path: &Path) -> Result<Vec<f64>, FormatError> {
     let failed =
         |error: io::Error| FormatError::new(path, None, file::failed(&path.to_string_lossy(), &error));
@@ -42,7 +43,7 @@ pub fn read_from(stream: impl Read, path: &Path) -> Result<Vec<f64>, FormatError
     from_bytes(&bytes, path)
 }
 
-/// Reads times from text; `path` is for messages.
+/// Parses times from text; `path` is the name of the text in messages.
 ///
 /// ```
 /// use polhode_source::times;
@@ -53,13 +54,13 @@ pub fn read_from(stream: impl Read, path: &Path) -> Result<Vec<f64>, FormatError
 /// ```
 ///
 /// # Errors
-/// As [`read`].
+/// Same as [`read`].
 pub fn parse(text: &str, path: &Path) -> Result<Vec<f64>, FormatError> {
     let (mut times, mut start) = (Vec::new(), 0);
     let mut nonzero: Option<&str> = None;
     for line in text.split_inclusive('\n') {
         let before_comment = line.split('#').next().unwrap_or_default();
-        // A byte order mark is no part of the first time.
+        // A byte order mark does not belong to the first time.
         let time = before_comment.trim_start_matches('\u{feff}').trim();
         if !time.is_empty() {
             let from = start + line.find(time).unwrap_or_default();
@@ -75,7 +76,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Vec<f64>, FormatError> {
                 let hint = "write each time on a line of its own, and its digits in one piece";
                 return Err(refused("one number".to_owned()).with_hint(hint));
             }
-            // The first line that is not zero decides for those after it: with units, or in s.
+            // The first nonzero line decides for all lines: with units, or all in s.
             let first = *nonzero.get_or_insert(time);
             if let Some((bare, with)) = unit::bare_beside_units([first, time]) {
                 let rule = format!("as the others: {with:?} has a unit and {bare:?} has none");
@@ -96,7 +97,8 @@ pub fn parse(text: &str, path: &Path) -> Result<Vec<f64>, FormatError> {
     Ok(times)
 }
 
-/// 0, `every`, 2 `every`, … and `duration`; both are positive, and there are at most [`MOST`], else `None`.
+/// Returns 0, `every`, 2 `every`, … and `duration`, both arguments positive; `None` for more than
+/// [`MOST`] times.
 ///
 /// ```
 /// use polhode_source::times;
@@ -107,7 +109,8 @@ pub fn every(every: f64, duration: f64) -> Option<Vec<f64>> {
     if !(intervals < MOST as f64) {
         return None;
     }
-    // A duration of a whole number of intervals but for rounding has no short one at its end.
+    // If the duration is a whole number of intervals up to rounding, the last interval is not cut
+    // short.
     let whole = if (intervals - intervals.round()).abs() < 1e-9 * intervals {
         intervals.round()
     } else {
@@ -117,8 +120,9 @@ pub fn every(every: f64, duration: f64) -> Option<Vec<f64>> {
     Some((0..last).map(|k| every * k as f64).chain([duration]).collect())
 }
 
-/// `from`, `from` + `step`, … up to `to`, which is the last if a whole number of steps leads there but for rounding; at most [`MOST`], else
-/// `None`.
+/// Returns `from`, `from` + `step`, … up to `to`. The last time is `to` if the range is a whole
+/// number of steps up to rounding. Returns `None` for more than [`MOST`] times or a step of the
+/// wrong sign.
 ///
 /// ```
 /// use polhode_source::times;

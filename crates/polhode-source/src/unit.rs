@@ -1,18 +1,18 @@
-//! Quantities in text: a number, a unit, and nothing left to guess.
+//! Quantities in text: a number and a unit, without ambiguity.
 //!
-//! Every quantity a user writes comes through [`parse`], with the [`Dimension`] that its place
-//! demands: `"982 slug ft^2"` where a moment of inertia belongs, `"30 deg/s"` where an angular
-//! velocity does. A length in a mass's place is an error, not a number. A bare number is SI; among
-//! numbers with units it is refused where they are read together ([`bare_beside_units`]).
+//! Every quantity written by a user is read by [`parse`] with the required [`Dimension`], such as
+//! `"982 slug ft^2"` for a moment of inertia or `"30 deg/s"` for an angular velocity. A unit of
+//! another dimension is an error. A number without a unit is in SI. In a list with units, a number
+//! without one is refused ([`bare_beside_units`]).
 //!
-//! A number is read as people write it and as polhode prints it: `8.273 333e-5`, `−4.5×10⁻⁵`.
+//! Numbers may be typeset, as polhode prints them: `8.273 333e-5`, `−4.5×10⁻⁵`.
 //!
 //! A unit is a product: names joined by a space, `*`, `·` or nothing, divided by `/`, raised by
 //! `^2`, `^-1`, `²` or `⁻¹`, grouped by parentheses. A slash divides by the one factor after it,
 //! left to right: `kg/m/s` and `kg/(m s)` are the same, `kg/m s` is kg s/m.
 //!
-//! Conversion does not add a rounding error: the result is the double nearest to the exact product
-//! of the decimal number and the unit's definition, so `"25.4 mm"` and `"1 in"` are both `0.0254`.
+//! Conversion adds no rounding error. The result is the double nearest to the exact product of the
+//! decimal number and the definition of the unit, so `"25.4 mm"` and `"1 in"` are both `0.0254`.
 
 mod dimension;
 mod exact;
@@ -48,8 +48,8 @@ pub use scale::Scale;
 ///
 /// # Errors
 ///
-/// Text that does not start with a decimal number, a number beyond the range of a double (to either
-/// side), a unit that is unknown or misspelt, and a unit of another dimension than `expected`.
+/// Text that does not start with a decimal number, a number outside the range of a double, an
+/// unknown or misspelt unit, and a unit of another dimension than `expected`.
 pub fn parse(text: &str, expected: Dimension) -> Result<f64, UnitError> {
     let accepts = |unit: &str, found| match expected.accepts(found) {
         true => Ok(()),
@@ -58,7 +58,7 @@ pub fn parse(text: &str, expected: Dimension) -> Result<f64, UnitError> {
     read(text, accepts).map(|(value, _)| value)
 }
 
-/// One of a unit, in SI: of `mm` 0.001.
+/// Returns the value of one unit in SI units, such as 0.001 for `mm`.
 ///
 /// ```
 /// use polhode_source::unit::{Dimension, factor};
@@ -68,7 +68,7 @@ pub fn parse(text: &str, expected: Dimension) -> Result<f64, UnitError> {
 ///
 /// # Errors
 ///
-/// As [`parse`], for the unit.
+/// Same as [`parse`], for the unit.
 pub fn factor(unit: &str, expected: Dimension) -> Result<f64, UnitError> {
     let accepts = |unit: &str, found| match expected.accepts(found) {
         true => Ok(()),
@@ -81,18 +81,20 @@ pub fn factor(unit: &str, expected: Dimension) -> Result<f64, UnitError> {
     value("1", unit, unit, accepts).map(|(value, _)| value)
 }
 
-/// One of a unit that a label says in a symbol or a word, in SI: of `millimeters` and `MM` 0.001; `None` for other labels.
+/// Returns the value in SI of one unit named by a symbol or a word, such as 0.001 for `millimeters`
+/// or `MM`; `None` for other labels.
 pub fn spelt(label: &str, expected: Dimension) -> Option<f64> {
     let label = label.trim();
     let lower = label.to_lowercase();
     let names = [Some(label), Some(&*lower), table::word(&lower)];
     let symbol = names.into_iter().flatten().find_map(|name| factor(name, expected).ok());
-    // 1mm
+    // Labels such as 1mm.
     symbol.or_else(|| parse(label, expected).ok().filter(|_| has_unit(label)))
 }
 
-/// Of numbers in a list, the first without a unit, which is not zero, beside the first that has one: whoever wrote them meant the unit
-/// for all, or forgot it. What is no quantity is not looked at.
+/// Finds, among the numbers of a list, the first nonzero one without a unit and the first one with
+/// a unit. `None` unless both exist: the author meant one unit for all, or forgot it. Texts that
+/// are not quantities are skipped.
 ///
 /// ```
 /// use polhode_source::unit::bare_beside_units;
@@ -109,22 +111,23 @@ pub fn bare_beside_units<'a>(texts: impl IntoIterator<Item = &'a str> + Clone) -
     Some((bare, texts.into_iter().find(|text| has_unit(text))?))
 }
 
-/// A number without a unit, as it is printed: `8.273 333e-5`, `−2.5`.
+/// Parses a number without a unit, also a typeset one: `8.273 333e-5`, `−2.5`.
 pub fn bare(text: &str) -> Option<f64> {
     split(text.trim()).filter(|split| split.unit.is_empty()).and_then(|split| split.number.parse().ok())
 }
 
-/// The unit of a number; empty if it has none.
+/// Returns the unit after a number; empty if there is none.
 pub fn unit_of(text: &str) -> &str {
     split(text.trim()).map_or("", |split| split.unit)
 }
 
-/// The number of a number and its unit, in one piece; `None` of what does not begin with one.
+/// Returns the number before a unit without digit grouping; `None` if the text does not begin with
+/// a number.
 pub fn number_of(text: &str) -> Option<String> {
     split(text.trim()).map(|split| split.number)
 }
 
-/// Units that people write for a quantity, the one of SI first.
+/// Returns the usual units of a dimension, the SI unit first.
 pub fn units_of(dimension: Dimension) -> Vec<&'static str> {
     let compound = COMPOUND.iter().copied().filter(|unit| {
         measured_apart("1", unit).is_ok_and(|(_, found)| found == dimension && dimension != Dimension::NONE)
@@ -132,7 +135,7 @@ pub fn units_of(dimension: Dimension) -> Vec<&'static str> {
     table::names_of(dimension).chain(compound).collect()
 }
 
-/// Products of units that people write.
+/// Usual products of units.
 const COMPOUND: [&str; 37] = [
     "m^3",
     "cm^3",
@@ -173,23 +176,25 @@ const COMPOUND: [&str; 37] = [
     "N s/m",
 ];
 
-/// True of a number with a unit; a formula such as `3*t` is none.
+/// Returns true for a number with a unit; false for a formula such as `3*t`.
 fn has_unit(text: &str) -> bool {
     split(text.trim()).is_some_and(|Split { unit, .. }| {
         !unit.is_empty() && !unit.starts_with(['*', '·', '⋅']) && Product::read(unit).is_ok()
     })
 }
 
-/// True where ordinary spaces part the digits of what may be several numbers: `100 200`, but not `8.273 333e-5`.
+/// Returns true if ordinary spaces group the digits so that they may be several numbers: `100 200`,
+/// but not `8.273 333e-5`.
 ///
-/// As the only one of its place such a text is one number; where any count of numbers may stand it could be two.
+/// Such a text is one number where exactly one is required. In a list it is ambiguous.
 pub fn may_be_several(text: &str) -> bool {
     split(text.trim()).is_some_and(|Split { number, unit, spaced }| {
         spaced && (!number.contains('.') || unit.is_empty() && !number.contains('e'))
     })
 }
 
-/// Reads a number with an optional unit of any dimension: its value in SI units, and what it measures.
+/// Reads a number with an optional unit of any dimension; returns its value in SI units and its
+/// dimension.
 ///
 /// ```
 /// use polhode_source::unit::{Dimension, measured};
@@ -199,17 +204,18 @@ pub fn may_be_several(text: &str) -> bool {
 ///
 /// # Errors
 ///
-/// As [`parse`], but for the dimension.
+/// Same as [`parse`], except that any dimension is accepted.
 pub fn measured(text: &str) -> Result<(f64, Dimension), UnitError> {
     read(text, |_, _| Ok(()))
 }
 
-/// As [`measured`], of a number in one piece and the unit that stands apart from it.
+/// Same as [`measured`], for a number and a unit given separately.
 pub fn measured_apart(number: &str, unit: &str) -> Result<(f64, Dimension), UnitError> {
     value(number, unit.trim(), &format!("{number} {unit}"), |_, _| Ok(()))
 }
 
-/// A number and what its unit measures, if that is accepted; a bare number is.
+/// Reads a number and the dimension of its unit, if `accepts` accepts it; a number without a unit
+/// is accepted.
 fn read(
     text: &str,
     accepts: impl FnOnce(&str, Dimension) -> Result<(), UnitError>,
@@ -219,7 +225,7 @@ fn read(
     value(&split.number, split.unit, text, accepts)
 }
 
-/// The value of a number, in one piece, and its unit, which `text` has for messages.
+/// Returns the value of a number without digit grouping and its unit; messages quote `text`.
 fn value(
     number: &str,
     unit: &str,
@@ -243,52 +249,53 @@ fn value(
     }
 }
 
-/// Why a text is not the quantity that was expected.
+/// Error of parsing a quantity.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum UnitError {
-    /// The text does not start with a decimal number, or the number runs into something else.
+    /// The text does not start with a decimal number, or other characters follow the number
+    /// directly.
     NotANumber {
         /// The whole text.
         text: String,
     },
-    /// The value is larger than any double.
+    /// The value is larger than the largest double.
     NotFinite {
         /// The whole text.
         text: String,
     },
-    /// The value is not zero, but smaller than any double.
+    /// The value is not zero, but smaller than the smallest double.
     Underflow {
         /// The whole text.
         text: String,
     },
-    /// A name that is no unit.
+    /// An unknown unit.
     UnknownUnit {
-        /// The name.
+        /// The unknown name.
         unit: String,
-        /// What was probably meant.
+        /// Closest known unit, if one is close.
         suggestion: Option<String>,
     },
-    /// Names that do not make a product.
+    /// Unit names that do not form a valid product.
     Malformed {
         /// The whole unit.
         unit: String,
-        /// The rule that it breaks.
+        /// Rule that the product breaks.
         rule: &'static str,
     },
-    /// A unit of another dimension.
+    /// A unit of another dimension than required.
     WrongDimension {
         /// The whole unit.
         unit: String,
-        /// What the unit measures.
+        /// Dimension of the unit.
         found: Dimension,
-        /// What was asked for.
+        /// Required dimension.
         expected: Dimension,
     },
 }
 
 impl UnitError {
-    /// What to write instead, when there is something to say.
+    /// Returns advice for the user, if there is any.
     pub fn hint(&self) -> Option<String> {
         match self {
             Self::NotANumber { text } => Some(number_hint(text)),
@@ -307,7 +314,8 @@ impl UnitError {
         }
     }
 
-    /// The same where the name of a unit belongs, without a number, as [`factor`] takes it.
+    /// Returns the advice for a place that requires the name of a unit without a number, as in
+    /// [`factor`].
     pub fn hint_for_name(&self) -> Option<String> {
         match self {
             Self::WrongDimension { expected, .. } => expected
@@ -328,7 +336,7 @@ impl fmt::Display for UnitError {
             }
             Self::UnknownUnit { unit, .. } => write!(f, "there is no unit {}", quoted(unit)),
             Self::Malformed { unit, rule } => write!(f, "{} is not a unit: {rule}", quoted(unit)),
-            // N m and J are one unit, of two things.
+            // N m and J are the same unit, of a torque and of an energy.
             Self::WrongDimension { unit, found: Dimension::TORQUE, expected } => {
                 write!(f, "{} is an energy or a torque where {expected} belongs", quoted(unit))
             }
@@ -341,7 +349,7 @@ impl fmt::Display for UnitError {
 
 impl Error for UnitError {}
 
-/// The text in quotes, escaped, and cut where it is too long for a message.
+/// Returns the text in quotes, escaped, and cut to the length of a message.
 fn quoted(text: &str) -> String {
     format!("{:?}", cut(text))
 }
@@ -350,7 +358,7 @@ fn number_hint(text: &str) -> String {
     let replaced = |mark| text.replacen(',', mark, 1);
     match (split(&replaced(".")), split(&replaced(""))) {
         (Some(pointed), joined) => {
-            // 1,234 is more than a thousand for some, and a little more than one for others.
+            // A comma is a thousands separator in some countries and a decimal mark in others.
             let decimals = text
                 .split_once(',')
                 .map_or(0, |(_, rest)| rest.bytes().take_while(u8::is_ascii_digit).count());
@@ -365,7 +373,7 @@ fn number_hint(text: &str) -> String {
     }
 }
 
-/// The `/s` of `1/s`.
+/// Returns the rest of a unit such as `1/s` after the 1: `/s`.
 fn inverse(unit: &str) -> Option<&str> {
     unit.strip_prefix('1').map(str::trim_start).filter(|rest| rest.starts_with('/'))
 }
@@ -376,7 +384,7 @@ struct Factor {
     power: i8,
 }
 
-/// The parser of a unit: `rest` is what is still to read, `factors` what has been read.
+/// Parser of a unit; `rest` is the unread text, `factors` the factors read so far.
 struct Product<'a> {
     unit: &'a str,
     rest: &'a str,
@@ -384,8 +392,9 @@ struct Product<'a> {
 }
 
 impl<'a> Product<'a> {
-    /// Together these keep every power of every dimension within an `i8`, 7 × 9 × 2 (J is m²) = 126, but for that of
-    /// many cc, which stops at the end of the range: no dimension that is asked for is near it.
+    /// These limits keep every exponent of a dimension within an `i8`: 7 × 9 × 2 (J contains m²) =
+    /// 126. The exponent of many `cc` saturates; no dimension that polhode requires is near that
+    /// value.
     const MAX_FACTORS: usize = 7;
     const MAX_POWER: i8 = 9;
 
@@ -424,7 +433,8 @@ impl<'a> Product<'a> {
         }
     }
 
-    /// Takes the sign between two factors, if there is one: −1 for a slash, 1 for a multiplication.
+    /// Reads the operator between two factors, if there is one: −1 for a slash, 1 for a
+    /// multiplication.
     fn operator(&mut self) -> Option<i8> {
         self.rest = self.rest.trim_start();
         let rest = self.rest.strip_prefix(['/', '*', '·', '⋅'])?;
@@ -459,7 +469,7 @@ impl<'a> Product<'a> {
         }
     }
 
-    /// Takes `^2`, `^-1`, `²` or `⁻¹`; 1 if there is none.
+    /// Reads an exponent such as `^2`, `^-1`, `²` or `⁻¹`; 1 if there is none.
     fn exponent(&mut self) -> Result<i8, UnitError> {
         const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
         let lowered = |c: char| match RAISED.iter().position(|&r| r == c) {
@@ -479,7 +489,7 @@ impl<'a> Product<'a> {
         digits.parse().map_err(|_| self.malformed("a power is a whole number, such as ^2 or ^-1"))
     }
 
-    /// Takes the characters that satisfy a condition.
+    /// Reads the characters that satisfy a condition.
     fn take(&mut self, condition: impl Fn(char) -> bool) -> &'a str {
         let end = self.rest.find(|c| !condition(c)).unwrap_or(self.rest.len());
         let (taken, rest) = self.rest.split_at(end);

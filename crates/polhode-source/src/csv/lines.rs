@@ -1,20 +1,20 @@
-//! Lines of a table and their fields: one pass over the bytes.
+//! Lines of a table and their fields, found in one pass over the bytes.
 
 use std::ops::Range;
 
 use crate::{ContentError, ContentErrorKind, ContentPlace};
 
-/// What stands between the fields of a line.
+/// Separator between the fields of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Separator {
     /// One byte.
     Byte(u8),
-    /// Spaces and tabs, as many as there are.
+    /// Any number of spaces and tabs.
     Blanks,
 }
 
 impl Separator {
-    /// Returns the first of semicolon, tab and comma that stands in a line outside quotes and before a comment, else blanks.
+    /// Returns the first semicolon, tab or comma outside quotes and before a comment; else blanks.
     pub fn of(line: &[u8], comment: Option<u8>) -> Self {
         let (mut quoted, mut open) = (false, Vec::new());
         for byte in line {
@@ -37,19 +37,19 @@ impl Separator {
     }
 }
 
-/// The lines of a text from some byte on; what follows a `#` is for people.
+/// Iterator over the lines of a text; text after `#` is a comment.
 #[derive(Debug)]
 pub struct Lines<'a> {
     bytes: &'a [u8],
     separator: Separator,
-    /// Where the next line starts.
+    /// Offset of the next line, bytes.
     pub(super) at: usize,
-    /// Bytes that are more than a part of a field.
+    /// Table of the bytes that need handling: line ends, quotes, `#` and separators.
     marks: [bool; 256],
 }
 
 impl<'a> Lines<'a> {
-    /// Creates a reader in which what is between quotes is one field.
+    /// Creates a reader that treats quoted text as one field.
     pub fn new(bytes: &'a [u8], at: usize, separator: Separator) -> Self {
         let mark = |byte: usize| {
             u8::try_from(byte).is_ok_and(|b| matches!(b, b'\n' | b'"' | b'#') || separator.separates(b))
@@ -57,18 +57,19 @@ impl<'a> Lines<'a> {
         Self { bytes, separator, at, marks: std::array::from_fn(mark) }
     }
 
-    /// Returns the reader in which quotes are parts of fields.
+    /// Returns the reader with quotes treated as ordinary characters.
     #[must_use]
     pub fn without_quotes(mut self) -> Self {
         self.marks[usize::from(b'"')] = false;
         self
     }
 
-    /// Calls `visit` with each field of the next line, trimmed, and goes on to the line after it. What is quoted is
-    /// one field; a line that is blank but for a comment has none. The answer is the line; `None` at the end.
+    /// Calls `visit` with each field of the next line, trimmed, and advances to the line after it.
+    /// Quoted text is one field. A line with only blanks or a comment has no fields. Returns the
+    /// line, or `None` at the end.
     ///
     /// # Errors
-    /// [`ContentError`] of `visit`, and for a quote that is not closed in its line.
+    /// Any [`ContentError`] of `visit`, and an error for a quote that its line does not close.
     pub fn each_field(
         &mut self,
         mut visit: impl FnMut(Range<usize>) -> Result<(), ContentError>,
@@ -113,14 +114,14 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// Returns the line at byte `at`, trimmed, and where the next one starts; `None` at the end.
+/// Returns the trimmed line at byte `at` and the offset of the next line; `None` at the end.
 pub fn line_at(bytes: &[u8], at: usize) -> Option<(Range<usize>, usize)> {
     let rest = bytes.get(at..).filter(|rest| !rest.is_empty())?;
     let length = rest.iter().position(|b| *b == b'\n').unwrap_or(rest.len());
     Some((trimmed(bytes, at..at + length), at + length + 1))
 }
 
-/// Returns a part of a text without the blanks around it.
+/// Returns a range of a text without the white space at its ends.
 pub fn trimmed(bytes: &[u8], span: Range<usize>) -> Range<usize> {
     let text = &bytes[span.clone()];
     let start = span.start + (text.len() - text.trim_ascii_start().len());

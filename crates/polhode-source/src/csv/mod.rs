@@ -1,4 +1,5 @@
-//! Tables of numbers in text: a header, then rows, separated by commas; blank lines and what follows a `#` are for people.
+//! Tables of numbers in text: a header, then rows with fields separated by commas. Blank lines and
+//! text after `#` are ignored.
 
 mod lines;
 
@@ -12,10 +13,10 @@ use crate::{file, unit};
 
 pub use lines::{Lines, Separator, line_at, trimmed};
 
-/// A larger table has more rows than a motion has any use for.
+/// Largest accepted table, bytes.
 const LARGEST_FILE: u64 = 256 << 20;
 
-/// The bytes of the file that a value names, relative to the scenario.
+/// Reads the file named by a value; the path is relative to the scenario.
 pub fn bytes(table: &Value<'_>, path: &Path) -> Result<Vec<u8>, FormatError> {
     file::bytes(table.files(), path, table.string()?, LARGEST_FILE).map_err(|kind| {
         let missing = matches!(kind, FormatErrorKind::Io { .. });
@@ -25,7 +26,7 @@ pub fn bytes(table: &Value<'_>, path: &Path) -> Result<Vec<u8>, FormatError> {
     })
 }
 
-/// The bytes as text.
+/// Returns the bytes as text; the text must be UTF-8.
 pub fn text(bytes: &[u8]) -> Result<&str, ContentError> {
     str::from_utf8(bytes).map_err(|error| {
         let place = ContentPlace::Text(error.valid_up_to()..error.valid_up_to() + 1);
@@ -34,7 +35,8 @@ pub fn text(bytes: &[u8]) -> Result<&str, ContentError> {
     })
 }
 
-/// The numbers at these places of a row, which has as many fields as the header.
+/// Reads the numbers in the given columns of a row. The row must have `width` fields, like the
+/// header.
 pub fn numbers<const N: usize>(
     text: &str,
     line: &Range<usize>,
@@ -53,7 +55,7 @@ pub fn numbers<const N: usize>(
     Ok(row)
 }
 
-/// Refuses a row whose time is not after that of the row before.
+/// Checks that the time of a row is later than the time of the row before.
 pub fn ascending(times: &[f64], time: f64, line: Range<usize>) -> Result<(), ContentError> {
     match times.last().is_some_and(|last| time <= *last) {
         true => Err(value("time_s", &time.to_string(), "after that of the row before", line)),
@@ -61,17 +63,17 @@ pub fn ascending(times: &[f64], time: f64, line: Range<usize>) -> Result<(), Con
     }
 }
 
-/// A value that breaks a rule.
+/// Creates an error for a value that breaks a rule.
 pub fn value(what: &str, value: &str, rule: &str, place: Range<usize>) -> ContentError {
     let (what, value, rule) = (what.to_owned(), value.to_owned(), rule.to_owned());
     ContentError::new(ContentErrorKind::Value { what, value, rule }, ContentPlace::Text(place))
 }
 
-/// The lines that are not blank, each with its fields, all as places in the text.
+/// Returns the lines that are not blank, each with its fields, as ranges of bytes.
 pub fn fields(text: &str) -> impl Iterator<Item = (Range<usize>, Vec<Range<usize>>)> {
     let start = if text.starts_with('\u{feff}') { 3 } else { 0 };
     let mut lines = Lines::new(text.as_bytes(), start, Separator::Byte(b',')).without_quotes();
-    // Spaces of all kinds are left out, not those of ASCII alone.
+    // `trim` removes all Unicode white space, not only ASCII.
     let plain = move |span: Range<usize>| {
         let written = &text[span.clone()];
         let start = span.start + (written.len() - written.trim_start().len());
@@ -108,7 +110,7 @@ fn number(text: &str, field: Range<usize>) -> Result<f64, ContentError> {
     }
 }
 
-/// Creates the error for something that a table lacks, such as a column; it has no line.
+/// Creates an error for a missing part of a table, such as a column; the error has no line.
 pub fn missing(what: &str) -> ContentError {
     ContentError::new(ContentErrorKind::Missing { what: what.to_owned() }, ContentPlace::Whole)
 }

@@ -1,4 +1,4 @@
-//! What the parts of a formula measure: from its variables and units to its value.
+//! Dimensional analysis of formulas: from variables and units to the dimension of the value.
 
 use std::f64::consts::PI;
 
@@ -8,7 +8,7 @@ use super::function::FUNCTIONS;
 use super::{ExpressionError, ExpressionErrorKind};
 use crate::unit::Dimension;
 
-/// An instruction, where the text has it, and, of a number, what its unit measures.
+/// Instruction with its column in the text; for a number also the dimension of its unit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Step {
     pub instruction: Instruction,
@@ -16,37 +16,37 @@ pub(crate) struct Step {
     pub dimension: Dimension,
 }
 
-/// What a value measures.
+/// Dimension of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Measured {
-    /// Nothing yet: it is a 0 that fits everywhere.
+    /// A 0 without a unit; it fits every dimension.
     Zero,
     As(Dimension),
 }
 
-/// On the stack.
+/// Value on the stack of the analysis.
 #[derive(Clone, Copy, Debug)]
 struct Operand {
     measured: Measured,
-    /// The value, if it is a number in the text.
+    /// Numerical value, if it is a literal.
     number: Option<f64>,
     angle: Angle,
 }
 
-/// Whether a plain number is an angle.
+/// Classification of a dimensionless value with respect to angles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Angle {
-    /// A variable that is one, or a number with its unit.
+    /// An angle: an angle variable, or a number with an angle unit.
     Is,
-    /// A number without a unit, which may be meant in degrees.
+    /// A number without a unit; the author may have meant degrees.
     Bare(f64),
-    /// An angle and a number without a unit, added or the like.
+    /// The sum, or a similar combination, of an angle and a number without a unit.
     Mixed(f64),
     Open,
 }
 
 impl Angle {
-    /// The number without a unit, of two of which at least one is an angle.
+    /// Returns the number without a unit if the other operand is an angle.
     const fn bare_beside(self, other: Self) -> Option<f64> {
         match (self, other) {
             (Self::Mixed(x), _)
@@ -57,7 +57,7 @@ impl Angle {
         }
     }
 
-    /// Of a sum, or of the greater of two.
+    /// Returns the class of a sum, or of the greater of two values.
     const fn joined(self, other: Self) -> Self {
         match (self.bare_beside(other), self, other) {
             (Some(x), ..) => Self::Mixed(x),
@@ -67,7 +67,8 @@ impl Angle {
     }
 }
 
-/// What the value measures, angles not counted; everything is of the dimension that its place asks for.
+/// Returns the dimension of the value, not counting angles. Checks that every operand has the
+/// required dimension.
 pub(crate) fn measure(steps: &[Step], variables: &[Dimension]) -> Result<Measured, ExpressionError> {
     let mut stack: Vec<Operand> = Vec::new();
     for step in steps {
@@ -111,7 +112,7 @@ impl Step {
             (Instruction::Unary(Unary::Sqrt), &[a]) => self.raised(a.measured, 0.5)?,
             (Instruction::Unary(Unary::Power(n)), &[a]) => self.raised(a.measured, f64::from(n))?,
             (Instruction::Unary(_), &[a]) => self.plain(a.measured)?,
-            // So many times an angle is one.
+            // A number times an angle is an angle.
             (Instruction::Binary(Binary::Multiply | Binary::Divide), &[a, b]) => {
                 let is_product = self.instruction == Instruction::Binary(Binary::Multiply);
                 let angle = match (a.angle, b.angle) {
@@ -142,7 +143,7 @@ impl Step {
                 self.equal(a.measured, b.measured)?;
                 return Ok(Operand { measured: Measured::PLAIN, number: None, angle: Angle::Is });
             }
-            // yes or no
+            // Comparisons and logical operators.
             (Instruction::Binary(_), &[a, b]) => {
                 if let Some(number) = a.angle.bare_beside(b.angle) {
                     let (operation, found) = (self.name(), number.to_string());
@@ -188,7 +189,7 @@ impl Step {
         found.raised(power).map(Measured::As).ok_or_else(broken)
     }
 
-    /// The function or the sign.
+    /// Returns the name of the function or the operator sign.
     fn name(&self) -> &'static str {
         match self.instruction {
             Instruction::Binary(Binary::Add) => "+",
@@ -208,7 +209,7 @@ impl Step {
 impl Measured {
     const PLAIN: Self = Self::As(Dimension::NONE);
 
-    /// `self` × `other`^power
+    /// Returns `self` × `other`^power.
     fn times(self, other: Self, power: i8) -> Self {
         match (self, other) {
             (Self::Zero, _) => Self::Zero,

@@ -1,4 +1,4 @@
-//! Why a text is not a formula.
+//! Errors of parsing and checking a formula.
 
 use std::error::Error;
 use std::fmt;
@@ -7,108 +7,108 @@ use super::function;
 use crate::text::{counted, cut};
 use crate::unit::{Dimension, UnitError};
 
-/// Why a text is not a formula.
+/// Error in a formula, with its column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExpressionError {
-    /// What is wrong.
+    /// Error kind, with its details.
     pub kind: ExpressionErrorKind,
-    /// The character, from 1, that it starts at.
+    /// Column of the first wrong character, from 1.
     pub column: usize,
 }
 
-/// What is wrong with a formula.
+/// Kind of error in a formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ExpressionErrorKind {
-    /// Something else stands where the grammar has its place.
+    /// The grammar requires something else here.
     Expected {
-        /// What belongs there: `"a number, a name or ("`.
+        /// Expected content: `"a number, a name or ("`.
         what: &'static str,
-        /// What stands there; empty at the end of the text.
+        /// Text found instead; empty at the end of the text.
         found: String,
     },
-    /// A number that f64 does not hold.
+    /// A number outside the range of `f64`.
     Number {
-        /// The number.
+        /// The number as written.
         found: String,
     },
-    /// A name that is no variable.
+    /// An unknown variable.
     UnknownVariable {
-        /// The name.
+        /// The unknown name.
         name: String,
-        /// What was probably meant.
+        /// Closest known name, if one is close.
         suggestion: Option<String>,
-        /// All variables that there are here.
+        /// All variables of this formula.
         known: Vec<String>,
     },
-    /// A name that is no function.
+    /// An unknown function.
     UnknownFunction {
-        /// The name.
+        /// The unknown name.
         name: String,
-        /// What was probably meant.
+        /// Closest known name, if one is close.
         suggestion: Option<&'static str>,
     },
-    /// A function with too few or too many arguments.
+    /// Wrong number of arguments of a function.
     Arguments {
-        /// The function.
+        /// Name of the function.
         function: &'static str,
-        /// How many it takes.
+        /// Number of arguments required.
         takes: usize,
-        /// How many are there.
+        /// Number of arguments found.
         given: usize,
     },
     /// A comparison of a comparison: `0 < x < 1`.
     ChainedComparison,
-    /// More characters than a formula may have.
+    /// A formula with too many characters.
     TooLong {
-        /// The most that it may have.
+        /// Largest number of characters.
         most: usize,
     },
-    /// A number whose unit cannot be read.
+    /// A number with an invalid unit.
     Unit(UnitError),
-    /// Two that have to be of the same dimension and are not.
+    /// Two operands of different dimensions.
     Unequal {
-        /// What joins them.
+        /// The operator or function that joins them.
         operation: &'static str,
-        /// What the first measures.
+        /// Dimension of the first operand.
         left: Dimension,
-        /// What the second measures.
+        /// Dimension of the second operand.
         right: Dimension,
     },
-    /// Something else where a plain number belongs.
+    /// A dimensional value in a place that requires a plain number.
     NotPlain {
-        /// What takes it.
+        /// Function or operator that requires the plain number.
         function: &'static str,
-        /// What it measures.
+        /// Dimension of the value.
         found: Dimension,
     },
-    /// A power that leaves no whole powers of kg, m and s.
+    /// A power with fractional exponents of kg, m or s.
     BrokenPower {
-        /// What takes it.
+        /// Function or operator that raises the value.
         function: &'static str,
-        /// What is raised.
+        /// Dimension of the base.
         found: Dimension,
     },
-    /// An angle that is compared with a number without a unit.
+    /// An angle compared with a number without a unit.
     BareAngle {
-        /// What compares them.
+        /// Operator that joins them.
         operation: &'static str,
         /// The number.
         found: String,
     },
-    /// A value that is neither true nor false, where a condition belongs.
+    /// A number in a place that requires a condition.
     NoCondition,
-    /// A value of another dimension than its place asks for.
+    /// A value of another dimension than required.
     Value {
-        /// What it measures.
+        /// Dimension of the value.
         found: Dimension,
-        /// What belongs there.
+        /// Required dimension.
         expected: Dimension,
     },
 }
 
 impl ExpressionError {
-    /// What to write instead, where there is something to say.
+    /// Returns advice for the user, if there is any.
     pub fn hint(&self) -> Option<String> {
         use ExpressionErrorKind as Kind;
         match &self.kind {
@@ -203,7 +203,7 @@ impl fmt::Display for ExpressionError {
 
 impl Error for ExpressionError {}
 
-/// A quantity of a dimension as a formula has it.
+/// Returns an example of a quantity of a dimension in the syntax of formulas.
 fn example(dimension: Dimension) -> Option<String> {
     let text = dimension.with_angle().example().filter(|_| dimension.without_angle() != Dimension::NONE)?;
     text.split_once(' ').map(|(number, unit)| format!("{number}[{unit}]"))

@@ -1,8 +1,8 @@
-//! The functions of formulas, by name.
+//! Functions of formulas, by name.
 
 use polhode::math::formula::{Binary, Instruction, Unary};
 
-/// A function by its name.
+/// Function of formulas, with its name.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Function {
     pub name: &'static str,

@@ -10,11 +10,12 @@
 //! | choice | `if(condition, then, else)`: *then* where the condition is not 0 |
 //! | units | `0.2 N m`, `30[deg/s]` where dimensions are checked: [`measured`] |
 //!
-//! Angles are in radians, `log` is the natural logarithm. A text is compiled into a [`Formula`] once, which runs over
-//! many points at a time. Functions are `libm`'s: the same bits on every platform.
+//! Angles are in radians, `log` is the natural logarithm. A text is compiled once into a
+//! [`Formula`], which evaluates many points per call. Functions are those of `libm`, so results are
+//! bit-identical on every platform.
 //!
-//! A density with steps is integrated slowly: `if` says it is one, so divide the body along the step where that is
-//! possible.
+//! The numerical integration of a density with steps (`if`) converges slowly. If possible, divide
+//! the body along the step instead.
 
 mod dimensions;
 mod error;
@@ -29,7 +30,8 @@ use crate::unit::Dimension;
 pub use error::{ExpressionError, ExpressionErrorKind};
 pub use state::{formula_of_state, formula_of_state_in_si, formula_of_time};
 
-/// A formula of named variables, ready to be evaluated; numbers have no units, and dimensions are not checked.
+/// Formula of named variables, ready for evaluation; numbers have no units, and dimensions are not
+/// checked.
 ///
 /// ```
 /// use polhode_source::expression::Expression;
@@ -48,36 +50,36 @@ pub struct Expression {
 }
 
 impl Expression {
-    /// The formula in a text, of the variables by their names: the n-th is the n-th value of a point.
+    /// Parses a formula of the named variables; variable n is component n of a point.
     ///
     /// # Errors
-    /// [`ExpressionError`]: the column, what is wrong there, and a hint.
+    /// [`ExpressionError`], with column, cause and a hint.
     pub fn parse(text: &str, variables: &[&str]) -> Result<Self, ExpressionError> {
         Ok(Self { formula: parse::compile(text, variables)?, text: text.to_owned() })
     }
 
-    /// The text that it was read from.
+    /// Returns the source text.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The formula itself, without its text.
+    /// Returns the compiled formula without its text.
     pub fn formula(&self) -> &Formula {
         &self.formula
     }
 
-    /// Its value where the variables have these values; one that is not given is NaN.
+    /// Returns the value for these values of the variables; a missing variable is NaN.
     pub fn evaluate<const N: usize>(&self, point: [f64; N]) -> f64 {
         self.formula.evaluate(&point)
     }
 
-    /// Its values at many points: the shorter of the two lists says how many.
+    /// Evaluates the formula at many points, up to the length of the shorter slice.
     pub fn evaluate_all<const N: usize>(&self, points: &[[f64; N]], values: &mut [f64]) {
         self.formula.evaluate_all(points, values);
     }
 }
 
-/// A density, kg/m³, of x, y and z, m, which must be its variables in this order.
+/// Density, kg/m³, as a function of x, y and z, m; the variables must be these, in this order.
 impl polhode::body::density::DensityField for Expression {
     fn density(&self, point: [f64; 3]) -> f64 {
         self.evaluate(point)
@@ -88,11 +90,13 @@ impl polhode::body::density::DensityField for Expression {
     }
 }
 
-/// The formula in a text whose numbers may have units, of variables that have dimensions, and what its value measures.
+/// Parses a formula with units and dimensional variables; returns it with the dimension of its
+/// value.
 ///
-/// Dimensions are checked as physics does: what is added or compared is of the same dimension, what functions take and give
-/// is a plain number. A bare number is a plain number, but 0 fits everywhere. An angle is a plain number too.
-/// `expected` is what the value has to measure, if that is known; the dimension that comes back has the angle in rates.
+/// Operands of sums and comparisons must have the same dimension. Arguments and results of
+/// functions are plain numbers. A number without a unit is a plain number, except that 0 fits every
+/// dimension. An angle is a plain number too. `expected` is the required dimension of the value, if
+/// known. The returned dimension counts the angle in rates.
 ///
 /// ```
 /// use polhode_source::expression::measured;
@@ -109,7 +113,7 @@ impl polhode::body::density::DensityField for Expression {
 /// ```
 ///
 /// # Errors
-/// [`ExpressionError`]: the column, what is wrong there, and a hint.
+/// [`ExpressionError`], with column, cause and a hint.
 pub fn measured(
     text: &str,
     variables: &[(&str, Dimension)],
@@ -118,7 +122,7 @@ pub fn measured(
     parse::compile_measured(text, variables, expected)
 }
 
-/// The condition in a text, of variables that have dimensions: a formula that is 1 where it holds, else 0.
+/// Parses a condition of dimensional variables; its formula is 1 if the condition holds, else 0.
 ///
 /// ```
 /// use polhode_source::expression::condition;
@@ -132,7 +136,7 @@ pub fn measured(
 /// ```
 ///
 /// # Errors
-/// [`ExpressionError`]: the column, what is wrong there, and a hint.
+/// [`ExpressionError`], with column, cause and a hint.
 pub fn condition(text: &str, variables: &[(&str, Dimension)]) -> Result<Formula, ExpressionError> {
     let (formula, _) = measured(text, variables, None)?;
     if formula.is_condition() {

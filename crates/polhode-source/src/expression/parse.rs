@@ -1,5 +1,5 @@
-//! Text → instructions, by two stacks and no recursion: operators wait until one that binds less follows (Dijkstra's shunting
-//! yard). Depth costs memory in proportion to the text, and nothing else.
+//! Compiler from text to instructions by Dijkstra's shunting-yard algorithm: two stacks, no
+//! recursion. Memory is proportional to the length of the text, also for deeply nested formulas.
 
 use std::f64::consts::PI;
 
@@ -11,12 +11,12 @@ use super::{ExpressionError, ExpressionErrorKind};
 use crate::suggestion::nearest;
 use crate::unit::{self, Dimension};
 
-/// What waits on the stack of operators.
+/// Entry of the operator stack.
 #[derive(Clone, Copy)]
 enum Waiting {
-    /// An operator and how strongly it binds.
+    /// Operator with its precedence.
     Operator { op: Instruction, binds: u8, column: usize },
-    /// An open parenthesis; of a function with the commas so far.
+    /// Open parenthesis; for a function call, with the function and the number of commas so far.
     Open { column: usize, function: Option<(Function, usize)> },
 }
 
@@ -28,15 +28,15 @@ const PRODUCT: u8 = 5;
 const SIGN: u8 = 6;
 const POWER: u8 = 7;
 
-/// The most characters of a formula whose dimensions are checked: one that stands in a scenario.
+/// Largest number of characters of a formula in a scenario, whose dimensions are checked.
 const LONGEST: usize = 4096;
 
-/// The formula in a text, all numbers in SI.
+/// Compiles a formula with all numbers in SI units.
 pub(crate) fn compile(text: &str, variables: &[&str]) -> Result<Formula, ExpressionError> {
     Parser::new(text, variables, false).read().map(|(formula, _)| formula)
 }
 
-/// The formula in a text whose dimensions are checked, and what its value measures.
+/// Compiles a formula and checks its dimensions; returns it with the dimension of its value.
 pub(crate) fn compile_measured(
     text: &str,
     variables: &[(&str, Dimension)],
@@ -60,7 +60,7 @@ pub(crate) fn compile_measured(
 }
 
 /// # Errors
-/// An [`ExpressionError`] where a text has more characters than it may have.
+/// [`ExpressionError`] for a text of more than `most` characters.
 pub(crate) fn require_length(text: &str, most: usize) -> Result<(), ExpressionError> {
     match text.chars().nth(most) {
         Some(_) => Err(ExpressionError { kind: ExpressionErrorKind::TooLong { most }, column: most + 1 }),
@@ -70,10 +70,10 @@ pub(crate) fn require_length(text: &str, most: usize) -> Result<(), ExpressionEr
 
 struct Parser<'a> {
     rest: Vec<char>,
-    /// Characters before the place.
+    /// Number of characters already read.
     at: usize,
     variables: &'a [&'a str],
-    /// Whether numbers may have units.
+    /// True if numbers may have units.
     units: bool,
     steps: Vec<Step>,
     waiting: Vec<Waiting>,
@@ -84,7 +84,7 @@ impl<'a> Parser<'a> {
         Self { rest: text.chars().collect(), at: 0, variables, units, steps: Vec::new(), waiting: Vec::new() }
     }
 
-    /// The formula, and its instructions with their columns.
+    /// Parses the whole text; returns the formula, and its instructions with their columns.
     fn read(&mut self) -> Result<(Formula, Vec<Step>), ExpressionError> {
         self.formula()?;
         let steps = core::mem::take(&mut self.steps);
@@ -92,7 +92,7 @@ impl<'a> Parser<'a> {
         formula.map(|formula| (formula, steps)).map_err(|_| self.expected("a formula"))
     }
 
-    /// The column that the text starts at.
+    /// Moves to the start of the text and returns its column.
     fn start(&mut self) -> usize {
         self.at = 0;
         self.column()
@@ -102,7 +102,7 @@ impl<'a> Parser<'a> {
         self.steps.push(Step { instruction, column, dimension: Dimension::NONE });
     }
 
-    /// Operand, operator, operand, …, operand.
+    /// Parses operand, operator, operand, …, operand.
     fn formula(&mut self) -> Result<(), ExpressionError> {
         loop {
             self.operand()?;
@@ -114,7 +114,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// A number, a variable, or the start of a function or of parentheses; signs before it.
+    /// Parses signs, then a number, a variable, or the start of a function call or parenthesis.
     fn operand(&mut self) -> Result<(), ExpressionError> {
         loop {
             let column = self.column();
@@ -140,7 +140,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// What follows an operand: true if another operand has to follow it.
+    /// Parses the token after an operand; returns true if another operand must follow.
     fn operator(&mut self) -> Result<bool, ExpressionError> {
         let column = self.column();
         let binary = |op, binds| Some((Instruction::Binary(op), binds));
@@ -172,7 +172,8 @@ impl<'a> Parser<'a> {
         if binds == COMPARISON && or_equal {
             self.at += 1;
         }
-        // From the left; ^ from the right, so that it never waits for its equal.
+        // Operators associate to the left. `^` associates to the right: it does not unwind another
+        // `^`.
         let chained = self.unwind(if binds == POWER { POWER + 1 } else { binds });
         if binds == COMPARISON && chained {
             return Err(ExpressionError { kind: ExpressionErrorKind::ChainedComparison, column });
@@ -181,7 +182,8 @@ impl<'a> Parser<'a> {
         Ok(true)
     }
 
-    /// Performs the operators that wait and bind at least as strongly; true if a comparison was among them.
+    /// Emits the waiting operators of at least this precedence; returns true if one is a
+    /// comparison.
     fn unwind(&mut self, least: u8) -> bool {
         let mut compared = false;
         while let Some(&Waiting::Operator { op, binds, column }) = self.waiting.last()
@@ -260,7 +262,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// The `[N m]` after a number.
+    /// Parses a unit in brackets after a number, such as `[N m]`.
     fn unit(&mut self, number: &str, column: usize) -> Result<(), ExpressionError> {
         self.at += 1;
         let unit_column = self.column();
@@ -280,7 +282,8 @@ impl<'a> Parser<'a> {
         Ok(())
     }
 
-    /// The `N m` right behind a number: words that are units, with powers, up to what is no unit; false if there is none.
+    /// Parses a unit directly after a number, such as `N m`, up to the first word that is not a
+    /// unit. Returns false if there is none.
     fn bare_unit(&mut self, number: &str, column: usize) -> Result<bool, ExpressionError> {
         self.peek();
         let start = self.at;
@@ -306,7 +309,7 @@ impl<'a> Parser<'a> {
                 self.at += 1;
             }
             end = self.at;
-            // A factor follows a space, a point or a slash.
+            // A further factor follows a space, a point or a slash.
             if let Some('/' | '·') = self.peek() {
                 self.at += 1;
                 self.peek();
@@ -326,7 +329,7 @@ impl<'a> Parser<'a> {
         Ok(true)
     }
 
-    /// The word at the place, up to what is no letter, digit or underscore; empty if there is none.
+    /// Returns the letters, digits and underscores at the current place; empty if there are none.
     fn word(&self) -> String {
         let is_letter = |c: &&char| c.is_alphanumeric() && !"¹²³⁴".contains(**c) || "_°%".contains(**c);
         self.rest[self.at..].iter().take_while(is_letter).collect()
@@ -338,7 +341,8 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// A variable, a constant, or a function with its parenthesis: true if it is an operand already.
+    /// Parses a variable, a constant, or a function with its parenthesis; returns true for an
+    /// operand.
     fn name(&mut self) -> Result<bool, ExpressionError> {
         let (column, start) = (self.column(), self.at);
         while self.rest.get(self.at).is_some_and(|&c| c.is_alphanumeric() || c == '_') {
@@ -363,7 +367,7 @@ impl<'a> Parser<'a> {
             return Err(self.expected("( after a function"));
         } else {
             let known: Vec<String> = self.variables.iter().map(|&v| v.to_owned()).collect();
-            // Every letter is one slip away from every other.
+            // A name of one letter is one edit away from every other, so it gets no suggestion.
             let near = |v: &&str| v.chars().count() > 1 || v.eq_ignore_ascii_case(&name);
             let suggestion = nearest(&name, self.variables.iter().copied().filter(near)).map(str::to_owned);
             let kind = ExpressionErrorKind::UnknownVariable { name, suggestion, known };
@@ -372,7 +376,7 @@ impl<'a> Parser<'a> {
         Ok(true)
     }
 
-    /// The next character that is not white space, if there is one; the place moves to it.
+    /// Skips white space and returns the next character, if there is one.
     fn peek(&mut self) -> Option<char> {
         while self.rest.get(self.at).is_some_and(|c| c.is_whitespace()) {
             self.at += 1;
@@ -380,7 +384,7 @@ impl<'a> Parser<'a> {
         self.rest.get(self.at).copied()
     }
 
-    /// Of the next character, from 1.
+    /// Returns the column of the next character, from 1.
     fn column(&mut self) -> usize {
         self.peek();
         self.at + 1

@@ -1,4 +1,4 @@
-//! Formulas of the state of a turning body: of torques and of events; and of time alone.
+//! Formulas of the rotational state, for torques and events, and of time alone.
 
 use polhode::math::formula::Formula;
 use polhode::motion::StateVariables;
@@ -6,10 +6,11 @@ use polhode::motion::StateVariables;
 use super::{ExpressionError, measured, parse};
 use crate::unit::Dimension;
 
-/// The formula in a text of time, angular velocity, angular momentum and attitude, and what its value measures.
+/// Parses a formula of time, angular velocity, angular momentum and attitude; returns it with the
+/// dimension of its value.
 ///
-/// Its variables are those of [`StateVariables`], in that order. A plain number may be an angle. If `expected` is given, the
-/// value has to be of that dimension.
+/// The variables are [`StateVariables`], in that order. A plain number may be an angle. If
+/// `expected` is given, the value must have that dimension.
 ///
 /// ```
 /// use polhode_source::expression::formula_of_state;
@@ -20,7 +21,7 @@ use crate::unit::Dimension;
 /// ```
 ///
 /// # Errors
-/// [`ExpressionError`]: the column, what is wrong there, and a hint.
+/// [`ExpressionError`], with column, cause and a hint.
 pub fn formula_of_state(
     text: &str,
     expected: Option<Dimension>,
@@ -28,26 +29,26 @@ pub fn formula_of_state(
     measured(text, &StateVariables::NAMES.map(|name| (name, dimension_of(name))), expected)
 }
 
-/// The formula in a text of the same variables, all numbers in SI; dimensions are not checked.
+/// Parses a formula of the same variables with all numbers in SI; dimensions are not checked.
 ///
 /// # Errors
-/// As [`formula_of_state`].
+/// Same as [`formula_of_state`].
 pub fn formula_of_state_in_si(text: &str) -> Result<Formula, ExpressionError> {
-    /// It may have been made by a program.
+    /// Programs may generate longer formulas than people write.
     const LONGEST: usize = 65_536;
     parse::require_length(text, LONGEST)?;
     parse::compile(text, &StateVariables::NAMES)
 }
 
-/// The formula in a text of time, `t`, alone, whose value is of a dimension.
+/// Parses a formula of time `t` alone; the value must have the dimension `expected`.
 ///
 /// # Errors
-/// As [`formula_of_state`].
+/// Same as [`formula_of_state`].
 pub fn formula_of_time(text: &str, expected: Dimension) -> Result<Formula, ExpressionError> {
     measured(text, &[("t", Dimension::TIME)], Some(expected)).map(|(formula, _)| formula)
 }
 
-/// What a variable measures: its first letter says it.
+/// Returns the dimension of a variable, from the first letter of its name.
 fn dimension_of(name: &str) -> Dimension {
     match name.chars().next() {
         Some('t') if name == "t" => Dimension::TIME,

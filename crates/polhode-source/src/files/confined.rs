@@ -1,4 +1,4 @@
-//! Files that lie in some folders.
+//! Access to files in certain folders only.
 
 use std::fmt;
 use std::io;
@@ -6,9 +6,11 @@ use std::path::{Path, PathBuf};
 
 use super::{Files, Kind, Look, OpenFile, lexical};
 
-/// Files in some folders: that of a data file, and those that the user allows (`--root`).
+/// Files in certain folders: the folder of a data file, and the folders that the user allows
+/// (`--root`).
 ///
-/// A log, a parts list, a mesh or a robot model is data: it opens no other files, by whatever path, address or link.
+/// A log, a parts list, a mesh or a robot model is data. It cannot open files outside these folders
+/// by any path, address or link.
 ///
 /// ```
 /// use polhode_source::files::{Confined, Disk, Files, NotOpened};
@@ -28,7 +30,7 @@ use super::{Files, Kind, Look, OpenFile, lexical};
 #[derive(Clone, Debug)]
 pub struct Confined<'a> {
     files: &'a dyn Files,
-    /// Canonical paths.
+    /// Canonical paths of the folders.
     folders: Vec<PathBuf>,
 }
 
@@ -41,18 +43,19 @@ pub enum NotOpened {
     Missing,
     /// It is a folder, a pipe or a device.
     NotRegular,
-    /// It is none of the files that were given.
+    /// It is not one of the files that the user opened.
     NotGiven,
 }
 
 impl<'a> Confined<'a> {
-    /// Allows the folder of a data file, and the roots; [`require_folders`](crate::file::require_folders) checks these.
+    /// Allows the folder of a data file, and the roots;
+    /// [`require_folders`](crate::file::require_folders) checks the roots.
     pub fn beside(files: &'a dyn Files, file: &Path, roots: &[PathBuf]) -> Self {
         let folder = or_here(file.parent().unwrap_or(Path::new(""))).to_owned();
         Self::within(files, std::iter::once(folder).chain(roots.iter().cloned()))
     }
 
-    /// Allows these folders; one that does not exist holds nothing.
+    /// Allows these folders; a folder that does not exist allows nothing.
     pub fn within(files: &'a dyn Files, folders: impl IntoIterator<Item = PathBuf>) -> Self {
         Self {
             files,
@@ -69,7 +72,7 @@ impl<'a> Confined<'a> {
     }
 
     /// # Errors
-    /// Permission is denied where the path does not lie in one of the folders.
+    /// [`io::ErrorKind::PermissionDenied`] if the path is outside the folders.
     fn require(&self, path: &Path) -> io::Result<PathBuf> {
         let path = self.files.canonical(path)?;
         if self.holds(&path) { Ok(path) } else { Err(io::ErrorKind::PermissionDenied.into()) }
@@ -93,10 +96,12 @@ impl Files for Confined<'_> {
         self.files.entries(&self.require(folder)?)
     }
 
-    /// The canonical path of a file that is named relative to a folder, or by an absolute path.
+    /// Returns the canonical path of a file that is named relative to a folder, or by an absolute
+    /// path.
     ///
-    /// Nothing outside the folders is looked at: the path has to lie in them by its words, and with its links
-    /// resolved. The file has to be a regular one: a pipe or a device may be endless, and opening one may wait for ever.
+    /// The path must lie in the folders both as written and with its links resolved. Nothing
+    /// outside the folders is accessed. The file must be a regular file: opening a pipe or device
+    /// may block forever.
     fn named(&self, folder: &Path, name: &Path) -> Result<PathBuf, NotOpened> {
         self.files.named(folder, name)?;
         let folder = self.files.canonical(or_here(folder)).map_err(|_| NotOpened::Missing)?;
@@ -112,8 +117,8 @@ impl Files for Confined<'_> {
     }
 }
 
-/// Returns true if a name, relative to a folder or absolute, is the path of a given file. The named file itself is not
-/// looked at.
+/// Returns true if a name, relative to a folder or absolute, is the path of `given`. Does not
+/// access the named file.
 pub fn is_path_of(files: &dyn Files, folder: &Path, name: &Path, given: &Path) -> bool {
     let absolute = |folder: &Path, name: &Path| {
         files.canonical(or_here(folder)).ok().map(|folder| lexical(&folder.join(name)))

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::{Files, Kind, Look, NotOpened, OpenFile};
 
-/// Files of this machine: any that the user may read.
+/// All files of this machine that the user may read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Disk;
 

@@ -1,4 +1,4 @@
-//! Files that are on a list.
+//! Access to listed files only.
 
 use std::collections::BTreeSet;
 use std::io;
@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 
 use super::{Files, Kind, Look, NotOpened, OpenFile};
 
-/// Files of which a text may name those on a list only: those that were opened together with it.
+/// Files restricted to a list: a text may name only files that were opened together with it.
 #[derive(Clone, Copy, Debug)]
 pub struct Listed<'a> {
-    /// Place that they are taken from.
+    /// Underlying source of files.
     pub files: &'a dyn Files,
-    /// Their paths, as the text leads to them.
+    /// Allowed paths, as resolved from the text.
     pub paths: &'a BTreeSet<PathBuf>,
 }
 

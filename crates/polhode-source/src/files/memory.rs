@@ -7,9 +7,10 @@ use std::sync::Arc;
 
 use super::{Files, Kind, Look, NotOpened, OpenFile, lexical};
 
-/// Files in memory by their paths: those that were opened in a page, or that a test writes. No other file exists.
+/// Files in memory by path, such as the files opened in a web page or created by a test. No other
+/// files exist.
 ///
-/// Folders exist as far as files lie in them. Relative paths begin at the same place.
+/// A folder exists if a file lies in it. All relative paths have the same base.
 ///
 /// ```
 /// use polhode_source::files::{Files, Memory};

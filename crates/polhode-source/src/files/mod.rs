@@ -1,4 +1,4 @@
-//! Files: folders of this machine, files in memory, and the rule which of them may be opened.
+//! Sources of files: this machine, memory, and rules that restrict which files may be opened.
 
 mod confined;
 mod disk;
@@ -15,10 +15,11 @@ pub use disk::Disk;
 pub use listed::Listed;
 pub use memory::Memory;
 
-/// Place that readers take all their files from.
+/// Source of all files that a reader opens.
 ///
-/// [`Disk`] is this machine, [`Memory`] holds files that somebody gave (a page, a test), [`Confined`] limits another
-/// one to some folders. A reader that takes `&dyn Files` opens no file in any other way.
+/// [`Disk`] is this machine. [`Memory`] holds given files (of a web page, of a test). [`Confined`]
+/// limits another source to some folders. A reader with a `&dyn Files` argument opens no file in
+/// any other way.
 ///
 /// ```
 /// use polhode_source::files::{Files, Memory};
@@ -32,31 +33,32 @@ pub trait Files: fmt::Debug + Sync {
     /// Opens a file for reading.
     ///
     /// # Errors
-    /// What the system says of a path that cannot be opened, or that may not be.
+    /// I/O error of the system if the path cannot be opened, or may not be.
     fn open(&self, path: &Path) -> io::Result<Box<dyn OpenFile>>;
 
-    /// Returns what is at a path. Links are followed.
+    /// Returns the metadata of a path. Links are followed.
     ///
     /// # Errors
-    /// What the system says, most often that there is nothing.
+    /// I/O error of the system, mostly [`io::ErrorKind::NotFound`].
     fn look(&self, path: &Path) -> io::Result<Look>;
 
-    /// Returns the one absolute path of a file or folder, without links.
+    /// Returns the absolute path of a file or folder with all links resolved.
     ///
     /// # Errors
-    /// As [`Files::look`].
+    /// Same as [`Files::look`].
     fn canonical(&self, path: &Path) -> io::Result<PathBuf>;
 
-    /// Returns the paths of what is in a folder, in no order, with its kind; links are [`Kind::Other`].
+    /// Returns the paths and kinds of the entries of a folder, in no particular order; links are
+    /// [`Kind::Other`].
     ///
     /// # Errors
-    /// As [`Files::look`], and if it is no folder.
+    /// Same as [`Files::look`], and an error if the path is not a folder.
     fn entries(&self, folder: &Path) -> io::Result<Vec<(PathBuf, Kind)>>;
 
     /// Returns the path of a file that another file names: relative to its folder, or absolute.
     ///
     /// # Errors
-    /// [`NotOpened`] if a file may not name it.
+    /// [`NotOpened`] if the other file may not open it.
     fn named(&self, folder: &Path, name: &Path) -> Result<PathBuf, NotOpened>;
 
     /// Returns true for a regular file.
@@ -67,30 +69,30 @@ pub trait Files: fmt::Debug + Sync {
 
 /// Open file.
 pub trait OpenFile: Read + Seek + Send + Sync + fmt::Debug {
-    /// Returns what the system says of the file now.
+    /// Returns the current metadata of the file.
     ///
     /// # Errors
-    /// What the system says.
+    /// I/O error of the system.
     fn look(&self) -> io::Result<Look>;
 }
 
-/// What is at a path.
+/// Metadata of a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Look {
-    /// Kind of what is there.
+    /// Kind of entry.
     pub kind: Kind,
-    /// Number of bytes; 0 for files that the system makes up as they are read.
+    /// Number of bytes; 0 for virtual files, such as those in /proc.
     pub length: u64,
-    /// Time of the last change, where it is known.
+    /// Time of the last change, if known.
     pub changed: Option<SystemTime>,
 }
 
-/// Kind of what is at a path.
+/// Kind of entry at a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Regular file.
+    /// Regular file, or a link to one.
     File,
-    /// Folder.
+    /// Folder, or a link to one.
     Folder,
     /// Pipe, device or socket.
     Other,
@@ -108,7 +110,7 @@ impl Look {
     }
 }
 
-/// Returns the path without `.` and `..`, by its words alone.
+/// Returns the path with `.` and `..` resolved lexically, without access to the file system.
 pub(crate) fn lexical(path: &Path) -> PathBuf {
     use std::path::Component;
     let mut plain = PathBuf::new();

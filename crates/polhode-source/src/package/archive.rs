@@ -1,4 +1,4 @@
-//! The ZIP archive around a package: its entries by name, as text that is inflated while it is read.
+//! ZIP archive of a package: entries by name, decompressed while they are read.
 
 use std::collections::HashMap;
 use std::fmt;
@@ -11,22 +11,22 @@ use zip::{CompressionMethod, ZipArchive};
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use crate::package::unfolding::Budget;
 
-/// An archive whose entries have plain names and bytes of their own.
+/// Archive with safe entry names and non-overlapping entries.
 pub struct Archive<'a> {
     zip: ZipArchive<Cursor<&'a [u8]>>,
-    /// Number of each entry by its name in lower case: part names of a package do not tell cases apart.
+    /// Index of each entry by its name in lower case: part names of a package are case-insensitive.
     numbers: HashMap<String, usize>,
-    /// For the text of all entries together.
+    /// Limit on the unpacked size of all entries together.
     budget: Budget,
 }
 
-/// The text of an entry, and how far it has been read.
+/// Text of an entry, read as a stream.
 pub struct Stream<'s, 'a> {
     file: BufReader<ZipFile<'s, Cursor<&'a [u8]>>>,
     budget: &'s mut Budget,
-    /// Bytes that the entry may still have, by its own header.
+    /// Bytes still to come, by the size in the header of the entry.
     declared: u64,
-    /// The line of the next byte, from 1.
+    /// Line number of the next byte, from 1.
     pub line: usize,
 }
 
@@ -82,12 +82,12 @@ impl<'a> Archive<'a> {
         Ok(Self { zip, numbers, budget: Budget::inflating(bytes.len() as u64) })
     }
 
-    /// Whether there is an entry of this name, with or without a leading slash.
+    /// Returns true if an entry has this name, with or without a leading slash.
     pub fn has(&self, path: &str) -> bool {
         self.numbers.contains_key(&key(path))
     }
 
-    /// The text of an entry.
+    /// Opens an entry for reading.
     pub fn stream(&mut self, path: &str) -> Result<Stream<'_, 'a>, ContentError> {
         let Some(&number) = self.numbers.get(&key(path)) else {
             let kind = ContentErrorKind::Missing { what: format!("part {path}") };
@@ -97,7 +97,7 @@ impl<'a> Archive<'a> {
         let file = self.zip.by_index(number).map_err(|e| failed(&e, place))?;
         let declared = file.size();
         if declared > self.budget.left() {
-            // Before a byte of it is unpacked.
+            // Refused before any byte of it is unpacked.
             return Err(self.budget.exhausted(path.to_owned()));
         }
         Ok(Stream { file: BufReader::new(file), budget: &mut self.budget, declared, line: 1 })
@@ -105,7 +105,7 @@ impl<'a> Archive<'a> {
 }
 
 impl Stream<'_, '_> {
-    /// Bytes that come next, as far as they are unpacked already.
+    /// Returns the next bytes that are unpacked already.
     pub fn unpacked(&self) -> &[u8] {
         let bytes = self.file.buffer();
         let most = usize::try_from(self.declared).unwrap_or(usize::MAX);
@@ -132,18 +132,18 @@ impl BufRead for Stream<'_, '_> {
     fn consume(&mut self, count: usize) {
         let taken = self.file.buffer().get(..count).unwrap_or_default();
         self.line += taken.iter().filter(|&&b| b == b'\n').count();
-        // fill_buf gave no more than is declared, and that is no more than there is.
+        // `fill_buf` returns at most `declared` bytes, and never more than are present.
         self.declared -= count as u64;
         let _ = self.budget.spend(count, 1, String::new);
         self.file.consume(count);
     }
 }
 
-/// An entry is described twice: in the directory at the end of the archive, and in front of its bytes. Programs go by the one or the other, so
-/// both have to say the same.
+/// Checks that the two descriptions of an entry agree: in the directory at the end of the archive,
+/// and in front of the data. Programs differ in which one they use.
 fn require_agreement(bytes: &[u8], entry: &ZipFile<'_, Cursor<&[u8]>>) -> Result<(), ContentError> {
     const LENGTH: usize = 30;
-    /// Whether sizes and check sum follow the bytes.
+    /// Flag bit: sizes and checksum follow the data.
     const LATER: u16 = 8;
     let start = usize::try_from(entry.header_start()).unwrap_or(usize::MAX);
     let rest = bytes.get(start..).unwrap_or_default();
@@ -175,7 +175,7 @@ fn require_agreement(bytes: &[u8], entry: &ZipFile<'_, Cursor<&[u8]>>) -> Result
         ("packed size", long(18), entry.compressed_size()),
         ("size", long(22), entry.size()),
     ] {
-        // 2³² − 1 stands for a size that is in another field, as it has more than four bytes.
+        // 2³² − 1 means that the size needs more than four bytes and is in another field.
         let is_elsewhere = value == u64::from(u32::MAX) || is_later && value == 0;
         if value != central && !is_elsewhere {
             return refuse(what, value.to_string(), format!("{central}, that of the archive's directory"));
@@ -184,12 +184,12 @@ fn require_agreement(bytes: &[u8], entry: &ZipFile<'_, Cursor<&[u8]>>) -> Result
     Ok(())
 }
 
-/// The name of a part, one for all its spellings.
+/// Returns the normalized name of a part: lower case, without a leading slash.
 pub fn key(path: &str) -> String {
     path.strip_prefix('/').unwrap_or(path).to_ascii_lowercase()
 }
 
-/// Whether a name stays inside the archive wherever it would be unpacked.
+/// Returns true if the entry name stays inside any folder to which the archive is unpacked.
 fn is_inside(name: &str) -> bool {
     let path = name.strip_prefix('/').unwrap_or(name);
     let climbs = path.split('/').any(|segment| segment == "..");

@@ -1,21 +1,21 @@
-//! Which entries of a package belong to which.
+//! Relationships between the entries of a package.
 
 use super::archive::Archive;
 use super::xml::{Token, Xml};
 use crate::content::ContentError;
 
-/// An entry that belongs to another.
+/// Relationship of an entry to another entry.
 #[derive(Debug, Default)]
 pub struct Relation {
-    /// Identifier, by which entries refer to it.
+    /// Identifier used by other entries to refer to it.
     pub id: String,
-    /// What it is, an address.
+    /// Type of the relationship, a URI.
     pub kind: String,
-    /// Its name; relative to the folder of the other, or absolute.
+    /// Name of the target entry, relative to the folder of the source entry, or absolute.
     pub target: String,
 }
 
-/// The relations in an entry; none if it is not there.
+/// Reads the relationships in an entry; none if the entry does not exist.
 pub fn relations(archive: &mut Archive<'_>, path: &str) -> Result<Vec<Relation>, ContentError> {
     let mut all = Vec::new();
     if !archive.has(path) {

@@ -1,13 +1,13 @@
-//! How far a file may unfold in memory.
+//! Limits on the memory that a file may need when unpacked.
 //!
-//! A few bytes can stand for very many: an entry of a ZIP archive inflates up to 1032 times, and a mesh that is
-//! placed a thousand times, in a group that is placed a thousand times, stands there a million times. So what a
-//! file unfolds to is counted before it is made, and may be a multiple of the bytes that are there. Small files
-//! may unfold further: up to a floor that any machine holds.
+//! A few bytes can expand to very many. An entry of a ZIP archive inflates up to 1032 times. A mesh
+//! placed a thousand times, in a group placed a thousand times, is there a million times. The size
+//! is therefore counted before memory is allocated, and is limited to a multiple of the size of the
+//! file. Small files may expand further, up to a fixed minimum limit.
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
-/// Bytes that may still be made.
+/// Number of bytes that may still be allocated.
 #[derive(Debug)]
 pub struct Budget {
     left: u64,
@@ -15,14 +15,16 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// For meshes: 100 times the bytes of the file, or 256 MiB. A solid costs 48 bytes a vertex here and 24 in
-    /// a file, so fifty copies of all of a file are within, or five million vertices whatever the file.
+    /// Creates a budget for meshes: 100 times the bytes of the file, at least 256 MiB. A solid
+    /// needs 48 bytes a vertex in memory and 24 in a file. The limit allows fifty copies of the
+    /// whole file, and at least five million vertices.
     pub fn placing(present: u64) -> Self {
         Self::new(present.saturating_mul(100), 256 << 20)
     }
 
-    /// For text that is inflated: 60 times the bytes of the archive, or 64 MiB. A model of real coordinates
-    /// deflates 4 to 10 times, and one of short integers in order 30 times.
+    /// Creates a budget for inflated text: 60 times the bytes of the archive, at least 64 MiB. A
+    /// model with real coordinates deflates 4 to 10 times, one with short integers in order 30
+    /// times.
     pub fn inflating(present: u64) -> Self {
         Self::new(present.saturating_mul(60), 64 << 20)
     }
@@ -32,12 +34,12 @@ impl Budget {
         Self { left: limit, limit }
     }
 
-    /// What is left.
+    /// Returns the number of bytes that may still be allocated.
     pub fn left(&self) -> u64 {
         self.left
     }
 
-    /// Takes the bytes of so many items.
+    /// Subtracts `items` × `bytes_each` bytes from the budget; an error if it is exhausted.
     pub fn spend(
         &mut self,
         items: usize,
@@ -54,7 +56,7 @@ impl Budget {
         }
     }
 
-    /// The error of a file that wants more than there is.
+    /// Returns the error for a file that exceeds the budget.
     pub fn exhausted(&self, place: String) -> ContentError {
         let kind = ContentErrorKind::Unsupported {
             what: format!("a file of this size that unfolds to more than {} MiB", self.limit >> 20),

@@ -1,4 +1,4 @@
-//! XML as a stream of elements that know their line.
+//! XML as a stream of elements with line numbers.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -13,7 +13,7 @@ use quick_xml::{Error, XmlVersion};
 use super::archive::Stream;
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
-/// The reader of one entry.
+/// Streaming reader of one entry.
 pub struct Xml<'s, 'a> {
     reader: NsReader<Stream<'s, 'a>>,
     entry: String,
@@ -26,35 +26,35 @@ impl fmt::Debug for Xml<'_, '_> {
     }
 }
 
-/// Next part of an entry. An empty element is a start and an end.
+/// Next part of an entry. An empty element gives a start and an end.
 #[derive(Debug)]
 pub enum Token<'b> {
-    /// An element begins.
+    /// Start of an element.
     Start(BytesStart<'b>),
-    /// Text between tags, its entities resolved.
+    /// Text between tags with entities resolved.
     Text(Cow<'b, str>),
-    /// An element ends.
+    /// End of an element.
     End,
-    /// A comment, an instruction.
+    /// Comment or processing instruction.
     Other,
-    /// The end of the document.
+    /// End of the document.
     Eof,
 }
 
 impl<'s, 'a> Xml<'s, 'a> {
-    /// Reader of an entry.
+    /// Creates a reader of an entry.
     pub fn new(stream: Stream<'s, 'a>, entry: &str) -> Self {
         let mut reader = NsReader::from_reader(stream);
         reader.config_mut().expand_empty_elements = true;
         Self { reader, entry: entry.to_owned(), depth: 0 }
     }
 
-    /// The line that has been reached.
+    /// Returns the current line, from 1.
     pub fn line(&self) -> usize {
         self.reader.get_ref().line
     }
 
-    /// What stands next; the buffer keeps its text.
+    /// Returns the next token; the buffer holds its text.
     pub fn next<'b>(&mut self, buffer: &'b mut Vec<u8>) -> Result<Token<'b>, ContentError> {
         buffer.clear();
         match self.reader.read_event_into(buffer) {
@@ -89,17 +89,18 @@ impl<'s, 'a> Xml<'s, 'a> {
         }
     }
 
-    /// Bytes that come next and are unpacked already, where an element has just begun or ended.
+    /// Returns the next bytes that are unpacked already; call it directly after the start or end of
+    /// an element.
     pub fn ahead(&self) -> &[u8] {
         self.reader.get_ref().unpacked()
     }
 
-    /// Passes over so many of these: whole elements, and what stands between such.
+    /// Skips `count` bytes; they must be whole elements and the text between them.
     pub fn pass(&mut self, count: usize) {
         self.reader.get_mut().consume(count);
     }
 
-    /// Passes over the rest of the element that was just entered.
+    /// Skips the rest of the current element.
     pub fn skip(&mut self) -> Result<(), ContentError> {
         let (outside, mut buffer) = (self.depth.saturating_sub(1), Vec::new());
         while self.depth > outside {
@@ -108,38 +109,39 @@ impl<'s, 'a> Xml<'s, 'a> {
         Ok(())
     }
 
-    /// The namespace of an element; empty if it has none.
+    /// Returns the namespace of an element; empty if it has none.
     pub fn namespace(&self, element: &BytesStart<'_>) -> &str {
         name(&self.reader.resolver().resolve_element(element.name()).0)
     }
 
-    /// The namespace of an attribute; empty if it has none.
+    /// Returns the namespace of an attribute; empty if it has none.
     pub fn namespace_of(&self, attribute: &Attribute<'_>) -> &str {
         name(&self.reader.resolver().resolve_attribute(attribute.key).0)
     }
 
-    /// The namespace that a prefix stands for.
+    /// Returns the namespace of a prefix.
     pub fn prefixed(&self, prefix: &str) -> &str {
         name(&self.reader.resolver().resolve_attribute(QName(&format!("{prefix}:x"))).0)
     }
 
-    /// The attributes of an element, one by one.
+    /// Iterates over the attributes of an element.
     pub fn attributes<'e>(
         &self,
         element: &'e BytesStart<'_>,
     ) -> impl Iterator<Item = Result<Attribute<'e>, ContentError>> {
-        // A million attributes would be compared with each other; who reads one refuses it the second time.
+        // The duplicate check of the parser takes quadratic time; the readers refuse duplicates
+        // themselves.
         let mut attributes = element.attributes();
         attributes.with_checks(false);
         attributes.map(|attribute| attribute.map_err(|e| self.broken(&Error::InvalidAttr(e))))
     }
 
-    /// The text of an attribute, its entities resolved.
+    /// Returns the value of an attribute with entities resolved.
     pub fn value<'e>(&self, attribute: &Attribute<'e>) -> Result<Cow<'e, str>, ContentError> {
         attribute.normalized_value(XmlVersion::Implicit1_0).map_err(|e| self.broken(&e))
     }
 
-    /// The texts of those attributes of an element that have these names.
+    /// Returns the values of the attributes with these names; `None` for a missing one.
     pub fn values<'e, const N: usize>(
         &self,
         element: &'e BytesStart<'_>,
@@ -157,23 +159,23 @@ impl<'s, 'a> Xml<'s, 'a> {
         Ok(values)
     }
 
-    /// Something is wrong in the line that has been reached.
+    /// Creates an error at the current line.
     pub fn error(&self, kind: ContentErrorKind) -> ContentError {
         ContentError::new(kind, ContentPlace::Within(self.place()))
     }
 
-    /// Entry and line that have been reached.
+    /// Returns the entry and the current line, as text.
     pub fn place(&self) -> String {
         format!("{}, line {}", self.entry, self.line())
     }
 
-    /// A value breaks a rule.
+    /// Creates an error for a value that breaks a rule.
     pub fn refused(&self, what: &str, value: &str, rule: &str) -> ContentError {
         let (what, value, rule) = (what.to_owned(), value.to_owned(), rule.to_owned());
         self.error(ContentErrorKind::Value { what, value, rule })
     }
 
-    /// Error of something that has to be there.
+    /// Creates an error for a missing part.
     pub fn missing(&self, what: &str) -> ContentError {
         self.error(ContentErrorKind::Missing { what: what.to_owned() })
     }

@@ -1,19 +1,20 @@
-//! Requests of the reader: the keys of each table, and the type, names or dimension of each value.
-//! Completions and the schema come from them, so that they state what the reader accepts.
+//! Record of the reader's requests: the keys of each table, and the type, names or dimension of
+//! each value. Completions and the schema use this record, so they state exactly what the reader
+//! accepts.
 
 use std::cell::RefCell;
 use std::ops::Range;
 
 use crate::unit::Dimension;
 
-/// What was asked, in the order of asking.
+/// Recorded requests, in the order in which the reader made them.
 #[derive(Debug, Default)]
 pub struct Asked(RefCell<Vec<Question>>);
 
 #[derive(Clone, Debug)]
 /// One request of the reader: a place in the text, and what the reader accepts there.
 pub struct Question {
-    /// The value, in bytes of the text; of a table with a header, the header.
+    /// Bytes of the value; for a table with a header, bytes of the header.
     pub span: Range<usize>,
     /// Keys, names or dimension that the reader accepts there.
     pub what: What,
@@ -22,7 +23,7 @@ pub struct Question {
 #[derive(Clone, Debug)]
 /// Kind of value that the reader accepts at a place.
 pub enum What {
-    /// The keys of a table, and what it is called.
+    /// Name of a table, and its keys.
     Keys(String, Vec<&'static str>),
     /// One of these names, as a string.
     Choice(Vec<&'static str>),
@@ -36,9 +37,9 @@ pub enum What {
     Text,
     /// `true` or `false`.
     Truth,
-    /// An array, of this many elements where the reader requires a certain number.
+    /// An array, with its number of elements if the reader requires a certain number.
     Array(Option<usize>),
-    /// An array is read in another way than other values, or refused with advice.
+    /// A check for an array, which the reader treats differently from other values.
     PerhapsArray,
     /// A table with or without a header.
     Table,

@@ -1,14 +1,14 @@
-//! A body as a part of a scenario file.
+//! Part of a body, written as TOML.
 
 use core::fmt::Write as _;
 
 use polhode::body::MassProperties;
 use polhode::math::Body;
 
-/// A body as it stands in a scenario file.
+/// Part of a body in a scenario file.
 #[derive(Debug)]
 pub struct BodyPart<'a> {
-    /// What it is, and what its numbers mean: each line becomes a comment.
+    /// Description of the part and its numbers; each line becomes a comment.
     pub comments: Vec<String>,
     /// Name of the part.
     pub name: &'a str,
@@ -33,7 +33,7 @@ impl<'a> BodyPart<'a> {
         }
     }
 
-    /// `[[body.part]]`
+    /// Returns the part as a `[[body.part]]` table.
     pub fn to_toml(&self) -> String {
         let mut text = String::new();
         for line in &self.comments {

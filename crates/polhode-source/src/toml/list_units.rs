@@ -1,4 +1,5 @@
-//! Numbers that stand together have their units together: `["0 mm", "0 mm", "150"]` is refused, as 150 m is hardly meant.
+//! Check that the numbers of a list have units either all or not at all. `["0 mm", "0 mm", "150"]`
+//! is refused, because 150 m is hardly meant.
 
 use std::sync::Arc;
 
@@ -8,13 +9,14 @@ use crate::text::cut;
 use crate::unit::{bare_beside_units, measured, unit_of};
 use crate::{FormatError, FormatErrorKind};
 
-/// Keys of one table whose values are of one kind: those of a distribution, or of a span of time.
+/// Keys of one table with values of the same kind: of a distribution, or of a span of time.
 const TOGETHER: [&str; 6] = ["from", "to", "mode", "mean", "sd", "median"];
 
-/// The key of lists whose numbers measure different things: their reader asks for units.
+/// Key of lists whose numbers have different dimensions; their reader requires units.
 const APART: &str = "correlated";
 
-/// Refuses the first list, or matrix, in which some numbers have units and others, which are not zero, have none.
+/// Refuses the first list or matrix in which some numbers have units and other nonzero numbers have
+/// none.
 pub fn check(source: Source<'_>, entries: &Entries) -> Result<(), FormatError> {
     let together: Vec<&Node> =
         TOGETHER.iter().filter_map(|key| entries.get(*key)).map(|entry| &*entry.node).collect();
@@ -49,7 +51,7 @@ fn list(source: Source<'_>, key: &str, elements: &[Arc<Node>]) -> Result<(), For
     Ok(())
 }
 
-/// Refuses the first bare number among those with units.
+/// Refuses the first number without a unit in a list that has numbers with units.
 fn alike<'a>(
     source: Source<'_>,
     key_of: impl Fn(&Node) -> &'a str,
@@ -71,7 +73,7 @@ fn alike<'a>(
     }))
 }
 
-/// A number as it is written, alone or with a unit.
+/// Returns a number as it is written, with its unit if it has one.
 fn text(node: &Node) -> Option<&str> {
     match &node.kind {
         Kind::Text(text) | Kind::Float(text) | Kind::Whole { digits: text, radix: 10 } => Some(text),

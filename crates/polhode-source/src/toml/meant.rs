@@ -1,8 +1,8 @@
-//! What was probably meant: words that books and other programs have, and what a scenario says instead.
+//! Suggestions: terms of books and other programs, and the corresponding terms of a scenario.
 
 use crate::text::cut;
 
-/// A key of others, a key that has to be known in its place, and the advice.
+/// Foreign key, the known key to which the advice applies, and the advice.
 const KEYS: [(&str, &str, &str); 57] = [
     ("euler", "euler313", EULER),
     ("roll", "euler313", ROLL),
@@ -85,7 +85,7 @@ const EULER: &str = "angles are read as euler313 = [\"30 deg\", \"20 deg\", \"10
 const ROLL: &str = "write roll_pitch_yaw = [\"10 deg\", \"20 deg\", \"30 deg\"], 3-2-1: yaw about z, then pitch about the new y, then roll about the new x";
 const SPIN: &str = "write spin = { body = [0, 0, \"12 rad/s\"] }, or spin = { space = [0, 0, \"12 rad/s\"] } along the axes of space";
 
-/// A name of others, a name that has to be among the choices, and the advice.
+/// Foreign name, the corresponding valid name, and the advice.
 const NAMES: [(&str, &str, &str); 42] = [
     ("lhs", "latin hypercube", ""),
     ("lhc", "latin hypercube", ""),
@@ -139,22 +139,23 @@ const HOLLOW_SPHERE: &str =
 const DAMPING: &str =
     "what the air damps is model = \"drag\"; what friction inside the body does, \"energy_sink\"";
 
-/// Advice for an unknown key where these are known.
+/// Returns advice for an unknown key in a table with these known keys.
 pub(crate) fn key(word: &str, known: &[&str]) -> Option<&'static str> {
-    // Whatever the sequence is, euler123 or euler_zyx, it is one of the three angles that are not read.
+    // All sequences that are not supported (euler123, euler_zyx) get the same advice.
     let word = if word.to_lowercase().starts_with("euler") { "euler" } else { word };
     let meant = KEYS.iter().find(|(others, ours, _)| same(word, others) && known.contains(ours));
     meant.map(|(.., advice)| *advice)
 }
 
-/// Advice for an unknown name where these are known.
+/// Returns advice for an unknown name in a list of valid names.
 pub(crate) fn name(word: &str, known: &[&str]) -> Option<String> {
     let (_, ours, advice) =
         NAMES.iter().find(|(others, ours, _)| same(word, others) && known.contains(ours))?;
     Some(if advice.is_empty() { format!("did you mean \"{ours}\"?") } else { (*advice).to_owned() })
 }
 
-/// What to write in the place of a value that ought to be a table; `text` is what stands there, and how many elements it has.
+/// Returns advice for a value that must be a table; `text` is the value as written, `elements` its
+/// number of elements.
 pub(crate) fn table(key: &str, text: &str, elements: usize) -> Option<String> {
     let text = cut(text);
     let whole = !text.contains(['…', '\n']);
@@ -175,7 +176,7 @@ pub(crate) fn table(key: &str, text: &str, elements: usize) -> Option<String> {
     })
 }
 
-/// What to write in the place of an element that ought to be a table.
+/// Returns advice for an element of an array that must be a table.
 pub(crate) fn element(key: &str, text: &str, elements: usize) -> String {
     let text = cut(text);
     match (key, elements) {
@@ -188,7 +189,7 @@ pub(crate) fn element(key: &str, text: &str, elements: usize) -> String {
     }
 }
 
-/// Keys, and a table that may stand there.
+/// Keys, and an example of a table for them.
 const TABLES: [(&str, &str); 21] = [
     ("surface", "{ shape = \"sphere\", radius = \"20 mm\" }"),
     ("ground", "{ shape = \"plane\", slope = \"10 deg\" }"),

@@ -1,4 +1,4 @@
-//! TOML with places: tables and values that know where in the file they stand, so that every error can say it.
+//! TOML with places: tables and values know their position in the file, and every error states it.
 
 mod asked;
 mod body_part;

@@ -1,4 +1,4 @@
-//! TOML with places: tables and values that know where in the file they stand, so that every error can say it.
+//! Tables and values of TOML with their position in the file.
 
 use std::any::Any;
 use std::ops::Range;
@@ -21,7 +21,7 @@ use crate::unit;
 use crate::unit::Dimension;
 use crate::{FormatError, FormatErrorKind, Place};
 
-/// True for a table, and for a list of tables.
+/// Returns true for a table, and for a list that contains tables.
 fn is_table(kind: &Kind) -> bool {
     match kind {
         Kind::Table(_) => true,
@@ -30,7 +30,7 @@ fn is_table(kind: &Kind) -> bool {
     }
 }
 
-/// A table, its place, and what to call it.
+/// Table with its place and its name in messages.
 #[derive(Clone, Debug)]
 pub struct Table<'a> {
     source: Source<'a>,
@@ -40,22 +40,22 @@ pub struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// The table that is the whole file.
+    /// Creates the root table, the whole file.
     pub fn root(source: Source<'a>, entries: &'a Entries) -> Self {
         Self { source, entries, span: 0..0, name: "the file".to_owned() }
     }
 
-    /// Returns true if the scenario is displayed; members of a sweep are not.
+    /// Returns true if the scenario is displayed; the members of a sweep are not.
     pub fn is_shown(&self) -> bool {
         self.source.is_shown
     }
 
-    /// Says what the table is where its header alone does not.
+    /// Returns the table with another name for messages.
     pub fn called(self, name: String) -> Self {
         Self { name, ..self }
     }
 
-    /// Refuses the first key that is none of `known`.
+    /// Refuses the first key that is not in `known`.
     pub fn allow(&self, known: &[&'static str]) -> Result<(), FormatError> {
         self.asks(|| What::Keys(self.name.clone(), known.to_vec()));
         let unknown = self.entries.iter().filter(|(key, _)| !known.contains(&key.as_ref()));
@@ -65,7 +65,7 @@ impl<'a> Table<'a> {
         let suggestion = if advice.is_some() { None } else { nearest(&key, known.iter().copied()) };
         let misplaced = match key.as_str() {
             "title" => Some("title stands above the first table".to_owned()),
-            // Only a table can be a top-level table in the wrong place.
+            // Only a table can be a misplaced top-level table.
             "torque" | "wheel" | "event" | "pointing" if is_table(&entry.node.kind) => {
                 Some(format!("write [[{key}]] on a line of its own"))
             }
@@ -83,7 +83,7 @@ impl<'a> Table<'a> {
         })
     }
 
-    /// The value of a key, if it is there.
+    /// Returns the value of a key, if it is present.
     pub fn get(&self, key: &'static str) -> Option<Value<'a>> {
         self.entries.get(key).map(|entry| Value {
             source: self.source,
@@ -93,7 +93,7 @@ impl<'a> Table<'a> {
         })
     }
 
-    /// The value of a key that has to be there.
+    /// Returns the value of a required key.
     pub fn require(&self, key: &'static str, example: &'static str) -> Result<Value<'a>, FormatError> {
         self.asks(|| What::Required(key));
         self.get(key).ok_or_else(|| self.missing(key, example))
@@ -106,7 +106,8 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Every key with its value, in the file's order, and what to call them.
+    /// Returns every key with its value, in the order of the file; `called` names the values in
+    /// messages.
     pub fn each(&self, called: &'static str) -> impl Iterator<Item = (&'a str, Value<'a>)> {
         self.asks(|| What::AnyKeys);
         let source = self.source;
@@ -117,7 +118,7 @@ impl<'a> Table<'a> {
         })
     }
 
-    /// The value of the one key of several that is there; none or one may be.
+    /// Returns the value of the only present key of several; `None` if none is present.
     pub fn at_most_one(
         &self,
         keys: &[&'static str],
@@ -135,7 +136,7 @@ impl<'a> Table<'a> {
 
     /// Creates the error for a required key that is absent, or misspelt.
     pub fn missing(&self, key: &'static str, example: &'static str) -> FormatError {
-        // A key that is nearly the missing one is a slip of the pen.
+        // A key close to the missing one is a misspelling.
         let slip =
             self.entries.iter().find(|(other, _)| other.as_ref() != key && nearest(other, [key]).is_some());
         if let Some((other, entry)) = slip {
@@ -147,13 +148,13 @@ impl<'a> Table<'a> {
         self.error(FormatErrorKind::MissingKey { key, table: self.name.clone(), example })
     }
 
-    /// An error at the table's header.
+    /// Creates an error at the header of the table.
     pub fn error(&self, kind: FormatErrorKind) -> FormatError {
         self.source.error(self.span.clone(), kind)
     }
 }
 
-/// A value, its place, and the key that it belongs to, perhaps as an element of an array.
+/// Value with its place, and the key to which it belongs, directly or as an element of an array.
 #[derive(Clone, Copy, Debug)]
 pub struct Value<'a> {
     source: Source<'a>,
@@ -183,7 +184,7 @@ impl<'a> Value<'a> {
         self.source
     }
 
-    /// What stands in its place, if it is replaced.
+    /// Returns the replacement of the value, if it is replaced.
     pub fn replacement(&self) -> Option<&'a Replacement> {
         match &self.value.kind {
             Kind::Replaced(replacement) => Some(replacement),
@@ -191,29 +192,31 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// What it was read as.
+    /// Returns the cached result of an earlier reading.
     pub fn known(&self) -> Option<&'a Known> {
         self.value.known.get()
     }
 
-    /// Returns the contents of the file that it names, or the value that its reader made of it, if that is a `T`.
+    /// Returns the cached contents of the named file, or the cached value of its reader, if that is
+    /// a `T`.
     pub fn known_as<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
         self.known().and_then(Known::get)
     }
 
-    /// Keeps what it was read as, for later readings.
+    /// Caches the result of a reading for later readings.
     pub fn keep(&self, known: Known) {
-        // What is known already is the same.
+        // A value that is set already is the same.
         let _ = self.value.known.set(known);
     }
 
-    /// The path of the file that it names, relative to the file in which it stands.
+    /// Returns the path of the file that the value names, relative to the file that contains the
+    /// value.
     pub fn path(&self) -> Result<PathBuf, FormatError> {
         let name = Path::new(self.string()?);
         let folder = self.rest().map_or(self.source.path, |rest| rest.path).parent();
         let folder = folder.unwrap_or(Path::new(""));
         match self.files().named(folder, name) {
-            // The reader of the file says that it is missing.
+            // The reader of the file reports a missing file.
             Ok(_) | Err(NotOpened::Missing) => Ok(folder.join(name)),
             Err(NotOpened::Outside) => Err(self
                 .invalid("a file in the folder of the data file that names it, or below it")
@@ -225,12 +228,12 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// Returns the place that the file which it names is taken from.
+    /// Returns the source of files for the named file.
     pub fn files(&self) -> &'a dyn Files {
         self.rest().map_or(self.source.files, |rest| rest.files)
     }
 
-    /// The other file in the same text, if it stands there.
+    /// Returns the second file of a joined text, if the value is in it.
     fn rest(&self) -> Option<Rest<'a>> {
         self.source.rest.filter(|rest| self.span().start >= rest.from)
     }
@@ -246,7 +249,8 @@ impl<'a> Value<'a> {
         self.asks(|| What::Table);
         match &self.value.kind {
             Kind::Table(entries) => {
-                // `[start]` is called so; `{ body = … }` by its key.
+                // The name of a headed table is its header, such as `[start]`; of an inline table,
+                // its key.
                 let text = self.source.text.get(self.span()).unwrap_or_default();
                 let name = if text.starts_with('[') { cut(text) } else { self.key.to_owned() };
                 Ok(Table { source: self.source, entries, span: self.span(), name })
@@ -255,7 +259,7 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// The advice to write a table in the place of the value.
+    /// Returns advice to write a table instead of the value.
     fn as_table(&self) -> String {
         let elements = if let Kind::List(elements) = &self.value.kind { elements.len() } else { 0 };
         let text = self.source.text.get(self.span()).unwrap_or_default();
@@ -269,12 +273,12 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// The tables of an array whose headers are `[[header]]`.
+    /// Returns the tables of an array with headers `[[header]]`.
     pub fn tables(&self, header: &str) -> Result<Vec<Table<'a>>, FormatError> {
         self.array_of_tables(header)?.iter().map(Value::table).collect()
     }
 
-    /// The same as values.
+    /// Returns the tables of an array with headers `[[header]]` as values.
     pub fn array_of_tables(&self, header: &str) -> Result<Vec<Self>, FormatError> {
         let hint = || format!("write [[{header}]] on a line of its own, once for each");
         let elements = self.elements(&format!("an array of tables: [[{header}]]"));
@@ -287,7 +291,7 @@ impl<'a> Value<'a> {
             .map_err(|error| error.with_hint(hint()))
     }
 
-    /// All elements of an array.
+    /// Returns all elements of an array; `expected` describes the array in messages.
     pub fn elements(&self, expected: &str) -> Result<Vec<Self>, FormatError> {
         self.asks(|| What::Array(None));
         self.written_elements(expected)
@@ -302,7 +306,7 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// The elements of an array of N.
+    /// Returns the elements of an array of length N; `of` describes the elements in messages.
     pub fn fixed<const N: usize>(&self, of: &str) -> Result<[Self; N], FormatError> {
         self.asks(|| What::Array(Some(N)));
         let expected = format!("an array of {N} {of}");
@@ -336,12 +340,12 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// One of several names.
+    /// Returns the value, which must be one of several names.
     pub fn choice(&self, names: &[&'static str]) -> Result<&'static str, FormatError> {
         self.named(&names.iter().map(|name| (*name, *name)).collect::<Vec<_>>())
     }
 
-    /// The value that one of several names stands for.
+    /// Returns the value assigned to the name; the name must be one of those listed.
     pub fn named<T: Copy>(&self, named: &[(&'static str, T)]) -> Result<T, FormatError> {
         let names: Vec<&'static str> = named.iter().map(|(name, _)| *name).collect();
         self.asks(|| What::Choice(names.clone()));
@@ -361,7 +365,7 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// A whole number.
+    /// Returns the value as a nonnegative integer.
     pub fn count(&self) -> Result<u64, FormatError> {
         self.asks(|| What::Count);
         match &self.value.kind {
@@ -372,7 +376,7 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// A plain number, finite.
+    /// Returns the value as a finite plain number.
     pub fn number(&self) -> Result<f64, FormatError> {
         self.asks(|| What::Number);
         self.varying(Dimension::NONE, || self.written_number())
@@ -392,7 +396,7 @@ impl<'a> Value<'a> {
         unit::parse(&digits, Dimension::NONE).map_err(|e| self.error(FormatErrorKind::Unit(e)))
     }
 
-    /// A number in SI, or a string with a unit.
+    /// Returns a quantity in SI units, from a number or a string with a unit.
     pub fn quantity(&self, dimension: Dimension) -> Result<f64, FormatError> {
         self.asks(|| What::Quantity(dimension));
         self.varying(dimension, || self.written_quantity(dimension))
@@ -411,7 +415,8 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// The number that replaces it, or that is known, or else the one that is written.
+    /// Returns the replacement number if there is one, else the cached number, else the written
+    /// one.
     fn varying(
         &self,
         dimension: Dimension,
@@ -426,7 +431,7 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// A quantity above zero.
+    /// Returns a positive quantity in SI units.
     pub fn positive(&self, dimension: Dimension) -> Result<f64, FormatError> {
         let value = self.quantity(dimension)?;
         if value > 0.0 {
@@ -445,22 +450,22 @@ impl<'a> Value<'a> {
         })
     }
 
-    /// N quantities.
+    /// Returns N quantities in SI units.
     pub fn quantities<const N: usize>(&self, dimension: Dimension) -> Result<[f64; N], FormatError> {
         each(self.fixed("numbers or strings with units")?, |value| value.quantity(dimension))
     }
 
-    /// N quantities above zero.
+    /// Returns N positive quantities in SI units.
     pub fn positives<const N: usize>(&self, dimension: Dimension) -> Result<[f64; N], FormatError> {
         each(self.fixed("numbers or strings with units")?, |value| value.positive(dimension))
     }
 
-    /// N plain numbers.
+    /// Returns N finite plain numbers.
     pub fn numbers<const N: usize>(&self) -> Result<[f64; N], FormatError> {
         each(self.fixed("numbers")?, Value::number)
     }
 
-    /// The elements of N rows of K, two or three.
+    /// Returns the elements of N rows of K, where K is two or three.
     pub fn rows<const N: usize, const K: usize>(&self) -> Result<[[Self; K]; N], FormatError> {
         let mut rows = [[*self; K]; N];
         let of = if K == 2 { "rows of two" } else { "rows of three" };
@@ -475,7 +480,8 @@ impl<'a> Value<'a> {
         self.source.error(self.span(), kind)
     }
 
-    /// An error in a string that is a formula, at its place there; of a string with escapes, at the string.
+    /// Creates an error in a formula, at its place in the string; for a string with escapes, at the
+    /// string.
     pub fn formula(&self, error: ExpressionError) -> FormatError {
         self.source.formula(self.span(), self.written_string().unwrap_or_default(), error)
     }
@@ -495,7 +501,7 @@ impl<'a> Value<'a> {
         self.error(FormatErrorKind::Rotation(error))
     }
 
-    /// An error about a value that breaks a rule; the message cites it as it stands in the file.
+    /// Creates an error for a value that breaks a rule; the message quotes the value from the file.
     pub fn invalid(&self, rule: impl Into<String>) -> FormatError {
         let value = cut(&self.source.current(self.value)).chars().map(visible).collect();
         self.error(FormatErrorKind::Value { key: self.key.to_owned(), value, rule: rule.into() })
@@ -508,7 +514,7 @@ impl<'a> Value<'a> {
         }
     }
 
-    /// The advice to write something in the place of the value.
+    /// Returns the advice to write something else in place of the value.
     fn write(&self, what: &str) -> String {
         if self.is_element { format!("write {what}") } else { format!("write {} = {what}", self.key) }
     }
@@ -532,7 +538,7 @@ impl<'a> Value<'a> {
     }
 }
 
-/// One number for each of N values; the first error ends it.
+/// Reads one number from each of N values; stops at the first error.
 pub fn each<'a, const N: usize>(
     values: [Value<'a>; N],
     read: impl Fn(&Value<'a>) -> Result<f64, FormatError>,

@@ -1,4 +1,4 @@
-//! A rotation: `rotate` of a part, `attitude` of the start.
+//! Rotations: `rotate` of a part, `attitude` of the start.
 
 use polhode::math::{Direction, Frame, Rotation};
 
@@ -10,11 +10,12 @@ use crate::unit::Dimension;
 const FORMS: [&str; 7] =
     ["axis", "quaternion", "quaternion_xyzw", "euler313", "roll_pitch_yaw", "mrp", "matrix"];
 
-/// R_AB from one of its forms.
+/// Reads the rotation R_AB, with v_A = R_AB v_B, from one of these forms:
 ///
-/// `{ axis = [3], angle = "90 deg" }`, `{ quaternion = [w, x, y, z] }`, `{ quaternion_xyzw = [x, y, z, w] }`,
-/// `{ euler313 = [φ, θ, ψ] }`, `{ roll_pitch_yaw = [φ, θ, ψ] }`, `{ mrp = [σ1, σ2, σ3] }`, `{ matrix = [[3], [3], [3]] }`
-/// with v_A = R v_B.
+/// `{ axis = [3], angle = "90 deg" }`, `{ quaternion = [w, x, y, z] }`,
+/// `{ quaternion_xyzw = [x, y, z, w] }`,
+/// `{ euler313 = [φ, θ, ψ] }`, `{ roll_pitch_yaw = [φ, θ, ψ] }`, `{ mrp = [σ1, σ2, σ3] }`,
+/// `{ matrix = [[3], [3], [3]] }`.
 pub fn rotation<A: Frame, B: Frame>(value: &Value<'_>) -> Result<Rotation<A, B>, FormatError> {
     if let Some(Replacement::Rotation(quaternion)) = value.replacement() {
         return Rotation::from_quaternion(*quaternion).map_err(|e| value.rotation(e));

@@ -1,4 +1,4 @@
-//! The text of a scenario file: places in it, and errors at them.
+//! Text of a scenario file, with places and errors in it.
 
 use std::any::Any;
 use std::fmt;
@@ -11,41 +11,42 @@ use crate::expression::ExpressionError;
 use crate::files::Files;
 use crate::{FormatError, FormatErrorKind, Place};
 
-/// The text of a file, and its path, for messages and for the files that it names.
+/// Text and path of a file, for messages and for the files that it names.
 #[derive(Clone, Copy, Debug)]
 pub struct Source<'a> {
     /// Path of the file; paths in the text are relative to its folder.
     pub path: &'a Path,
     /// Text of the file, UTF-8.
     pub text: &'a str,
-    /// Place that the files which it names are taken from.
+    /// Source of the files named in the text.
     pub files: &'a dyn Files,
-    /// The other file whose text the end of this one is.
+    /// Second file, if the end of this text was joined from another file.
     pub rest: Option<Rest<'a>>,
-    /// Whether the scenario will be looked at: members of sweeps are not.
+    /// True if the scenario is displayed; members of sweeps are not.
     pub is_shown: bool,
-    /// Where the reader writes down what it asks for, if somebody wants to know.
+    /// Record of the reader's requests, if the caller wants one.
     pub asked: Option<&'a Asked>,
-    /// Contents of a file that the text may name, if the caller has read it. The file's reader knows the type.
+    /// Contents of a file that the text may name, if the caller has read it. The reader of the file
+    /// knows the type.
     pub kept: Option<&'a (dyn Any + Send + Sync)>,
-    /// The keys of the file itself that are tables: messages say how these are written.
+    /// Top-level keys that are tables; messages say how to write them.
     pub headings: &'a [&'static str],
     /// Cancellation check, called repeatedly during long computations.
     pub watch: Watch<'a>,
 }
 
-/// File whose text is the end of a joined text.
+/// Second file at the end of a joined text.
 #[derive(Clone, Copy, Debug)]
 pub struct Rest<'a> {
-    /// First byte of it in the joined text.
+    /// Offset of its first byte in the joined text.
     pub from: usize,
-    /// Its path; paths in it are relative to its folder.
+    /// Path of the second file; paths in it are relative to its folder.
     pub path: &'a Path,
-    /// Place that the files which it names are taken from.
+    /// Source of the files named in it.
     pub files: &'a dyn Files,
 }
 
-/// Asked again and again by what takes time: false ends it.
+/// Cancellation check, called repeatedly by long computations: false cancels.
 #[derive(Clone, Copy)]
 pub struct Watch<'a>(pub &'a (dyn Fn() -> bool + Sync));
 
@@ -56,7 +57,7 @@ impl fmt::Debug for Watch<'_> {
 }
 
 impl<'a> Source<'a> {
-    /// Of a scenario that will be looked at.
+    /// Creates the source of a scenario that is displayed.
     pub const fn new(files: &'a dyn Files, path: &'a Path, text: &'a str) -> Self {
         Self {
             path,
@@ -76,12 +77,12 @@ impl<'a> Source<'a> {
         Place::in_text(self.text, span)
     }
 
-    /// The path of a file that the scenario names.
+    /// Returns the path of a file that the scenario names, relative to the scenario.
     pub fn beside(&self, name: &str) -> PathBuf {
         self.path.parent().unwrap_or(Path::new("")).join(name)
     }
 
-    /// The text of a value, with the numbers that are replaced.
+    /// Returns the text of a value with all replacements inserted.
     pub fn current(&self, node: &Node) -> String {
         let mut replaced = Vec::new();
         node.each_leaf(&mut |leaf| {
@@ -104,7 +105,8 @@ impl<'a> Source<'a> {
         FormatError::new(self.path, Some(self.place(span)), kind)
     }
 
-    /// An error in a formula that stands at a place, at its own place there; of a string with escapes, at the string.
+    /// Creates an error in a formula that stands at `span`, at the place within the formula; for a
+    /// string with escapes, at the string.
     pub fn formula(&self, span: Range<usize>, text: &str, error: ExpressionError) -> FormatError {
         let raw = self.text.get(span.clone()).unwrap_or_default();
         let mut place = span.clone();
@@ -120,7 +122,7 @@ impl<'a> Source<'a> {
         self.error(place, FormatErrorKind::Formula(error))
     }
 
-    /// What the TOML parser refuses.
+    /// Returns the error for a text that the TOML parser refuses.
     pub fn syntax(&self, error: &toml::de::Error) -> FormatError {
         let message = error.message().to_owned();
         let hint = match message.as_str() {

@@ -1,4 +1,4 @@
-//! The text of a TOML file, and its tree.
+//! Text of a TOML file, and its tree.
 
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use crate::files::Files;
 use crate::text::is_utf16;
 use crate::{FormatError, FormatErrorKind};
 
-/// A file larger than this is something else: a mesh or a table goes into a file of its own.
+/// Largest accepted file, bytes. Meshes and tables belong in files of their own.
 pub const LARGEST_FILE: u64 = 64 << 20;
 
 /// Reads the text of a file, of up to 64 MiB.
@@ -29,10 +29,10 @@ pub fn text_of(files: &dyn Files, path: &Path) -> Result<String, FormatError> {
     })
 }
 
-/// Reads the tree of a text, in which numbers that stand together have their units together.
+/// Parses a text into a tree and checks that the numbers of each list have units all or not at all.
 ///
 /// # Errors
-/// [`FormatError`] if the text is not TOML, or if a number in a list has no unit and others have one.
+/// [`FormatError`] if the text is not TOML, or if only some numbers of a list have a unit.
 pub fn document(source: Source<'_>) -> Result<Entries, FormatError> {
     let entries = tree::parse(source.text).map_err(|error| source.syntax(&error))?;
     list_units::check(source, &entries)?;

@@ -1,7 +1,8 @@
-//! A TOML document as a tree that owns its text: it is parsed once, and may be read many times.
+//! TOML document as a tree that owns its text: parsed once, read many times.
 //!
-//! A node keeps what it was read as, for later readings. A tree in which something is replaced shares all nodes with the first but those above
-//! what is replaced, and these know nothing: so a later reading computes what depends on it, and nothing else.
+//! A node caches the result of its first reading. A modified tree shares all nodes with the
+//! original, except the replaced node and its ancestors, whose caches are empty. A later reading
+//! therefore recomputes only what depends on the replacement.
 
 use std::any::Any;
 use std::collections::BTreeMap;
@@ -16,18 +17,18 @@ use toml::de::{DeString, DeTable, DeValue};
 
 use crate::unit::Dimension;
 
-/// A value, its place, and what it was read as.
+/// Value with its place and the cached result of its first reading.
 #[derive(Clone, Debug)]
 pub struct Node {
-    /// Bytes of the text; of a table with a header, the header's.
+    /// Bytes of the value in the text; for a table with a header, bytes of the header.
     pub span: Range<usize>,
     /// Type of the value, with its content.
     pub kind: Kind,
-    /// Result of the first reading, kept for later readings.
+    /// Cached result of the first reading.
     pub known: OnceLock<Known>,
 }
 
-/// What a value is.
+/// Type of a value, with its content.
 #[derive(Clone, Debug)]
 pub enum Kind {
     /// String without its quotes, escapes resolved.
@@ -49,31 +50,31 @@ pub enum Kind {
     List(Vec<Arc<Node>>),
     /// Table, inline or with a header.
     Table(Entries),
-    /// Value that takes the place of the written one.
+    /// Value that replaces the written one.
     Replaced(Replacement),
 }
 
-/// What stands in the place of what is written.
+/// Replacement of a written value.
 #[derive(Clone, Debug)]
 pub enum Replacement {
-    /// A number, SI.
+    /// Number, SI units.
     Number(f64),
-    /// The quaternion (w, x, y, z) of a rotation.
+    /// Quaternion (w, x, y, z) of a rotation.
     Rotation([f64; 4]),
-    /// Of a part of the body, which keeps its name, or of all parts together.
+    /// Name and mass properties of a part of the body, or of all parts together.
     MassProperties(String, MassProperties<Body>),
 }
 
-/// What a value was read as.
+/// Cached result of reading a value.
 #[derive(Clone, Debug)]
 pub enum Known {
-    /// SI.
+    /// Value in SI units, with its dimension.
     Number(f64, Dimension),
-    /// The quaternion (w, x, y, z) of a rotation.
+    /// Quaternion (w, x, y, z) of a rotation.
     Rotation([f64; 4]),
-    /// What is in the file that it names.
+    /// Contents of the named file.
     File(Arc<dyn Any + Send + Sync>),
-    /// The value that its reader made of it.
+    /// Value made by the reader.
     Value(Arc<dyn Any + Send + Sync>),
 }
 
@@ -87,7 +88,7 @@ impl Known {
     }
 }
 
-/// One step of the way to a value.
+/// One step of the path to a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Step {
     /// Key of a table.
@@ -96,18 +97,18 @@ pub enum Step {
     Element(usize),
 }
 
-/// The way to a value from the file's own table.
+/// Path to a value from the root table.
 pub type Way = Vec<Step>;
 
 impl Node {
-    /// The places of the values in it that have no others in them.
+    /// Returns the places of all leaf values below this node.
     pub fn places(&self) -> Vec<usize> {
         let mut places = Vec::new();
         self.each_leaf(&mut |leaf| places.push(leaf.span.start));
         places
     }
 
-    /// Every value in it, or itself, that has no others in it.
+    /// Calls `see` with every leaf value below this node, or with the node itself if it is a leaf.
     pub fn each_leaf<'a>(&'a self, see: &mut impl FnMut(&'a Self)) {
         match &self.kind {
             Kind::List(elements) => elements.iter().for_each(|element| element.each_leaf(see)),
@@ -116,7 +117,7 @@ impl Node {
         }
     }
 
-    /// Hashes what it says, wherever it stands.
+    /// Hashes the content, independent of its place in the text.
     pub fn hash_into(&self, hasher: &mut impl Hasher) {
         match &self.kind {
             Kind::Text(text) | Kind::Float(text) | Kind::Whole { digits: text, .. } => text.hash(hasher),
@@ -130,7 +131,7 @@ impl Node {
         }
     }
 
-    /// The name of a file, once that was read.
+    /// Returns the name of the file, if the value names a file that has been read.
     pub fn file(&self) -> Option<&str> {
         match (&self.kind, self.known.get()) {
             (Kind::Text(name), Some(Known::File(_))) => Some(name),
@@ -139,19 +140,20 @@ impl Node {
     }
 }
 
-/// The values of a table by their keys.
+/// Values of a table by key.
 pub type Entries = BTreeMap<Arc<str>, Entry>;
 
-/// A value, and where its key stands.
+/// Value with the place of its key.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// Bytes of the text that the key occupies.
+    /// Bytes of the key in the text.
     pub key: Range<usize>,
-    /// Value of the key.
+    /// Value of the key, with its place.
     pub node: Arc<Node>,
 }
 
-/// Replaces the value at the end of a way, if it is there; what is above it is not known any more.
+/// Replaces the value at the end of a path, if it exists, and clears the caches of all nodes on the
+/// path.
 pub fn replace(entries: &mut Entries, way: &[Step], replacement: Replacement) {
     let Some((Step::Key(key), mut rest)) = way.split_first() else { return };
     let Some(entry) = entries.get_mut(key) else { return };
@@ -170,7 +172,7 @@ pub fn replace(entries: &mut Entries, way: &[Step], replacement: Replacement) {
     node.kind = Kind::Replaced(replacement);
 }
 
-/// The tree of a document.
+/// Parses a document into a tree.
 pub fn parse(text: &str) -> Result<Entries, toml::de::Error> {
     DeTable::parse(text).map(|document| entries(document.get_ref()))
 }
@@ -197,10 +199,11 @@ fn node(value: &Spanned<DeValue<'_>>) -> Arc<Node> {
     Arc::new(Node { span: value.span(), kind, known: OnceLock::new() })
 }
 
-/// Keys of a table that do not change what the file that it names says.
+/// Keys that do not affect how the file named in the same table is read.
 const APART: [&str; 6] = ["position", "rotate", "density", "mass", "material", "on"];
 
-/// Lets a tree know what another has read from files that both name, in tables that say the same of them: they are not read again.
+/// Copies to a tree the files that another tree has read, for tables with the same content. These
+/// files are not read again.
 pub fn adopt(entries: &mut Entries, from: &Entries) {
     let telling = |entries: &Entries| -> Vec<(Arc<str>, Arc<Node>)> {
         let told = entries.iter().filter(|(key, _)| !APART.contains(&key.as_ref()));
@@ -230,7 +233,7 @@ fn adopt_node(node: &mut Arc<Node>, from: &Node) {
     }
 }
 
-/// Whether two values say the same.
+/// Returns true if two values have the same content.
 fn same(a: &Node, b: &Node) -> bool {
     match (&a.kind, &b.kind) {
         (Kind::Text(a), Kind::Text(b)) | (Kind::Float(a), Kind::Float(b)) => a == b,

@@ -1,11 +1,11 @@
-//! What a unit measures.
+//! Physical dimension of a unit.
 
 use std::fmt;
 
-/// The powers of mass, length, time, angle and electric current in a quantity.
+/// Exponents of mass, length, time, angle and electric current in a quantity.
 ///
-/// The angle is counted although SI calls the radian a one, so that `"30 deg"` is no length and
-/// `"3 N"` no angle. Energy and torque are the same here, as they are in SI.
+/// The angle is counted, although the radian is 1 in SI, so that `"30 deg"` is not accepted as a
+/// plain number. Energy and torque have the same dimension, as in SI.
 ///
 /// ```
 /// use polhode_source::unit::Dimension;
@@ -51,17 +51,17 @@ impl Dimension {
 }
 
 impl Dimension {
-    /// The dimension kg^mass m^length s^time rad^angle.
+    /// Creates the dimension kg^mass m^length s^time rad^angle.
     pub const fn new(mass: i8, length: i8, time: i8, angle: i8) -> Self {
         Self { mass, length, time, angle, current: 0 }
     }
 
-    /// The same times A^current.
+    /// Returns the dimension with the exponent of the ampere set to `current`.
     pub const fn with_current(self, current: i8) -> Self {
         Self { current, ..self }
     }
 
-    /// `self` × `other`^power.
+    /// Returns `self` × `other`^power.
     pub fn times(self, other: Self, power: i8) -> Self {
         let sum = |a: i8, b: i8| a.saturating_add(b.saturating_mul(power));
         Self {
@@ -73,12 +73,13 @@ impl Dimension {
         }
     }
 
-    /// The same where angles are plain numbers, as they are in formulas.
+    /// Returns the dimension without the angle, as used in formulas.
     pub const fn without_angle(self) -> Self {
         Self { angle: 0, ..self }
     }
 
-    /// What a formula's value measures, with the angle back in rates: `1/s` is an angular velocity.
+    /// Returns the dimension of a formula's value with the angle restored in rates: `1/s` is an
+    /// angular velocity.
     pub const fn with_angle(self) -> Self {
         match self {
             Self { mass: 0, length: 0, time: -2 | -1, current: 0, .. } => Self { angle: 1, ..self },
@@ -86,7 +87,7 @@ impl Dimension {
         }
     }
 
-    /// `self` raised to a power, if the result has whole powers.
+    /// Returns `self` raised to a power; `None` if an exponent is not an integer.
     pub fn raised(self, power: f64) -> Option<Self> {
         let raised = |exponent: i8| {
             let product = f64::from(exponent) * power;
@@ -101,10 +102,10 @@ impl Dimension {
         })
     }
 
-    /// Whether a unit that measures `found` may stand where `self` is expected.
+    /// Returns true if a unit of dimension `found` is accepted where `self` is required.
     ///
-    /// Angles come and go where the physics lets them: ω in 1/s, and, because L = I ω and
-    /// τ = I α + ω × L, up to two of them in anything that has both a mass and a rate.
+    /// Angle exponents are optional where the physics permits it: one in ω (1/s), and, because L =
+    /// I ω and τ = I α + ω × L, up to two in any quantity with both a mass and a rate.
     pub fn accepts(self, found: Self) -> bool {
         let rate = self.mass == 0 && self.length == 0 && self.time < 0 && self.angle == 1;
         let dynamic = self.mass != 0 && self.time < 0 && self.angle == 0 && self.current == 0;
@@ -114,19 +115,21 @@ impl Dimension {
                 || dynamic && (0..=2).contains(&found.angle))
     }
 
-    /// Whether gravity makes `found` into `self`: a pound into a force, a pound foot into a torque.
+    /// Returns true if gravity turns `found` into `self`: a pound into a force, a pound foot into a
+    /// torque.
     pub fn is_weight_of(self, found: Self) -> bool {
         found.mass == 1 && found.times(Self::ACCELERATION, 1) == self
     }
 
-    /// A text of this dimension.
+    /// Returns an example of a quantity of this dimension.
     pub fn example(self) -> Option<&'static str> {
         NAMES.iter().find(|(dimension, ..)| *dimension == self).map(|&(.., example)| example)
     }
 }
 
 impl Dimension {
-    /// The SI unit: as symbols, `kg·m²/s`, and at the end of a column's name, `kg_m2_s`. Both are empty for a plain number.
+    /// Returns the SI unit as symbols, `kg·m²/s`, and as a suffix of column names, `kg_m2_s`. Both
+    /// are empty for a plain number.
     pub fn unit(self) -> (String, String) {
         if let Some((_, symbols, suffix)) = NAMED_UNITS.iter().find(|(dimension, ..)| *dimension == self) {
             return ((*symbols).to_owned(), (*suffix).to_owned());
@@ -161,7 +164,7 @@ impl Dimension {
     }
 }
 
-/// Units with names of their own.
+/// Dimensions whose units have names of their own: symbols, and suffix of column names.
 const NAMED_UNITS: [(Dimension, &str, &str); 6] = [
     (Dimension::TORQUE, "N·m", "n_m"),
     (Dimension::FORCE, "N", "n"),
@@ -187,7 +190,7 @@ impl fmt::Display for Dimension {
     }
 }
 
-/// Dimension, name with its article, example.
+/// Dimension, its name with an article, and an example.
 const NAMES: [(Dimension, &str, &str); 24] = [
     (Dimension::NONE, "a plain number", "0.5"),
     (Dimension::MASS, "a mass", "12 kg"),

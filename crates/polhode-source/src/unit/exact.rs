@@ -1,25 +1,26 @@
-//! Positive rational numbers, kept exactly until the one rounding at the end.
+//! Positive rational numbers, exact until the one rounding at the end.
 //!
 //! A quantity is an integer of any length, times a power of ten, divided by a few small integers.
-//! Multiplications are done at once and divisions last, to so many digits that dropping the rest
-//! cannot change the nearest double, which `str::parse` then finds.
+//! Multiplications are done immediately and divisions last. The quotient gets enough digits that
+//! truncation cannot change the nearest double, which `str::parse` then finds.
 
 const BASE: u64 = 1_000_000_000_000_000_000;
 const BASE_DIGITS: usize = 18;
 
-/// Limbs of the quotient x/D behind the last digit of x, with n divisors in D < 10^(19.3 n).
+/// Number of limbs of the quotient x/D after the last digit of x, for n divisors with D < 10^(19.3
+/// n).
 ///
-/// In units of that digit, a quotient that is no midpoint between two doubles (a multiple of
-/// 2^-1075) is at least 1/(2^1075 D) away from one, or 1/(2^54 D²) if the digit stands before the
-/// point: more than the 10^-(324 + 54 n) that is dropped.
+/// Unit: that digit. A quotient that is not a midpoint between two doubles (a multiple of
+/// 2^-1075) is at least 1/(2^1075 D) away from one, or 1/(2^54 D²) if the digit is before the
+/// decimal point. The truncation error, 10^-(324 + 54 n), is smaller.
 const fn precision(n: usize) -> usize {
     18 + 3 * n
 }
 
-/// π as the convergent of its continued fraction that just fits; relative error 4.5e-39.
+/// π as a convergent of its continued fraction, with both terms in a `u64`; relative error 4.5e-39.
 const PI: (u64, u64) = (2_646_693_125_139_304_345, 842_468_587_426_513_207);
 
-/// limbs × 10^ten / Π divisors, limbs in base 10^18 with the lowest first.
+/// Number limbs × 10^ten / Π divisors; limbs in base 10^18, least significant first.
 pub(crate) struct Exact {
     limbs: Vec<u64>,
     ten: i64,
@@ -27,7 +28,7 @@ pub(crate) struct Exact {
 }
 
 impl Exact {
-    /// An unsigned decimal number such as `12`, `.5` or `6.02e+23`, its form already checked.
+    /// Creates the number from an unsigned decimal such as `12`, `.5` or `6.02e+23` of valid form.
     pub(crate) fn new(decimal: &str) -> Self {
         let (digits, exponent) = decimal.split_once(['e', 'E']).unwrap_or((decimal, "0"));
         let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
@@ -49,7 +50,8 @@ impl Exact {
         self.limbs.is_empty()
     }
 
-    /// Multiplies by factor^power, the factor as the table of units writes it: `0.3048`, `pi/180`.
+    /// Multiplies by factor^power, with the factor in the form of the table of units: `0.3048`,
+    /// `pi/180`.
     pub(crate) fn scale(&mut self, factor: &str, power: i8) {
         for (place, part) in factor.split('/').enumerate() {
             let (mut above, mut below, mut ten) = match part {
@@ -83,7 +85,7 @@ impl Exact {
         }
     }
 
-    /// The nearest double; infinite where there is none.
+    /// Returns the nearest double; infinite on overflow.
     pub(crate) fn nearest(mut self) -> f64 {
         if !self.divisors.is_empty() {
             let zeros = precision(self.divisors.len());
@@ -99,12 +101,13 @@ impl Exact {
             }
         }
         let digits: String = self.limbs.iter().rev().map(|limb| format!("{limb:018}")).collect();
-        // The point goes first: `str::parse` reads any number of digits, but no exponent below −65536.
+        // The decimal point goes first: `str::parse` reads any number of digits, but no exponent
+        // below −65536.
         format!("0.{digits}0e{}", self.ten + digits.len() as i64).parse().unwrap_or(f64::NAN)
     }
 }
 
-/// 0.0254 = 254 × 10⁻⁴, for the constants of the table.
+/// Splits a decimal constant of the table: 0.0254 = 254 × 10⁻⁴.
 fn integer_and_power_of_ten(decimal: &str) -> (u64, i64) {
     let integer =
         decimal.bytes().filter(u8::is_ascii_digit).fold(0, |n, digit| 10 * n + u64::from(digit - b'0'));

@@ -1,26 +1,26 @@
-//! The number at the start of a quantity, as people write it and as polhode prints it.
+//! Number at the start of a quantity, plain or typeset.
 //!
-//! What is printed is read back: digits in groups of three with a space between, `123 456.8` and `8.273 333e-5`, also with a
-//! space that does not break or is thin; a typographic minus; and `8.273 333×10⁻⁵`. A comma is no separator: it stands between
-//! numbers, and is a decimal mark for some.
+//! Printed numbers can be read back: digits in groups of three separated by a space, `123 456.8`
+//! and `8.273 333e-5`, also by a no-break or thin space; a typographic minus; and `8.273 333×10⁻⁵`.
+//! A comma is not a digit separator: it separates numbers, and is a decimal mark in some countries.
 
 use super::inverse;
 
-/// The spaces between groups of digits: the ordinary one, and those that typesetting has.
+/// Spaces accepted between groups of digits: the ordinary space and the typographic ones.
 const SPACES: [char; 4] = [' ', '\u{a0}', '\u{202f}', '\u{2009}'];
 
-/// A number in front of its unit.
+/// Number and the unit after it.
 #[derive(Debug)]
 pub(crate) struct Split<'a> {
-    /// In ASCII and in one piece: `-8.273333e-5`.
+    /// The number in ASCII without digit grouping: `-8.273333e-5`.
     pub number: String,
-    /// What follows it.
+    /// Text after the number.
     pub unit: &'a str,
-    /// Ordinary spaces part its digits: it might be several numbers.
+    /// True if ordinary spaces group its digits, so that it may be several numbers.
     pub spaced: bool,
 }
 
-/// The number at the start of a text and the unit after it; `None` if the number does not end cleanly.
+/// Splits a text into a number and its unit; `None` if other characters follow the number directly.
 pub(crate) fn split(text: &str) -> Option<Split<'_>> {
     let mut cursor = Cursor { rest: text, number: String::new(), spaced: false };
     cursor.sign();
@@ -33,7 +33,7 @@ pub(crate) fn split(text: &str) -> Option<Split<'_>> {
         cursor.number.push('.');
         let decimals = cursor.digits();
         count += decimals;
-        // Three to a group, but for the last.
+        // Groups have three digits, except the last.
         let mut length = decimals;
         while length == 3
             && let Some(next) = cursor.group(1..=3)
@@ -65,7 +65,7 @@ impl Cursor<'_> {
         self.rest = rest;
     }
 
-    /// Takes digits; says how many.
+    /// Reads digits; returns their number.
     fn digits(&mut self) -> usize {
         let count = leading_digits(self.rest);
         let (digits, rest) = self.rest.split_at(count);
@@ -74,7 +74,7 @@ impl Cursor<'_> {
         count
     }
 
-    /// Takes a space and so many digits, if they are there and are not the `1/s` of a unit.
+    /// Reads a space and a group of digits of an allowed size, unless they are the `1/s` of a unit.
     fn group(&mut self, sizes: std::ops::RangeInclusive<usize>) -> Option<usize> {
         let after = self.rest.strip_prefix(SPACES)?;
         let count = leading_digits(after);
@@ -86,7 +86,7 @@ impl Cursor<'_> {
         Some(self.digits())
     }
 
-    /// Takes `e-5` or `×10⁻⁵`, if there is one; false if it has no digits.
+    /// Reads an exponent such as `e-5` or `×10⁻⁵`, if present; returns false if it has no digits.
     fn exponent(&mut self) -> bool {
         const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
         if let Some(power) = self.rest.strip_prefix("×10") {

@@ -1,6 +1,7 @@
-//! Numbers of one unit as SI.
+//! Conversion of numbers of one unit to SI.
 
-/// A unit's value, so that powers of ten below one are divided by and round once only.
+/// Conversion factor of a unit. It divides for powers of ten below one, so that each value is
+/// rounded only once.
 #[derive(Clone, Copy, Debug)]
 pub enum Scale {
     /// Multiplies by a factor.
@@ -10,14 +11,14 @@ pub enum Scale {
 }
 
 impl Scale {
-    /// Scale that multiplies by a factor.
+    /// Creates a scale from its factor.
     pub fn by(factor: f64) -> Self {
         let inverse = (1.0 / factor).round();
         let exact = factor < 1.0 && 1.0 / inverse == factor;
         if exact { Self::Over(inverse) } else { Self::Times(factor) }
     }
 
-    /// Value in SI.
+    /// Returns a value in SI units.
     pub fn apply(self, value: f64) -> f64 {
         match self {
             Self::Times(factor) => value * factor,

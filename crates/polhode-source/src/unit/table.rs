@@ -1,4 +1,4 @@
-//! The units, each by its exact definition.
+//! Table of units, each with its exact definition.
 //!
 //! SI, prefixes, and the units accepted with it: BIPM, *The International System of Units* (SI
 //! Brochure, 9th ed. 2019), tables 2, 4, 7 and 8. Pound, foot, ounce, slug, standard gravity: NIST
@@ -7,16 +7,16 @@
 
 use super::Dimension;
 
-/// A unit by name.
+/// Unit found by its name.
 #[derive(Clone, Copy)]
 pub(crate) struct Unit {
-    /// Its value in SI: a decimal or π, or a ratio of two of these.
+    /// Value in SI: a decimal, π, or a ratio of two of these.
     pub factor: &'static str,
     pub dimension: Dimension,
 }
 
 impl Unit {
-    /// The unit of that name; both micro signs (U+00B5, U+03BC) are read.
+    /// Returns the unit of that name; both micro signs (U+00B5, U+03BC) are accepted.
     pub(crate) fn named(name: &str) -> Option<Self> {
         let name = name.replace('\u{3bc}', "\u{b5}");
         UNITS
@@ -26,18 +26,18 @@ impl Unit {
     }
 }
 
-/// The first name of each unit of a dimension.
+/// Returns the first name of each unit of a dimension.
 pub(crate) fn names_of(dimension: Dimension) -> impl Iterator<Item = &'static str> {
     let of = UNITS.iter().filter(move |(.., found)| *found == dimension);
     of.filter_map(|(names, ..)| names.split(' ').next())
 }
 
-/// The unit that a word in lower case means.
+/// Returns the unit named by a word in lower case.
 pub(crate) fn word(lower: &str) -> Option<&'static str> {
     WORDS.iter().find(|(words, _)| words.split(' ').any(|word| word == lower)).map(|&(_, unit)| unit)
 }
 
-/// The unit that was probably meant.
+/// Returns the closest unit to a misspelt name, if one is close.
 pub(crate) fn suggestion(name: &str) -> Option<String> {
     let base = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let power = &name[base.len()..];
@@ -52,7 +52,7 @@ pub(crate) fn suggestion(name: &str) -> Option<String> {
         .map(str::to_owned)
 }
 
-/// Whether one letter inserted, left out, replaced or swapped with its neighbour makes `a` into `b`.
+/// Returns true if `a` and `b` differ by one inserted, omitted, replaced or swapped letter.
 fn one_edit_apart(a: &str, b: &str) -> bool {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
     let head = a.iter().zip(&b).take_while(|(x, y)| x == y).count();
@@ -64,7 +64,7 @@ fn one_edit_apart(a: &str, b: &str) -> bool {
     }
 }
 
-/// Names, value in SI, dimension.
+/// Names of each unit, its value in SI, and its dimension.
 const UNITS: &[(&str, &str, Dimension)] = &[
     ("kg", "1", Dimension::MASS),
     ("g", "0.001", Dimension::MASS),
@@ -125,7 +125,7 @@ const UNITS: &[(&str, &str, Dimension)] = &[
     ("G", "0.0001", Dimension::MAGNETIC_FIELD), // gauss
 ];
 
-/// Words that are no unit here, in lower case, and the unit they mean.
+/// Words in lower case that are not unit symbols, and the units they mean.
 const WORDS: &[(&str, &str)] = &[
     ("gram grams gr gm", "g"),
     ("kilo kilos kilogram kilograms kgs", "kg"),

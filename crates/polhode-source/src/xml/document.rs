@@ -1,4 +1,4 @@
-//! A text as a tree, or why it is none.
+//! Parsing of XML text into a tree.
 
 use std::ops::Range;
 
@@ -6,17 +6,17 @@ use roxmltree::{Error, ParsingOptions};
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
-/// The tree of a text.
+/// Tree of an XML text.
 #[derive(Debug)]
 pub struct Document<'a>(pub roxmltree::Document<'a>);
 
 impl<'a> Document<'a> {
-    /// The tree of a text; `copy` is the text made plain.
+    /// Parses a text into a tree; `copy` is the text after `plain`.
     ///
     /// # Errors
-    /// [`ContentError`] for what is no XML, and where.
+    /// [`ContentError`], with its place, for text that is not well-formed XML.
     pub fn parse(text: &str, copy: &'a str) -> Result<Self, ContentError> {
-        // a node each for at most every < and the text after it, and one for the document
+        // At most two nodes for every `<` (a tag and the text after it), and two for the document.
         let most = 2 * copy.bytes().filter(|&byte| byte == b'<').count() + 2;
         let options = ParsingOptions {
             allow_dtd: false,
@@ -28,7 +28,7 @@ impl<'a> Document<'a> {
     }
 }
 
-/// What the parser says, and where.
+/// Converts an error of the parser, with its place.
 fn unreadable(text: &str, error: &Error) -> ContentError {
     let position = error.pos();
     let span = match error {
@@ -40,7 +40,7 @@ fn unreadable(text: &str, error: &Error) -> ContentError {
         Error::UnexpectedCloseTag(expected, actual, _) => (format!("</{expected}>"), format!("</{actual}>")),
         Error::UnclosedRootNode => ("the end of the root element".to_owned(), String::new()),
         _ => {
-            // the place is the error's own and need not be in the message
+            // The error has its own place; it is removed from the message.
             let said = error.to_string().replace(&format!(" at {position}"), "");
             (format!("well-formed XML ({said})"), text.get(span.clone()).unwrap_or("").to_owned())
         }
@@ -59,7 +59,7 @@ fn unreadable(text: &str, error: &Error) -> ContentError {
     }
 }
 
-/// The byte of a line and a character, both from 1.
+/// Returns the bytes of the character at a line and column, both from 1.
 fn at(text: &str, line: u32, column: u32) -> Range<usize> {
     let before: usize = text.split_inclusive('\n').take(line.saturating_sub(1) as usize).map(str::len).sum();
     let rest = text.get(before..).unwrap_or("");

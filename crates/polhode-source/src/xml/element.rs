@@ -1,4 +1,4 @@
-//! Elements of the trees of a text and of those that it names.
+//! Elements of an XML text and of the texts that it includes.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -10,36 +10,38 @@ use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 use super::document::Document;
 use super::written::{Written, is_true};
 
-/// The trees of a text and of those that it names. Places count through all of them: each begins where the one before has its end, and a byte more.
+/// Trees of a text and of the texts that it names. Byte offsets are numbered through all texts; one
+/// byte separates consecutive texts.
 #[derive(Debug)]
 pub struct Forest<'a> {
     first: Tree<'a>,
     others: Vec<Tree<'a>>,
     links: Links,
-    /// What an `<include>` names stands in its place.
+    /// True if the content of a file replaces the `<include>` that names it.
     splices: bool,
 }
 
-/// Which file an element names: by the file that it stands in and its first byte there.
+/// File named by an element; the key is the number of the containing file and the element's first
+/// byte there.
 pub type Links = HashMap<(usize, usize), usize>;
 
 #[derive(Debug)]
 struct Tree<'a> {
     document: &'a Document<'a>,
-    /// The place of its first byte.
+    /// Offset of its first byte in the combined numbering.
     start: usize,
 }
 
 impl<'a> Forest<'a> {
-    /// One tree alone.
+    /// Creates a forest of one tree.
     pub fn of_one(document: &'a Document<'a>) -> Self {
         Self { first: Tree { document, start: 0 }, others: Vec::new(), links: Links::new(), splices: false }
     }
 
-    /// Several, each with the place of its first byte.
+    /// Creates a forest of several trees, each with the offset of its first byte.
     ///
     /// # Errors
-    /// [`ContentError`] for none.
+    /// [`ContentError`] if `trees` is empty.
     pub fn of(
         trees: impl Iterator<Item = (&'a Document<'a>, usize)>,
         links: Links,
@@ -54,7 +56,7 @@ impl<'a> Forest<'a> {
         Ok(Self { first, others: trees.collect(), links, splices })
     }
 
-    /// The root of the first tree.
+    /// Returns the root of the first tree.
     pub fn root(&'a self) -> Element<'a> {
         Element::new(self.first.document.0.root_element(), self, 0)
     }
@@ -63,24 +65,24 @@ impl<'a> Forest<'a> {
         number.checked_sub(1).map_or(Some(&self.first), |other| self.others.get(other))
     }
 
-    /// The root of the file that stands in the place of an element.
+    /// Returns the root of the file that replaces an `<include>` element.
     fn spliced(&'a self, element: Element<'a>) -> Option<Element<'a>> {
         element.linked().filter(|_| self.splices && element.name() == "include")
     }
 
-    /// The place of a tree's first byte.
+    /// Returns the offset of a tree's first byte.
     fn start(&self, tree: usize) -> usize {
         self.tree(tree).map_or(0, |tree| tree.start)
     }
 
-    /// The root of the file that the element at this byte of a tree names.
+    /// Returns the root of the file that is named by the element at this byte of a tree.
     fn linked(&'a self, tree: usize, byte: usize) -> Option<Element<'a>> {
         let target = *self.links.get(&(tree, byte))?;
         Some(Element::new(self.tree(target)?.document.0.root_element(), self, target))
     }
 }
 
-/// An element of a tree. What it includes stands among its children in its place.
+/// Element of a tree. The content of an included file counts among its children.
 #[derive(Clone, Copy, Debug)]
 pub struct Element<'a> {
     node: Node<'a, 'a>,
@@ -93,64 +95,64 @@ impl<'a> Element<'a> {
         Self { node, forest, tree }
     }
 
-    /// Its name; a prefix is part of it, with an underscore: `xacro_macro`.
+    /// Returns the name; a prefix is part of it, with an underscore: `xacro_macro`.
     pub fn name(self) -> &'a str {
         self.node.tag_name().name()
     }
 
-    /// From the `<` of its start to the `>` of its end.
+    /// Returns the bytes from the `<` of the start tag to the `>` of the end tag.
     pub fn span(self) -> Range<usize> {
         self.shifted(self.node.range())
     }
 
-    /// Bytes of its own text as places.
+    /// Converts a range of the element's own text to the combined numbering.
     fn shifted(self, range: Range<usize>) -> Range<usize> {
         let start = self.forest.start(self.tree);
         start + range.start..start + range.end
     }
 
-    /// The file that it stands in: 0 is the first.
+    /// Returns the number of the containing file; 0 is the first.
     pub const fn tree(self) -> usize {
         self.tree
     }
 
-    /// The root of the file that it names, if that was read.
+    /// Returns the root of the file that the element names, if that file was read.
     pub fn linked(self) -> Option<Self> {
         self.forest.linked(self.tree, self.node.range().start)
     }
 
-    /// The whole text, without comments.
+    /// Returns the whole text of the file without comments.
     pub fn document(self) -> &'a str {
         self.node.document().input_text()
     }
 
-    /// The elements in it.
+    /// Returns the child elements.
     pub fn children(self) -> Children<'a> {
         Children { forest: self.forest, levels: vec![(self.node.children(), self.tree)] }
     }
 
-    /// The elements in it that have this name.
+    /// Returns the child elements with this name.
     pub fn named(self, name: &'a str) -> impl Iterator<Item = Element<'a>> {
         self.children().filter(move |child| child.name() == name)
     }
 
-    /// The first element in it that has this name.
+    /// Returns the first child element with this name.
     pub fn child(self, name: &str) -> Option<Element<'a>> {
         self.children().find(|child| child.name() == name)
     }
 
-    /// The text in the first element in it that has this name.
+    /// Returns the text of the first child element with this name.
     pub fn child_text(self, name: &str) -> Option<Written<'a>> {
         self.child(name).and_then(Element::text)
     }
 
-    /// What an attribute says.
+    /// Returns the value of an attribute.
     pub fn attribute(self, name: &str) -> Option<Written<'a>> {
         self.node.attribute_node(name).map(|attribute| {
             let range = attribute.range();
             let text = self.node.document().input_text();
-            // the value stands between the last character and the quote before it that is like it; the parser's own range is
-            // wrong after 255 blanks
+            // The value extends from the matching quote to the last character. The range of the
+            // parser itself is wrong after 255 blanks.
             let all = text.get(range.clone()).unwrap_or("");
             let quote = all.chars().next_back().unwrap_or('"');
             let inner = all.strip_suffix(quote).unwrap_or(all);
@@ -160,28 +162,28 @@ impl<'a> Element<'a> {
         })
     }
 
-    /// The names of all attributes.
+    /// Returns the names of all attributes.
     pub fn attribute_names(self) -> impl Iterator<Item = &'a str> {
         self.node.attributes().map(|attribute| attribute.name())
     }
 
-    /// The words of an attribute, if it is there.
+    /// Returns the text of an attribute, if it is present.
     pub fn word(self, name: &str) -> Option<&'a str> {
         self.attribute(name).map(|written| written.value)
     }
 
-    /// Whether an attribute says `true` or `1`.
+    /// Returns true if an attribute is `true` or `1`.
     pub fn says_true(self, name: &str) -> bool {
         self.word(name).is_some_and(is_true)
     }
 
-    /// Whether it declares a prefix of names: `xmlns:xacro`.
+    /// Returns true if the element declares a prefix, such as `xmlns:xacro`.
     pub fn has_prefix(self, prefix: &str) -> bool {
         self.node.attributes().any(|attribute| attribute.name().strip_prefix("xmlns_") == Some(prefix))
     }
 
-    /// The text in it. What stands beside text as an element is part of it as it is written, `<a/>`, which is no number and no
-    /// name.
+    /// Returns the text content. Child elements between text are part of it as written, such as
+    /// `<a/>`, which is then neither a valid number nor a valid name.
     pub fn text(self) -> Option<Written<'a>> {
         let says = |node: &Node<'a, 'a>| node.text().is_none_or(|text| !text.trim().is_empty());
         let mut nodes = self.node.children().filter(says);
@@ -199,7 +201,7 @@ impl<'a> Element<'a> {
     }
 }
 
-/// The elements in an element, and in place of each `<include>` those of the file that it names.
+/// Iterator over the child elements; the elements of an included file replace each `<include>`.
 #[derive(Debug)]
 pub struct Children<'a> {
     forest: &'a Forest<'a>,

@@ -1,7 +1,8 @@
-//! XML with the place of everything that is written in it.
+//! XML with the place of every element and attribute.
 //!
-//! Readers of models are namespace-unaware and forgiving, so a text is made [`plain()`] before it is parsed. No document types, no entities of one's own;
-//! memory is bounded by the bytes that are there.
+//! Readers of models are namespace-unaware and tolerant, so a text goes through [`plain()`] before
+//! it is parsed. Document types and custom entities are refused. Memory is bounded by the size of
+//! the text.
 
 mod document;
 mod element;
@@ -15,7 +16,7 @@ pub use element::{Children, Element, Forest, Links};
 pub use plain::{plain, second_root};
 pub use written::{Name, Number, Written, is_true};
 
-/// Reads a text as a tree and makes something of its root element.
+/// Parses a text and calls `read` with its root element.
 ///
 /// ```
 /// use polhode_source::xml::with_root;
@@ -27,7 +28,8 @@ pub use written::{Name, Number, Written, is_true};
 /// ```
 ///
 /// # Errors
-/// [`ContentError`] for what is no XML, has a document type, or what `read` refuses.
+/// [`ContentError`] for text that is not well-formed XML or has a document type, and errors of
+/// `read`.
 pub fn with_root<T>(
     text: &str,
     read: impl FnOnce(Element<'_>) -> Result<T, ContentError>,

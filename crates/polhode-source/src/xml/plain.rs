@@ -1,18 +1,21 @@
-//! The same bytes without what a tree does not need.
+//! Copy of an XML text that a strict parser accepts quickly, with unchanged byte offsets.
 //!
-//! Readers of models are namespace-unaware and let `--` stand in comments; the parser of the tree is strict. So it gets a copy of the text, of the
-//! same length, in which comments and processing instructions are blank and the colons of names are underscores. Every place in
-//! the copy is a place in the text, and every attribute's value is unchanged. It also takes away what makes a strict parser slow:
-//! thousands of namespaces, and elements with more attributes than any language has, which it compares in pairs.
+//! Readers of models are namespace-unaware and accept `--` in comments; the parser of the tree is
+//! strict. It therefore gets a copy of the text of the same length. In the copy, comments and
+//! processing instructions are blank, and the colons of names are underscores. Offsets in the copy
+//! are offsets in the text, and attribute values are unchanged. The copy also avoids inputs that
+//! make a strict parser slow: thousands of namespaces, and elements with more attributes than any
+//! supported language has, which the parser compares pairwise.
 
 use std::ops::Range;
 
 use crate::content::{ContentError, ContentErrorKind, ContentPlace};
 
-/// Several times the attributes of the richest element of the languages that are read.
+/// Limit on attributes per element, several times the largest number in the supported languages.
 const MOST_ATTRIBUTES: usize = 256;
 
-/// The text with comments, instructions and namespaces taken out, byte for byte as long.
+/// Returns the text with comments, instructions and namespaces blanked, of the same length in
+/// bytes.
 pub fn plain(text: &str) -> Result<String, ContentError> {
     let mut copy = String::with_capacity(text.len());
     while let Some(rest) = text.get(copy.len()..).filter(|rest| !rest.is_empty()) {
@@ -43,7 +46,7 @@ pub fn plain(text: &str) -> Result<String, ContentError> {
     Ok(copy)
 }
 
-/// Bytes up to the end of what `close` closes, or why that does not come.
+/// Returns the number of bytes up to and including `close`, or an error if it is missing.
 fn end(rest: &str, close: &str, at: usize, opening: usize, what: &str) -> Result<usize, ContentError> {
     rest.find(close).map(|found| found + close.len()).ok_or_else(|| missing(what, at..at + opening))
 }
@@ -53,18 +56,18 @@ fn missing(what: &str, span: Range<usize>) -> ContentError {
     ContentError::new(kind, ContentPlace::Text(span))
 }
 
-/// As many blanks as bytes; lines stay.
+/// Appends as many blanks as bytes; line ends are kept.
 fn blank(copy: &mut String, rest: &str, length: usize) {
     let bytes = rest.bytes().take(length);
     copy.extend(bytes.map(|byte| if byte == b'\n' || byte == b'\r' { char::from(byte) } else { ' ' }));
 }
 
-/// A tag up to its `>`: colons outside quotes become underscores.
+/// Copies a tag up to its `>`; colons outside quotes become underscores.
 fn tag(copy: &mut String, rest: &str) -> Result<(), ContentError> {
     let here = copy.len();
     let mut attributes = 0;
     let mut rest = rest;
-    // each round takes what stands before a quote or the end, and the quoted text with it
+    // Each pass reads the text before a quote or the end, and the quoted text.
     while let Some((outside, from_mark, mark)) = up_to_mark(rest, copy.len() == here) {
         if outside.contains(':') {
             copy.push_str(&outside.replace(':', "_"));
@@ -76,7 +79,7 @@ fn tag(copy: &mut String, rest: &str) -> Result<(), ContentError> {
                 copy.push('>');
                 return Ok(());
             }
-            b'<' => return Ok(()), // the parser of the tree complains, and knows of what
+            b'<' => return Ok(()), // the parser of the tree reports it with its place
             quote => {
                 attributes += 1;
                 if attributes > MOST_ATTRIBUTES {
@@ -102,7 +105,8 @@ fn tag(copy: &mut String, rest: &str) -> Result<(), ContentError> {
     Err(missing("the end of the tag, >", here..here + 1))
 }
 
-/// What stands before the next quote or angle bracket, that and the rest, and which it is. A tag's own bracket does not count.
+/// Splits at the next quote or angle bracket: text before it, text from it, and the mark itself.
+/// Skips the opening bracket of the tag.
 fn up_to_mark(rest: &str, is_first: bool) -> Option<(&str, &str, u8)> {
     let from = usize::from(is_first);
     let stop = from + rest.get(from..)?.find(['"', '\'', '>', '<'])?;
@@ -110,7 +114,7 @@ fn up_to_mark(rest: &str, is_first: bool) -> Option<(&str, &str, u8)> {
     Some((outside, from_mark, *from_mark.as_bytes().first()?))
 }
 
-/// Where a second root element begins in a plain text; `None` if there is none.
+/// Returns the offset of a second root element in a plain text; `None` if there is none.
 pub fn second_root(copy: &str) -> Option<usize> {
     let (mut depth, mut at) = (0_usize, 0);
     let mut is_over = false;
@@ -125,7 +129,7 @@ pub fn second_root(copy: &str) -> Option<usize> {
             continue;
         }
         let mut length = 0;
-        // the end of the tag is the first > outside quotes
+        // The tag ends at the first > outside quotes.
         loop {
             length += rest.get(length..)?.find(['"', '\'', '>'])?;
             let mark = *rest.as_bytes().get(length)?;

@@ -1,23 +1,24 @@
-//! What is written in a text, and where.
+//! Values in an XML text, with their places.
 
 use std::ops::Range;
 
-/// The value of an attribute or the text of an element, without the blanks around it.
+/// Trimmed value of an attribute, or trimmed text of an element.
 #[derive(Clone, Debug)]
 pub struct Written<'a> {
-    /// What it says.
+    /// The value, with entities resolved.
     pub value: &'a str,
-    /// Where it stands, without quotes.
+    /// Bytes of the value in the text, without quotes.
     pub span: Range<usize>,
-    /// The bytes of the text are the value itself: no entity stands for a character of it.
+    /// True if the bytes of the text equal the value, that is, it contains no entities.
     literal: bool,
 }
 
 impl<'a> Written<'a> {
-    /// Value with its place in a text.
+    /// Creates a value with its place in a text.
     pub fn new(text: &'a str, span: Range<usize>, value: &'a str) -> Self {
         let raw = text.get(span.clone()).unwrap_or("");
-        // The value is longer than the text with sections (CDATA) after it, and shorter by a byte for each end of a line in two.
+        // CDATA sections make the raw text longer; each two-byte line end makes the value a byte
+        // shorter.
         let is_whole = || raw.len() == value.len() || raw.len() == value.len() + raw.matches("\r\n").count();
         if raw.contains(['&', '<']) || !is_whole() {
             return Self { value: value.trim(), span, literal: false };
@@ -25,7 +26,7 @@ impl<'a> Written<'a> {
         Self::raw(text, span)
     }
 
-    /// Bytes as they are written.
+    /// Creates a value from the raw bytes of a text.
     pub fn raw(text: &'a str, span: Range<usize>) -> Self {
         let raw = text.get(span.clone()).unwrap_or("");
         let start = span.start + (raw.len() - raw.trim_start().len());
@@ -33,23 +34,24 @@ impl<'a> Written<'a> {
         Self { value, span: start..start + value.len(), literal: true }
     }
 
-    /// The same, in a text whose places count from `start`.
+    /// Returns the value with its place moved by `start`, the offset of its text.
     pub fn moved(mut self, start: usize) -> Self {
         self.span = start + self.span.start..start + self.span.end;
         self
     }
 
-    /// As a name.
+    /// Returns the value as a name.
     pub fn name(&self) -> Name {
         Name { text: self.value.to_owned(), span: self.span.clone() }
     }
 
-    /// As one number.
+    /// Returns the value as one number.
     pub fn number(&self) -> Number {
         Number { text: self.value.to_owned(), span: self.span.clone(), value: parsed(self.value) }
     }
 
-    /// As numbers with blanks between them. With an entity in it, each stands where all of them stand.
+    /// Returns the numbers separated by blanks. If the value contains entities, each number has the
+    /// place of the whole value.
     pub fn numbers(&self) -> impl Iterator<Item = Number> {
         let from = self.value.as_ptr().addr();
         self.value.split_ascii_whitespace().map(move |word| {
@@ -59,12 +61,12 @@ impl<'a> Written<'a> {
         })
     }
 
-    /// As plain values: NaN for NaN.
+    /// Returns the numbers separated by blanks as plain values; a word that is not a number is NaN.
     pub fn values(&self) -> impl Iterator<Item = f64> {
         self.value.split_ascii_whitespace().map(|word| parsed(word).unwrap_or(f64::NAN))
     }
 
-    /// As `N` plain values; `None` if there are fewer or more.
+    /// Returns exactly `N` plain values; `None` if there are fewer or more.
     pub fn array<const N: usize>(&self) -> Option<[f64; N]> {
         let mut values = self.values();
         let mut array = [0.0; N];
@@ -75,32 +77,32 @@ impl<'a> Written<'a> {
     }
 }
 
-/// The number that a word is. What overflows is infinite, `nan` is NaN.
+/// Parses a word as a number; overflow gives infinity, `nan` gives NaN.
 fn parsed(word: &str) -> Option<f64> {
     word.parse().ok()
 }
 
-/// A name, and where it stands.
+/// Name with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
-    /// The name.
+    /// Text of the name.
     pub text: String,
-    /// Where it stands, without quotes.
+    /// Bytes of the name in the text, without quotes.
     pub span: Range<usize>,
 }
 
-/// A number as it is written.
+/// Number as written, with its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Number {
-    /// The text: `"1676359E-6"`.
+    /// Text of the number: `"1676359E-6"`.
     pub text: String,
-    /// Where it stands, without quotes or the spaces around it.
+    /// Bytes of the number in the text, without quotes or blanks.
     pub span: Range<usize>,
-    /// What it is: `None` if the text is not a number. It may be infinite or NaN: `"1e400"`, `"nan"`.
+    /// Value; `None` if the text is not a number. It may be infinite or NaN: `"1e400"`, `"nan"`.
     pub value: Option<f64>,
 }
 
-/// `true` as languages of models write it.
+/// Returns true for the spellings of `true` in model languages.
 pub fn is_true(word: &str) -> bool {
     matches!(word.trim(), "true" | "1" | "True" | "TRUE")
 }

@@ -1,4 +1,5 @@
-//! Formulas: values against plain Rust, every error with its column, and texts that no stack would survive.
+//! Formulas: values compared with plain Rust, every error with its column, and texts that would
+//! overflow a recursive parser.
 
 use polhode::body::density::{Cubature, DensityField, Solid, mass_properties_of_field};
 use polhode::body::shape::BoxShape;
@@ -78,7 +79,7 @@ fn many_points_have_the_values_of_one() {
     for (point, value) in points.iter().zip(&values) {
         assert_eq!(value.to_bits(), expression.evaluate(*point).to_bits());
     }
-    // Other names, in other numbers
+    // Other names and another number of variables.
     let torque = Expression::parse("-k*omega_x + sin(t)", &["t", "omega_x", "k"]).unwrap();
     assert_eq!(torque.evaluate([0.0, 3.0, 0.25]), -0.75);
     assert_eq!(torque.text(), "-k*omega_x + sin(t)");
@@ -273,7 +274,7 @@ fn every_wrong_dimension_is_named_with_its_column() {
     }
     let long = formula_of_state(&"1+".repeat(3000), None).unwrap_err();
     assert_eq!((long.kind, long.column), (ExpressionErrorKind::TooLong { most: 4096 }, 4097));
-    // A density has no units.
+    // Densities do not accept units.
     assert!(Expression::parse("2700[kg/m^3]", &XYZ).is_err());
 }
 
@@ -296,7 +297,7 @@ fn units_stand_without_brackets_too() {
         });
         assert_eq!(values[0], values[1], "{plain}");
     }
-    // A variable is no unit, and what is neither is told as before.
+    // A variable is not a unit; a word that is neither gives the usual message.
     let error = measured("2 t", &variables, None).unwrap_err();
     assert_eq!(error.to_string(), "column 3: expected an operator, ) or the end, found \"t\"");
     let error = measured("2 kg foo", &variables, None).unwrap_err();

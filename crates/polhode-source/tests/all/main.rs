@@ -1,4 +1,5 @@
-//! The integration tests of `polhode-source`, as one program: each links the whole library.
+//! Integration tests of `polhode-source`, built as one program so that the library is linked only
+//! once.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test may")]
 
 mod expression;

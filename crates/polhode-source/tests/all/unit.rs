@@ -1,8 +1,8 @@
-//! Units: one rounding, the official definitions, and every way to be wrong.
+//! Units: correct rounding, the official definitions, and every kind of error.
 
 use polhode_source::unit::{Dimension, UnitError, parse};
 
-/// The generator of Knuth's MMIX; the high bits are good.
+/// Random generator of Knuth's MMIX; its high bits are good.
 struct Random(u64);
 
 impl Random {
@@ -12,7 +12,8 @@ impl Random {
     }
 }
 
-/// Whether `value` is a double nearest to above/below, in integers. `below` < 2^72.
+/// Returns true if `value` is a double nearest to above/below, computed in integers. Requires
+/// `below` < 2^72.
 fn is_nearest(value: f64, above: u128, below: u128) -> bool {
     let bits = value.to_bits();
     let (significand, exponent) = (bits & ((1 << 52) - 1) | 1 << 52, (bits >> 52) as i32 - 1075);
@@ -24,12 +25,12 @@ fn is_nearest(value: f64, above: u128, below: u128) -> bool {
     }
 }
 
-/// π as a fraction, to 2.5e-27: not the one that the library uses.
+/// π as a fraction with error 2.5e-27; different from the fraction in the library.
 const PI: (u128, u128) = (8_958_937_768_937, 2_851_718_461_558);
 
 const LBF: u128 = 44_482_216_152_605; // 1e-13 N
 
-/// Unit, dimension, SI value as a fraction of integers, and whether times π.
+/// Unit, dimension, SI value as a fraction of integers, and true if it is multiplied by π.
 ///
 /// SI Brochure, 9th ed. (2019), tables 4, 7, 8; NIST SP 811 (2008), appendix B.8: lb 0.453 592 37 kg
 /// (footnote 22), lbf 4.448 221 615 260 5 N (footnote 23), slug lbf s²/ft, oz lb/16, foot 0.3048 m,
@@ -172,7 +173,7 @@ fn round_numbers_stay_round() {
     assert_eq!(parse("-1 rev", Dimension::ANGLE), Ok(-std::f64::consts::TAU));
     assert_eq!(parse("90 km/h", Dimension::VELOCITY), Ok(25.0));
     assert_eq!(parse("1 g0", Dimension::ACCELERATION), Ok(9.80665));
-    // A pound of force is what gives a slug a foot per second squared.
+    // One pound-force accelerates one slug by 1 ft/s².
     assert_eq!(parse("1 slug ft/s^2", Dimension::FORCE), parse("1 lbf", Dimension::FORCE));
     assert_eq!(parse("1 lbf s^2/ft", Dimension::MASS), parse("1 slug", Dimension::MASS));
 }
@@ -212,8 +213,8 @@ fn powers_are_exact_too() {
 
 #[test]
 fn division_rounds_correctly_next_to_a_tie() {
-    // (2^53 + 1) × 60 min⁻¹ is exactly between two doubles in s⁻¹; the even one wins, and the least
-    // digit decides otherwise.
+    // (2^53 + 1) × 60 min⁻¹ is exactly halfway between two doubles in s⁻¹. The even one is correct;
+    // the smallest additional digit decides otherwise.
     let per_minute = |text: &str| parse(&format!("{text} rad/min"), Dimension::ANGULAR_VELOCITY).unwrap();
     let tie = (9_007_199_254_740_993_u128 * 60).to_string();
     let zeros = "0".repeat(600);

@@ -2,12 +2,13 @@
 
 use crate::layout::printable;
 
-/// Name as a field of CSV, on one line, in quotes where it has to be.
+/// Returns a name as a field of CSV: one line, quoted if necessary.
 ///
-/// Spreadsheets run a text that begins with the sign of a formula, in quotes or not. Such a name gets
-/// an apostrophe in front, which marks a text. Tabs and line ends, which would also run, are escaped.
+/// Spreadsheets evaluate a text that begins with the sign of a formula, quoted or not. Such a name
+/// gets a leading apostrophe, which marks a text. Tabs and line ends can start a formula too; they
+/// are escaped.
 pub fn csv_name(name: &str) -> String {
-    /// The signs by which a formula begins, and their full-width forms.
+    /// Signs that start a formula, with their full-width forms.
     const FORMULA: [char; 8] = ['=', '+', '-', '@', '\u{ff1d}', '\u{ff0b}', '\u{ff0d}', '\u{ff20}'];
     let mark = if name.trim_start().starts_with(FORMULA) { "'" } else { "" };
     let name = mark.to_owned() + &printable(name);

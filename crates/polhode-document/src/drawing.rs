@@ -1,4 +1,4 @@
-//! Pictures of documents besides graphs.
+//! Pictures of documents, except graphs.
 
 use polhode::body::{MOMENT_TRIANGLE, place_in_moment_triangle};
 use serde_json::{Value, json};
@@ -6,140 +6,141 @@ use serde_json::{Value, json};
 use super::graph::{COLUMNS, Canvas};
 use crate::layout::{plain_spaces, printable, width};
 
-/// A picture on a page. Texts have the dots in letters, and nothing of the rest, of which they have the numbers.
+/// Picture as data. Plain text draws scatter plots and bars with characters; for the others it has
+/// only the numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Drawing {
     /// Dots over an axis.
     Scatter(Scatter),
-    /// The moments on their triangle.
+    /// Ratios of principal moments on the triangle of physical bodies.
     Triangle(Triangle),
-    /// How errors hang together.
+    /// Correlation matrix.
     Correlations(Correlations),
-    /// Bars beside each other.
+    /// Panels of horizontal bars.
     Bars(Bars),
-    /// Solids in space.
+    /// Boxes in space.
     Solids(Solids),
 }
 
-/// Dots over an axis, and a band about zero.
+/// Dots over an axis, with a band around zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scatter {
-    /// What it shows.
+    /// Title of the picture.
     pub title: String,
-    /// The name and the unit of what runs to the right.
+    /// Name and unit of the horizontal axis.
     pub across: [&'static str; 2],
-    /// The name and the unit of what is drawn over it.
+    /// Name and unit of the vertical axis.
     pub up: [&'static str; 2],
-    /// Dots of several kinds.
+    /// Series of dots.
     pub series: Vec<Series>,
-    /// The band is from − to + this.
+    /// Half-width of the band; it extends from −`band` to +`band`.
     pub band: f64,
-    /// What the band is.
+    /// Name of the band.
     pub band_name: &'static str,
 }
 
 /// Dots of one kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
-    /// What they are.
+    /// Name of the series.
     pub name: String,
-    /// What they are in letters.
+    /// Character of the dots in plain text.
     pub mark: char,
-    /// From left to right.
+    /// Points from left to right.
     pub points: Vec<[f64; 2]>,
 }
 
-/// The triangle of moments with a body on it.
+/// Triangle of moments with one body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Triangle {
-    /// i1/i3 and i2/i3.
+    /// Ratios i1/i3 and i2/i3 of the principal moments of inertia.
     pub ratios: [f64; 2],
-    /// Where they are with a probability: its outline. The smallest first.
+    /// Confidence regions: probability, and outline in (i1/i3, i2/i3). The smallest comes first.
     pub regions: Vec<(f64, Vec<[f64; 2]>)>,
-    /// i1/i3 and i2/i3 of other bodies that it may be.
+    /// Ratios i1/i3 and i2/i3 of bodies drawn from the error distribution.
     pub cloud: Vec<[f64; 2]>,
 }
 
 /// Panels of bars.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bars {
-    /// What they show.
+    /// Title of the picture.
     pub title: String,
-    /// What stands below the picture.
+    /// Text below the picture.
     pub caption: &'static str,
-    /// What the kinds of bars are.
+    /// Names of the kinds of bars.
     pub kinds: Vec<&'static str>,
-    /// From left to right, and then down.
+    /// Panels by row, from left to right.
     pub panels: Vec<BarPanel>,
 }
 
-/// Bars over one axis, one below the other.
+/// Horizontal bars over one axis, from top to bottom.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BarPanel {
-    /// What they are parts of.
+    /// Title of the panel.
     pub title: String,
-    /// The name and the unit of what runs to the right.
+    /// Name and unit of the horizontal axis.
     pub across: [&'static str; 2],
-    /// From above.
+    /// Bars from top to bottom.
     pub bars: Vec<Bar>,
 }
 
-/// A bar with its name.
+/// Horizontal bar.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bar {
-    /// What it is.
+    /// Name of the bar.
     pub name: String,
-    /// Where it begins.
+    /// Value at its start.
     pub from: f64,
-    /// Where it ends.
+    /// Value at its end.
     pub to: f64,
-    /// How large it is, in words.
+    /// Size as text.
     pub size: String,
-    /// Its place among the kinds: each has a colour.
+    /// Index of its kind, which determines its colour.
     pub kind: usize,
 }
 
 /// Boxes in space, and axes through a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solids {
-    /// What they are.
+    /// Title of the picture.
     pub title: String,
-    /// What stands below the picture.
+    /// Text below the picture.
     pub caption: String,
-    /// In any order.
+    /// Boxes in any order.
     pub solids: Vec<Solid>,
-    /// Names of the groups that solids are of.
+    /// Names of the groups.
     pub groups: Vec<String>,
-    /// A point, m.
+    /// Point of the axes, m.
     pub center: [f64; 3],
-    /// Unit vectors through it.
+    /// Unit vectors of the axes.
     pub axes: [[f64; 3]; 3],
 }
 
-/// A box.
+/// Box with any orientation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
-    /// What it is.
+    /// Name of the part.
     pub name: String,
-    /// Its middle, m.
+    /// Centre, m.
     pub center: [f64; 3],
-    /// From the middle to three of its faces, m: across each other.
+    /// Vectors from the centre to the middles of three faces, orthogonal, m.
     pub halves: [[f64; 3]; 3],
-    /// Its group's place among the names; beyond them it is of none.
+    /// Index of its group; an index out of range means no group.
     pub group: usize,
 }
 
-/// A matrix of correlations.
+/// Correlation matrix.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Correlations {
-    /// The numbers.
+    /// Names of the quantities.
     pub names: Vec<String>,
-    /// Row by row; `None` of a number that has no error.
+    /// Correlations by row; `None` for a quantity without an error.
     pub rows: Vec<Vec<Option<f64>>>,
 }
 
 impl Drawing {
-    /// What stands below the picture.
+    /// Returns the text below the picture.
     pub fn caption(&self) -> Option<String> {
         let triangle = match self {
             Self::Triangle(triangle) => triangle,
@@ -166,7 +167,7 @@ impl Drawing {
         ))
     }
 
-    /// In letters, if it can be.
+    /// Returns the picture in characters; empty if it cannot be drawn so.
     pub fn lines(&self) -> Vec<String> {
         match self {
             Self::Scatter(scatter) => scatter.lines(),
@@ -175,7 +176,7 @@ impl Drawing {
         }
     }
 
-    /// `{"kind": …, …}` with the numbers of the picture.
+    /// Returns `{"kind": …, …}` with the numbers of the picture.
     pub fn to_json(&self) -> Value {
         match self {
             Self::Scatter(scatter) => json!({
@@ -197,7 +198,8 @@ impl Drawing {
 }
 
 impl Series {
-    /// Its points; of more than two for each of so many columns the least and the greatest of each column.
+    /// Returns the points; if there are more than two per column, the least and the greatest of
+    /// each column.
     pub fn seen(&self, columns: usize, [left, right]: [f64; 2]) -> Vec<[f64; 2]> {
         if self.points.len() <= 2 * columns {
             return self.points.clone();
@@ -213,7 +215,8 @@ impl Series {
 }
 
 impl Triangle {
-    /// `{"kind": "triangle", "ratios": […], "place": […], "regions": [{"probability": …, "outline": […]}]}`
+    /// Returns `{"kind": "triangle", "ratios": […], "place": […], "regions": [{"probability": …,
+    /// "outline": […]}]}`.
     pub fn to_json(&self) -> Value {
         let region = |(probability, outline): &(f64, Vec<[f64; 2]>)| json!({ "probability": probability, "outline": outline });
         let [first, second] = self.ratios;
@@ -229,7 +232,7 @@ impl Triangle {
 }
 
 impl Scatter {
-    /// All that is drawn, from left to right and from below.
+    /// Returns the ranges of x and y, the band included.
     pub fn ends(&self) -> [[f64; 2]; 2] {
         let none = [f64::INFINITY, f64::NEG_INFINITY];
         let wider = |[a, b]: [f64; 2], x: f64| [a.min(x), b.max(x)];
@@ -256,12 +259,13 @@ impl Scatter {
     }
 }
 
-/// Columns of the longest bar, and of the longest name.
+/// Columns of the longest bar.
 const LONGEST: usize = 40;
 const NAME: usize = 32;
 
 impl Bars {
-    /// Of one panel, whose axis is that of all; several would be many lines, of which a table has the numbers.
+    /// Draws a single panel in characters. Several panels would be too long; a table has their
+    /// numbers.
     fn lines(&self) -> Vec<String> {
         let [panel] = &self.panels[..] else { return Vec::new() };
         let [least, greatest] = panel.ends();
@@ -296,7 +300,7 @@ impl Bars {
 }
 
 impl BarPanel {
-    /// From the least to the greatest, with zero between them.
+    /// Returns the range of all bars, zero included.
     pub fn ends(&self) -> [f64; 2] {
         let wider = |[a, b]: [f64; 2], x: f64| [a.min(x), b.max(x)];
         self.bars.iter().flat_map(|bar| [bar.from, bar.to]).fold([0.0; 2], wider)
@@ -311,7 +315,7 @@ fn shortened(name: &str) -> String {
 }
 
 impl Solids {
-    /// `{"kind": "bars", …}` with the numbers of the panels.
+    /// Returns `{"kind": "solids", …}` with the numbers of the picture.
     pub fn to_json(&self) -> Value {
         let solid = |solid: &Solid| {
             json!({

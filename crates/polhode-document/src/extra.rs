@@ -1,14 +1,14 @@
-//! What a report says beyond the mass properties that every body has.
+//! Additional blocks of a report, beyond the mass properties.
 
 use serde_json::Value;
 
-/// A block of a report that only some bodies have: a molecule's rotational constants, the proof of a sign.
+/// Block of a report for some bodies only: rotational constants of a molecule, the proof of a sign.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Extra {
-    /// Its key in JSON.
+    /// Key in the JSON.
     pub key: &'static str,
-    /// Its value in JSON.
+    /// Value in the JSON.
     pub json: Value,
-    /// Its lines for people, each ended.
+    /// Lines of text, each with a line end.
     pub text: String,
 }

@@ -1,4 +1,4 @@
-//! Facts about a result: one list, from which its text, its JSON and the rows of its page are made.
+//! Facts about a result: one list from which text, JSON and page rows are generated.
 
 use serde_json::{Map, Value, json};
 
@@ -9,25 +9,25 @@ use crate::number::{
 use crate::si_prefix::fitting;
 use crate::unit::{self, DIGITS};
 
-/// Column of a value on the screen.
+/// Column at which a value starts on the screen.
 const COLUMN: usize = 22;
 
-/// An attitude with an error beyond this, rad, has no digit that is right.
+/// Largest useful attitude error, rad; beyond it no digit of the attitude is correct.
 pub const LARGEST_ATTITUDE_ERROR: f64 = 0.1;
 
-/// Words for a value whose error is as large as itself.
+/// Text for a value whose error is as large as the value.
 pub const NO_RIGHT_DIGIT: &str = "no digit is right (estimate)";
 
 /// Facts about one subject.
 #[derive(Clone, Debug)]
 pub struct Facts {
-    /// Title for people.
+    /// Title in text and pages.
     title: String,
-    /// Facts in the order of the text; keys that were not given before come in it too.
+    /// Facts in the order of the text; new keys of the JSON come in this order too.
     facts: Vec<Fact>,
 }
 
-/// One thing that is known about a result.
+/// One result, with its key, label and value.
 ///
 /// ```
 /// use polhode_document::fact::{Fact, Facts, Quantity, object};
@@ -40,22 +40,22 @@ pub struct Facts {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Fact {
-    /// Path in the JSON, with dots between its keys; empty if only people see the fact.
+    /// Path in the JSON, keys separated by dots; empty for a fact that is not in the JSON.
     key: String,
-    /// Name for people; empty if only programs see the fact.
+    /// Label in text and pages; empty for a fact that is only in the JSON.
     label: String,
     value: Quantity,
-    /// Estimated error of the value, in its SI unit: no digit after the first uncertain one is shown.
+    /// Estimated error of the value, in its SI unit; text ends at the first uncertain digit.
     error: f64,
     digits: usize,
     note: String,
     is_detail: bool,
 }
 
-/// Value of a fact: in SI units in the JSON, in a unit of fitting size for people.
+/// Value of a fact: in SI units in the JSON, with a suitable prefix in text.
 #[derive(Clone, Debug)]
 pub enum Quantity {
-    /// Not applicable: `null` in the JSON, no line for people.
+    /// Not applicable: `null` in the JSON, no line in text.
     None,
     /// Number with its unit.
     Number(f64, &'static str),
@@ -63,7 +63,7 @@ pub enum Quantity {
     Vector([f64; 3], &'static str),
     /// Unit quaternion w, x, y, z; its error is that of the attitude, rad.
     Attitude([f64; 4]),
-    /// Least and greatest of a number with its unit.
+    /// Least and greatest value with their unit.
     Range([f64; 2], &'static str),
     /// Estimate of an error, with its unit.
     Error(f64, &'static str),
@@ -71,19 +71,19 @@ pub enum Quantity {
     Duration(f64),
     /// Angular velocity, rad/s.
     Rate(f64),
-    /// Angle, rad; in degrees for people.
+    /// Angle, rad; in degrees in text.
     Angle(f64),
     /// Least and greatest angle, rad.
     Angles([f64; 2]),
     /// Energy or work, J.
     Energy(f64),
-    /// Number of things.
+    /// Integer count of items.
     Count(u64),
-    /// Word of the JSON, and the same for people.
+    /// Word in the JSON, and its form in text.
     Word(&'static str, String),
-    /// Text for people and programs.
+    /// Text in both the JSON and the text.
     Text(String),
-    /// Part of the JSON with its own structure, and its text for people.
+    /// Structured part of the JSON, and its text.
     Data(Value, String),
 }
 
@@ -106,25 +106,25 @@ impl From<String> for Quantity {
 }
 
 impl Fact {
-    /// Creates a fact for people and programs.
+    /// Creates a fact for text and JSON.
     pub fn new(key: impl Into<String>, label: impl Into<String>, value: impl Into<Quantity>) -> Self {
         let (key, label, value) = (key.into(), label.into(), value.into());
-        // Components of a quaternion are below 1.
+        // Quaternion components are below 1, so one digit fewer is enough.
         let digits = if matches!(value, Quantity::Attitude(_)) { DIGITS - 1 } else { DIGITS };
         Self { key, label, value, error: 0.0, digits, note: String::new(), is_detail: false }
     }
 
-    /// Creates a fact that only programs see.
+    /// Creates a fact for the JSON only.
     pub fn data(key: impl Into<String>, value: impl Into<Quantity>) -> Self {
         Self::new(key, "", value)
     }
 
-    /// Creates a fact that only people see.
+    /// Creates a fact for text only.
     pub fn shown(label: impl Into<String>, value: impl Into<Quantity>) -> Self {
         Self::new("", label, value)
     }
 
-    /// Sets the explanation behind the value.
+    /// Sets the remark after the value.
     #[must_use]
     pub fn note(self, note: impl Into<String>) -> Self {
         Self { note: note.into(), ..self }
@@ -136,13 +136,13 @@ impl Fact {
         Self { error, ..self }
     }
 
-    /// Tells people that no digit of the value is right.
+    /// States in text that no digit of the value is right.
     #[must_use]
     pub fn without_digits(self) -> Self {
         self.within(f64::INFINITY)
     }
 
-    /// Sets how many significant digits people see at most.
+    /// Sets the largest number of significant digits in text.
     #[must_use]
     pub fn digits(self, digits: usize) -> Self {
         Self { digits, ..self }
@@ -154,7 +154,7 @@ impl Fact {
         Self { is_detail: true, ..self }
     }
 
-    /// Hides the fact from people unless a condition holds; programs see it.
+    /// Omits the fact from text unless a condition holds; the JSON keeps it.
     #[must_use]
     pub fn shown_if(self, condition: bool) -> Self {
         Self { label: if condition { self.label } else { String::new() }, ..self }
@@ -185,21 +185,23 @@ impl Facts {
         Self { title: title.into(), facts }
     }
 
-    /// Returns the title and a line for each fact; details only if they are wanted. Without facts it is empty.
+    /// Returns the title and a line for each fact, with details only if requested. Empty without
+    /// facts.
     pub fn to_text(&self, details: bool) -> String {
         let shown = self.facts.iter().filter(|fact| fact.is_shown() && (details || !fact.is_detail));
         let lines: String = shown.map(Fact::line).collect();
         if lines.is_empty() { lines } else { plain_spaces(&format!("{}\n{lines}", self.title)) }
     }
 
-    /// Returns the `title` and the `rows` of a page; `None` without facts for people.
+    /// Returns the `title` and the `rows` of a page; `None` if no fact has a label.
     pub fn to_rows(&self) -> Option<Value> {
         let rows: Vec<Value> = self.facts.iter().filter(|fact| fact.is_shown()).map(Fact::row).collect();
         (!rows.is_empty()).then(|| json!({ "title": self.title, "rows": rows }))
     }
 }
 
-/// Returns the JSON of facts: an object with these keys in their order, `null` where a fact is missing.
+/// Returns the facts as a JSON object with these top-level keys in this order; a missing fact is
+/// `null`.
 pub fn object(keys: &[&str], facts: &[Facts]) -> Map<String, Value> {
     let mut object: Map<String, Value> = keys.iter().map(|key| ((*key).to_owned(), Value::Null)).collect();
     for fact in facts.iter().flat_map(|facts| &facts.facts).filter(|fact| !fact.key.is_empty()) {
@@ -242,7 +244,7 @@ impl Quantity {
         }
     }
 
-    /// Returns what an error is compared with: infinite where no error applies.
+    /// Returns the magnitude with which the error is compared; infinite if the value has no error.
     fn size(&self) -> f64 {
         match self {
             Self::Number(x, _) | Self::Duration(x) | Self::Rate(x) | Self::Angle(x) | Self::Energy(x) => {
@@ -300,7 +302,7 @@ fn split(shown: &str) -> (String, String) {
     (value.to_owned(), unit.to_owned())
 }
 
-/// Returns the prefix with which a size is read, and its factor.
+/// Returns the SI prefix for a value of this size, and its factor.
 fn prefix(size: f64, unit: &str) -> (&'static str, f64) {
     fitting(size.abs(), unit).unwrap_or(("", 1.0))
 }
@@ -310,7 +312,8 @@ fn prefixed(x: f64, sigma: f64, digits: usize, unit: &str) -> (String, String) {
     (within(x / size, sigma / size, digits), format!("{prefix}{unit}"))
 }
 
-/// Returns three numbers in one unit: moments with a power of ten before it where they are small or large.
+/// Formats three numbers in one unit. Moments of inertia get a power of ten in front if they are
+/// small or large.
 fn vector_in(v: [f64; 3], sigma: f64, digits: usize, unit: &str) -> (String, String) {
     let largest = v.iter().fold(0.0, |most, x| f64::max(most, x.abs()));
     if unit != "kg·m²" {
@@ -326,7 +329,7 @@ fn vector_in(v: [f64; 3], sigma: f64, digits: usize, unit: &str) -> (String, Str
     (vector(v.map(|x| x / power), digits), format!("{} {unit}", factor.trim_start_matches('1')))
 }
 
-/// `10.2665 … 10.5486`, or one number if the ends agree.
+/// Formats a range as `10.2665 … 10.5486`, or one number if the ends agree.
 fn range(ends: [f64; 2]) -> String {
     let [least, most] = ends.map(|x| number(x, 6));
     if least == most { least } else { format!("{least} … {most}") }

@@ -1,22 +1,22 @@
-//! Findings, for people and for programs.
+//! Findings as JSON and as text.
 
 use polhode::body::Finding;
 use serde_json::{Value, json};
 
 use crate::layout::{WIDTH, printable, wrap};
 
-/// `[{"code": …, "severity": …, "message": …, "where": …}, …]`
+/// Returns `[{"code": …, "severity": …, "message": …, "where": …}, …]`.
 pub fn to_json(findings: &[Finding]) -> Value {
     let one = |f: &Finding| json!({ "code": f.code, "severity": f.severity.name(), "message": f.message, "where": f.place });
     findings.iter().map(one).collect()
 }
 
-/// One paragraph each: `warning: … (where) [code]`; nothing at all where nothing was found.
+/// Returns one paragraph per finding, `warning: … (where) [code]`; empty without findings.
 pub fn to_text(findings: &[Finding]) -> String {
     within(findings, WIDTH)
 }
 
-/// The same in so many columns.
+/// Returns the findings as [`to_text`] does, wrapped at `columns` columns.
 pub fn within(findings: &[Finding], columns: usize) -> String {
     let mut text = String::new();
     for f in findings {
@@ -29,7 +29,7 @@ pub fn within(findings: &[Finding], columns: usize) -> String {
     text
 }
 
-/// `warning: … (where) [code]` on one line.
+/// Returns a finding on one line: `warning: … (where) [code]`.
 pub fn sentence(found: &Finding) -> String {
     let place = found.place.as_ref().map_or_else(String::new, |place| format!(" ({place})"));
     printable(&format!("{}: {}{place} [{}]", found.severity.name(), found.message, found.code))

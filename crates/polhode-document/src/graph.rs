@@ -1,28 +1,28 @@
-//! A graph in letters, for texts without pictures.
+//! Graph drawn with characters, for plain text.
 
 use crate::layout::width;
 use crate::number::number;
 
-/// A curve over an axis, and a level beside it.
+/// Curve over an axis, with a level line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Graph {
-    /// What it shows.
+    /// Title of the graph.
     pub title: String,
-    /// The name and the unit of what runs to the right.
+    /// Name and unit of the horizontal axis.
     pub across: [&'static str; 2],
-    /// The name and the unit of what is drawn over it.
+    /// Name and unit of the vertical axis.
     pub up: [&'static str; 2],
-    /// The curve, from left to right.
+    /// Points of the curve, from left to right.
     pub points: Vec<[f64; 2]>,
-    /// A level line over a part of the width, and what it is: from, to, height, name.
+    /// Level line: start, end and height, and its name.
     pub level: ([f64; 3], &'static str),
 }
 
-/// Columns of a graph in letters.
+/// Width of a graph, columns.
 pub const COLUMNS: usize = 60;
 const ROWS: usize = 13;
 
-/// A frame of letters.
+/// Character grid of a plot.
 #[derive(Debug)]
 pub struct Canvas {
     ends: [[f64; 2]; 2],
@@ -30,7 +30,7 @@ pub struct Canvas {
 }
 
 impl Canvas {
-    /// Of what lies between both ends to the right and upward.
+    /// Creates an empty canvas for these ranges of x and y.
     pub fn new(ends: [[f64; 2]; 2]) -> Self {
         Self { ends, cells: vec![[' '; COLUMNS]; ROWS] }
     }
@@ -49,13 +49,13 @@ impl Canvas {
         self.cells[row][columns].fill('-');
     }
 
-    /// Puts a letter at a point.
+    /// Draws a character at a point.
     pub fn put(&mut self, [x, y]: [f64; 2], mark: char) {
         let (row, column) = (self.row(y), self.column(x));
         self.cells[row][column] = mark;
     }
 
-    /// The rows, and the ends of the axes in numbers.
+    /// Returns the rows with the axis names and the numbers at the ends of the axes.
     pub fn lines(&self, across: [&str; 2], up: [&str; 2]) -> Vec<String> {
         let [[left, right], [low, high]] = self.ends;
         let [top, bottom] = [high, low].map(|y| number(y, 3));
@@ -89,7 +89,7 @@ fn place(value: f64, [a, b]: [f64; 2], count: usize) -> usize {
     ((part * (count - 1) as f64).round() as usize).min(count - 1)
 }
 
-/// The lines of the picture: its title, the rows, and the ends of the axes in numbers.
+/// Returns the lines of the graph: title, rows, and the numbers at the ends of the axes.
 pub fn lines(graph: &Graph) -> Vec<String> {
     let ends = |values: &mut dyn Iterator<Item = f64>| {
         values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])

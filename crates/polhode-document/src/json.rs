@@ -1,11 +1,12 @@
-//! JSON values, and how they print.
+//! JSON values and their formatting.
 
 use polhode::math::Vector;
 use serde_json::Value;
 
 use crate::layout::is_unseen;
 
-/// JSON indented by two spaces, with lists of numbers on one line: a tensor looks like a matrix.
+/// Formats JSON with an indentation of two spaces and with lists of numbers on one line, so that a
+/// tensor looks like a matrix.
 ///
 /// ```
 /// let value = serde_json::json!({"mass": 1.5, "tensor": [[1.0, 0.0], [0.0, 2.0]]});
@@ -13,12 +14,12 @@ use crate::layout::is_unseen;
 /// assert_eq!(text, "{\n  \"mass\": 1.5,\n  \"tensor\": [\n    [1.0, 0.0],\n    [0.0, 2.0]\n  ]\n}");
 /// ```
 ///
-/// Strings are exact. What would steer a terminal is escaped as JSON has it, `\u009b`, as it can stand in strings alone.
+/// Strings are exact. Control characters are escaped as `\u009b`; they occur only in strings.
 pub fn pretty(value: &Value) -> String {
     pretty_at(value, 0)
 }
 
-/// Formats a value as [`pretty`] does at this depth of nesting.
+/// Formats a value as [`pretty`] does, at this depth of nesting.
 pub fn pretty_at(value: &Value, depth: usize) -> String {
     let mut text = String::new();
     write(&mut text, value, depth);
@@ -36,17 +37,17 @@ pub fn pretty_at(value: &Value, depth: usize) -> String {
     safe
 }
 
-/// The three components.
+/// Returns the three components as a JSON array.
 pub fn vector<Q, F>(v: Vector<Q, F>) -> Value {
     numbers(&v.to_array())
 }
 
-/// A list of numbers; what is not finite becomes `null`.
+/// Returns a JSON array of numbers; a number that is not finite becomes `null`.
 pub fn numbers(values: &[f64]) -> Value {
     values.iter().map(|&x| Value::from(x)).collect()
 }
 
-/// A list of rows.
+/// Returns a JSON array of rows.
 pub fn matrix(rows: [[f64; 3]; 3]) -> Value {
     rows.iter().map(|row| numbers(row)).collect()
 }
@@ -93,7 +94,7 @@ fn write(text: &mut String, value: &Value, depth: usize) {
     }
 }
 
-/// A number, which JSON has none for if it is not finite.
+/// Returns a finite number unchanged, else 0; JSON has no other numbers.
 pub fn finite(x: f64) -> f64 {
     if x.is_finite() { x } else { 0.0 }
 }

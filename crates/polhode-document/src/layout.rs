@@ -1,39 +1,41 @@
-//! Lines of text: wrapping, labels, aligned columns, matrices.
+//! Layout of plain text: wrapping, labels, aligned columns, matrices.
 
 use crate::number::{NO_BREAK, alike};
 
-/// The width that text is laid out for where nobody asks for another.
+/// Default width of text, columns.
 pub const WIDTH: usize = 100;
 
-/// A space that pages keep at the start of a cell: of what stands in something. Plain text has ordinary ones.
+/// En space that marks an indented cell and that pages keep. Plain text replaces it by ordinary
+/// spaces.
 pub const INDENT: char = '\u{2002}';
 
-/// What is not left alone at the start of a line.
+/// Units that are not separated from their number by a line break.
 const UNITS: [&str; 14] =
     ["s", "/s", "m", "kg", "rad", "rad/s", "rad/s²", "deg/s", "m/s", "N", "N·m", "J", "kg·m²", "kg·m²/s"];
 
-/// Columns that a text takes on a terminal: combining marks (the dot of ω̇) take none.
+/// Returns the width of a text on a terminal, columns; combining marks (the dot of ω̇) take none.
 pub fn width(text: &str) -> usize {
     text.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count()
 }
 
-/// The text with every no-break space an ordinary one: the last step of plain text.
+/// Replaces no-break spaces by ordinary spaces, as the last step of plain text.
 pub fn plain_spaces(text: &str) -> String {
     text.replace(NO_BREAK, " ")
 }
 
-/// A name or title from outside, on one line: what would steer a terminal or turn the writing around is shown as its
-/// escape.
+/// Returns a name or title from a file on one line. Characters that control the terminal or the
+/// text direction are escaped.
 pub fn printable(text: &str) -> String {
     escaped(text, |_| false)
 }
 
-/// Whole lines for a terminal: as [`printable`], but for the ends of lines and tabs. Everything that the command prints goes through it last.
+/// Returns lines for a terminal: as [`printable`], but line ends and tabs are kept. All output of
+/// the command goes through it last.
 pub fn printable_lines(text: &str) -> String {
     escaped(text, |c| matches!(c, '\n' | '\t'))
 }
 
-/// The text with what is unseen as its escape, but for what is to be left alone.
+/// Escapes invisible characters, except those for which `leave` returns true.
 fn escaped(text: &str, leave: impl Fn(char) -> bool) -> String {
     let mut shown = String::with_capacity(text.len());
     for c in text.chars() {
@@ -42,14 +44,16 @@ fn escaped(text: &str, leave: impl Fn(char) -> bool) -> String {
     shown
 }
 
-/// Controls, marks of direction, separators of lines, and what has no width.
+/// Returns true for control characters, direction marks, line separators, and characters without
+/// width.
 pub fn is_unseen(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{ad}' | '\u{61c}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}')
         || matches!(c, '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{e0000}'..='\u{e007f}')
 }
 
-/// The text in lines of at most `columns`, each after `indent`; words are not broken.
+/// Breaks a text into lines of at most `columns` columns, each after `indent`; words are not
+/// broken.
 pub fn wrap(text: &str, indent: &str, columns: usize) -> Vec<String> {
     let mut lines = Vec::new();
     let mut line = String::new();
@@ -69,7 +73,7 @@ pub fn wrap(text: &str, indent: &str, columns: usize) -> Vec<String> {
     lines
 }
 
-/// Words, a number and its unit being one.
+/// Splits a text into words; a number and its unit form one word.
 fn tied(text: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     for word in text.split([' ', '\n']).filter(|word| !word.is_empty()) {
@@ -87,10 +91,12 @@ fn tied(text: &str) -> Vec<String> {
     words
 }
 
-/// A formula or a line of numbers in lines of at most `columns`, each after `indent`: broken at its wide gaps, else before
-/// an operator or after a comma outside brackets, else between words.
+/// Breaks a formula or a line of numbers into lines of at most `columns` columns, each after
+/// `indent`. Breaks at wide gaps, else before an operator or after a comma outside brackets, else
+/// between words.
 ///
-/// What continues the sum stands under its `=`, what begins anew four columns in.
+/// Continued sums are aligned with their `=`; other continuation lines are indented by four
+/// columns.
 pub fn broken(line: &str, indent: &str, columns: usize) -> Vec<String> {
     const HANG: usize = 4;
     let equals = line.find(" = ").map(|at| width(&line[..=at])).filter(|at| *at <= 4 * HANG);
@@ -107,17 +113,18 @@ pub fn broken(line: &str, indent: &str, columns: usize) -> Vec<String> {
     lines
 }
 
-/// True of what begins with an operator.
+/// Returns true for a text that begins with an operator.
 fn goes_on(text: &str) -> bool {
     ["= ", "+ ", "- ", "− "].iter().any(|operator| text.starts_with(operator))
 }
 
-/// Where to break so that what is before has at most `room` columns: the last of the best places.
+/// Returns the best position of a line break with at most `room` columns before it; the last one
+/// among equals.
 fn last_break(line: &str, room: usize) -> Option<usize> {
-    // A formula is not parted from its first `=`, nor an operator from what follows.
+    // A formula is not separated from its first `=`, nor an operator from its right operand.
     let first = if goes_on(line) { 2 } else { line.find(" = ").map_or(0, |at| at + 1) };
     let mut depth = 0_i32;
-    // The best place so far, and how good it is.
+    // Best position so far, with its rank.
     let mut best: Option<(u8, usize)> = None;
     for (at, c) in line.char_indices() {
         match c {
@@ -145,12 +152,13 @@ fn last_break(line: &str, room: usize) -> Option<usize> {
     best.map(|(_, at)| at)
 }
 
-/// `label            text`, wrapped under itself.
+/// Returns a label and its text, `label            text`, with continuation lines aligned to the
+/// text.
 pub fn labelled(label: &str, text: &str) -> String {
     labelled_from(17, label, text)
 }
 
-/// Returns a label and a text that begins in a column, wrapped under itself.
+/// Returns a label and a text that begins at `column`, with continuation lines aligned to the text.
 pub fn labelled_from(column: usize, label: &str, text: &str) -> String {
     let indent = " ".repeat(column);
     let mut lines = wrap(text, &indent, WIDTH).into_iter();
@@ -160,7 +168,8 @@ pub fn labelled_from(column: usize, label: &str, text: &str) -> String {
     head + &lines.map(|line| line + "\n").collect::<String>()
 }
 
-/// Cells in columns, numbers by their decimal points, text to the left; two spaces between.
+/// Aligns cells in columns: numbers at their decimal points, text at the left; two spaces between
+/// columns.
 pub fn columns(rows: &[Vec<String>]) -> Vec<String> {
     let count = rows.iter().map(Vec::len).max().unwrap_or(0);
     let shape = |cell: &String| {
@@ -169,7 +178,8 @@ pub fn columns(rows: &[Vec<String>]) -> Vec<String> {
         (numeric, if numeric { width(&cell[..point]) } else { 0 }, width(cell))
     };
     let column = |k: usize| rows.iter().filter_map(move |row| row.get(k));
-    // Of each column: digits before the point, digits and power after it, and the width of its widest cell.
+    // Size of each column: digits before the decimal point, characters after it, and width of the
+    // widest cell.
     let sizes: Vec<(usize, usize)> = (0..count)
         .map(|k| {
             let before = column(k).map(shape).map(|(_, before, _)| before).max().unwrap_or(0);
@@ -190,7 +200,7 @@ pub fn columns(rows: &[Vec<String>]) -> Vec<String> {
     rows.iter().map(lay).collect()
 }
 
-/// The rows of a matrix, aligned, without brackets.
+/// Returns the rows of a matrix, aligned, without brackets.
 pub fn matrix_rows(rows: &[[f64; 3]; 3], digits: usize) -> Vec<String> {
     let cells = alike(rows.as_flattened(), digits);
     let rows: Vec<Vec<String>> = cells.chunks(3).map(<[String]>::to_vec).collect();

@@ -1,18 +1,18 @@
-//! Documents and figures: what reports say, as plain text, Markdown, HTML, LaTeX, JSON and SVG.
+//! Documents and figures of reports, written as plain text, Markdown, HTML, LaTeX, JSON and SVG.
 //!
 //! | module | holds |
 //! |---|---|
 //! | [`Document`] | sections of paragraphs, formulas, numbers, tables and pictures, with a writer for each format |
 //! | [`Report`] | the result of a request: its JSON and its document |
-//! | [`fact`] | what is known about a result, in a list that text, JSON and page rows are made from |
+//! | [`fact`] | results as a list, from which text, JSON and page rows are generated |
 //! | [`drawing`], [`graph`] | pictures of a document, as data |
 //! | [`figure`] | a sheet of marks with axes and letters, written as SVG or PNG: a [`Picture`] |
 //! | [`mathml`] | formulas and matrices for a browser |
 //! | [`number`], [`mod@unit`], [`si_prefix`] | numbers as text |
 //! | [`layout`], [`sparkline`] | plain text for a terminal of 100 columns |
-//! | [`json`], [`finding`] | parts of JSON that many reports have |
+//! | [`json`], [`finding`] | common parts of JSON |
 //!
-//! The crate knows no file, no clock and no subject.
+//! The crate does not access files or the clock, and does not depend on a subject.
 #![forbid(unsafe_code)]
 
 mod csv;
@@ -40,5 +40,5 @@ pub use figure::picture::Picture;
 pub use report::Report;
 pub use source::SourceInfo;
 
-/// Version that reports state.
+/// Version stated in reports.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

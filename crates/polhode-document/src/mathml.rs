@@ -1,45 +1,47 @@
-//! Formulas as MathML Core, which browsers set without help.
+//! Formulas as MathML Core, which browsers render natively.
 //!
-//! pulldown-latex makes a formula from its LaTeX; one that it cannot read is shown as text. Only attributes
-//! of MathML are used, no classes and styles: the viewer lets nothing else into the page.
+//! The crate pulldown-latex converts LaTeX to MathML; a formula that it cannot parse is shown as
+//! text. Only attributes of MathML are used, no classes and styles, because the viewer's content
+//! policy permits nothing else.
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use pulldown_latex::config::DisplayMode;
 use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
-/// The rule of formulas in a style sheet, with the name of the font's file.
+/// CSS rule of formulas; it contains the file name of the font.
 const FONT_RULE: &str = include_str!("../assets/math.css");
 
 const FONT_FILE: &str = "./stix-two-math.woff2";
 
 const FONT: &[u8] = include_bytes!("../assets/stix-two-math.woff2");
 
-/// Markup of pulldown-latex 0.8.0 that is not MathML Core, not XML, not in the font or a class, and its replacement.
-/// `mover` always holds an accent: limits are below, or below and above.
+/// Replacements for output of pulldown-latex 0.8.0 that is not valid MathML Core or XML, is not in
+/// the font, or uses a class. `mover` always holds an accent: limits are below, or below and above.
 const CORRECTIONS: [(&str, &str); 8] = [
     (r#"<msup><mspace width="0.1667em" />"#, r#"<mspace width="0.1667em" /><msup>"#),
     ("<mover>", r#"<mover accent="true">"#),
     ("<mo><</mo>", "<mo>&lt;</mo>"),
     ("‾", "¯"),
     ("&nbsp;", "&#xa0;"),
-    // Function application, which is unseen: printed text has no unseen characters.
+    // Function application, U+2061, is invisible; printed text has no invisible characters.
     ("\u{2061}", "&#x2061;"),
     (r#" class="menv-alignlike menv-align""#, r#" columnalign="right left""#),
     (r#" class="menv-arraylike""#, ""),
 ];
 
-/// The style of formulas, the font in it.
+/// Returns the CSS of formulas with the font embedded.
 pub fn style() -> String {
     let font = format!("data:font/woff2;base64,{}", BASE64_STANDARD.encode(FONT));
     FONT_RULE.replace(FONT_FILE, &font)
 }
 
-/// A formula in symbols, on a line of its own; `text` is shown if the LaTeX cannot be read.
+/// Returns a formula on a line of its own; `text` is the fallback if the LaTeX cannot be parsed.
 pub fn formula(latex: &str, text: &str) -> String {
     from_latex(latex).unwrap_or_else(|| display(&element("mtext", text)))
 }
 
-/// MathML of a formula; `None` if it cannot be read. Vectors are upright and bold, Greek ones too.
+/// Returns the MathML of a formula; `None` if it cannot be parsed. Vectors are upright and bold,
+/// Greek ones too.
 fn from_latex(latex: &str) -> Option<String> {
     let latex = latex.replace(r"\boldsymbol", r"\mathbf");
     let storage = Storage::new();
@@ -50,7 +52,7 @@ fn from_latex(latex: &str) -> Option<String> {
     is_read.then(|| CORRECTIONS.iter().fold(out, |out, (wrong, right)| out.replace(wrong, right)))
 }
 
-/// `name = matrix unit`
+/// Returns a formula of the form `name = matrix unit`.
 pub fn matrix(name: &str, rows: &[Vec<String>], unit: &str) -> String {
     let cells = |row: &Vec<String>| row.iter().map(|x| cell(&number(x))).collect::<String>();
     let rows: String = rows.iter().map(|row| format!("<mtr>{}</mtr>", cells(row))).collect();
@@ -67,7 +69,7 @@ fn display(inside: &str) -> String {
     format!("<math display=\"block\"><mrow>{inside}</mrow></math>")
 }
 
-/// `<name>text</name>`, the text inert.
+/// Returns `<name>text</name>` with the text escaped.
 fn element(name: &str, text: &str) -> String {
     format!("<{name}>{}</{name}>", escaped(text))
 }
@@ -80,7 +82,7 @@ fn cell(inside: &str) -> String {
     format!("<mtd>{inside}</mtd>")
 }
 
-/// `-3.3e-5` as −3.3×10⁻⁵.
+/// Returns a number such as `-3.3e-5` as −3.3×10⁻⁵.
 fn number(text: &str) -> String {
     let signed = |text: &str| text.replace('-', "−");
     match text.split_once('e') {
@@ -93,7 +95,7 @@ fn number(text: &str) -> String {
     }
 }
 
-/// Text that markup cannot hide in.
+/// Escapes the special characters of markup.
 pub fn escaped(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars() {

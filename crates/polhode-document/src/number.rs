@@ -1,16 +1,16 @@
-//! Numbers as people read them.
+//! Formatting of numbers.
 
-/// A space that no line breaks at, as before a unit. [`crate::layout::plain_spaces`] makes it an ordinary one.
+/// No-break space, as before a unit. [`crate::layout::plain_spaces`] replaces it by an ordinary one.
 pub const NO_BREAK: char = '\u{a0}';
 
-/// Where fixed notation ends and powers of ten begin.
+/// Decimal exponents in fixed notation; others use powers of ten.
 const FIXED: std::ops::RangeInclusive<i32> = -3..=5;
 
-/// Parts of a vector below this part of its largest are what rounding left of a zero.
+/// Rounding threshold: components below this part of the largest count as zero.
 const ROUNDING: f64 = 1e-14;
 
-/// Returns a number with at most `digits` significant digits, without trailing zeros; `-0` as `0`, NaN and infinity
-/// as a dash.
+/// Formats a number with at most `digits` significant digits and no trailing zeros. `-0` is `0`; a
+/// number that is not finite is a dash.
 pub fn number(x: f64, digits: usize) -> String {
     if !x.is_finite() {
         return "—".to_owned();
@@ -29,7 +29,8 @@ pub fn number(x: f64, digits: usize) -> String {
     }
 }
 
-/// The shortest decimal that reads back bit for bit; what is not finite is a dash.
+/// Returns the shortest decimal that parses to the same double; a number that is not finite is a
+/// dash.
 pub fn exact(x: f64) -> String {
     if !x.is_finite() {
         return "—".to_owned();
@@ -38,7 +39,8 @@ pub fn exact(x: f64) -> String {
     shortest.strip_suffix(".0").map_or(shortest.clone(), str::to_owned)
 }
 
-/// Numbers of one kind, alike: the same decimals if they are near each other, else each on its own.
+/// Formats related numbers with the same number of decimals if their sizes are similar, else each
+/// on its own.
 pub fn alike(values: &[f64], digits: usize) -> Vec<String> {
     let nonzero = || values.iter().map(|x| x.abs()).filter(|x| *x > 0.0);
     let largest = nonzero().fold(0.0, f64::max);
@@ -56,14 +58,15 @@ pub fn alike(values: &[f64], digits: usize) -> Vec<String> {
     all.iter().zip(values).map(shown).collect()
 }
 
-/// `(x, y, z)`
+/// Formats a vector as `(x, y, z)`.
 pub fn vector(values: [f64; 3], digits: usize) -> String {
     let [x, y, z] = values.map(|x| number(x, digits));
     format!("({x}, {y}, {z})")
 }
 
-/// A number with an error: no digit beyond the first that the error changes, at most `digits`; 0 where the error is larger, which whoever shows
-/// it rules out ([`has_digits`]) unless other numbers stand beside it.
+/// Formats a number up to the first digit that the error changes, with at most `digits` digits.
+/// Returns 0 if the error is larger than the number; callers check [`has_digits`] unless other
+/// numbers are next to it.
 pub fn within(x: f64, error: f64, digits: usize) -> String {
     if !(error > 0.0) || x == 0.0 || !x.is_finite() {
         return number(x, digits);
@@ -72,18 +75,19 @@ pub fn within(x: f64, error: f64, digits: usize) -> String {
     if spare < 0.0 { "0".to_owned() } else { number(x, digits.min(spare as usize + 1)) }
 }
 
-/// Whether an error leaves a digit of the size of a number or of a vector.
+/// Returns true if the error is smaller than the size of a number or vector, so that it has a
+/// correct digit.
 pub fn has_digits(size: f64, error: f64) -> bool {
     error < size || error == 0.0
 }
 
-/// `(x, y, z)`, each with the same error.
+/// Formats a vector as `(x, y, z)`, with the same error for each component.
 pub fn vector_within(values: [f64; 3], error: f64, digits: usize) -> String {
     let [x, y, z] = values.map(|x| within(x, error, digits));
     format!("({x}, {y}, {z})")
 }
 
-/// A whole number with a comma between thousands.
+/// Formats an integer with a comma between thousands.
 pub fn count(n: u64) -> String {
     let digits = n.to_string();
     let mut text = String::new();
@@ -96,22 +100,23 @@ pub fn count(n: u64) -> String {
     text
 }
 
-/// `1 flight`, `1,200 flights`
+/// Formats a count with its noun: `1 flight`, `1,200 flights`.
 pub fn counted(n: usize, noun: &str) -> String {
     if n == 1 { format!("1 {noun}") } else { format!("{} {noun}s", count(n as u64)) }
 }
 
-/// An estimate of an error: two digits are more than it is worth.
+/// Formats an error estimate with two digits; it has no better accuracy.
 pub fn error(x: f64) -> String {
     number(x, 2)
 }
 
-/// Of more decimals than this numbers are shown with exponents.
+/// Largest number of decimals in fixed notation; beyond it numbers have exponents.
 const DECIMALS: i32 = 7;
 
-/// `1.2340 ± 0.0012`: as many digits as the error has two of, and of a value that is not zero one at least.
+/// Formats `1.2340 ± 0.0012`. The error has two digits, the value as many decimals as the error. A
+/// nonzero value has at least one digit.
 pub fn with_error(value: f64, sd: f64) -> String {
-    /// A smaller part of the error than this is what rounding left of a zero.
+    /// Threshold relative to the error below which the value is a rounded zero.
     const NOTHING: f64 = 1e-9;
     if !(sd.is_finite() && sd > 0.0) {
         return number(value, 6);
@@ -131,32 +136,34 @@ pub fn with_error(value: f64, sd: f64) -> String {
     format!("{} ± {shown}", number(value, digits))
 }
 
-/// n of x = d.ddd · 10ⁿ.
+/// Returns n of x = d.ddd · 10ⁿ.
 fn power(x: f64) -> i32 {
     format!("{x:e}").split_once('e').and_then(|(_, n)| n.parse().ok()).unwrap_or(0)
 }
 
-/// The vector without what rounding left of its zeros.
+/// Returns the vector with components that are rounding errors set to zero.
 pub fn tidy(v: [f64; 3]) -> [f64; 3] {
     tidy_beside(v, v.iter().fold(0.0, |max, x| f64::max(max, x.abs())))
 }
 
-/// The vector without parts that are rounding beside `scale`.
+/// Returns the vector with components that are rounding errors relative to `scale` set to zero.
 pub fn tidy_beside(v: [f64; 3], scale: f64) -> [f64; 3] {
     v.map(|x| if x.abs() <= ROUNDING * scale { 0.0 } else { x })
 }
 
-/// The vector without parts that are rounding of `scale`, or below the relative error `noise` of it.
+/// Returns the vector with components set to zero that are rounding errors relative to `scale`, or
+/// smaller than `noise` × `scale`.
 pub fn without_noise(v: [f64; 3], scale: f64, noise: f64) -> [f64; 3] {
     v.map(|x| if x.abs() <= noise.max(ROUNDING) * scale { 0.0 } else { x })
 }
 
-/// `w, x, y, z` of a unit quaternion whose attitude has an error, rad: that changes its components by half of it at most.
+/// Formats a unit quaternion as `w, x, y, z`. An attitude error, rad, changes its components by at
+/// most half of it.
 pub fn quaternion(q: [f64; 4], error: f64, digits: usize) -> String {
     q.map(|x| within(x, 0.5 * error.max(2.0 * ROUNDING), digits)).join(", ")
 }
 
-/// The matrix without what rounding left of zeros off its diagonal.
+/// Returns the matrix with off-diagonal elements that are rounding errors set to zero.
 pub fn tidy_matrix(m: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
     let largest = m.iter().flatten().fold(0.0, |max, x| f64::max(max, x.abs()));
     std::array::from_fn(|i| {
@@ -164,7 +171,7 @@ pub fn tidy_matrix(m: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
     })
 }
 
-/// The power of ten of x once it is rounded to so many digits.
+/// Returns the decimal exponent of x after rounding to `digits` digits.
 fn exponent(x: f64, digits: usize) -> i32 {
     let scientific = format!("{x:.*e}", digits.saturating_sub(1));
     scientific.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0)
@@ -173,7 +180,7 @@ fn exponent(x: f64, digits: usize) -> i32 {
 fn fixed(x: f64, digits: usize, exponent: i32) -> String {
     let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
     let text = format!("{x:.decimals$}");
-    // A part too small for these decimals has no sign either.
+    // A number that rounds to zero has no sign.
     if text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.')) { text.replace('-', "") } else { text }
 }
 
@@ -181,7 +188,7 @@ fn trimmed(s: &str) -> &str {
     if s.contains('.') { s.trim_end_matches('0').trim_end_matches('.') } else { s }
 }
 
-/// Numbers as they are set: `-4.5e-5` as −4.5×10⁻⁵.
+/// Returns a text with typeset numbers: `-4.5e-5` becomes −4.5×10⁻⁵.
 pub fn typeset(text: &str) -> String {
     let mut out = String::new();
     let mut before = ' ';

@@ -1,10 +1,10 @@
-//! Where an answer's input came from.
+//! Source of the input of a result.
 
 use serde_json::{Map, Value};
 
 use crate::layout::printable;
 
-/// Where the input came from, and what it is.
+/// Source of the input: path, format and description.
 ///
 /// ```
 /// let source = polhode_document::SourceInfo::new("bracket.stl", "stl")
@@ -14,36 +14,36 @@ use crate::layout::printable;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SourceInfo {
-    /// The file as the user named it.
+    /// Path as the user wrote it.
     pub path: String,
-    /// What kind of file it is: `stl`, `scenario`, …
+    /// Format of the file: `stl`, `scenario`, …
     pub format: String,
-    /// What it is, in words, for the heading; the format if empty.
+    /// Description for the heading; if empty, the format is used.
     pub description: String,
-    /// More to say to programs, after `path` and `format`: `triangles`, …
+    /// Further fields of the JSON, after `path` and `format`: `triangles`, …
     pub fields: Map<String, Value>,
 }
 
 impl SourceInfo {
-    /// A file of a format.
+    /// Creates the source for a file of a format.
     pub fn new(path: impl Into<String>, format: impl Into<String>) -> Self {
         Self { path: path.into(), format: format.into(), description: String::new(), fields: Map::new() }
     }
 
-    /// The same, with words for the heading.
+    /// Returns the source with a description for the heading.
     #[must_use]
     pub fn described(self, description: impl Into<String>) -> Self {
         Self { description: description.into(), ..self }
     }
 
-    /// The same, with one more field for programs.
+    /// Returns the source with one more field of the JSON.
     #[must_use]
     pub fn with(mut self, key: &str, value: impl Into<Value>) -> Self {
         self.fields.insert(key.to_owned(), value.into());
         self
     }
 
-    /// `{"path": …, "format": …, …}`
+    /// Returns `{"path": …, "format": …, …}`.
     pub fn to_json(&self) -> Value {
         let mut object = Map::new();
         object.insert("path".to_owned(), self.path.as_str().into());
@@ -54,7 +54,7 @@ impl SourceInfo {
         Value::Object(object)
     }
 
-    /// The heading: the file, and what it is.
+    /// Returns the heading: the path and the description.
     pub fn heading(&self) -> String {
         let what = if self.description.is_empty() { &self.format } else { &self.description };
         format!("{}   {}", printable(&self.path), printable(what))

@@ -1,33 +1,35 @@
-//! A curve in a line of text.
+//! Sparklines: a curve in one line of text.
 
 use polhode::body::PrincipalFrame;
 use polhode::math::Body;
 
-/// The columns of a picture where nobody knows how many there are.
+/// Default width of a sparkline, columns.
 pub const COLUMNS: usize = 72;
 
-/// The columns of a picture on a terminal of so many: beside it are its name and the time that it ends at.
+/// Returns the width of a sparkline on a terminal, columns. Its name and end time take the
+/// remaining columns.
 pub fn fitting(terminal: usize) -> usize {
     const BESIDE: usize = 17 + 14;
     const LEAST: usize = 8;
-    // Longer than this a line is not a picture any more.
+    // A longer line is no longer legible as a picture.
     const MOST: usize = 160;
     terminal.saturating_sub(BESIDE).clamp(LEAST, MOST)
 }
 
-/// The component of ω along a principal axis that varies most.
+/// Sparkline of the component of ω along the principal axis that varies most.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sparkline {
-    /// 1, 2 or 3.
+    /// Number of the principal axis: 1, 2 or 3.
     pub axis: usize,
-    /// Eight heights from its least to its greatest value.
+    /// Characters of eight heights, from the least to the greatest value.
     pub line: String,
-    /// How many of the values are in it, from the first on: more turning points would not be seen.
+    /// Number of values shown, from the first on; more turning points would not be visible.
     pub values: usize,
 }
 
 impl Sparkline {
-    /// Of ω along the principal axes at even times; `None` if it only varies by rounding.
+    /// Creates the sparkline of ω along the principal axes at equally spaced times; `None` if it
+    /// varies only by rounding.
     pub fn of_omega(omega: &[[f64; 3]], columns: usize) -> Option<Self> {
         let component = |k: usize| omega.iter().filter_map(move |w| w.get(k).copied());
         let span = |k: usize| {
@@ -43,8 +45,8 @@ impl Sparkline {
 }
 
 impl Sparkline {
-    /// Which component it is: `ωz (axis 2)` of a principal axis that is the z axis of the body, `−ωz (axis 2)` of the opposite one, else
-    /// `ω along axis 2`.
+    /// Returns the name of the component: `ωz (axis 2)` if the principal axis is the z axis of the
+    /// body, `−ωz (axis 2)` if it is opposite, else `ω along axis 2`.
     pub fn label(&self, principal: &PrincipalFrame<Body>) -> String {
         let direction = principal.axis(self.axis - 1).to_array();
         let along = ["x", "y", "z"].into_iter().zip(direction).find(|(_, c)| c.abs() > ALIGNED);
@@ -56,17 +58,17 @@ impl Sparkline {
     }
 }
 
-/// The cosine from which on an axis is another: to 1e-6 rad.
+/// Smallest cosine at which two axes count as parallel: within 1e-6 rad.
 const ALIGNED: f64 = 1.0 - 5e-13;
 
-/// How many of the values, from the first on, have at most `turns` turning points.
+/// Returns the number of values, from the first on, with at most `turns` turning points.
 fn resolved(values: &[f64], turns: usize) -> usize {
     let is_turn = |w: &&[f64]| matches!(w, [a, b, c] if (b - a) * (c - b) < 0.0);
     let mut turning = values.windows(3).enumerate().filter(|(_, w)| is_turn(w));
     turning.nth(turns).map_or(values.len(), |(k, _)| k + 1)
 }
 
-/// A picture of a curve: eight heights from its least to its greatest value; `None` for one that does not vary.
+/// Draws a curve in eight heights from its least to its greatest value; `None` for a constant.
 fn sparkline(values: &[f64], columns: usize) -> Option<String> {
     const HEIGHTS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
     let (least, greatest) =
@@ -94,7 +96,7 @@ mod tests {
 
     #[test]
     fn the_component_that_varies_most_is_shown_as_far_as_it_is_seen() {
-        // Ten turns of component 3 in 1000 values; 2 columns to a turning point at least.
+        // Ten periods of component 3 in 1000 values; at least 2 columns per turning point.
         let omega: Vec<[f64; 3]> = (0..1000)
             .map(|k| 2.0 * std::f64::consts::PI * 0.01 * f64::from(k))
             .map(|a| [0.3 + 0.1 * a.sin(), -2.0, 0.7 * a.cos()])

@@ -1,4 +1,4 @@
-//! Units for people: the size that fits, from SI.
+//! Quantities with a unit of suitable size, from SI values.
 
 use polhode::body::MassProperties;
 use polhode::math::Frame;
@@ -6,14 +6,14 @@ use polhode::math::Frame;
 use crate::number::{NO_BREAK, alike, number, within};
 use crate::si_prefix;
 
-/// A unit and how many SI units it is.
+/// Unit with its conversion factor.
 #[derive(Clone, Copy, Debug)]
 pub struct Unit {
     /// Symbol of the unit.
     pub name: &'static str,
-    /// A number in SI times this is a number in the unit.
+    /// Conversion factor: value in this unit = value in SI × `per_si`.
     per_si: f64,
-    /// From this size (SI) on the unit fits.
+    /// Smallest size in SI for which the unit is used.
     from: f64,
 }
 
@@ -49,30 +49,27 @@ const VOLUME: [Unit; 4] = [
     Unit { name: "m³", per_si: 1.0, from: 0.0 },
 ];
 
-/// Units of a time that is three of them or longer: hours from 3 h on, days from 3 d.
+/// Units of long times; each is used from three of them on: hours from 3 h, days from 3 d.
 const LONGER: [(&str, f64); 2] = [("d", 86_400.0), ("h", 3_600.0)];
 
-/// Digits of a quantity that stands alone.
+/// Significant digits of a single quantity.
 pub const DIGITS: usize = 7;
 
-/// A time with its digits, and in hours or days where that says more: `464832 s (5.38 d)`.
+/// Formats a time in s, with hours or days in parentheses for a long one: `464832 s (5.38 d)`.
 pub fn duration(seconds: f64, digits: usize) -> String {
-    let shown = format!(
-        "{}{NO_BREAK}s",
-        if digits > DIGITS { number(seconds, digits) } else { number(seconds, digits) }
-    );
+    let shown = format!("{}{NO_BREAK}s", number(seconds, digits));
     match longer(seconds) {
         Some((name, unit)) => format!("{shown}{NO_BREAK}({}{NO_BREAK}{name})", number(seconds / unit, 6)),
         None => shown,
     }
 }
 
-/// Hours or days, with the length of one, s, for a time that is read in them.
+/// Returns the name and length, s, of the hour or day for a long time; `None` for a short one.
 pub fn longer(seconds: f64) -> Option<(&'static str, f64)> {
     LONGER.into_iter().find(|(_, unit)| seconds.abs() >= 3.0 * unit)
 }
 
-/// A time in one unit: `97.55 ms`, `5.369 d`.
+/// Formats a time in one unit: `97.55 ms`, `5.369 d`.
 pub fn time(seconds: f64, digits: usize) -> String {
     if let Some((name, unit)) = longer(seconds) {
         return format!("{}{NO_BREAK}{name}", number(seconds / unit, digits));
@@ -81,50 +78,51 @@ pub fn time(seconds: f64, digits: usize) -> String {
     format!("{}{NO_BREAK}{prefix}s", number(seconds / size, digits))
 }
 
-/// `0.4126183 kg`
+/// Formats a mass: `0.4126183 kg`.
 pub fn mass(kg: f64) -> String {
     one(&MASS, kg)
 }
 
-/// `-20 mm`
+/// Formats a length: `-20 mm`.
 pub fn length(m: f64) -> String {
     one(&LENGTH, m)
 }
 
-/// `18.5 cm²`
+/// Formats an area: `18.5 cm²`.
 pub fn area(m2: f64) -> String {
     one(&AREA, m2)
 }
 
-/// `152.8216 cm³`
+/// Formats a volume: `152.8216 cm³`.
 pub fn volume(m3: f64) -> String {
     one(&VOLUME, m3)
 }
 
-/// Three lengths in one unit: `12.961562  -17.608532  15.068595  mm`
+/// Formats three lengths in one unit: `12.961562  -17.608532  15.068595  mm`.
 pub fn lengths(m: [f64; 3]) -> String {
     aligned(m, fitting(&LENGTH, largest(m)))
 }
 
-/// A point: `(10, 0, -20) mm`
+/// Formats a point: `(10, 0, -20) mm`.
 pub fn place(m: [f64; 3]) -> String {
     place_within(m, 0.0)
 }
 
-/// A point as [`place`]; no digit of a coordinate after the first that its error, m, makes uncertain.
+/// Formats a point as [`place`] does, without the digits that its error, m, makes uncertain.
 pub fn place_within(m: [f64; 3], error: f64) -> String {
     let unit = fitting(&LENGTH, largest(m));
     let (m, error) = (m.map(|x| x * unit.per_si), error * unit.per_si);
     format!("{} {}", crate::number::vector_within(m, error, DIGITS), unit.name)
 }
 
-/// The coordinates of a point in a body whose largest radius of gyration is `size`, m, as [`lengths`].
+/// Formats the coordinates of a point as [`lengths`] does; `size` is the largest radius of gyration
+/// of the body, m.
 pub fn lengths_in(size: f64, m: [f64; 3]) -> String {
     let m = m.map(|x| beside(x, size));
     aligned(m, unit_in(size, m))
 }
 
-/// A point in a body whose largest radius of gyration is `size`, m, as [`place`].
+/// Formats a point as [`place`] does; `size` is the largest radius of gyration of the body, m.
 pub fn place_in(size: f64, m: [f64; 3]) -> String {
     let m = m.map(|x| beside(x, size));
     let unit = unit_in(size, m);
@@ -135,12 +133,13 @@ fn aligned(m: [f64; 3], unit: Unit) -> String {
     format!("{}  {}", alike(&m.map(|x| x * unit.per_si), DIGITS).join("  "), unit.name)
 }
 
-/// The size of a body for [`place_in`]: its largest radius of gyration, m.
+/// Returns the largest radius of gyration of a body, m: the size for [`place_in`].
 pub fn size<F: Frame>(body: &MassProperties<F>) -> f64 {
     largest(body.gyration_radii())
 }
 
-/// The unit of a point in a body: a centre that is almost at the origin does not go in nanometres.
+/// Returns the unit for a point of a body. It is not much smaller than the body, even for a centre
+/// close to the origin.
 fn unit_in(size: f64, m: [f64; 3]) -> Unit {
     let largest = largest(m);
     fitting(&LENGTH, if largest > 0.0 { largest.max(1e-3 * size) } else { 0.0 })
@@ -150,8 +149,8 @@ fn largest(m: [f64; 3]) -> f64 {
     m.iter().fold(0.0, |max, x| f64::max(max, x.abs()))
 }
 
-/// A coordinate in a body of this size: 0 if it is rounding beside that, and the fewer digits the less it is; from a thousandth
-/// on it keeps all.
+/// Rounds a coordinate in a body of this size. Rounding errors become 0; below a thousandth of the
+/// size it keeps fewer digits the smaller it is.
 fn beside(x: f64, size: f64) -> f64 {
     const ROUNDING: f64 = 1e-12;
     const LAST: f64 = 1e-10;
@@ -166,12 +165,12 @@ fn beside(x: f64, size: f64) -> f64 {
     format!("{x:.*e}", digits - 1).parse().unwrap_or(x)
 }
 
-/// `0.6 rad (34.3775°)`
+/// Formats an angle: `0.6 rad (34.3775°)`.
 pub fn angle(rad: f64) -> String {
     format!("{} rad ({}°)", number(rad, 6), number(rad.to_degrees(), 6))
 }
 
-/// How far a pendulum swings that does not go over the top: never 180°, however it rounds.
+/// Formats the amplitude of a pendulum that does not go over the top; it is never rounded to 180°.
 pub fn amplitude(rad: f64) -> String {
     if number(rad.to_degrees(), 6) == "180" {
         return format!("{} rad (just below 180°)", number(rad, 6));
@@ -179,20 +178,20 @@ pub fn amplitude(rad: f64) -> String {
     angle(rad)
 }
 
-/// The half-angle of a cone: one that only rounding opened is closed.
+/// Formats the half-angle of a cone; an angle of the size of rounding errors is 0.
 pub fn cone(rad: f64) -> String {
     angle(if rad < CLOSED { 0.0 } else { rad })
 }
 
-/// A cone of a smaller half-angle, rad, is a line but for rounding.
+/// Half-angle, rad, below which a cone counts as closed, up to rounding.
 pub const CLOSED: f64 = 1e-13;
 
-/// `3 rad/s (171.887 deg/s)`
+/// Formats an angular velocity: `3 rad/s (171.887 deg/s)`.
 pub fn rate(rad_per_s: f64) -> String {
     rate_within(rad_per_s, 0.0)
 }
 
-/// The same with the digits that an error (rad/s) leaves.
+/// Formats an angular velocity with the digits that an error, rad/s, leaves.
 pub fn rate_within(rad_per_s: f64, error: f64) -> String {
     let degrees = within(rad_per_s.to_degrees(), error.to_degrees(), 6);
     format!("{} rad/s ({degrees} deg/s)", within(rad_per_s, error, DIGITS))
@@ -203,7 +202,7 @@ fn one(units: &[Unit], si: f64) -> String {
     format!("{} {}", number(si * unit.per_si, DIGITS), unit.name)
 }
 
-/// The first unit that is not too large; a zero goes in the SI unit.
+/// Returns the first unit that is not too large; zero is given in the SI unit.
 fn fitting(units: &[Unit], size: f64) -> Unit {
     let fits = units.iter().find(|unit| size > 0.0 && size >= unit.from);
     fits.copied().unwrap_or(units[units.len() - 1])
@@ -216,10 +215,11 @@ mod tests {
 
     #[test]
     fn a_point_has_the_unit_of_its_body() {
-        // A drone's centre that is 3e-10 m off the origin, in one direction.
+        // The centre of mass of a drone, 3e-10 m from the origin in one direction.
         assert_eq!(lengths_in(0.21, [0.0, 3.000_17e-10, 0.0]), "0  3e-7  0  mm");
         assert_eq!(place_in(0.21, [0.0, 3.000_17e-10, 0.0]), "(0, 3e-7, 0) mm");
-        // What is rounding is 0; what is small beside the body keeps few digits, what is not keeps all.
+        // Rounding errors become 0. Coordinates small relative to the body keep few digits, others
+        // all.
         assert_eq!(
             place_in(0.21, [1.3e-14, -0.012_345_678_9, 2.345_678_9e-8]),
             "(0, -12.34568, 2.346e-5) mm"
@@ -228,7 +228,7 @@ mod tests {
             lengths_in(0.21, [0.012_961_562, -0.017_608_532, 0.015]),
             lengths([0.012_961_562, -0.017_608_532, 0.015])
         );
-        // A body of nanometres has nanometres, and so has a particle, which has no size.
+        // A body of nanometre size is given in nanometres, as is a particle, which has no size.
         assert_eq!(place_in(4e-10, [1.2e-10, 0.0, -3e-10]), "(0.12, 0, -0.3) nm");
         assert_eq!(place_in(0.0, [3e-10, 0.0, 0.0]), "(0.3, 0, 0) nm");
         assert_eq!(place_in(0.0, [0.0; 3]), "(0, 0, 0) m");

@@ -1,15 +1,17 @@
-//! The rows of a formula: each is set by itself where an environment of rows, or a line so long, cannot be.
+//! Rows of a formula, typeset one by one where an `aligned` environment or a long line is not
+//! possible.
 
 use crate::layout::width;
 
-/// Columns of the Unicode text of a formula that stands on one line of a page.
+/// Largest width of a formula on one line of a page, in columns of its Unicode text.
 const LONGEST: usize = 84;
 
-/// What separates the equations of one line.
+/// Separator between the equations of one line.
 const BETWEEN: &str = r"\qquad";
 
-/// The rows of a formula of which `text` is the Unicode form: the equations of an `aligned`, or of a line that is too long, one by one;
-/// `None` if it has rows that cannot stand alone, as a determinant.
+/// Splits a formula, with Unicode form `text`, into its equations: the rows of an `aligned`
+/// environment, or the equations of a line that is too long. Returns `None` if the rows belong
+/// together, as in a determinant.
 pub(super) fn rows(text: &str, latex: &str) -> Option<Vec<String>> {
     if let Some(inside) =
         latex.strip_prefix(r"\begin{aligned}").and_then(|rest| rest.strip_suffix(r"\end{aligned}"))
@@ -23,7 +25,7 @@ pub(super) fn rows(text: &str, latex: &str) -> Option<Vec<String>> {
     Some(if is_long { equations(latex) } else { vec![latex.to_owned()] })
 }
 
-/// `a = b, \qquad c = d` in two.
+/// Splits `a = b, \qquad c = d` into its equations.
 fn equations(latex: &str) -> Vec<String> {
     let rows = latex.split(BETWEEN).map(|row| row.trim().trim_end_matches(',').trim_end().to_owned());
     rows.filter(|row| !row.is_empty()).collect()

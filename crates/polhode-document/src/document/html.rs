@@ -1,4 +1,4 @@
-//! A document as one HTML file: formulas as MathML, graphs as SVG, nothing from elsewhere.
+//! HTML writer: formulas as MathML, graphs as SVG, no external resources.
 
 use super::text::DIGITS;
 use super::{Block, Document};
@@ -11,7 +11,7 @@ use crate::number::{alike, tidy_matrix};
 const STYLE: &str = include_str!("document.css");
 
 impl Document {
-    /// A page of its own that needs no other file and no network.
+    /// Returns a self-contained HTML page; it needs no other file and no network.
     pub fn to_html(&self) -> String {
         let (title, math) = (shown(&self.title), mathml::style());
         let mut html = format!(

@@ -1,4 +1,5 @@
-//! A document as a LaTeX article: amsmath for the formulas, TikZ for graphs; pdfLaTeX, XeLaTeX and LuaLaTeX take it.
+//! LaTeX writer: an article with `amsmath` for formulas and TikZ for graphs. Compiles with
+//! pdfLaTeX, XeLaTeX and LuaLaTeX.
 
 use super::super::graph::Graph;
 use super::formula;
@@ -8,7 +9,7 @@ use crate::finding;
 use crate::layout::{broken, plain_spaces, printable};
 use crate::number::{alike, tidy_matrix};
 
-/// Columns of a line of numbers.
+/// Largest width of a line of numbers, columns.
 const LONGEST: usize = 84;
 
 const HEAD: &str = r"\documentclass[11pt]{article}
@@ -23,7 +24,7 @@ const HEAD: &str = r"\documentclass[11pt]{article}
 ";
 
 impl Document {
-    /// An article that any LaTeX compiles.
+    /// Returns an article that compiles with any LaTeX engine.
     pub fn to_latex(&self) -> String {
         let mut out = format!(
             "{HEAD}\\title{{{}}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
@@ -71,14 +72,14 @@ fn render(block: &Block) -> String {
     }
 }
 
-/// Lines as they are.
+/// Returns lines in typewriter font with their spaces.
 fn typed(lines: &[String]) -> String {
     let lines = lines.iter().flat_map(|line| broken(line, "", LONGEST));
     let lines: Vec<String> = lines.map(|line| words(&line).replace(' ', "~")).collect();
     format!("{{\\small\\ttfamily\\raggedright\n{}\\par}}", lines.join("\\\\\n"))
 }
 
-/// A curve in TikZ, 10 cm by 5 cm.
+/// Returns a graph in TikZ, 10 cm by 5 cm.
 fn drawn(graph: &Graph) -> String {
     let ends = |values: &mut dyn Iterator<Item = f64>| {
         values.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
@@ -119,7 +120,7 @@ fn drawn(graph: &Graph) -> String {
     )
 }
 
-/// `name = matrix unit`
+/// Returns a formula of the form `name = matrix unit`.
 fn matrix(name: &str, rows: &[[f64; 3]; 3], unit: &str) -> String {
     let cells = alike(tidy_matrix(*rows).as_flattened(), DIGITS);
     let rows: Vec<String> =
@@ -132,7 +133,7 @@ fn matrix(name: &str, rows: &[[f64; 3]; 3], unit: &str) -> String {
     format!("\\[\n{name} = \\begin{{pmatrix}}\n{}\n\\end{{pmatrix}}{unit}\n\\]", rows.join(" \\\\\n"))
 }
 
-/// `3.3248e-5` as LaTeX has it.
+/// Returns a number such as `3.3248e-5` in LaTeX notation.
 fn power(x: &str) -> String {
     match x.split_once('e') {
         Some((mantissa, power)) => format!(r"{mantissa}\times 10^{{{power}}}"),
@@ -140,11 +141,11 @@ fn power(x: &str) -> String {
     }
 }
 
-/// Words with signs that every LaTeX has: Greek letters, operators and accents as commands.
+/// Escapes a text for LaTeX; Greek letters, operators and accents become commands.
 fn words(text: &str) -> String {
     let mut out = String::new();
     for c in plain_spaces(&printable(text)).chars() {
-        // An accent follows its letter.
+        // A combining accent follows its letter.
         if let Some(accent) = accent(c) {
             let letter = last_atom(&mut out);
             out.push_str(&format!("$\\{accent}{{{letter}}}$"));
@@ -158,7 +159,7 @@ fn words(text: &str) -> String {
     out
 }
 
-/// What an accent stands on: the last `$…$` or letter, taken off.
+/// Removes and returns the base of an accent: the last `$…$` or letter of the output.
 fn last_atom(out: &mut String) -> String {
     if out.ends_with('$')
         && let Some(start) = out.trim_end_matches('$').rfind('$')
@@ -177,12 +178,13 @@ const fn accent(c: char) -> Option<&'static str> {
     })
 }
 
-/// Letters beyond Latin: pdfLaTeX has no fonts for them, and names their number.
+/// Returns a character. Beyond Latin it also gets its code point, because pdfLaTeX has no font for
+/// it.
 fn other(c: char) -> String {
     if c <= '\u{17f}' { c.to_string() } else { format!("\\letter{{{:04X}}}{{{c}}}", u32::from(c)) }
 }
 
-/// Characters that LaTeX takes for its own.
+/// Returns the escape sequence of a character with a special meaning in LaTeX.
 const fn plain(c: char) -> Option<&'static str> {
     Some(match c {
         '\\' => r"\textbackslash{}",
@@ -202,7 +204,7 @@ const fn plain(c: char) -> Option<&'static str> {
     })
 }
 
-/// Mathematics that stands in words.
+/// Returns the command of a mathematical sign in text.
 fn sign(c: char) -> Option<String> {
     let command = match c {
         'α' => r"\alpha",

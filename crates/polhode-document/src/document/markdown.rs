@@ -1,4 +1,4 @@
-//! A document as Markdown.
+//! Markdown writer.
 
 use super::formula;
 use super::text::matrix;
@@ -6,11 +6,11 @@ use super::{Block, Document};
 use crate::finding;
 use crate::layout::{broken, plain_spaces, printable};
 
-/// Columns of a line of numbers.
+/// Largest width of a line of numbers, columns.
 const LONGEST: usize = 96;
 
 impl Document {
-    /// Markdown with LaTeX between `$$`, as GitHub, Jupyter and pandoc render it.
+    /// Returns Markdown with LaTeX between `$$`, as GitHub, Jupyter and pandoc render it.
     pub fn to_markdown(&self) -> String {
         let mut text = format!("# {}\n", escaped(&self.title));
         if !self.answer.is_empty() {
@@ -43,7 +43,8 @@ fn render_block(block: &Block) -> String {
             None => fenced(text.lines().map(str::to_owned)),
         },
         Block::Lines(lines) => fenced(lines.iter().flat_map(|line| broken(line, "", LONGEST))),
-        // No way to write rows is read alike by all: GitHub makes one of two backslashes, and pandoc knows no \\cr.
+        // No notation for matrix rows works everywhere: GitHub halves a double backslash, and
+        // pandoc does not know `\cr`.
         Block::Matrix { name, rows, unit } => fenced(matrix(name, rows, unit).into_iter()),
         Block::Graph(graph) => fenced(super::super::graph::lines(graph).into_iter()),
         Block::Drawing(drawing) => match drawing.lines() {
@@ -62,12 +63,12 @@ fn render_block(block: &Block) -> String {
     }
 }
 
-/// Lines as they are.
+/// Returns lines as a code block.
 fn fenced(lines: impl Iterator<Item = String>) -> String {
     format!("```text\n{}\n```", plain_spaces(&lines.collect::<Vec<_>>().join("\n")))
 }
 
-/// The text on one line, without characters that Markdown would take for markup.
+/// Returns the text on one line with the special characters of Markdown escaped.
 fn escaped(text: &str) -> String {
     let mut out = String::new();
     for c in printable(text).chars() {

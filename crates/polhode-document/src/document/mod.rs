@@ -1,4 +1,5 @@
-//! A worked solution as a document: sections of paragraphs, formulas, numbers and tables, to be rendered.
+//! Document of a worked solution: sections of paragraphs, formulas, numbers and tables, independent
+//! of the output format.
 
 mod formula;
 mod html;
@@ -16,62 +17,62 @@ use crate::finding;
 use crate::json::matrix;
 use crate::layout::printable;
 
-/// A worked solution.
+/// Worked solution.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
-    /// What it is about.
+    /// Title of the document.
     pub title: String,
-    /// The answer, before the working.
+    /// Lines that answer the question, printed before the working.
     pub answer: Vec<String>,
-    /// The steps, in order.
+    /// Steps in order.
     pub sections: Vec<Section>,
-    /// What was noticed about the scenario and its motion.
+    /// Findings about the scenario and its motion.
     pub findings: Vec<Finding>,
 }
 
 /// One step of the solution.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
-    /// The step's number; 0 is the body itself.
+    /// Number of the step; 0 is the body itself.
     pub number: u8,
-    /// What the step does.
+    /// Title of the step.
     pub title: String,
-    /// The step.
+    /// Contents of the step.
     pub blocks: Vec<Block>,
 }
 
-/// A piece of a section.
+/// Part of a section.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Block {
-    /// Words.
+    /// Paragraph of text.
     Paragraph(String),
-    /// A formula in symbols.
+    /// Formula in symbols, without numbers.
     Formula {
-        /// In Unicode.
+        /// Unicode form.
         text: String,
-        /// In LaTeX.
+        /// LaTeX form.
         latex: String,
     },
-    /// Lines of working: formulas with their numbers and units.
+    /// Lines of working: formulas with numbers and units.
     Lines(Vec<String>),
-    /// A matrix of numbers.
+    /// Matrix of numbers.
     Matrix {
-        /// Its symbol.
+        /// Symbol of the matrix.
         name: String,
-        /// Its rows.
+        /// Elements by row.
         rows: [[f64; 3]; 3],
-        /// The unit of its elements; empty for ratios.
+        /// Unit of the elements; empty for ratios.
         unit: &'static str,
     },
-    /// A curve.
+    /// Curve over an axis.
     Graph(Graph),
-    /// Another picture.
+    /// Any other picture.
     Drawing(Drawing),
-    /// A table.
+    /// Table with a header.
     Table {
-        /// What stands above each column, with its unit.
+        /// Header of each column, with its unit.
         headers: Vec<String>,
-        /// The cells.
+        /// Cells by row.
         rows: Vec<Vec<String>>,
     },
 }
@@ -84,7 +85,8 @@ impl Document {
         Self { title: title.to_owned(), answer: Vec::new(), sections: vec![section], findings: Vec::new() }
     }
 
-    /// `{"polhode": …, "title": …, "answer": […], "sections": [{"number": …, "title": …, "blocks": […]}], "findings": […]}`
+    /// Returns the document as `{"polhode": …, "title": …, "answer": […], "sections": [{"number":
+    /// …, "title": …, "blocks": […]}], "findings": […]}`.
     pub fn to_json(&self) -> Value {
         let sections: Value = self.sections.iter().map(Section::to_json).collect();
         let plain = |s: &String| crate::layout::plain_spaces(s);
@@ -99,22 +101,23 @@ impl Document {
 }
 
 impl Section {
-    /// Empty section with a number and a title.
+    /// Creates an empty section.
     pub fn new(number: u8, title: &str) -> Self {
         Self { number, title: title.to_owned(), blocks: Vec::new() }
     }
 
-    /// Names from outside may be in it: what is unseen in them is shown.
+    /// Adds a paragraph. Control characters in it are escaped, because it may contain names from
+    /// files.
     pub fn say(&mut self, text: impl AsRef<str>) {
         self.blocks.push(Block::Paragraph(printable(text.as_ref())));
     }
 
-    /// Adds a formula in symbols: as Unicode text, and in LaTeX.
+    /// Adds a formula as Unicode text and as LaTeX.
     pub fn formula(&mut self, text: &str, latex: &str) {
         self.blocks.push(Block::Formula { text: text.to_owned(), latex: latex.to_owned() });
     }
 
-    /// One line of numbers; consecutive ones stand together.
+    /// Adds a line of numbers; consecutive lines form one block.
     pub fn line(&mut self, line: impl AsRef<str>) {
         let line = printable(line.as_ref());
         if let Some(Block::Lines(lines)) = self.blocks.last_mut() {
@@ -124,12 +127,12 @@ impl Section {
         }
     }
 
-    /// The line `lhs = term + term + … = result`.
+    /// Adds the line `lhs = term + term + … = result`.
     pub fn sum(&mut self, lhs: &str, terms: &[String], result: &str) {
         self.line(format!("{lhs} = {} = {result}", terms.join(" + ")));
     }
 
-    /// Adds a matrix of numbers with its symbol and the unit of its elements.
+    /// Adds a matrix with its symbol and the unit of its elements.
     pub fn matrix(&mut self, name: impl Into<String>, rows: [[f64; 3]; 3], unit: &'static str) {
         self.blocks.push(Block::Matrix { name: name.into(), rows, unit });
     }
@@ -144,7 +147,7 @@ impl Section {
         self.blocks.push(Block::Drawing(drawing));
     }
 
-    /// Adds a table: a header for each column, and rows of cells.
+    /// Adds a table: one header per column, and rows of cells.
     pub fn table(&mut self, headers: &[&str], rows: Vec<Vec<String>>) {
         let headers = headers.iter().map(|h| (*h).to_owned()).collect();
         self.blocks.push(Block::Table { headers, rows });

@@ -1,4 +1,4 @@
-//! A document as plain text.
+//! Plain text writer.
 
 use super::{Block, Document};
 use crate::finding;
@@ -7,11 +7,11 @@ use crate::number::tidy_matrix;
 
 const INDENT: &str = "    ";
 
-/// Digits of a matrix element.
+/// Significant digits of a matrix element.
 pub(super) const DIGITS: usize = 6;
 
 impl Document {
-    /// Plain text of at most `columns` columns; tables and matrices are as wide as they need.
+    /// Returns plain text of at most `columns` columns; tables and matrices may be wider.
     pub fn to_text(&self, columns: usize) -> String {
         let title = wrap(&printable(&self.title), "", columns);
         let longest = title.iter().map(|line| width(line)).max().unwrap_or(0);
@@ -60,7 +60,7 @@ fn lines(block: &Block, columns: usize) -> Vec<String> {
     }
 }
 
-/// `name = ⎡ … ⎤  unit` in three lines.
+/// Returns `name = ⎡ … ⎤  unit` in three lines.
 pub(super) fn matrix(name: &str, rows: &[[f64; 3]; 3], unit: &str) -> Vec<String> {
     let brackets = [["⎡", "⎤"], ["⎢", "⎥"], ["⎣", "⎦"]];
     let rows = matrix_rows(&tidy_matrix(*rows), DIGITS);

@@ -1,10 +1,10 @@
-//! A pair of axes: numbers to places, and everything around the curves.
+//! Pair of axes: conversion of values to positions, frame, grid and labels.
 
 use super::sheet::{Anchor, Colour, Mark, Pen, Point, SMALL, Sheet, Text};
 use super::ticks::{Ticks, exponent, reduced};
 use super::{font, prefix};
 
-/// A part of a sheet.
+/// Rectangle on a sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Area {
     /// Left edge, px.
@@ -28,34 +28,34 @@ impl Area {
         self.bottom - self.top
     }
 
-    /// Without so much above.
+    /// Returns the area without the top `used` px.
     pub const fn below(self, used: f64) -> Self {
         Self { top: self.top + used, ..self }
     }
 }
 
-/// One axis: its range, and what stands at it.
+/// Axis with its range, ticks and label.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// Both ends, in the numbers that stand at it.
+    /// Both ends, in the numbers printed at the axis.
     range: [f64; 2],
-    /// Taken out of all numbers.
+    /// Power of ten removed from all numbers.
     exponent: i32,
-    /// Numbers are logarithms of the values.
+    /// True for a logarithmic axis; its numbers are log₁₀ of the values.
     log: bool,
     ticks: Ticks,
-    /// `ω (10⁻³ rad/s)`
+    /// Label, such as `ω (10⁻³ rad/s)`.
     label: String,
 }
 
 impl Axis {
-    /// An axis that holds values from `least` to `greatest`, with about so many marks; `margin` is the part of the range that is
-    /// added at both ends.
+    /// Creates a linear axis for values from `least` to `greatest` with about `count` ticks.
+    /// `margin` is added at both ends, relative to the range.
     pub fn linear([least, greatest]: [f64; 2], margin: f64, count: f64, name: &str, unit: &str) -> Self {
         let exponent = exponent(least.abs().max(greatest.abs()));
         let [least, greatest] = [least, greatest].map(|x| reduced(x, exponent));
         let size = least.abs().max(greatest.abs());
-        // What varies by rounding alone stays in the middle, a straight line.
+        // A curve that varies only by rounding is drawn as a straight line in the middle.
         let [least, greatest] = match greatest - least {
             span if span > 1e-9 * size => [least - margin * span, greatest + margin * span],
             _ if size == 0.0 => [-1.0, 1.0],
@@ -70,13 +70,14 @@ impl Axis {
         }
     }
 
-    /// The same with large values below small ones.
+    /// Returns the axis with its direction reversed.
     pub fn downward(mut self) -> Self {
         self.range.reverse();
         self
     }
 
-    /// A logarithmic axis from 10^least to 10^greatest; its lowest mark stands for 0 and what is too small to be shown.
+    /// Creates a logarithmic axis from 10^least to 10^greatest. Its lowest tick stands for 0 and
+    /// for values below the range.
     pub fn powers(least: i32, greatest: i32, most: i32, name: &str) -> Self {
         let mut ticks = Ticks::powers(least + 1, greatest, most);
         ticks.values.insert(0, f64::from(least));
@@ -90,7 +91,8 @@ impl Axis {
         }
     }
 
-    /// A logarithmic axis that holds positive values from `least` to `greatest`, with at most so many marks at powers of ten.
+    /// Creates a logarithmic axis for positive values from `least` to `greatest`, with at most
+    /// `most` ticks, at powers of ten.
     pub fn logarithmic([least, greatest]: [f64; 2], most: i32, name: &str, unit: &str) -> Self {
         let range = [least, greatest].map(f64::log10);
         let [first, last] = [range[0].ceil() as i32, range[1].floor() as i32];
@@ -103,21 +105,21 @@ impl Axis {
         }
     }
 
-    /// The same without anything beside its marks.
+    /// Returns the axis without label and tick labels.
     pub fn bare(mut self) -> Self {
         self.label.clear();
         self.ticks.labels.clear();
         self
     }
 
-    /// 0 at the beginning of the axis, 1 at its end.
+    /// Returns the relative position of a value: 0 at the start of the axis, 1 at its end.
     pub fn part(&self, value: f64) -> f64 {
         let [least, greatest] = self.range;
         let x = if self.log { value.log10().max(least) } else { reduced(value, self.exponent) };
         (x - least) / (greatest - least)
     }
 
-    /// Width of the label of the axis, px.
+    /// Returns the width of the label, px.
     pub fn label_width(&self) -> f64 {
         font::width(&self.label, SMALL)
     }
@@ -127,7 +129,7 @@ impl Axis {
     }
 }
 
-/// `ω (rad/s)`, or the one that there is.
+/// Formats a label as `ω (rad/s)`, or only the name or the unit if the other is empty.
 fn labelled(name: &str, unit: &str) -> String {
     match (name, unit) {
         (name, "") => name.to_owned(),
@@ -136,23 +138,24 @@ fn labelled(name: &str, unit: &str) -> String {
     }
 }
 
-/// Two axes in their place.
+/// Two axes, placed on a sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axes {
-    /// Where curves are.
+    /// Area of the curves, inside the frame.
     pub area: Area,
     x: Axis,
     y: Axis,
 }
 
-/// From the labels to the frame, and from a line of text to the next.
+/// Distance from the labels to the frame, px.
 const GAP: f64 = 6.0;
 const LINE: f64 = 17.0;
-/// What stands to the right of the frame: half a label.
+/// Space to the right of the frame for half a tick label, px.
 const RIGHT: f64 = 14.0;
 
 impl Axes {
-    /// Axes that with their labels fill an area; `left` is where its frame begins, if others are to stand under it.
+    /// Creates axes that fill an area with their labels. `left` fixes the distance of the frame
+    /// from the left edge, to align several plots.
     pub fn within(outer: Area, x: Axis, y: Axis, left: Option<f64>) -> Self {
         let beside = left.unwrap_or_else(|| Self::beside(&y));
         let below = match (x.ticks.labels.is_empty(), x.label.is_empty()) {
@@ -169,7 +172,7 @@ impl Axes {
         Self { area, x, y }
     }
 
-    /// Axes with the same scale both ways: their frame is a square in the middle.
+    /// Creates axes with equal scales; the frame is a square in the middle of the area.
     pub fn square(outer: Area, x: Axis, y: Axis) -> Self {
         let mut axes = Self::within(outer, x, y, None);
         let side = axes.area.width().min(axes.area.height());
@@ -180,12 +183,12 @@ impl Axes {
         axes
     }
 
-    /// What stands to the left of the frame of an axis.
+    /// Returns the width needed to the left of the frame, px.
     pub fn beside(y: &Axis) -> f64 {
         y.widest() + GAP + if y.label.is_empty() { 0.0 } else { LINE + 2.0 }
     }
 
-    /// The place of a pair of values.
+    /// Returns the position of a pair of values on the sheet, px.
     pub fn at(&self, [x, y]: Point) -> Point {
         [
             self.area.left + self.x.part(x) * self.area.width(),
@@ -193,7 +196,7 @@ impl Axes {
         ]
     }
 
-    /// Draws the frame, the grid, the numbers and the labels.
+    /// Draws the frame, the grid, the tick labels and the axis labels.
     pub fn draw(&self, sheet: &mut Sheet) {
         let Area { left, top, right, bottom } = self.area;
         let grid = Pen::solid(Colour::GRID, 0.8);

@@ -1,4 +1,4 @@
-//! Bars: what a sum is made of, and what contributes most to an error.
+//! Bar charts: the terms of a sum, and the largest contributions to an error.
 
 use super::axes::Area;
 use super::legend::{Key, heading};
@@ -9,13 +9,13 @@ use crate::layout::printable;
 
 const WIDTH: f64 = 640.0;
 const MARGIN: f64 = 10.0;
-/// From one bar to the next, and its height.
+/// Distance between bars, px.
 const STEP: f64 = 18.0;
 const BAR: f64 = 12.0;
-/// The heading of one of several panels, and from one to the next.
+/// Height of the title of a panel, px.
 const TITLE: f64 = 20.0;
 const GAP: f64 = 14.0;
-/// The part of a panel that names may take.
+/// Largest part of the width of a panel for names.
 const NAMES: f64 = 0.5;
 
 pub(super) fn sheet(bars: &Bars) -> Sheet {
@@ -24,7 +24,7 @@ pub(super) fn sheet(bars: &Bars) -> Sheet {
     let keys: Vec<Key> = used(bars)
         .filter_map(|kind| Some(Key::dot(Pen::solid(solids::colour(kind), 9.0), *bars.kinds.get(kind)?)))
         .collect();
-    // The height of the heading is known once it is written.
+    // The height of the heading is known only after it is drawn.
     let whole = Area { left: MARGIN, top: MARGIN, right: WIDTH - MARGIN, bottom: MARGIN };
     let mut sheet = Sheet::new(WIDTH, MARGIN, title.clone());
     let mut top = MARGIN + heading(&mut sheet, whole, &title, "", &keys);
@@ -46,13 +46,13 @@ pub(super) fn sheet(bars: &Bars) -> Sheet {
     sheet
 }
 
-/// The kinds that bars have.
+/// Returns the kinds that occur among the bars.
 fn used(bars: &Bars) -> impl Iterator<Item = usize> + '_ {
     let has = |kind: &usize| bars.panels.iter().flat_map(|panel| &panel.bars).any(|bar| bar.kind == *kind);
     (0..bars.kinds.len()).filter(has)
 }
 
-/// Draws the bars from the top of an area downward: names at the left, sizes at the right.
+/// Draws the bars from the top of an area downward, names at the left, sizes at the right.
 fn draw(panel: &BarPanel, area: Area, sheet: &mut Sheet) {
     let widest = |texts: &mut dyn Iterator<Item = f64>| texts.fold(0.0, f64::max);
     let names = widest(&mut panel.bars.iter().map(|bar| font::width(&printable(&bar.name), SMALL)));
@@ -67,7 +67,7 @@ fn draw(panel: &BarPanel, area: Area, sheet: &mut Sheet) {
     for (k, bar) in panel.bars.iter().enumerate() {
         let middle = area.top + (k as f64 + 0.5) * STEP;
         let [from, to] = [bar.from.min(bar.to), bar.from.max(bar.to)].map(at);
-        // What is too small to be seen is a line.
+        // A bar that is too short to be visible is drawn 1 px wide.
         let to = to.max(from + 1.0);
         let (up, down) = (middle - 0.5 * BAR, middle + 0.5 * BAR);
         let corners = vec![[from, up], [to, up], [to, down], [from, down]];

@@ -1,4 +1,4 @@
-//! Pictures of documents besides graphs: dots over an axis, and correlations.
+//! Pictures of documents, except graphs: scatter plots and correlations are drawn here.
 
 use super::axes::{Area, Axes, Axis};
 use super::font;
@@ -12,13 +12,14 @@ use crate::layout::printable;
 const WIDTH: f64 = 640.0;
 const HEIGHT: f64 = 250.0;
 const MARGIN: f64 = 10.0;
-/// Columns that can be told from each other; of more points the least and the greatest of each are drawn.
+/// Resolution of a scatter plot, columns; of more points, only the least and the greatest of each
+/// column are drawn.
 const COLUMNS: usize = 400;
-/// Dots of fewer points are larger.
+/// Largest number of points that are drawn as large dots.
 const FEW: usize = 60;
 
 impl Picture {
-    /// The picture of a drawing.
+    /// Returns the picture of a drawing.
     pub fn of_drawing(drawing: &Drawing) -> Self {
         let sheet = match drawing {
             Drawing::Scatter(scatter) => dots(scatter),
@@ -63,7 +64,7 @@ fn dots(scatter: &Scatter) -> Sheet {
     sheet
 }
 
-/// The side of a cell, and what all cells may take.
+/// Largest side of a cell, px.
 const CELL: f64 = 27.0;
 const MOST: f64 = 600.0;
 
@@ -97,7 +98,8 @@ fn correlations(all: &Correlations) -> Sheet {
                 Some(r) => {
                     let fill = if i == j { Colour::GRID } else { colour(*r) };
                     let opacity = if i == j { 1.0 } else { 0.85 * r.abs().min(1.0) };
-                    // What cannot be seen has no colour, whose sign would be that of a rounding.
+                    // An invisible cell gets no colour: the colour would be that of a rounding
+                    // error.
                     if opacity >= 1e-3 {
                         sheet.marks.push(Mark::Polygon { corners: corners.clone(), fill, opacity });
                     }

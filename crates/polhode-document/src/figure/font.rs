@@ -1,17 +1,17 @@
-//! The letters of pictures: how wide they are, and their outlines where there are only pixels.
+//! Font of pictures: widths of text, and outlines for pixel formats.
 //!
-//! A part of Inter (SIL Open Font License 1.1, `font/LICENSE.txt`) is in the program: Latin, Greek, Cyrillic, and
-//! the signs of formulas. A PNG therefore does not depend on the fonts of a machine. An SVG names a family and is
-//! shown in the reader's; its layout leaves room for wider letters.
+//! A subset of Inter (SIL Open Font License 1.1, `font/LICENSE.txt`) is embedded: Latin, Greek,
+//! Cyrillic, and mathematical signs. A PNG therefore does not depend on installed fonts. An SVG
+//! names a font family and uses the reader's fonts; its layout leaves room for wider letters.
 
 use ttf_parser::Face;
 
 const INTER: &[u8] = include_bytes!("font/inter-subset.ttf");
 
-/// The family that an SVG asks for.
+/// Font family named in an SVG.
 pub const FAMILY: &str = "Inter, 'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', sans-serif";
 
-/// Letters of other fonts, Inter's being 1.
+/// Width factor that allows for fonts wider than Inter.
 const ROOM: f64 = 1.06;
 
 /// Font of all letters, parsed; `None` if the parser refuses it.
@@ -19,14 +19,14 @@ pub fn face() -> Option<Face<'static>> {
     Face::parse(INTER, 0).ok()
 }
 
-/// The width of a line of text that is safe in other fonts too, px.
+/// Returns the width of a line of text, px, with a margin for other fonts.
 pub fn width(text: &str, size: f64) -> f64 {
-    // Half its size is the mean width of a letter, if ever there is no font.
+    // Without a font, the mean width of a letter is taken as half its size.
     let units = face().map_or(0.5 * text.chars().count() as f64, |face| advance(&face, text));
     units * size * ROOM
 }
 
-/// The width of a line of text in units of its size.
+/// Returns the width of a line of text in units of its size.
 pub fn advance(face: &Face<'_>, text: &str) -> f64 {
     let of = |c: char| {
         glyph(face, c)
@@ -36,12 +36,12 @@ pub fn advance(face: &Face<'_>, text: &str) -> f64 {
     text.chars().map(of).sum()
 }
 
-/// The glyph of a letter; one that the font lacks is shown as an empty box.
+/// Returns the glyph of a letter; a letter that the font lacks is shown as an empty box.
 pub fn glyph(face: &Face<'_>, c: char) -> Option<ttf_parser::GlyphId> {
     face.glyph_index(c).or(Some(ttf_parser::GlyphId(0)))
 }
 
-/// The text, shortened with an ellipsis to what fits.
+/// Returns the text, shortened with an ellipsis if it is wider than `room` px.
 pub fn fitted(text: &str, size: f64, room: f64) -> String {
     if width(text, size) <= room {
         return text.to_owned();

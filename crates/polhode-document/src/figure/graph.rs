@@ -1,4 +1,4 @@
-//! A graph of a worked solution: a curve over an axis, and a level.
+//! Graph of a worked solution: a curve over an axis, and a level line.
 
 use super::axes::{Area, Axes, Axis};
 use super::legend::{Key, heading};
@@ -11,7 +11,7 @@ const HEIGHT: f64 = 300.0;
 const MARGIN: f64 = 10.0;
 
 impl Picture {
-    /// The picture of a graph.
+    /// Returns the picture of a graph.
     pub fn of_graph(graph: &Graph) -> Self {
         let mut sheet = Sheet::new(WIDTH, HEIGHT, graph.title.clone());
         let ([from, to, height], name) = graph.level;

@@ -1,17 +1,17 @@
-//! What stands above a figure: its title, the names of its curves, and what is said of it in words.
+//! Heading of a figure: title, names of the curves, and remarks.
 
 use super::axes::Area;
 use super::font;
 use super::sheet::{Anchor, Colour, LARGE, Mark, Pen, SMALL, Sheet, Text};
 
-/// From a line of text to the next.
+/// Distance between lines of text, px.
 const LINE: f64 = 17.0;
-/// A piece of line beside its name, what is between them, and from one name to the next.
+/// Length of the line sample in front of a name, px.
 const SAMPLE: f64 = 24.0;
 const GAP: f64 = 6.0;
 const SPACE: f64 = 18.0;
 
-/// An entry of a legend.
+/// Entry of a legend.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Key {
     sample: Option<(Pen, bool)>,
@@ -19,23 +19,25 @@ pub struct Key {
 }
 
 impl Key {
-    /// A piece of line and its name.
+    /// Creates an entry with a line sample.
     pub fn line(pen: Pen, name: impl Into<String>) -> Self {
         Self { sample: Some((pen, false)), name: name.into() }
     }
 
-    /// A dot and its name.
+    /// Creates an entry with a dot.
     pub fn dot(pen: Pen, name: impl Into<String>) -> Self {
         Self { sample: Some((pen, true)), name: name.into() }
     }
 
-    /// Words, on lines below those of the curves; they are broken at spaces, and numbers are not.
+    /// Creates a remark, printed below the names of the curves. It is broken at spaces, but not
+    /// inside numbers.
     pub fn words(text: impl Into<String>) -> Self {
         Self { sample: None, name: text.into() }
     }
 }
 
-/// Writes the title of a figure with what it is about at the right, and below them the keys; gives the height used.
+/// Writes the title of a figure, its subject at the right, and the keys below; returns the height
+/// used, px.
 pub fn heading(sheet: &mut Sheet, area: Area, title: &str, subject: &str, keys: &[Key]) -> f64 {
     let base = area.top + LARGE;
     let title_text = font::fitted(title, LARGE, area.width());
@@ -80,13 +82,13 @@ pub fn heading(sheet: &mut Sheet, area: Area, title: &str, subject: &str, keys: 
             y += if k > 0 { LINE } else { 0.0 };
             sheet.text([x, y], Anchor::Start, Colour::TEXT, line);
         }
-        // Nothing begins beside the last of several lines.
+        // A remark of several lines ends its row.
         x += if lines.len() > 1 { area.width() } else { width } + SPACE;
     }
     y - area.top + GAP + 5.0
 }
 
-/// A text in lines of at most this width; a single word that is wider is shortened.
+/// Breaks a text into lines of at most `room` px; a single wider word is shortened.
 fn broken(text: &str, room: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ') {

@@ -1,28 +1,29 @@
-//! Curves without the points that nobody sees.
+//! Curve simplification without visible change.
 //!
-//! Two steps. What falls into one narrow column on its way to the right is its first, least, greatest and last point: that
-//! draws the same pixels, however many samples there are. Of the rest Douglas and Peucker's method keeps those that a
-//! straight line would miss by more than [`SEEN`].
+//! There are two steps. First, the points in one narrow column are reduced to the first, least,
+//! greatest and last point. This draws the same pixels for any number of samples. Then the
+//! Douglas–Peucker algorithm drops the points that deviate from a straight line by at most
+//! [`SEEN`].
 
-/// A place on the sheet.
+/// Position on the sheet, px.
 pub type Point = [f64; 2];
 
-/// The distance that is seen, px.
+/// Largest invisible distance, px.
 pub const SEEN: f64 = 0.1;
 
-/// The width of a column, px.
+/// Width of a column, px.
 const COLUMN: f64 = 0.2;
 
-/// Points that are looked at together: it bounds the time, which may grow as the square.
+/// Number of points simplified together. It bounds the run time, which may be quadratic.
 const PIECE: usize = 512;
 
-/// The points that are seen; those that are not finite are left out.
+/// Returns the visible points of a curve; points that are not finite are dropped.
 pub fn thinned(points: &[Point]) -> Vec<Point> {
     let finite: Vec<Point> = points.iter().copied().filter(|[x, y]| x.is_finite() && y.is_finite()).collect();
     let rises = finite.windows(2).all(|w| matches!(w, [a, b] if a[0] <= b[0]));
     let candidates = if rises { columns(&finite) } else { finite };
     let mut kept: Vec<Point> = Vec::new();
-    // A piece begins with the last point of the one before.
+    // Consecutive pieces share a point.
     let mut rest = candidates.as_slice();
     while rest.len() > 1 {
         let (piece, _) = rest.split_at(rest.len().min(PIECE));
@@ -33,7 +34,7 @@ pub fn thinned(points: &[Point]) -> Vec<Point> {
     if kept.is_empty() { candidates } else { kept }
 }
 
-/// The first, least, greatest and last point of every column, in their order.
+/// Returns the first, least, greatest and last point of every column, in their order.
 fn columns(points: &[Point]) -> Vec<Point> {
     let column = |p: &Point| (p[0] / COLUMN).floor();
     let mut kept = Vec::new();
@@ -54,7 +55,7 @@ fn columns(points: &[Point]) -> Vec<Point> {
     kept
 }
 
-/// Both ends, and every point that the straight lines between those kept would miss.
+/// Returns both ends and every point that deviates from the straight lines between the kept points.
 fn corners(points: &[Point]) -> Vec<Point> {
     let mut keep = vec![false; points.len()];
     let mut spans = vec![(0, points.len().saturating_sub(1))];
@@ -75,7 +76,7 @@ fn corners(points: &[Point]) -> Vec<Point> {
     points.iter().zip(keep).filter_map(|(p, keep)| keep.then_some(*p)).collect()
 }
 
-/// From a point to the straight line between two others, its ends included.
+/// Returns the distance of a point from a line segment.
 pub fn distance([x, y]: Point, [x0, y0]: Point, [x1, y1]: Point) -> f64 {
     let (dx, dy) = (x1 - x0, y1 - y0);
     let length = dx * dx + dy * dy;

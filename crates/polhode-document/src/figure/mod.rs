@@ -1,12 +1,13 @@
-//! Pictures: marks on a sheet, written as SVG or as pixels.
+//! Pictures: marks on a sheet, written as SVG or PNG.
 //!
 //! ```text
 //! Sheet (lines, dots, polygons, text, in px) → SVG, or PNG
 //! ```
 //!
-//! A figure draws marks on a [`sheet::Sheet`] and does not know their format. SVG and PNG show the
-//! same on every machine, as PNG has its own letters. Colours are those of Okabe and Ito, which
-//! differ to every eye. Each curve also has its own dashes, which differ in grey.
+//! A figure draws marks on a [`sheet::Sheet`], independent of the output format. SVG and PNG look
+//! the same; a PNG does not depend on installed fonts. Colours are those of Okabe and Ito,
+//! distinguishable with any colour vision. Each curve also has its own dash pattern, for grey
+//! prints.
 
 pub mod axes;
 mod bars;

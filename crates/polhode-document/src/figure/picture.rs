@@ -1,4 +1,4 @@
-//! A picture, to be written as SVG or PNG.
+//! Picture that can be written as SVG or PNG.
 
 #[cfg(feature = "png")]
 use super::png;
@@ -13,26 +13,26 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Writes SVG. Text stays text, in the reader's sans-serif.
+    /// Returns the picture as SVG. Text remains text in the reader's sans-serif font.
     pub fn to_svg(&self) -> String {
         svg::write(&self.sheet)
     }
 
-    /// Returns the picture with the command that makes it, which is written into the file.
+    /// Returns the picture with the command that made it; the command is written into the file.
     #[must_use]
     pub fn made_by(mut self, command: &str) -> Self {
         self.sheet.maker = Some(command.to_owned());
         self
     }
 
-    /// Returns true if the beginning of a file says that this command made the picture.
+    /// Returns true if the beginning of a file states that this command made the picture.
     pub fn is_made_by(head: &[u8], command: &str) -> bool {
         let holds = |text: &[u8]| head.windows(text.len()).any(|window| window == text);
         holds(format!("<desc>{}</desc>", svg::escaped(command)).as_bytes())
             || holds(&[MAKER.as_bytes(), &[0; 5], command.as_bytes(), b"\n"].concat())
     }
 
-    /// Writes PNG, 288 pixels to an inch, on white.
+    /// Returns the picture as PNG, 288 pixels per inch, on white.
     ///
     /// # Errors
     /// [`png::PngError`] if the picture is too large for the memory.

@@ -1,4 +1,4 @@
-//! A sheet as PNG: pixels of its marks, letters from the font in the program.
+//! PNG writer: pixels of the marks, letters from the embedded font.
 
 use std::fmt;
 
@@ -11,7 +11,7 @@ use ttf_parser::{Face, OutlineBuilder};
 use super::font;
 use super::sheet::{Anchor, Colour, MAKER, Mark, Pen, Point, Sheet, Text};
 
-/// Pixels of a picture to a pixel of CSS, 1/96 in: 288 to an inch.
+/// Pixels per CSS pixel (1/96 in), which gives 288 pixels per inch.
 const SCALE: f32 = 3.0;
 
 /// Reason why a picture cannot be written as PNG.
@@ -19,7 +19,7 @@ const SCALE: f32 = 3.0;
 pub struct PngError(String);
 
 impl PngError {
-    /// Advice for the user.
+    /// Returns advice for the user.
     pub const fn hint(&self) -> &'static str {
         "write SVG"
     }
@@ -47,7 +47,7 @@ pub(super) fn write(sheet: &Sheet) -> Result<Vec<u8>, PngError> {
     encoded(&canvas.pixels, sheet.maker.as_deref()).map_err(|error| failed(&error.to_string()))
 }
 
-/// Opaque pixels as a PNG that says how large they are.
+/// Encodes opaque pixels as a PNG with its physical size.
 fn encoded(pixels: &Pixmap, maker: Option<&str>) -> Result<Vec<u8>, png::EncodingError> {
     let rgb: Vec<u8> = pixels.pixels().iter().flat_map(|p| [p.red(), p.green(), p.blue()]).collect();
     let mut file = Vec::new();
@@ -58,7 +58,7 @@ fn encoded(pixels: &Pixmap, maker: Option<&str>) -> Result<Vec<u8>, png::Encodin
     let unit = png::Unit::Meter;
     encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: per_meter, yppu: per_meter, unit }));
     if let Some(maker) = maker {
-        // With an end, so that no command is the beginning of another.
+        // The line end prevents a match with a longer command.
         encoder.add_itxt_chunk(MAKER.to_owned(), format!("{maker}\n"))?;
     }
     encoder.write_header()?.write_image_data(&rgb)?;
@@ -74,7 +74,7 @@ impl Canvas {
     fn draw(&mut self, mark: &Mark) {
         match mark {
             Mark::Lines { lines, pen } => self.stroke(path(lines, false), pen),
-            // A line without length has round ends: a dot.
+            // A line of almost no length with round ends is a dot.
             Mark::Dots { dots, pen } => {
                 let reach = 1e-3;
                 let lines: Vec<_> = dots.iter().map(|&[x, y]| vec![[x, y], [x + reach, y]]).collect();
@@ -108,7 +108,7 @@ impl Canvas {
         self.pixels.fill_path(&path, paint, FillRule::Winding, Transform::from_scale(SCALE, SCALE), None);
     }
 
-    /// The same light as in `svg.rs`.
+    /// Draws a ball with the same shading as in `svg.rs`.
     fn ball(&mut self, [x, y]: Point, radius: f64) {
         let circle = PathBuilder::from_circle(x as f32, y as f32, radius as f32);
         let part = |cx: f64, cy: f64| {
@@ -176,7 +176,7 @@ fn path(lines: &[Vec<Point>], closed: bool) -> Option<Path> {
     builder.finish()
 }
 
-/// Outlines of letters, in their places.
+/// Outlines of letters at their positions.
 struct Letters {
     builder: PathBuilder,
     at: Point,

@@ -1,15 +1,15 @@
-//! Units with the power of ten that is taken out of their numbers.
+//! Units with a prefix or a power of ten.
 
 use super::ticks::{exponent, power_of_ten, reduced};
 use crate::number::{NO_BREAK, number, typeset};
 use crate::si_prefix::prefixes;
 
-/// With a power of ten that has no prefix in use a factor stands before the unit.
+/// Returns the prefix for a power of ten, if one is in use with the unit.
 fn prefix(exponent: i32, unit: &str) -> Option<&'static str> {
     prefixes(unit).find(|(power, _)| *power == exponent).map(|(_, prefix)| prefix)
 }
 
-/// `mJ`, `10⁻⁶ kg·m²/s`: a unit 10^exponent as large.
+/// Returns the unit 10^exponent × `unit`: `mJ`, `10⁻⁶ kg·m²/s`.
 pub fn unit(exponent: i32, unit: &str) -> String {
     match prefix(exponent, unit) {
         _ if exponent == 0 => unit.to_owned(),
@@ -18,7 +18,8 @@ pub fn unit(exponent: i32, unit: &str) -> String {
     }
 }
 
-/// `3.5214 mJ`, `7.7908×10⁻⁴ kg·m²/s`: a value with at most so many digits, in one piece.
+/// Formats a value with at most `digits` digits and its unit, without line breaks: `3.5214 mJ`,
+/// `7.7908×10⁻⁴ kg·m²/s`.
 pub fn value(x: f64, digits: usize, name: &str) -> String {
     let power = exponent(x);
     let (shown, unit) = match prefix(power, name) {

@@ -1,6 +1,6 @@
-//! Between what values lie.
+//! Range of values.
 
-/// The least and the greatest of what is finite; zeros if nothing is.
+/// Returns the least and the greatest finite value; zeros if there is none.
 pub fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let finite = values.filter(|x| x.is_finite());
     let [least, greatest] =

@@ -1,10 +1,12 @@
-//! Which curves share a vertical axis: those of which none is squashed by the range of the others.
+//! Grouping of curves on common vertical axes, so that no curve is squashed by the range of
+//! another.
 
-/// A curve is squashed if its spread is a smaller part of the common range.
+/// Smallest spread of a curve relative to the common range; below it the curve is squashed.
 const SQUASHED: f64 = 1.0 / 20.0;
 
-/// The curves with these least and greatest values, by numbers, in at most so many groups that share an axis. Groups that can share
-/// one do; their order is that of their first curves.
+/// Groups curves, given their least and greatest values, into at most `most` groups with a common
+/// axis. Returns curve numbers. Groups are merged if no curve is squashed; they are ordered by
+/// their first curve.
 pub fn groups(ranges: &[[f64; 2]], most: usize) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = (0..ranges.len()).map(|k| vec![k]).collect();
     loop {
@@ -31,7 +33,7 @@ pub fn groups(ranges: &[[f64; 2]], most: usize) -> Vec<Vec<usize>> {
     }
 }
 
-/// The least spread of a curve as a part of the range that all have together.
+/// Returns the smallest spread of a curve relative to the common range.
 fn smallest_part(ranges: impl Iterator<Item = [f64; 2]> + Clone) -> f64 {
     let [least, greatest] = ranges
         .clone()
@@ -53,12 +55,12 @@ mod tests {
 
     #[test]
     fn what_would_be_squashed_has_an_axis_of_its_own() {
-        // A spread just below and just above a twentieth of the common range.
+        // The spread is just below and just above 1/20 of the common range.
         assert_eq!(groups(&[[0.0, 20.0], [3.0, 3.97]], 3), [vec![0], vec![1]]);
         assert_eq!(groups(&[[0.0, 20.0], [3.0, 4.03]], 3), [vec![0, 1]]);
-        // Small and far apart from each other.
+        // Small spreads, far apart.
         assert_eq!(groups(&[[3.61, 3.66], [0.07, 0.11]], 3), [vec![0], vec![1]]);
-        // The order is that of the first of each.
+        // Groups are ordered by their first curve.
         assert_eq!(groups(&[[-0.2, 0.3], [0.0, 90.0], [-0.3, 0.1]], 3), [vec![0, 2], vec![1]]);
     }
 

@@ -1,40 +1,40 @@
-//! A sheet: what a picture is made of, before it is SVG or pixels.
+//! Sheet of marks, the common input of the SVG and PNG writers.
 //!
-//! Lengths are CSS pixels, 96 to an inch, y downward. Everything drawn is one of five marks, so that both writers are
-//! short and show the same.
+//! Lengths are in CSS pixels, 96 to an inch, y downward. There are only five kinds of marks. This
+//! keeps both writers short, and their pictures agree.
 
 use super::font;
 use super::line;
 
 pub use super::line::Point;
 
-/// Keyword of the text in a PNG that says how it was made.
+/// Keyword of the PNG text chunk with the command that made the picture.
 pub(super) const MAKER: &str = "Source";
 
-/// Red, green and blue, as 0xrrggbb.
+/// Colour as 0xrrggbb.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Colour(pub u32);
 
 impl Colour {
-    /// Paper.
+    /// Background of the sheet.
     #[cfg(feature = "png")]
     pub const WHITE: Self = Self(0xff_ff_ff);
-    /// Titles, and the curve that a figure is about.
+    /// Colour of titles, and of the main curve of a figure.
     pub const BLACK: Self = Self(0x1f_23_28);
-    /// Ordinary text.
+    /// Colour of ordinary text.
     pub const TEXT: Self = Self(0x3d_44_4d);
-    /// Text that may be overlooked.
+    /// Colour of secondary text.
     pub const FAINT: Self = Self(0x6e_77_81);
-    /// The lines of a grid.
+    /// Colour of grid lines.
     pub const GRID: Self = Self(0xe3_e7_eb);
-    /// The frame of a plot.
+    /// Colour of the frame of a plot.
     pub const FRAME: Self = Self(0x81_8b_98);
-    /// Of axes 1, 2 and 3, by Okabe and Ito: different to every eye.
+    /// Colours of axes 1, 2 and 3, by Okabe and Ito: distinguishable with any colour vision.
     pub const AXES: [Self; 3] = [Self(0x00_72_b2), Self(0xd5_5e_00), Self(0x00_9e_73)];
-    /// Theirs too.
+    /// Orange of the same palette.
     pub const ORANGE: Self = Self(0xe6_9f_00);
 
-    /// Red, green and blue, each from 0 to 255.
+    /// Returns red, green and blue, each from 0 to 255.
     #[cfg(feature = "png")]
     pub const fn rgb(self) -> [u8; 3] {
         let [_, r, g, b] = self.0.to_be_bytes();
@@ -42,36 +42,37 @@ impl Colour {
     }
 }
 
-/// How a line is drawn.
+/// Style of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pen {
     /// Colour of the line.
     pub colour: Colour,
     /// Width, px.
     pub width: f64,
-    /// Lengths drawn and left out by turns; empty for a whole line.
+    /// Alternating lengths of dashes and gaps, px; empty for a solid line.
     pub dash: &'static [f64],
     /// Opacity, from 0 to 1.
     pub opacity: f64,
 }
 
 impl Pen {
-    /// Whole, opaque line.
+    /// Returns a solid, opaque pen; `width` in px.
     pub const fn solid(colour: Colour, width: f64) -> Self {
         Self { colour, width, dash: &[], opacity: 1.0 }
     }
 
-    /// The same pen with dashes.
+    /// Returns the pen with dashes.
     pub const fn dashed(self, dash: &'static [f64]) -> Self {
         Self { dash, ..self }
     }
 
-    /// The same pen with an opacity.
+    /// Returns the pen with an opacity, from 0 to 1.
     pub const fn faint(self, opacity: f64) -> Self {
         Self { opacity, ..self }
     }
 
-    /// Of the component along axis k = 0, 1, 2: its colour, and dashes of its own, which are there in grey too.
+    /// Returns the pen for the component along axis k = 0, 1, 2: its colour, and its dash pattern
+    /// for grey prints.
     pub fn axis(k: usize) -> Self {
         let dash: [&[f64]; 3] = [&[7.0, 2.5], &[], &[1.6, 2.4]];
         let pen = Self::solid(Colour::AXES.get(k).copied().unwrap_or(Colour::BLACK), 1.5);
@@ -79,100 +80,100 @@ impl Pen {
     }
 }
 
-/// On which side of its place a text stands.
+/// Alignment of a text relative to its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Anchor {
-    /// The text begins at its place.
+    /// The text begins at its position.
     Start,
-    /// The middle of the text is at its place.
+    /// The middle of the text is at its position.
     Middle,
-    /// The text ends at its place.
+    /// The text ends at its position.
     End,
 }
 
-/// A line of text; its place is on the base line.
+/// Line of text, positioned on its baseline.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Text {
-    /// Place on the base line.
+    /// Position on the baseline, px.
     pub at: Point,
-    /// Point of the text that is at its place.
+    /// Alignment relative to the position.
     pub anchor: Anchor,
     /// Size of the letters, px.
     pub size: f64,
     /// Colour of the letters.
     pub colour: Colour,
-    /// Read from below.
+    /// True for text rotated by 90°, read from bottom to top.
     pub upward: bool,
-    /// Surrounded by white, where it stands on lines.
+    /// True for text with a white outline, for text on lines.
     pub halo: bool,
-    /// The text itself, one line.
+    /// Text, one line.
     pub content: String,
 }
 
-/// What a sheet is made of.
+/// Element of a sheet.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mark {
     /// Curves.
     Lines {
         /// Points of each curve.
         lines: Vec<Vec<Point>>,
-        /// Pen of all of them.
+        /// Pen of all curves.
         pen: Pen,
     },
-    /// Round dots as wide as the pen.
+    /// Round dots, as wide as the pen.
     Dots {
-        /// Middle of each dot.
+        /// Centre of each dot.
         dots: Vec<Point>,
-        /// Pen, as wide as the dots.
+        /// Pen; its width is the diameter.
         pen: Pen,
     },
-    /// A filled polygon.
+    /// Filled polygon.
     Polygon {
-        /// Its corners.
+        /// Corners, px.
         corners: Vec<Point>,
-        /// Its colour.
+        /// Fill colour.
         fill: Colour,
-        /// Its opacity, from 0 to 1.
+        /// Opacity, from 0 to 1.
         opacity: f64,
     },
-    /// A ball with a light on it.
+    /// Shaded ball.
     Ball {
-        /// Its middle.
+        /// Centre, px.
         center: Point,
-        /// Its radius, px.
+        /// Radius, px.
         radius: f64,
     },
-    /// A line of text.
+    /// Line of text.
     Text(Text),
 }
 
-/// Marks in the order in which they are drawn.
+/// Sheet of marks, in drawing order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sheet {
     /// Width, px.
     pub width: f64,
     /// Height, px.
     pub height: f64,
-    /// What readers of the screen are told.
+    /// Title for screen readers.
     pub title: String,
-    /// The marks.
+    /// Marks in drawing order.
     pub marks: Vec<Mark>,
-    /// The command that made it.
+    /// Command that made the picture.
     pub maker: Option<String>,
 }
 
-/// Sizes of text.
+/// Size of titles, px.
 pub const LARGE: f64 = 13.5;
 /// Size of ordinary text, px.
 pub const SMALL: f64 = 11.5;
 
 impl Sheet {
-    /// Empty sheet.
+    /// Creates an empty sheet; sizes in px.
     pub fn new(width: f64, height: f64, title: String) -> Self {
         Self { width, height, title, marks: Vec::new(), maker: None }
     }
 
-    /// Draws curves, without the points that are not seen.
+    /// Draws curves without their invisible points.
     pub fn lines(&mut self, lines: impl IntoIterator<Item = Vec<Point>>, pen: Pen) {
         let thinned = lines.into_iter().map(|points| line::thinned(&points));
         let lines: Vec<_> = thinned.filter(|points| points.len() > 1).collect();
@@ -181,7 +182,7 @@ impl Sheet {
         }
     }
 
-    /// Draws a curve, without the points that are not seen.
+    /// Draws a curve without its invisible points.
     pub fn line(&mut self, points: Vec<Point>, pen: Pen) {
         self.lines([points], pen);
     }
@@ -202,19 +203,19 @@ impl Sheet {
         self.line((0..=360).map(at).collect(), pen);
     }
 
-    /// Writes a line of ordinary text.
+    /// Draws a line of ordinary text.
     pub fn text(&mut self, at: Point, anchor: Anchor, colour: Colour, content: &str) {
         self.marks.push(Mark::Text(Text::small(at, anchor, colour, content)));
     }
 }
 
 impl Text {
-    /// A line of ordinary text.
+    /// Creates a line of ordinary text.
     pub fn small(at: Point, anchor: Anchor, colour: Colour, content: &str) -> Self {
         Self { at, anchor, size: SMALL, colour, upward: false, halo: false, content: content.to_owned() }
     }
 
-    /// Where it begins and ends along its base line, from its place.
+    /// Returns the start and end along the baseline, relative to the position, px.
     pub fn extent(&self) -> [f64; 2] {
         let width = font::width(&self.content, self.size);
         match self.anchor {

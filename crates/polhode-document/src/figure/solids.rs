@@ -1,4 +1,4 @@
-//! Boxes in space: three views along axes, and one from aside, all of one scale.
+//! Boxes in space: three orthogonal views of the same scale, and one oblique view.
 
 use super::axes::Area;
 use super::legend::{Key, heading};
@@ -10,20 +10,21 @@ use crate::layout::printable;
 const WIDTH: f64 = 640.0;
 const MARGIN: f64 = 10.0;
 const GAP: f64 = 22.0;
-/// What stands above each view.
+/// Height of the title of a view, px.
 const TITLE: f64 = 26.0;
-/// A view from aside has a row of its own if it would be lower than this.
+/// Smallest height of the oblique view, px; if it would be lower, it gets a row of its own.
 const LOW: f64 = 170.0;
-/// Angles from which one looks aside, rad.
+/// Azimuth of the oblique view, rad.
 const TURNED: f64 = 0.6;
 const RAISED: f64 = 0.42;
-/// How far a principal axis reaches beyond the body, as a part of the longest extent.
+/// Length of a principal axis beyond the body, relative to the longest extent.
 const BEYOND: f64 = 0.05;
-/// A part without extent is as large as this part of it.
+/// Drawn size of a part without extent, relative to the longest extent.
 const POINT: f64 = 0.012;
 const NAMES: [&str; 3] = ["x", "y", "z"];
 
-/// Colours of groups, different to every eye; the last is of what is in none.
+/// Colours of groups, distinguishable with any colour vision; the last is for parts without a
+/// group.
 const COLOURS: [Colour; 8] = [
     Colour(0x56_b4_e9),
     Colour(0xe6_9f_00),
@@ -39,7 +40,7 @@ pub(super) fn colour(group: usize) -> Colour {
     COLOURS.get(group).copied().unwrap_or(COLOURS[7])
 }
 
-/// A way to look at space: unit vectors to the right, upward and to the eye.
+/// Viewing direction: unit vectors to the right, upward and toward the viewer.
 #[derive(Clone, Copy, Debug)]
 struct View([[f64; 3]; 3]);
 
@@ -63,7 +64,7 @@ pub(super) fn sheet(all: &Solids) -> Sheet {
     let box_of_all = ends(all, &View(UNIT));
     let size = |axis: usize| box_of_all[axis][1] - box_of_all[axis][0];
     let extent = (0..3).map(size).fold(0.0, f64::max);
-    // The longest axis lies, z stands if it may.
+    // The longest axis is horizontal, and z is vertical if possible.
     let a = (0..3).fold(0, |a, k| if size(k) > 1.2 * size(a) { k } else { a });
     let (b, c) = [(1, 2), (0, 2), (0, 1)][a.min(2)];
     let [front, above, side] = [view([a, c]), view([a, b]), view([b, c])];
@@ -104,7 +105,7 @@ pub(super) fn sheet(all: &Solids) -> Sheet {
     sheet
 }
 
-/// A length in numbers, up to a point.
+/// Draws a scale bar with its length, right-aligned at a point.
 fn scale_bar(extent: f64, scale: f64, [right, base]: Point, sheet: &mut Sheet) {
     if !(extent > 0.0) {
         return;
@@ -128,7 +129,7 @@ fn view([right, up]: [usize; 2]) -> View {
     View([UNIT[right], UNIT[up], cross(UNIT[right], UNIT[up])])
 }
 
-/// From the front, to the right and from above.
+/// Returns the oblique view, from the front, the right and above.
 fn aside([a, b, c]: [usize; 3]) -> View {
     let (sin, cos) = TURNED.sin_cos();
     let right = plus(UNIT[a], cos, UNIT[b], sin);
@@ -138,12 +139,12 @@ fn aside([a, b, c]: [usize; 3]) -> View {
     View([right, cross(eye, right), eye])
 }
 
-/// `x to the right, z upward`
+/// Returns the title of a view: `x to the right, z upward`.
 fn words(right: usize, up: usize) -> String {
     format!("{} to the right, {} upward", NAMES[right], NAMES[up])
 }
 
-/// From the least to the greatest along each axis of a view.
+/// Returns the range along each axis of a view.
 fn ends(all: &Solids, view: &View) -> [[f64; 2]; 3] {
     let none = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
     let points = all.solids.iter().flat_map(corners).chain(axes(all).into_iter().flatten()).chain([[0.0; 3]]);
@@ -152,7 +153,7 @@ fn ends(all: &Solids, view: &View) -> [[f64; 2]; 3] {
         .fold(none, |ends, at| core::array::from_fn(|k| [ends[k][0].min(at[k]), ends[k][1].max(at[k])]))
 }
 
-/// Both ends of each principal axis: some way beyond the body.
+/// Returns both ends of each principal axis, beyond the body.
 fn axes(all: &Solids) -> [[[f64; 3]; 2]; 3] {
     let points = || all.solids.iter().flat_map(corners).chain([all.center]);
     let reach = |axis: [f64; 3]| {
@@ -180,7 +181,7 @@ fn corner(solid: &Solid, sides: [f64; 3]) -> [f64; 3] {
     at
 }
 
-/// A face that is turned to the eye, how near it is and how much light it has.
+/// Face turned to the viewer, with its depth and brightness.
 struct Face {
     near: f64,
     light: f64,
@@ -193,7 +194,7 @@ fn faces(solid: &Solid, view: &View) -> Vec<Face> {
     for k in 0..3 {
         let toward = dot(view.0[2], solid.halves[k]);
         let size = dot(solid.halves[k], solid.halves[k]).sqrt();
-        // An edge-on face is not seen; of a plate without thickness its sides are.
+        // An edge-on face is invisible. A plate without thickness keeps its large faces.
         if size > 0.0 && toward.abs() < 1e-9 * size {
             continue;
         }
@@ -232,7 +233,7 @@ fn draw(all: &Solids, view: &View, at: impl Fn([f64; 3]) -> Point, extent: f64, 
     for (k, ends) in axes(all).into_iter().enumerate() {
         let [far, near] = ends.map(|end| at(view.place(end)));
         sheet.line(vec![far, near], axis_pen(k));
-        // An axis toward the eye has no end that could be named.
+        // An axis toward the viewer has no visible end for a name.
         if (near[0] - center[0]).hypot(near[1] - center[1]) > 14.0 {
             let name = Text::small(
                 [near[0], near[1] - 4.0],
@@ -275,7 +276,7 @@ fn cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
-/// s a + t b
+/// Returns s a + t b.
 fn plus(a: [f64; 3], s: f64, b: [f64; 3], t: f64) -> [f64; 3] {
     core::array::from_fn(|k| s * a[k] + t * b[k])
 }

@@ -1,11 +1,11 @@
-//! A sheet as SVG: plain attributes, no style sheet, so that every program reads it.
+//! SVG writer. It uses plain attributes and no style sheet, for the widest support.
 
 use std::fmt::Write as _;
 
 use super::font::FAMILY;
 use super::sheet::{Anchor, Colour, Mark, Pen, Point, SMALL, Sheet, Text};
 
-/// Writes a sheet as SVG.
+/// Returns a sheet as SVG.
 pub fn write(sheet: &Sheet) -> String {
     let (width, height) = (length(sheet.width), length(sheet.height));
     let maker =
@@ -55,7 +55,8 @@ fn stroke(pen: &Pen) -> String {
     text
 }
 
-/// The same light as in `png.rs`; the id is that of the place, so that two balls do not share it.
+/// Draws a ball with the same shading as in `png.rs`. The gradient id contains the position, so
+/// each ball has its own.
 fn ball(x: f64, y: f64, radius: f64) -> String {
     let id = format!("ball-{x:.0}-{y:.0}");
     let [x, y, r] = [x, y, radius].map(length);
@@ -92,7 +93,7 @@ fn path(points: &[Point]) -> String {
     format!("M{}", corners.join("L"))
 }
 
-/// To the hundredth of a pixel, without trailing zeros.
+/// Formats a length to 0.01 px without trailing zeros.
 fn length(x: f64) -> String {
     let text = format!("{x:.2}");
     let short = text.trim_end_matches('0').trim_end_matches('.');
@@ -103,7 +104,7 @@ fn hex(Colour(rgb): Colour) -> String {
     format!("#{rgb:06x}")
 }
 
-/// Text that no reader of XML takes for anything else; what XML cannot hold is a replacement sign.
+/// Escapes a text for XML; characters that XML cannot contain become U+FFFD.
 pub fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for c in text.chars() {

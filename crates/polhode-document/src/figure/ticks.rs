@@ -1,15 +1,16 @@
-//! Where an axis is marked: steps of 1, 2 or 5 times a power of ten, and what stands beside them.
+//! Ticks of an axis: steps of 1, 2 or 5 times a power of ten, and their labels.
 
-/// The marks of an axis whose values are near 1: those of one that are not are divided by a power of ten first.
+/// Ticks of an axis with values of order 1; other values are divided by a power of ten first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ticks {
-    /// Numbers at which the ticks are.
+    /// Values at the ticks.
     pub values: Vec<f64>,
-    /// Text of each number.
+    /// Label of each tick.
     pub labels: Vec<String>,
 }
 
-/// The power of ten, a multiple of three, that is taken out of numbers up to `largest`: 0 from 0.01 up to 10 000.
+/// Returns the power of ten, a multiple of three, to divide out of numbers up to `largest`: 0 from
+/// 0.01 to 10 000.
 pub fn exponent(largest: f64) -> i32 {
     let largest = largest.abs();
     if !(largest > 0.0 && largest.is_finite()) || (0.01..10_000.0).contains(&largest) {
@@ -19,26 +20,27 @@ pub fn exponent(largest: f64) -> i32 {
     power.div_euclid(3) * 3
 }
 
-/// x / 10^exponent, for every exponent of an f64.
+/// Returns x / 10^exponent, without overflow for any exponent of an f64.
 pub fn reduced(x: f64, exponent: i32) -> f64 {
     let half = exponent / 2;
     x / 10_f64.powi(half) / 10_f64.powi(exponent - half)
 }
 
 impl Ticks {
-    /// About `count` marks from `least` to `greatest`.
+    /// Creates about `count` ticks from `least` to `greatest`.
     pub fn linear(least: f64, greatest: f64, count: f64) -> Self {
         let step = step((greatest - least) / count.max(1.0));
         let decimals = (-step.log10().floor()).clamp(0.0, 17.0) as usize;
         let (first, last) = ((least / step - 1e-9).ceil(), (greatest / step + 1e-9).floor());
-        // Wherever it lies: a plot has some ten marks.
+        // Guards against a very large count; a plot has about ten ticks.
         let count = if (last - first) < 1000.0 { (last - first) as u32 } else { 0 };
         let values: Vec<f64> = (0..=count).map(|k| (first + f64::from(k)) * step).collect();
         let labels = values.iter().map(|&x| label(x, decimals)).collect();
         Self { values, labels }
     }
 
-    /// Powers of ten from 10^least to 10^greatest, at most `most` of them; values are exponents.
+    /// Creates at most `most` ticks at powers of ten from 10^least to 10^greatest; the values are
+    /// the exponents.
     pub fn powers(least: i32, greatest: i32, most: i32) -> Self {
         let step = ((greatest - least) / most.max(1) + 1).max(1);
         let powers: Vec<i32> = (least..=greatest).filter(|power| power.rem_euclid(step) == 0).collect();
@@ -49,10 +51,10 @@ impl Ticks {
     }
 }
 
-/// Of 1, 2 and 5 times the powers of ten the one that is nearest to x as a ratio.
+/// Returns the number 1, 2 or 5 times a power of ten that is closest to x as a ratio.
 fn step(x: f64) -> f64 {
     let power = 10_f64.powi(x.log10().floor().clamp(-300.0, 300.0) as i32);
-    // Between two of them the border is their geometric mean.
+    // The boundary between two candidates is their geometric mean.
     let step = match x / power {
         part if part < 2.0_f64.sqrt() => 1.0,
         part if part < 10.0_f64.sqrt() => 2.0,
@@ -62,14 +64,14 @@ fn step(x: f64) -> f64 {
     step * power
 }
 
-/// A number with so many decimals, and with the sign that is as wide as a plus.
+/// Formats a number with `decimals` decimals and a typographic minus sign.
 fn label(x: f64, decimals: usize) -> String {
     let text = format!("{x:.decimals$}");
     let is_zero = text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
     if is_zero { "0".to_owned() } else { text.replace('-', "−") }
 }
 
-/// `10⁻¹⁵`; 1 for the power 0.
+/// Formats a power of ten as `10⁻¹⁵`; 1 for the power 0.
 pub fn power_of_ten(power: i32) -> String {
     const HIGH: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     if power == 0 {

@@ -1,4 +1,4 @@
-//! The triangle of moments: all possible bodies, and a magnified part of it around the one that was found.
+//! Triangle of moments: all physical bodies, and an enlarged part around the body found.
 
 use polhode::body::{MOMENT_TRIANGLE, place_in_moment_triangle, possible_ratios};
 
@@ -11,14 +11,14 @@ use crate::drawing::Triangle;
 const WIDTH: f64 = 640.0;
 const HEIGHT: f64 = 366.0;
 const MARGIN: f64 = 10.0;
-/// The side of the triangle, and of the magnified part.
+/// Side of the triangle, px.
 const SIDE: f64 = 270.0;
 const PART: f64 = 226.0;
-/// The foot of the triangle.
+/// Lower edge of the triangle, px.
 const FOOT: f64 = 326.0;
-/// Of regions wider than this part of the triangle nothing is magnified.
+/// Largest region that is enlarged, relative to the triangle.
 const WIDE: f64 = 0.45;
-/// How much larger the magnified part is than the largest region.
+/// Size of the enlarged part relative to the largest region.
 const ROOM: f64 = 1.35;
 
 const DOT: Pen = Pen::solid(Colour::BLACK, 5.0);
@@ -76,7 +76,7 @@ pub(super) fn sheet(triangle: &Triangle) -> Sheet {
     sheet
 }
 
-/// The whole triangle with what its places are.
+/// Draws the whole triangle with the meaning of its corners and edges.
 fn all_bodies(sheet: &mut Sheet, at: impl Fn(Point) -> Point) {
     let corners = MOMENT_TRIANGLE.map(&at);
     let middle = place_in_moment_triangle([1.0; 3]);
@@ -106,14 +106,14 @@ fn draw_regions(sheet: &mut Sheet, regions: &[(f64, Vec<Point>)], at: impl Fn(Po
     }
 }
 
-/// A square of the triangle: its middle and half its side.
+/// Square part of the triangle: centre and half side.
 #[derive(Clone, Copy, Debug)]
 struct Window {
     middle: Point,
     half: f64,
 }
 
-/// The square around an outline; `None` if it is a large part of the triangle.
+/// Returns the square around an outline; `None` if it covers a large part of the triangle.
 fn window(outline: &[Point]) -> Option<Window> {
     let ends = |c: usize| {
         outline
@@ -126,7 +126,7 @@ fn window(outline: &[Point]) -> Option<Window> {
     (half > 0.0 && 2.0 * half < WIDE).then_some(Window { middle, half })
 }
 
-/// i1/i3 and i2/i3 at a place of the triangle, and a little outside.
+/// Returns i1/i3 and i2/i3 at a position in the triangle, also slightly outside.
 fn ratios([x, y]: Point) -> [f64; 2] {
     let third = y / MOMENT_TRIANGLE[2][1];
     let second = x - 0.5 * third;
@@ -139,7 +139,7 @@ impl Window {
         [[x - half, y - half], [x + half, y - half], [x + half, y + half], [x - half, y + half]]
     }
 
-    /// Where it is on the whole triangle.
+    /// Marks the square on the whole triangle.
     fn mark(self, sheet: &mut Sheet, at: impl Fn(Point) -> Point) {
         let [x, y] = at(self.middle);
         let half = (self.half * SIDE).max(5.0);
@@ -172,7 +172,7 @@ impl Window {
         let words = format!("{} times as large", crate::number::number(scale / SIDE, 2));
         let [x, y] = frame[3];
         sheet.text([x + PART, y - 5.0], Anchor::End, Colour::FAINT, &words);
-        // a corner of the square in which there is no body
+        // A corner of the square without physical bodies.
         if let Some([x, y]) = self
             .corners()
             .into_iter()
@@ -185,7 +185,8 @@ impl Window {
         }
     }
 
-    /// Lines along which a ratio is the same, with its value: i1/i3 where they leave the square at the right, i2/i3 at the left.
+    /// Draws lines of constant ratio with their values: i1/i3 labelled at the right edge of the
+    /// square, i2/i3 at the left.
     fn level_lines(
         self,
         sheet: &mut Sheet,
@@ -199,7 +200,7 @@ impl Window {
         let ends = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(*v), b.max(*v)]);
         let Ticks { values: levels, labels } = Ticks::linear(ends[0], ends[1], 6.0);
         for (level, label) in levels.iter().zip(&labels) {
-            // (r − level) times what is positive is linear in the place
+            // (r − level) times a positive factor is linear in the position.
             let height = |place: Point| (ratios(place)[k] - level) * (1.0 - place[1] / MOMENT_TRIANGLE[2][1]);
             let mut line: Vec<Point> = Vec::new();
             for (i, &here) in corners.iter().enumerate() {
@@ -253,7 +254,7 @@ mod tests {
         for words in ["no body", "times as large", "rod along 1", "68 %, in the outer with 95 %"] {
             assert!(svg.contains(words), "{words}: {svg}");
         }
-        // without regions there is nothing to magnify
+        // Without regions there is nothing to enlarge.
         let svg = super::super::svg::write(&sheet(&Triangle {
             ratios: [0.5, 0.8],
             regions: Vec::new(),

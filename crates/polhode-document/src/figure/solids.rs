@@ -248,7 +248,7 @@ fn draw(all: &Solids, view: &View, at: impl Fn([f64; 3]) -> Point, extent: f64, 
     sheet.dots(vec![center], Pen::solid(Colour::BLACK, 6.0));
 }
 
-/// Its axes from its origin.
+/// Draws the body axes at the origin.
 fn frame_of_the_body(view: &View, at: &impl Fn([f64; 3]) -> Point, extent: f64, sheet: &mut Sheet) {
     let origin = at(view.place([0.0; 3]));
     for (axis, name) in UNIT.iter().zip(NAMES) {

@@ -1,4 +1,5 @@
-//! What acts on the members of an ensemble: torques, some of which Python computes, wheels and events.
+//! Torques, wheels and events of the members of an ensemble; Python functions may compute some of
+//! them.
 
 use std::path::{Path, PathBuf};
 
@@ -11,29 +12,32 @@ use pyo3::prelude::*;
 use crate::error::{Raise, refused};
 use crate::scenario::{Raised, function, measured, measuring, vectorized};
 
-/// A torque that Python computes: whether it is along space axes, a function, and whether that is of many members at once.
+/// Torque computed in Python: true for components along space axes, the function, and true if one
+/// call handles many members.
 pub(crate) type PythonTorque = (bool, Py<PyAny>, bool);
 
-/// What an event measures that Python computes: whether it depends on the body, and a function.
+/// Event measure computed in Python: true if it depends on the body, and the function.
 pub(crate) type PythonMeasure = (bool, Py<PyAny>);
 
-/// All that Python computes: torques, and what events measure.
+/// Torques and event measures computed in Python.
 pub(crate) type PythonFunctions = (Vec<PythonTorque>, Vec<PythonMeasure>);
 
-/// Which torques functions take the place of, and which of the functions these are; the same of what events measure.
+/// Assignments of Python functions: (number of the torque, number of the function), and the same
+/// for event measures.
 pub(crate) type Placed = (Vec<(usize, usize)>, Vec<(usize, usize)>);
 
-/// What acts on members: what messages call it, the text of `[[torque]]`s, that of `[[wheel]]`s and `[[event]]`s, and what functions take the place of.
+/// Actions on members: their name in messages, the TOML of `[[torque]]`s, the TOML of `[[wheel]]`s
+/// and `[[event]]`s, and the assigned functions.
 pub(crate) type PythonActions = (PathBuf, String, String, Placed);
 
-/// What Python computes.
+/// Python functions of an ensemble.
 #[derive(Clone, Debug)]
 pub(crate) struct Functions {
     torques: Vec<TorqueModel>,
     measures: Vec<EventFunction>,
-    /// By one of them.
+    /// Exception raised by one of the functions.
     pub(crate) raised: Raised,
-    /// Whether Python computes something for one member at a time: it does so for no two of them at once.
+    /// True if a function is called for one member at a time; such calls never run in parallel.
     pub(crate) is_called: bool,
 }
 
@@ -51,7 +55,7 @@ impl Functions {
         Self { torques, measures, raised, is_called }
     }
 
-    /// Puts them in the place of some torques, and of what some events measure.
+    /// Replaces the assigned torques and event measures by Python functions.
     pub(crate) fn replace(
         &self,
         torques: &mut [TorqueModel],
@@ -74,7 +78,7 @@ impl Functions {
     }
 }
 
-/// What acts on some members.
+/// Actions that several members share.
 pub(crate) struct SharedActions {
     pub(crate) actions: Actions,
     torques: Vec<TorqueModel>,
@@ -96,7 +100,7 @@ impl SharedActions {
         Ok(Self { actions, torques, events })
     }
 
-    /// The member that they act on.
+    /// Creates a member with these actions.
     pub(crate) fn on(&self, rotor: Rotor, start: State) -> Member {
         let switched_off = self.actions.scenario().switched_off().to_vec();
         Member::new(rotor, self.torques.clone(), start)
@@ -105,7 +109,7 @@ impl SharedActions {
     }
 }
 
-/// The torques of a text that holds nothing else, on a free body.
+/// Reads the torques of a text without other tables, for a free body.
 pub(crate) fn read_torques(text: &str) -> PyResult<Vec<TorqueModel>> {
     require_torques(text)?;
     let actions =
@@ -116,10 +120,10 @@ pub(crate) fn read_torques(text: &str) -> PyResult<Vec<TorqueModel>> {
     Err(refused("torques may hold [[torque]] tables only, of free bodies, all switched on", None))
 }
 
-/// Refuses a text of torques with other tables.
+/// Refuses a text of torques that has other tables.
 fn require_torques(text: &str) -> PyResult<()> {
     let known = ["torque", "orbit"];
-    // What is no TOML is said with its place by whoever reads it.
+    // Syntax errors are reported later, with their place, by the reader of the text.
     let tables = toml::from_str::<toml::Table>(text).unwrap_or_default();
     if tables.keys().all(|key| known.contains(&key.as_str())) {
         return Ok(());

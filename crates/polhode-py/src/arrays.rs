@@ -1,7 +1,7 @@
-//! Numbers of Rust as arrays of NumPy.
+//! Conversion between Rust and NumPy arrays.
 //!
-//! What comes in is checked in Python (`_arrays.py`): here an array has its shape, its numbers are finite and lie in order. What
-//! goes out gives its memory away, and is not copied.
+//! Python checks the inputs (`_arrays.py`): arrays have the required shape, and finite, contiguous
+//! numbers. Outputs transfer their memory to NumPy without a copy.
 
 use numpy::ndarray::{Array2, Array3};
 use numpy::{
@@ -13,10 +13,11 @@ use pyo3::prelude::*;
 
 use crate::error::refused;
 
-/// Says whether there is memory for so many elements, as an allocation that fails ends the process.
+/// Checks that memory for `count` elements is available, because a failed allocation ends the
+/// process.
 ///
 /// # Errors
-/// `MemoryError`, as NumPy raises it.
+/// `MemoryError`, as in NumPy.
 pub(crate) fn room<T>(what: &str, count: Option<usize>) -> PyResult<()> {
     match count.map(|count| Vec::<T>::new().try_reserve_exact(count)) {
         Some(Ok(())) => Ok(()),
@@ -24,12 +25,12 @@ pub(crate) fn room<T>(what: &str, count: Option<usize>) -> PyResult<()> {
     }
 }
 
-/// A vector, or a quaternion.
+/// Returns a vector or quaternion as a 1-D array.
 pub(crate) fn row<'py, const N: usize>(py: Python<'py>, row: [f64; N]) -> Bound<'py, PyArray1<f64>> {
     PyArray1::from_slice(py, &row)
 }
 
-/// A matrix.
+/// Returns rows as a 2-D array.
 pub(crate) fn matrix<'py, const N: usize>(
     py: Python<'py>,
     rows: &[[f64; N]],
@@ -37,7 +38,8 @@ pub(crate) fn matrix<'py, const N: usize>(
     table(py, rows.as_flattened().to_vec(), N)
 }
 
-/// The same, or a refusal where an element overflowed: what the matrix is said to be, and a hint.
+/// Returns a 3 × 3 matrix, or an error with the message `otherwise` and a hint if an element is not
+/// finite.
 pub(crate) fn finite_matrix<'py>(
     py: Python<'py>,
     rows: &[[f64; 3]],
@@ -51,7 +53,7 @@ pub(crate) fn finite_matrix<'py>(
     }
 }
 
-/// Rows of so many columns.
+/// Returns numbers as a 2-D array with `columns` columns.
 pub(crate) fn table<'py>(
     py: Python<'py>,
     numbers: Vec<f64>,
@@ -63,7 +65,7 @@ pub(crate) fn table<'py>(
     Ok(table.into_pyarray(py))
 }
 
-/// Matrices one behind the other.
+/// Returns numbers as a 3-D array of this shape.
 pub(crate) fn cube<'py>(
     py: Python<'py>,
     numbers: Vec<f64>,
@@ -73,12 +75,12 @@ pub(crate) fn cube<'py>(
     Ok(cube.into_pyarray(py))
 }
 
-/// The numbers of an array, where they lie.
+/// Returns the elements of an array without a copy.
 pub(crate) fn numbers<'a>(array: &'a PyReadonlyArray1<'_, f64>) -> PyResult<&'a [f64]> {
     array.as_slice().map_err(|error| refused(error.to_string(), None))
 }
 
-/// The rows of an array, where they lie.
+/// Returns the rows of an array without a copy.
 pub(crate) fn rows<'a, const N: usize>(array: &'a PyReadonlyArray2<'_, f64>) -> PyResult<&'a [[f64; N]]> {
     let numbers = array.as_slice().map_err(|error| refused(error.to_string(), None))?;
     match numbers.as_chunks() {
@@ -87,7 +89,7 @@ pub(crate) fn rows<'a, const N: usize>(array: &'a PyReadonlyArray2<'_, f64>) -> 
     }
 }
 
-/// The rows of an array that is to be filled, where they lie.
+/// Returns the rows of an output array, to be filled in place.
 pub(crate) fn rows_mut<'a, const N: usize>(
     array: &'a mut PyReadwriteArray2<'_, f64>,
 ) -> PyResult<&'a mut [[f64; N]]> {
@@ -98,9 +100,11 @@ pub(crate) fn rows_mut<'a, const N: usize>(
     }
 }
 
-/// q and −q are one attitude: of a row of quaternions the first has w ≥ 0, each of the others the sign nearest to the one before it.
+/// Chooses between q and −q, which are the same attitude. The first quaternion of a sequence gets w
+/// ≥ 0, each other one the sign closest to its predecessor.
 ///
-/// What a quaternion is compared with is the one before as it came, so that only a bit of each is waited for by the next.
+/// Each quaternion is compared with its predecessor before the sign change. Only one bit therefore
+/// depends on the previous step, and the loop runs fast.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Signs {
     before: Option<[f64; 4]>,
@@ -108,7 +112,7 @@ pub(crate) struct Signs {
 }
 
 impl Signs {
-    /// The next quaternions.
+    /// Chooses the signs of the next quaternions.
     pub(crate) fn sign(&mut self, rows: &mut [[f64; 4]]) {
         let mut signs = *self;
         for wxyz in rows {
@@ -117,11 +121,11 @@ impl Signs {
         *self = signs;
     }
 
-    /// The next quaternion, or its negative.
+    /// Returns the next quaternion or its negative.
     #[inline]
     pub(crate) fn signed(&mut self, wxyz: [f64; 4]) -> [f64; 4] {
         let along: f64 = match self.before {
-            // The first component that is not zero decides.
+            // The first nonzero component decides.
             None => wxyz.into_iter().find(|c| *c != 0.0).unwrap_or_default(),
             Some(before) => before.iter().zip(wxyz).map(|(a, b)| a * b).sum(),
         };
@@ -131,10 +135,11 @@ impl Signs {
     }
 }
 
-/// Angular velocities, a row each, and attitudes.
+/// Angular velocities (n, 3) and attitudes (n, 4).
 pub(crate) type States<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>);
 
-/// Of the computation and of the last bit of the inputs: the attitude's error, rad, and ω's, relative.
+/// Error estimates from the computation and from input rounding: attitude error, rad, and relative
+/// error of ω.
 pub(crate) type ErrorColumns<'py> = [[Bound<'py, PyArray1<f64>>; 2]; 2];
 
 pub(crate) fn error_columns<'py>(py: Python<'py>, estimate: &GlobalError) -> ErrorColumns<'py> {

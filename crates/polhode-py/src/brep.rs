@@ -1,4 +1,4 @@
-//! Solids that somebody else has measured: of STEP files, by OpenCASCADE.
+//! Solids measured by another program: OpenCASCADE, for STEP files.
 
 use polhode::body::shape::Substance;
 use polhode::body::{Finding, InertiaTensor, MassProperties, Severity};
@@ -12,7 +12,7 @@ use crate::error::Raise;
 use crate::mass_properties::PyMassProperties;
 use crate::substance::Given;
 
-/// A solid at a density of 1 kg/m³, SI.
+/// Solid with a density of 1 kg/m³, SI units.
 #[derive(Clone, Debug, FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct Solid {
@@ -20,29 +20,30 @@ pub(crate) struct Solid {
     volume: f64,
     area: f64,
     center: [f64; 3],
-    /// About its centre.
+    /// Inertia tensor about its centre of mass.
     tensor: [[f64; 3]; 3],
 }
 
-/// What is to be said of the file.
+/// Diagnostics of the STEP file.
 #[derive(Clone, Debug, FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct Step {
-    /// Shells and faces that bound no solid.
+    /// Number of shells and faces that do not bound a solid.
     left_out: usize,
-    /// Solids that OpenCASCADE finds fault with, from 1.
+    /// Numbers, from 1, of the solids that OpenCASCADE reports as invalid.
     invalid: Vec<usize>,
-    /// How far two of its quadratures are apart, relative: of volume, centre and tensor of each solid the most.
+    /// Largest relative difference of two quadratures, over volume, centre and tensor of each
+    /// solid.
     error: f64,
 }
 
-/// An error of the quadrature above this is said.
+/// Smallest quadrature error that is reported as a finding.
 const LARGE: f64 = 1e-7;
 
-/// The mass properties of the solids of a STEP file, each a part.
+/// Returns the mass properties of the solids of a STEP file, each as a part.
 ///
 /// # Errors
-/// `PolhodeError` for a density or a mass that gives none.
+/// `PolhodeError` for a density or a mass that does not give a physical body.
 #[pyfunction]
 pub(crate) fn step_solids(
     path: &str,

@@ -1,4 +1,4 @@
-//! What a parts list comes to.
+//! Mass budgets of parts lists.
 
 use std::path::PathBuf;
 
@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use crate::arrays::matrix;
 use crate::error::{Raise, refused};
 
-/// An answer as the command prints it, and the draws as arrays.
+/// Result in the formats of the command, with the draws as arrays.
 #[derive(Debug, IntoPyObject)]
 pub(crate) struct Budgeted<'py> {
     json: String,
@@ -23,13 +23,13 @@ pub(crate) struct Budgeted<'py> {
     markdown: String,
     page: String,
     is_beyond: bool,
-    /// Of each configuration, a row a draw.
+    /// Draws of each configuration, one row per draw.
     draws: Vec<Bound<'py, PyArray2<f64>>>,
-    /// Each as a part of a scenario.
+    /// Each configuration as a part of a scenario, TOML.
     scenarios: Vec<String>,
 }
 
-/// What is asked instead of what the file asks.
+/// Options that override those of the file.
 #[derive(Debug, FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct Asked {
@@ -41,10 +41,11 @@ pub(crate) struct Asked {
     configuration: Option<String>,
 }
 
-/// Reads a parts list, of a file or of a text, whose files are found beside `path`; of a table that is no text of the user's the head has so many lines.
+/// Reads a parts list from a file or a text. Paths in a text are relative to `path`. `head` is the
+/// number of header lines of a text that was generated from a table.
 ///
 /// # Errors
-/// `PolhodeError` if the list cannot be read, or makes no possible body.
+/// `PolhodeError` if the list cannot be read, or does not give a physical body.
 #[pyfunction]
 pub(crate) fn budget_list(
     py: Python<'_>,
@@ -99,7 +100,8 @@ fn report(file: BudgetFile, asked: &Asked, axes: Option<Rotation<Body, Part>>) -
         .map_err(|failure| raised(&failure))
 }
 
-/// Of a dataframe the row is said, from 0, and not a place in the text that it became.
+/// Returns the error with the row of the dataframe, from 0, instead of a place in the generated
+/// text.
 fn of_table(error: &FormatError, head: usize) -> PyErr {
     let row = error.place().and_then(|place| place.line.checked_sub(head + 2));
     let message = match row {

@@ -1,4 +1,4 @@
-//! Are the inertias of a robot right?
+//! Checks of the inertias of a robot model.
 
 use std::path::PathBuf;
 
@@ -11,10 +11,10 @@ use pyo3::prelude::*;
 
 use crate::error::Raise;
 
-/// A checked model as JSON, as text, and as a table of its links.
+/// Checks a model; returns the result as JSON, as text, and as a table of its links.
 ///
 /// # Errors
-/// `PolhodeError` if it cannot be read.
+/// `PolhodeError` if the model cannot be read.
 #[pyfunction]
 pub(crate) fn check_file(
     py: Python<'_>,

@@ -1,4 +1,4 @@
-//! Derivatives of states as arrays, and covariances carried by them.
+//! Derivatives of states as arrays, and propagated covariances.
 
 use numpy::ndarray::ArrayView2;
 use numpy::{PyArray1, PyArray2, PyArray3, PyReadonlyArray2, PyReadonlyArray3};
@@ -11,7 +11,8 @@ use crate::arrays::{Signs, cube, matrix, row, table};
 use crate::error::refused;
 use crate::mass_derivatives::gradient_row;
 
-/// States and their derivatives: rows θ1 θ2 θ3 ω1 ω2 ω3 (n, 6, …), columns as `StateDerivatives` has them, and the parameters.
+/// States and their derivatives (n, 6, …): rows θ1 θ2 θ3 ω1 ω2 ω3, columns of `StateDerivatives`,
+/// and parameters.
 #[derive(Debug, IntoPyObject)]
 pub(crate) struct Derived<'py> {
     times: Bound<'py, PyArray1<f64>>,
@@ -25,7 +26,7 @@ pub(crate) struct Derived<'py> {
     events: Vec<DerivedEvent<'py>>,
 }
 
-/// An event, and how it and its time change.
+/// Event with the derivatives of its state and time.
 #[derive(Debug, IntoPyObject)]
 pub(crate) struct DerivedEvent<'py> {
     name: String,
@@ -40,7 +41,7 @@ pub(crate) struct DerivedEvent<'py> {
     time_by_parameters: Bound<'py, PyArray1<f64>>,
 }
 
-/// States of a motion that has no parameters and no events.
+/// Converts the states of a motion without parameters and events.
 pub(crate) fn derived_states<'py>(
     py: Python<'py>,
     rotor: &Rotor,
@@ -49,7 +50,7 @@ pub(crate) fn derived_states<'py>(
     derived(py, rotor, states, &[], Vec::new(), Vec::new())
 }
 
-/// A whole run, by the parameters of these names, with these events.
+/// Converts a whole run with derivatives with respect to the named parameters, and its events.
 pub(crate) fn derived_run<'py>(
     py: Python<'py>,
     rotor: &Rotor,
@@ -106,17 +107,18 @@ fn derived<'py>(
     })
 }
 
-/// How the tensor about the point that the body turns about depends on its mass properties.
+/// Returns the derivatives of the inertia tensor about the pivot with respect to the mass
+/// properties.
 fn inertia_by_mass_properties(rotor: &Rotor) -> [[f64; 10]; 6] {
     let by_inertia = core::array::from_fn(|i| core::array::from_fn(|j| if i == j { 1.0 } else { 0.0 }));
     let itself = StateDerivatives { state: NOWHERE, by_start: [[0.0; 6]; 6], by_inertia };
     itself.by_mass_properties(rotor).map(|of| gradient_row(&of))
 }
 
-/// Of derivatives of which the state does not matter.
+/// Placeholder for derivatives that do not depend on the state.
 const NOWHERE: State = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::ZERO };
 
-/// Columns of six as six rows.
+/// Transposes columns of six into six rows.
 fn transposed(columns: &[[f64; 6]]) -> Vec<f64> {
     (0..6).flat_map(|i| columns.iter().map(move |column| column[i])).collect()
 }
@@ -128,10 +130,10 @@ fn by_parameters<'py>(py: Python<'py>, columns: &[[f64; 6]]) -> PyResult<Bound<'
     }
 }
 
-/// Parameters by the keys of numbers of a scenario: `torque[0].stiffness`.
+/// Finds torque parameters by the keys of a scenario, such as `torque[0].stiffness`.
 ///
 /// # Errors
-/// `PolhodeError` for a key that is none, with those that there are.
+/// `PolhodeError` for an unknown key, with the list of known keys.
 pub(crate) fn parameters(keys: &[String], torques: &[TorqueModel]) -> PyResult<Vec<TorqueParameter>> {
     let known = |torque: usize| {
         let names = torques.get(torque).map_or(&[][..], TorqueModel::parameters);
@@ -159,10 +161,11 @@ pub(crate) fn parameters(keys: &[String], torques: &[TorqueModel]) -> PyResult<V
     keys.iter().enumerate().map(one).collect()
 }
 
-/// J C Jᵀ at each time: derivatives (n, 6, 6), (n, 6, 6) and (n, 6, p), covariance (12 + p, 12 + p).
+/// Computes J C Jᵀ at each time: derivatives (n, 6, 6), (n, 6, 6) and (n, 6, p), covariance (12 +
+/// p, 12 + p).
 ///
 /// # Errors
-/// `PolhodeError` for arrays that do not fit each other.
+/// `PolhodeError` for arrays of inconsistent shapes.
 #[pyfunction]
 pub(crate) fn carried_covariance<'py>(
     py: Python<'py>,

@@ -1,4 +1,4 @@
-//! Many bodies, each with its own start.
+//! Ensembles: many bodies, each with its own initial state.
 
 use std::num::NonZero;
 use std::path::PathBuf;
@@ -20,22 +20,23 @@ use crate::finding::{Remark, remarks};
 use crate::interrupt::Watch;
 use crate::scenario::{self, has_raised, heard};
 
-/// The tolerance of a run that says none.
+/// Default tolerance of a run.
 const TOLERANCE: f64 = 1e-13;
 
-/// A row for each member and time, t, w, x, y, z, ω1, ω2, ω3 (n, t, 8), those that could go no further (the member, when it was last good, s, and why),
-/// those that an event stopped (the member, the event and when), and the events.
+/// States of all members, (n, t, 8): t, w, x, y, z, ω1, ω2, ω3. Then the members that failed
+/// (number, last good time in s, reason), the members stopped by an event (number, event, time in
+/// s), and all events.
 type States<'py> =
     (Bound<'py, PyArray3<f64>>, Vec<(usize, f64, String)>, Vec<(usize, Option<String>, f64)>, Vec<Happened>);
 
-/// An event: the member, its name, when (s), whether what it watches was rising, ω and attitude there.
+/// Event of a member: member, name, time in s, true if its measure was rising, ω and attitude.
 type Happened = (usize, String, f64, bool, [f64; 3], [f64; 4]);
 
-/// Masses (n,) and centres of mass (n, 3), where they are known, and tensors (n, 9).
+/// Bodies: optional masses (n,) and centres of mass (n, 3), and tensors (n, 9).
 type Bodies<'py> =
     (Option<(PyReadonlyArray1<'py, f64>, PyReadonlyArray2<'py, f64>)>, PyReadonlyArray2<'py, f64>);
 
-/// Many bodies, each with its own start.
+/// Many bodies, each with its own initial state.
 #[pyclass(frozen, name = "Ensemble", module = "polhode._native")]
 #[derive(Clone, Debug)]
 pub(crate) struct PyEnsemble {
@@ -46,8 +47,9 @@ pub(crate) struct PyEnsemble {
 
 #[pymethods]
 impl PyEnsemble {
-    /// Bodies with ω (n, 3) and attitudes (n, 4), held at pivots (n, 3) if these are given. `which` (n,) of the actions are each member's; without it the first
-    /// are those of all.
+    /// Creates an ensemble of bodies with ω (n, 3) and attitudes (n, 4), held at pivots (n, 3) if
+    /// given. The second element of `actions` (n,) assigns actions to members; without it all
+    /// members share the first ones.
     #[staticmethod]
     fn of(
         py: Python<'_>,
@@ -75,7 +77,7 @@ impl PyEnsemble {
             };
             let body = |k: usize, tensor: &[f64; 9]| {
                 let place = known.and_then(|(masses, centers)| Some((*masses.get(k)?, *centers.get(k)?)));
-                // Of a free body the mass does not matter.
+                // The mass of a free body does not affect its rotation.
                 let (mass, center) = place.unwrap_or((1.0, [0.0; 3]));
                 body(mass, center, tensor).map_err(|error| refused_member(k, &error, error.hint()))
             };
@@ -101,7 +103,7 @@ impl PyEnsemble {
         made
     }
 
-    /// Members that are scenarios: their paths, texts, and what functions take the place of.
+    /// Creates an ensemble of scenarios: their paths, texts, and assigned Python functions.
     #[staticmethod]
     fn of_scenarios(
         py: Python<'_>,
@@ -140,13 +142,14 @@ impl PyEnsemble {
         self.ensemble.len()
     }
 
-    /// What was noticed, each once: code, severity, message, place.
+    /// Findings without duplicates: code, severity, message, place.
     #[getter]
     fn findings(&self) -> Vec<Remark> {
         remarks(&self.findings)
     }
 
-    /// All members at all times, on so many threads, by the best method for each at `tolerance`.
+    /// Computes all members at all times on `threads` threads, each by its best method, at
+    /// `tolerance`.
     fn at<'py>(
         &self,
         py: Python<'py>,
@@ -215,7 +218,8 @@ impl PyEnsemble {
     }
 }
 
-/// q and −q are one attitude: the first has w ≥ 0, each of the others the sign nearest to the one before it.
+/// Chooses the signs of quaternions: the first gets w ≥ 0, each other one the sign closest to its
+/// predecessor.
 fn continuous(rows: &mut [[f64; 8]]) {
     let mut signs = Signs::default();
     for [_, w, x, y, z, ..] in rows {

@@ -1,4 +1,4 @@
-//! What Rust refuses, as Python's exceptions.
+//! Conversion of Rust errors to Python exceptions.
 
 use std::io::ErrorKind;
 
@@ -11,13 +11,13 @@ use pyo3::exceptions::PyOSError;
 
 pyo3::import_exception!(polhode._error, PolhodeError);
 
-/// An error of the library as `polhode.PolhodeError(message, hint, path, line, column)`.
+/// Error of the library, raised as `polhode.PolhodeError(message, hint, path, line, column)`.
 pub(crate) trait Raise {
-    /// The exception.
+    /// Returns the Python exception.
     fn raise(self) -> PyErr;
 }
 
-/// `PolhodeError` with no place.
+/// Returns a `PolhodeError` without a place.
 pub(crate) fn refused(message: impl ToString, hint: Option<&str>) -> PyErr {
     PolhodeError::new_err((message.to_string(), hint.map(str::to_owned)))
 }
@@ -40,7 +40,8 @@ impl Raise for RotationError {
     }
 }
 
-/// The number of an error of the system of which Python has a class of its own: it is the same everywhere.
+/// Returns the `errno` of an error that has its own Python class; these numbers are the same on all
+/// systems.
 pub(crate) const fn system_number(kind: ErrorKind) -> Option<i32> {
     match kind {
         ErrorKind::NotFound => Some(2),          // ENOENT
@@ -51,12 +52,13 @@ pub(crate) const fn system_number(kind: ErrorKind) -> Option<i32> {
 }
 
 impl Raise for FormatError {
-    /// A file that is not there, may not be read, or is a folder, is Python's own `FileNotFoundError`, `PermissionError` or `IsADirectoryError`.
+    /// Returns `FileNotFoundError`, `PermissionError` or `IsADirectoryError` for a file that is
+    /// missing, not readable, or a folder.
     fn raise(self) -> PyErr {
         if let FormatErrorKind::Io { file, kind, why } = self.kind()
             && let Some(number) = system_number(*kind)
         {
-            // A file that another one names is said with its place there.
+            // If another file names the file, the message contains the place in that file.
             let words = if self.place().is_some() { self.to_string() } else { why.clone() };
             return PyOSError::new_err((number, words, file.clone()));
         }
@@ -64,7 +66,7 @@ impl Raise for FormatError {
     }
 }
 
-/// An error of a text, with what its message begins with.
+/// Returns the exception for an error in a text; `what` is the start of its message.
 pub(crate) fn raised_by(what: &str, error: FormatError) -> PyErr {
     let (words, hint, path) = (format!("{what}{error}"), error.hint(), error.path().display().to_string());
     match error.place() {

@@ -8,10 +8,10 @@ use pyo3::prelude::*;
 use crate::error::Raise;
 use crate::scenario;
 
-/// Characters in a line of the text.
+/// Line width of the text, characters.
 const WIDTH: usize = 100;
 
-/// A worked solution in all its forms.
+/// Worked solution in all formats.
 #[derive(Debug, IntoPyObject)]
 pub(crate) struct Explained {
     json: String,
@@ -21,10 +21,10 @@ pub(crate) struct Explained {
     latex: String,
 }
 
-/// Works a scenario through: of a file, or of a text, whose files are found beside `path`.
+/// Explains a scenario from a file or a text. Paths in a text are relative to `path`.
 ///
 /// # Errors
-/// `PolhodeError` if it cannot be read, or cannot be computed.
+/// `PolhodeError` if the scenario cannot be read or computed.
 #[pyfunction]
 pub(crate) fn explain_scenario(py: Python<'_>, path: PathBuf, text: Option<String>) -> PyResult<Explained> {
     py.detach(|| {

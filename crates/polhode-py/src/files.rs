@@ -1,4 +1,4 @@
-//! Bodies in files other than meshes, each kind with the options that it may need.
+//! Bodies from files other than meshes, each format with its options.
 
 use std::path::PathBuf;
 
@@ -19,14 +19,14 @@ use crate::error::{Raise, refused};
 use crate::interrupt::watched_apart;
 use crate::mass_properties::PyMassProperties;
 
-/// The body of a scenario.
+/// Returns the body of a scenario.
 #[pyfunction]
 pub(crate) fn scenario_file(py: Python<'_>, path: PathBuf) -> PyResult<PyMassProperties> {
     let scenario = watched_apart(py, move |_| ScenarioFile::read(&Disk, &path))?;
     Ok(PyMassProperties::of(scenario.map_err(Raise::raise)?.inertia()))
 }
 
-/// A table of particles.
+/// Reads a table of particles.
 #[pyfunction]
 pub(crate) fn particle_file(
     py: Python<'_>,
@@ -43,7 +43,7 @@ pub(crate) fn particle_file(
     Ok(PyMassProperties::of(report.map_err(Raise::raise)?.map_err(Raise::raise)?))
 }
 
-/// A CAD program's report.
+/// Reads the mass property report of a CAD program.
 #[pyfunction]
 pub(crate) fn cad_file(
     py: Python<'_>,
@@ -72,7 +72,7 @@ pub(crate) fn cad_file(
     Ok(PyMassProperties::of(report.map_err(Raise::raise)?.into_report(&path)))
 }
 
-/// The molecules of a file.
+/// Reads the molecules of a file.
 #[pyfunction]
 pub(crate) fn molecule_file(py: Python<'_>, path: PathBuf, average: bool) -> PyResult<Vec<PyMassProperties>> {
     let isotopes = if average { Isotopes::Average } else { Isotopes::Abundant };
@@ -89,7 +89,7 @@ pub(crate) fn molecule_file(py: Python<'_>, path: PathBuf, average: bool) -> PyR
     Ok(reports.map_err(Raise::raise)?.into_iter().map(PyMassProperties::of).collect())
 }
 
-/// A voxel grid; `per_value` is the density that a value of 1 stands for, kg/m³.
+/// Reads a voxel grid; `per_value` is the density for a value of 1, kg/m³.
 #[pyfunction]
 pub(crate) fn voxel_file(
     py: Python<'_>,

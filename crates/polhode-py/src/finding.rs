@@ -1,11 +1,11 @@
-//! What was noticed on the way, as Python's tuples.
+//! Findings as Python tuples.
 
 use polhode::body::Finding;
 
-/// Code, severity, message, place.
+/// Finding: code, severity, message, place.
 pub(crate) type Remark = (String, String, String, Option<String>);
 
-/// The findings in their order.
+/// Converts findings in their order.
 pub(crate) fn remarks(findings: &[Finding]) -> Vec<Remark> {
     let one = |Finding { code, severity, message, place }: &Finding| {
         ((*code).to_owned(), severity.name().to_owned(), message.clone(), place.clone())

@@ -15,30 +15,32 @@ use crate::error::{Raise, refused};
 use crate::interrupt::Watch;
 use crate::mass_properties::principal_axes;
 
-/// Times of states that are computed at once: so few that they are still near when their signs are looked at.
+/// Number of states computed together, small enough to stay in the cache until their signs are
+/// chosen.
 const PIECE: usize = 256;
 
-/// From so many times on other threads of Python may run: it is some 10 µs of work.
+/// Smallest number of times for which other Python threads may run meanwhile; about 10 µs of work.
 const DETACHED: usize = 512;
 
-/// An angular velocity and an attitude.
+/// Angular velocity and attitude at one time.
 type State1<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
 /// Times, angular velocities and attitudes.
 type Few<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>);
 
-/// The torque-free motion of a body.
+/// Torque-free motion of a body.
 #[pyclass(frozen, name = "FreeMotion", module = "polhode._native")]
 #[derive(Clone, Debug)]
 pub(crate) struct PyFreeMotion {
     motion: FreeMotion,
-    /// `None` of moments that are no body's.
+    /// Inertia tensor; `None` for moments that violate the triangle inequality.
     inertia: Option<InertiaTensor<Body>>,
 }
 
 #[pymethods]
 impl PyFreeMotion {
-    /// Of moments along the body's axes; those of no body only if `unphysical`.
+    /// Creates a motion from moments along the body axes; unphysical moments are accepted only if
+    /// `unphysical`.
     #[staticmethod]
     fn of_moments(moments: [f64; 3], omega: [f64; 3], wxyz: [f64; 4], unphysical: bool) -> PyResult<Self> {
         let inertia = match InertiaTensor::diagonal(moments) {
@@ -49,7 +51,7 @@ impl PyFreeMotion {
         Self::in_range(motion, inertia)
     }
 
-    /// Of a tensor about the centre of mass.
+    /// Creates a motion from a tensor about the centre of mass.
     #[staticmethod]
     fn of_tensor(tensor: [[f64; 3]; 3], omega: [f64; 3], wxyz: [f64; 4]) -> PyResult<Self> {
         let inertia = InertiaTensor::from_matrix(tensor).map_err(Raise::raise)?;
@@ -57,14 +59,15 @@ impl PyFreeMotion {
         Self::in_range(motion, Some(inertia))
     }
 
-    /// ω (3,) and the attitude (4,) at a time.
+    /// Returns ω (3,) and the attitude (4,) at a time.
     fn at_time<'py>(&self, py: Python<'py>, time: f64) -> PyResult<State1<'py>> {
         self.motion.require(&[time]).map_err(Raise::raise)?;
         let state = self.motion.at(time);
         Ok((row(py, state.omega.to_array()), row(py, Signs::default().signed(state.attitude.quaternion()))))
     }
 
-    /// A few times (n,), ω (n, 3) and the attitude (n, 4), all in new arrays.
+    /// Returns times (n,), ω (n, 3) and attitudes (n, 4) in new arrays; for a small number of
+    /// times.
     fn few<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Few<'py>> {
         let given = numbers(&times)?;
         let [omega, attitude] = [3, 4].map(|columns| PyArray2::zeros(py, [given.len(), columns], false));
@@ -73,7 +76,7 @@ impl PyFreeMotion {
         Ok((given, omega, attitude))
     }
 
-    /// ω (n, 3) and the attitude (n, 4) at times, into arrays of these shapes.
+    /// Writes ω (n, 3) and attitudes (n, 4) at the times into given arrays.
     fn fill<'py>(
         &self,
         py: Python<'py>,
@@ -91,7 +94,7 @@ impl PyFreeMotion {
             self.motion.fill_rows(piece, omega, attitude);
             signs.sign(attitude);
         });
-        // What is done sooner than the lock is given away and taken again keeps it.
+        // Short work keeps the lock: releasing it would take longer.
         if times.len() < DETACHED {
             pieces.for_each(drop);
             return Ok(());
@@ -101,14 +104,15 @@ impl PyFreeMotion {
         watch.ended()
     }
 
-    /// Estimates of the error of the states at the times.
+    /// Returns error estimates of the states at the times.
     fn error<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<ErrorColumns<'py>> {
         let times = numbers(&times)?;
         self.motion.require(times).map_err(Raise::raise)?;
         Ok(error_columns(py, &py.detach(|| self.motion.global_error(times))))
     }
 
-    /// States at times with their derivatives by the start and by the inertia tensor.
+    /// Returns states at the times with derivatives with respect to the initial state and the
+    /// inertia tensor.
     fn derivatives<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<Derived<'py>> {
         let times = numbers(&times)?;
         self.motion.require(times).map_err(Raise::raise)?;
@@ -167,7 +171,7 @@ impl PyFreeMotion {
         self.motion.kinetic_energy()
     }
 
-    /// L in space.
+    /// Angular momentum, space axes, kg·m²/s.
     #[getter]
     fn momentum<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         row(py, self.motion.momentum().to_array())
@@ -183,19 +187,19 @@ impl PyFreeMotion {
         principal_axes(py, self.motion.principal())
     }
 
-    /// The object that `polhode spin --json` prints.
+    /// Returns the JSON that `polhode spin --json` prints.
     fn json(&self, py: Python<'_>) -> String {
         py.detach(|| SpinReport::new(None, self.motion).to_json().to_string())
     }
 
-    /// The text that `polhode spin` prints.
+    /// Returns the text that `polhode spin` prints.
     fn text(&self, py: Python<'_>) -> String {
         py.detach(|| SpinReport::new(None, self.motion).to_text())
     }
 
-    /// The page that shows the motion for so long, s.
+    /// Returns the page of the motion from 0 to `duration`, s.
     fn page(&self, py: Python<'_>, duration: f64) -> PyResult<String> {
-        /// As many as the page shows.
+        /// Number of samples of the page.
         const SAMPLES: usize = 2001;
         py.detach(|| {
             let times = Run::evenly(duration, SAMPLES, Method::Exact, 0.0).times;
@@ -214,7 +218,7 @@ impl PyFreeMotion {
 }
 
 impl PyFreeMotion {
-    /// A motion whose constants are numbers.
+    /// Creates the object; an error if the energy or the angular momentum is not finite.
     fn in_range(motion: FreeMotion, inertia: Option<InertiaTensor<Body>>) -> PyResult<Self> {
         if motion.kinetic_energy().is_finite() && motion.momentum().norm().is_finite() {
             return Ok(Self { motion, inertia });
@@ -224,7 +228,7 @@ impl PyFreeMotion {
     }
 }
 
-/// Of a free body the mass does not matter.
+/// Returns a free rotor with mass 1 kg; the mass does not affect its rotation.
 fn rotor(inertia: InertiaTensor<Body>) -> PyResult<Rotor> {
     MassProperties::new(1.0, Position::ZERO, inertia).map(|body| Rotor::free(&body)).map_err(Raise::raise)
 }

@@ -1,4 +1,4 @@
-//! What a body is, by measurements of its motion.
+//! Identification of a body from measurements of its motion.
 
 use std::path::PathBuf;
 
@@ -23,10 +23,10 @@ use crate::actions::read_torques;
 use crate::arrays::{matrix, numbers, rows};
 use crate::error::{Raise, refused};
 
-/// Mass, centre of mass, tensor about it.
+/// Mass, centre of mass, and the tensor about it.
 type MassNumbers = (f64, [f64; 3], [[f64; 3]; 3]);
 
-/// An answer as the command prints it, and what is left as arrays.
+/// Result in the formats of the command, with the residuals as arrays.
 #[derive(Debug, IntoPyObject)]
 pub(crate) struct Identified<'py> {
     json: String,
@@ -34,20 +34,21 @@ pub(crate) struct Identified<'py> {
     markdown: String,
     page: String,
     has_model_error: bool,
-    /// The body, if all of it is known.
+    /// Mass properties, if they are fully determined.
     body: Option<MassNumbers>,
-    /// Of a payload, by row: fx, fy, fz, τx, τy, τz.
+    /// Residuals of a payload by row: fx, fy, fz, τx, τy, τz.
     wrench: Option<Bound<'py, PyArray2<f64>>>,
-    /// Of swings, by test.
+    /// Residuals of swing tests, one array per test.
     swings: Vec<Bound<'py, PyArray1<f64>>>,
-    /// Of a payload: the times of its rows, s.
+    /// Times of the payload rows, s.
     times: Option<Bound<'py, PyArray1<f64>>>,
 }
 
-/// Identifies what a plan measures: of a file, or of a text, whose files are found beside `path`. The places in a text that the user did not write are not said.
+/// Identifies the body measured in a plan, from a file or a text. Paths in a text are relative to
+/// `path`. Errors omit places in a text that the user did not write.
 ///
 /// # Errors
-/// `PolhodeError` if the plan cannot be read, or what it measures is nobody's motion.
+/// `PolhodeError` if the plan cannot be read, or no body has the measured motion.
 #[pyfunction]
 pub(crate) fn identify_plan<'py>(
     py: Python<'py>,
@@ -92,7 +93,7 @@ fn identified(py: Python<'_>, report: IdentifyReport) -> PyResult<Identified<'_>
     })
 }
 
-/// A flight's arrays.
+/// Measurements of a flight as arrays.
 #[derive(Debug, FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct FlightArrays<'py> {
@@ -102,12 +103,12 @@ pub(crate) struct FlightArrays<'py> {
     attitude_times: PyReadonlyArray1<'py, f64>,
     attitude: PyReadonlyArray2<'py, f64>,
     added: Option<[f64; 6]>,
-    /// Axis and momentum, each.
+    /// Axis and angular momentum of each wheel.
     wheels: Vec<([f64; 3], f64)>,
     torques: String,
 }
 
-/// How flights are read.
+/// Options of the evaluation of flights.
 #[derive(Clone, Debug, FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct FlightOptions {
@@ -121,10 +122,10 @@ pub(crate) struct FlightOptions {
     outlier: f64,
 }
 
-/// Identifies a body by its flights.
+/// Identifies a body from its flights.
 ///
 /// # Errors
-/// As [`identify_plan`].
+/// Same as [`identify_plan`].
 #[pyfunction]
 pub(crate) fn identify_flights<'py>(
     py: Python<'py>,
@@ -148,7 +149,7 @@ pub(crate) fn identify_flights<'py>(
     identified(py, found)
 }
 
-/// What a report says of where its numbers are from.
+/// Source of the data as stated in a report.
 const GIVEN: &str = "Arrays in Python";
 
 fn flight(given: &FlightArrays<'_>) -> PyResult<Flight> {
@@ -179,10 +180,10 @@ fn gyro_readings(
     Ok(numbers(times)?.iter().zip(rows::<3>(gyro)?).map(reading).collect())
 }
 
-/// The first and the last time of each flight in a log of a gyro.
+/// Finds the first and the last time of each flight in a gyro log.
 ///
 /// # Errors
-/// `PolhodeError` for times that do not ascend.
+/// `PolhodeError` for times that are not in ascending order.
 #[pyfunction]
 pub(crate) fn find_flights(
     py: Python<'_>,
@@ -199,7 +200,7 @@ pub(crate) fn find_flights(
     py.detach(|| polhode_identify::tumble::find_flights(&readings, &search)).map_err(Raise::raise)
 }
 
-/// The arrays of a wrist, a row for each time.
+/// Measurements of a wrist as arrays, one row per time.
 #[derive(Debug, FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct WrenchArrays<'py> {
@@ -207,31 +208,32 @@ pub(crate) struct WrenchArrays<'py> {
     omega: PyReadonlyArray2<'py, f64>,
     alpha: PyReadonlyArray2<'py, f64>,
     acceleration: PyReadonlyArray2<'py, f64>,
-    /// Along the sensor's axes; or one row along axes of space, with attitudes.
+    /// Gravity along the sensor axes, one row per time; or one row along space axes if attitudes
+    /// are given.
     gravity: PyReadonlyArray2<'py, f64>,
     attitude: Option<PyReadonlyArray2<'py, f64>>,
     force: PyReadonlyArray2<'py, f64>,
     torque: PyReadonlyArray2<'py, f64>,
 }
 
-/// How wrenches are read.
+/// Options of the evaluation of wrenches.
 #[derive(Clone, Debug, FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct WrenchOptions {
     on_sensor: bool,
     bias: bool,
-    /// Standard deviations of force and torque.
+    /// Standard deviations of force, N, and torque, N·m.
     noise: Option<[f64; 2]>,
     covariance: Option<[[f64; 6]; 6]>,
-    /// Of ω, α and the acceleration.
+    /// Standard deviations of ω, α and the acceleration.
     motion_noise: [f64; 3],
     kind: Option<String>,
 }
 
-/// Identifies what a wrist carries.
+/// Identifies the payload of a wrist.
 ///
 /// # Errors
-/// As [`identify_plan`].
+/// Same as [`identify_plan`].
 #[pyfunction]
 pub(crate) fn identify_wrenches<'py>(
     py: Python<'py>,

@@ -1,7 +1,7 @@
-//! Ctrl-C in the middle of a long computation.
+//! Ctrl-C during long computations.
 //!
-//! Work runs detached from Python, which is asked for signals as time passes. It has its lock while another thread of Python computes, and lets it
-//! go after some milliseconds: to ask costs that much then, whatever the piece of work is.
+//! Work runs without Python's lock, and periodically takes it to check for signals. If another
+//! Python thread holds the lock, such a check takes some milliseconds, independent of the work.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -13,24 +13,26 @@ use pyo3::prelude::*;
 
 use crate::error::refused;
 
-/// Time between two looks for signals.
+/// Interval between two checks for signals.
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// How many times as long as a look itself takes the next one waits: a thread of Python that has the lock slows work down by a twentieth.
+/// Minimum interval between checks as a multiple of the duration of a check. It limits the slowdown
+/// by a busy Python thread to 5 %.
 const PATIENCE: u32 = 20;
 
-/// Rows that are copied at once: some milliseconds.
+/// Number of rows copied between checks; some milliseconds of work.
 const PIECE: usize = 1 << 17;
 
-/// The stack of a thread of its own, as large as that of a program, in bytes.
+/// Stack size of the worker thread, bytes; the same as that of a program.
 const STACK: usize = 8 << 20;
 
-/// What a signal that has come raises, if one has: on any thread, but only the main one hears of signals.
+/// Returns the exception of a pending signal, if there is one. Python delivers signals to its main
+/// thread only.
 fn signal() -> Option<PyErr> {
     Python::attach(|py| py.check_signals().err())
 }
 
-/// When to look for signals again, and what one has raised.
+/// Schedule of signal checks, with the exception of a signal.
 #[derive(Debug)]
 pub(crate) struct Watch {
     next: Instant,
@@ -38,12 +40,12 @@ pub(crate) struct Watch {
 }
 
 impl Watch {
-    /// From now on.
+    /// Creates a schedule that starts now.
     pub(crate) fn new() -> Self {
         Self { next: Instant::now() + PAUSE, raised: None }
     }
 
-    /// Whether to go on; to be asked as often as may be.
+    /// Returns true if the work may continue; call it as often as possible.
     pub(crate) fn goes_on(&mut self) -> bool {
         let now = Instant::now();
         if self.raised.is_none() && now >= self.next {
@@ -53,19 +55,20 @@ impl Watch {
         self.raised.is_none()
     }
 
-    /// The end of the work.
+    /// Ends the work.
     ///
     /// # Errors
-    /// `KeyboardInterrupt`, or what the handler of the signal raises.
+    /// `KeyboardInterrupt`, or another exception of the signal handler.
     pub(crate) fn ended(self) -> PyResult<()> {
         self.raised.map_or(Ok(()), Err)
     }
 }
 
-/// Runs `work` detached, and gives it something to ask at every step whether to go on: it ends when Python has a signal to handle.
+/// Runs `work` without Python's lock. `work` calls its argument at every step, and stops if that
+/// returns false because of a signal.
 ///
 /// # Errors
-/// `KeyboardInterrupt`, or what the handler of the signal raises.
+/// `KeyboardInterrupt`, or another exception of the signal handler.
 pub(crate) fn watched<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&mut dyn FnMut(f64) -> bool) -> T + Send,
@@ -75,11 +78,12 @@ pub(crate) fn watched<T: Send>(
     watch.ended().map(|()| outcome)
 }
 
-/// Runs `work` detached on a thread of its own, and gives it something to ask whether to go on. A signal is heard while a piece of work lasts that asks
-/// nothing, as to read a large file: the caller has it at once, and `work` ends where it asks next.
+/// Runs `work` without Python's lock on a thread of its own. A signal interrupts the caller
+/// immediately, even during a step without checks, such as reading a large file. `work` itself
+/// stops at its next check.
 ///
 /// # Errors
-/// `KeyboardInterrupt`, or what the handler of the signal raises.
+/// `KeyboardInterrupt`, or another exception of the signal handler.
 pub(crate) fn watched_apart<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&(dyn Fn() -> bool + Sync)) -> T + Send + 'static,
@@ -89,7 +93,7 @@ pub(crate) fn watched_apart<T: Send + 'static>(
     let ended = Arc::clone(&ends);
     let run = move || {
         let found = work(&|| !ended.load(Ordering::Relaxed));
-        // Nobody waits for it after a signal.
+        // After a signal nobody receives the result.
         let _ = sender.send(found);
     };
     let worker = thread::Builder::new().stack_size(STACK).spawn(run)?;
@@ -108,7 +112,7 @@ pub(crate) fn watched_apart<T: Send + 'static>(
     watch.ended()?;
     match (found, worker) {
         (Some(found), _) => Ok(found),
-        // It has panicked, as else it would have sent something.
+        // The worker panicked, otherwise it would have sent a result.
         (None, worker) => match worker.join() {
             Err(panic) => std::panic::resume_unwind(panic),
             Ok(()) => Err(refused("the computation has ended without a result", None)),
@@ -116,10 +120,10 @@ pub(crate) fn watched_apart<T: Send + 'static>(
     }
 }
 
-/// A copy of an array's rows, piece by piece, with a look for signals between them.
+/// Copies the rows of an array piece by piece, with checks for signals in between.
 ///
 /// # Errors
-/// `KeyboardInterrupt`, or what the handler of the signal raises.
+/// `KeyboardInterrupt`, or another exception of the signal handler.
 pub(crate) fn copied<T: Copy>(py: Python<'_>, rows: &[T]) -> PyResult<Vec<T>> {
     let mut all = Vec::with_capacity(rows.len());
     for piece in rows.chunks(PIECE) {

@@ -1,4 +1,4 @@
-//! Is the motion of another program right?
+//! Checks of motions computed by other programs.
 
 use std::path::{Path, PathBuf};
 
@@ -18,7 +18,7 @@ use crate::arrays::{Signs, matrix, numbers, rows};
 use crate::error::{PolhodeError, Raise, refused};
 use crate::finding::{Remark, remarks};
 
-/// What the user says of a run; the rest is found.
+/// Conventions of a run as stated by the user; the others are detected.
 #[derive(Clone, Debug, FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct Said {
@@ -32,7 +32,7 @@ pub(crate) struct Said {
 }
 
 impl Said {
-    /// With what the run itself says; the user's word counts more.
+    /// Merges the statements of the user and of the run; the user's take precedence.
     fn declared(&self, says: &DeclaredReading) -> PyResult<DeclaredReading> {
         let order = self.quaternion.as_deref().map(|order| match order {
             "xyzw" => QuaternionOrder::ScalarLast,
@@ -66,7 +66,7 @@ impl Said {
     }
 }
 
-/// A judgement: its rows as arrays, and the whole as the command prints it.
+/// Judgement: its rows as arrays, and the report in the formats of the command.
 #[derive(Debug, IntoPyObject)]
 pub(crate) struct Judged<'py> {
     times: Bound<'py, PyArray1<f64>>,
@@ -88,10 +88,11 @@ pub(crate) struct Judged<'py> {
     page: String,
 }
 
-/// Judges arrays: times, attitudes as four numbers or as the nine of a matrix, angular velocities. `text` is as of `simulate`.
+/// Judges arrays: times, attitudes as quaternions or 3 × 3 matrices (nine numbers), and angular
+/// velocities. `text` is the same as in `simulate`.
 ///
 /// # Errors
-/// `PolhodeError` of what is no motion, and of one that cannot be judged.
+/// `PolhodeError` for data that are not a motion, and for a motion that cannot be judged.
 #[pyfunction]
 pub(crate) fn judge_arrays<'py>(
     py: Python<'py>,
@@ -124,10 +125,10 @@ pub(crate) fn judge_arrays<'py>(
     judged(py, &scenario, run)
 }
 
-/// Judges the log of a program; `columns` are in the notation of [`Columns`].
+/// Judges the log of a program; `columns` uses the notation of [`Columns`].
 ///
 /// # Errors
-/// As [`judge_arrays`], and if the log cannot be read.
+/// Same as [`judge_arrays`], and an error if the log cannot be read.
 #[pyfunction]
 pub(crate) fn judge_file<'py>(
     py: Python<'py>,
@@ -160,7 +161,7 @@ fn scenario(path: &Path, text: Option<String>) -> PyResult<ScenarioFile> {
     .map_err(Raise::raise)
 }
 
-/// Why a run, of a file or not, cannot be judged.
+/// Returns the exception for a run that cannot be judged; `run` is its file, if it has one.
 fn unjudged(scenario: &ScenarioFile, run: Option<&Path>, error: &JudgeError) -> PyErr {
     if let JudgeError::Motion(error) = error {
         return scenario.placed(error).map_or_else(|| error.clone().raise(), Raise::raise);
@@ -175,7 +176,7 @@ fn unjudged(scenario: &ScenarioFile, run: Option<&Path>, error: &JudgeError) -> 
     PolhodeError::new_err((error.to_string(), judge_hint(error), path))
 }
 
-/// Quaternions of matrices.
+/// Converts matrices to quaternions.
 fn quaternions(matrices: &[[f64; 9]]) -> PyResult<Vec<[f64; 4]>> {
     let one = |(row, numbers): (usize, &[f64; 9])| {
         matrix_quaternion(*numbers)

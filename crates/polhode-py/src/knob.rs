@@ -1,4 +1,4 @@
-//! The numbers of a scenario that can be turned in a notebook.
+//! Numbers of a scenario that a notebook can vary interactively.
 
 use std::path::PathBuf;
 
@@ -8,8 +8,9 @@ use pyo3::prelude::*;
 
 use crate::error::{Raise, refused};
 
-/// The numbers of a text that can be turned, whose files are found beside `path`, the most telling first: a list of objects as JSON, which has `key`,
-/// `label`, `value`, `unit`, `si`, `what`, `low`, `high` and `scale`.
+/// Returns the adjustable numbers of a text, the most important first. Paths in the text are
+/// relative to `path`. The result is a JSON list of objects with `key`, `label`, `value`, `unit`,
+/// `si`, `what`, `low`, `high` and `scale`.
 #[pyfunction]
 pub(crate) fn scenario_knobs(py: Python<'_>, path: PathBuf, text: String) -> PyResult<String> {
     let draft = py.detach(|| {

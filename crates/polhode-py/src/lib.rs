@@ -1,8 +1,8 @@
-//! The Python package `polhode`, from the side of Rust: what `python/polhode` calls `_native`.
+//! Rust side of the Python package `polhode`: the module `_native`, used by `python/polhode`.
 //!
-//! Python checks what it is given and makes arrays of it (`_arrays.py`), has the classes that users see, and their documentation.
-//! Here are plain functions on arrays and texts, which compute detached from Python. Nothing is computed here that the library does
-//! not compute.
+//! The Python side checks arguments and converts them to arrays (`_arrays.py`). It defines the
+//! public classes and their documentation. The Rust side has plain functions of arrays and texts,
+//! which compute without Python's lock. All computations are those of the library.
 #![cfg_attr(
     not(feature = "default"),
     allow(dead_code, reason = "helpers may serve only functions that are left out")
@@ -55,7 +55,7 @@ mod unit;
 
 use pyo3::prelude::*;
 
-/// The module `polhode._native`.
+/// Module `polhode._native`.
 #[pymodule]
 mod _native {
     use pyo3::prelude::*;

@@ -1,4 +1,5 @@
-//! Derivatives of mass properties: ten rows, of the mass, the centre of mass, and the tensor about it, xx yy zz xy xz yz.
+//! Derivatives of mass properties. Ten rows: mass, centre of mass, and tensor about it, xx yy zz xy
+//! xz yz.
 
 use numpy::{PyArray1, PyArray2, PyArray3, PyReadonlyArray1, PyReadonlyArray2};
 use polhode::body::mesh::{ClosedMesh, MeshDerivatives, TriangleMesh};
@@ -18,17 +19,17 @@ use crate::interrupt::{copied, watched_apart};
 use crate::mass_properties::PyMassProperties;
 use crate::substance::Given;
 
-/// By each particle: arrays (10, n) and (10, n, 3).
+/// Derivatives with respect to each particle: arrays (10, n) and (10, n, 3).
 #[derive(Debug, IntoPyObject)]
 pub(crate) struct ByParticles<'py> {
     by_masses: Bound<'py, PyArray2<f64>>,
     by_positions: Bound<'py, PyArray3<f64>>,
 }
 
-/// By the masses of particles, and by their positions.
+/// Returns derivatives with respect to the masses and positions of particles.
 ///
 /// # Errors
-/// `PolhodeError` without particles, or if a derivative is too large for a number.
+/// `PolhodeError` without particles, or if a derivative is not finite.
 #[pyfunction]
 pub(crate) fn particle_derivatives<'py>(
     py: Python<'py>,
@@ -52,7 +53,8 @@ pub(crate) fn particle_derivatives<'py>(
     })
 }
 
-/// By each part of a body: arrays (10, n), (10, n, 3), (10, n, 3) and (10, n, 10).
+/// Derivatives with respect to each part of a body: arrays (10, n), (10, n, 3), (10, n, 3) and (10,
+/// n, 10).
 #[derive(Debug, IntoPyObject)]
 pub(crate) struct ByParts<'py> {
     by_masses: Bound<'py, PyArray2<f64>>,
@@ -61,10 +63,11 @@ pub(crate) struct ByParts<'py> {
     by_parts: Bound<'py, PyArray3<f64>>,
 }
 
-/// By the mass of each part, by its position, by its turn about a point, and by its own ten numbers.
+/// Returns derivatives with respect to the mass, position, rotation about a point, and ten mass
+/// properties of each part.
 ///
 /// # Errors
-/// `PolhodeError` if a derivative is too large for a number.
+/// `PolhodeError` if a derivative is not finite.
 #[pyfunction]
 pub(crate) fn body_derivatives<'py>(
     py: Python<'py>,
@@ -100,7 +103,7 @@ pub(crate) fn body_derivatives<'py>(
     })
 }
 
-/// A solid that triangles bound, and which of its vertices the given ones are.
+/// Closed mesh, with the mapping from given vertices to its vertices.
 #[pyclass(frozen, name = "MeshDerivatives", module = "polhode._native")]
 #[derive(Debug)]
 pub(crate) struct PyMeshDerivatives {
@@ -109,12 +112,13 @@ pub(crate) struct PyMeshDerivatives {
     vertices: Vec<Vertex>,
 }
 
-/// A given vertex: which of the solid's it is, and its share of that one's derivatives. Those in no triangle have none.
+/// Mapping of a given vertex: number of the mesh vertex, and share of its derivatives. `None` for a
+/// vertex outside all triangles.
 type Vertex = Option<(u32, f64)>;
 
 #[pymethods]
 impl PyMeshDerivatives {
-    /// Of vertices (n, 3), m, and the numbers of three of them for each triangle (m, 3).
+    /// Creates a mesh from vertices (n, 3), m, and triangles (m, 3) as vertex numbers.
     #[staticmethod]
     fn of(
         py: Python<'_>,
@@ -147,19 +151,21 @@ impl PyMeshDerivatives {
         }))
     }
 
-    /// By the mass (10,).
+    /// Derivatives with respect to the mass, (10,).
     #[getter]
     fn by_mass<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         Ok(PyArray1::from_vec(py, finite(columns([self.derivatives()?.by_mass()]))?))
     }
 
-    /// By the density (10,).
+    /// Derivatives with respect to the density, (10,).
     #[getter]
     fn by_density<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         Ok(PyArray1::from_vec(py, finite(columns([self.derivatives()?.by_density()]))?))
     }
 
-    /// By the vertices (k, n, 3), of k numbers that depend on the mass properties, from their derivatives by these (k, 10).
+    /// Returns derivatives (k, n, 3) of k functions of the mass properties with respect to the
+    /// vertices; `of_numbers` (k, 10) has the derivatives of these functions with respect to the
+    /// mass properties.
     fn gradient<'py>(
         &self,
         py: Python<'py>,
@@ -189,7 +195,8 @@ impl PyMeshDerivatives {
     }
 }
 
-/// Given vertices of equal coordinates are one vertex of the solid, and each has an equal share of its derivatives.
+/// Maps given vertices to mesh vertices. Vertices with equal coordinates are one mesh vertex, and
+/// share its derivatives equally.
 fn found(solid: &ClosedMesh, points: &[[f64; 3]], corners: &[[u32; 3]]) -> PyResult<Vec<Vertex>> {
     let mut used = vec![false; points.len()];
     for &corner in corners.as_flattened() {
@@ -210,13 +217,13 @@ fn found(solid: &ClosedMesh, points: &[[f64; 3]], corners: &[[u32; 3]]) -> PyRes
     Ok(numbers.into_iter().zip(used).map(|(number, used)| number.filter(|_| used).map(share)).collect())
 }
 
-/// The ten numbers that a change changes.
+/// Returns the changes of the ten mass properties as a row.
 fn derivative_row<F>(by: &MassPropertiesDerivative<F>) -> [f64; 10] {
     let ([x, y, z], [xx, yy, zz, xy, xz, yz]) = (by.center_of_mass.to_array(), by.inertia);
     [by.mass, x, y, z, xx, yy, zz, xy, xz, yz]
 }
 
-/// The derivatives of a number by the ten.
+/// Returns the derivatives of a number with respect to the ten mass properties as a row.
 pub(crate) fn gradient_row<F>(of: &MassPropertiesGradient<F>) -> [f64; 10] {
     let ([x, y, z], [xx, yy, zz, xy, xz, yz]) = (of.by_center_of_mass.to_array(), of.by_inertia);
     [of.by_mass, x, y, z, xx, yy, zz, xy, xz, yz]
@@ -230,7 +237,7 @@ fn gradient_of(&[by_mass, x, y, z, xx, yy, zz, xy, xz, yz]: &[f64; 10]) -> MassP
     }
 }
 
-/// A change of each of the ten numbers alone.
+/// Returns unit changes of each of the ten mass properties.
 fn unit_changes() -> [MassPropertiesDerivative<Part>; 10] {
     core::array::from_fn(|number| {
         let unit = |k: usize| if k == number { 1.0 } else { 0.0 };
@@ -242,7 +249,7 @@ fn unit_changes() -> [MassPropertiesDerivative<Part>; 10] {
     })
 }
 
-/// Ten rows with a column for each change.
+/// Returns ten rows with one column per change.
 fn columns<F>(changes: impl IntoIterator<Item = MassPropertiesDerivative<F>>) -> Vec<f64> {
     let changes: Vec<_> = changes.into_iter().map(|by| derivative_row(&by)).collect();
     (0..10).flat_map(|number| changes.iter().map(move |by| by[number])).collect()

@@ -1,4 +1,4 @@
-//! Mass, centre of mass and inertia, with all that is known of where they came from.
+//! Mass, centre of mass and inertia, with the report on their source.
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use polhode::body::{
@@ -16,7 +16,7 @@ use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
 use crate::pickle;
 
-/// A body's mass properties, and the report about it.
+/// Mass properties of a body, with the report about it.
 #[pyclass(frozen, name = "MassProperties", module = "polhode._native")]
 #[derive(Clone, Debug)]
 pub(crate) struct PyMassProperties {
@@ -32,7 +32,7 @@ impl PyMassProperties {
         Self::of(InertiaReport::new(SourceInfo::new(what, "python"), properties))
     }
 
-    /// Of the body alone.
+    /// Returns the mass properties without the report.
     pub(crate) const fn properties(&self) -> &MassProperties<Body> {
         &self.report.properties
     }
@@ -40,7 +40,8 @@ impl PyMassProperties {
 
 #[pymethods]
 impl PyMassProperties {
-    /// Of numbers; the tensor is about the centre of mass, or about a point.
+    /// Creates mass properties from numbers; the tensor is about the centre of mass, or about a
+    /// point.
     #[staticmethod]
     fn of_tensor(
         mass: f64,
@@ -58,7 +59,7 @@ impl PyMassProperties {
         Ok(Self::plain("mass properties", properties.map_err(Raise::raise)?))
     }
 
-    /// Of points with masses.
+    /// Creates the mass properties of point masses.
     #[staticmethod]
     fn of_particles(
         py: Python<'_>,
@@ -75,7 +76,7 @@ impl PyMassProperties {
         Ok(Self::plain(&format!("{} particles", masses.len()), properties))
     }
 
-    /// Bodies rigidly joined.
+    /// Returns the mass properties of rigidly joined bodies.
     #[staticmethod]
     fn combined(parts: Vec<PyRef<'_, Self>>) -> PyResult<Self> {
         let bodies: Vec<_> = parts.iter().map(|part| *part.properties()).collect();
@@ -89,25 +90,27 @@ impl PyMassProperties {
         Ok(whole)
     }
 
-    /// All that it is, by value: what [`Self::of_state`] takes.
+    /// Returns the complete state by value, for [`Self::of_state`].
     fn state(&self) -> pickle::Values {
         pickle::values(&self.report)
     }
 
-    /// Of what [`Self::state`] gave.
+    /// Restores the object from [`Self::state`].
     #[staticmethod]
     fn of_state(state: pickle::Values) -> PyResult<Self> {
         pickle::report(state).map(Self::of)
     }
 
-    /// The same, its origin at a place and its axes turned: a quaternion that takes its own components to the new ones.
+    /// Returns the body placed at a position and rotated; the quaternion takes its components to
+    /// the new axes.
     fn placed(&self, position: [f64; 3], wxyz: [f64; 4]) -> PyResult<Self> {
         let turn = Rotation::<Part, Body>::from_quaternion(wxyz).map_err(Raise::raise)?;
         let placed = self.properties().placed(Position::<Part>::from_array(position), turn);
-        // The new axes are the body's from here on.
+        // The new axes are the body axes from now on.
         let properties = placed.map_err(Raise::raise)?.in_frame::<Body>(Rotation::identity());
         let mut report = InertiaReport { properties, about: None, axes: None, ..self.report.clone() };
-        // Rotational constants know of no axes; what else there is, is told along the old ones.
+        // Rotational constants do not depend on axes; the other blocks refer to the old axes and
+        // are dropped.
         report.extras.retain(|extra| extra.key == "molecule");
         Ok(Self::of(report))
     }
@@ -127,13 +130,14 @@ impl PyMassProperties {
         matrix(py, &self.properties().inertia().matrix())
     }
 
-    /// The tensor about a point.
+    /// Returns the tensor about a point, body axes, kg·m².
     fn about<'py>(&self, py: Python<'py>, point: [f64; 3]) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let about = self.properties().inertia_about(Position::from_array(point)).matrix();
         finite_matrix(py, &about, "the tensor about that point is too large for a number", "check point")
     }
 
-    /// The tensor about the centre of mass along turned axes: a quaternion that takes their components to the body's.
+    /// Returns the tensor about the centre of mass along rotated axes; the quaternion takes their
+    /// components to the body axes.
     fn along<'py>(&self, py: Python<'py>, wxyz: [f64; 4]) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let turn = Rotation::<Body, Part>::from_quaternion(wxyz).map_err(Raise::raise)?;
         let along = self.properties().inertia().in_frame(turn.inverse()).matrix();
@@ -175,13 +179,13 @@ impl PyMassProperties {
         self.report.density
     }
 
-    /// What was noticed on the way: code, severity, message, place.
+    /// Findings: code, severity, message, place.
     #[getter]
     fn findings(&self) -> Vec<Remark> {
         remarks(&self.report.findings)
     }
 
-    /// The object that `polhode inertia --json` prints.
+    /// Returns the JSON that `polhode inertia --json` prints.
     fn json(&self) -> String {
         self.report.to_json().to_string()
     }
@@ -191,7 +195,7 @@ impl PyMassProperties {
         self.report.to_text()
     }
 
-    /// As another program reads it.
+    /// Returns the body in the format of another program.
     fn export(&self, format: &str, name: &str) -> PyResult<String> {
         let Some(format) = ExportFormat::named(format) else {
             let names: Vec<_> = ExportFormat::ALL.iter().map(|format| format.name()).collect();
@@ -205,7 +209,7 @@ impl PyMassProperties {
     }
 }
 
-/// One axis a row, in body components.
+/// Returns the principal axes (3, 3), one per row, in body components.
 pub(crate) fn principal_axes<'py>(
     py: Python<'py>,
     principal: &PrincipalFrame<Body>,

@@ -1,4 +1,4 @@
-//! Meshes: of files, and of arrays.
+//! Meshes from files and from arrays.
 
 use std::path::{Path, PathBuf};
 
@@ -19,31 +19,31 @@ use crate::interrupt::{copied, watched_apart};
 use crate::mass_properties::PyMassProperties;
 use crate::substance::Given;
 
-/// How a mesh is taken.
+/// Options of the evaluation of a mesh.
 #[derive(Clone, Debug, FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct MeshOptions {
-    /// Metres in the file's unit of length.
+    /// Unit of length of the file, m.
     unit: Option<f64>,
-    /// The convex hull of each part instead of the mesh.
+    /// True to replace each part by its convex hull.
     hull: bool,
-    /// A sheet of this thickness instead of the solid, m.
+    /// Thickness of a sheet that replaces the solid, m.
     shell: Option<f64>,
-    /// How far apart vertices of open edges may be that are joined, as text.
+    /// Largest distance at which vertices of open edges are joined, as text.
     weld: Option<String>,
-    /// How far across holes may be that are filled, as text.
+    /// Largest diameter of holes that are filled, as text.
     fill: Option<String>,
-    /// What lies in several parts once.
+    /// True to count overlapping volumes of parts only once.
     union: bool,
-    /// What parts of these names are made of.
+    /// Substances of the named parts.
     parts: Vec<(String, Given)>,
-    /// The density as a formula of x, y and z, m, in kg/m³.
+    /// Density, kg/m³, as a formula of x, y and z, m.
     field: Option<String>,
-    /// The relative error that is good enough for it.
+    /// Relative tolerance of the integration of the formula.
     tolerance: Option<f64>,
 }
 
-/// Substances of a mesh, and its options as they are parsed.
+/// Parsed options of a mesh and its substances.
 struct Made {
     options: MeshOptions,
     substance: Option<Substance>,
@@ -69,7 +69,7 @@ impl Made {
         Ok(Self { substance, parts, weld, fill, field, options })
     }
 
-    /// Calculates the mass properties of the mesh that `body` makes.
+    /// Calculates the mass properties of the mesh that `body` creates.
     fn mass_properties(
         &self,
         goes_on: &(dyn Fn() -> bool + Sync),
@@ -114,16 +114,16 @@ impl Raise for MeshBodyError {
     }
 }
 
-/// A length beside the mesh, of an option of this name.
+/// Parses a length option of this name.
 fn length(name: &str, text: Option<&String>) -> PyResult<Option<MeshLength>> {
     let parsed = text.map(|text| MeshLength::parse(text)).transpose();
     parsed.map_err(|error| refused(format!("{name}: {error}"), error.hint().as_deref()))
 }
 
-/// The mass properties of a mesh file.
+/// Returns the mass properties of a mesh file.
 ///
 /// # Errors
-/// `PolhodeError` if it cannot be read, or bounds no solid.
+/// `PolhodeError` if the file cannot be read, or does not bound a solid.
 #[pyfunction]
 pub(crate) fn mesh_file(
     py: Python<'_>,
@@ -143,10 +143,10 @@ pub(crate) fn mesh_file(
     })?
 }
 
-/// The mass properties of triangles: vertices (n, 3), m, and the numbers of three of them for each triangle (m, 3).
+/// Returns the mass properties of triangles (m, 3), given as numbers of vertices (n, 3), m.
 ///
 /// # Errors
-/// `PolhodeError` if they bound no solid.
+/// `PolhodeError` if the triangles do not bound a solid.
 #[pyfunction]
 pub(crate) fn mesh_arrays(
     py: Python<'_>,
@@ -162,10 +162,10 @@ pub(crate) fn mesh_arrays(
     of_arrays(py, made, move || TriangleMesh::new(points, corners))
 }
 
-/// The mass properties of triangles by their corners (n, 9), m.
+/// Returns the mass properties of triangles given by their corners (n, 9), m.
 ///
 /// # Errors
-/// `PolhodeError` if they bound no solid.
+/// `PolhodeError` if the triangles do not bound a solid.
 #[pyfunction]
 pub(crate) fn mesh_corners(
     py: Python<'_>,
@@ -182,7 +182,7 @@ pub(crate) fn mesh_corners(
     of_arrays(py, made, mesh)
 }
 
-/// Of a mesh that is made where it is measured.
+/// Computes the mass properties of a mesh that is created on the worker thread.
 fn of_arrays(
     py: Python<'_>,
     made: Made,
@@ -197,7 +197,7 @@ fn of_arrays(
                 parts: vec![MeshPart { name: String::new(), mesh: mesh()? }],
                 findings: Vec::new(),
             };
-            // The format only names the file that there is not.
+            // The format is only a label; the arrays are not from a file.
             let (path, format, title) = (Path::new("the arrays"), MeshFormat::Off, "arrays".to_owned());
             let source = SourceInfo::new("arrays", "python");
             how.body(contents, &MeshOrigin { path, format, source, title }, &mut ())

@@ -1,9 +1,9 @@
-//! The message for what this build leaves out.
+//! Error for features that this build does not include.
 
 use pyo3::exceptions::PyAttributeError;
 use pyo3::prelude::*;
 
-/// Features of the default build, and whether this build has them.
+/// Features of the default build; true if this build includes the feature.
 const FEATURES: [(&str, bool); 7] = [
     ("budget", cfg!(feature = "budget")),
     ("identify", cfg!(feature = "identify")),
@@ -17,7 +17,7 @@ const FEATURES: [(&str, bool); 7] = [
 /// Refuses a name that the module does not have. Python calls it as the module's `__getattr__` (PEP 562).
 ///
 /// # Errors
-/// Always `AttributeError`, which names the features that are left out.
+/// `AttributeError` in all cases; it lists the missing features.
 #[pyfunction(name = "__getattr__")]
 pub(crate) fn missing(name: &str) -> PyResult<Py<PyAny>> {
     let left_out = FEATURES.iter().filter(|(_, is_built)| !is_built).map(|(name, _)| *name);

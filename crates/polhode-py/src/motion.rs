@@ -1,4 +1,4 @@
-//! The motion of a scenario.
+//! Motion of a scenario.
 
 use std::path::{Path, PathBuf};
 
@@ -26,10 +26,10 @@ use crate::scenario::{
     self, PythonMeasure, PythonTorque, Raised, has_raised, heard, with_functions, with_measures,
 };
 
-/// What the page of a scenario without a title is called.
+/// Title of the page of a scenario without a title.
 const UNTITLED: &str = "motion";
 
-/// A scenario and the motion that was computed of it.
+/// Scenario with its computed motion.
 #[pyclass(frozen, name = "Motion", module = "polhode._native")]
 #[derive(Debug)]
 pub(crate) struct PyMotion {
@@ -37,23 +37,24 @@ pub(crate) struct PyMotion {
     text: String,
     scenario: Scenario,
     trajectory: Trajectory,
-    /// With the keys of the parameters.
+    /// Derivatives, with the keys of their parameters.
     derivatives: Option<(TrajectoryDerivatives, Vec<String>)>,
-    /// By its torques and events that Python computes.
+    /// Exception raised by a Python function of a torque or event.
     raised: Raised,
-    /// Whether it goes on from another one.
+    /// True if the motion continues another one.
     is_continued: bool,
 }
 
-/// An event: its name, when (s), whether what it watches was rising, ω and attitude there.
+/// Event: name, time in s, true if its measure was rising, ω and attitude.
 type Happened = (String, f64, bool, [f64; 3], [f64; 4]);
 
-/// Computes the motion of a scenario: of a file, or of a text, whose files are found beside `path`. `times` take the place of its run's. Its derivatives
-/// by the start, the inertia and numbers of torques by their keys, if these are given. What Python computes takes the place of some of its torques, and of
-/// what some of its events measure.
+/// Computes the motion of a scenario from a file or a text. Paths in a text are relative to `path`.
+/// `times` replace those of its run. `derivatives` lists the keys of torque parameters; if given,
+/// the derivatives with respect to the initial state, the inertia and these parameters are
+/// computed. Functions in `own` replace torques and event measures of the scenario.
 ///
 /// # Errors
-/// `PolhodeError` if there is no such motion, `KeyboardInterrupt`.
+/// `PolhodeError` if the motion cannot be computed, `KeyboardInterrupt`.
 #[pyfunction]
 pub(crate) fn simulate(
     py: Python<'_>,
@@ -89,10 +90,11 @@ pub(crate) fn simulate(
     Ok(PyMotion { path, text: file.text, trajectory, scenario, derivatives, raised, is_continued: false })
 }
 
-/// The motion of a scenario, with as much of an estimate of its error as `error` says; `None` without a run.
+/// Computes the motion of a scenario with the error estimate selected by `error`; `None` without a
+/// run.
 ///
 /// # Errors
-/// What a function of Python's has raised, `KeyboardInterrupt`.
+/// Exceptions of Python functions, and `KeyboardInterrupt`.
 fn computed(
     py: Python<'_>,
     scenario: &Scenario,
@@ -117,7 +119,7 @@ fn computed(
 
 #[pymethods]
 impl PyMotion {
-    /// The columns of the trajectory's table, and the work: name, unit, description, values.
+    /// Returns the columns of the trajectory table and the work: name, unit, description, values.
     fn columns<'py>(
         &self,
         py: Python<'py>,
@@ -136,8 +138,8 @@ impl PyMotion {
             .collect()
     }
 
-    /// ω and the attitude at further times, in any order, from the start up to the last sample: the motion is computed once more, with these among its
-    /// samples.
+    /// Returns ω and attitudes at further times between the start and the last sample, in any
+    /// order. The motion is computed again with these times among its samples.
     fn at<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'py, f64>) -> PyResult<States<'py>> {
         let asked = numbers(&times)?;
         let run = self.scenario.run().ok_or_else(|| refused("there is no run", None))?;
@@ -161,7 +163,7 @@ impl PyMotion {
         Ok((table(py, omega, 3)?, table(py, attitude, 4)?))
     }
 
-    /// The motion of the same scenario from its end on, at these times.
+    /// Returns the continuation of the motion from its end, at these times.
     fn after(&self, py: Python<'_>, times: PyReadonlyArray1<'_, f64>, error: &str) -> PyResult<Self> {
         let times = numbers(&times)?.to_vec();
         let scenario = self.scenario.after(&self.trajectory, times).map_err(Raise::raise)?;
@@ -178,7 +180,7 @@ impl PyMotion {
         })
     }
 
-    /// The path and the text of the scenario.
+    /// Path and text of the scenario.
     #[getter]
     fn source(&self) -> (&Path, &str) {
         (&self.path, &self.text)
@@ -196,13 +198,14 @@ impl PyMotion {
             .collect()
     }
 
-    /// Of the computation and of the last bit of the inputs: the attitude's, rad, and ω's, relative. `None` of a prescribed motion.
+    /// Error estimates from the computation and from input rounding: attitude, rad, and ω,
+    /// relative. `None` for a prescribed motion.
     #[getter]
     fn error<'py>(&self, py: Python<'py>) -> Option<ErrorColumns<'py>> {
         Some(error_columns(py, self.trajectory.error()?))
     }
 
-    /// Its derivatives, if they were asked for.
+    /// Derivatives of the motion, if they were requested.
     fn derivatives<'py>(&self, py: Python<'py>) -> PyResult<Option<Derived<'py>>> {
         let of = |(run, keys): &(TrajectoryDerivatives, Vec<String>)| {
             derived_run(py, self.scenario.rotor(), run, keys, self.scenario.events())
@@ -210,7 +213,8 @@ impl PyMotion {
         self.derivatives.as_ref().map(of).transpose()
     }
 
-    /// `complete`, `stopped`, `contact` or `failed`, the event that stopped it, the change of the contact or the cause of failure, and when (s).
+    /// End of the motion: `complete`, `stopped`, `contact` or `failed`; then the event, change of
+    /// contact or cause, and the time, s.
     #[getter]
     fn ending(&self) -> (&'static str, Option<String>, Option<f64>) {
         match self.trajectory.ending() {
@@ -224,7 +228,7 @@ impl PyMotion {
         }
     }
 
-    /// What was noticed: code, severity, message, place.
+    /// Findings: code, severity, message, place.
     #[getter]
     fn findings(&self) -> Vec<Remark> {
         remarks(&self.report().findings())
@@ -235,33 +239,34 @@ impl PyMotion {
         self.scenario.title()
     }
 
-    /// The object that is `summary.json`.
+    /// Returns the contents of `summary.json`.
     fn json(&self, py: Python<'_>) -> String {
         py.detach(|| self.report().summary_json().to_string())
     }
 
-    /// The text that `polhode simulate` prints.
+    /// Returns the text that `polhode simulate` prints.
     fn text(&self, py: Python<'_>) -> String {
         py.detach(|| self.report().to_text())
     }
 
-    /// Whether the body has triangles, which `page_data` may have to show coarser than they are.
+    /// True if the body has a mesh, which `page_data` may have to simplify.
     #[getter]
     fn has_triangles(&self) -> bool {
         has_triangles(&PageSubject::Scenario(&self.scenario))
     }
 
-    /// What the page that `polhode simulate` writes holds besides the viewer; with triangles of so many bytes at most, if that is given.
+    /// Returns the data of the page of `polhode simulate`, without the viewer; `triangles` limits
+    /// the size of the mesh, bytes.
     fn page_data(&self, py: Python<'_>, triangles: Option<usize>) -> String {
         py.detach(|| {
-            // What cannot be explained, as a pendulum whose axis cannot hold it, can still be shown.
-            // One that goes on from another is explained there, from the start on.
+            // A motion without an explanation can still be displayed, such as a pendulum whose axis
+            // cannot carry it. A continuation is explained with the original motion.
             let explanation = explain_motion(&self.scenario, &self.trajectory).ok();
             let explanation = explanation.filter(|_| !self.is_continued);
             let input = PageInput {
                 title: self.scenario.title().unwrap_or(UNTITLED),
                 source: &format!("polhode {VERSION} in Python"),
-                // No text has a function of Python's, or starts where another motion ends.
+                // A text cannot contain a Python function, or start at the end of another motion.
                 scenario_text: (!self.has_functions() && !self.is_continued).then_some(&*self.text),
                 subject: PageSubject::Scenario(&self.scenario),
                 trajectory: &self.trajectory,
@@ -273,7 +278,7 @@ impl PyMotion {
     }
 }
 
-/// The page of a motion's title and of its `page_data`.
+/// Returns the page for a title and the result of `page_data`.
 #[pyfunction]
 pub(crate) fn motion_page(title: Option<&str>, data: &str) -> String {
     page_of(title.unwrap_or(UNTITLED), data)
@@ -286,7 +291,7 @@ impl PyMotion {
             || self.scenario.events().iter().any(of_event)
     }
 
-    /// Of the torque since the start, at each sample, J.
+    /// Returns the work of the torque since the start at each sample, J.
     fn work(&self) -> Vec<f64> {
         let energy = self.trajectory.channel(channel::ENERGY);
         energy.map_or_else(Vec::new, |energy| energy.iter().map(|energy| energy.work).collect())

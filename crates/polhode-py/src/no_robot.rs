@@ -8,7 +8,8 @@ use pyo3::prelude::*;
 
 use crate::error::Raise;
 
-/// Returns true if the file begins as a robot model does: with `<`, or with `#usda`. `robot_file`, which is missing, then says why.
+/// Returns true if the file starts like a robot model, with `<` or `#usda`. The missing function
+/// `robot_file` then reports the reason.
 #[pyfunction]
 pub(crate) fn is_robot(py: Python<'_>, path: PathBuf) -> PyResult<bool> {
     let is_robot = |bytes: &[u8]| {

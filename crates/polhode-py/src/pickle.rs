@@ -1,4 +1,5 @@
-//! Mass properties by value, for copies here and in other processes: every number with its bits, and all that is known of the body.
+//! Serialization of mass properties for copies and other processes. Numbers keep all bits, and all
+//! information on the body is kept.
 
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
@@ -17,19 +18,19 @@ use crate::finding::{Remark, remarks};
 /// Mass, centre of mass, and the elements of the tensor: diagonal, then xy, xz, yz.
 type Numbers = (f64, [f64; 3], [[f64; 3]; 2]);
 
-/// Path, format, description, and further fields as JSON.
+/// Source: path, format, description, and further fields as JSON.
 type Source = (String, String, String, String);
 
-/// Volume, surface area and density, and the other point that the tensor is about.
+/// Volume, surface area and density, and the other reference point of the tensor.
 type Geometry = (Option<f64>, Option<f64>, Option<f64>, Option<[f64; 3]>);
 
-/// Key, JSON, text.
+/// Block of a report: key, JSON, text.
 type Block = (String, String, String);
 
-/// A report as values that Python can pickle.
+/// Report as values that Python can pickle.
 pub(crate) type Values = (Numbers, Source, Geometry, Vec<Block>, Vec<Remark>);
 
-/// The values of a report.
+/// Returns the values of a report.
 pub(crate) fn values(report: &InertiaReport) -> Values {
     // All fields by name, so that a new one is not forgotten. Other axes, and axes in the text, are for the
     // command only.
@@ -47,10 +48,10 @@ pub(crate) fn values(report: &InertiaReport) -> Values {
     )
 }
 
-/// The report of [`values`].
+/// Restores a report from [`values`].
 ///
 /// # Errors
-/// `PolhodeError` for values that no report has.
+/// `PolhodeError` for values that are not from a report.
 pub(crate) fn report((numbers, source, geometry, extras, findings): Values) -> PyResult<InertiaReport> {
     let (mass, center, [moments, products]) = numbers;
     let inertia = InertiaTensor::with_negative_products(moments, products);
@@ -81,7 +82,8 @@ fn read(json: &str) -> PyResult<Value> {
     serde_json::from_str(json).map_err(|error| refused(error, None))
 }
 
-/// The name of a finding or of a block: there are few of them, so each is kept once and for good.
+/// Returns a static copy of a finding code or block key. There are few of them; each is leaked
+/// once.
 fn name(text: String) -> &'static str {
     static NAMES: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
     let mut names = NAMES.lock().unwrap_or_else(PoisonError::into_inner);

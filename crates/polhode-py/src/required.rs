@@ -1,4 +1,4 @@
-//! What a prescribed motion needs.
+//! Torque required for a prescribed motion.
 
 use std::path::PathBuf;
 
@@ -15,10 +15,10 @@ use crate::finding::{Remark, remarks};
 use crate::scenario;
 use crate::stability::source;
 
-/// Name, unit, description, values.
+/// Column: name, unit, description, values.
 type Column<'py> = (String, &'static str, &'static str, Bound<'py, PyArray1<f64>>);
 
-/// The torque of a motion, the forces on points, and what a shaft's bearings bear.
+/// Required torque of a motion, forces on points, and loads of shaft bearings.
 #[derive(Debug, IntoPyObject)]
 pub(crate) struct RequiredTorque<'py> {
     json: String,
@@ -27,11 +27,12 @@ pub(crate) struct RequiredTorque<'py> {
     findings: Vec<Remark>,
 }
 
-/// What the prescribed motion of a scenario needs, of a file, or of a text, whose files are found beside `path`: at the times of its run, or at these; on
-/// points (n, 4), masses and places.
+/// Computes the torque required for the prescribed motion of a scenario, from a file or a text.
+/// Paths in a text are relative to `path`. `times` replace those of its run. `points` (n, 4) have
+/// masses, kg, and positions, m.
 ///
 /// # Errors
-/// `PolhodeError` if it cannot be read, or prescribes no motion.
+/// `PolhodeError` if the scenario cannot be read, or does not prescribe a motion.
 #[pyfunction]
 pub(crate) fn required_torque<'py>(
     py: Python<'py>,
@@ -68,7 +69,7 @@ pub(crate) fn required_torque<'py>(
     })
 }
 
-/// Name, unit, description and values of each column.
+/// Returns name, unit, description and values of each column.
 pub(crate) fn columns(table: &Table<'_>) -> Vec<(String, &'static str, &'static str, Vec<f64>)> {
     let values = |column: &TableColumn<'_>| (0..table.rows()).map(|row| column.value(row)).collect();
     table.columns().iter().map(|c| (c.name.to_string(), c.unit, c.description, values(c))).collect()

@@ -1,4 +1,4 @@
-//! Bodies in models of robots: a link, links joined, or a table of all.
+//! Bodies in robot models: one link, joined links, or a table of all links.
 
 use std::path::{Path, PathBuf};
 
@@ -20,14 +20,15 @@ use crate::error::{PolhodeError, Raise, refused};
 use crate::finding::{Remark, remarks};
 use crate::mass_properties::PyMassProperties;
 
-/// The value of a joint: rad or m, or a text with its unit.
+/// Value of a joint: a number, rad or m, or a text with its unit.
 #[derive(Debug, FromPyObject)]
 pub(crate) enum JointValue {
     Number(f64),
     Text(String),
 }
 
-/// A link of a robot, a link with all that hangs from it, or all links, at some values of the joints.
+/// Returns a link of a robot, a link with all links attached to it, or all links, at these joint
+/// values.
 #[pyfunction]
 pub(crate) fn robot_file(
     py: Python<'_>,
@@ -46,7 +47,8 @@ pub(crate) fn robot_file(
     })
 }
 
-/// What fixed joints hold together: a body for each group, and the link whose frame it is in.
+/// Returns a body for each group of links joined by fixed joints, with the link whose frame it
+/// uses.
 #[pyfunction]
 pub(crate) fn robot_groups(py: Python<'_>, path: PathBuf) -> PyResult<Vec<(String, PyMassProperties)>> {
     let reports = py.detach(|| {
@@ -59,7 +61,7 @@ pub(crate) fn robot_groups(py: Python<'_>, path: PathBuf) -> PyResult<Vec<(Strin
     Ok(reports.into_iter().map(|report| (frame(&report), PyMassProperties::of(report))).collect())
 }
 
-/// All links of a robot: as JSON, as text, as CSV, and what was noticed.
+/// Returns all links of a robot as JSON, as text and as CSV, with the findings.
 #[pyfunction]
 pub(crate) fn robot_table(
     py: Python<'_>,
@@ -79,14 +81,14 @@ fn read(path: &Path) -> PyResult<RobotModel> {
     read_model(path, &ReadOptions::default()).map_err(Raise::raise)
 }
 
-/// The one body that links make.
+/// Returns the single body of the selected links.
 fn one(model: &RobotModel, lumping: Lumping<'_>, joints: &[(String, JointValue)]) -> PyResult<InertiaReport> {
     let positions = positions(model, joints)?;
     let mut reports = of_lumps(model, lumping, &positions).map_err(|error| raised(model, &error))?;
     reports.pop().ok_or_else(|| refused(format!("no link of {} has a mass", model.path.display()), None))
 }
 
-/// Values of joints, rad or m.
+/// Converts joint values to rad or m.
 fn positions(model: &RobotModel, joints: &[(String, JointValue)]) -> PyResult<Vec<(String, f64)>> {
     let value = |(name, value): &(String, JointValue)| match value {
         JointValue::Number(value) => Ok((name.clone(), *value)),
@@ -107,7 +109,7 @@ fn positions(model: &RobotModel, joints: &[(String, JointValue)]) -> PyResult<Ve
     joints.iter().map(value).collect()
 }
 
-/// The error with its place in the model, if it has one.
+/// Returns the exception with its place in the model, if the error has one.
 fn raised(model: &RobotModel, error: &LinkError) -> PyErr {
     let (message, hint) = (error.to_string(), Some(error.hint().to_owned()));
     match error.span() {
@@ -119,14 +121,14 @@ fn raised(model: &RobotModel, error: &LinkError) -> PyErr {
     }
 }
 
-/// The links of a robot, in the file's order.
+/// Returns the names of the links of a robot, in the order of the file.
 #[pyfunction]
 pub(crate) fn robot_links(py: Python<'_>, path: PathBuf) -> PyResult<Vec<String>> {
     let model = py.detach(|| read(&path))?;
     Ok(model.links.iter().map(|link| link.name.text.clone()).collect())
 }
 
-/// True if the file's root element or first word is that of a robot model.
+/// Returns true if the root element or first word of the file is that of a robot model.
 #[pyfunction]
 pub(crate) fn is_robot(py: Python<'_>, path: PathBuf) -> PyResult<bool> {
     let is_robot = |bytes: &[u8]| {

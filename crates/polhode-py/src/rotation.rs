@@ -1,4 +1,4 @@
-//! Rotations that are given as matrices.
+//! Rotations given as matrices.
 
 use numpy::{PyArray2, PyReadonlyArray2};
 use polhode::math::Attitude;
@@ -7,7 +7,8 @@ use pyo3::prelude::*;
 use crate::arrays::{rows, table};
 use crate::error::refused;
 
-/// The quaternions w, x, y, z of direction-cosine matrices, each the nine elements of its rows; the first that is none is refused with its number.
+/// Converts direction-cosine matrices, nine numbers by row, to quaternions w, x, y, z. An error
+/// names the first invalid matrix.
 #[pyfunction]
 pub(crate) fn quaternions_of_matrices<'py>(
     py: Python<'py>,

@@ -1,4 +1,4 @@
-//! Scenarios as texts: their tables, what is noticed of them, and torques and events that Python computes.
+//! Scenarios as texts: their tables, their findings, and torques and events computed in Python.
 
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -16,7 +16,7 @@ use crate::arrays::{rows, table};
 use crate::error::{Raise, refused};
 use crate::finding::{Remark, remarks};
 
-/// The tables of a scenario's file, or of its text, as JSON; what it says is checked.
+/// Returns the tables of a scenario from a file or a text, as JSON; the scenario is checked.
 #[pyfunction]
 pub(crate) fn scenario_tables(py: Python<'_>, path: PathBuf, text: Option<String>) -> PyResult<String> {
     let file = py.detach(|| read(path, text)).map_err(Raise::raise)?;
@@ -25,14 +25,14 @@ pub(crate) fn scenario_tables(py: Python<'_>, path: PathBuf, text: Option<String
     serde_json::to_string(&tables).map_err(|error| no_json(&error))
 }
 
-/// What is noticed of the scenario of a text, whose files are found beside `path`.
+/// Returns the findings on the scenario of a text. Paths in it are relative to `path`.
 #[pyfunction]
 pub(crate) fn check_scenario(py: Python<'_>, path: PathBuf, text: String) -> PyResult<Vec<Remark>> {
     let file = py.detach(|| read(path, Some(text))).map_err(Raise::raise)?;
     Ok(remarks(file.scenario.findings()))
 }
 
-/// A scenario's file, or its text.
+/// Reads a scenario from a file or a text.
 pub(crate) fn read(path: PathBuf, text: Option<String>) -> Result<ScenarioFile, polhode_source::FormatError> {
     match text {
         None => ScenarioFile::read(&Disk, &path),
@@ -40,37 +40,37 @@ pub(crate) fn read(path: PathBuf, text: Option<String>) -> Result<ScenarioFile, 
     }
 }
 
-/// The scenario with other times.
+/// Returns the scenario with other times.
 pub(crate) fn sampled(scenario: Scenario, times: &[f64]) -> Scenario {
     let run = scenario.run().cloned().unwrap_or_else(|| Run::evenly(0.0, 0, Method::Auto, 1e-13));
     scenario.sampled(Run { times: times.to_vec(), ..run })
 }
 
-/// A torque that Python computes: which of the scenario's it is, whether it is along space axes, and a function of time, ω, the attitude's quaternion and L
-/// that gives three components.
+/// Torque computed in Python: number of the torque in the scenario, true for components along space
+/// axes, and the function. It maps time, ω, the attitude quaternion and L to three components.
 pub(crate) type PythonTorque = (usize, bool, Py<PyAny>);
 
-/// What an event measures, computed by Python: which of the scenario's it is, whether it depends on the body's mass, and a function of time, ω, the
-/// attitude's quaternion and L that gives a number.
+/// Event measure computed in Python: number of the event in the scenario, true if it depends on the
+/// mass of the body, and the function. It maps time, ω, the attitude quaternion and L to a number.
 pub(crate) type PythonMeasure = (usize, bool, Py<PyAny>);
 
-/// Raises what a function of Python's has raised.
+/// Raises the exception of a Python function, if there is one.
 pub(crate) fn heard(raised: &Raised) -> PyResult<()> {
     raised.lock().unwrap_or_else(PoisonError::into_inner).take().map_or(Ok(()), Err)
 }
 
-/// Whether one has raised something.
+/// Returns true if a Python function has raised an exception.
 pub(crate) fn has_raised(raised: &Raised) -> bool {
     raised.lock().unwrap_or_else(PoisonError::into_inner).is_some()
 }
 
-/// What a function of Python's has raised.
+/// Exception of a Python function.
 pub(crate) type Raised = Arc<Mutex<Option<PyErr>>>;
 
-/// The scenario with torques that Python computes in the place of some of its own.
+/// Returns the scenario with some torques replaced by Python functions.
 ///
 /// # Errors
-/// `PolhodeError` where the scenario has no such torque.
+/// `PolhodeError` if the scenario has no torque of that number.
 pub(crate) fn with_functions(
     scenario: Scenario,
     functions: Vec<PythonTorque>,
@@ -92,10 +92,10 @@ pub(crate) fn with_functions(
     scenario.under(acting).map_err(Raise::raise)
 }
 
-/// The scenario with events that measure what Python computes, in the place of some of its own.
+/// Returns the scenario with some event measures replaced by Python functions.
 ///
 /// # Errors
-/// `PolhodeError` where the scenario has no such event.
+/// `PolhodeError` if the scenario has no event of that number.
 pub(crate) fn with_measures(
     scenario: Scenario,
     measures: Vec<PythonMeasure>,
@@ -113,19 +113,19 @@ pub(crate) fn with_measures(
     scenario.watching(events).map_err(Raise::raise)
 }
 
-/// The event, of what a function measures.
+/// Returns the event with a function as its measure.
 ///
 /// # Errors
-/// `PolhodeError` where there is no such event.
+/// `PolhodeError` if the event is invalid.
 pub(crate) fn measuring(event: &Event, measure: EventFunction) -> PyResult<Event> {
     let measure = Measure::Function(measure);
     Event::new(event.name(), measure, event.value(), event.sense(), event.action()).map_err(Raise::raise)
 }
 
-/// What a function of Python's measures.
+/// Returns the event function that calls a Python function.
 pub(crate) fn measured(needs_body: bool, measure: Py<PyAny>, raised: Raised) -> EventFunction {
     let value = move |state: &State, momentum: [f64; 3]| {
-        // What ends the run may come a few calls later.
+        // The run may end only some calls after the exception.
         if has_raised(&raised) {
             return f64::NAN;
         }
@@ -142,12 +142,12 @@ pub(crate) fn measured(needs_body: bool, measure: Py<PyAny>, raised: Raised) -> 
     }
 }
 
-/// L along body axes.
+/// Returns L, body axes.
 fn in_body_axes(rotor: &Rotor, state: &State) -> [f64; 3] {
     (state.attitude.inverse() * rotor.angular_momentum_space(state)).to_array()
 }
 
-/// A torque that a function of Python's computes for one body.
+/// Returns a torque computed by a Python function for one body.
 pub(crate) fn function(in_space: bool, law: Py<PyAny>, raised: Raised) -> TorqueModel {
     TorqueModel::function("function", move |rotor: &Rotor, state: &State| {
         let momentum = in_body_axes(rotor, state);
@@ -158,15 +158,15 @@ pub(crate) fn function(in_space: bool, law: Py<PyAny>, raised: Raised) -> Torque
             Ok(torque) => Torque::<Body>::from_array(torque),
             Err(error) => {
                 raised.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
-                // It ends the integration.
+                // NaN ends the integration.
                 Torque::new(f64::NAN, f64::NAN, f64::NAN)
             }
         }
     })
 }
 
-/// A torque that a function of Python's computes for many members at once: of times (n,), ω (n, 3), quaternions (n, 4), L along body axes (n, 3) and the
-/// numbers of the members (n,) it gives (n, 3).
+/// Returns a torque computed by a Python function for many members at once. It maps times (n,), ω
+/// (n, 3), quaternions (n, 4), L along body axes (n, 3) and member numbers (n,) to torques (n, 3).
 pub(crate) fn vectorized(in_space: bool, law: Py<PyAny>, raised: Raised) -> TorqueModel {
     TorqueModel::vectorized_function("function", move |asked: &[MemberState<'_>]| {
         let found = Python::attach(|py| -> PyResult<Vec<[f64; 3]>> {
@@ -190,7 +190,7 @@ pub(crate) fn vectorized(in_space: bool, law: Py<PyAny>, raised: Raised) -> Torq
             Ok(torques) => asked.iter().zip(torques).map(turned).collect(),
             Err(error) => {
                 raised.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
-                // None is none of theirs: it ends the integration.
+                // An empty result ends the integration.
                 Vec::new()
             }
         }

@@ -1,4 +1,4 @@
-//! Shapes with closed-form integrals, by name.
+//! Shapes with closed-form integrals, selected by name.
 
 use polhode::body::BodyError;
 use polhode::body::shape::{
@@ -14,11 +14,11 @@ use crate::error::{Raise, refused};
 use crate::mass_properties::PyMassProperties;
 use crate::substance::Given;
 
-/// The mass properties of a shape: its name, its lengths (m) in the order of the function of that name in `shapes.py`, and what
-/// it is made of.
+/// Returns the mass properties of a shape from its name, its lengths (m) in the order of the
+/// function of that name in `shapes.py`, and its substance.
 ///
 /// # Errors
-/// `PolhodeError` if there is no such shape.
+/// `PolhodeError` for an unknown shape.
 #[pyfunction]
 pub(crate) fn shape(kind: &str, lengths: Vec<f64>, ends: bool, given: Given) -> PyResult<PyMassProperties> {
     let shape = of_name(kind, &lengths, ends)?.map_err(Raise::raise)?;

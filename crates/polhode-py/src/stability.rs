@@ -1,4 +1,4 @@
-//! Which steady motions last.
+//! Stability of steady motions.
 
 use std::path::{Path, PathBuf};
 
@@ -10,10 +10,11 @@ use pyo3::prelude::*;
 use crate::error::{Raise, refused};
 use crate::scenario;
 
-/// What is said of a scenario's body, as JSON and as text: of a file, or of a text, whose files are found beside `path`.
+/// Returns the stability report on a scenario's body as JSON and as text. The scenario is a file or
+/// a text; paths in a text are relative to `path`.
 ///
 /// # Errors
-/// `PolhodeError` if it cannot be read, or no motion of it is steady.
+/// `PolhodeError` if the scenario cannot be read, or has no steady motion.
 #[pyfunction]
 pub(crate) fn scenario_stability(
     py: Python<'_>,
@@ -46,7 +47,7 @@ pub(crate) fn scenario_stability(
     })
 }
 
-/// Where a scenario came from.
+/// Returns the source information of a scenario.
 pub(crate) fn source(path: &Path, file: &ScenarioFile) -> SourceInfo {
     let title = file.scenario.title().unwrap_or("scenario");
     SourceInfo::new(path.display().to_string(), "scenario").described(title)

@@ -1,4 +1,4 @@
-//! What a body is made of, as keyword arguments say it.
+//! Substance of a body, given by keyword arguments.
 
 use polhode::body::Material;
 use polhode::body::shape::Substance;
@@ -8,13 +8,14 @@ use pyo3::prelude::*;
 
 use crate::error::refused;
 
-/// The materials that have names, with their densities, kg/m³.
+/// Returns the known materials with their densities, kg/m³.
 #[pyfunction]
 pub(crate) fn materials() -> Vec<(&'static str, f64)> {
     Material::ALL.iter().map(|material| (material.name, material.density)).collect()
 }
 
-/// `density=`, `mass=`, `material=`, `area_density=` and `line_density=`: at most one.
+/// Keyword arguments `density=`, `mass=`, `material=`, `area_density=` and `line_density=`; at most
+/// one is set.
 #[derive(Clone, Debug, FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct Given {
@@ -26,10 +27,10 @@ pub(crate) struct Given {
 }
 
 impl Given {
-    /// The one that is given, if one is.
+    /// Returns the substance, if one is given.
     ///
     /// # Errors
-    /// `PolhodeError` if two are, or if there is no such material.
+    /// `PolhodeError` if two arguments are set, or for an unknown material.
     pub(crate) fn substance(&self) -> PyResult<Option<Substance>> {
         let material = self.material.as_deref().map(density_of).transpose()?;
         let all = [
@@ -49,10 +50,10 @@ impl Given {
         }
     }
 
-    /// The one that is given.
+    /// Returns the substance.
     ///
     /// # Errors
-    /// As [`Self::substance`], and if none is.
+    /// Same as [`Self::substance`], and an error if none is given.
     pub(crate) fn required(&self) -> PyResult<Substance> {
         self.substance()?.ok_or_else(|| {
             refused("nothing says what the body is made of", Some("give density, mass or material"))

@@ -1,4 +1,4 @@
-//! Plans, their members, and what becomes of them: tables, column by column.
+//! Sweep plans, their members, and their results, as tables by column.
 
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -14,10 +14,11 @@ use crate::arrays::{numbers, room};
 use crate::error::{Raise, refused, system_number};
 use crate::finding::{Remark, remarks};
 
-/// A column for Python: its name, unit and description, its values, and where these are there, unless all are.
+/// Column for Python: name, unit, description, values, and a mask of valid values (`None` if all
+/// are valid).
 type Given<'py> = (String, String, String, Bound<'py, PyAny>, Option<Bound<'py, PyArray1<bool>>>);
 
-/// A scenario, and what differs from member to member.
+/// Scenario with the variables that differ from member to member.
 #[pyclass(frozen, name = "Plan", module = "polhode._native")]
 #[derive(Clone, Debug)]
 pub(crate) struct PyPlan {
@@ -33,7 +34,7 @@ impl PyPlan {
         Ok(Self { plan, path })
     }
 
-    /// Of a text; the files that it names are found beside `path`.
+    /// Creates a plan from a text; paths in it are relative to `path`.
     #[staticmethod]
     fn parse(py: Python<'_>, text: String, path: PathBuf) -> PyResult<Self> {
         let plan = py.detach(|| Plan::parse(&Disk, text, &path)).map_err(Raise::raise)?;
@@ -65,31 +66,31 @@ impl PyPlan {
         self.plan.wants_trajectories()
     }
 
-    /// Name, unit and description of each.
+    /// Name, unit and description of each variable.
     #[getter]
     fn variables(&self) -> Vec<(String, String, String)> {
         let variables = self.plan.variables().iter();
         variables.map(|v| (v.name.clone(), v.unit.clone(), v.description.clone())).collect()
     }
 
-    /// What was noticed: code, severity, message, place.
+    /// Findings: code, severity, message, place.
     #[getter]
     fn findings(&self) -> Vec<Remark> {
         remarks(&self.plan.findings())
     }
 
-    /// The inputs of the members from `start` up to `stop`.
+    /// Returns the inputs of the members from `start` to `stop`, exclusive.
     fn inputs<'py>(&self, py: Python<'py>, start: u64, stop: u64) -> PyResult<Vec<Given<'py>>> {
         let count = stop.saturating_sub(start);
         let columns = 1 + self.plan.variables().len();
-        // Once in columns of Rust, and once in arrays.
+        // The data exist twice: in Rust columns and in arrays.
         let both = usize::try_from(count).ok().and_then(|count| count.checked_mul(2 * columns));
         room::<f64>(&format!("the inputs of {count} members"), both)?;
         let rows = py.detach(|| polhode_sweep::inputs(&self.plan, start..stop));
         Ok(given(py, rows))
     }
 
-    /// The rows, each with what becomes of its member.
+    /// Simulates the members of the rows; returns the rows with the results.
     fn simulate<'py>(
         &self,
         py: Python<'py>,
@@ -100,7 +101,7 @@ impl PyPlan {
         Ok(given(py, rows))
     }
 
-    /// The motions of the rows' members.
+    /// Returns the trajectories of the members of the rows.
     fn trajectories<'py>(
         &self,
         py: Python<'py>,
@@ -113,7 +114,7 @@ impl PyPlan {
 }
 
 impl PyPlan {
-    /// Inputs by name: whole numbers or numbers. What the columns are, the plan says.
+    /// Converts input columns, integers or floats, by name; the plan defines the columns.
     fn taken(&self, columns: Vec<(String, Bound<'_, PyAny>)>) -> PyResult<Batch> {
         let known = polhode_sweep::inputs(&self.plan, 0..0);
         let column = |(name, values): (String, Bound<'_, PyAny>)| {
@@ -126,7 +127,7 @@ impl PyPlan {
     }
 }
 
-/// The results of a sweep in a folder, locked for as long as this lives.
+/// Results of a sweep in a folder, locked during the lifetime of the object.
 #[pyclass(frozen, name = "Dataset", module = "polhode._native")]
 #[derive(Debug)]
 pub(crate) struct PyDataset {
@@ -135,7 +136,7 @@ pub(crate) struct PyDataset {
 
 #[pymethods]
 impl PyDataset {
-    /// `mode` is `create`, `resume` or `replace`.
+    /// Opens the folder; `mode` is `create`, `resume` or `replace`.
     #[staticmethod]
     fn open(py: Python<'_>, folder: PathBuf, plan: &PyPlan, mode: &str) -> PyResult<Self> {
         let dataset = py.detach(|| match mode {
@@ -146,7 +147,7 @@ impl PyDataset {
         Ok(Self { dataset: dataset.map_err(Raise::raise)? })
     }
 
-    /// The first member of a part, and the one after its last.
+    /// Returns the first member of a part, and the member after its last.
     fn rows(&self, part: u64) -> (u64, u64) {
         let rows = self.dataset.rows(part);
         (rows.start, rows.end)
@@ -161,19 +162,20 @@ impl PyDataset {
         py.detach(|| self.dataset.missing()).map_err(Raise::raise)
     }
 
-    /// Keeps the rows of a part; `columns` with their units and descriptions.
+    /// Stores the rows of a part; `columns` include units and descriptions.
     fn write(&self, py: Python<'_>, part: u64, columns: Vec<Given<'_>>) -> PyResult<()> {
         let rows = whole(columns)?;
         py.detach(|| self.dataset.write(part, &rows)).map_err(Raise::raise)
     }
 
-    /// Keeps the trajectories of a part.
+    /// Stores the trajectories of a part.
     fn write_trajectories(&self, py: Python<'_>, part: u64, columns: Vec<Given<'_>>) -> PyResult<()> {
         let rows = whole(columns)?;
         py.detach(|| self.dataset.write_trajectories(part, &rows)).map_err(Raise::raise)
     }
 
-    /// Computes what is missing in threads of this process, and tells `progress` how many members are there.
+    /// Computes the missing members in threads of this process, and reports the number of finished
+    /// members to `progress`.
     fn compute(&self, py: Python<'_>, plan: &PyPlan, threads: usize, progress: Py<PyAny>) -> PyResult<()> {
         let (stop, why) = (AtomicBool::new(false), Mutex::new(None));
         let told = |reached: polhode_sweep::Progress| {
@@ -193,7 +195,7 @@ impl PyDataset {
         }
     }
 
-    /// Writes what all parts come to; gives it as JSON and as text.
+    /// Writes the summary of all parts; returns it as JSON and as text.
     fn finish(&self, py: Python<'_>, plan: &PyPlan, threads: usize) -> PyResult<(String, String)> {
         let summary = py.detach(|| self.dataset.finish(&plan.plan, threads)).map_err(Raise::raise)?;
         Ok((summary.to_json().to_string(), summary.to_text()))
@@ -207,7 +209,7 @@ impl Raise for BatchError {
 }
 
 impl Raise for SweepError {
-    /// What the system refuses is Python's own `OSError`.
+    /// Returns `OSError` for errors of the operating system.
     fn raise(self) -> PyErr {
         match &self {
             Self::Read { path, error } | Self::Write { path, error } => match system_number(error.kind()) {
@@ -233,7 +235,7 @@ fn column_given<'py>(py: Python<'py>, column: &Column) -> Given<'py> {
         Values::Numbers(values) => (PyArray1::from_slice(py, values).into_any(), None),
         Values::Perhaps(values) => {
             let there = PyArray1::from_iter(py, values.iter().map(Option::is_some));
-            // What is not there is marked, so that this zero is never seen.
+            // Missing values are masked, so this zero is never used.
             let numbers = PyArray1::from_iter(py, values.iter().map(|value| value.unwrap_or_default()));
             (numbers.into_any(), Some(there))
         }
@@ -245,7 +247,7 @@ fn column_given<'py>(py: Python<'py>, column: &Column) -> Given<'py> {
     (column.name.clone(), column.unit.clone(), column.description.clone(), values, there)
 }
 
-/// Whole rows: what `given` gave.
+/// Converts complete rows back from the format of `given`.
 fn whole(columns: Vec<Given<'_>>) -> PyResult<Batch> {
     let column = |(name, unit, description, values, there): Given<'_>| {
         let values = match there {

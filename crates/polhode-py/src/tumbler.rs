@@ -1,4 +1,4 @@
-//! Which spins have two periods.
+//! Spin states of tumbling bodies with two given periods.
 
 use polhode::body::{InertiaTensor, PrincipalFrame};
 use polhode::observe::{AxisConvention, TumblingPeriods};
@@ -7,10 +7,11 @@ use pyo3::prelude::*;
 
 use crate::error::{Raise, refused};
 
-/// All spins of a body with these periods of precession and rotation, s, as JSON and as text.
+/// Returns all spin states of a body with these periods of precession and rotation, s, as JSON and
+/// as text.
 ///
 /// # Errors
-/// `PolhodeError` if there is no such body, or no such spin.
+/// `PolhodeError` for an unphysical body, or if no spin state has these periods.
 #[pyfunction]
 pub(crate) fn tumbling_spins(
     py: Python<'_>,

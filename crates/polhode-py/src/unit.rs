@@ -5,10 +5,10 @@ use pyo3::prelude::*;
 
 use crate::error::refused;
 
-/// The length that the name of a unit stands for, m, or the mass, kg.
+/// Returns the value of a named unit: of length in m, or of mass in kg.
 ///
 /// # Errors
-/// `PolhodeError` if there is no such unit.
+/// `PolhodeError` for an unknown unit.
 #[pyfunction]
 pub(crate) fn unit(name: &str, of_mass: bool) -> PyResult<f64> {
     let dimension = if of_mass { Dimension::MASS } else { Dimension::LENGTH };

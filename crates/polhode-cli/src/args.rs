@@ -1,4 +1,4 @@
-//! What the command line can say. Help, completions and the man page come from here.
+//! Definitions of the command line. Help, completions and the man page are generated from them.
 
 use std::ffi::OsString;
 
@@ -50,7 +50,7 @@ Examples:
   polhode explain examples/notes/11-10-dumbbell.toml
   polhode judge examples/judge/mujoco-rk4.csv";
 
-/// Returns [`EXAMPLES`] without those of commands that are left out.
+/// Returns [`EXAMPLES`] without those of commands that this build does not include.
 fn examples() -> String {
     let commands = [(cfg!(feature = "robot"), "polhode check"), (cfg!(feature = "judge"), "polhode judge")];
     let is_there =
@@ -113,8 +113,8 @@ impl Command {
     }
 }
 
-/// What is refused, with a tip that helps. Of a value that begins with `-` clap says to put `--` before it: that is right of a file, and
-/// wrong of what belongs to an option.
+/// Returns the usage error with a useful tip. For a value that begins with `-`, clap suggests `--`
+/// in front of it. That is correct for a file name, and wrong for the value of an option.
 pub(crate) fn with_tip(mut refusal: clap::Error, given: &[OsString]) -> clap::Error {
     let Some(ContextValue::String(found)) = refusal.get(ContextKind::InvalidArg).cloned() else {
         return refusal;
@@ -135,7 +135,7 @@ pub(crate) fn with_tip(mut refusal: clap::Error, given: &[OsString]) -> clap::Er
     refusal
 }
 
-/// Whether this is an option of the subcommand that is called, and has a value.
+/// Returns true if the called subcommand has this option, and the option takes a value.
 fn takes_value(given: &[String], option: &str) -> bool {
     let polhode = Polhode::command();
     let subcommand = given.get(1).and_then(|name| polhode.find_subcommand(name));

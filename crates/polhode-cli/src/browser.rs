@@ -1,4 +1,4 @@
-//! Shows a page in the user's browser.
+//! Opens a page in the user's browser.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -7,7 +7,8 @@ use polhode_source::shown;
 
 use crate::stderr::tell;
 
-/// Opens a page with the program that BROWSER names, or with the system's own. That there is none is a remark: the page is written.
+/// Opens a page with the program named in BROWSER, or with that of the system. A failure is only a
+/// note, because the page is written.
 pub(crate) fn open(page: &Path) {
     let own = std::env::var_os("BROWSER").filter(|name| !name.is_empty());
     let mut command = if let Some(own) = own {

@@ -16,16 +16,17 @@ use crate::progress::DrawProgress;
 use crate::same_file::is_same;
 use crate::stdout::{self, print, print_exact};
 
-/// What is printed instead of a workbook: without naming them `requires` would let these pass.
+/// Options that print the result. `--force` must name them as conflicts, because `requires` alone
+/// would accept them.
 const PRINTED: [&str; 8] = ["json", "markdown", "html", "csv", "body", "diff", "about", "along"];
 
-/// Options that have no effect on the list as it is given, along its own axes.
+/// Options that have no effect on the list as it is stated, along its own axes.
 const GIVEN: [&str; 5] = ["about", "along", "draws", "seed", "diff"];
 
-/// The same of a plan, whose members are drawn.
+/// Options that have no effect on a sweep plan, whose members are random.
 const DRAWN: [&str; 3] = ["about", "along", "diff"];
 
-/// The same of a scenario.
+/// Options that have no effect on a scenario of the sequence over time.
 const AT_FIRST: [&str; 7] = ["about", "along", "draws", "seed", "diff", "configuration", "strict"];
 
 /// What a parts list comes to: mass, centre of mass and inertia with their uncertainties.
@@ -100,7 +101,7 @@ impl BudgetCommand {
         drop(progress);
         let form = Form { json: self.json, markdown: self.markdown, html: self.html };
         match (&self.request.output, found.report()) {
-            // Rows of long lists are written one by one.
+            // Long lists are written row by row.
             (None, Some(report)) if self.json => {
                 stdout::write(|out| report.write_json(out).and_then(|()| out.write_all(b"\n")))?;
             }
@@ -142,7 +143,7 @@ impl BudgetCommand {
     }
 }
 
-/// Refuses to write over what is read, whatever --force says.
+/// Refuses to overwrite a file that is read, even with `--force`.
 fn require_not_read<'a>(
     mut outputs: impl Iterator<Item = &'a Path>,
     found: &Budgeted,

@@ -116,7 +116,7 @@ impl Check {
         let outputs = self.outputs();
         outputs.require_not_read("the model itself", inputs.models().chain(inputs.excluded()))?;
         outputs.require_not_read("the configuration", inputs.config().into_iter())?;
-        // A baseline is replaced by one that knows its findings too.
+        // A baseline may be replaced only by one that includes its findings.
         let known = self.request.baseline.iter().map(PathBuf::as_path);
         outputs.without("--write-baseline").require_not_read("the baseline", known)?;
         outputs.require_places()?;
@@ -185,12 +185,12 @@ impl Check {
         Failure::unless_empty(failures)
     }
 
-    /// File for the fixed model, if one is named.
+    /// Returns the file for the fixed model, if one is named.
     fn fixed(&self) -> Option<&Path> {
         self.out.as_ref()?.as_deref()
     }
 
-    /// What is written, in the order in which it is.
+    /// Returns the output files in the order in which they are written.
     fn outputs(&self) -> Outputs<'_> {
         let options = [
             ("--fix", self.fixed()),
@@ -200,7 +200,7 @@ impl Check {
         Outputs::new(options, self.force)
     }
 
-    /// A model has to be named before --fix, which takes the file after it.
+    /// Requires a model before `--fix`, which would take the file after it as its output.
     fn require_models(&self) -> Result<(), Failure> {
         match self.fixed() {
             Some(out) if self.request.files.is_empty() => Err(Failure::usage(
@@ -211,7 +211,8 @@ impl Check {
         }
     }
 
-    /// Refuses a file for several models, --force without a file, and a form that has no place for fixes.
+    /// Refuses one output file for several models, `--force` without a file, and a format without
+    /// fixes.
     fn require_fix_fits(&self, models: usize) -> Result<(), Failure> {
         let (message, hint) = match (&self.out, self.form.format()) {
             (None, _) => return Ok(()),
@@ -247,7 +248,7 @@ impl Progress for FileProgress {
     }
 }
 
-/// A rule, or all of them.
+/// Prints one rule, or all rules.
 fn explain(code: Option<&str>) -> Result<(), Failure> {
     let Some(code) = code else { return print(&list()) };
     match rule(code) {

@@ -1,4 +1,4 @@
-//! How the command fails: what it prints, and its exit status.
+//! Failures of the command: messages and exit status.
 
 use std::io;
 use std::path::Path;
@@ -8,24 +8,24 @@ use polhode_source::{Failure as Request, FormatError};
 
 use crate::stderr::tell;
 
-/// Why the command failed.
+/// Reason of a failure.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// A request that has no result.
+    /// Request without a result.
     Request(Request),
-    /// A motion that is written as far as it could be computed.
+    /// Motion that is written up to the last time that could be computed.
     Incomplete { path: String, error: MotionError },
-    /// Some of several files failed; all have been tried.
+    /// Failures of some of several files; all files were tried.
     Several(Vec<Failure>),
-    /// A result that cannot be written.
+    /// Result that cannot be written.
     Output { path: String, error: io::Error },
-    /// A sweep that was stopped with Ctrl-C or SIGTERM: what is there, how to go on, and the exit status.
+    /// Sweep stopped by Ctrl-C or SIGTERM: its progress, how to continue, and the exit status.
     Stopped { done: String, hint: String, status: u8 },
-    /// Another program that was run instead, and failed with this status.
+    /// Exit status of another program that was run instead.
     Status(u8),
-    /// A model with findings; they are printed already.
+    /// Model with findings, which are printed already.
     Findings,
-    /// Nobody reads the output any more, as after `| head`.
+    /// Closed output pipe, as after `| head`.
     ClosedPipe,
 }
 
@@ -34,12 +34,12 @@ impl Failure {
         Self::Request(Request::usage(message, hint))
     }
 
-    /// A motion that cannot be computed, of a file or an argument.
+    /// Creates the failure for a motion that cannot be computed; `path` is its file or argument.
     pub(crate) fn motion(path: impl Into<String>, error: MotionError) -> Self {
         Self::Request(Request::Motion { path: path.into(), error })
     }
 
-    /// The failure of one of several files, which it names if it has not done so yet.
+    /// Returns the failure with the path of its file, unless it has one already.
     pub(crate) fn about(self, file: &Path) -> Self {
         match self {
             Self::Request(request) => Self::Request(request.about(file)),
@@ -47,21 +47,21 @@ impl Failure {
         }
     }
 
-    /// What became of several files: nothing, or the failures of some of them.
+    /// Returns `Ok` for an empty list, else [`Self::Several`].
     pub(crate) fn unless_empty(failures: Vec<Self>) -> Result<(), Self> {
         if failures.is_empty() { Ok(()) } else { Err(Self::Several(failures)) }
     }
 
-    /// Prints the failure and gives the exit status.
+    /// Prints the failure and returns the exit status.
     pub(crate) fn report(&self) -> u8 {
         tell(&self.text());
         self.status()
     }
 
-    /// The exit status. Of several failures the worst: 2, what cannot be read or written, is worse than 3, what cannot be computed, and
-    /// that than 1, what was found.
+    /// Returns the exit status. Of several failures the worst counts: 2 (cannot read or write),
+    /// then 3 (cannot compute), then 1 (findings).
     fn status(&self) -> u8 {
-        /// From the best to the worst.
+        /// Exit statuses from best to worst.
         const ORDER: [u8; 4] = [0, 1, 3, 2];
         match self {
             Self::Request(request) if request.is_numerical() => 3,
@@ -81,7 +81,7 @@ impl Failure {
         match self {
             Self::Request(request) => request.to_string(),
             Self::Several(failures) => {
-                // What is printed already has no text.
+                // Failures that are printed already have no text.
                 let texts = failures.iter().map(Self::text).filter(|text| !text.is_empty());
                 texts.collect::<Vec<_>>().join("\n")
             }

@@ -1,4 +1,4 @@
-//! An output folder that appears complete or not at all.
+//! Output folder that appears complete or not at all.
 
 use std::fs;
 use std::io::{self, BufWriter};
@@ -11,13 +11,13 @@ use polhode_source::shown;
 use crate::failure::Failure;
 use crate::partial::{Partial, exists, output};
 
-/// The file by which a folder of results is known, and how it begins.
+/// File that identifies a folder of results, and its first bytes.
 const SIGNATURE: (&str, &[u8]) = ("summary.json", b"{\n  \"polhode\": ");
 
-/// The page that shows a motion.
+/// Page that shows a motion.
 pub(crate) const PAGE: &str = "report.html";
 
-/// All files that a folder of results can hold.
+/// All files that a folder of results may contain.
 const OURS: [&str; 9] = [
     SIGNATURE.0,
     PAGE,
@@ -30,29 +30,29 @@ const OURS: [&str; 9] = [
     "space_cone.csv",
 ];
 
-/// What may be replaced.
+/// Policy for replacing existing results.
 #[derive(Clone, Debug)]
 pub(crate) enum Replace {
-    /// Nothing.
+    /// Replaces nothing.
     Never,
-    /// Results of the scenario of this path, as they name it.
+    /// Replaces results of the scenario at this path, as recorded in their summary.
     ResultsOf(PathBuf),
-    /// Any results.
+    /// Replaces any results.
     Forced,
 }
 
 impl Replace {
-    /// Any results if that is asked for, else those of a scenario.
+    /// Returns [`Self::Forced`] if `force` is set, else the policy for results of this scenario.
     pub(crate) fn results_of(scenario: &Path, force: bool) -> Self {
         if force { Self::Forced } else { Self::ResultsOf(scenario.to_owned()) }
     }
 
-    /// As a flag says.
+    /// Returns [`Self::Forced`] if `force` is set, else [`Self::Never`].
     pub(crate) const fn forced(force: bool) -> Self {
         if force { Self::Forced } else { Self::Never }
     }
 
-    /// Whether it lets these results go, whose summary is in the folder.
+    /// Returns true if the results in this folder may be replaced, according to their summary.
     fn allows(&self, folder: &Path) -> bool {
         match self {
             Self::Never => false,
@@ -66,8 +66,8 @@ impl Replace {
     }
 }
 
-/// A folder of results in the making: its files are written beside its final place and moved there by
-/// [`Folder::publish`]. Dropped before that, it leaves nothing.
+/// Folder of results under construction. Its files are written next to the final place and moved
+/// there by [`Folder::publish`]. If dropped before, it is removed.
 #[derive(Debug)]
 pub(crate) struct Folder {
     partial: Partial,
@@ -75,7 +75,7 @@ pub(crate) struct Folder {
 }
 
 impl Folder {
-    /// Refuses a target that is there already, unless it holds nothing but old results that may be replaced.
+    /// Refuses an existing target, unless it contains only old results that may be replaced.
     pub(crate) fn check(target: &Path, replace: &Replace) -> Result<(), Failure> {
         let shown = shown(target);
         if target.file_name().is_none() {
@@ -100,16 +100,17 @@ impl Folder {
         }
     }
 
-    /// Starts a folder that is to become `target`, which nobody else may write at the same time.
+    /// Starts a folder for `target`; no other process can write to the same target meanwhile.
     pub(crate) fn create(target: &Path, replace: Replace) -> Result<Self, Failure> {
         Self::check(target, &replace)?;
         let partial = Partial::folder(target, remove)?;
-        // Old results whose successor never came have gone back.
+        // A previous run may have been killed while it replaced old results; these are restored by
+        // now.
         Self::check(target, &replace)?;
         Ok(Self { partial, replace })
     }
 
-    /// Writes one of [`OURS`].
+    /// Writes one of the files in [`OURS`].
     pub(crate) fn file(
         &self,
         name: &str,
@@ -119,14 +120,14 @@ impl Folder {
         let written = fs::File::create_new(&path).and_then(|file| {
             let mut out = BufWriter::new(file);
             write(&mut out)?;
-            // A full disk may not show before.
+            // A full disk may report its error only here.
             out.into_inner()?.sync_all()
         });
         written.map_err(|e| output(&self.partial.target().join(name), e))
     }
 
-    /// Moves the folder to its place. What came there in the meantime stays, and is an error; old results go if
-    /// they may.
+    /// Moves the folder to its place. Content that appeared there in the meantime is kept, and is
+    /// an error. Old results are removed if that is allowed.
     pub(crate) fn publish(self) -> Result<(), Failure> {
         let (target, old) = (self.partial.target().to_owned(), self.partial.old());
         let replaces = target.exists() && self.replace.allows(&target);
@@ -137,10 +138,10 @@ impl Folder {
             if replaces {
                 fs::rename(&target, &old)?;
             }
-            // Renaming onto anything but an empty folder fails, so nothing is ever overwritten.
+            // Renaming onto a folder that is not empty fails, so nothing is ever overwritten.
             fs::rename(partial.path(), &target).inspect_err(|_| {
                 if replaces && fs::rename(&old, &target).is_err() {
-                    // Another was faster: it has replaced them.
+                    // Another process has replaced them in the meantime.
                     let _ = remove(&old);
                 }
             })
@@ -155,7 +156,7 @@ impl Folder {
     }
 }
 
-/// Removes a folder of results: our files, and then the folder, which must be empty.
+/// Removes a folder of results: first the known files, then the folder, which must be empty.
 fn remove(folder: &Path) -> io::Result<()> {
     for name in OURS {
         match fs::remove_file(folder.join(name)) {
@@ -169,7 +170,7 @@ fn remove(folder: &Path) -> io::Result<()> {
     }
 }
 
-/// What a place holds that is not ours; `None` for an empty folder, or one of results and nothing else.
+/// Describes foreign content at the target; `None` for an empty folder, or one with results only.
 fn stranger(target: &Path, meta: &fs::Metadata) -> Option<String> {
     if !meta.is_dir() {
         return Some(if meta.is_symlink() { "it is a link" } else { "it is a file" }.to_owned());

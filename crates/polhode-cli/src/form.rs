@@ -1,4 +1,4 @@
-//! Forms in which reports are printed.
+//! Output formats of reports.
 
 use clap::Args;
 use polhode_document::Report;
@@ -25,19 +25,19 @@ impl Form {
     /// Prints a report.
     ///
     /// # Errors
-    /// [`Failure::Findings`] if something was found in it.
+    /// [`Failure::Findings`] if the report has findings.
     pub(crate) fn print(self, report: &dyn Report) -> Result<(), Failure> {
         print(&self.text(report))?;
         if report.has_failed() { Err(Failure::Findings) } else { Ok(()) }
     }
 
-    /// Returns the option that chooses the form, if one does.
+    /// Returns the option that selects the format, if one is given.
     pub(crate) fn option(self) -> Option<&'static str> {
         let all = [("--json", self.json), ("--markdown", self.markdown), ("--html", self.html)];
         all.into_iter().find_map(|(option, is_given)| is_given.then_some(option))
     }
 
-    /// Returns a report as it is printed.
+    /// Returns the report in the selected format.
     pub(crate) fn text(self, report: &dyn Report) -> String {
         if self.json {
             pretty(&report.to_json()) + "\n"

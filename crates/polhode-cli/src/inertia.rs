@@ -85,7 +85,7 @@ impl Inertia {
     }
 }
 
-/// Scenarios and robot models, and progress on the terminal.
+/// Readers of scenarios and robot models, and progress on the terminal.
 struct Command<'a> {
     robot: &'a RobotFlags,
     files: Option<FileProgress>,

@@ -1,6 +1,6 @@
-//! The command `polhode`: a rigid body in, its mass properties and its motion out.
+//! The command `polhode`: mass properties and motion of a rigid body.
 //!
-//! A library with one function, as the Python package has the same command.
+//! It is a library with a single function, which the Python package also calls.
 #![forbid(unsafe_code)]
 #![cfg_attr(
     not(feature = "default"),
@@ -46,17 +46,18 @@ use std::ffi::OsString;
 
 use clap::Parser as _;
 
-/// Runs the command with these arguments, the first of which is its own name, and returns its exit status. It owns the process: standard
-/// streams, signals, and the end by a signal.
+/// Runs the command with these arguments, the first of which is its own name, and returns its exit
+/// status. It assumes ownership of the process: standard streams, signal handlers, and termination
+/// by a signal.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     too_large_is_an_error();
     out_of_memory_is_an_error();
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let done = match args::Polhode::try_parse_from(&arguments) {
         Ok(polhode) => polhode.command.run(),
-        // Help and the version are answers: where they cannot be written that is a failure.
+        // Help and version are results: failing to write them is a failure.
         Err(answer) if !answer.use_stderr() => stdout::print_styled(&answer.render()),
-        // What was typed stands in the message.
+        // The message quotes what the user typed.
         Err(refusal) => {
             stderr::tell(&args::with_tip(refusal, &arguments).render().to_string());
             return 2;
@@ -68,29 +69,30 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     }
 }
 
-/// A file that would pass the limit of `ulimit -f` is an error of the write, as a full disk is, and not the end of the program.
+/// Turns exceeding `ulimit -f` into a write error, as for a full disk, instead of a fatal signal.
 fn too_large_is_an_error() {
     #[cfg(unix)]
     {
-        /// Linux, BSD and macOS number it alike.
+        /// Signal number on Linux, BSD and macOS.
         const SIGXFSZ: i32 = 25;
-        // Nobody looks at the flag: that the signal is caught is all.
+        // The flag is not used; catching the signal is enough.
         let _ = signal_hook::flag::register(SIGXFSZ, std::sync::Arc::default());
     }
 }
 
-/// Memory that cannot be had ends the program as an error does, after the runtime has said how much it was: an allocation that fails
-/// in the middle of a vector has nobody to return to, and aborts. Nothing is half-written then: what was begun is beside its place.
+/// Turns a failed allocation into an error exit, after the runtime has printed the size. An
+/// allocation failure inside a vector cannot return an error, and aborts. No file is left
+/// half-written, because files are written next to their final place.
 fn out_of_memory_is_an_error() {
     #[cfg(unix)]
     {
         use std::sync::Arc;
         use std::sync::atomic::AtomicBool;
 
-        /// Linux, BSD and macOS number it alike.
+        /// Signal number on Linux, BSD and macOS.
         const SIGABRT: i32 = 6;
         let always = Arc::new(AtomicBool::new(true));
-        // Where it cannot be caught the status is that of an abort.
+        // If the signal cannot be caught, the exit status is that of an abort.
         let _ = signal_hook::flag::register_conditional_shutdown(SIGABRT, 2, always);
     }
 }

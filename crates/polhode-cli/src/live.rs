@@ -63,7 +63,7 @@ impl Live {
     }
 }
 
-/// The lessons, a line and a sentence each.
+/// Returns the list of lessons, two lines each.
 fn list() -> String {
     let one = |LessonInfo { id, title, summary }| format!("{id:20}{title}\n{:20}{summary}\n", "");
     lessons().map(one).collect()

@@ -1,4 +1,4 @@
-//! The command `polhode`.
+//! Executable of the command `polhode`.
 #![forbid(unsafe_code)]
 
 use std::process::ExitCode;

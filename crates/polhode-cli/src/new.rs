@@ -71,7 +71,7 @@ impl New {
         if let Some(folder) = file.parent() {
             std::fs::create_dir_all(folder).map_err(|error| partial::output(&file, error))?;
         }
-        // The commands in it are about the file as it is called.
+        // The commands in the file refer to the file by its actual name.
         let text = self.starter.text().replace(self.starter.file(), &file.display().to_string());
         partial::write(&file, false, |out| out.write_all(text.as_bytes()))?;
         let name = shown(&file);
@@ -89,7 +89,7 @@ mod tests {
 
     use super::*;
 
-    /// A starter runs as it is; so does what stands in comments, once their `#` is gone.
+    /// A starter runs unchanged, and also with the keys in its comments enabled.
     #[test]
     fn every_starter_runs_and_so_does_what_it_suggests() {
         for starter in Starter::value_variants() {
@@ -97,7 +97,7 @@ mod tests {
             let scenario = read(starter.text()).unwrap();
             assert!(scenario.findings().is_empty(), "{starter:?}: {:?}", scenario.findings());
             assert!(scenario.simulate().unwrap().unwrap().ending().is_complete());
-            // Keys and tables in comments, which say nothing else in their lines.
+            // Comment lines that contain only keys and tables.
             let is_code = |line: &str| {
                 let rest = line.strip_prefix("# ");
                 rest.is_some_and(|rest| {

@@ -1,4 +1,4 @@
-//! `report.html`: the page that shows a motion.
+//! `report.html`: the interactive page of a motion.
 
 use std::fs;
 use std::io::{self, Write as _};
@@ -15,12 +15,12 @@ use crate::failure::Failure;
 use crate::folder::{Folder, PAGE};
 use crate::partial;
 
-/// What a page is made of, and by which command.
+/// Contents of a page, and the command that makes it.
 #[derive(Debug)]
 pub(crate) struct Page<'a> {
-    /// `simulate examples/t-handle.toml`
+    /// Command line without the program name, such as `simulate examples/t-handle.toml`.
     pub(crate) command: String,
-    /// A scenario and its text, or moments.
+    /// Subject of the page.
     pub(crate) shown: Shown<'a>,
 }
 
@@ -36,7 +36,8 @@ impl Page<'_> {
         match self.shown {
             Shown::Scenario { scenario, text, file } => {
                 let name = file.file_stem().unwrap_or_default().to_string_lossy();
-                // A scenario that cannot be explained, as a pendulum whose axis cannot hold it, can still be shown.
+                // A scenario without an explanation can still be displayed, such as a pendulum
+                // whose axis cannot carry it.
                 let explanation = explain_motion(scenario, trajectory).ok();
                 page(&PageInput {
                     title: scenario.title().unwrap_or(&name),
@@ -60,7 +61,7 @@ impl Page<'_> {
         }
     }
 
-    /// Writes the page into a folder of results; gives its name.
+    /// Writes the page into a folder of results; returns its name.
     pub(crate) fn write(&self, trajectory: &Trajectory, folder: &Folder) -> Result<&'static str, Failure> {
         let html = self.html(trajectory);
         folder.file(PAGE, |out| out.write_all(html.as_bytes()))?;
@@ -68,13 +69,14 @@ impl Page<'_> {
     }
 }
 
-/// Writes a page as a file of its own, which appears complete or not at all and replaces nothing unless `force` is set.
+/// Writes a page as a file of its own, completely or not at all. It replaces a file only if `force`
+/// is set.
 pub(crate) fn write_file(html: &str, file: &Path, force: bool) -> Result<(), Failure> {
     check_file(file, force)?;
     partial::write(file, force, |out| out.write_all(html.as_bytes()))
 }
 
-/// Refuses a file that is there already, unless `force` is set.
+/// Refuses an existing file, unless `force` is set.
 pub(crate) fn check_file(file: &Path, force: bool) -> Result<(), Failure> {
     match fs::symlink_metadata(file) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),

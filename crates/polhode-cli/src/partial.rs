@@ -1,8 +1,10 @@
-//! Files and folders in the making: written beside their final place, and moved there whole.
+//! Files and folders under construction: written next to their final place, and moved there when
+//! complete.
 //!
-//! `.NAME.partial-PID` is locked as long as its process lives; the system lets go of the lock when the process ends, however it ends.
-//! So whoever comes next knows what is being written, and says so, from what a killed process has left behind, and removes that.
-//! Ctrl-C and SIGTERM remove what is in the making, and then end the program as they always do.
+//! `.NAME.partial-PID` is locked during the lifetime of its process; the system releases the lock
+//! however the process ends. Another process therefore recognizes an active write, and reports it.
+//! It recognizes leftovers of a killed process, and removes them. Ctrl-C and SIGTERM remove
+//! unfinished files, and then end the program as usual.
 
 use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, Write as _};
@@ -13,31 +15,34 @@ use polhode_source::shown;
 
 use crate::failure::Failure;
 
-/// What this process has in the making. Whoever holds the lock decides whether it is published or removed.
+/// Unfinished targets of this process. The holder of the lock decides whether a target is published
+/// or removed.
 static IN_THE_MAKING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// The names of what is being made, and of old results on their way out, between the target's and the process's number.
+/// Name parts of unfinished targets and of old results to be removed, between the target name and
+/// the process number.
 const PARTIAL: &str = "partial";
 pub(crate) const OLD: &str = "old";
 
-/// How a partial target is thrown away: a folder by its owner, who knows what can be in it.
+/// Function that removes an unfinished target. For a folder it is given by the owner, who knows the
+/// possible contents.
 type Remove = fn(&Path) -> io::Result<()>;
 
-/// A place beside a target. Dropped before it is published, it leaves nothing.
+/// Unfinished target next to its final place. If dropped before it is published, it is removed.
 #[derive(Debug)]
 pub(crate) struct Partial {
     target: PathBuf,
     path: PathBuf,
-    /// Folders that were made for it, the outermost first.
+    /// Folders that were created for it, the outermost first.
     parents: Vec<PathBuf>,
     remove: Remove,
-    /// Held until the end; `None` where folders cannot be locked.
+    /// Lock held until the end; `None` where folders cannot be locked.
     lock: Option<File>,
     published: bool,
 }
 
 impl Partial {
-    /// A folder that is to become `target`, the folders above it being made too; `remove` throws one of its kind away.
+    /// Starts a folder for `target` and creates its parent folders; `remove` removes such a folder.
     pub(crate) fn folder(target: &Path, remove: Remove) -> Result<Self, Failure> {
         let parents = make_parents(target).map_err(|error| output(target, error))?;
         Self::claim(target, parents, remove, &|path| {
@@ -46,7 +51,7 @@ impl Partial {
         })
     }
 
-    /// A file that is to become `target`.
+    /// Starts a file for `target`.
     fn file(target: &Path) -> Result<Self, Failure> {
         Self::claim(target, Vec::new(), |path| fs::remove_file(path), &|path| {
             File::create_new(path).map(Some)
@@ -59,7 +64,8 @@ impl Partial {
         remove: Remove,
         make: &dyn Fn(&Path) -> io::Result<Option<File>>,
     ) -> Result<Self, Failure> {
-        /// Another that clears up may come between making and locking, once or twice.
+        /// Limit on retries: another process that cleans up may interfere between creation and
+        /// locking.
         const TRIES: usize = 8;
         remove_on_signals();
         let path = beside(target, PARTIAL, &std::process::id().to_string());
@@ -74,7 +80,7 @@ impl Partial {
                     continue;
                 }
             };
-            // Where there are no locks nobody clears up either.
+            // Without support for locks, no process cleans up either.
             let _ = lock.as_ref().map(File::lock);
             if fs::symlink_metadata(&path).is_ok() {
                 made.push(path.clone());
@@ -86,22 +92,22 @@ impl Partial {
         Err(output(target, error))
     }
 
-    /// Where it is as long as it is in the making.
+    /// Returns the path of the unfinished target.
     pub(crate) fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Where it goes.
+    /// Returns the path of the final place.
     pub(crate) fn target(&self) -> &Path {
         &self.target
     }
 
-    /// Where old results are put that it replaces.
+    /// Returns the path for old results that are being replaced.
     pub(crate) fn old(&self) -> PathBuf {
         beside(&self.target, OLD, &std::process::id().to_string())
     }
 
-    /// Moves it to its place by `rename`, which no signal interrupts.
+    /// Moves the target to its place by `rename`; no signal interrupts this.
     pub(crate) fn publish(mut self, rename: impl FnOnce(&Self) -> io::Result<()>) -> io::Result<()> {
         let mut made = in_the_making();
         rename(&self)?;
@@ -120,13 +126,13 @@ impl Drop for Partial {
         let _ = (self.remove)(&self.path);
         made.retain(|path| *path != self.path);
         for parent in self.parents.iter().rev() {
-            // It stays if it is not empty.
+            // A folder that is not empty is kept.
             let _ = fs::remove_dir(parent);
         }
     }
 }
 
-/// Writes a file that appears whole or not at all, and replaces nothing unless `force` is set.
+/// Writes a file completely or not at all. It replaces a file only if `force` is set.
 pub(crate) fn write(
     target: &Path,
     force: bool,
@@ -135,7 +141,7 @@ pub(crate) fn write(
     written(target, write)?.publish(|partial| moved(partial, force)).map_err(|error| failed(target, error))
 }
 
-/// Writes two files of which both appear or none.
+/// Writes two files, both or none.
 pub(crate) fn write_pair([first, second]: [(&Path, &[u8]); 2], force: bool) -> Result<(), Failure> {
     let all = [first, second].map(|(target, _)| target);
     if let Some(target) = all.into_iter().find(|target| !force && fs::symlink_metadata(target).is_ok()) {
@@ -144,7 +150,7 @@ pub(crate) fn write_pair([first, second]: [(&Path, &[u8]); 2], force: bool) -> R
     let of = |(target, bytes): (&Path, &[u8])| written(target, |out| out.write_all(bytes));
     let [before, after] = [of(first)?, of(second)?];
     let [first, second] = all;
-    // What the first replaces is kept under another name until the second is there.
+    // The file that the first one replaces is kept under another name until the second is written.
     let old = before.old();
     let kept = match fs::hard_link(first, &old) {
         Ok(()) => true,
@@ -159,13 +165,13 @@ pub(crate) fn write_pair([first, second]: [(&Path, &[u8]); 2], force: bool) -> R
         })
     });
     if kept {
-        // After a failure it has its name again.
+        // After a failure it has been restored already.
         let _ = fs::remove_file(&old);
     }
     both
 }
 
-/// A file in the making, with all that is to be in it.
+/// Returns an unfinished file with its complete content.
 fn written(
     target: &Path,
     write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>,
@@ -176,14 +182,15 @@ fn written(
         write(&mut out)?;
         out.flush()?;
         drop(out);
-        // A full disk may not show before.
+        // A full disk may report its error only here.
         file.sync_all()
     });
     written.map_err(|error| failed(target, error))?;
     Ok(partial)
 }
 
-/// A second name is refused where there is a file already; a rename would replace it.
+/// Moves the file to its place. Without `force` it uses a hard link, which fails for an existing
+/// file; a rename would replace it.
 fn moved(partial: &Partial, force: bool) -> io::Result<()> {
     if force {
         return fs::rename(partial.path(), partial.target());
@@ -204,7 +211,7 @@ fn failed(target: &Path, error: io::Error) -> Failure {
     }
 }
 
-/// Something is there that is not to be replaced.
+/// Returns the error for an existing file or folder that must not be replaced.
 pub(crate) fn exists(target: &Path) -> Failure {
     Failure::usage(
         format!("{} is there already", shown(target)),
@@ -212,17 +219,17 @@ pub(crate) fn exists(target: &Path) -> Failure {
     )
 }
 
-/// Something cannot be written.
+/// Returns the error for a path that cannot be written.
 pub(crate) fn output(path: &Path, error: io::Error) -> Failure {
     Failure::Output { path: shown(path), error }
 }
 
-/// Removes what killed processes have left of a target.
+/// Removes the leftovers of killed processes for a target.
 ///
 /// # Errors
-/// If a living process writes it.
+/// An error if a running process writes to the target.
 fn require_unused(target: &Path, remove: Remove) -> Result<(), Failure> {
-    // A folder that cannot be listed has to be left as it is.
+    // If the folder cannot be listed, leftovers cannot be removed.
     let Ok(found) = traces(target) else { return Ok(()) };
     let mut stale = Vec::new();
     for (path, kind) in found {
@@ -237,7 +244,7 @@ fn require_unused(target: &Path, remove: Remove) -> Result<(), Failure> {
         }
     }
     for (path, kind, _lock) in stale {
-        // Old results whose successor never came go back.
+        // Old results are restored if their replacement was never completed.
         let _ = match kind {
             OLD if fs::symlink_metadata(target).is_err() => fs::rename(&path, target),
             _ => remove(&path),
@@ -246,7 +253,7 @@ fn require_unused(target: &Path, remove: Remove) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Everything beside a target that has a name of ours, and which.
+/// Returns all leftovers next to a target, with their kind.
 fn traces(target: &Path) -> io::Result<Vec<(PathBuf, &'static str)>> {
     let mut found = Vec::new();
     for entry in fs::read_dir(parent(target))? {
@@ -268,7 +275,7 @@ fn traces(target: &Path) -> io::Result<Vec<(PathBuf, &'static str)>> {
     Ok(found)
 }
 
-/// `.NAME.KIND-NUMBER` beside a target.
+/// Returns the path `.NAME.KIND-NUMBER` next to a target.
 fn beside(target: &Path, kind: &str, number: &str) -> PathBuf {
     let mut name = std::ffi::OsString::from(".");
     name.push(target.file_name().unwrap_or_default());
@@ -281,7 +288,7 @@ pub(crate) fn parent(target: &Path) -> &Path {
     target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Makes the folders above a target; gives those that were not there.
+/// Creates the parent folders of a target; returns the new ones.
 fn make_parents(target: &Path) -> io::Result<Vec<PathBuf>> {
     let parent = parent(target);
     let mut missing: Vec<PathBuf> = parent
@@ -298,7 +305,7 @@ fn in_the_making() -> MutexGuard<'static, Vec<PathBuf>> {
     IN_THE_MAKING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// From now on SIGINT and SIGTERM remove what is in the making before they end the program.
+/// Installs handlers for SIGINT and SIGTERM that remove unfinished targets before the program ends.
 #[cfg(unix)]
 fn remove_on_signals() {
     use signal_hook::consts::{SIGINT, SIGTERM};
@@ -307,11 +314,12 @@ fn remove_on_signals() {
 
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
-        // Where it cannot be done the signals end the program at once, and the next run clears up.
+        // Without handlers the signals end the program immediately, and the next run cleans up.
         let Ok(mut signals) = Signals::new([SIGINT, SIGTERM]) else { return };
         let watch = move || {
             let Some(signal) = signals.forever().next() else { return };
-            // Held until the end: nothing is published any more, and nobody else says why it is gone.
+            // The lock is held until the end, so that no target is published any more and no other
+            // error is reported.
             let made = in_the_making();
             for path in &*made {
                 let _ = if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) };
@@ -323,6 +331,6 @@ fn remove_on_signals() {
     });
 }
 
-/// Elsewhere the next run clears up.
+/// Does nothing on other systems: the next run cleans up.
 #[cfg(not(unix))]
 fn remove_on_signals() {}

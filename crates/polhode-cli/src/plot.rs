@@ -1,4 +1,4 @@
-//! Plots: which figure goes into which file.
+//! Plots: assignment of figures to files.
 
 use std::fs;
 use std::io::{self, Read as _, Write as _};
@@ -21,7 +21,7 @@ pub(crate) struct PlotFlags {
     plot: Vec<Plot>,
 }
 
-/// A figure, or all of them, and its file.
+/// Figure, or all figures, with the output file.
 #[derive(Clone, Debug, PartialEq)]
 struct Plot {
     figure: Option<Figure>,
@@ -40,7 +40,8 @@ impl PlotFlags {
         !self.plot.is_empty()
     }
 
-    /// Refuses files that are there already, unless they may be replaced or are plots of the same command, and a file for two plots.
+    /// Refuses existing files, unless they may be replaced or are plots of the same command, and
+    /// one file for two plots.
     pub(crate) fn check(&self, force: bool, maker: Option<&str>) -> Result<(), Failure> {
         for (k, Plot { path, .. }) in self.plot.iter().enumerate() {
             let shown = shown(path);
@@ -66,7 +67,7 @@ impl PlotFlags {
         Ok(())
     }
 
-    /// Draws everything, and writes nothing yet.
+    /// Draws all figures without writing files.
     pub(crate) fn draw(
         &self,
         motion: &MotionFigures<'_>,
@@ -107,15 +108,15 @@ impl Format {
     }
 }
 
-/// Pictures that wait until everything else is written: the folder of results may be where they go.
+/// Pictures to be written last, because they may go into the folder of results.
 #[derive(Debug)]
 pub(crate) struct Drawn {
-    /// Where each goes, what it is, and whether it replaces what is there.
+    /// Path and contents of each picture, and true if it may replace a file.
     files: Vec<(PathBuf, Vec<u8>, bool)>,
 }
 
 impl Drawn {
-    /// Writes each picture, whole or not at all; gives a line that says which.
+    /// Writes each picture, completely or not at all; returns a line that lists them.
     pub(crate) fn publish(self) -> Result<String, Failure> {
         let mut names = Vec::new();
         for (path, bytes, replaces) in &self.files {
@@ -129,9 +130,9 @@ impl Drawn {
     }
 }
 
-/// Whether a file is a picture that says this command made it.
+/// Returns true if a file is a picture that states this command as its origin.
 fn is_made_by(path: &Path, maker: &str) -> bool {
-    /// What a picture says of itself stands at its beginning.
+    /// Number of bytes searched; the statement is at the start of a picture.
     const HEAD: u64 = 1 << 14;
     let mut head = Vec::new();
     let read = fs::File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head));
@@ -139,7 +140,8 @@ fn is_made_by(path: &Path, maker: &str) -> bool {
     read.is_ok() && is_picture && Picture::is_made_by(&head, maker)
 }
 
-/// `omega=fig.svg` or `fig.svg`; a path with a `=` of its own begins with its folder: `./a=b.svg`.
+/// Parses `omega=fig.svg` or `fig.svg`. A path that contains `=` must start with its folder:
+/// `./a=b.svg`.
 fn plot(text: &str) -> Result<Plot, String> {
     let names = Figure::ALL.map(Figure::name).join(", ");
     let (figure, path) = match text.split_once('=') {

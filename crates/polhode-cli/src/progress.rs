@@ -1,4 +1,4 @@
-//! Lines that show the progress of a long run, on a terminal; nothing in a pipe.
+//! Progress lines of long runs, shown on a terminal only.
 
 use std::io::{self, IsTerminal as _, Write as _};
 use std::path::Path;
@@ -6,13 +6,13 @@ use std::time::{Duration, Instant};
 
 use polhode_document::layout::printable;
 
-/// A run shorter than this shows nothing, and the line changes no more often.
+/// Delay before the line appears, and minimum interval between changes.
 const PATIENCE: Duration = Duration::from_millis(500);
 
-/// The last line of a terminal; dropped, it is cleared.
+/// Last line of the terminal; cleared when dropped.
 #[derive(Debug)]
 struct Line {
-    /// The time from which it may change; `None` without a terminal.
+    /// Earliest time of the next change; `None` without a terminal.
     next: Option<Instant>,
     shown: bool,
 }
@@ -23,7 +23,7 @@ impl Line {
         Self { next: is_wanted.then(|| Instant::now() + PATIENCE), shown: false }
     }
 
-    /// Shows a text, if the last one was shown long enough, `pause`.
+    /// Shows a text, at most once per `pause`.
     fn show(&mut self, pause: Duration, text: impl FnOnce() -> String) {
         let now = Instant::now();
         if self.next.is_some_and(|next| now >= next) {
@@ -41,7 +41,7 @@ impl Drop for Line {
     }
 }
 
-/// Progress of a motion.
+/// Progress of the computation of a motion.
 #[derive(Debug)]
 pub(crate) struct Progress {
     end: f64,
@@ -50,15 +50,15 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// Steps between two looks at the clock.
+    /// Steps between two checks of the clock.
     const STRIDE: u32 = 4096;
 
-    /// The progress of a run that ends at `end`, s.
+    /// Creates the progress of a run that ends at `end`, s.
     pub(crate) fn new(end: f64) -> Self {
         Self { end, steps: 0, line: Line::new(true) }
     }
 
-    /// The run has reached `time`, s.
+    /// Reports that the run has reached `time`, s.
     pub(crate) fn reached(&mut self, time: f64) {
         self.steps = self.steps.wrapping_add(1);
         if self.steps.is_multiple_of(Self::STRIDE) {
@@ -68,25 +68,25 @@ impl Progress {
     }
 }
 
-/// Progress of the draws of a parts list.
+/// Progress of the random draws for a parts list.
 #[derive(Debug)]
 pub(crate) struct DrawProgress {
     line: Line,
 }
 
 impl DrawProgress {
-    /// The progress of the draws of each configuration.
+    /// Creates the progress; it counts the draws of each configuration.
     pub(crate) fn new() -> Self {
         Self { line: Line::new(true) }
     }
 
-    /// `drawn` of `count` bodies have been drawn.
+    /// Reports that `drawn` of `count` bodies are drawn.
     pub(crate) fn reached(&mut self, drawn: usize, count: usize) {
         self.line.show(PATIENCE, || format!("{:3} %   {drawn} of {count} draws", 100 * drawn / count.max(1)));
     }
 }
 
-/// Progress through several files.
+/// Progress of reading several files.
 #[derive(Debug)]
 pub(crate) struct FileProgress {
     count: usize,
@@ -98,12 +98,12 @@ impl FileProgress {
     /// Width of the bar, characters.
     const WIDTH: usize = 20;
 
-    /// The progress through `count` files; a single one shows nothing.
+    /// Creates the progress for `count` files; a single file shows nothing.
     pub(crate) fn new(count: usize) -> Self {
         Self { count, done: 0, line: Line::new(count > 1) }
     }
 
-    /// The next file is being read.
+    /// Reports that the next file is being read.
     pub(crate) fn next(&mut self, file: &Path) {
         let (done, count) = (self.done, self.count);
         self.done += 1;
@@ -116,7 +116,7 @@ impl FileProgress {
     }
 }
 
-/// Progress of the cubature of a density.
+/// Progress of the numerical integration of a density.
 #[derive(Debug)]
 pub(crate) struct SampleProgress {
     pieces: u64,
@@ -126,15 +126,15 @@ pub(crate) struct SampleProgress {
 }
 
 impl SampleProgress {
-    /// Pieces between two looks at the clock.
+    /// Pieces between two checks of the clock.
     const STRIDE: u64 = 256;
 
-    /// The progress of a cubature over `pieces` pieces, each of which is sampled at least once.
+    /// Creates the progress for `pieces` pieces; each is sampled at least once.
     pub(crate) fn new(pieces: usize) -> Self {
         Self { pieces: pieces as u64, looked_at: 0, samples: 0, line: Line::new(true) }
     }
 
-    /// One more piece, or half of one, has been sampled at `samples` points.
+    /// Reports that a piece, or half of one, has been sampled at `samples` points.
     pub(crate) fn looked_at(&mut self, samples: usize) {
         self.looked_at += 1;
         self.samples += samples as u64;

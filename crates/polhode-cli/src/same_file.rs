@@ -1,11 +1,12 @@
-//! Comparison of paths, so that nothing is written over what is read.
+//! Comparison of paths, so that no input is overwritten.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::partial::parent;
 
-/// Returns true if two paths name one file, directly or through links. The file need not exist.
+/// Returns true if two paths refer to the same file, directly or through links. The file need not
+/// exist.
 pub(crate) fn is_same(one: &Path, other: &Path) -> bool {
     let agree = |of: fn(&Path) -> Option<PathBuf>| of(one).is_some_and(|path| Some(path) == of(other));
     one == other || agree(entry) || agree(|path| fs::canonicalize(path).ok())

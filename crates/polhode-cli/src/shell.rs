@@ -1,4 +1,4 @@
-//! What shells and `man` want: both made from the same definitions as `--help`.
+//! Completion scripts and the man page, generated from the definitions of `--help`.
 
 use clap::{Args, Command};
 use polhode_document::VERSION;
@@ -34,7 +34,7 @@ impl Completions {
 
 impl Man {
     pub(crate) fn run(self, definitions: Command) -> Result<(), Failure> {
-        // What `help` does needs no page.
+        // The subcommand `help` needs no page.
         let mut definitions = definitions.disable_help_subcommand(true);
         definitions.build();
         let of = match &self.subcommand {

@@ -69,7 +69,7 @@ impl Simulate {
         Folder::check(&target, &replace)?;
         let maker = format!("polhode simulate {}", path.display());
         self.plots.check(self.force, Some(&maker))?;
-        // From now on nobody else begins with the same folder.
+        // From here on no other process can write to the same folder.
         let folder = Folder::create(&target, replace)?;
         let end = file.scenario.run().and_then(|run| run.times.last().copied()).unwrap_or_default();
         let mut progress = Progress::new(end);
@@ -92,7 +92,7 @@ impl Simulate {
         if self.open {
             open(&target.join(PAGE));
         }
-        // What there is of the motion is written; that it is not all is a failure all the same.
+        // An incomplete motion is written, and is still a failure.
         match motion.trajectory.ending() {
             Ending::Failed { cause, .. } => {
                 Err(Failure::Incomplete { path: shown(path), error: cause.clone() })
@@ -101,7 +101,7 @@ impl Simulate {
         }
     }
 
-    /// The formats of the table: those asked for, else the scenario's, else Parquet.
+    /// Returns the table formats: those of the options, else those of the scenario, else Parquet.
     fn tables(&self, of_scenario: &[TableFormat]) -> Vec<Format> {
         match (self.table.as_slice(), of_scenario) {
             ([], []) => vec![Format::Parquet],
@@ -110,7 +110,7 @@ impl Simulate {
         }
     }
 
-    /// How to look at what was written.
+    /// Returns a hint how to view the results.
     fn look(&self, target: &Path) -> String {
         match self.no_page || self.open {
             true => String::new(),
@@ -120,7 +120,7 @@ impl Simulate {
         }
     }
 
-    /// Writes the folder; says what was written.
+    /// Writes the folder; returns a summary of the files written.
     fn write(
         &self,
         folder: Folder,
@@ -143,7 +143,7 @@ impl Simulate {
     }
 }
 
-/// The scenario's name, in the current folder.
+/// Returns the scenario's name as a folder in the current folder.
 fn default_folder(file: &Path) -> PathBuf {
     PathBuf::from(file.file_stem().unwrap_or_default())
 }

@@ -67,7 +67,7 @@ impl Spin {
         print(&if self.json { json() } else { answer.to_text(columns()) + &written })
     }
 
-    /// Writes the files that are asked for; says which.
+    /// Writes the requested files; returns a summary of them.
     fn write(&self, spin: &SpinMotion, json: &str) -> Result<String, Failure> {
         let target = self.files.target(self.request.file.as_deref())?;
         self.files.check_html()?;
@@ -89,7 +89,7 @@ impl Spin {
         Ok(written + &plots.map_or_else(|| Ok(String::new()), Drawn::publish)?)
     }
 
-    /// The plots, if there are to be some.
+    /// Returns the plots, if any are requested.
     fn plots(&self, spin: &SpinMotion) -> Result<Option<Drawn>, Failure> {
         if !self.plots.wanted() {
             return Ok(None);

@@ -106,20 +106,22 @@ impl Sweep {
     }
 }
 
-/// What was noticed about the plan, on standard error.
+/// Prints the findings on the plan to standard error.
 fn warn(plan: &Plan) {
     for finding in plan.findings().iter().filter(|finding| finding.severity != Severity::Info) {
         tell(&format!("{}: {}\n", finding.severity.name(), printable(&finding.message)));
     }
 }
 
-/// Becomes true with the first Ctrl-C (or SIGTERM), after which the parts in hand are finished; a second one ends the program. With it
-/// the exit status, 128 and the signal's number, as shells have it.
+/// Installs signal handlers. The flag becomes true on the first Ctrl-C or SIGTERM, after which
+/// running parts are finished; a second signal ends the program. The second value is the exit
+/// status, 128 plus the signal number, as in shells.
 fn stop_on_signals() -> (Arc<AtomicBool>, Arc<AtomicUsize>) {
     let (stop, status) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicUsize::new(2)));
     for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
         let code = 128 + signal;
-        // In this order: the second signal finds the flag that the first has set. Where it cannot be done, Ctrl-C ends the program.
+        // The order matters: the second signal must find the flag set by the first. Without
+        // handlers, Ctrl-C ends the program.
         let _ = signal_hook::flag::register_conditional_shutdown(signal, code, Arc::clone(&stop));
         let _ = signal_hook::flag::register_usize(signal, Arc::clone(&status), code as usize);
         let _ = signal_hook::flag::register(signal, Arc::clone(&stop));
@@ -127,7 +129,7 @@ fn stop_on_signals() -> (Arc<AtomicBool>, Arc<AtomicUsize>) {
     (stop, status)
 }
 
-/// The plan's name, in the current folder.
+/// Returns the plan's name as a folder in the current folder.
 fn default_folder(plan: &Path) -> PathBuf {
     PathBuf::from(plan.file_stem().unwrap_or_default())
 }

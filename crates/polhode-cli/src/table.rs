@@ -1,4 +1,4 @@
-//! The formats of the trajectory table.
+//! File formats of the trajectory table.
 
 use clap::ValueEnum;
 use polhode::motion::Trajectory;
@@ -34,7 +34,7 @@ impl Format {
     }
 }
 
-/// Writes a trajectory in each of the formats, once; gives the names of the files.
+/// Writes a trajectory in each format, once; returns the names of the files.
 pub(crate) fn write(
     formats: &[Format],
     trajectory: &Trajectory,

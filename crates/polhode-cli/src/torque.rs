@@ -66,7 +66,7 @@ impl Torque {
         print(&(report.to_text() + &written))
     }
 
-    /// The table to write, if one is wanted.
+    /// Returns the path and format of the table, if one is requested.
     fn target(&self) -> Option<(PathBuf, Format)> {
         let by_name = |file: &Path| {
             let parquet = file.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("parquet"));
@@ -83,7 +83,7 @@ impl Torque {
         }
     }
 
-    /// Writes the table, whole or not at all.
+    /// Writes the table, completely or not at all.
     fn write(&self, table: &Table<'_>, file: &Path, format: Format) -> Result<(), Failure> {
         let source = ("polhode.source".to_owned(), self.request.file.display().to_string());
         partial::write(file, self.force, |out| match format {

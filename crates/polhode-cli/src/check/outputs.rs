@@ -1,4 +1,5 @@
-//! The files that a run writes: each can be written, none is another one's, and none is read. That is known before the first is written.
+//! Checks of the output files before the first is written: each is writable, all differ, and none
+//! of them is an input.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,7 +11,7 @@ use crate::failure::Failure;
 use crate::partial::parent;
 use crate::same_file::is_same;
 
-/// Options and the files that they name.
+/// Options with their output files.
 pub(super) struct Outputs<'a> {
     files: Vec<(&'static str, &'a Path)>,
     force: bool,
@@ -22,13 +23,13 @@ impl<'a> Outputs<'a> {
         Self { files, force }
     }
 
-    /// All but that of an option.
+    /// Returns the outputs without that of one option.
     pub(super) fn without(&self, option: &str) -> Self {
         let files = self.files.iter().copied().filter(|(other, _)| *other != option).collect();
         Self { files, force: self.force }
     }
 
-    /// Refuses two outputs in one file, and a place where a file cannot be or is not to be replaced.
+    /// Refuses two outputs to the same file, and a path where no file can be created or replaced.
     pub(super) fn require_places(&self) -> Result<(), Failure> {
         for (k, (option, out)) in self.files.iter().enumerate() {
             if let Some((other, _)) = self.files.iter().take(k).find(|(_, other)| is_same(out, other)) {
@@ -41,7 +42,7 @@ impl<'a> Outputs<'a> {
         self.files.iter().try_for_each(|(option, out)| require_place(option, out, self.force))
     }
 
-    /// Refuses to write over a file that is read, whatever --force says; `what` says what that is.
+    /// Refuses to overwrite an input, even with `--force`; `what` describes the input in messages.
     pub(super) fn require_not_read<'p>(
         &self,
         what: &str,
@@ -60,7 +61,7 @@ impl<'a> Outputs<'a> {
         }
     }
 
-    /// Refuses to write over a file that a model is made of.
+    /// Refuses to overwrite a file that belongs to a model.
     pub(super) fn require_not_part_of(&self, model: &RobotModel) -> Result<(), Failure> {
         let included = || model.included.iter().map(|source| source.path.as_path());
         self.require_not_read("a file that the model includes", included())?;
@@ -77,7 +78,8 @@ impl<'a> Outputs<'a> {
         self.require_not_read("a mesh of the model", meshes)
     }
 
-    /// Refuses to write over a file in which a model breaks off, or that it names: what it is made of is not known where it cannot be read.
+    /// Refuses to overwrite the file in which the model breaks off, and all files that it names,
+    /// because the parts of an unreadable model are unknown.
     pub(super) fn require_not_named(
         &self,
         model: &Path,

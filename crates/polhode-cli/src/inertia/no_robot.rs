@@ -1,4 +1,4 @@
-//! The interface of `robot.rs` in a program without robot models: no flags, and a refusal.
+//! Interface of `robot.rs` in a build without robot models: no flags, and an error for a model.
 
 use std::fs::File;
 use std::io::Read as _;
@@ -12,7 +12,7 @@ use polhode_source::Failure;
 use super::output::OutputFlags;
 use crate::failure::Failure as CommandFailure;
 
-/// Lines among the examples of the help: none.
+/// Lines for the examples in the help; none in this build.
 pub(super) const EXAMPLES: &str = "";
 
 /// Flags for robot models: none.
@@ -20,14 +20,14 @@ pub(super) const EXAMPLES: &str = "";
 pub(super) struct RobotFlags {}
 
 impl RobotFlags {
-    /// Returns the first flag that is given: none.
+    /// Returns the first flag that is given; none in this build.
     pub(super) const fn given(&self) -> Option<&'static str> {
         None
     }
 }
 
-/// Returns true for the file extensions of robot models. Files `.sdf` and `.xml` must also begin with `<`: SDF is the name of a format of
-/// molecules too.
+/// Returns true for the file extensions of robot models. Files `.sdf` and `.xml` must also begin
+/// with `<`, because SDF is also a format of molecules.
 pub(super) fn is_model(path: &Path) -> bool {
     let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
     match extension.as_deref() {
@@ -45,13 +45,13 @@ fn first_character(path: &Path) -> Option<u8> {
     start.into_iter().find(|byte| byte.is_ascii() && *byte != 0 && !byte.is_ascii_whitespace())
 }
 
-/// Refuses a robot model.
+/// Returns an error for a robot model.
 pub(super) fn reports(_: &Path, _: &RobotFlags) -> Result<Vec<InertiaReport>, Failure> {
     let hint = "install polhode with its default features, or build it with --features robot";
     Err(Failure::usage("this program was built without robot models", hint))
 }
 
-/// Prints no table of links: `--table` is a flag of robot models.
+/// Prints no table of links, because `--table` is a flag of robot models.
 pub(super) fn tables(
     _: &[PathBuf],
     _: &RobotFlags,

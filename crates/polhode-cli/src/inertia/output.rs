@@ -1,4 +1,4 @@
-//! In which form the answers are printed.
+//! Output formats of `polhode inertia`.
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser as _};
@@ -32,17 +32,17 @@ impl OutputFlags {
         if self.csv { Some(ExportFormat::Csv) } else { self.as_format }
     }
 
-    /// Returns the form of answers for people and for programs that read the JSON.
+    /// Returns the format for text and JSON.
     pub(super) fn form(&self) -> Form {
         Form { json: self.json, ..Form::default() }
     }
 
-    /// Returns true if the answer's form has no room for what was noticed.
+    /// Returns true if the output format has no place for findings.
     pub(super) fn has_no_room(&self) -> bool {
         self.format().is_some()
     }
 
-    /// Returns the answers as text, in the order of their files. Only JSON has those that failed.
+    /// Returns the results as text, in the order of their files. Only JSON includes failed files.
     pub(super) fn text(&self, bodies: &Bodies) -> Result<String, Failure> {
         match self.format() {
             Some(format) => bodies.to_format(format),

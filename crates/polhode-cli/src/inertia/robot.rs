@@ -14,7 +14,7 @@ use crate::stdout::print;
 
 pub(super) use polhode_robot::LinkChoice as RobotFlags;
 
-/// Lines among the examples of the help, each after a line break.
+/// Lines for the examples in the help, each after a line break.
 pub(super) const EXAMPLES: &str = "
   polhode inertia robot.urdf --link forearm
   polhode inertia robot.urdf --lump all --joint elbow=\"30 deg\" --write mjcf
@@ -26,12 +26,13 @@ pub(super) fn is_model(file: &Path) -> bool {
     polhode_robot::read::is_model(&Disk, file)
 }
 
-/// Returns a report for the link, or for each body of several links.
+/// Returns one report for a link, or one for each body of joined links.
 pub(super) fn reports(file: &Path, flags: &RobotFlags) -> Result<Vec<InertiaReport>, Failure> {
     flags.reports(&Disk, file)
 }
 
-/// Prints a table of the links of each robot, if `--table` is given; `fits` refuses a file that the flags do not fit.
+/// Prints a table of the links of each robot if `--table` is given; `fits` refuses a file that
+/// contradicts other flags.
 pub(super) fn tables(
     files: &[PathBuf],
     flags: &RobotFlags,

@@ -1,4 +1,4 @@
-//! The suite: written for programs, and their runs of it graded.
+//! Test suite of motions for other programs, and the grading of their runs.
 
 use std::fs;
 use std::io::{self, Write as _};
@@ -14,9 +14,9 @@ use crate::failure::Failure;
 use crate::partial::{Partial, output};
 use crate::stdout::print;
 
-/// The folder of the exact motions, in that of the suite.
+/// Folder of the exact motions, inside that of the suite.
 const EXACT: &str = "exact";
-/// Writes the suite into a new folder, whole or not at all.
+/// Writes the suite into a new folder, completely or not at all.
 pub(super) fn write(target: &Path) -> Result<(), Failure> {
     if fs::symlink_metadata(target).is_ok() {
         let message = format!("{} is there already", shown(target));

@@ -1,4 +1,4 @@
-//! The curves that a spin draws.
+//! Curves of a free motion.
 
 use clap::Args;
 use polhode::motion::FreeMotion;
@@ -34,7 +34,7 @@ impl CurveFlags {
         self.curves
     }
 
-    /// The curves, if they are wanted; those in space up to `duration`, s.
+    /// Returns the curves if they are requested; curves in space extend to `duration`, s.
     pub(super) fn draw(&self, motion: &FreeMotion, duration: Option<f64>) -> Result<Option<Curves>, Failure> {
         const PERIODS: f64 = 3.0;
         let error = self.chord_error.unwrap_or(1e-3);
@@ -58,7 +58,7 @@ impl CurveFlags {
 }
 
 impl Curves {
-    /// Writes a file for each; gives their names.
+    /// Writes one file per curve; returns their names.
     pub(super) fn write(&self, folder: &Folder) -> Result<[&'static str; 5], Failure> {
         let names = ["polhode.csv", "momentum.csv", "herpolhode.csv", "body_cone.csv", "space_cone.csv"];
         let [polhode, momentum, herpolhode, body_cone, space_cone] = names;

@@ -1,4 +1,4 @@
-//! What a spin writes: a table, curves, and the summary, in one folder.
+//! Output files of a spin: table, curves and summary in one folder.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -40,7 +40,7 @@ pub(super) struct FileFlags {
 }
 
 impl FileFlags {
-    /// The folder to write, which must not be there; `None` if nothing is to be written.
+    /// Returns the output folder, which must not exist yet; `None` if no folder is requested.
     pub(super) fn target(&self, file: Option<&Path>) -> Result<Option<PathBuf>, Failure> {
         if self.sampling.duration.is_none() && !self.curves.wanted() && self.output.is_none() {
             return Ok(None);
@@ -55,7 +55,7 @@ impl FileFlags {
         self.force
     }
 
-    /// Writes the folder; says what was written.
+    /// Writes the folder; returns a summary of the files written.
     pub(super) fn write(
         &self,
         target: &Path,
@@ -87,12 +87,12 @@ impl FileFlags {
         Ok(format!("wrote {}{more}\n{note}", shown(&target.join("summary.json"))))
     }
 
-    /// Refuses a page that is there already, before anything is computed.
+    /// Refuses an existing page before the computation starts.
     pub(super) fn check_html(&self) -> Result<(), Failure> {
         self.html.as_deref().map_or(Ok(()), |file| check_file(file, self.force))
     }
 
-    /// Writes the page that `--html` asks for; says so.
+    /// Writes the page requested by `--html`; returns a message.
     pub(super) fn write_html(
         &self,
         motion: &FreeMotion,

@@ -1,4 +1,4 @@
-//! Files of times that are asked for.
+//! Input files of times.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -19,7 +19,7 @@ pub(super) struct TimeFlags {
 }
 
 impl TimeFlags {
-    /// The times of the file, in their order.
+    /// Returns the times of the file in their order.
     pub(super) fn read(&self) -> Result<Option<Given<Times>>, Failure> {
         let Some(file) = &self.at_file else { return Ok(None) };
         let value = match file.as_path() == Path::new("-") {

@@ -1,4 +1,4 @@
-//! Sweeps on a cluster: the Python package does it.
+//! Sweeps on a cluster, run by the Python package.
 
 use std::io;
 use std::path::Path;
@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 use super::Sweep;
 use crate::failure::Failure;
 
-/// `ray://HOST:PORT` or `dask://HOST:PORT`, or `local` for a cluster that is started here.
+/// Parses `ray://HOST:PORT`, `dask://HOST:PORT`, or `local` for a cluster started on this machine.
 pub(super) fn url(text: &str) -> Result<String, String> {
     let place = text.strip_prefix("ray://").or_else(|| text.strip_prefix("dask://"));
     let is_place = |place: &str| {
@@ -22,16 +22,16 @@ pub(super) fn url(text: &str) -> Result<String, String> {
     }
 }
 
-/// What the Python package needs for an engine: the module, and what installs it.
+/// Returns the Python modules that an engine requires, and the packages that install them.
 fn needed(engine: &str) -> [(&'static str, &'static str); 3] {
-    // Of a checkout of polhode.
+    // The package is installed from a checkout of polhode.
     let polhode = ("polhode", "./crates/polhode-py");
     let cluster =
         if engine == "ray" { ("ray", "'ray[data,client]'") } else { ("distributed", "distributed") };
     [("pyarrow", "pyarrow"), cluster, polhode]
 }
 
-/// Runs `python3 -m polhode.sweep` with the same arguments, and ends as it does.
+/// Runs `python3 -m polhode.sweep` with the same arguments, and returns its exit status.
 pub(super) fn hand_over(sweep: &Sweep, url: &str, target: &Path) -> Result<(), Failure> {
     let engine = if url.starts_with("ray") { "ray" } else { "dask" };
     let needed = needed(engine);
@@ -42,7 +42,7 @@ pub(super) fn hand_over(sweep: &Sweep, url: &str, target: &Path) -> Result<(), F
         let hint = "polhode sweep --on runs `python3 -m polhode.sweep`: look what python3 is in the PATH";
         Failure::usage(format!("python3 cannot be run: {error}"), hint)
     };
-    // Found, not loaded: what is there and cannot be loaded says itself why.
+    // Modules are searched, not imported: a module that fails to import reports the reason itself.
     let names = needed.map(|(module, _)| format!("'{module}'")).join(", ");
     let look = format!(
         "from importlib.util import find_spec\nprint(*(m for m in ({names}) if find_spec(m) is None))"

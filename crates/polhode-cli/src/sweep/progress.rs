@@ -1,4 +1,4 @@
-//! A line that shows how far a sweep is, on a terminal; nothing in a pipe.
+//! Progress line of a sweep, shown on a terminal only.
 
 use std::io::{self, IsTerminal as _, Write as _};
 use std::sync::Mutex;
@@ -6,10 +6,10 @@ use std::time::{Duration, Instant};
 
 use polhode_sweep::Progress;
 
-/// A sweep shorter than this shows nothing.
+/// Delay before the line appears.
 const PATIENCE: Duration = Duration::from_millis(500);
 
-/// How far a sweep is; dropped, it takes its line away.
+/// Progress of a sweep; its line is cleared when dropped.
 #[derive(Debug)]
 pub(super) struct SweepProgress {
     line: Option<Mutex<Line>>,
@@ -19,7 +19,7 @@ pub(super) struct SweepProgress {
 struct Line {
     began: Instant,
     next: Instant,
-    /// What was there when the first part was told.
+    /// Number of finished members when the first part was reported.
     first: Option<u64>,
     shown: bool,
 }
@@ -33,7 +33,7 @@ impl SweepProgress {
         Self { line: io::stderr().is_terminal().then(|| Mutex::new(line)) }
     }
 
-    /// A part is there.
+    /// Reports a finished part.
     pub(super) fn reached(&self, Progress { done, members, .. }: Progress) {
         let Some(Ok(mut line)) = self.line.as_ref().map(Mutex::lock) else { return };
         let now = Instant::now();
@@ -61,7 +61,7 @@ impl Drop for SweepProgress {
     }
 }
 
-/// `, 3 min left`
+/// Formats the remaining time: `, 3 min left`.
 fn remaining(seconds: f64) -> String {
     match seconds {
         s if s < 100.0 => format!(", {s:.0} s left"),

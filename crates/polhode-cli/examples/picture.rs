@@ -1,4 +1,5 @@
-//! The README's picture, as SVG: the momentum of a T-handle in the body, and how it flips.
+//! Draws the SVG picture of the README: the angular momentum of a T-handle in body axes, and its
+//! flips.
 //!
 //! `cargo run -p polhode-cli --example picture -- examples/t-handle.toml docs/t-handle.svg`
 
@@ -16,7 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(std::fs::write(picture, draw(Path::new(scenario))?)?)
 }
 
-/// Draws a free motion: the momentum sphere, and ω beside it.
+/// Draws a free motion: the momentum sphere with ω next to it.
 pub(crate) fn draw(path: &Path) -> Result<String, Box<dyn Error>> {
     let scenario = scenario::read(path)?;
     let trajectory = scenario.simulate().ok_or("the scenario has no [run] section")??;

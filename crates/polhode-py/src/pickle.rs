@@ -32,7 +32,7 @@ pub(crate) type Values = (Numbers, Source, Geometry, Vec<Block>, Vec<Remark>);
 
 /// Returns the values of a report.
 pub(crate) fn values(report: &InertiaReport) -> Values {
-    // All fields by name, so that a new one is not forgotten. Other axes, and axes in the text, are for the
+    // All fields are listed, so that a new field causes a compiler error; `axes` is for the
     // command only.
     let InertiaReport { source, properties, volume, surface_area, density, about, extras, findings, axes: _ } =
         report;

@@ -1,4 +1,4 @@
-//! `polhode budget`: what is asked of a parts list, in every form.
+//! `polhode budget`: results for a parts list in every format.
 
 use std::fs;
 
@@ -9,7 +9,7 @@ use crate::common::figures::compare;
 use crate::common::recipe::follow;
 use crate::common::{Scratch, example, json, number, numbers, refused, stdout};
 
-/// A satellite with its wings in two places, heavier than allowed in one part.
+/// A satellite with two wing configurations; one part exceeds its mass limit.
 pub(crate) const CUBESAT: &str = r#"# title = "A CubeSat"
 # growth = { A = "3 %", B = "10 %", C = "25 %" }
 # [[group]]
@@ -30,7 +30,7 @@ wing right,sat,,,210 ± 12,,,,box,"3 mm, 80 mm, 320 mm",-52,2,150,1,1,1,B,wings,
 harness,sat,,,120 ± 30,10,15,200,,,,,,10,10,10,C,,,
 "#;
 
-/// One thing was lighter, and one is new.
+/// The earlier list: one part is lighter, and one does not exist yet.
 pub(crate) fn before() -> String {
     CUBESAT
         .replace("900 ± 60", "860 ± 60")
@@ -108,7 +108,8 @@ fn a_workbook_is_written_whole_and_replaces_nothing() {
     assert_eq!(stdout(&scratch.run(&asked)), "");
     let bytes = fs::read(scratch.0.join("out.xlsx")).unwrap();
     assert!(bytes.starts_with(b"PK"));
-    // what reads parts lists reads it: its sheet of parts is none, and that is said of a cell
+    // The reader of parts lists accepts the workbook, but its parts sheet is not a list; the error
+    // names a cell.
     let error = refused(&scratch.run(&["budget", "out.xlsx"]), 2);
     assert!(error.contains("covariance") && error.contains("out.xlsx"), "{error}");
     assert!(refused(&scratch.run(&asked), 2).contains("out.xlsx"));
@@ -172,7 +173,7 @@ fn limits_are_answered_and_strict_is_about_them() {
     let said = json(&scratch.run(&["budget", "light.csv", "--json", "--strict"]));
     let one = &said["configurations"][0]["limits"]["each"][0];
     assert_eq!((one["met"].as_bool(), number(&one["draws"]["of"])), (Some(true), 400.0));
-    // 0.1 kg of √2 · 0.1 kg
+    // 0.1 kg of √2 · 0.1 kg, as a one-sided normal probability.
     let p = number(&one["draws"]["probability"]);
     assert!((number(&one["first_order"]) - 0.760_25).abs() < 1e-5 && (p - 0.76).abs() < 0.08, "{p}");
     for form in [&[][..], &["--csv"], &["--body"]] {
@@ -196,7 +197,7 @@ fn ballast_meets_the_limits_or_there_is_none() {
     scratch.write("some.csv", &plan("1 kg"));
     let said = json(&scratch.run(&["budget", "some.csv", "--json"]));
     let ballast = &said["configurations"][0]["ballast"];
-    // 3 kg at 15 mm from the axis, m at 200 mm on the other side: (45 − 200 m)/(3 + m) = 1
+    // 3 kg at 15 mm from the axis, m at 200 mm on the other side: (45 − 200 m)/(3 + m) = 1.
     let mass = number(&ballast["mass"]);
     assert!((mass - 42.0 / 201.0).abs() < 1e-8, "{ballast}");
     assert!(number(&ballast["gap"]) < 1e-9 && number(&ballast["bound"]) <= mass);
@@ -210,7 +211,7 @@ fn ballast_meets_the_limits_or_there_is_none() {
         "{text}"
     );
     assert_eq!(ballast["proved"], true);
-    // Two sizes: what is not proved is reported with its bound.
+    // Two sizes: a result that is not proved optimal is reported with its bound.
     let sizes = plan("1 kg").replace("# rim = true", "# rim = true\n# sizes = [\"70 g\", \"0.11313 kg\"]");
     scratch.write("sizes.csv", &sizes);
     let said = json(&scratch.run(&["budget", "sizes.csv", "--json"]));
@@ -250,7 +251,7 @@ fn the_books_pictures_of_budgets_are_those_of_the_example() {
     );
 }
 
-/// Nothing is said of limits that ballast was not sought for, but whether they are met with it.
+/// The report states only if a limit is met with the ballast, for limits that it was not sought for.
 #[test]
 fn ballast_says_what_it_was_not_sought_for() {
     let scratch = Scratch::new("budget-ballast-left-out");
@@ -275,7 +276,7 @@ fn ballast_says_what_it_was_not_sought_for() {
     assert!(text.contains("spin ratio along z, left out, is not met without"), "{text}");
 }
 
-/// A list without configurations is the same in each.
+/// A list without configurations has the same value in each configuration.
 #[test]
 fn a_configuration_is_compared_with_a_list_that_has_none() {
     let scratch = scratch("budget-diff-configuration");

@@ -1,4 +1,4 @@
-//! A parts list over time, as users of the command meet it.
+//! Parts lists over time, tested through the command.
 
 use std::fs;
 
@@ -23,7 +23,7 @@ fn the_rocket_burns_and_drops_its_motor() {
     let file = budget::read(rocket.as_ref()).unwrap();
     let prescribed = file.prescribed.as_ref().unwrap();
     let sequence = prescribed.sequence(Some("lift-off"), file.questions.basis).unwrap();
-    // Of a row in which the propellant burns, M, z and Izz with their rates.
+    // M, z and Izz with their rates, for a row during the burn.
     let rows = lift_off["over_time"]["rows"].as_array().unwrap();
     let row = rows.iter().find(|row| number(&row["time"]) > 3.0).unwrap();
     let want = sequence.at(number(&row["time"])).unwrap();
@@ -60,7 +60,7 @@ fn the_scenario_moves_as_the_sequence_does() {
     let left = sequence.at(20.0).unwrap().properties.mass();
     let found = number(&summary["mass_history"]["final"]["mass_kg"]);
     assert!((found / left - 1.0).abs() < 1e-12 && left < 25.0, "{found} {left}");
-    // The same motion, of a history with finer cubics and an exit that is written here.
+    // The same motion, computed from a history with finer cubics and an exit defined here.
     let exit = Exit {
         share: 1.0,
         position: Position::new(0.0, 0.0, 2.777),
@@ -97,7 +97,7 @@ fn the_scenario_moves_as_the_sequence_does() {
     stdout(&scratch.run(&["simulate", "a.toml", "--output", "run-a"]));
 }
 
-/// Rows by their headings.
+/// Splits CSV into headings and rows.
 fn table(text: &str) -> (Vec<String>, Vec<Vec<String>>) {
     let mut lines = text.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
     let headings = lines.next().unwrap();
@@ -116,7 +116,7 @@ fn states_are_tables() {
     let cell = |row: &[String], name: &str| -> f64 {
         row[headings.iter().position(|heading| heading == name).unwrap()].parse().unwrap()
     };
-    // Before a jump, and after it: 6.2 s and 12 s are corners.
+    // Mass properties jump or have corners at 6.2 s, 12 s and 20 s; these rows are skipped.
     assert_eq!(rows.len(), 3 * 17);
     for row in rows.iter().filter(|row| ![6.2, 12.0, 20.0].contains(&cell(row, "time_s"))) {
         let want = sequence.at(cell(row, "time_s")).unwrap();
@@ -133,7 +133,7 @@ fn states_are_tables() {
             assert!((cell(row, name) - want).abs() < 1e-12, "{name}: {row:?} {want}");
         }
     }
-    // It is a table that a scenario may name, as that of --scenario is, but for what is in the tanks.
+    // Except for the tank contents, the table equals that of --scenario, so a scenario may use it.
     stdout(&scratch.run(&["budget", &rocket, "--scenario", "rocket.toml"]));
     let beside = fs::read_to_string(scratch.0.join("rocket.csv")).unwrap();
     for (all, line) in text.lines().zip(beside.lines()) {
@@ -142,7 +142,8 @@ fn states_are_tables() {
     scratch.write("rocket.csv", &text);
     stdout(&scratch.run(&["simulate", "rocket.toml", "--output", "run"]));
 
-    // By fill, with what a kilogram more makes: between two rows the moments about the origin are straight in the mass of the liquid, so that differences of them are slopes.
+    // Fill table with derivatives: between two rows the moments about the origin are linear in the
+    // mass of the liquid, so differences give the slopes.
     let fill = stdout(&scratch.run(&["budget", &rocket, "--csv=fill"]));
     let (headings, rows) = table(&fill);
     let cell = |row: &[String], name: &str| -> f64 {
@@ -200,7 +201,7 @@ fn states_are_tables() {
     assert_eq!(rows("--csv"), rows("--csv=parts"));
 }
 
-/// Where one of two files cannot be written, neither is.
+/// If one of the two files cannot be written, neither is written.
 #[test]
 fn a_scenario_comes_with_its_table_or_not_at_all() {
     let scratch = Scratch::new("budget-pair");
@@ -218,7 +219,7 @@ fn a_scenario_comes_with_its_table_or_not_at_all() {
     let failed = || refused(&scratch.run(&asked), 2);
     assert!(failed().contains("rocket.toml"));
     assert_eq!(names(), ["rocket.toml"]);
-    // What was there stays.
+    // Existing files are kept.
     scratch.write("rocket.csv", "mine");
     assert!(failed().contains("rocket.toml"));
     assert_eq!(names(), ["rocket.csv", "rocket.toml"]);
@@ -229,7 +230,7 @@ fn a_scenario_comes_with_its_table_or_not_at_all() {
     assert!(fs::read_to_string(scratch.0.join("rocket.csv")).unwrap().starts_with("time_s,"));
 }
 
-/// What is in a tank is known as well as it is said, in all that is asked: the errors that matter, limits, and draws.
+/// The uncertainty of a tank's contents enters all results: largest errors, limits and draws.
 #[test]
 fn a_liquid_has_errors() {
     let scratch = Scratch::new("budget-liquid");
@@ -254,7 +255,7 @@ fn a_liquid_has_errors() {
     assert!((0.55..0.75).contains(&probability), "{probability}");
 }
 
-/// What hints say may be done is not what was done already.
+/// A hint does not suggest a change that is already in the file.
 #[test]
 fn a_history_that_is_none_has_a_hint_that_helps() {
     let scratch = Scratch::new("budget-history-hints");
@@ -274,7 +275,7 @@ fn a_history_that_is_none_has_a_hint_that_helps() {
     }
 }
 
-/// Each row has the configuration that the body is then, and that of a tank the one that it is in.
+/// Each row names the configuration of the body at that time, and each tank row its own.
 #[test]
 fn rows_have_their_own_configurations() {
     let scratch = Scratch::new("budget-states-configurations");
@@ -297,7 +298,7 @@ fn rows_have_their_own_configurations() {
         }
     }
     assert_eq!(stretches, [("a", 0.0), ("b", 10.0), ("a", 20.0), ("b", 30.0)]);
-    // The same name has the same body, before anything is dropped.
+    // A configuration always has the same body, until something is dropped.
     let centers = |wanted: &str| {
         let some = all.iter().filter(|(name, time, _)| name == wanted && *time < 35.0);
         some.map(|(_, _, center)| center).collect::<std::collections::BTreeSet<_>>()
@@ -309,7 +310,7 @@ fn rows_have_their_own_configurations() {
     let report = json(&scratch.run(&["budget", "list.csv", "--json", "--draws", "0"]));
     let changing = &report["configurations"][1]["changing"]["over_time"];
     assert_eq!(changing["rows"].as_array().unwrap().last().unwrap()["configuration"], "b", "{report}");
-    // One that does not begin it has no rows, and the error says which does.
+    // A configuration that is not the initial one has no rows; the error names the initial one.
     let error = refused(&scratch.run(&["budget", "list.csv", "--csv=time", "--configuration", "b"]), 2);
     assert!(error.contains("the sequence begins as \"a\""), "{error}");
 }

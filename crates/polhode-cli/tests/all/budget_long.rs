@@ -1,4 +1,4 @@
-//! Long parts lists: a stated number of draws is kept, and memory is a few hundred bytes a row.
+//! Long parts lists: a given number of draws is kept, and memory is a few hundred bytes per row.
 #![cfg(target_os = "linux")]
 
 use std::fmt::Write as _;
@@ -11,8 +11,8 @@ use polhode_budget::report::workbook::{self, Cell, Sheet};
 
 use crate::common::{Scratch, json, refused};
 
-/// A list with errors: assemblies of 50 parts, each with a mass, its standard deviation and a
-/// centre; every tenth has a tensor.
+/// List with errors: assemblies of 50 parts, each with a mass, its standard deviation and a centre;
+/// every tenth has a tensor.
 struct Parts {
     rows: usize,
 }
@@ -79,7 +79,7 @@ impl Parts {
     }
 }
 
-/// The most memory that a run has had, bytes, how long it took, and how much it printed.
+/// Returns the peak memory of a run, bytes, its duration, s, and its output length.
 fn peak(scratch: &Scratch, arguments: &[&str]) -> (f64, f64, usize) {
     let begun = Instant::now();
     let (out, errors) =
@@ -102,8 +102,8 @@ fn peak(scratch: &Scratch, arguments: &[&str]) -> (f64, f64, usize) {
     (most, begun.elapsed().as_secs_f64(), fs::read_to_string(scratch.0.join("out")).unwrap().lines().count())
 }
 
-/// Bytes of memory for each row beyond the bytes of the file: from a long list and one of a sixth of its rows, as the
-/// memory of a run that ends at once is not seen.
+/// Returns the memory per row without the file itself, bytes: from the difference between a long
+/// list and one of a sixth of its rows, because the peak of a very short run is not measured.
 fn bytes_a_row(rows: usize, forms: &[&[&str]]) {
     let scratch = Scratch::new(&format!("long-{rows}"));
     for (name, rows) in [("short", rows / 6), ("long", rows)] {
@@ -159,7 +159,7 @@ fn draws_are_as_many_as_are_asked_for() {
         let error = refused(&scratch.run(&["budget", "plain.csv", "--draws", most]), 2);
         assert!(error.contains("it must be 0, or from 10 to 10000000"), "{error}");
     }
-    // 2000 uncertain rows in 40 assemblies, and the root
+    // 2000 uncertain rows in 40 assemblies, and the root.
     scratch.write("long.csv", &Parts { rows: 2000 }.csv());
     let error = refused(&scratch.run(&["budget", "long.csv", "--draws", "10000000"]), 2);
     assert!(error.contains("10000000 draws of 2001 uncertain rows are too many: at most 4997501"), "{error}");

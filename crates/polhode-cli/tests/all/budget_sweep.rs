@@ -1,11 +1,11 @@
-//! `polhode budget --sweep`: a parts list as a plan of a sweep.
+//! `polhode budget --sweep`: a parts list as a sweep plan.
 
 use polhode_source::files::Disk;
 use polhode_sweep::Plan;
 
 use crate::common::{Scratch, json, numbers, refused, stdout};
 
-/// Members have the mean and the covariance that the list comes to.
+/// Members have the mean and covariance of the list.
 #[test]
 fn members_have_the_covariance_of_the_list() {
     const MEMBERS: usize = 20_000;
@@ -34,12 +34,12 @@ fn members_have_the_covariance_of_the_list() {
         for j in 0..=i {
             let sum: f64 = values.iter().map(|v| (v[i] - mean[i]) * (v[j] - mean[j])).sum();
             let want = covariance[i][j];
-            // The standard deviation of a sample's covariance, of normal numbers
+            // Standard deviation of a sample covariance, for normal variables.
             let sd = ((covariance[i][i] * covariance[j][j] + want * want) / n).sqrt();
             assert!((sum / (n - 1.0) - want).abs() < 4.5 * sd, "{i} {j}: {} is not {want}", sum / n);
         }
     }
-    // They are correlated: the mass goes with Ixx.
+    // The variables are correlated: mass and Ixx.
     assert!(covariance[4][0] > 0.3 * (covariance[4][4] * covariance[0][0]).sqrt());
 }
 
@@ -79,7 +79,8 @@ fn the_plan_is_run() {
     assert!(error.contains("--force") || error.contains("--xlsx"), "{error}");
 }
 
-/// Three points are a plane, and six are none: errors across a plane are of second order in its thickness, so that most draws by the covariance are no bodies.
+/// Three points form a plane, and six have a volume. Errors across the plane are of second order in
+/// its thickness, so most draws from the covariance are unphysical.
 #[test]
 fn members_of_a_flat_body_are_possible() {
     const MEMBERS: u64 = 500;
@@ -111,7 +112,7 @@ fn members_of_a_flat_body_are_possible() {
         }
         for (k, sum) in square.into_iter().enumerate() {
             let ratio = (sum / MEMBERS as f64 / covariance[4 + k][4 + k]).sqrt();
-            // Five standard deviations of one of so many draws
+            // Five standard deviations for this number of draws.
             assert!((ratio - 1.0).abs() < 5.0 / (2.0 * MEMBERS as f64).sqrt(), "{name} {k}: {ratio}");
         }
         let without = plan.text().replace("correlated.impossible = \"nearest\"\n", "");
@@ -125,7 +126,7 @@ fn members_of_a_flat_body_are_possible() {
     }
 }
 
-/// Members have bodies that stay as they are.
+/// The bodies of members do not change with time.
 #[test]
 fn a_list_whose_body_changes_is_no_plan() {
     let scratch = Scratch::new("budget-sweep-changes");
@@ -145,7 +146,7 @@ fn a_list_whose_body_changes_is_no_plan() {
         assert!(!scratch.0.join("plan.toml").exists());
         let body = stdout(&scratch.run(&["budget", "list.csv", "--body", "--configuration", "a"]));
         assert!(body.starts_with("# As it is at first"), "{body}");
-        // What the sequence does not begin as stays as it is.
+        // A configuration that is not the initial one stays constant.
         let body = stdout(&scratch.run(&["budget", "list.csv", "--body", "--configuration", "b"]));
         assert!(!body.contains("at first"), "{body}");
         stdout(&scratch.run(&[&written[..], &["b"]].concat()));

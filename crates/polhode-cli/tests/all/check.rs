@@ -1,4 +1,4 @@
-//! `polhode check`, and robots in `polhode inertia`.
+//! `polhode check`, and robot models in `polhode inertia`.
 
 use std::fs;
 use std::process::Output;
@@ -8,7 +8,7 @@ use serde_json::Value;
 use crate::check_gate::confirmed;
 use crate::common::{Scratch, example, json, number, numbers, refused, stdout};
 
-/// A link of 1.7 kg with these elements.
+/// Model with one link of 1.7 kg and these inertia attributes.
 fn robot(inertia: &str) -> String {
     format!(
         "<robot name=\"r\">\n  <link name=\"arm\">\n    <inertial>\n      <mass value=\"1.7\"/>\n      <inertia {inertia}/>\n    \
@@ -19,7 +19,7 @@ fn robot(inertia: &str) -> String {
 const GOOD: &str = r#"ixx="0.031" ixy="0.004" ixz="-0.003" iyy="0.042" iyz="0.002" izz="0.053""#;
 const IMPOSSIBLE: &str = r#"ixx="0.031" ixy="0.004" ixz="-0.003" iyy="0.042" iyz="0.002" izz="0.53""#;
 
-/// What stands on standard output of a run that ends with this status.
+/// Returns the standard output of a run with this exit status.
 fn printed(output: &Output, code: i32) -> String {
     assert_eq!(output.status.code(), Some(code), "{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout.clone()).unwrap()
@@ -45,7 +45,7 @@ fn the_status_says_clean_found_or_unreadable() {
     assert!(torn.contains("torn.urdf:1:"), "{torn}");
     refused(&scratch.run(&["check", "none.urdf"]), 2);
     refused(&scratch.run(&["check"]), 2);
-    // what can be read is reported all the same
+    // Readable files are reported nevertheless.
     let both = scratch.run(&["check", "torn.urdf", "bad.urdf", "good.urdf"]);
     let text = printed(&both, 2);
     assert!(text.contains("bad.urdf:5:") && text.contains("good.urdf"), "{text}");
@@ -56,7 +56,7 @@ fn the_status_says_clean_found_or_unreadable() {
 #[test]
 fn notes_count_only_where_one_is_strict() {
     let scratch = Scratch::new("check-strict");
-    // an identity with nothing that contradicts it: worth knowing, no reason to fail
+    // An identity tensor without contradicting evidence is a note, not a failure.
     scratch.write(
         "note.urdf",
         &robot(r#"ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1""#).replace("1.7", "20"),
@@ -121,7 +121,7 @@ fn a_fix_changes_what_it_says_and_no_other_byte() {
     assert_eq!(fs::read_to_string(scratch.0.join("bad.urdf")).unwrap(), text);
     printed(&scratch.run(&["check", "fixed.urdf"]), 0);
 
-    // what cannot be repaired stays, and is said
+    // Errors without a fix are kept and reported.
     let both = text.replace("izz=\"0.053\"", "izz=\"nan\"");
     scratch.write("both.urdf", &both);
     let report = parsed(&scratch.run(&["check", "both.urdf", "--fix", "half.urdf", "--json"]), 1);
@@ -130,7 +130,7 @@ fn a_fix_changes_what_it_says_and_no_other_byte() {
     assert!(number(&report["fix"]["remaining"]) >= 1.0);
     assert_eq!(fs::read_to_string(scratch.0.join("half.urdf")).unwrap(), both.replace("\"1,7\"", "\"1.7\""));
 
-    // and nothing to repair is a copy
+    // A model without errors is copied.
     scratch.write("good.urdf", &robot(GOOD));
     printed(&scratch.run(&["check", "good.urdf", "--fix", "copy.urdf"]), 0);
     assert_eq!(fs::read_to_string(scratch.0.join("copy.urdf")).unwrap(), robot(GOOD));
@@ -154,7 +154,7 @@ fn a_fix_overwrites_nothing_that_it_should_not() {
     assert_eq!(fs::read_to_string(scratch.0.join("good.urdf")).unwrap(), robot(GOOD));
     printed(&scratch.run(&["check", "bad.urdf", "--fix", "good.urdf", "--force"]), 0); // izz 0.53 → 0.053
     assert_eq!(scratch.entries(), ["bad.urdf", "good.urdf"]);
-    // a link to the model is the model
+    // A link to the model counts as the model.
     #[cfg(unix)]
     {
         std::os::unix::fs::symlink("bad.urdf", scratch.0.join("link.urdf")).unwrap();
@@ -182,7 +182,8 @@ fn folders_are_searched_for_models() {
     let reports = parsed(&scratch.run(&["check", "robots", "--json"]), 0);
     let files: Vec<&str> = reports.as_array().unwrap().iter().map(|r| r["file"].as_str().unwrap()).collect();
     assert_eq!(files, ["robots/b.urdf", "robots/inner/a.xml", "robots/inner/c.sdf"]);
-    // what breaks off before its root is said, and so is what cannot be opened; other documents are none
+    // A file that breaks off before its root, or cannot be opened, is reported; other documents are
+    // ignored.
     fs::create_dir_all(scratch.0.join("torn")).unwrap();
     scratch.write("torn/a.world", "<?xml version=\"1.0\"?><!-- never closed <sdf><world/></sdf>");
     scratch.write("torn/b.mjcf", "<?xml version=\"1.0\"?> text <mujoco/>");
@@ -213,7 +214,7 @@ fn a_table_has_a_line_for_each_link() {
         let line = table.lines().find(|line| line.starts_with(&format!("{link} "))).unwrap();
         line.split_whitespace().map(str::to_owned).collect()
     };
-    // a box of 240 × 200 × 100 mm, 3.6 kg in 4.8 l
+    // A box of 240 × 200 × 100 mm, 3.6 kg in 4.8 l.
     let base =
         ["base", "3.6", "0", "0", "50", "0.015", "0.02028", "0.02928", "240", "200", "100", "750", "ok"];
     assert_eq!(cells("base"), base);
@@ -260,7 +261,7 @@ fn the_three_languages_are_one_robot() {
             }
         }
     }
-    // and at zero it is another
+    // At zero joint angles the body differs.
     let zero = json(&scratch.run(&["inertia", &example("robots/arm.urdf"), "--lump", "--json"]));
     assert!((number(&zero["center_of_mass"][0]) - number(&urdf["center_of_mass"][0])).abs() > 1e-3);
 }
@@ -276,7 +277,7 @@ fn a_link_and_a_group_are_bodies_of_their_own() {
     for (a, b) in moments.iter().zip([1.525e-5, 8.725e-5, 9e-5]) {
         assert!((a / b - 1.0).abs() < 1e-14, "{a} {b}");
     }
-    // its inertial frame is turned, so that its tensor has products
+    // Its inertial frame is rotated, so its tensor has products of inertia.
     assert!(number(&camera["inertia"]["tensor"][0][1]) > 2.9e-5);
     let groups = json(&scratch.run(&["inertia", &urdf, "--lump", "fixed", "--json"]));
     let frames: Vec<&Value> =
@@ -284,7 +285,7 @@ fn a_link_and_a_group_are_bodies_of_their_own() {
     assert_eq!(frames, ["base", "upper_arm", "forearm", "hand"]);
     assert_eq!(groups[2]["source"]["links"], serde_json::json!(["forearm", "camera"]));
     assert!((number(&groups[2]["mass"]) - 1.02).abs() < 1e-15);
-    // and what is written names them
+    // The output names the links.
     let sdf = stdout(&scratch.run(&["inertia", &urdf, "--lump", "fixed", "--write", "sdf"]));
     assert!(sdf.contains("<link name=\"forearm\">") && sdf.contains("<link name=\"hand\">"), "{sdf}");
     let text = stdout(&scratch.run(&["inertia", &urdf, "--lump", "--joint", "elbow=0.5"]));
@@ -313,7 +314,7 @@ fn robots_are_asked_for_a_link() {
     run(&["--joint", "elbow=1"]);
     run(&["--link", "base", "--lump"]);
     run(&["--link", "base", "--density", "1000 kg/m^3"]);
-    // a molecule in the other format called SDF is a molecule still
+    // A molecule in the other format named SDF is still a molecule.
     scratch.write("water.sdf", "water\n\n\n  1  0  0  0  0  0  0  0  0  0999 V2000\n    0.0000    0.0000    0.0000 O   0  0\nM  END\n$$$$\n");
     assert!(number(&json(&scratch.run(&["inertia", "water.sdf", "--json"]))["mass"]) < 1e-25);
     let text = refused(&scratch.run(&["inertia", "water.sdf", "--link", "base"]), 2);
@@ -324,11 +325,11 @@ fn robots_are_asked_for_a_link() {
 fn meshes_are_found_under_the_roots_that_are_given() {
     let scratch = Scratch::new("check-root");
     fs::create_dir_all(scratch.0.join("packages/arm")).unwrap();
-    // a tetrahedron (2, 3, 1) m of 1 m³, a tenth as large in the model
+    // A tetrahedron of 2, 3 and 1 m with a volume of 1 m³, scaled by 1/10 in the model.
     let obj = "v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
     scratch.write("packages/arm/arm.obj", obj);
     let mesh = "<visual><geometry><mesh filename=\"package://arm/arm.obj\" scale=\"0.1 0.1 0.1\"/></geometry></visual>";
-    // ∫x² = 3 m a² / 80 and ∫xy = −m a b / 80 about the centroid, of the legs 0.2, 0.3 and 0.1 m
+    // ∫x² = 3 m a² / 80 and ∫xy = −m a b / 80 about the centroid, for legs of 0.2, 0.3 and 0.1 m.
     let own =
         r#"ixx="0.006375" ixy="0.001275" ixz="0.000425" iyy="0.0031875" iyz="0.0006375" izz="0.0082875""#;
     scratch.write("arm.urdf", &robot(own).replace("  </link>", &format!("    {mesh}\n  </link>")));
@@ -423,7 +424,7 @@ fn meshes_of_packages_around_and_below_are_found() {
     let folder = printed(&scratch.run(&["check", "ws"]), 0);
     assert_eq!(folder.matches("[read.package]").count(), 2, "{folder}");
     assert!(!folder.contains("geometry.unreadable"), "{folder}");
-    // a single file has no checked folder
+    // A single file has no search folder.
     let outside = printed(&scratch.run(&["check", "ws/bringup/cell.urdf"]), 0);
     assert!(outside.contains("[geometry.unreadable]"), "{outside}");
 }

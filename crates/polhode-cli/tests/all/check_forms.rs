@@ -1,4 +1,4 @@
-//! The forms of `polhode check` that other programs read.
+//! Machine-readable output formats of `polhode check`.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,7 +8,7 @@ use serde_json::Value;
 use crate::check_gate::{good, impossible, noted, printed, said};
 use crate::common::{Scratch, stdout};
 
-/// One of each: what fails, is allowed, is noted and cannot be read.
+/// Folder with one failing, one allowed, one noted and one unreadable model.
 pub(crate) fn mixed(name: &str) -> Scratch {
     let scratch = Scratch::new(name);
     fs::create_dir_all(scratch.0.join("src")).unwrap();
@@ -69,7 +69,7 @@ fn sarif_is_what_its_schema_says() {
     assert_eq!(first["locations"][0]["logicalLocations"][0]["name"], "a|r%m");
     assert!(first.get("suppressions").is_none());
     assert_eq!(results[2]["suppressions"][0]["justification"], "a & b");
-    // the repair is in it as it is in the JSON: the same place, the same text
+    // The fix is the same as in the JSON: same place, same text.
     let replacement = &first["fixes"][0]["artifactChanges"][0]["replacements"][0];
     assert_eq!(replacement["insertedContent"]["text"], "0.053");
     assert_eq!(replacement["deletedRegion"]["startLine"], 5);
@@ -93,7 +93,7 @@ fn junit_counts_what_it_has() {
     );
     assert_eq!((count("<testcase "), count("</testcase>")), (4, 4));
     assert!(text.contains("allowed: a &amp; b") && text.contains("<system-out>note: "), "{text}");
-    // a note fails if that is asked for; a clean file is a case that passes
+    // With `--strict` a note fails; a clean file is a passed test case.
     let strict = printed(&scratch.run(&["check", "src/n.urdf", "--format", "junit", "--strict"]), 1);
     assert!(strict.contains("failures=\"1\""), "{strict}");
     scratch.write("good.urdf", &good());
@@ -134,7 +134,7 @@ fn github_gitlab_and_markdown_escape_what_they_must() {
     assert!(table.contains("**1 impossible**"), "{table}");
     let rows: Vec<&str> = table.lines().filter(|line| line.starts_with('|')).collect();
     assert_eq!(rows.len(), 5, "{table}");
-    // four columns in each row, whatever is in them
+    // Each row has four columns, whatever its cells contain.
     for row in rows {
         assert_eq!(row.replace("\\|", "").matches('|').count(), 5, "{row}");
     }
@@ -157,7 +157,7 @@ fn what_is_left_out_or_off_is_said_in_each_form() {
         let text = printed(&scratch.run(&["check", "src", "--format", form]), 0);
         assert!(text.contains(LEFT_OUT) && text.contains(OFF), "{form}: {text}");
     }
-    // where the form has no place for it, beside it
+    // Formats without a place for it use standard error.
     let gitlab = scratch.run(&["check", "src", "--format", "gitlab"]);
     assert!(said(&gitlab).contains(LEFT_OUT) && said(&gitlab).contains(OFF), "{}", said(&gitlab));
     assert_eq!(printed(&gitlab, 0).trim(), "[]");

@@ -1,4 +1,4 @@
-//! `polhode check` as a gate: what fails, what is allowed and known.
+//! `polhode check` in continuous integration: failing, allowed and known findings.
 
 use std::fs;
 use std::process::Output;
@@ -8,7 +8,8 @@ use serde_json::Value;
 use crate::check_forms::mixed;
 use crate::common::{Scratch, refused, stdout};
 
-/// A link of 1.7 kg with this greatest moment, at a name that formats have to escape.
+/// Model with one link of 1.7 kg and this largest moment; the link name contains characters that
+/// formats must escape.
 fn robot(izz: &str) -> String {
     format!(
         "<robot name=\"r\">\n  <link name=\"a|r%m\">\n    <inertial>\n      <mass value=\"1.7\"/>\n      \
@@ -16,12 +17,13 @@ fn robot(izz: &str) -> String {
     )
 }
 
-/// A moment of ten times the right one, on a link that is drawn as the box with the right tensor: there is one fix.
+/// Model with a moment ten times too large, and a visual box of the correct tensor; there is
+/// exactly one fix.
 pub(crate) fn impossible() -> String {
     confirmed(&robot("0.53"))
 }
 
-/// A link of [`robot`] with the box that has the tensor of [`good`].
+/// Returns the model of [`robot`] with the box whose tensor is that of [`good`].
 pub(crate) fn confirmed(robot: &str) -> String {
     robot.replace("  </link>", &format!("    {BOX}\n  </link>"))
 }
@@ -32,7 +34,7 @@ pub(crate) fn good() -> String {
     robot("0.053")
 }
 
-/// A link of an identity that nothing contradicts: a note.
+/// Model with an identity tensor and no contradicting evidence: a note.
 pub(crate) fn noted() -> String {
     robot("1")
         .replace("0.031", "1")
@@ -43,7 +45,7 @@ pub(crate) fn noted() -> String {
         .replace("1.7", "20")
 }
 
-/// A box of 1.2 kg with an identity: suspect.
+/// Model with a box of 1.2 kg and an identity tensor: suspect.
 fn suspect() -> String {
     noted().replace("\"20\"", "\"1.2\"").replace(
         "    <inertial>",
@@ -81,7 +83,7 @@ fn the_severity_that_fails_is_a_choice() {
         assert_eq!(code(&["--fail-on", "note"]), Some(note), "{name}");
         assert_eq!(code(&["--strict"]), Some(note), "{name}");
     }
-    // the configuration says it, and the command line says otherwise
+    // The configuration sets the level, and the command line overrides it.
     scratch.write("polhode.toml", "[check]\nfail_on = \"impossible\"\n");
     assert_eq!(status(&scratch.run(&["check", "s.urdf"])), Some(0));
     assert_eq!(status(&scratch.run(&["check", "s.urdf", "--fail-on", "suspect"])), Some(1));
@@ -105,29 +107,29 @@ fn what_a_configuration_allows_is_listed_with_its_reason() {
     );
     assert!(text.contains("left out: 1 file") && !text.contains("b.urdf"), "{text}");
     assert!(text.contains("IMPOSSIBLE 0") && text.contains("OK 1 of 1"), "{text}");
-    // absolute names are those of the working directory
+    // Absolute names are relative to the working directory.
     let absolute = scratch.0.canonicalize().unwrap().join("src");
     assert_eq!(status(&scratch.run(&["check", absolute.to_str().unwrap()])), Some(0));
-    // JSON has it too; what is said of the configuration goes to standard error
+    // The JSON lists allowed findings; remarks on the configuration go to standard error.
     let json = scratch.run(&["check", "src/a.urdf", "--json"]);
     let report: Value = serde_json::from_str(&printed(&json, 0)).unwrap();
     assert_eq!(report["findings"].as_array().unwrap().len(), 0);
     assert_eq!(report["allowed"][0]["reason"], "measured on the bench");
     assert_eq!(report["allowed"][0]["id"].as_str().unwrap().len(), 16);
-    // expired, it does not allow any more
+    // An expired entry has no effect.
     scratch.write("gone.toml", &format!("{allow}expires = 2020-01-01\n"));
     let text = printed(&scratch.run(&["check", "src/a.urdf", "--config", "gone.toml"]), 1);
     assert!(text.contains("✗ a|r%m") && text.contains("note: gone.toml:1:1 [allow.expired]"), "{text}");
     scratch.write("later.toml", &format!("{allow}expires = 9999-12-31\n"));
     assert_eq!(status(&scratch.run(&["check", "src/a.urdf", "--config", "later.toml"])), Some(0));
-    // of no use
+    // An unused entry.
     scratch.write("src/a.urdf", &good());
     let text = printed(&scratch.run(&["check", "src/a.urdf"]), 0);
     assert!(text.contains("note: polhode.toml:3:1 [allow.unused]"), "{text}");
     assert_eq!(status(&scratch.run(&["check", "src/a.urdf", "--strict"])), Some(1));
     let json = scratch.run(&["check", "src/a.urdf", "--json"]);
     assert!(said(&json).contains("[allow.unused]") && serde_json::from_slice::<Value>(&json.stdout).is_ok());
-    // and what cannot be read is refused at its place
+    // An invalid configuration is refused with its place.
     scratch.write("polhode.toml", "[check]\nfail_on = \"imposible\"\n");
     let text = refused(&scratch.run(&["check", "src/a.urdf"]), 2);
     assert!(text.contains("polhode.toml:2:11") && text.contains("did you mean impossible?"), "{text}");
@@ -142,17 +144,17 @@ fn a_baseline_lets_only_what_is_new_fail() {
     assert!(printed(&wrote, 0).contains("✗ a|r%m") && said(&wrote).contains("wrote known.json: 1 finding"));
     let text = printed(&scratch.run(&["check", "a.urdf", "--baseline", "known.json"]), 0);
     assert!(text.contains("known: 1 finding") && !text.contains('✗'), "{text}");
-    // moved by lines it is known, and another is new
+    // A finding moved by some lines is still known, and another one is new.
     scratch.write("a.urdf", &impossible().replace("  <link", "\n\n  <link"));
     assert_eq!(status(&scratch.run(&["check", "a.urdf", "--baseline", "known.json"])), Some(0));
     scratch.write("b.urdf", &impossible());
     let text = printed(&scratch.run(&["check", "a.urdf", "b.urdf", "--baseline", "known.json"]), 1);
     assert_eq!(text.matches('✗').count(), 1, "{text}");
-    // gone it is said
+    // A finding that no longer occurs is reported.
     scratch.write("a.urdf", &good());
     let text = printed(&scratch.run(&["check", "a.urdf", "--baseline", "known.json"]), 0);
     assert!(text.contains("note: known.json:1:1 [baseline.gone]"), "{text}");
-    // nothing is replaced unless that is said, and nothing written where a file could not be read
+    // A baseline is replaced only with --force, and not written if a file could not be read.
     refused_after_results(&scratch.run(&["check", "a.urdf", "--write-baseline", "known.json"]), "--force");
     let again = scratch.run(&[
         "check",
@@ -190,7 +192,7 @@ fn a_comment_in_the_model_allows_with_a_reason() {
     scratch.write("a.urdf", &with("<!-- polhode: allow inertia.triangle -->"));
     let text = printed(&scratch.run(&["check", "a.urdf"]), 1);
     assert!(text.contains("[allow.malformed]") && text.contains("[inertia.triangle]"), "{text}");
-    // what is allowed is not repaired either
+    // Allowed findings are not fixed.
     scratch.write(
         "b.urdf",
         &with("<!-- polhode: allow number.malformed: a test of readers -->")
@@ -212,7 +214,7 @@ fn results_go_to_a_file_whole_or_not_at_all() {
     assert_eq!(fs::read_to_string(scratch.0.join("out.sarif")).unwrap(), written);
     assert_eq!(status(&scratch.run(&["check", "src/n.urdf", "-o", "out.sarif", "--force"])), Some(0));
     assert!(fs::read_to_string(scratch.0.join("out.sarif")).unwrap().contains("NOTE 1"));
-    // --json is --format json
+    // `--json` is the same as `--format json`.
     let short = stdout(&scratch.run(&["check", "src/n.urdf", "--json"]));
     assert_eq!(short, stdout(&scratch.run(&["check", "src/n.urdf", "--format", "json"])));
     let text = refused(&scratch.run(&["check", "src/n.urdf", "--fix", "f.urdf", "--format", "sarif"]), 2);
@@ -233,7 +235,7 @@ fn every_rule_is_explained() {
     assert!(text.contains("wrong:   0.53") && text.contains("right:   0.053"), "{text}");
     let text = refused(&scratch.run(&["check", "--explain", "inertia.triangel"]), 2);
     assert!(text.contains("did you mean inertia.triangle?"), "{text}");
-    // a finding's code is a rule's
+    // Each finding has the code of a rule.
     scratch.write("a.urdf", &impossible());
     let report: Value =
         serde_json::from_str(&printed(&scratch.run(&["check", "a.urdf", "--json"]), 1)).unwrap();

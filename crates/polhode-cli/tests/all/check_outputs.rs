@@ -1,11 +1,12 @@
-//! What `polhode check` writes, and what it never writes over.
+//! Output files of `polhode check`, and files that are never overwritten.
 
 use std::fs;
 
 use crate::check_gate::{impossible, printed, said, status};
 use crate::common::{Scratch, refused};
 
-/// A model of two files and a mesh, a world of an included model, a configuration and a baseline.
+/// Folder with a model of two files and a mesh, a world with an included model, a configuration and
+/// a baseline.
 fn whole_model(name: &str) -> Scratch {
     let scratch = Scratch::new(name);
     fs::create_dir_all(scratch.0.join("models/inner")).unwrap();
@@ -37,7 +38,7 @@ fn whole_model(name: &str) -> Scratch {
     scratch
 }
 
-/// Every file below a folder with its bytes.
+/// Returns all files below a folder with their contents.
 fn contents(folder: &std::path::Path) -> Vec<(std::path::PathBuf, Vec<u8>)> {
     let mut all = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
@@ -92,11 +93,11 @@ fn no_output_takes_the_place_of_another_or_of_what_is_read() {
     for (arguments, said) in cases {
         let text = refused(&scratch.run(&[&["check"], *arguments, &["--force"]].concat()), 2);
         assert!(text.contains(said), "{arguments:?}: {text}");
-        // without --force, too, whether it is there or not
+        // The same holds without --force, for existing and new files.
         refused(&scratch.run(&[&["check"], *arguments].concat()), 2);
         assert_eq!(contents(&scratch.0), before, "{arguments:?}");
     }
-    // what --exclude leaves out of the check is a model still
+    // A model excluded from the check is still an input.
     scratch.write("polhode.toml", "[check]\nexclude = [\"robot.urdf\"]\n");
     let text = refused(&scratch.run(&["check", "robot.urdf", "top.xml", "-o", "robot.urdf", "--force"]), 2);
     assert!(text.contains("the model itself"), "{text}");
@@ -119,7 +120,7 @@ fn what_a_model_is_made_of_that_cannot_be_read_is_kept() {
         assert!(text.contains(said), "{text}");
         assert_eq!(contents(&scratch.0), before, "{out}");
     }
-    // results of the others are written
+    // Results of the other models are written.
     let output = scratch.run(&["check", "top.xml", "robot.urdf", "-o", "results.txt", "--force"]);
     assert_eq!(status(&output), Some(2));
     assert!(fs::read_to_string(scratch.0.join("results.txt")).unwrap().contains("robot.urdf"));
@@ -183,7 +184,7 @@ fn what_stands_in_an_included_file_is_allowed_by_that_files_name() {
         let asks = file == "inc.xml" && code == 1;
         assert_eq!(text.contains("[allow.unused]"), asks || file == "more/inc.xml", "{model} {file}: {text}");
     }
-    // what stands in the model itself is not in the included file
+    // The model itself has the finding, not the included file.
     let own = "<mujoco><worldbody><include file=\"inc.xml\"/><body name=\"b\"><inertial pos=\"0 0 0\" mass=\"2,5\" diaginertia=\"1 1 1\"/></body></worldbody></mujoco>";
     scratch.write("top.xml", own);
     scratch.write("polhode.toml", &allow("inc.xml", "*"));

@@ -1,4 +1,4 @@
-//! The command as its users meet it: what it prints, what it writes, and how it fails.
+//! The command from the user's side: its output, files and failures.
 
 use std::fs;
 
@@ -19,7 +19,7 @@ duration = "3 s"
 samples = 31
 "#;
 
-/// With a torque the motion has no closed form.
+/// A torque for which the motion has no closed form.
 const PUSH: &str = r#"
 [[torque]]
 model = "constant"
@@ -54,7 +54,7 @@ fn simulate_writes_a_folder_whose_table_is_the_motion() {
     let rows: Vec<Vec<f64>> =
         lines.map(|line| line.split(',').map(|c| c.parse().unwrap()).collect()).collect();
     assert_eq!(rows.len(), 31);
-    // The attitude and ω of the last row give the L of the first.
+    // Attitude and ω of the last row give the angular momentum of the first.
     let column = |name: &str| header.iter().position(|h| *h == name).unwrap();
     let (first, last) = (&rows[0], &rows[30]);
     assert_eq!(last[column("time_s")], 3.0);
@@ -80,7 +80,7 @@ fn an_old_folder_is_kept_unless_forced() {
     assert_eq!(fs::read(scratch.0.join("brick/summary.json")).unwrap(), before);
     fs::remove_file(scratch.0.join("other.toml")).unwrap();
 
-    // Results of the same scenario are replaced, whatever it says now, and its plots are.
+    // Results and plots of the same scenario are replaced, also after changes to its file.
     scratch.write("brick.toml", &BRICK.replace("1800", "900"));
     for _ in 0..2 {
         stdout(&scratch.run(&["simulate", "brick.toml", "--plot", "omega=o.svg", "--plot", "p.png"]));
@@ -90,7 +90,7 @@ fn an_old_folder_is_kept_unless_forced() {
     fs::write(scratch.0.join("brick.toml.svg"), "<svg xmlns='somebody else'/>").unwrap();
     let text = refused(&scratch.run(&["simulate", "brick.toml", "--plot", "omega=brick.toml.svg"]), 2);
     assert!(text.contains("brick.toml.svg is there already"), "{text}");
-    // The name of one scenario may begin another's.
+    // A scenario name may be the prefix of another one.
     for plot in ["p.png", "omega=o.svg"] {
         stdout(&scratch.run(&["simulate", "brick.toml", "-o", "again", "--plot", plot]));
         scratch.write("brick.tom", BRICK);
@@ -105,13 +105,13 @@ fn an_old_folder_is_kept_unless_forced() {
     assert_ne!(fs::read(scratch.0.join("brick/summary.json")).unwrap(), before);
     assert_eq!(scratch.entries(), ["brick", "brick.toml"]);
 
-    // --force does not remove what is not ours
+    // `--force` does not remove foreign files.
     fs::create_dir(scratch.0.join("photos")).unwrap();
     fs::write(scratch.0.join("photos/cat.jpg"), "a cat").unwrap();
     let text = refused(&scratch.run(&["simulate", "brick.toml", "-o", "photos", "--force"]), 2);
     assert!(text.contains("not a folder of results"), "{text}");
     assert!(scratch.0.join("photos/cat.jpg").exists());
-    // nor what lies among or looks like results
+    // The same holds for foreign files among results, and files similar to results.
     fs::write(scratch.0.join("brick/notes.md"), "mine").unwrap();
     let text = refused(&scratch.run(&["simulate", "brick.toml"]), 2);
     assert!(text.contains("it holds \"notes.md\""), "{text}");
@@ -167,7 +167,7 @@ fn a_scenario_without_a_run_is_not_simulated() {
     stdout(&scratch.run(&["explain", "still.toml"]));
 }
 
-/// A run that ends too early: exit status 3, and all files, marked.
+/// Checks a run that ends too early: exit status 3, and all files marked incomplete.
 #[track_caller]
 fn incomplete(scratch: &Scratch, name: &str, text: &str, cause: &str) -> Value {
     scratch.write(&format!("{name}.toml"), text);
@@ -196,19 +196,19 @@ fn incomplete(scratch: &Scratch, name: &str, text: &str, cause: &str) -> Value {
 #[test]
 fn what_cannot_go_on_is_written_as_far_as_it_is_good() {
     let scratch = Scratch::new("reach");
-    // 1e300 N·m on a brick: ω leaves the range of f64
+    // 1e300 N·m on a brick: ω overflows f64.
     let torque = "[[torque]]\nmodel = \"constant\"\naxes = \"body\"\ntorque = [1e300, 2e300, -1e300]\n[run]";
     incomplete(&scratch, "burst", &BRICK.replace("[run]", torque), "");
-    // more steps than anybody would wait for: given up at once
+    // Too many steps: refused immediately.
     let long = incomplete(&scratch, "long", &(BRICK.replace("3 s", "1e15 s") + PUSH), "steps");
     assert!(number(&long["end"]["time_s"]) > 0.0);
-    // what is wrong with the input stays a mistake, and writes nothing
+    // An invalid input stays a usage error, and writes nothing.
     let before = scratch.entries();
     scratch.write("fast.toml", &BRICK.replace("2.0", "1e200"));
     let text = refused(&scratch.run(&["simulate", "fast.toml"]), 2);
     assert!(text.contains("finite"), "{text}");
     assert_eq!(scratch.entries().len(), before.len() + 1);
-    // an explanation of half a motion is none
+    // An incomplete motion has no explanation.
     refused(&scratch.run(&["explain", "long.toml"]), 3);
 }
 
@@ -254,7 +254,7 @@ fn inertia_of_a_mesh_follows_its_substance_and_unit() {
     let weighed = of(&["--mass", "1 kg"]);
     let ratio = number(&weighed["inertia"]["tensor"][0][0]) / number(&dense["inertia"]["tensor"][0][0]);
     assert!((ratio * mass - 1.0).abs() < 1e-14);
-    // parallel axes by hand, at a generic point
+    // Parallel-axis theorem, at a generic point.
     let c: Vec<f64> = (0..3).map(|k| number(&dense["center_of_mass"][k])).collect();
     let a = [c[0] - 0.01, c[1], c[2] + 0.005];
     for i in 0..3 {
@@ -269,7 +269,7 @@ fn inertia_of_a_mesh_follows_its_substance_and_unit() {
     assert_eq!(dense["findings"].as_array().unwrap().len(), 0);
     let assumed = of(&[]);
     assert_eq!(assumed["findings"][0]["code"], "mass.assumed");
-    // usage errors
+    // Usage errors.
     refused(&scratch.run(&["inertia", &stl, "--density", "2700 kg"]), 2);
     refused(&scratch.run(&["inertia", &stl, "--mass", "-1 kg"]), 2);
     refused(&scratch.run(&["inertia", &stl, "--mass", "1 kg", "--material", "steel"]), 2);
@@ -344,7 +344,8 @@ fn an_error_is_estimated_of_what_is_computed() {
     assert_eq!(summary["error"]["effort"], "thorough");
     let attitude = summary["error"]["attitude_rad"].as_f64().unwrap();
     assert!((1e-16..1e-9).contains(&attitude), "{attitude:e}");
-    // What a cheap estimate says of the inputs is a bound: its steps' error, which is larger by far, is no evidence that they matter.
+    // The estimate for input errors is an upper bound; the much larger error of the steps does not
+    // show that inputs matter.
     let chaotic = "[[body.part]]\nshape = 'tensor'\nmass = 3\ncenter_of_mass = [0, 0, 0]\ninertia = [[1, 0, 0], [0, 2, 0], [0, 0, 2.5]]\n[start]\nspin = { body = [0.3, 0.5, 0.9] }
 [orbit]\nrate = 0.5\nmu = '4e10 m^3/s^2'\n[[torque]]\nmodel = 'gravity_gradient'
 [run]\nduration = 20\nsamples = 12001\nmethod = 'dop853'\ntolerance = 1e-5\n";
@@ -410,7 +411,7 @@ fn what_cannot_be_written_is_a_failure() {
         let said = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
         assert!(said.starts_with("error: cannot write standard output"), "{arguments:?}: {said}");
-        // Nobody reads it any more: that is no failure.
+        // A closed pipe is not a failure.
         let mut child = scratch.command(arguments).stdout(std::process::Stdio::piped()).spawn().unwrap();
         drop(child.stdout.take());
         assert_eq!(child.wait().unwrap().code(), Some(0), "{arguments:?}");
@@ -429,12 +430,12 @@ fn a_value_that_begins_with_a_minus_is_told_how_it_is_given() {
     ] {
         let error = refused(&scratch.run(arguments), 2);
         assert!(error.contains(&format!("is joined to its option: {joined}\n")), "{error}");
-        // Obeyed, it is read as the option's value.
+        // Following the advice, the value is accepted by the option.
         let obeyed = joined.replace('"', "");
         let error = refused(&scratch.run(&[&arguments[..2], &[obeyed.as_str()]].concat()), 2);
         assert!(!error.contains("unexpected argument"), "{error}");
     }
-    // Of a file it is as clap says.
+    // For a file name the hint of clap is kept.
     let error = refused(&scratch.run(&["inertia", "-5.stl"]), 2);
     assert!(error.contains("use '-- -5"), "{error}");
 }
@@ -478,7 +479,7 @@ fn a_new_scenario_runs_and_is_never_overwritten() {
     refused(&scratch.run(&["new", "toaster"]), 2);
 }
 
-/// A browser that cannot be started is a remark.
+/// Failure to start a browser is only a note.
 #[test]
 fn a_page_that_cannot_be_opened_is_written() {
     let scratch = Scratch::new("no-browser");

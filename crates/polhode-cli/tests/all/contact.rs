@@ -1,4 +1,4 @@
-//! Bodies on the ground, as users of the command meet them.
+//! Bodies on the ground, tested through the command.
 
 use std::fs;
 
@@ -21,7 +21,8 @@ fn the_tippe_top_is_simulated() {
     ] {
         assert!(text.contains(line), "{line}\n{text}");
     }
-    // Work and impulse by the theorems are no evidence.
+    // Work and impulse follow from theorems and are not independent checks, so they are not
+    // printed.
     assert!(!text.contains("T − work") && !text.contains("free motion"), "{text}");
     let summary: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(scratch.0.join("run/summary.json")).unwrap()).unwrap();
@@ -43,7 +44,7 @@ fn the_tippe_top_is_simulated() {
     let last: Vec<f64> = lines.next_back().unwrap().split(',').map(|x| x.parse().unwrap()).collect();
     let of = |row: &[f64], name: &str| row[names.iter().position(|other| *other == name).unwrap()];
     assert_eq!([of(&first, "contact_phase"), of(&last, "contact_phase")], [1.0, 0.0]);
-    // The table and the summary are one motion.
+    // The table and the summary describe the same motion.
     for (name, key) in [
         ("normal_force_n", "normal_force_n"),
         ("total_kinetic_energy_j", "kinetic_energy_j"),
@@ -89,7 +90,7 @@ fn what_does_not_know_the_ground_says_so() {
     assert!((number(&mass["mass"]) - 0.4).abs() < 1e-15);
 }
 
-/// A motion that ends at its contact is complete: nothing failed.
+/// A motion that ends because of its contact is complete, not failed.
 #[test]
 fn a_disk_that_falls_flat_ends_its_run() {
     let scratch = Scratch::new("contact-flat");

@@ -1,4 +1,5 @@
-//! Follows the README, the first steps, the cookbook and the tutorials, and compares the output with the pages.
+//! Runs the README, the first steps, the cookbook and the tutorials, and compares the output with
+//! the pages.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::common::recipe::follow;
 use crate::common::{Scratch, entries};
 
-/// A folder of pages that are followed, the page that lists them, and how many it has at least.
+/// Folder of pages to run, the page that lists them, and their minimum number.
 struct Pages {
     folder: &'static str,
     index: &'static str,
@@ -65,7 +66,7 @@ fn the_links_of_the_pages_lead_somewhere() {
     }
 }
 
-/// Its commands are on scenarios that `cargo xtask examples` simulates: those with a `[run]`.
+/// The gallery commands use scenarios that `cargo xtask examples` simulates: those with a `[run]`.
 #[test]
 fn each_motion_of_the_gallery_has_its_picture_scenario_and_command() {
     let page = fs::read_to_string(root().join("book/gallery.md")).unwrap();
@@ -83,7 +84,7 @@ fn each_motion_of_the_gallery_has_its_picture_scenario_and_command() {
     }
 }
 
-/// Follows the links of all pages of a folder, and says how many there are.
+/// Checks the links of all pages of a folder; returns their number.
 fn links(folder: &Path) -> usize {
     let mut count = 0;
     for page in entries(folder) {
@@ -101,7 +102,7 @@ fn links(folder: &Path) -> usize {
     count
 }
 
-/// What follows the `#` of a link to a heading.
+/// Returns the link anchor of a heading.
 fn anchor(line: &str) -> String {
     let text = line.strip_prefix('#').unwrap_or_default().trim_start_matches('#').trim();
     let kept = text.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));

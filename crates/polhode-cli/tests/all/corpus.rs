@@ -1,4 +1,5 @@
-//! The stored corpora of the fuzz targets (`fuzz/README.md`), with each input cut short and with single bits turned over.
+//! Runs the stored corpora of the fuzz targets (`fuzz/README.md`), with each input truncated and
+//! with single bits flipped.
 
 #[path = "../../../../fuzz/src/lib.rs"]
 mod targets;
@@ -10,7 +11,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use targets::{TARGETS, Target};
 
-/// Truncations of each input, and copies with one bit turned over.
+/// Number of truncations of each input.
 const CUTS: usize = 20;
 const FLIPS: usize = 20;
 
@@ -52,9 +53,10 @@ fn corpora_and_programs_have_the_names_of_targets() {
     }
 }
 
-/// Targets, seconds for each, and the seed: `POLHODE_FUZZ="identify live" POLHODE_FUZZ_SECONDS=60
-/// cargo test -p polhode-cli --test all mutations -- --ignored --nocapture` prints a line for each
-/// target.
+/// Fuzzes targets for a given time, and prints a line for each target.
+///
+/// `POLHODE_FUZZ="identify live" POLHODE_FUZZ_SECONDS=60 cargo test -p polhode-cli --test all
+/// mutations -- --ignored --nocapture` runs two targets for 60 s each. `POLHODE_FUZZ_SEED` is the seed.
 #[test]
 #[ignore = "random search for as long as POLHODE_FUZZ_SECONDS says; the gate runs the stored inputs"]
 fn mutations_of_the_stored_inputs_hold() {
@@ -79,7 +81,7 @@ fn mutations_of_the_stored_inputs_hold() {
     }
 }
 
-/// xorshift64
+/// Random generator xorshift64.
 struct Random(u64);
 
 impl Random {
@@ -90,7 +92,8 @@ impl Random {
         (self.0 >> 11) as usize % most.max(1)
     }
 
-    /// One of the seeds with up to eight changes: bits, bytes, words of its format, cuts, repetitions, parts of another seed.
+    /// Returns a seed with up to eight changes: bits, bytes, words of its format, truncations,
+    /// repetitions, parts of another seed.
     fn mutated(&mut self, seeds: &[Vec<u8>]) -> Vec<u8> {
         const WORDS: [&str; 16] = [
             "0",
@@ -136,7 +139,8 @@ impl Random {
     }
 }
 
-/// The input, its first k/20, and copies with one bit turned over at places that depend on nothing but the input's length.
+/// Runs the input, its first k/20, and copies with one flipped bit. The positions depend only on
+/// the length of the input.
 fn for_variants(data: &[u8], run: &mut dyn FnMut(String, &[u8])) {
     run(String::new(), data);
     for k in 0..CUTS {
@@ -146,7 +150,7 @@ fn for_variants(data: &[u8], run: &mut dyn FnMut(String, &[u8])) {
     let mut random = 0x9e37_79b9_7f4a_7c15_u64 ^ data.len() as u64;
     let mut turned = data.to_vec();
     for _ in 0..FLIPS.min(8 * data.len()) {
-        // xorshift64
+        // Xorshift64.
         random ^= random << 13;
         random ^= random >> 7;
         random ^= random << 17;

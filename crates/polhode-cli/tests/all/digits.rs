@@ -1,4 +1,4 @@
-//! Numbers have the digits that they have.
+//! Numbers are printed only with their correct digits.
 
 use crate::common::{Scratch, example};
 

@@ -1,10 +1,10 @@
-//! Events and the limit of springs and wires, as the command reports them.
+//! Events, and the limits of springs and wires, as reported by the command.
 
 use serde_json::Value;
 
 use crate::common::{Scratch, json, number};
 
-/// A cylinder on a wire, thrown so hard that the wire goes a little beyond half a turn.
+/// A cylinder on a wire, started fast enough to twist the wire a little beyond half a turn.
 const WIRE: &str = r#"[[body.part]]
 shape = "tensor"
 mass = 1
@@ -90,7 +90,7 @@ samples=11
 method="METHOD"
 "#;
 
-/// Runs a scenario that ends at half a turn; returns when.
+/// Runs a scenario that ends at half a turn; returns the time, s.
 #[track_caller]
 fn half_turn(scratch: &Scratch, text: &str) -> f64 {
     scratch.write("twisted.toml", text);
@@ -105,7 +105,7 @@ fn half_turn(scratch: &Scratch, text: &str) -> f64 {
     let table = std::fs::read_to_string(scratch.0.join("twisted/trajectory.csv")).unwrap();
     let times: Vec<f64> =
         table.lines().skip(1).map(|line| line.split(',').next().unwrap().parse().unwrap()).collect();
-    // The samples before, and the half turn itself.
+    // Earlier samples, and the half turn itself.
     let (last, before) = times.split_last().unwrap();
     assert_eq!(*last, time);
     assert!(before.len() > 1 && before.iter().all(|t| *t < time), "{times:?}");
@@ -116,7 +116,7 @@ fn half_turn(scratch: &Scratch, text: &str) -> f64 {
 #[test]
 fn half_a_turn_of_a_wire_or_spring_ends_a_run_at_one_time_at_all_tolerances() {
     let scratch = Scratch::new("half-turn");
-    // ψ = 3.15 sin t
+    // ψ = 3.15 sin t.
     let wire = (std::f64::consts::PI / 3.15).asin();
     let spring = half_turn(&scratch, &(SPRING.to_owned() + "tolerance = 1e-15\n"));
     for tolerance in ["1e-15", "1e-13", "1e-11", "1e-9", "1e-7", "1e-5"] {
@@ -136,7 +136,7 @@ fn half_a_turn_of_a_wire_or_spring_ends_a_run_at_one_time_at_all_tolerances() {
 fn an_event_that_stops_before_half_a_turn_completes_the_run() {
     let scratch = Scratch::new("before-half-turn");
     let stop = "[[event]]\nmeasure = \"omega_body_z\"\nvalue = 0.3\nthen = \"stop\"\n";
-    // ω = 3.15 cos t
+    // ω = 3.15 cos t.
     let wanted = (0.3_f64 / 3.15).acos();
     for tolerance in ["1e-15", "1e-9", "1e-5"] {
         scratch.write("stopped.toml", &format!("{WIRE}tolerance = {tolerance}\n{stop}"));

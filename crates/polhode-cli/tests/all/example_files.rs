@@ -1,15 +1,15 @@
-//! The example files of one body in many formats: all say the same of it.
+//! Example files of one body in many formats; all give the same result.
 
 use serde_json::Value;
 
 use crate::common::{Scratch, example, json, number, numbers};
 
-/// What `polhode inertia` says of a file in examples/.
+/// Returns the JSON of `polhode inertia` for a file in examples/.
 fn inertia(scratch: &Scratch, file: &str, flags: &[&str]) -> Value {
     json(&scratch.run(&[&["inertia", &example(file), "--json"], flags].concat()))
 }
 
-/// The inertia tensor's nine elements.
+/// Returns the nine elements of the inertia tensor.
 fn tensor(body: &Value) -> Vec<f64> {
     body["inertia"]["tensor"].as_array().unwrap().iter().flat_map(numbers).collect()
 }
@@ -33,7 +33,8 @@ fn the_bracket_is_the_same_in_every_mesh_format() {
         ("bracket.dae", own),
     ] {
         let body = inertia(&scratch, &format!("meshes/{file}"), flags);
-        // The coordinates are the same doubles: only millimetres become metres earlier or later.
+        // The coordinates are the same doubles; only the conversion from millimetres to metres
+        // happens earlier or later.
         assert!((number(&body["mass"]) / mass - 1.0).abs() < 4e-15, "{file}: {}", body["mass"]);
         for (got, want) in numbers(&body["center_of_mass"]).iter().zip(&center) {
             assert!((got - want).abs() < 4e-17, "{file}: {got} is not {want}");
@@ -50,7 +51,8 @@ fn water_is_the_same_in_every_molecule_format() {
     let scratch = Scratch::new("waters");
     let xyz = inertia(&scratch, "water.xyz", &[]);
     let constants = |body: &Value| numbers(&body["molecule"]["rotational_constants_ghz"]);
-    // A distance of 0.6 Å to the axis in steps of 1e-4 or 1e-3 Å: half a step of it, twice since it is squared.
+    // A distance of 0.6 Å to the axis, printed in steps of 1e-4 or 1e-3 Å: half a step, doubled
+    // because it is squared.
     for (file, digits) in [("water.mol", 2e-4), ("water.pdb", 2e-3)] {
         let body = inertia(&scratch, file, &[]);
         assert_eq!(number(&body["mass"]), number(&xyz["mass"]), "{file}");

@@ -1,4 +1,4 @@
-//! `polhode explain`: what it prints in each form, and that nothing of it is only stated.
+//! `polhode explain`: its output formats, and the derivation of every result.
 
 use crate::common::{Scratch, example, json, refused, stdout};
 
@@ -27,7 +27,7 @@ fn it_speaks_text_markdown_html_latex_and_json() {
     }
 }
 
-/// The keys of each shape, at a generic point.
+/// Keys of each shape, with generic sizes.
 const SHAPES: [(&str, &str); 20] = [
     ("box", "size = ['0.31 m', '0.47 m', '0.83 m']"),
     ("box_shell", "size = ['0.31 m', '0.47 m', '0.83 m']"),
@@ -51,7 +51,7 @@ const SHAPES: [(&str, &str); 20] = [
     ("plate", "size = ['0.31 m', '0.47 m']"),
 ];
 
-/// Each shape has the integral of its tensor, with numbers that are the tensor's.
+/// The explanation of each shape contains the integral of its tensor with the correct numbers.
 #[test]
 fn the_tensor_of_every_shape_is_derived() {
     let scratch = Scratch::new("derived");
@@ -79,7 +79,7 @@ fn the_tensor_of_every_shape_is_derived() {
     }
 }
 
-/// A triangle has products: their formula, and the numbers along the part's own axes.
+/// A triangle has products of inertia: their formula, and the numbers along the axes of the part.
 #[test]
 fn the_tensor_of_a_triangle_is_derived_with_its_product() {
     let scratch = Scratch::new("triangle");

@@ -1,4 +1,4 @@
-//! `polhode check --fix`: the diff first, for patch and git, and then the model.
+//! `polhode check --fix`: first the diff, for patch and git, then the fixed model.
 
 use std::fs;
 use std::io::Write as _;
@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use crate::common::{Scratch, example, refused};
 
-/// Two links of which each has a number with a comma, many lines apart, and a third whose tensor has no repair.
+/// Model with two links far apart, each with a decimal comma, and a third whose tensor has no fix.
 fn robot(end: &str) -> String {
     let link = |name: &str, mass: &str, izz: &str| {
         format!(
@@ -23,14 +23,14 @@ fn mended(text: &str) -> String {
     text.replace("\"1,7\"", "\"1.7\"").replace("\"0,9\"", "\"0.9\"").replace("\"0,071\"", "\"0.071\"")
 }
 
-/// The diff that `--fix` prints; the model has findings, so that the status is 1.
+/// Returns the diff of `--fix`; the exit status is 1, because the model has findings.
 fn diff(scratch: &Scratch, arguments: &[&str]) -> String {
     let output = scratch.run(&[&["check"], arguments, &["--fix"]].concat());
     assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// What a unified diff makes of a text, by the words of the format: each hunk at its line, context and old lines as they are.
+/// Applies a unified diff to a text, according to the definition of the format.
 fn applied(old: &str, diff: &str) -> String {
     let lines: Vec<&str> = old.split_inclusive('\n').collect();
     let (mut new, mut at) = (String::new(), 0);
@@ -56,7 +56,7 @@ fn applied(old: &str, diff: &str) -> String {
     new + &lines[at..].concat()
 }
 
-/// Feeds a program that is there; what it says.
+/// Runs a program with this input, if it is installed; returns true on success.
 fn fed(scratch: &Scratch, program: &str, arguments: &[&str], input: &str) -> bool {
     let mut command = Command::new(program);
     command.args(arguments).current_dir(&scratch.0).stdin(Stdio::piped()).stdout(Stdio::null());
@@ -80,7 +80,7 @@ fn the_diff_makes_the_model_that_is_written() {
         let write = || scratch.write(name, &text);
         write();
         let diff = diff(&scratch, &[name]);
-        // nothing is written yet
+        // Nothing is written yet.
         assert_eq!(fs::read_to_string(scratch.0.join(name)).unwrap(), text);
         assert_eq!(applied(&text, &diff), mended(&text), "{name}");
         let read = || fs::read_to_string(scratch.0.join(name)).unwrap();
@@ -108,12 +108,12 @@ fn each_change_is_proved_in_a_line() {
     assert!(proofs[0].starts_with("# r.urdf:4: a½ [number.malformed]: "), "{text}");
     assert!(proofs[0].contains("1,7") && proofs[0].contains("; rule: "), "{text}");
     assert_eq!(lines[3..5], ["--- a/r.urdf", "+++ b/r.urdf"]);
-    // the two of one link are one hunk, and those far apart are two
+    // Two changes of one link share a hunk; changes far apart have separate hunks.
     let heads: Vec<&str> = lines.iter().copied().filter(|line| line.starts_with("@@")).collect();
     assert_eq!(heads, ["@@ -1,7 +1,7 @@", "@@ -13,8 +13,8 @@"], "{text}");
     assert_eq!(lines.iter().filter(|line| line.starts_with("+ ")).count(), 3);
 
-    // a tensor's repair names its figures
+    // The proof of a tensor's fix contains its numbers.
     let bad = diff(&scratch, &[&example("robots/bad-arm.urdf")]);
     let tensor = bad.lines().find(|line| line.contains("[inertia.")).unwrap();
     assert!(tensor.starts_with("# ") && tensor.contains("kg·m²") && tensor.contains("; rule: "), "{bad}");
@@ -132,7 +132,7 @@ fn several_models_are_one_diff() {
     if fed(&scratch, "git", &["apply", "-"], &diff) {
         assert_eq!(fs::read_to_string(scratch.0.join("src/one.urdf")).unwrap(), mended(&one));
         assert_eq!(fs::read_to_string(scratch.0.join("src/in ner/two.urdf")).unwrap(), mended(&two));
-        // and there is nothing more to repair: what is left is that no joint joins the links
+        // No fixes remain; the remaining finding is that no joint connects the links.
         let again = scratch.run(&["check", "src", "--fix"]);
         assert_eq!((again.status.code(), again.stdout.as_slice()), (Some(1), b"".as_slice()));
     }
@@ -146,11 +146,11 @@ fn the_diff_comes_before_the_model_is_written() {
     let at = |words: &str| text.find(words).unwrap_or_else(|| panic!("no {words:?} in\n{text}"));
     assert!(at("# r.urdf:4:") < at("--- a/r.urdf") && at("--- a/r.urdf") < at("findings"), "{text}");
     assert!(at("findings") < at("wrote out.urdf: 3 places changed"), "{text}");
-    // in a file of results too, whole or not at all
+    // A results file contains the same, written completely or not at all.
     scratch.run(&["check", "r.urdf", "--fix", "out.urdf", "--force", "--output", "said.txt"]);
     let said = fs::read_to_string(scratch.0.join("said.txt")).unwrap();
     assert_eq!(said, text);
-    // without a file the diff is all
+    // Without an output file only the diff is printed.
     scratch.run(&["check", "r.urdf", "--fix", "--output", "r.diff"]);
     assert_eq!(fs::read_to_string(scratch.0.join("r.diff")).unwrap(), diff(&scratch, &["r.urdf"]));
     let report: Value =
@@ -158,7 +158,7 @@ fn the_diff_comes_before_the_model_is_written() {
     assert_eq!(report["fix"]["out"], Value::Null);
     assert_eq!(report["fix"]["diff"], diff(&scratch, &["r.urdf"]));
     assert_eq!(report["fix"]["changes"], 3);
-    // a diff that cannot be printed is nothing written
+    // If the diff cannot be printed, nothing is written.
     #[cfg(target_os = "linux")]
     {
         let full = fs::File::options().write(true).open("/dev/full").unwrap();
@@ -178,7 +178,7 @@ fn what_a_diff_leaves_out_is_said() {
     let said = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.stdout, b"");
     assert!(said.contains("m.xml") && said.contains("it stands in a file that the model includes"), "{said}");
-    // that file by itself can be repaired
+    // The included file itself can be fixed.
     assert!(diff(&scratch, &["part.xml"]).contains("+++ b/part.xml"));
 }
 
@@ -193,7 +193,7 @@ fn a_fix_without_a_file_writes_nothing() {
     assert!(run(&["r.urdf", "--table", "--fix"]).contains("--table"));
     assert!(run(&["r.urdf", "--format", "sarif", "--fix"]).contains("--format"));
     assert_eq!(scratch.entries(), ["r.urdf"]);
-    // a name with what ends a header
+    // A name with characters that end a header line.
     fs::create_dir(scratch.0.join("in")).unwrap();
     let odd = "in/q\"uo\te.urdf";
     scratch.write(odd, &robot("\n"));

@@ -1,4 +1,4 @@
-//! Rotors in gimbals, as users of the command meet them.
+//! Rotors in gimbals, tested through the command.
 
 use std::fs;
 
@@ -19,7 +19,8 @@ fn the_gyrocompass_is_simulated() {
     ] {
         assert!(text.contains(line), "{line}\n{text}");
     }
-    // Work and impulse by the theorems are no evidence.
+    // Work and impulse follow from theorems and are not independent checks, so they are not
+    // printed.
     assert!(!text.contains("T - work") && !text.contains("free motion"), "{text}");
     let summary: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(scratch.0.join("run/summary.json")).unwrap()).unwrap();
@@ -34,7 +35,7 @@ fn the_gyrocompass_is_simulated() {
     let names: Vec<&str> = lines.next().unwrap().split(',').collect();
     let last: Vec<f64> = lines.next_back().unwrap().split(',').map(|x| x.parse().unwrap()).collect();
     let of = |name: &str| last[names.iter().position(|other| *other == name).unwrap()];
-    // The table and the summary are one motion.
+    // The table and the summary describe the same motion.
     let end = &gimbals["final"];
     for (k, axis) in ["outer", "inner", "rotor"].iter().enumerate() {
         assert_eq!(of(&format!("{axis}_angle_rad")), number(&end["angles_rad"][k]));
@@ -74,7 +75,7 @@ fn what_does_not_know_gimbals_says_so() {
     assert!((number(&mass["mass"]) - 2.0).abs() < 1e-15);
 }
 
-/// What comes before gimbals lock is written, and marked.
+/// The motion before gimbal lock is written, and marked incomplete.
 #[test]
 fn gimbals_that_lock_leave_a_motion_incomplete() {
     let scratch = Scratch::new("gimbals-lock");

@@ -1,4 +1,5 @@
-//! `polhode identify`: the examples, against what their logs were made from (fixtures/identify_*.py).
+//! `polhode identify`: examples compared with the data used to generate their logs
+//! (fixtures/identify_*.py).
 
 use std::fs;
 
@@ -7,7 +8,7 @@ use serde_json::Value;
 
 use crate::common::{Scratch, example, json, number, numbers, refused, stdout};
 
-/// Standard deviations that an answer may be off.
+/// Largest accepted deviation, in standard deviations.
 const FAR: f64 = 4.0;
 
 fn found(report: &Value, name: &str) -> [f64; 2] {
@@ -105,7 +106,7 @@ fn the_racket_has_the_ratios_that_it_was_thrown_with() {
     assert!(error.contains("--body") && error.contains("only the ratios of the moments"), "{error}");
 }
 
-/// The example with other keys, in a folder of its own.
+/// Writes the example with other keys.
 fn altered(scratch: &Scratch, keys: &str) {
     fs::copy(example("identify/payload.csv"), scratch.0.join("payload.csv")).unwrap();
     scratch.write("plan.toml", &format!("[payload]\nlog = \"payload.csv\"\n{keys}"));
@@ -130,7 +131,7 @@ fn a_wrench_on_the_wrong_side_is_said() {
     assert!(text.contains("the estimated mass is negative"), "{text}");
 }
 
-/// The log of particles that are carried through the example's motion, with noise.
+/// Generates the log of particles carried through the motion of the example, with noise.
 fn carried(particles: &[(f64, [f64; 3])]) -> String {
     let example = fs::read_to_string(example("identify/payload.csv")).unwrap();
     let cross = |a: [f64; 3], b: [f64; 3]| {
@@ -167,7 +168,8 @@ fn carried(particles: &[(f64, [f64; 3])]) -> String {
     log
 }
 
-/// Thin payloads: the edge is said, or the kind, and what is printed as a body can be read.
+/// Thin payloads: the report states the boundary of physical bodies, or the kind, and the printed
+/// body can be read.
 #[test]
 fn plates_and_rods_are_at_the_edge() {
     let scratch = Scratch::new("identify-edge");
@@ -194,7 +196,7 @@ fn plates_and_rods_are_at_the_edge() {
             assert!((got - mass).abs() < FAR * sd, "{kind}: {got} ± {sd}");
         }
         assert!(told["edge"].is_null() && codes(&told).is_empty(), "{kind}: {told}");
-        // the least second moment of what was told is none
+        // The smallest second moment of a payload of known kind is zero.
         let p = numbers(&told["principal"]["moments"]);
         assert!((p[0] + p[1] - p[2]).abs() < 1e-9 * p[2], "{kind}: {p:?}");
         assert_eq!(free["unconstrained"]["is_possible"], false, "{kind}");
@@ -223,14 +225,15 @@ fn what_is_no_rod_is_said() {
     assert!(codes(&report).contains(&"identify.kind"), "{report}");
 }
 
-/// A wrist at rest shows the mass and the part of the centre that is across gravity, and no moments.
+/// A wrist at rest determines the mass and the part of the centre perpendicular to gravity, but no
+/// moments.
 #[test]
 fn what_a_wrist_at_rest_does_not_show_has_no_error() {
     let scratch = Scratch::new("identify-rest");
     let header = "t [s],wx [rad/s],wy [rad/s],wz [rad/s],alpha_x [rad/s^2],alpha_y [rad/s^2],alpha_z [rad/s^2],\
                   ax [m/s^2],ay [m/s^2],az [m/s^2],gx [m/s^2],gy [m/s^2],gz [m/s^2],\
                   fx [N],fy [N],fz [N],tx [N m],ty [N m],tz [N m]\n";
-    // 2 kg at (0.03, -0.02, 0.1) m
+    // 2 kg at (0.03, -0.02, 0.1) m.
     let row = |k: usize| format!("{k},0,0,0,0,0,0,0,0,0,0,0,-9.81,0,0,-19.62,0.3924,0.5886,0\n");
     scratch.write("rest.csv", &(header.to_owned() + &(0..30).map(row).collect::<String>()));
     scratch.write(
@@ -327,7 +330,7 @@ fn what_is_wrong_with_a_gyro_log_is_named() {
         }
         scratch.write(name, &text);
     };
-    // below the greatest rates in flight
+    // Saturation below the largest rates of the flight.
     let limit = 7.7_f64;
     let clip = |row: &[f64]| {
         let held = |(k, x): (usize, &f64)| if k == 0 { *x } else { x.clamp(-limit, limit) };
@@ -344,7 +347,7 @@ fn what_is_wrong_with_a_gyro_log_is_named() {
         let truth = moments[k] / moments[2];
         assert!((got[k] - truth).abs() < FAR * sd[k], "{got:?} ± {sd:?} is not {truth}");
     }
-    // a log that ends in the air, and a flight with a hole that is told
+    // A log that ends in mid-flight, and a flight with a gap; both are reported.
     write("short.csv", &|k, row| (k < 880).then(|| row.to_vec()));
     let text = stdout(&scratch.run(&["identify", "short.csv"]));
     assert!(text.contains("The log ends during a flight: flight 4"), "{text}");
@@ -352,7 +355,7 @@ fn what_is_wrong_with_a_gyro_log_is_named() {
     scratch.write("holed.toml", "[tumble]\nlog = \"holed.csv\"\n[[tumble.flight]]\nfrom = 0.82\nto = 1.87\n[[tumble.flight]]\nfrom = 3.2\nto = 4.1\n");
     let report = json(&scratch.run(&["identify", "holed.toml", "--json"]));
     assert!(codes(&report).contains(&"identify.gap"), "{:?}", codes(&report));
-    // a catch at the end of a flight that is told
+    // A catch at the end of a stated flight.
     scratch.write("caught.toml", &format!("[tumble]\nlog = \"{}\"\n[[tumble.flight]]\nfrom = 0.82\nto = 2.2\n[[tumble.flight]]\nfrom = 3.2\nto = 4.1\n", example("identify/racket-like.csv")));
     let report = json(&scratch.run(&["identify", "caught.toml", "--json"]));
     assert!(codes(&report).contains(&"identify.hand"), "{:?}", codes(&report));

@@ -1,10 +1,10 @@
-//! `polhode identify --body`: scenarios of bodies that were swung and thrown.
+//! `polhode identify --body`: scenarios of bodies from swing tests and throws.
 
 use serde_json::Value;
 
 use crate::common::{Scratch, example, json, number, numbers, refused, stdout};
 
-/// The moments that `polhode inertia` has of a file.
+/// Returns the principal moments of `polhode inertia` for a file.
 fn moments(scratch: &Scratch, file: &str) -> Vec<f64> {
     numbers(&json(&scratch.run(&["inertia", file, "--json"]))["principal"]["moments"])
 }
@@ -60,7 +60,7 @@ fn a_body_that_was_thrown_is_one_of_the_size_that_is_said() {
     let report = json(&scratch.run(&["identify", &plan, "--json"]));
     let ratios = numbers(&report["principal"]["ratios"]);
     near(&moments(&scratch, "body.toml"), &[0.0166 * ratios[0], 0.0166 * ratios[1], 0.0166]);
-    // the first flight, from its start
+    // The first flight, from its start.
     let run = scratch.run(&["simulate", "body.toml", "-o", "run"]);
     assert!(run.status.success(), "{run:?}");
     let scenario = polhode_scenario::read::read(&scratch.0.join("body.toml")).unwrap();
@@ -103,6 +103,6 @@ fn what_is_not_known_is_no_body() {
         text.contains("5 directions of the body's parameters are unobservable.")
             && text.contains("Together, these experiments make all directions observable: ")
     );
-    // there is no place on the triangle
+    // The page has no triangle of moments.
     assert!(!stdout(&scratch.run(&["identify", "plan.toml", "--html"])).contains("The triangle of moments"));
 }

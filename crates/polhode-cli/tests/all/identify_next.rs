@@ -1,4 +1,4 @@
-//! `polhode identify`: the pictures of its page, and the next experiment.
+//! `polhode identify`: pictures of its page, and the next experiment.
 
 use serde_json::Value;
 
@@ -19,7 +19,7 @@ fn the_place_on_the_triangle_is_that_of_the_moments() {
         let principal = &report["principal"];
         let (ratios, sd) = (numbers(&principal["ratios"]), numbers(&principal["ratio_sd"]));
         let r = number(&principal["ratio_correlation"]);
-        // masses in the corners: ∫x² dm along each axis
+        // Masses in the corners: ∫x² dm along each axis.
         let sum = ratios[0] + ratios[1] + 1.0;
         let weights = [ratios[0], ratios[1], 1.0].map(|moment| 1.0 - 2.0 * moment / sum);
         let corners = principal["triangle"]["corners"].as_array().unwrap();
@@ -55,7 +55,7 @@ fn moments_have_the_covariance_of_their_ratios() {
             assert!((c[k][k].sqrt() / sd[k] - 1.0).abs() < 1e-12, "{name}");
         }
         for k in 0..2 {
-            // δ(a/b) = (δa − (a/b) δb)/b
+            // δ(a/b) = (δa − (a/b) δb)/b.
             let r = moments[k] / moments[2];
             let square = c[k][k] - 2.0 * r * c[k][2] + r * r * c[2][2];
             assert!((square.sqrt() / moments[2] / ratio_sd[k] - 1.0).abs() < 1e-9, "{name}");
@@ -120,14 +120,14 @@ fn the_best_comes_first_and_is_better_than_nothing() {
         for pair in candidates.windows(2) {
             assert!(sd(&pair[0]["then"]) <= sd(&pair[1]["then"]), "{name}");
         }
-        // more is never less
+        // More measurements never increase the error.
         assert!(candidates.iter().all(|c| sd(&c["then"]) <= sd(&next["now"]) * (1.0 + 1e-9)), "{name}");
         let parts = next["now"]["least_known"].as_object().unwrap();
         let square: f64 = parts.values().map(|part| number(part).powi(2)).sum();
         assert!((square - 1.0).abs() < 1e-12, "{name}");
         assert_eq!(next["refused"].as_array().unwrap().len(), 0);
     }
-    // the radius of the wires is what all tests share, and its error the largest part of theirs
+    // All tests share the radius of the wires; its error contributes most to their errors.
     let next = &report(&scratch, "bifilar")["next"];
     assert_eq!(next["candidates"][0]["number"], "radius");
     let swing = next["candidates"].as_array().unwrap().iter().find(|c| c["kind"] == "test").unwrap();

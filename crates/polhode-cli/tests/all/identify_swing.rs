@@ -1,8 +1,8 @@
-//! `polhode identify` of swing tests.
+//! `polhode identify` for swing tests.
 
 use crate::common::{Scratch, example, json, number, refused, stdout};
 
-/// As fixtures/identify_bifilar.py has it.
+/// True values from fixtures/identify_bifilar.py.
 const TRUTH: [(&str, f64); 12] = [
     ("mass", 3.2),
     ("center x", 0.0041),
@@ -29,7 +29,7 @@ fn the_example_holds_the_truth() {
         let (value, sd) = (number(&one["value"]), number(&one["sd"]));
         assert!(sd > 0.0 && (value - truth).abs() < 4.0 * sd, "{name}: {value} ± {sd}, {truth}");
     }
-    // what is known of the tensor is worth saying: a percent
+    // The tensor is determined to about a percent.
     let moments = found["principal"]["moments"].as_array().unwrap();
     for (moment, sd) in moments.iter().zip(found["principal"]["moment_sd"].as_array().unwrap()) {
         assert!(number(sd) < 0.01 * number(moment), "{moment} {sd}");
@@ -39,7 +39,7 @@ fn the_example_holds_the_truth() {
     let izz = all.iter().find(|one| one["name"] == "Izz").unwrap();
     assert!((number(&z["moment"]["value"]) - number(&izz["value"])).abs() < 1e-12);
     assert_eq!(found["residuals"]["is_too_large"], false);
-    // One number is left to check seven tests with.
+    // One degree of freedom remains to check seven tests.
     let codes: Vec<_> =
         found["findings"].as_array().unwrap().iter().map(|finding| &finding["code"]).collect();
     assert_eq!(codes, ["identify.unchecked"]);
@@ -80,7 +80,7 @@ fn one_axis_says_nothing_of_the_others() {
 #[test]
 fn what_cannot_be_is_refused() {
     let scratch = Scratch::new("identify-no-swing");
-    // lighter than air
+    // Lighter than air.
     scratch.write("plan.toml", &ONE_AXIS.replace("up = ", "air = { displaced = \"3 kg\" }\nup = "));
     let text = refused(&scratch.run(&["identify", "plan.toml"]), 2);
     assert!(text.contains("plan.toml") && text.contains("buoyancy is -9.8"), "{text}");
@@ -120,7 +120,7 @@ fn logs_of_a_rod_on_an_edge_hold_the_truth() {
     let scratch = Scratch::new("identify-rod-logs");
     let plan = example("identify/rod-logs.toml");
     let found = json(&scratch.run(&["identify", &plan, "--json", "--strict"]));
-    // as fixtures/identify_swing_log.py has it
+    // True values from fixtures/identify_swing_log.py.
     let all = found["estimate"]["numbers"].as_array().unwrap();
     for (name, truth, small) in [("Izz", 4.31e-3, 1e-5), ("center y", 0.0817, 1e-4)] {
         let one = all.iter().find(|one| one["name"] == name).unwrap();
@@ -153,15 +153,15 @@ fn swings_about_one_axis_need_no_plan() {
     let scratch = Scratch::new("identify-flags");
     let found = json(&scratch.run(&[&BIFILAR[..], &["--json"]].concat()));
     let z = &found["tests"][0]["moment"];
-    // m g r² T²/(4π² L), of small swings
+    // m g r² T²/(4π² L), for small amplitudes.
     let period = 103.2 / 50.0;
     let small = 2.0 * 9.80665 * 0.15 * 0.15 * (period / std::f64::consts::TAU).powi(2) / 1.2;
     assert!((number(&z["value"]) / small - 1.0).abs() < 0.02 && number(&z["sd"]) > 0.0, "{z} {small}");
-    // the plan that is printed is the one that is read
+    // The printed plan gives the same result.
     scratch.write("plan.toml", &stdout(&scratch.run(&[&BIFILAR[..], &["--print-plan"]].concat())));
     let same = json(&scratch.run(&["identify", "plan.toml", "--json"]));
     assert_eq!(same, found);
-    // three wires at this distance from each other are nearer to the middle than half of it times √2
+    // Three wires at this mutual distance are closer to the middle than two.
     let three: Vec<&str> =
         BIFILAR.iter().map(|a| if *a == "--bifilar" { "--trifilar" } else { *a }).collect();
     let three = json(&scratch.run(&[&three[..], &["--json"]].concat()));
@@ -230,7 +230,7 @@ fn an_amplitude_that_grows_is_reported_and_absurd_numbers_are_refused_where_they
         scratch.write("plan.toml", &ONE_AXIS.replace(from, to));
         scratch.run(&["identify", "plan.toml", "--json"])
     };
-    // ln(17/15.3) = 0.105 ± 0.026
+    // ln(17/15.3) = 0.105 ± 0.026.
     let found = json(&with("[\"18 deg\", \"15 deg\"]", "[\"15.3 deg\", \"17 deg\"]"));
     let findings = found["findings"].as_array().unwrap();
     let grows = findings.iter().find(|finding| finding["code"] == "identify.growing").unwrap();

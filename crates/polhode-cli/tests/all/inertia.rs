@@ -1,4 +1,4 @@
-//! `polhode inertia` of every kind of file.
+//! `polhode inertia` for every kind of file.
 
 use std::path::Path;
 
@@ -7,7 +7,8 @@ use serde_json::Value;
 use crate::common::{Scratch, example, json, number, refused, stdout};
 use crate::schema::require_fits;
 
-/// A tetrahedron (2, 3, 1) m along the axes as OBJ, and the same again 10 m further along x as a second group.
+/// A tetrahedron with legs of 2, 3 and 1 m along the axes as OBJ, and a copy 10 m further along x
+/// as a second group.
 pub(crate) const TWO: &str = "\
 v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 1
 g near\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4
@@ -33,7 +34,7 @@ fn the_parts_of_a_mesh_have_their_own_densities() {
     near(&own["parts"][0]["mass"], 0.25);
     near(&own["parts"][1]["mass"], 500.0);
     near(&own["center_of_mass"][0], (0.25 * 0.5 + 500.0 * 10.5) / 500.25);
-    // the mass of the rest is shared by volume
+    // The remaining mass is distributed by volume.
     let rest = ["inertia", "two.obj", "--json", "--part", "far=2 kg", "--mass", "3 kg"];
     near(&json(&scratch.run(&rest))["mass"], 5.0);
     let text = refused(&scratch.run(&["inertia", "two.obj", "--part", "wheel=steel"]), 2);
@@ -49,7 +50,7 @@ fn an_open_mesh_has_ways_out() {
     assert!(text.contains("open") && text.contains("--hull") && text.contains("--shell"), "{text}");
     let hull = json(&scratch.run(&["inertia", "open.obj", "--hull", "--density", "4 kg/m^3", "--json"]));
     near(&hull["mass"], 4.0);
-    // two triangles, 3 m² and 1 m², and one of 1.5 m², less the last: 1 mm thick
+    // Two triangles of 3 m² and 1 m², and one of 1.5 m², less the missing one, 1 mm thick.
     let shell = ["inertia", "open.obj", "--shell", "1 mm", "--density", "1000 kg/m^3", "--json"];
     near(&json(&scratch.run(&shell))["mass"], 3.0 + 1.0);
     refused(&scratch.run(&["inertia", "open.obj", "--hull", "--shell", "1 mm"]), 2);
@@ -59,7 +60,7 @@ fn an_open_mesh_has_ways_out() {
 fn a_density_may_be_a_formula() {
     let scratch = Scratch::new("field");
     scratch.write("near.obj", &TWO.lines().take(9).map(|line| format!("{line}\n")).collect::<String>());
-    // ∫ (3 + 2x + y z) over the tetrahedron (a, b, c) = abc/6 (3 + 2a/4 + bc/20)
+    // ∫ (3 + 2x + y z) over the tetrahedron (a, b, c) = abc/6 (3 + 2a/4 + bc/20).
     let body = json(&scratch.run(&["inertia", "near.obj", "--field", "3 + 2*x + y*z", "--json"]));
     near(&body["mass"], 3.0 + 1.0 + 3.0 / 20.0);
     assert!(number(&body["error_estimate"]["mass"]) < 1e-12);
@@ -78,12 +79,13 @@ fn a_centre_almost_at_the_origin_has_the_unit_of_its_body() {
             "[[body.part]]\nname = \"{name}\"\nshape = \"box\"\nsize = [\"310 mm\", \"24 mm\", \"17 mm\"]\nmass = \"0.13 kg\"\nposition = [\"{x}\", 0, \"{z}\"]\n"
         )
     };
-    // Two equal arms, one of them 0.6 nm too high: the centre is 3e-10 m off the origin, in one direction.
+    // Two equal arms, one of them 0.6 nm too high: the centre is 3e-10 m from the origin in one
+    // direction.
     scratch.write("drone.toml", &(arm("left", "-0.21 m", "0") + &arm("right", "0.21 m", "6e-10 m")));
     let text = stdout(&scratch.run(&["inertia", "drone.toml"]));
     let center = text.lines().find(|line| line.starts_with("centre of mass")).unwrap();
     assert!(center.ends_with("0  0  3e-7  mm"), "{center}");
-    // What a program reads keeps all digits.
+    // The JSON keeps all digits.
     let body = json(&scratch.run(&["inertia", "drone.toml", "--json"]));
     near(&body["center_of_mass"][2], 3e-10);
 }
@@ -148,7 +150,7 @@ Taken at the output coordinate system.
     assert!(text.contains("--products"), "{text}");
     let told = json(&scratch.run(&["inertia", "half.txt", "--products", "negative", "--json"]));
     near(&told["inertia"]["tensor"][0][1], 1.0);
-    // and what polhode writes in SolidWorks' words it reads again
+    // polhode reads its own output in the format of SolidWorks.
     let written = stdout(&scratch.run(&["inertia", "whole.txt", "--as", "solidworks"]));
     scratch.write("again.txt", &written);
     let again = json(&scratch.run(&["inertia", "again.txt", "--json"]));
@@ -204,7 +206,7 @@ fn a_mesh_of_no_unit_is_asked_for_it_where_metres_are_absurd() {
             (&Value::Null, 0)
         );
     }
-    // A form without findings has them on standard error.
+    // Formats without findings print them to standard error.
     for form in [&["--csv"][..], &["--as", "urdf"]] {
         let output = of(&[&["--material", "aluminium"], form].concat());
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
@@ -244,7 +246,8 @@ fn every_form_of_the_answer_says_that_a_mesh_was_taken_as_its_hull_or_as_a_sheet
     }
 }
 
-/// A binary STL file of boxes whose sides are divided into n × n squares, and some of its triangles again.
+/// Returns a binary STL file of boxes whose faces are divided into n × n squares; some triangles
+/// are repeated.
 fn boxes(lows: &[[f32; 3]], n: u16, again: usize) -> Vec<u8> {
     let mut records: Vec<u8> = Vec::new();
     for low in lows {
@@ -278,7 +281,7 @@ fn boxes(lows: &[[f32; 3]], n: u16, again: usize) -> Vec<u8> {
 #[test]
 fn a_verdict_is_the_same_at_every_size() {
     let scratch = Scratch::new("sizes");
-    // 6,144 and 393,216 triangles, 0.3 and 19.7 MB
+    // 6,144 and 393,216 triangles, 0.3 and 19.7 MB.
     for n in [16, 128] {
         let say = |name: &str, lows: &[[f32; 3]], again: usize, form: &[&str]| {
             std::fs::write(scratch.0.join(name), boxes(lows, n, again)).unwrap();

@@ -1,4 +1,4 @@
-//! Runs that are killed, stopped, started twice, or have no room: what is there afterwards is whole.
+//! Runs that are killed, stopped, started twice, or out of disk space; the files left are complete.
 #![cfg(unix)]
 
 use std::fs::{self, File};
@@ -14,7 +14,7 @@ const SWEEP: &str = "[sweep]\nmembers = 100\nsampling = \"sobol\"\n[[sweep.vary]
 const SIGINT: i32 = 2;
 const SIGTERM: i32 = 15;
 
-/// A minute of work, or more; with `duration = "1 s"` of a moment.
+/// Scenario with a minute of work or more; with `duration = "1 s"`, very little.
 const LONG: &str = r#"
 [[body.part]]
 shape = "tensor"
@@ -31,7 +31,7 @@ duration = "1 d"
 samples = 11
 "#;
 
-/// Starts a run, and waits until something is there, for as long as it runs.
+/// Starts a run and waits until a condition on its process id holds; fails if the run ends before.
 fn until(scratch: &Scratch, arguments: &[&str], is_there: impl Fn(u32) -> bool) -> Child {
     let mut command = scratch.command(arguments);
     let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
@@ -44,7 +44,7 @@ fn until(scratch: &Scratch, arguments: &[&str], is_there: impl Fn(u32) -> bool) 
     child
 }
 
-/// Starts a run, and waits until its folder is in the making.
+/// Starts a run and waits until its unfinished folder exists.
 fn begun(scratch: &Scratch, arguments: &[&str]) -> Child {
     let partial = |id: u32| format!(".partial-{id}");
     until(scratch, arguments, |id| scratch.entries().iter().any(|name| name.ends_with(&partial(id))))
@@ -76,13 +76,13 @@ fn what_a_killed_run_leaves_the_next_one_removes() {
     child.wait().unwrap();
     let left = format!(".out.partial-{}", child.id());
     assert_eq!(scratch.entries(), [left.as_str(), "long.toml", "short.toml"]);
-    // Names that only look like ours, and those of other targets, stay.
+    // Similar names, and leftovers of other targets, are kept.
     let other_files =
         [".out.partial-", ".out.partial-7x", ".out2.partial-7", "out.partial-7", ".out.partial-07b"];
     for name in other_files {
         scratch.write(name, "");
     }
-    // What is ours by its name and holds something else stays too.
+    // A folder with the name of a leftover but foreign content is kept too.
     fs::create_dir(scratch.0.join(".out.partial-8")).unwrap();
     scratch.write(".out.partial-8/photo.jpg", "");
     stdout(&scratch.run(&["simulate", "short.toml", "-o", "out"]));
@@ -101,12 +101,12 @@ fn old_results_whose_successor_never_came_go_back() {
     let scratch = long("old");
     stdout(&scratch.run(&["simulate", "short.toml", "-o", "out"]));
     let summary = fs::read(scratch.0.join("out/summary.json")).unwrap();
-    // Between the two renames of a run that replaces them.
+    // The state between the two renames of a run that replaces old results.
     fs::rename(scratch.0.join("out"), scratch.0.join(".out.old-4711")).unwrap();
     let text = refused(&scratch.run(&["simulate", "long.toml", "-o", "out"]), 2);
     assert!(text.contains("is there already"), "{text}");
     assert_eq!(fs::read(scratch.0.join("out/summary.json")).unwrap(), summary);
-    // After both.
+    // The state after both renames.
     stdout(&scratch.run(&["simulate", "short.toml", "-o", ".out.old-4711"]));
     stdout(&scratch.run(&["simulate", "short.toml", "-o", "out", "--force"]));
     assert_eq!(scratch.entries(), ["long.toml", "out", "short.toml"]);
@@ -160,7 +160,7 @@ fn a_signal_stops_a_sweep_that_goes_on_later() {
         let first = scratch.0.join("out/members/part-00000.parquet");
         let run = ["sweep", "plan.toml", "-o", "out", "--threads", "1"];
         let child = until(&scratch, &run, |_| first.exists());
-        // A second start while the first writes.
+        // A second run while the first one writes.
         let text = refused(&scratch.run(&["sweep", "plan.toml", "-o", "out", "--resume"]), 2);
         assert!(text.contains("in use"), "{text}");
         signal(&child, number);
@@ -183,18 +183,19 @@ fn of_two_starts_one_wins_and_the_other_says_so() {
         let text = refused(&scratch.run(&[&["simulate", "short.toml", "-o", "out"], force].concat()), 2);
         assert!(text.contains("another polhode"), "{text}");
     }
-    // Another place is free.
+    // Another target is free.
     stdout(&scratch.run(&["simulate", "short.toml", "-o", "out2"]));
     first.kill().unwrap();
     first.wait().unwrap();
-    // At the same moment, with and without --force.
+    // Simultaneous starts, with and without --force.
     for force in [&[][..], &["--force"]] {
         let run = [&["simulate", "short.toml", "-o", "out"], force].concat();
         let start = |_| scratch.command(&run).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         let children: Vec<Child> = (0..6).map(start).collect();
         let outputs: Vec<_> = children.into_iter().map(|child| child.wait_with_output().unwrap()).collect();
         let won = outputs.iter().filter(|output| output.status.code() == Some(0)).count();
-        // One that begins after another has ended replaces its results: they are of the same scenario.
+        // A run that starts after another one has ended replaces its results, which are of the same
+        // scenario.
         assert!(won >= 1, "{won}");
         for output in outputs.iter().filter(|output| !output.status.success()) {
             let text = refused(output, 2);
@@ -223,7 +224,7 @@ fn of_two_sweeps_one_wins_and_the_other_says_so() {
     assert!(scratch.0.join("out/summary.json").exists());
 }
 
-/// polhode where no file may become larger than a few blocks, as on a disk that is nearly full.
+/// Runs polhode with a limit on file sizes of some blocks, to simulate a nearly full disk.
 fn without_room(scratch: &Scratch, blocks: u32, arguments: &[&str]) -> std::process::Output {
     let mut command = Command::new("sh");
     let script = format!("ulimit -f {blocks}; exec \"$0\" \"$@\"");
@@ -247,7 +248,7 @@ fn without_room_nothing_is_left_half_written() {
         assert!(text.contains("cannot write") && text.contains("make room"), "{run:?}: {text}");
         assert_eq!(scratch.entries(), ["long.toml", "short.toml"], "{run:?}");
     }
-    // Old results stay.
+    // Old results are kept.
     stdout(&scratch.run(&["simulate", "short.toml", "-o", "out"]));
     let summary = fs::read(scratch.0.join("out/summary.json")).unwrap();
     refused(&without_room(&scratch, 1, &["simulate", "short.toml", "-o", "out", "--force"]), 2);

@@ -1,4 +1,4 @@
-//! `polhode judge`: the motions of other programs, planted and stored.
+//! `polhode judge`: runs of other programs, with planted errors and from stored logs.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -15,7 +15,7 @@ pub(crate) const SCENARIO: &str = "title = \"Tumbling\"\n[[body.part]]\nshape = 
     [start]\nattitude = { quaternion = [0.6, -0.3, 0.5, 0.2] }\nspin = { body = [0.5, -1.3, 0.7] }\n\
     [run]\nduration = 8\nsamples = 401\n";
 
-/// The exact motion as rows of time, quaternion and ω in body axes.
+/// Returns the exact motion as rows of time, quaternion and ω, body axes.
 pub(crate) fn exact(scratch: &Scratch) -> Vec<Vec<f64>> {
     scratch.write("tumbling.toml", SCENARIO);
     stdout(&scratch.run(&["simulate", "tumbling.toml", "-o", "exact", "--table", "csv", "--no-page"]));
@@ -32,7 +32,7 @@ pub(crate) fn table(head: &str, rows: &[Vec<f64>]) -> String {
     text
 }
 
-/// Output of a run in which a mistake, or an error above the limit, was found.
+/// Returns the output of a run with a detected mistake, or an error above the limit.
 pub(crate) fn blamed(output: &std::process::Output) -> String {
     assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout.clone()).unwrap()
@@ -58,12 +58,13 @@ fn a_table_of_simulate_is_a_run_without_error() {
     assert!(text.contains("→ Correct: no error above"), "{text}");
 }
 
-/// Columns that say nothing of order, sense and axes, times from elsewhere: all is found; and a wrong law is named.
+/// Order, sense, axes and time origin are not stated, and are all detected; a wrong dynamic law is
+/// identified.
 #[test]
 fn what_is_not_said_is_found() {
     let scratch = Scratch::new("judge-found");
     let rows = exact(&scratch);
-    // x, y, z, w of space to body, from t = 100 s, in text that says its scenario.
+    // Quaternions x, y, z, w from space to body, from t = 100 s, in text that names its scenario.
     let written: Vec<Vec<f64>> = rows.iter().map(|r| vec![r[0] + 100.0, -r[2], -r[3], -r[4], r[1]]).collect();
     let head =
         "# scenario = \"tumbling.toml\"\n# engine = \"planted\"\n# step = 2 ms\n# stop = 8\nt,q0,q1,q2,q3";
@@ -79,7 +80,7 @@ fn what_is_not_said_is_found() {
     let tried = run["reading"]["tried"].as_array().unwrap();
     assert!(tried.len() >= 8 && number(&tried[1]["attitude_rad"]) > 0.01, "{tried:?}");
 
-    // Without ω × I ω the body turns about one axis for ever.
+    // Without ω × I ω the body rotates about one fixed axis.
     let omega = [0.5_f64, -1.3, 0.7];
     let rate = omega.iter().map(|w| w * w).sum::<f64>().sqrt();
     let turned = |r: &Vec<f64>| {
@@ -116,7 +117,7 @@ fn what_is_not_said_is_found() {
 fn runs_of_several_steps_have_an_order() {
     let scratch = Scratch::new("judge-order");
     let rows = exact(&scratch);
-    // An error that falls with the square of the step: the clock runs by h² too fast.
+    // An error proportional to the square of the step: the clock is fast by a factor 1 + O(h²).
     let mut arguments = vec!["judge".to_owned(), "tumbling.toml".to_owned(), "--json".to_owned()];
     for step in [0.04, 0.02, 0.01] {
         scratch.write(
@@ -156,7 +157,7 @@ fn runs_of_several_steps_have_an_order() {
     }
 }
 
-/// Stored logs of engines: each is told what it did.
+/// Stored logs of engines: each mistake is identified.
 #[test]
 fn the_stored_runs_are_judged() {
     let scratch = Scratch::new("judge-stored");
@@ -176,8 +177,8 @@ fn the_stored_runs_are_judged() {
     }
 }
 
-/// Clocks that begin anywhere, in any unit, under columns that are named as polhode's own: the
-/// meaning is found, and is in the answer.
+/// Clocks with any origin and unit, under the column names of polhode: the meaning is detected and
+/// reported.
 #[test]
 fn clocks_and_units_that_the_columns_do_not_say_are_found() {
     let scratch = Scratch::new("judge-clocks");
@@ -211,7 +212,7 @@ fn clocks_and_units_that_the_columns_do_not_say_are_found() {
         let (reading, text) = judged("origin.csv", &later(origin));
         assert_eq!(number(&reading["found"]["time_origin_s"]), origin);
         assert!(text.contains(&format!("times from {origin} s")), "{text}");
-        // As with the option.
+        // The same result as with the option.
         let said = format!("{origin}");
         let declared =
             json(&scratch.run(&["judge", "tumbling.toml", "origin.csv", "--json", "--time-origin", &said]));
@@ -233,7 +234,7 @@ fn clocks_and_units_that_the_columns_do_not_say_are_found() {
         judged("exchanged.csv", &|row| [&row[..5], &[-row[6], row[5], row[7]][..]].concat());
     assert_eq!(reading["omega_components"], "(−y, x, z)");
     assert!(text.contains("components (−y, x, z)"), "{text}");
-    // Scalar last and space to body, against the names of the columns.
+    // Scalar last and space to body, contrary to the column names.
     let last = |row: &[f64]| vec![row[0], -row[2], -row[3], -row[4], row[1], row[5], row[6], row[7]];
     let (reading, text) = judged("last.csv", &last);
     assert_eq!((&reading["found"]["quaternion"], &reading["against_names"]), (&"xyzw".into(), &true.into()));
@@ -253,7 +254,8 @@ fn clocks_and_units_that_the_columns_do_not_say_are_found() {
     assert!(number(&run["error"]["attitude_largest_rad"]) < 1e-9);
 }
 
-/// A log is data: what it names is opened in its own folder alone, and nothing of another file is printed.
+/// A log is data: it can name files in its own folder only, and contents of other files are never
+/// printed.
 #[test]
 fn a_log_opens_nothing_outside_its_folder() {
     let scratch = Scratch::new("judge-confined");
@@ -298,7 +300,7 @@ fn a_log_opens_nothing_outside_its_folder() {
     let error = refused(&scratch.run(&["judge", "logs/run.csv"]), 2);
     assert!(error.contains("--root DIR"), "{error}");
     stdout(&scratch.run(&["judge", "logs/run.csv", "--root", "."]));
-    // Neither does the scenario that it names.
+    // The same holds for the scenario that it names.
     let named = SCENARIO.replace(
         "shape = \"tensor\"\nmass = 2.3\n",
         "shape = \"mesh\"\nfile = \"../secret.stl\"\nmass = 2.3\n",
@@ -323,7 +325,7 @@ fn a_run_of_another_scenario_is_refused() {
         error.contains("the log names the scenario \"tumbling.toml\", but other.toml was given"),
         "{error}"
     );
-    // The same, and one with the same text.
+    // The same scenario, and a copy with the same text.
     for scenario in ["tumbling.toml", "copy.toml"] {
         stdout(&scratch.run(&["judge", scenario, "run.csv"]));
     }
@@ -350,7 +352,7 @@ fn the_suite_is_passed_by_its_own_answers_and_by_nothing_else() {
     assert_eq!((cases.len(), entries(&scratch.0.join("suite/exact")).len()), (CASES.len(), CASES.len()));
     for case in cases {
         assert!(!case["what"].as_str().unwrap().is_empty() && number(&case["rows"]) > 100.0);
-        // Nothing is left out: every torque has its numbers.
+        // Nothing is missing: every torque has its numbers.
         for torque in case["torque"].as_array().unwrap() {
             assert!(torque.as_object().unwrap().values().all(|value| !value.is_null()), "{torque}");
         }
@@ -368,7 +370,7 @@ fn the_suite_is_passed_by_its_own_answers_and_by_nothing_else() {
     assert_eq!((kinds("free-flips"), kinds("gyrostat-motor")), (vec![], vec!["wheel"]));
     assert_eq!((kinds("top-slow"), kinds("damping")), (vec!["gravity"], vec!["damping"]));
     assert_eq!(case("torque-of-time")["torque"][0]["torque_n_m"][0], "0.6*sin(2*t)");
-    // µ = 1000, r = 10: once round in 2π s.
+    // µ = 1000, r = 10: one orbit in 2π s.
     assert_eq!(number(&case("gravity-gradient")["torque"][0]["rate_rad_s"]), 1.0);
     let diagonal = |name: &str| numbers(&case(name)["inertia_kg_m2"][0])[0];
     assert_eq!((diagonal("damping"), number(&case("damping")["mass_kg"])), (0.82512, 1.9));
@@ -383,7 +385,7 @@ fn the_suite_is_passed_by_its_own_answers_and_by_nothing_else() {
     let card = json(&scratch.run(&["judge", "--suite", "runs", "--json", "--limit", "1e-12"]));
     assert_eq!((number(&card["passed"]), number(&card["failed"])), (30.0, 0.0));
 
-    // One that is wrong, one that is not there, one that cannot be read.
+    // One wrong run, one missing run, and one unreadable run.
     let turned = fs::read_to_string(scratch.0.join("runs/needle.csv")).unwrap();
     fs::write(scratch.0.join("runs/free-flips.csv"), turned).unwrap();
     fs::remove_file(scratch.0.join("runs/plate.csv")).unwrap();
@@ -444,7 +446,7 @@ fn what_cannot_be_judged_is_refused() {
         let error = judged(&["tumbling.toml", name]);
         assert!(error.contains(said) && error.contains(name), "{error}");
     }
-    // A run of another body and start.
+    // A run of another body with another start.
     scratch.write(
         "other.csv",
         &table(
@@ -466,18 +468,19 @@ fn what_cannot_be_judged_is_refused() {
     assert!(
         judged(&["tumbling.toml", "good.csv", "--time-origin", "1"]).contains("before the scenario's start")
     );
-    // A motion that is given.
+    // A prescribed motion.
     assert!(judged(&[&example("slew.toml"), "good.csv"]).contains("prescribes its motion"));
     assert!(judged(&["tumbling.toml", "good.csv", "--axes", "x,z,y"]).contains("right-handed"));
     assert!(Path::new(&scratch.0).exists());
 }
 
-/// Every option of `--help` changes the answer, also beside a form, or is refused beside what it has nothing to do with.
+/// Every option of `--help` changes the result, also together with an output format, or is refused
+/// where it has no effect.
 #[test]
 fn every_option_is_honoured_or_refused() {
     let scratch = Scratch::new("judge-options");
     let rows = exact(&scratch);
-    // Axes (x, z, −y), times from 100 s, in two columns; nothing of it is said.
+    // Axes (x, z, −y) and times from 100 s in two columns, neither stated in the log.
     let written =
         rows.iter().map(|r| vec![r[0] + 100.0, r[0] + 100.0, r[1], r[2], -r[4], r[3], r[5], -r[7], r[6]]);
     scratch.write("run.csv", &table("t,tick,q0,q1,q2,q3,wx,wy,wz", &written.collect::<Vec<_>>()));

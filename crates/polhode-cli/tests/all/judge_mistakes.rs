@@ -1,4 +1,4 @@
-//! `polhode judge`: mistakes of programs that look like another meaning of the numbers, and logs that are not judged.
+//! `polhode judge`: mistakes that resemble another convention, and logs that cannot be judged.
 
 use std::fs;
 
@@ -10,7 +10,7 @@ use crate::judge::{SCENARIO, blamed, exact, only_run, table};
 const HEAD: &str = "t,qw,qx,qy,qz,wx,wy,wz";
 const OWN: &str = "time_s,attitude_w,attitude_x,attitude_y,attitude_z,omega_body_x_rad_s,omega_body_y_rad_s,omega_body_z_rad_s";
 
-/// Text without its line breaks.
+/// Returns text without line breaks.
 fn unwrapped(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -21,7 +21,8 @@ fn reading(scratch: &Scratch, log: &str) -> Value {
     only_run(&report)["reading"].clone()
 }
 
-/// The program is given deg/s for rad/s: its motion is the right one, 57.3 times too slow, and not one in minutes.
+/// The program uses deg/s as rad/s. Its motion is correct but 57.3 times too slow; it is not a log
+/// in minutes.
 #[test]
 fn a_program_that_is_given_degrees_is_refused() {
     let scratch = Scratch::new("judge-degrees");
@@ -47,7 +48,8 @@ fn a_program_that_is_given_degrees_is_refused() {
     }
 }
 
-/// Rows are stated from the scenario's start on, and begin later. The shift is named for every distance of the rows.
+/// Rows are stated to begin at the scenario's start, but begin later. The shift is identified for
+/// any row spacing.
 #[test]
 fn rows_that_are_late_are_named() {
     let scratch = Scratch::new("judge-late");
@@ -88,17 +90,18 @@ fn a_mirrored_omega_is_named() {
             assert_eq!(reading["mistakes"].as_array().unwrap().len(), 1);
         }
     }
-    // Axes that are turned by π about y are axes.
+    // Axes rotated by π about y are still right-handed.
     scratch.write("run.csv", &table(HEAD, &signs([-1.0, 1.0, -1.0])));
     stdout(&scratch.run(&["judge", "tumbling.toml", "run.csv"]));
     assert_eq!(reading(&scratch, "run.csv")["omega_components"], "(−x, y, −z)");
-    // A fifth too large fits one reading, and that is judged.
+    // An ω too large by a fifth fits only one reading, which is judged.
     scratch.write("run.csv", &table(HEAD, &signs([1.2, 1.2, 1.2])));
     let text = unwrapped(&blamed(&scratch.run(&["judge", "tumbling.toml", "run.csv"])));
     assert!(text.contains("ω error at most 0.2"), "{text}");
 }
 
-/// Names that state a unit or an order are contradicted by numbers of another one; names that state none are not.
+/// Names that state a unit or order are contradicted by numbers in another one; names without a
+/// statement are not.
 #[test]
 fn names_that_the_numbers_contradict_are_reported() {
     let scratch = Scratch::new("judge-names");
@@ -126,7 +129,8 @@ fn names_that_the_numbers_contradict_are_reported() {
     assert!(number(&reading["tried"][0]["attitude_rad"]) < 1e-12, "{reading}");
 }
 
-/// A log that names a scenario which is not opened is a run of another one, unless that is the given path.
+/// A log that names a scenario which may not be opened counts as a run of another one, unless it is
+/// the given path.
 #[test]
 fn a_scenario_that_cannot_be_compared_is_another_one() {
     let scratch = Scratch::new("judge-elsewhere");
@@ -159,14 +163,14 @@ fn a_scenario_that_cannot_be_compared_is_another_one() {
     assert!(error.contains("the log names the scenario \"../two/tumbling.toml\""), "{error}");
     log("tumbling.toml");
     stdout(&given("one/tumbling.toml", &[]));
-    // A root that is none.
+    // Invalid roots.
     for root in ["nowhere", "tumbling.toml"] {
         let error = refused(&given("one/tumbling.toml", &["--root", root]), 2);
         assert!(error.contains(root) && error.contains("a root is a folder"), "{error}");
     }
 }
 
-/// Opening a pipe waits until somebody writes into it. Files that a log, or its scenario, names are regular files.
+/// Opening a pipe may block forever. Files named by a log or its scenario must be regular files.
 #[cfg(unix)]
 #[test]
 fn a_pipe_that_a_log_names_is_not_opened() {

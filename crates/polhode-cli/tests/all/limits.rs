@@ -1,4 +1,4 @@
-//! Small inputs that ask for endless work: refused with the number, in bounded time and memory.
+//! Small inputs that request excessive work: refused with the number, in bounded time and memory.
 #![cfg(unix)]
 
 use std::process::{Command, Output};
@@ -14,7 +14,7 @@ inertia = [[1.1, 0.13, -0.21], [0.13, 1.7, 0.08], [-0.21, 0.08, 2.3]]
 spin = { body = [0.4, 2.1, -0.3] }
 "#;
 
-/// polhode within 1 GiB of address space and 20 s of processor time.
+/// Runs polhode with limits of 1 GiB of address space and 20 s of processor time.
 fn bounded(scratch: &Scratch, arguments: &[&str]) -> Output {
     let mut command = Command::new("sh");
     command.args(["-c", "ulimit -v 1048576; ulimit -t 20; exec \"$0\" \"$@\""]);
@@ -53,13 +53,13 @@ fn pulses_are_counted_before_they_are_waited_for() {
         }
     }
     assert_eq!(scratch.entries(), ["count.toml", "dense.toml", "long.toml"]);
-    // A member of a sweep says so in its row.
+    // A member of a sweep reports it in its row.
     let sweep = "[sweep]\nmembers = 40\nsampling = \"sobol\"\n[[sweep.vary]]\nkey = \"start.spin.body[0]\"\nuniform = { from = 0, to = 1 }\n";
     let dense = with_torque("{ first = 0, width = \"1e-20 s\", period = \"2e-20 s\" }", "1 s");
     scratch.write("sweep.toml", &format!("{dense}{sweep}"));
     let value = json(&bounded(&scratch, &["sweep", "sweep.toml", "--json"]));
     assert_eq!(value["status"]["failed"]["count"], 40);
-    // Few enough, and dense only where it is off.
+    // Few pulses, and dense ones only in a switched-off torque.
     scratch.write("few.toml", &with_torque("{ first = 0, width = \"1 s\", period = \"3 s\" }", "9 s"));
     crate::common::stdout(&bounded(&scratch, &["simulate", "few.toml"]));
     scratch.write("off.toml", &dense.replace("model =", "name = \"a\"\non = false\nmodel ="));
@@ -84,7 +84,7 @@ fn events_and_steps_are_counted_too() {
         assert_eq!(output.status.code(), Some(3), "{name}: {text}");
         assert!(text.contains("more than 100000000 steps") && text.contains("hint: "), "{name}: {text}");
     }
-    // One that stops is waited for.
+    // A long run with a stopping event is computed.
     let stop = "[[event]]\nmeasure = \"time\"\nvalue = \"3000 s\"\nthen = \"stop\"\n";
     scratch.write("stop.toml", &free("1e12 s").replace("[run]", &format!("{stop}[run]")));
     let value = json(&bounded(&scratch, &["simulate", "stop.toml", "--no-page", "--json"]));
@@ -120,7 +120,7 @@ fn what_is_asked_of_a_formula_a_list_or_a_sweep_is_bounded() {
             refused(&bounded(&scratch, &[if name == "range.toml" { "sweep" } else { "simulate" }, name]), 2);
         assert!(text.contains(says) && text.contains(name), "{name}: {text}");
     }
-    // Brackets within brackets cost no stack.
+    // Nested parentheses use no stack.
     scratch.write("nested.toml", &form(&("(".repeat(2000) + "1[N m]" + &")".repeat(2000))));
     crate::common::stdout(&bounded(&scratch, &["simulate", "nested.toml", "--no-page"]));
     for run in [

@@ -1,4 +1,5 @@
-//! `polhode live`: what it refuses before it serves, and that it ends when it is told to. What it serves is tested in a browser (`viewer/test/`).
+//! `polhode live`: refused arguments, and termination on request. The served pages are tested in a
+//! browser (`viewer/test/`).
 
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
 use std::net::{TcpListener, TcpStream};

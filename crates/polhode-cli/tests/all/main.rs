@@ -1,4 +1,5 @@
-//! The integration tests of `polhode-cli`, as one program: each links the whole library.
+//! Integration tests of `polhode-cli`, built as one program so that the library is linked only
+//! once.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may")]
 
 mod budget;

@@ -1,4 +1,4 @@
-//! A body whose mass changes, as users of the command meet it.
+//! Bodies of changing mass, tested through the command.
 
 use crate::common::{Scratch, example, json, number, refused, stdout};
 
@@ -18,7 +18,8 @@ fn the_stage_burns_and_what_does_not_know_it_says_so() {
     );
     assert!((number(&history["final"]["mass_kg"]) - 150.0).abs() < 1e-12);
     assert!(number(&summary["drift"]["momentum"]) < 1e-13 && summary["motion"]["regime"].is_null());
-    // Jet damping, and a spin that goes with J^(µ r²/2 b − 1), b the rate at which J falls.
+    // Jet damping: the spin is proportional to J^(µ r²/2 b − 1), where b is the rate of decrease of
+    // J.
     let [x, y, z] = [0, 1, 2].map(|k| number(&summary["final"]["omega_body"][k]));
     assert!(x.hypot(y) < 0.002, "{x} {y}");
     let (mu, b, grain, rest) = (
@@ -45,7 +46,7 @@ fn the_stage_burns_and_what_does_not_know_it_says_so() {
     let folder = std::path::Path::new(&stage).parent().unwrap().to_str().unwrap();
     let data = json(&scratch.run(&["budget", "parts.csv", "--root", folder, "--json"]));
     assert!(data.to_string().contains(taken), "{data}");
-    // It is the scenario that cannot be judged by, not the run.
+    // The scenario cannot be judged against; the run itself is valid.
     scratch.write("run.csv", "time_s,qw,qx,qy,qz\n0,1,0,0,0\n1,0.6,0.8,0,0\n");
     let error = refused(&scratch.run(&["judge", &stage, "run.csv"]), 2);
     assert!(error.contains("the mass properties of the scenario's body change"), "{error}");
@@ -55,7 +56,7 @@ fn the_stage_burns_and_what_does_not_know_it_says_so() {
     );
 }
 
-/// What the line of the mass says, of runs that see all of a history, a part of it, and nothing.
+/// The mass line of runs that cover all of a history, a part of it, or none.
 #[test]
 fn the_line_of_the_mass_says_what_happens_in_the_run() {
     let scratch = Scratch::new("mass-line");
@@ -82,7 +83,8 @@ fn the_line_of_the_mass_says_what_happens_in_the_run() {
     assert_eq!(line(&[late, drop]), "425 kg; nothing of its history is in this time");
 }
 
-/// J of what does not burn: a solid cylinder, and a thin tube with its ends closed or not, as its part says.
+/// Returns the moment of inertia about the spin axis of the parts that do not burn: a solid
+/// cylinder, and a thin tube with or without end caps, as the scenario says.
 fn payload_and_case() -> f64 {
     let scratch = Scratch::new("mass-history-rest");
     let text = std::fs::read_to_string(example("spinning-stage.toml")).unwrap();

@@ -1,4 +1,5 @@
-//! `polhode inertia` of shapes that have no mass: MeshLab's and FreeCAD's measures, and clouds of points.
+//! `polhode inertia` for measurements of shapes without a mass: from MeshLab and FreeCAD, and point
+//! clouds.
 
 use crate::common::{Scratch, json, number, refused, stdout};
 use crate::inertia::{TWO, near};
@@ -33,7 +34,7 @@ fn measures_without_a_mass_need_a_substance() {
     near(&weighed["mass"], 0.085);
     let want = 0.085 / 36.789_902e-6 * 103.803_253e-10;
     assert!((number(&weighed["inertia"]["tensor"][2][2]) / want - 1.0).abs() < 1e-13);
-    // Without a unit it is in metres, and the first line reports that, as for a mesh.
+    // Without a unit, metres are assumed, and the first line reports this, as for a mesh.
     let metres = stdout(&scratch.run(&["inertia", "meshlab.txt", "--density", "1240 kg/m^3"]));
     assert!(metres.contains("in m as no unit is given") && metres.contains("mesh.unit"), "{metres}");
     for flags in [["--products", "negative"], ["--decimal", "point"], ["--mass-unit", "g"]] {
@@ -51,7 +52,7 @@ fn measures_without_a_mass_need_a_substance() {
     near(&brick["center_of_mass"][1], 0.01);
     let text = refused(&scratch.run(&["inertia", "freecad.txt", "--mass", "12 g", "--unit", "mm"]), 2);
     assert!(text.contains("--unit is for a file that does not name its unit"), "{text}");
-    // A report with a mass takes none.
+    // A report with a mass accepts no other mass.
     scratch.write(
         "creo.txt",
         "MASS = 2.5 KILOGRAM\nINERTIA at CENTER OF GRAVITY with respect to _A coordinate frame:  (KILOGRAM * M^2)\n\
@@ -62,7 +63,7 @@ fn measures_without_a_mass_need_a_substance() {
     assert!(text.contains("has a mass"), "{text}");
 }
 
-/// The corners of a box of 2, 3 and 5 m with points inside: by its corners alone it is found.
+/// Corners of a box of 2, 3 and 5 m with interior points; the hull depends on the corners only.
 #[test]
 fn a_cloud_of_points_is_taken_as_its_hull() {
     let scratch = Scratch::new("cloud");
@@ -102,7 +103,8 @@ fn a_cloud_of_points_is_taken_as_its_hull() {
             assert!(text.contains("faces") && text.contains("--hull"), "{file}: {text}");
         }
     }
-    // A molecule is not a cloud, a flat cloud has no volume, and faces count where there are any.
+    // A molecule is not a point cloud, a flat cloud has no volume, and faces have priority over
+    // points.
     scratch.write("water.xyz", "3\nwater\nO 0 0 0\nH 0.76 0.59 0\nH -0.76 0.59 0\n");
     let text = refused(&scratch.run(&["inertia", "water.xyz", "--hull"]), 2);
     assert!(text.contains("three coordinates"), "{text}");

@@ -1,8 +1,9 @@
-//! What is mended of a mesh and written again: where it is not done, and what is said.
+//! Repaired meshes that are written: refused cases and reports.
 
 use crate::common::{Scratch, json, number, refused};
 
-/// A tetrahedron (2, 3, 1) m along the axes at x, with its vertices counted after so many others; without its first `less` faces.
+/// A tetrahedron with legs of 2, 3 and 1 m along the axes at x. Its vertex numbers start after
+/// `after` others; its first `less` faces are omitted.
 fn tetrahedron(name: &str, x: f64, after: usize, less: usize) -> String {
     let mut text = String::new();
     for [a, b, c] in [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.0]] {
@@ -19,7 +20,8 @@ fn tetrahedron(name: &str, x: f64, after: usize, less: usize) -> String {
 #[test]
 fn sheets_that_a_weld_presses_onto_each_other_are_no_body() {
     let scratch = Scratch::new("sheets");
-    // two triangulated squares 0.5 mm apart, each with a vertex in it, so that they do not become the same faces
+    // Two triangulated squares 0.5 mm apart, with different inner vertices, so that their faces do
+    // not coincide after welding.
     let square = |z: f64| format!("v 0 0 {z}\nv 1 0 {z}\nv 1 1 {z}\nv 0 1 {z}\n");
     let faces = "f 5 6 9\nf 6 7 9\nf 7 8 9\nf 8 5 9\nf 1 10 2\nf 2 10 3\nf 3 10 4\nf 4 10 1\n";
     let text = format!("{}{}v 0.4 0.5 0.0005\nv 0.7 0.6 0\n{faces}", square(0.0), square(0.0005));
@@ -107,7 +109,7 @@ fn the_fill_of_a_scenario_is_that_of_the_command() {
 #[test]
 fn a_mass_for_a_name_that_several_parts_have_is_refused() {
     let scratch = Scratch::new("shared-names");
-    // OBJ makes one part of a name, 3MF and COLLADA do not
+    // OBJ merges parts of the same name into one; 3MF and COLLADA do not.
     let geometry = "<geometry id=\"g\" name=\"g\"><mesh><source id=\"p\"><float_array id=\"f\" count=\"12\">0 0 0 2 0 0 0 3 0 0 0 1</float_array><technique_common><accessor source=\"#f\" count=\"4\" stride=\"3\"><param name=\"X\" type=\"float\"/><param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor></technique_common></source><vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices><triangles count=\"4\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles></mesh></geometry>";
     let node = |x: u8| format!("<node><translate>{x} 0 0</translate><instance_geometry url=\"#g\"/></node>");
     let text = format!(
@@ -125,7 +127,7 @@ fn a_mass_for_a_name_that_several_parts_have_is_refused() {
 #[test]
 fn rounding_that_moves_the_body_is_said_though_its_volume_is_the_same() {
     let scratch = Scratch::new("moved");
-    // 2²⁴ + 1 is no f32, and both of its neighbours are as far: (4, 4, 4) m at x, which is moved as a whole
+    // 2²⁴ + 1 is halfway between two f32 values: a tetrahedron (4, 4, 4) m at x moves as a whole.
     let x = 16_777_217.0;
     let text = tetrahedron("a", x, 0, 0).replace(" 1\ng", " 4\ng").replace(" 3 0", " 4 0");
     scratch.write("g.obj", &text.replace(&format!("v {}", x + 2.0), &format!("v {}", x + 4.0)));

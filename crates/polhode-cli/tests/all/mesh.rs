@@ -1,9 +1,9 @@
-//! Meshes that are torn, holed, in pieces or overlap: welded, filled, united and written.
+//! Meshes with cracks, holes, several pieces or overlaps: welded, filled, united and written.
 
 use crate::common::{Scratch, json, number, refused};
 use crate::inertia::{TWO, near};
 
-/// A tetrahedron of 1 m³ of which one corner was torn in three, by some 1e-6 of its size.
+/// A tetrahedron of 1 m³ with one corner split into three vertices about 1e-6 of its size apart.
 const TORN: &str = "\
 v 0.1 0 0\nv 2.1 0 0\nv 0.1 3 0\nv 0.1 0 1\nv 0.1000021 0 1\nv 0.1 0.0000013 1
 f 1 3 2\nf 1 2 4\nf 1 5 3\nf 2 3 6
@@ -69,7 +69,7 @@ fn the_weld_of_a_scenario_is_that_of_the_command() {
 #[test]
 fn torn_parts_nearer_to_each_other_than_the_tolerance_are_welded_each_by_itself() {
     let scratch = Scratch::new("weld-parts");
-    // The other, 3 um beside it, as a mirror has it.
+    // A mirror image at a distance of 3 µm.
     let mirrored = |line: &str| -> String {
         let words: Vec<&str> = line.split(' ').collect();
         match words[..] {
@@ -113,7 +113,7 @@ fn a_hole_is_filled_if_asked_and_what_that_may_change_is_said() {
         let triangles = (&filled["source"]["triangles"], &filled["source"]["triangles_in_file"]);
         assert_eq!(triangles, (&8.into(), &7.into()));
         near(&said["largest_m"], 13_f64.sqrt());
-        // the ball about a right triangle
+        // The ball around a right triangle.
         near(&said["volume_bound_m3"], std::f64::consts::PI / 6.0 * 13_f64.powf(1.5));
         let finding = &filled["findings"][0];
         assert_eq!(finding["code"], "mesh.filled");
@@ -123,7 +123,7 @@ fn a_hole_is_filled_if_asked_and_what_that_may_change_is_said() {
             "{message}"
         );
     }
-    // asked for in vain, which is no warning
+    // Options without effect give no warning.
     scratch.write("two.obj", TWO);
     let closed = ["inertia", "two.obj", "--density", "4 kg/m^3", "--json", "--weld", "1e-6", "--fill", "0.5"];
     let closed = json(&scratch.run(&closed));
@@ -141,7 +141,8 @@ fn a_hole_is_filled_if_asked_and_what_that_may_change_is_said() {
 #[test]
 fn the_pieces_of_one_surface_are_filled_together() {
     let scratch = Scratch::new("fill-pieces");
-    // a tetrahedron in two groups of two triangles, of which one misses one: no group is closed, and only three edges are open in both
+    // A tetrahedron in two groups; one of its four triangles is missing. No group is closed, and
+    // only three edges are open in both.
     let text = "v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 1\ng a\nf 1 2 4\nf 1 4 3\ng b\nf 2 3 4\n";
     scratch.write("open.obj", text);
     let filled =
@@ -149,7 +150,7 @@ fn the_pieces_of_one_surface_are_filled_together() {
     near(&filled["mass"], 4.0);
     assert_eq!(filled["source"]["fill"]["holes"], 1);
     assert!(filled["findings"].to_string().contains("2 open parts of the file are pieces of one surface"));
-    // a closed part that is wound inward is turned as ever, and no cavity in them
+    // A closed part wound inward is turned outward as usual, and is not a cavity of them.
     let inner = "v 0.2 0.2 0.2\nv 0.4 0.2 0.2\nv 0.2 0.5 0.2\nv 0.2 0.2 0.3\ng c\nf 5 6 7\nf 5 8 6\nf 5 7 8\nf 6 8 7\n";
     scratch.write("open.obj", &format!("{text}{inner}"));
     let filled =
@@ -159,7 +160,7 @@ fn the_pieces_of_one_surface_are_filled_together() {
     assert!(findings.contains("mesh.inverted") && findings.contains("mesh.parts_overlap"), "{findings}");
 }
 
-/// A cube of 3 m whose sides are of so many by so many squares, off the origin.
+/// Returns a cube of 3 m away from the origin, with n × n squares per face, as triangles.
 fn squares(n: usize) -> Vec<[[f64; 3]; 3]> {
     let mut triangles = Vec::new();
     for axis in 0..3 {
@@ -201,7 +202,8 @@ fn an_open_mesh_names_the_fill_that_closes_it_and_weld_and_fill_have_one_bound()
     let filled = json(&scratch.run(&[flags.as_slice(), &["--fill", size]].concat()));
     near(&filled["mass"], 54.0);
 
-    // the centre may be off by ΔV R/(V − ΔV), with the farthest point a ball's diameter beyond the farthest corner
+    // The centre may be off by ΔV R/(V − ΔV); the farthest point is a ball's diameter beyond the
+    // farthest corner.
     let r = 0.25 * f64::sqrt(2.0) / 2.0;
     let ball = 4.0 / 3.0 * std::f64::consts::PI * r.powi(3);
     near(&filled["source"]["volume_bound_m3"], ball);
@@ -209,7 +211,7 @@ fn an_open_mesh_names_the_fill_that_closes_it_and_weld_and_fill_have_one_bound()
     let message = filled["findings"][0]["message"].as_str().unwrap();
     assert!(message.contains(&format!("the centre of mass by {center:.1e} m")), "{center} {message}");
 
-    // torn too: another weld is said, and the bound is of both
+    // With a crack as well: the weld is reported, and the bound covers both.
     let torn = triangles[40][1];
     let moved = [torn[0] + 2e-6, torn[1], torn[2] - 1e-6];
     triangles[40][1] = moved;
@@ -247,7 +249,7 @@ fn exact_shapes_are_refused_with_what_makes_a_mesh_of_them() {
         let text = refused(&scratch.run(&["inertia", file, "--density", "2 kg/m^3"]), 2);
         assert!(text.contains(says) && !text.contains("exact shapes"), "{file}: {text}");
     }
-    // What the user says it is counts for more than its name, and its content for more than that.
+    // The format stated by the user has priority over the file name, and the content over both.
     scratch.write("wedge.step", "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     let answer =
         scratch.run(&["inertia", "wedge.step", "--format", "obj", "--unit", "m", "--density", "2 kg/m^3"]);
@@ -285,7 +287,7 @@ fn a_mesh_that_rounding_would_break_is_not_written() {
     let refusal = refused(&text("far.obj", &["--write-mesh", "far.stl"]), 2);
     assert!(refusal.contains("so it would be written; OBJ keeps every digit"), "{refusal}");
     json(&of("far.obj", &["--write-mesh", "far.ply"]));
-    // nor where the answer is no number
+    // A result that is not finite writes no mesh either.
     let refusal = refused(&text("near.obj", &["--about", "1e160 m, 0, 0", "--write-mesh", "none.obj"]), 2);
     assert!(refusal.contains("too large"), "{refusal}");
     assert!(!scratch.entries().iter().any(|name| name == "far.stl" || name == "none.obj"));
@@ -317,7 +319,7 @@ fn the_mesh_is_written_as_it_was_used_and_replaces_nothing_unasked() {
         assert!(there.contains("is there already") && there.contains("--force"), "{there}");
         json(&scratch.run(&[mend.as_slice(), &[name, "--force"]].concat()));
     }
-    // What is wound inward is written outward, and parts keep their names.
+    // Inward winding is reversed on output, and parts keep their names.
     scratch.write(
         "two.obj",
         &TWO.replace(
@@ -338,7 +340,8 @@ fn the_mesh_is_written_as_it_was_used_and_replaces_nothing_unasked() {
     assert!(!scratch.entries().contains(&"new.obj".to_owned()));
 }
 
-/// Two bricks of 2 × 1 × 1 m that share a cube of 1 m, and a third one that the second one repeats, as one part or as three.
+/// Two bricks of 2 × 1 × 1 m that share a cube of 1 m, and a copy of the second; as one part or as
+/// three.
 fn three_bricks(groups: bool) -> String {
     let mut text = String::new();
     for (k, x) in [0.0, 1.0, 1.0].into_iter().enumerate() {
@@ -393,7 +396,7 @@ fn parts_that_overlap_are_united_where_that_is_asked() {
             "{message}"
         );
     }
-    // In a scenario it is the same.
+    // The key of a scenario gives the same result.
     for (union, code) in [("true", "mesh.united"), ("false", "")] {
         let part = format!(
             "[[body.part]]\nshape = \"mesh\"\nfile = \"one.obj\"\nunit = \"m\"\nunion = {union}\ndensity = 4\n"
@@ -407,7 +410,7 @@ fn parts_that_overlap_are_united_where_that_is_asked() {
         near(&scenario["mass"], 12.0);
         assert_eq!(scenario["findings"][0]["code"], code);
     }
-    // What is not closed is no union, and no hint says so.
+    // An open mesh cannot be united, and no hint suggests it.
     scratch.write("open.obj", &three_bricks(false).replacen("f 1 3 4\n", "", 1));
     for arguments in [&["open.obj"] as &[&str], &["open.obj", "--union"]] {
         let error = refusal(arguments);
@@ -416,7 +419,7 @@ fn parts_that_overlap_are_united_where_that_is_asked() {
     assert!(refusal(&["open.obj", "--union"]).contains("the mesh is open"));
     let both = refusal(&["one.obj", "--union", "--write-mesh", "whole.stl"]);
     assert!(both.contains("--union") && both.contains("--write-mesh"), "{both}");
-    // Nothing overlaps: the plain answer.
+    // Without overlaps the result is unchanged.
     scratch
         .write("sound.obj", three_bricks(false).split_inclusive('\n').take(20).collect::<String>().as_str());
     let (plain, united) = (json(&run(&["sound.obj"])), json(&run(&["sound.obj", "--union"])));

@@ -1,4 +1,4 @@
-//! Names from outside: every error says whose it is, and no name steers the terminal.
+//! Names from files: every error names its file, and no name can control the terminal.
 
 use std::fs;
 use std::process::Output;
@@ -7,14 +7,14 @@ use serde_json::Value;
 
 use crate::common::{Scratch, example, stdout};
 
-/// What paints a terminal red, takes the line back and turns the writing around.
+/// Text that turns a terminal red, overwrites the line and reverses the text direction.
 const EVIL: &str = "a\u{1b}[31m\rb\u{9b}2J\u{202e}c\u{200b}";
 
 fn texts(output: &Output) -> [String; 2] {
     [&output.stdout, &output.stderr].map(|bytes| String::from_utf8(bytes.clone()).unwrap())
 }
 
-/// Nothing printed steers a terminal.
+/// Checks that printed text does not control the terminal.
 fn tame(output: &Output, what: &[&str]) -> [String; 2] {
     let texts = texts(output);
     for text in &texts {
@@ -86,12 +86,12 @@ fn a_batch_goes_on_after_an_error_and_every_error_names_its_file() {
             _ => assert!(out.starts_with("one.obj") && out.contains("\ntwo.obj"), "{out}"),
         }
     }
-    // One alone is an object, not an array; what has no row has no table.
+    // A single file gives an object, not an array; a failed file has no CSV row.
     let output = scratch.run(&["inertia", "--json", "open.obj"]);
     let value: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!((output.status.code(), &value["file"]), (Some(2), &Value::from("open.obj")));
     assert!(scratch.run(&["inertia", "--csv", "open.obj"]).stdout.is_empty());
-    // A flag that fits one file only.
+    // A flag for a single file.
     let output = scratch.run(&["inertia", "one.obj", "robot.urdf", "--link", "arm"]);
     let [out, err] = texts(&output);
     assert!(out.starts_with("robot.urdf") && err.contains("--> one.obj") && output.status.code() == Some(2));
@@ -191,7 +191,7 @@ fn no_name_of_a_file_steers_the_terminal() {
 #[test]
 fn no_name_within_a_file_steers_the_terminal() {
     let scratch = Scratch::new("evil-names");
-    // TOML has escapes for all of these.
+    // TOML has escapes for all of these characters.
     let toml = r"a\u001b[31m\rb\u009b2J\u202ec\u200b";
     let scenario = format!(
         "title = \"{toml}\"\n[[body.part]]\nname = \"{toml}\"\nshape = \"box\"\nsize = [1, 2, 3]\nmass = 7\n\
@@ -224,7 +224,7 @@ fn no_name_within_a_file_steers_the_terminal() {
             "{scenario}[sweep]\nmembers = 20\nsampling = \"sobol\"\n[[sweep.vary]]\nkey = 'body.part[0].mass'\nuniform = {{ from = 1, to = 2 }}\n"
         ),
     );
-    // XML has some as references, and the rest as they are.
+    // XML has references for some of these characters; the others are literal.
     let xml = "a&#x9b;31m&#13;b&#x202e;c\u{202e}\u{9b}\u{200b}";
     scratch.write("good.urdf", &robot(xml, "0.02"));
     scratch.write("bad.urdf", &robot(xml, "0.2"));
@@ -276,7 +276,7 @@ fn no_name_within_a_file_steers_the_terminal() {
     }
     let run = ["spin", "free.toml", "--at-file", "times.txt"];
     tame(&scratch.run(&run), &run);
-    // The exact name is what JSON says.
+    // The JSON contains the exact name.
     let value = crate::common::json(&scratch.run(&["inertia", "good.urdf", "--lump", "fixed", "--json"]));
     assert_eq!(value["source"]["link"], "a\u{9b}31m\rb\u{202e}c\u{202e}\u{9b}\u{200b}");
 }

@@ -1,4 +1,4 @@
-//! report.html as the command writes it: beside the summary or on its own, whole or not at all.
+//! `report.html` of the command: with the summary or on its own, complete or not at all.
 
 use std::fs;
 
@@ -53,13 +53,13 @@ fn simulate_writes_a_page_beside_the_summary() {
     assert_eq!(number(&data["motion"]["count"]), 31.0);
     assert_eq!(data["body"]["shapes"].as_array().unwrap().len(), 2);
     assert!(data["free"].is_object() && !data["explanation"].as_array().unwrap().is_empty());
-    // Nothing of it is fetched from anywhere.
+    // The page loads nothing from elsewhere.
     assert!(!html.contains("src=\"http") && !html.contains("<link"));
 
     let text = stdout(&scratch.run(&["simulate", "handle.toml", "--force", "--no-page"]));
     assert!(!text.contains("report.html"), "{text}");
     assert_eq!(entries(&scratch.0.join("handle")), ["summary.json", "trajectory.parquet"]);
-    // An earlier page goes with the folder that is replaced.
+    // An earlier page is removed with the folder that is replaced.
     stdout(&scratch.run(&["simulate", "handle.toml", "--force"]));
     stdout(&scratch.run(&["simulate", "handle.toml", "--force"]));
     assert_eq!(scratch.entries(), ["handle", "handle.toml"]);
@@ -76,7 +76,7 @@ fn spin_writes_a_page_on_its_own() {
     assert_eq!((&data["body"]["mass"], &data["scenario"]), (&Value::Null, &Value::Null));
     assert_eq!(number(&data["motion"]["count"]), 2001.0);
 
-    // A page that is there stays, unless it may be replaced; nothing else is left.
+    // An existing page is kept, unless it may be replaced; nothing else is left.
     let before = fs::read(scratch.0.join("report.html")).unwrap();
     let text = refused(&scratch.run(&[&top[..], &["--html"]].concat()), 2);
     assert!(text.contains("report.html is there already") && text.contains("hint: "), "{text}");
@@ -112,7 +112,8 @@ fn every_spin_has_a_page() {
 #[test]
 fn a_molecule_has_its_mass_and_its_bonds() {
     let scratch = Scratch::new("page-molecule");
-    // Formaldehyde, in no symmetric place; bonds C=O 1.21 Å, C–H 1.1 Å, H…H 1.87 Å is none.
+    // Formaldehyde in an asymmetric position; bonds C=O 1.21 Å and C–H 1.1 Å, but H…H 1.87 Å is not
+    // a bond.
     let atoms = "4\n\nC 0.1 0.2 0.3\nO 0.1 0.2 1.51\nH 0.1 1.13 -0.28\nH 0.1 -0.73 -0.28\n";
     fs::write(scratch.0.join("m.xyz"), atoms).unwrap();
     let scenario = "[[body.part]]\nshape = 'molecule'\nfile = 'm.xyz'\nposition = ['3e-9 m', 0, '-1e-9 m']\n\
@@ -124,7 +125,7 @@ fn a_molecule_has_its_mass_and_its_bonds() {
     let balls = &data["body"]["shapes"][0];
     assert_eq!(balls["labels"], serde_json::json!(["C", "O", "H", "H"]));
     assert_eq!(balls["sticks"], serde_json::json!([[0, 1], [0, 2], [0, 3]]));
-    // The file itself, by the molecule's own command: same moments, wherever it is placed.
+    // `polhode inertia` of the file gives the same moments, independent of the placement.
     let own: Value = serde_json::from_slice(&scratch.run(&["inertia", "m.xyz", "--json"]).stdout).unwrap();
     let moments = |value: &Value| -> Vec<f64> { serde_json::from_value(value.clone()).unwrap() };
     let placed = moments(&data["body"]["principal"]["moments"]);
@@ -133,6 +134,6 @@ fn a_molecule_has_its_mass_and_its_bonds() {
         assert!((a - b).abs() < 1e-13 * alone[2], "{placed:?} {alone:?}");
     }
     let mass = data["body"]["mass"].as_f64().unwrap();
-    // 12C 1H2 16O: 30.010 564 684 u
+    // Mass of ¹²C ¹H₂ ¹⁶O: 30.010 564 684 u.
     assert!((mass / (30.010_564_684 * 1.660_539_066_6e-27) - 1.0).abs() < 1e-8, "{mass:e}");
 }

@@ -1,6 +1,6 @@
-//! The README's picture is what its program draws today.
+//! The picture of the README is up to date with its program.
 //!
-//! `POLHODE_GOLDEN=write cargo test -p polhode-cli --test all picture` draws it anew; look at it.
+//! `POLHODE_GOLDEN=write cargo test -p polhode-cli --test all picture` redraws it; look at it.
 
 #[allow(dead_code, reason = "main is for cargo run")]
 #[path = "../../examples/picture.rs"]
@@ -16,7 +16,7 @@ fn the_picture_is_up_to_date() {
     if std::env::var_os("POLHODE_GOLDEN").is_some() {
         std::fs::write(&path, &drawn).unwrap();
     }
-    // Git may have given the file other line ends.
+    // Git may change line ends.
     let committed = std::fs::read_to_string(&path).unwrap_or_default();
     for (k, (drawn, committed)) in drawn.lines().zip(committed.lines()).enumerate() {
         assert_eq!(drawn, committed, "docs/t-handle.svg, line {}", k + 1);

@@ -1,6 +1,7 @@
-//! `--plot`: files, refusals, and the book's figures.
+//! `--plot`: files, errors, and the figures of the book.
 //!
-//! `POLHODE_GOLDEN=write cargo test -p polhode-cli --test all plot` draws the book's figures anew; look at them.
+//! `POLHODE_GOLDEN=write cargo test -p polhode-cli --test all plot` redraws the figures of the
+//! book; look at them.
 
 use std::fs;
 use std::path::Path;
@@ -21,7 +22,7 @@ fn plots_are_written_beside_the_results() {
     let svg = fs::read_to_string(scratch.0.join("all.svg")).unwrap();
     assert!(svg.starts_with("<svg ") && svg.ends_with("</svg>\n") && svg.len() < 200_000);
 
-    // Nothing is written where another's file is in the way, and everything is replaced where it may be.
+    // If one target file exists, nothing is written; with permission to replace, all files are.
     fs::write(scratch.0.join("all.svg"), "old").unwrap();
     let text = refused(&scratch.run(&["simulate", &scenario, "--plot", "all.svg"]), 2);
     assert!(text.contains("all.svg is there already") && text.contains("--force"), "{text}");

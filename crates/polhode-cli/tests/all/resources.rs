@@ -1,4 +1,5 @@
-//! What a file may cost: it may change while it is read, but not end the process, and memory is not its to take.
+//! Resource limits: a file that changes while it is read does not end the process, and no file can
+//! exhaust the memory.
 #![cfg(unix)]
 
 use std::fs::{self, File};
@@ -11,7 +12,7 @@ use crate::common::{Scratch, json, number, refused};
 use flate2::Compression;
 use flate2::write::{DeflateEncoder, GzEncoder};
 
-/// A binary STL file of so many triangles, all of them at the origin.
+/// Returns a binary STL file of `count` triangles, all of them at the origin.
 fn empty_triangles(count: u32) -> Vec<u8> {
     let mut bytes = vec![b'a'; 80];
     bytes.extend(count.to_le_bytes());
@@ -19,7 +20,7 @@ fn empty_triangles(count: u32) -> Vec<u8> {
     bytes
 }
 
-/// A binary PLY file that declares so many vertices and has no face.
+/// Returns a binary PLY file that declares `count` vertices and has no faces.
 fn vertices(count: usize) -> Vec<u8> {
     let mut bytes = format!(
         "ply\nformat binary_little_endian 1.0\nelement vertex {count}\nproperty float x\nproperty float y\n\
@@ -30,7 +31,7 @@ fn vertices(count: usize) -> Vec<u8> {
     bytes
 }
 
-/// A GLB file whose binary chunk has so many bytes.
+/// Returns a GLB file with a binary chunk of `length` bytes.
 fn glb(length: usize) -> Vec<u8> {
     let mut json = format!("{{\"asset\":{{\"version\":\"2.0\"}},\"buffers\":[{{\"byteLength\":{length}}}]}}");
     json += &" ".repeat(json.len().next_multiple_of(4) - json.len());
@@ -43,7 +44,7 @@ fn glb(length: usize) -> Vec<u8> {
     bytes
 }
 
-/// Voxels of zero, 256 × 256 × so many.
+/// Returns zero voxels, 256 × 256 × `layers`.
 fn voxels(layers: usize) -> Vec<u8> {
     let mut bytes = format!(
         "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 256 256 {layers}\nencoding: raw\nspacings: 1 1 1\n\
@@ -70,19 +71,19 @@ fn a_file_that_is_shortened_while_it_is_read_is_refused_and_no_signal_ends_the_p
             let mut command = scratch.command(&["inertia", name]);
             let command = command.args(&flags).stdout(Stdio::piped()).stderr(Stdio::piped());
             let child = command.spawn().unwrap();
-            // Now before it is opened, now while it is read, now afterwards.
+            // The file changes before it is opened, while it is read, or afterwards.
             sleep(Duration::from_millis(attempt * 2));
             File::options().write(true).open(&path).unwrap().set_len(100).unwrap();
             let output = child.wait_with_output().unwrap();
             let error = String::from_utf8_lossy(&output.stderr);
-            // Nothing but zeros is refused too, when it has been read.
+            // A file of zeros only is refused as well, after it has been read.
             assert_eq!(output.status.code(), Some(2), "{name}: {error}");
             assert!(error.starts_with("error: ") && error.contains(name), "{error}");
         }
     }
 }
 
-/// polhode with these arguments, in a process that may have so much memory, KiB.
+/// Runs polhode in a process with this memory limit, KiB.
 #[cfg(target_os = "linux")]
 fn within(kib: u32, scratch: &Scratch, arguments: &[&str]) -> Output {
     let mut shell = Command::new("sh");
@@ -90,7 +91,8 @@ fn within(kib: u32, scratch: &Scratch, arguments: &[&str]) -> Output {
     shell.current_dir(&scratch.0).args(arguments).output().unwrap()
 }
 
-/// More than the program itself takes, its threads and what of them is never touched too.
+/// Limit slightly above the needs of the program itself, with its threads and unused address space,
+/// KiB.
 #[cfg(target_os = "linux")]
 const KIB: u32 = 80 << 10;
 
@@ -98,7 +100,7 @@ const KIB: u32 = 80 << 10;
 #[cfg(target_os = "linux")]
 fn voxels_take_no_memory_compressed_or_not() {
     let scratch = Scratch::new("voxels");
-    // 96 MiB of ones in 64-bit integers, big-endian
+    // 96 MiB of ones as 64-bit integers, big-endian.
     let (counts, layer) = ([256, 256, 192], [0, 0, 0, 0, 0, 0, 0, 1].repeat(256 * 256));
     let header = |encoding: &str, layers: usize| {
         format!(
@@ -127,7 +129,8 @@ fn voxels_take_no_memory_compressed_or_not() {
     assert!(more.contains("524288 bytes of voxels are declared") && more.contains("more.nrrd"), "{more}");
 }
 
-/// A 3MF package with a model of so many MiB of vertices, which deflate packs a thousand to one.
+/// Returns a 3MF package with a model of this size in MiB, which deflate compresses by a factor of
+/// about 1000.
 fn bomb(mebibytes: usize, declared: Option<u32>) -> Vec<u8> {
     let mut encoder = DeflateEncoder::new(Vec::new(), Compression::fast());
     let mut sum = flate2::Crc::new();
@@ -164,13 +167,13 @@ fn a_package_that_unfolds_too_far_takes_no_memory() {
     fs::write(scratch.0.join("bomb.3mf"), bomb(1 << 10, None)).unwrap();
     let error = refused(&within(KIB, &scratch, &["inertia", "bomb.3mf", "--density", "2 kg/m^3"]), 2);
     assert!(error.contains("unfolds to more than") && error.contains("bomb.3mf"), "{error}");
-    // It says that it has little.
+    // The entry declares a small size.
     fs::write(scratch.0.join("liar.3mf"), bomb(1 << 10, Some(1 << 16))).unwrap();
     let error = refused(&within(KIB, &scratch, &["inertia", "liar.3mf", "--density", "2 kg/m^3"]), 2);
     assert!(error.contains("the entry = ") && error.contains("liar.3mf"), "{error}");
 }
 
-/// A scenario of so many boxes in a row.
+/// Returns a scenario of `count` boxes in a row.
 #[cfg(target_os = "linux")]
 fn boxes(count: usize) -> Vec<u8> {
     let part = |k: usize| {
@@ -179,14 +182,14 @@ fn boxes(count: usize) -> Vec<u8> {
     (0..count).map(part).collect::<String>().into_bytes()
 }
 
-/// Carbon atoms on a grid.
+/// Returns carbon atoms on a grid.
 #[cfg(target_os = "linux")]
 fn atoms(count: usize) -> Vec<u8> {
     let atom = |k: usize| format!("C {} {} {}\n", k % 100 * 2, k / 100 % 100 * 2, k / 10_000 * 2);
     format!("{count}\n\n{}", (0..count).map(atom).collect::<String>()).into_bytes()
 }
 
-/// A chain of links with the same inertial.
+/// Returns a chain of links with the same inertial.
 #[cfg(target_os = "linux")]
 fn links(count: usize) -> Vec<u8> {
     let link = |k: usize| {
@@ -203,7 +206,7 @@ fn links(count: usize) -> Vec<u8> {
     format!("<robot name=\"r\">{}</robot>", (0..count).map(link).collect::<String>()).into_bytes()
 }
 
-/// Wherever memory ends, in the reader or in what is computed of it, the status is that of an error.
+/// Wherever memory runs out, in the reader or the computation, the exit status is that of an error.
 #[test]
 #[cfg(target_os = "linux")]
 fn memory_that_cannot_be_had_is_an_error_and_no_abort() {

@@ -1,4 +1,4 @@
-//! Robots in `polhode inertia`: what hangs from a link, joints that follow others, and the table of all links.
+//! Robot models in `polhode inertia`: subtrees, mimic joints, and the table of all links.
 
 use serde_json::{Value, json};
 
@@ -22,7 +22,7 @@ fn what_hangs_from_a_link_is_a_body_in_its_frame() {
     assert!((number(&palm["source"]["followers"]["right_knuckle"]) - right).abs() < 1e-16);
     assert!((number(&palm["source"]["followers"]["tip_slide"]) - (0.03 * right + 0.01)).abs() < 1e-16);
     assert!((number(&palm["mass"]) - 0.803).abs() < 1e-15);
-    // a length by its unit
+    // A length with its unit.
     let lifted = gripper(&scratch, &["--lump", "--joint", "lift=-3 cm"]);
     assert_eq!(lifted["source"]["joints"], json!({ "lift": -0.03 }));
     let text = stdout(&scratch.run(&["inertia", &example("robots/gripper.urdf"), "--subtree", "palm"]));
@@ -88,7 +88,7 @@ fn a_table_has_every_link_and_the_whole() {
     let names: Vec<&str> = links.iter().map(|link| link["link"].as_str().unwrap()).collect();
     assert_eq!(names, ["base", "upper_arm", "forearm", "camera", "hand", "tool"]);
     assert_eq!((&links[5]["massless"], &links[5]["mass"]), (&true.into(), &Value::Null));
-    // each as --link has it, and the whole as --lump
+    // Rows agree with --link, the total with --lump.
     let mut camera = parsed(&scratch.run(&["inertia", &urdf, "--link", "camera", "--json"]));
     for key in ["polhode", "source", "findings"] {
         camera.as_object_mut().unwrap().remove(key);
@@ -104,7 +104,7 @@ fn a_table_has_every_link_and_the_whole() {
         let line = text.lines().find(|line| line.starts_with(name)).unwrap();
         line.split_whitespace().map(str::to_owned).collect::<Vec<_>>()
     };
-    // a box of 3.6 kg, 240 × 200 × 100 mm
+    // A box of 3.6 kg, 240 × 200 × 100 mm.
     let base = [
         "base", "3.6", "0", "0", "50", "0.015", "0.02028", "0.02928", "0.015", "0", "0", "0.02028", "0",
         "0.02928", "box",
@@ -124,13 +124,13 @@ fn a_table_has_every_link_and_the_whole() {
     assert_eq!(lines[7][6].parse::<f64>().unwrap(), center[0]);
     assert_eq!(lines[4][10].parse::<f64>().unwrap(), number(&links[3]["inertia"]["tensor"][0][1]));
 
-    // of several, those that fail are said
+    // Failed files are reported among the others.
     scratch.write("torn.urdf", "<robot>");
     let both = scratch.run(&["inertia", &urdf, "torn.urdf", "--table", "--json"]);
     assert_eq!(both.status.code(), Some(2));
     let both: Value = serde_json::from_slice(&both.stdout).unwrap();
     assert_eq!((&both[0]["links"][0]["link"], &both[1]["error"]["line"]), (&"base".into(), &1.into()));
-    // a link that is no body has no row, and is named
+    // An unphysical link has no row, and is named.
     let text = std::fs::read_to_string(&urdf).unwrap().replace("izz=\"0.02928\"", "izz=\"0.9\"");
     scratch.write("bad.urdf", &text);
     let said = refused(&scratch.run(&["inertia", "bad.urdf", "--table"]), 2);

@@ -1,4 +1,4 @@
-//! The JSON schemas of requests and reports: what the command prints and takes fits them.
+//! JSON schemas of requests and reports: output and input of the command conform to them.
 
 use std::path::Path;
 
@@ -13,8 +13,8 @@ use serde_json::{Value, json};
 use crate::common::{Scratch, entries, example, json, stdout};
 use crate::schema::misfit;
 
-/// Requires that objects forbid other keys, numbers and lists of them are described, and definitions
-/// are there.
+/// Requires that objects forbid other keys, that numbers and lists of numbers have descriptions,
+/// and that definitions exist.
 fn require_strict(root: &Value, schema: &Value, at: &str) {
     if let Some(words) = schema.as_object() {
         let types = schema["type"].to_string();
@@ -63,7 +63,8 @@ fn schemas_are_strict() {
     }
 }
 
-/// The default and a full request fit, are read back as they were, and have the keys of the schema.
+/// Checks the default and a full request: both conform, are read back unchanged, and have the keys
+/// of the schema.
 fn check_request<R: Default + PartialEq + std::fmt::Debug + Serialize + DeserializeOwned>(
     schema: &str,
     full: &Value,
@@ -116,7 +117,7 @@ fn requests_fit() {
     check_request::<explain::Request>(explain::REQUEST_SCHEMA, &full);
 }
 
-/// Reports of the examples fit, as `json` checks, and changed ones do not.
+/// Reports of the examples conform, as `json` checks, and modified ones do not.
 #[test]
 fn reports_of_examples_fit() {
     let scratch = Scratch::new("schemas");
@@ -136,10 +137,10 @@ fn reports_of_examples_fit() {
     let plan = example("sweeps/sleeping-threshold.toml");
     let report = json(&scratch.run(&["sweep", &plan, "--json"]));
     require_refused(polhode_sweep::REPORT_SCHEMA, &report);
-    // In memory as in a folder.
+    // The report in memory equals that in a folder.
     let request = polhode_sweep::Request { plan: plan.into(), ..Default::default() };
     assert_eq!(polhode_sweep::run(&request, &Disk).unwrap().to_json(), report);
-    // One case has a run, the exact motion; the others say why they have none.
+    // One case has a run, the exact motion; the others state why they have none.
     stdout(&scratch.run(&["judge", "--write-suite", "cases"]));
     let exact = format!("{}.csv", CASES[0].name);
     std::fs::create_dir(scratch.0.join("suite")).unwrap();
@@ -151,7 +152,8 @@ fn reports_of_examples_fit() {
     require_refused(polhode_judge::REPORT_SCHEMA, &card);
 }
 
-/// Reports on every scenario of the examples that a command accepts fit, as `json` checks, and changed ones do not.
+/// Reports on every example scenario that a command accepts conform, as `json` checks, and modified
+/// ones do not.
 #[test]
 fn reports_on_scenarios_fit() {
     let scratch = Scratch::new("schemas-scenarios");
@@ -186,7 +188,7 @@ fn reports_on_scenarios_fit() {
     require_refused(&stability::REPORT_SCHEMA, &grounded);
 }
 
-/// A report that lacks a key, or has one more, does not fit.
+/// Checks that a report with a missing or an additional key does not conform.
 fn require_refused(schema: &str, report: &Value) {
     for key in report.as_object().unwrap().keys() {
         let mut changed = report.clone();

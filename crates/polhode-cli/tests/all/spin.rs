@@ -1,4 +1,4 @@
-//! `polhode spin` as its users meet it: what it prints, what it writes, and how it fails.
+//! `polhode spin` from the user's side: its output, files and failures.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -11,7 +11,7 @@ use serde_json::Value;
 
 use crate::common::{Scratch, entries, example, json, number, numbers, stdout};
 
-/// A run that must fail for its input.
+/// Returns the error of a run that must fail because of its input.
 fn refused(output: &Output) -> String {
     crate::common::refused(output, 2)
 }
@@ -20,7 +20,7 @@ fn spin(scratch: &Scratch, arguments: &[&str]) -> Output {
     scratch.run(&[&["spin"], arguments].concat())
 }
 
-/// The same motion by the library.
+/// Returns the same motion from the library.
 fn motion(moments: [f64; 3], omega: [f64; 3]) -> FreeMotion {
     let omega = AngularVelocity::from_array(omega);
     FreeMotion::of_moments(moments, State { time: 0.0, attitude: Attitude::identity(), omega }).unwrap()
@@ -72,7 +72,7 @@ fn the_unstable_equilibrium_does_not_flip() {
     assert_eq!(numbers(&motion["states"][0]["omega_body"]), [0.0, 1.0, 0.0]);
 }
 
-/// A tensor on the command line is the tensor of a scenario: the same states, and a page.
+/// A tensor on the command line gives the same states as in a scenario, and a page.
 #[test]
 fn a_tensor_is_given_by_its_elements() {
     let scratch = Scratch::new("spin-tensor");
@@ -134,7 +134,7 @@ fn states_read_back_bit_for_bit() {
         assert_eq!(number(&states[k]["time_s"]), time);
         assert_eq!(bits(&numbers(&states[k]["omega_body"])), omega);
         assert_eq!(bits(&omegas[k][1..]), omega);
-        // q and -q are one attitude
+        // q and −q are the same attitude.
         let printed = numbers(&states[k]["attitude_wxyz"]);
         assert_eq!(attitudes[k][1..], printed);
         assert!(printed == q || printed == q.map(|c| -c), "{printed:?} {q:?}");
@@ -205,7 +205,7 @@ fn a_scenario_spins_about_its_centre_of_mass() {
     assert_eq!(all["source"]["format"], "scenario");
     let faster = json(&spin(&scratch, &[&file, "--omega", "(0, 0, 12) rad/s", "--json"]));
     assert_eq!(numbers(&faster["start"]["omega_body"]), [0.0, 0.0, 12.0]);
-    // simulate says the same
+    // `simulate` gives the same values.
     let simulated = &json(&scratch.run(&["simulate", &file, "--json"]))["motion"];
     for key in [
         "regime",
@@ -239,11 +239,11 @@ fn moments_of_no_body_are_refused_or_allowed() {
     assert_eq!(all["possible"], false);
     let library = motion([8.0, 4.0, 0.4], [0.1, 0.2, 5.0]).at(3.0).omega;
     assert_eq!(numbers(&all["motion"]["states"][0]["omega_body"]), library.to_array());
-    // a plate whose moments were rounded is a plate
+    // Rounded moments of a plate are accepted as a plate.
     assert!(
         stdout(&spin(&scratch, &["--moments", "0.1,0.2,0.3", "--omega", "1,2,3"])).contains("a flat plate")
     );
-    // a rod is a body; no flag makes one of these
+    // A rod is physical; no flag makes these moments acceptable.
     assert!(
         stdout(&spin(&scratch, &["--moments", "0,1,1", "--omega", "1,2,3"])).contains("possible (a rod)")
     );
@@ -261,7 +261,7 @@ fn a_time_beyond_reach_is_refused_by_its_name() {
         let text = refused(&spin(&scratch, &[&arguments[..], &[&times]].concat()));
         assert!(text.contains("known up to 2.") && text.contains("e25 s"), "{text}");
     }
-    // The longest times that are known have the digits of the library.
+    // The longest times with a known state have the digits of the library.
     let all = json(&spin(&scratch, &[&arguments[..], &["--json", "--at", "1e22"]].concat()));
     let library = motion([1.37, 2.09, 2.91], [0.3, -0.5, 0.9]).at(1e22).omega;
     assert_eq!(numbers(&all["motion"]["states"][0]["omega_body"]), library.to_array());
@@ -413,7 +413,7 @@ fn periods_of_toutatis_and_back() {
         let near = |a: &Value, b: &Value| (number(a) / number(b) - 1.0).abs() < 1e-12;
         assert!(near(&found["energy_ratio"], &motion["least_energy_spin"]["energy_ratio"]), "{found}");
         assert!(near(&found["momentum_kg_m2_s"], &motion["momentum_kg_m2_s"]), "{found}");
-        // ω is along body axes, the long one being z, and makes these periods again
+        // ω is along body axes, with the long axis z, and reproduces these periods.
         let again = joined(&numbers(&found["omega_body"]));
         let again = json(&spin(&scratch, &[&moments[..], &["--omega", &again, "--json"]].concat()));
         assert!(near(&again["motion"]["precession_period_s"], &motion["precession_period_s"]));
@@ -459,7 +459,7 @@ fn a_folder_is_written_whole_or_not_at_all() {
     assert_eq!(entries(&scratch.0.join("spin")), ["summary.json", "trajectory.parquet"]);
     stdout(&spin(&scratch, &plate(&["-o", "only"])));
     assert_eq!(entries(&scratch.0.join("only")), ["report.html", "summary.json"]);
-    // bad input, a bad place, another program's folder: nothing is written
+    // For bad input, an unsuitable place, or another program's folder, nothing is written.
     fs::create_dir(scratch.0.join("photos")).unwrap();
     scratch.write("photos/cat.jpg", "a cat");
     refused(&spin(&scratch, &plate(&["-o", "photos", "--force"])));
@@ -518,7 +518,7 @@ fn curves_are_written_beside_the_summary() {
         assert!((radius - row[1].hypot(row[2]).hypot(row[3])).abs() < 1e-14);
         assert!(radius > least - 1e-14 && radius < greatest + 1e-14, "{least} {radius} {greatest}");
     }
-    // finer curves have more points; a shorter duration has fewer in space
+    // Finer curves have more points; a shorter duration gives fewer points in space.
     let many = stdout(&spin(
         &scratch,
         &plate(&["--curves", "--chord-error", "1e-5", "--duration", "4", "-o", "fine"]),

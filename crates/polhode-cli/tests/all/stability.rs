@@ -1,4 +1,4 @@
-//! `polhode stability` as its users meet it.
+//! `polhode stability` from the user's side.
 
 use crate::common::{Scratch, example, json, number, refused, stdout};
 
@@ -48,14 +48,14 @@ fn a_hanging_rod_swings_as_a_pendulum_does() {
     for mode in small["modes"].as_array().unwrap() {
         assert!((number(&mode["frequency"]) / frequency - 1.0).abs() < 1e-9, "{mode}");
     }
-    // Away from the equilibrium the nearest one is found, and said to be so.
+    // Away from an equilibrium, the nearest one is found and reported as such.
     scratch.write(
         "away.toml",
         &format!("{ROD}[start]\nattitude = {{ axis = [1, 2, 0], angle = \"25 deg\" }}\n"),
     );
     let text = stdout(&scratch.run(&["stability", "away.toml"]));
     assert!(text.contains("about the nearest equilibrium, 25° from the start: nothing grows"), "{text}");
-    // A wheel along the rod makes two frequencies of the one.
+    // A wheel along the rod splits the frequency into two.
     scratch.write("wheel.toml", &format!("{ROD}[[wheel]]\naxis = [0, 0, 1]\nmomentum = 0.9\n"));
     let answer = json(&scratch.run(&["stability", "wheel.toml", "--json"]));
     let modes = answer["small_oscillations"]["modes"].as_array().unwrap();
@@ -65,12 +65,12 @@ fn a_hanging_rod_swings_as_a_pendulum_does() {
     );
 }
 
-/// The examples as they are: what is meant is found, though no start is exactly there.
+/// The intended steady motion of the examples is found, although no start is exactly on it.
 #[test]
 fn the_steady_motion_that_is_meant_is_found() {
     let scratch = Scratch::new("stability-meant");
     let of = |name: &str| json(&scratch.run(&["stability", &example(name), "--json"]));
-    // The satellite turns as its orbit does only to the digits that its file has.
+    // The satellite rotates with its orbit only to the digits in its file.
     let satellite = &of("gravity-gradient.toml")["small_oscillations"];
     assert_eq!(
         (satellite["equilibrium"].as_str(), satellite["stable"].as_bool()),
@@ -80,13 +80,13 @@ fn the_steady_motion_that_is_meant_is_found() {
     assert_eq!((all.len(), all.iter().filter(|one| one["stable"] == true).count()), (24, 4));
     let n = number(&satellite["omega_body"][1]);
     assert!((n / 1.10682e-3 - 1.0).abs() < 1e-5, "{n}");
-    // √3 k in the plane and 2 across, for the smallest swings, k next to 1.
+    // √3 k in the orbital plane and 2 across it, for small oscillations, with k close to 1.
     let has = |ratio: f64| {
         let modes = satellite["modes"].as_array().unwrap();
         modes.iter().any(|mode| (number(&mode["frequency"]) / n - ratio).abs() < 0.05)
     };
     assert!(has(3f64.sqrt()) && has(2.0), "{satellite}");
-    // Both tops spin, and nod or tremble a little.
+    // Both tops spin with a small nutation.
     let sleeping = &of("sleeping-top.toml")["small_oscillations"];
     assert_eq!(
         (sleeping["top"]["path"].as_str(), sleeping["stable"].as_bool()),
@@ -142,7 +142,7 @@ fn modes_of_one_frequency_are_told_as_a_plane() {
     assert!(text.contains("2 ways, about any axis in the plane of (1, 0, 0) and (0, 1, 0)"), "{text}");
 }
 
-/// A formula that is NaN at the start is shown in its line.
+/// A formula that is NaN at the start is reported with its line.
 #[test]
 fn a_torque_that_is_no_number_is_shown_in_its_line() {
     let scratch = Scratch::new("stability-nan");
@@ -163,7 +163,7 @@ fn what_cannot_depart_is_refused() {
     let scratch = Scratch::new("stability-prescribed");
     let text = refused(&scratch.run(&["stability", &example("notes/11-10-dumbbell.toml")]), 2);
     assert!(text.contains("is prescribed") && text.contains("hint:"), "{text}");
-    // and what only wheels turn is no free motion
+    // Without external torques, wheels alone are not a free motion.
     scratch.write(
         "wheel.toml",
         &format!("{ROD}[[wheel]]\naxis = [0, 0, 1]\nmomentum = 0.9\n")
@@ -190,16 +190,16 @@ fn the_torque_that_prevents_an_equilibrium_is_named() {
     assert_eq!(answer["small_oscillations"], serde_json::Value::Null);
     assert_eq!(answer["prevented_by"], serde_json::json!(["motor"]));
     assert_eq!(answer["torques_that_do_not_act"], serde_json::json!(["later"]));
-    // √(M g l/I) of the rest, about the axis of 0.7083 kg·m²
+    // √(M g l/I) of the remaining torques, about the axis of 0.7083 kg·m².
     let mode = &answer["small_oscillations_of_the_rest"]["modes"][0];
     let expected = (2.0 * 9.80665 * 0.5 / (2.0 * ((1.1 * 1.1 + 0.04) / 12.0 + 0.25_f64))).sqrt();
     assert!((mode["frequency"].as_f64().unwrap() / expected - 1.0).abs() < 1e-9, "{mode}");
-    // Of two without names each has its number.
+    // Torques without names are identified by number.
     scratch.write("two.toml", &[body, gravity, &torque(""), &torque("from = '4 s'")].concat());
     let two = json(&scratch.run(&["stability", "two.toml", "--json"]));
     assert_eq!(two["prevented_by"], serde_json::json!(["constant, torque 2 of the scenario"]));
     assert_eq!(two["torques_that_do_not_act"], serde_json::json!(["constant, torque 3 of the scenario"]));
-    // Alone it leaves nothing.
+    // If it is the only torque, nothing remains.
     scratch.write("alone.toml", &[body, &torque("name = 'motor'")].concat());
     let alone = json(&scratch.run(&["stability", "alone.toml", "--json"]));
     assert_eq!(alone["prevented_by"], serde_json::json!(["motor"]));

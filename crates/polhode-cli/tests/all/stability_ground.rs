@@ -1,4 +1,4 @@
-//! `polhode stability` of bodies on the ground, as its users meet it.
+//! `polhode stability` for bodies on the ground, from the user's side.
 
 use crate::common::{Scratch, json, number, refused, stdout};
 
@@ -34,7 +34,7 @@ fn a_coin_that_rolls_has_its_threshold() {
     scratch.write("spins.toml", &scenario(body, contact, &start(89.0, "{ space = [0, 0, \"9 rad/s\"] }")));
     let ground = &json(&scratch.run(&["stability", "spins.toml", "--json"]))["on_ground"];
     assert_eq!(ground["path"], "spinning_upright");
-    // Far from both it is told where they are.
+    // Far from both steady motions, the error says where they are.
     scratch.write("far.toml", &scenario(body, contact, &start(45.0, "{ body = [0, 0, \"9 rad/s\"] }")));
     let why = refused(&scratch.run(&["stability", "far.toml"]), 2);
     assert!(

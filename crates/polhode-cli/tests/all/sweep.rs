@@ -1,4 +1,4 @@
-//! `polhode sweep` as its users meet it.
+//! `polhode sweep` from the user's side.
 
 use std::fs;
 use std::process::{Child, Stdio};
@@ -55,7 +55,7 @@ fn a_sweep_is_one_command() {
     let again = scratch.run(&["sweep", "bricks.toml"]);
     let error = refused(&again, 2);
     assert!(error.contains("bricks is there already") && error.contains("--resume"), "{error}");
-    // What is complete has nothing to go on with, and says the same.
+    // Resuming a complete sweep does nothing, and prints the same.
     assert_eq!(stdout(&scratch.run(&["sweep", "bricks.toml", "--resume"])), text);
     let summary = json(&scratch.run(&["sweep", "bricks.toml", "--force", "--threads", "1", "--json"]));
     let written = fs::read_to_string(scratch.0.join("bricks/summary.json")).unwrap();
@@ -69,7 +69,7 @@ fn a_sweep_is_one_command() {
 #[test]
 fn a_member_that_cannot_be_is_a_row_and_the_rest_goes_on() {
     let scratch = Scratch::new("sweep-failed");
-    // Of the members some are no bodies: a moment greater than the sum of the others.
+    // Some members are unphysical: one moment exceeds the sum of the others.
     let text = plan(64)
         .replace(
             "shape = \"box\"\nsize = [\"200 mm\", \"100 mm\", \"60 mm\"]",
@@ -125,7 +125,7 @@ fn another_plan_does_not_go_on() {
     stdout(&scratch.run(&["sweep", "plan.toml", "-o", "out", "--force"]));
 }
 
-/// Files that may not grow to the size of a part stand for a disk that is full.
+/// A limit on file sizes below that of a part simulates a full disk.
 #[test]
 #[cfg(unix)]
 fn what_cannot_be_written_is_said_and_can_go_on() {
@@ -140,7 +140,7 @@ fn what_cannot_be_written_is_said_and_can_go_on() {
     stdout(&scratch.run(&["sweep", "plan.toml", "-o", "out", "--resume"]));
 }
 
-/// A sweep that is not over soon, ended when dropped.
+/// A long sweep, ended when dropped.
 struct Running(Child);
 
 impl Running {
@@ -149,7 +149,7 @@ impl Running {
         Self(command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap())
     }
 
-    /// Waits for a part, however long that takes while it is computed.
+    /// Waits for a part while it is computed, without a time limit.
     fn until(&mut self, scratch: &Scratch, part: &str) {
         let part = scratch.0.join("out/members").join(part);
         while !part.exists() {
@@ -178,14 +178,14 @@ fn two_writers_lock_each_other_out() {
     scratch.write("plan.toml", &plan(800_000));
     let mut first = Running::new(&scratch, &["sweep", "plan.toml", "-o", "out", "--threads", "1"]);
     first.until(&scratch, "part-00000.parquet");
-    // Stopped, it cannot be over before the others have tried, and holds what it has.
+    // A stopped process cannot finish before the others have tried, and keeps its lock.
     #[cfg(unix)]
     first.signal("-STOP");
     for how in ["--resume", "--force"] {
         let error = refused(&scratch.run(&["sweep", "plan.toml", "-o", "out", how]), 2);
         assert!(error.contains("out is in use: another sweep writes to it"), "{error}");
     }
-    // The lock goes with the process, however it ends; then another may.
+    // The lock is released when the process ends in any way; then another one may write.
     first.0.kill().unwrap();
     first.0.wait().unwrap();
     let mut second =
@@ -224,7 +224,7 @@ fn without_python_a_cluster_is_explained() {
     assert_eq!(scratch.entries(), ["plan.toml"]);
 }
 
-/// A python3 of the test's own that says what it was asked.
+/// The test provides a `python3` that prints its arguments.
 #[test]
 #[cfg(unix)]
 fn a_cluster_is_handed_the_same_arguments() {
@@ -246,7 +246,7 @@ fn a_cluster_is_handed_the_same_arguments() {
     assert_eq!(asked, "-m polhode.sweep plan.toml -o out --on dask://h:8786 --resume --json\n");
     python("[ \"$1\" = -c ] || exit 3");
     assert_eq!(run(&[]).status.code(), Some(3));
-    // What is missing is named, and nothing else.
+    // Only the missing package is named.
     python("[ \"$1\" = -c ] && echo pyarrow");
     let error = refused(&run(&[]), 2);
     assert!(
@@ -278,7 +278,7 @@ fn what_is_not_as_it_was_written_is_not_trusted() {
             put(name, damaged);
             let error = refused(&scratch.run(&resume), 2);
             let is_told = error.contains(&format!("out/{name} is damaged: ")) && error.contains("--force");
-            // A number of the manifest that has become another is the number of another plan.
+            // A corrupted number in the manifest looks like another plan.
             assert!(is_told || name == "sweep.json" && error.contains("another plan"), "{error}");
             assert_eq!(read(name), damaged);
         }
@@ -288,7 +288,7 @@ fn what_is_not_as_it_was_written_is_not_trusted() {
     fs::remove_file(scratch.0.join("out/plan.toml")).unwrap();
     assert!(refused(&scratch.run(&resume), 2).contains("it is not there"));
     put("plan.toml", plan(1100).as_bytes());
-    // Parts are made again, and this is told.
+    // Damaged parts are recomputed, and this is reported.
     let name = "members/part-00001.parquet";
     let whole = read(name);
     for damaged in [&whole[..whole.len() / 3], b"", &whole.iter().rev().copied().collect::<Vec<_>>()] {

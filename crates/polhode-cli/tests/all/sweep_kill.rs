@@ -1,4 +1,4 @@
-//! A sweep killed at any moment, and resumed, has the files of one that was left alone.
+//! A sweep killed at any moment and resumed has the same files as one that was not killed.
 #![cfg(unix)]
 
 use std::collections::BTreeMap;
@@ -10,9 +10,9 @@ use std::time::{Duration, Instant};
 
 use crate::common::{Scratch, stdout};
 
-/// Number of kills in `cargo xtask test --nightly`, and in the gate: more than one sweep survives.
+/// Number of kills in `cargo xtask test --nightly`, and in the gate; more than one sweep survives.
 const KILLS: [u32; 2] = [30, 12];
-/// How often one sweep is killed at most.
+/// Largest number of kills of one sweep.
 const LIVES: u32 = 10;
 
 const PLAN: &str = r#"
@@ -40,7 +40,7 @@ key = 'body.part["body"].inertia'
 dispersion = "5 %"
 "#;
 
-/// Every file of a folder, by its path inside.
+/// Returns all files of a folder by their relative path.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut found = BTreeMap::new();
     for entry in fs::read_dir(folder).unwrap() {
@@ -65,7 +65,8 @@ fn killed_at_any_moment_a_sweep_loses_nothing_and_does_nothing_twice() {
     let whole = files(&scratch.0.join("whole"));
     assert!(whole.len() > 15, "{:?}", whole.keys());
 
-    // Moments of every kind: from before anything is there to after the last part. A linear congruence draws them.
+    // Times of all kinds: from before the first file to after the last part, drawn by a linear
+    // congruential generator.
     let mut state = 20_u64;
     let mut draw = || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -81,7 +82,7 @@ fn killed_at_any_moment_a_sweep_loses_nothing_and_does_nothing_twice() {
             let mut child =
                 command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
             if life == LIVES {
-                // Where the machine has become slow every life would be too short.
+                // On a slow machine every attempt would be killed too early.
                 assert!(child.wait().unwrap().success());
                 break;
             }

@@ -1,4 +1,4 @@
-//! `polhode torque`: from a given motion to what it needs.
+//! `polhode torque`: from a prescribed motion to the required torque.
 
 use std::f64::consts::PI;
 use std::fs;
@@ -14,7 +14,7 @@ fn the_dumbbell_has_the_torque_and_the_forces_of_the_notes() {
     let expected = -(m1 + m2) * b * b * omega * omega * alpha.sin() * alpha.cos();
     let torque = numbers(&report["start"]["torque_body_n_m"]);
     assert!((torque[0] - expected).abs() < 1e-14 && torque[1].abs() < 1e-14 && torque[2].abs() < 1e-14);
-    // Every mass moves on a circle: F = m ω² b sin α towards the axis.
+    // Every mass moves on a circle: F = m ω² b sin α toward the axis.
     let forces = report["start"]["particle_forces"].as_array().unwrap();
     for (force, m) in forces.iter().zip([m1, m2]) {
         let f = numbers(&force["force_body_n"]);
@@ -23,7 +23,7 @@ fn the_dumbbell_has_the_torque_and_the_forces_of_the_notes() {
     }
     assert_eq!((forces.len(), report["at"].as_array().unwrap().len()), (2, 2));
     assert!(number(&report["work_j"]).abs() < 1e-13);
-    // Half a turn later the torque in space is the opposite.
+    // Half a turn later the torque in space axes is reversed.
     let later = json(&scratch.run(&["torque", &file, "--json", "--at", "1"]));
     let [now, then] = [&later["start"], &later["at"][0]].map(|s| numbers(&s["torque_space_n_m"]));
     let axis = [0.0, 0.5, 0.75_f64.sqrt()];
@@ -55,14 +55,14 @@ fn a_slew_begins_and_ends_without_torque() {
         |row: &Vec<f64>| row[column("torque_body_x_n_m")].abs() + row[column("torque_body_y_n_m")].abs();
     assert!(torque(&rows[0]) < 1e-12 && torque(&rows[600]) < 1e-11 && torque(&rows[150]) > 0.1);
     assert!(rows[600][column("work_j")].abs() < 1e-12 && rows[300][column("work_j")] > 0.01);
-    // The work is the integral of the power: Simpson's rule.
+    // The work is the integral of the power, by Simpson's rule.
     let power = column("power_w");
     let odd: f64 = (1..300).step_by(2).map(|k| rows[k][power]).sum();
     let even: f64 = (2..300).step_by(2).map(|k| rows[k][power]).sum();
     let integral = 0.1 / 3.0 * (rows[0][power] + 4.0 * odd + 2.0 * even + rows[300][power]);
     assert!((integral - rows[300][column("work_j")]).abs() < 1e-6, "{integral}");
     assert!(rows[150][column("force_1_body_x_n")] != 0.0);
-    // A table is not replaced unless that is wanted, and Parquet is one too.
+    // A table is replaced only on request; Parquet is supported too.
     let again = refused(&scratch.run(&["torque", &file, "-o", "slew.csv"]), 2);
     assert!(again.contains("slew.csv is there already"), "{again}");
     assert!(stdout(&scratch.run(&["torque", &file, "-o", "slew.csv", "--force"])).contains("wrote slew.csv"));
@@ -86,7 +86,7 @@ fn a_rotor_is_balanced() {
         let before = size(&shaft["bearings"][k]["turning_body_n"]);
         assert!(before > 10.0 && size(&shaft["balanced"]["bearings_body_n"][k]) < 1e-13 * before);
     }
-    // The weight is held by both.
+    // Both bearings carry the weight.
     let held: f64 = (0..2).map(|k| numbers(&shaft["bearings"][k]["weight_space_n"])[1]).sum();
     let mass = 7850.0 * PI * (0.015 * 0.015 * 0.4 + 2.0 * 0.09 * 0.09 * 0.02);
     assert!((held - 9.81 * mass).abs() < 1e-10, "{held}");

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use crate::common::{Scratch, example};
 
-/// A file of each kind, and what reads it.
+/// File of each kind, and the command that reads it.
 const READ: [(&str, &[&str]); 12] = [
     ("bracket.stl", &["inertia"]),
     ("t-handle.toml", &["explain"]),
@@ -24,7 +24,7 @@ const READ: [(&str, &[&str]); 12] = [
     ("grid.nrrd", &["inertia", "--unit", "m"]),
 ];
 
-/// Its bytes: an example's, or those of a small one that is made here.
+/// Returns the contents of an example, or of a small file made here.
 fn whole(name: &str) -> Vec<u8> {
     let numbers: Vec<u8> = (1..9_u8).flat_map(|k| f32::from(k).to_le_bytes()).collect();
     let text = match name {
@@ -62,7 +62,7 @@ fn a_file_that_ends_early_is_an_error_or_another_file() {
             fs::write(scratch.0.join(file), &bytes[..kept]).unwrap();
             let output = scratch.run(&run);
             let text = String::from_utf8_lossy(&output.stderr);
-            // 1 is what check has found.
+            // Exit status 1 means that `check` has findings.
             let is_read = matches!(output.status.code(), Some(0 | 1));
             let is_refused = output.status.code() == Some(2) && text.contains(file) && kept < bytes.len();
             assert!(is_read || is_refused, "{name} {kept}: {:?} {text}", output.status);

@@ -1,6 +1,7 @@
-//! Each key and column of the list, written otherwise, and what the difference says.
+//! Changes of each key and column of the list, with the expected difference.
 
-/// A section and its key, what is written instead of what, and what the difference says; the first says the key's own words.
+/// Section with a key, replacements (old, new), and texts expected in the difference; the first
+/// contains the key.
 pub(super) type Case =
     (&'static str, &'static str, &'static [(&'static str, &'static str)], &'static [&'static str]);
 
@@ -311,7 +312,7 @@ pub(super) const CASES: &[Case] = &[
         &[("share = 0.4", "share = 0.3"), ("share = 0.6", "share = 0.7")],
         &["share 30 %", "share 70 %"],
     ),
-    // Columns
+    // Columns.
     ("row", "name", &[("boom,bus", "beam,bus")], &["beam added, with 0.8 kg", "boom removed, with 0.8 kg"]),
     ("row", "parent", &[("boom,bus", "boom,tank")], &["boom stood in bus, stands in tank"]),
     (

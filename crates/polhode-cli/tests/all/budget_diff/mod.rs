@@ -1,4 +1,4 @@
-//! `polhode budget --diff`: everything that a list can say is compared.
+//! `polhode budget --diff`: all contents of a list are compared.
 
 mod cases;
 mod rich;
@@ -13,7 +13,7 @@ use crate::common::{Scratch, json, stdout};
 use cases::CASES;
 use rich::{GRAINS, PARTS, RICH};
 
-/// What only says how the file is read shows in what it reads, if that changes.
+/// Keys that only control reading; a change is visible only in the values read.
 const OF_READING: [&str; 3] = ["decimal", "ignore", "cad"];
 
 fn list(rich: &str) -> String {
@@ -51,7 +51,8 @@ fn every_key_and_column_is_compared() {
     }
 }
 
-/// What happens several times is paired by what it is, and not by its place in the file; names that hold commas are told apart.
+/// Repeated events are matched by content, not by position in the file. Names that contain commas
+/// are distinguished.
 #[test]
 fn what_is_called_alike_is_told_apart() {
     let scratch = Scratch::new("budget-diff-alike");
@@ -95,7 +96,7 @@ fn what_is_called_alike_is_told_apart() {
         diff(&of(&[(10.0, "b")]), &of(&[(10.0, "b"), (20.0, "a"), (30.0, "b")])),
         ["deployment 2 to b|none|30 s", "deployment to a|none|20 s"]
     );
-    // The drop of one row is not that of two.
+    // The drop of one row differs from that of two rows.
     let rows = "\"u, v\",,0.1,1,2,3\nu,,0.1,3,2,1\nv,,0.1,3,1,2\n";
     let drop = |rows_of: &str| list(&format!("[[drop]]\ntime = 7\nrows = {rows_of}\n"), rows);
     assert!(diff(&drop("[\"u\", \"v\"]"), &drop("[\"v\", \"u\"]")).is_empty());
@@ -105,7 +106,7 @@ fn what_is_called_alike_is_told_apart() {
     );
 }
 
-/// What is in a tank has a row, in which it shows once.
+/// The contents of a tank have a row of their own, so a change appears once.
 #[test]
 fn a_change_of_what_is_in_a_tank_shows_once() {
     let scratch = Scratch::new("budget-diff-tank");
@@ -133,7 +134,7 @@ fn a_change_of_what_is_in_a_tank_shows_once() {
     }
 }
 
-/// An empty tank has no row: what is said of it shows with the tank.
+/// An empty tank has no row; changes of its contents appear with the tank.
 #[test]
 fn what_is_said_of_an_empty_tank_is_compared() {
     let scratch = Scratch::new("budget-diff-empty");
@@ -154,7 +155,7 @@ fn what_is_said_of_an_empty_tank_is_compared() {
     }
 }
 
-/// A list without configurations is the same in each of another.
+/// A list without configurations is compared with each configuration of the other list.
 #[test]
 fn a_list_without_configurations_is_compared_with_each() {
     let scratch = Scratch::new("budget-diff-unnamed");
@@ -171,7 +172,7 @@ fn a_list_without_configurations_is_compared_with_each() {
     }
 }
 
-/// All keys that the reader knows are in the cases above, but for sections, which have keys.
+/// Checks that the cases cover all keys known to the reader, except sections, which contain keys.
 #[test]
 fn no_key_is_left_out() {
     let scratch = Scratch::new("budget-diff-keys");

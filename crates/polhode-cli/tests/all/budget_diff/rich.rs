@@ -1,6 +1,6 @@
-//! A parts list that says all it can.
+//! Parts list that uses every feature.
 
-/// A list that says all it can.
+/// Parts list that uses every feature, without its rows.
 pub(super) const RICH: &str = r#"title = "Rich"
 products = "tensor elements"
 about = "center"
@@ -151,11 +151,11 @@ position = [0, 0, "-2 m"]
 share = 0.6
 "#;
 
-/// The file of the table of its grain, and another.
+/// Table file of the solid grain, and a changed one.
 pub(super) const GRAINS: [(&str, &str); 2] =
     [("grain.csv", "mass [kg],z [mm]\n1,5\n3,9\n"), ("heavy.csv", "mass [kg],z [mm]\n1,5\n3.5,9\n")];
 
-/// Its rows.
+/// Rows of the list.
 pub(super) const PARTS: &str = "name,parent,quantity,copies,configuration,group,maturity,growth,subtotal [kg],allowable [kg],mass [kg],x [mm],y [mm],z [mm],Ixx [kg m^2],Iyy [kg m^2],Izz [kg m^2],Ixy [kg m^2],Ixz [kg m^2],Iyz [kg m^2],at x [mm],at y [mm],at z [mm],yaw [deg],rotate z sd [deg],colour
 bus,,,,,,,,,90,20 ± 0.5,1,2,3 ± 0.7,1.1 ± 0.02,1.2,1.3,0.01,0.02,0.03,0,0,0,0,,red
 tank,bus,,,,,E,,,,1.2,0,0,0,,,,,,,0,0,-400,0,,

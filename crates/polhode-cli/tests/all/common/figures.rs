@@ -1,10 +1,10 @@
-//! The book's pictures, each from the page that a command prints.
+//! Pictures of the book, extracted from pages printed by commands.
 
 use std::path::Path;
 
 use super::{Scratch, stdout};
 
-/// A picture of a page, by its title.
+/// Returns the picture with this title from a page.
 pub fn picture<'a>(page: &'a str, title: &str) -> &'a str {
     let at = page.find(&format!("<title>{title}")).unwrap_or_else(|| panic!("{title}"));
     let from = page[..at].rfind("<svg").unwrap();
@@ -12,7 +12,7 @@ pub fn picture<'a>(page: &'a str, title: &str) -> &'a str {
     &page[from..to]
 }
 
-/// The words of a picture, and its numbers.
+/// Splits a picture into its text and its numbers.
 fn parts(svg: &str) -> (String, Vec<f64>) {
     let is_number = |c: char| c.is_ascii_digit() || c == '.';
     let words = svg.split(is_number).filter(|word| !word.is_empty()).collect::<Vec<_>>().join("#");
@@ -20,8 +20,9 @@ fn parts(svg: &str) -> (String, Vec<f64>) {
     (words, all.map(|digits| digits.parse().unwrap_or(f64::NAN)).collect())
 }
 
-/// The book's pictures of examples are those that a command's pages have: its words, the title, the file. `POLHODE_GOLDEN=write cargo test -p polhode-cli --test all books_pictures`
-/// writes them anew.
+/// Compares the pictures of the book with those on the pages of commands, given as (command, title,
+/// file). `POLHODE_GOLDEN=write cargo test -p polhode-cli --test all books_pictures` updates the
+/// files.
 pub fn compare(scratch: &Scratch, pictures: &[(&[&str], &str, &str)]) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/figures");
     for (command, title, file) in pictures {
@@ -35,7 +36,7 @@ pub fn compare(scratch: &Scratch, pictures: &[(&[&str], &str, &str)]) {
             std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let ((words, numbers), (kept_words, kept_numbers)) = (parts(&drawn), parts(&kept));
         assert_eq!(words, kept_words, "{file}");
-        // hundredths of a pixel may round to the other side
+        // Coordinates may differ by a rounding of 0.01 px.
         let far = numbers.iter().zip(&kept_numbers).filter(|(a, b)| !((*a - *b).abs() < 0.06)).count();
         assert!(numbers.len() == kept_numbers.len() && far == 0, "{file}: {far} numbers differ");
     }

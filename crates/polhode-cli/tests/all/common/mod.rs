@@ -1,4 +1,4 @@
-//! What the tests of the command share.
+//! Common code of the command's tests.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses some of it")]
 
 use std::fs;
@@ -11,7 +11,7 @@ pub mod figures;
 pub mod recipe;
 pub mod schema;
 
-/// A folder of a test's own, removed when it is done.
+/// Temporary folder of a test, removed when dropped.
 pub struct Scratch(pub PathBuf);
 
 impl Scratch {
@@ -30,14 +30,14 @@ impl Scratch {
         entries(&self.0)
     }
 
-    /// polhode with these arguments, in the folder.
+    /// Runs polhode with these arguments in the folder.
     pub fn run(&self, arguments: &[&str]) -> Output {
         self.command(arguments).output().unwrap()
     }
 
     pub fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_polhode"));
-        // A browser that shows nothing.
+        // A browser that does nothing.
         command.current_dir(&self.0).env("BROWSER", "true").args(arguments);
         command
     }
@@ -49,7 +49,7 @@ impl Drop for Scratch {
     }
 }
 
-/// The names in a folder, in order.
+/// Returns the sorted names in a folder.
 pub fn entries(folder: &Path) -> Vec<String> {
     let mut names: Vec<_> =
         fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
@@ -67,14 +67,14 @@ pub fn stdout(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).unwrap()
 }
 
-/// What a run prints, which fits its schema if it has one.
+/// Returns the JSON printed by a run; it must conform to its schema, if it has one.
 pub fn json(output: &Output) -> Value {
     let value = serde_json::from_str(&stdout(output)).unwrap();
     schema::check(&value);
     value
 }
 
-/// What stands on standard error of a run that must fail with `code` and print no data.
+/// Returns the standard error of a run that must fail with `code` and print no data.
 pub fn refused(output: &Output, code: i32) -> String {
     let text = String::from_utf8(output.stderr.clone()).unwrap();
     assert_eq!(output.status.code(), Some(code), "{text}");

@@ -1,23 +1,26 @@
-//! A page as a reader follows it: its files are written, its commands are run, and its excerpts compared with what they print.
+//! Runs a documentation page: creates its files, runs its commands, and compares their output with
+//! the page.
 //!
-//! - A block whose first or second line is a comment with the name of a file, `# top.toml`, `## parts.csv` or `<!-- arm.urdf -->`, is that file.
-//! - ```` ```console ```` has commands, each after `$ `. They succeed, or say how they end: `# exit status 1`.
-//!   `cargo run --release -- simulate …` is run as `polhode simulate …`.
-//! - ```` ```text ```` behind it is all that they print, but for what is left out where a line is `…`.
+//! - A block is a file if its first or second line is a comment with the file name: `# top.toml`,
+//!   `## parts.csv` or `<!-- arm.urdf -->`.
+//! - ```` ```console ```` contains commands after `$
+//!   `. They must succeed, unless the page states `# exit status 1`. `cargo run --release --
+//!   simulate …` is run as `polhode simulate …`.
+//! - ```` ```text ```` after it is their complete output; a line `…` stands for omitted lines.
 
 use std::fs;
 use std::path::Path;
 
 use super::Scratch;
 
-/// What a page has.
+/// Number of commands run and excerpts compared.
 #[derive(Default)]
 pub struct Followed {
     pub commands: usize,
     pub excerpts: usize,
 }
 
-/// Follows a page in a folder with the examples; panics with the line where it is not as the page says.
+/// Runs a page in a folder with the examples; panics with the line number at the first difference.
 pub fn follow(page: &Path, scratch: &Scratch) -> Followed {
     let name = page.file_name().unwrap().to_string_lossy();
     let text = fs::read_to_string(page).unwrap().replace("\r\n", "\n");
@@ -53,7 +56,7 @@ pub fn follow(page: &Path, scratch: &Scratch) -> Followed {
 }
 
 struct Block<'a> {
-    /// The number of its first line, from 1.
+    /// Number of its first line, from 1.
     line: usize,
     language: &'a str,
     text: &'a str,
@@ -89,7 +92,7 @@ fn file_name(text: &str) -> Option<&str> {
     })
 }
 
-/// What a command prints, on standard output and then on standard error.
+/// Runs a command; returns its standard output followed by its standard error.
 fn run(line: &str, scratch: &Scratch, at: &str) -> String {
     let (command, status) = match line.split_once("# exit status ") {
         Some((command, status)) => (command, status.trim().parse().unwrap()),
@@ -109,7 +112,7 @@ fn run(line: &str, scratch: &Scratch, at: &str) -> String {
     printed
 }
 
-/// The words of a command, as a shell would part them: quotes hold words together.
+/// Splits a command into words as a shell does; quotes group words.
 fn words(command: &str) -> Vec<String> {
     let mut words = Vec::new();
     let mut word: Option<String> = None;
@@ -131,8 +134,9 @@ fn words(command: &str) -> Vec<String> {
     words
 }
 
-/// Whether an excerpt is what was printed: its runs of lines between `…`, in order, the first at the beginning and the last at
-/// the end where no `…` stands there. The line that is missing otherwise.
+/// Checks that an excerpt matches the output. The groups of lines between `…` must occur in order.
+/// The first and last group must be at the beginning and end, unless `…` is there. Returns the
+/// missing line otherwise.
 fn compare(excerpt: &str, printed: &str) -> Result<(), String> {
     let printed: Vec<&str> = printed.lines().map(str::trim_end).collect();
     let wanted: Vec<&str> = excerpt.lines().map(str::trim_end).collect();

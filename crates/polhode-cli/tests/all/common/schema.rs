@@ -1,11 +1,11 @@
-//! Reports held against the schemas of their subjects.
+//! Validation of reports against their schemas.
 
 use polhode_scenario::request::{explain, simulate, spin, stability, torque};
 use serde_json::Value;
 
 use crate::schema::misfit;
 
-/// Checks a report of a subject whose reports have a schema.
+/// Checks a report if its subject has a schema.
 pub fn check(report: &Value) {
     let has = |key: &str| report.get(key).is_some();
     let schema = match report {

@@ -1,4 +1,4 @@
-//! The pairs of `polhode budget`.
+//! Option pairs of `polhode budget`.
 
 use crate::options::{Choice, Subcommand, every_pair_is_honoured_or_refused};
 

@@ -1,4 +1,4 @@
-//! The pairs of `polhode identify`.
+//! Option pairs of `polhode identify`.
 
 use crate::options::{Choice, Subcommand, every_pair_is_honoured_or_refused};
 
@@ -9,11 +9,11 @@ const TESTED: &[&str] = &["measured", "thrown"];
 const PLANNED: &[&str] = &["thrown", "hung"];
 const ANY: &[&str] = &["measured", "thrown", "hung"];
 
-/// What a test on two wires needs.
+/// Options required for a test on two wires.
 const BIFILAR: &[&str] =
     &["--bifilar", "--mass", "--distance", "--length", "--swings", "--time", "--amplitude"];
 
-/// What a tumble does not show.
+/// Options for quantities that a throw does not determine.
 const SIZE: &[&str] = &["--greatest-moment", "0.0166 kg m^2", "--mass", "350 g"];
 
 const fn choice(

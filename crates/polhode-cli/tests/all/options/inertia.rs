@@ -1,4 +1,4 @@
-//! The pairs of `polhode inertia` and `polhode check`.
+//! Option pairs of `polhode inertia` and `polhode check`.
 
 use crate::options::{Choice, Subcommand, every_pair_is_honoured_or_refused};
 

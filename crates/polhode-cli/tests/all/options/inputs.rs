@@ -1,4 +1,4 @@
-//! Small files of every kind, on which options have something to do.
+//! Small input files of every kind, chosen so that each option has an effect.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -7,7 +7,7 @@ use std::process::Command;
 
 use crate::common::Scratch;
 
-/// An L-shaped prism and a tetrahedron, two groups.
+/// An L-shaped prism and a tetrahedron as two groups.
 fn two_parts() -> String {
     let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.5], [0.0, 2.5]];
     let mut text = String::new();
@@ -27,7 +27,7 @@ fn two_parts() -> String {
     text + "v 10 0 0\nv 12 0 0\nv 10 3 0\nv 10 0 1\ng grip\nf 13 15 14\nf 13 14 16\nf 13 16 15\nf 14 15 16\n"
 }
 
-/// A tetrahedron, binary.
+/// A tetrahedron as binary STL.
 fn stl() -> Vec<u8> {
     let v = [[0.5_f32, 0.0, 0.0], [2.0, 0.25, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.0]];
     let mut bytes = vec![b' '; 80];
@@ -75,11 +75,11 @@ fn link(name: &str, mass: &str, center: &str, inertia: &str, geometry: &str) -> 
     )
 }
 
-/// A link whose mesh is found in packages/, of which its numbers are, and another whose mesh is nowhere.
-/// One of the two notes is allowed.
+/// Model with a link that matches its mesh in packages/, and a link whose mesh does not exist.
+/// Configuration that allows one of the two notes.
 const ALLOWED: &str = "[[check.allow]]\nrule = \"geometry.unreadable\"\nfile = \"model.urdf\"\nlink = \"lost\"\nreason = \"lost\"\n";
 
-/// The other one is known.
+/// Baseline with the other note.
 const KNOWN: &str = r#"{ "polhode_baseline": 1, "findings": [
     { "file": "model.urdf", "rule": "geometry.unreadable", "link": "found", "id": "461d305787371008" }
 ] }"#;
@@ -90,7 +90,7 @@ fn noted() -> String {
     let other = "ixx=\"0.015\" ixy=\"0.001\" ixz=\"0\" iyy=\"0.02028\" iyz=\"0\" izz=\"0.02928\"";
     let mesh = |name| format!("<mesh filename=\"package://{name}/shape.stl\"/>");
     let joint = "<joint name=\"j\" type=\"fixed\"><parent link=\"found\"/><child link=\"lost\"/></joint>\n";
-    // between two joints a link without mass, which MuJoCo refuses
+    // A massless link between two joints, which MuJoCo refuses.
     let turn = |name: &str, parent: &str, child: &str| {
         format!(
             "<joint name=\"{name}\" type=\"continuous\"><parent link=\"{parent}\"/><child link=\"{child}\"/><axis xyz=\"0 0 1\"/></joint>\n"
@@ -107,7 +107,7 @@ fn noted() -> String {
 
 /// Writes the files of an input.
 pub(crate) fn write(scratch: &Scratch, input: &str) {
-    // In g mm².
+    // Inertias in g mm².
     let grams = "ixx=\"15000000\" ixy=\"0\" ixz=\"0\" iyy=\"20280000\" iyz=\"0\" izz=\"29280000\"";
     let joint = "<joint name=\"k\" type=\"fixed\"><parent link=\"base\"/><child link=\"found\"/></joint>\n";
     let words: Vec<&str> = input.split(' ').collect();
@@ -173,13 +173,13 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             let log = fs::read_to_string(crate::common::example("identify/payload.csv")).unwrap();
             let rows: Vec<&str> = log.lines().take(62).collect();
             scratch.write("payload.csv", &rows.join("\n"));
-            // A tenth of the noise that it has: what is left is too large.
+            // A tenth of the actual noise, so that the residuals are too large.
             let noise = "noise = { force = \"5 mN\", torque = \"0.2 mN m\" }\n";
             let keys = "log = \"payload.csv\"\nwrench = \"on sensor\"\nbias = true\n";
             scratch.write("payload.toml", &format!("[payload]\n{keys}{noise}"));
         }
         "thrown" => {
-            // Air, and an error that is no noise.
+            // Air drag, and a systematic error.
             let log = fs::read_to_string(crate::common::example("identify/racket-like.csv")).unwrap();
             let mut text = String::from("time_s,gyro_x,gyro_y,gyro_z\n");
             for line in log.lines().skip(2).step_by(3) {
@@ -206,9 +206,9 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
             scratch.write("times.txt", "0.25\n0.5\n");
         }
     }
-    // What an earlier run has left.
+    // Results of an earlier run.
     let earlier: &[&str] = match input {
-        // Of another scenario: those of the same are replaced anyway.
+        // Results of another scenario, because those of the same one are replaced anyway.
         "ran before" | "long before" => {
             fs::copy(scratch.0.join("body.toml"), scratch.0.join("earlier.toml")).unwrap();
             &["simulate", "earlier.toml", "-o", "body"]
@@ -220,7 +220,7 @@ pub(crate) fn write(scratch: &Scratch, input: &str) {
     assert_eq!(scratch.run(earlier).status.code(), Some(0));
 }
 
-/// A `python3` that says with which arguments it was run.
+/// Adds a `python3` to the PATH that prints its arguments.
 pub(crate) fn with_python(mut command: Command, scratch: &Scratch) -> Command {
     let folder = scratch.0.join("bin");
     fs::create_dir_all(&folder).unwrap();

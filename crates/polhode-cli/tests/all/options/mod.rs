@@ -1,9 +1,10 @@
-//! Every pair of options of every subcommand is honoured or refused.
+//! Every pair of options of every subcommand is either effective or refused.
 //!
-//! The options are those of `--help`, which comes from the definitions that the command line is read by: one that is not in the
-//! tables here fails the test. Each pair is run on an input on which both have something to do, and is refused with both named,
-//! or gives another output than either alone. Where one has nothing to do beside the other a table says why. What does not go without
-//! a third is refused without it beside every other too.
+//! The options are those in `--help`, which is generated from the definitions of the command line.
+//! An option missing from the tables here fails the test. Each pair runs on an input on which both
+//! have an effect. The pair must be refused with both names, or give another output than either
+//! option alone. A table lists pairs in which one has no effect next to the other, with the reason.
+//! An option that requires a third one is refused without it next to every other option too.
 
 mod budget;
 mod identify;
@@ -17,18 +18,19 @@ use std::path::Path;
 
 use crate::common::Scratch;
 
-/// What a subcommand is given, and the options that it has.
+/// Subcommand with its inputs and options.
 pub(crate) struct Subcommand {
     name: &'static str,
-    /// Inputs by their names: the arguments, without options.
+    /// Inputs by name: arguments without options.
     inputs: &'static [(&'static str, &'static [&'static str])],
     options: &'static [Choice],
-    /// Pairs of which one has nothing to do beside the other, and why that loses nothing.
+    /// Pairs in which one option has no effect next to the other, with the reason why nothing is
+    /// lost.
     independent: &'static [(&'static str, &'static str, &'static str)],
 }
 
-/// An option with a value that matters, the inputs on which it does, and the options that it does not go without, or with a `+`
-/// those beside which it can be seen.
+/// Option with a value that has an effect, the inputs for it, and the options that it requires. A
+/// `+` marks options that only make its effect visible.
 pub(crate) struct Choice {
     option: &'static str,
     arguments: &'static [&'static str],
@@ -36,7 +38,7 @@ pub(crate) struct Choice {
     needs: &'static [&'static str],
 }
 
-/// What comes of a run: the exit status, what is printed, and the files that are there afterwards.
+/// Result of a run: exit status, output, and files left.
 #[derive(Clone, Debug, PartialEq)]
 struct Outcome {
     code: Option<i32>,
@@ -51,7 +53,8 @@ struct Runs {
 }
 
 impl Runs {
-    /// The outcome on an input with these options and what they need, and with `beside`, but without one of those.
+    /// Runs an input with these options and their requirements, with `beside`, and without one of
+    /// those.
     fn of(&mut self, input: &str, options: &[&Choice], beside: &[&'static str], without: &str) -> Outcome {
         let mut arguments = vec![self.subcommand.name];
         let (_, given) = self.subcommand.inputs.iter().find(|(name, _)| *name == input).unwrap();
@@ -87,11 +90,11 @@ impl Runs {
         self.subcommand.options.iter().find(|choice| choice.option == option).unwrap()
     }
 
-    /// Why the pair is neither honoured nor refused, if it is not.
+    /// Returns the reason why the pair is neither effective nor refused; `None` if it is fine.
     fn fault(&mut self, a: &Choice, b: &Choice) -> Option<String> {
         let (few, many) = if a.inputs.len() <= b.inputs.len() { (a, b) } else { (b, a) };
         let Some(input) = few.inputs.iter().find(|input| many.inputs.contains(input)) else {
-            // No input is for both: on that of either the other is refused.
+            // The options have no common input: on the input of either, the other must be refused.
             return [(a, b), (b, a)].into_iter().find_map(|(owner, other)| {
                 let both = self.of(owner.inputs[0], &[owner, other], &[], "");
                 let mut named =
@@ -119,10 +122,11 @@ impl Runs {
 }
 
 impl Runs {
-    /// Why an option is let pass without what it needs beside another, if it is: neither refused nor anything comes of it.
+    /// Returns the reason if an option is accepted without its requirement but has no effect;
+    /// `None` if it is fine.
     fn slip(&mut self, a: &Choice, b: &Choice) -> Option<String> {
         let needs: Vec<&str> = a.needs.iter().copied().filter(|name| !name.starts_with('+')).collect();
-        // Whatever is written can be replaced.
+        // --force applies to every output file.
         let writes = a.option == "--force"
             && ["--output", "--html", "--plot", "--write-baseline", "--write-mesh", "--scenario", "--sweep"]
                 .contains(&b.option);
@@ -149,7 +153,7 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     found
 }
 
-/// The long options in the help of a subcommand.
+/// Returns the long options in the help of a subcommand.
 pub(crate) fn options_of(subcommand: &str) -> BTreeSet<String> {
     let scratch = Scratch::new(&format!("help-{subcommand}"));
     let help = crate::common::stdout(&scratch.run(&[subcommand, "--help"]));
@@ -172,7 +176,7 @@ pub(crate) fn every_pair_is_honoured_or_refused(subcommand: &'static Subcommand)
     let mut runs = Runs { subcommand, done: BTreeMap::new() };
     let mut faults = Vec::new();
     for (k, a) in subcommand.options.iter().enumerate() {
-        // Alone it does something, on each input that is said to be its own.
+        // Each option alone has an effect on each of its inputs.
         for b in &subcommand.options[k + 1..] {
             let listed = subcommand.independent.iter().find(|(x, y, _)| {
                 [(a.option, b.option), (b.option, a.option), (a.option, "*"), (b.option, "*")]
@@ -181,14 +185,15 @@ pub(crate) fn every_pair_is_honoured_or_refused(subcommand: &'static Subcommand)
             for (a, b) in [(a, b), (b, a)] {
                 faults.extend(runs.slip(a, b).map(|slip| format!("{} {}: {slip}", a.option, b.option)));
             }
-            // What stands in the place of all others is not held against each.
+            // An option that replaces all others is not tested against each.
             if listed.is_some_and(|(_, other, _)| *other == "*") {
                 continue;
             }
             let without =
                 [(a, b), (b, a)].into_iter().find(|(other, needed)| other.needs.contains(&needed.option));
             let fault = match without {
-                // One needs the other: alone it is refused, and together they are in every pair of the former.
+                // One option requires the other: alone it must be refused; together they are in
+                // every pair of the former.
                 Some((other, _)) => {
                     let alone = Choice { needs: &[], ..*other };
                     let outcome = runs.of(other.inputs[0], &[&alone], &[], "");
@@ -216,8 +221,8 @@ fn every_subcommand_is_looked_at() {
         help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
     let commands = commands.filter(|line| line.starts_with("  ") && !line.starts_with("   "));
     let names: BTreeSet<&str> = commands.map(|line| line.split_whitespace().next().unwrap()).collect();
-    // These have one option at the most, or none; live, which does not end, and judge, which finds what its options say, have tests of
-    // their own.
+    // These have at most one option. `live`, which does not end, and `judge`, which detects what
+    // its options state, have tests of their own.
     let without = ["new", "stability", "schema", "completions", "man", "help", "live", "judge"];
     let tables = ["inertia", "check", "simulate", "spin", "torque", "sweep", "explain", "identify", "budget"];
     assert_eq!(names, without.into_iter().chain(tables).collect());

@@ -1,4 +1,4 @@
-//! The pairs of the subcommands that compute motions.
+//! Option pairs of the subcommands that compute motions.
 
 use crate::options::{Choice, Subcommand, every_pair_is_honoured_or_refused};
 
@@ -11,7 +11,7 @@ const fn choice(
     Choice { option, arguments, inputs, needs }
 }
 
-/// Those of many samples have a cheap estimate of their error.
+/// Inputs for runs; `long` ones have many samples and a cheap error estimate.
 const RUNS: &[&str] = &["fresh", "ran before", "long", "long before"];
 const OLD_FOLDER: &str = "a folder that is not there is written with and without it";
 
@@ -42,7 +42,8 @@ static SIMULATE: Subcommand = Subcommand {
     ],
 };
 
-/// A scenario; ω without moments; moments without ω; moments of no body; the same without ω; a scenario with old results.
+/// Inputs: a scenario; ω without moments; moments without ω; unphysical moments; the same without
+/// ω; a scenario with old results.
 const SPINS: &[&str] = &["fresh", "spun before", "rate", "unphysical", "bare", "unphysical bare", "moments"];
 
 static SPIN: Subcommand = Subcommand {

@@ -251,7 +251,8 @@ fn the_books_pictures_of_budgets_are_those_of_the_example() {
     );
 }
 
-/// The report states only if a limit is met with the ballast, for limits that it was not sought for.
+/// The report states only if a limit is met with the ballast, for limits that it was not sought
+/// for.
 #[test]
 fn ballast_says_what_it_was_not_sought_for() {
     let scratch = Scratch::new("budget-ballast-left-out");

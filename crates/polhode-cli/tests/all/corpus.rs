@@ -56,7 +56,8 @@ fn corpora_and_programs_have_the_names_of_targets() {
 /// Fuzzes targets for a given time, and prints a line for each target.
 ///
 /// `POLHODE_FUZZ="identify live" POLHODE_FUZZ_SECONDS=60 cargo test -p polhode-cli --test all
-/// mutations -- --ignored --nocapture` runs two targets for 60 s each. `POLHODE_FUZZ_SEED` is the seed.
+/// mutations -- --ignored --nocapture` runs two targets for 60 s each. The seed is in
+/// `POLHODE_FUZZ_SEED`.
 #[test]
 #[ignore = "random search for as long as POLHODE_FUZZ_SECONDS says; the gate runs the stored inputs"]
 fn mutations_of_the_stored_inputs_hold() {

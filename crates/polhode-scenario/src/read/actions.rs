@@ -1,4 +1,4 @@
-//! What acts on bodies that are given elsewhere: the tables of a scenario without its body, its start and its run.
+//! Actions on bodies that are defined elsewhere: a scenario without its body, start and run.
 
 use std::path::{Path, PathBuf};
 
@@ -16,9 +16,10 @@ use super::pointing::References;
 use super::torque::Torques;
 use super::{document, event, orbit, torque, wheel};
 
-/// The torques on a body, the wheels in it and the events to detect, without the body: `[orbit]`, `[[torque]]`, `[[wheel]]` and `[[event]]`.
+/// Torques on a body, wheels in it and events to detect, without the body: `[orbit]`, `[[torque]]`,
+/// `[[wheel]]` and `[[event]]`.
 ///
-/// They are read once, for as many bodies as there are.
+/// They are read once, for any number of bodies.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -43,18 +44,19 @@ pub struct Actions {
     path: PathBuf,
     text: String,
     entries: Entries,
-    /// Of a body that stands for all.
+    /// Scenario with a placeholder body.
     scenario: Scenario,
     pivot: Option<Position<Body>>,
     has_wheels: bool,
 }
 
 impl Actions {
-    /// Reads them from a text; `path` is for messages, and for the files that they name. Whether something else than gravity `is_held` at a pivot that is
-    /// given elsewhere, which gravity does not say again then.
+    /// Reads the actions from a text; `path` is used in messages and for the files that they name.
+    /// `is_held` is true if the body has a pivot that is given elsewhere, which gravity then need
+    /// not repeat.
     ///
     /// # Errors
-    /// [`FormatError`] as [`read`](super::read), and where there are other tables.
+    /// [`FormatError`] as [`read`](super::read), and for other tables.
     pub fn parse(files: &dyn Files, text: String, path: &Path, is_held: bool) -> Result<Self, FormatError> {
         let source = Source::new(files, path, &text);
         let entries = document(source)?;
@@ -84,25 +86,26 @@ impl Actions {
         Ok(Self { path, entries, scenario, pivot, has_wheels, text })
     }
 
-    /// Its torques, which of them are switched off, its events and its orbit, on a body that stands for all others, without the wheels.
+    /// Returns a scenario of a placeholder body without wheels, with the torques, their
+    /// switched-off ones, the events and the orbit.
     pub const fn scenario(&self) -> &Scenario {
         &self.scenario
     }
 
-    /// What was noticed of them.
+    /// Returns the findings on the actions.
     pub fn findings(&self) -> &[Finding] {
         self.scenario.findings()
     }
 
-    /// The point of the body that gravity says is held.
+    /// Returns the pivot given by gravity.
     pub const fn pivot(&self) -> Option<Position<Body>> {
         self.pivot
     }
 
-    /// A body with the wheels in it, which starts at ω.
+    /// Returns the body with the wheels in it, for an initial angular velocity.
     ///
     /// # Errors
-    /// [`FormatError`] where a wheel does not fit the body.
+    /// [`FormatError`] if a wheel does not fit the body.
     pub fn with_wheels(&self, rotor: Rotor, omega: AngularVelocity<Body>) -> Result<Rotor, FormatError> {
         if !self.has_wheels {
             return Ok(rotor);
@@ -113,7 +116,7 @@ impl Actions {
     }
 }
 
-/// The torques, and where they say that the body is held, unless something else does.
+/// Reads the torques and the pivot that gravity gives, unless a pivot is given elsewhere.
 fn torques(
     root: &Table<'_>,
     orbit: Option<&polhode::motion::Orbit>,
@@ -144,12 +147,12 @@ fn torques(
             return Err(model.invalid(rule).with_hint("a body on an orbit is free: leave out the pivot"));
         }
     }
-    // Whichever point it is, gravity acts about it.
+    // The pivot is arbitrary, because gravity acts about whatever point is held.
     let mut pivot = Some(Pivot { point: Position::ZERO, value: list });
     Ok((torque::torques(root, &[part], orbit, None, &mut pivot)?, None))
 }
 
-/// A body that stands for all others.
+/// Returns a placeholder body.
 fn stand_in() -> Result<MassProperties<Body>, polhode::body::BodyError> {
     MassProperties::new(1.0, Position::ZERO, InertiaTensor::diagonal([1.0; 3])?)
 }
@@ -191,7 +194,7 @@ value = 2
 then = { switch = "brake", on = true }
 "#;
 
-    /// What is read without a body is what a scenario with that body has.
+    /// Actions read without a body equal those of a scenario with that body.
     #[test]
     fn actions_are_those_of_a_scenario() {
         let whole = format!(

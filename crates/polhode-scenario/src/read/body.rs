@@ -1,4 +1,4 @@
-//! The `[body]`: its parts, and the point that is held.
+//! `[body]`: its parts and its pivot.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use polhode_source::unit::Dimension;
 
 use super::part::{assumes_metres, part};
 
-/// All parts of a body, alone and together.
+/// All parts of a body, with the mass properties of the whole.
 #[derive(Debug)]
 pub(crate) struct Assembly<'a> {
     pub parts: Vec<BodyPart>,
@@ -20,7 +20,7 @@ pub(crate) struct Assembly<'a> {
     pub pivot: Option<Pivot<'a>>,
 }
 
-/// The point of the body that is held fixed, and the value that says so.
+/// Fixed point of the body, with the value that gives it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pivot<'a> {
     pub point: Position<Body>,
@@ -71,7 +71,8 @@ pub(crate) fn body<'a>(root: &Table<'a>, findings: &mut Vec<Finding>) -> Result<
     Ok(Assembly { parts, body, pivot })
 }
 
-/// Asks for the unit of part `k`, a mesh of which nobody says it, where metres make no sense beside the other parts or alone.
+/// Returns a finding if part `k` is a mesh without a unit, and metres are implausible for its size
+/// or next to the other parts.
 fn absurd_metres(parts: &[BodyPart], k: usize, mass_given: bool) -> Option<Finding> {
     let part = parts.get(k)?;
     let others = parts.iter().enumerate().filter(|(other, _)| *other != k);
@@ -86,10 +87,11 @@ fn absurd_metres(parts: &[BodyPart], k: usize, mass_given: bool) -> Option<Findi
     assumed.finding(Some(format!("part \"{}\"", part.name)))
 }
 
-/// A part of the body without its shape for display, which no motion depends on, and what was noticed of it.
+/// Part of the body without its display shape, which does not affect the motion, with the findings
+/// on it.
 pub(crate) type KnownPart = (BodyPart, Vec<Finding>);
 
-/// Part `k`, from 0: as it was read, if it was.
+/// Returns part `k`, from 0, from the cache if it has been read before.
 fn known_part(
     value: &Value<'_>,
     table: Table<'_>,
@@ -109,7 +111,7 @@ fn known_part(
     Ok(part)
 }
 
-/// A part of which nothing is known but its mass properties.
+/// Creates a part with known mass properties only.
 fn of_properties(name: String, properties: MassProperties<Body>) -> BodyPart {
     BodyPart {
         name,
@@ -122,7 +124,8 @@ fn of_properties(name: String, properties: MassProperties<Body>) -> BodyPart {
     }
 }
 
-/// A body without inertia about some axis moves, but not every start and torque make sense.
+/// Returns a finding for a body without inertia about some axis: it moves, but not all starts and
+/// torques are valid.
 pub(crate) fn thinness(principal: &PrincipalFrame<Body>) -> Option<Finding> {
     let (code, message) = match principal.symmetry() {
         Symmetry::Point => ("body.point", "all the mass is at one point: the body has no inertia of its own"),

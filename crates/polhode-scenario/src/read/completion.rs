@@ -1,7 +1,7 @@
-//! What may stand at a place of a scenario's text.
+//! Completion at a position in the text of a scenario.
 //!
-//! The reader itself is asked: the line that is being written is taken out, or gets a value that no key has, and what the reader asks for there
-//! is what may stand there.
+//! Completions come from the reader itself. The line at the cursor is removed, or gets a
+//! placeholder value. The requests of the reader at that place are the possible contents.
 
 use std::ops::Range;
 
@@ -10,31 +10,33 @@ use polhode_source::unit;
 
 use super::TOP;
 
-/// What may stand at a place of a text.
+/// Completions at a position in a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Completion {
-    /// What the chosen one replaces, bytes of the text.
+    /// Bytes of the text that the chosen completion replaces.
     pub place: Range<usize>,
-    /// What there is to choose from.
+    /// Possible completions.
     pub suggested: Vec<Suggested>,
 }
 
-/// One that may be chosen.
+/// One possible completion.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Suggested {
-    /// As it is written.
+    /// Text to insert.
     pub text: String,
-    /// What it is.
+    /// Description of the completion.
     pub detail: String,
 }
 
-/// Tables that a file may have several of.
+/// Tables that may occur several times.
 const SEVERAL: [&str; 4] = ["torque", "wheel", "event", "pointing"];
 
-/// No name, and a number that is asked for its dimension before it is refused.
+/// Placeholder: not a valid name, but a number, for which the reader requests a dimension before it
+/// refuses it.
 const NOTHING: &str = "0";
 
-/// What may stand at byte `at` of a text; `ask` gives what the reader asks a text for, or nothing if it is no TOML.
+/// Returns the completions at byte `at` of a text. `ask` returns the reader's requests for a text,
+/// or `None` if it is not TOML.
 pub(crate) fn complete(
     text: &str,
     at: usize,
@@ -53,7 +55,7 @@ pub(crate) fn complete(
         None => line.keys(&ask(&line.with(""))?),
         Some((key, value)) => {
             let open = |bracket: char, closing: char| value.rfind(bracket) > value.rfind(closing);
-            // What is asked of this line, with that in the place of the value.
+            // Returns the requests for this line with another value.
             let asked = |instead: &str| {
                 let other = format!("{key}= {instead}");
                 let here = start..start + other.len();
@@ -73,7 +75,7 @@ pub(crate) fn complete(
     }
 }
 
-/// The line that is being written.
+/// Line at the cursor.
 struct Line<'a> {
     text: &'a str,
     start: usize,
@@ -82,7 +84,7 @@ struct Line<'a> {
 }
 
 impl Line<'_> {
-    /// The text with another line in its place.
+    /// Returns the text with this line replaced.
     fn with(&self, line: &str) -> String {
         format!("{}{line}{}", &self.text[..self.start], &self.text[self.end..])
     }
@@ -100,7 +102,8 @@ impl Line<'_> {
         Completion { place: self.start + indent..self.end, suggested }
     }
 
-    /// The keys of the table whose header stands last before the line, without those that it has.
+    /// Completes keys of the last table whose header is before the line, without the keys that it
+    /// has already.
     fn keys(&self, asked: &[Question]) -> Option<Completion> {
         let is_header = |span: &Range<usize>| {
             span.end <= self.start && (span.is_empty() || self.text[span.start..].starts_with('['))
@@ -109,11 +112,11 @@ impl Line<'_> {
             What::Keys(name, keys) if is_header(&question.span) => Some((&question.span, name, keys)),
             _ => None,
         });
-        // Of a table that was asked twice, the later question knows more.
+        // For a table requested twice, the later request has more information.
         let (table, name, keys) = tables.max_by_key(|(table, ..)| table.end)?;
         let is_top = table.is_empty();
         let is_header = |line: &str| line.trim_start().starts_with('[');
-        // Behind the header of a table that the reader has not come to.
+        // The line follows the header of a table that the reader has not reached.
         if self.text[table.end..self.start].lines().skip(usize::from(!is_top)).any(is_header) {
             return None;
         }
@@ -127,9 +130,9 @@ impl Line<'_> {
         Some(Completion { place: self.word()..self.at, suggested: suggested.collect() })
     }
 
-    /// The keys of the table in braces that the line ends in.
+    /// Completes keys of the inline table at the end of the line.
     fn inner_keys(&self, asked: &[Question], value: &str) -> Option<Completion> {
-        // After an equals sign a value stands.
+        // A value follows an equals sign.
         if value.rsplit(['{', ',']).next().is_some_and(|last| last.contains('=')) {
             return None;
         }
@@ -141,7 +144,7 @@ impl Line<'_> {
         Some(Completion { place: self.word()..self.at, suggested: suggested.collect() })
     }
 
-    /// Names or units in the place of the value from byte `from` of what stands after the equals sign.
+    /// Completes names or units in the value that starts at byte `from` after the equals sign.
     fn values(&self, asked: &[Question], from: usize) -> Option<Completion> {
         let equals = self.start + self.text[self.start..self.at].find('=')? + 1;
         let written = &self.text[equals + from..self.at];
@@ -178,7 +181,7 @@ impl Line<'_> {
         Some(Completion { place, suggested })
     }
 
-    /// Where the word begins that ends at the place.
+    /// Returns the start of the word that ends at the cursor.
     fn word(&self) -> usize {
         let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_';
         self.text[self.start..self.at].rfind(|c| !is_part(c)).map_or(self.start, |k| self.start + k + 1)
@@ -191,7 +194,7 @@ mod tests {
 
     use super::super::Draft;
 
-    /// What is suggested where a bar stands in the text.
+    /// Returns the completions at the position of the bar in the text.
     fn at(text: &str) -> Vec<String> {
         let at = text.find('|').unwrap();
         let found = Draft::new("a.toml".as_ref(), []).complete(&text.replace('|', ""), at);
@@ -212,7 +215,7 @@ mod tests {
         let keys = at(&format!("{BALL}[run]\ndu|"));
         assert!(keys.contains(&"duration".to_owned()) && keys.contains(&"samples".to_owned()), "{keys:?}");
         assert!(at(&format!("{BALL}[start]\nspin = {{ b|")).contains(&"body".to_owned()));
-        // What stands behind a wrong table is not known.
+        // Contents after an invalid table are unknown.
         assert_eq!(at("[[body.part]]\nshape = \"sphere\"\nradius = 3\n[run]\ndu|"), [""; 0]);
         let top = at("t|\n[[body.part]]\nshape = \"box\"\n");
         assert!(top.contains(&"title".to_owned()), "{top:?}");
@@ -242,7 +245,7 @@ mod tests {
             assert!(headers.contains(&header.to_owned()), "{headers:?}");
         }
         assert_eq!(at("# a comment = |"), [""; 0]);
-        // What is asked of other lines is no answer.
+        // Requests for other lines are ignored.
         assert_eq!(at(&format!("title = |\n{BALL}[run]\nduration = \"1 s\"\nsamples = 2\n")), [""; 0]);
         assert_eq!(at(&format!("title = {{ |\n{BALL}[start]\nspin = {{ body = [1, 2, 3] }}\n")), [""; 0]);
     }

@@ -1,4 +1,4 @@
-//! A scenario whose text is being changed.
+//! Scenario whose text is being edited.
 
 use std::any::Any;
 use std::collections::BTreeSet;
@@ -18,9 +18,10 @@ use super::known_mesh::KnownMesh;
 use super::number::{self, WrittenNumber};
 use super::{ScenarioFile, TOP, document, file_of_root};
 
-/// A scenario whose text is being changed, and is read after each change.
+/// Scenario whose text is being edited, and read after each change.
 ///
-/// The files that it names are read once, and no others than those that it was opened with: a text may come from where nobody is trusted.
+/// Each named file is read once. Only files that were opened with the scenario are read, because
+/// the text may come from an untrusted source.
 ///
 /// ```
 /// use polhode_scenario::read::Draft;
@@ -46,18 +47,20 @@ pub struct Draft {
 }
 
 impl Draft {
-    /// A draft that may name `files`; `path` is for messages, and its folder is where the scenario's file names begin.
+    /// Creates a draft that may name `files`; `path` is used in messages, and its folder is the
+    /// base of file names in the text.
     pub fn new(path: &Path, files: impl IntoIterator<Item = PathBuf>) -> Self {
         Self { path: path.to_owned(), files: files.into_iter().collect(), last: Entries::new(), mesh: None }
     }
 
-    /// A draft that may name the files that `text` names: that of a file which its user opened.
+    /// Creates a draft that may name all files named in `text`, the text of a file opened by the
+    /// user.
     pub fn trusting(path: &Path, text: &str) -> Self {
         let source = Source::new(&Disk, path, text);
         let mut files = Vec::new();
         for entry in tree::parse(text).iter().flat_map(Entries::values) {
             entry.node.each_leaf(&mut |leaf| {
-                // What is no name of a file is none of a file that is there either.
+                // Texts that are not file names do not match existing files.
                 if let Kind::Text(name) = &leaf.kind {
                     files.push(source.beside(name));
                 }
@@ -66,40 +69,42 @@ impl Draft {
         Self::new(path, files)
     }
 
-    /// The path that messages have.
+    /// Returns the path used in messages.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// The files that it may name; not all of them need to be there.
+    /// Returns the files that the text may name; they need not exist.
     pub fn files(&self) -> impl Iterator<Item = &Path> {
         self.files.iter().map(PathBuf::as_path)
     }
 
-    /// Forgets what it has read: files are read anew.
+    /// Clears the cache, so that files are read again.
     pub fn forget(&mut self) {
         (self.last, self.mesh) = (Entries::new(), None);
     }
 
-    /// Knows what is in the file of a mesh, if it is read in this unit: the next text that names it does not read it.
+    /// Caches the contents of a mesh file for a unit of length; the next text that names it does
+    /// not read the file.
     #[must_use]
     pub fn knowing(self, path: PathBuf, unit: Option<f64>, solid: MeshSolid) -> Self {
         Self { mesh: Some(Box::new(KnownMesh { path, unit, solid })), ..self }
     }
 
-    /// Reads a text of the scenario.
+    /// Reads a new text of the scenario.
     ///
     /// # Errors
-    /// As [`scenario::read`](super::read), and of a file that the draft may not name.
+    /// Same as [`scenario::read`](super::read), and an error for a file that the draft may not
+    /// name.
     pub fn read(&mut self, files: &dyn Files, text: String) -> Result<ScenarioFile, FormatError> {
         self.read_watched(files, text, &|| true)
     }
 
-    /// The same as long as it `goes_on`, which is asked often where a mesh is looked at: of what would take longer it is undecided whether
-    /// it bounds a solid.
+    /// Same as [`Draft::read`], with a cancellation check that is called often while a mesh is
+    /// examined. After cancellation it remains undecided if the mesh bounds a solid.
     ///
     /// # Errors
-    /// As [`Draft::read`].
+    /// Same as [`Draft::read`].
     pub fn read_watched(
         &mut self,
         files: &dyn Files,
@@ -119,12 +124,13 @@ impl Draft {
         Ok(ScenarioFile { scenario, tables, torques, path: self.path.clone(), text })
     }
 
-    /// The numbers of the text that was read last, as far as they were read; none if it was no TOML.
+    /// Returns the numbers of the last text, as far as they were read; none if it was not TOML.
     pub fn numbers(&self) -> Vec<WrittenNumber> {
         number::numbers(&self.last)
     }
 
-    /// Differs between texts whose bodies may look otherwise: of all that the last one says but how the body starts and how long it moves.
+    /// Returns a hash of all data that affect how the body looks; the start, the run and similar
+    /// tables are excluded.
     pub fn body_fingerprint(&self) -> u64 {
         const APART: [&str; 8] = ["title", "start", "run", "orbit", "event", "pointing", "wheel", "sweep"];
         let mut hasher = DefaultHasher::new();
@@ -135,12 +141,13 @@ impl Draft {
         hasher.finish()
     }
 
-    /// What may stand at a place of a text, in bytes: keys, names and units that the reader asks for there.
+    /// Returns the completions at a byte of a text: keys, names and units that the reader accepts
+    /// there.
     pub fn complete(&self, text: &str, at: usize) -> Option<Completion> {
         completion::complete(text, at, |text| self.asked(text))
     }
 
-    /// What the reader asks a text for; nothing if it is no TOML.
+    /// Returns the reader's requests for a text; `None` if it is not TOML.
     fn asked(&self, text: &str) -> Option<Vec<Question>> {
         let asked = Asked::default();
         let nothing = Memory::default();
@@ -148,7 +155,7 @@ impl Draft {
         let source = Source { asked: Some(&asked), headings: &TOP, ..new };
         let mut entries = tree::parse(text).ok()?;
         tree::adopt(&mut entries, &self.last);
-        // Where it ends is beyond what was asked for.
+        // An error after the requested place does not matter.
         let _ = file_of_root(source, &entries);
         Some(asked.all())
     }

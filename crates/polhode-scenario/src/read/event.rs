@@ -1,4 +1,4 @@
-//! The `[[event]]`s: what to look out for on the way.
+//! `[[event]]`: events to detect during the motion.
 
 use std::f64::consts::PI;
 
@@ -13,7 +13,7 @@ use polhode_source::{FormatError, FormatErrorKind};
 use super::pointing::{NAMED, References, direction};
 use super::torque::Torques;
 
-/// What can be measured, as a file names it.
+/// Names of measures in a file.
 const MEASURES: [&str; 16] = [
     "time",
     "omega_body_x",
@@ -33,7 +33,7 @@ const MEASURES: [&str; 16] = [
     "formula",
 ];
 
-/// Reads all events; the torques that they switch are found by their names.
+/// Reads all events; torques to switch are identified by name.
 pub(crate) fn events(
     root: &Table<'_>,
     torques: &Torques,
@@ -47,7 +47,7 @@ pub(crate) fn events(
     events_of(root, torques, references)
 }
 
-/// The same for bodies whose run is given elsewhere.
+/// Reads all events of bodies whose run is defined elsewhere.
 pub(crate) fn events_of(
     root: &Table<'_>,
     torques: &Torques,
@@ -57,7 +57,7 @@ pub(crate) fn events_of(
     list.tables("event")?.iter().enumerate().map(|(k, table)| event(k, table, torques, references)).collect()
 }
 
-/// `name`, `measure`, `value`, `direction`, `then`
+/// Reads `name`, `measure`, `value`, `direction`, `then`.
 fn event(
     index: usize,
     table: &Table<'_>,
@@ -83,7 +83,7 @@ fn event(
     let given_value = table.require("value", "value = \"3 rad/s\"")?;
     let value = match measure {
         Measure::KineticEnergy | Measure::TotalEnergy => energy(&given_value)?,
-        // A plain number may be an angle, as that of acos is.
+        // A dimensionless value may be an angle, such as that of acos.
         Measure::Formula(_) if dimension == Dimension::NONE => given_value
             .quantity(dimension)
             .or_else(|error| given_value.quantity(Dimension::ANGLE).map_err(|_| error))?,
@@ -112,7 +112,7 @@ fn event(
     Event::new(name, measure, value, sense, action).map_err(|error| given_value.motion(error))
 }
 
-/// A quantity that has the dimension of a torque, and is none.
+/// Reads an energy, which has the dimension of a torque.
 fn energy(value: &Value<'_>) -> Result<f64, FormatError> {
     value.quantity(Dimension::TORQUE).map_err(|error| match error.kind() {
         FormatErrorKind::Unit(UnitError::WrongDimension { .. }) => {
@@ -122,7 +122,7 @@ fn energy(value: &Value<'_>) -> Result<f64, FormatError> {
     })
 }
 
-/// A measure that needs no more than its name.
+/// Returns a measure that needs only its name, with its dimension.
 fn plain(name: &str) -> (Measure, Dimension) {
     let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let body = |n| (Measure::OmegaBody(Direction::from_array(n)), Dimension::ANGULAR_VELOCITY);
@@ -136,7 +136,7 @@ fn plain(name: &str) -> (Measure, Dimension) {
         "omega_space_z" => space(z),
         "omega" => (Measure::Rate, Dimension::ANGULAR_VELOCITY),
         "momentum" => (Measure::Momentum, Dimension::ANGULAR_MOMENTUM),
-        // Energy and torque are the same in SI.
+        // Energy and torque have the same dimension in SI.
         "kinetic_energy" => (Measure::KineticEnergy, Dimension::TORQUE),
         "total_energy" => (Measure::TotalEnergy, Dimension::TORQUE),
         "nutation" => (Measure::Nutation, Dimension::ANGLE),
@@ -146,8 +146,8 @@ fn plain(name: &str) -> (Measure, Dimension) {
     }
 }
 
-/// `between = [what, { body = [3] }]`: what is `"omega"`, `"momentum"`, a direction that has a name, or `{ space = [3] }`; either may
-/// stand first.
+/// Reads `between = [what, { body = [3] }]`. The first element is `"omega"`, `"momentum"`, a named
+/// direction, or `{ space = [3] }`; the order is arbitrary.
 fn angle(table: &Table<'_>, references: &References<'_>) -> Result<Measure, FormatError> {
     let example = "between = [{ body = [0, 0, 1] }, { space = [0, 0, 1] }]";
     let value = table.require("between", example)?;
@@ -168,7 +168,7 @@ fn angle(table: &Table<'_>, references: &References<'_>) -> Result<Measure, Form
     })
 }
 
-/// `formula = "…"` of the state, and what its value measures.
+/// Reads `formula = "…"`, a formula of the state; returns it with the dimension of its value.
 fn formula(table: &Table<'_>) -> Result<(Measure, Dimension), FormatError> {
     let value = table.require("formula", "formula = \"hypot(wx, wy)\"")?;
     let (formula, dimension) = formula_of_state(value.string()?, None).map_err(|error| {
@@ -181,7 +181,7 @@ fn formula(table: &Table<'_>) -> Result<(Measure, Dimension), FormatError> {
     Ok((Measure::Formula(formula), dimension))
 }
 
-/// What an angle is measured from.
+/// One side of an angle.
 enum Line {
     Body(Direction<polhode::math::Body>),
     Space(Reference),
@@ -212,7 +212,7 @@ impl Line {
     }
 }
 
-/// `"record"`, `"stop"` or `{ switch = "a torque", on = false }`
+/// Reads `"record"`, `"stop"` or `{ switch = "a torque", on = false }`.
 fn action(value: &Value<'_>, torques: &Torques) -> Result<EventAction, FormatError> {
     if value.string().is_ok() {
         return Ok(match value.choice(&["record", "stop"])? {

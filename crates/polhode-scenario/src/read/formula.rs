@@ -1,4 +1,4 @@
-//! A density that is a formula of the place: `density = "2700*(1 + 0.1*x)"`.
+//! Density as a formula of position: `density = "2700*(1 + 0.1*x)"`.
 
 use polhode::body::density::{Cubature, FieldError, mass_properties_of_field};
 use polhode::body::shape::Extent;
@@ -12,21 +12,21 @@ use polhode_source::unit::Dimension;
 
 use super::shape::Geometry;
 
-/// The variables: m, along the part's own axes.
+/// Variables: coordinates along the axes of the part, m.
 const VARIABLES: [&str; 3] = ["x", "y", "z"];
 
 const UNREACHED: &str = "give a larger density_tolerance, or make two parts where the density jumps";
 
-/// ρ(x, y, z), kg/m³, and how well it is to be integrated.
+/// Density ρ(x, y, z), kg/m³, with its integration tolerance.
 pub(crate) struct Formula {
     expression: Expression,
     cubature: Cubature,
 }
 
-/// The text of a density that is a formula, or is meant to be one.
+/// Returns the text of a density that is, or is meant as, a formula.
 ///
-/// What can be read as a quantity is one. Of what can be read as neither, a formula is what has a variable as a word of its
-/// own, a sum, or does not begin with a number: no unit has any of these.
+/// A text that can be read as a quantity is a quantity. Otherwise it is a formula if it contains a
+/// variable or a sum, or does not begin with a number; a mistyped unit has none of these.
 pub(crate) fn text<'a>(value: &Value<'a>) -> Option<&'a str> {
     let text = value.string().ok()?;
     let error = [Dimension::DENSITY, Dimension::AREA_DENSITY, Dimension::LINE_DENSITY]
@@ -42,7 +42,7 @@ pub(crate) fn text<'a>(value: &Value<'a>) -> Option<&'a str> {
 }
 
 impl Formula {
-    /// The formula of `density`, and its `density_tolerance`, for a part of that extent.
+    /// Reads the formula in `density` and its `density_tolerance`, for a part of this extent.
     pub(crate) fn read(
         table: &Table<'_>,
         value: &Value<'_>,
@@ -71,7 +71,8 @@ impl Formula {
         Ok(Self { expression, cubature })
     }
 
-    /// The mass properties of a solid of this density; how far they may be off goes to `findings`.
+    /// Returns the mass properties of a solid of this density; the error estimate is added to
+    /// `findings`.
     pub(crate) fn integrate(
         &self,
         form: &Geometry,

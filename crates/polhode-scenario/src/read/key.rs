@@ -1,24 +1,24 @@
-//! Keys of what varies: `body.part[0].size[2]`, `torque["wind"].from`, `start.spin.body`.
+//! Keys of varied values: `body.part[0].size[2]`, `torque["wind"].from`, `start.spin.body`.
 
 use polhode_source::nearest;
 use polhode_source::toml::tree::{Entries, Kind, Node, Step, Way};
 
-/// The value that a key leads to.
+/// Value identified by a key.
 pub(crate) struct Spot<'a> {
     pub node: &'a Node,
-    /// The way to it.
+    /// Path to the value.
     pub way: Way,
-    /// The words of the key, as a column is named.
+    /// Words of the key, for the name of a column.
     pub words: Vec<String>,
-    /// The part of the body, from 0, to which it belongs.
+    /// Part of the body, from 0, to which the value belongs.
     pub part: Option<usize>,
 }
 
-/// Why there is nothing at a key: the rule that it breaks, and a hint.
+/// Error for a key without a value: the rule that it breaks, and a hint.
 pub(crate) type Nowhere = (String, Option<String>);
 
 impl<'a> Spot<'a> {
-    /// The value of a key of the file.
+    /// Finds the value of a key in the file.
     pub(crate) fn at(entries: &'a Entries, key: &str) -> Result<Self, Nowhere> {
         let mut rest = key;
         let mut spot: Option<Self> = None;
@@ -57,7 +57,7 @@ impl<'a> Spot<'a> {
     }
 }
 
-/// Why there is no `word` in the table that the key before it leads to, if it is one.
+/// Returns the error for a missing `word` in the table identified by the key before it.
 fn no_key(table: Option<&Entries>, done: &str, word: &str, after: &str) -> Nowhere {
     let (here, dot) = if done.is_empty() { ("the scenario", "") } else { (done, ".") };
     let keys: Vec<&str> =
@@ -70,7 +70,7 @@ fn no_key(table: Option<&Entries>, done: &str, word: &str, after: &str) -> Nowhe
     (format!("a key of the scenario, but {here} has no \"{word}\""), hint)
 }
 
-/// The element of an array by its index, from 0, or by its `name`.
+/// Returns an element of an array by its index, from 0, or by its `name`.
 fn element<'a>(from: Spot<'a>, done: &str, index: &str, after: &str) -> Result<Spot<'a>, Nowhere> {
     let Kind::List(elements) = &from.node.kind else {
         return Err((format!("a key of the scenario, but {done} is not an array"), None));
@@ -111,7 +111,7 @@ fn element<'a>(from: Spot<'a>, done: &str, index: &str, after: &str) -> Result<S
     };
     match (&node.kind, axis) {
         (Kind::Table(_), _) | (_, None) => words.push(quoted.map_or_else(|| k.to_string(), str::to_owned)),
-        // The element xy of a matrix.
+        // Element xy of a matrix.
         (_, Some(axis)) if words.last().is_some_and(|last| ["x", "y", "z"].contains(&last.as_str())) => {
             words.last_mut().into_iter().for_each(|last| last.push_str(axis));
         }
@@ -120,7 +120,7 @@ fn element<'a>(from: Spot<'a>, done: &str, index: &str, after: &str) -> Result<S
     Ok(Spot { node, way, words, part: if is_part { Some(k) } else { part } })
 }
 
-/// The key of the element beyond the diagonal of a tensor, which is the same number.
+/// Returns the key of the transposed off-diagonal element of a tensor, which is the same number.
 pub(crate) fn mirrored(key: &str) -> Option<String> {
     let (rest, j) = key.strip_suffix(']')?.rsplit_once('[')?;
     let (matrix, i) = rest.strip_suffix(']')?.rsplit_once('[')?;

@@ -1,10 +1,10 @@
-//! A mesh that a text may name, and whose file is not read for it.
+//! Cached mesh, whose file is not read again.
 
 use std::path::PathBuf;
 
 use polhode_shape::mesh::MeshSolid;
 
-/// A mesh that was read from its file, in a unit that was given.
+/// Mesh read from a file with a given unit of length.
 #[derive(Clone, Debug)]
 pub(crate) struct KnownMesh {
     pub path: PathBuf,

@@ -1,6 +1,7 @@
-//! The `[mass_history]`: how the body's mass properties change with time.
+//! `[mass_history]`: changes of the body's mass properties with time.
 //!
-//! Parts that burn away or are dropped, by their names, or a table of the whole body; and where mass leaves.
+//! It names parts that burn or are dropped, or a table of the whole body, and the exits of the
+//! mass.
 
 use polhode::body::{BodyPart, Finding, InertiaTensor, MassProperties, Severity};
 use polhode::math::{Body, Direction, Position};
@@ -12,7 +13,7 @@ use polhode_source::{FormatError, FormatErrorKind};
 
 use super::mass_table;
 
-/// A history, and what happens to which part.
+/// Mass history, with the changes of each part.
 #[derive(Debug)]
 pub(crate) struct PartHistory<'a> {
     pub history: MassHistory,
@@ -20,7 +21,7 @@ pub(crate) struct PartHistory<'a> {
     happenings: Vec<Happening>,
 }
 
-/// What happens to a part, and from when on, s.
+/// Change of a part, with its start time, s.
 #[derive(Debug)]
 struct Happening {
     what: String,
@@ -28,7 +29,7 @@ struct Happening {
 }
 
 impl PartHistory<'_> {
-    /// What of it comes too late to be seen in a run that ends so, where the history as a whole does not.
+    /// Returns findings for changes after the end of the run, unless the whole history is after it.
     pub(crate) fn idle(&self, end: f64) -> Vec<Finding> {
         if !self.history.changes_between(0.0, end) {
             return Vec::new();
@@ -44,7 +45,8 @@ impl PartHistory<'_> {
     }
 }
 
-/// Reads `[mass_history]`: `[[mass_history.burn]]`, `[[mass_history.drop]]` or `table`, and `[[mass_history.exit]]` or `in_place`.
+/// Reads `[mass_history]`: `[[mass_history.burn]]`, `[[mass_history.drop]]` or `table`, and
+/// `[[mass_history.exit]]` or `in_place`.
 pub(crate) fn read<'a>(
     root: &Table<'a>,
     parts: &[BodyPart],
@@ -83,7 +85,8 @@ pub(crate) fn read<'a>(
     Ok(Some(PartHistory { history, value, happenings }))
 }
 
-/// `exit`: `position`, and of a wide one `radius` and `axis`, and of several `share`; or `in_place = true`.
+/// Reads `exit`: `position`, for a wide exit `radius` and `axis`, and for several exits `share`; or
+/// `in_place = true`.
 fn outflow(table: &Table<'_>) -> Result<Outflow, FormatError> {
     let rule = "what is left behind in place goes through no exit";
     let Some(given) = table.at_most_one(&["exit", "in_place"], rule)? else { return Ok(Outflow::None) };
@@ -93,7 +96,7 @@ fn outflow(table: &Table<'_>) -> Result<Outflow, FormatError> {
     Ok(Outflow::Exits(exits(&given, "mass_history.exit")?))
 }
 
-/// Where mass leaves, in tables with such a header.
+/// Reads the exits of the mass from tables with this header.
 pub fn exits(given: &Value<'_>, header: &str) -> Result<Vec<Exit>, FormatError> {
     let tables = given.tables(header)?;
     let alone = tables.len() == 1;
@@ -132,7 +135,8 @@ pub fn exits(given: &Value<'_>, header: &str) -> Result<Vec<Exit>, FormatError> 
     Ok(exits)
 }
 
-/// What becomes of a part: its mass, as a fraction, from one time to another, and when it is dropped.
+/// History of one part: the times of its burn, the remaining fraction of its mass, and the time of
+/// its drop.
 #[derive(Clone, Copy, Debug)]
 struct Fate {
     burn: Option<[f64; 2]>,
@@ -143,19 +147,19 @@ struct Fate {
 impl Fate {
     const KEPT: Self = Self { burn: None, left: 1.0, dropped: f64::INFINITY };
 
-    /// How much of it is there, just before a time or just after.
+    /// Returns the remaining fraction just before or just after a time.
     fn at(&self, time: f64, after: bool) -> f64 {
         if self.dropped < time || after && self.dropped == time {
             return 0.0;
         }
         let Some([from, until]) = self.burn else { return 1.0 };
         let part = ((time - from) / (until - from)).clamp(0.0, 1.0);
-        // At its ends to the last bit.
+        // At the end of the burn the fraction is exact.
         if part == 1.0 { self.left } else { 1.0 - (1.0 - self.left) * part }
     }
 }
 
-/// `burn`: `part`, `from`, `until`, `left`; `drop`: `part`, `time`.
+/// Reads `burn`: `part`, `from`, `until`, `left`; and `drop`: `part`, `time`.
 fn of_parts(table: &Table<'_>, parts: &[BodyPart]) -> Result<(Vec<MassRow>, Vec<Happening>), FormatError> {
     let mut happenings = Vec::new();
     let mut fates = vec![Fate::KEPT; parts.len()];
@@ -254,7 +258,7 @@ fn tables<'a>(
     values.into_iter().map(|value| Ok((value.table()?, value))).collect()
 }
 
-/// Which part is named so.
+/// Returns the number of the part with this name.
 fn place(value: &Value<'_>, parts: &[BodyPart]) -> Result<usize, FormatError> {
     let name = value.string()?;
     let mut found = parts.iter().enumerate().filter(|(_, part)| part.name == name).map(|(k, _)| k);

@@ -1,7 +1,9 @@
-//! The table of a `[mass_history]`: times with the mass properties of the whole body, as CSV.
+//! Table of a `[mass_history]`: times with the mass properties of the whole body, as CSV.
 //!
-//! Columns name their units: `time_s`, `mass_kg`, `center_x_m …`, `inertia_xx_kg_m2 …` about the centre of mass, and, if they are known, their rates,
-//! `mass_rate_kg_s`, `center_rate_x_m_s …`, `inertia_rate_xx_kg_m2_s …`, in any order; others are not read, but those that are called as these are, and mean nothing here, are refused. Two rows of one time are a jump.
+//! Column names include units: `time_s`, `mass_kg`, `center_x_m …`, `inertia_xx_kg_m2 …` about the
+//! centre of mass. Optional columns have the rates, `mass_rate_kg_s`, `center_rate_x_m_s …`,
+//! `inertia_rate_xx_kg_m2_s …`. The order is arbitrary. Other columns are ignored, unless their
+//! names are similar to these, which is an error. Two rows with the same time are a jump.
 
 use std::ops::Range;
 
@@ -17,10 +19,11 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 const NAMES: [&str; 11] = MassRow::COLUMNS;
 const RATES: [&str; 10] = MassRow::RATE_COLUMNS;
 
-/// How near the body at the start is to be to the `[body]`.
+/// Relative tolerance for the agreement of the body at the start with `[body]`.
 const SAME: f64 = 1e-6;
 
-/// Reads the file that `table` names; `products` says what its products are, as that of a tensor does.
+/// Reads the file named by `table`; `products` states the sign convention of the products of
+/// inertia, as for a tensor.
 pub(crate) fn rows(value: &Value<'_>, table: &Table<'_>) -> Result<Vec<MassRow>, FormatError> {
     let sign = match table.get("products") {
         Some(name) if name.choice(&["negative_integral", "positive_integral"])? == "positive_integral" => {
@@ -36,7 +39,7 @@ pub(crate) fn rows(value: &Value<'_>, table: &Table<'_>) -> Result<Vec<MassRow>,
     Ok(rows)
 }
 
-/// Are they two bodies, beyond the digits of a table?
+/// Returns true if two bodies differ by more than the precision of a table.
 pub(crate) fn differs(a: &MassProperties<Body>, b: &MassProperties<Body>) -> bool {
     let size = (b.inertia().matrix()[0][0] / b.mass()).sqrt() + b.gyration_radii()[2];
     let elements = |body: &MassProperties<Body>| body.inertia().matrix();
@@ -79,7 +82,7 @@ fn of_text(bytes: &[u8], sign: f64) -> Result<Vec<MassRow>, ContentError> {
     Ok(rows)
 }
 
-/// Where the columns are; those of rates are all there, or none is.
+/// Returns the positions of the columns; the columns of the rates must be complete or absent.
 fn places(text: &str, header: &[Range<usize>]) -> Result<Vec<usize>, ContentError> {
     let named = |field: &Range<usize>| text[field.clone()].trim_matches('"');
     let place = |name: &str| header.iter().position(|field| named(field) == name);

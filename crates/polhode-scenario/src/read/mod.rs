@@ -19,8 +19,8 @@
 //! samples = 2001                      # or every = "10 ms"
 //! ```
 //!
-//! A quantity is a string with its unit, or a number in SI. Whatever is unknown, impossible or ambiguous is an
-//! error that points at its place; nothing is ignored.
+//! A quantity is a string with its unit, or a number in SI. Anything unknown, impossible or
+//! ambiguous is an error that points to its place. Nothing is ignored.
 
 mod actions;
 mod body;
@@ -84,7 +84,7 @@ pub use sweep::{Dispersion, Distribution, Law, Question, SOBOL_DIMENSIONS, Sampl
 pub use target::{Target, TargetColumn};
 pub use template::Template;
 
-/// The keys of the file itself.
+/// Top-level keys of the file.
 pub const TOP: [&str; 16] = [
     "title",
     "body",
@@ -104,7 +104,7 @@ pub const TOP: [&str; 16] = [
     "sweep",
 ];
 
-/// A scenario and the file that states it, in which errors of its motion have their places.
+/// Scenario with its file; errors of the motion can be located in the text.
 ///
 /// ```
 /// use polhode_scenario::read::ScenarioFile;
@@ -131,37 +131,38 @@ pub const TOP: [&str; 16] = [
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct ScenarioFile {
-    /// What the file states.
+    /// Scenario defined by the file.
     pub scenario: Scenario,
-    /// The text of the file.
+    /// Text of the file.
     pub text: String,
-    /// The formats of the table that `[run]` asks for; none where it says nothing.
+    /// Table formats requested in `[run]`; empty if none are.
     pub tables: Vec<TableFormat>,
-    /// Where it is.
+    /// Path of the file.
     pub path: PathBuf,
     torques: Vec<TorquePlaces>,
 }
 
 impl ScenarioFile {
-    /// Reads a scenario file; the files that it names are found relative to it.
+    /// Reads a scenario file; paths in it are relative to it.
     ///
     /// # Errors
-    /// As [`read`].
+    /// Same as [`read`].
     pub fn read(files: &dyn Files, path: &Path) -> Result<Self, FormatError> {
         Self::parse(files, text_of(files, path)?, path)
     }
 
-    /// Reads a scenario from its text; `path` is for messages, and for the files that the scenario names.
+    /// Reads a scenario from its text; `path` is used in messages, and paths in the text are
+    /// relative to it.
     ///
     /// # Errors
-    /// As [`read`].
+    /// Same as [`read`].
     pub fn parse(files: &dyn Files, text: String, path: &Path) -> Result<Self, FormatError> {
         let source = Source { headings: &TOP, ..Source::new(files, path, &text) };
         let (scenario, tables, torques) = file_of_root(source, &document(source)?)?;
         Ok(Self { scenario, tables, torques, path: path.to_owned(), text })
     }
 
-    /// Returns the report of the body at the start.
+    /// Returns the report on the body at the start.
     pub fn inertia(&self) -> InertiaReport {
         let title = self.scenario.title();
         let source = SourceInfo::new(self.path.display().to_string(), "scenario")
@@ -171,7 +172,8 @@ impl ScenarioFile {
         InertiaReport::of_scenario(source, &self.scenario)
     }
 
-    /// An error of the scenario's motion at its place in the file, if it is about one of the torques.
+    /// Returns an error of the motion with its place in the file, if it concerns one of the
+    /// torques.
     pub fn placed(&self, error: &MotionError) -> Option<FormatError> {
         let (torque, value) = match *error {
             MotionError::TorqueNotFinite { torque, value } => (torque, value),
@@ -182,7 +184,7 @@ impl ScenarioFile {
         let places = self.torques.get(torque)?;
         let is_of_pulses = matches!(error, MotionError::TooManyPulses { .. });
         let pulses = places.pulses.as_ref().filter(|_| is_of_pulses);
-        // The component that is NaN, along the axes of the formulas themselves.
+        // The first non-finite component, along the axes of the formulas.
         let wrong = value.iter().position(|c| !c.is_finite());
         let component = wrong.and_then(|k| places.along_body.get(k));
         let span = pulses.or(component).or(places.formulas.as_ref()).unwrap_or(&places.model).clone();
@@ -191,10 +193,11 @@ impl ScenarioFile {
     }
 }
 
-/// Reads a scenario file; the files that it names are found relative to it.
+/// Reads a scenario file; paths in it are relative to it.
 ///
 /// # Errors
-/// [`FormatError`] if it, or a file that it names, cannot be read or describes no body or no motion.
+/// [`FormatError`] if the file, or a file that it names, cannot be read, or does not describe a
+/// physical body and a valid motion.
 pub fn read(path: &Path) -> Result<Scenario, FormatError> {
     ScenarioFile::read(&Disk, path).map(|file| file.scenario)
 }
@@ -213,7 +216,7 @@ pub fn text_of(files: &dyn Files, path: &Path) -> Result<String, FormatError> {
     })
 }
 
-/// An error about bytes that are no scenario, with the advice for those of a mesh.
+/// Adds advice to an error if the bytes are a mesh instead of a scenario.
 fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
     let named = error.path().extension().is_some_and(|extension| extension.eq_ignore_ascii_case("stl"));
     let head = bytes.trim_ascii_start().get(..6).unwrap_or_default();
@@ -223,9 +226,10 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
     error
 }
 
-/// Reads a scenario from its text; `path` is for messages, and for the files that the scenario names.
+/// Reads a scenario from its text; `path` is used in messages, and paths in the text are relative
+/// to it.
 ///
-/// Of a plan, which has a `[sweep]`, it is the scenario as it is written, and a finding says so.
+/// A plan, which has a `[sweep]`, gives the scenario as written, with a finding.
 ///
 /// ```
 /// use polhode_scenario::read;
@@ -244,12 +248,12 @@ fn perhaps_mesh(error: FormatError, bytes: &[u8]) -> FormatError {
 /// ```
 ///
 /// # Errors
-/// As [`read`].
+/// Same as [`read`].
 pub fn parse(text: &str, path: &Path) -> Result<Scenario, FormatError> {
     ScenarioFile::parse(&Disk, text.to_owned(), path).map(|file| file.scenario)
 }
 
-/// The tree of a file.
+/// Parses a file into a tree.
 fn document(source: Source<'_>) -> Result<Entries, FormatError> {
     polhode_source::toml::document(source).map_err(|error| match error.kind() {
         FormatErrorKind::Toml { .. } => perhaps_mesh(error, source.text.as_bytes()),
@@ -257,7 +261,7 @@ fn document(source: Source<'_>) -> Result<Entries, FormatError> {
     })
 }
 
-/// What a file states whose tables are `entries`; of a plan, the scenario as it is written.
+/// Returns the contents of a file with the tables `entries`; for a plan, the scenario as written.
 fn file_of_root(
     source: Source<'_>,
     entries: &Entries,
@@ -270,7 +274,7 @@ fn file_of_root(
     Ok((scenario, run::tables(&Table::root(source, entries))?, torques))
 }
 
-/// The scenario of a file whose tables are `entries`, and where it has its torques.
+/// Returns the scenario of a file with the tables `entries`, and the places of its torques.
 fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<TorquePlaces>), FormatError> {
     let root = Table::root(source, entries);
     root.allow(&TOP)?;
@@ -323,7 +327,7 @@ fn read_root(source: Source<'_>, entries: &Entries) -> Result<(Scenario, Vec<Tor
     });
     let wheel_names = wheels.iter().map(|wheel| wheel.name.clone()).collect();
     let wheels = wheel::turning(&rotor, &wheels, start.state.omega)?;
-    // What can be wrong has been found above, at its place.
+    // The checks above have reported errors with their places.
     let whole = |error: MotionError| root.error(FormatErrorKind::Motion(error));
     let mut scenario = Scenario::new(body).made_of(parts).starting(start.state).map_err(whole)?;
     if let Some(title) = title {

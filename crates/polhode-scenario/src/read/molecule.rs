@@ -1,4 +1,4 @@
-//! A molecule as a part: its atoms are particles.
+//! Molecule as a part of the body; its atoms are particles.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use polhode_source::{FormatError, FormatErrorKind};
 
 use super::placement::Placement;
 
-/// `file = "water.xyz"`, `isotopes = "average"`: the first molecule of the file.
+/// Reads `file = "water.xyz"`, `isotopes = "average"`: the first molecule of the file.
 pub(crate) fn molecule(
     table: &Table<'_>,
     name: String,
@@ -33,7 +33,7 @@ pub(crate) fn molecule(
     };
     let read = || {
         let molecules = molecule::read(file.files(), &path, format).map_err(|error| match error.kind() {
-            // A file that is not there has no lines: the scenario's line is to blame.
+            // A missing file has no lines, so the error refers to the scenario.
             kind @ FormatErrorKind::Io { .. } => file
                 .error(kind.clone())
                 .with_hint(format!("paths are relative to the scenario: this one is {path:?}")),

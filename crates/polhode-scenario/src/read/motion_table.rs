@@ -1,7 +1,8 @@
-//! The table of a prescribed motion: times with attitudes or with ω, as CSV.
+//! Table of a prescribed motion: times with attitudes or ω, as CSV.
 //!
-//! The columns are those of the trajectory table: `time_s`, and `attitude_w … attitude_z`, or `omega_body_x_rad_s …`, or
-//! `omega_space_x_rad_s …`, in any order. Fields are separated by commas; blank lines and what follows a `#` are for people.
+//! The columns are those of the trajectory table: `time_s`, and `attitude_w … attitude_z`, or
+//! `omega_body_x_rad_s …`, or `omega_space_x_rad_s …`, in any order. Fields are separated by
+//! commas. Blank lines and text after `#` are ignored.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -18,17 +19,17 @@ use polhode_source::toml::tree::Known;
 
 use super::rows::Rows;
 
-/// What a table can be of, in the order in which it is looked for.
+/// Kinds of tables, in the order in which they are searched.
 pub(crate) const COLUMNS: [&str; 3] = ["attitude", "omega_body", "omega_space"];
 
-/// The names of the columns of each.
+/// Column names of each kind.
 const NAMES: [&[&str]; 3] = [
     &["attitude_w", "attitude_x", "attitude_y", "attitude_z"],
     &["omega_body_x_rad_s", "omega_body_y_rad_s", "omega_body_z_rad_s"],
     &["omega_space_x_rad_s", "omega_space_y_rad_s", "omega_space_z_rad_s"],
 ];
 
-/// Reads the file that `table` names, relative to the scenario.
+/// Reads the file named by `table`, relative to the scenario.
 pub(crate) fn read(table: &Value<'_>, columns: Option<&str>) -> Result<Arc<Rows>, FormatError> {
     let path = table.path()?;
     if let Some(rows) = table.known_as::<Rows>() {
@@ -43,9 +44,9 @@ pub(crate) fn read(table: &Value<'_>, columns: Option<&str>) -> Result<Arc<Rows>
     Ok(rows)
 }
 
-/// What is known of the motion between the rows.
+/// Returns a finding on the uncertainty of the motion between the rows.
 pub(crate) fn finding(uncertainty: &Uncertainty) -> Finding {
-    /// Beyond this the torque is a guess.
+    /// Relative uncertainty of dω/dt above which the torque is unreliable.
     const COARSE: f64 = 0.01;
     let Uncertainty { attitude, omega, acceleration, relative, time, is_noisy } = *uncertainty;
     let known = format!(
@@ -106,7 +107,7 @@ fn rows(bytes: &[u8], columns: Option<&str>) -> Result<Rows, ContentError> {
     })
 }
 
-/// Of which kind the table is, and where its numbers stand: the time first.
+/// Returns the kind of the table and the positions of its columns, the time first.
 fn chosen(
     text: &str,
     header: &[Range<usize>],

@@ -1,4 +1,4 @@
-//! The numbers of a scenario as they are written, each with its key.
+//! Numbers of a scenario as written, with their keys.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -6,31 +6,31 @@ use std::sync::Arc;
 use polhode_source::toml::tree::{Entries, Kind, Known, Node};
 use polhode_source::unit::{Dimension, unit_of};
 
-/// A number of a scenario: its key, where and how it is written, and what it is.
+/// Number of a scenario: its key, its place, and its value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WrittenNumber {
-    /// `body.part[0].size[2]`
+    /// Key, such as `body.part[0].size[2]`.
     pub key: String,
-    /// What the innermost table on the way to it that has a name, a shape or a model is called, if there is one: `"crossbar"`.
+    /// Name, shape or model of the innermost enclosing table that has one, such as `"crossbar"`.
     pub owner: Option<String>,
-    /// Bytes of the text.
+    /// Bytes of the number in the text.
     pub place: Range<usize>,
-    /// SI.
+    /// Value in SI units.
     pub value: f64,
-    /// The unit as it is written; empty of a plain number, which is SI.
+    /// Unit as written; empty for a plain number, which is in SI.
     pub unit: String,
-    /// What it measures.
+    /// Dimension of the number.
     pub dimension: Dimension,
 }
 
 impl WrittenNumber {
-    /// The symbols of its unit in SI: `kg·m²`; empty of a plain number.
+    /// Returns the symbols of the SI unit, such as `kg·m²`; empty for a plain number.
     pub fn si(&self) -> String {
         self.dimension.unit().0
     }
 }
 
-/// Every number of a scenario that was read, in the order of the text.
+/// Returns every number of a scenario that was read, in the order of the text.
 pub(crate) fn numbers(entries: &Entries) -> Vec<WrittenNumber> {
     let mut found = Vec::new();
     inside(entries, "", None, &mut found);
@@ -45,7 +45,7 @@ fn inside(entries: &Entries, way: &str, owner: Option<&str>, found: &mut Vec<Wri
     };
     let owner = ["name", "shape", "model"].into_iter().find_map(text).or(owner);
     for (key, entry) in entries {
-        // A plan's own numbers are no numbers of its scenario.
+        // Numbers of a plan's `[sweep]` do not belong to the scenario.
         if way.is_empty() && &**key == "sweep" {
             continue;
         }

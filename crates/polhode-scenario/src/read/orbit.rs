@@ -1,4 +1,4 @@
-//! The `[orbit]` about a point mass: where the body is, and the axes that its attitude may be given in.
+//! `[orbit]` about a point mass: position of the body, and orbital axes for its attitude.
 
 use polhode::body::{Finding, Severity};
 use polhode::math::{Direction, Position, Velocity};
@@ -7,10 +7,10 @@ use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit::Dimension;
 
-/// What to write where an orbit is missing.
+/// Example for a missing orbit.
 const EXAMPLE: &str = "[orbit] on a line of its own, and under it altitude = \"500 km\"";
 
-/// The five forms, by the key that each of them needs, and the others that it may have.
+/// The five forms: the required key, and the optional keys.
 const FORMS: [(&str, &[&str]); 5] = [
     ("altitude", &["radial", "motion", "inclination", "node", "mean_anomaly", "true_anomaly"]),
     ("radius", &["radial", "motion", "inclination", "node", "mean_anomaly", "true_anomaly"]),
@@ -22,33 +22,35 @@ const FORMS: [(&str, &[&str]); 5] = [
     ),
 ];
 
-/// The Earth's equatorial radius, m (WGS 84): altitudes are above it.
+/// Equatorial radius of the Earth, m (WGS 84); altitudes are measured from it.
 const EARTH: f64 = 6_378_137.0;
 
-/// The orbit of a scenario.
+/// Orbit of a scenario.
 #[derive(Debug)]
 pub(crate) struct SharedOrbit {
     pub orbit: Orbit,
-    /// Given by its rate: nothing but that matters to the gravity gradient on a circle.
+    /// True if the orbit is given by its rate, the only quantity that the gravity gradient on a
+    /// circle needs.
     by_rate: bool,
 }
 
-/// Reads `[orbit]`, if there is one.
+/// Reads `[orbit]`, if present.
 pub(crate) fn read(root: &Table<'_>) -> Result<Option<SharedOrbit>, FormatError> {
     let Some(value) = root.get("orbit") else { return Ok(None) };
     let by_rate = value.table()?.get("rate").is_some();
     Ok(Some(SharedOrbit { orbit: orbit(&value)?, by_rate }))
 }
 
-/// The orbit that something needs, of a table that cannot do without.
+/// Returns the orbit required by a table; an error if there is none.
 pub(crate) fn require<'a>(table: &Table<'_>, orbit: Option<&'a Orbit>) -> Result<&'a Orbit, FormatError> {
     orbit.ok_or_else(|| table.missing("orbit", EXAMPLE))
 }
 
 impl SharedOrbit {
-    /// An orbit about the Earth that goes through it: a height where a radius belongs, or a rate in another unit.
+    /// Returns a finding for an orbit that passes through the Earth: probably a height instead of a
+    /// radius, or a wrong unit.
     pub(crate) fn underground(&self) -> Option<Finding> {
-        /// The Earth's least radius, at the poles, m (WGS 84).
+        /// Polar radius of the Earth, its least, m (WGS 84).
         const POLES: f64 = 6_356_752.3;
         let is_earth = (self.orbit.mu() / MU_EARTH - 1.0).abs() < 1e-2;
         let least = self.orbit.periapsis();
@@ -73,10 +75,11 @@ impl SharedOrbit {
     }
 }
 
-/// An orbit from one of its forms.
+/// Reads an orbit in one of its forms.
 ///
-/// `altitude` (above the Earth's equator), `radius` or `rate` with `radial` and `motion`, or but for the rate with angles;
-/// `position` and `velocity`; or `semi_major_axis` and `eccentricity` with angles; `mu` with each, but not with an altitude.
+/// The forms are: `altitude` (above the Earth's equator), `radius` or `rate`, with `radial` and
+/// `motion`, or with angles except for the rate; `position` and `velocity`; or `semi_major_axis`
+/// and `eccentricity` with angles. `mu` goes with each, except with an altitude.
 fn orbit(value: &Value<'_>) -> Result<Orbit, FormatError> {
     const KEYS: [&str; 15] = [
         "mu",
@@ -146,7 +149,7 @@ fn orbit(value: &Value<'_>) -> Result<Orbit, FormatError> {
     made.map_err(|error| value.motion(error))
 }
 
-/// That of a circle, m.
+/// Returns the radius of a circular orbit, m.
 fn radius(form: &Value<'_>) -> Result<f64, FormatError> {
     if form.key() == "radius" {
         return positive(form, Dimension::LENGTH);
@@ -154,7 +157,7 @@ fn radius(form: &Value<'_>) -> Result<f64, FormatError> {
     Ok(EARTH + form.quantity(Dimension::LENGTH)?)
 }
 
-/// Eccentricity and angles are zero where they are not given.
+/// Reads orbital elements; eccentricity and angles default to zero.
 fn elements(table: &Table<'_>, semi_major_axis: f64) -> Result<OrbitalElements, FormatError> {
     let angle = |key| table.get(key).map_or(Ok(0.0), |value| value.quantity(Dimension::ANGLE));
     let anomaly = table.at_most_one(&["mean_anomaly", "true_anomaly"], "either says where on the orbit")?;

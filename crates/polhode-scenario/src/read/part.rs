@@ -1,4 +1,4 @@
-//! One `[[body.part]]`: a shape, a mesh, particles or a tensor, made of something, placed somewhere.
+//! `[[body.part]]`: a shape, mesh, particles or tensor, with its substance and placement.
 
 use std::any::Any;
 use std::path::{Path, PathBuf};
@@ -23,10 +23,10 @@ use super::shape::{Geometry, SHAPES, shape};
 use super::substance::{self, Matter, matter};
 use super::tensor;
 
-/// Keys that every part may have.
+/// Keys allowed for every part.
 const COMMON: [&str; 4] = ["name", "shape", "position", "rotate"];
 
-/// Reads part number `number`, counted from 1; what is worth a remark goes to `findings`.
+/// Reads part number `number`, counted from 1; remarks are added to `findings`.
 pub fn part(table: Table<'_>, number: usize, findings: &mut Vec<Finding>) -> Result<BodyPart, FormatError> {
     let kind = kind(&table)?;
     let table = table.called(format!("[[body.part]] of shape \"{kind}\""));
@@ -69,12 +69,12 @@ pub fn part(table: Table<'_>, number: usize, findings: &mut Vec<Finding>) -> Res
     Ok(BodyPart { name, kind, properties, extent: Some(extent), surface_area, particles: Vec::new(), form })
 }
 
-/// The name of the part's shape.
+/// Returns the name of the part's shape.
 fn kind(table: &Table<'_>) -> Result<&'static str, FormatError> {
     let names: Vec<_> =
         SHAPES.iter().map(|(name, _)| *name).chain(["mesh", "molecule", "particles", "tensor"]).collect();
     if table.get("shape").is_none() {
-        // A misspelt `shape` is a key that no shape has.
+        // This reports a misspelt `shape` as an unknown key.
         let mut all: Vec<_> = names.iter().flat_map(|name| keys(name)).collect();
         all.sort_unstable();
         all.dedup();
@@ -94,7 +94,7 @@ fn keys(kind: &str) -> Vec<&'static str> {
     COMMON.iter().chain(own.iter().copied().flatten()).copied().collect()
 }
 
-/// `particles = [{ mass = "1 kg", position = [3] }, …]`
+/// Reads `particles = [{ mass = "1 kg", position = [3] }, …]`.
 fn particles(table: &Table<'_>, name: String, placement: &Placement) -> Result<BodyPart, FormatError> {
     let list =
         table.require("particles", "particles = [{ mass = \"1 kg\", position = [0, 0, \"0.5 m\"] }]")?;
@@ -121,16 +121,16 @@ fn particles(table: &Table<'_>, name: String, placement: &Placement) -> Result<B
     })
 }
 
-/// The mesh of a file, and what was noticed of it.
+/// Mesh of a file, with the findings on it.
 struct KeptMesh {
     mesh: Arc<ClosedMesh>,
     noticed: Vec<Finding>,
 }
 
-/// The mesh of a part, read once.
+/// Returns the mesh of a part, from the cache if it has been read before.
 fn mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<Arc<ClosedMesh>, FormatError> {
     let file = table.require("file", "file = \"part.stl\"")?;
-    // A weld or a fill may be varied, and then the same file is another mesh.
+    // A weld or fill may be varied, which gives another mesh for the same file.
     let is_kept = table.get("weld").is_none() && table.get("fill").is_none();
     if let Some(known) = file.known_as::<KeptMesh>().filter(|_| is_kept) {
         findings.extend_from_slice(&known.noticed);
@@ -145,7 +145,7 @@ fn mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<Ar
     Ok(mesh)
 }
 
-/// What a mesh's table says of its file.
+/// Settings of a mesh file.
 struct MeshFile<'a> {
     value: Value<'a>,
     written: &'a str,
@@ -157,7 +157,8 @@ struct MeshFile<'a> {
 }
 
 impl<'a> MeshFile<'a> {
-    /// `file`, a path relative to the scenario; in `unit`s, unless the file has a unit of its own.
+    /// Reads `file`, a path relative to the scenario; lengths are in `unit`, unless the file has a
+    /// unit of its own.
     fn of(table: &Table<'a>) -> Result<Self, FormatError> {
         let value = table.require("file", "file = \"part.stl\"")?;
         let written = value.string()?;
@@ -184,7 +185,7 @@ impl<'a> MeshFile<'a> {
         Ok(Self { value, written, path, format, unit, weld, fill })
     }
 
-    /// What it holds, each part mended by itself, as the command does.
+    /// Returns the contents of the file, with each part repaired separately, as the command does.
     fn contents(&self) -> Result<(MeshContents, Vec<MeshRepair>), FormatError> {
         let contents = MeshContents::read_as(self.value.files(), &self.path, self.written, self.format)?;
         contents.mended(self.weld, self.fill, self.unit, &self.path)
@@ -192,7 +193,7 @@ impl<'a> MeshFile<'a> {
 
     fn blamed(&self, error: FormatError) -> FormatError {
         match error.kind() {
-            // A file that is not there has no lines: the scenario's line is to blame.
+            // A missing file has no lines, so the error refers to the scenario.
             kind @ FormatErrorKind::Io { .. } => self
                 .value
                 .error(kind.clone())
@@ -202,7 +203,7 @@ impl<'a> MeshFile<'a> {
     }
 }
 
-/// All parts of a mesh file as one.
+/// Reads all parts of a mesh file as one mesh.
 fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<ClosedMesh, FormatError> {
     let file = MeshFile::of(table)?;
     let MeshFile { ref value, ref path, written, format, unit, weld, fill } = file;
@@ -226,12 +227,12 @@ fn read_mesh(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Resu
     parts.pop().map(|part| part.mesh).ok_or_else(|| value.invalid("a mesh with triangles"))
 }
 
-/// `union = true`
+/// Reads `union = true`.
 fn is_united(table: &Table<'_>) -> Result<bool, FormatError> {
     table.get("union").map_or(Ok(false), |value| value.boolean())
 }
 
-/// What all parts of a mesh file enclose together.
+/// Reads the union of all parts of a mesh file.
 fn united(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<MeshUnion, FormatError> {
     let file = MeshFile::of(table)?;
     let read = || {
@@ -246,7 +247,8 @@ fn united(table: &Table<'_>, name: &str, findings: &mut Vec<Finding>) -> Result<
     Ok(united.union)
 }
 
-/// Of a mesh that has no unit and is given none, whether its mass is given; `None` of all other parts.
+/// Returns true if a mesh without any unit has a given mass, false if not; `None` for all other
+/// parts.
 pub fn assumes_metres(table: &Table<'_>) -> Option<bool> {
     let says = |key| table.get(key).is_some();
     let file =
@@ -255,7 +257,7 @@ pub fn assumes_metres(table: &Table<'_>) -> Option<bool> {
     (!says("unit") && !format.has_unit()).then(|| says("mass"))
 }
 
-/// `weld = "0.01 mm"`, or `weld = 1e-6` of the mesh's size.
+/// Reads `weld = "0.01 mm"`, or `weld = 1e-6` relative to the size of the mesh.
 fn beside_mesh(value: &Value<'_>, example: &str) -> Result<MeshLength, FormatError> {
     let length = match value.string() {
         Ok(text) => MeshLength::parse(text).map_err(|error| value.error(FormatErrorKind::Unit(error)))?,
@@ -267,7 +269,7 @@ fn beside_mesh(value: &Value<'_>, example: &str) -> Result<MeshLength, FormatErr
     Err(value.invalid("positive and finite").with_hint(format!("write {example}")))
 }
 
-/// `unit = "mm"`: what one is, in metres.
+/// Reads `unit = "mm"`; returns its value in metres.
 fn length_unit(value: &Value<'_>) -> Result<f64, FormatError> {
     let name = value.string()?;
     let hint = "a mesh file has no unit of its own: write unit = \"mm\", \"in\" or \"m\"";
@@ -275,7 +277,7 @@ fn length_unit(value: &Value<'_>) -> Result<f64, FormatError> {
         return Err(value.invalid("the name of a unit of length").with_hint(hint));
     }
     unit::factor(name, Dimension::LENGTH).map_err(|error| {
-        // What the unit's own hint says is of a quantity, unless it knows a name.
+        // The hint of the unit error is for a quantity; it is used only if it suggests a name.
         let known = matches!(error, UnitError::UnknownUnit { suggestion: Some(_), .. });
         let error = value.error(FormatErrorKind::Unit(error));
         if known { error } else { error.with_hint(hint) }

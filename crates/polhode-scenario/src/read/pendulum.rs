@@ -1,4 +1,4 @@
-//! The `[pendulum]`: the fixed axis from which the body hangs.
+//! `[pendulum]`: a fixed axis that suspends the body.
 
 use std::f64::consts::PI;
 
@@ -10,7 +10,7 @@ use polhode_source::FormatError;
 use polhode_source::toml::reader::Table;
 use polhode_source::unit::Dimension;
 
-/// Reads `[pendulum]` into a scenario that is complete but for it.
+/// Reads `[pendulum]` and adds it to a scenario that is complete otherwise.
 pub(crate) fn pendulum(root: &Table<'_>, scenario: Scenario) -> Result<Scenario, FormatError> {
     let Some(value) = root.get("pendulum") else { return Ok(scenario) };
     let table = value.table()?;
@@ -58,9 +58,9 @@ pub(crate) fn pendulum(root: &Table<'_>, scenario: Scenario) -> Result<Scenario,
     Ok(hung.noting(otherwise).noting(leaves))
 }
 
-/// A run may start with another amplitude than the one whose period is asked for.
+/// Returns a finding if the run starts with another amplitude than the one stated for the period.
 fn swings_otherwise(scenario: &Scenario, pendulum: &Pendulum) -> Option<Finding> {
-    /// Relative difference that is more than rounding and the digits of an angle.
+    /// Relative tolerance for rounding and the printed digits of an angle.
     const TOLERANCE: f64 = 1e-6;
     scenario.run()?;
     let Suspension { axis, amplitude } = scenario.suspension()?;
@@ -85,14 +85,15 @@ fn swings_otherwise(scenario: &Scenario, pendulum: &Pendulum) -> Option<Finding>
     })
 }
 
-/// An angle in degrees, to the digits that matter.
+/// Formats an angle in degrees, rounded to 1e-6.
 fn degrees(angle: f64) -> String {
     format!("{} deg", (angle.to_degrees() * 1e6).round() / 1e6)
 }
 
-/// A run holds the body at a point, not at an axis: it stays on the axis only if nothing pulls it off.
+/// Returns a finding if the body leaves its axis: a run holds it at a point only, so torques may
+/// tilt it.
 fn leaves_its_axis(scenario: &Scenario, axis: Direction<polhode::math::Body>) -> Option<Finding> {
-    /// Angles below this are rounding, rad.
+    /// Angles below this are rounding errors, rad.
     const ROUNDING: f64 = 1e-9;
     scenario.run()?;
     let n = axis.direction()?;

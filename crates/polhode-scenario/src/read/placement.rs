@@ -1,4 +1,4 @@
-//! Where a part of the body is, and how it is turned.
+//! Position and orientation of a part in the body.
 
 use polhode::body::{Form, MassProperties, PlacedForm, PlacedPart};
 use polhode::math::{Body, Part, Position, Rotation};
@@ -7,7 +7,7 @@ use polhode_source::toml::rotation;
 use polhode_source::unit::Dimension;
 use polhode_source::{FormatError, FormatErrorKind};
 
-/// Where a part is and how it is turned.
+/// Position, m, and orientation of a part in the body.
 pub(crate) struct Placement {
     pub position: Position<Body>,
     pub rotation: Rotation<Body, Part>,

@@ -1,4 +1,5 @@
-//! The `[[pointing]]`s: angles between a direction of the body and one that orbit, field or space give.
+//! `[[pointing]]`: angles between a body direction and a reference direction of orbit, field or
+//! space.
 
 use polhode::math::{Body, Direction, Frame};
 use polhode::motion::torque::MagneticField;
@@ -6,13 +7,13 @@ use polhode::motion::{Orbit, Pointing, Reference};
 use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value};
 
-/// The directions that have names, and what gives them.
+/// Named directions.
 pub(crate) const NAMED: [&str; 4] = ["nadir", "velocity", "orbit_normal", "field"];
 
-/// What gives directions their names.
+/// Sources of the named directions.
 pub(crate) struct References<'a> {
     pub orbit: Option<&'a Orbit>,
-    /// That of the magnetic torques.
+    /// Field of the magnetic torques.
     pub field: Option<&'a MagneticField>,
 }
 
@@ -53,7 +54,7 @@ pub(crate) fn pointings(root: &Table<'_>, references: &References<'_>) -> Result
     Ok(pointings)
 }
 
-/// A direction that is not all zero.
+/// Reads a nonzero direction.
 pub(crate) fn direction<F: Frame>(value: &Value<'_>) -> Result<Direction<F>, FormatError> {
     let direction = Direction::from_array(value.numbers()?);
     match direction.direction() {
@@ -65,7 +66,7 @@ pub(crate) fn direction<F: Frame>(value: &Value<'_>) -> Result<Direction<F>, For
 }
 
 impl References<'_> {
-    /// One of [`NAMED`].
+    /// Returns one of the directions in [`NAMED`].
     pub(crate) fn named(&self, value: &Value<'_>, name: &str) -> Result<Reference, FormatError> {
         if name == "field" {
             let field = self.field.ok_or_else(|| {

@@ -1,4 +1,4 @@
-//! A `[prescribed]` motion.
+//! `[prescribed]` motion.
 
 use polhode::body::{Finding, Severity};
 use polhode::math::formula::Formula;
@@ -13,11 +13,11 @@ use super::motion_table;
 use super::rows::Rows;
 use super::start::Start;
 
-/// The keys that say which motion it is.
+/// Keys that select the form of the motion.
 const FORMS: [&str; 6] = ["axis", "euler313", "angles", "quaternion", "omega", "table"];
 
-/// Reads `[prescribed]`: exactly one of [`FORMS`], with the keys that belong to it. A motion that is integrated or read from a
-/// table has to last as long as the run.
+/// Reads `[prescribed]`: exactly one of [`FORMS`], with its own keys. A motion that is integrated
+/// or read from a table must cover the whole run.
 pub(crate) fn prescribed(
     root: &Table<'_>,
     start: &Start<'_>,
@@ -56,13 +56,13 @@ pub(crate) fn prescribed(
         _ => tabled(&table, &form, start, findings)?,
     };
     covers(&motion, &form, end)?;
-    // What is not finite at the start is a mistake in the formula.
+    // A value that is not finite at the start is an error in the formula.
     let first = motion.span().map_or(0.0, |[first, _]| first.max(0.0));
     motion.at(first).map_err(|error| refused(&form, error))?;
     Ok(Some(motion))
 }
 
-/// Refuses the keys of another form.
+/// Refuses the keys of other forms.
 fn belongs(table: &Table<'_>, form: &'static str) -> Result<(), FormatError> {
     let (others, rule): (&[&'static str], _) = match form {
         "axis" => (&["rates", "columns"], "rates are those of euler313"),
@@ -100,7 +100,7 @@ fn euler_rates(table: &Table<'_>, form: &Value<'_>) -> Result<Prescribed, Format
     Prescribed::euler_rates(form.quantities(Dimension::ANGLE)?, rates).map_err(|e| form.motion(e))
 }
 
-/// `omega = { body = [three formulas] }`, or `space`.
+/// Reads `omega = { body = [three formulas] }`, or `space`.
 fn omega(
     form: &Value<'_>,
     attitude: Attitude,
@@ -120,7 +120,7 @@ fn omega(
     Ok(motion)
 }
 
-/// `table = "motion.csv"`, and which of its columns.
+/// Reads `table = "motion.csv"`, and the selected columns.
 fn tabled(
     table: &Table<'_>,
     form: &Value<'_>,
@@ -144,7 +144,7 @@ fn tabled(
     Ok(motion)
 }
 
-/// N formulas of t whose values measure `dimension`; a number is one too, in SI.
+/// Reads N formulas of t with values of this dimension; a number in SI counts as a formula.
 fn formulas<const N: usize>(
     value: &Value<'_>,
     dimension: Dimension,
@@ -171,7 +171,7 @@ fn formulas<const N: usize>(
     Ok(formulas)
 }
 
-/// Refuses a motion that ends before the run does.
+/// Refuses a motion that ends before the run.
 fn covers(motion: &Prescribed, form: &Value<'_>, end: f64) -> Result<(), FormatError> {
     match motion.span() {
         Some([first, last]) if end > 0.0 && (first > 0.0 || last < end) => {
@@ -194,7 +194,7 @@ fn refused(form: &Value<'_>, error: MotionError) -> FormatError {
     }
 }
 
-/// How well the attitude follows from ω.
+/// Returns a finding on the accuracy of an attitude integrated from ω.
 fn integrated(motion: &Prescribed) -> Option<Finding> {
     let Prescribed::Turning(turning) = motion else { return None };
     let error = turning.attitude_error();

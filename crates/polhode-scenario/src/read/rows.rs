@@ -1,16 +1,16 @@
-//! The rows of tables: of a prescribed motion, and of a torque.
+//! Rows of tables, for prescribed motions and torques.
 
 use polhode::math::Attitude;
 use polhode::motion::RateAxes;
 
-/// The rows of a table of a prescribed motion.
+/// Rows of a table of a prescribed motion, SI units.
 #[derive(Debug)]
 pub(crate) enum Rows {
     Attitude { times: Vec<f64>, attitudes: Vec<Attitude> },
     Omega { axes: RateAxes, times: Vec<f64>, omega: Vec<[f64; 3]> },
 }
 
-/// The rows of a table of torques, in SI.
+/// Rows of a table of torques, SI units.
 #[derive(Debug, Default)]
 pub(crate) struct TorqueRows {
     pub times: Vec<f64>,

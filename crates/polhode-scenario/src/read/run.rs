@@ -1,4 +1,4 @@
-//! The `[run]`: for how long, at which times, and how.
+//! `[run]`: duration, sample times and integration method.
 
 use polhode::motion::{LOOSEST_TOLERANCE, Method, Orbit, Run, SplittingOrder, TIGHTEST_TOLERANCE};
 use polhode_source::times;
@@ -7,13 +7,13 @@ use polhode_source::unit;
 use polhode_source::unit::Dimension;
 use polhode_source::{FormatError, FormatErrorKind};
 
-/// Samples of a run that says neither `samples` nor `every`.
+/// Default number of samples, without `samples` or `every`.
 const SAMPLES: usize = 1001;
 
-/// Tolerance of a run that says none.
+/// Default tolerance.
 const TOLERANCE: f64 = 1e-13;
 
-/// Reads `[run]`; `None` without one.
+/// Reads `[run]`; `None` if it is absent.
 pub(crate) fn run(root: &Table<'_>, orbit: Option<&Orbit>) -> Result<Option<Run>, FormatError> {
     let Some(value) = root.get("run") else { return Ok(None) };
     let table = value.table()?;
@@ -35,7 +35,7 @@ pub(crate) fn run(root: &Table<'_>, orbit: Option<&Orbit>) -> Result<Option<Run>
     }))
 }
 
-/// A format of the table of a run.
+/// File format of the table of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum TableFormat {
@@ -45,7 +45,8 @@ pub enum TableFormat {
     Csv,
 }
 
-/// The formats that `[run]` asks for: `table = "csv"`, or `["csv", "parquet"]`; none where it says nothing.
+/// Returns the formats requested in `[run]`: `table = "csv"`, or `["csv", "parquet"]`; empty if
+/// none are.
 pub(crate) fn tables(root: &Table<'_>) -> Result<Vec<TableFormat>, FormatError> {
     let value = root.get("run").map(|run| run.table()).transpose()?.and_then(|table| table.get("table"));
     let Some(value) = value else { return Ok(Vec::new()) };
@@ -61,7 +62,7 @@ pub(crate) fn tables(root: &Table<'_>) -> Result<Vec<TableFormat>, FormatError> 
     }
 }
 
-/// A time above zero, s, or so many `"orbits"`.
+/// Reads a positive time, s, or a number of `"orbits"`.
 fn time(value: &Value<'_>, orbit: Option<&Orbit>) -> Result<f64, FormatError> {
     let text = value.string().unwrap_or_default().trim_end();
     let Some(number) = text.strip_suffix("orbits").or_else(|| text.strip_suffix("orbit")) else {
@@ -93,7 +94,7 @@ fn samples(value: &Value<'_>) -> Result<usize, FormatError> {
     }
 }
 
-/// 0, every, 2 every, … and the end.
+/// Returns 0, every, 2 every, … and the end.
 fn sampled_every(duration: f64, value: &Value<'_>, orbit: Option<&Orbit>) -> Result<Vec<f64>, FormatError> {
     let every = time(value, orbit)?;
     if every > duration {
@@ -110,7 +111,8 @@ fn too_many(value: &Value<'_>) -> FormatError {
     value.invalid(rule).with_hint("all samples are held in memory: sample less often, or run in pieces")
 }
 
-/// The method with what it alone needs: steps of a given length have no tolerance, and only they an order.
+/// Reads the method and its own keys. A method with fixed steps has no tolerance, and only it has
+/// an order.
 fn method(table: &Table<'_>) -> Result<Method, FormatError> {
     let named =
         table.get("method").map(|value| value.choice(&["auto", "exact", "taylor", "dop853", "splitting"]));

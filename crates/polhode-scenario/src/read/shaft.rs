@@ -1,4 +1,4 @@
-//! A `[shaft]`: a body that turns on two bearings.
+//! `[shaft]`: a body that rotates in two bearings.
 
 use polhode::math::{Acceleration, Direction, Position};
 use polhode::motion::{MountedShaft, Scenario, Shaft};
@@ -8,7 +8,7 @@ use polhode_source::unit::Dimension;
 
 use super::start::Start;
 
-/// Reads `[shaft]`: the body is held at a point of the line, and turns about it as a prescribed motion.
+/// Reads `[shaft]`: the body has a pivot on the axis, and rotates about it as a prescribed motion.
 pub(crate) fn shaft(
     root: &Table<'_>,
     start: &Start<'_>,
@@ -52,7 +52,8 @@ pub(crate) fn shaft(
     scenario.mounted(mounted).map_err(|error| axis.motion(error))
 }
 
-/// `balance = { planes = [one or two], radii = [as many] }`: each plane with its radius.
+/// Reads `balance = { planes = [one or two], radii = [as many] }`; returns each plane, m, with its
+/// radius, m.
 fn balance(value: &Value<'_>, shaft: &Shaft) -> Result<Vec<[f64; 2]>, FormatError> {
     let table = value.table()?;
     table.allow(&["planes", "radii"])?;

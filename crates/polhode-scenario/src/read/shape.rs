@@ -1,4 +1,4 @@
-//! The shapes with closed forms, and what each is measured by.
+//! Shapes with closed-form mass properties, and their keys.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value, each};
 use polhode_source::unit::Dimension;
 
-/// Each shape's name and its own keys.
+/// Name of each shape, with its own keys.
 pub const SHAPES: [(&str, &[&str]); 17] = [
     ("box", &["size"]),
     ("sphere", &["radius", "inner_radius"]),
@@ -33,15 +33,15 @@ pub const SHAPES: [(&str, &[&str]); 17] = [
     ("cone_shell", &["radius", "height", "top_radius", "ends", "thickness"]),
 ];
 
-/// A shape, by what its density may be.
+/// Shape, classified by the kind of density that it accepts.
 pub(crate) enum Geometry {
-    /// A solid whose density may vary.
+    /// Solid; the density may vary.
     Solid(Box<dyn Parametrised>),
-    /// A polyhedron, whose density may vary too.
+    /// Polyhedron; the density may vary.
     Mesh(Arc<ClosedMesh>),
-    /// What the parts of a mesh enclose together, of one density.
+    /// Union of the parts of a mesh; the density is uniform.
     Union(Box<MeshUnion>),
-    /// A thin shell, plate or rod.
+    /// Thin shell, plate or rod; the density is uniform.
     Thin(Box<dyn Shape>),
 }
 
@@ -63,7 +63,7 @@ impl Geometry {
         }
     }
 
-    /// What a density can be spread over that is not the same everywhere.
+    /// Returns the solid if a variable density can be integrated over it.
     pub(crate) fn as_solid(&self) -> Option<Solid<'_>> {
         match self {
             Self::Solid(shape) => Some(Solid::Shape(shape.as_ref())),
@@ -73,7 +73,7 @@ impl Geometry {
     }
 }
 
-/// The shape of that name, as its table measures it.
+/// Returns the shape of that name with the sizes in its table.
 pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Geometry, FormatError> {
     let radius = || table.require("radius", "radius = \"4 mm\"");
     let length = || table.require("length", "length = \"40 mm\"");
@@ -139,7 +139,7 @@ pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Geometry, FormatErr
         }
         _ => {
             let (base, height) = (radius()?, table.require("height", "height = \"40 mm\"")?);
-            // A cone's tip has the radius zero, on either side.
+            // Either radius of a cone may be zero, at its tip.
             let top_radius = table.get("top_radius").as_ref().map_or(Ok(0.0), not_negative)?;
             let (base_radius, long) = (not_negative(&base)?, height.positive(Dimension::LENGTH)?);
             if name == "cone_shell" {
@@ -154,14 +154,14 @@ pub(crate) fn shape(name: &str, table: &Table<'_>) -> Result<Geometry, FormatErr
 
 const TRIANGLE: &str = "vertices = [[0, 0], [\"30 mm\", 0], [0, \"20 mm\"]]";
 
-/// The inner radius, if the table has one; whether it is less than the radius, the shape says.
+/// Reads the inner radius, if given; the shape checks that it is less than the outer one.
 fn inner_radius<'a>(table: &Table<'a>) -> Result<Option<(Value<'a>, f64)>, FormatError> {
     let Some(value) = table.get("inner_radius") else { return Ok(None) };
     let inner = not_negative(&value)?;
     Ok(Some((value, inner)))
 }
 
-/// A radius that may be zero.
+/// Reads a radius that may be zero, m.
 fn not_negative(value: &Value<'_>) -> Result<f64, FormatError> {
     let radius = value.quantity(Dimension::LENGTH)?;
     if radius >= 0.0 {
@@ -170,7 +170,7 @@ fn not_negative(value: &Value<'_>) -> Result<f64, FormatError> {
     Err(value.invalid("zero or positive").with_hint("a radius has no sign"))
 }
 
-/// An array of N points of K coordinates, m.
+/// Reads an array of N points with K coordinates, m.
 fn points<const N: usize, const K: usize>(corners: &Value<'_>) -> Result<[[f64; K]; N], FormatError> {
     let mut points = [[0.0; K]; N];
     for (point, values) in points.iter_mut().zip(corners.rows::<N, K>()?) {
@@ -186,7 +186,7 @@ fn measured<S>(
     new(value.positive(Dimension::LENGTH)?).map_err(|e| value.body(e))
 }
 
-/// If the two do not fit together, the second is to blame.
+/// Creates a shape from two lengths; an error that concerns both is reported at the second.
 fn measured_by_two<S>(
     first: &Value<'_>,
     second: &Value<'_>,

@@ -1,4 +1,4 @@
-//! The `[start]`: attitude, spin and velocity at t = 0.
+//! `[start]`: attitude, spin and velocity at t = 0.
 
 use polhode::math::{AngularMomentum, AngularVelocity, Attitude, Body, Orbital, Rotation, Space, Velocity};
 use polhode::motion::{Orbit, Rotor, State};
@@ -7,18 +7,19 @@ use polhode_source::toml::rotation;
 use polhode_source::unit::Dimension;
 use polhode_source::{FormatError, FormatErrorKind};
 
-/// The start of a motion.
+/// Start of a motion.
 pub(crate) struct Start<'a> {
     pub state: State,
     pub velocity: Option<Velocity<Space>>,
-    /// The values that a prescribed motion has no room for.
+    /// Values that a prescribed motion does not accept.
     pub spin: Option<Value<'a>>,
     pub attitude: Option<Value<'a>>,
 }
 
-/// Reads `[start]`; without it the body is at rest with its axes along those of space.
+/// Reads `[start]`; by default the body is at rest with its axes along the space axes.
 ///
-/// With `relative_to = "orbit"` the attitude is that in axes along the local vertical and horizontal, and the spin relative to them.
+/// If `relative_to = "orbit"`, the attitude and the spin are relative to the local vertical and
+/// horizontal axes.
 pub(crate) fn start<'a>(
     root: &Table<'a>,
     rotor: &Rotor,
@@ -69,7 +70,7 @@ pub(crate) fn start<'a>(
     Ok(start)
 }
 
-/// Attitude and ω of a start that is given relative to the orbit's axes, which turn themselves.
+/// Returns attitude and ω of a start given relative to the rotating orbital axes.
 fn on_orbit(start: &Start<'_>, orbit: &Orbit) -> Result<State, FormatError> {
     let mut relative = Rotation::<Orbital, Body>::identity();
     if let Some(value) = &start.attitude {
@@ -86,7 +87,8 @@ fn on_orbit(start: &Start<'_>, orbit: &Orbit) -> Result<State, FormatError> {
     Ok(State { time: 0.0, attitude, omega })
 }
 
-/// `{ body = [3] }`, `{ space = [3] }` or `{ momentum = [3] }`: ω along either axes, or L along space axes.
+/// Reads `{ body = [3] }`, `{ space = [3] }` or `{ momentum = [3] }`: ω along body or space axes,
+/// or L along space axes.
 fn spin(value: &Value<'_>, attitude: Attitude, rotor: &Rotor) -> Result<AngularVelocity<Body>, FormatError> {
     let table = value.table()?;
     table.allow(&["body", "space", "momentum"])?;
@@ -107,15 +109,16 @@ fn spin(value: &Value<'_>, attitude: Attitude, rotor: &Rotor) -> Result<AngularV
     })
 }
 
-/// ω = Σ n_k (n_k · (L − h)) / i_k over the principal axes about the point that the body turns about.
+/// Returns ω = Σ n_k (n_k · (L − h)) / i_k, summed over the principal axes about the pivot or
+/// centre of mass.
 ///
-/// Along an axis without inertia there can be no L, and ω is taken to be zero.
+/// L must vanish along an axis without inertia, and ω is set to zero there.
 fn of_momentum(
     given: &Value<'_>,
     momentum: AngularMomentum<Body>,
     rotor: &Rotor,
 ) -> Result<AngularVelocity<Body>, FormatError> {
-    /// What rounding leaves of a component, relative to the whole.
+    /// Relative size of a component below which it is a rounding error.
     const ROUNDING: f64 = 1e-12;
     let mut omega = AngularVelocity::ZERO;
     let moments = rotor.principal().moments();

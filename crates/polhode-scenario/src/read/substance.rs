@@ -1,4 +1,4 @@
-//! What a part is made of: a density, a mass, or a material by name.
+//! Substance of a part: a density, a mass, or a named material.
 
 use polhode::body::Material;
 use polhode::body::shape::{Extent, Substance};
@@ -10,20 +10,20 @@ use polhode_source::{FormatError, FormatErrorKind};
 
 use super::formula::{self, Formula};
 
-/// Keys of every part that has a shape; a thin surface has its `thickness` too.
+/// Keys of every part with a shape; a thin surface also has `thickness`.
 pub(crate) const KEYS: [&str; 4] = ["density", "mass", "material", "density_tolerance"];
 
-/// What a part is made of.
+/// Substance of a part.
 pub(crate) enum Matter {
-    /// Of the same everywhere.
+    /// The same density everywhere.
     Uniform(Substance),
-    /// Of a density that is a formula of the place.
+    /// Density as a formula of position.
     Varying(Formula),
 }
 
 const THIN_ROD: &str = "give density = \"0.3 kg/m\" or mass = \"12 g\", or make it a cylinder";
 
-/// What a part of that extent is made of, and the value that says it.
+/// Reads the substance of a part of this extent; returns it with the value that gives it.
 pub(crate) fn matter<'a>(table: &Table<'a>, extent: Extent) -> Result<(Matter, Value<'a>), FormatError> {
     let density = table.get("density");
     if let Some((given, formula)) = density.and_then(|given| Some((given, formula::text(&given)?))) {
@@ -44,9 +44,10 @@ const KINDS: [&str; 3] = ["density", "mass", "material"];
 
 const ALONE: &str = "each of them alone says how heavy the part is";
 
-/// The substance of a part of that extent, and the value that says it.
+/// Reads a uniform substance of a part of this extent; returns it with the value that gives it.
 ///
-/// Of a thin part, density is per area, or per volume if a `thickness` goes with it; a material needs one.
+/// The density of a thin part is per area, or per volume with a `thickness`; a material needs a
+/// thickness.
 fn substance<'a>(table: &Table<'a>, extent: Extent) -> Result<(Substance, Value<'a>), FormatError> {
     let given = table.at_most_one(&KINDS, ALONE)?;
     let Some(given) = given else {
@@ -92,7 +93,7 @@ fn substance<'a>(table: &Table<'a>, extent: Extent) -> Result<(Substance, Value<
     Ok((substance, given))
 }
 
-/// A density in that dimension; in the dimension of another kind of part it is refused with that hint.
+/// Reads a density of this dimension; a density of another kind of part is refused with this hint.
 fn density(value: &Value<'_>, dimension: Dimension, hint: &str) -> Result<f64, FormatError> {
     value.positive(dimension).map_err(|error| match error.kind() {
         FormatErrorKind::Unit(UnitError::WrongDimension {

@@ -1,4 +1,5 @@
-//! What can differ from reading to reading: a number of a scenario, three that are a vector, a rotation, mass properties.
+//! Quantities of a scenario that can be replaced: a number, a vector, a rotation, or mass
+//! properties.
 
 use std::ops::Range;
 
@@ -13,63 +14,65 @@ use polhode_source::unit::Dimension;
 use super::body::KnownPart;
 use super::key::{Spot, mirrored};
 
-/// What can differ from reading to reading, by its key: a number, three that are a vector, a rotation, mass properties.
+/// Replaceable quantity of a scenario, identified by its key: a number, a vector, a rotation, or
+/// mass properties.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Target {
-    /// Its key, as the file has it.
+    /// Key as written in the file.
     pub key: String,
-    /// Where the key stands.
+    /// Bytes of the key in the file.
     pub place: Range<usize>,
     pub(crate) varied: Varied,
-    /// The parts of the body, from 0, to which it belongs; none of the body as a whole.
+    /// Parts of the body, from 0, to which it belongs; empty for the whole body.
     pub parts: Vec<usize>,
-    /// The values as they are written, SI.
+    /// Values as written, SI units.
     nominal: Vec<f64>,
     columns: Vec<TargetColumn>,
     dimension: Dimension,
-    /// The places of all values of the file that it takes the place of.
+    /// Places of all values of the file that it replaces.
     covered: Vec<usize>,
 }
 
-/// One number of a target, as a table has it.
+/// One number of a target, as a column of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TargetColumn {
-    /// The key as a name, and the unit: `start_spin_body_x_rad_s`.
+    /// Name from the key and the unit, such as `start_spin_body_x_rad_s`.
     pub name: String,
-    /// The unit in SI: `rad/s`; empty if there is none.
+    /// SI unit, such as `rad/s`; empty if there is none.
     pub unit: String,
-    /// What it is.
+    /// Description of the number.
     pub description: String,
 }
 
-/// Where the values go.
+/// Destination of the values.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Varied {
-    /// Numbers of the file, by the ways to them; an element of a symmetric matrix has two.
+    /// Numbers of the file by their paths; an element of a symmetric matrix has two.
     Numbers(Vec<Vec<Way>>),
-    /// A rotation of the file.
+    /// Rotation of the file.
     Rotation(Way),
-    /// Of the body, or of its part, by its name; what is not among the values is as it was.
+    /// Mass properties of the body or of a named part; components without values keep those given
+    /// here.
     MassProperties(Way, String, MassProperties<Body>),
 }
 
 impl Target {
-    /// Its key, as the file has it.
+    /// Returns the key as written in the file.
     pub fn key(&self) -> &str {
         &self.key
     }
 
-    /// The values as they are written, SI: one for each column.
+    /// Returns the values as written, SI units, one for each column.
     pub fn nominal(&self) -> &[f64] {
         &self.nominal
     }
 
-    /// Its numbers, as a table has them.
+    /// Returns the columns.
     pub fn columns(&self) -> &[TargetColumn] {
         &self.columns
     }
 
-    /// The mass properties as they are written, of a target that is mass properties.
+    /// Returns the mass properties as written, if the target is mass properties.
     pub const fn mass_properties(&self) -> Option<&MassProperties<Body>> {
         match &self.varied {
             Varied::MassProperties(_, _, nominal) => Some(nominal),
@@ -77,12 +80,12 @@ impl Target {
         }
     }
 
-    /// What each of its numbers measures; a plain number where they differ.
+    /// Returns the dimension of its numbers; a plain number if they differ.
     pub const fn dimension(&self) -> Dimension {
         self.dimension
     }
 
-    /// With another number, which has the same value and gets the same.
+    /// Adds another number that always gets the same value.
     pub fn joined(mut self, other: Self, key: &Value<'_>) -> Result<Self, FormatError> {
         if self.overlaps(&other) {
             return Err(key.invalid("another number than those before it").with_hint("leave it out"));
@@ -107,7 +110,7 @@ impl Target {
         Ok(self)
     }
 
-    /// With another number beside it, which has a value of its own.
+    /// Adds another number that gets a value of its own.
     pub fn beside(mut self, other: Self, key: &Value<'_>) -> Result<Self, FormatError> {
         if self.overlaps(&other) {
             return Err(key.invalid("another number than those before it").with_hint("leave it out"));
@@ -131,12 +134,12 @@ impl Target {
         Ok(self)
     }
 
-    /// True if the same number would vary by both.
+    /// Returns true if both targets contain the same number.
     pub fn overlaps(&self, other: &Self) -> bool {
         let is_made = |target: &Self| matches!(target.varied, Varied::MassProperties(..));
         match (is_made(self), is_made(other)) {
             (false, false) => self.covered.iter().any(|place| other.covered.contains(place)),
-            // Of a part, or of all parts together, what is dispersed is made anew.
+            // Dispersed mass properties replace those of a part, or of all parts together.
             (true, true) => self.parts.is_empty() || other.parts.is_empty() || self.parts == other.parts,
             (true, false) => other.parts.iter().any(|k| self.parts.is_empty() || self.parts.contains(k)),
             (false, true) => other.overlaps(self),
@@ -144,7 +147,7 @@ impl Target {
     }
 }
 
-/// What a scenario has, to be looked up by keys.
+/// Values of a scenario for lookup by key.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Catalogue<'a> {
     pub entries: &'a Entries,
@@ -152,7 +155,7 @@ pub(crate) struct Catalogue<'a> {
 }
 
 impl Catalogue<'_> {
-    /// One number.
+    /// Returns the target of a single number.
     pub(crate) fn number(&self, key: &Value<'_>) -> Result<Target, FormatError> {
         let spot = self.spot(key)?;
         if let Kind::List(_) | Kind::Table(_) = spot.node.kind {
@@ -176,7 +179,7 @@ impl Catalogue<'_> {
         Self::target(key, &[(number, ways)], spot.part, &[spot.words.join("_")], covered)
     }
 
-    /// Three numbers that are a vector.
+    /// Returns the target of a vector.
     pub(crate) fn vector(&self, key: &Value<'_>) -> Result<Target, FormatError> {
         let spot = self.spot(key)?;
         let elements = match &spot.node.kind {
@@ -195,7 +198,7 @@ impl Catalogue<'_> {
         Self::target(key, &numbers, spot.part, &words, spot.node.places())
     }
 
-    /// Numbers, each with the ways to it, of which each has its words.
+    /// Creates a target of numbers, each with its paths and words.
     fn target(
         key: &Value<'_>,
         numbers: &[((f64, Dimension), Vec<Way>)],
@@ -225,7 +228,7 @@ impl Catalogue<'_> {
         })
     }
 
-    /// A rotation: an attitude, or how a part is turned.
+    /// Returns the target of a rotation: an attitude, or the orientation of a part.
     pub(crate) fn rotation(&self, key: &Value<'_>) -> Result<Target, FormatError> {
         let spot = self.spot(key)?;
         let Some(Known::Rotation(quaternion)) = spot.node.known.get() else {
@@ -250,7 +253,8 @@ impl Catalogue<'_> {
         })
     }
 
-    /// The mass properties of the body, `body`, or of a part, `body.part[0]`; with `.inertia` behind it the tensor alone.
+    /// Returns the target of the mass properties of the body, `body`, or of a part, `body.part[0]`;
+    /// with the suffix `.inertia`, of the tensor alone.
     pub(crate) fn mass_properties(&self, key: &Value<'_>) -> Result<Target, FormatError> {
         let written = key.string()?;
         let (whole, tensor_only) = match written.strip_suffix(".inertia") {

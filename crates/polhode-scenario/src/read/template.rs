@@ -1,4 +1,4 @@
-//! A scenario that is read many times, with some of its numbers changed.
+//! Scenario that is evaluated many times with some of its numbers changed.
 
 use std::path::{Path, PathBuf};
 
@@ -17,10 +17,11 @@ use super::sweep::{self, Question, Sweep};
 use super::target::{Target, Varied};
 use super::{document, read_root, text_of};
 
-/// A scenario that is read many times, with some of its numbers changed.
+/// Scenario that is evaluated many times with some of its numbers changed.
 ///
-/// The file is parsed once. A later reading opens no file: meshes, molecules and tables are those of the first. Parts of the body
-/// in which nothing changes are not computed again, and have no [`form`](polhode::body::BodyPart::form).
+/// The file is parsed once. Later evaluations open no files; they reuse the meshes, molecules and
+/// tables of the first one. Unchanged parts of the body are not computed again, and have no
+/// [`form`](polhode::body::BodyPart::form).
 ///
 /// ```
 /// use polhode_scenario::read::Template;
@@ -53,18 +54,18 @@ pub struct Template {
 }
 
 impl Template {
-    /// Reads a scenario, which may have a `[sweep]`; the files that it names are found relative to it.
+    /// Reads a scenario, optionally with a `[sweep]`; paths in it are relative to it.
     ///
     /// # Errors
-    /// As [`scenario::read`](super::read).
+    /// Same as [`scenario::read`](super::read).
     pub fn read(files: &dyn Files, path: &Path) -> Result<Self, FormatError> {
         Self::parse(files, text_of(files, path)?, path)
     }
 
-    /// Reads a scenario, which may have a `[sweep]`, from its text.
+    /// Reads a scenario, optionally with a `[sweep]`, from its text.
     ///
     /// # Errors
-    /// As [`scenario::read`](super::read).
+    /// Same as [`scenario::read`](super::read).
     pub fn parse(files: &dyn Files, text: String, path: &Path) -> Result<Self, FormatError> {
         let source = Source::new(files, path, &text);
         let entries = document(source)?;
@@ -75,38 +76,39 @@ impl Template {
         Ok(Self { path: path.to_owned(), entries, files, nominal, text })
     }
 
-    /// The scenario as it is written.
+    /// Returns the scenario as written.
     pub const fn nominal(&self) -> &Scenario {
         &self.nominal
     }
 
-    /// The text of the file.
+    /// Returns the text of the file.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The path of the file.
+    /// Returns the path of the file.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// The files that it names.
+    /// Returns the files that the scenario names.
     pub fn files(&self) -> &[PathBuf] {
         &self.files
     }
 
-    /// What the file's `[sweep]` says.
+    /// Returns the contents of `[sweep]`.
     ///
     /// # Errors
-    /// [`FormatError`] without one, or if it asks for what cannot be.
+    /// [`FormatError`] if there is no `[sweep]`, or if it is invalid.
     pub fn sweep(&self) -> Result<Sweep, FormatError> {
         sweep::sweep(self.source(), &self.entries, &self.nominal)
     }
 
-    /// The scenario with other values of some numbers, SI, as many for each target as it has columns.
+    /// Returns the scenario with other values, SI units, for some targets; each target needs one
+    /// value per column.
     ///
     /// # Errors
-    /// [`FormatError`] if there is no such body or motion; what is wrong in a member is said where it stands in the file.
+    /// [`FormatError`] if the body or motion is invalid; the error refers to a place in the file.
     pub fn scenario<'v>(
         &self,
         values: impl IntoIterator<Item = (&'v Target, &'v [f64])>,
@@ -118,10 +120,10 @@ impl Template {
         read_root(self.source(), &entries).map(|(scenario, _)| scenario)
     }
 
-    /// The condition of a question on columns of these names and dimensions.
+    /// Returns the condition of a question on columns with these names and dimensions.
     ///
     /// # Errors
-    /// [`FormatError`], at its place in the question, if it is none.
+    /// [`FormatError`] at its place in the question, if the condition is invalid.
     pub fn condition(
         &self,
         question: &Question,
@@ -131,12 +133,12 @@ impl Template {
             .map_err(|error| self.source().formula(question.place.clone(), &question.condition, error))
     }
 
-    /// The text again, of which no file is opened: what is in them is known.
+    /// Returns the text as a source. No file is opened, because their contents are cached.
     fn source(&self) -> Source<'_> {
         Source { is_shown: false, ..Source::new(&Disk, &self.path, &self.text) }
     }
 
-    /// Puts other values in the place of a target.
+    /// Replaces the values of a target.
     fn replace(&self, target: &Target, values: &[f64], entries: &mut Entries) -> Result<(), FormatError> {
         let fail = |kind| self.source().error(target.place.clone(), kind);
         let invalid = |key: &str, value: String, rule: &str| {
@@ -162,14 +164,14 @@ impl Template {
                 let other = mass_properties(nominal, values).map_err(|e| fail(FormatErrorKind::Body(e)))?;
                 replace(entries, way, Replacement::MassProperties(name.clone(), other));
             }
-            // A rotation has four columns, as was asked above.
+            // Rotations have four columns; other numbers of values are refused above.
             (Varied::Rotation(_), _) => {}
         }
         Ok(())
     }
 }
 
-/// Mass, centre of mass and tensor from ten numbers, or the tensor alone from six: xx, yy, zz, xy, xz, yz.
+/// Creates mass properties from ten numbers, or from the six of a tensor: xx, yy, zz, xy, xz, yz.
 fn mass_properties(
     nominal: &MassProperties<Body>,
     values: &[f64],
@@ -198,13 +200,14 @@ mod tests {
     use crate::read as scenario;
     use polhode_source::toml::tree::{Kind, Known, Step, Way};
 
-    /// What a motion depends on: everything but what parts look like, and where remarks stand.
+    /// Returns the scenario without data that do not affect the motion: shapes of parts, and places
+    /// of findings.
     fn comparable(scenario: Scenario) -> Scenario {
         let without = scenario.parts().iter().map(|part| BodyPart { form: None, ..part.clone() }).collect();
         scenario.made_of(without)
     }
 
-    /// The ways to all numbers below a node.
+    /// Collects the paths to all numbers below a node.
     fn numbers(node: &Node, way: &[Step], found: &mut Vec<(Way, Range<usize>, f64, Dimension)>) {
         let further = |step| way.iter().cloned().chain([step]).collect::<Vec<_>>();
         match &node.kind {
@@ -226,8 +229,8 @@ mod tests {
         }
     }
 
-    /// Reading again with one number replaced is reading a file in which it is written otherwise, for every number of every
-    /// example; if that is refused, so is this.
+    /// Replacing a number gives the same result as writing it in the file, for every number of
+    /// every example. If one is refused, so is the other.
     #[test]
     fn a_replaced_number_is_one_written_otherwise() {
         let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
@@ -247,7 +250,7 @@ mod tests {
             for (way, span, value, dimension) in found {
                 let value = 1.0625 * value + 0.0078125;
                 let mut text = template.text.clone();
-                // A number alone is refused beside others with units.
+                // A number without a unit is refused next to others with units.
                 let written = match dimension.unit().0 {
                     unit if unit.is_empty() => format!("{value:?}"),
                     unit => format!("\"{value:?} {unit}\""),

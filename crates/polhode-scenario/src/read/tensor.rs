@@ -1,4 +1,4 @@
-//! A part given by its mass and inertia tensor.
+//! Part given by its mass and inertia tensor.
 
 use polhode::body::{BodyError, InertiaAbout, InertiaTensor, MassProperties};
 use polhode::math::{Part, Position};
@@ -6,11 +6,11 @@ use polhode_source::toml::reader::{Table, Value, each};
 use polhode_source::unit::Dimension;
 use polhode_source::{FormatError, FormatErrorKind};
 
-/// The keys of a tensor.
+/// Keys of a tensor.
 pub(crate) const KEYS: [&str; 6] = ["mass", "center_of_mass", "inertia", "moments", "products", "about"];
 
-/// Mass properties from `mass`, `center_of_mass`, and `inertia` (a matrix) or `moments` (along the part's axes),
-/// `about` the centre of mass or another point of the part.
+/// Reads mass properties from `mass`, `center_of_mass`, and `inertia` (a matrix) or `moments`
+/// (along the part's axes), `about` the centre of mass or another point of the part.
 pub(crate) fn mass_properties(table: &Table<'_>) -> Result<MassProperties<Part>, FormatError> {
     let mass_value = table.require("mass", "mass = \"12 kg\"")?;
     let mass = mass_value.positive(Dimension::MASS)?;
@@ -29,12 +29,12 @@ pub(crate) fn mass_properties(table: &Table<'_>) -> Result<MassProperties<Part>,
     MassProperties::new(mass, center, tensor).map_err(|e| mass_value.body(e))
 }
 
-/// The tensor alone, about the centre of mass of what it is of.
+/// Reads the tensor alone, about the centre of mass.
 pub(crate) fn tensor(table: &Table<'_>) -> Result<InertiaTensor<Part>, FormatError> {
     matrix(table)?.1.tensor(InertiaTensor::from_matrix)
 }
 
-/// `inertia` or `moments`.
+/// Reads `inertia` or `moments`.
 fn matrix<'a>(table: &Table<'a>) -> Result<(Value<'a>, Matrix<'a>), FormatError> {
     let given = table.at_most_one(&["inertia", "moments"], "each of them alone is the whole tensor")?;
     let Some(given) = given else {
@@ -48,7 +48,7 @@ fn matrix<'a>(table: &Table<'a>) -> Result<(Value<'a>, Matrix<'a>), FormatError>
     Ok((given, Matrix::read(table, &given)?))
 }
 
-/// The point that the tensor is about, if it is not the centre of mass.
+/// Reads the reference point of the tensor, if it is not the centre of mass.
 fn about(table: &Table<'_>) -> Result<Option<Position<Part>>, FormatError> {
     match table.get("about") {
         None => Ok(None),
@@ -61,14 +61,14 @@ fn about(table: &Table<'_>) -> Result<Option<Position<Part>>, FormatError> {
     }
 }
 
-/// Numbers that ought to be a tensor, and where they stand.
+/// Matrix that should be a tensor, with the places of its elements.
 struct Matrix<'a> {
     given: Value<'a>,
-    /// Where each element stands; moments have no products.
+    /// Place of each element; `None` for moments.
     places: Option<[[Value<'a>; 3]; 3]>,
-    /// Off-diagonals −∫xy dm.
+    /// Elements; off-diagonals are −∫xy dm.
     rows: [[f64; 3]; 3],
-    /// The sign that the file's off-diagonals have relative to that.
+    /// Sign of the file's off-diagonals relative to −∫xy dm.
     sign: f64,
 }
 
@@ -100,7 +100,7 @@ impl<'a> Matrix<'a> {
         Ok(Self { given: *given, places: Some(places), rows, sign })
     }
 
-    /// Builds a tensor; what cannot be one is reported where it stands, with the signs that stand there.
+    /// Builds a tensor; errors refer to the element in the file, with the signs of the file.
     fn tensor<T>(&self, build: impl Fn([[f64; 3]; 3]) -> Result<T, BodyError>) -> Result<T, FormatError> {
         build(self.rows).map_err(|error| match (error, &self.places) {
             (BodyError::NotSymmetric { element: [i, j], value, mirrored }, Some(places)) => {

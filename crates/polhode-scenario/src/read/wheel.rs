@@ -1,4 +1,4 @@
-//! The `[[wheel]]`s: what spins inside the body.
+//! `[[wheel]]`: wheels in the body.
 
 use polhode::math::{AngularVelocity, Body, Direction};
 use polhode::motion::torque::Schedule;
@@ -7,13 +7,14 @@ use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit::Dimension;
 
-/// A wheel as its table gives it. What a speed relative to the body comes to in space is known once the body's ω is.
+/// Wheel as defined in its table. Its speed relative to space is known only with the angular
+/// velocity of the body.
 pub(crate) struct WheelTable<'a> {
     pub name: Option<String>,
     axis: Direction<Body>,
     given: Given,
     motor: Motor,
-    /// Where to say that the wheel does not fit.
+    /// Value to which an error about the size of the wheel refers.
     value: Value<'a>,
 }
 
@@ -21,7 +22,7 @@ pub(crate) struct WheelTable<'a> {
 enum Given {
     /// Angular momentum: relative to the body if the speed is held, else relative to space.
     Momentum(f64),
-    /// J and Ω relative to the body.
+    /// Inertia J and speed Ω relative to the body.
     Speed(f64, f64),
 }
 
@@ -31,7 +32,8 @@ pub(crate) fn wheels<'a>(root: &Table<'a>) -> Result<Vec<WheelTable<'a>>, Format
     list.tables("wheel")?.iter().map(wheel).collect()
 }
 
-/// `name`; `axis`; `momentum`, or `inertia` and `speed`; `motor_torque`, which needs `inertia`, `from` and `until`.
+/// Reads `name`; `axis`; `momentum`, or `inertia` and `speed`; `motor_torque`, which requires
+/// `inertia`; `from` and `until`.
 fn wheel<'a>(table: &Table<'a>) -> Result<WheelTable<'a>, FormatError> {
     table.allow(&["name", "axis", "momentum", "inertia", "speed", "motor_torque", "from", "until"])?;
     let axis = table.require("axis", "axis = [0, 0, 1]")?;
@@ -52,7 +54,7 @@ fn wheel<'a>(table: &Table<'a>) -> Result<WheelTable<'a>, FormatError> {
         let hint = "with momentum and without motor_torque, nothing depends on it";
         return Err(value.invalid("left out").with_hint(hint));
     }
-    // Without either the inertia does not matter, and it is the axis at which something does not fit.
+    // Without speed or motor torque the inertia is not needed, and errors refer to the axis.
     let (mut inertia, mut value) = (0.0, axis);
     if is_speed || motor_torque.is_some() {
         value = table.require("inertia", "inertia = \"0.02 kg m^2\", about the wheel's axis")?;
@@ -64,7 +66,7 @@ fn wheel<'a>(table: &Table<'a>) -> Result<WheelTable<'a>, FormatError> {
         Given::Momentum(start.quantity(Dimension::ANGULAR_MOMENTUM)?)
     };
     let motor = motor(table, motor_torque, inertia)?;
-    // What is wrong with the axis or with the sizes is said where they stand.
+    // Errors in the axis or the sizes are reported at their places.
     Wheel::new(direction, 0.0, motor)
         .map_err(|error| axis.motion(error).with_hint("the z axis is [0, 0, 1]; any length will do"))?;
     let name = table.get("name").map(|name| name.string().map(str::to_owned)).transpose()?;
@@ -81,7 +83,7 @@ fn positive_inertia(value: &Value<'_>) -> Result<f64, FormatError> {
     Err(value.invalid("positive").with_hint("it is the wheel's moment of inertia about its own axis"))
 }
 
-/// Without `motor_torque` the speed is held.
+/// Reads the motor; without `motor_torque` the speed is held.
 fn motor(table: &Table<'_>, torque: Option<Value<'_>>, inertia: f64) -> Result<Motor, FormatError> {
     let times = ["from", "until"].map(|key| table.get(key));
     let Some(torque) = torque else {
@@ -105,7 +107,8 @@ fn motor(table: &Table<'_>, torque: Option<Value<'_>>, inertia: f64) -> Result<M
 }
 
 impl WheelTable<'_> {
-    /// The wheel for L = I ω + h at the start: at a speed relative to the body it counts as held, with its inertia left to the body.
+    /// Returns the wheel for L = I ω + h at the start. A wheel given by its speed counts as held,
+    /// with its inertia included in the body.
     fn locked(&self) -> Result<Wheel, MotionError> {
         match self.given {
             Given::Momentum(momentum) => Wheel::new(self.axis, momentum, self.motor),
@@ -123,12 +126,12 @@ impl WheelTable<'_> {
     }
 }
 
-/// The body with its wheels as they are at the start, for which L = I ω + h says what ω is.
+/// Returns the body with its wheels at the start, for which L = I ω + h determines ω.
 pub(crate) fn locked(rotor: &Rotor, wheels: &[WheelTable<'_>]) -> Result<Rotor, FormatError> {
     fitted(rotor, wheels, WheelTable::locked).map(|(rotor, _)| rotor)
 }
 
-/// The wheels in a body that starts at ω.
+/// Returns the wheels in a body with initial angular velocity ω.
 pub(crate) fn turning(
     rotor: &Rotor,
     wheels: &[WheelTable<'_>],
@@ -137,7 +140,7 @@ pub(crate) fn turning(
     fitted(rotor, wheels, |wheel| wheel.turning(omega)).map(|(_, wheels)| wheels)
 }
 
-/// Puts in one wheel after the other, so that what does not fit has its place.
+/// Adds the wheels one by one, so that an error refers to the wheel that causes it.
 fn fitted<'a>(
     rotor: &Rotor,
     tables: &[WheelTable<'a>],
@@ -152,7 +155,8 @@ fn fitted<'a>(
                 .with_hint("the inertia of [body] holds that of the wheels, as if they were locked")
         };
         wheels.push(wheel(table).map_err(refuse)?);
-        // What is held at its speed stays with the body; that it is no more than the body is looked at as if it were free.
+        // The inertia of a held wheel is part of the body's. Treating the wheel as free checks that it
+        // does not exceed that of the body.
         if let (Given::Speed(inertia, _), Motor::HeldSpeed) = (table.given, table.motor) {
             let free = Motor::Torque { inertia, torque: 0.0, schedule: None };
             let part = Wheel::new(table.axis, 0.0, free).map_err(refuse)?;

@@ -1,4 +1,4 @@
-//! The ground, and the point of it that is touched at the start.
+//! Ground of a contact, and the point of it that is touched at the start.
 
 use polhode::math::{Acceleration, Direction, Position, Space};
 use polhode::motion::contact::{Ground, GroundShape, GroundSide};
@@ -10,14 +10,15 @@ use super::all_keys;
 
 const COMMON: [&str; 2] = ["shape", "rate"];
 
-/// The shapes, each with its own keys.
+/// Shapes of the ground, each with its own keys.
 const SHAPES: [(&str, &[&str]); 3] = [
     ("plane", &["normal", "slope"]),
     ("sphere", &["radius", "side", "axis"]),
     ("cylinder", &["radius", "side", "axis"]),
 ];
 
-/// `{ shape = "plane", slope = "10 deg", rate = "3 rad/s" }`; a level plane without it.
+/// Reads `{ shape = "plane", slope = "10 deg", rate = "3 rad/s" }`; without it, returns a level
+/// plane.
 pub(crate) fn ground(value: Option<&Value<'_>>) -> Result<Ground, FormatError> {
     let Some(value) = value else { return Ok(Ground::LEVEL) };
     let table = value.table()?;
@@ -50,7 +51,8 @@ pub(crate) fn ground(value: Option<&Value<'_>>) -> Result<Ground, FormatError> {
     ground.turning_at(rate.quantity(Dimension::ANGULAR_VELOCITY)?).map_err(|error| rate.motion(error))
 }
 
-/// The normal of a plane; else the axis, which a cylinder has to have, and about which a sphere turns.
+/// Returns the normal of a plane; else the axis, which is required for a cylinder, and is the
+/// rotation axis of a sphere.
 fn axis(table: &Table<'_>, kind: &str) -> Result<Direction<Space>, FormatError> {
     let given = table.at_most_one(&["normal", "slope"], "either says how the plane lies")?;
     let given = match kind {
@@ -72,8 +74,8 @@ fn axis(table: &Table<'_>, kind: &str) -> Result<Direction<Space>, FormatError> 
     axis.direction().ok_or_else(|| given.invalid("a direction: finite and not zero"))
 }
 
-/// The point that is touched: `at`, else the origin of a plane, the lowest point of a bowl or a trough, and the highest of what is touched from
-/// outside.
+/// Returns the point touched at the start: `at`, else the origin of a plane, the lowest point of a
+/// bowl or trough, or the highest point of ground touched from outside.
 pub(crate) fn touched(
     table: &Table<'_>,
     ground: &Ground,

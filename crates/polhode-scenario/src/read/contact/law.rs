@@ -1,4 +1,5 @@
-//! What holds a body at its point of contact, and what resists its motion there.
+//! Contact law: constraint or friction at the point of contact, and resistance to rolling and
+//! pivoting.
 
 use polhode::motion::contact::{ContactLaw, Friction, Resistance};
 use polhode_source::FormatError;
@@ -7,7 +8,8 @@ use polhode_source::unit::Dimension;
 
 use super::not_negative;
 
-/// `law = "rolling"`, `"friction"` with its coefficients, or `"frictionless"`; and what resists rolling and pivoting.
+/// Reads `law = "rolling"`, `"friction"` with its coefficients, or `"frictionless"`, and the
+/// resistance to rolling and pivoting.
 pub(crate) fn law(table: &Table<'_>) -> Result<ContactLaw, FormatError> {
     const OF_FRICTION: [&str; 3] = ["friction", "static_friction", "viscous"];
     let rubs = OF_FRICTION.iter().any(|key| table.get(key).is_some()) || table.get("rolls").is_some();

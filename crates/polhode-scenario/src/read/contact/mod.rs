@@ -1,4 +1,4 @@
-//! The `[contact]`: what the body touches the ground with, what that is, and what holds it there.
+//! `[contact]`: the body's surface, the ground, and the contact law.
 
 mod ground;
 mod law;
@@ -12,7 +12,7 @@ use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit::Dimension;
 
-/// A body on the ground, and the file that says so.
+/// Body on the ground, with the tables that define it.
 pub(crate) struct OnGround<'a> {
     ground: GroundContact,
     root: Table<'a>,
@@ -20,7 +20,7 @@ pub(crate) struct OnGround<'a> {
     value: Value<'a>,
 }
 
-/// Reads `[contact]`, if there is one; `velocity` is that of the start.
+/// Reads `[contact]`, if present; `velocity` is the initial velocity.
 pub(crate) fn contact<'a>(
     root: &Table<'a>,
     velocity: Option<Velocity<Space>>,
@@ -63,7 +63,8 @@ pub(crate) fn contact<'a>(
     Ok(Some(OnGround { ground: GroundContact { contact, at, velocity }, root: root.clone(), table, value }))
 }
 
-/// How the centre of mass moves at the start: as `[start] velocity` says, or so that the body rolls.
+/// Returns the initial velocity of the centre of mass: from `[start] velocity`, or such that the
+/// body rolls.
 fn start_velocity(
     root: &Table<'_>,
     table: &Table<'_>,
@@ -99,7 +100,7 @@ fn start_velocity(
 }
 
 impl OnGround<'_> {
-    /// The scenario on the ground; `pivot` is the point of the body that is held, where one is.
+    /// Returns the scenario on the ground; `pivot` is the value of a pivot, if there is one.
     pub(crate) fn under(
         &self,
         scenario: Scenario,
@@ -121,13 +122,13 @@ impl OnGround<'_> {
     }
 }
 
-/// A quantity of zero or more.
+/// Reads a quantity that is not negative.
 fn not_negative(value: &Value<'_>, dimension: Dimension) -> Result<f64, FormatError> {
     let number = value.quantity(dimension)?;
     if number >= 0.0 { Ok(number) } else { Err(value.invalid("not negative")) }
 }
 
-/// The keys of tables of any shape, each once.
+/// Returns the keys of all shapes, each once.
 fn all_keys(common: &[&'static str], shapes: &[(&str, &[&'static str])]) -> Vec<&'static str> {
     let own = shapes.iter().flat_map(|(_, keys)| keys.iter().copied());
     let mut all: Vec<_> = common.iter().copied().chain(own).collect();

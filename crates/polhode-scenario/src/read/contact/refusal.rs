@@ -1,4 +1,4 @@
-//! Where in the file it stands what the core refuses of a body on the ground.
+//! Places in the file for errors of the core about a body on the ground.
 
 use polhode::motion::contact::StartVelocity;
 use polhode::motion::{Event, Measure, MotionError};
@@ -7,7 +7,7 @@ use polhode_source::toml::reader::{Table, Value};
 
 use super::OnGround;
 
-/// What the core calls a number that it refuses, the table and the key where that stands, and what helps.
+/// Parameter name in the core, table and key in the file, and advice.
 const PLACES: [(&str, &str, &str, &str); 17] = [
     (
         "the height of the point of contact above the ground",
@@ -67,7 +67,7 @@ const ALONG_THE_GROUND: &str =
     "what it is along the normal follows from the spin: give the velocity along the ground";
 
 impl OnGround<'_> {
-    /// An error of the core at the key that it is about.
+    /// Returns an error of the core at the key that causes it.
     pub(crate) fn refused(&self, error: MotionError, events: &[Event]) -> FormatError {
         let parameter = match &error {
             MotionError::ParameterOutOfRange { parameter, .. }
@@ -96,24 +96,25 @@ impl OnGround<'_> {
         if hint.is_empty() { placed } else { placed.with_hint(*hint) }
     }
 
-    /// The part of the given velocity along the ground, m/s, space axes: v − (v · n) n.
+    /// Returns the component of the initial velocity along the ground, m/s, space axes: v − (v · n)
+    /// n.
     fn along_the_ground(&self) -> Option<[f64; 3]> {
         let StartVelocity::Along(velocity) = self.ground.velocity else { return None };
         let normal = self.ground.contact.ground.normal_at(self.ground.at)?;
         let (v, n, across) = (velocity.to_array(), normal.to_array(), velocity.dot(normal));
-        // Rounding of the difference is zero.
+        // Rounding errors of the difference are set to zero.
         let rounding = 4.0 * f64::EPSILON * velocity.norm();
         Some([0, 1, 2].map(|k| v[k] - across * n[k]).map(|x| if x.abs() <= rounding { 0.0 } else { x }))
     }
 
-    /// The value of a key of a table of the file; the table, where it has no such key.
+    /// Returns the value of a key in a table of the file; the table itself if it has no such key.
     fn at(&self, table: &'static str, key: &'static str) -> Option<Value<'_>> {
         let value = self.root.get(table)?;
         let inside = value.table().ok().and_then(|table: Table<'_>| table.get(key));
         Some(inside.unwrap_or(value))
     }
 
-    /// The first event that a body on the ground cannot have.
+    /// Returns the first event that is not supported for a body on the ground.
     fn event(&self, events: &[Event]) -> Option<Value<'_>> {
         let k = events.iter().position(|event| matches!(event.measure(), Measure::TotalEnergy))?;
         let event = self.root.get("event")?.elements("events").ok()?.get(k).copied()?;

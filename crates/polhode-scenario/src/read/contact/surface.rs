@@ -1,4 +1,4 @@
-//! The surface with which a body touches the ground.
+//! Surface of a body that touches the ground.
 
 use polhode::motion::contact::{BodySurface, SurfaceShape};
 use polhode_source::FormatError;
@@ -8,12 +8,12 @@ use polhode_source::unit::Dimension;
 use super::{all_keys, not_negative};
 use crate::read::placement::Placement;
 
-/// What to write where a surface is missing.
+/// Example for a missing surface.
 pub(crate) const EXAMPLE: &str = "surface = { shape = \"sphere\", radius = \"20 mm\" }";
 
 const COMMON: [&str; 3] = ["shape", "position", "rotate"];
 
-/// The shapes, each with its own keys.
+/// Shapes of surfaces, each with its own keys.
 const SHAPES: [(&str, &[&str]); 4] = [
     ("sphere", &["radius"]),
     ("ellipsoid", &["semi_axes"]),
@@ -21,11 +21,11 @@ const SHAPES: [(&str, &[&str]); 4] = [
     ("cylinder", &["radius", "length"]),
 ];
 
-/// `{ shape = "ellipsoid", semi_axes = [3], position = [3], rotate = { … } }`
+/// Reads `{ shape = "ellipsoid", semi_axes = [3], position = [3], rotate = { … } }`.
 pub(crate) fn surface(value: &Value<'_>) -> Result<BodySurface, FormatError> {
     let table = value.table()?;
     if table.get("shape").is_none() {
-        // A misspelt `shape` is a key that no surface has.
+        // This reports a misspelt `shape` as an unknown key.
         table.allow(&all_keys(&COMMON, &SHAPES))?;
     }
     let kind = table.require("shape", EXAMPLE)?.choice(&SHAPES.map(|(name, _)| name))?;

@@ -1,16 +1,17 @@
-//! One axis of the gimbals: how it stands at the start, what holds it, what turns it.
+//! One axis of the gimbals: initial angle and rate, constraint, and torques.
 
 use polhode::motion::gimbal::{Axis, Spring};
 use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit::Dimension;
 
-/// The keys of an axis.
+/// Keys of an axis.
 pub(crate) const KEYS: [&str; 8] =
     ["angle", "rate", "locked", "driven", "damping", "spring", "rest", "torque"];
 
-/// `{ angle = "10 deg", rate = "2 deg/s", damping = "0.1 N m s/rad", spring = "2 N m/rad", rest = "5 deg", torque = "3 N m" }`, with `locked = true` or
-/// `driven = true` where it is.
+/// Reads `{ angle = "10 deg", rate = "2 deg/s", damping = "0.1 N m s/rad", spring = "2 N m/rad",
+/// rest = "5 deg", torque = "3 N m" }`, or `locked = true` or `driven = true` with the angle and
+/// rate.
 pub(crate) fn axis(value: &Value<'_>, table: &Table<'_>) -> Result<Axis, FormatError> {
     let quantity = |key, dimension| table.get(key).map_or(Ok(0.0), |value| value.quantity(dimension));
     let angle = quantity("angle", Dimension::ANGLE)?;
@@ -36,7 +37,7 @@ pub(crate) fn axis(value: &Value<'_>, table: &Table<'_>) -> Result<Axis, FormatE
     axis.turned_by(torque.quantity(Dimension::TORQUE)?).map_err(|error| torque.motion(error))
 }
 
-/// `locked` or `driven`, if it is one of these.
+/// Returns `locked` or `driven`, if one of these is set.
 fn held(table: &Table<'_>) -> Result<Option<&'static str>, FormatError> {
     let keys = ["locked", "driven"];
     let Some(held) = table.at_most_one(&keys, "a lock keeps the angle of an axis, a motor its rate")? else {

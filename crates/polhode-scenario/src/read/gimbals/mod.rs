@@ -1,4 +1,4 @@
-//! The `[gimbals]`: a rotor that hangs in two of them, on a base that may turn.
+//! `[gimbals]`: a rotor in two gimbals, on a base that may rotate.
 
 mod axis;
 
@@ -11,10 +11,11 @@ use polhode_source::unit::Dimension;
 
 use super::tensor;
 
-/// The keys of a gimbal's mass, beside those of its axis.
+/// Keys of a gimbal's inertia, in addition to those of its axis.
 const MASS: [&str; 6] = tensor::KEYS;
 
-/// Reads `[gimbals]`, if there is one, and hangs the scenario's body in them; `pivot` is the point of the body that is held, where one is.
+/// Reads `[gimbals]`, if present, and mounts the scenario's body in them; `pivot` is the value of a
+/// pivot, if there is one.
 pub(crate) fn gimbals(
     root: &Table<'_>,
     scenario: Scenario,
@@ -71,7 +72,7 @@ pub(crate) fn gimbals(
     scenario.in_gimbals(gimbals).map_err(|error| refused(&value, &table, error))
 }
 
-/// What the core refuses, at the key that it is about.
+/// Returns an error of the core at the key that causes it.
 fn refused(value: &Value<'_>, table: &Table<'_>, error: MotionError) -> FormatError {
     let (key, inside, hint) = match &error {
         MotionError::ParameterOutOfRange { parameter: "the angle of the inner gimbal", .. } => (
@@ -101,7 +102,7 @@ fn direction<F>(value: &Value<'_>) -> Result<Direction<F>, FormatError> {
     axis.direction().ok_or_else(|| value.invalid("a direction: finite and not zero"))
 }
 
-/// How the axis of a gimbal is held, and its mass.
+/// Reads the axis and the inertia of a gimbal.
 fn of_gimbal(value: Option<Value<'_>>) -> Result<(Axis, Gimbal), FormatError> {
     let Some(value) = value else { return Ok((Axis::FREE, Gimbal::MASSLESS)) };
     let table = value.table()?;
@@ -117,7 +118,7 @@ fn of_gimbal(value: Option<Value<'_>>) -> Result<(Axis, Gimbal), FormatError> {
     Ok((held, gimbal))
 }
 
-/// `{ latitude = "52 deg" }`, the Earth's turning there; or `{ rate = [3] }`.
+/// Reads `{ latitude = "52 deg" }`, the Earth's rotation there, or `{ rate = [3] }`.
 fn base_of(value: &Value<'_>) -> Result<Base, FormatError> {
     let table = value.table()?;
     table.allow(&["latitude", "rate"])?;

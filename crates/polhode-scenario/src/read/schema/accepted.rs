@@ -1,4 +1,4 @@
-//! Everything that the reader accepts at a place of a scenario file, collected from its requests.
+//! Values that the reader accepts at a place of a scenario file, collected from its requests.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,7 +8,7 @@ use polhode_source::unit::Dimension;
 use super::answer::Answer;
 use super::sample::{Sample, Step};
 
-/// A type without parameters.
+/// Type without parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Plain {
     Text,
@@ -17,25 +17,25 @@ pub(super) enum Plain {
     Number,
 }
 
-/// The values that the reader accepts at a place.
+/// Values that the reader accepts at a place.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Accepted {
     pub plain: BTreeSet<Plain>,
     /// Dimensions of a quantity, in the order in which they were found.
     pub dimensions: Vec<Dimension>,
-    /// Names, of which a string is one.
+    /// Names, one of which a string must be.
     pub names: Vec<&'static str>,
     /// Lengths of an array; `None` for any.
     pub lengths: BTreeSet<Option<usize>>,
-    /// Elements of an array.
+    /// Accepted elements of an array.
     pub element: Option<Box<Self>>,
-    /// Tables, by name and keys.
+    /// Accepted tables, by name and keys.
     pub forms: Vec<Form>,
-    /// Values of a table whose keys are the user's.
+    /// Accepted values of a table with user-defined keys.
     pub any_key: Option<Box<Self>>,
 }
 
-/// A table with its keys.
+/// Table with its keys.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Form {
     /// Name of the table in messages.
@@ -43,11 +43,11 @@ pub(super) struct Form {
     pub keys: Vec<(&'static str, Accepted)>,
     /// Keys that the reader required in at least one sample.
     required: BTreeSet<&'static str>,
-    /// Keys that every sample which was read had; `None` if none was read to its end.
+    /// Keys common to all samples that were read to the end; `None` if there were none.
     common: Option<BTreeSet<String>>,
-    /// Keys that every sample had.
+    /// Keys common to all samples.
     written: Option<BTreeSet<String>>,
-    /// The names that were written for keys which take one of several.
+    /// Names that were used for keys with a choice of names.
     pub chosen: BTreeMap<&'static str, BTreeSet<String>>,
 }
 
@@ -57,7 +57,7 @@ impl Accepted {
         *self == Self::default()
     }
 
-    /// Adds the requests for a sample's value at a way, and for all values in it.
+    /// Adds the requests for a value of a sample at a path, and for all values in it.
     pub(super) fn add(&mut self, value: &Sample, way: &mut Vec<Step>, answer: &Answer) {
         for what in answer.at(way) {
             match what {
@@ -78,7 +78,7 @@ impl Accepted {
         }
         match value {
             Sample::Plain(_) => {}
-            // Elements are the reader's only where it asked for an array.
+            // Elements belong to the reader only if it requested an array.
             Sample::List(_) if self.lengths.is_empty() => {}
             Sample::List(elements) => {
                 let inner = self.element.get_or_insert_default();
@@ -99,7 +99,7 @@ impl Accepted {
             form.required.extend(whats.iter().filter_map(required));
             let written: BTreeSet<String> = entries.keys().cloned().collect();
             form.written = both(form.written.take(), Some(&written));
-            // What is refused in the table may hide that another key is missing.
+            // An error inside the table may hide another missing key.
             if answer.refusal.as_ref().is_none_or(|refusal| !refusal.way.starts_with(way)) {
                 form.common = both(form.common.take(), Some(&written));
             }
@@ -122,7 +122,7 @@ impl Accepted {
         }
     }
 
-    /// The table of this name and these keys, which is new where it is not there.
+    /// Returns the table with this name and these keys, adding it if it is new.
     fn form(&mut self, name: &str, keys: &[&'static str]) -> Option<&mut Form> {
         let is_it =
             |form: &Form| form.name == name && form.keys.iter().map(|(key, _)| *key).eq(keys.iter().copied());
@@ -139,7 +139,7 @@ impl Accepted {
         self.forms.iter_mut().find(|form| is_it(form))
     }
 
-    /// Takes what is not known here from a place that accepts the same.
+    /// Adds missing information from a place that accepts the same values.
     fn fill(&mut self, from: &Self) {
         if self.is_empty() {
             self.clone_from(from);
@@ -159,7 +159,8 @@ impl Accepted {
         }
     }
 
-    /// Completes tables that have several forms: a key that could not be reached in one is as in another.
+    /// Completes tables with several forms: a key not reached in one form is the same as in
+    /// another.
     pub(super) fn complete(&mut self) {
         let known = self.forms.clone();
         for form in &mut self.forms {
@@ -173,7 +174,7 @@ impl Accepted {
         self.forms.iter_mut().flat_map(|form| &mut form.keys).for_each(|(_, inner)| inner.complete());
     }
 
-    /// The places of which nothing is known.
+    /// Collects the places without information.
     #[cfg(test)]
     pub(super) fn unknown(&self, place: &str, found: &mut Vec<String>) {
         if self.is_empty() {
@@ -192,7 +193,7 @@ fn required(what: &What) -> Option<&'static str> {
     if let What::Required(key) = what { Some(key) } else { None }
 }
 
-/// The keys that two sets have in common; one that is unknown has no say.
+/// Returns the intersection of two sets; an unknown set is ignored.
 fn both(one: Option<BTreeSet<String>>, other: Option<&BTreeSet<String>>) -> Option<BTreeSet<String>> {
     match (one, other) {
         (Some(one), Some(other)) => Some(&one & other),

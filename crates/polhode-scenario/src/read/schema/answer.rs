@@ -1,4 +1,4 @@
-//! The reader's requests for a sample, by the ways to its values.
+//! Requests of the reader for a sample, by the paths to its values.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -14,22 +14,22 @@ use crate::read::{TOP, file_of_root};
 /// Requests of the reader for a sample, and its first error.
 #[derive(Debug, Default)]
 pub(super) struct Answer {
-    /// Requests by the way to the value that they are about, in the order of the reader.
+    /// Requests by the path to their value, in the order of the reader.
     pub asked: HashMap<Vec<Step>, Vec<What>>,
     /// The first error.
     pub refusal: Option<Refusal>,
 }
 
-/// An error of the reader.
+/// Error of the reader.
 #[derive(Debug)]
 pub(super) struct Refusal {
-    /// The way to the value, or to the value of the key, that is refused.
+    /// Path to the refused value, or to the value of the refused key.
     pub way: Vec<Step>,
     pub kind: FormatErrorKind,
 }
 
 impl Answer {
-    /// Reads a sample as a scenario file that may name no other file.
+    /// Reads a sample as a scenario file that cannot name other files.
     pub(super) fn of(sample: &Sample) -> Self {
         let written = sample.written();
         let (asked, nothing) = (Asked::default(), Memory::default());
@@ -55,19 +55,21 @@ impl Answer {
         Self { asked: by_way, refusal }
     }
 
-    /// The requests for the value at the end of a way.
+    /// Returns the requests for the value at the end of a path.
     pub(super) fn at(&self, way: &[Step]) -> &[What] {
         self.asked.get(way).map_or(&[], Vec::as_slice)
     }
 
-    /// The name and the keys of the table at the end of a way; of a table that was asked twice, the later request knows more.
+    /// Returns the name and keys of the table at the end of a path; for a table requested twice,
+    /// the later request has more information.
     pub(super) fn keys(&self, way: &[Step]) -> Option<(&str, &[&'static str])> {
         self.at(way).iter().rev().find_map(|what| {
             if let What::Keys(name, keys) = what { Some((name.as_str(), keys.as_slice())) } else { None }
         })
     }
 
-    /// The table whose keys are refused: one is missing, unknown, or excludes another.
+    /// Returns the path to the table with a missing, unknown or conflicting key, if that is the
+    /// error.
     pub(super) fn refused_table(&self) -> Option<&[Step]> {
         let Refusal { way, kind } = self.refusal.as_ref()?;
         match kind {

@@ -1,8 +1,9 @@
-//! The keys of scenario files, found by asking the reader.
+//! Search for the keys of scenario files by means of the reader.
 //!
-//! A sample is read. In each table that the reader asks about, each key gets a number, then a string,
-//! an array and a table where the reader asks for one, then each name that a string may be. A sample
-//! that the reader refuses is changed as the error says. Samples with a new key are explored in turn.
+//! A sample is read. In each table that the reader requests, each key is tried with a number. Then
+//! it is tried with a string, an array and a table if the reader requests these, and with each name
+//! of a choice. If the reader refuses a sample, it is changed according to the error. Samples with
+//! new keys are explored in turn.
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
@@ -14,10 +15,10 @@ use super::answer::Answer;
 use super::sample::{Sample, Step};
 use super::seeds::seeds;
 
-/// Largest number of changes to a sample that the reader refuses.
+/// Largest number of changes to a refused sample.
 const CHANGES: usize = 16;
 
-/// All that scenario files may say.
+/// Returns everything that scenario files accept.
 pub(super) fn crawl() -> Accepted {
     let mut crawl = Crawl::default();
     for sample in seeds().iter().filter_map(|seed| Sample::parse(seed)) {
@@ -32,7 +33,7 @@ pub(super) fn crawl() -> Accepted {
     crawl.found
 }
 
-/// A type of values, as the reader tells them apart.
+/// Type of a value, as far as the reader distinguishes types.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Number,
@@ -44,16 +45,16 @@ enum Kind {
 #[derive(Debug, Default)]
 struct Crawl {
     found: Accepted,
-    /// Samples that are to be explored.
+    /// Samples still to be explored.
     samples: VecDeque<(Sample, Answer)>,
-    /// Keys of which something is known: the way to the table, the table's name and keys, and the key.
+    /// Keys with known values: path to the table, name of the table, and key.
     known: BTreeSet<(Vec<Step>, String, &'static str)>,
-    /// Names that were read in their place.
+    /// Names that the reader accepted, with their paths.
     named: BTreeSet<(Vec<Step>, &'static str)>,
 }
 
 impl Crawl {
-    /// Tries every key and name that the reader asks for in a sample.
+    /// Tries every key and name that the reader requests for a sample.
     fn explore(&mut self, sample: &Sample, answer: &Answer) {
         let mut ways: Vec<&Vec<Step>> = answer.asked.keys().collect();
         ways.sort();
@@ -82,7 +83,7 @@ impl Crawl {
         }
     }
 
-    /// Writes a name in its place, with what that needs.
+    /// Tries a name in its place, with the keys that it requires.
     fn try_name(&mut self, sample: &Sample, way: &[Step], name: &'static str) {
         let this = (way.to_vec(), name);
         if self.named.contains(&this) {
@@ -96,14 +97,14 @@ impl Crawl {
         }
     }
 
-    /// Writes a value of each type that the reader distinguishes; returns true if the value was reached.
+    /// Tries a value of each type that the reader distinguishes; returns true if one was reached.
     fn try_values(&mut self, sample: &Sample, way: &[Step]) -> bool {
         let (mut kinds, mut k, mut is_reached) = (vec![Kind::Number], 0, true);
         let mut scalars: Vec<(Sample, Answer)> = Vec::new();
         while let Some(kind) = kinds.get(k).copied() {
             k += 1;
             let (read, answer) = self.read(&sample.with(way, kind.value()), way);
-            // Behind a table that lacks a key nothing is certain.
+            // After a table with a missing key, requests are unreliable.
             if answer.at(way).is_empty() || answer.refused_table().is_some_and(|table| way.starts_with(table))
             {
                 is_reached &= kind == Kind::List || kind == Kind::Text;
@@ -120,13 +121,13 @@ impl Crawl {
                 Kind::Table => self.samples.push_back((read, answer)),
             }
         }
-        // Keys that need this one, or exclude one of the sample's, are tried with it.
+        // Keys that require or exclude this one are tried with it later.
         let accepted = scalars.iter().position(|(_, answer)| answer.refusal.is_none());
         self.samples.extend(scalars.into_iter().nth(accepted.unwrap_or(0)));
         is_reached
     }
 
-    /// Fills an array with elements of each type.
+    /// Tries an array with elements of each type.
     fn try_elements(&mut self, sample: &Sample, way: &[Step], answer: &Answer) {
         let length = |what: &What| if let What::Array(length) = what { Some(*length) } else { None };
         let lengths = match answer.at(way).iter().rev().find_map(length) {
@@ -140,7 +141,7 @@ impl Crawl {
         }
     }
 
-    /// Reads a sample, changed until the reader reaches the value at the way.
+    /// Reads a sample, changed until the reader reaches the value at the path.
     fn read(&mut self, sample: &Sample, way: &[Step]) -> (Sample, Answer) {
         let mut sample = sample.clone();
         let mut answer = Answer::of(&sample);
@@ -164,7 +165,7 @@ impl Kind {
         }
     }
 
-    /// The type that a request is about.
+    /// Returns the type that a request concerns.
     fn asked(what: &What) -> Option<Self> {
         match what {
             What::Text | What::Choice(_) => Some(Self::Text),
@@ -175,7 +176,8 @@ impl Kind {
     }
 }
 
-/// The sample without what the reader refuses, or with what it misses; the value at the way stays.
+/// Returns the sample without the refused key, or with the missing one; the value at the path is
+/// kept.
 fn changed(sample: &Sample, answer: &Answer, way: &[Step]) -> Option<Sample> {
     let refusal = answer.refusal.as_ref()?;
     let is_kept = |other: &[Step]| way.starts_with(other);
@@ -195,9 +197,9 @@ fn changed(sample: &Sample, answer: &Answer, way: &[Step]) -> Option<Sample> {
     }
 }
 
-/// The sample with the key that a table lacks, as the reader's example writes it.
+/// Returns the sample with the missing key of a table, from the reader's example.
 fn with_example(sample: &Sample, table: &[Step], key: &str, example: &str) -> Option<Sample> {
-    // Behind the example a word of advice may stand.
+    // Advice in words may follow the example.
     let cuts = example.match_indices(", ").chain(example.match_indices(" and ")).map(|(at, _)| at);
     let mut ends: Vec<usize> = cuts.chain([example.len()]).collect();
     ends.sort_unstable();
@@ -207,7 +209,7 @@ fn with_example(sample: &Sample, table: &[Step], key: &str, example: &str) -> Op
         Sample::parse(&line)
     };
     let Sample::Table(mut pairs) = ends.iter().rev().find_map(parse)? else { return None };
-    // `{ body = [0, 0, 1] }` is the table itself.
+    // An example `{ body = [0, 0, 1] }` is the table itself.
     if let [Sample::Table(inner)] = pairs.values().collect::<Vec<_>>()[..]
         && inner.contains_key(key)
     {

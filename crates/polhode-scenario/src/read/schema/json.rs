@@ -1,4 +1,4 @@
-//! Accepted values as a JSON schema.
+//! Conversion of accepted values to a JSON schema.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,10 +7,10 @@ use serde_json::{Map, Value, json};
 
 use super::accepted::{Accepted, Form, Plain};
 
-/// More dimensions than this mean that another key decides.
+/// Largest number of dimensions that are listed; more mean that another key decides.
 const DIMENSIONS: usize = 3;
 
-/// The schema of a file.
+/// Returns the schema of a file.
 pub(super) fn of(file: &Accepted) -> Value {
     let mut whole = json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
@@ -32,7 +32,7 @@ pub(super) fn of(file: &Accepted) -> Value {
 /// Place of a value.
 #[derive(Clone, Debug, Default)]
 struct Place {
-    /// Keys with dots between them.
+    /// Key path, separated by dots.
     path: String,
     is_element: bool,
 }
@@ -47,7 +47,7 @@ impl Place {
         Self { is_element: true, ..self.clone() }
     }
 
-    /// The title of a table that messages call so: a header where the table may have one.
+    /// Returns the title of a table with this name in messages; a header if the table may have one.
     fn title(&self, name: &str) -> String {
         let depth = self.path.matches('.').count();
         match (name.contains(' '), self.is_element, depth) {
@@ -85,7 +85,7 @@ fn of_value(value: &Accepted, place: &Place) -> Value {
     }
 }
 
-/// Strings, numbers and truth values; a name is a string already.
+/// Returns the schema of strings, numbers and booleans; names are strings.
 fn scalar(value: &Accepted) -> Option<Value> {
     let has = |plain| value.plain.contains(&plain);
     let is_quantity = !value.dimensions.is_empty();
@@ -107,7 +107,7 @@ fn scalar(value: &Accepted) -> Option<Value> {
     }
     if is_quantity {
         schema["description"] = json!(quantity(&value.dimensions));
-        // A formula may have no number.
+        // The value may be a formula without any number.
         if !has(Plain::Text) {
             schema["pattern"] = json!("[0-9]");
         }
@@ -115,7 +115,7 @@ fn scalar(value: &Accepted) -> Option<Value> {
     Some(schema)
 }
 
-/// A quantity in words, with its unit and an example.
+/// Describes a quantity by its dimension, unit and an example.
 fn quantity(dimensions: &[Dimension]) -> String {
     if dimensions.len() > DIMENSIONS {
         return "a quantity, whose dimension depends on another key".to_owned();
@@ -132,9 +132,10 @@ fn quantity(dimensions: &[Dimension]) -> String {
     dimensions.iter().map(one).collect::<Vec<_>>().join(", or ")
 }
 
-/// The schema of a table in one of several forms.
+/// Returns the schema of a table with one of several forms.
 ///
-/// A key whose name differs from form to form distinguishes them; without one, the table has the keys of all.
+/// A key with a different name in each form distinguishes them; without such a key the table
+/// accepts the keys of all forms.
 fn of_tables(forms: &[Form], place: &Place) -> Value {
     let [first, others @ ..] = forms else { return json!({ "type": "object" }) };
     if others.is_empty() {
@@ -198,7 +199,7 @@ fn of_form(form: &Form, place: &Place, named_by: Option<&str>) -> Value {
     schema
 }
 
-/// Tables that several places have, each with its name, by their text.
+/// Tables that occur at several places, with their names, by their JSON text.
 type Repeated = BTreeMap<String, (String, Value)>;
 
 fn repeated<'a>(values: impl Iterator<Item = &'a Value>) -> Repeated {
@@ -229,7 +230,7 @@ fn counted(value: &Value, count: &mut BTreeMap<String, (usize, Value)>) {
     }
 }
 
-/// The value with references in the place of repeated tables.
+/// Returns the value with references instead of repeated tables.
 fn referring(value: &Value, repeated: &Repeated) -> Value {
     match value.is_object().then(|| repeated.get(&value.to_string())).flatten() {
         Some((name, _)) => json!({ "$ref": format!("#/$defs/{name}") }),
@@ -237,7 +238,7 @@ fn referring(value: &Value, repeated: &Repeated) -> Value {
     }
 }
 
-/// The same of all that is in the value.
+/// Applies [`referring`] to everything inside the value.
 fn inside(value: &Value, repeated: &Repeated) -> Value {
     match value {
         Value::Array(values) => values.iter().map(|value| referring(value, repeated)).collect(),

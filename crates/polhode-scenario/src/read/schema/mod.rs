@@ -1,4 +1,4 @@
-//! The JSON schema of scenario files, made from what their reader asks for.
+//! JSON schema of scenario files, generated from the requests of their reader.
 
 mod accepted;
 mod answer;
@@ -9,10 +9,10 @@ mod seeds;
 
 use serde_json::Value;
 
-/// Returns the JSON schema (draft 2020-12) of scenario files, as data that TOML and JSON have in common.
+/// Returns the JSON schema (draft 2020-12) of scenario files, for data in TOML or JSON.
 ///
-/// It has the types, names, dimensions and required keys that the reader requests. The reader alone checks
-/// ranges of numbers and keys that exclude each other.
+/// It contains the types, names, dimensions and required keys that the reader requests. Ranges of
+/// numbers and mutually exclusive keys are checked by the reader only.
 ///
 /// ```
 /// let schema = polhode_scenario::read::schema();

@@ -1,14 +1,14 @@
-//! A scenario as values that are replaced one at a time, and its text with the place of each value.
+//! Scenario as replaceable values, and its text with the place of each value.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
 
 use polhode_source::toml::tree::{self, Entries, Kind, Node};
 
-/// A value of a scenario.
+/// Value of a scenario.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Sample {
-    /// A string, a number or a truth value, as TOML writes it.
+    /// String, number or boolean in TOML syntax.
     Plain(String),
     /// Elements of an array.
     List(Vec<Self>),
@@ -16,32 +16,32 @@ pub(super) enum Sample {
     Table(BTreeMap<String, Self>),
 }
 
-/// One step of the way from the file to a value; all elements of an array are alike.
+/// One step of the path from the file to a value; the elements of an array are not distinguished.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) enum Step {
-    /// Into a table.
+    /// Key of a table.
     Key(String),
-    /// Into every element of an array.
+    /// All elements of an array.
     Each,
 }
 
-/// The text of a sample, and the places in it.
+/// Text of a sample with the places in it.
 #[derive(Debug, Default)]
 pub(super) struct Written {
     pub text: String,
-    /// Bytes of each value, and the way to it; the file itself has none.
+    /// Bytes of each value, and the path to it; the file itself has none.
     pub values: Vec<(Range<usize>, Vec<Step>)>,
-    /// Bytes of each key, and the way to its value.
+    /// Bytes of each key, and the path to its value.
     pub keys: Vec<(Range<usize>, Vec<Step>)>,
 }
 
 impl Sample {
-    /// Creates a string.
+    /// Creates a string value.
     pub(super) fn text(text: &str) -> Self {
         Self::Plain(format!("\"{text}\""))
     }
 
-    /// The values of a TOML text; `None` if it is not TOML.
+    /// Parses TOML into values; `None` if it is not TOML.
     pub(super) fn parse(text: &str) -> Option<Self> {
         tree::parse(text).ok().map(|entries| Self::of_entries(text, &entries))
     }
@@ -68,7 +68,7 @@ impl Sample {
         }
     }
 
-    /// The value at the end of a way; of an array its first element.
+    /// Returns the value at the end of a path; for an array, that of its first element.
     pub(super) fn get(&self, way: &[Step]) -> Option<&Self> {
         let Some((step, rest)) = way.split_first() else { return Some(self) };
         match (self, step) {
@@ -78,14 +78,15 @@ impl Sample {
         }
     }
 
-    /// The same with another value at the end of a way whose tables and arrays exist.
+    /// Returns the sample with another value at the end of a path; its tables and arrays must
+    /// exist.
     pub(super) fn with(&self, way: &[Step], value: Self) -> Self {
         let mut changed = self.clone();
         changed.set(way, &Some(value));
         changed
     }
 
-    /// The same without the value at the end of a way.
+    /// Returns the sample without the value at the end of a path.
     pub(super) fn without(&self, way: &[Step]) -> Self {
         let mut changed = self.clone();
         changed.set(way, &None);
@@ -111,7 +112,7 @@ impl Sample {
         }
     }
 
-    /// The text: a line for each key of the file.
+    /// Returns the text with one line for each key of the file.
     pub(super) fn written(&self) -> Written {
         let mut written = Written::default();
         if let Self::Table(entries) = self {

@@ -1,4 +1,4 @@
-//! Samples to begin with: combinations that do not follow from trying one key after the other.
+//! Initial samples with combinations of keys that a search by single keys does not find.
 
 const BALL: &str = "
 [[body.part]]
@@ -10,7 +10,7 @@ position = [0, 0, 1]
 duration = 1
 ";
 
-/// A sweep, and what may vary in it.
+/// Sweep with variable quantities.
 const SWEEP: &str = "
 [start]
 spin = { body = [0, 0, 1] }
@@ -25,7 +25,7 @@ members = 4
 sampling = 'monte carlo'
 ";
 
-/// The laws of a number.
+/// Distributions of a number.
 const LAWS: [&str; 8] = [
     "uniform = { from = 1, to = 2 }",
     "normal = { mean = 1, sd = 1, from = 0, to = 2 }",
@@ -37,22 +37,22 @@ const LAWS: [&str; 8] = [
     "grid = { from = 1, to = 2, count = 2 }",
 ];
 
-/// Numbers, and vectors, that measure different things.
+/// Numbers and vectors of different dimensions.
 const NUMBERS: [&str; 4] =
     ["run.duration", "start.attitude.angle", "start.spin.body[2]", "body.part[0].mass"];
 const VECTORS: [&str; 4] = ["start.spin.body", "start.velocity", "body.part[0].position", "torque[0].torque"];
 
-/// The same matrix of as many rows as there are numbers in a tensor.
+/// Identity matrix with as many rows as a tensor has independent elements.
 const CORRELATION: &str = "[[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0], \
      [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]";
 
-/// TOML of each sample; the elements of an array have the same keys.
+/// Returns the TOML of each sample; all elements of an array have the same keys.
 pub(super) fn seeds() -> Vec<String> {
     let orbit = "[orbit]\naltitude = 5e5\n[start]\nrelative_to = 'orbit'\nspin = { body = [0, 0, 1] }\n";
     let magnet = "[[torque]]\nmodel = 'magnetic'\nmoment = [0, 0, 1]\ndipole = [0, 0, 1]\n";
     let mut seeds = vec![
         BALL.to_owned(),
-        // A body that is held.
+        // A body with a pivot.
         format!("body.pivot = [0, 0, 1]\n{BALL}[[torque]]\nmodel = 'gravity'\n"),
         format!("{BALL}{orbit}{magnet}"),
         "[[body.part]]\nshape = 'sphere'\nradius = 1\ndensity = '1 + x'\ndensity_tolerance = 1e-6\n"

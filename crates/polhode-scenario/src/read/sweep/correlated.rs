@@ -1,4 +1,4 @@
-//! `correlated`: several numbers, or mass properties, that are drawn together.
+//! `correlated`: several numbers, or mass properties, drawn from a joint distribution.
 
 use polhode::infer::correlated::Correlated;
 use polhode::infer::covariance::NotCovariance;
@@ -9,10 +9,10 @@ use polhode_source::unit::{Dimension, unit_of};
 
 use crate::read::target::Target;
 
-/// Numbers that are drawn together have so many columns at most.
+/// Largest number of columns drawn together.
 const MOST: usize = 16;
 
-/// The ten numbers of a body, in their order; its tensor has the last six.
+/// The ten numbers of a body in their order; a tensor has the last six.
 const NUMBERS: [(&str, Dimension); 10] = [
     ("mass", Dimension::MASS),
     ("center_of_mass x", Dimension::LENGTH),
@@ -26,7 +26,7 @@ const NUMBERS: [(&str, Dimension); 10] = [
     ("inertia yz", Dimension::INERTIA),
 ];
 
-/// What is drawn together: its numbers by name, what each measures, and what they are as they are written.
+/// Numbers drawn together: names, dimensions, and values as written.
 pub(crate) struct Numbers {
     names: Vec<(String, Dimension)>,
     nominal: Vec<f64>,
@@ -34,14 +34,14 @@ pub(crate) struct Numbers {
 }
 
 impl Numbers {
-    /// Of mass properties.
+    /// Creates the numbers of mass properties.
     pub(crate) fn of_body(target: &Target) -> Self {
         let nominal = target.nominal().to_vec();
         let names = NUMBERS.iter().skip(NUMBERS.len() - nominal.len());
         Self { names: names.map(|(name, of)| ((*name).to_owned(), *of)).collect(), nominal, is_body: true }
     }
 
-    /// Of numbers of the scenario, each a target of its own; all of them as one target.
+    /// Combines numbers of the scenario, each a target of its own, into one target.
     pub(crate) fn of_keys(
         key: &Value<'_>,
         targets: Vec<(Target, Value<'_>)>,
@@ -59,7 +59,8 @@ impl Numbers {
         Ok((all, Self { names, nominal, is_body: false }))
     }
 
-    /// `correlated = { covariance = [[…], …] }`, or `{ sd = […], correlation = [[…], …] }`; of numbers perhaps with their `mean`, of mass properties with what becomes of `impossible` ones.
+    /// Reads `correlated = { covariance = [[…], …] }`, or `{ sd = […], correlation = [[…], …] }`.
+    /// Numbers may have a `mean`; mass properties have a rule for `impossible` draws.
     pub(crate) fn law(&self, form: &Value<'_>) -> Result<Correlated, FormatError> {
         let table = form.table()?;
         table.allow(&["mean", "covariance", "sd", "correlation", "impossible"])?;
@@ -103,7 +104,7 @@ impl Numbers {
         Ok(if is_moved { law.possible() } else { law })
     }
 
-    /// A number for each, in its own unit.
+    /// Reads one quantity for each number, in its own dimension.
     fn list<'a>(&self, value: &Value<'a>) -> Result<Vec<(Value<'a>, f64)>, FormatError> {
         let all = self.each(value, "numbers or strings with units")?;
         quantities(all.into_iter().zip(self.dimensions()).collect())
@@ -132,7 +133,8 @@ impl Numbers {
         }
     }
 
-    /// The covariance by correlations, each element at the correlation that it is of.
+    /// Returns the covariance computed from correlations, each element with the place of its
+    /// correlation.
     fn correlation<'a>(
         &self,
         value: &Value<'a>,
@@ -157,7 +159,7 @@ impl Numbers {
         Ok(rows)
     }
 
-    /// The elements of an array of as many as there are numbers.
+    /// Returns the elements of an array with one element for each number.
     fn each<'a>(&self, value: &Value<'a>, of: &str) -> Result<Vec<Value<'a>>, FormatError> {
         let n = self.names.len();
         let expected = format!("an array of {n} {of}");
@@ -170,7 +172,7 @@ impl Numbers {
         Err(error.with_hint(format!("in this order: {}", names.join(", "))))
     }
 
-    /// The matrix is no covariance, by one of its elements.
+    /// Returns the error for a matrix that is not a covariance matrix, at the responsible element.
     fn refused(
         &self,
         form: &Value<'_>,
@@ -199,7 +201,8 @@ impl Numbers {
     }
 }
 
-/// Numbers, each of what it measures; the first without a unit beside one with is refused.
+/// Reads quantities of given dimensions; refuses the first number without a unit if others have
+/// one.
 fn quantities<'a>(all: Vec<(Value<'a>, Dimension)>) -> Result<Vec<(Value<'a>, f64)>, FormatError> {
     let unit = |value: &Value<'a>| value.string().ok().filter(|text| !unit_of(text).is_empty());
     let (mut numbers, mut with, mut bare) = (Vec::with_capacity(all.len()), None, None);

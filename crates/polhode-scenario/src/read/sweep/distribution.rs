@@ -1,61 +1,62 @@
-//! How a number is distributed.
+//! Probability distributions of a number.
 
 use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit;
 use polhode_source::unit::Dimension;
 
-/// How a number is distributed, SI.
+/// Probability distribution of a number, SI units.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Distribution {
-    /// Normal, of sd > 0; what is outside of `from` to `to` is drawn again, so to speak.
+    /// Normal distribution with `sd` > 0, truncated to `from` … `to`.
     Normal {
-        /// Of the whole, not of what is between the bounds.
+        /// Mean of the distribution before truncation.
         mean: f64,
-        /// Standard deviation of the whole.
+        /// Standard deviation before truncation.
         sd: f64,
-        /// −∞ without a bound.
+        /// Lower bound; −∞ if there is none.
         from: f64,
-        /// ∞ without a bound.
+        /// Upper bound; ∞ if there is none.
         to: f64,
     },
-    /// Alike from one number to a greater one.
+    /// Uniform distribution between two numbers.
     Uniform {
-        /// The least.
+        /// Lower bound.
         from: f64,
-        /// The greatest.
+        /// Upper bound.
         to: f64,
     },
-    /// The logarithm is normal.
+    /// Log-normal distribution: the logarithm is normal.
     LogNormal {
-        /// Half of all is below; positive.
+        /// Median; positive.
         median: f64,
         /// Standard deviation of the natural logarithm; positive.
         sigma: f64,
     },
-    /// The logarithm is uniform; both are positive.
+    /// Log-uniform distribution: the logarithm is uniform. Both bounds are positive.
     LogUniform {
-        /// The least.
+        /// Lower bound; positive.
         from: f64,
-        /// The greatest.
+        /// Upper bound; positive.
         to: f64,
     },
-    /// Rising in a straight line from the least to the likeliest, and falling to the greatest.
+    /// Triangular distribution: the density rises linearly from the lower bound to the mode, and
+    /// falls to the upper bound.
     Triangular {
-        /// The least.
+        /// Lower bound.
         from: f64,
-        /// The likeliest, which may be at either end.
+        /// Mode, which may be at either bound.
         mode: f64,
-        /// The greatest.
+        /// Upper bound.
         to: f64,
     },
-    /// Each as likely as any other; in a grid one after the other. At least one.
+    /// List of equally probable values; in a grid, all of them. At least one.
     List(Vec<f64>),
 }
 
 impl Distribution {
-    /// The least number that it has; −∞ if there is none.
+    /// Returns the least possible number; −∞ if there is none.
     pub fn least(&self) -> f64 {
         match self {
             Self::Normal { from, .. }
@@ -68,14 +69,14 @@ impl Distribution {
     }
 }
 
-/// The keys of distributions.
+/// Keys of the distributions.
 pub(crate) const FORMS: [&str; 8] =
     ["normal", "uniform", "log_normal", "log_uniform", "triangular", "relative", "list", "grid"];
 
-/// More values of one number are a slip of the pen.
+/// Largest number of values of one number; more are probably a mistake.
 const MOST_VALUES: u64 = 1_000_000;
 
-/// The distribution of a number of this dimension that is `nominal` as it is written.
+/// Reads the distribution of a number of this dimension; `nominal` is its value as written.
 pub(crate) fn distribution(
     form: &Value<'_>,
     dimension: Dimension,
@@ -115,7 +116,7 @@ pub(crate) fn distribution(
     }
 }
 
-/// `normal = { mean, sd }`, perhaps with `from` and `to`
+/// Reads `normal = { mean, sd }`, optionally with `from` and `to`.
 fn normal(table: &Table<'_>, dimension: Dimension) -> Result<Distribution, FormatError> {
     table.allow(&["mean", "sd", "from", "to"])?;
     let mean = table.require("mean", "mean = 0.3")?.quantity(dimension)?;
@@ -125,7 +126,7 @@ fn normal(table: &Table<'_>, dimension: Dimension) -> Result<Distribution, Forma
     if let Some(value) = table.get("to").filter(|_| !(from < to)) {
         return Err(value.invalid("greater than from").with_hint("the numbers are between them"));
     }
-    // Beyond these bounds there is next to nothing to be drawn from.
+    // Bounds beyond this many standard deviations from the mean leave almost no probability.
     const FARTHEST: f64 = 30.0;
     for (key, outside) in [("from", (from - mean) / sd > FARTHEST), ("to", (mean - to) / sd > FARTHEST)] {
         if let Some(value) = table.get(key).filter(|_| outside) {
@@ -136,7 +137,7 @@ fn normal(table: &Table<'_>, dimension: Dimension) -> Result<Distribution, Forma
     Ok(Distribution::Normal { mean, sd, from, to })
 }
 
-/// `log_normal = { median, sigma }`, or `{ mean, sd }` of the number itself
+/// Reads `log_normal = { median, sigma }`, or `{ mean, sd }` of the number itself.
 fn log_normal(table: &Table<'_>, dimension: Dimension) -> Result<Distribution, FormatError> {
     table.allow(&["median", "sigma", "mean", "sd"])?;
     let rule = "median goes with sigma, mean with sd";
@@ -151,7 +152,7 @@ fn log_normal(table: &Table<'_>, dimension: Dimension) -> Result<Distribution, F
     if table.get("mean").is_some() || table.get("sd").is_some() {
         let mean = positive("mean", "mean = 0.3")?;
         let sd = deviation(&table.require("sd", "sd = 0.05")?, dimension)?;
-        // σ² = ln(1 + (sd/mean)²),  median = mean / √(1 + (sd/mean)²)
+        // σ² = ln(1 + (sd/mean)²),  median = mean / √(1 + (sd/mean)²).
         let square = (sd / mean) * (sd / mean);
         return Ok(Distribution::LogNormal {
             median: mean / (1.0 + square).sqrt(),
@@ -163,7 +164,7 @@ fn log_normal(table: &Table<'_>, dimension: Dimension) -> Result<Distribution, F
     Ok(Distribution::LogNormal { median, sigma })
 }
 
-/// `grid = { from, to, count }`, perhaps with `spacing = "log"`
+/// Reads `grid = { from, to, count }`, optionally with `spacing = "log"`.
 fn grid(table: &Table<'_>, dimension: Dimension) -> Result<Distribution, FormatError> {
     table.allow(&["from", "to", "count", "spacing"])?;
     let [from, to] = bounds(table, dimension)?;
@@ -186,7 +187,7 @@ fn grid(table: &Table<'_>, dimension: Dimension) -> Result<Distribution, FormatE
     Ok(Distribution::List((0..count).map(at).collect()))
 }
 
-/// `list = [ … ]`
+/// Reads `list = [ … ]`.
 fn list(form: &Value<'_>, dimension: Dimension) -> Result<Distribution, FormatError> {
     let elements = form.elements("an array of numbers or strings with units")?;
     if elements.is_empty() {
@@ -199,7 +200,7 @@ fn list(form: &Value<'_>, dimension: Dimension) -> Result<Distribution, FormatEr
         .map(Distribution::List)
 }
 
-/// `relative = "5 %"`: normal about the number as it is written
+/// Reads `relative = "5 %"`: a normal distribution around the number as written.
 fn relative(form: &Value<'_>, nominal: f64) -> Result<Distribution, FormatError> {
     let share = percentage(form)?;
     if !(share > 0.0) {
@@ -213,7 +214,7 @@ fn relative(form: &Value<'_>, nominal: f64) -> Result<Distribution, FormatError>
     Ok(Distribution::Normal { mean: nominal, sd: share * nominal.abs(), from, to })
 }
 
-/// `"5 %"`, or 0.05
+/// Reads a percentage, `"5 %"` or 0.05, as a fraction.
 pub(crate) fn percentage(value: &Value<'_>) -> Result<f64, FormatError> {
     let Ok(text) = value.string() else { return value.number() };
     let wrong = || value.invalid("a percentage").with_hint("write \"5 %\", or 0.05");
@@ -221,7 +222,7 @@ pub(crate) fn percentage(value: &Value<'_>) -> Result<f64, FormatError> {
     unit::parse(number, Dimension::NONE).map(|number| number / 100.0).map_err(|_| wrong())
 }
 
-/// `from` and `to`, the former below the latter.
+/// Reads `from` and `to`; `from` must be less than `to`.
 fn bounds(table: &Table<'_>, dimension: Dimension) -> Result<[f64; 2], FormatError> {
     let from = table.require("from", "from = 0.1")?.quantity(dimension)?;
     let value = table.require("to", "to = 0.5")?;

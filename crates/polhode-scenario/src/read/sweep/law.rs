@@ -1,4 +1,5 @@
-//! The law of a `[[sweep.vary]]`: a distribution of a number, of a direction, of a rotation, of mass properties, of what is drawn together.
+//! Law of a `[[sweep.vary]]`: distribution of a number, direction, rotation, mass properties, or
+//! numbers drawn together.
 
 use polhode::infer::correlated::Correlated;
 use polhode_source::FormatError;
@@ -10,29 +11,29 @@ use super::correlated::Numbers;
 use super::distribution::{Distribution, FORMS, distribution};
 use crate::read::target::{Catalogue, Target};
 
-/// How something varies.
+/// Law of variation.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Law {
-    /// A number.
+    /// Distribution of a number.
     Number(Distribution),
-    /// A vector: its direction, and its length, which is as it was if `None`.
+    /// Distribution of a vector by direction and length.
     Vector {
-        /// Of the direction.
+        /// Spread of the direction.
         direction: Spread,
-        /// Of the length; as it is written if `None`.
+        /// Distribution of the length; `None` keeps the length as written.
         magnitude: Option<Distribution>,
     },
-    /// A rotation.
+    /// Spread of a rotation.
     Rotation(Spread),
-    /// Mass properties.
+    /// Dispersion of mass properties.
     MassProperties(Dispersion),
-    /// Several numbers, or mass properties, by their covariance.
+    /// Joint normal distribution of several numbers, or of mass properties.
     Correlated(Correlated),
 }
 
 impl Law {
-    /// How many values it lists.
+    /// Returns the number of listed values.
     pub const fn listed(&self) -> usize {
         match self {
             Self::Number(Distribution::List(list))
@@ -41,13 +42,13 @@ impl Law {
         }
     }
 
-    /// How many independent numbers it draws; `columns` of values come of them.
+    /// Returns the number of independent random numbers needed for `columns` values.
     pub const fn coordinates(&self, columns: usize) -> usize {
         match self {
             Self::Number(_) => 1,
             Self::Vector { magnitude: None, .. } => 2,
             Self::Vector { .. } | Self::Rotation(_) => 3,
-            // a matrix of three rows and columns; the same with a row and a column more; mass, place and matrix
+            // A 3 × 3 matrix; a 4 × 4 matrix; mass, centre and 3 × 3 matrix.
             Self::MassProperties(Dispersion::Together(_)) if columns == 6 => 9,
             Self::MassProperties(Dispersion::Together(_)) => 16,
             Self::MassProperties(Dispersion::Apart { .. }) => 13,
@@ -56,25 +57,25 @@ impl Law {
     }
 }
 
-/// How directions or rotations are spread.
+/// Spread of directions or rotations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Spread {
-    /// All alike.
+    /// Uniform over all directions or rotations.
     Uniform,
-    /// Directions: all alike within so many rad of the one written.
+    /// Directions only: uniform within this angle, rad, of the direction as written.
     Within(f64),
-    /// Rotations: the one written, turned by a vector whose components along the axes of its second frame are normal with this
-    /// standard deviation, rad.
+    /// Rotations only: the rotation as written, rotated by a random vector. Its components along
+    /// the axes of the second frame are normal with this standard deviation, rad.
     Normal(f64),
 }
 
-/// How mass properties are dispersed.
+/// Dispersion of mass properties.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Dispersion {
-    /// All second moments together, each with this relative standard deviation: of a tensor its three, of a body or a part also
-    /// its mass and its centre of mass.
+    /// All second moments together, each with this relative standard deviation. For a tensor these
+    /// are three; a body or part also has its mass and centre of mass.
     Together(f64),
-    /// Mass, centre of mass and tensor, each for itself: relative, m, relative. Zero is not at all.
+    /// Mass, centre of mass and tensor independently; zero means no dispersion.
     Apart {
         /// Relative standard deviation of the mass.
         mass: f64,
@@ -85,16 +86,16 @@ pub enum Dispersion {
     },
 }
 
-/// The key that says what is dispersed beside those of numbers.
+/// Keys of laws for targets that are not single numbers.
 const OTHERS: [&str; 4] = ["random", "direction", "dispersion", CORRELATED];
 
-/// The one that is of several keys, or of mass properties.
+/// Key of a law for several keys, or for mass properties.
 const CORRELATED: &str = "correlated";
 
-/// A greater dispersion no longer means what it says.
+/// Largest relative dispersion; beyond it the standard deviation is no longer accurate.
 const MOST_DISPERSION: f64 = 0.5;
 
-/// The law of a table, and what varies by it.
+/// Reads the law of a table, and its target.
 pub(crate) fn law(
     table: &Table<'_>,
     key: &Value<'_>,
@@ -157,7 +158,7 @@ pub(crate) fn law(
     })
 }
 
-/// What is drawn together: mass properties by one key, or several numbers.
+/// Returns the target of numbers drawn together: mass properties by one key, or several numbers.
 fn together(
     key: &Value<'_>,
     keys: &[Value<'_>],
@@ -176,7 +177,7 @@ fn together(
     Numbers::of_keys(key, targets.collect::<Result<_, FormatError>>()?)
 }
 
-/// One key, or the keys of several numbers: that are one and the same, or drawn together.
+/// Reads one key, or the keys of several numbers that vary as one or are drawn together.
 fn keys<'a>(key: &Value<'a>) -> Result<Vec<Value<'a>>, FormatError> {
     if !key.is_array() {
         return Ok(vec![*key]);
@@ -189,7 +190,7 @@ fn keys<'a>(key: &Value<'a>) -> Result<Vec<Value<'a>>, FormatError> {
     Ok(keys)
 }
 
-/// `random = "uniform"`, or `{ sd = "2 deg" }`
+/// Reads `random = "uniform"`, or `{ sd = "2 deg" }`.
 fn rotation(value: &Value<'_>) -> Result<Spread, FormatError> {
     if value.string().is_ok() {
         return value.choice(&["uniform"]).map(|_| Spread::Uniform);
@@ -200,7 +201,7 @@ fn rotation(value: &Value<'_>) -> Result<Spread, FormatError> {
     sd.positive(Dimension::ANGLE).map(Spread::Normal)
 }
 
-/// `direction = "uniform"`, or `{ within = "5 deg" }`
+/// Reads `direction = "uniform"`, or `{ within = "5 deg" }`.
 fn direction(value: &Value<'_>) -> Result<Spread, FormatError> {
     if value.string().is_ok() {
         return value.choice(&["uniform"]).map(|_| Spread::Uniform);
@@ -215,14 +216,14 @@ fn direction(value: &Value<'_>) -> Result<Spread, FormatError> {
     Ok(Spread::Within(angle))
 }
 
-/// `magnitude = { log_normal = { … } }`
+/// Reads `magnitude = { log_normal = { … } }`.
 fn magnitude(value: &Value<'_>, target: &Target) -> Result<Distribution, FormatError> {
     let table = value.table()?;
     table.allow(&FORMS)?;
     let Some(form) = table.at_most_one(&FORMS, "a number varies in one way")? else {
         return Err(table.missing("uniform", "magnitude = { uniform = { from = 0, to = 1 } }"));
     };
-    // |v|
+    // The nominal value is |v|.
     let norm = target.nominal().iter().fold(0.0, |norm: f64, c| norm.hypot(*c));
     let magnitude = distribution(&form, target.dimension(), norm)?;
     if magnitude.least() < 0.0 {
@@ -233,7 +234,7 @@ fn magnitude(value: &Value<'_>, target: &Target) -> Result<Distribution, FormatE
     Ok(magnitude)
 }
 
-/// `dispersion = "10 %"`, or `{ mass = "2 %", center_of_mass = "5 mm", inertia = "10 %" }`
+/// Reads `dispersion = "10 %"`, or `{ mass = "2 %", center_of_mass = "5 mm", inertia = "10 %" }`.
 fn dispersion(value: &Value<'_>, target: &Target) -> Result<Dispersion, FormatError> {
     let Ok(table) = value.table() else {
         return share(value).map(Dispersion::Together);
@@ -258,7 +259,7 @@ fn dispersion(value: &Value<'_>, target: &Target) -> Result<Dispersion, FormatEr
     Ok(dispersion)
 }
 
-/// A share above zero, `"10 %"` or 0.1.
+/// Reads a positive fraction, `"10 %"` or 0.1.
 fn share(value: &Value<'_>) -> Result<f64, FormatError> {
     let share = super::distribution::percentage(value)?;
     if share > 0.0 && share <= MOST_DISPERSION {

@@ -1,4 +1,4 @@
-//! The `[sweep]`: how many members, how they are drawn, and what varies.
+//! `[sweep]`: number of members, sampling, and varied quantities.
 
 mod correlated;
 mod distribution;
@@ -18,69 +18,70 @@ pub use distribution::Distribution;
 pub use law::{Dispersion, Law, Spread};
 pub use question::Question;
 
-/// How members are drawn.
+/// Sampling method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sampling {
-    /// Every combination of the values given.
+    /// Every combination of the given values.
     Grid,
     /// Independent draws.
     MonteCarlo,
-    /// One draw in each of as many layers as there are members, in every variable.
+    /// Latin hypercube: one draw in each stratum of every variable, with as many strata as members.
     LatinHypercube,
     /// Owen-scrambled Sobol points.
     Sobol,
 }
 
-/// What a plan's `[sweep]` says.
+/// Contents of a plan's `[sweep]`.
 #[derive(Clone, Debug)]
 pub struct Sweep {
-    /// How many members there are, at least one.
+    /// Number of members, at least one.
     pub members: u64,
-    /// How they are drawn.
+    /// Sampling method.
     pub sampling: Sampling,
-    /// Draws follow from it.
+    /// Seed of the random numbers.
     pub seed: u64,
-    /// Of how many sets of points, each drawn for itself, the members of a Latin hypercube or of Sobol's sequence are; else 1.
+    /// Number of independent point sets that form the members of a Latin hypercube or Sobol
+    /// sequence; else 1.
     pub replicates: u64,
-    /// What is asked of the outcomes.
+    /// Questions about the outcomes.
     pub questions: Vec<Question>,
-    /// What varies, in the file's order; no number twice.
+    /// Varied quantities in the order of the file; no number occurs twice.
     pub vary: Vec<Vary>,
-    /// Whether the samples of every member are to be kept.
+    /// True if the samples of every member are stored.
     pub trajectories: bool,
 }
 
-/// What varies, and how.
+/// Varied quantity with its law.
 #[derive(Clone, Debug)]
 pub struct Vary {
-    /// What.
+    /// Quantity that varies.
     pub target: Target,
-    /// How.
+    /// Law of variation.
     pub law: Law,
-    /// Where the plan says so.
+    /// Place of the key in the plan.
     pub place: Place,
 }
 
 impl Vary {
-    /// How many independent numbers it draws.
+    /// Returns the number of independent random numbers of the law.
     pub fn coordinates(&self) -> usize {
         self.law.coordinates(self.target.columns().len())
     }
 }
 
-/// Sobol's sequence is tabulated for so many numbers of a member.
+/// Largest number of dimensions in the table of Sobol's sequence.
 pub const SOBOL_DIMENSIONS: usize = 64;
 
-/// More members than this are a slip of the pen.
+/// Largest number of members; more are probably a mistake.
 const MOST_MEMBERS: u64 = 1_000_000_000_000;
 
-/// Values of all lists: 80 MB.
+/// Largest number of listed values, all lists together: 80 MB.
 const MOST_LISTED: usize = 10_000_000;
 
-/// Sobol's points have 32 binary digits.
+/// Largest number of Sobol points, which have 32 binary digits.
 const MOST_SOBOL: u64 = 1 << 32;
 
-/// That of a plan the scenario as it is written is shown.
+/// Returns a finding that the scenario of a plan is shown as written.
 pub(crate) fn nominal(members: u64) -> Finding {
     let message = format!(
         "a plan of {members} members: this is the scenario as it is written, polhode sweep runs them"
@@ -156,10 +157,10 @@ pub(crate) fn sweep(source: Source<'_>, entries: &Entries, nominal: &Scenario) -
     Ok(Sweep { members, sampling, seed, replicates, questions, vary, trajectories })
 }
 
-/// Sets of points more than this say no more of an error.
+/// Largest number of point sets; more do not improve the error estimate.
 const MOST_REPLICATES: u64 = 1000;
 
-/// `replicates = 16`: of a Latin hypercube or of Sobol's points.
+/// Reads `replicates = 16`, for a Latin hypercube or Sobol points.
 fn replicates(table: &Table<'_>, sampling: Sampling, members: u64) -> Result<u64, FormatError> {
     let Some(value) = table.get("replicates") else { return Ok(1) };
     let hint = match sampling {
@@ -225,7 +226,7 @@ fn members(
     Ok(members)
 }
 
-/// One `[[sweep.vary]]`, and the value of its key.
+/// Reads one `[[sweep.vary]]`; returns it with the value of its key.
 fn vary<'a>(
     table: &Table<'a>,
     catalogue: &Catalogue<'_>,

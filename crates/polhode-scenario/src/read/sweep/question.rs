@@ -1,22 +1,22 @@
-//! The `[sweep.questions]`: conditions on what becomes of members.
+//! `[sweep.questions]`: conditions on the outcomes of members.
 
 use std::ops::Range;
 
 use polhode_source::FormatError;
 use polhode_source::toml::reader::Table;
 
-/// A condition on the columns of a sweep, by its name.
+/// Named condition on the columns of a sweep.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Question {
-    /// What the file calls it.
+    /// Name in the file.
     pub name: String,
-    /// The condition, as it is written.
+    /// Condition as written.
     pub condition: String,
-    /// Where it stands in the file.
+    /// Bytes of the condition in the file.
     pub place: Range<usize>,
 }
 
-/// `lost = "largest_angle_to_axis_3_rad > 90 deg"`, and so on.
+/// Reads questions such as `lost = "largest_angle_to_axis_3_rad > 90 deg"`.
 pub(crate) fn questions(sweep: &Table<'_>) -> Result<Vec<Question>, FormatError> {
     let Some(value) = sweep.get("questions") else { return Ok(Vec::new()) };
     let table = value.table()?;

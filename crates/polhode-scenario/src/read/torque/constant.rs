@@ -1,4 +1,4 @@
-//! A constant `[[torque]]`.
+//! `[[torque]]` of model `constant`.
 
 use polhode::math::Torque;
 use polhode::motion::torque::{ConstantTorque, TorqueModel};
@@ -8,7 +8,7 @@ use polhode_source::unit::Dimension;
 
 use super::allow;
 
-/// `axes = "body" | "space"`, `torque = [3]`
+/// Reads `axes = "body" | "space"`, `torque = [3]`.
 pub(crate) fn constant(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
     allow(table, &["axes", "torque"])?;
     let axes = table.require("axes", "axes = \"body\"")?.choice(&["body", "space"])?;

@@ -1,4 +1,4 @@
-//! A `[[torque]]` of model `drag`.
+//! `[[torque]]` of model `drag`.
 
 use polhode::motion::torque::{Drag, DragLaw, TorqueModel};
 use polhode_source::FormatError;
@@ -7,7 +7,8 @@ use polhode_source::unit::Dimension;
 
 use super::allow;
 
-/// `law = "linear" | "quadratic"`; `coefficient`, a quantity, [3] along the body's axes, or a matrix.
+/// Reads `law = "linear" | "quadratic"`; `coefficient`, a quantity, [3] along the body axes, or a
+/// matrix.
 pub(crate) fn drag(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
     allow(table, &["law", "coefficient"])?;
     let law = match table.require("law", "law = \"linear\"")?.choice(&["linear", "quadratic"])? {
@@ -37,7 +38,7 @@ fn matrix(value: &Value<'_>, law: DragLaw) -> Result<[[f64; 3]; 3], FormatError>
     Ok(matrix)
 }
 
-/// A torque per angular velocity, or per its square, with or without the radians.
+/// Reads a torque per angular velocity, or per its square, with or without rad in the unit.
 fn coefficient(value: &Value<'_>, law: DragLaw) -> Result<f64, FormatError> {
     let [without, with] = match law {
         DragLaw::Linear => [Dimension::ANGULAR_MOMENTUM, Dimension::DRAG],

@@ -1,4 +1,4 @@
-//! A `[[torque]]` of model `energy_sink`: what the inside of the body loses.
+//! `[[torque]]` of model `energy_sink`: internal dissipation of the body.
 
 use polhode::motion::torque::{EnergySink, TorqueModel};
 use polhode_source::FormatError;
@@ -7,10 +7,10 @@ use polhode_source::unit::Dimension;
 
 use super::allow;
 
-/// 1/(N·m·s)
+/// Dimension of 1/(N·m·s).
 const PER_ANGULAR_MOMENTUM: Dimension = Dimension::new(-1, -2, 1, 0);
 
-/// `coefficient`
+/// Reads `coefficient`.
 pub(crate) fn energy_sink(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
     allow(table, &["coefficient"])?;
     let value = table.require("coefficient", "coefficient = \"0.002 /(N m s)\"")?;

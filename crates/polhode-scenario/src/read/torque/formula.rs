@@ -1,4 +1,4 @@
-//! A `[[torque]]` of model `formula`.
+//! `[[torque]]` of model `formula`.
 
 use polhode::math::formula::Formula;
 use polhode::motion::torque::{FormulaTorque, TorqueModel};
@@ -9,7 +9,7 @@ use polhode_source::unit::Dimension;
 
 use super::allow;
 
-/// `axes = "body" | "space"`, `torque = [3]` of formulas, `units = "checked" | "SI"`.
+/// Reads `axes = "body" | "space"`, `torque = [3]` of formulas, `units = "checked" | "SI"`.
 pub(crate) fn formula(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
     allow(table, &["axes", "torque", "units"])?;
     let units = table.get("units").map(|units| units.choice(&["checked", "SI"])).transpose()?;
@@ -25,7 +25,7 @@ pub(crate) fn formula(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
     })))
 }
 
-/// A formula whose numbers are all in SI.
+/// Reads a formula with all numbers in SI.
 fn component_in_si(value: &Value<'_>) -> Result<Formula, FormatError> {
     match value.string() {
         Ok(text) => formula_of_state_in_si(text).map_err(|error| value.formula(error)),
@@ -33,7 +33,7 @@ fn component_in_si(value: &Value<'_>) -> Result<Formula, FormatError> {
     }
 }
 
-/// A formula whose value is a torque; a number is one too, in SI as everywhere.
+/// Reads a formula with the dimension of a torque; a plain number is a torque in SI.
 fn component(value: &Value<'_>) -> Result<Formula, FormatError> {
     match value.string() {
         Ok(text) => {

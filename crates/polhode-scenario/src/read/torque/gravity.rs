@@ -1,4 +1,4 @@
-//! A `[[torque]]` of gravity at a pivot.
+//! `[[torque]]` of model `gravity`, for a body with a pivot.
 
 use polhode::math::Acceleration;
 use polhode::motion::torque::{TorqueModel, UniformGravity};
@@ -9,7 +9,8 @@ use polhode_source::unit::Dimension;
 use super::allow;
 use crate::read::body::Pivot;
 
-/// `pivot = [3]` in the body; `acceleration = [3]` in space, standard gravity along −z by default.
+/// Reads `pivot = [3]`, body axes, and `acceleration = [3]`, space axes; the default is standard
+/// gravity along −z.
 pub(crate) fn gravity<'a>(
     table: &Table<'a>,
     pivot: &mut Option<Pivot<'a>>,

@@ -1,4 +1,4 @@
-//! A `[[torque]]` of model `gravity_gradient`.
+//! `[[torque]]` of model `gravity_gradient`.
 
 use polhode::body::BodyPart;
 use polhode::motion::Orbit;
@@ -10,7 +10,8 @@ use super::allow;
 use crate::read::body::Pivot;
 use crate::read::orbit;
 
-/// On the `[orbit]`; `mass = "tensor" | "points"`, the latter for a body that is all particles.
+/// Reads `mass = "tensor" | "points"`, the latter for a body of particles only; requires an
+/// `[orbit]`.
 pub(crate) fn gravity_gradient(
     table: &Table<'_>,
     parts: &[BodyPart],
@@ -31,7 +32,7 @@ pub(crate) fn gravity_gradient(
     Ok(TorqueModel::GravityGradient(Box::new(GravityGradient { orbit, attracted })))
 }
 
-/// Refuses it beside a pivot, wherever that is given: it acts on what falls freely along an orbit.
+/// Refuses this model together with a pivot, because it applies to a free body in orbit.
 pub(crate) fn refuse_pivot(table: &Table<'_>, pivot: &Pivot<'_>) -> Result<(), FormatError> {
     match table.get("model") {
         Some(model) if model.string()? == "gravity_gradient" => {

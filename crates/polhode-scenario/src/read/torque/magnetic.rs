@@ -1,4 +1,4 @@
-//! A `[[torque]]` of model `magnetic`.
+//! `[[torque]]` of model `magnetic`.
 
 use polhode::math::Direction;
 use polhode::motion::Orbit;
@@ -10,7 +10,8 @@ use polhode_source::unit::Dimension;
 use super::allow;
 use crate::read::orbit;
 
-/// `moment = [3]` in the body; `field = [3]` in space, or `dipole = [3]` in space at the centre of the `[orbit]`.
+/// Reads `moment = [3]`, body axes, and `field = [3]`, space axes, or `dipole = [3]`, space axes,
+/// at the centre of the `[orbit]`.
 pub(crate) fn magnetic(table: &Table<'_>, orbit: Option<&Orbit>) -> Result<TorqueModel, FormatError> {
     allow(table, &["moment", "field", "dipole"])?;
     let moment = table.require("moment", "moment = [0, 0, \"5 A m^2\"]")?;

@@ -1,4 +1,4 @@
-//! The `[[torque]]`s: one file per model.
+//! `[[torque]]`: one module per model.
 
 mod constant;
 mod drag;
@@ -25,7 +25,7 @@ use polhode_source::toml::reader::{Table, Value};
 
 use super::body::Pivot;
 
-/// The models, as a file names them.
+/// Names of the models in a file.
 const MODELS: [&str; 10] = [
     "constant",
     "gravity",
@@ -43,20 +43,20 @@ const MODELS: [&str; 10] = [
 #[derive(Debug, Default)]
 pub(crate) struct Torques {
     pub models: Vec<TorqueModel>,
-    /// The name of each that has one.
+    /// Name of each torque; `None` if it has none.
     pub names: Vec<Option<String>>,
-    /// Those that wait for an event to switch them on.
+    /// Numbers of the torques that are off until an event switches them on.
     pub switched_off: Vec<usize>,
     pub places: Vec<TorquePlaces>,
 }
 
-/// Where errors of the motion have their places in a torque.
+/// Places in a torque's table for errors of the motion.
 #[derive(Clone, Debug)]
 pub(crate) struct TorquePlaces {
     pub model: Range<usize>,
     pub pulses: Option<Range<usize>>,
     pub formulas: Option<Range<usize>>,
-    /// Of three formulas along body axes, each.
+    /// Places of the three formulas along body axes, if they are given so.
     pub along_body: Vec<Range<usize>>,
 }
 
@@ -74,10 +74,11 @@ impl TorquePlaces {
     }
 }
 
-/// The keys that every torque may have, beside those of its schedule.
+/// Keys of every torque, in addition to those of its schedule.
 const KEYS: [&str; 3] = ["model", "name", "on"];
 
-/// Reads all torques on a body of these parts, on an orbit, until the end of the run; gravity may bring the pivot with it, or repeat it.
+/// Reads all torques on a body with these parts, in an orbit, until the end of the run; gravity may
+/// give the pivot, or repeat it.
 pub(crate) fn torques<'a>(
     root: &Table<'a>,
     parts: &[BodyPart],
@@ -118,7 +119,7 @@ pub(crate) fn torques<'a>(
 }
 
 impl Torques {
-    /// The field that magnets are in, if there is one and the same.
+    /// Returns the field of the magnetic torques, if all have the same.
     pub(crate) fn field(&self) -> Option<&MagneticField> {
         let mut fields = self.models.iter().filter_map(|model| {
             let model = if let TorqueModel::Scheduled(scheduled) = model { &scheduled.torque } else { model };
@@ -128,7 +129,7 @@ impl Torques {
         fields.all(|other| other == first).then_some(first)
     }
 
-    /// Adds one, with its `name`, and whether it is `on` from the start.
+    /// Adds a torque with its `name` and its initial `on` state.
     fn put(&mut self, table: &Table<'_>, model: TorqueModel) -> Result<(), FormatError> {
         let name = match table.get("name") {
             None => None,
@@ -155,7 +156,7 @@ impl Torques {
     }
 }
 
-/// Refuses keys that are neither a model's own nor every torque's.
+/// Refuses keys that are neither the model's own nor common to all torques.
 fn allow(table: &Table<'_>, own: &[&'static str]) -> Result<(), FormatError> {
     let keys: Vec<&'static str> = KEYS.iter().chain(own).chain(&schedule::KEYS).copied().collect();
     table.allow(&keys)

@@ -1,4 +1,4 @@
-//! Tables of torques as Parquet.
+//! Tables of torques in Parquet.
 
 use ::parquet::errors::ParquetError;
 use ::parquet::file::reader::{FileReader as _, SerializedFileReader};
@@ -9,7 +9,7 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 use super::table_columns::{columns, push};
 use crate::read::rows::TorqueRows;
 
-/// The rows of a file.
+/// Reads the rows of a file.
 pub(super) fn of_parquet(bytes: &[u8]) -> Result<TorqueRows, ContentError> {
     let broken = |error: ParquetError| {
         let kind = ContentErrorKind::Unsupported { what: format!("this Parquet file ({error})") };
@@ -17,7 +17,7 @@ pub(super) fn of_parquet(bytes: &[u8]) -> Result<TorqueRows, ContentError> {
             .hint("write it without compression, or with LZ4 or Snappy")
     };
     let file = SerializedFileReader::new(Bytes::copy_from_slice(bytes)).map_err(broken)?;
-    // A row has a field for each of these, whatever is nested in it.
+    // Each row has one field per top-level column, also for nested columns.
     let schema = file.metadata().file_metadata().schema();
     let names: Vec<&str> = schema.get_fields().iter().map(|field| field.name()).collect();
     let columns = columns(&names, |_| ContentPlace::Whole)?;
@@ -41,7 +41,7 @@ pub(super) fn of_parquet(bytes: &[u8]) -> Result<TorqueRows, ContentError> {
     Ok(rows)
 }
 
-/// A finite number.
+/// Returns a finite number.
 fn number(field: &Field) -> Option<f64> {
     let number = match *field {
         Field::Double(x) => x,

@@ -1,14 +1,14 @@
-//! When a `[[torque]]` acts: keys of every model.
+//! Schedule of a `[[torque]]`: keys common to all models.
 
 use polhode::motion::torque::{Schedule, Scheduled, TorqueModel};
 use polhode_source::FormatError;
 use polhode_source::toml::reader::{Table, Value};
 use polhode_source::unit::Dimension;
 
-/// The keys that every torque may have.
+/// Keys of the schedule, allowed for every torque.
 pub(crate) const KEYS: [&str; 3] = ["from", "until", "pulses"];
 
-/// The torque at its times: always without `from`, `until` and `pulses`.
+/// Returns the torque with its schedule; without `from`, `until` and `pulses` it always acts.
 pub(crate) fn scheduled(table: &Table<'_>, torque: TorqueModel) -> Result<TorqueModel, FormatError> {
     Ok(match schedule(table)? {
         None => torque,
@@ -16,7 +16,7 @@ pub(crate) fn scheduled(table: &Table<'_>, torque: TorqueModel) -> Result<Torque
     })
 }
 
-/// `from` and `until`, or `pulses = { first, width, period, count }`.
+/// Reads `from` and `until`, or `pulses = { first, width, period, count }`.
 pub(crate) fn schedule(table: &Table<'_>) -> Result<Option<Schedule>, FormatError> {
     const TWICE: &str = "the pulses alone say when it acts";
     let (from, until) = (table.get("from"), table.get("until"));
@@ -26,7 +26,7 @@ pub(crate) fn schedule(table: &Table<'_>) -> Result<Option<Schedule>, FormatErro
     if let Some(value) = table.get("pulses") {
         return pulses(&value).map(Some);
     }
-    // The error stands at the end of the window, or at its start if that is all there is.
+    // An error refers to the end of the window, or to its start if it has none.
     let Some(value) = until.or(from) else { return Ok(None) };
     let time = |value: Option<Value<'_>>, or: f64| value.map_or(Ok(or), |v| v.quantity(Dimension::TIME));
     let (from, until) = (time(from, f64::NEG_INFINITY)?, time(until, f64::INFINITY)?);

@@ -1,7 +1,8 @@
-//! A `[[torque]]` of model `table`: times with torques, as CSV or Parquet.
+//! `[[torque]]` of model `table`: times with torques, as CSV or Parquet.
 //!
-//! Columns name their units: `time_s`, `torque_x_n_m`, `torque_y_n_m`, `torque_z_n_m`, or with other units in brackets, `time [ms]`,
-//! `torque_x [mN m]`, in any order; others are not read.
+//! Column names include units: `time_s`, `torque_x_n_m`, `torque_y_n_m`, `torque_z_n_m`, or other
+//! units in brackets, `time [ms]`, `torque_x [mN m]`. The order is arbitrary; other columns are
+//! ignored.
 
 use std::sync::Arc;
 
@@ -19,8 +20,9 @@ use super::table_columns::{HEADER, columns, push};
 use super::{allow, schedule};
 use crate::read::rows::TorqueRows;
 
-/// `axes = "body" | "space"`, `table = "torques.csv"`, `interpolation = "steps" | "linear" | "spline"`, `scale`; the table has to cover
-/// the time in which it acts, up to the end of the run.
+/// Reads `axes = "body" | "space"`, `table = "torques.csv"`,
+/// `interpolation = "steps" | "linear" | "spline"`, `scale`. The table must cover the time in which
+/// it acts, up to the end of the run.
 pub(crate) fn table(table: &Table<'_>, end: Option<f64>) -> Result<TorqueModel, FormatError> {
     allow(table, &["axes", "table", "interpolation", "scale"])?;
     let axes = match table.require("axes", "axes = \"body\"")?.choice(&["body", "space"])? {
@@ -43,7 +45,7 @@ pub(crate) fn table(table: &Table<'_>, end: Option<f64>) -> Result<TorqueModel, 
     Ok(TorqueModel::Tabulated(Box::new(tabulated)))
 }
 
-/// Refuses a table that begins after it acts, or ends before.
+/// Refuses a table that does not cover the time in which the torque acts.
 fn covers(
     form: &Value<'_>,
     times: &[f64],
@@ -67,7 +69,7 @@ fn covers(
     Ok(())
 }
 
-/// Reads the file that `table` names, relative to the scenario.
+/// Reads the file named by `table`, relative to the scenario.
 fn read(table: &Value<'_>) -> Result<Arc<TorqueRows>, FormatError> {
     let path = table.path()?;
     if let Some(rows) = table.known_as::<TorqueRows>() {

@@ -1,4 +1,4 @@
-//! The columns of a table of torques: their names, and their units.
+//! Columns of a table of torques: names and units.
 
 use std::ops::Range;
 
@@ -8,7 +8,7 @@ use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 use crate::read::rows::TorqueRows;
 
-/// Adds a row, in the columns' units.
+/// Adds a row, converted from the units of the columns to SI.
 pub(super) fn push(
     rows: &mut TorqueRows,
     columns: &[Column; 4],
@@ -22,15 +22,15 @@ pub(super) fn push(
     Ok(())
 }
 
-/// A column that is read.
+/// Column that is read.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Column {
     pub(super) place: usize,
-    /// The column's unit in SI.
+    /// Value of the column's unit in SI.
     unit: f64,
 }
 
-/// The columns, and a header that has them.
+/// Names of the columns.
 const NAMES: [&str; 4] = ["time", "torque_x", "torque_y", "torque_z"];
 pub(super) const HEADER: &str = "time_s,torque_x_n_m,torque_y_n_m,torque_z_n_m";
 
@@ -71,9 +71,10 @@ pub(super) fn columns(
     Ok(found)
 }
 
-/// Returns the number of the column that a name means, and its unit: 1 and `mN m` for `torque_x [mN m]`.
+/// Returns the number of the column with this name, and its unit: 1 and `mN m` for
+/// `torque_x [mN m]`.
 ///
-/// The ending `n_m` means N m, as in the tables that polhode writes.
+/// The suffix `n_m` means N m, as in the tables written by polhode.
 fn split(name: &str) -> Option<(usize, String)> {
     let name = name.trim();
     let n = NAMES.iter().rposition(|known| name.starts_with(known))?;

@@ -1,4 +1,4 @@
-//! A `[[torque]]` of model `thruster`.
+//! `[[torque]]` of model `thruster`.
 
 use polhode::math::{Force, Position};
 use polhode::motion::torque::{Thruster, TorqueModel};
@@ -8,7 +8,7 @@ use polhode_source::unit::Dimension;
 
 use super::allow;
 
-/// `position = [3]` and `force = [3]`, both along body axes.
+/// Reads `position = [3]` and `force = [3]`, both along body axes.
 pub(crate) fn thruster(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
     allow(table, &["position", "force"])?;
     let position = table.require("position", "position = [\"0.5 m\", \"0 m\", \"-0.3 m\"]")?;

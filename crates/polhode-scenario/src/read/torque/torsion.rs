@@ -1,4 +1,4 @@
-//! A `[[torque]]` of model `torsion`.
+//! `[[torque]]` of model `torsion`.
 
 use polhode::math::{Attitude, Direction};
 use polhode::motion::torque::{TorqueModel, Torsion};
@@ -9,7 +9,8 @@ use polhode_source::unit::Dimension;
 
 use super::allow;
 
-/// `stiffness`; `rest`, an attitude, body axes along those of space by default; a wire's `axis` in space.
+/// Reads `stiffness`; `rest`, an attitude, by default the identity; and the `axis` of a wire, space
+/// axes.
 pub(crate) fn torsion(table: &Table<'_>) -> Result<TorqueModel, FormatError> {
     allow(table, &["stiffness", "rest", "axis"])?;
     let stiffness = table.require("stiffness", "stiffness = \"0.1 N m/rad\"")?;

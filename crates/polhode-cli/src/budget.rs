@@ -82,7 +82,7 @@ pub(crate) struct BudgetCommand {
     force: bool,
 }
 
-/// A table of --csv.
+/// Table printed by `--csv`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Table {
     /// The rows of the list.

@@ -75,7 +75,7 @@ pub(crate) struct Check {
     explain: Option<Option<String>>,
 }
 
-/// Flags for the form of results.
+/// Options for the output format.
 #[derive(Debug, Args)]
 struct Form {
     /// The form: text, or what a program reads.

@@ -7,7 +7,7 @@ use polhode_document::json::pretty;
 use crate::failure::Failure;
 use crate::stdout::{columns, print};
 
-/// The form of a report: text unless it is said.
+/// Output format of a report; the default is text.
 #[derive(Clone, Copy, Debug, Default, Args)]
 pub(crate) struct Form {
     /// Print JSON.

@@ -27,7 +27,7 @@ pub(crate) struct New {
     output: Option<PathBuf>,
 }
 
-/// A scenario to begin with.
+/// Scenario template.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Starter {
     /// A quadrotor from its parts, tumbling.

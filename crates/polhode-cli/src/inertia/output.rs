@@ -7,7 +7,7 @@ use polhode_source::Failure;
 
 use crate::form::Form;
 
-/// Flags for the form of the answer.
+/// Options for the output format.
 #[derive(Debug, Args)]
 #[group(multiple = false)]
 pub(super) struct OutputFlags {

@@ -10,7 +10,7 @@ use polhode_source::times;
 
 use crate::failure::Failure;
 
-/// The file of times to print the state at.
+/// Option for a file of times at which the state is printed.
 #[derive(Debug, Args)]
 pub(super) struct TimeFlags {
     /// The same for a file with one time per line; blank lines and # comments are left out, and - is standard input.

@@ -21,7 +21,7 @@ pub const REQUEST_SCHEMA: &str = include_str!("../../schema/explain/request.json
 pub static REPORT_SCHEMA: LazyLock<String> =
     LazyLock::new(|| complete(include_str!("../../schema/explain/report.json")));
 
-/// Scenario to work through.
+/// Request for a worked solution of a scenario.
 ///
 /// ```
 /// use polhode_document::Report as _;
@@ -41,7 +41,7 @@ pub struct Request {
     pub file: PathBuf,
 }
 
-/// Works a scenario through, step by step.
+/// Returns the worked solution of a scenario, step by step.
 ///
 /// # Errors
 /// [`Failure`] if a file cannot be read or the motion cannot be computed.
@@ -50,7 +50,7 @@ pub fn run(request: &Request, files: &dyn Files) -> Result<Solution, Failure> {
     report::explain(&file.scenario).map(Solution).map_err(|error| failed(&file, error))
 }
 
-/// A worked solution.
+/// Worked solution of a scenario.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution(pub Document);
 

@@ -1,12 +1,13 @@
-//! What is asked of scenarios, and the functions that answer: a request and files in, a report out.
+//! Requests about scenarios, and the functions that answer them: a request and files in, a report
+//! out.
 //!
 //! | module | answers |
 //! |---|---|
-//! | [`simulate`] | how the body moves |
-//! | [`spin`] | how a free body moves, exactly, or which spins have two periods |
-//! | [`stability`] | which steady motions last |
-//! | [`torque`] | what a given motion needs |
-//! | [`explain`] | the motion, worked through |
+//! | [`simulate`] | the motion of a body |
+//! | [`spin`] | the exact motion of a free body, or the spins with two given periods |
+//! | [`stability`] | the stability of steady motions |
+//! | [`torque`] | the torque required for a prescribed motion |
+//! | [`explain`] | the motion with its derivation |
 #![allow(rustdoc::broken_intra_doc_links, reason = "the help of the command shows brackets as they are")]
 
 pub mod explain;
@@ -23,7 +24,7 @@ use std::path::Path;
 
 use crate::read::ScenarioFile;
 
-/// A failure of a scenario's motion: at its place in the file, if it has one.
+/// Returns a failure of a scenario's motion, at its place in the file if it has one.
 fn failed(file: &ScenarioFile, error: MotionError) -> Failure {
     match file.placed(&error) {
         Some(placed) => placed.into(),
@@ -31,7 +32,7 @@ fn failed(file: &ScenarioFile, error: MotionError) -> Failure {
     }
 }
 
-/// Where a report's scenario came from.
+/// Returns the source of a report on a scenario.
 fn source(file: &Path, scenario: &Scenario) -> SourceInfo {
     let title = scenario.title().unwrap_or("scenario");
     SourceInfo::new(file.display().to_string(), "scenario").described(title)

@@ -1,4 +1,4 @@
-//! Definitions that JSON schemas share.
+//! Common definitions of JSON schemas.
 
 use polhode_document::json::pretty;
 use serde_json::{Map, Value};
@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 /// Definitions by name.
 const SHARED: &str = include_str!("../../schema/defs.json");
 
-/// Returns a schema with the shared definitions that it refers to, so that it needs no other file.
+/// Returns a self-contained schema, with the common definitions that it refers to.
 pub(super) fn complete(schema: &str) -> String {
     let [mut schema, shared] = [schema, SHARED].map(|text| serde_json::from_str(text).unwrap_or(Value::Null));
     while let Some((name, definition)) = missing(&schema, &shared) {
@@ -15,7 +15,7 @@ pub(super) fn complete(schema: &str) -> String {
     pretty(&schema) + "\n"
 }
 
-/// Returns the first definition that a schema refers to and does not have.
+/// Returns the first definition that a schema refers to but does not contain.
 fn missing(schema: &Value, shared: &Value) -> Option<(String, Value)> {
     let is_missing = |name: &&str| schema["$defs"].get(name).is_none();
     let name = references(schema).into_iter().find(is_missing)?;

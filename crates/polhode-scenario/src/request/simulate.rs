@@ -23,7 +23,7 @@ pub const REQUEST_SCHEMA: &str = include_str!("../../schema/simulate/request.jso
 pub static REPORT_SCHEMA: LazyLock<String> =
     LazyLock::new(|| complete(include_str!("../../schema/simulate/report.json")));
 
-/// Scenario whose motion is asked for.
+/// Request for the motion of a scenario.
 ///
 /// ```
 /// use polhode_document::Report as _;
@@ -57,17 +57,17 @@ pub struct Request {
 /// Computes the motion of a scenario.
 ///
 /// # Errors
-/// As [`run_watched`].
+/// Same as [`run_watched`].
 pub fn run(request: &Request, files: &dyn Files) -> Result<Motion, Failure> {
     run_watched(request, ScenarioFile::read(files, &request.file)?, &mut |_| true)
 }
 
-/// Computes the motion of a scenario that has been read; `progress` is told the time of the motion (s), and `false` ends
-/// the work.
+/// Computes the motion of a scenario that has been read. `progress` gets the time reached, s, and
+/// cancels the computation by returning `false`.
 ///
 /// # Errors
-/// [`Failure`] for a scenario without a run, times outside of the run, and a motion that does not begin. A motion that ends
-/// early is a result: [`Motion::trajectory`] says why.
+/// [`Failure`] for a scenario without a run, times outside the run, and a motion that cannot start.
+/// A motion that ends early is a result; [`Motion::trajectory`] states the reason.
 pub fn run_watched(
     request: &Request,
     file: ScenarioFile,
@@ -92,7 +92,8 @@ pub fn run_watched(
     Ok(Motion { file, trajectory, at, is_verbose: request.verbose })
 }
 
-/// The samples at the times of the request, in their order. The motion is computed to each as it is to those of the run.
+/// Returns the samples at the requested times, in their order. They have the accuracy of the
+/// samples of the run.
 fn states_at(request: &Request, file: &ScenarioFile) -> Result<Vec<Sample>, Failure> {
     let scenario = &file.scenario;
     let wanted: Vec<f64> = request.at.iter().flat_map(|at| at.value.0.iter().copied()).collect();
@@ -111,7 +112,7 @@ fn states_at(request: &Request, file: &ScenarioFile) -> Result<Vec<Sample>, Fail
         Some(motion) => motion.map_err(|error| Failure::of_motion(&file.path, error))?.samples().to_vec(),
         None => Vec::new(),
     };
-    // Of a motion that ends before there is no more than it has.
+    // A motion that ends early has no samples after its end.
     let at = |time: &f64| samples.iter().find(|sample| sample.state.time == *time).copied();
     Ok(wanted.iter().filter_map(at).collect())
 }
@@ -119,13 +120,13 @@ fn states_at(request: &Request, file: &ScenarioFile) -> Result<Vec<Sample>, Fail
 /// Motion of a scenario.
 #[derive(Clone, Debug)]
 pub struct Motion {
-    /// The scenario.
+    /// Scenario with its file.
     pub file: ScenarioFile,
-    /// The motion, as far as it goes.
+    /// Motion as far as it was computed.
     pub trajectory: Trajectory,
-    /// The body at the times that were asked for.
+    /// Samples at the requested times.
     pub at: Vec<Sample>,
-    /// True if the text has the details too.
+    /// True if the text includes details.
     pub is_verbose: bool,
 }
 
@@ -146,7 +147,7 @@ impl Motion {
         MotionFigures::of_scenario(self.scenario(), &self.trajectory)
     }
 
-    /// Returns what a table of the motion says about where it is from: keys and values.
+    /// Returns the metadata of a table of the motion: keys and values.
     pub fn metadata(&self) -> Vec<(String, String)> {
         let pair = |key: &str, value: String| (format!("polhode.{key}"), value);
         let title = self.scenario().title().map(|title| pair("title", title.to_owned()));

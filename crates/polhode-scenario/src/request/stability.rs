@@ -1,4 +1,4 @@
-//! Steady motions, and which of them last.
+//! Steady motions and their stability.
 
 use std::path::PathBuf;
 use std::sync::LazyLock;
@@ -22,7 +22,7 @@ pub const REQUEST_SCHEMA: &str = include_str!("../../schema/stability/request.js
 pub static REPORT_SCHEMA: LazyLock<String> =
     LazyLock::new(|| complete(include_str!("../../schema/stability/report.json")));
 
-/// Scenario whose steady motions are asked for.
+/// Request for the stability of a scenario's steady motions.
 ///
 /// ```
 /// use polhode_document::Report as _;
@@ -42,10 +42,10 @@ pub struct Request {
     pub file: PathBuf,
 }
 
-/// Finds the steady motions of a scenario's body, and says which of them last.
+/// Finds the steady motions of a scenario's body and their stability.
 ///
 /// # Errors
-/// [`Failure`] if a file cannot be read, and for motions that are prescribed, of changing bodies, or in gimbals.
+/// [`Failure`] if a file cannot be read, and for prescribed motions, changing bodies, or gimbals.
 pub fn run(request: &Request, files: &dyn Files) -> Result<Stability, Failure> {
     let ScenarioFile { scenario, path, .. } = ScenarioFile::read(files, &request.file)?;
     let name = shown(&path);
@@ -79,12 +79,12 @@ pub fn run(request: &Request, files: &dyn Files) -> Result<Stability, Failure> {
     })
 }
 
-/// Steady motions of a body.
+/// Stability of the steady motions of a body.
 #[derive(Clone, Debug)]
 pub enum Stability {
-    /// Of one that touches nothing: permanent rotations and small oscillations.
+    /// Body without contact: permanent rotations and small oscillations.
     Free(Box<StabilityReport>),
-    /// Of one on the ground: the steady motion that it starts near to.
+    /// Body on the ground: the steady motion closest to the start.
     OnGround(Box<GroundStabilityReport>),
 }
 

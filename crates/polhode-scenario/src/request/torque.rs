@@ -1,4 +1,4 @@
-//! Torques, powers and forces that a given motion needs.
+//! Torques, powers and forces required for a prescribed motion.
 
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -27,7 +27,7 @@ pub const REQUEST_SCHEMA: &str = include_str!("../../schema/torque/request.json"
 pub static REPORT_SCHEMA: LazyLock<String> =
     LazyLock::new(|| complete(include_str!("../../schema/torque/report.json")));
 
-/// Scenario with a given motion, and where its torque is asked for.
+/// Request for the torque required for the prescribed motion of a scenario.
 ///
 /// ```
 /// use polhode_document::Report as _;
@@ -57,10 +57,11 @@ pub struct Request {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointMass(pub Particle<Body>);
 
-/// Finds the torque that a scenario's given motion needs.
+/// Computes the torque required for the prescribed motion of a scenario.
 ///
 /// # Errors
-/// [`Failure`] if a file cannot be read, for a scenario without a given motion, and for times beyond it.
+/// [`Failure`] if a file cannot be read, for a scenario without a prescribed motion, and for times
+/// outside it.
 pub fn run(request: &Request, files: &dyn Files) -> Result<RequiredReport, Failure> {
     let ScenarioFile { scenario, path, .. } = ScenarioFile::read(files, &request.file)?;
     require_motion(&scenario, &shown(&path))?;
@@ -84,7 +85,7 @@ impl Report for RequiredReport {
     }
 }
 
-/// Says what is missing where no motion is given.
+/// Returns an error with advice if no motion is prescribed.
 fn require_motion(scenario: &Scenario, path: &str) -> Result<(), Failure> {
     if scenario.prescribed().is_some() {
         return Ok(());

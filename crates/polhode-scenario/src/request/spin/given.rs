@@ -1,4 +1,4 @@
-//! Bodies and starts as a user gives them.
+//! Bodies and initial states in command-line notation.
 
 use std::str::FromStr;
 
@@ -8,7 +8,7 @@ use polhode::observe::TumblingPeriods;
 use polhode_source::given::{numbers, positive, rotation};
 use polhode_source::unit::Dimension;
 
-/// Moments of inertia about body axes x, y and z, kg·m², which are principal.
+/// Principal moments of inertia about body axes x, y and z, kg·m².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moments(pub [f64; 3]);
 

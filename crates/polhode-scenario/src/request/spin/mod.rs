@@ -1,4 +1,4 @@
-//! Free motion at once: its kind, its periods, and the state at any time.
+//! Free motion in closed form: its kind, its periods, and the state at any time.
 
 mod given;
 mod sampling;
@@ -30,7 +30,8 @@ pub const REQUEST_SCHEMA: &str = include_str!("../../../schema/spin/request.json
 pub static REPORT_SCHEMA: LazyLock<String> =
     LazyLock::new(|| complete(include_str!("../../../schema/spin/report.json")));
 
-/// Free body, and how it starts; or two periods that were observed.
+/// Request for the motion of a free body with a given start, or for the spins with two observed
+/// periods.
 ///
 /// ```
 /// use polhode_document::Report as _;
@@ -88,8 +89,9 @@ pub struct Request {
     pub convention: Option<Convention>,
 }
 
-/// What a motion needs whose start is known. Of an option that requires another clap asks nothing where that other conflicts with
-/// what is given: what goes with --duration or --curves stands here too.
+/// Options that require a known start, in conflict with `--periods`. If an option conflicts with a
+/// given one, clap does not check its `requires`. Options that go with `--duration` or `--curves`
+/// are therefore listed too.
 #[cfg(feature = "arguments")]
 const FORWARD: [&str; 15] = [
     "allow_unphysical",
@@ -109,7 +111,7 @@ const FORWARD: [&str; 15] = [
     "force",
 ];
 
-/// Axis that two observed periods speak of.
+/// Axis to which two observed periods refer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "arguments", derive(clap::ValueEnum))]
@@ -123,7 +125,8 @@ pub enum Convention {
 /// Finds the free motion of a body, or all spins with two periods.
 ///
 /// # Errors
-/// [`Failure`] if a file cannot be read, for a body that is not free or not possible, and for a start that says too little.
+/// [`Failure`] if a file cannot be read, for a body that is not free or not physical, and for an
+/// incomplete start.
 pub fn run(request: &Request, files: &dyn Files) -> Result<Answer, Failure> {
     let subject = match (&request.file, &request.moments, &request.inertia) {
         (Some(file), ..) => Subject::of_file(files, file)?,
@@ -163,9 +166,9 @@ fn inverse(
 /// Answer to a [`Request`].
 #[derive(Debug)]
 pub enum Answer {
-    /// A motion whose start is known.
+    /// Motion with a known start.
     Motion(Box<Spin>),
-    /// All spins with two periods.
+    /// All spins with two given periods.
     Spins(Box<TumblerReport>),
 }
 
@@ -194,9 +197,9 @@ impl Report for Answer {
 #[derive(Debug)]
 pub struct Spin {
     subject: Subject,
-    /// The motion.
+    /// The computed motion.
     pub motion: FreeMotion,
-    /// Times that are asked for, s.
+    /// Requested times, s.
     pub times: Vec<f64>,
     report: SpinReport,
 }
@@ -212,10 +215,11 @@ impl Spin {
         Ok(Self { subject, motion, times, report })
     }
 
-    /// Returns the scenario with the start of the motion, its text and its path; `None` of moments and tensors.
+    /// Returns the scenario with the start of the motion, its text and its path; `None` for moments
+    /// and tensors.
     ///
     /// # Errors
-    /// [`Failure`] if the scenario cannot start so.
+    /// [`Failure`] if the scenario does not accept this start.
     pub fn scenario(&self) -> Result<Option<(Scenario, &str, &Path)>, Failure> {
         self.subject.started(self.motion.start())
     }
@@ -225,7 +229,7 @@ impl Spin {
         MotionFigures::of_motion(&self.subject.title(), &self.motion, trajectory)
     }
 
-    /// Returns what a table says about where it is from: keys and values.
+    /// Returns the metadata of a table of the motion: keys and values.
     pub fn metadata(&self) -> Vec<(String, String)> {
         self.subject.metadata()
     }

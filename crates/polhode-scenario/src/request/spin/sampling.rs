@@ -1,4 +1,4 @@
-//! Samples of a free motion: for tables, plots and pages.
+//! Samples of a free motion, for tables, plots and pages.
 
 use std::f64::consts::TAU;
 
@@ -8,10 +8,10 @@ use polhode_source::given::{Given, Positive, Time};
 use polhode_source::times;
 use serde::{Deserialize, Serialize};
 
-/// Samples of a page that is not of a table.
+/// Number of samples of a page without a table.
 const PAGE_SAMPLES: usize = 2_001;
 
-/// Evenly spaced samples where nobody says how many.
+/// Default number of equally spaced samples of a table.
 const SAMPLES: u64 = 1001;
 
 /// Samples of a table of free motion.
@@ -41,12 +41,12 @@ pub struct Sampling {
 }
 
 impl Sampling {
-    /// Returns the duration of the table, s, if one is asked for.
+    /// Returns the duration of the table, s, if one is requested.
     pub fn duration(&self) -> Option<f64> {
         self.duration.as_ref().map(|duration| duration.value.0.into())
     }
 
-    /// The motion as plots show it: up to --duration, else some periods.
+    /// Returns the motion for plots: up to `--duration`, else over some periods.
     pub fn to_be_drawn(&self, motion: &FreeMotion) -> Result<Trajectory, Failure> {
         const PERIODS: f64 = 3.0;
         const EACH: f64 = 128.0;
@@ -54,7 +54,7 @@ impl Sampling {
         let span = self.duration().unwrap_or_else(|| match (motion.regime(), motion.period()) {
             (_, Some(period)) => PERIODS * period,
             (Regime::AtRest, _) => 1.0,
-            // Until nothing happens any more: sech 8 is 7e-4.
+            // Practically complete: sech 8 is 7e-4.
             (Regime::Separatrix, _) => 2.0 * 8.0 / motion.polhode_rate(),
             _ => PERIODS * TAU / start.omega.norm(),
         });
@@ -65,7 +65,7 @@ impl Sampling {
         Trajectory::of_motion_with_error(*motion, &times).map_err(failed)
     }
 
-    /// Names a requested time that is not on the page, and the span that is.
+    /// Returns a note if a requested time is outside the time span of the page.
     pub fn not_shown(&self, motion: &FreeMotion, at: &[f64]) -> String {
         let span = self.duration().unwrap_or_else(|| span_of_page(motion, at));
         match at.iter().find(|time| !(0.0..=span).contains(*time)) {
@@ -76,7 +76,8 @@ impl Sampling {
         }
     }
 
-    /// The motion that a page shows: the table's, else up to the last time that is asked for, else some periods.
+    /// Returns the motion for a page: that of the table, else up to the last requested time, else
+    /// over some periods.
     pub fn shown(&self, motion: &FreeMotion, at: &[f64]) -> Result<Trajectory, Failure> {
         if let Some(trajectory) = self.trajectory(motion)? {
             return Ok(trajectory);
@@ -86,10 +87,10 @@ impl Sampling {
         Trajectory::of_motion_with_error(*motion, &times).map_err(failed)
     }
 
-    /// The samples of the table; `None` if none is asked for.
+    /// Returns the samples of the table; `None` if no table is requested.
     ///
     /// # Errors
-    /// [`Failure`] for more samples than fit the memory.
+    /// [`Failure`] for more samples than fit into memory.
     pub fn trajectory(&self, motion: &FreeMotion) -> Result<Option<Trajectory>, Failure> {
         let Some(duration) = self.duration() else { return Ok(None) };
         let times = match self.every.as_ref().map(|every| f64::from(every.value.0)) {
@@ -109,14 +110,15 @@ impl Sampling {
     }
 }
 
-/// Duration of the motion on a page, s: up to the last of these times if samples can follow it, else some periods.
+/// Returns the duration of a page, s: up to the last of these times if the samples can resolve it,
+/// else some periods.
 fn span_of_page(motion: &FreeMotion, at: &[f64]) -> f64 {
     let most = longest(motion);
     let asked = at.iter().copied().fold(0.0, f64::max);
     if asked > 0.0 && asked <= most { asked } else { sensible(motion).min(most) }
 }
 
-/// Some periods of ω, or some turns where it has none, s.
+/// Returns the duration of some periods of ω, or of some revolutions if it has no period, s.
 fn sensible(motion: &FreeMotion) -> f64 {
     const PERIODS: f64 = 4.0;
     let turn = TAU / motion.start().omega.norm();
@@ -124,7 +126,7 @@ fn sensible(motion: &FreeMotion) -> f64 {
     if duration.is_finite() { duration } else { 1.0 }
 }
 
-/// For so long samples are near enough together to follow the body, s: a quarter of a radian.
+/// Returns the longest duration, s, for which the body turns by at most 0.25 rad between samples.
 fn longest(motion: &FreeMotion) -> f64 {
     const TURN: f64 = 0.25;
     let [a1, _, a3] = motion.amplitudes();

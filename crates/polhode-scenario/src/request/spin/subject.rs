@@ -1,4 +1,4 @@
-//! What spins, and how it starts.
+//! Spinning body and its initial state.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use polhode_source::{Failure, shown};
 use super::given::{Moments, Omega};
 use crate::read::ScenarioFile;
 
-/// A body, from a scenario or from flags.
+/// Body, from a scenario or from options.
 #[derive(Debug)]
 pub(crate) enum Subject {
     Scenario {
@@ -21,7 +21,7 @@ pub(crate) enum Subject {
         text: String,
     },
     Moments([f64; 3]),
-    /// Of a tensor alone: the body that has it, with a mass that no motion depends on.
+    /// Body given by a tensor alone; its mass is arbitrary and does not affect the motion.
     Tensor(Box<MassProperties<Body>>),
 }
 
@@ -52,7 +52,8 @@ impl Subject {
         ))
     }
 
-    /// Moments about body axes; those of no body only if `allowed`.
+    /// Creates the body from moments about body axes; unphysical moments are accepted only if
+    /// `allowed`.
     pub(crate) fn of_moments(moments: Moments, allowed: bool) -> Result<Self, Failure> {
         let Moments(moments) = moments;
         match InertiaTensor::<Body>::diagonal(moments) {
@@ -76,7 +77,7 @@ impl Subject {
             .map_err(|error| Failure::usage(error.to_string(), "check --inertia"))
     }
 
-    /// The state at t = 0.
+    /// Returns the state at t = 0.
     pub(crate) fn start(&self, omega: Option<Omega>, attitude: Option<Attitude>) -> Result<State, Failure> {
         let start = match (self, omega) {
             (Self::Scenario { scenario, .. }, _) => scenario.start(),
@@ -123,7 +124,7 @@ impl Subject {
         ))
     }
 
-    /// Principal moments and axes of a body that is possible.
+    /// Returns the principal moments and axes of a physical body.
     pub(crate) fn principal(&self) -> Result<PrincipalFrame<Body>, Failure> {
         match self {
             Self::Scenario { scenario, .. } => Ok(scenario.body().principal()),
@@ -146,7 +147,7 @@ impl Subject {
         )
     }
 
-    /// What a plot is about.
+    /// Returns the subject of a plot.
     pub(crate) fn title(&self) -> String {
         match self {
             Self::Scenario { path, scenario, .. } => {
@@ -164,7 +165,7 @@ impl Subject {
         }
     }
 
-    /// The scenario with this start, and its text and path; `None` of moments and tensors.
+    /// Returns the scenario with this start, its text and its path; `None` for moments and tensors.
     pub(crate) fn started(&self, start: State) -> Result<Option<(Scenario, &str, &Path)>, Failure> {
         let Self::Scenario { path, scenario, text } = self else { return Ok(None) };
         let started = Scenario::clone(scenario).not_sampled().starting(start);
@@ -172,7 +173,7 @@ impl Subject {
         Ok(Some((scenario, text, Path::new(path))))
     }
 
-    /// What a table says about where it is from.
+    /// Returns the metadata of a table of the motion: keys and values.
     pub(crate) fn metadata(&self) -> Vec<(String, String)> {
         let pair = |key: &str, value: &str| (key.to_owned(), value.to_owned());
         match self {
@@ -188,13 +189,13 @@ impl Subject {
     }
 }
 
-/// A tensor in a line.
+/// Formats a tensor on one line.
 fn elements(body: &MassProperties<Body>) -> String {
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = body.inertia().matrix();
     format!("tensor {xx}, {yy}, {zz}, {xy}, {xz}, {yz} kg·m²")
 }
 
-/// The number with seven digits: a sum without its rounding.
+/// Rounds a number to seven digits, which removes rounding errors of a sum.
 fn short(x: f64) -> f64 {
     format!("{x:.6e}").parse().unwrap_or(x)
 }

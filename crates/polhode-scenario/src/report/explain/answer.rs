@@ -8,7 +8,7 @@ use super::inside::Inside;
 use super::working::{Working, exactly, n, v};
 use crate::report::forces;
 
-/// Forces on more particles than this are left to step 4.
+/// Largest number of particles whose forces the answer states; step 4 states those of more.
 const MOST_PARTICLES: usize = 4;
 
 pub(crate) fn lines(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Vec<String> {

@@ -65,7 +65,7 @@ pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Secti
     s
 }
 
-/// The axis that L circles: 0, 1 or 2.
+/// Returns the axis that L circles: 0, 1 or 2; `None` if it circles none.
 const fn circled(regime: Regime) -> Option<usize> {
     match regime {
         Regime::LongAxis => Some(0),
@@ -74,7 +74,7 @@ const fn circled(regime: Regime) -> Option<usize> {
     }
 }
 
-/// Euler angles about L of a symmetric top: θ stays, φ and ψ grow evenly.
+/// Writes the Euler angles about L of a symmetric top: θ stays, φ and ψ grow evenly.
 fn symmetric_angles(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
     let theta = w.rotor.angular_momentum(top.start().omega).angle_to(top.axis());
     s.say("In Euler angles about L̂ (θ between L̂ and e, φ of e about L̂, ψ of the body about e):");
@@ -90,7 +90,7 @@ fn symmetric_angles(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
     ));
 }
 
-/// Euler angles about L of an asymmetric body, by the components of L along its axes.
+/// Writes the Euler angles about L of an asymmetric body, by the components of L along its axes.
 fn asymmetric_angles(w: &Working<'_>, motion: &FreeMotion, circled: usize, s: &mut Section) {
     s.say(format!(
         "In Euler angles about L̂ (θ between L̂ and axis {0}, φ of axis {0} about L̂, ψ of the body about axis {0}), as L = |L| \
@@ -110,7 +110,7 @@ fn asymmetric_angles(w: &Working<'_>, motion: &FreeMotion, circled: usize, s: &m
         )
     };
     s.formula(text, latex);
-    // The range is of that end of the axis which is on the side of L.
+    // The range is that of the end of the axis which is on the side of L.
     let [near, far] = motion.nutation_range();
     let l = (motion.principal().rotation().inverse() * w.rotor.angular_momentum(w.start.omega)).to_array();
     let range = if l[circled] < 0.0 { [PI - far, PI - near] } else { [near, far] };
@@ -129,7 +129,8 @@ fn asymmetric_angles(w: &Working<'_>, motion: &FreeMotion, circled: usize, s: &m
     );
 }
 
-/// The attitude of a state with an error, rad: what the error covers is 0.
+/// Writes the attitude of a state with an error, rad. Components smaller than the error are written
+/// as 0.
 pub(crate) fn attitude(state: &State, error: f64, when: &str, s: &mut Section) {
     s.matrix(format!("R({when})"), state.attitude.matrix().map(|row| without_noise(row, 1.0, error)), "");
     if when == "end" {
@@ -140,10 +141,10 @@ pub(crate) fn attitude(state: &State, error: f64, when: &str, s: &mut Section) {
     euler(state.attitude, error, s);
 }
 
-/// Errors of angles below this are rounding, rad.
+/// Largest error of angles that is rounding, rad.
 const ROUNDING: f64 = 2e-14;
 
-/// Euler angles.
+/// Writes the Euler angles.
 ///
 /// Only φ + ψ or φ − ψ is determined where θ is 0 or π within the error.
 fn euler(attitude: Attitude, error: f64, s: &mut Section) {
@@ -172,7 +173,7 @@ fn euler(attitude: Attitude, error: f64, s: &mut Section) {
     s.line(format!("                    = {phi}°, {theta}°, {psi}°"));
 }
 
-/// How good the run is.
+/// Writes how well the run keeps the constants of the motion.
 fn evidence(w: &Working<'_>, s: &mut Section) {
     if w.needed.is_some() {
         return;

@@ -6,10 +6,10 @@ use polhode_document::number::tidy;
 
 use super::working::{Working, cells, n, v};
 
-/// More rows than this are not listed.
+/// Largest number of rows that a table lists.
 const MOST_ROWS: usize = 20;
 
-/// More terms of a sum than this are left to the table.
+/// Largest number of terms of a sum that is written out; the table has those of longer sums.
 const MOST_TERMS: usize = 6;
 
 pub(crate) fn section(w: &Working<'_>) -> Section {
@@ -85,14 +85,14 @@ fn parts(w: &Working<'_>, s: &mut Section) -> Vec<f64> {
     parts.iter().map(|part| part.properties.mass()).collect()
 }
 
-/// What the table leaves out.
+/// Writes how many rows the table leaves out.
 fn more(all: usize, s: &mut Section) {
     if all > MOST_ROWS {
         s.say(format!("… and {} more.", all - MOST_ROWS));
     }
 }
 
-/// The rows with their numbers, from 1, in front.
+/// Returns the rows with their numbers, from 1, in front.
 pub(crate) fn numbered(rows: Vec<Vec<String>>) -> Vec<Vec<String>> {
     let with_number = |(k, row): (usize, Vec<String>)| {
         let mut cells = vec![(k + 1).to_string()];

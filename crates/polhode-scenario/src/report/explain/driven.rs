@@ -8,7 +8,9 @@ use polhode_document::number::{number, tidy_beside, without_noise};
 use super::working::{Working, cells, n, v};
 use crate::report::facts::ending_in_words;
 
-/// The motion is given: there is nothing to solve, but the torque may change along it.
+/// Writes that the motion is given.
+///
+/// Nothing is left to solve, but the torque may change along it.
 pub(crate) fn given(w: &Working<'_>, s: &mut Section) {
     s.say("The motion is given, so ω(t) is known (step 2); the equations gave the torque instead.");
     if !w.rows.samples.is_empty() {
@@ -17,13 +19,13 @@ pub(crate) fn given(w: &Working<'_>, s: &mut Section) {
     }
 }
 
-/// Numerical integration.
+/// Writes the equation that is integrated numerically.
 pub(crate) fn integrate(w: &Working<'_>, s: &mut Section) {
     if w.rotor.principal().symmetry() == Symmetry::Point {
         s.say("There is nothing to solve: all the mass is in the point that it would turn about.");
         return;
     }
-    // A closed form has been told.
+    // A closed form has been told already.
     if !matches!(w.trajectory.as_deref().map(Trajectory::solution), Some(Solution::ClosedForm(_))) {
         s.say("What is integrated:");
         s.formula(
@@ -51,7 +53,7 @@ pub(crate) fn integrate(w: &Working<'_>, s: &mut Section) {
     }
 }
 
-/// How the numbers were found, in words that follow `ω(t)`.
+/// Returns how the numbers were found, in words that follow `ω(t)`.
 pub(crate) fn how(w: &Working<'_>) -> Option<String> {
     Some(match w.trajectory.as_ref()?.solution() {
         Solution::ClosedForm(_) => "in closed form".to_owned(),
@@ -69,7 +71,7 @@ pub(crate) fn how(w: &Working<'_>) -> Option<String> {
     })
 }
 
-/// ω, and N where there is one, at the instants of [`Working::rows`].
+/// Writes ω, and N if there is one, at the instants of [`Working::rows`].
 pub(crate) fn table(w: &Working<'_>, torque: bool, s: &mut Section) {
     let samples = &w.rows.samples;
     // Rows before the end have smaller errors than the end.
@@ -96,10 +98,10 @@ pub(crate) fn table(w: &Working<'_>, torque: bool, s: &mut Section) {
     s.table(headers, cells(&rows));
 }
 
-/// Relative errors above this are not taken for noise of all rows.
+/// Largest relative error that is taken for noise of all rows.
 const MOST_NOISE: f64 = 1e-9;
 
-/// The work of the torque is the gain in kinetic energy.
+/// Writes that the work of the torque is the gain in kinetic energy.
 fn work(w: &Working<'_>, s: &mut Section) {
     let samples = w.trajectory.as_ref().map_or(&[][..], |trajectory| trajectory.samples());
     let (Some(first), Some(last)) = (samples.first(), samples.last()) else { return };

@@ -1,4 +1,5 @@
-//! The closed form of ω(t) of an asymmetric body: Jacobi's elliptic functions, with every constant in numbers.
+//! The closed form of ω(t) of an asymmetric body: Jacobi's elliptic functions, with every constant
+//! in numbers.
 
 use polhode::motion::Regime;
 use polhode::observe::{FreeRegime, JacobiForm, JacobiFunction};
@@ -6,7 +7,7 @@ use polhode_document::Section;
 
 use super::working::{factor, n};
 
-/// A modulus below this is worth a word about the symmetric limit.
+/// Largest modulus for which the solution mentions the symmetric limit.
 const NEARLY_CIRCULAR: f64 = 0.1;
 
 pub(crate) fn closed_form(form: &JacobiForm, free: &FreeRegime, s: &mut Section) {
@@ -75,7 +76,7 @@ pub(crate) fn closed_form(form: &JacobiForm, free: &FreeRegime, s: &mut Section)
     limits(form, free.regime, s);
 }
 
-/// Amplitudes, λ and k² by the constants of the motion.
+/// Writes the amplitudes, λ and k² by the constants of the motion.
 fn constants(regime: Regime, s: &mut Section) {
     s.formula(
         "A1² = (2T i3 − L²) / (i1 (i3 − i1)),   A3² = (L² − 2T i1) / (i3 (i3 − i1))",
@@ -95,7 +96,7 @@ fn constants(regime: Regime, s: &mut Section) {
     }
 }
 
-/// k → 0 is the symmetric top or a small wobble, k → 1 the separatrix.
+/// Writes the limits: k → 0 is the symmetric top or a small wobble, k → 1 the separatrix.
 fn limits(form: &JacobiForm, regime: Regime, s: &mut Section) {
     let parameter = form.parameter();
     let k = parameter.m().sqrt();

@@ -10,7 +10,7 @@ use super::body::numbered;
 use super::working::{Working, cells, exactly, factor, n, v};
 use crate::report::forces;
 
-/// Forces on more particles than this are not listed.
+/// Largest number of particles whose forces are listed.
 const MOST_PARTICLES: usize = 12;
 
 pub(crate) fn section(w: &Working<'_>) -> Section {
@@ -44,7 +44,7 @@ pub(crate) fn section(w: &Working<'_>) -> Section {
 /// The pairs (k, j, l) of the three equations: component k, and the two that it couples.
 const CYCLES: [(usize, usize, usize); 3] = [(0, 1, 2), (1, 2, 0), (2, 0, 1)];
 
-/// From torque to motion.
+/// Writes the angular acceleration that follows from the torque.
 fn acceleration(w: &Working<'_>, s: &mut Section) {
     if !w.is_turning() && w.torque.norm() == 0.0 {
         s.say("With ω = 0 and N = 0 they say ω\u{307} = 0.");
@@ -84,14 +84,14 @@ fn acceleration(w: &Working<'_>, s: &mut Section) {
     s.line(format!("ω\u{307}  = {} rad/s² in body axes", v(tidy_beside(w.acceleration.to_array(), scale))));
 }
 
-/// Rates below rounding of this are zeros.
+/// Returns the size of rates: those that are rounding compared with it count as zero.
 fn largest_rate(w: &Working<'_>) -> f64 {
     let [_, _, i3] = w.rotor.principal().moments();
     let omega = w.start.omega.norm();
     (omega * omega).max(w.torque.norm() / i3)
 }
 
-/// From motion to torque.
+/// Writes the torque that the given motion needs.
 fn torque_needed(w: &Working<'_>, s: &mut Section) {
     let Some(needed) = &w.needed else { return };
     let principal = w.rotor.principal();
@@ -122,14 +122,14 @@ fn torque_needed(w: &Working<'_>, s: &mut Section) {
     ));
 }
 
-/// Torques below rounding of this are zeros.
+/// Returns the size of torques: those that are rounding compared with it count as zero.
 fn largest_torque(w: &Working<'_>) -> f64 {
     let [_, _, i3] = w.rotor.principal().moments();
     let omega = w.start.omega.norm();
     i3 * (omega * omega).max(w.acceleration.norm())
 }
 
-/// When N = {I} ω̇ would do.
+/// Writes when N = {I} ω̇ would do.
 fn condition(w: &Working<'_>, s: &mut Section) {
     if !w.is_turning() {
         return;
@@ -151,7 +151,7 @@ fn condition(w: &Working<'_>, s: &mut Section) {
     }
 }
 
-/// The forces on the particles that make the torque.
+/// Writes the forces on the particles that make the torque.
 fn particles(w: &Working<'_>, s: &mut Section) {
     let Some(needed) = &w.needed else { return };
     let forces = forces::on_particles(w.scenario, needed);

@@ -47,7 +47,7 @@ fn permanent(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
     }
 }
 
-/// The notes' η(t) = A exp(iΩt), about the symmetry axis e.
+/// Writes the notes' η(t) = A exp(iΩt), about the symmetry axis e.
 fn symmetric(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut Section) {
     let [axial, transverse] = top.moments();
     let e = top.axis();
@@ -93,7 +93,9 @@ fn symmetric(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut S
     cones(w, motion, top, s);
 }
 
-/// ω along the symmetry axis but for rounding: both cones have closed to a line.
+/// Writes the rotation about the symmetry axis: ω lies along it except for rounding.
+///
+/// Both cones have closed to a line.
 fn along_axis(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
     s.say(
         "Two moments are equal: a symmetric top, and ω lies along its symmetry axis e (but for rounding), so \
@@ -202,7 +204,7 @@ fn growth_rate(growth: f64, s: &mut Section) {
     s.line(format!("σ = {} /s", n(growth)));
 }
 
-/// `, once in 3 s`
+/// Writes the period of a rate: `, once in 3 s`.
 pub(crate) fn once_in(rate: f64) -> String {
     if rate == 0.0 { String::new() } else { format!(", once in {} s", n(TAU / rate.abs())) }
 }

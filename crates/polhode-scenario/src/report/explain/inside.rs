@@ -1,4 +1,6 @@
-//! Steps 4 and 5 of a body with wheels or friction inside, where L is not {I} ω alone, or axes turn at more than ω.
+//! Steps 4 and 5 of a body with wheels or friction inside.
+//!
+//! L is then not {I} ω alone, or axes turn at more than ω.
 
 use polhode::math::{AngularMomentum, AngularVelocity, Body, Torque};
 use polhode::motion::torque::{EnergySink, TorqueModel};
@@ -10,24 +12,24 @@ use polhode_document::number::tidy_beside;
 use super::driven;
 use super::working::{Working, exactly, factor, n, v};
 
-/// The numbers at the start.
+/// Numbers at the start of a body with wheels or friction inside.
 pub(crate) struct Inside<'a, 'w> {
     w: &'a Working<'w>,
-    /// Σ α
+    /// Sum of the sinks' coefficients, Σ α.
     alpha: f64,
     omega: AngularVelocity<Body>,
     h: AngularMomentum<Body>,
     momentum: AngularMomentum<Body>,
-    /// L × ω
+    /// Torque that bends L, L × ω.
     bending: Torque<Body>,
-    /// Ω
+    /// Rate Ω at which the body axes turn.
     turning: AngularVelocity<Body>,
-    /// dh/dt
+    /// Rate of change of h by the motors, dh/dt.
     motor: Torque<Body>,
 }
 
 impl<'a, 'w> Inside<'a, 'w> {
-    /// `None` if nothing moves inside the body.
+    /// Returns the numbers of a body; `None` if nothing moves inside it.
     pub(crate) fn of(w: &'a Working<'w>) -> Option<Self> {
         let coefficient = |torque: &TorqueModel| match torque {
             TorqueModel::EnergySink(sink) => sink.coefficient(),
@@ -49,7 +51,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         self.alpha > 0.0
     }
 
-    /// Torques from outside.
+    /// True if no torque acts from outside.
     fn is_free(&self) -> bool {
         self.w.scenario.torques().iter().all(|torque| matches!(torque, TorqueModel::EnergySink(_)))
     }
@@ -58,7 +60,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         self.w.rotor.wheels().iter().any(Wheel::is_driven)
     }
 
-    /// L × Ω + N − dh/dt
+    /// Returns L × Ω + N − dh/dt.
     fn change(&self) -> Torque<Body> {
         self.momentum.cross(self.turning) + self.w.torque - self.motor
     }
@@ -67,12 +69,12 @@ impl<'a, 'w> Inside<'a, 'w> {
         !self.w.rotor.wheels().is_empty()
     }
 
-    /// The rate at which body axes turn: ω, or Ω with friction.
+    /// Returns the name of the rate at which body axes turn: ω, or Ω with friction.
     const fn turning_name(&self) -> [&'static str; 2] {
         if self.alpha > 0.0 { ["Ω", r"\boldsymbol\Omega"] } else { ["ω", r"\boldsymbol\omega"] }
     }
 
-    /// L × Ω + N − dh/dt with the terms that there are, in Unicode and in LaTeX.
+    /// Returns L × Ω + N − dh/dt with the terms that there are, in Unicode and in LaTeX.
     fn right_side(&self) -> [String; 2] {
         let [text, latex] = self.turning_name();
         let (mut text, mut latex) = (format!("L × {text}"), format!(r"\mathbf L \times {latex}"));
@@ -87,7 +89,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         [text, latex]
     }
 
-    /// h and L, after {I} ω: step 3.
+    /// Writes h and L, after {I} ω, for step 3.
     pub(crate) fn momentum(&self, s: &mut Section) {
         let w = self.w;
         if self.has_wheels() {
@@ -113,7 +115,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         }
     }
 
-    /// Step 4.
+    /// Writes step 4.
     pub(crate) fn equations(&self) -> Section {
         let w = self.w;
         let mut s = Section::new(4, "Euler's equations");
@@ -170,7 +172,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         }
         let change = self.change();
         s.line(format!("{{I}} dω/dt = {text} = {} N·m", shown(change)));
-        // I⁻¹, by the principal axes
+        // I⁻¹ is a division along the principal axes.
         let into = w.rotor.principal().rotation().inverse();
         let along_axes = (into * change).to_array();
         let moments = w.rotor.principal().moments();
@@ -184,7 +186,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         s
     }
 
-    /// Step 5.
+    /// Writes step 5.
     pub(crate) fn solution(&self) -> Section {
         let mut s = Section::new(5, "Solve for ω(t)");
         self.balances(&mut s);
@@ -199,7 +201,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         s
     }
 
-    /// Step 6: at which rate R turns.
+    /// Writes for step 6 at which rate R turns.
     pub(crate) fn attitude_formula(&self, s: &mut Section) {
         let [name, latex] = self.turning_name();
         s.formula(
@@ -208,7 +210,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         );
     }
 
-    /// Energy, and what is kept.
+    /// Writes the energy, and what is kept.
     fn balances(&self, s: &mut Section) {
         let w = self.w;
         let energy = w.rotor.kinetic_energy(self.omega);
@@ -263,7 +265,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         });
     }
 
-    /// To what it tends.
+    /// Writes to what the motion tends.
     fn end(&self, s: &mut Section) {
         if !self.is_free() {
             s.say(
@@ -313,11 +315,11 @@ impl<'a, 'w> Inside<'a, 'w> {
         self.decay(&all, s);
     }
 
-    /// The linear rates next to the spins with this |L|.
+    /// Writes the linear rates next to the spins with this |L|.
     fn decay(&self, all: &[PermanentRotation], s: &mut Section) {
         let Ok(sink) = EnergySink::new(self.alpha) else { return };
         s.say("How fast, by the linear equations next to the spins that have this |L| (polhode stability has them all):");
-        // Of two opposite spins with the same energy, the one on this side.
+        // Two opposite spins have the same energy: the one on this side counts.
         let energy = |one: &PermanentRotation| self.w.rotor.kinetic_energy(one.omega);
         let nearest = |extreme: Option<&PermanentRotation>| {
             let level = energy(extreme?);
@@ -339,7 +341,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         }
     }
 
-    /// What the wheels have in the end.
+    /// Writes what the wheels have in the end.
     fn after_the_motors(&self, time: f64, s: &mut Section) {
         let h = self.w.rotor.wheel_momentum(time);
         s.line(format!("h after the last motor, at t = {} s: {} kg·m²/s", n(time), v(h.to_array())));
@@ -347,7 +349,7 @@ impl<'a, 'w> Inside<'a, 'w> {
             s.say("L stays in space, and with these h the body has {I} ω = L − h.");
             return;
         }
-        // I ω = −h, by the principal axes
+        // I ω = −h is solved along the principal axes.
         let into = self.w.rotor.principal().rotation().inverse();
         let along = (into * h).to_array();
         let moments = self.w.rotor.principal().moments();
@@ -370,7 +372,7 @@ impl<'a, 'w> Inside<'a, 'w> {
     }
 }
 
-/// `0.3·(0, 0, 1)`
+/// Writes the angular momentum of a wheel: `0.3·(0, 0, 1)`.
 fn along(wheel: &Wheel, size: f64) -> String {
     let held = if wheel.motor() == Motor::HeldSpeed { " (held)" } else { "" };
     format!("{}·{}{held}", factor(size), v(wheel.axis().to_array()))

@@ -1,4 +1,4 @@
-//! Small motions: Euler's equations linearised about the steady motion that is nearest to the start.
+//! Small motions: Euler's equations linearised about the steady motion nearest to the start.
 
 use std::f64::consts::TAU;
 
@@ -10,18 +10,19 @@ use polhode_document::number::tidy_matrix;
 
 use super::working::{Working, acting, cells, n, v};
 
-/// What the linear equations say, if there is a steady motion to linearise about.
+/// Writes what the linear equations say, if there is a steady motion to linearise about.
 pub(crate) fn solve(w: &Working<'_>, s: &mut Section) {
     let torques: Vec<TorqueModel> = acting(w.scenario).cloned().collect();
-    // Beside other torques drag changes what they do, and not the body's spin alone.
+    // Drag by itself affects only the body's spin; it changes the effect of other torques.
     if let [TorqueModel::Drag(drag)] = &torques[..] {
         resisted(w, drag, s);
     }
-    // Next to rest drag only damps; alone it has nothing to swing about.
+    // Drag only damps next to rest: alone it has nothing to swing about.
     if torques.iter().all(|torque| matches!(torque, TorqueModel::Drag(_) | TorqueModel::Constant(_))) {
         return;
     }
-    // With torques that let nothing be at rest relative to the orbit, gravity's gradient by itself.
+    // Some torques let nothing be at rest relative to the orbit: then gravity's gradient stands
+    // alone.
     let gradients: Vec<TorqueModel> =
         torques.iter().filter(|torque| matches!(torque, TorqueModel::GravityGradient(_))).cloned().collect();
     let all = OrbitalEquilibrium::all(w.rotor, &torques, w.start);
@@ -60,7 +61,7 @@ pub(crate) fn solve(w: &Working<'_>, s: &mut Section) {
     }
 }
 
-/// Drag alone: each component dies away by itself where ω is small.
+/// Writes the motion under drag alone: each component dies away by itself where ω is small.
 fn resisted(w: &Working<'_>, drag: &Drag, s: &mut Section) {
     if drag.law() == DragLaw::Quadratic {
         s.say(
@@ -78,7 +79,7 @@ fn resisted(w: &Working<'_>, drag: &Drag, s: &mut Section) {
         r"\lbrace \mathbf I \rbrace \dot{\boldsymbol\omega} = -C \boldsymbol\omega, \qquad \boldsymbol\omega(t) = \sum_k c_k \mathbf u_k e^{-t/\tau_k}, \qquad \lbrace \mathbf I \rbrace^{-1} C \mathbf u_k = \mathbf u_k / \tau_k",
     );
     s.matrix("C", tidy_matrix(drag.matrix()), "N·m·s");
-    // Along the principal axes {I}⁻¹ is a division.
+    // {I}⁻¹ is a division along the principal axes.
     let principal = w.rotor.principal();
     let axes = principal.axes().map(polhode::math::Vector::to_array);
     let c = drag.matrix();
@@ -115,7 +116,7 @@ fn resisted(w: &Working<'_>, drag: &Drag, s: &mut Section) {
     }
 }
 
-/// DeBra and Delp's equations, for a body that follows its orbit.
+/// Writes DeBra and Delp's equations, for a body that follows its orbit.
 fn librations(w: &Working<'_>, place: &OrbitalEquilibrium, rate: f64, alone: bool, s: &mut Section) {
     let moment = |k: usize| w.rotor.principal().moments()[place.axes[k].0];
     let [up, ahead, normal] = [moment(0), moment(1), moment(2)];
@@ -161,7 +162,7 @@ fn librations(w: &Working<'_>, place: &OrbitalEquilibrium, rate: f64, alone: boo
     }
 }
 
-/// The eigenvalues, and along which axis each mode turns.
+/// Writes the eigenvalues, and along which axis each mode turns.
 fn modes(w: &Working<'_>, torques: &[TorqueModel], state: State, s: &mut Section) {
     let Ok(found) = SmallOscillations::about(w.rotor, torques, state) else { return };
     if found.modes.is_empty() {

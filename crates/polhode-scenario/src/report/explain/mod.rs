@@ -1,7 +1,7 @@
 //! The worked solution: from mass to motion in the six steps of the lecture notes.
 //!
-//! Each step has its file; `working` holds what they share, `document` what they write into; `text`, `markdown`,
-//! `html` and `latex` are how it is shown.
+//! Each step has its file. The module `working` holds what they share; `polhode_document` has what
+//! they write into, and shows it as text, Markdown, HTML or LaTeX.
 
 mod answer;
 mod attitude;
@@ -31,9 +31,13 @@ use polhode_document::Document;
 use inside::Inside;
 use working::Working;
 
-/// The worked solution of a scenario, in the order of the lecture notes: 0 the body; 1 the axes; 2 ω and N; 3 the
-/// inertia tensor and its principal axes; 4 Euler's equations; 5 their solution; 6 the attitude. Of a body on the ground: 2 with the constraint and the
-/// forces; 4 the equations with them; 6 what the run shows.
+/// Returns the worked solution of a scenario, in the order of the lecture notes.
+///
+/// The steps are: 0 the body; 1 the axes; 2 ω and N; 3 the inertia tensor and its principal axes; 4
+/// Euler's equations; 5 their solution; 6 the attitude.
+///
+/// A body on the ground has the constraint and the forces in step 2, the equations with them in
+/// step 4, and what the run shows in step 6.
 ///
 /// ```
 /// use polhode::prelude::*;
@@ -68,7 +72,8 @@ pub fn explain(scenario: &Scenario) -> Result<Document, MotionError> {
     Ok(solved(&Working::of(scenario)?))
 }
 
-/// The worked solution of a scenario whose motion is known: as [`explain`], without computing it again.
+/// Returns the worked solution of a scenario whose motion is known: as [`explain`], without
+/// computing it again.
 ///
 /// # Errors
 /// [`MotionError`] if the scenario's pendulum cannot hang.
@@ -99,7 +104,7 @@ fn solved(w: &Working<'_>) -> Document {
     }
 }
 
-/// Step 5, by the kind of motion.
+/// Writes step 5, by the kind of motion.
 fn solution(w: &Working<'_>) -> polhode_document::Section {
     let mut section = polhode_document::Section::new(5, "Solve for ω(t)");
     if let Some(pendulum) = &w.pendulum {

@@ -9,7 +9,7 @@ use polhode_document::unit;
 
 use super::working::{Working, factor, leaves, n, v};
 
-/// Sums of more particles than this are not written out.
+/// Largest number of particles whose sum is written out.
 const MOST_TERMS: usize = 6;
 
 pub(crate) fn solve(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
@@ -45,20 +45,21 @@ pub(crate) fn solve(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
     at_start(pendulum, s);
     amplitude(w, pendulum, axis, s);
     swing_test(w, pendulum, s);
-    // A bearing holds n̂; the run's pivot would let the body leave it unless n̂ is a principal axis.
+    // A bearing holds n̂; the run's pivot would let the body leave it unless n̂ is a principal
+    // axis.
     if leaves(w.scenario, axis) && w.trajectory.is_some() {
         s.say("The run below holds only the pivot and not the axis, so its motion is another than this pendulum's.");
     }
 }
 
-/// I about the axis, as the sum that the notes write where there are particles.
+/// Writes I about the axis, as the sum that the notes write where there are particles.
 fn moment(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mut Section) {
     let particles = w.scenario.particles();
     if !w.scenario.is_all_particles() || !(1..=MOST_TERMS).contains(&particles.len()) {
         s.line(format!("I = {} kg·m² about the axis", n(pendulum.moment())));
         return;
     }
-    // The distance of each particle from the axis.
+    // Distance of each particle from the axis.
     let arm = |p: &Particle<Body>| axis.cross(p.position() - w.point()).norm();
     let terms: Vec<String> =
         particles.iter().map(|p| format!("{}·{}²", n(p.mass()), factor(arm(p)))).collect();
@@ -79,7 +80,7 @@ fn at_start(pendulum: &Pendulum, s: &mut Section) {
     ));
 }
 
-/// Straight up but for rounding.
+/// True if the body stands straight up, except for rounding.
 fn is_upright(pendulum: &Pendulum) -> bool {
     let (sin, cos) = pendulum.angle().sin_cos();
     cos < 0.0 && sin.abs() < 1e-12
@@ -118,7 +119,7 @@ fn amplitude(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mu
     }
 }
 
-/// The series of K, term by term, and in the amplitude.
+/// Writes the series of K, term by term, and in the amplitude.
 fn series(amplitude: f64, longer: f64, s: &mut Section) {
     s.say("As a series in k, and in θmax:");
     s.formula(
@@ -132,14 +133,14 @@ fn series(amplitude: f64, longer: f64, s: &mut Section) {
     let in_theta = [square / 16.0, 11.0 * square.powi(2) / 3072.0, 173.0 * square.powi(3) / 737_280.0];
     for (name, terms) in [("k", in_k), ("θmax", in_theta)] {
         let sum: f64 = terms.iter().sum();
-        // What is left of P ω0 / 2π − 1, if it is more than the rounding of that.
+        // Rest of P ω0 / 2π − 1, if it is more than the rounding of that.
         let rest = longer - sum;
         let rest = if rest > 4.0 * f64::EPSILON { format!(", {} short", error(rest)) } else { String::new() };
         s.line(format!("P ω0 / 2π - 1, in {name}: {} = {}{rest}", terms.map(n).join(" + "), n(sum)));
     }
 }
 
-/// From a measured period to the moment of inertia.
+/// Writes how a measured period gives the moment of inertia.
 fn swing_test(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
     let (mass, arm) = (w.rotor.mass(), pendulum.arm());
     let steiner = mass * arm * arm;

@@ -1,20 +1,21 @@
 //! Rows of the table of step 5: instants at which it shows ω.
 //!
-//! Evenly chosen samples of a whole run may alias with the motion: a pendulum that is shown every
-//! 51/50 of its period seems not to swing. So the table covers one period of ω in the body, or the
-//! run if that is shorter; of a motion without a period the run, if a turn has several rows then,
-//! or else its beginning.
+//! Evenly chosen samples of a whole run may alias with the motion. A pendulum that is shown every
+//! 51/50 of its period seems not to swing.
+//!
+//! So the table covers one period of ω in the body, or the run if that is shorter. A motion without
+//! a period is shown over the run if a turn has several rows then, or else at its beginning.
 
 use std::f64::consts::TAU;
 
 use polhode::motion::{MotionError, Rotor, Run, Sample, Scenario, Trajectory};
 use polhode_document::number::number;
 
-/// Instants, and the words for them.
+/// Instants at which a table shows the motion, and the words for them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Rows {
     pub samples: Vec<Sample>,
-    /// `, one period (1.58 s) in eighths`
+    /// Words after the title: `, one period (1.58 s) in eighths`.
     pub words: String,
 }
 
@@ -90,8 +91,9 @@ impl Rows {
     }
 }
 
-/// The largest rate at which ω changes its direction or its size along the run, rad/s: |ω| of
-/// turns, |dω/dt|/|ω| of oscillations.
+/// Returns the largest rate at which ω changes its direction or its size along the run, rad/s.
+///
+/// It is |ω| of turns, |dω/dt|/|ω| of oscillations.
 fn fastest_rate(rotor: &Rotor, samples: &[Sample]) -> f64 {
     let largest = |of: &dyn Fn(&Sample) -> f64| samples.iter().map(of).fold(0.0, f64::max);
     let omega = largest(&|sample| sample.state.omega.norm());

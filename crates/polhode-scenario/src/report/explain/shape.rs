@@ -1,4 +1,4 @@
-//! The tensors of shapes, derived: the integral of each kind, and its result in numbers.
+//! Tensors of shapes, derived: the integral of each kind, and its result in numbers.
 
 use polhode::body::mesh::TriangleMesh;
 use polhode::body::shape::Extent;
@@ -9,10 +9,13 @@ use polhode_document::Section;
 use super::shape_formula::{Derived, of};
 use super::working::n;
 
-/// How far a part's tensor may be from the formula's, relative: rounding. A part whose density varies is farther.
+/// Largest relative difference of a part's tensor from the formula's that is rounding.
+///
+/// A part whose density varies differs by more.
 const AGREES: f64 = 1e-9;
 
-/// Derives the tensors of parts: the integral of each kind of shape once, and how the others are found.
+/// Derives the tensors of parts: the integral of each kind of shape once, and how the others are
+/// found.
 pub(crate) fn derive(parts: &[BodyPart], s: &mut Section) {
     let derived = |part: &BodyPart| of(part).filter(|derived| agrees(part, derived));
     let (shapes, others): (Vec<_>, Vec<_>) =
@@ -38,7 +41,7 @@ fn formulas(shapes: &[(&BodyPart, Derived)], s: &mut Section) {
     let mut told: Vec<&str> = Vec::new();
     for (part, Derived { formula: [text, latex], measures, moments }) in shapes {
         if !told.contains(text) {
-            // `cylinder of radius r …:   Izz = …`
+            // The text is such as `cylinder of radius r …:   Izz = …`.
             let (what, formula) = text.split_once(":   ").unwrap_or_default();
             s.say(format!("{what}:"));
             s.formula(formula, latex);
@@ -58,7 +61,7 @@ fn formulas(shapes: &[(&BodyPart, Derived)], s: &mut Section) {
     }
 }
 
-/// How the tensor of a part without such a formula is found.
+/// Writes how the tensor of a part without such a formula is found.
 fn otherwise(part: &BodyPart, s: &mut Section) {
     let name = &part.name;
     match (part.kind, part.form.as_ref().map(|placed| &placed.form)) {
@@ -92,7 +95,7 @@ fn otherwise(part: &BodyPart, s: &mut Section) {
     }
 }
 
-/// States the formula and the numbers of a triangular plate or prism, which has products.
+/// Writes the formula and the numbers of a triangular plate or prism, which has products.
 fn triangle(part: &BodyPart, vertices: &[[f64; 2]; 3], length: f64, s: &mut Section) {
     let kind = if length > 0.0 { "prism of length l along z" } else { "thin plate" };
     let sum = "Sij = ∫ xi xj dm = (m/12) Σ (pi − ci)(pj − cj) over its corners p,   c = Σ p/3,";
@@ -117,7 +120,7 @@ fn triangle(part: &BodyPart, vertices: &[[f64; 2]; 3], length: f64, s: &mut Sect
     s.line(format!("Ixx, Iyy, Izz, Ixy = {}, {}, {}, {} kg·m²", n(xx), n(yy), n(zz), n(xy)));
 }
 
-/// Ixx, Iyy, Izz and Ixy of a prism or, without length, of a plate, from its centroid.
+/// Returns Ixx, Iyy, Izz and Ixy of a prism or, without length, of a plate, from its centroid.
 fn prism(m: f64, vertices: &[[f64; 2]; 3], length: f64) -> [f64; 4] {
     let center = [0, 1].map(|k| vertices.iter().map(|p| p[k]).sum::<f64>() / 3.0);
     let second = |i: usize, j: usize| {
@@ -134,7 +137,8 @@ fn is_prism(part: &BodyPart, vertices: &[[f64; 2]; 3], length: f64) -> bool {
     is_own(part, |i, j| rows[i][j])
 }
 
-/// True if the formulas give the part's tensor: they are of a density that is the same everywhere.
+/// True if the formulas give the part's tensor: they are those of a density that is the same
+/// everywhere.
 fn agrees(part: &BodyPart, derived: &Derived) -> bool {
     is_own(part, |i, j| if i == j { derived.moments[i].1 } else { 0.0 })
 }
@@ -147,7 +151,7 @@ fn is_own(part: &BodyPart, element: impl Fn(usize, usize) -> f64) -> bool {
     (0..3).all(|i| (0..3).all(|j| (own[i][j] - element(i, j)).abs() <= AGREES * size))
 }
 
-/// True if the part's tensor is that of the mesh at one density, by the sum that is told.
+/// True if the part's tensor is that of the mesh at one density, by the sum that the text states.
 fn is_uniform_mesh(part: &BodyPart, mesh: &TriangleMesh) -> bool {
     let vertices: Vec<Position<Part>> = mesh.vertices().collect();
     let Some(origin) = vertices.first() else { return false };
@@ -155,7 +159,7 @@ fn is_uniform_mesh(part: &BodyPart, mesh: &TriangleMesh) -> bool {
     for triangle in mesh.triangles() {
         let corners = triangle.map(|k| (vertices[k as usize] - *origin).to_array());
         let [p, q, r] = corners;
-        // p · (q × r)
+        // Six volumes of a tetrahedron: p · (q × r).
         let six = p[0] * (q[1] * r[2] - q[2] * r[1])
             + p[1] * (q[2] * r[0] - q[0] * r[2])
             + p[2] * (q[0] * r[1] - q[1] * r[0]);
@@ -169,7 +173,7 @@ fn is_uniform_mesh(part: &BodyPart, mesh: &TriangleMesh) -> bool {
             }
         }
     }
-    // ∫ (x − c)i (x − c)j dm
+    // The sum is ∫ (x − c)i (x − c)j dm.
     let density = part.properties.mass() / volume;
     let spread = |i: usize, j: usize| density * (second[i][j] - first[i] * first[j] / volume);
     let trace: f64 = (0..3).map(|k| spread(k, k)).sum();

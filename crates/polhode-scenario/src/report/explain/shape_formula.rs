@@ -1,4 +1,4 @@
-//! The formulas of shapes' tensors, with their integrals.
+//! Formulas of the tensors of shapes, with their integrals.
 
 use std::f64::consts::PI;
 
@@ -6,17 +6,18 @@ use polhode::body::{BodyPart, Form};
 
 use super::working::n;
 
-/// A shape's own tensor as its formulas have it, along its own axes from its centroid.
+/// Tensor of a shape as its formulas have it, along its own axes from its centroid.
 pub(crate) struct Derived {
-    /// The kind of shape, `:   `, and the integral with its result; the same in LaTeX.
+    /// Kind of shape, `:   `, and the integral with its result; the same in LaTeX.
     pub formula: [&'static str; 2],
-    /// The measures, in words: `a, b, c = 1, 2, 3 m`.
+    /// Measures in words: `a, b, c = 1, 2, 3 m`.
     pub measures: String,
-    /// Ixx, Iyy and Izz: each as a formula, and its value.
+    /// Moments Ixx, Iyy and Izz: each as a formula, and its value.
     pub moments: [(&'static str, f64); 3],
 }
 
-/// The formulas of a part's tensor, if its shape has them and no products along its own axes.
+/// Returns the formulas of a part's tensor, if its shape has them and no products along its own
+/// axes.
 pub(crate) fn of(part: &BodyPart) -> Option<Derived> {
     let m = part.properties.mass();
     let sq = |x: f64| x * x;
@@ -34,7 +35,7 @@ pub(crate) fn of(part: &BodyPart) -> Option<Derived> {
             ],
         },
         (Form::Box { size: [a, b, c] }, "box_shell") => {
-            // Pairs of plates across each edge, their masses by their areas.
+            // The faces are pairs of plates across each edge, their masses by their areas.
             let area = a * b + b * c + c * a;
             let pair = |x: f64, y: f64| m * x * y / area;
             let along = |edge: f64, x: f64, y: f64| {
@@ -106,7 +107,7 @@ pub(crate) fn of(part: &BodyPart) -> Option<Derived> {
             }
         }
         (Form::Cylinder { radius: r, length: l, .. }, "cylinder_shell") => {
-            // The tube and its ends, their masses by their areas.
+            // The shell is the tube and its ends, their masses by their areas.
             let (tube, ends) = (m * l / (l + r), m * r / (l + r));
             let across = tube * (6.0 * r * r + l * l) / 12.0 + ends * (r * r + l * l) / 4.0;
             Derived {
@@ -228,7 +229,7 @@ fn hollow_cylinder(m: f64, outer: f64, inner: f64, l: f64) -> Derived {
 }
 
 fn hollow_sphere(m: f64, outer: f64, inner: f64) -> Derived {
-    // (R⁵ − r⁵)/(R³ − r³) without its cancellation.
+    // This is (R⁵ − r⁵)/(R³ − r³) without its cancellation.
     let k = inner / outer;
     let ratio = outer * outer * (1.0 + k + k * k + k.powi(3) + k.powi(4)) / (1.0 + k + k * k);
     Derived {
@@ -241,7 +242,7 @@ fn hollow_sphere(m: f64, outer: f64, inner: f64) -> Derived {
     }
 }
 
-/// The wall of a frustum: its ∫ x² dm, ∫ (z − z̄)² dm and z̄, at a mass of 1.
+/// Returns ∫ x² dm, ∫ (z − z̄)² dm and z̄ of the wall of a frustum, at a mass of 1.
 fn wall(a: f64, b: f64, h: f64) -> [f64; 3] {
     let sum = a + b;
     let along = h * h * (a * a + 4.0 * a * b + b * b) / (18.0 * sum * sum);
@@ -265,7 +266,7 @@ fn cone_shell(m: f64, a: f64, b: f64, h: f64) -> Derived {
 }
 
 fn closed_cone_shell(m: f64, a: f64, b: f64, h: f64) -> Derived {
-    // The wall and its ends, their masses by their areas.
+    // The shell is the wall and its ends, their masses by their areas.
     let areas = [(a + b) * h.hypot(a - b), a * a, b * b];
     let total: f64 = areas.iter().sum();
     let [side, base, top] = areas.map(|area| m * area / total);

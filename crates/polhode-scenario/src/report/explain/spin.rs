@@ -1,4 +1,4 @@
-//! Step 2: ω and N at t0, and what moves how fast.
+//! Step 2: ω and N at t0, and which parts move how fast.
 
 use polhode::math::{Space, Velocity};
 use polhode::motion::torque::{ConstantTorque, TorqueModel};
@@ -10,7 +10,7 @@ use polhode_document::unit::{angle, rate};
 use super::working::{Working, acting, cells, exactly, n, v};
 use crate::report::torque::Description;
 
-/// Velocities of more particles than this are left out.
+/// Largest number of particles whose velocities are listed.
 const MOST_PARTICLES: usize = 12;
 
 pub(crate) fn section(w: &Working<'_>) -> Section {
@@ -143,7 +143,7 @@ fn kinematics(w: &Working<'_>, s: &mut Section) {
     }
 }
 
-/// T = T_trans + T_rot, the cross term by its numbers.
+/// Writes T = T_trans + T_rot, with the cross term by its numbers.
 fn energy(w: &Working<'_>, moving: &[MovingParticle<Space>], velocity: Velocity<Space>, s: &mut Section) {
     s.say(
         "The kinetic energy, with the centre of mass as the origin and V its velocity, is that of the centre and that \
@@ -155,7 +155,8 @@ fn energy(w: &Working<'_>, moving: &[MovingParticle<Space>], velocity: Velocity<
     );
     let split = KineticEnergySplit::of(moving, velocity);
     let exact = w.scenario.is_all_particles() && !moving.is_empty();
-    // Particles at the parts' centres have the body's T_trans and cross term, but not all of its T_rot.
+    // Particles at the parts' centres have the body's T_trans and cross term, but not all of its
+    // T_rot.
     let about_center = Rotor::free(w.body()).kinetic_energy(w.start.omega);
     let rotation = if exact { split.rotation } else { about_center };
     let translation = 0.5 * w.body().mass() * velocity.dot(velocity);

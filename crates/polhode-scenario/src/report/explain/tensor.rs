@@ -10,13 +10,13 @@ use polhode_document::unit::angle;
 use super::inside::Inside;
 use super::working::{Working, cells, exactly, factor, n, v};
 
-/// The body axes; 1, 2, 3 are the principal ones.
+/// Names of the body axes; 1, 2, 3 are the principal ones.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Sums of more particles than this are not written out.
+/// Largest number of particles whose sums are written out.
 const MOST_TERMS: usize = 6;
 
-/// More parts than this are not listed one by one.
+/// Largest number of parts that are listed one by one.
 const MOST_PARTS: usize = 20;
 
 pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Section {
@@ -47,7 +47,7 @@ pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Secti
     s
 }
 
-/// The six sums, term by term.
+/// Writes the six sums, term by term.
 fn terms(w: &Working<'_>, particles: &[Particle<Body>], s: &mut Section) {
     s.say(format!("With xα measured from {}:", w.point_name()));
     let places: Vec<(f64, [f64; 3])> =
@@ -73,7 +73,7 @@ fn terms(w: &Working<'_>, particles: &[Particle<Body>], s: &mut Section) {
     }
 }
 
-/// Each part's own tensor and its shift to the common point.
+/// Writes each part's own tensor and its shift to the common point.
 fn parts(w: &Working<'_>, s: &mut Section) {
     let shown = w.scenario.parts().len().min(MOST_PARTS);
     super::shape::derive(&w.scenario.parts()[..shown], s);
@@ -108,7 +108,7 @@ fn parts(w: &Working<'_>, s: &mut Section) {
     s.table(&["kg·m²", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"], rows.collect());
 }
 
-/// |{I} − λ 1| = 0 and its roots.
+/// Writes |{I} − λ 1| = 0 and its roots.
 fn characteristic(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
     let [i1, i2, i3] = w.rotor.principal().moments();
     s.say(
@@ -132,7 +132,8 @@ fn characteristic(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
     s.line(format!("gyration radii √(i/M):  {k1},  {k2},  {k3} m"));
 }
 
-/// The cubic by its coefficients, in kg·m² unless the powers would leave the range of numbers.
+/// Writes the cubic by its coefficients, in kg·m² unless the powers would leave the range of
+/// numbers.
 fn cubic(m: [[f64; 3]; 3], s: &mut Section) {
     let trace = m[0][0] + m[1][1] + m[2][2];
     let (scale, name) = if (1e-90..1e90).contains(&trace) { (1.0, "λ") } else { (trace, "λ*") };
@@ -141,7 +142,7 @@ fn cubic(m: [[f64; 3]; 3], s: &mut Section) {
     let determinant = m[0][0] * minor(1, 2) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
         + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
     let trace_of = trace / scale;
-    // What rounding leaves of a root at zero.
+    // A root at zero keeps only its rounding.
     let determinant = if determinant.abs() <= 1e-15 * trace_of.powi(3) { 0.0 } else { determinant };
     if scale != 1.0 {
         s.line(format!("with λ = λ* · {} kg·m² (the trace):", n(scale)));
@@ -158,13 +159,13 @@ fn is_diagonal(m: [[f64; 3]; 3]) -> bool {
     m[0][1] == 0.0 && m[0][2] == 0.0 && m[1][2] == 0.0
 }
 
-/// The axes, by putting each different root in; equal roots leave a plane or everything.
+/// Writes the axes, by putting each different root in; equal roots leave a plane or everything.
 fn axes(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
     let principal = w.rotor.principal();
     let symmetry = principal.symmetry();
     let moments = principal.moments();
     if !is_diagonal(m) {
-        // The roots that stand alone: each of them determines an axis.
+        // Roots that stand alone: each of them determines an axis.
         let alone: &[usize] = match symmetry {
             Symmetry::Asymmetric => &[0, 1, 2],
             Symmetry::Prolate | Symmetry::Rod => &[0],
@@ -204,7 +205,7 @@ fn axes(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
     }
 }
 
-/// `x̂`, `−x̂` … of a direction along a body axis.
+/// Writes a direction along a body axis: `x̂`, `−x̂` ….
 pub(crate) fn along_body_axis(direction: Direction<Body>) -> Option<String> {
     const UNITS: [&str; 3] = ["x̂", "ŷ", "ẑ"];
     let exact = |(k, c): (usize, f64)| {
@@ -213,7 +214,7 @@ pub(crate) fn along_body_axis(direction: Direction<Body>) -> Option<String> {
     tidy(direction.to_array()).into_iter().enumerate().find_map(exact)
 }
 
-/// L = {I} ω, T = ½ ω · L, and the angle between ω and L.
+/// Writes L = {I} ω, T = ½ ω · L, and the angle between ω and L.
 fn momentum(w: &Working<'_>, m: [[f64; 3]; 3], inside: Option<&Inside<'_, '_>>, s: &mut Section) {
     let wheels = inside.filter(|_| !w.scenario.wheels().is_empty());
     if !w.is_turning() {
@@ -265,7 +266,7 @@ fn momentum(w: &Working<'_>, m: [[f64; 3]; 3], inside: Option<&Inside<'_, '_>>, 
     by_particles(w, s);
 }
 
-/// Σ m r × v, which knows nothing of the tensor.
+/// Writes Σ m r × v, which does not use the tensor.
 fn by_particles(w: &Working<'_>, s: &mut Section) {
     let moving = w.moving_particles();
     if !w.scenario.is_all_particles() || moving.is_empty() {

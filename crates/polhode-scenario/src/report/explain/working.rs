@@ -1,4 +1,4 @@
-//! What the steps of a solution share: asked of the core once.
+//! Facts that the steps of a solution share, asked of the core once.
 
 use std::borrow::Cow;
 use std::f64::consts::TAU;
@@ -20,30 +20,30 @@ use super::rows::Rows;
 use crate::report::free_facts::FreeFacts;
 use crate::report::motion;
 
-/// The state of the solution at t0, and the motion after it where there is one.
+/// State of the solution at t0, and the motion after it where there is one.
 pub(crate) struct Working<'a> {
     pub scenario: &'a Scenario,
     pub rotor: &'a Rotor,
     pub start: State,
-    /// At t0, body axes: given, or for a prescribed motion needed.
+    /// Torque at t0, body axes: given, or needed for a prescribed motion.
     pub torque: Torque<Body>,
-    /// dω/dt at t0, body axes.
+    /// Angular acceleration dω/dt at t0, body axes.
     pub acceleration: AngularAcceleration<Body>,
-    /// For a prescribed motion.
+    /// Torque that a prescribed motion needs; `None` for any other.
     pub needed: Option<Required>,
     pub pendulum: Option<Pendulum>,
-    /// The free motion that the start would have without torque.
+    /// Free motion that the start would have without torque.
     pub at_start: Option<FreeFacts>,
-    /// At t0, of a body on the ground.
+    /// Contact at t0 of a body on the ground.
     pub contact: Option<ContactState>,
-    /// `None` without a run.
+    /// Motion of the run; `None` without a run.
     pub trajectory: Option<Cow<'a, Trajectory>>,
     /// Rows of the table of step 5: none without a run, or on the ground.
     pub rows: Rows,
 }
 
 impl<'a> Working<'a> {
-    /// What was noticed about the scenario, and about its motion if that is known.
+    /// Returns the findings about the scenario, and about its motion if that is known.
     pub(crate) fn findings(&self) -> Vec<Finding> {
         match self.trajectory.as_deref() {
             Some(trajectory) => motion::findings(self.scenario, trajectory),
@@ -60,7 +60,8 @@ impl<'a> Working<'a> {
             None | Some(Err(MotionError::NotSpinnable)) => None,
             Some(result) => Some(Cow::Owned(result?)),
         };
-        // Half a solution is none: `explain_motion` is for those who have it already. What is on the ground has its formulas at any rate.
+        // Half a solution is none: `explain_motion` is for those who have it already. A body on the
+        // ground has its formulas at any rate.
         if scenario.ground().is_none()
             && let Some(Ending::Failed { cause, .. }) = trajectory.as_deref().map(Trajectory::ending)
         {
@@ -69,7 +70,9 @@ impl<'a> Working<'a> {
         Self::with(scenario, trajectory)
     }
 
-    /// As [`Working::of`], where the motion is known.
+    /// Returns the working of a scenario whose motion is known.
+    ///
+    /// It does the same as [`Working::of`] otherwise.
     pub(crate) fn with(
         scenario: &'a Scenario,
         trajectory: Option<Cow<'a, Trajectory>>,
@@ -128,7 +131,7 @@ impl<'a> Working<'a> {
         self.scenario.body()
     }
 
-    /// The point that the body turns about.
+    /// Returns the point that the body turns about.
     pub(crate) fn point(&self) -> Position<Body> {
         self.scenario.pivot().unwrap_or(self.body().center_of_mass())
     }
@@ -151,7 +154,7 @@ impl<'a> Working<'a> {
         self.start.omega.norm() > 0.0
     }
 
-    /// The velocity of the centre of mass at t0.
+    /// Returns the velocity of the centre of mass at t0.
     pub(crate) fn center_velocity(&self) -> Velocity<Space> {
         if self.scenario.pivot().is_some() {
             self.start.attitude * self.start.omega.cross(self.rotor.lever())
@@ -160,9 +163,11 @@ impl<'a> Working<'a> {
         }
     }
 
-    /// Particles that stand for the body, moving in space as it does at t0, their places seen from its centre of mass.
+    /// Returns particles that stand for the body, moving in space as it does at t0, their places
+    /// seen from its centre of mass.
     ///
-    /// Its own particles where it is made of them, else one for each part, at the part's centre of mass.
+    /// They are its own particles where it is made of them, else one for each part, at the part's
+    /// centre of mass.
     pub(crate) fn moving_particles(&self) -> Vec<MovingParticle<Space>> {
         let at_parts =
             || self.scenario.parts().iter().map(|p| (p.properties.mass(), p.properties.center_of_mass()));
@@ -182,7 +187,9 @@ impl<'a> Working<'a> {
         places.into_iter().filter_map(moving).collect()
     }
 
-    /// Estimated error at the end of the run: relative of ω, rad of the attitude; zero without an estimate.
+    /// Returns the estimated error at the end of the run: relative of ω, rad of the attitude.
+    ///
+    /// It is zero without an estimate.
     pub(crate) fn error(&self) -> StateError {
         let end = self.trajectory.as_deref().and_then(Trajectory::error).map(GlobalError::end);
         end.unwrap_or(StateError { attitude: 0.0, omega: 0.0 })
@@ -196,7 +203,8 @@ pub(crate) fn leaves(scenario: &Scenario, axis: Direction<Body>) -> bool {
     axial.angle_to(axis) > 1e-9 || omega.cross(axis).norm() > 1e-9 * omega.norm()
 }
 
-/// The period of ω in the body, s, of a free motion or of a pendulum that gravity alone swings.
+/// Returns the period of ω in the body, s, of a free motion or of a pendulum that gravity alone
+/// swings.
 fn period(scenario: &Scenario, pendulum: Option<&Pendulum>, at_start: Option<&FreeFacts>) -> Option<f64> {
     if scenario.is_free() {
         let free = at_start?;
@@ -214,7 +222,7 @@ fn period(scenario: &Scenario, pendulum: Option<&Pendulum>, at_start: Option<&Fr
     }
 }
 
-/// What a body on the ground does at t0.
+/// Returns the contact at t0 of a body on the ground.
 fn touching(
     scenario: &Scenario,
     trajectory: Option<&Trajectory>,
@@ -228,31 +236,31 @@ fn touching(
     Ok(motion.channel(CONTACT).map(|contact| contact.start()))
 }
 
-/// Significant digits of a worked solution.
+/// Number of significant digits of a worked solution.
 pub(crate) const DIGITS: usize = 6;
 
-/// A number as a worked solution shows it.
+/// Writes a number as a worked solution shows it.
 pub(crate) fn n(x: f64) -> String {
     number(x, DIGITS)
 }
 
-/// A number as a factor: negative ones in brackets.
+/// Writes a number as a factor: negative ones in brackets.
 pub(crate) fn factor(x: f64) -> String {
     if x < 0.0 { format!("({})", n(x)) } else { n(x) }
 }
 
-/// `(x, y, z)` without what rounding left of its zeros.
+/// Writes `(x, y, z)` without what rounding left of its zeros.
 pub(crate) fn v(values: [f64; 3]) -> String {
     let scale = values.iter().fold(0.0, |max, x| f64::max(max, x.abs()));
     polhode_document::number::vector(tidy_beside(values, scale), DIGITS)
 }
 
-/// `(x, y, z)` as it is: of numbers whose smallness matters.
+/// Writes `(x, y, z)` as it is: for numbers whose smallness matters.
 pub(crate) fn exactly(values: [f64; 3]) -> String {
     polhode_document::number::vector(values, DIGITS)
 }
 
-/// Rows of numbers as cells; each column alike.
+/// Writes rows of numbers as cells; each column alike.
 pub(crate) fn cells(rows: &[Vec<f64>]) -> Vec<Vec<String>> {
     let count = rows.first().map_or(0, Vec::len);
     let columns: Vec<Vec<String>> =
@@ -260,7 +268,7 @@ pub(crate) fn cells(rows: &[Vec<f64>]) -> Vec<Vec<String>> {
     (0..rows.len()).map(|r| columns.iter().map(|column| column[r].clone()).collect()).collect()
 }
 
-/// The torques that are not switched off at the start.
+/// Returns the torques that are not switched off at the start.
 pub(crate) fn acting(scenario: &Scenario) -> impl Iterator<Item = &TorqueModel> {
     let all = scenario.torques().iter().enumerate();
     all.filter(|(k, _)| !scenario.switched_off().contains(k)).map(|(_, torque)| torque)

@@ -7,16 +7,16 @@ use serde_json::{Value, json};
 use super::packed::f32s;
 use super::placed::at;
 
-/// Part of its covalent radius that a ball shows: sticks are seen between them.
+/// Fraction of its covalent radius that a ball shows: sticks are seen between them.
 const SHOWN: f64 = 0.45;
 
-/// Two atoms are bound if they are no further apart than this times the sum of their radii.
+/// Largest distance of two bound atoms, relative to the sum of their radii.
 const BOUND: f64 = 1.25;
 
-/// The most atoms of a page; more would be a cloud, and its bonds a search.
+/// Largest number of atoms of a page; more would be a cloud, and its bonds a search.
 const MOST: usize = 2000;
 
-/// `None` if a number does not fit.
+/// Returns the balls and sticks of a molecule; `None` if a number does not fit.
 pub(crate) fn balls(part: &BodyPart, symbols: &[&str], point: Position<Body>) -> Option<Value> {
     let atoms: Vec<([f64; 3], &str)> = part
         .particles
@@ -50,15 +50,18 @@ pub(crate) fn balls(part: &BodyPart, symbols: &[&str], point: Position<Body>) ->
     Some(at(own, &part.name, [0.0; 3], [1.0, 0.0, 0.0, 0.0]))
 }
 
-/// How an atom is shown.
+/// Radius and colour of an atom.
 #[derive(Clone, Copy)]
 struct Look {
-    /// Covalent, m.
+    /// Covalent radius, m.
     radius: f64,
     color: &'static str,
 }
 
-/// Covalent radii after Cordero and others, Dalton Trans. (2008) 2832; colours in the manner of Corey, Pauling and Koltun.
+/// Returns the look of an atom of an element.
+///
+/// The covalent radii are after Cordero and others, Dalton Trans. (2008) 2832. The colours are in
+/// the manner of Corey, Pauling and Koltun.
 fn look(symbol: &str) -> Look {
     let (picometres, color) = match symbol {
         "H" => (31.0, "#d9d9d9"),

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use super::shapes::{self, Budget};
 use super::turning::{Turning, ellipsoid, equivalent_box};
 
-/// Without `budget` it has no shapes.
+/// Returns the JSON of a body; without `budget` it has no shapes.
 pub(crate) fn json(turning: &Turning<'_>, budget: Option<&mut Budget>) -> Value {
     let moments = turning.principal.moments();
     let central = turning.central.moments();

@@ -1,4 +1,4 @@
-//! A line on each picture: what is seen, and why, with its numbers.
+//! A line on each picture: its content, and the reason for it, with its numbers.
 
 use polhode::motion::{FreeMotion, Regime};
 use polhode_document::number::{number, typeset};
@@ -10,10 +10,10 @@ use crate::report::answer;
 use crate::report::facts::Known;
 use crate::report::free_facts::FreeFacts;
 
-/// Digits of a number in a caption.
+/// Number of significant digits in a caption.
 const DIGITS: usize = 4;
 
-/// The captions of the pictures; those of the last three are of free motions.
+/// Captions of the pictures; those of the last three are of free motions.
 #[derive(Clone, Debug)]
 pub(crate) struct Captions {
     body: String,
@@ -112,7 +112,7 @@ fn sphere(free: &FreeFacts) -> String {
     }
 }
 
-/// A moment of zero: 2T = I (ω₂² + ω₃²), whatever ω₁ is.
+/// True if a moment is zero: 2T = I (ω₂² + ω₃²), whatever ω₁ is.
 fn is_rod(motion: &FreeMotion) -> bool {
     motion.labelled_moments().contains(&0.0)
 }

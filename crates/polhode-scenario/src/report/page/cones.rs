@@ -1,4 +1,4 @@
-//! The angles of the two cones that ω sweeps in a free motion, in the body and in space.
+//! Angles of the two cones that ω sweeps in a free motion, in the body and in space.
 
 use polhode::motion::{FreeMotion, Regime};
 use polhode::observe::SymmetricTopKind;
@@ -6,29 +6,36 @@ use serde_json::{Value, json};
 
 use crate::report::free_facts::FreeFacts;
 
-/// How far ω is from the axis that L circles, and from L.
+/// Angles of ω from the axis that L circles, and from L.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ConeAngles {
-    /// Between ω and ± the axis that L circles: the least and the greatest, rad. Equal if the cone is circular.
+    /// Least and greatest angle between ω and ± the axis that L circles, rad; equal if the cone is
+    /// circular.
     pub body: [f64; 2],
-    /// Between ω and L, rad.
+    /// Least and greatest angle between ω and L, rad.
     pub space: [f64; 2],
-    /// Of a symmetric top; a cone of any other is not circular.
+    /// Sense of the precession of a symmetric top; `None` for any other body, whose cones are not
+    /// circular.
     pub precession: Option<Precession>,
 }
 
-/// Whether a free symmetric top turns about its axis e in the sense of its precession about L (ψ̇ and φ̇ cos θ of one sign) or against it.
+/// Sense in which a free symmetric top turns about its axis e, relative to its precession about L.
+///
+/// It is prograde if ψ̇ and φ̇ cos θ have one sign, and retrograde otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Precession {
-    /// Prolate, I_e < I_t: the body cone rolls outside on the space cone.
+    /// Prolate top, I_e < I_t: the body cone rolls outside on the space cone.
     Prograde,
-    /// Oblate, I_e > I_t: ψ̇ = −(I_e − I_t) ω_e / I_t is against ω_e; the space cone is inside the body cone, which rolls around it.
+    /// Oblate top, I_e > I_t: ψ̇ = −(I_e − I_t) ω_e / I_t is against ω_e. The space cone is inside
+    /// the body cone, which rolls around it.
     Retrograde,
 }
 
 impl ConeAngles {
-    /// ω = (a1 cn, a2 sn, a3 dn) along the labelled axes: its angles are extreme where sn = 0, at (a1, 0, a3), and where |sn| = 1, at
-    /// (0, a2, k₁ a3).
+    /// Returns the angles of a free motion.
+    ///
+    /// ω is (a1 cn, a2 sn, a3 dn) along the labelled axes. Its angles are extreme where sn = 0, at
+    /// (a1, 0, a3), and where |sn| = 1, at (0, a2, k₁ a3).
     pub(crate) fn of(free: &FreeFacts) -> Self {
         let motion = &free.motion;
         let [a1, a2, a3] = motion.amplitudes().map(f64::abs);
@@ -122,7 +129,8 @@ mod tests {
         }
     }
 
-    /// ψ̇, the rate of the body about e in the axes of the plane of e and L, from the motion itself.
+    /// Returns ψ̇ from the motion itself: the rate of the body about e, in the axes of the plane of
+    /// e and L.
     fn spin(free: &FreeFacts, axis: [f64; 3], across: [f64; 3]) -> f64 {
         let (top, _) = free.top.unwrap();
         let l = top.momentum_direction().to_array();
@@ -161,7 +169,7 @@ mod tests {
             let spin = spin(&free, axis, across);
             assert!((spin + top.body_rate()).abs() < 1e-6, "{spin}");
             assert_eq!(spin * top.spin() > 0.0, wanted == Precession::Prograde);
-            // Inside the body cone: e, L, ω in this order.
+            // The order of an axis inside the body cone is e, L, ω.
             let inside = cones.nutation < cones.body_half_angle;
             assert_eq!(inside, wanted == Precession::Retrograde);
         }

@@ -1,4 +1,4 @@
-//! The data of a page, as `viewer/src/data.ts` has them.
+//! Data of a page, as `viewer/src/data.ts` defines them.
 
 use serde_json::{Value, json};
 
@@ -10,22 +10,22 @@ use super::{PageInput, PageSubject, body, contact, explanation, facts, free, mot
 use crate::report::facts::Known;
 use crate::report::motion::findings as motion_findings;
 
-/// What a page of many triangles may have, bytes.
+/// Largest size of a page with many triangles, bytes.
 const PAGE: usize = 2_000_000;
 
-/// What triangles get all the same.
+/// Least size that triangles get in a page, bytes.
 const LEAST_MESH: usize = 240_000;
 
-/// What triangles may have of a page, bytes.
+/// Size that triangles may have in a page, bytes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Room {
-    /// What is left of a page whose frame has so many bytes without its data.
+    /// The rest of a page whose frame has this many bytes without its data.
     Beside(usize),
-    /// So many.
+    /// This many bytes.
     Of(usize),
 }
 
-/// The data of a page.
+/// Returns the data of a page.
 pub(crate) fn json(input: &PageInput<'_>, room: Room, rows: &mut Rows) -> Value {
     let turning = Turning::of(&input.subject);
     let shown = Shown::of(input.trajectory, &input.subject);

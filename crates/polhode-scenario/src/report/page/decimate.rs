@@ -1,17 +1,19 @@
-//! Fewer triangles for the eye: vertices in one cell of a grid become one.
+//! Meshes with fewer triangles for the eye: the vertices in one cell of a grid become one.
 //!
-//! The outside look stays to within a cell; areas and volumes do not, and nothing is computed from it.
+//! The outside look stays to within a cell; areas and volumes do not, and nothing is computed from
+//! it.
 //!
-//! Source: Rossignac & Borrel, Multi-resolution 3D approximations for rendering complex scenes (1993).
+//! Source: Rossignac & Borrel, Multi-resolution 3D approximations for rendering complex scenes
+//! (1993).
 
 use std::collections::{HashMap, HashSet};
 
 use polhode::body::mesh::TriangleMesh;
 
-/// A mesh of at most `most` triangles, or of none; the same for the same mesh.
+/// Returns a mesh of at most `most` triangles, or of none; the same for the same mesh.
 pub fn decimated(mesh: &TriangleMesh, most: usize) -> TriangleMesh {
     let Some(grid) = Bounds::of(mesh) else { return TriangleMesh::default() };
-    // A surface has two triangles in each cell that it meets, and meets some six n² of n³ cells.
+    // A surface meets some 6 n² of n³ cells, and has two triangles in each.
     let mut cells = (most as f64 / 2.0).sqrt().max(1.0);
     loop {
         let coarse = clustered(mesh, &grid, cells);
@@ -19,20 +21,20 @@ pub fn decimated(mesh: &TriangleMesh, most: usize) -> TriangleMesh {
         if found <= most || cells <= 1.0 {
             return if found <= most { coarse } else { TriangleMesh::default() };
         }
-        // Triangles go as the square of the cells along a side.
+        // The number of triangles goes as the square of the cells along a side.
         cells = (cells * 0.97 * (most as f64 / found as f64).sqrt()).max(1.0);
     }
 }
 
-/// The box around a mesh.
+/// Box around a mesh.
 struct Bounds {
     low: [f64; 3],
-    /// Its longest edge.
+    /// Length of its longest edge.
     size: f64,
 }
 
 impl Bounds {
-    /// `None` for a mesh without triangles or without size.
+    /// Returns the box; `None` for a mesh without triangles or without size.
     fn of(mesh: &TriangleMesh) -> Option<Self> {
         let start = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
         let [low, high] = mesh.corners().flatten().fold(start, |[low, high], p| {
@@ -42,17 +44,19 @@ impl Bounds {
         (size > 0.0 && size.is_finite()).then_some(Self { low, size })
     }
 
-    /// The cell of a point, with so many along the longest edge.
+    /// Returns the cell of a point, with `cells` cells along the longest edge.
     fn cell(&self, point: [f64; 3], cells: f64) -> [u32; 3] {
         std::array::from_fn(|k| ((point[k] - self.low[k]) / self.size * cells) as u32)
     }
 }
 
-/// The mesh with all vertices of a cell at their mean, without the triangles that this makes flat or double.
+/// Returns the mesh with all vertices of a cell at their mean.
+///
+/// It lacks the triangles that this makes flat or double.
 fn clustered(mesh: &TriangleMesh, bounds: &Bounds, cells: f64) -> TriangleMesh {
     let mut places: HashMap<[u32; 3], u32> = HashMap::new();
     let mut sums: Vec<([f64; 3], f64)> = Vec::new();
-    // Numbered as they come, so that no order of a hash is seen.
+    // Cells are numbered as they come, so that no order of a hash is seen.
     let new_index: Vec<u32> = mesh
         .coordinates()
         .iter()
@@ -80,7 +84,7 @@ fn clustered(mesh: &TriangleMesh, bounds: &Bounds, cells: f64) -> TriangleMesh {
             (a != b && b != c && c != a && seen.insert(key)).then_some([a, b, c])
         })
         .collect();
-    // Every index is of a vertex, and a mean of what is finite is finite.
+    // Every index is that of a vertex, and a mean of finite numbers is finite.
     TriangleMesh::new(vertices, triangles).unwrap_or_default()
 }
 
@@ -88,7 +92,7 @@ fn clustered(mesh: &TriangleMesh, bounds: &Bounds, cells: f64) -> TriangleMesh {
 mod tests {
     use super::*;
 
-    /// A ball of n × 2n quadrilaterals, each of two triangles.
+    /// Returns a ball of n × 2n quadrilaterals, each of two triangles.
     fn ball(n: u32, center: [f64; 3]) -> TriangleMesh {
         let (pi, m) = (std::f64::consts::PI, 2 * n);
         let mut vertices = Vec::new();

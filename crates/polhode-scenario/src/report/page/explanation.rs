@@ -7,7 +7,7 @@ use polhode_document::number::{alike, tidy_matrix};
 use polhode_document::{Block, Document, Section};
 use serde_json::{Value, json};
 
-/// Digits of a matrix element.
+/// Number of significant digits of a matrix element.
 const DIGITS: usize = 6;
 
 pub(crate) fn json(document: &Document) -> Value {

@@ -12,7 +12,7 @@ use super::turning::Turning;
 use crate::report::facts::{self, Known};
 use crate::report::sampling::largest_turn;
 
-/// Between two samples a body that turns by more, rad, may have turned otherwise than the picture shows.
+/// Largest turn between two samples that the picture shows as it was, rad.
 const LARGEST_TURN: f64 = 1.0;
 
 pub(crate) fn json(known: &Known<'_>, turning: &Turning<'_>, shown: &Shown<'_>, notes: &[String]) -> Value {
@@ -39,7 +39,7 @@ fn body(scenario: &Scenario, turning: &Turning<'_>) -> Vec<Fact> {
     ]
 }
 
-/// Of a body that changes.
+/// Returns the note of a body that changes.
 const fn at_start(turning: &Turning<'_>) -> &'static str {
     if turning.is_changing { "at the start" } else { "" }
 }
@@ -62,7 +62,7 @@ fn inertia(turning: &Turning<'_>) -> Vec<Fact> {
     ]
 }
 
-/// What the page shows, where that is not all.
+/// Returns what the page shows, if that is not all.
 fn this_page(shown: &Shown<'_>, notes: &[String]) -> Vec<Fact> {
     let [here, all] = [shown.samples.len(), shown.of].map(|n| n as u64);
     let note = if here == all { String::new() } else { format!("of {}, evenly chosen", count(all)) };

@@ -1,7 +1,8 @@
-//! One page that shows a motion: a file of its own that a browser opens from disk.
+//! A page that shows a motion: a file of its own that a browser opens from disk.
 //!
-//! The page is the viewer (`viewer/`, whose build is `assets/viewer.html`) with the motion in it as JSON, as `viewer/src/data.ts`
-//! says. Numbers are the trajectory's own, bit for bit; text from outside is inert.
+//! The page is the viewer (`viewer/`, whose build is `assets/viewer.html`) with the motion in it as
+//! JSON, as `viewer/src/data.ts` defines it. Numbers are the trajectory's own, bit for bit; text
+//! from outside is inert.
 
 mod atoms;
 mod body;
@@ -38,7 +39,7 @@ use crate::report::page::turning::Turning;
 use polhode_document::Document;
 use polhode_document::mathml::escaped;
 
-/// What a page shows.
+/// Content of a page.
 ///
 /// ```
 /// use polhode::math::{AngularVelocity, Attitude};
@@ -61,20 +62,22 @@ use polhode_document::mathml::escaped;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PageInput<'a> {
-    /// What it is about; text, never markup.
+    /// Title of the page; text, never markup.
     pub title: &'a str,
-    /// What made it: `polhode 0.1.0 simulate examples/t-handle.toml`.
+    /// Command that made the page: `polhode 0.1.0 simulate examples/t-handle.toml`.
     pub source: &'a str,
-    /// The scenario file as it was read.
+    /// Text of the scenario file as it was read.
     pub scenario_text: Option<&'a str>,
-    /// What moves.
+    /// Body that moves.
     pub subject: PageSubject<'a>,
-    /// How it moves.
+    /// Motion of the body.
     pub trajectory: &'a Trajectory,
-    /// The worked solution.
+    /// Worked solution of the motion.
     pub explanation: Option<&'a Document>,
-    /// Whether what the body alone says is in it: its shapes, and the other motions on its momentum sphere. Who shows one motion after
-    /// another has them.
+    /// True if the page has what follows from the body alone: its shapes, and the other motions on
+    /// its momentum sphere.
+    ///
+    /// A caller that shows one motion after another of the same body has them already.
     pub whole: bool,
 }
 
@@ -85,53 +88,59 @@ impl PageInput<'_> {
     }
 }
 
-/// What moves on a page.
+/// Body that a page shows.
 #[derive(Clone, Copy, Debug)]
 pub enum PageSubject<'a> {
-    /// The body of a scenario.
+    /// Body of a scenario.
     Scenario(&'a Scenario),
-    /// A free body of which only the moments about its centre of mass are known.
+    /// Free body of which only the moments about its centre of mass are known.
     Moments(&'a PrincipalFrame<Body>),
 }
 
-/// The viewer, with a place for the data.
+/// HTML of the viewer, with a place for the data.
 const TEMPLATE: &str = include_str!("../../../assets/viewer.html");
 
-/// Where the data stand in the template.
+/// Mark in the template at which the data stand.
 const DATA: &str = "<!--polhode-data-->";
 
-/// The page as HTML.
+/// Returns the page as HTML.
 pub fn page(input: &PageInput<'_>) -> String {
     page_of(input.title, &page_data(input))
 }
 
-/// What a page holds besides the viewer, as JSON: [`page_of`] makes the page of it, here or elsewhere.
+/// Returns the content of a page besides the viewer, as JSON.
+///
+/// [`page_of`] makes the page of it, here or elsewhere.
 pub fn page_data(input: &PageInput<'_>) -> String {
     inert(&data::json(input, Room::Beside(TEMPLATE.len()), &mut Rows::Inside).to_string())
 }
 
-/// The same with triangles of so many bytes at most, for who has less room than a page of its own: [`has_triangles`] says whether it may
-/// differ.
+/// Returns the same as [`page_data`], with triangles of at most `triangles` bytes.
+///
+/// It serves callers that have less room than a page of its own; [`has_triangles`] says whether it
+/// may differ.
 pub fn page_data_within(input: &PageInput<'_>, triangles: usize) -> String {
     inert(&data::json(input, Room::Of(triangles), &mut Rows::Inside).to_string())
 }
 
-/// Whether the body has triangles, which a page may have to show coarser than they are.
+/// Returns true if the body has triangles, which a page may have to show coarser than they are.
 pub fn has_triangles(subject: &PageSubject<'_>) -> bool {
     shapes::has_triangles(&Turning::of(subject))
 }
 
-/// What a page holds besides the viewer, for who does not write it into a page: JSON, and its rows of numbers as little-endian f64, one after
-/// the other. In their places the JSON has `{"f64": [at, count]}`, counted in numbers.
+/// Returns the content of a page besides the viewer, for callers that do not write it into a page.
+///
+/// It is JSON, and its rows of numbers as little-endian f64, one after the other. The JSON has
+/// `{"f64": [at, count]}` in their places, counted in numbers.
 pub fn page_rows(input: &PageInput<'_>) -> (Value, Vec<u8>) {
     let mut rows = Rows::Beside(Vec::new());
     let value = data::json(input, Room::Beside(TEMPLATE.len()), &mut rows);
     (value, rows.bytes())
 }
 
-/// The page of a title and of what [`page_data`] gave.
+/// Returns the page of a title and of the data that [`page_data`] returned.
 pub fn page_of(title: &str, data: &str) -> String {
-    // Only the template is searched: what is put in may say anything.
+    // Only the template is searched: the data may contain any text.
     let (before, after) = TEMPLATE.split_once(DATA).unwrap_or((TEMPLATE, ""));
     let (head, tail) = before.split_once("<title>").unwrap_or((before, "</title>"));
     let tail = tail.split_once("</title>").map_or(tail, |(_, rest)| rest);
@@ -141,7 +150,7 @@ pub fn page_of(title: &str, data: &str) -> String {
     )
 }
 
-/// JSON that no markup can hide in: these characters stand in its strings only.
+/// Returns JSON that no markup can hide in: these characters are in its strings only.
 fn inert(json: &str) -> String {
     let escaped = |text: String, c: char| text.replace(c, &format!("\\u{:04x}", u32::from(c)));
     ['<', '>', '&', '\u{2028}', '\u{2029}'].into_iter().fold(json.to_owned(), escaped)

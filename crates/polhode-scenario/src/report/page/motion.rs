@@ -1,4 +1,4 @@
-//! The motion as rows of numbers.
+//! Motion of a page as rows of numbers.
 
 use polhode::motion::channel::CONTACT;
 use polhode::motion::contact::ContactState;
@@ -13,16 +13,16 @@ use crate::report::balance::{Balance, Driven, balances, has_potential};
 use crate::report::plot::series;
 use crate::report::torque::named_wheels;
 
-/// A page of more samples would be large and show no more.
+/// Largest number of samples of a page; more would make it large and show no more.
 const MOST: usize = 2_001;
 
-/// The samples that a page shows.
+/// Samples that a page shows.
 #[derive(Debug)]
 pub(crate) struct Shown<'a> {
     pub samples: Vec<&'a Sample>,
-    /// What they are on the ground; none of any other body.
+    /// Samples of the contact on the ground; empty for any other body.
     pub contact: Vec<ContactState>,
-    /// How many there are.
+    /// Number of samples of the whole motion.
     pub of: usize,
     driven: Driven,
     drift: Vec<Balance>,
@@ -34,7 +34,8 @@ pub(crate) struct Shown<'a> {
 }
 
 impl<'a> Shown<'a> {
-    /// All samples, or [`MOST`] evenly chosen with the first and the last; the start where there are none.
+    /// Returns all samples, or [`MOST`] evenly chosen with the first and the last; the start if
+    /// there are none.
     pub(crate) fn of(trajectory: &'a Trajectory, subject: &PageSubject<'a>) -> Self {
         let all = trajectory.samples();
         let (driven, wheels, pointings) = match *subject {
@@ -73,13 +74,13 @@ impl<'a> Shown<'a> {
         rows.put(self.samples.iter().flat_map(|sample| of(sample)))
     }
 
-    /// Lines of the drift plot: what should stay the same.
+    /// Returns the lines of the drift plot: the balances that should stay the same.
     fn drift(&self, rows: &mut Rows) -> Value {
         let line = |balance: &Balance| json!({ "name": balance.name, "values": rows.put(balance.values.iter().map(|&d| finite(d))) });
         self.drift.iter().map(line).collect()
     }
 
-    /// What each wheel does; `null` for a speed that is held.
+    /// Returns the rows of each wheel; `null` for a speed that is held.
     fn wheels(&self, rows: &mut Rows) -> Value {
         let one = |(name, wheel): &(String, Wheel)| {
             let speeds: Option<Vec<f64>> =
@@ -95,7 +96,8 @@ impl<'a> Shown<'a> {
         self.wheels.iter().map(one).collect()
     }
 
-    /// The angles of directions of the body to nadir, velocity or what else is of interest.
+    /// Returns the angles of directions of the body to nadir, velocity or another direction of
+    /// interest.
     fn pointings(&self, rows: &mut Rows) -> Value {
         let one = |pointing: &Pointing| {
             let angle = |s: &Sample| [finite(pointing.angle(&s.state))];
@@ -104,7 +106,9 @@ impl<'a> Shown<'a> {
         self.pointings.iter().map(one).collect()
     }
 
-    /// What the torques or the motors have done since the start; null where there is a potential to tell instead, or nothing acts.
+    /// Returns the work of the torques or the motors since the start.
+    ///
+    /// Null if there is a potential to tell instead, or nothing acts.
     fn work(&self, has_potential: bool, rows: &mut Rows) -> Value {
         if has_potential || !self.driven.at_all() || !self.contact.is_empty() {
             return Value::Null;
@@ -112,7 +116,7 @@ impl<'a> Shown<'a> {
         json!({ "name": self.driven.work(), "values": self.row(rows, |s| [finite(s.work)]) })
     }
 
-    /// T; of a body on the ground with that of its centre of mass.
+    /// Returns T; for a body on the ground with that of its centre of mass.
     fn kinetic(&self, rows: &mut Rows) -> Value {
         if self.contact.is_empty() {
             return self.row(rows, |s| [s.kinetic_energy]);
@@ -120,7 +124,7 @@ impl<'a> Shown<'a> {
         rows.put(self.contact.iter().map(|s| s.kinetic_energy))
     }
 
-    /// U of the torques, or of the weight of a body on the ground.
+    /// Returns U of the torques, or of the weight of a body on the ground.
     fn potential(&self, has_potential: bool, rows: &mut Rows) -> Value {
         match has_potential {
             _ if !self.contact.is_empty() => rows.put(self.contact.iter().map(|s| s.potential_energy)),
@@ -129,7 +133,7 @@ impl<'a> Shown<'a> {
         }
     }
 
-    /// The first of the events that happened: more would hide the curves.
+    /// Returns the first of the events that happened: more would hide the curves.
     fn events(&self) -> Value {
         const MOST: usize = 40;
         let one = |(time, name): &(f64, String)| json!({ "time": time, "name": name });
@@ -142,7 +146,7 @@ impl<'a> Shown<'a> {
     }
 }
 
-/// When something happened, and what, in the order of time: the events, and the changes of a contact.
+/// Returns the events and the changes of a contact, each with its time, in the order of time.
 fn events(trajectory: &Trajectory) -> Vec<(f64, String)> {
     let one = |crossing: &Crossing| (crossing.state.time, printable(&crossing.name));
     let mut all: Vec<_> = trajectory.events().iter().map(one).collect();
@@ -151,7 +155,7 @@ fn events(trajectory: &Trajectory) -> Vec<(f64, String)> {
     all
 }
 
-/// Which of so many samples are shown.
+/// Returns the indices of the samples that are shown, out of `count`.
 fn chosen(count: usize) -> Vec<usize> {
     if count <= MOST {
         return (0..count).collect();
@@ -159,7 +163,7 @@ fn chosen(count: usize) -> Vec<usize> {
     (0..MOST).map(|k| k * (count - 1) / (MOST - 1)).collect()
 }
 
-/// `contact`: of a body on the ground what else there is to show.
+/// Returns the JSON of a motion; `contact` is what else there is to show of a body on the ground.
 pub(crate) fn json(shown: &Shown<'_>, contact: &Value, rows: &mut Rows) -> Value {
     let has_potential = has_potential(shown.samples.iter().copied());
     json!({

@@ -6,10 +6,11 @@ use polhode::body::mesh::TriangleMesh;
 
 use super::placed::THIN;
 
-/// Steps of a circle, as the page's round solids have them.
+/// Number of steps of a circle, as the page's round solids have them.
 const ROUND: u32 = 64;
 
-/// The wall of a frustum without ends, of a thickness that can be seen; one of the radii may be zero.
+/// Returns the wall of a frustum without ends, of a thickness that can be seen; one radius may be
+/// zero.
 pub(crate) fn cone_wall(base: f64, top: f64, height: f64) -> TriangleMesh {
     let wall = THIN * base.max(top);
     // The inner side is the outer one, a wall nearer the axis; it ends where it meets the axis.
@@ -20,11 +21,11 @@ pub(crate) fn cone_wall(base: f64, top: f64, height: f64) -> TriangleMesh {
     revolved(&[[base, 0.0], [top, height], inner(height, top, base), inner(0.0, base, top), [base, 0.0]])
 }
 
-/// The surface swept by a profile of (r, z) with its outer side on the right.
+/// Returns the surface swept by a profile of (r, z) with its outer side on the right.
 fn revolved(profile: &[[f64; 2]]) -> TriangleMesh {
     let point = |[r, z]: [f64; 2], k: u32| {
         let (sin, cos) = (f64::from(k % ROUND) * TAU / f64::from(ROUND)).sin_cos();
-        // On the axis, one point for all angles: −0 is another bit pattern.
+        // The axis has one point for all angles: −0 is another bit pattern.
         if r == 0.0 { [0.0, 0.0, z] } else { [r * cos, r * sin, z] }
     };
     let mut triangles: Vec<[[f64; 3]; 3]> = Vec::new();
@@ -39,7 +40,7 @@ fn revolved(profile: &[[f64; 2]]) -> TriangleMesh {
     TriangleMesh::of_triangles(&triangles).unwrap_or_default()
 }
 
-/// A prism about z = 0; one without length is shown as a plate.
+/// Returns a prism about z = 0; one without length is shown as a plate.
 pub(crate) fn prism(vertices: [[f64; 2]; 3], length: f64) -> TriangleMesh {
     let [o, p, q] = vertices;
     let edges = [[o, p], [p, q], [q, o]].map(|[a, b]| (b[0] - a[0]).hypot(b[1] - a[1]));
@@ -67,7 +68,7 @@ mod tests {
         for (base, top) in [(0.9, 0.35), (0.35, 0.9), (0.9, 0.0), (0.0, 0.9), (0.9, 0.01), (0.6, 0.6)] {
             let wall = ClosedMesh::of(&cone_wall(base, top, 1.3)).unwrap();
             assert!(!wall.inverted(), "{base} {top}");
-            // Both sides of the wall, nearly: π (a + b) √(h² + (a − b)²) each.
+            // The two sides of the wall have nearly π (a + b) √(h² + (a − b)²) each.
             let side = 0.5 * TAU * (base + top) * 1.3_f64.hypot(base - top);
             assert!((wall.surface_area() / side - 2.0).abs() < 0.1, "{} {side}", wall.surface_area());
         }

@@ -2,17 +2,17 @@
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 
-/// Each number as an f64.
+/// Returns each number as an f64.
 pub(crate) fn f64s(numbers: impl IntoIterator<Item = f64>) -> String {
     arrays(numbers.into_iter().map(f64::to_le_bytes))
 }
 
-/// Each number as an f32.
+/// Returns each number as an f32.
 pub(crate) fn f32s(numbers: impl IntoIterator<Item = f32>) -> String {
     arrays(numbers.into_iter().map(f32::to_le_bytes))
 }
 
-/// Each number as a u32.
+/// Returns each number as a u32.
 pub(crate) fn u32s(numbers: impl IntoIterator<Item = u32>) -> String {
     arrays(numbers.into_iter().map(u32::to_le_bytes))
 }
@@ -27,9 +27,9 @@ mod tests {
 
     #[test]
     fn numbers_are_little_endian() {
-        // -2.5 = C004 0000 0000 0000
+        // The bytes of -2.5 are C004 0000 0000 0000.
         assert_eq!(f64s([-2.5]), "AAAAAAAABMA=");
-        // 1.5 = 3FC0 0000
+        // The bytes of 1.5 are 3FC0 0000.
         assert_eq!(f32s([1.5]), "AADAPw==");
         assert_eq!(u32s([0xFF00_0102]), "AgEA/w==");
     }

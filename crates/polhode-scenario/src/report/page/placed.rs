@@ -3,10 +3,11 @@
 use polhode_document::json::{finite, numbers};
 use serde_json::{Value, json};
 
-/// What is thin is shown with a thickness, so that it can be seen: this part of its smallest size.
+/// Thickness with which thin shapes are shown, so that they can be seen, relative to their smallest
+/// size.
 pub(crate) const THIN: f64 = 1.0 / 40.0;
 
-/// A shape, and where it is.
+/// Returns a shape with its name and its place.
 pub(crate) fn at(own: Value, name: &str, position: [f64; 3], quaternion: [f64; 4]) -> Value {
     let mut shape = json!({
         "name": name,

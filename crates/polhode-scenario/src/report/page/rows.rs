@@ -1,19 +1,20 @@
-//! Where the long rows of numbers of a page stand.
+//! Place of the long rows of numbers of a page: in its JSON, or outside it.
 
 use serde_json::{Value, json};
 
 use super::packed::f64s;
-/// Rows of f64: in the JSON as base64, or beside it as bytes.
+/// Rows of f64: in the JSON as base64, or outside it as bytes.
 #[derive(Debug)]
 pub(crate) enum Rows {
-    /// Of a page that is one file.
+    /// Base64 in the JSON, as a page that is one file has them.
     Inside,
-    /// Little-endian numbers, one row after the other; the JSON has `{"f64": [at, count]}`, counted in numbers.
+    /// Little-endian numbers, one row after the other; the JSON has `{"f64": [at, count]}`, counted
+    /// in numbers.
     Beside(Vec<u8>),
 }
 
 impl Rows {
-    /// What the JSON has for a row.
+    /// Adds a row; returns what the JSON has for it.
     pub(crate) fn put(&mut self, numbers: impl IntoIterator<Item = f64>) -> Value {
         match self {
             Self::Inside => f64s(numbers).into(),
@@ -25,7 +26,7 @@ impl Rows {
         }
     }
 
-    /// Those beside the JSON.
+    /// Returns the bytes outside the JSON.
     pub(crate) fn bytes(self) -> Vec<u8> {
         match self {
             Self::Inside => Vec::new(),
@@ -33,7 +34,7 @@ impl Rows {
         }
     }
 
-    /// How many bytes stand beside the JSON.
+    /// Returns the number of bytes outside the JSON.
     pub(crate) const fn beside(&self) -> usize {
         match self {
             Self::Inside => 0,

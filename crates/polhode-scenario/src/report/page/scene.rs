@@ -1,4 +1,5 @@
-//! What the 3-D view shows besides the body: how fast it should play, gravity, and a line on each picture.
+//! Content of the 3-D view besides the body: its speed of play, gravity, and a line on each
+//! picture.
 
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{HeavyTop, Scenario};
@@ -9,7 +10,7 @@ use super::caption::Captions;
 use crate::report::facts::{Known, time_round};
 use crate::report::free_facts::FreeFacts;
 
-/// A precession of more nutations is not what the eye follows.
+/// Largest number of nutations in a precession that the eye follows.
 const MOST_NUTATIONS: f64 = 100.0;
 
 pub(crate) fn json(known: &Known<'_>, free: Option<&FreeFacts>) -> Value {
@@ -20,19 +21,19 @@ pub(crate) fn json(known: &Known<'_>, free: Option<&FreeFacts>) -> Value {
     })
 }
 
-/// The time of a precession about the vertical, s; of a nutation where there is none.
+/// Returns the time of a precession about the vertical, s; of a nutation if there is no precession.
 fn precession_period(top: &HeavyTop) -> Option<f64> {
     let nutation = top.nutation_period()?;
     Some(time_round(top).filter(|period| *period <= MOST_NUTATIONS * nutation).unwrap_or(nutation))
 }
 
-/// The longest of a free motion's periods, s.
+/// Returns the longest of a free motion's periods, s.
 fn slow_period(free: &FreeFacts) -> Option<f64> {
     let periods = [free.periods.precession, free.periods.rotation, free.regime.period];
     periods.into_iter().flatten().reduce(f64::max).filter(|period| period.is_finite())
 }
 
-/// The acceleration of gravity, space axes, m/s², if it turns the body.
+/// Returns the acceleration of gravity, space axes, m/s², if it turns the body.
 fn gravity(scenario: &Scenario) -> Option<[f64; 3]> {
     let model = |torque: &TorqueModel| match torque {
         TorqueModel::Gravity(gravity) => Some(gravity.acceleration.to_array()),

@@ -1,4 +1,4 @@
-//! What the body looks like: its parts at their places, seen from the point that it turns about.
+//! Look of the body: its parts at their places, seen from the point that it turns about.
 
 use polhode::body::mesh::TriangleMesh;
 use polhode::body::{BodyPart, Form, Particle, PlacedForm, PrincipalFrame};
@@ -15,10 +15,10 @@ use super::placed::{THIN, at};
 use super::surface;
 use super::turning::{Turning, ellipsoid};
 
-/// Particles of a part that are shown; more would be a cloud.
+/// Largest number of particles of a part that are shown; more would be a cloud.
 const MOST_BALLS: usize = 2_000;
 
-/// Of a ball that is as heavy as any, relative to the distance of the nearest two.
+/// Radius of the ball of the heaviest particle, relative to the distance of the nearest two.
 const BALL: f64 = 0.2;
 
 const BALL_COLOR: &str = "#4477aa";
@@ -35,21 +35,23 @@ impl Budget {
         Self { bytes, notes: Vec::new() }
     }
 
-    /// What the page shows of the body, where that is not all.
+    /// Returns notes on what the page shows of the body, if that is not all.
     pub(crate) fn notes(&self) -> &[String] {
         &self.notes
     }
 
-    /// How many of a part's triangles are shown, if the body has so many.
+    /// Returns how many of a part's triangles are shown, if the body has `all`.
     fn share(&self, of: usize, all: usize) -> usize {
-        /// A triangle, and the half of a vertex that goes with it, as base64.
+        /// Size of a triangle, and the half of a vertex that goes with it, as base64.
         const TRIANGLE: usize = 24;
         let most = self.bytes / TRIANGLE;
         if all <= most { of } else { (most as f64 * (of as f64 / all as f64)) as usize }
     }
 }
 
-/// The shapes of all parts; where nothing is known of them the surface that touches the ground, if there is one.
+/// Returns the shapes of all parts.
+///
+/// If nothing is known of them, they are the surface that touches the ground, if there is one.
 pub(crate) fn json(turning: &Turning<'_>, budget: &mut Budget) -> Value {
     let triangles = turning.parts.iter().map(triangles).sum();
     if !surface::has_forms(turning.parts) {
@@ -58,7 +60,7 @@ pub(crate) fn json(turning: &Turning<'_>, budget: &mut Budget) -> Value {
     turning.parts.iter().filter_map(|part| shape(part, turning, triangles, budget)).collect()
 }
 
-/// True of a body that a page may have to show coarser than it is.
+/// True if a page may have to show the body coarser than it is.
 pub(crate) fn has_triangles(turning: &Turning<'_>) -> bool {
     turning.parts.iter().any(|part| triangles(part) > 0)
 }
@@ -70,7 +72,8 @@ fn triangles(part: &BodyPart) -> usize {
     }
 }
 
-/// `None` for what numbers of the page cannot hold, and for a point.
+/// Returns the shape of a part; `None` for one that numbers of the page cannot hold, and for a
+/// point.
 fn shape(part: &BodyPart, turning: &Turning<'_>, triangles: usize, budget: &mut Budget) -> Option<Value> {
     held(match &part.form {
         Some(PlacedForm { form: Form::Molecule(symbols), .. }) => atoms::balls(part, symbols, turning.point)?,
@@ -88,19 +91,23 @@ fn shape(part: &BodyPart, turning: &Turning<'_>, triangles: usize, budget: &mut 
     })
 }
 
-/// A shape, if numbers hold it.
+/// Returns a shape, if numbers hold it.
 fn held(shape: Value) -> Option<Value> {
     let numbers_hold = |value: &Value| value.as_f64().is_none_or(f64::is_finite);
     shape.as_object()?.values().all(numbers_hold).then_some(shape)
 }
 
-/// A form at its place as a page shows it, a `Shape` of `viewer/src/data.ts`, with at most so many triangles. `None` for a molecule, and for
-/// what numbers of the page cannot hold.
+/// Returns a form at its place as a page shows it, a `Shape` of `viewer/src/data.ts`.
+///
+/// It has at most `most` triangles. `None` for a molecule, and for a form that numbers of the page
+/// cannot hold.
 pub fn shape_of(placed: &PlacedForm, name: &str, most: usize) -> Option<Value> {
     held(of_form(placed, name, Position::ZERO, most)?.0)
 }
 
-/// From a point; and how many triangles are shown, of a mesh that was made coarser.
+/// Returns the shape of a form from a point.
+///
+/// The number is that of the triangles shown, for a mesh that was made coarser.
 fn of_form(
     placed: &PlacedForm,
     name: &str,
@@ -155,7 +162,8 @@ fn cylinder(radius: f64, inner: f64, height: f64) -> Value {
     json!({ "kind": "cylinder", "radius": radius, "inner": inner, "height": height })
 }
 
-/// The triangles from a middle, so that f32 holds them wherever they are; of so many.
+/// Returns the triangles from a middle, so that f32 holds them wherever they are; `of` is the
+/// number of all.
 fn triangles_json(shown: &TriangleMesh, middle: Position<Part>, of: usize) -> Option<Value> {
     let vertices: Vec<f32> = shown
         .coordinates()
@@ -174,7 +182,7 @@ fn triangles_json(shown: &TriangleMesh, middle: Position<Part>, of: usize) -> Op
     })
 }
 
-/// The middle of the box around a mesh.
+/// Returns the middle of the box around a mesh.
 fn middle_of(mesh: &TriangleMesh) -> Option<[f64; 3]> {
     let mut corners = mesh.corners().flatten();
     let first = corners.next()?;
@@ -184,7 +192,7 @@ fn middle_of(mesh: &TriangleMesh) -> Option<[f64; 3]> {
     Some(std::array::from_fn(|k| low[k] + 0.5 * (high[k] - low[k])))
 }
 
-/// The uniform ellipsoid of the same mass and tensor.
+/// Returns the uniform ellipsoid of the same mass and tensor.
 fn of_moments(part: &BodyPart, turning: &Turning<'_>) -> Value {
     let principal = PrincipalFrame::of(part.properties.inertia());
     let half = ellipsoid(principal.moments(), part.properties.mass());
@@ -193,7 +201,8 @@ fn of_moments(part: &BodyPart, turning: &Turning<'_>) -> Value {
     at(own, &part.name, place.to_array(), principal.rotation().canonical_quaternion())
 }
 
-/// Particles as balls whose volumes go as their masses, joined by the shortest sticks that hold them together.
+/// Returns particles as balls whose volumes go as their masses, joined by the shortest sticks that
+/// hold them together.
 fn balls(part: &BodyPart, turning: &Turning<'_>, budget: &mut Budget) -> Option<Value> {
     let all = part.particles.len();
     let stride = all.div_ceil(MOST_BALLS).max(1);
@@ -227,15 +236,15 @@ fn balls(part: &BodyPart, turning: &Turning<'_>, budget: &mut Budget) -> Option<
     Some(at(own, &part.name, [0.0; 3], [1.0, 0.0, 0.0, 0.0]))
 }
 
-/// Joins two places.
+/// Stick that joins two places.
 struct Stick {
     ends: [usize; 2],
     length: f64,
 }
 
-/// The shortest sticks that join all places: Prim's algorithm.
+/// Returns the shortest sticks that join all places: Prim's algorithm.
 fn sticks(places: &[[f64; 3]]) -> Vec<Stick> {
-    // Of each place that is not yet joined: the nearest joined one.
+    // Each place that is not yet joined has the nearest joined one.
     let mut open: Vec<(usize, Stick)> = match places {
         [first, others @ ..] => others
             .iter()

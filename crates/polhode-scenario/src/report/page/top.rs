@@ -1,4 +1,5 @@
-//! The axis of a body that gravity turns about a pivot: what its path in space is measured from.
+//! Axis of a body that gravity turns about a pivot, with the directions that its path is measured
+//! from.
 
 use polhode_document::json::{finite, numbers};
 use serde_json::{Value, json};
@@ -6,7 +7,7 @@ use serde_json::{Value, json};
 use super::PageSubject;
 use crate::report::plot::axis_path::TopAxis;
 
-/// Null where `--plot axis` does not exist.
+/// Returns the JSON of the axis; null if the motion has no `--plot axis`.
 pub(crate) fn json(subject: &PageSubject<'_>) -> Value {
     let PageSubject::Scenario(scenario) = subject else { return Value::Null };
     let Some(top) = TopAxis::of(scenario, scenario.rotor()) else { return Value::Null };

@@ -7,25 +7,25 @@ use polhode_document::json::finite;
 
 use super::PageSubject;
 
-/// A body and the point that it turns about.
+/// Body and the point that it turns about.
 #[derive(Debug)]
 pub(crate) struct Turning<'a> {
-    /// kg; `None` if only the moments are known.
+    /// Mass, kg; `None` if only the moments are known.
     pub mass: Option<f64>,
-    /// About the point.
+    /// Principal moments and axes about the point.
     pub principal: PrincipalFrame<Body>,
     pub tensor: [[f64; 3]; 3],
     pub is_pivoted: bool,
-    /// From the point to the centre of mass.
+    /// Lever from the point to the centre of mass.
     pub lever: Position<Body>,
-    /// The point.
+    /// Point that the body turns about.
     pub point: Position<Body>,
-    /// With which it touches the ground, if it does.
+    /// Surface with which it touches the ground, if it does.
     pub surface: Option<&'a BodySurface>,
     pub parts: &'a [BodyPart],
-    /// About the centre of mass.
+    /// Principal moments and axes about the centre of mass.
     pub central: PrincipalFrame<Body>,
-    /// Is it so at the start only?
+    /// True if the numbers hold at the start only.
     pub is_changing: bool,
 }
 
@@ -67,7 +67,8 @@ impl<'a> Turning<'a> {
     }
 }
 
-/// Semi-axes of the uniform ellipsoid of this mass and these moments: i1 = m (b² + c²) / 5, …
+/// Returns the semi-axes of the uniform ellipsoid of this mass and these moments: i1 = m (b² + c²)
+/// / 5, …
 ///
 /// Unphysical moments leave a semi-axis without length.
 pub(crate) fn ellipsoid([i1, i2, i3]: [f64; 3], mass: f64) -> [f64; 3] {
@@ -75,11 +76,11 @@ pub(crate) fn ellipsoid([i1, i2, i3]: [f64; 3], mass: f64) -> [f64; 3] {
     [semi_axis(i2 + i3, i1), semi_axis(i1 + i3, i2), semi_axis(i1 + i2, i3)]
 }
 
-/// Edges of the uniform box of this mass and these moments: i1 = m (b² + c²) / 12, …
+/// Returns the edges of the uniform box of this mass and these moments: i1 = m (b² + c²) / 12, …
 ///
 /// `None` if no box has them, or f64 does not hold it.
 pub fn equivalent_box([i1, i2, i3]: [f64; 3], mass: f64) -> Option<[f64; 3]> {
-    // A plate's thickness is zero but for rounding.
+    // A plate's thickness is zero except for rounding.
     let rounding = 1e-12 * i3;
     let square = |others: f64, own: f64| {
         let excess = others - own;
@@ -90,7 +91,7 @@ pub fn equivalent_box([i1, i2, i3]: [f64; 3], mass: f64) -> Option<[f64; 3]> {
     squares.iter().all(|square| *square >= 0.0 && square.is_finite()).then(|| squares.map(f64::sqrt))
 }
 
-/// Σ i_k e_k e_kᵀ
+/// Returns the inertia tensor by its moments i and axes e, Σ i e eᵀ.
 fn tensor(principal: &PrincipalFrame<Body>) -> [[f64; 3]; 3] {
     let axes = principal.axes().map(Direction::to_array);
     let moments = principal.moments();
@@ -105,7 +106,8 @@ mod tests {
 
     #[test]
     fn the_box_has_the_moments() {
-        // ∫ (x² + y²) dm over a uniform box by Gauss's rule of two points on each axis, ±½a/√3: exact for squares.
+        // Gauss's rule of two points on each axis, ±½a/√3, is exact for ∫ (x² + y²) dm over a
+        // uniform box.
         let ([a, b, c], mass) = ([0.31, 0.53, 0.74_f64], 2.3);
         let signs = |k: u32| [k & 1, k >> 1 & 1, k >> 2 & 1].map(|bit| 2.0 * f64::from(bit) - 1.0);
         let point = |k: u32| -> [f64; 3] {

@@ -1,8 +1,10 @@
 //! The path of a top's axis in space: the classical figure of cusps, loops and waves.
 //!
-//! At the left it lies on the unit sphere, seen a little from above. At the right it is unrolled, the angle θ from the vertical
-//! against the angle φ round it; near the vertical, where φ means little, it is seen from above instead, with θ as the distance from
-//! the middle.
+//! The path lies on the unit sphere at the left, seen a little from above. It is unrolled at the
+//! right, the angle θ from the vertical against the angle φ around it.
+//!
+//! Near the vertical φ means little. There the path is seen from above instead, with θ as the
+//! distance from the middle.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -26,32 +28,32 @@ use super::view::View;
 const BOUND: Pen = Pen::solid(Colour::AXES[0], 1.1).dashed(&[4.0, 3.0]);
 const START: Pen = Pen::solid(Colour::AXES[1], 6.0);
 
-/// Nearer to the vertical than this, rad, a path is not unrolled.
+/// Least angle from the vertical at which a path is unrolled, rad.
 const UPRIGHT: f64 = 0.09;
 
-/// Turns of θ that are unrolled: more would be too narrow to see.
+/// Largest number of turns of θ that are unrolled: more would be too narrow to see.
 const MOST_TURNS: usize = 6;
 
-/// What is less between the least and the greatest θ is rounding, rad.
+/// Largest difference between the least and the greatest θ that is rounding, rad.
 const NOTHING: f64 = 1e-9;
 
-/// From one point of the path to the next, rad.
+/// Distance from one point of the path to the next, rad.
 const FINE: f64 = 0.03;
 
-/// An axis of a body that gravity turns about a pivot.
+/// Axis of a body that gravity turns about a pivot.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TopAxis {
-    /// From the pivot to the centre of mass.
+    /// Direction from the pivot to the centre of mass.
     pub axis: Direction<Body>,
-    /// Against gravity, and two directions across it.
+    /// Direction against gravity.
     pub up: Direction<Space>,
     pub across: [Direction<Space>; 2],
-    /// The least and the greatest θ of a symmetric top, rad.
+    /// Least and greatest θ of a symmetric top, rad.
     pub bounds: Option<[f64; 2]>,
 }
 
 impl TopAxis {
-    /// `None` for a free body, without gravity, and where gravity has no arm.
+    /// Returns the axis; `None` for a free body, without gravity, and if gravity has no arm.
     pub(crate) fn of(scenario: &Scenario, rotor: &Rotor) -> Option<Self> {
         let gravity = scenario.torques().iter().find_map(|torque| match torque {
             TorqueModel::Gravity(gravity) => Some(gravity.acceleration),
@@ -68,17 +70,19 @@ impl TopAxis {
         Some(Self { axis, up, across: [first, up.cross(first)], bounds })
     }
 
-    /// Where it points in a sample, and how fast that moves, ω × e.
+    /// Returns its direction in a sample, and how fast that moves, ω × e.
     fn at(&self, s: &Sample) -> (Direction<Space>, Direction<Space>) {
         let e = s.state.attitude * self.axis;
         let tip = Position::from_array(e.to_array());
         (e, Direction::from_array(s.state.omega_space().cross(tip).to_array()))
     }
 
-    /// Its path, with points between samples that are far apart: on the cubic through both with their velocities.
+    /// Returns its path, with points between samples that are far apart.
+    ///
+    /// These lie on the cubic through both samples with their velocities.
     ///
     /// # Errors
-    /// [`PlotError::TooCoarse`] where it moves too far from a sample to the next.
+    /// [`PlotError::TooCoarse`] if it moves too far from a sample to the next.
     fn path(&self, samples: &[Sample]) -> Result<Vec<Direction<Space>>, PlotError> {
         let mut path: Vec<Direction<Space>> = samples.first().map(|s| self.at(s).0).into_iter().collect();
         for pair in samples.windows(2) {
@@ -100,12 +104,12 @@ impl TopAxis {
         Ok(path)
     }
 
-    /// θ from the vertical.
+    /// Returns θ from the vertical.
     fn tilt(&self, e: Direction<Space>) -> f64 {
         e.angle_to(self.up)
     }
 
-    /// φ round the vertical, from −π to π.
+    /// Returns φ around the vertical, from −π to π.
     fn azimuth(&self, e: Direction<Space>) -> f64 {
         let [x, y] = self.across.map(|axis| axis.dot(e));
         y.atan2(x)
@@ -144,18 +148,18 @@ pub(crate) fn draw(
     Ok(())
 }
 
-/// The sphere with the path on it, what is behind it faint.
+/// Draws the sphere with the path on it, what is behind it faint.
 fn sphere(top: &TopAxis, path: &[Direction<Space>], bounds: [f64; 2], sheet: &mut Sheet, area: Area) {
-    /// Of the vertical beyond the sphere, in radii.
+    /// Length of the vertical beyond the sphere, in radii.
     const REACH: f64 = 1.22;
     let [least, most] = bounds;
     let hangs = least + most > PI;
-    // A path close round the vertical is seen from higher up.
+    // A path close around the vertical is seen from higher up.
     let height = if most < 0.35 || least > PI - 0.35 { 0.9_f64 } else { 0.4 };
     let height = if hangs { -height } else { height };
     let sum = path.iter().fold(Direction::ZERO, |sum, e| sum + *e);
     let level = sum - top.up * sum.dot(top.up);
-    // From where a path that goes all round begins, else from its side.
+    // A path that goes all around is seen from where it begins, any other from its side.
     let toward = if level.norm() > 0.2 * path.len() as f64 { Some(level) } else { path.first().copied() };
     let azimuth = toward.map_or(0.0, |e| top.azimuth(e));
     let viewer = top.direction(FRAC_PI_2 - height, azimuth);
@@ -187,7 +191,7 @@ fn sphere(top: &TopAxis, path: &[Direction<Space>], bounds: [f64; 2], sheet: &mu
     sheet.dots(path.first().map(|e| view.at(*e)).into_iter().collect(), START);
 }
 
-/// θ against φ, up upward, for as long as its turns can be told apart.
+/// Draws θ against φ, up upward, for as long as its turns can be told apart.
 fn unrolled(top: &TopAxis, path: &[Direction<Space>], bounds: [f64; 2], sheet: &mut Sheet, area: Area) {
     let mut points: Vec<Point> = Vec::new();
     let (mut turns, mut rises) = (0, None);
@@ -220,7 +224,7 @@ fn unrolled(top: &TopAxis, path: &[Direction<Space>], bounds: [f64; 2], sheet: &
     sheet.dots(start.into_iter().collect(), START);
 }
 
-/// θ as the distance from the middle, φ round it; from below what hangs.
+/// Draws θ as the distance from the middle, φ around it; from below if the body hangs.
 fn from_above(top: &TopAxis, path: &[Direction<Space>], bounds: [f64; 2], sheet: &mut Sheet, area: Area) {
     const WORDS: f64 = 20.0;
     let [least, most] = bounds;

@@ -1,9 +1,10 @@
 //! A chart: the curves of a figure against time, in panels under each other.
 //!
 //! Constants are stated in words ([`super::constant`]). Curves of one size share a panel
-//! ([`polhode_document::figure::scale`]). Where a curve would fill its panel with stripes, the panel
-//! shows its envelope, and another beside it the beginning in full. Samples that do not resolve what
-//! they show are dots.
+//! ([`polhode_document::figure::scale`]).
+//!
+//! A curve may fill its panel with stripes. The panel then shows its envelope, and another next to
+//! it the beginning in full. Samples that do not resolve what they show are dots.
 
 use polhode::motion::Ending;
 use polhode_document::figure::axes::{Area, Axes, Axis};
@@ -23,19 +24,19 @@ use super::plotted::PlottedMotion;
 use super::time::{time_axis, unit_of_time};
 use crate::report::sampling::turn_that_hides;
 
-/// Writes the heading of a figure with its keys; gives the area below.
+/// Function that writes the heading of a figure with its keys and returns the area below.
 pub(crate) type Heading<'a> = &'a dyn Fn(&mut Sheet, &[Key]) -> Area;
 
-/// Panels of one quantity, at most, and of one of several.
+/// Largest number of panels of one quantity.
 const MOST: usize = 3;
 const MOST_OF_SEVERAL: usize = 2;
 
-/// Turning points in the part that is shown in full.
+/// Number of turning points in the part that is shown in full.
 const TURNS: usize = 8;
 
-/// The height of a line of text above a frame, px.
+/// Height of a line of text above a frame, px.
 const LINE: f64 = 15.0;
-/// What stands below the lowest frame: the numbers and the title of its axis.
+/// Height of what stands below the lowest frame: the numbers and the title of its axis.
 const FOOT: f64 = 37.0;
 
 /// Curves of one quantity.
@@ -48,18 +49,19 @@ pub(crate) struct Quantity {
 }
 
 impl Quantity {
-    /// A quantity without a name has those of its curves.
+    /// Returns a quantity; one without a name has the names of its curves.
     pub(crate) fn new(name: &'static str, unit: &'static str, curves: Vec<Curve>) -> Self {
         Self { name, unit, curves, made_of: 0.0 }
     }
 
-    /// The size of its parts, where these may add up to nothing: that of its rounding errors is ε times as large.
+    /// Sets the size of its parts, which may add up to nothing: its rounding errors are ε times as
+    /// large.
     pub(crate) fn made_of(self, size: f64) -> Self {
         Self { made_of: size, ..self }
     }
 }
 
-/// What is drawn, and what is said.
+/// Panels that are drawn, and words that state the constants.
 #[derive(Clone, Debug)]
 pub(crate) struct Chart<'a> {
     motion: &'a PlottedMotion<'a>,
@@ -67,9 +69,9 @@ pub(crate) struct Chart<'a> {
     words: Vec<String>,
     is_zero: bool,
     events: EventMarks,
-    /// The events are in the legend.
+    /// True if the events are in the legend.
     names_events: bool,
-    /// The samples may miss what oscillates.
+    /// True if the samples may miss what oscillates.
     is_sampled: bool,
 }
 
@@ -127,18 +129,18 @@ impl<'a> Chart<'a> {
         Self { motion, panels, words, is_zero, events, names_events: false, is_sampled }
     }
 
-    /// The same with something that is said.
+    /// Returns the same with another line of words.
     pub(crate) fn saying(mut self, words: &str) -> Self {
         self.words.insert(0, words.to_owned());
         self
     }
 
-    /// The same with the names of events in its legend.
+    /// Returns the same with the names of events in its legend.
     pub(crate) fn naming_events(self, names_events: bool) -> Self {
         Self { names_events, ..self }
     }
 
-    /// True if all of it is zero, but for rounding.
+    /// True if all of it is zero, except for rounding.
     pub(crate) const fn is_zero(&self) -> bool {
         self.is_zero
     }
@@ -152,7 +154,9 @@ impl<'a> Chart<'a> {
         self.panels.is_empty()
     }
 
-    /// The height of its frames with what stands around them, if two panels have `two`: more have more, and words alone none.
+    /// Returns the height of its frames with what stands around them, if two panels have `two`.
+    ///
+    /// More panels have more, and words alone none.
     pub(crate) fn height(&self, two: f64) -> f64 {
         match self.panels.len() {
             0 => 0.0,
@@ -160,7 +164,7 @@ impl<'a> Chart<'a> {
         }
     }
 
-    /// The names of the curves, of events, and what is said.
+    /// Returns the names of the curves and of events, and the words that state constants.
     pub(crate) fn keys(&self) -> Vec<Key> {
         let curves = self.panels.iter().flat_map(|panel| &panel.curves);
         let mut keys: Vec<Key> = curves.map(|(curve, _)| Key::line(curve.pen, curve.name.as_str())).collect();
@@ -200,7 +204,8 @@ impl<'a> Chart<'a> {
         title(sheet, frame, 0.0, &format!("{from} to {to}"));
     }
 
-    /// The beginning that is shown in full, if a curve fills a frame of this width (px) with stripes.
+    /// Returns the beginning that is shown in full, if a curve fills a frame of this width (px)
+    /// with stripes.
     fn window(&self, width: f64) -> Option<[f64; 2]> {
         let start = self.motion.samples().first()?.state.time;
         let turn = |oscillation: &Oscillation| {
@@ -208,7 +213,7 @@ impl<'a> Chart<'a> {
         };
         let end_of = |(curve, oscillation): &(Curve, Oscillation)| {
             let end = turn(oscillation);
-            // What grows turns from the beginning, by less than is seen of the whole.
+            // A growing curve turns from the beginning, by less than is seen of the whole.
             end.min(turn(&Oscillation::of(&curve.within([start, end]))))
         };
         let curves = self.panels.iter().flat_map(|panel| &panel.curves);
@@ -217,7 +222,7 @@ impl<'a> Chart<'a> {
         (end.is_finite() && end > start).then_some([start, end])
     }
 
-    /// Draws all panels, of the whole or of a part of the time; gives the frame of the first.
+    /// Draws all panels, of the whole or of a part of the time; returns the frame of the first.
     fn column(&self, sheet: &mut Sheet, area: Area, width: f64, window: Option<[f64; 2]>) -> Area {
         let count = self.panels.len() as f64;
         let height = (area.height() - FOOT) / count;
@@ -257,7 +262,9 @@ impl<'a> Chart<'a> {
     }
 }
 
-/// How far the curves go that leave their panel after `until`, and when; `None` if none has a finite value there.
+/// Writes how far the curves go that leave their panel after `until`, and when.
+///
+/// `None` if none has a finite value there.
 fn beyond(curves: &[Curve], unit: &str, until: f64) -> Option<String> {
     let points = curves.iter().flat_map(|curve| curve.pieces.iter().flatten()).filter(|p| p[0] > until);
     let finite = points.map(|[time, x]| [*time, x.abs()]).filter(|[_, x]| x.is_finite());
@@ -269,7 +276,9 @@ fn beyond(curves: &[Curve], unit: &str, until: f64) -> Option<String> {
     ))
 }
 
-/// Until when curves tell how large a motion is that runs away: without the last samples, each of which is far beyond all before it.
+/// Returns the time up to which curves tell how large a motion is that runs away.
+///
+/// The last samples are left out if each of them is far beyond all before it.
 fn telling(curves: &[Curve]) -> f64 {
     const FAR: f64 = 4.0;
     let points =

@@ -1,31 +1,33 @@
-//! Curves that are constant: they are said, with their value and by how much they vary, and not drawn.
+//! Constant curves: they are stated with their value and their variation, and not drawn.
 
 use polhode_document::figure::prefix;
 use polhode_document::number::{error, typeset};
 
-/// What varies by less of its own size is constant.
+/// Largest variation of a constant, relative to its own size.
 const SPREAD: f64 = 1e-6;
 
-/// What is less of the size of its quantity is zero but for rounding.
+/// Largest value, relative to the size of its quantity, that is rounding of zero.
 const ZERO: f64 = 1e-12;
 
-/// Digits of the value.
+/// Number of significant digits of the value.
 const DIGITS: usize = 6;
 
-/// The value of a curve that is constant.
+/// Value of a curve that is constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Constant {
-    /// Zero; the largest deviation from it.
+    /// Zero, with the largest deviation from it.
     Zero(f64),
-    /// Another value, and the difference between the greatest and the least value relative to it.
+    /// Another value, with the difference between the greatest and the least value relative to it.
     Value(f64, f64),
     /// The only value there is, of which nothing says whether it stays.
     Single(f64),
 }
 
 impl Constant {
-    /// `None` if the values vary, or if one of them is not finite; `scale` is the size of the quantity, on which rounding
-    /// depends.
+    /// Returns the value of a constant curve; `None` if the values vary, or if one of them is not
+    /// finite.
+    ///
+    /// `scale` is the size of the quantity, on which rounding depends.
     pub(crate) fn of(values: impl Iterator<Item = f64>, scale: f64) -> Option<Self> {
         let [mut least, mut greatest] = [f64::INFINITY, f64::NEG_INFINITY];
         let mut count = 0_usize;
@@ -80,7 +82,7 @@ mod tests {
         let Some(Constant::Value(value, spread)) = Constant::of(wave(0.97e-6), 300.0) else { panic!() };
         assert!((value / 240.85 - 1.0).abs() < 1e-8 && (0.9e-6..1e-6).contains(&spread), "{value} {spread}");
         assert_eq!(Constant::of(wave(1.03e-6), 300.0), None);
-        // The size is its own, not that of a larger line beside it.
+        // The size is its own, not that of a larger line next to it.
         assert_eq!(Constant::of([1e-4, 1.001e-4].into_iter(), 1e3), None);
         assert_eq!(Constant::of([3.1, f64::INFINITY].into_iter(), 4.0), None);
         assert_eq!(Constant::of([3.1, f64::NAN].into_iter(), 4.0), None);

@@ -4,30 +4,32 @@ use polhode_document::figure::line::Point;
 use polhode_document::figure::range::range;
 use polhode_document::figure::sheet::Pen;
 
-/// A curve, and what it is called.
+/// Curve with its names.
 #[derive(Clone, Debug)]
 pub(crate) struct Curve {
     pub pen: Pen,
-    /// With what it is, for a legend.
+    /// Name with its quantity, for a legend.
     pub name: String,
-    /// For an axis: `ω₁`.
+    /// Symbol for an axis: `ω₁`.
     pub symbol: String,
     /// Times in s and values; between the pieces there are none.
     pub pieces: Vec<Vec<Point>>,
 }
 
 impl Curve {
-    /// Its values, in the order of time.
+    /// Returns its values, in the order of time.
     pub(crate) fn values(&self) -> impl Iterator<Item = f64> {
         self.pieces.iter().flatten().map(|p| p[1])
     }
 
-    /// Its least and its greatest value up to a time.
+    /// Returns its least and its greatest value up to a time.
     pub(crate) fn range_until(&self, end: f64) -> [f64; 2] {
         range(self.pieces.iter().flatten().filter(|p| p[0] <= end).map(|p| p[1]))
     }
 
-    /// The part of it in an interval of time; the first points outside belong to it, so that its ends are straight lines.
+    /// Returns the part of it in an interval of time.
+    ///
+    /// The first points outside belong to it, so that its ends are straight lines.
     pub(crate) fn within(&self, [from, to]: [f64; 2]) -> Vec<Vec<Point>> {
         let part = |piece: &Vec<Point>| {
             let first = piece.partition_point(|p| p[0] < from);

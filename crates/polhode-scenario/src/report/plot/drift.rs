@@ -1,7 +1,7 @@
-//! How far a computed motion departs from its balances, sample by sample.
+//! Departures of a computed motion from its balances, sample by sample.
 //!
-//! A sample's departure is rounding noise in a closed form and a staircase in an integration: dots show either, and a line the
-//! largest so far.
+//! A sample's departure is rounding noise in a closed form and a staircase in an integration. Dots
+//! show either, and a line the largest so far.
 
 use polhode_document::figure::axes::{Axes, Axis};
 use polhode_document::figure::legend::Key;
@@ -51,7 +51,7 @@ pub(crate) fn draw(motion: &PlottedMotion<'_>, sheet: &mut Sheet, heading: Headi
     }
 }
 
-/// One dot where several would be one.
+/// Returns one dot where several would be one.
 fn sparse(dots: Vec<Point>) -> Vec<Point> {
     const CELL: f64 = 1.8;
     let cell = |x: f64| (x / CELL).round() as i64;

@@ -1,21 +1,25 @@
-//! The envelope of a curve that oscillates too fast to be drawn: the band between its least and greatest values nearby.
+//! Envelope of a curve that oscillates too fast to be drawn.
+//!
+//! It is the band between the least and greatest values nearby.
 
 use polhode_document::figure::line::Point;
 use polhode_document::figure::range::range;
 
 use super::oscillation::turning_points;
 
-/// The upper and the lower edge of a band.
+/// Upper and lower edge of a band.
 pub(crate) type Band = [Vec<Point>; 2];
 
-/// The least and the greatest value in an interval, if a sample lies in it.
+/// Least and greatest value in an interval, if a sample lies in it.
 type Bounds = Option<[f64; 2]>;
 
-/// An edge that turns by less of the band's height is smooth.
+/// Largest turn of a smooth edge, relative to the band's height.
 const RIPPLE: f64 = 0.03;
 
-/// The envelope of a curve in pieces; broken where it is. Its intervals are at least so long, and so long that its edges turn at most
-/// so often: of a beat too fast to be drawn the envelope is that of its envelope.
+/// Returns the envelope of a curve in pieces; broken where it is.
+///
+/// Its intervals are at least `interval` long, and so long that its edges turn at most `most`
+/// times. The envelope of a beat too fast to be drawn is that of its envelope.
 pub(crate) fn smooth(pieces: &[Vec<Point>], interval: f64, most: usize) -> Vec<Band> {
     let [least, greatest] = range(pieces.iter().flatten().map(|p| p[1]));
     let turns = |band: &Band| {
@@ -31,10 +35,11 @@ pub(crate) fn smooth(pieces: &[Vec<Point>], interval: f64, most: usize) -> Vec<B
     }
 }
 
-/// The envelope over intervals of about so much time; broken where an interval has no sample.
+/// Returns the envelope over intervals of about this much time; broken where an interval has no
+/// sample.
 ///
-/// Between two intervals each edge is at the outer of their bounds, so that the straight lines between these points leave every
-/// sample inside.
+/// Each edge between two intervals is at the outer of their bounds, so that the straight lines
+/// between these points leave every sample inside.
 fn envelope(pieces: &[Vec<Point>], interval: f64) -> Vec<Band> {
     let points = || pieces.iter().flatten().filter(|p| p[0].is_finite() && p[1].is_finite());
     let times = points().map(|p| p[0]);
@@ -42,7 +47,7 @@ fn envelope(pieces: &[Vec<Point>], interval: f64) -> Vec<Band> {
     if !(end > start) {
         return Vec::new();
     }
-    // Whole intervals: a part of one at the end would hold a part of a period.
+    // Whole intervals are needed: a part of one at the end would hold a part of a period.
     let count = ((end - start) / interval).floor().clamp(1.0, 1e6);
     let interval = (end - start) / count;
     let mut bounds: Vec<Bounds> = vec![None; count as usize];
@@ -81,7 +86,7 @@ fn envelope(pieces: &[Vec<Point>], interval: f64) -> Vec<Band> {
     bands
 }
 
-/// The ends of an edge have bounds on one side only: there it is level.
+/// Makes the ends of an edge level: they have bounds on one side only.
 fn level_ends(edge: &mut Vec<Point>) {
     if let [first, second, .., before, last] = edge.as_mut_slice() {
         (first[1], last[1]) = (second[1], before[1]);
@@ -102,7 +107,7 @@ mod tests {
         Some(if t1 > t0 { a + (b - a) * (time - t0) / (t1 - t0) } else { a.max(b) })
     }
 
-    /// A sample outside all bands.
+    /// Returns a sample outside all bands.
     fn outside(bands: &[Band], curve: &[Point]) -> Option<Point> {
         let inside = |&[t, value]: &Point| {
             bands.iter().any(|[upper, lower]| {
@@ -115,7 +120,7 @@ mod tests {
 
     #[test]
     fn an_envelope_contains_every_sample() {
-        // A beat that dies away, at uneven times.
+        // The curve is a beat that dies away, at uneven times.
         let sample = |k: i32| {
             let t = 1.7 + 0.013 * f64::from(k) + 0.004 * (0.9 * f64::from(k)).sin();
             [t, 0.3 + (-0.05 * t).exp() * (31.0 * t).sin() * (1.3 * t).cos()]

@@ -1,4 +1,4 @@
-//! Why a figure cannot be drawn.
+//! Reasons for which a figure cannot be drawn.
 
 use std::fmt;
 
@@ -6,40 +6,40 @@ use polhode::observe::CurveError;
 
 use super::figure::Figure;
 
-/// Why a figure cannot be drawn.
+/// Reason for which a figure cannot be drawn.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum PlotError {
-    /// The figure shows what a motion of this kind does not have.
+    /// The motion has nothing of what the figure shows.
     NotThere {
-        /// The figure.
+        /// Figure that was asked for.
         figure: Figure,
-        /// What the motion has, and so lacks: `a torque acts on the body: it has no polhode`.
+        /// Fact about the motion that excludes it: `a torque acts on the body: it has no polhode`.
         why: &'static str,
     },
-    /// A curve needs two samples.
+    /// The motion has fewer than two samples, and a curve needs two.
     TooFewSamples {
-        /// As many there are.
+        /// Number of samples.
         count: usize,
     },
     /// The body turns too far from a sample to the next: angles cannot be followed.
     TooCoarse {
-        /// The figure.
+        /// Figure that was asked for.
         figure: Figure,
-        /// The largest such turn, rad.
+        /// Largest turn from a sample to the next, rad.
         turn: f64,
     },
     /// A curve has too many points.
     Curve {
-        /// The figure.
+        /// Figure that was asked for.
         figure: Figure,
-        /// Why not.
+        /// Error of the curve.
         error: CurveError,
     },
 }
 
 impl PlotError {
-    /// What to do about it.
+    /// Returns what to do about it.
     pub fn hint(&self) -> &'static str {
         match self {
             Self::NotThere { .. } => "a plot without a name draws all figures that the motion has",

@@ -1,8 +1,11 @@
 //! Euler angles against time: the nutation θ above, φ and ψ below.
 //!
-//! φ and ψ are drawn as they go on, not from −180° to 180°. At θ = 0 only φ + ψ exists, at 180° only φ − ψ. A body that passes near
-//! turns φ and ψ by half a turn at once: where samples do not follow that, both are left out from 1.1° before to 1.1° behind, and the sum
-//! or the difference, which goes on, is drawn beside them. It is alone where θ never leaves its end.
+//! φ and ψ are drawn as they go on, not from −180° to 180°. Only φ + ψ exists at θ = 0, and only φ
+//! − ψ at 180°.
+//!
+//! A body that passes near turns φ and ψ by half a turn at once. If samples do not follow that,
+//! both are left out from 1.1° before to 1.1° behind. The sum or the difference, which goes on, is
+//! drawn next to them. It is alone if θ never leaves its end.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -16,22 +19,22 @@ use super::figure::Figure;
 use super::plotted::PlottedMotion;
 use crate::report::sampling::largest_turn;
 
-/// Near an end of θ sin θ is below this: within 1.1°.
+/// Largest sin θ near an end of θ: within 1.1°.
 const NEAR: f64 = 0.02;
 
-/// Where sin θ is below this, φ and ψ are rounding; where it always is, θ is.
+/// Least sin θ at which φ and ψ are more than rounding; if it is always less, θ is rounding.
 const NOTHING: f64 = 1e-9;
 
-/// A turn of φ or ψ from a sample to the next that is not followed near an end of θ, rad.
+/// Least turn of φ or ψ from a sample to the next that is not followed near an end of θ, rad.
 const LEAP: f64 = 1.0;
 
-/// A curve in the pieces that can be followed: time in s, angle in degrees.
+/// Curve in the pieces that can be followed: time in s, angle in degrees.
 type Pieces = Vec<Vec<Point>>;
 
-/// A chart of them.
+/// Returns a chart of the angles.
 ///
 /// # Errors
-/// [`PlotError::TooCoarse`] where the body turns too far from a sample to the next.
+/// [`PlotError::TooCoarse`] if the body turns too far from a sample to the next.
 pub(crate) fn chart<'a>(motion: &'a PlottedMotion<'a>) -> Result<Chart<'a>, PlotError> {
     // A turn that is missed would be drawn as a slower one.
     let turn = largest_turn(motion.samples());
@@ -67,18 +70,18 @@ pub(crate) fn chart<'a>(motion: &'a PlottedMotion<'a>) -> Result<Chart<'a>, Plot
     })
 }
 
-/// The angles of a motion's attitudes.
+/// Angles of a motion's attitudes.
 struct Angles(Vec<At>);
 
-/// Those of one: t, s; φ, θ, ψ; φ + ψ and φ − ψ, rad.
+/// Angles of one attitude: t, s; φ, θ, ψ; φ + ψ and φ − ψ, rad.
 struct At {
     time: f64,
     euler: [f64; 3],
     sum: f64,
     difference: f64,
-    /// Both φ and ψ can be told and followed.
+    /// True if both φ and ψ can be told and followed.
     has_both: bool,
-    /// They cannot be followed from the sample before.
+    /// True if they cannot be followed from the sample before.
     is_beyond: bool,
 }
 
@@ -113,7 +116,7 @@ impl Angles {
         Self(all)
     }
 
-    /// Where θ is always, in degrees, if it is nowhere else than at an end.
+    /// Returns where θ is always, in degrees, if it is nowhere else than at an end.
     fn stays(&self) -> Option<u8> {
         let within = |end: f64| self.0.iter().all(|at| (at.euler[1] - end).abs() < NOTHING);
         if within(0.0) {
@@ -134,17 +137,18 @@ impl Angles {
         followed(self.0.iter().map(|at| (at.time, at.has_both.then_some(at.euler[2]))))
     }
 
-    /// φ + ψ, if φ and ψ are missing near θ = 0; near 180° nothing of it is left.
+    /// Returns φ + ψ, if φ and ψ are missing near θ = 0; near 180° nothing of it is left.
     fn sum(&self) -> Pieces {
         self.instead(|theta| theta < FRAC_PI_2, |at| at.sum)
     }
 
-    /// φ − ψ, if φ and ψ are missing near θ = 180°; near 0 nothing of it is left.
+    /// Returns φ − ψ, if φ and ψ are missing near θ = 180°; near 0 nothing of it is left.
     fn difference(&self) -> Pieces {
         self.instead(|theta| theta > FRAC_PI_2, |at| at.difference)
     }
 
-    /// What there is where both are missing at one end of θ; at the start alone nothing is missed.
+    /// Returns the angle that is left if both are missing at one end of θ; at the start alone
+    /// nothing is missed.
     fn instead(&self, here: impl Fn(f64) -> bool, value: impl Fn(&At) -> f64) -> Pieces {
         let wanted = self.0.iter().skip(1).any(|at| (at.is_beyond || !at.has_both) && here(at.euler[1]));
         let value = |at: &At| (wanted && (here(at.euler[1]) || !at.is_near())).then(|| value(at));
@@ -153,12 +157,13 @@ impl Angles {
 }
 
 impl At {
-    /// Near an end of θ.
+    /// True if θ is near one of its ends.
     fn is_near(&self) -> bool {
         self.euler[1].sin() < NEAR
     }
 
-    /// How far φ or ψ turns from here to the next sample, rad; what does not exist does not turn.
+    /// Returns how far φ or ψ turns from here to the next sample, rad; one that does not exist does
+    /// not turn.
     fn leap(&self, next: &Self) -> f64 {
         let ([phi, _, psi], [next_phi, _, next_psi]) = (self.euler, next.euler);
         let turn = |a: f64, b: f64| (b - a - TAU * ((b - a) / TAU).round()).abs();
@@ -167,8 +172,12 @@ impl At {
     }
 }
 
-/// An angle (s, rad) as it goes on, in degrees; broken where there is none, and where it cannot be followed. Past an end of θ it leaps by
-/// half a turn, of which nobody can say in which direction: there it begins anew between −180° and 180°.
+/// Returns an angle (s, rad) as it goes on, in degrees.
+///
+/// It is broken where there is none, and where it cannot be followed.
+///
+/// Past an end of θ it leaps by half a turn, in a direction that nobody can tell. There it begins
+/// again between −180° and 180°.
 fn followed(angles: impl Iterator<Item = (f64, Option<f64>)>) -> Pieces {
     let mut pieces: Pieces = Vec::new();
     let mut last: Option<f64> = None;
@@ -203,7 +212,8 @@ mod tests {
 
     #[test]
     fn angles_go_on_and_break_where_there_are_none() {
-        // φ goes round at 40°/s; in the middle the body passes θ = 0, where φ jumps by half a turn.
+        // φ goes around at 40°/s; in the middle the body passes θ = 0, where φ jumps by half a
+        // turn.
         let angle = |k: i32| {
             let t = 0.5 * f64::from(k);
             let jump = if k > 40 { 180.0 } else { 0.0 };
@@ -220,7 +230,8 @@ mod tests {
         assert!((rise - 20.0 * 38.0).abs() < 1e-9);
     }
 
-    /// A sphere turns about an axis in the x-z plane of space: what its angles are is known wherever they exist.
+    /// A sphere turns about an axis in the x-z plane of space: its angles are known wherever they
+    /// exist.
     #[test]
     fn sums_and_differences_go_on_through_the_ends() {
         let turning = |omega: AngularVelocity<polhode::math::Body>| {
@@ -247,12 +258,12 @@ mod tests {
         );
         let [difference] = &angles.difference()[..] else { panic!("it is broken") };
         assert!(difference.iter().all(|p| p[1].abs() < 1e-9 && p[0] > 0.0));
-        // So fast that no sample is near the end, it is not followed either.
+        // No sample of so fast a turn is near the end, and it is not followed either.
         let fast = turning(AngularVelocity::new(70.3, 0.0, 0.0));
         let angles = Angles::of(&fast.samples()[..5]);
         assert_eq!((angles.phi().len(), angles.difference().len()), (2, 1));
         assert!(angles.phi().iter().flatten().all(|p| p[1].abs() < 180.1));
-        // Passing at a distance, it is followed all the way.
+        // A turn that passes at a distance is followed all the way.
         let beside = turning(AngularVelocity::new(1.1, 0.0, 0.02));
         assert!(Angles::of(beside.samples()).difference().is_empty());
     }

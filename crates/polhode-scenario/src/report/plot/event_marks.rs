@@ -1,4 +1,4 @@
-//! Where events happen: dotted lines over the curves, letters above the frame, and names in the legend.
+//! Marks of events: dotted lines over the curves, letters above the frame, and names in the legend.
 
 use polhode::motion::Trajectory;
 use polhode_document::figure::axes::Axes;
@@ -7,15 +7,16 @@ use polhode_document::figure::legend::Key;
 use polhode_document::figure::sheet::{Anchor, Colour, Mark, Pen, SMALL, Sheet, Text};
 use polhode_document::layout::printable;
 
-/// More lines than these would hide the curves: then there are short marks at the upper edge alone.
+/// Largest number of lines; more would hide the curves, and short marks at the upper edge replace
+/// them.
 const MOST_LINES: usize = 40;
 
-/// The length of a short mark, px.
+/// Length of a short mark, px.
 const SHORT: f64 = 7.0;
 
 const PEN: Pen = Pen::solid(Colour::FAINT, 1.0).dashed(&[2.0, 3.0]);
 
-/// The events of a motion, each with all its times.
+/// Events of a motion, each with all its times.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct EventMarks {
     events: Vec<Marked>,
@@ -25,7 +26,7 @@ pub(crate) struct EventMarks {
 struct Marked {
     number: usize,
     name: String,
-    /// When it happens, s.
+    /// Times at which it happens, s.
     times: Vec<f64>,
 }
 
@@ -46,12 +47,12 @@ impl EventMarks {
         Self { events }
     }
 
-    /// Letters tell events apart if there are several.
+    /// True if letters tell events apart, since there are several.
     pub(crate) fn has_letters(&self) -> bool {
         self.events.len() > 1
     }
 
-    /// The letter of an event, from 0; behind z they are numbers.
+    /// Returns the letter of an event, from 0; behind z they are numbers.
     fn letter(k: usize) -> String {
         match u8::try_from(k) {
             Ok(k) if k < 26 => char::from(b'a' + k).to_string(),
@@ -59,7 +60,7 @@ impl EventMarks {
         }
     }
 
-    /// `a: 7 × camera 12° off`
+    /// Returns the keys of the events: `a: 7 × camera 12° off`.
     pub(crate) fn keys(&self) -> impl Iterator<Item = Key> {
         self.events.iter().enumerate().map(|(k, Marked { name, times, .. })| {
             let letter = if self.has_letters() { format!("{}: ", Self::letter(k)) } else { String::new() };
@@ -68,7 +69,8 @@ impl EventMarks {
         })
     }
 
-    /// Draws the marks over axes whose unit of time is so many seconds; the letters stand above their frame.
+    /// Draws the marks over axes whose unit of time is `scale` seconds; the letters stand above
+    /// their frame.
     pub(crate) fn draw(&self, axes: &Axes, scale: f64, lettered: bool, sheet: &mut Sheet) {
         let across = |time: f64| axes.at([time / scale, 0.0])[0];
         let mut places: Vec<(f64, usize)> = Vec::new();
@@ -110,7 +112,7 @@ impl EventMarks {
     }
 }
 
-/// `a,b`
+/// Joins letters: `a,b`.
 fn joined(letters: &[usize]) -> String {
     letters.iter().map(|&k| EventMarks::letter(k)).collect::<Vec<_>>().join(",")
 }

@@ -1,30 +1,32 @@
-//! The standard figures, by name.
+//! Standard figures, by name.
 
-/// A figure that `polhode` draws.
+/// Figure that `polhode` draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Figure {
     /// ω along the principal axes, against time.
     Omega,
-    /// The body's Euler angles, 3-1-3, against time.
+    /// Euler angles of the body, 3-1-3, against time.
     Euler,
-    /// Angles of the body's directions to nadir, velocity or what else is of interest, against time.
+    /// Angles of the body's directions to nadir, velocity or another direction of interest, against
+    /// time.
     Pointing,
     /// T, against time: its shares along the principal axes, or U and T + U.
     Energy,
     /// L, against time: in the body if it is free, else in space.
     Momentum,
-    /// The wheels' momenta and speeds, against time.
+    /// Momenta and speeds of the wheels, against time.
     Wheels,
     /// N along body axes, against time.
     Torque,
-    /// How far T and L depart from their balances, against time, on a logarithmic scale.
+    /// Departures of T and L from their balances, against time, on a logarithmic scale.
     Drift,
-    /// L in the body on its sphere: this motion, others of the same |L|, and the separatrix between them.
+    /// L in the body on its sphere: this motion, others of the same |L|, and the separatrix between
+    /// them.
     Polhodes,
-    /// The path of ω on the invariable plane.
+    /// Path of ω on the invariable plane.
     Herpolhode,
-    /// The path of the axis of a body that gravity turns about a pivot, on a sphere and unrolled.
+    /// Path of the axis of a body that gravity turns about a pivot, on a sphere and unrolled.
     Axis,
 }
 
@@ -44,7 +46,7 @@ impl Figure {
         Self::Drift,
     ];
 
-    /// Its name on the command line.
+    /// Returns its name on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Omega => "omega",
@@ -61,7 +63,7 @@ impl Figure {
         }
     }
 
-    /// The figure of a name.
+    /// Returns the figure of a name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|figure| figure.name() == name)
     }

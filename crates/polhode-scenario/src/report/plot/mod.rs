@@ -1,7 +1,7 @@
 //! Plots: the standard figures of a motion, for papers and slides.
 //!
-//! Each figure draws marks on a [`polhode_document::figure::sheet::Sheet`], which is written as SVG or
-//! PNG.
+//! Each figure draws marks on a [`polhode_document::figure::sheet::Sheet`], which is written as SVG
+//! or PNG.
 
 pub(crate) mod axis_path;
 mod chart;

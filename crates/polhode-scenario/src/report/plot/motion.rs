@@ -1,4 +1,4 @@
-//! The figures of a motion: which there are, and each on a sheet.
+//! Figures of a motion: which there are, and each on a sheet.
 
 use polhode::motion::{FreeMotion, MethodReason, Regime, Scenario, Trajectory};
 use polhode_document::Picture;
@@ -15,7 +15,7 @@ use super::plotted::PlottedMotion;
 use super::{axis_path, drift, euler, plane, series, sphere, wheels};
 use crate::report::balance::Driven;
 
-/// A motion, ready to be drawn.
+/// Motion, ready to be drawn.
 ///
 /// ```
 /// use polhode::math::{AngularVelocity, Attitude};
@@ -33,12 +33,13 @@ use crate::report::balance::Driven;
 #[derive(Clone, Debug)]
 pub struct MotionFigures<'a> {
     pub(crate) motion: PlottedMotion<'a>,
-    /// Of a body that gravity turns about a pivot.
+    /// Axis of a body that gravity turns about a pivot.
     axis: Option<TopAxis>,
 }
 
 impl<'a> MotionFigures<'a> {
-    /// Those of a scenario's motion; `trajectory` is what [`Scenario::simulate`] found.
+    /// Returns the figures of a scenario's motion; `trajectory` is what [`Scenario::simulate`]
+    /// found.
     pub fn of_scenario(scenario: &Scenario, trajectory: &'a Trajectory) -> Self {
         let rotor = scenario.rotor();
         let driven = Driven::of(scenario);
@@ -54,7 +55,7 @@ impl<'a> MotionFigures<'a> {
         Self { motion, axis: TopAxis::of(scenario, rotor) }
     }
 
-    /// Those of a free motion; `trajectory` is the same motion at some times.
+    /// Returns the figures of a free motion; `trajectory` is the same motion at some times.
     pub fn of_motion(title: &str, motion: &FreeMotion, trajectory: &'a Trajectory) -> Self {
         let motion = PlottedMotion {
             title: printable(title),
@@ -68,20 +69,20 @@ impl<'a> MotionFigures<'a> {
         Self { motion, axis: None }
     }
 
-    /// The figures that this motion has, in the order in which they are read.
+    /// Returns the figures that this motion has, in the order in which they are read.
     pub fn figures(&self) -> Vec<Figure> {
         Figure::ALL.into_iter().filter(|figure| self.why_not(*figure).is_none()).collect()
     }
 
-    /// One figure, 7 in wide.
+    /// Draws one figure, 7 in wide.
     ///
     /// # Errors
-    /// [`PlotError`] for a figure that this motion does not have, for fewer than two samples, and for a curve with too many
-    /// points.
+    /// [`PlotError`] for a figure that this motion does not have, for fewer than two samples, and
+    /// for a curve with too many points.
     pub fn draw(&self, figure: Figure) -> Result<Picture, PlotError> {
         const MARGIN: f64 = 14.0;
         const WIDTH: f64 = 672.0;
-        /// Without the margins.
+        /// Height without the margins.
         const HEIGHT: f64 = 385.0;
         let content = self.content(figure)?;
         let content = match content {
@@ -96,11 +97,11 @@ impl<'a> MotionFigures<'a> {
         Ok(Picture { sheet })
     }
 
-    /// All figures that this motion has, two beside each other, but for a torque that is zero throughout.
+    /// Draws all figures that this motion has, two in a row, except a torque that is zero throughout.
     ///
     /// # Errors
-    /// As [`MotionFigures::draw`], but for a curve with too many points, and angles that cannot be followed: in their place it is said
-    /// why they are not drawn.
+    /// As [`MotionFigures::draw`], except for a curve with too many points, and angles that cannot
+    /// be followed. The sheet says in their place why they are not drawn.
     pub fn overview(&self) -> Result<Picture, PlotError> {
         let mut cells = Vec::new();
         for figure in self.figures() {
@@ -119,7 +120,7 @@ impl<'a> MotionFigures<'a> {
         self.beside_each_other(cells)
     }
 
-    /// Some figures, two beside each other, on one sheet; those that are words alone come last.
+    /// Draws some figures, two in a row, on one sheet; those that are words alone come last.
     ///
     /// # Errors
     /// As [`MotionFigures::draw`].
@@ -152,7 +153,7 @@ impl<'a> MotionFigures<'a> {
         }
         for row in drawn.chunks(2).chain(words.chunks(2)) {
             let top = sheet.height + MARGIN;
-            // One alone has the whole width.
+            // A figure alone in its row has the whole width.
             let width = if row.len() == 1 { 2.0 * WIDTH } else { WIDTH };
             let heights = row
                 .iter()
@@ -170,7 +171,7 @@ impl<'a> MotionFigures<'a> {
         Ok(Picture { sheet })
     }
 
-    /// What a figure consists of.
+    /// Returns the content of a figure.
     fn content(&self, figure: Figure) -> Result<Content<'_>, PlotError> {
         if let Some(why) = self.why_not(figure) {
             return Err(PlotError::NotThere { figure, why });
@@ -187,9 +188,9 @@ impl<'a> MotionFigures<'a> {
         })
     }
 
-    /// The height that a figure needs at a width; most have `usual`.
+    /// Returns the height that a figure needs at a width; most have `usual`.
     fn height(&self, figure: Figure, content: &Content<'_>, width: f64, usual: f64) -> f64 {
-        /// What a heading of two lines leaves.
+        /// Height of a heading of two lines.
         const HEADING: f64 = 44.0;
         let mut scratch = Sheet::new(width, usual, String::new());
         let area = Area { left: 0.0, top: 0.0, right: width, bottom: usual };
@@ -235,7 +236,7 @@ impl<'a> MotionFigures<'a> {
         Ok(())
     }
 
-    /// Why there is no such figure of this motion, if there is none.
+    /// Returns why this motion has no such figure, if it has none.
     fn why_not(&self, figure: Figure) -> Option<&'static str> {
         match (figure, &self.motion.free) {
             (Figure::Torque, _) if !self.motion.driven.by_torques => Some("no torque acts on the body"),
@@ -277,13 +278,13 @@ impl<'a> MotionFigures<'a> {
     }
 }
 
-/// What a figure consists of.
+/// Content of a figure.
 enum Content<'a> {
     /// Curves against time.
     Chart(Chart<'a>),
-    /// What only this figure has.
+    /// Marks that only this figure has.
     Own,
-    /// It cannot be drawn, and why.
+    /// Reason for which it cannot be drawn.
     Refused(String),
 }
 
@@ -298,7 +299,7 @@ impl Content<'_> {
 }
 
 impl Figure {
-    /// What stands above it.
+    /// Returns its heading.
     fn title(self, motion: &PlottedMotion<'_>) -> &'static str {
         match self {
             Self::Omega => "Angular velocity along the principal axes",

@@ -1,33 +1,36 @@
-//! How a curve oscillates: where it turns, and whether its samples show that.
+//! Oscillation of a curve: where it turns, and whether its samples show that.
 
 use polhode_document::figure::line::Point;
 use polhode_document::figure::range::range;
 
-/// A turn by less of the curve's range is none.
+/// Least turn, relative to the curve's range, that counts.
 const RIPPLE: f64 = 0.01;
 
-/// Samples from a turning point to the next that show a smooth oscillation; with fewer its extrema are missed by more than a tenth.
+/// Least number of samples from a turning point to the next that show a smooth oscillation.
+///
+/// Fewer miss its extrema by more than a tenth.
 const RESOLVED: f64 = 4.0;
 
-/// Fewer turning points than these are no oscillation.
+/// Least number of turning points of an oscillation.
 const FEW: usize = 5;
 
-/// Pixels from a turning point to the next with which a curve is read as one.
+/// Least distance from a turning point to the next with which a curve is read as one, px.
 const STRIPE: f64 = 6.0;
 
-/// The turning points of a curve.
+/// Turning points of a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Oscillation {
-    /// When it turns.
+    /// Times at which it turns, s.
     pub times: Vec<f64>,
-    /// Samples from one turning point to the next: the median.
+    /// Median number of samples from one turning point to the next.
     samples: f64,
-    /// The part of the turning points that is one sample between two far away: a pulse that was hit once.
+    /// Fraction of the turning points that are one sample between two far away: a pulse that was
+    /// hit once.
     spikes: f64,
 }
 
 impl Oscillation {
-    /// That of a curve in pieces.
+    /// Returns the oscillation of a curve in pieces.
     pub(crate) fn of(pieces: &[Vec<Point>]) -> Self {
         let [least, greatest] = range(pieces.iter().flatten().map(|p| p[1]));
         let spread = greatest - least;
@@ -61,11 +64,11 @@ impl Oscillation {
     }
 }
 
-/// The places at which a curve turns by more than `ripple`.
+/// Returns the places at which a curve turns by more than `ripple`.
 pub(crate) fn turning_points(piece: &[Point], ripple: f64) -> Vec<usize> {
     let mut turns = Vec::new();
     let mut rising = None;
-    // The last extreme point so far, upward and downward.
+    // Last extreme point so far, upward and downward.
     let (mut high, mut low) = ((0, f64::NEG_INFINITY), (0, f64::INFINITY));
     for (k, &[_, value]) in piece.iter().enumerate().filter(|(_, p)| p[1].is_finite()) {
         if value > high.1 {
@@ -94,7 +97,7 @@ pub(crate) fn turning_points(piece: &[Point], ripple: f64) -> Vec<usize> {
 mod tests {
     use super::*;
 
-    /// 0.7 sin(2π t/1.3 + 0.4) over 20 s.
+    /// Returns 0.7 sin(2π t/1.3 + 0.4) over 20 s.
     fn wave(step: f64) -> Vec<Vec<Point>> {
         let at = |k: i32| {
             let t = step * f64::from(k);
@@ -106,7 +109,7 @@ mod tests {
     #[test]
     fn a_wave_turns_twice_in_a_period() {
         let wave = Oscillation::of(&wave(0.01));
-        // From a quarter less 0.4/2π of a period on.
+        // The first turn is a quarter less 0.4/2π of a period after the start.
         let first = 1.3 * (0.25 - 0.4 / std::f64::consts::TAU);
         for (k, time) in wave.times.iter().enumerate() {
             assert!((time - first - 0.65 * k as f64).abs() < 0.006, "{k}: {time}");

@@ -1,6 +1,7 @@
-//! A panel: curves that share a vertical axis.
+//! Panel: curves that share a vertical axis.
 //!
-//! A motion that runs away is drawn up to where it leaves the panel, which is as high as the rest of it needs.
+//! A motion that runs away is drawn up to where it leaves the panel, which is as high as the rest
+//! of it needs.
 
 use polhode_document::figure::axes::{Area, Axes, Axis};
 use polhode_document::figure::range::range;
@@ -10,25 +11,25 @@ use super::curve::Curve;
 use super::envelope;
 use super::oscillation::Oscillation;
 
-/// Turning points in an interval of an envelope: a little more than a period.
+/// Number of turning points in an interval of an envelope: a little more than a period.
 const TURNS: f64 = 2.2;
 
-/// From a turning point of an envelope's edge to the next, px.
+/// Least distance from a turning point of an envelope's edge to the next, px.
 const WAVE: f64 = 24.0;
 
-/// The narrowest interval of an envelope, px.
+/// Least width of an interval of an envelope, px.
 const NARROW: f64 = 1.5;
 
 /// Curves that share a vertical axis, at least one.
 #[derive(Clone, Debug)]
 pub(crate) struct Panel {
-    /// Of the quantity.
+    /// Name of the quantity.
     name: &'static str,
     unit: &'static str,
-    /// These are all its curves that vary.
+    /// True if these are all its curves that vary.
     has_all: bool,
     pub curves: Vec<(Curve, Oscillation)>,
-    /// Up to this time the curves decide how high the panel is, s.
+    /// Time up to which the curves decide how high the panel is, s.
     until: f64,
 }
 
@@ -56,25 +57,29 @@ impl Panel {
         panel
     }
 
-    /// An axis of this height for values, called by the symbols of the curves if they are not all of the quantity, and fit.
+    /// Returns an axis of this height for values.
+    ///
+    /// It is called by the symbols of the curves if they are not all of the quantity, and fit.
     fn axis_for(&self, values: [f64; 2], height: f64) -> Axis {
         let symbols: Vec<&str> = self.curves.iter().map(|(curve, _)| curve.symbol.as_str()).collect();
         let symbols = symbols.join(", ");
         let short = if self.name.is_empty() { "angle" } else { self.name };
         let names = if self.has_all && !self.name.is_empty() { [short, ""] } else { [&symbols, short] };
-        // A mark every 36 px or so.
+        // A mark stands every 36 px or so.
         let axis = |name| Axis::linear(values, 0.06, (height / 36.0).clamp(3.0, 8.0), name, self.unit);
         let [first, second] = names.map(axis);
         if first.label_width() <= height + 10.0 { first } else { second }
     }
 
-    /// The axis of its values.
+    /// Returns the axis of its values.
     pub(crate) fn axis(&self, height: f64) -> Axis {
         let ranges = self.curves.iter().flat_map(|(curve, _)| curve.range_until(self.until));
         self.axis_for(range(ranges), height)
     }
 
-    /// The axis of what lies in an interval of time: that of a whole panel where it is filled at least by half.
+    /// Returns the axis of the values in an interval of time.
+    ///
+    /// It is that of the whole panel if they fill at least half of that.
     pub(crate) fn axis_within(&self, window: [f64; 2], whole: &Self, height: f64) -> Axis {
         let values = self.curves.iter().flat_map(|(curve, _)| curve.within(window)).flatten();
         let part = range(values.map(|p| p[1]));
@@ -90,8 +95,10 @@ impl Panel {
         self.curves.iter().all(|(_, oscillation)| oscillation.is_resolved())
     }
 
-    /// Draws the whole of its curves over axes whose unit of time is so many seconds: those that oscillate too fast for a frame of
-    /// `width` px as envelopes, those whose samples are too few as dots.
+    /// Draws the whole of its curves over axes whose unit of time is `scale` seconds.
+    ///
+    /// Curves that oscillate too fast for a frame of `width` px are drawn as envelopes, those whose
+    /// samples are too few as dots.
     pub(crate) fn draw(&self, sheet: &mut Sheet, axes: &Axes, scale: f64, width: f64, is_sampled: bool) {
         let striped = |curve: &&(Curve, Oscillation)| curve.1.is_striped(width);
         let span =
@@ -111,7 +118,7 @@ impl Panel {
                 edges.extend([upper, lower].map(|edge| (Pen { width: 1.1, ..curve.pen }, edge)));
             }
         }
-        // Dashes over whole lines: edges that coincide are both seen.
+        // Dashes are drawn over whole lines: edges that coincide are both seen.
         edges.sort_by_key(|(pen, _)| !pen.dash.is_empty());
         for (pen, edge) in edges {
             sheet.line(edge, pen);
@@ -125,7 +132,8 @@ impl Panel {
         }
     }
 
-    /// What is shown in full beside an envelope: the curves with stripes, or all if there are none.
+    /// Returns what is shown in full next to an envelope: the curves with stripes, or all if there
+    /// are none.
     pub(crate) fn in_full(&self, width: f64) -> Self {
         let striped: Vec<_> = self.curves.iter().filter(|(_, o)| o.is_striped(width)).cloned().collect();
         let curves = if striped.is_empty() { self.curves.clone() } else { striped };
@@ -176,7 +184,7 @@ impl Panel {
     }
 }
 
-/// Pieces without what lies outside an interval of time.
+/// Returns pieces without what lies outside an interval of time.
 fn clipped(pieces: &[Vec<Point>], [from, to]: [f64; 2]) -> Vec<Vec<Point>> {
     let between = |[t0, a]: Point, [t1, b]: Point, t: f64| [t, a + (b - a) * (t - t0) / (t1 - t0)];
     let one = |piece: &Vec<Point>| {
@@ -198,7 +206,7 @@ fn clipped(pieces: &[Vec<Point>], [from, to]: [f64; 2]) -> Vec<Vec<Point>> {
     pieces.iter().map(one).collect()
 }
 
-/// Where the line from a point inside an area to one above or below it leaves the area.
+/// Returns where the line from a point inside an area to one above or below it leaves the area.
 fn cut([x0, y0]: Point, [x1, y1]: Point, area: Area) -> Option<Point> {
     let edge = y1.clamp(area.top, area.bottom);
     (edge != y1).then(|| [x0 + (x1 - x0) * (edge - y0) / (y1 - y0), edge])
@@ -218,7 +226,7 @@ mod tests {
 
     #[test]
     fn a_part_ends_where_its_interval_does() {
-        // From the last point before to the first behind.
+        // The part goes from the last point before to the first behind.
         let piece: Vec<Point> = (3..10).map(|k| 0.3 * f64::from(k)).map(|t| [t, 2.0 * t]).collect();
         let parts = clipped(&[piece], [1.0, 2.5]);
         let [.., [end, value]] = parts[0][..] else { panic!() };

@@ -10,11 +10,11 @@ use polhode_document::figure::sheet::{Colour, Pen, Point, Sheet};
 use super::chart::Heading;
 use super::time::unit_of_time;
 
-/// No more of it than an eye can follow: periods of ω, and turns about L.
+/// Largest number of periods of ω that are drawn: an eye can follow no more.
 const MOST_PERIODS: f64 = 12.0;
 const MOST_TURNS: f64 = 60.0;
 
-/// Draws what ω draws during `duration`, s.
+/// Draws the path of ω during `duration`, s.
 pub(crate) fn draw(
     motion: &FreeMotion,
     duration: f64,

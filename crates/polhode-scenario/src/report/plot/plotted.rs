@@ -1,4 +1,4 @@
-//! What figures of a motion are drawn from.
+//! Motion that figures are drawn from.
 
 use polhode::body::PrincipalFrame;
 use polhode::math::Body;
@@ -6,12 +6,12 @@ use polhode::motion::{FreeMotion, Pointing, Sample, Solution, Trajectory, Wheel}
 
 use crate::report::balance::Driven;
 
-/// A motion, and what its figures ask of it.
+/// Motion, with what its figures ask of it.
 #[derive(Clone, Debug)]
 pub(crate) struct PlottedMotion<'a> {
     pub title: String,
     pub trajectory: &'a Trajectory,
-    /// About the point that the body turns about.
+    /// Principal moments and axes about the point that the body turns about.
     pub principal: PrincipalFrame<Body>,
     pub free: Option<FreeMotion>,
     pub driven: Driven,
@@ -28,7 +28,7 @@ impl<'a> PlottedMotion<'a> {
         matches!(self.trajectory.solution(), Solution::Prescribed(_))
     }
 
-    /// From the first to the last sample, s.
+    /// Returns the time from the first to the last sample, s.
     pub(crate) fn duration(&self) -> f64 {
         match self.samples() {
             [first, .., last] => last.state.time - first.state.time,

@@ -11,7 +11,7 @@ use super::curve::Curve;
 use super::figure::Figure;
 use super::plotted::PlottedMotion;
 
-/// The curves of ω, an energy, L, a torque or angles.
+/// Returns the curves of ω, an energy, L, a torque or angles.
 pub(crate) fn quantity(motion: &PlottedMotion<'_>, figure: Figure) -> Quantity {
     match figure {
         Figure::Energy => Quantity::new("energy", "J", energy(motion)),
@@ -24,7 +24,10 @@ pub(crate) fn quantity(motion: &PlottedMotion<'_>, figure: Figure) -> Quantity {
     }
 }
 
-/// The angles that a plan asks for; on an orbit without any those of x, −y and z to velocity, normal and nadir.
+/// Returns the angles that a plan asks for.
+///
+/// A scenario on an orbit that asks for none has those of x, −y and z to velocity, normal and
+/// nadir.
 pub(crate) fn pointings(scenario: &Scenario) -> Vec<Pointing> {
     let Some(orbit) = scenario.orbit().filter(|_| scenario.pointings().is_empty()) else {
         return scenario.pointings().to_vec();
@@ -62,7 +65,9 @@ fn momentum(motion: &PlottedMotion<'_>) -> Vec<Curve> {
     curves
 }
 
-/// What L is made of, which may add up to nothing: that of the carrier, at least 2 T/|ω|, and those of the wheels.
+/// Returns the size of the parts of L, which may add up to nothing.
+///
+/// They are that of the carrier, at least 2 T/|ω|, and those of the wheels.
 fn parts_of_momentum(motion: &PlottedMotion<'_>) -> f64 {
     let parts = |s: &Sample| {
         let rate = s.state.omega.norm();
@@ -82,7 +87,7 @@ fn energy(motion: &PlottedMotion<'_>) -> Vec<Curve> {
     if !motion.driven.at_all() {
         let moments = motion.principal.moments();
         let into = motion.principal.rotation().inverse();
-        // ½ iₖ ωₖ²
+        // The energy along an axis is ½ iₖ ωₖ².
         let part = |s: &Sample| {
             let [w1, w2, w3] = (into * s.state.omega).to_array();
             let [i1, i2, i3] = moments;
@@ -116,7 +121,7 @@ fn one(motion: &PlottedMotion<'_>, pen: Pen, name: &str, value: impl Fn(&Sample)
     Curve { pen, name: name.to_owned(), symbol: name.to_owned(), pieces: vec![points] }
 }
 
-/// Curves along three axes, each with its name and its symbol.
+/// Returns curves along three axes, each with its name and its symbol.
 fn components(
     motion: &PlottedMotion<'_>,
     names: [[String; 2]; 3],
@@ -134,7 +139,7 @@ fn components(
         .collect()
 }
 
-/// The components of a vector along x, y and z.
+/// Returns the names of the components of a vector along x, y and z.
 fn along_xyz(letter: &str) -> [[String; 2]; 3] {
     ["x", "y", "z"].map(|axis| format!("{letter}{axis}")).map(|name| [name.clone(), name])
 }

@@ -1,7 +1,10 @@
-//! The momentum sphere: where L points in the body.
+//! The momentum sphere: the path of L in the body.
 //!
-//! |L| is constant, so L moves on a sphere fixed in the body, and T is constant, so it moves along a curve Σ l²/I = constant on
-//! it. The sphere is seen from far away, axis 2 upward, from the side where L is; what is behind it is faint.
+//! The size |L| is constant, so L moves on a sphere fixed in the body. T is constant too, so L
+//! moves along a curve Σ l²/I = constant on the sphere.
+//!
+//! The sphere is seen from far away, axis 2 upward, from the side where L is; what is behind it is
+//! faint.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -16,12 +19,12 @@ use polhode_document::figure::sheet::{Anchor, Colour, Mark, Pen, Point, Sheet, T
 use super::chart::Heading;
 use super::view::View;
 
-/// The curves about an axis divide the way to the separatrix into so many parts.
+/// Number of parts into which the curves about an axis divide the way to the separatrix.
 const RINGS: u32 = 5;
 
 pub(crate) const TRACE: Pen = Pen::solid(Colour::BLACK, 2.0);
 const SEPARATRIX: Pen = Pen::solid(Colour::ORANGE, 4.0);
-/// Of what is behind.
+/// Opacity of what is behind.
 pub(crate) const FAR: f64 = 0.22;
 
 pub(crate) fn draw(motion: &FreeMotion, sheet: &mut Sheet, heading: Heading<'_>) -> Result<(), CurveError> {
@@ -56,7 +59,7 @@ pub(crate) fn draw(motion: &FreeMotion, sheet: &mut Sheet, heading: Heading<'_>)
         }
     }
     if !asymmetric && !about.is_empty() {
-        // Between the two sides of a symmetric body all directions across its axis stay.
+        // All directions across the axis of a symmetric body stay, between its two sides.
         curves
             .extend(about.iter().flat_map(|&k| rings(moments, k, 1.0)).take(1).map(|ring| (equator(), ring)));
     }
@@ -91,20 +94,22 @@ fn equator() -> Pen {
     Pen::solid(Colour::FRAME, 1.1).dashed(&[2.0, 2.5])
 }
 
-/// L/|L| along the principal axes, over one period.
+/// Returns L/|L| along the principal axes, over one period.
 fn trace(motion: &FreeMotion) -> Result<Vec<Direction<Principal>>, CurveError> {
     let into = motion.principal().rotation().inverse();
     let curve = MomentumTrace::of(motion, 1e-4)?.curve;
     Ok(curve.points().iter().filter_map(|l| (into * *l).direction()).collect())
 }
 
-/// The two curves of constant energy on the unit sphere about axis k = 0 or 2; `part` is 0 on the axis, 1 on the separatrix.
+/// Returns the two curves of constant energy on the unit sphere about axis k = 0 or 2.
 ///
-/// Σ l²/I is constant on them, so what one sees of them along the axis is an ellipse. Of a body with two equal moments it is a
-/// circle.
+/// `part` is 0 on the axis, 1 on the separatrix.
+///
+/// Σ l²/I is constant on the curves, so they are seen as ellipses along the axis. Those of a body
+/// with two equal moments are circles.
 fn rings([i1, i2, i3]: [f64; 3], k: usize, part: f64) -> [Vec<Direction<Principal>>; 2] {
     let (a, c) = if k == 2 { (i1, i3) } else { (i3, i1) };
-    // ((1/i2 − 1/c)/(1/a − 1/c))^½
+    // The ratio is ((1/i2 − 1/c)/(1/a − 1/c))^½.
     let narrow = ((c - i2) / (c - a) * (a / i2)).sqrt();
     let long = (part * FRAC_PI_2).sin();
     [1.0, -1.0].map(|side| {
@@ -118,11 +123,12 @@ fn rings([i1, i2, i3]: [f64; 3], k: usize, part: f64) -> [Vec<Direction<Principa
     })
 }
 
-/// Where the ends of the axes and their names reach, in radii.
+/// Distance that the ends of the axes reach, in radii.
 const REACH: f64 = 1.2;
 const NAME: f64 = 1.33;
 
-/// From the side on which the trace is: near the axis that L circles, a little from above.
+/// Returns the view from the side on which the trace is: near the axis that L circles, a little
+/// from above.
 fn view(area: Area, trace: &[Direction<Principal>], about_least: bool) -> View<Principal> {
     const ALONG: f64 = 0.82;
     const ASIDE: f64 = 0.46;
@@ -139,7 +145,7 @@ fn view(area: Area, trace: &[Direction<Principal>], about_least: bool) -> View<P
     View::new(center, radius - 3.0, viewer, Direction::new(0.0, 1.0, 0.0))
 }
 
-/// The ends of the axes that one sees, with their numbers.
+/// Draws the visible ends of the axes, with their numbers.
 fn ends_of_axes(view: &View<Principal>, sheet: &mut Sheet) {
     for (k, name) in ["1", "2", "3"].into_iter().enumerate() {
         let mut axis = [0.0; 3];
@@ -156,7 +162,7 @@ fn ends_of_axes(view: &View<Principal>, sheet: &mut Sheet) {
     }
 }
 
-/// The head of an arrow between two points.
+/// Draws the head of an arrow between two points.
 pub(crate) fn arrow([x0, y0]: Point, [x1, y1]: Point, sheet: &mut Sheet) {
     let length = (x1 - x0).hypot(y1 - y0);
     if length > 0.0 {

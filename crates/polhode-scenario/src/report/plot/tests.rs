@@ -15,7 +15,8 @@ use polhode_document::figure::svg;
 use super::*;
 use crate::report::balance::balances;
 
-/// Three different moments, products of both signs, a centre off the origin.
+/// Returns a body with three different moments, products of both signs, and a centre off the
+/// origin.
 fn body() -> MassProperties<Body> {
     let inertia = InertiaTensor::with_negative_products([3.1, 4.2, 5.3], [0.4, -0.3, 0.2]).unwrap();
     MassProperties::new(2.3, Position::new(0.1, -0.2, 0.4), inertia).unwrap()
@@ -37,7 +38,7 @@ fn heavy() -> Scenario {
     scenario([0.7, -1.1, 2.3]).held_at(Position::ZERO).unwrap().under(torques).unwrap()
 }
 
-/// A symmetric top with its tip at the origin, leaning by an angle.
+/// Returns a symmetric top with its tip at the origin, leaning by an angle.
 fn top(tilt: f64, omega: [f64; 3]) -> Scenario {
     let inertia = InertiaTensor::diagonal([0.021, 0.021, 0.034]).unwrap();
     let body = MassProperties::new(1.3, Position::new(0.0, 0.0, 0.13), inertia).unwrap();
@@ -48,7 +49,7 @@ fn top(tilt: f64, omega: [f64; 3]) -> Scenario {
     top.under(torques).unwrap().sampled(Run::evenly(2.0, 801, Method::Auto, 1e-12))
 }
 
-/// Two wheels in a body at rest, one of them turned by its motor: L is zero throughout.
+/// Returns two wheels in a body at rest, one of them turned by its motor: L is zero throughout.
 fn gyrostat() -> Scenario {
     let motor = Motor::Torque { inertia: 0.21, torque: 0.35, schedule: None };
     let turned = Wheel::new(Direction::new(0.6, -0.3, 0.8), 0.0, motor).unwrap();
@@ -56,11 +57,11 @@ fn gyrostat() -> Scenario {
     scenario([0.0; 3]).with_wheels(&[held, turned]).unwrap()
 }
 
-/// ω grows as 1/(t* − t), until the computation gives up.
+/// Returns a motion whose ω grows as 1/(t* − t), until the computation gives up.
 fn run_away() -> Scenario {
     let inertia = InertiaTensor::diagonal([2.0, 3.0, 4.0]).unwrap();
     let body = MassProperties::new(1.0, Position::ZERO, inertia).unwrap();
-    // N = 4 ω_z² along z, so that ω̇ = ω²: t* = 2 s from 0.5 rad/s.
+    // N = 4 ω_z² along z gives ω̇ = ω²: t* = 2 s from 0.5 rad/s.
     let place = StateVariables::NAMES.iter().position(|name| *name == "wz").unwrap();
     let square = [Instruction::Variable(place), Instruction::Unary(Unary::Power(2))];
     let times = [Instruction::Constant(4.0), Instruction::Binary(Binary::Multiply)];
@@ -85,7 +86,7 @@ fn moments(moments: [f64; 3], omega: [f64; 3], span: f64) -> (FreeMotion, Trajec
     (motion, Trajectory::of_motion(motion, &times).unwrap())
 }
 
-/// Every text of an SVG with the box that it fills: x from, x to, y from, y to.
+/// Returns every text of an SVG with the box that it fills: x from, x to, y from, y to.
 fn boxes(picture: &Picture) -> Vec<(String, [f64; 4])> {
     let texts = picture.sheet.marks.iter().filter_map(|mark| match mark {
         Mark::Text(text) => Some(text),
@@ -101,7 +102,8 @@ fn boxes(picture: &Picture) -> Vec<(String, [f64; 4])> {
         .collect()
 }
 
-/// Asserts that a picture can be read: as XML, with every text and point on the sheet and no two texts in one place.
+/// Asserts that a picture can be read: as XML, with every text and point on the sheet and no two
+/// texts in one place.
 fn readable(picture: &Picture, name: &str) {
     let svg = picture.to_svg();
     assert!(svg.len() < 400_000, "{name}: {} bytes", svg.len());
@@ -130,7 +132,7 @@ fn readable(picture: &Picture, name: &str) {
     }
 }
 
-/// Every curve and its pen.
+/// Returns every curve and its pen.
 fn lines(picture: &Picture) -> impl Iterator<Item = (&Vec<Vec<Point>>, &sheet::Pen)> {
     picture.sheet.marks.iter().filter_map(|mark| match mark {
         Mark::Lines { lines, pen } => Some((lines, pen)),
@@ -138,7 +140,7 @@ fn lines(picture: &Picture) -> impl Iterator<Item = (&Vec<Vec<Point>>, &sheet::P
     })
 }
 
-/// The corners of the first frame: the only closed line of five points.
+/// Returns the corners of the first frame: the only closed line of five points.
 fn frame(picture: &Picture) -> &[Point] {
     lines(picture).map(|(lines, _)| &lines[0]).find(|line| line.len() == 5).unwrap()
 }
@@ -233,7 +235,7 @@ fn a_curve_is_its_data() {
             let place = [across(sample.state.time), up(value)];
             assert!((top..bottom).contains(&place[1]));
             let off = curve.windows(2).map(|w| distance(place, w[0], w[1])).fold(f64::INFINITY, f64::min);
-            // The labels' middle is known to some tenths of a pixel only.
+            // The middle of the labels is known to some tenths of a pixel only.
             assert!(off < SEEN + 0.5, "ω{} at {}: {off} px", k + 1, sample.state.time);
         }
     }
@@ -294,7 +296,8 @@ fn the_path_of_an_axis_is_where_it_points() {
     let (svg, texts) = (picture.to_svg(), boxes(&picture));
     assert!(svg.contains("radialGradient"));
     assert!(texts.iter().any(|(text, _)| text.starts_with("θ from 40.107° to ")), "{texts:?}");
-    // The bounds are straight dashed lines over the width of the frame; the path touches both, and begins with a cusp at the upper.
+    // The bounds are straight dashed lines over the width of the frame. The path touches both, and
+    // begins with a cusp at the upper.
     let lines: Vec<_> = picture
         .sheet
         .marks
@@ -354,7 +357,8 @@ fn fewer_than_two_samples_are_refused() {
     let figures = MotionFigures::of_scenario(&scenario, &trajectory);
     assert_eq!(figures.draw(Figure::Euler), Err(PlotError::TooFewSamples { count: 1 }));
     readable(&figures.draw(Figure::Polhodes).unwrap(), "one sample");
-    // 2 rad and more from sample to sample: slower turns would be drawn than there are.
+    // The body turns by 2 rad and more from sample to sample: slower turns would be drawn than
+    // there are.
     scenario = scenario.sampled(Run::evenly(30.0, 21, Method::Auto, 1e-12));
     let trajectory = scenario.simulate().unwrap().unwrap();
     let figures = MotionFigures::of_scenario(&scenario, &trajectory);
@@ -384,7 +388,7 @@ fn a_png_shows_what_the_svg_says() {
         let count = pixels.chunks(3).filter(|p| **p == colour.rgb()).count();
         assert!(count > 2000, "{count} pixels of {colour:?}");
     }
-    // Letters are there, on a machine without fonts too: dark pixels where the title stands.
+    // Letters are there on a machine without fonts too: dark pixels where the title stands.
     let (title, [x0, x1, y0, y1]) = boxes(&picture).swap_remove(0);
     assert!(title.starts_with("Angular velocity"));
     let grid = |a: f64, b: f64| (0..200).map(move |k| a + (b - a) * f64::from(k) / 200.0);

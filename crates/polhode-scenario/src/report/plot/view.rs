@@ -1,12 +1,12 @@
-//! A unit sphere seen from far away.
+//! View of a unit sphere from far away.
 
 use polhode::math::{Direction, Frame};
 use polhode_document::figure::sheet::Point;
 
-/// From where a sphere is seen, and where its picture is.
+/// Direction from which a sphere is seen, and place of its picture.
 pub(crate) struct View<F: Frame> {
     pub center: Point,
-    /// Of the picture, px.
+    /// Radius of the picture, px.
     pub radius: f64,
     right: Direction<F>,
     up: Direction<F>,
@@ -14,7 +14,9 @@ pub(crate) struct View<F: Frame> {
 }
 
 impl<F: Frame> View<F> {
-    /// From the side of `viewer`, with `up` upward: neither is zero, and they are not along one line.
+    /// Returns the view from the side of `viewer`, with `up` upward.
+    ///
+    /// Neither is zero, and they are not along one line.
     pub(crate) fn new(center: Point, radius: f64, viewer: Direction<F>, up: Direction<F>) -> Self {
         let toward = viewer.direction().unwrap_or(viewer);
         let right = up.cross(toward).direction().unwrap_or(up);
@@ -30,7 +32,7 @@ impl<F: Frame> View<F> {
         v.dot(self.toward) >= 0.0
     }
 
-    /// The parts of a curve on the near or the far side.
+    /// Returns the parts of a curve on the near or the far side.
     pub(crate) fn side(&self, near: bool, curve: &[Direction<F>]) -> Vec<Vec<Point>> {
         let parts = curve.chunk_by(|a, b| self.is_near(*a) == self.is_near(*b));
         let wanted = parts.filter(|part| part.first().is_some_and(|v| self.is_near(*v) == near));

@@ -1,4 +1,4 @@
-//! The wheels inside a body: their momenta, and the speeds of those that a motor turns.
+//! Wheels inside a body: their momenta, and the speeds of those that a motor turns.
 
 use polhode::motion::{Sample, Wheel};
 use polhode_document::figure::sheet::Pen;
@@ -19,7 +19,7 @@ pub(crate) fn quantities(motion: &PlottedMotion<'_>) -> Vec<Quantity> {
     quantities
 }
 
-/// A curve for each wheel that has the value.
+/// Returns a curve for each wheel that has the value.
 fn curves(
     motion: &PlottedMotion<'_>,
     [letter, what]: [&str; 2],

@@ -1,4 +1,5 @@
-//! Step 5 of a ball on a plane: it slides until its slip is gone, and then rolls straight, down a slope or in a circle.
+//! Step 5 of a ball on a plane: it slides until its slip is gone. Then it rolls straight, down a
+//! slope or in a circle.
 
 use polhode::math::{Acceleration, Position, Space, Velocity};
 use polhode::motion::contact::{ContactChange, Friction, Grip};
@@ -20,12 +21,12 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -
     if g.is_rolling() { rolls(g, ball, s) } else { slips(g, ball, s) }
 }
 
-/// What slips at the start, or has nothing that could hold it.
+/// Solves the motion of a ball that slips at the start, or that no friction holds.
 pub(crate) fn slips(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     if g.is_frictionless() { frictionless(ball, s) } else { slides(g, ball, s) }
 }
 
-/// k and σ in numbers; and 2/7 where it is that.
+/// Writes k and σ in numbers, and as fractions for bodies with known ones, such as 2/5 and 2/7.
 pub(crate) fn ratio(ball: &BallOnPlane, moment: &str, s: &mut Section) {
     let square = ball.mass * ball.radius * ball.radius;
     let known = match ball.moment / square {
@@ -53,7 +54,7 @@ fn frictionless(ball: &BallOnPlane, s: &mut Section) -> String {
     format!("It slides without friction, with v\u{307} = {} m/s² and constant ω.", acceleration(downhill))
 }
 
-/// Until the slip has gone.
+/// Solves the sliding until the slip has gone.
 fn slides(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     let (friction, slip, velocity) = (g.friction(), g.start.slip, g.start.velocity);
     s.say("It slips, so F is known, and both v and the slip u = v − a ω × n change by it; ω changes as −a n × F turns it:");
@@ -94,7 +95,7 @@ fn slides(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     }
 }
 
-/// The equation of the slip, and κ.
+/// Writes the equation of the slip, and κ.
 fn law(ball: &BallOnPlane, friction: &Friction, steep: f64, s: &mut Section) {
     let kappa = ball.slip_deceleration(friction);
     match (friction.viscous > 0.0, steep > 0.0) {
@@ -132,7 +133,7 @@ fn law(ball: &BallOnPlane, friction: &Friction, steep: f64, s: &mut Section) {
     }
 }
 
-/// What is left when the slip has gone after a time.
+/// Writes the motion that is left when the slip has gone after a time.
 fn ends(g: &OnGround<'_, '_>, ball: &BallOnPlane, time: f64, s: &mut Section) -> String {
     let (friction, slip, velocity) = (g.friction(), g.start.slip, g.start.velocity);
     let (steep, share) = (ball.downhill().norm(), ball.share());
@@ -203,13 +204,13 @@ fn ends(g: &OnGround<'_, '_>, ball: &BallOnPlane, time: f64, s: &mut Section) ->
     )
 }
 
-/// When the run's slip ends first.
+/// Returns the time at which the slip of the run first ends.
 fn gripped(g: &OnGround<'_, '_>) -> Option<f64> {
     let changes = g.motion()?.changes();
     changes.first().filter(|event| event.change == ContactChange::Grips).map(|event| event.time)
 }
 
-/// From the start on.
+/// Solves the motion of a ball that rolls from the start on.
 pub(crate) fn rolls(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     if ball.turning != 0.0 {
         return turntable(g, ball, s);
@@ -223,7 +224,7 @@ pub(crate) fn rolls(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -
     }
 }
 
-/// The equation of what rolls on a plane at rest.
+/// Writes the equation of a ball that rolls on a plane at rest.
 fn rolling_on(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     let resistance = g.contact.law.resistance();
     let gained = ball.rolling_acceleration();
@@ -233,7 +234,7 @@ fn rolling_on(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> Stri
         r"\dot{\mathbf v} = (1 - \sigma) \mathbf g_t, \qquad \mathbf F = -\sigma m \mathbf g_t",
     );
     if resistance.rolling > 0.0 {
-        // µᵣ g_n/(a (1 + k))
+        // The deceleration µᵣ g_n/(a (1 + k)).
         let slowed = resistance.rolling * ball.pressing() / ball.radius * (1.0 - ball.share());
         s.say("Rolling friction, of the torque µr N against the rolling, takes (1 − σ) µr g_n/a from that, along v:");
         s.line(format!("(1 − σ) µr g_n/a = {} m/s²", n(slowed)));
@@ -322,12 +323,12 @@ fn point(x: Position<Space>) -> String {
     v(x.to_array())
 }
 
-/// A velocity, without what is rounding beside another one.
+/// Writes a velocity, without what is rounding compared with another one.
 fn vector(x: Velocity<Space>, beside: Velocity<Space>) -> String {
     exactly(tidy_beside(x.to_array(), x.norm().max(beside.norm())))
 }
 
-/// True of velocities that are not along one line.
+/// True if two velocities are not along one line.
 fn cross(a: Velocity<Space>, b: Velocity<Space>) -> bool {
     let [a, b] = [a, b].map(|v| super::direction(v.to_array()));
     a.cross(b).norm() > 1e-9 * a.norm() * b.norm()

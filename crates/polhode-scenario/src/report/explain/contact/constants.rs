@@ -1,4 +1,4 @@
-//! What stays constant of a body on the ground, and what it is at t0.
+//! Constants of the motion of a body on the ground, with their values at t0.
 
 use polhode::math::{Body, Direction, Velocity};
 use polhode::motion::contact::{Grip, GroundShape, SurfaceShape};
@@ -9,7 +9,7 @@ use polhode_document::number::tidy_beside;
 use super::super::working::{exactly, n};
 use super::{OnGround, bowl};
 
-/// A constant: what it is, its value and unit, and why it stays.
+/// Constant of the motion: its formula, its value and unit, and why it stays.
 struct Constant {
     formula: &'static str,
     value: String,
@@ -53,7 +53,7 @@ fn constants(g: &OnGround<'_, '_>) -> Vec<Constant> {
     all
 }
 
-/// ω · n of a ball with three equal moments.
+/// Returns ω · n of a ball with three equal moments.
 fn about_normal(g: &OnGround<'_, '_>, is_plane: bool) -> Option<Constant> {
     let resistance = g.contact.law.resistance();
     let in_bowl = matches!(g.contact.ground.shape(), GroundShape::Sphere { .. })
@@ -87,7 +87,8 @@ fn frictionless(g: &OnGround<'_, '_>, is_level: bool) -> Vec<Constant> {
     all
 }
 
-/// Jellett's and Routh's of a tippe top, and Chaplygin's of a ball with its centre of mass in its middle.
+/// Returns Jellett's and Routh's constants of a tippe top, and Chaplygin's of a ball with its
+/// centre of mass in its middle.
 fn of_spheres(g: &OnGround<'_, '_>, is_level: bool) -> Vec<Constant> {
     let (contact, body) = (g.contact, g.w.body());
     let mut all = Vec::new();
@@ -116,7 +117,7 @@ fn of_spheres(g: &OnGround<'_, '_>, is_level: bool) -> Vec<Constant> {
     all
 }
 
-/// L about the point of contact, body axes.
+/// Returns L about the point of contact, body axes.
 pub(crate) fn about_contact(g: &OnGround<'_, '_>) -> Direction<Body> {
     let own = Direction::<Body>::from_array(g.w.rotor.angular_momentum(g.start.state.omega).to_array());
     let velocity = g.start.state.attitude.inverse() * Direction::from_array(g.start.velocity.to_array());

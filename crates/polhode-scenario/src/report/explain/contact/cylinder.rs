@@ -57,7 +57,7 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     Some(ball::slips(g, &roller, s))
 }
 
-/// A pendulum, slower than one of its length.
+/// Solves a cylinder in a pipe: a pendulum, slower than a simple one of its length.
 fn pipe(g: &OnGround<'_, '_>, roller: &BallOnPlane, radius: f64, s: &mut Section) -> String {
     let length = radius - roller.radius;
     let gravity = g.contact.gravity;

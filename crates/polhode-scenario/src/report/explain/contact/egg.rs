@@ -1,4 +1,5 @@
-//! Step 5 of an egg, an ellipsoid of revolution: why friction stands it up, and at which spins it stays.
+//! Step 5 of an egg, an ellipsoid of revolution: why friction stands it up, and at which spins it
+//! stays.
 
 use polhode::math::{AngularVelocity, Attitude, Body, Direction, Rotation};
 use polhode::motion::State;
@@ -34,7 +35,7 @@ pub(crate) fn solve(
     rises
 }
 
-/// Moffatt and Shimomura's balance.
+/// Writes Moffatt and Shimomura's balance of an egg that slides.
 fn sliding(
     g: &OnGround<'_, '_>,
     egg: &SpinningEgg,
@@ -93,7 +94,7 @@ fn sliding(
     })
 }
 
-/// The steady motion that is near, and whether it lasts.
+/// Writes the steady motion that is near, and whether it lasts.
 fn steady(g: &OnGround<'_, '_>, s: &mut Section) {
     let Some(steady) = g.steady(&g.rolling_start()) else { return };
     let what = match steady.path {
@@ -114,7 +115,7 @@ fn steady(g: &OnGround<'_, '_>, s: &mut Section) {
     }
 }
 
-/// On its end, at the spin that J gives it.
+/// Writes whether the egg stays on its end, at the spin that J gives it.
 fn standing(g: &OnGround<'_, '_>, egg: &SpinningEgg, e: Direction<Body>, jellett: f64, s: &mut Section) {
     let spin = egg.spin_on_end(jellett);
     let axis = Direction::<Body>::from_array(e.to_array());
@@ -135,7 +136,7 @@ fn standing(g: &OnGround<'_, '_>, egg: &SpinningEgg, e: Direction<Body>, jellett
     ));
 }
 
-/// An attitude with an axis upright.
+/// Returns an attitude with an axis upright.
 fn upright(axis: Direction<Body>) -> Option<Attitude> {
     let up = Direction::<Body>::new(0.0, 0.0, 1.0);
     let (across, cosine) = (axis.cross(up), axis.dot(up));

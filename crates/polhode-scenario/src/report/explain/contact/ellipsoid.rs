@@ -1,4 +1,5 @@
-//! Step 5 of an ellipsoid: a rattleback, an egg, or whatever spins on a point below its centre of mass.
+//! Step 5 of an ellipsoid: a rattleback, an egg, or another body that spins on a point below its
+//! centre of mass.
 
 use polhode::observe::{SpinningEgg, SteadyPath};
 use polhode_document::Section;

@@ -1,4 +1,5 @@
-//! Steps 3 and 4 on the ground: {I} about the point of contact too, and the equations of motion with the constraint put in.
+//! Steps 3 and 4 on the ground: {I} about the point of contact too, and the equations of motion
+//! with the constraint put in.
 
 use polhode::math::{Body, Direction};
 use polhode_document::Section;
@@ -8,7 +9,7 @@ use super::super::tensor;
 use super::super::working::{exactly, n, v};
 use super::{OnGround, constants};
 
-/// Step 3.
+/// Writes step 3.
 pub(crate) fn inertia(g: &OnGround<'_, '_>) -> Section {
     let mut s = tensor::section(g.w, None);
     s.say("About the point of contact, by parallel axes; it holds at t0, as r changes:");
@@ -30,7 +31,7 @@ pub(crate) fn inertia(g: &OnGround<'_, '_>) -> Section {
     s
 }
 
-/// Step 4.
+/// Writes step 4.
 pub(crate) fn section(g: &OnGround<'_, '_>) -> Section {
     let mut s = Section::new(4, "The equations of motion");
     let resisted = g.is_resisted();

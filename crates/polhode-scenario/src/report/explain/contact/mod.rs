@@ -1,7 +1,9 @@
-//! The worked solution of a body on the ground, in the same six steps: what touches, what holds it there, {I}, the equations with the constraint, what can be solved of
-//! them, and what the run shows.
+//! The worked solution of a body on the ground, in the same six steps.
 //!
-//! Each kind of body whose motion has a closed form, or a law that says where it goes, has its file.
+//! They are: the contact, what holds it, {I}, the equations with the constraint, what can be solved
+//! of them, and what the run shows.
+//!
+//! Each kind of body whose motion has a closed form, or a law of where it goes, has its file.
 
 mod ball;
 mod bowl;
@@ -31,19 +33,19 @@ use polhode_document::{Document, Section};
 use super::working::Working;
 use super::{answer, body};
 
-/// What all steps need to know.
+/// Facts that all steps need: the working, the contact and the state at the start.
 struct OnGround<'a, 'b> {
     w: &'a Working<'b>,
     ground: &'a GroundContact,
     contact: &'a Contact,
     start: ContactState,
-    /// n along body axes.
+    /// Direction of n along body axes.
     up: Direction<Body>,
-    /// From the centre of mass to the point of contact.
+    /// Arm from the centre of mass to the point of contact.
     arm: Position<Body>,
 }
 
-/// The solution of a body on the ground; `None` of any other.
+/// Returns the solution of a body on the ground; `None` for any other.
 pub(crate) fn document(w: &Working<'_>) -> Option<Document> {
     let g = OnGround::of(w)?;
     let mut solved = Section::new(5, "Solve for the motion");
@@ -65,7 +67,7 @@ pub(crate) fn document(w: &Working<'_>) -> Option<Document> {
     })
 }
 
-/// Step 5, by what the body is; and the answer, in a sentence.
+/// Writes step 5, by the kind of body; returns the answer in a sentence.
 fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     let (body, contact) = (g.w.body(), &g.ground.contact);
     if let Some(ball) = BallOnPlane::of(body, contact) {
@@ -90,7 +92,7 @@ fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     }
 }
 
-/// What is said where no formula is known here.
+/// Writes what can be said where no formula is known here.
 fn unsolved(g: &OnGround<'_, '_>, s: &mut Section) {
     s.say(
         "No closed form is known here for such a body on such a ground: the equations of step 4 are integrated (step 6). What can be said without that are the constants of \
@@ -116,12 +118,12 @@ impl<'a, 'b> OnGround<'a, 'b> {
         self.w.trajectory.as_deref()
     }
 
-    /// The contact at the end of the run.
+    /// Returns the contact at the end of the run.
     fn last(&self) -> Option<ContactState> {
         self.motion()?.channel(CONTACT)?.last()
     }
 
-    /// Friction of what slips; none of what never does.
+    /// Returns the friction of a contact that slips; none if it never does.
     fn friction(&self) -> Friction {
         match *self.contact.law.grip() {
             Grip::Friction(friction) => friction,
@@ -147,7 +149,7 @@ impl<'a, 'b> OnGround<'a, 'b> {
         self.contact.symmetry_axis(self.w.body())
     }
 
-    /// The same contact without torques that resist.
+    /// Returns the same contact without torques that resist.
     fn unresisted(&self) -> Contact {
         let law = match *self.contact.law.grip() {
             Grip::Friction(friction) => ContactLaw::with_friction(friction).unwrap_or(ContactLaw::ROLLING),
@@ -156,23 +158,24 @@ impl<'a, 'b> OnGround<'a, 'b> {
         Contact { law, ..*self.contact }
     }
 
-    /// The steady motion that a start is near to, if nothing resisted it.
+    /// Returns the steady motion that a start is near to, if nothing resisted it.
     fn steady(&self, start: &ContactStart) -> Option<SteadyOnGround> {
         SteadyOnGround::near(self.w.body(), &self.unresisted(), start).ok()
     }
 
-    /// The start, rolling: the steady motion that a body may come to.
+    /// Returns the start as one that rolls: the steady motion near it is one that the body may come
+    /// to.
     fn rolling_start(&self) -> ContactStart {
         ContactStart { state: self.start.state, at: self.ground.at, velocity: StartVelocity::Rolling }
     }
 }
 
-/// A vector along other axes, or of another quantity, by its components.
+/// Returns a vector along other axes, or of another quantity, by its components.
 fn direction(components: [f64; 3]) -> Direction<Space> {
     Direction::from_array(components)
 }
 
-/// The rate about an axis.
+/// Returns the rate about an axis.
 fn about(omega: AngularVelocity<Body>, axis: Direction<Body>) -> f64 {
     axis.dot(omega)
 }

@@ -12,10 +12,10 @@ use super::super::working::{cells, n};
 use super::OnGround;
 use crate::report::facts::ending_in_words;
 
-/// More changes than these are not listed.
+/// Largest number of changes that are listed.
 const MOST: usize = 12;
 
-/// Rows of the table.
+/// Number of rows of the table.
 const ROWS: usize = 9;
 
 pub(crate) fn section(g: &OnGround<'_, '_>) -> Section {
@@ -69,7 +69,8 @@ fn changes(g: &OnGround<'_, '_>, all: &[ContactEvent], s: &mut Section) {
     }
 }
 
-/// At a few times: how the axis stands, how fast the body turns about it and about the normal, the forces and the energy.
+/// Writes the table: how the axis stands, the rates about it and about the normal, the forces and
+/// the energy, at a few times.
 fn table(g: &OnGround<'_, '_>, samples: &[ContactState], s: &mut Section) {
     let few: Vec<ContactState> = if samples.len() <= ROWS {
         samples.to_vec()
@@ -109,7 +110,7 @@ fn table(g: &OnGround<'_, '_>, samples: &[ContactState], s: &mut Section) {
     s.table(&headers, cells(&rows));
 }
 
-/// Rounding of what is zero, beside numbers of everyday things.
+/// Returns a row of numbers of everyday things, with 0 for those that are rounding of zero.
 fn tidied(row: Vec<f64>) -> Vec<f64> {
     row.into_iter().map(|x| if x.abs() < 1e-13 { 0.0 } else { x }).collect()
 }

@@ -1,4 +1,4 @@
-//! Steps 1 and 2 on the ground: what touches what, what holds it there, and the forces at t0.
+//! Steps 1 and 2 on the ground: the contact, what holds it, and the forces at t0.
 
 use polhode::math::{Attitude, Direction, Space, Velocity};
 use polhode::motion::contact::{Grip, SurfaceShape};
@@ -10,7 +10,7 @@ use super::super::working::{exactly, factor, n, v};
 use super::OnGround;
 use crate::report::facts;
 
-/// Step 1.
+/// Writes step 1.
 pub(crate) fn axes(g: &OnGround<'_, '_>) -> Section {
     let mut s = Section::new(1, "Choose the axes");
     s.say(
@@ -69,7 +69,7 @@ pub(crate) fn axes(g: &OnGround<'_, '_>) -> Section {
     s
 }
 
-/// Step 2.
+/// Writes step 2.
 pub(crate) fn forces(g: &OnGround<'_, '_>) -> Section {
     let mut s = Section::new(2, "Note ω, the constraint and the forces at t0");
     let (start, omega) = (&g.start, g.start.state.omega);
@@ -139,7 +139,7 @@ fn velocities(g: &OnGround<'_, '_>, s: &mut Section) {
     }
 }
 
-/// How near friction is to its limit.
+/// Writes how near friction is to its limit.
 fn holding(g: &OnGround<'_, '_>, s: &mut Section) {
     let (friction, normal, force) = (g.friction(), g.start.normal_force, g.start.friction.norm());
     if g.is_frictionless() || !matches!(g.contact.law.grip(), Grip::Friction(_)) {

@@ -1,4 +1,4 @@
-//! What spins on a point below its centre of mass.
+//! Step 5 of a body that spins on a point below its centre of mass.
 
 use polhode::motion::contact::Footing;
 use polhode::observe::{StableSpins, SteadyOnGround, VertexSpin};
@@ -9,7 +9,7 @@ use polhode_document::unit::rate;
 use super::super::working::n;
 use super::{OnGround, disk};
 
-/// Its height, its radii, and at which spins it stays.
+/// Writes its height, its radii, and at which spins it stays.
 pub(crate) fn stands(
     g: &OnGround<'_, '_>,
     steady: &SteadyOnGround,
@@ -43,7 +43,7 @@ pub(crate) fn stands(
     format!("It spins at {} on a point below its centre of mass; that {verdict}.", rate(steady.spin))
 }
 
-/// h, C, S and R.
+/// Writes h, C, S and R.
 pub(crate) fn numbers(vertex: &VertexSpin, s: &mut Section) {
     let matrix = |[[a, b], [_, d]]: [[f64; 2]; 2]| {
         let [a, b, d] = tidy_beside([a, b, d], a.abs().max(d.abs())).map(n);
@@ -55,7 +55,7 @@ pub(crate) fn numbers(vertex: &VertexSpin, s: &mut Section) {
     s.line(format!("M = {} kg·m²", matrix(vertex.inertia())));
 }
 
-/// The law of the stable spins, and where it puts its bounds.
+/// Writes the law of the stable spins, and where it puts its bounds.
 pub(crate) fn law(spins: &StableSpins, s: &mut Section) {
     let one = |[from, to]: &[f64; 2]| match (from.is_finite(), to.is_finite()) {
         (true, true) => format!("{} to {} rad/s", n(*from), n(*to)),

@@ -7,7 +7,7 @@ use polhode_document::Section;
 
 use super::{OnGround, ball};
 
-/// A rim upright on a slope, its axis across it.
+/// Solves a rim that stands upright on a slope, its axis across it.
 pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     let contact = g.contact;
     if !matches!(contact.surface.shape(), SurfaceShape::Rim { thickness: 0.0, .. })
@@ -26,7 +26,7 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
             omega.norm().max(1.0),
         );
     let along_slope = is_small(axis.dot(contact.gravity), contact.gravity.norm());
-    // On the level more is known of it.
+    // Level ground has its own formulas.
     if !(upright && along_slope && g.is_rolling() && roller.downhill().norm() > 0.0) {
         return None;
     }
@@ -36,7 +36,9 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     Some(ball::rolls(g, &roller, s))
 }
 
-/// What rolls about an axis that keeps its direction, with the part of gravity across that.
+/// Returns a roller about an axis that keeps its direction, as a ball that moves in the same way.
+///
+/// Only the part of gravity across the axis counts.
 pub(crate) fn straight(g: &OnGround<'_, '_>, e: Direction<Body>) -> Option<BallOnPlane> {
     let contact = g.contact;
     let rows = g.w.body().inertia().matrix();

@@ -1,4 +1,4 @@
-//! What is said of a motion, what is drawn of it, and on which scale.
+//! Tests of charts: which curves are stated, which are drawn, and on which scale.
 
 use super::*;
 
@@ -20,7 +20,7 @@ fn what_is_rounding_is_drawn_as_nothing() {
         .into_iter()
         .map(|d| d.values.into_iter().fold(0.0, f64::max));
     assert!(largest.into_iter().all(|d| d < 1e-12));
-    // What is constant is said with its value.
+    // A constant is stated with its value.
     let steady = thrust().starting(State { omega: AngularVelocity::ZERO, ..scenario.start() }).unwrap();
     let trajectory = steady.simulate().unwrap().unwrap();
     let picture = MotionFigures::of_scenario(&steady, &trajectory).draw(Figure::Torque).unwrap();
@@ -75,7 +75,8 @@ fn events_are_named_where_they_happen() {
     let trajectory = scenario.simulate().unwrap().unwrap();
     let picture = MotionFigures::of_scenario(&scenario, &trajectory).draw(Figure::Omega).unwrap();
     readable(&picture, "events");
-    // Each has a letter and its number of crossings in the legend; what never happens has none.
+    // Each has a letter and its number of crossings in the legend; an event that never happens has
+    // none.
     let texts = boxes(&picture);
     let count = |event: usize| trajectory.events().iter().filter(|crossing| crossing.event == event).count();
     for (k, key) in
@@ -84,7 +85,8 @@ fn events_are_named_where_they_happen() {
         assert!(count(k) > 1 && texts.iter().any(|(text, _)| text == key), "{key}: {texts:?}");
     }
     assert!(!texts.iter().any(|(text, _)| text.contains("never")));
-    // A dotted line goes from the top of the frame to its bottom at each crossing, but for those at one place; letters stand above.
+    // A dotted line goes from the top of the frame to its bottom at each crossing; letters stand
+    // above. Crossings at one place share a line.
     let frame = frame(&picture);
     let upright = |line: &&Vec<Point>| line.len() == 2 && line[0][0] == line[1][0];
     let lines: Vec<f64> = lines(&picture)
@@ -122,7 +124,7 @@ fn what_oscillates_fast_has_an_envelope_and_a_beginning_in_full() {
     // The second frame shows some four periods of the spin.
     let frames = lines(&picture).filter(|(lines, _)| lines[0].len() == 5).count();
     assert_eq!(frames, 2);
-    // The same with samples that are too far apart.
+    // The same motion has samples that are too far apart here.
     let coarse = scenario.sampled(Run::evenly(3.0, 401, Method::Auto, 1e-12));
     let trajectory = coarse.simulate().unwrap().unwrap();
     let figures = MotionFigures::of_scenario(&coarse, &trajectory);
@@ -132,7 +134,7 @@ fn what_oscillates_fast_has_an_envelope_and_a_beginning_in_full() {
 
 #[test]
 fn what_samples_miss_is_not_said_to_be_constant() {
-    // ω₁ = 0.3 cos(Ω t), with Ω = (1.5 − 1) 4π rad/s = 2π rad/s: it is the same every second.
+    // ω₁ is 0.3 cos(Ω t), with Ω = (1.5 − 1) 4π rad/s = 2π rad/s: it is the same every second.
     let (motion, _) = moments([1.0, 1.0, 1.5], [0.3, 0.0, 4.0 * std::f64::consts::PI], 1.0);
     let seconds: Vec<f64> = (0..12).map(f64::from).collect();
     let trajectory = Trajectory::of_motion(motion, &seconds).unwrap();

@@ -1,7 +1,10 @@
-//! What has to hold of every input of every reader: one function for each, which panics where it does not.
+//! Properties that hold for every input of every reader.
+//!
+//! There is one function for each reader, which panics if a property does not hold.
 //!
 //! libFuzzer runs them (`fuzz_targets/all.rs`), and so does an ordinary test on the stored corpora
-//! (`crates/polhode-cli/tests/all/corpus.rs`). A refusal is always right here; what counts is what is accepted.
+//! (`crates/polhode-cli/tests/all/corpus.rs`). A refusal is always right here; only accepted inputs
+//! are checked.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a broken property ends the run")]
 #![allow(unreachable_pub, reason = "the test includes this file as a module")]
@@ -14,10 +17,10 @@ pub mod robot;
 pub mod table;
 pub mod text;
 
-/// A function that takes any input, and panics if a property does not hold.
+/// Function that takes any input, and panics if a property does not hold.
 pub type Target = fn(&[u8]);
 
-/// All targets by name: what the folders of the corpora are called.
+/// All targets, by the names that the folders of the corpora have.
 pub const TARGETS: [(&str, Target); 35] = [
     ("stl", mesh::stl),
     ("obj", mesh::obj),
@@ -56,7 +59,7 @@ pub const TARGETS: [(&str, Target); 35] = [
     ("plan", motion::plan),
 ];
 
-/// The target of this name.
+/// Returns the target of this name.
 pub fn target(name: &str) -> Option<Target> {
     TARGETS.iter().find(|(own, _)| *own == name).map(|(_, target)| *target)
 }

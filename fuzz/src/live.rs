@@ -4,10 +4,12 @@ use std::sync::OnceLock;
 
 use polhode_live::{Live, LiveOptions};
 
-/// A request with a longer body computes for longer than an input should.
+/// Largest size of a request's body; a longer one computes for longer than an input should.
 const LONGEST: usize = 4000;
 
-/// Every request is answered, or refused with a status of the page's fault; the same request again has the same answer.
+/// Checks that every request is answered, or refused with a status of the page's fault.
+///
+/// The same request again has the same answer.
 pub fn live(data: &[u8]) {
     static LIVE: OnceLock<Option<Live>> = OnceLock::new();
     let live = LIVE.get_or_init(|| Live::bind(&LiveOptions::default()).ok());

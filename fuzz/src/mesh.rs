@@ -1,4 +1,5 @@
-//! Meshes: what is accepted is finite, is the same when it is read again or from another format, and bounds a possible body.
+//! Meshes: an accepted mesh is finite, is the same when it is read again or from another format,
+//! and bounds a possible body.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -11,7 +12,9 @@ use polhode_source::files::Disk;
 
 use super::physical::{assert_physical, assert_written_is_read};
 
-/// More triangles than this are read but not diagnosed, and more corners have no hull: that takes longer than an input should.
+/// Largest number of triangles that are diagnosed, and of corners that have a hull.
+///
+/// More would take longer than an input should.
 const MOST: usize = 2000;
 
 pub fn stl(data: &[u8]) {
@@ -63,7 +66,7 @@ fn mesh(data: &[u8], format: MeshFormat) {
     }
 }
 
-/// The triangles of a file that has been read.
+/// Checks the triangles of a file that has been read.
 fn accepted(contents: MeshContents, format: MeshFormat) {
     for part in &contents.parts {
         assert!(part.mesh.coordinates().as_flattened().iter().all(|c| c.is_finite()));
@@ -106,7 +109,7 @@ fn accepted(contents: MeshContents, format: MeshFormat) {
     }
 }
 
-/// The mesh in the simplest of formats, every number with all of its digits.
+/// Writes the mesh in the simplest of formats, every number with all of its digits.
 fn as_off(mesh: &TriangleMesh) -> String {
     let mut text = format!("OFF\n{} {} 0\n", mesh.coordinates().len(), mesh.triangles().len());
     for [x, y, z] in mesh.coordinates() {

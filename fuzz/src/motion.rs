@@ -1,5 +1,5 @@
-//! Scenarios, their tables, and plans: what is accepted is simulated a little, and every number of
-//! its table is finite. Logs of motions.
+//! Scenarios, their tables, and plans: an accepted scenario is simulated a little, and every number
+//! of its table is finite. Logs of motions.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -16,8 +16,9 @@ use polhode_table::output::Table;
 
 use super::physical::assert_physical;
 
-/// Samples, and steps between them: more take longer than an input should.
+/// Largest number of samples; more would take longer than an input should.
 const MOST_SAMPLES: usize = 5;
+/// Largest number of steps between them.
 const MOST_STEPS: usize = 300;
 
 pub fn scenario(data: &[u8]) {
@@ -45,7 +46,7 @@ pub fn motion_table(data: &[u8]) {
     });
 }
 
-/// A table that a scenario names.
+/// Checks a table that a scenario names.
 fn named_table(data: &[u8], text: impl Fn(&Path) -> String) {
     let table = table_file();
     let read =
@@ -79,7 +80,9 @@ pub fn mass_table(data: &[u8]) {
     });
 }
 
-/// Parquet: logs of motions. What the parquet crate does to broken pages is caught, which libFuzzer does not see.
+/// Checks a log of a motion in Parquet.
+///
+/// A panic of the parquet crate on broken pages is caught, which libFuzzer does not see.
 pub fn parquet(data: &[u8]) {
     let read = || run_log::from_bytes(data, None);
     if !data.starts_with(b"PAR1") {
@@ -94,11 +97,14 @@ pub fn parquet(data: &[u8]) {
     }
 }
 
-/// Rows of a run that are judged, and how long it may last, s: more take longer than an input should.
+/// Largest number of rows of a run that are judged; more would take longer than an input should.
 const MOST_ROWS: usize = 200;
+/// Largest duration of a run that is judged, s.
 const LONGEST: f64 = 1e3;
 
-/// A run of a case of the suite, as the suite grades it and as `polhode judge` reads it: errors are numbers.
+/// Checks a run of a case of the suite, as the suite grades it and as `polhode judge` reads it.
+///
+/// Its errors are numbers.
 pub fn judge(data: &[u8]) {
     if data.starts_with(b"PAR1") {
         return;
@@ -166,14 +172,14 @@ pub fn plan(data: &[u8]) {
     }
 }
 
-/// A scenario's body, and the first of its motion.
+/// Checks a scenario's body, and the first part of its motion.
 fn accepted(scenario: Scenario) {
     assert_physical(scenario.body());
     let Some(mut run) = scenario.run().cloned() else { return };
     assert!(run.times.iter().all(|time| time.is_finite()));
     run.times.truncate(MOST_SAMPLES);
     let scenario = scenario.sampled(run);
-    // One that takes more steps than it should is left.
+    // A scenario that takes more steps than it should is left.
     let mut steps = 0;
     let mut few = |_| {
         steps += 1;
@@ -184,7 +190,7 @@ fn accepted(scenario: Scenario) {
     }
 }
 
-/// Every number of the table.
+/// Checks that every number of the table is finite.
 fn finite(motion: &Trajectory, scenario: &Scenario) {
     let mut csv = Vec::new();
     Table::of(motion, &scenario.into()).write_csv(&mut csv).unwrap();
@@ -194,7 +200,7 @@ fn finite(motion: &Trajectory, scenario: &Scenario) {
     }
 }
 
-/// A file of this thread, in memory where the system has such.
+/// Returns the path of a file of this thread, in memory if the system has a folder for that.
 fn table_file() -> PathBuf {
     let memory = Path::new("/dev/shm");
     let parent = if memory.is_dir() { memory.to_owned() } else { std::env::temp_dir() };

@@ -1,4 +1,5 @@
-//! Robot models: every place lies in the text, a repaired model is read, repairs end, and links are possible bodies.
+//! Robot models: every place lies in the text, a repaired model is read, repairs end, and links are
+//! possible bodies.
 
 use std::path::Path;
 
@@ -16,7 +17,7 @@ use polhode_robot::report::CheckReport;
 
 use super::physical::{assert_physical, assert_written_is_read};
 
-/// How often a model is repaired again.
+/// Largest number of times that a model is repaired again.
 const MOST_REPAIRS: usize = 10;
 
 pub fn urdf(data: &[u8]) {
@@ -39,7 +40,7 @@ pub fn osim(data: &[u8]) {
     model(data, ModelFormat::Osim);
 }
 
-/// `polhode.toml`: read twice it is the same, and an error has words.
+/// Checks `polhode.toml`: read twice it is the same, and an error has words.
 pub fn config(data: &[u8]) {
     let Ok(text) = str::from_utf8(data) else { return };
     let read = || Config::read(Path::new("polhode.toml"), text);
@@ -49,7 +50,7 @@ pub fn config(data: &[u8]) {
     }
 }
 
-/// Baselines: read twice they are the same, and every finding has an id.
+/// Checks baselines: read twice they are the same, and every finding has an id.
 pub fn baseline(data: &[u8]) {
     let Ok(text) = str::from_utf8(data) else { return };
     let read = || Baseline::read(Path::new("baseline.json"), text);
@@ -63,7 +64,7 @@ fn read(text: &str) -> Option<RobotModel> {
     read_text(text, Path::new("/nowhere/model.xml"), &ReadOptions::default()).ok()
 }
 
-/// What a model says, as text: in it NaN is NaN.
+/// Returns the content of a model as text, in which NaN equals NaN.
 fn contents(model: &RobotModel) -> String {
     format!("{:?}", (&model.links, &model.joints, &model.notes))
 }
@@ -93,7 +94,9 @@ fn model(data: &[u8], format: ModelFormat) {
     assert!(report.to_json().is_object());
 }
 
-/// A repaired model is read, and repairing it again comes to an end: a number that can be read now may show what could not be judged before.
+/// Checks that a repaired model is read, and that repairing it again comes to an end.
+///
+/// A number that can be read now may show a problem that could not be judged before.
 fn repairs_end(model: &RobotModel) {
     let found = |model: &RobotModel| inspect(model, &Shapes::default()).findings;
     let check = |text: &str| -> Result<Vec<Finding>, ()> { Ok(found(&read(text).ok_or(())?)) };

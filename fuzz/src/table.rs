@@ -14,7 +14,7 @@ use polhode_source::files::Memory;
 
 use super::physical::{assert_physical, assert_written_is_read};
 
-/// More voxels than this are not summed.
+/// Largest number of voxels that are summed.
 const MOST_VOXELS: usize = 20_000;
 
 pub fn xyz(data: &[u8]) {
@@ -90,7 +90,9 @@ pub fn times(data: &[u8]) {
     }
 }
 
-/// A list, a workbook, or a sheet that a workbook is made of here: no bit of one that is packed can be turned over without being found.
+/// Checks a list, a workbook, or a sheet that a workbook is made of here.
+///
+/// A packed workbook alone would not do: a change of any of its bits is found before it is read.
 pub fn budget(data: &[u8]) {
     let workbook;
     let (path, data) = if data.starts_with(b"<") {
@@ -131,7 +133,7 @@ pub fn budget(data: &[u8]) {
     }
 }
 
-/// A workbook with this sheet, as an archive of entries that are not packed.
+/// Returns a workbook with this sheet, as an archive of entries that are not packed.
 fn packed(sheet: &[u8]) -> Vec<u8> {
     let entries: [(&str, &[u8]); 5] = [
         ("_rels/.rels", b"<R><Relationship Type=\"x/officeDocument\" Target=\"w.xml\"/></R>"),
@@ -164,7 +166,7 @@ fn packed(sheet: &[u8]) -> Vec<u8> {
     archive
 }
 
-/// CRC-32, bit by bit.
+/// Returns the CRC-32, computed bit by bit.
 fn checksum(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(!0, |sum, byte| {
         (0..8).fold(

@@ -13,13 +13,14 @@ use polhode_source::unit::Dimension;
 
 use super::physical::{assert_physical, assert_reported_is_read};
 
-/// Plans of measurements, with the logs of the examples in their folder: read twice they are the same.
+/// Checks plans of measurements, with the logs of the examples in their folder: read twice they are
+/// the same.
 pub fn identify(data: &[u8]) {
     let Ok(text) = str::from_utf8(data) else { return };
     let folders = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors();
     let examples = folders.map(|folder| folder.join("examples/identify")).find(|folder| folder.is_dir());
     let path = examples.unwrap_or_default().join("plan.toml");
-    // As text: a limit that is not given may be NaN.
+    // Plans are compared as text: a limit that is not given may be NaN.
     let read = || identify::from_text(&Disk, &path, text).map(|plan| format!("{plan:?}"));
     match read() {
         Ok(plan) => assert_eq!(Ok(plan), read()),
@@ -52,7 +53,7 @@ pub fn cad(data: &[u8]) {
         assert!(scalars.iter().flatten().all(|scalar| scalar.is_finite()), "{scalars:?}");
         if std::mem::take(&mut first) {
             assert_reported_is_read(&report.properties);
-            // As text: a residual that is not known is NaN.
+            // Reports are compared as text: a residual that is not known is NaN.
             let again = cad::read(text, &options).map_err(|_| ());
             assert_eq!(format!("{:?}", Ok::<_, ()>(&report)), format!("{again:?}"));
         }
@@ -64,7 +65,7 @@ pub fn unit(data: &[u8]) {
     if let Ok((value, dimension)) = unit::measured(text) {
         assert!(value.is_finite());
         assert_eq!(unit::parse(text, dimension).map(f64::to_bits), Ok(value.to_bits()));
-        // As it is printed, and as polhode groups digits.
+        // The value is read as it is printed, and as polhode groups digits.
         assert_eq!(unit::parse(&format!("{value:?}"), dimension), Ok(value));
         assert_eq!(unit::parse(&format!("{value:e}"), dimension), Ok(value));
         let (scale, turned) = (value * 0.5, unit::measured(&format!("-{text}")));

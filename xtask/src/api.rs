@@ -1,16 +1,18 @@
-//! The public names of the core crate, as its documentation has them: a change of one is seen in `crates/polhode/api.txt`.
+//! Public names of the core crate, as its documentation has them.
+//!
+//! A change of one shows as a difference from `crates/polhode/api.txt`.
 
 use std::path::{Path, PathBuf};
 
 use crate::process::{FEATURES, cargo, empty_folder, run};
 use crate::{Outcome, files, read, root, short};
 
-/// Compares what the documentation says with the file.
+/// Compares the names in the documentation with the file.
 pub(crate) fn check() -> Outcome {
     check_in(&document()?)
 }
 
-/// The same of documentation that was made.
+/// Compares the names in documentation that was made already with the file.
 pub(crate) fn check_in(documentation: &Path) -> Outcome {
     let (path, now) = (root().join(FILE), api(documentation)?);
     let then = read(&path)?.replace("\r\n", "\n");
@@ -35,7 +37,8 @@ pub(crate) fn write() -> Outcome {
 
 const FILE: &str = "crates/polhode/api.txt";
 
-/// Makes the documentation of the core crate, in a folder of its own: pages of what is no more would stay elsewhere.
+/// Makes the documentation of the core crate, in a folder of its own: pages of removed items would
+/// stay elsewhere.
 fn document() -> Result<PathBuf, String> {
     let target = empty_folder("api")?;
     let doc = ["doc", "--quiet", "--package", "polhode", "--lib", "--no-deps", "--locked", "--features"];
@@ -43,7 +46,7 @@ fn document() -> Result<PathBuf, String> {
     Ok(target.join("doc"))
 }
 
-/// Each item with its declaration, methods and traits.
+/// Returns each item with its declaration, methods and traits.
 fn api(documentation: &Path) -> Result<String, String> {
     let folder = documentation.join("polhode");
     let mut items = Vec::new();
@@ -57,7 +60,8 @@ fn api(documentation: &Path) -> Result<String, String> {
     Ok(items.iter().map(|(name, lines)| format!("{name}\n{lines}\n")).collect())
 }
 
-/// `motion::State` of `motion/struct.State.html`; none of a module's own page and of the prelude.
+/// Returns `motion::State` for `motion/struct.State.html`; `None` for a module's own page and the
+/// prelude.
 fn name_of(page: &Path) -> Option<String> {
     let folders = page.parent()?.iter().map(|name| name.to_string_lossy().into_owned());
     let (_, name) = page.file_stem()?.to_str()?.split_once('.')?;
@@ -65,12 +69,13 @@ fn name_of(page: &Path) -> Option<String> {
     (path[0] != "prelude").then(|| path.join("::"))
 }
 
-/// The declaration of an item, the signatures of its methods, and the traits that it implements.
+/// Returns the declaration of an item, the signatures of its methods, and the traits that it
+/// implements.
 fn item(page: &str) -> String {
     let declared = between(page, "<pre class=\"rust item-decl\"><code>", "</code></pre>").unwrap_or_default();
     let declared = without(declared, "<summary class=\"hideme\">", "</summary>");
     let mut lines: Vec<String> = text_of(&declared).lines().map(|line| format!("    {line}")).collect();
-    // What every type has is left out.
+    // Methods and traits that every type has are left out.
     let own = page.split("id=\"synthetic-implementations\"").next().unwrap_or_default();
     let own = own.split("id=\"implementors\"").next().unwrap_or_default();
     let (methods, traits) = own.split_once("id=\"trait-implementations\"").unwrap_or((own, ""));
@@ -89,7 +94,7 @@ fn between<'a>(text: &'a str, start: &str, end: &str) -> Option<&'a str> {
     Some(text.split_once(start)?.1.split_once(end)?.0)
 }
 
-/// Without what stands between two texts, and without these.
+/// Returns the text without the parts from `start` to `end`.
 fn without(text: &str, start: &str, end: &str) -> String {
     let mut parts = text.split(start);
     let first = parts.next().unwrap_or_default();
@@ -97,7 +102,7 @@ fn without(text: &str, start: &str, end: &str) -> String {
     [first].into_iter().chain(rest).collect()
 }
 
-/// Without its tags.
+/// Returns HTML without its tags.
 fn text_of(html: &str) -> String {
     let mut text = String::new();
     let mut is_tag = false;

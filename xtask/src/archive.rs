@@ -1,4 +1,6 @@
-//! Archives whose bytes follow from what is in them: the files in order, of one time and owner, and nothing of the machine.
+//! Archives whose bytes follow from their files alone.
+//!
+//! The files are in order, of one time and owner, and nothing depends on the machine.
 
 use std::io::{Cursor, Write as _};
 
@@ -6,10 +8,10 @@ use flate2::{Compression, GzBuilder};
 use hmac_sha256::Hash as Sha256;
 use zip::write::{SimpleFileOptions, ZipWriter};
 
-/// A file to be packed.
+/// File to be packed.
 #[derive(Debug, Clone)]
 pub(crate) struct Packed {
-    /// Its path in the archive, with slashes.
+    /// Path in the archive, with slashes.
     pub(crate) path: String,
     pub(crate) is_program: bool,
     pub(crate) bytes: Vec<u8>,
@@ -21,7 +23,7 @@ impl Packed {
     }
 }
 
-/// A `.tar.gz`, of ustar; every file has the time `seconds` since 1970 and belongs to root.
+/// Returns a `.tar.gz`, of ustar; every file has the time `seconds` since 1970 and belongs to root.
 pub(crate) fn tar_gz(files: &[Packed], seconds: u64) -> Result<Vec<u8>, String> {
     let mut out = GzBuilder::new().write(Vec::new(), Compression::best());
     let failed = |error: std::io::Error| error.to_string();
@@ -35,7 +37,9 @@ pub(crate) fn tar_gz(files: &[Packed], seconds: u64) -> Result<Vec<u8>, String> 
     out.finish().map_err(failed)
 }
 
-/// A `.zip`. Its files have the first time that the format knows, 1980-01-01, as it knows no time zones.
+/// Returns a `.zip`.
+///
+/// Its files have the first time that the format knows, 1980-01-01, as it knows no time zones.
 pub(crate) fn zip(files: &[Packed]) -> Result<Vec<u8>, String> {
     let mut out = ZipWriter::new(Cursor::new(Vec::new()));
     for file in in_order(files) {
@@ -48,16 +52,16 @@ pub(crate) fn zip(files: &[Packed]) -> Result<Vec<u8>, String> {
     out.finish().map(Cursor::into_inner).map_err(|error| error.to_string())
 }
 
-/// A line as `sha256sum` writes and checks it.
+/// Returns a line as `sha256sum` writes and checks it.
 pub(crate) fn sha256_line(name: &str, bytes: &[u8]) -> String {
     let hash: String = Sha256::hash(bytes).iter().map(|byte| format!("{byte:02x}")).collect();
     format!("{hash}  {name}\n")
 }
 
-/// A tar's unit.
+/// Size of a tar's block, bytes.
 const BLOCK: usize = 512;
 
-/// POSIX.1-1988, ustar.
+/// Returns the header of a file, as POSIX.1-1988 defines it for ustar.
 fn header(file: &Packed, seconds: u64) -> Result<[u8; BLOCK], String> {
     let mut header = [0; BLOCK];
     let mut set = |at: usize, most: usize, text: &str| {
@@ -118,7 +122,7 @@ mod tests {
         let packed = tar_gz(&files(), 0o14_524_573_400).unwrap();
         assert_eq!(packed[4..8], [0; 4], "no time in the gzip header");
         flate2::read::GzDecoder::new(&packed[..]).read_to_end(&mut tar).unwrap();
-        // a program of one block, a text of two, an empty file, and the end
+        // The tar has a program of one block, a text of two, an empty file, and the end.
         assert_eq!(tar.len(), BLOCK * (2 + 3 + 1 + 2));
         assert_eq!(&tar[..6], b"a-1/b\0");
         assert_eq!(

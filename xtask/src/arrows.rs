@@ -1,4 +1,6 @@
-//! Checks which crates use which. A ground crate uses no slice, and a slice uses no other slice except shape and scenario.
+//! Checks which crates use which.
+//!
+//! A ground crate uses no slice, and a slice uses no other slice except shape and scenario.
 
 use crate::{Outcome, read, root};
 
@@ -53,7 +55,7 @@ pub(crate) fn check() -> Outcome {
     if found.is_empty() { Ok(()) } else { Err(format!("crates use what they may not:{}", found.concat())) }
 }
 
-/// The arrows of a crate's manifest that are not allowed. What only tests use is free.
+/// Returns the arrows of a crate's manifest that are not allowed; dependencies of tests are free.
 fn wrong(name: &str, manifest: &str) -> Vec<String> {
     let Some((_, allowed)) = MAY_USE.iter().find(|(known, _)| *known == name) else {
         return vec![format!("\n  {name} has no line in the list of crates")];

@@ -1,6 +1,7 @@
-//! The book as a site: the pages of `book/` by Sphinx, with the documentation of the crates beside them, and its links checked.
+//! The book as a site: the pages of `book/` by Sphinx, with the documentation of the crates, and
+//! its links checked.
 //!
-//! Nobody who builds the command needs what this needs: Python and its package index.
+//! This needs Python and its package index; building the command does not.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -8,7 +9,7 @@ use std::process::Command;
 use crate::process::{FEATURES, build_folder, cargo, copy, empty_folder, run, run_beside};
 use crate::{Outcome, python, read, root};
 
-/// The Python that has Sphinx.
+/// Path of the Python that has Sphinx.
 #[derive(Debug)]
 pub(crate) struct Environment(PathBuf);
 
@@ -20,7 +21,9 @@ pub(crate) fn build(open: bool) -> Outcome {
     if open { open_in_browser(&site()?.join("index.html")) } else { Ok(()) }
 }
 
-/// The packages of `book/site/requirements.txt`, by their hashes; those of the last time if the list is the same.
+/// Installs the packages of `book/site/requirements.txt`, by their hashes.
+///
+/// The packages of the last time are taken if the list is the same.
 pub(crate) fn environment() -> Result<Environment, String> {
     let list = root().join("book/site/requirements.txt");
     let wanted = read(&list)?;
@@ -49,7 +52,8 @@ pub(crate) fn environment() -> Result<Environment, String> {
     Ok(Environment(python))
 }
 
-/// Documents the crates, without a warning, in an empty folder: pages of items that were removed would stay.
+/// Documents the crates, without a warning, in an empty folder: pages of items that were removed
+/// would stay.
 pub(crate) fn document_crates() -> Outcome {
     let folder = documentation()?;
     if folder.exists() {
@@ -63,7 +67,9 @@ pub(crate) fn documentation() -> Result<PathBuf, String> {
     Ok(build_folder()?.with_file_name("doc"))
 }
 
-/// Builds from the documentation as it is there. A warning is an error: a link that leads nowhere, a page outside the navigation.
+/// Builds from the documentation as it is there.
+///
+/// A warning is an error: a link that leads nowhere, a page outside the navigation.
 pub(crate) fn build_in(Environment(python): &Environment) -> Outcome {
     let (root, site) = (root(), site()?);
     if site.exists() {

@@ -1,10 +1,12 @@
 //! Files and folders that use each other in a circle.
 //!
-//! The files and folders of one folder are nodes. A folder stands for everything inside it, so that a
-//! circle through its files counts as one through the folder.
+//! The files and folders of one folder are nodes. A folder stands for everything inside it, so that
+//! a circle through its files counts as one through the folder.
 //!
-//! The uses in Rust are the paths in `use` lines, in expressions and in types. A name that a module takes
-//! from another leads there. A module and those inside it are one place: neither using the other counts.
+//! The uses in Rust are the paths in `use` lines, in expressions and in types. A name that a module
+//! takes from another leads there. A module and those inside it are one place: neither using the
+//! other counts.
+//!
 //! The uses in Python and TypeScript are the relative imports.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -52,13 +54,13 @@ fn circles_of(sources: &Path, extension: &str, uses: impl Fn(&Texts) -> Uses) ->
     Ok(circles.map(|circle| format!("\n  {}: {circle}", short(sources))).collect())
 }
 
-/// The path of a file, without its extension.
+/// Returns the path of a file, without its extension.
 fn place(file: &Path) -> Module {
     let text = file.with_extension("").to_string_lossy().replace('\\', "/");
     text.split('/').map(str::to_owned).collect()
 }
 
-/// The modules of Rust files and their code, without tests.
+/// Returns the modules of Rust files and their code, without tests.
 fn rust(texts: &Texts) -> Vec<(Module, String)> {
     let is_module = |name: &String| !["mod", "lib", "main"].contains(&name.as_str());
     let of_program = texts.iter().filter(|(place, _)| !place.iter().any(|name| name == "tests"));
@@ -67,7 +69,7 @@ fn rust(texts: &Texts) -> Vec<(Module, String)> {
         .collect()
 }
 
-/// The uses of files that say what they import.
+/// Returns the uses of files that name what they import.
 fn imports(texts: &Texts, imported: impl Fn(&[String], &str) -> Vec<Module>) -> Uses {
     let modules: BTreeSet<&Module> = texts.iter().map(|(module, _)| module).collect();
     let mut uses = Uses::new();
@@ -80,7 +82,7 @@ fn imports(texts: &Texts, imported: impl Fn(&[String], &str) -> Vec<Module>) -> 
     uses
 }
 
-/// The modules that a Python file of this folder imports by `from .`.
+/// Returns the modules that a Python file of this folder imports by `from .`.
 fn python(folder: &[String], text: &str) -> Vec<Module> {
     let mut paths = Vec::new();
     for (at, start) in text.match_indices("from .") {
@@ -103,7 +105,7 @@ fn python(folder: &[String], text: &str) -> Vec<Module> {
     paths
 }
 
-/// The files that a TypeScript file of this folder imports.
+/// Returns the files that a TypeScript file of this folder imports.
 fn typescript(folder: &[String], text: &str) -> Vec<Module> {
     let path = |name: &str| {
         let mut path = folder.to_vec();
@@ -121,14 +123,14 @@ fn typescript(folder: &[String], text: &str) -> Vec<Module> {
     names.filter_map(|(at, _)| text[at + 1..].split('"').next()).map(path).collect()
 }
 
-/// The text of a file in one line, without comments and its module of tests.
+/// Returns the text of a file in one line, without comments and its module of tests.
 fn code(text: &str) -> String {
     let code = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
     let lines = code.split('\n').map(|line| line.split("//").next().unwrap_or_default().trim());
     lines.collect::<Vec<_>>().join(" ")
 }
 
-/// The uses of Rust modules.
+/// Returns the uses of Rust modules.
 fn uses(texts: &Texts) -> Uses {
     let modules: BTreeSet<&Module> = texts.iter().map(|(module, _)| module).collect();
     let taken: Taken = texts.iter().map(|(here, code)| (here.clone(), taken(here, code, &modules))).collect();
@@ -157,9 +159,9 @@ fn add(uses: &mut Uses, here: &Module, there: &Module) {
     }
 }
 
-/// The file that a path leads to, through the names that modules take from others.
+/// Returns the file that a path leads to, through the names that modules take from others.
 fn target(mut path: Module, modules: &BTreeSet<&Module>, taken: &Taken) -> Option<Module> {
-    /// More than any name is taken from module to module.
+    /// Largest number of steps from module to module that a name is followed.
     const MOST: usize = 16;
     for _ in 0..MOST {
         let end = (0..=path.len()).rev().find(|end| modules.contains(&path[..*end].to_vec()))?;
@@ -173,7 +175,7 @@ fn target(mut path: Module, modules: &BTreeSet<&Module>, taken: &Taken) -> Optio
     None
 }
 
-/// The names that a module takes from others of its crate.
+/// Returns the names that a module takes from others of its crate.
 fn taken(here: &Module, code: &str, modules: &BTreeSet<&Module>) -> BTreeMap<String, Module> {
     let one = |(path, name): (Vec<String>, String)| {
         let inner: Module = here.iter().chain(path.first()).cloned().collect();
@@ -188,7 +190,7 @@ fn taken(here: &Module, code: &str, modules: &BTreeSet<&Module>) -> BTreeMap<Str
     used(code).into_iter().filter_map(one).collect()
 }
 
-/// The paths of all `use` lines, groups taken apart, each with the name that it gives.
+/// Returns the paths of all `use` lines, groups taken apart, each with the name that it gives.
 fn used(code: &str) -> Vec<(Vec<String>, String)> {
     let mut paths = Vec::new();
     for start in code
@@ -202,7 +204,7 @@ fn used(code: &str) -> Vec<(Vec<String>, String)> {
     paths
 }
 
-/// The paths of a tree of `use`, after these names.
+/// Adds the paths of a tree of `use`, after these names.
 fn expand(before: &[String], tree: &str, paths: &mut Vec<(Vec<String>, String)>) {
     let (head, group) =
         tree.split_once('{').map_or((tree, None), |(head, group)| (head, group.strip_suffix('}')));
@@ -232,7 +234,7 @@ fn expand(before: &[String], tree: &str, paths: &mut Vec<(Vec<String>, String)>)
     }
 }
 
-/// The paths in expressions and types, except those of `pub(in …)`.
+/// Returns the paths in expressions and types, except those of `pub(in …)`.
 fn named(code: &str) -> Vec<Vec<String>> {
     let is_of_name = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
     let code = code.replace("(in ", "(in:");
@@ -240,7 +242,7 @@ fn named(code: &str) -> Vec<Vec<String>> {
     paths.map(|path| path.split("::").filter(|name| !name.is_empty()).map(str::to_owned).collect()).collect()
 }
 
-/// A path from the root of the crate; `None` of another crate's.
+/// Returns a path from the root of the crate; `None` if it leads to another crate.
 fn absolute(here: &Module, path: &[String]) -> Option<Module> {
     let ups = path.iter().take_while(|name| *name == "super").count();
     match path.first()?.as_str() {
@@ -251,7 +253,7 @@ fn absolute(here: &Module, path: &[String]) -> Option<Module> {
     }
 }
 
-/// A circle of each folder that has one: its nodes, each with the file that uses the next.
+/// Returns a circle of each folder that has one: its nodes, each with the file that uses the next.
 fn circles(uses: &Uses) -> Vec<String> {
     let one = |(folder, nodes): (&Module, &BTreeMap<String, BTreeMap<String, Module>>)| {
         let way = circle(nodes)?;
@@ -263,13 +265,13 @@ fn circles(uses: &Uses) -> Vec<String> {
     uses.iter().filter_map(one).collect()
 }
 
-/// The nodes along a circle, the first again at the end, if there is one.
+/// Returns the nodes along a circle, the first again at the end, if there is one.
 fn circle(nodes: &BTreeMap<String, BTreeMap<String, Module>>) -> Option<Vec<String>> {
     let mut left: BTreeSet<&String> = nodes.keys().collect();
     let next = |node: &String, left: &BTreeSet<&String>| {
         nodes.get(node)?.keys().find(|other| left.contains(other)).cloned()
     };
-    // What uses nothing that is left is in no circle.
+    // A node that uses none of those left is in no circle.
     while let Some(done) = left.iter().copied().find(|node| next(node, &left).is_none()) {
         left.remove(done);
     }

@@ -1,4 +1,5 @@
-//! The page of what `polhode check` finds in public models: work trees in, numbers out. No model is kept.
+//! Page of what `polhode check` finds in public models: work trees in, numbers out. No model is
+//! kept.
 
 mod count;
 mod page;
@@ -16,7 +17,7 @@ use crate::{Outcome, read, root};
 use count::{Counts, Seen};
 use repository::Repository;
 
-/// A repository and what was found in it.
+/// Repository with what was found in it.
 #[derive(Debug)]
 struct Audited {
     repository: Repository,
@@ -24,16 +25,18 @@ struct Audited {
     cost: Cost,
 }
 
-/// What a run of the command took, where the machine says it.
+/// Cost of a run of the command, if the machine reports it.
 #[derive(Clone, Copy, Debug, Default)]
 struct Cost {
     /// Processor time, s.
     seconds: f64,
-    /// The most memory at a time, MiB.
+    /// Largest memory at any time, MiB.
     memory: u64,
 }
 
-/// Checks every work tree and writes `book/corpus.md`. What has the same bytes in several is counted in the first.
+/// Checks every work tree and writes `book/corpus.md`.
+///
+/// A file with the same bytes in several is counted in the first.
 pub(crate) fn audit(folders: &[&str]) -> Outcome {
     run(&mut cargo(&["build", "--release", "--quiet", "--locked", "--package", "polhode-cli"]))?;
     let built = build_folder()?.with_file_name("release");
@@ -53,7 +56,7 @@ pub(crate) fn audit(folders: &[&str]) -> Outcome {
     std::fs::write(&page, page::text(&audited)).map_err(|error| format!("{}: {error}", page.display()))
 }
 
-/// What the command says of all models in a work tree, and what that took.
+/// Returns the command's results for all models in a work tree, and its cost.
 fn check(polhode: &Path, repository: &Repository) -> Result<(Vec<Value>, Cost), String> {
     let out = empty_folder("corpus")?.join("results.json");
     let file = File::create(&out).map_err(|error| format!("{}: {error}", out.display()))?;
@@ -84,15 +87,16 @@ fn check(polhode: &Path, repository: &Repository) -> Result<(Vec<Value>, Cost), 
 }
 
 impl Cost {
-    /// That of a running program so far, on Linux.
+    /// Returns the cost of a running program so far, on Linux.
     fn of(process: u32) -> Option<Self> {
-        /// Linux counts processor time for programs in these.
+        /// Number of ticks in a second in which Linux counts processor time.
         const TICKS: f64 = 100.0;
         let of = |file: &str| std::fs::read_to_string(format!("/proc/{process}/{file}")).ok();
         let (status, stat) = (of("status")?, of("stat")?);
         let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
         let memory = line.split_whitespace().next()?.parse::<u64>().ok()? / 1024;
-        // behind the name, which may have blanks: the state, and as the 12th and 13th the ticks of the program and of its calls
+        // The fields behind the name, which may have blanks, begin with the state. The 12th and
+        // 13th are the ticks of the program and of its calls.
         let mut fields = stat.rsplit_once(')')?.1.split_whitespace().skip(11);
         let mut ticks = || fields.next()?.parse::<f64>().ok();
         Some(Self { seconds: (ticks()? + ticks()?) / TICKS, memory })

@@ -1,4 +1,4 @@
-//! What is linked: how many crates, and under which licences.
+//! Linked crates: how many, and under which licences.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,14 +6,17 @@ use crate::Outcome;
 use crate::licence::is_satisfied;
 use crate::process::{cargo, output};
 
-/// The most external crates that each package may bring along on this platform, with these features.
+/// Largest number of external crates that each package may bring along on this platform, with these
+/// features.
 const MOST: [(&str, &[&str], usize); 3] = [
     ("polhode", &[], 10),
     ("polhode-cli", &["--no-default-features"], 82), // shapes and scenarios
     ("polhode-cli", &[], 115), // with the server of `polhode live` and nalgebra for `polhode identify`
 ];
 
-/// Checks the number of crates, and the licences on every platform, tests and build scripts included.
+/// Checks the number of crates, and the licences on every platform.
+///
+/// Tests and build scripts are included.
 pub(crate) fn check() -> Outcome {
     let ours: BTreeSet<String> = tree(&["--workspace", "--depth", "0"])?.into_keys().collect();
     for (package, features, most) in MOST {
@@ -34,7 +37,7 @@ pub(crate) fn check() -> Outcome {
     Err(format!("{} crates with a licence that is not accepted:{}", refused.len(), lines.collect::<String>()))
 }
 
-/// The packages that `cargo tree` lists, each with its licence expression.
+/// Returns the packages that `cargo tree` lists, each with its licence expression.
 pub(crate) fn tree(arguments: &[&str]) -> Result<BTreeMap<String, String>, String> {
     let mut command = cargo(&["tree", "--quiet", "--locked", "--prefix", "none", "--format", "{p}|{l}"]);
     let listed = output(command.args(arguments))?;

@@ -1,7 +1,8 @@
-//! What a release has for those who have no Rust: the program for one platform, packed with all that belongs to it.
+//! Archives of a release for users who have no Rust: the program for one platform, packed with all
+//! that belongs to it.
 //!
-//! The workflow of releases calls this and adds nothing to it, so what it makes can be made here. The same sources, compiler and
-//! `SOURCE_DATE_EPOCH` give the same bytes.
+//! The workflow of releases calls this and adds nothing to it, so what it makes can be made here.
+//! The same sources, compiler and `SOURCE_DATE_EPOCH` give the same bytes.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -20,10 +21,10 @@ const SHELLS: [(&str, &str); 5] = [
     ("elvish", "polhode.elv"),
 ];
 
-/// What goes along as it is.
+/// Files that are packed as they are.
 const TEXTS: [&str; 4] = ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
 
-/// What an unpacked archive has to stand, in bash.
+/// Commands that succeed in an unpacked archive, in bash.
 const TRIED: [&str; 3] = [
     "! command -v sha256sum > tools.txt || sha256sum --quiet --check SHA256SUMS",
     "tar xzf polhode.tar.gz && test -x polhode && test ! -x README.md",
@@ -33,10 +34,14 @@ const TRIED: [&str; 3] = [
      test \"${COMPREPLY[*]}\" = spin",
 ];
 
-/// Builds the program and packs it, into `target/dist/`, which has a SHA256SUMS of all that is there.
+/// Builds the program and packs it, into `target/dist/`, which has a SHA256SUMS of all that is
+/// there.
 ///
-/// `target` is one that this machine can run, as completions and man pages are asked of the program: else it would be packed without ever
-/// having been run. With a version of glibc, as in `x86_64-unknown-linux-gnu.2.17`, it runs where that is; cargo-zigbuild builds it.
+/// `target` is one that this machine can run, as the program makes its completions and man
+/// pages. Any other would be packed without ever having been run.
+///
+/// A version of glibc, as in `x86_64-unknown-linux-gnu.2.17`, is the oldest that the program runs
+/// with; cargo-zigbuild builds it.
 pub(crate) fn make(target: Option<&str>) -> Outcome {
     let host = host()?;
     let target = target.unwrap_or(&host);
@@ -68,7 +73,9 @@ pub(crate) fn make(target: Option<&str>) -> Outcome {
     Ok(())
 }
 
-/// Packs what `make` packs, but for the program itself, which would have to be built for it, and looks at what comes out.
+/// Packs what `make` packs, except the program itself, which would have to be built for it.
+///
+/// It then checks the content of the archive.
 pub(crate) fn check() -> Outcome {
     let program = polhode()?;
     let files = contents(&program, b"no program".to_vec(), cfg!(windows))?;
@@ -94,7 +101,7 @@ pub(crate) fn check() -> Outcome {
     notices(&host()?).map(drop)
 }
 
-/// What an archive has. A program of this platform says what completions and man pages are.
+/// Returns the files of an archive; a program of this platform makes completions and man pages.
 fn contents(program: &Path, bytes: Vec<u8>, is_windows: bool) -> Result<Vec<Packed>, String> {
     let name = if is_windows { "polhode.exe" } else { "polhode" };
     let mut found = vec![Packed { path: name.to_owned(), is_program: true, bytes }];
@@ -109,7 +116,7 @@ fn contents(program: &Path, bytes: Vec<u8>, is_windows: bool) -> Result<Vec<Pack
         found.push(text(&format!("man/polhode-{subcommand}.1"), ask(program, &["man", &subcommand])?));
     }
     found.push(text("man/polhode.1", page));
-    // As git has them: what somebody has written beside them stays here.
+    // The examples are those of git: files that somebody has written next to them stay here.
     let examples = output(Command::new("git").args(["ls-files", "examples"]).current_dir(root()))?;
     for path in examples.lines() {
         found.push(stored(path)?);
@@ -117,7 +124,7 @@ fn contents(program: &Path, bytes: Vec<u8>, is_windows: bool) -> Result<Vec<Pack
     Ok(found)
 }
 
-/// The pages that the man page names: lines `polhode\-spin(1)`.
+/// Returns the pages that the man page names: lines `polhode\-spin(1)`.
 fn subcommands(page: &str) -> Vec<String> {
     let named = page.lines().filter_map(|line| line.strip_prefix("polhode\\-")?.strip_suffix("(1)"));
     named.map(|name| name.replace("\\-", "-")).collect()
@@ -134,7 +141,7 @@ fn build(target: &str, triple: &str) -> Result<PathBuf, String> {
         flags.extend(from.map(|from| format!("--remap-path-prefix={}={to}", from.display())));
     }
     if triple.ends_with("-msvc") {
-        // Else it needs a runtime that is not on every Windows.
+        // A dynamic runtime is not on every Windows.
         flags.push("-Ctarget-feature=+crt-static".to_owned());
     }
     let verb = if target == triple { "build" } else { "zigbuild" };
@@ -146,19 +153,19 @@ fn build(target: &str, triple: &str) -> Result<PathBuf, String> {
     Ok(build_folder().join(triple).join("release").join(name))
 }
 
-/// Where cargo builds.
+/// Returns the folder in which cargo builds.
 fn build_folder() -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), |folder| root().join(folder))
 }
 
-/// The platform that the compiler is for.
+/// Returns the platform that the compiler is for.
 fn host() -> Result<String, String> {
     let said = output(Command::new("rustc").arg("-vV"))?;
     let host = said.lines().find_map(|line| line.strip_prefix("host: "));
     host.map(str::to_owned).ok_or_else(|| "rustc does not say what its host is".to_owned())
 }
 
-/// The time of the files: `SOURCE_DATE_EPOCH`, or that of the last commit.
+/// Returns the time of the files: `SOURCE_DATE_EPOCH`, or that of the last commit.
 fn seconds() -> Result<u64, String> {
     let said = match std::env::var("SOURCE_DATE_EPOCH") {
         Ok(said) => said,
@@ -177,13 +184,13 @@ fn text(path: &str, text: String) -> Packed {
     Packed { path: path.to_owned(), is_program: false, bytes: text.into_bytes() }
 }
 
-/// A file of this tree, at the same place.
+/// Returns a file of this tree, at the same place.
 fn stored(path: &str) -> Result<Packed, String> {
     let bytes = std::fs::read(root().join(path)).map_err(|error| format!("{path}: {error}"))?;
     Ok(Packed { path: path.to_owned(), is_program: false, bytes })
 }
 
-/// The sums of all archives of a folder.
+/// Returns the sums of all archives of a folder.
 fn sums(folder: &Path) -> Result<String, String> {
     let mut lines = Vec::new();
     for extension in ["gz", "zip"] {

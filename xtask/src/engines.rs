@@ -1,4 +1,4 @@
-//! The page of what physics engines make of the suite: folders of their runs in, numbers out.
+//! Page of how physics engines compute the suite: folders of their runs in, numbers out.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -9,9 +9,9 @@ use serde_json::Value;
 use crate::process::{build_folder, cargo, run};
 use crate::{Outcome, read, root};
 
-/// The graded runs of one engine with one setting.
+/// Graded runs of one engine with one setting.
 struct Graded {
-    /// The folder's name.
+    /// Name of the folder.
     setting: String,
     card: Value,
 }
@@ -40,7 +40,7 @@ fn card(polhode: &Path, folder: &Path) -> Result<Graded, String> {
     Ok(Graded { setting, card })
 }
 
-/// Folders of runs with several steps end in this.
+/// End of the names of folders of runs with several steps.
 const STEPS: &str = "-steps";
 
 fn text(all: &[Graded], notes: &str) -> String {
@@ -110,7 +110,7 @@ fn cases(graded: &Graded) -> &[Value] {
     graded.card["cases"].as_array().map_or(&[], Vec::as_slice)
 }
 
-/// `2.1e-9`, **`0.83`** where that is a failure, `—` where there is none.
+/// Writes an error: `2.1e-9`, **`0.83`** for a failure, `—` if there is none.
 fn shown(case: &Value) -> String {
     let error = case["attitude_largest_rad"].as_f64();
     match (error, case["grade"].as_str()) {
@@ -121,7 +121,7 @@ fn shown(case: &Value) -> String {
     }
 }
 
-/// Of each case with several steps, between the two smallest; ascending.
+/// Returns the order of each case with several steps, between the two smallest; ascending.
 fn orders(graded: &Graded) -> Vec<f64> {
     let last = |case: &Value| case["order_of_accuracy"].as_array()?.last()?.as_f64();
     let mut orders: Vec<f64> = cases(graded).iter().filter_map(last).collect();
@@ -129,7 +129,7 @@ fn orders(graded: &Graded) -> Vec<f64> {
     orders
 }
 
-/// The steps of all runs: the least and the greatest.
+/// Returns the least and the greatest step of all runs.
 fn steps(card: &Value) -> String {
     let cases = card["cases"].as_array().into_iter().flatten();
     let runs = cases.flat_map(|case| case["runs"].as_array().into_iter().flatten());
@@ -143,19 +143,19 @@ fn steps(card: &Value) -> String {
     }
 }
 
-/// To six digits.
+/// Returns a step to six digits.
 fn rounded(step: f64) -> String {
     format!("{step:.5e}").parse::<f64>().unwrap_or(step).to_string()
 }
 
-/// What was named first in cases that were not passed, most often first.
+/// Returns the first causes named in cases that were not passed, most often first.
 fn causes(graded: &Graded) -> Vec<(String, usize)> {
     let mut counts: Vec<(String, usize)> = Vec::new();
     for case in cases(graded).iter().filter(|case| case["grade"] == "failed") {
         let tried =
             case["runs"].as_array().into_iter().flatten().flat_map(|run| run["causes"]["tried"].as_array());
         let named = tried.flatten().find(|cause| cause["named"] == true);
-        // Without the step, which differs from case to case.
+        // The step is left out: it differs from case to case.
         let text = named.map_or("none that was tried", |cause| cause["cause"].as_str().unwrap_or_default());
         let name = text.split(", h = ").next().unwrap_or(text).replace('|', "\\|");
         match counts.iter_mut().find(|(other, _)| *other == name) {

@@ -1,4 +1,4 @@
-//! The built command on every scenario in examples/.
+//! Runs the built command on every scenario in examples/.
 
 use std::path::Path;
 use std::process::Command;
@@ -6,8 +6,11 @@ use std::process::Command;
 use crate::process::{cargo, empty_folder, output, polhode, program};
 use crate::{Outcome, files, read, root, short};
 
-/// Runs `budget` on every parts list and `identify` on every plan of measurements; on every scenario `inertia` and, if it has a worked solution, `explain`, `simulate` on each that has a `[run]`, and `sweep` on each
-/// that is a plan.
+/// Runs the subcommands on the files in examples/.
+///
+/// It runs `budget` on every parts list and `identify` on every plan of measurements. It runs
+/// `inertia` on every scenario, and `explain` if the scenario has a worked solution. It runs
+/// `simulate` on each that has a `[run]`, and `sweep` on each that is a plan.
 pub(crate) fn check() -> Outcome {
     let polhode = polhode()?;
     let results = empty_folder("examples")?;
@@ -54,7 +57,9 @@ pub(crate) fn check() -> Outcome {
     outside()
 }
 
-/// Whether a scenario has a body whose mass changes, or that is in gimbals: it has no worked solution, and says so.
+/// Returns true if a scenario has a body whose mass changes, or that is in gimbals.
+///
+/// It has no worked solution then, and says so.
 pub(crate) fn has_no_solution(scenario: &Path) -> Result<bool, String> {
     let is_section = |line: &str| {
         let name = line.trim_start_matches('[');
@@ -63,8 +68,9 @@ pub(crate) fn has_no_solution(scenario: &Path) -> Result<bool, String> {
     Ok(read(scenario)?.lines().any(is_section))
 }
 
-/// The program of `outside/`, which stands outside the workspace as a user's does: of few lines, and its event happens. Here it is run
-/// with what the tests have compiled.
+/// Checks the program of `outside/`, which is outside the workspace as a user's is.
+///
+/// It has few lines, and its event happens. It runs with what the tests have compiled.
 fn outside() -> Outcome {
     output(&mut cargo(&[
         "metadata",
@@ -91,13 +97,14 @@ fn outside() -> Outcome {
 const MANIFEST: &str = "outside/Cargo.toml";
 const PROGRAM: &str = "crates/polhode-scenario/examples/eddy_brake.rs";
 
-/// The most lines of the program outside the workspace.
+/// Largest number of lines of the program outside the workspace.
 const MOST_LINES: usize = 40;
 
-/// Members of a plan that are tried here: enough for statistics and pictures.
+/// Number of members of a plan that are tried here: enough for statistics and pictures.
 const TRIED: &str = "members = 32";
 
-/// Runs `sweep` on a copy of a plan with fewer members; a grid, whose members are its values, as it is.
+/// Runs `sweep` on a copy of a plan with fewer members; a grid, whose members are its values, as it
+/// is.
 fn sweep(polhode: &Path, plan: &Path, folder: &Path) -> Outcome {
     let fewer = |line: &str| if line.starts_with("members = ") { TRIED.to_owned() } else { line.to_owned() };
     let text: Vec<String> = read(plan)?.lines().map(fewer).collect();

@@ -9,7 +9,7 @@ use crate::{
     python, readme, root, solutions, viewer, workflows,
 };
 
-/// A name and a task.
+/// Name and task of a step.
 type Step = (&'static str, fn() -> Outcome);
 
 /// The steps up to what everything else is run with, cheapest first.
@@ -26,7 +26,7 @@ const FIRST: [Step; 7] = [
     ("tests", tests),
 ];
 
-/// Those that come after, beside the Python package's.
+/// Steps that come after, while the Python package's run.
 const THEN: [Step; 4] = [
     ("public names", || api::check_in(&book::documentation()?)),
     ("examples", examples::check),
@@ -34,8 +34,10 @@ const THEN: [Step; 4] = [
     ("archive of a release", dist::check),
 ];
 
-/// Runs every step, up to the first that fails. What waits for other programs much of its time goes beside the rest: the viewer's tests, and
-/// what Python's need.
+/// Runs every step, up to the first that fails.
+///
+/// Steps that wait for other programs much of their time run in parallel with the rest. They are
+/// the viewer's tests, and the steps that need Python.
 pub(crate) fn run() -> Outcome {
     let start = Instant::now();
     std::thread::scope(|scope| {
@@ -48,7 +50,7 @@ pub(crate) fn run() -> Outcome {
         timed("workflows", || workflows::check(&environment))?;
         joined(viewer)?;
         let live = scope.spawn(|| timed("live page", viewer::check_live));
-        // Before what else calls cargo, which does one thing at a time.
+        // The wheel comes before other steps that call cargo, which does one thing at a time.
         let wheel = timed("wheel", || python::install_wheel(&environment))?;
         let python = scope.spawn(move || timed("Python", || python::check_in(environment, &wheel)));
         THEN.iter().try_for_each(run_step)?;
@@ -61,8 +63,9 @@ pub(crate) fn run() -> Outcome {
     Ok(())
 }
 
-/// Runs every step with all random draws, then the tests that are too long for the gate: lists of 100,000 rows, and
-/// random changes of each target's stored inputs.
+/// Runs every step with all random draws, then the tests that are too long for the gate.
+///
+/// These are lists of 100,000 rows, and random changes of each target's stored inputs.
 pub(crate) fn run_nightly() -> Outcome {
     process::NIGHTLY.store(true, Ordering::Relaxed);
     run()?;
@@ -73,7 +76,8 @@ pub(crate) fn run_nightly() -> Outcome {
 }
 
 /// Runs two programs of tests at a time: at the end of each the last test is alone.
-/// Then makes the documentation; the lints have checked the dependencies that it needs.
+///
+/// Then it makes the documentation; the lints have checked the dependencies that it needs.
 fn tests() -> Outcome {
     let of =
         |what: &[&str]| cargo(&[&["test", "--workspace", "--locked", "--features", FEATURES], what].concat());

@@ -1,13 +1,14 @@
-//! The modules' order: which may import which, what each may do, and how long a file may be.
+//! Order of the modules: which may import which, what each may do, and how long a file may be.
 //!
-//! A scanner of lines, not a compiler: it reads code as this project formats it, tests at the end of the file and left out.
+//! This is a scanner of lines, not a compiler. It reads code as this project formats it; tests are
+//! at the end of the file and left out.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
 
 use crate::{Outcome, files, read, root, short};
 
-/// The modules of the core crate, in order: each may import itself and those before it.
+/// Modules of the core crate, in order: each may import itself and those before it.
 const MODULES: [&str; 13] = [
     "math",
     "body",
@@ -24,7 +25,7 @@ const MODULES: [&str; 13] = [
     "interop",
 ];
 
-/// What files below a path may not say, and why.
+/// Words that files below a path may not use, with the reason.
 const FORBIDDEN: [(&str, &[&str], &str); 12] = [
     (
         "crates/polhode/src/",
@@ -78,17 +79,18 @@ const OUTSIDE: [&str; 10] = [
 
 const FILES: &str = "a slice meets no terminal and no clock, and files through `Files` alone";
 
-/// The one file that may open files.
+/// Path of the one file that may open files.
 const DISK: &str = "crates/polhode-source/src/files/disk.rs";
 
-/// What may be said everywhere: a type that only reports.
+/// Type that may be named everywhere: it only reports.
 const EXCUSED: &str = "propagate::step_statistics::StepStatistics";
 
-/// Files grow a note beyond the first number of lines, and fail beyond the second.
+/// Largest number of lines of a file without a note.
 const LONG: usize = 500;
+/// Largest number of lines of a file that passes.
 const TOO_LONG: usize = 800;
 
-/// A line that breaks a rule.
+/// Line that breaks a rule.
 #[derive(Debug, PartialEq)]
 struct Violation {
     file: String,
@@ -110,7 +112,7 @@ pub(crate) fn check() -> Outcome {
     for folder in ["crates", "xtask"] {
         for path in files(&root().join(folder), "rs")? {
             let (file, text) = (short(&path), read(&path)?);
-            // A file of tests is no part of a module.
+            // A file of tests is not part of a module.
             if !file.ends_with("/tests.rs") && !file.contains("/tests/") {
                 violations.extend(scan(&file, &text));
             }
@@ -129,7 +131,7 @@ pub(crate) fn check() -> Outcome {
     Err(format!("{} lines break the modules' order:{}", violations.len(), lines.collect::<String>()))
 }
 
-/// Of a file of `tests/all/`, the list of modules that it has to stand in, and its name there.
+/// Returns the list of modules that names a file of `tests/all/`, and its name there.
 fn test_module(path: &Path) -> Option<(PathBuf, String)> {
     let of_all = |folder: &Path| folder.ends_with("tests/all").then(|| folder.join("main.rs"));
     let (folder, name) = (path.parent()?, path.file_stem()?.to_str()?);
@@ -141,7 +143,9 @@ fn test_module(path: &Path) -> Option<(PathBuf, String)> {
     }
 }
 
-/// A file of tests that no list of modules names is never compiled, and nobody says so.
+/// Returns a violation if no list of modules names a file of tests.
+///
+/// Such a file is never compiled, and no compiler reports it.
 fn left_out(file: &str, module: &str, list: &str) -> Option<Violation> {
     let is_listed = list.lines().any(|line| line == format!("mod {module};"));
     let rule = "tests are listed in tests/all/main.rs".to_owned();
@@ -159,7 +163,7 @@ fn too_long(file: &str, lines: usize) -> Option<Violation> {
     None
 }
 
-/// The violations in the text of a file, known by its path from the root.
+/// Returns the violations in the text of a file, known by its path from the root.
 fn scan(file: &str, text: &str) -> Vec<Violation> {
     let mut violations = Vec::new();
     for (k, line) in text.lines().enumerate().take_while(|(_, line)| line.trim() != "#[cfg(test)]") {
@@ -181,7 +185,7 @@ fn scan(file: &str, text: &str) -> Vec<Violation> {
     violations
 }
 
-/// The module of a path inside the core crate, as its place in the order.
+/// Returns the module of a path inside the core crate, as its place in the order.
 fn module_of(path: &[String]) -> Option<usize> {
     MODULES.iter().position(|module| {
         let names: Vec<&str> = module.split('/').collect();
@@ -189,13 +193,13 @@ fn module_of(path: &[String]) -> Option<usize> {
     })
 }
 
-/// A file's path inside the core crate: `motion`, `model`, `rotor`.
+/// Returns a file's path inside the core crate: `motion`, `model`, `rotor`.
 fn inside(file: &str) -> Option<Vec<String>> {
     let inside = file.strip_prefix("crates/polhode/src/")?.trim_end_matches(".rs").trim_end_matches("/mod");
     Some(inside.split('/').map(str::to_owned).collect())
 }
 
-/// Why a line's paths are wrong in a file, if one is.
+/// Returns why a line's paths are wrong in a file, if one is.
 fn wrong_import(file: &str, code: &str) -> Option<String> {
     let here = inside(file)?;
     let module = module_of(&here)?;
@@ -206,7 +210,9 @@ fn wrong_import(file: &str, code: &str) -> Option<String> {
     })
 }
 
-/// The first two names after the root of the crate in each path `crate::…` or `super::…` of a line of a module.
+/// Returns the first two names after the root of the crate in each path of a line of a module.
+///
+/// Paths begin with `crate::…` or `super::…`.
 fn targets(module: &[String], code: &str) -> Vec<Vec<String>> {
     let mut found = Vec::new();
     // A visibility imports nothing.

@@ -1,6 +1,6 @@
-//! SPDX licence expressions: may we link this?
+//! SPDX licence expressions, and whether this project may link code under them.
 
-/// The licences that we may take, each without a condition beyond attribution.
+/// Licences that we may take, each without a condition beyond attribution.
 const ACCEPTED: [&str; 11] = [
     "MIT",
     "Apache-2.0",
@@ -15,10 +15,13 @@ const ACCEPTED: [&str; 11] = [
     "MIT-0",
 ];
 
-/// True if a choice that the expression leaves open, or its whole demand, is among the accepted licences.
+/// True if a choice that the expression leaves open, or its whole demand, is among the accepted
+/// licences.
 ///
-/// `AND` binds more tightly than `OR`; the `/` of old manifests is an `OR`; `WITH` adds a permission, so the licence
-/// before it decides. An expression that cannot be read is not satisfied.
+/// `AND` binds more tightly than `OR`; the `/` of old manifests is an `OR`. `WITH` adds a
+/// permission, so the licence before it decides.
+///
+/// An expression that cannot be read is not satisfied.
 pub(crate) fn is_satisfied(expression: &str) -> bool {
     let spaced = expression.replace('(', " ( ").replace(')', " ) ").replace('/', " OR ");
     let mut words = Words { words: spaced.split_whitespace().collect(), next: 0 };
@@ -26,14 +29,16 @@ pub(crate) fn is_satisfied(expression: &str) -> bool {
     satisfied == Some(true) && words.next == words.words.len()
 }
 
-/// The words of an expression, read from left to right; each reader returns `None` where the grammar is broken.
+/// Words of an expression, read from left to right.
+///
+/// Each reader returns `None` if the grammar is broken.
 struct Words<'a> {
     words: Vec<&'a str>,
     next: usize,
 }
 
 impl Words<'_> {
-    /// all (OR all)*
+    /// Reads `all (OR all)*`.
     fn any(&mut self) -> Option<bool> {
         let mut satisfied = self.all()?;
         while self.skip("OR") {
@@ -42,7 +47,7 @@ impl Words<'_> {
         Some(satisfied)
     }
 
-    /// one (AND one)*
+    /// Reads `one (AND one)*`.
     fn all(&mut self) -> Option<bool> {
         let mut satisfied = self.one()?;
         while self.skip("AND") {
@@ -51,7 +56,7 @@ impl Words<'_> {
         Some(satisfied)
     }
 
-    /// ( any ), or a licence [WITH an exception]
+    /// Reads `( any )`, or a licence, with `WITH` and an exception after it or without.
     fn one(&mut self) -> Option<bool> {
         if self.skip("(") {
             let satisfied = self.any();

@@ -1,4 +1,5 @@
-//! The tasks of this workspace: `cargo xtask test` is everything that has to pass before a change lands.
+//! Tasks of this workspace: `cargo xtask test` is everything that has to pass before a change
+//! lands.
 
 mod api;
 mod archive;
@@ -27,7 +28,7 @@ mod workflows;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// What a task comes to: nothing, or why it failed.
+/// Result of a task: nothing, or why it failed.
 type Outcome = Result<(), String>;
 
 const USAGE: &str = "\
@@ -99,13 +100,14 @@ fn main() -> ExitCode {
     }
 }
 
-/// The root of the workspace: as cargo says now, since folders of built programs can be shared.
+/// Returns the root of the workspace as cargo gives it now, since folders of built programs can be
+/// shared.
 fn root() -> PathBuf {
     let xtask = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
     Path::new(&xtask).parent().unwrap_or(Path::new(".")).to_owned()
 }
 
-/// All files below `directory` whose names end in `.extension`, in order.
+/// Returns all files below `directory` whose names end in `.extension`, in order.
 fn files(directory: &Path, extension: &str) -> Result<Vec<PathBuf>, String> {
     let unreadable = |error| format!("{}: {error}", short(directory));
     let mut found = Vec::new();
@@ -121,12 +123,12 @@ fn files(directory: &Path, extension: &str) -> Result<Vec<PathBuf>, String> {
     Ok(found)
 }
 
-/// The text of a file.
+/// Returns the text of a file.
 fn read(path: &Path) -> Result<String, String> {
     std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", short(path)))
 }
 
-/// A path as messages have it: from the root, with slashes.
+/// Returns a path as messages have it: from the root, with slashes.
 fn short(path: &Path) -> String {
     path.strip_prefix(root()).unwrap_or(path).display().to_string().replace('\\', "/")
 }

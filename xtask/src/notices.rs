@@ -1,4 +1,5 @@
-//! The licences of what is linked into the program: their texts have to go where the program goes.
+//! Licences of the crates that are linked into the program: their texts have to go where the
+//! program goes.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -10,10 +11,10 @@ const INTRODUCTION: &str = "\
 What is linked into polhode, beside its own code, and under which licences. Where a licence is one of several, any of them may be chosen.
 ";
 
-/// How files with licences are called.
+/// Beginnings of the names of files with licences.
 const NAMES: [&str; 6] = ["LICENSE", "LICENCE", "COPYING", "COPYRIGHT", "NOTICE", "UNLICENSE"];
 
-/// Each text once, below the names of all that have it.
+/// Returns each text once, below the names of all that have it.
 pub(crate) fn notices(target: &str) -> Result<String, String> {
     let packages = tree(&["--package", "polhode-cli", "--edges", "normal", "--target", target])?;
     let sources = sources()?;
@@ -45,7 +46,7 @@ pub(crate) fn notices(target: &str) -> Result<String, String> {
     Ok(std::iter::once(INTRODUCTION.to_owned()).chain(sections).collect())
 }
 
-/// The folders of registries in which cargo has sources.
+/// Returns the folders of registries in which cargo has sources.
 fn sources() -> Result<Vec<PathBuf>, String> {
     let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| std::env::home_dir().map(|home| home.join(".cargo")));
@@ -54,7 +55,7 @@ fn sources() -> Result<Vec<PathBuf>, String> {
     entries.map(|entry| entry.map(|entry| entry.path()).map_err(|error| error.to_string())).collect()
 }
 
-/// The texts of the licences of a package, line ends as Unix has them.
+/// Returns the texts of the licences of a package, line ends as Unix has them.
 fn licences(package: &Path) -> Result<Vec<String>, String> {
     let entries = std::fs::read_dir(package).map_err(|error| format!("{}: {error}", package.display()))?;
     let mut found = Vec::new();

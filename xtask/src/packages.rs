@@ -40,7 +40,7 @@ pub(crate) fn check() -> Outcome {
     Ok(())
 }
 
-/// The paths of `include!`, `include_str!` and `include_bytes!`.
+/// Returns the paths of `include!`, `include_str!` and `include_bytes!`.
 fn included(text: &str) -> impl Iterator<Item = String> {
     ["include!(\"", "include_str!(\"", "include_bytes!(\""].into_iter().flat_map(|name| {
         let paths = text.split(name).skip(1).filter_map(|rest| rest.split('"').next());
@@ -48,7 +48,7 @@ fn included(text: &str) -> impl Iterator<Item = String> {
     })
 }
 
-/// Whether a path, from a file of a package, is outside.
+/// Returns true if a path, from a file of a package, is outside.
 fn leaves(file: &Path, path: &str) -> bool {
     let mut depth = file.parent().map_or(0, |folder| folder.components().count());
     for part in Path::new(path).components() {

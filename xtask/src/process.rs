@@ -10,7 +10,7 @@ use crate::{Outcome, root, short};
 /// True if tests take all their random draws, and those that are long run too.
 pub(crate) static NIGHTLY: AtomicBool = AtomicBool::new(false);
 
-/// Cargo, at the root.
+/// Returns cargo with arguments, at the root.
 pub(crate) fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(arguments).current_dir(root());
@@ -36,7 +36,7 @@ pub(crate) fn output(command: &mut Command) -> Result<String, String> {
     Err(format!("`{}` ended with {}\n{}", line(command), output.status, diagnostics.trim_end()))
 }
 
-/// Runs a command beside others: what it printed comes at once when it has ended.
+/// Runs a command in parallel with others: what it printed comes at once when it has ended.
 pub(crate) fn run_beside(command: &mut Command) -> Outcome {
     let output = command.output().map_err(|error| format!("{}: {error}", line(command)))?;
     let [printed, diagnostics] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes));
@@ -48,16 +48,24 @@ pub(crate) fn run_beside(command: &mut Command) -> Outcome {
     }
 }
 
-/// The conversions of the core crate, which no other crate here uses. It is tested and documented with them.
+/// Features for the conversions of the core crate, which no other crate here uses.
+///
+/// It is tested and documented with them.
 pub(crate) const FEATURES: &str = "polhode/serde,polhode/mint,polhode/nalgebra,polhode/glam";
 
-/// Builds `polhode` and says where it is.
+/// Builds `polhode` and returns where it is.
 pub(crate) fn polhode() -> Result<PathBuf, String> {
     program("polhode")
 }
 
-/// A program of the workspace, by its place among the built ones: as the tests have compiled it, since a build of its own would have other features
-/// of what it depends on, and compile all of that once more. They are built once: cargo would wait for all that it does beside, such as the documentation.
+/// Returns a program of the workspace, by its place among the built ones, as the tests have
+/// compiled it.
+///
+/// A build of its own would have other features of its dependencies, and compile all of them once
+/// more.
+///
+/// The programs are built once: cargo would wait for all that it does in parallel, such as the
+/// documentation.
 pub(crate) fn program(name: &str) -> Result<PathBuf, String> {
     static BUILT: Mutex<bool> = Mutex::new(false);
     let mut built = BUILT.lock().map_err(|_| "a build panicked".to_owned())?;
@@ -68,7 +76,7 @@ pub(crate) fn program(name: &str) -> Result<PathBuf, String> {
     Ok(build_folder()?.join(format!("{name}{}", std::env::consts::EXE_SUFFIX)))
 }
 
-/// An empty folder in the build folder.
+/// Returns an empty folder in the build folder.
 pub(crate) fn empty_folder(name: &str) -> Result<PathBuf, String> {
     let folder = build_folder()?.join("xtask-tmp").join(name);
     let failed = |error| format!("{}: {error}", folder.display());
@@ -79,7 +87,7 @@ pub(crate) fn empty_folder(name: &str) -> Result<PathBuf, String> {
     Ok(folder)
 }
 
-/// The folder of built programs, wherever cargo was told to put it: this one is there too.
+/// Returns the folder of built programs, wherever cargo was told to put it: this one is there too.
 pub(crate) fn build_folder() -> Result<PathBuf, String> {
     let this = std::env::current_exe().map_err(|error| format!("where is this program? {error}"))?;
     Ok(this.parent().unwrap_or(Path::new(".")).to_owned())
@@ -101,7 +109,7 @@ pub(crate) fn copy(from: &Path, to: &Path) -> Outcome {
     Ok(())
 }
 
-/// A command as one would type it.
+/// Returns a command as one would type it.
 fn line(command: &Command) -> String {
     let program = Path::new(command.get_program());
     let name = program.file_stem().unwrap_or(program.as_os_str());
@@ -109,7 +117,7 @@ fn line(command: &Command) -> String {
     words.map(|word| word.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" ")
 }
 
-/// What a thread of the gate has come to.
+/// Returns the result of a thread of the gate.
 pub(crate) fn joined<T>(thread: std::thread::ScopedJoinHandle<'_, Result<T, String>>) -> Result<T, String> {
     thread.join().unwrap_or_else(|_| Err("a step panicked".to_owned()))
 }

@@ -1,6 +1,7 @@
-//! The Python package: its wheel is built and installed as a user would, and tested from there.
+//! Checks of the Python package: its wheel is built and installed as a user would, and tested from
+//! there.
 //!
-//! Nobody who builds the command needs what this needs: Python and its package index.
+//! This needs Python and its package index; building the command does not.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -8,14 +9,16 @@ use std::process::Command;
 use crate::process::{FEATURES, empty_folder, joined, output, polhode, run, run_beside};
 use crate::{Outcome, files, read, root, viewer};
 
-/// The oldest Python that the tests run with; the package is for 3.10 too.
+/// Version of the oldest Python that the tests run with; the package is for 3.10 too.
 const PYTHON: (u32, u32) = (3, 11);
 
-/// Where a virtual environment has it.
+/// Path of the Python in a virtual environment.
 pub(crate) const EXECUTABLE: &str = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
 
-/// What the tests need besides the package: what it uses where it is there, Dask for the cluster, pandoc for worked solutions, what runs
-/// notebooks and shows them in a browser, and what reads the workflows.
+/// Packages that the tests need besides the package.
+///
+/// They are optional dependencies of the package, Dask for the cluster, and pandoc for worked
+/// solutions. Others run notebooks and show them in a browser, or read the workflows.
 const NEEDED: [&str; 23] = [
     "pytest",
     "pytest-xdist",
@@ -42,20 +45,22 @@ const NEEDED: [&str; 23] = [
     "zizmor==1.32.0",
 ];
 
-/// What the tests on Ray need besides the package.
+/// Packages that the tests on Ray need besides the package.
 const NEEDED_WITH_RAY: [&str; 5] = ["pytest", "pyarrow", "pandas", "distributed", "ray[data,client]==2.60.0"];
 
-/// Members of the sweep whose workers are killed there: enough for several kills.
+/// Number of members of the sweep whose workers are killed there: enough for several kills.
 const MEMBERS_WITH_RAY: &str = "20000";
 
-/// An environment of its own, and then all the rest.
+/// Makes an environment of its own, and runs all checks in it.
 pub(crate) fn check() -> Outcome {
     let environment = environment()?;
     let wheel = install_wheel(&environment)?;
     check_in(environment, &wheel)
 }
 
-/// The tests on Ray, and a sweep on Dask and on Ray whose workers are killed at random, by the wheel in an environment of its own. Linux alone.
+/// Runs the tests on Ray, and a sweep on Dask and on Ray whose workers are killed at random.
+///
+/// They use the wheel in an environment of its own, on Linux alone.
 pub(crate) fn check_with_ray() -> Outcome {
     let environment = environment_of("ray", &NEEDED_WITH_RAY)?;
     install_wheel(&environment)?;
@@ -70,7 +75,8 @@ pub(crate) fn check_with_ray() -> Outcome {
             .args(arguments)
             .current_dir(&empty)
             .env("RAY_DEFAULT_OBJECT_STORE_MAX_MEMORY_BYTES", "500000000")
-            // Else a head wants a token if one is in the home directory, and its clients know it only after a cluster of their own.
+            // A head would otherwise want a token if one is in the home directory. Its clients know
+            // the token only after a cluster of their own.
             .env("RAY_AUTH_MODE", "disabled");
         command
     };
@@ -89,7 +95,8 @@ pub(crate) fn check_with_ray() -> Outcome {
 pub(crate) fn install_wheel(Environment { folder, python }: &Environment) -> Result<PathBuf, String> {
     let package = root().join("crates/polhode-py");
     let wheels = folder.join("wheels");
-    // Compiled as the tests are, from the same libraries: a release build would compile all of them once more.
+    // The wheel is compiled as the tests are, from the same libraries. A release build would
+    // compile all of them once more.
     let mut wheel = Command::new(python);
     wheel.args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"]).args([&wheels, &package]);
     let optimised = optimised(&read(&root().join("Cargo.toml"))?);
@@ -102,7 +109,9 @@ pub(crate) fn install_wheel(Environment { folder, python }: &Environment) -> Res
     Ok(wheel)
 }
 
-/// Runs the tests and [what is documented](check_documented) from an empty folder: what is imported there is the wheel's, not the tree's.
+/// Runs the tests and [what is documented](check_documented) from an empty folder.
+///
+/// An import there takes the wheel's modules, not the tree's.
 pub(crate) fn check_in(environment: Environment, wheel: &Path) -> Outcome {
     let Environment { folder, python } = environment;
     let package = root().join("crates/polhode-py");
@@ -119,7 +128,8 @@ pub(crate) fn check_in(environment: Environment, wheel: &Path) -> Outcome {
         return Err(format!("{} is imported, not the wheel", where_from.trim()));
     }
     println!("   {}", wheel.file_name().unwrap_or_default().to_string_lossy());
-    // What is not run by pytest goes beside it: each waits for other programs much of its time.
+    // The checks outside pytest run in parallel with it: each waits for other programs much of its
+    // time.
     std::thread::scope(|scope| {
         let beside = scope.spawn(|| check_documented(&here, &python, Path::new(where_from.trim())));
         // Ray is large: its tests are `cargo xtask test --ray`.
@@ -134,16 +144,20 @@ pub(crate) fn check_in(environment: Environment, wheel: &Path) -> Outcome {
     })
 }
 
-/// The examples of the documentation, the book and `examples/python/`, the notebooks, and the types; `installed` is the package's `__init__.py`.
+/// Checks the examples of the documentation, the book and `examples/python/`, the notebooks, and
+/// the types.
+///
+/// `installed` is the package's `__init__.py`.
 fn check_documented(here: &dyn Fn(&[&str]) -> Command, python: &Path, installed: &Path) -> Outcome {
     let package = root().join("crates/polhode-py");
     let settings = package.join("pyproject.toml");
-    // The modules that need Ray and PyTorch cannot be imported here: the tests of the latter run its examples.
+    // The modules that need Ray and PyTorch cannot be imported here: the tests of the latter run
+    // its examples.
     let without =
         ["_ray.py", "torch.py"].map(|name| format!("--ignore={}", installed.with_file_name(name).display()));
     let documented = ["--doctest-modules", &without[0], &without[1], "--pyargs", "polhode"];
     run_beside(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
-    // The tables of these pages are what was measured, of the programs as they are.
+    // The tables of these pages are measured results of the programs as they are.
     run(here(&[]).arg(root().join("benches/python/measure.py")).arg("--check"))?;
     run(here(&[]).arg(root().join("benches/clusters/measure.py")).arg("--check"))?;
     let book = root().join("book");
@@ -168,7 +182,7 @@ fn check_documented(here: &dyn Fn(&[&str]) -> Command, python: &Path, installed:
     Ok(())
 }
 
-/// A folder, and the Python of an environment in it that has what the tests need.
+/// Folder, and the Python of an environment in it that has what the tests need.
 #[derive(Debug)]
 pub(crate) struct Environment {
     folder: PathBuf,
@@ -176,28 +190,28 @@ pub(crate) struct Environment {
 }
 
 impl Environment {
-    /// A program of a package of it.
+    /// Returns a program that one of its packages has.
     pub(crate) fn program(&self, name: &str) -> PathBuf {
         self.python.with_file_name(format!("{name}{}", std::env::consts::EXE_SUFFIX))
     }
 
-    /// The pandoc that a package of it has.
+    /// Returns the pandoc that one of its packages has.
     pub(crate) fn pandoc(&self) -> Result<PathBuf, String> {
         let ask = "import pypandoc; print(pypandoc.get_pandoc_path())";
         output(Command::new(&self.python).args(["-c", ask])).map(|path| PathBuf::from(path.trim()))
     }
 }
 
-/// Makes the one of the package's tests.
+/// Makes the environment of the package's tests.
 pub(crate) fn environment() -> Result<Environment, String> {
     environment_of("python", &NEEDED)
 }
 
-/// Makes one with packages.
+/// Makes an environment with packages.
 fn environment_of(name: &str, packages: &[&str]) -> Result<Environment, String> {
     let folder = empty_folder(name)?;
     let python = make(&folder.join("venv"))?;
-    // What is imported is compiled then, and no more.
+    // Modules are compiled when they are imported, and no others.
     run(Command::new(&python).args(["-m", "pip", "install", "--quiet", "--no-compile"]).args(packages))?;
     Ok(Environment { folder, python })
 }
@@ -211,12 +225,14 @@ pub(crate) fn make(environment: &Path) -> Result<PathBuf, String> {
         return Err(format!("{}: {hint}", version.trim()));
     }
     let make = || output(Command::new(system).args(["-m", "venv"]).arg(environment));
-    // Debian's Python has no venv until it is asked for.
+    // Debian's Python has no venv until its package is installed.
     make().or_else(|_| install_venv().and_then(|()| make())).map_err(|why| format!("{why}\n{hint}"))?;
     Ok(environment.join(EXECUTABLE))
 }
 
-/// What the tests optimise, by `[profile.test.package.…]` of the workspace's manifest, as arguments of a build for development.
+/// Returns the packages that the tests optimise, as arguments of a build for development.
+///
+/// They are those in `[profile.test.package.…]` of the workspace's manifest.
 fn optimised(manifest: &str) -> String {
     let packages = manifest.split("[profile.test.package.").skip(1);
     let package = |section: &str| {
@@ -236,7 +252,7 @@ fn install_venv() -> Outcome {
     apt(&["install", "-qq", "-y", "--no-install-recommends", "python3-venv"])
 }
 
-/// (3, 11) of `Python 3.11.7`.
+/// Returns (3, 11) for `Python 3.11.7`.
 fn version_of(said: &str) -> Option<(u32, u32)> {
     let mut numbers = said.trim().strip_prefix("Python ")?.split('.').map(str::parse);
     Some((numbers.next()?.ok()?, numbers.next()?.ok()?))

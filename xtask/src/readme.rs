@@ -32,7 +32,9 @@ pub(crate) fn check() -> Outcome {
     Ok(())
 }
 
-/// A command that succeeds, or ends as it says: `polhode check arm.urdf # exit status 1`.
+/// Returns a shell command that succeeds, or ends with the status in its comment.
+///
+/// An example is `polhode check arm.urdf # exit status 1`.
 fn shell(command: &str) -> String {
     match command.split_once("# exit status ") {
         Some((run, status)) => {
@@ -43,7 +45,8 @@ fn shell(command: &str) -> String {
     }
 }
 
-/// Checks that the Rust programs of `book/start.md` are in the crate's README too, where doc tests run them.
+/// Checks that the Rust programs of `book/start.md` are in the crate's README too, where doc tests
+/// run them.
 fn programs_are_tested(page: &str, tested: &str) -> Outcome {
     let programs: Vec<&str> =
         page.split("```rust\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
@@ -56,7 +59,8 @@ fn programs_are_tested(page: &str, tested: &str) -> Outcome {
     }
 }
 
-/// The lines `$ polhode …` and `$ cargo run … -- …` of ```console blocks, both as `polhode …`.
+/// Returns the lines `$ polhode …` and `$ cargo run … -- …` of ```console blocks, both as `polhode
+/// …`.
 fn commands(markdown: &str) -> Vec<String> {
     let mut inside = false;
     let mut found = Vec::new();

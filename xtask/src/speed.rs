@@ -1,15 +1,15 @@
-//! The pages of measured times and errors, which need Python and the programs that are compared.
+//! Pages of measured times and errors, which need Python and the programs that are compared.
 
 use std::process::Command;
 
 use crate::process::run;
 use crate::{Outcome, root};
 
-/// A script that measures and writes a page of the book.
+/// Script that measures and writes a page of the book.
 struct Script {
     path: &'static str,
     page: &'static str,
-    /// What it imports, and the name that pip knows it by.
+    /// Modules that it imports, each with the name that pip knows it by.
     packages: &'static [(&'static str, &'static str)],
 }
 
@@ -85,7 +85,7 @@ pub(crate) fn measure() -> Outcome {
     Ok(())
 }
 
-/// Whether Python finds a module; it is not loaded.
+/// Returns true if Python finds a module; it is not loaded.
 fn imports(module: &str) -> Result<bool, String> {
     const FIND: &str =
         "import importlib.util, sys; sys.exit(0 if importlib.util.find_spec(sys.argv[1]) else 3)";

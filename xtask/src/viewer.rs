@@ -1,6 +1,7 @@
-//! The viewer of the page: its tests, and the proof that the committed bundle is the build of its source.
+//! Checks of the viewer of the page: its tests, and the proof that the committed bundle is the
+//! build of its source.
 //!
-//! Nobody who builds the command needs what this needs: Node, npm and Chromium.
+//! This needs Node, npm and Chromium; building the command does not.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -8,23 +9,27 @@ use std::process::Command;
 use crate::process::{output, run, run_beside};
 use crate::{Outcome, root};
 
-/// The oldest Node that the viewer is built and tested with.
+/// Major version of the oldest Node that the viewer is built and tested with.
 const NODE: u32 = 20;
 
 /// Names under which Chromium is installed.
 const CHROMIUM: [&str; 4] = ["chromium", "chromium-browser", "google-chrome-stable", "google-chrome"];
 
-/// Installs the viewer's packages, builds it in memory, compares that with the committed bundle, byte by byte, and runs its
-/// tests in a browser.
+/// Installs the viewer's packages, builds it in memory, and runs its tests in a browser.
+///
+/// The build equals the committed bundle, byte by byte.
 pub(crate) fn check() -> Outcome {
     node()?;
     let chromium = chromium()?;
     run_beside(&mut npm(&["ci", "--no-audit", "--no-fund"]))?;
-    // It begins with the types, and that crates/polhode-scenario/assets/viewer.html and crates/polhode-live/assets are the builds.
+    // It begins with the types. It also checks that crates/polhode-scenario/assets/viewer.html and
+    // crates/polhode-live/assets are the builds.
     run_beside(npm(&["test"]).env("CHROMIUM", chromium))
 }
 
-/// Runs the tests of the live page in a browser, with the command that the tests have built, after [`check`].
+/// Runs the tests of the live page in a browser, after [`check`].
+///
+/// They use the command that the tests have built.
 pub(crate) fn check_live() -> Outcome {
     let name = format!("polhode{}", std::env::consts::EXE_SUFFIX);
     let command = root().join("target/debug").join(name);
@@ -46,12 +51,12 @@ fn node() -> Outcome {
     }
 }
 
-/// 20 of `v20.11.1`.
+/// Returns 20 for `v20.11.1`.
 fn major(version: &str) -> Option<u32> {
     version.trim().strip_prefix('v')?.split('.').next()?.parse().ok()
 }
 
-/// Chromium, installed if it is not there and this machine lets us.
+/// Returns the path of Chromium, installed if it is not there and this machine lets us.
 pub(crate) fn chromium() -> Result<PathBuf, String> {
     if let Some(found) = std::env::var_os("CHROMIUM").map(PathBuf::from).or_else(on_path) {
         return Ok(found);

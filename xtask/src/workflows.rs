@@ -1,5 +1,7 @@
-//! The workflows of GitHub, and the action for those of others, which cannot be run here: they are what their schemas say, and do nothing that is
-//! known to be unsafe.
+//! Checks of the workflows of GitHub, and of the action for those of others, which cannot be run
+//! here.
+//!
+//! They follow their schemas, and do nothing that is known to be unsafe.
 
 use std::process::Command;
 
@@ -7,7 +9,7 @@ use crate::process::output;
 use crate::python::Environment;
 use crate::{Outcome, files, root};
 
-/// Needs no network: the schema comes with its tool.
+/// Checks the workflows; it needs no network, since the schema comes with its tool.
 pub(crate) fn check(environment: &Environment) -> Outcome {
     let workflows = files(&root().join(".github/workflows"), "yml")?;
     let actions = files(&root().join("integrations"), "yml")?;

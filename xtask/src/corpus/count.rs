@@ -1,4 +1,4 @@
-//! What is counted of the results of a repository's models.
+//! Counts of the results of a repository's models.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -6,61 +6,66 @@ use std::path::{Path, PathBuf};
 use hmac_sha256::Hash as Sha256;
 use serde_json::Value;
 
-/// The contents of all models so far: a copy does not count.
+/// Hashes of all models so far: a copy does not count.
 pub(super) type Seen = BTreeSet<[u8; 32]>;
 
-/// How bad a finding is, the worst first.
+/// Severities of findings, the worst first.
 pub(super) const SEVERITIES: [&str; 3] = ["impossible", "suspect", "note"];
 
-/// The rules that a tensor or a mass breaks by what it says, not by what is left out or is no number, where no body has it.
+/// Rules that a tensor or a mass breaks by its numbers, where no body has them.
+///
+/// Rules on values that are missing, or not numbers, are left out.
 pub(super) const NO_BODY: [&str; 4] =
     ["inertia.triangle", "inertia.negative", "inertia.zero", "mass.not_positive"];
 
-/// The counts of a repository, or of several.
+/// Counts of a repository, or of several.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Counts {
-    /// Files of each language that were read.
+    /// Number of files of each language that were read.
     pub(super) read: BTreeMap<String, usize>,
-    /// Files that were refused, by the reason.
+    /// Number of files that were refused, by the reason.
     pub(super) refused: BTreeMap<String, usize>,
-    /// Files that are not counted: the same bytes as one before, or in a folder of tests.
+    /// Number of files that repeat the bytes of one before.
     pub(super) copies: usize,
+    /// Number of files in folders of tests.
     pub(super) tests: usize,
     pub(super) links: usize,
-    /// Files that others include and that are no models by themselves.
+    /// Number of files that others include and that are not models by themselves.
     pub(super) parts: usize,
-    /// Inertials, and files with such.
+    /// Number of inertials.
     pub(super) inertials: usize,
+    /// Number of files with inertials.
     pub(super) weighed: usize,
-    /// Files with a finding of each severity; and those of the weighed ones in which a rule of [`NO_BODY`] is broken.
+    /// Number of files with a finding of each severity.
     pub(super) files: [usize; 3],
+    /// Number of files with inertials in which a rule of [`NO_BODY`] is broken.
     pub(super) impossible_bodies: usize,
     pub(super) rules: BTreeMap<String, RuleCounts>,
 }
 
-/// How often a rule is broken.
+/// Counts of how often a rule is broken.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct RuleCounts {
-    /// Findings of each severity.
+    /// Number of findings of each severity.
     pub(super) findings: [usize; 3],
     pub(super) files: usize,
     pub(super) repositories: usize,
 }
 
-/// What was said of a file, by itself or by the models that include it.
+/// Results of a file, by itself or by the models that include it.
 #[derive(Debug, Default)]
 struct Holder {
-    /// Its language, if it was read by itself.
+    /// Language of the file, if it was read by itself.
     format: Option<String>,
-    /// Why it was refused, if it was.
+    /// Reason for which it was refused, if it was.
     refused: Option<String>,
     links: usize,
     inertials: usize,
-    /// The rank of each finding's severity, the worst that a model says of it.
+    /// Rank of each finding's severity, the worst that a model has of it.
     findings: BTreeMap<Key, usize>,
 }
 
-/// A finding of a file: its rule, line, column and message.
+/// Finding of a file: its rule, line, column and message.
 type Key = (String, u64, u64, String);
 
 impl Holder {
@@ -71,7 +76,7 @@ impl Holder {
 }
 
 impl Counts {
-    /// Those of a work tree, of which this was said.
+    /// Returns the counts of a work tree with these results.
     pub(super) fn of(tree: &Path, results: &[Value], seen: &mut Seen) -> Result<Self, String> {
         let mut counts = Self::default();
         let mut holders: BTreeMap<PathBuf, Holder> = BTreeMap::new();
@@ -84,7 +89,7 @@ impl Counts {
         Ok(counts)
     }
 
-    /// Adds what was said of one model to the files that hold it.
+    /// Adds the results of one model to the files that hold it.
     fn hold(
         &mut self,
         tree: &Path,
@@ -93,7 +98,7 @@ impl Counts {
     ) -> Result<(), String> {
         let file = result["file"].as_str().ok_or("a result without its file")?;
         if tree.join(file).is_dir() {
-            return Ok(()); // a folder without models
+            return Ok(()); // The folder has no models.
         }
         if is_test(file) {
             self.tests += 1;
@@ -150,7 +155,7 @@ impl Counts {
     /// Adds a file.
     fn add(&mut self, tree: &Path, file: &Path, holder: &Holder, seen: &mut Seen) {
         if file.strip_prefix(tree).is_ok_and(|within| is_test(&within.to_string_lossy())) {
-            return; // included by models that are none
+            return; // Models that are none include the file.
         }
         let Ok(bytes) = std::fs::read(file) else {
             *self.refused.entry("files that cannot be opened".to_owned()).or_default() += 1;
@@ -186,7 +191,7 @@ impl Counts {
         }
     }
 
-    /// Adds those of another repository.
+    /// Adds the counts of another repository.
     pub(super) fn join(&mut self, other: &Self) {
         for (own, others) in [(&mut self.read, &other.read), (&mut self.refused, &other.refused)] {
             others.iter().for_each(|(key, count)| *own.entry(key.clone()).or_default() += count);
@@ -208,12 +213,12 @@ impl Counts {
         }
     }
 
-    /// Files that were read.
+    /// Returns the number of files that were read.
     pub(super) fn files_read(&self) -> usize {
         self.read.values().sum()
     }
 
-    /// Findings of a severity.
+    /// Returns the number of findings of a severity.
     pub(super) fn findings(&self, rank: usize) -> usize {
         self.rules.values().map(|rule| rule.findings[rank]).sum()
     }
@@ -227,7 +232,7 @@ impl RuleCounts {
     }
 }
 
-/// Whether a file is in a folder of tests, where models are wrong on purpose.
+/// Returns true if a file is in a folder of tests, where models are wrong on purpose.
 fn is_test(file: &str) -> bool {
     let folders = file.rsplit_once('/').map_or("", |(folders, _)| folders);
     folders.split('/').any(|folder| {
@@ -238,7 +243,7 @@ fn is_test(file: &str) -> bool {
     })
 }
 
-/// The class of a reason why a file was refused.
+/// Returns the class of a reason for which a file was refused.
 fn reason(message: &str) -> &str {
     for (part, class) in [
         ("xacro", "xacro, which makes a model and is none"),
@@ -266,7 +271,7 @@ mod tests {
         json!({ "code": code, "severity": severity, "line": line, "column": 1, "message": "it is" })
     }
 
-    /// A work tree of these files.
+    /// Makes a work tree of these files.
     fn tree(name: &str, files: &[(&str, &str)]) -> PathBuf {
         let tree = std::env::temp_dir().join(format!("polhode-corpus-{name}-{}", std::process::id()));
         std::fs::create_dir_all(tree.join("test")).unwrap();
@@ -319,7 +324,8 @@ mod tests {
 
     #[test]
     fn what_stands_in_an_included_file_counts_once_and_for_that_file() {
-        // two models of the same arm, which is a model itself, and of a hand, which is none; a test includes another
+        // Two models have the same arm, which is a model itself, and a hand, which is none; a test
+        // includes another.
         let tree = tree(
             "includes",
             &[

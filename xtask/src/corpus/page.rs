@@ -1,15 +1,15 @@
-//! The page of an audit.
+//! Page of an audit.
 
 use std::fmt::Write as _;
 
 use super::Audited;
 use super::count::{Counts, NO_BODY};
 
-/// What a language is called.
+/// Names of the languages.
 const LANGUAGES: [(&str, &str); 5] =
     [("urdf", "URDF"), ("sdf", "SDF"), ("mjcf", "MJCF"), ("usd", "USD"), ("osim", "OpenSim")];
 
-/// The whole page, the same for the same results but for its time and memory.
+/// Returns the whole page, the same for the same results except for its time and memory.
 pub(super) fn text(audited: &[Audited]) -> String {
     let mut all = Counts::default();
     audited.iter().for_each(|one| all.join(&one.counts));
@@ -69,7 +69,7 @@ fn introduction(audited: &[Audited], all: &Counts) -> String {
     text
 }
 
-/// A rule with the place of its explanation.
+/// Returns a rule with a link to its explanation.
 fn linked(code: &str) -> String {
     format!("[{code}](rules.md#{})", code.replace('.', ""))
 }
@@ -168,7 +168,7 @@ fn how(text: &mut String, audited: &[Audited]) {
     );
 }
 
-/// `12,345`
+/// Returns a number with its digits grouped: `12,345`.
 fn count(number: usize) -> String {
     let digits = number.to_string();
     let mut grouped = String::new();
@@ -181,7 +181,7 @@ fn count(number: usize) -> String {
     grouped
 }
 
-/// With two digits.
+/// Returns a share in percent with two digits.
 fn percent(part: usize, whole: usize) -> String {
     let percent = 100.0 * part as f64 / whole.max(1) as f64;
     if percent < 10.0 { format!("{percent:.1} %") } else { format!("{percent:.0} %") }

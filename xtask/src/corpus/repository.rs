@@ -1,4 +1,4 @@
-//! A work tree of a repository: what it is called, and which state it is.
+//! Work tree of a repository: its name, and its state.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -6,23 +6,25 @@ use std::process::Command;
 
 use crate::process::output;
 
-/// A work tree.
+/// Work tree of a repository.
 #[derive(Debug)]
 pub(super) struct Repository {
-    /// `OWNER/NAME`
+    /// Name of the repository, `OWNER/NAME`.
     pub(super) name: String,
     pub(super) commit: String,
-    /// The day of the commit.
+    /// Day of the commit.
     pub(super) date: String,
     pub(super) folder: PathBuf,
-    /// The folders around packages, relative to the work tree.
+    /// Folders around packages, relative to the work tree.
     pub(super) roots: BTreeSet<PathBuf>,
-    /// Files of the commit that are not in the work tree.
+    /// Number of files of the commit that are not in the work tree.
     pub(super) absent: usize,
 }
 
 impl Repository {
-    /// The work tree in a folder: its name is that of its `origin`, or of the last two folders of its path.
+    /// Reads the work tree in a folder.
+    ///
+    /// Its name is that of its `origin`, or of the last two folders of its path.
     pub(super) fn at(folder: &Path) -> Result<Self, String> {
         let folder =
             std::fs::canonicalize(folder).map_err(|error| format!("{}: {error}", folder.display()))?;

@@ -47,6 +47,7 @@ pub(crate) struct TopAxis {
     pub axis: Direction<Body>,
     /// Direction against gravity.
     pub up: Direction<Space>,
+    /// Two directions across the vertical.
     pub across: [Direction<Space>; 2],
     /// Least and greatest θ of a symmetric top, rad.
     pub bounds: Option<[f64; 2]>,

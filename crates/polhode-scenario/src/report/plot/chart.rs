@@ -29,6 +29,7 @@ pub(crate) type Heading<'a> = &'a dyn Fn(&mut Sheet, &[Key]) -> Area;
 
 /// Largest number of panels of one quantity.
 const MOST: usize = 3;
+/// Largest number of panels of one of several quantities.
 const MOST_OF_SEVERAL: usize = 2;
 
 /// Number of turning points in the part that is shown in full.

@@ -89,7 +89,8 @@ impl Angles {
     fn of(samples: &[Sample]) -> Self {
         let at = |s: &Sample| {
             let [w, x, y, z] = s.state.attitude.quaternion();
-            // q = (cos ½θ cos ½(φ + ψ), sin ½θ cos ½(φ − ψ), sin ½θ sin ½(φ − ψ), cos ½θ sin ½(φ + ψ))
+            // q = (cos ½θ cos ½(φ + ψ), sin ½θ cos ½(φ − ψ),
+            //      sin ½θ sin ½(φ − ψ), cos ½θ sin ½(φ + ψ))
             let [sum, difference] = [2.0 * z.atan2(w), 2.0 * y.atan2(x)];
             let euler = s.state.attitude.euler313();
             At {

@@ -97,7 +97,7 @@ impl<'a> MotionFigures<'a> {
         Ok(Picture { sheet })
     }
 
-    /// Draws all figures that this motion has, two in a row, except a torque that is zero throughout.
+    /// Draws all figures that this motion has, two in a row, except a torque that is always zero.
     ///
     /// # Errors
     /// As [`MotionFigures::draw`], except for a curve with too many points, and angles that cannot

@@ -12,6 +12,7 @@ use super::time::unit_of_time;
 
 /// Largest number of periods of ω that are drawn: an eye can follow no more.
 const MOST_PERIODS: f64 = 12.0;
+/// Largest number of turns about L that are drawn.
 const MOST_TURNS: f64 = 60.0;
 
 /// Draws the path of ω during `duration`, s.

@@ -125,6 +125,7 @@ fn rings([i1, i2, i3]: [f64; 3], k: usize, part: f64) -> [Vec<Direction<Principa
 
 /// Distance that the ends of the axes reach, in radii.
 const REACH: f64 = 1.2;
+/// Distance of the names of the axes, in radii.
 const NAME: f64 = 1.33;
 
 /// Returns the view from the side on which the trace is: near the axis that L circles, a little

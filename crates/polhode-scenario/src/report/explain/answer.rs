@@ -1,4 +1,4 @@
-//! The answer, before the working.
+//! Answer of a worked solution, printed before the steps.
 
 use polhode::body::Symmetry;
 use polhode_document::number::tidy_beside;
@@ -8,7 +8,7 @@ use super::inside::Inside;
 use super::working::{Working, exactly, n, v};
 use crate::report::forces;
 
-/// Largest number of particles whose forces the answer states; step 4 states those of more.
+/// Largest number of particles whose forces the answer states; for more, only step 4 states them.
 const MOST_PARTICLES: usize = 4;
 
 pub(crate) fn lines(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Vec<String> {

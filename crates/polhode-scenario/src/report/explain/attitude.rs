@@ -65,7 +65,7 @@ pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Secti
     s
 }
 
-/// Returns the axis that L circles: 0, 1 or 2; `None` if it circles none.
+/// Returns the index of the axis that L circles, 0, 1 or 2; `None` if it circles none.
 const fn circled(regime: Regime) -> Option<usize> {
     match regime {
         Regime::LongAxis => Some(0),
@@ -74,7 +74,7 @@ const fn circled(regime: Regime) -> Option<usize> {
     }
 }
 
-/// Writes the Euler angles about L of a symmetric top: θ stays, φ and ψ grow evenly.
+/// Writes the Euler angles of a symmetric top about L: θ is constant, φ and ψ are linear in time.
 fn symmetric_angles(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
     let theta = w.rotor.angular_momentum(top.start().omega).angle_to(top.axis());
     s.say("In Euler angles about L̂ (θ between L̂ and e, φ of e about L̂, ψ of the body about e):");
@@ -90,7 +90,7 @@ fn symmetric_angles(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
     ));
 }
 
-/// Writes the Euler angles about L of an asymmetric body, by the components of L along its axes.
+/// Writes the Euler angles of an asymmetric body about L, from the components of L along its axes.
 fn asymmetric_angles(w: &Working<'_>, motion: &FreeMotion, circled: usize, s: &mut Section) {
     s.say(format!(
         "In Euler angles about L̂ (θ between L̂ and axis {0}, φ of axis {0} about L̂, ψ of the body about axis {0}), as L = |L| \
@@ -110,7 +110,7 @@ fn asymmetric_angles(w: &Working<'_>, motion: &FreeMotion, circled: usize, s: &m
         )
     };
     s.formula(text, latex);
-    // The range is that of the end of the axis which is on the side of L.
+    // The range refers to the end of the axis on the side of L.
     let [near, far] = motion.nutation_range();
     let l = (motion.principal().rotation().inverse() * w.rotor.angular_momentum(w.start.omega)).to_array();
     let range = if l[circled] < 0.0 { [PI - far, PI - near] } else { [near, far] };
@@ -129,8 +129,7 @@ fn asymmetric_angles(w: &Working<'_>, motion: &FreeMotion, circled: usize, s: &m
     );
 }
 
-/// Writes the attitude of a state with an error, rad. Components smaller than the error are written
-/// as 0.
+/// Writes the attitude of a state; components below `error`, rad, are written as 0.
 pub(crate) fn attitude(state: &State, error: f64, when: &str, s: &mut Section) {
     s.matrix(format!("R({when})"), state.attitude.matrix().map(|row| without_noise(row, 1.0, error)), "");
     if when == "end" {
@@ -141,12 +140,12 @@ pub(crate) fn attitude(state: &State, error: f64, when: &str, s: &mut Section) {
     euler(state.attitude, error, s);
 }
 
-/// Largest error of angles that is rounding, rad.
+/// Rounding error of angles, rad.
 const ROUNDING: f64 = 2e-14;
 
 /// Writes the Euler angles.
 ///
-/// Only φ + ψ or φ − ψ is determined where θ is 0 or π within the error.
+/// If θ is 0 or π within the error, only φ + ψ or φ − ψ is determined.
 fn euler(attitude: Attitude, error: f64, s: &mut Section) {
     let [phi, theta, psi] = attitude.euler313();
     let error = error.max(ROUNDING);
@@ -164,7 +163,7 @@ fn euler(attitude: Attitude, error: f64, s: &mut Section) {
         s.line(format!("            θ = {degrees}, {name} = {}°", n(angle.to_degrees())));
         return;
     }
-    // φ and ψ change by error/sin θ at most.
+    // φ and ψ change by at most error/sin θ.
     let around = error / theta.sin();
     let shown = [(phi, around), (theta, error), (psi, around)];
     let [phi, theta, psi] = shown.map(|(angle, error)| if angle.abs() <= error { 0.0 } else { angle });
@@ -173,7 +172,7 @@ fn euler(attitude: Attitude, error: f64, s: &mut Section) {
     s.line(format!("                    = {phi}°, {theta}°, {psi}°"));
 }
 
-/// Writes how well the run keeps the constants of the motion.
+/// Writes the drift of the conserved quantities over the run, and the estimated error at its end.
 fn evidence(w: &Working<'_>, s: &mut Section) {
     if w.needed.is_some() {
         return;

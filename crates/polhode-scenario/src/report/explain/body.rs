@@ -6,10 +6,10 @@ use polhode_document::number::tidy;
 
 use super::working::{Working, cells, n, v};
 
-/// Largest number of rows that a table lists.
+/// Largest number of rows in a table.
 const MOST_ROWS: usize = 20;
 
-/// Largest number of terms of a sum that is written out; the table has those of longer sums.
+/// Largest number of terms in a written sum; for more, the table has the terms.
 const MOST_TERMS: usize = 6;
 
 pub(crate) fn section(w: &Working<'_>) -> Section {
@@ -85,14 +85,14 @@ fn parts(w: &Working<'_>, s: &mut Section) -> Vec<f64> {
     parts.iter().map(|part| part.properties.mass()).collect()
 }
 
-/// Writes how many rows the table leaves out.
+/// Writes the number of rows that the table omits.
 fn more(all: usize, s: &mut Section) {
     if all > MOST_ROWS {
         s.say(format!("… and {} more.", all - MOST_ROWS));
     }
 }
 
-/// Returns the rows with their numbers, from 1, in front.
+/// Returns the rows with a first column of numbers, from 1.
 pub(crate) fn numbered(rows: Vec<Vec<String>>) -> Vec<Vec<String>> {
     let with_number = |(k, row): (usize, Vec<String>)| {
         let mut cells = vec![(k + 1).to_string()];

@@ -1,4 +1,4 @@
-//! Step 5 with torque, or with the motion given.
+//! Step 5 with torques, or for a prescribed motion.
 
 use polhode::body::Symmetry;
 use polhode::motion::{Sample, Solution, Trajectory};
@@ -8,9 +8,7 @@ use polhode_document::number::{number, tidy_beside, without_noise};
 use super::working::{Working, cells, n, v};
 use crate::report::facts::ending_in_words;
 
-/// Writes that the motion is given.
-///
-/// Nothing is left to solve, but the torque may change along it.
+/// Writes the torque along a prescribed motion, which needs no solution.
 pub(crate) fn given(w: &Working<'_>, s: &mut Section) {
     s.say("The motion is given, so ω(t) is known (step 2); the equations gave the torque instead.");
     if !w.rows.samples.is_empty() {
@@ -19,13 +17,13 @@ pub(crate) fn given(w: &Working<'_>, s: &mut Section) {
     }
 }
 
-/// Writes the equation that is integrated numerically.
+/// Writes the integrated equation, and ω(t).
 pub(crate) fn integrate(w: &Working<'_>, s: &mut Section) {
     if w.rotor.principal().symmetry() == Symmetry::Point {
         s.say("There is nothing to solve: all the mass is in the point that it would turn about.");
         return;
     }
-    // A closed form has been told already.
+    // The closed form has been written before.
     if !matches!(w.trajectory.as_deref().map(Trajectory::solution), Some(Solution::ClosedForm(_))) {
         s.say("What is integrated:");
         s.formula(
@@ -98,10 +96,10 @@ pub(crate) fn table(w: &Working<'_>, torque: bool, s: &mut Section) {
     s.table(headers, cells(&rows));
 }
 
-/// Largest relative error that is taken for noise of all rows.
+/// Largest relative error that is treated as noise in all rows.
 const MOST_NOISE: f64 = 1e-9;
 
-/// Writes that the work of the torque is the gain in kinetic energy.
+/// Writes the work of the torque and the gain in kinetic energy, which must agree.
 fn work(w: &Working<'_>, s: &mut Section) {
     let samples = w.trajectory.as_ref().map_or(&[][..], |trajectory| trajectory.samples());
     let (Some(first), Some(last)) = (samples.first(), samples.last()) else { return };

@@ -7,7 +7,7 @@ use polhode_document::Section;
 
 use super::working::{factor, n};
 
-/// Largest modulus for which the solution mentions the symmetric limit.
+/// Largest modulus k for which the symmetric limit is mentioned.
 const NEARLY_CIRCULAR: f64 = 0.1;
 
 pub(crate) fn closed_form(form: &JacobiForm, free: &FreeRegime, s: &mut Section) {
@@ -76,7 +76,7 @@ pub(crate) fn closed_form(form: &JacobiForm, free: &FreeRegime, s: &mut Section)
     limits(form, free.regime, s);
 }
 
-/// Writes the amplitudes, λ and k² by the constants of the motion.
+/// Writes the amplitudes, λ and k² in terms of the constants of the motion.
 fn constants(regime: Regime, s: &mut Section) {
     s.formula(
         "A1² = (2T i3 − L²) / (i1 (i3 − i1)),   A3² = (L² − 2T i1) / (i3 (i3 − i1))",

@@ -41,7 +41,8 @@ pub(crate) fn section(w: &Working<'_>) -> Section {
     s
 }
 
-/// The pairs (k, j, l) of the three equations: component k, and the two that it couples.
+/// Index triples (k, a, b) of the three equations: component k, and the two components in its
+/// product.
 const CYCLES: [(usize, usize, usize); 3] = [(0, 1, 2), (1, 2, 0), (2, 0, 1)];
 
 /// Writes the angular acceleration that follows from the torque.
@@ -58,7 +59,8 @@ fn acceleration(w: &Working<'_>, s: &mut Section) {
     let scale = largest_rate(w);
     let rate = tidy_beside(rate, scale);
     s.say("At t0, along the principal axes:");
-    // A departure from a principal axis matters, unless the change of axes made it.
+    // A small component across a principal axis is kept, unless it is rounding of the change of
+    // axes.
     let omega = tidy_beside(omega, 0.1 * w.start.omega.norm());
     s.line(format!("ω  = {} rad/s", exactly(omega)));
     s.line(format!("N  = {} N·m", v(torque)));
@@ -84,7 +86,8 @@ fn acceleration(w: &Working<'_>, s: &mut Section) {
     s.line(format!("ω\u{307}  = {} rad/s² in body axes", v(tidy_beside(w.acceleration.to_array(), scale))));
 }
 
-/// Returns the size of rates: those that are rounding compared with it count as zero.
+/// Returns the largest possible angular acceleration, rad/s²; rounding errors relative to it are
+/// set to 0.
 fn largest_rate(w: &Working<'_>) -> f64 {
     let [_, _, i3] = w.rotor.principal().moments();
     let omega = w.start.omega.norm();
@@ -122,14 +125,14 @@ fn torque_needed(w: &Working<'_>, s: &mut Section) {
     ));
 }
 
-/// Returns the size of torques: those that are rounding compared with it count as zero.
+/// Returns the largest possible torque, N·m; rounding errors relative to it are set to 0.
 fn largest_torque(w: &Working<'_>) -> f64 {
     let [_, _, i3] = w.rotor.principal().moments();
     let omega = w.start.omega.norm();
     i3 * (omega * omega).max(w.acceleration.norm())
 }
 
-/// Writes when N = {I} ω̇ would do.
+/// Writes whether N = {I} ω̇ is valid, from the size of ω × L.
 fn condition(w: &Working<'_>, s: &mut Section) {
     if !w.is_turning() {
         return;
@@ -151,7 +154,7 @@ fn condition(w: &Working<'_>, s: &mut Section) {
     }
 }
 
-/// Writes the forces on the particles that make the torque.
+/// Writes the forces on the particles that produce the torque.
 fn particles(w: &Working<'_>, s: &mut Section) {
     let Some(needed) = &w.needed else { return };
     let forces = forces::on_particles(w.scenario, needed);

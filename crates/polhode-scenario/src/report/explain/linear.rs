@@ -10,19 +10,18 @@ use polhode_document::number::tidy_matrix;
 
 use super::working::{Working, acting, cells, n, v};
 
-/// Writes what the linear equations say, if there is a steady motion to linearise about.
+/// Writes the linearized equations, if there is a steady motion for them.
 pub(crate) fn solve(w: &Working<'_>, s: &mut Section) {
     let torques: Vec<TorqueModel> = acting(w.scenario).cloned().collect();
-    // Drag by itself affects only the body's spin; it changes the effect of other torques.
+    // Drag alone is solved here; together with other torques it is part of their linear equations.
     if let [TorqueModel::Drag(drag)] = &torques[..] {
         resisted(w, drag, s);
     }
-    // Drag only damps next to rest: alone it has nothing to swing about.
+    // Near rest, drag alone only damps: there is no restoring torque.
     if torques.iter().all(|torque| matches!(torque, TorqueModel::Drag(_) | TorqueModel::Constant(_))) {
         return;
     }
-    // Some torques let nothing be at rest relative to the orbit: then gravity's gradient stands
-    // alone.
+    // If no attitude is in equilibrium under all torques, the gravity gradient is considered alone.
     let gradients: Vec<TorqueModel> =
         torques.iter().filter(|torque| matches!(torque, TorqueModel::GravityGradient(_))).cloned().collect();
     let all = OrbitalEquilibrium::all(w.rotor, &torques, w.start);
@@ -61,7 +60,7 @@ pub(crate) fn solve(w: &Working<'_>, s: &mut Section) {
     }
 }
 
-/// Writes the motion under drag alone: each component dies away by itself where ω is small.
+/// Writes the decay under drag alone: the components of ω decay independently for small ω.
 fn resisted(w: &Working<'_>, drag: &Drag, s: &mut Section) {
     if drag.law() == DragLaw::Quadratic {
         s.say(
@@ -79,7 +78,7 @@ fn resisted(w: &Working<'_>, drag: &Drag, s: &mut Section) {
         r"\lbrace \mathbf I \rbrace \dot{\boldsymbol\omega} = -C \boldsymbol\omega, \qquad \boldsymbol\omega(t) = \sum_k c_k \mathbf u_k e^{-t/\tau_k}, \qquad \lbrace \mathbf I \rbrace^{-1} C \mathbf u_k = \mathbf u_k / \tau_k",
     );
     s.matrix("C", tidy_matrix(drag.matrix()), "N·m·s");
-    // {I}⁻¹ is a division along the principal axes.
+    // Multiplication by {I}⁻¹ is a division along the principal axes.
     let principal = w.rotor.principal();
     let axes = principal.axes().map(polhode::math::Vector::to_array);
     let c = drag.matrix();
@@ -162,7 +161,7 @@ fn librations(w: &Working<'_>, place: &OrbitalEquilibrium, rate: f64, alone: boo
     }
 }
 
-/// Writes the eigenvalues, and along which axis each mode turns.
+/// Writes the eigenvalues, and the axis about which each mode oscillates.
 fn modes(w: &Working<'_>, torques: &[TorqueModel], state: State, s: &mut Section) {
     let Ok(found) = SmallOscillations::about(w.rotor, torques, state) else { return };
     if found.modes.is_empty() {

@@ -1,7 +1,6 @@
-//! The worked solution: from mass to motion in the six steps of the lecture notes.
+//! Worked solution: from mass to motion in the six steps of the lecture notes.
 //!
-//! Each step has its file. The module `working` holds what they share; `polhode_document` has what
-//! they write into, and shows it as text, Markdown, HTML or LaTeX.
+//! Each step has its own module. `working` holds their common data; they write into a `Document`.
 
 mod answer;
 mod attitude;
@@ -104,7 +103,7 @@ fn solved(w: &Working<'_>) -> Document {
     }
 }
 
-/// Writes step 5, by the kind of motion.
+/// Writes step 5, selected by the kind of motion.
 fn solution(w: &Working<'_>) -> polhode_document::Section {
     let mut section = polhode_document::Section::new(5, "Solve for ω(t)");
     if let Some(pendulum) = &w.pendulum {

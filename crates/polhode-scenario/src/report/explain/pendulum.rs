@@ -1,4 +1,4 @@
-//! Step 5 of a body hung from a fixed axis.
+//! Step 5 of a body suspended from a fixed axis.
 
 use polhode::body::Particle;
 use polhode::math::{Body, Direction};
@@ -9,7 +9,7 @@ use polhode_document::unit;
 
 use super::working::{Working, factor, leaves, n, v};
 
-/// Largest number of particles whose sum is written out.
+/// Largest number of particles in a written sum.
 const MOST_TERMS: usize = 6;
 
 pub(crate) fn solve(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
@@ -45,14 +45,13 @@ pub(crate) fn solve(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
     at_start(pendulum, s);
     amplitude(w, pendulum, axis, s);
     swing_test(w, pendulum, s);
-    // A bearing holds n̂; the run's pivot would let the body leave it unless n̂ is a principal
-    // axis.
+    // The pivot of the run holds a point only, so the body leaves n̂ unless it is a principal axis.
     if leaves(w.scenario, axis) && w.trajectory.is_some() {
         s.say("The run below holds only the pivot and not the axis, so its motion is another than this pendulum's.");
     }
 }
 
-/// Writes I about the axis, as the sum that the notes write where there are particles.
+/// Writes the moment I about the axis; for a few particles as a sum.
 fn moment(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mut Section) {
     let particles = w.scenario.particles();
     if !w.scenario.is_all_particles() || !(1..=MOST_TERMS).contains(&particles.len()) {
@@ -80,7 +79,7 @@ fn at_start(pendulum: &Pendulum, s: &mut Section) {
     ));
 }
 
-/// True if the body stands straight up, except for rounding.
+/// Returns true if the body is upright, up to rounding.
 fn is_upright(pendulum: &Pendulum) -> bool {
     let (sin, cos) = pendulum.angle().sin_cos();
     cos < 0.0 && sin.abs() < 1e-12
@@ -119,7 +118,7 @@ fn amplitude(w: &Working<'_>, pendulum: &Pendulum, axis: Direction<Body>, s: &mu
     }
 }
 
-/// Writes the series of K, term by term, and in the amplitude.
+/// Writes the series of the period in k and in θmax, term by term.
 fn series(amplitude: f64, longer: f64, s: &mut Section) {
     s.say("As a series in k, and in θmax:");
     s.formula(
@@ -133,14 +132,14 @@ fn series(amplitude: f64, longer: f64, s: &mut Section) {
     let in_theta = [square / 16.0, 11.0 * square.powi(2) / 3072.0, 173.0 * square.powi(3) / 737_280.0];
     for (name, terms) in [("k", in_k), ("θmax", in_theta)] {
         let sum: f64 = terms.iter().sum();
-        // Rest of P ω0 / 2π − 1, if it is more than the rounding of that.
+        // Remainder of P ω0 / 2π − 1; omitted if it is a rounding error.
         let rest = longer - sum;
         let rest = if rest > 4.0 * f64::EPSILON { format!(", {} short", error(rest)) } else { String::new() };
         s.line(format!("P ω0 / 2π - 1, in {name}: {} = {}{rest}", terms.map(n).join(" + "), n(sum)));
     }
 }
 
-/// Writes how a measured period gives the moment of inertia.
+/// Writes the swing test: from a measured period to the moment of inertia.
 fn swing_test(w: &Working<'_>, pendulum: &Pendulum, s: &mut Section) {
     let (mass, arm) = (w.rotor.mass(), pendulum.arm());
     let steiner = mass * arm * arm;

@@ -1,21 +1,21 @@
-//! Rows of the table of step 5: instants at which it shows ω.
+//! Rows of the table of ω in step 5.
 //!
-//! Evenly chosen samples of a whole run may alias with the motion. A pendulum that is shown every
-//! 51/50 of its period seems not to swing.
+//! Equally spaced samples of a whole run may alias with the motion: a pendulum sampled every 51/50
+//! of its period seems not to move.
 //!
-//! So the table covers one period of ω in the body, or the run if that is shorter. A motion without
-//! a period is shown over the run if a turn has several rows then, or else at its beginning.
+//! The table therefore covers one period of ω in the body, or the run if that is shorter. Without a
+//! period it covers the run if each revolution has several rows, else its beginning.
 
 use std::f64::consts::TAU;
 
 use polhode::motion::{MotionError, Rotor, Run, Sample, Scenario, Trajectory};
 use polhode_document::number::number;
 
-/// Instants at which a table shows the motion, and the words for them.
+/// Rows of the table, and a description of their times.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Rows {
     pub samples: Vec<Sample>,
-    /// Words after the title: `, one period (1.58 s) in eighths`.
+    /// Description, such as `, one period (1.58 s) in eighths`.
     pub words: String,
 }
 
@@ -54,7 +54,7 @@ impl Rows {
                     period,
                     format!(", one period of ω in the body ({} s) in eighths", number(period, DIGITS)),
                 ),
-                // ω changes more slowly than the run lasts, however fast the body turns.
+                // ω changes slowly relative to the run, even if the body rotates fast.
                 Some(period) => (
                     duration,
                     format!(
@@ -78,7 +78,7 @@ impl Rows {
             let run = Run { times: (0..=PARTS).map(at).collect(), ..run.clone() };
             let Some(shown) = scenario.clone().sampled(run).simulate() else { break };
             let samples = shown?.samples().to_vec();
-            // Samples that are far apart may have missed the fastest part of the motion.
+            // Samples far apart may miss the fastest part of the motion.
             seen.extend_from_slice(&samples);
             let fastest = fastest_rate(scenario.rotor(), &seen);
             rows = Self { samples, words };
@@ -91,9 +91,9 @@ impl Rows {
     }
 }
 
-/// Returns the largest rate at which ω changes its direction or its size along the run, rad/s.
+/// Returns the largest rate of change of ω along the run, rad/s.
 ///
-/// It is |ω| of turns, |dω/dt|/|ω| of oscillations.
+/// This is |ω| for rotation, and |dω/dt|/|ω| for oscillation.
 fn fastest_rate(rotor: &Rotor, samples: &[Sample]) -> f64 {
     let largest = |of: &dyn Fn(&Sample) -> f64| samples.iter().map(of).fold(0.0, f64::max);
     let omega = largest(&|sample| sample.state.omega.norm());

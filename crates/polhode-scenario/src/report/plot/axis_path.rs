@@ -1,10 +1,10 @@
-//! The path of a top's axis in space: the classical figure of cusps, loops and waves.
+//! Path of a top's axis in space: cusps, loops or waves.
 //!
-//! The path lies on the unit sphere at the left, seen a little from above. It is unrolled at the
-//! right, the angle θ from the vertical against the angle φ around it.
+//! The left picture shows the path on the unit sphere, seen slightly from above. The right picture
+//! shows the inclination θ from the vertical over the azimuth φ.
 //!
-//! Near the vertical φ means little. There the path is seen from above instead, with θ as the
-//! distance from the middle.
+//! Close to the vertical φ is ill-defined. The right picture is then a view from above, with θ as
+//! the radius.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -28,16 +28,17 @@ use super::view::View;
 const BOUND: Pen = Pen::solid(Colour::AXES[0], 1.1).dashed(&[4.0, 3.0]);
 const START: Pen = Pen::solid(Colour::AXES[1], 6.0);
 
-/// Least angle from the vertical at which a path is unrolled, rad.
+/// Smallest inclination for the diagram of θ over φ, rad; closer to the vertical a view from above
+/// is drawn.
 const UPRIGHT: f64 = 0.09;
 
-/// Largest number of turns of θ that are unrolled: more would be too narrow to see.
+/// Largest number of periods of θ in the diagram of θ over φ; more would be too narrow.
 const MOST_TURNS: usize = 6;
 
-/// Largest difference between the least and the greatest θ that is rounding, rad.
+/// Threshold for the range of θ, rad; a smaller range is rounding.
 const NOTHING: f64 = 1e-9;
 
-/// Distance from one point of the path to the next, rad.
+/// Largest distance between consecutive points of the path, rad.
 const FINE: f64 = 0.03;
 
 /// Axis of a body that gravity turns about a pivot.
@@ -45,16 +46,17 @@ const FINE: f64 = 0.03;
 pub(crate) struct TopAxis {
     /// Direction from the pivot to the centre of mass.
     pub axis: Direction<Body>,
-    /// Direction against gravity.
+    /// Upward vertical, opposite to gravity.
     pub up: Direction<Space>,
-    /// Two directions across the vertical.
+    /// Two horizontal directions, orthogonal to each other.
     pub across: [Direction<Space>; 2],
     /// Least and greatest θ of a symmetric top, rad.
     pub bounds: Option<[f64; 2]>,
 }
 
 impl TopAxis {
-    /// Returns the axis; `None` for a free body, without gravity, and if gravity has no arm.
+    /// Returns the axis; `None` for a free body, without gravity, or with the centre of mass at the
+    /// pivot.
     pub(crate) fn of(scenario: &Scenario, rotor: &Rotor) -> Option<Self> {
         let gravity = scenario.torques().iter().find_map(|torque| match torque {
             TorqueModel::Gravity(gravity) => Some(gravity.acceleration),
@@ -71,16 +73,16 @@ impl TopAxis {
         Some(Self { axis, up, across: [first, up.cross(first)], bounds })
     }
 
-    /// Returns its direction in a sample, and how fast that moves, ω × e.
+    /// Returns the direction of the axis in a sample, and its rate of change ω × e.
     fn at(&self, s: &Sample) -> (Direction<Space>, Direction<Space>) {
         let e = s.state.attitude * self.axis;
         let tip = Position::from_array(e.to_array());
         (e, Direction::from_array(s.state.omega_space().cross(tip).to_array()))
     }
 
-    /// Returns its path, with points between samples that are far apart.
+    /// Returns the path, with intermediate points between samples that are far apart.
     ///
-    /// These lie on the cubic through both samples with their velocities.
+    /// These are on the cubic through both samples with their rates of change.
     ///
     /// # Errors
     /// [`PlotError::TooCoarse`] if it moves too far from a sample to the next.
@@ -105,12 +107,12 @@ impl TopAxis {
         Ok(path)
     }
 
-    /// Returns θ from the vertical.
+    /// Returns the inclination θ from the vertical, rad.
     fn tilt(&self, e: Direction<Space>) -> f64 {
         e.angle_to(self.up)
     }
 
-    /// Returns φ around the vertical, from −π to π.
+    /// Returns the azimuth φ about the vertical, rad, from −π to π.
     fn azimuth(&self, e: Direction<Space>) -> f64 {
         let [x, y] = self.across.map(|axis| axis.dot(e));
         y.atan2(x)
@@ -149,18 +151,18 @@ pub(crate) fn draw(
     Ok(())
 }
 
-/// Draws the sphere with the path on it, what is behind it faint.
+/// Draws the sphere with the path; the far side is faint.
 fn sphere(top: &TopAxis, path: &[Direction<Space>], bounds: [f64; 2], sheet: &mut Sheet, area: Area) {
-    /// Length of the vertical beyond the sphere, in radii.
+    /// Length of the vertical line beyond the sphere, in radii.
     const REACH: f64 = 1.22;
     let [least, most] = bounds;
     let hangs = least + most > PI;
-    // A path close around the vertical is seen from higher up.
+    // A path close to the vertical is viewed from higher up.
     let height = if most < 0.35 || least > PI - 0.35 { 0.9_f64 } else { 0.4 };
     let height = if hangs { -height } else { height };
     let sum = path.iter().fold(Direction::ZERO, |sum, e| sum + *e);
     let level = sum - top.up * sum.dot(top.up);
-    // A path that goes all around is seen from where it begins, any other from its side.
+    // A path around the vertical is viewed from its start, any other path from its own side.
     let toward = if level.norm() > 0.2 * path.len() as f64 { Some(level) } else { path.first().copied() };
     let azimuth = toward.map_or(0.0, |e| top.azimuth(e));
     let viewer = top.direction(FRAC_PI_2 - height, azimuth);
@@ -192,7 +194,7 @@ fn sphere(top: &TopAxis, path: &[Direction<Space>], bounds: [f64; 2], sheet: &mu
     sheet.dots(path.first().map(|e| view.at(*e)).into_iter().collect(), START);
 }
 
-/// Draws θ against φ, up upward, for as long as its turns can be told apart.
+/// Draws θ over φ, with small θ at the top, up to [`MOST_TURNS`] periods of θ.
 fn unrolled(top: &TopAxis, path: &[Direction<Space>], bounds: [f64; 2], sheet: &mut Sheet, area: Area) {
     let mut points: Vec<Point> = Vec::new();
     let (mut turns, mut rises) = (0, None);
@@ -225,7 +227,8 @@ fn unrolled(top: &TopAxis, path: &[Direction<Space>], bounds: [f64; 2], sheet: &
     sheet.dots(start.into_iter().collect(), START);
 }
 
-/// Draws θ as the distance from the middle, φ around it; from below if the body hangs.
+/// Draws the view from above, with θ as the radius and φ as the angle; for a hanging body, from
+/// below.
 fn from_above(top: &TopAxis, path: &[Direction<Space>], bounds: [f64; 2], sheet: &mut Sheet, area: Area) {
     const WORDS: f64 = 20.0;
     let [least, most] = bounds;
@@ -255,7 +258,7 @@ fn from_above(top: &TopAxis, path: &[Direction<Space>], bounds: [f64; 2], sheet:
     let start = points.first().copied();
     sheet.line(points, TRACE);
     sheet.dots(start.into_iter().collect(), START);
-    // Numbers at the circles would lie on the path.
+    // Labels at the circles would overlap the path.
     let step = ticks.labels.get(1).map_or("", String::as_str);
     let (side, angle) = if hangs { ("below", "180° − θ") } else { ("above", "θ") };
     let words = format!("from {side}, a circle every {step}° of {angle}");

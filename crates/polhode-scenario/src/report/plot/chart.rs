@@ -1,10 +1,11 @@
-//! A chart: the curves of a figure against time, in panels under each other.
+//! Chart: the curves of a figure against time, in panels one below the other.
 //!
-//! Constants are stated in words ([`super::constant`]). Curves of one size share a panel
+//! Constant curves are stated in words ([`super::constant`]). Curves of similar size share a panel
 //! ([`polhode_document::figure::scale`]).
 //!
-//! A curve may fill its panel with stripes. The panel then shows its envelope, and another next to
-//! it the beginning in full. Samples that do not resolve what they show are dots.
+//! A curve with too many oscillations would fill its panel with stripes. The panel then shows its
+//! envelope, and a second panel its beginning. Curves that the samples do not resolve are drawn as
+//! dots.
 
 use polhode::motion::Ending;
 use polhode_document::figure::axes::{Area, Axes, Axis};
@@ -24,7 +25,7 @@ use super::plotted::PlottedMotion;
 use super::time::{time_axis, unit_of_time};
 use crate::report::sampling::turn_that_hides;
 
-/// Function that writes the heading of a figure with its keys and returns the area below.
+/// Function that writes the heading of a figure with its keys, and returns the area below.
 pub(crate) type Heading<'a> = &'a dyn Fn(&mut Sheet, &[Key]) -> Area;
 
 /// Largest number of panels of one quantity.
@@ -32,12 +33,12 @@ const MOST: usize = 3;
 /// Largest number of panels of one of several quantities.
 const MOST_OF_SEVERAL: usize = 2;
 
-/// Number of turning points in the part that is shown in full.
+/// Number of turning points in the beginning that is drawn separately.
 const TURNS: usize = 8;
 
 /// Height of a line of text above a frame, px.
 const LINE: f64 = 15.0;
-/// Height of what stands below the lowest frame: the numbers and the title of its axis.
+/// Height of the tick labels and the axis label below the lowest frame, px.
 const FOOT: f64 = 37.0;
 
 /// Curves of one quantity.
@@ -50,19 +51,18 @@ pub(crate) struct Quantity {
 }
 
 impl Quantity {
-    /// Returns a quantity; one without a name has the names of its curves.
+    /// Creates a quantity; without a name it is labelled with the names of its curves.
     pub(crate) fn new(name: &'static str, unit: &'static str, curves: Vec<Curve>) -> Self {
         Self { name, unit, curves, made_of: 0.0 }
     }
 
-    /// Sets the size of its parts, which may add up to nothing: its rounding errors are ε times as
-    /// large.
+    /// Sets the size of its terms, which may cancel; rounding errors are proportional to it.
     pub(crate) fn made_of(self, size: f64) -> Self {
         Self { made_of: size, ..self }
     }
 }
 
-/// Panels that are drawn, and words that state the constants.
+/// Chart: panels with curves, and statements in words.
 #[derive(Clone, Debug)]
 pub(crate) struct Chart<'a> {
     motion: &'a PlottedMotion<'a>,
@@ -70,9 +70,9 @@ pub(crate) struct Chart<'a> {
     words: Vec<String>,
     is_zero: bool,
     events: EventMarks,
-    /// True if the events are in the legend.
+    /// True if the legend lists the events.
     names_events: bool,
-    /// True if the samples may miss what oscillates.
+    /// True if the samples may miss an oscillation.
     is_sampled: bool,
 }
 
@@ -130,18 +130,18 @@ impl<'a> Chart<'a> {
         Self { motion, panels, words, is_zero, events, names_events: false, is_sampled }
     }
 
-    /// Returns the same with another line of words.
+    /// Returns the chart with one more statement.
     pub(crate) fn saying(mut self, words: &str) -> Self {
         self.words.insert(0, words.to_owned());
         self
     }
 
-    /// Returns the same with the names of events in its legend.
+    /// Returns the chart with the events listed in its legend, or not.
     pub(crate) fn naming_events(self, names_events: bool) -> Self {
         Self { names_events, ..self }
     }
 
-    /// True if all of it is zero, except for rounding.
+    /// Returns true if all its curves are zero up to rounding.
     pub(crate) const fn is_zero(&self) -> bool {
         self.is_zero
     }
@@ -150,14 +150,14 @@ impl<'a> Chart<'a> {
         !self.is_sampled && self.panels.iter().all(Panel::is_resolved)
     }
 
-    /// True if nothing of it varies.
+    /// Returns true if all its curves are constant.
     pub(crate) fn is_words(&self) -> bool {
         self.panels.is_empty()
     }
 
-    /// Returns the height of its frames with what stands around them, if two panels have `two`.
+    /// Returns the height of the panels with their labels; `two` is that of two panels.
     ///
-    /// More panels have more, and words alone none.
+    /// More panels are higher; a chart of words alone has height 0.
     pub(crate) fn height(&self, two: f64) -> f64 {
         match self.panels.len() {
             0 => 0.0,
@@ -165,7 +165,7 @@ impl<'a> Chart<'a> {
         }
     }
 
-    /// Returns the names of the curves and of events, and the words that state constants.
+    /// Returns the legend: curves, events, and statements.
     pub(crate) fn keys(&self) -> Vec<Key> {
         let curves = self.panels.iter().flat_map(|panel| &panel.curves);
         let mut keys: Vec<Key> = curves.map(|(curve, _)| Key::line(curve.pen, curve.name.as_str())).collect();
@@ -205,8 +205,8 @@ impl<'a> Chart<'a> {
         title(sheet, frame, 0.0, &format!("{from} to {to}"));
     }
 
-    /// Returns the beginning that is shown in full, if a curve fills a frame of this width (px)
-    /// with stripes.
+    /// Returns the time span to be drawn separately, if a curve would fill a frame of this width,
+    /// px, with stripes.
     fn window(&self, width: f64) -> Option<[f64; 2]> {
         let start = self.motion.samples().first()?.state.time;
         let turn = |oscillation: &Oscillation| {
@@ -214,7 +214,7 @@ impl<'a> Chart<'a> {
         };
         let end_of = |(curve, oscillation): &(Curve, Oscillation)| {
             let end = turn(oscillation);
-            // A growing curve turns from the beginning, by less than is seen of the whole.
+            // A growing oscillation starts below the resolution of the whole curve.
             end.min(turn(&Oscillation::of(&curve.within([start, end]))))
         };
         let curves = self.panels.iter().flat_map(|panel| &panel.curves);
@@ -223,7 +223,7 @@ impl<'a> Chart<'a> {
         (end.is_finite() && end > start).then_some([start, end])
     }
 
-    /// Draws all panels, of the whole or of a part of the time; returns the frame of the first.
+    /// Draws all panels, for the whole run or a time span; returns the frame of the first.
     fn column(&self, sheet: &mut Sheet, area: Area, width: f64, window: Option<[f64; 2]>) -> Area {
         let count = self.panels.len() as f64;
         let height = (area.height() - FOOT) / count;
@@ -263,9 +263,9 @@ impl<'a> Chart<'a> {
     }
 }
 
-/// Writes how far the curves go that leave their panel after `until`, and when.
+/// Describes the largest value, with its time, of curves that leave their panel after `until`.
 ///
-/// `None` if none has a finite value there.
+/// `None` if there is no finite value.
 fn beyond(curves: &[Curve], unit: &str, until: f64) -> Option<String> {
     let points = curves.iter().flat_map(|curve| curve.pieces.iter().flatten()).filter(|p| p[0] > until);
     let finite = points.map(|[time, x]| [*time, x.abs()]).filter(|[_, x]| x.is_finite());
@@ -277,9 +277,10 @@ fn beyond(curves: &[Curve], unit: &str, until: f64) -> Option<String> {
     ))
 }
 
-/// Returns the time up to which curves tell how large a motion is that runs away.
+/// Returns the time up to which the curves of a diverging motion determine the scale of their
+/// panel.
 ///
-/// The last samples are left out if each of them is far beyond all before it.
+/// It excludes the last samples while each of them is much larger than all samples before it.
 fn telling(curves: &[Curve]) -> f64 {
     const FAR: f64 = 4.0;
     let points =
@@ -329,7 +330,7 @@ mod tests {
         let wild: Vec<f64> = calm.clone().chain([17.0, 4e3, -2e12]).collect();
         assert_eq!(telling(&[curve(calm.collect()), curve(Vec::new())]), 49.0);
         assert_eq!(telling(&[curve(vec![0.1; 53]), curve(wild)]), 49.0);
-        // A steady growth tells all of it, and so do two samples.
+        // Steady growth excludes no samples, and neither do only two samples.
         assert_eq!(telling(&[curve((0..20).map(|k| f64::from(k).exp2()).collect())]), 19.0);
         assert_eq!(telling(&[curve(vec![1.0, 1e9])]), 0.0);
         assert_eq!(telling(&[]), 0.0);

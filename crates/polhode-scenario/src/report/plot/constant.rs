@@ -1,33 +1,33 @@
-//! Constant curves: they are stated with their value and their variation, and not drawn.
+//! Constant curves: they are not drawn, but stated with their value and variation.
 
 use polhode_document::figure::prefix;
 use polhode_document::number::{error, typeset};
 
-/// Largest variation of a constant, relative to its own size.
+/// Largest variation of a constant curve, relative to its own size.
 const SPREAD: f64 = 1e-6;
 
-/// Largest value, relative to the size of its quantity, that is rounding of zero.
+/// Rounding threshold: values below this part of the size of the quantity are zero.
 const ZERO: f64 = 1e-12;
 
 /// Number of significant digits of the value.
 const DIGITS: usize = 6;
 
-/// Value of a curve that is constant.
+/// Constant value of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Constant {
-    /// Zero, with the largest deviation from it.
+    /// Zero; with the largest deviation.
     Zero(f64),
-    /// Another value, with the difference between the greatest and the least value relative to it.
+    /// Nonzero value; with its relative variation, greatest minus least.
     Value(f64, f64),
-    /// The only value there is, of which nothing says whether it stays.
+    /// Value of a curve with a single sample, which may or may not be constant.
     Single(f64),
 }
 
 impl Constant {
-    /// Returns the value of a constant curve; `None` if the values vary, or if one of them is not
+    /// Returns the constant value of a curve; `None` if it varies, or has a value that is not
     /// finite.
     ///
-    /// `scale` is the size of the quantity, on which rounding depends.
+    /// `scale` is the size of the quantity, which determines rounding errors.
     pub(crate) fn of(values: impl Iterator<Item = f64>, scale: f64) -> Option<Self> {
         let [mut least, mut greatest] = [f64::INFINITY, f64::NEG_INFINITY];
         let mut count = 0_usize;
@@ -82,7 +82,7 @@ mod tests {
         let Some(Constant::Value(value, spread)) = Constant::of(wave(0.97e-6), 300.0) else { panic!() };
         assert!((value / 240.85 - 1.0).abs() < 1e-8 && (0.9e-6..1e-6).contains(&spread), "{value} {spread}");
         assert_eq!(Constant::of(wave(1.03e-6), 300.0), None);
-        // The size is its own, not that of a larger line next to it.
+        // The variation is relative to the curve's own size, not to that of a larger curve.
         assert_eq!(Constant::of([1e-4, 1.001e-4].into_iter(), 1e3), None);
         assert_eq!(Constant::of([3.1, f64::INFINITY].into_iter(), 4.0), None);
         assert_eq!(Constant::of([3.1, f64::NAN].into_iter(), 4.0), None);

@@ -1,7 +1,7 @@
-//! Departures of a computed motion from its balances, sample by sample.
+//! Drift of conserved quantities, sample by sample.
 //!
-//! A sample's departure is rounding noise in a closed form and a staircase in an integration. Dots
-//! show either, and a line the largest so far.
+//! The drift is rounding noise in a closed form, and grows in steps in an integration. Dots show
+//! each sample, and a line the maximum so far.
 
 use polhode_document::figure::axes::{Axes, Axis};
 use polhode_document::figure::legend::Key;
@@ -51,7 +51,7 @@ pub(crate) fn draw(motion: &PlottedMotion<'_>, sheet: &mut Sheet, heading: Headi
     }
 }
 
-/// Returns one dot where several would be one.
+/// Returns the dots without those that overlap others.
 fn sparse(dots: Vec<Point>) -> Vec<Point> {
     const CELL: f64 = 1.8;
     let cell = |x: f64| (x / CELL).round() as i64;

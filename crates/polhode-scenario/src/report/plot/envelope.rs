@@ -1,6 +1,6 @@
-//! Envelope of a curve that oscillates too fast to be drawn.
+//! Envelope of an oscillation that is too fast to be drawn.
 //!
-//! It is the band between the least and greatest values nearby.
+//! It is the band between the local least and greatest values.
 
 use polhode_document::figure::line::Point;
 use polhode_document::figure::range::range;
@@ -10,16 +10,16 @@ use super::oscillation::turning_points;
 /// Upper and lower edge of a band.
 pub(crate) type Band = [Vec<Point>; 2];
 
-/// Least and greatest value in an interval, if a sample lies in it.
+/// Least and greatest value in a time interval; `None` without samples.
 type Bounds = Option<[f64; 2]>;
 
-/// Largest turn of a smooth edge, relative to the band's height.
+/// Smallest turn of an edge that counts as a ripple, relative to the range of the curve.
 const RIPPLE: f64 = 0.03;
 
-/// Returns the envelope of a curve in pieces; broken where it is.
+/// Returns the envelope of a curve in pieces, with the gaps of the curve.
 ///
-/// Its intervals are at least `interval` long, and so long that its edges turn at most `most`
-/// times. The envelope of a beat too fast to be drawn is that of its envelope.
+/// The intervals have at least the length `interval`, s, and are extended until each edge has at
+/// most `most` turning points. A fast beat therefore gets the envelope of its envelope.
 pub(crate) fn smooth(pieces: &[Vec<Point>], interval: f64, most: usize) -> Vec<Band> {
     let [least, greatest] = range(pieces.iter().flatten().map(|p| p[1]));
     let turns = |band: &Band| {
@@ -35,11 +35,11 @@ pub(crate) fn smooth(pieces: &[Vec<Point>], interval: f64, most: usize) -> Vec<B
     }
 }
 
-/// Returns the envelope over intervals of about this much time; broken where an interval has no
-/// sample.
+/// Returns the envelope over intervals of about `interval`, s; it has gaps at intervals without
+/// samples.
 ///
-/// Each edge between two intervals is at the outer of their bounds, so that the straight lines
-/// between these points leave every sample inside.
+/// At a boundary between intervals each edge takes the outer of both bounds. All samples are
+/// therefore inside the straight lines between these points.
 fn envelope(pieces: &[Vec<Point>], interval: f64) -> Vec<Band> {
     let points = || pieces.iter().flatten().filter(|p| p[0].is_finite() && p[1].is_finite());
     let times = points().map(|p| p[0]);
@@ -47,7 +47,8 @@ fn envelope(pieces: &[Vec<Point>], interval: f64) -> Vec<Band> {
     if !(end > start) {
         return Vec::new();
     }
-    // Whole intervals are needed: a part of one at the end would hold a part of a period.
+    // All intervals have the same length: a shorter one at the end might contain less than a
+    // period.
     let count = ((end - start) / interval).floor().clamp(1.0, 1e6);
     let interval = (end - start) / count;
     let mut bounds: Vec<Bounds> = vec![None; count as usize];
@@ -57,7 +58,7 @@ fn envelope(pieces: &[Vec<Point>], interval: f64) -> Vec<Band> {
         let mut before = None;
         for &[time, value] in piece.iter().filter(|p| p[0].is_finite() && p[1].is_finite()) {
             let k = place(time);
-            // The straight line from the sample before crosses the intervals between.
+            // The line from the previous sample crosses the intervals in between.
             let (from, other) = before.unwrap_or((k, value));
             for slot in bounds.iter_mut().take(k).skip(from + 1) {
                 *slot = joined(*slot, Some([value.min(other), value.max(other)]));
@@ -86,7 +87,7 @@ fn envelope(pieces: &[Vec<Point>], interval: f64) -> Vec<Band> {
     bands
 }
 
-/// Makes the ends of an edge level: they have bounds on one side only.
+/// Makes the ends of an edge level, because they have bounds on one side only.
 fn level_ends(edge: &mut Vec<Point>) {
     if let [first, second, .., before, last] = edge.as_mut_slice() {
         (first[1], last[1]) = (second[1], before[1]);
@@ -107,7 +108,7 @@ mod tests {
         Some(if t1 > t0 { a + (b - a) * (time - t0) / (t1 - t0) } else { a.max(b) })
     }
 
-    /// Returns a sample outside all bands.
+    /// Returns a sample outside all bands, if there is one.
     fn outside(bands: &[Band], curve: &[Point]) -> Option<Point> {
         let inside = |&[t, value]: &Point| {
             bands.iter().any(|[upper, lower]| {
@@ -120,7 +121,7 @@ mod tests {
 
     #[test]
     fn an_envelope_contains_every_sample() {
-        // The curve is a beat that dies away, at uneven times.
+        // Decaying beat at unequally spaced times.
         let sample = |k: i32| {
             let t = 1.7 + 0.013 * f64::from(k) + 0.004 * (0.9 * f64::from(k)).sin();
             [t, 0.3 + (-0.05 * t).exp() * (31.0 * t).sin() * (1.3 * t).cos()]

@@ -1,4 +1,4 @@
-//! Reasons for which a figure cannot be drawn.
+//! Errors of plots.
 
 use std::fmt;
 
@@ -6,32 +6,32 @@ use polhode::observe::CurveError;
 
 use super::figure::Figure;
 
-/// Reason for which a figure cannot be drawn.
+/// Reason why a figure cannot be drawn.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum PlotError {
-    /// The motion has nothing of what the figure shows.
+    /// A figure that does not apply to this motion.
     NotThere {
-        /// Figure that was asked for.
+        /// Requested figure.
         figure: Figure,
-        /// Fact about the motion that excludes it: `a torque acts on the body: it has no polhode`.
+        /// Reason, a fact about the motion: `a torque acts on the body: it has no polhode`.
         why: &'static str,
     },
-    /// The motion has fewer than two samples, and a curve needs two.
+    /// A motion with fewer than two samples.
     TooFewSamples {
         /// Number of samples.
         count: usize,
     },
-    /// The body turns too far from a sample to the next: angles cannot be followed.
+    /// Samples too far apart to follow the angles.
     TooCoarse {
-        /// Figure that was asked for.
+        /// Requested figure.
         figure: Figure,
-        /// Largest turn from a sample to the next, rad.
+        /// Largest rotation between consecutive samples, rad.
         turn: f64,
     },
-    /// A curve has too many points.
+    /// A curve that cannot be computed, such as one with too many points.
     Curve {
-        /// Figure that was asked for.
+        /// Requested figure.
         figure: Figure,
         /// Error of the curve.
         error: CurveError,
@@ -39,7 +39,7 @@ pub enum PlotError {
 }
 
 impl PlotError {
-    /// Returns what to do about it.
+    /// Returns advice for the user.
     pub fn hint(&self) -> &'static str {
         match self {
             Self::NotThere { .. } => "a plot without a name draws all figures that the motion has",

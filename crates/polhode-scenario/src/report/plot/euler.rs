@@ -1,11 +1,11 @@
 //! Euler angles against time: the nutation θ above, φ and ψ below.
 //!
-//! φ and ψ are drawn as they go on, not from −180° to 180°. Only φ + ψ exists at θ = 0, and only φ
-//! − ψ at 180°.
+//! φ and ψ are drawn as continuous curves, not limited to −180° … 180°. At θ = 0 only φ + ψ is
+//! defined, and at θ = 180° only φ − ψ.
 //!
-//! A body that passes near turns φ and ψ by half a turn at once. If samples do not follow that,
-//! both are left out from 1.1° before to 1.1° behind. The sum or the difference, which goes on, is
-//! drawn next to them. It is alone if θ never leaves its end.
+//! When a body passes close to such a pole, φ and ψ change by half a turn within a short time. If
+//! the samples do not resolve this, both curves have a gap within 1.1° of the pole. The continuous
+//! sum or difference is drawn in addition. It is drawn alone if θ stays at the pole.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -19,24 +19,24 @@ use super::figure::Figure;
 use super::plotted::PlottedMotion;
 use crate::report::sampling::largest_turn;
 
-/// Largest sin θ near an end of θ: within 1.1°.
+/// Value of sin θ below which the attitude is close to a pole: within 1.1°.
 const NEAR: f64 = 0.02;
 
-/// Least sin θ at which φ and ψ are more than rounding; if it is always less, θ is rounding.
+/// Value of sin θ below which φ and ψ are rounding errors; if always below, θ is one too.
 const NOTHING: f64 = 1e-9;
 
-/// Least turn of φ or ψ from a sample to the next that is not followed near an end of θ, rad.
+/// Largest change of φ or ψ between samples that can be followed close to a pole, rad.
 const LEAP: f64 = 1.0;
 
-/// Curve in the pieces that can be followed: time in s, angle in degrees.
+/// Curve in pieces without gaps: time, s, and angle, degrees.
 type Pieces = Vec<Vec<Point>>;
 
-/// Returns a chart of the angles.
+/// Returns a chart of the Euler angles.
 ///
 /// # Errors
 /// [`PlotError::TooCoarse`] if the body turns too far from a sample to the next.
 pub(crate) fn chart<'a>(motion: &'a PlottedMotion<'a>) -> Result<Chart<'a>, PlotError> {
-    // A turn that is missed would be drawn as a slower one.
+    // A missed revolution would be drawn as a slower rotation.
     let turn = largest_turn(motion.samples());
     if !(turn <= FRAC_PI_2) {
         return Err(PlotError::TooCoarse { figure: Figure::Euler, turn });
@@ -70,18 +70,18 @@ pub(crate) fn chart<'a>(motion: &'a PlottedMotion<'a>) -> Result<Chart<'a>, Plot
     })
 }
 
-/// Angles of a motion's attitudes.
+/// Euler angles of the attitudes of a motion.
 struct Angles(Vec<At>);
 
-/// Angles of one attitude: t, s; φ, θ, ψ; φ + ψ and φ − ψ, rad.
+/// Euler angles of one attitude: time, s; φ, θ, ψ; φ + ψ; φ − ψ, rad.
 struct At {
     time: f64,
     euler: [f64; 3],
     sum: f64,
     difference: f64,
-    /// True if both φ and ψ can be told and followed.
+    /// True if φ and ψ are defined and can be followed.
     has_both: bool,
-    /// True if they cannot be followed from the sample before.
+    /// True if they cannot be followed from the previous sample.
     is_beyond: bool,
 }
 
@@ -89,8 +89,8 @@ impl Angles {
     fn of(samples: &[Sample]) -> Self {
         let at = |s: &Sample| {
             let [w, x, y, z] = s.state.attitude.quaternion();
-            // q = (cos ½θ cos ½(φ + ψ), sin ½θ cos ½(φ − ψ),
-            //      sin ½θ sin ½(φ − ψ), cos ½θ sin ½(φ + ψ))
+            // The quaternion is (cos ½θ cos ½(φ + ψ), sin ½θ cos ½(φ − ψ), sin ½θ sin ½(φ − ψ), cos
+            // ½θ sin ½(φ + ψ)).
             let [sum, difference] = [2.0 * z.atan2(w), 2.0 * y.atan2(x)];
             let euler = s.state.attitude.euler313();
             At {
@@ -117,7 +117,7 @@ impl Angles {
         Self(all)
     }
 
-    /// Returns where θ is always, in degrees, if it is nowhere else than at an end.
+    /// Returns the pole at which θ stays, 0 or 180, degrees; `None` if it leaves the pole.
     fn stays(&self) -> Option<u8> {
         let within = |end: f64| self.0.iter().all(|at| (at.euler[1] - end).abs() < NOTHING);
         if within(0.0) {
@@ -138,18 +138,18 @@ impl Angles {
         followed(self.0.iter().map(|at| (at.time, at.has_both.then_some(at.euler[2]))))
     }
 
-    /// Returns φ + ψ, if φ and ψ are missing near θ = 0; near 180° nothing of it is left.
+    /// Returns φ + ψ if φ and ψ have a gap near θ = 0; it has a gap itself near 180°.
     fn sum(&self) -> Pieces {
         self.instead(|theta| theta < FRAC_PI_2, |at| at.sum)
     }
 
-    /// Returns φ − ψ, if φ and ψ are missing near θ = 180°; near 0 nothing of it is left.
+    /// Returns φ − ψ if φ and ψ have a gap near θ = 180°; it has a gap itself near 0.
     fn difference(&self) -> Pieces {
         self.instead(|theta| theta > FRAC_PI_2, |at| at.difference)
     }
 
-    /// Returns the angle that is left if both are missing at one end of θ; at the start alone
-    /// nothing is missed.
+    /// Returns the angle that replaces φ and ψ in their gaps near one pole; empty for a gap at the
+    /// start only.
     fn instead(&self, here: impl Fn(f64) -> bool, value: impl Fn(&At) -> f64) -> Pieces {
         let wanted = self.0.iter().skip(1).any(|at| (at.is_beyond || !at.has_both) && here(at.euler[1]));
         let value = |at: &At| (wanted && (here(at.euler[1]) || !at.is_near())).then(|| value(at));
@@ -158,13 +158,12 @@ impl Angles {
 }
 
 impl At {
-    /// True if θ is near one of its ends.
+    /// Returns true close to a pole.
     fn is_near(&self) -> bool {
         self.euler[1].sin() < NEAR
     }
 
-    /// Returns how far φ or ψ turns from here to the next sample, rad; one that does not exist does
-    /// not turn.
+    /// Returns the larger change of φ and ψ to the next sample, rad; 0 for undefined angles.
     fn leap(&self, next: &Self) -> f64 {
         let ([phi, _, psi], [next_phi, _, next_psi]) = (self.euler, next.euler);
         let turn = |a: f64, b: f64| (b - a - TAU * ((b - a) / TAU).round()).abs();
@@ -173,12 +172,12 @@ impl At {
     }
 }
 
-/// Returns an angle (s, rad) as it goes on, in degrees.
+/// Returns a continuous angle, degrees, from times, s, and angles, rad.
 ///
-/// It is broken where there is none, and where it cannot be followed.
+/// It has gaps where the angle is undefined or cannot be followed.
 ///
-/// Past an end of θ it leaps by half a turn, in a direction that nobody can tell. There it begins
-/// again between −180° and 180°.
+/// A pole changes the angle by half a turn in an unknown direction. After the pole it therefore
+/// restarts between −180° and 180°.
 fn followed(angles: impl Iterator<Item = (f64, Option<f64>)>) -> Pieces {
     let mut pieces: Pieces = Vec::new();
     let mut last: Option<f64> = None;
@@ -213,8 +212,7 @@ mod tests {
 
     #[test]
     fn angles_go_on_and_break_where_there_are_none() {
-        // φ goes around at 40°/s; in the middle the body passes θ = 0, where φ jumps by half a
-        // turn.
+        // φ rotates at 40°/s. Halfway the body passes θ = 0, where φ jumps by half a turn.
         let angle = |k: i32| {
             let t = 0.5 * f64::from(k);
             let jump = if k > 40 { 180.0 } else { 0.0 };
@@ -231,8 +229,8 @@ mod tests {
         assert!((rise - 20.0 * 38.0).abs() < 1e-9);
     }
 
-    /// A sphere turns about an axis in the x-z plane of space: its angles are known wherever they
-    /// exist.
+    /// A sphere rotates about an axis in the x-z plane of space, so that its Euler angles are
+    /// known.
     #[test]
     fn sums_and_differences_go_on_through_the_ends() {
         let turning = |omega: AngularVelocity<polhode::math::Body>| {
@@ -241,14 +239,15 @@ mod tests {
             let times: Vec<f64> = (0..=300).map(|k| 0.018 * f64::from(k)).collect();
             Trajectory::of_motion(motion, &times).unwrap()
         };
-        // About z: θ = 0, and all there is is φ + ψ = ω t.
+        // Rotation about z: θ = 0, and only φ + ψ = ω t is defined.
         let about_z = turning(AngularVelocity::new(0.0, 0.0, 2.0));
         let angles = Angles::of(about_z.samples());
         assert_eq!(angles.stays(), Some(0));
         assert!(angles.phi().is_empty() && angles.psi().is_empty() && angles.difference().is_empty());
         let [sum] = &angles.sum()[..] else { panic!("it is broken") };
         assert!(sum.iter().all(|[t, a]| (a - (2.0 * t).to_degrees()).abs() < 1e-9));
-        // About x: θ rises to 180° and falls; φ and ψ are constant between, φ − ψ throughout.
+        // Rotation about x: θ rises to 180° and falls again; φ and ψ are piecewise constant, φ − ψ
+        // is constant.
         let about_x = turning(AngularVelocity::new(1.1, 0.0, 0.0));
         let angles = Angles::of(about_x.samples());
         assert_eq!(angles.stays(), None);
@@ -259,12 +258,12 @@ mod tests {
         );
         let [difference] = &angles.difference()[..] else { panic!("it is broken") };
         assert!(difference.iter().all(|p| p[1].abs() < 1e-9 && p[0] > 0.0));
-        // No sample of so fast a turn is near the end, and it is not followed either.
+        // For so fast a rotation no sample is close to the pole, and φ still cannot be followed.
         let fast = turning(AngularVelocity::new(70.3, 0.0, 0.0));
         let angles = Angles::of(&fast.samples()[..5]);
         assert_eq!((angles.phi().len(), angles.difference().len()), (2, 1));
         assert!(angles.phi().iter().flatten().all(|p| p[1].abs() < 180.1));
-        // A turn that passes at a distance is followed all the way.
+        // At a distance from the pole the angles are followed all the way.
         let beside = turning(AngularVelocity::new(1.1, 0.0, 0.02));
         assert!(Angles::of(beside.samples()).difference().is_empty());
     }

@@ -1,20 +1,20 @@
-//! Oscillation of a curve: where it turns, and whether its samples show that.
+//! Oscillation of a curve: its turning points, and whether the samples resolve them.
 
 use polhode_document::figure::line::Point;
 use polhode_document::figure::range::range;
 
-/// Least turn, relative to the curve's range, that counts.
+/// Smallest turn that counts, relative to the range of the curve.
 const RIPPLE: f64 = 0.01;
 
-/// Least number of samples from a turning point to the next that show a smooth oscillation.
+/// Smallest number of samples between turning points that resolve an oscillation.
 ///
-/// Fewer miss its extrema by more than a tenth.
+/// With fewer samples the extrema are missed by more than a tenth of the amplitude.
 const RESOLVED: f64 = 4.0;
 
-/// Least number of turning points of an oscillation.
+/// Number of turning points from which on a curve is an oscillation.
 const FEW: usize = 5;
 
-/// Least distance from a turning point to the next with which a curve is read as one, px.
+/// Smallest distance between turning points of a legible curve, px.
 const STRIPE: f64 = 6.0;
 
 /// Turning points of a curve.
@@ -22,15 +22,14 @@ const STRIPE: f64 = 6.0;
 pub(crate) struct Oscillation {
     /// Times at which it turns, s.
     pub times: Vec<f64>,
-    /// Median number of samples from one turning point to the next.
+    /// Median number of samples between consecutive turning points.
     samples: f64,
-    /// Fraction of the turning points that are one sample between two far away: a pulse that was
-    /// hit once.
+    /// Fraction of turning points that are isolated samples, such as a pulse hit by one sample.
     spikes: f64,
 }
 
 impl Oscillation {
-    /// Returns the oscillation of a curve in pieces.
+    /// Returns the turning points of a curve in pieces.
     pub(crate) fn of(pieces: &[Vec<Point>]) -> Self {
         let [least, greatest] = range(pieces.iter().flatten().map(|p| p[1]));
         let spread = greatest - least;
@@ -53,22 +52,22 @@ impl Oscillation {
         Self { times, samples, spikes }
     }
 
-    /// False if the samples are too few for what they show.
+    /// Returns false if the samples are too few to resolve the oscillation.
     pub(crate) fn is_resolved(&self) -> bool {
         self.times.len() < FEW || (self.samples >= RESOLVED && self.spikes <= 0.25)
     }
 
-    /// True if the curve fills its frame of this width (px) with stripes.
+    /// Returns true if the curve fills a frame of this width, px, with stripes.
     pub(crate) fn is_striped(&self, width: f64) -> bool {
         self.times.len() > FEW && width < STRIPE * self.times.len() as f64
     }
 }
 
-/// Returns the places at which a curve turns by more than `ripple`.
+/// Returns the indices of the points at which a curve turns by more than `ripple`.
 pub(crate) fn turning_points(piece: &[Point], ripple: f64) -> Vec<usize> {
     let mut turns = Vec::new();
     let mut rising = None;
-    // Last extreme point so far, upward and downward.
+    // Greatest and least points since the last turn.
     let (mut high, mut low) = ((0, f64::NEG_INFINITY), (0, f64::INFINITY));
     for (k, &[_, value]) in piece.iter().enumerate().filter(|(_, p)| p[1].is_finite()) {
         if value > high.1 {
@@ -78,7 +77,7 @@ pub(crate) fn turning_points(piece: &[Point], ripple: f64) -> Vec<usize> {
             low = (k, value);
         }
         if rising != Some(false) && value < high.1 - ripple {
-            // The beginning of a curve is not a turn.
+            // The start of a curve is not a turning point.
             if rising.is_some() {
                 turns.push(high.0);
             }
@@ -109,7 +108,7 @@ mod tests {
     #[test]
     fn a_wave_turns_twice_in_a_period() {
         let wave = Oscillation::of(&wave(0.01));
-        // The first turn is a quarter less 0.4/2π of a period after the start.
+        // First maximum: (¼ − 0.4/2π) of the period.
         let first = 1.3 * (0.25 - 0.4 / std::f64::consts::TAU);
         for (k, time) in wave.times.iter().enumerate() {
             assert!((time - first - 0.65 * k as f64).abs() < 0.006, "{k}: {time}");
@@ -130,7 +129,7 @@ mod tests {
     fn few_samples_do_not_resolve_a_wave() {
         assert!(Oscillation::of(&wave(0.13)).is_resolved());
         assert!(!Oscillation::of(&wave(0.21)).is_resolved());
-        // A pulse of one sample in twenty is not resolved; one of five is.
+        // A pulse of one sample in twenty is not resolved, a pulse of five samples is.
         let pulses = |long: i32| {
             let at = |k: i32| [0.25 * f64::from(k), if k % 20 < long { 1.2 } else { 0.0 }];
             Oscillation::of(&[(0..600).map(at).collect::<Vec<_>>()])

@@ -1,7 +1,7 @@
-//! Panel: curves that share a vertical axis.
+//! Panel: curves with a common vertical axis.
 //!
-//! A motion that runs away is drawn up to where it leaves the panel, which is as high as the rest
-//! of it needs.
+//! A diverging curve is drawn up to the edge of the panel. The other part of the motion determines
+//! the height.
 
 use polhode_document::figure::axes::{Area, Axes, Axis};
 use polhode_document::figure::range::range;
@@ -11,25 +11,25 @@ use super::curve::Curve;
 use super::envelope;
 use super::oscillation::Oscillation;
 
-/// Number of turning points in an interval of an envelope: a little more than a period.
+/// Turning points per interval of an envelope: slightly more than a period.
 const TURNS: f64 = 2.2;
 
-/// Least distance from a turning point of an envelope's edge to the next, px.
+/// Smallest distance between turning points of an envelope, px.
 const WAVE: f64 = 24.0;
 
-/// Least width of an interval of an envelope, px.
+/// Smallest interval of an envelope, px.
 const NARROW: f64 = 1.5;
 
-/// Curves that share a vertical axis, at least one.
+/// Curves with a common vertical axis; at least one.
 #[derive(Clone, Debug)]
 pub(crate) struct Panel {
     /// Name of the quantity.
     name: &'static str,
     unit: &'static str,
-    /// True if these are all its curves that vary.
+    /// True if the panel has all varying curves of its quantity.
     has_all: bool,
     pub curves: Vec<(Curve, Oscillation)>,
-    /// Time up to which the curves decide how high the panel is, s.
+    /// Time, s, up to which the curves determine the height of the panel.
     until: f64,
 }
 
@@ -41,7 +41,7 @@ impl Panel {
         until: f64,
     ) -> Self {
         let mut panel = Self { name, unit, has_all, curves: Vec::new(), until };
-        // An angle of many turns is counted in turns.
+        // Angles of many revolutions are drawn in revolutions.
         let largest = curves.iter().flat_map(Curve::values).map(f64::abs).fold(0.0, f64::max);
         let turns = unit == "deg" && largest > 20.0 * 360.0;
         for mut curve in curves {
@@ -57,29 +57,30 @@ impl Panel {
         panel
     }
 
-    /// Returns an axis of this height for values.
+    /// Returns an axis for these values, `height` px high.
     ///
-    /// It is called by the symbols of the curves if they are not all of the quantity, and fit.
+    /// If the panel lacks curves of its quantity, the label consists of the symbols of its curves,
+    /// if they fit.
     fn axis_for(&self, values: [f64; 2], height: f64) -> Axis {
         let symbols: Vec<&str> = self.curves.iter().map(|(curve, _)| curve.symbol.as_str()).collect();
         let symbols = symbols.join(", ");
         let short = if self.name.is_empty() { "angle" } else { self.name };
         let names = if self.has_all && !self.name.is_empty() { [short, ""] } else { [&symbols, short] };
-        // A mark stands every 36 px or so.
+        // There is about one tick per 36 px.
         let axis = |name| Axis::linear(values, 0.06, (height / 36.0).clamp(3.0, 8.0), name, self.unit);
         let [first, second] = names.map(axis);
         if first.label_width() <= height + 10.0 { first } else { second }
     }
 
-    /// Returns the axis of its values.
+    /// Returns the axis for all values.
     pub(crate) fn axis(&self, height: f64) -> Axis {
         let ranges = self.curves.iter().flat_map(|(curve, _)| curve.range_until(self.until));
         self.axis_for(range(ranges), height)
     }
 
-    /// Returns the axis of the values in an interval of time.
+    /// Returns the axis for the values in a time interval.
     ///
-    /// It is that of the whole panel if they fill at least half of that.
+    /// If they fill at least half of the axis of the whole panel, it is the same.
     pub(crate) fn axis_within(&self, window: [f64; 2], whole: &Self, height: f64) -> Axis {
         let values = self.curves.iter().flat_map(|(curve, _)| curve.within(window)).flatten();
         let part = range(values.map(|p| p[1]));
@@ -90,15 +91,15 @@ impl Panel {
         self.axis_for(part, height)
     }
 
-    /// False if the samples are too few for what they show.
+    /// Returns false if the samples are too few to resolve a curve.
     pub(crate) fn is_resolved(&self) -> bool {
         self.curves.iter().all(|(_, oscillation)| oscillation.is_resolved())
     }
 
-    /// Draws the whole of its curves over axes whose unit of time is `scale` seconds.
+    /// Draws all curves over axes whose unit of time is `scale` seconds.
     ///
-    /// Curves that oscillate too fast for a frame of `width` px are drawn as envelopes, those whose
-    /// samples are too few as dots.
+    /// Curves that would be stripes in a frame of `width` px are drawn as envelopes, unresolved
+    /// curves as dots.
     pub(crate) fn draw(&self, sheet: &mut Sheet, axes: &Axes, scale: f64, width: f64, is_sampled: bool) {
         let striped = |curve: &&(Curve, Oscillation)| curve.1.is_striped(width);
         let span =
@@ -118,13 +119,13 @@ impl Panel {
                 edges.extend([upper, lower].map(|edge| (Pen { width: 1.1, ..curve.pen }, edge)));
             }
         }
-        // Dashes are drawn over whole lines: edges that coincide are both seen.
+        // Dashed lines are drawn last, so that coinciding edges are both visible.
         edges.sort_by_key(|(pen, _)| !pen.dash.is_empty());
         for (pen, edge) in edges {
             sheet.line(edge, pen);
         }
         let mut curves: Vec<_> = self.curves.iter().filter(|curve| !striped(curve)).collect();
-        // Dots would hide what is drawn before them.
+        // Dots are drawn first, because they would hide other curves.
         curves.sort_by_key(|(_, oscillation)| oscillation.is_resolved());
         for (curve, oscillation) in curves {
             let is_sampled = is_sampled || !oscillation.is_resolved();
@@ -132,15 +133,15 @@ impl Panel {
         }
     }
 
-    /// Returns what is shown in full next to an envelope: the curves with stripes, or all if there
-    /// are none.
+    /// Returns the panel with the beginning of the curves next to an envelope: the curves with
+    /// stripes, else all.
     pub(crate) fn in_full(&self, width: f64) -> Self {
         let striped: Vec<_> = self.curves.iter().filter(|(_, o)| o.is_striped(width)).cloned().collect();
         let curves = if striped.is_empty() { self.curves.clone() } else { striped };
         Self { has_all: self.has_all && curves.len() == self.curves.len(), curves, ..*self }
     }
 
-    /// Draws the part of its curves in an interval of time, in full.
+    /// Draws the curves in a time interval, without envelopes.
     pub(crate) fn draw_within(
         &self,
         sheet: &mut Sheet,
@@ -184,7 +185,7 @@ impl Panel {
     }
 }
 
-/// Returns pieces without what lies outside an interval of time.
+/// Returns the pieces, clipped to a time interval.
 fn clipped(pieces: &[Vec<Point>], [from, to]: [f64; 2]) -> Vec<Vec<Point>> {
     let between = |[t0, a]: Point, [t1, b]: Point, t: f64| [t, a + (b - a) * (t - t0) / (t1 - t0)];
     let one = |piece: &Vec<Point>| {
@@ -206,7 +207,9 @@ fn clipped(pieces: &[Vec<Point>], [from, to]: [f64; 2]) -> Vec<Vec<Point>> {
     pieces.iter().map(one).collect()
 }
 
-/// Returns where the line from a point inside an area to one above or below it leaves the area.
+/// Returns the intersection of a line with the upper or lower edge of an area.
+///
+/// The line starts inside the area; `None` if it ends inside too.
 fn cut([x0, y0]: Point, [x1, y1]: Point, area: Area) -> Option<Point> {
     let edge = y1.clamp(area.top, area.bottom);
     (edge != y1).then(|| [x0 + (x1 - x0) * (edge - y0) / (y1 - y0), edge])
@@ -226,7 +229,7 @@ mod tests {
 
     #[test]
     fn a_part_ends_where_its_interval_does() {
-        // The part goes from the last point before to the first behind.
+        // The points include the last one before the interval and the first one after it.
         let piece: Vec<Point> = (3..10).map(|k| 0.3 * f64::from(k)).map(|t| [t, 2.0 * t]).collect();
         let parts = clipped(&[piece], [1.0, 2.5]);
         let [.., [end, value]] = parts[0][..] else { panic!() };

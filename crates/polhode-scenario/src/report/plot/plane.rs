@@ -1,4 +1,4 @@
-//! The herpolhode in the invariable plane.
+//! Herpolhode: the path of ω in the invariable plane.
 
 use polhode::motion::{FreeMotion, Regime};
 use polhode::observe::{CurveError, Herpolhode};
@@ -10,12 +10,12 @@ use polhode_document::figure::sheet::{Colour, Pen, Point, Sheet};
 use super::chart::Heading;
 use super::time::unit_of_time;
 
-/// Largest number of periods of ω that are drawn: an eye can follow no more.
+/// Largest number of drawn periods of ω, for legibility.
 const MOST_PERIODS: f64 = 12.0;
-/// Largest number of turns about L that are drawn.
+/// Largest number of drawn revolutions about L.
 const MOST_TURNS: f64 = 60.0;
 
-/// Draws the path of ω during `duration`, s.
+/// Draws the herpolhode over `duration`, s.
 pub(crate) fn draw(
     motion: &FreeMotion,
     duration: f64,

@@ -1,4 +1,4 @@
-//! Motion that figures are drawn from.
+//! Motion to be plotted.
 
 use polhode::body::PrincipalFrame;
 use polhode::math::Body;
@@ -6,12 +6,12 @@ use polhode::motion::{FreeMotion, Pointing, Sample, Solution, Trajectory, Wheel}
 
 use crate::report::balance::Driven;
 
-/// Motion, with what its figures ask of it.
+/// Motion to be plotted, with the data that its figures need.
 #[derive(Clone, Debug)]
 pub(crate) struct PlottedMotion<'a> {
     pub title: String,
     pub trajectory: &'a Trajectory,
-    /// Principal moments and axes about the point that the body turns about.
+    /// Principal moments and axes about the pivot or the centre of mass.
     pub principal: PrincipalFrame<Body>,
     pub free: Option<FreeMotion>,
     pub driven: Driven,
@@ -28,7 +28,7 @@ impl<'a> PlottedMotion<'a> {
         matches!(self.trajectory.solution(), Solution::Prescribed(_))
     }
 
-    /// Returns the time from the first to the last sample, s.
+    /// Returns the duration from the first to the last sample, s.
     pub(crate) fn duration(&self) -> f64 {
         match self.samples() {
             [first, .., last] => last.state.time - first.state.time,

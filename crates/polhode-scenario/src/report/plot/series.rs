@@ -1,4 +1,4 @@
-//! The curves of ω, energies, L, torques and angles.
+//! Curves of ω, energy, L, torque and angles.
 
 use polhode::body::Symmetry;
 use polhode::math::{Direction, Principal, Vector};
@@ -11,7 +11,7 @@ use super::curve::Curve;
 use super::figure::Figure;
 use super::plotted::PlottedMotion;
 
-/// Returns the curves of ω, an energy, L, a torque or angles.
+/// Returns the curves of one of these quantities.
 pub(crate) fn quantity(motion: &PlottedMotion<'_>, figure: Figure) -> Quantity {
     match figure {
         Figure::Energy => Quantity::new("energy", "J", energy(motion)),
@@ -24,10 +24,9 @@ pub(crate) fn quantity(motion: &PlottedMotion<'_>, figure: Figure) -> Quantity {
     }
 }
 
-/// Returns the angles that a plan asks for.
+/// Returns the pointing angles of a scenario.
 ///
-/// A scenario on an orbit that asks for none has those of x, −y and z to velocity, normal and
-/// nadir.
+/// The default on an orbit is z to nadir, x to velocity, and −y to the orbit normal.
 pub(crate) fn pointings(scenario: &Scenario) -> Vec<Pointing> {
     let Some(orbit) = scenario.orbit().filter(|_| scenario.pointings().is_empty()) else {
         return scenario.pointings().to_vec();
@@ -65,9 +64,9 @@ fn momentum(motion: &PlottedMotion<'_>) -> Vec<Curve> {
     curves
 }
 
-/// Returns the size of the parts of L, which may add up to nothing.
+/// Returns the size of the terms of L, which may cancel.
 ///
-/// They are that of the carrier, at least 2 T/|ω|, and those of the wheels.
+/// These are the momentum of the carrier, at least 2 T/|ω|, and that of each wheel.
 fn parts_of_momentum(motion: &PlottedMotion<'_>) -> f64 {
     let parts = |s: &Sample| {
         let rate = s.state.omega.norm();
@@ -87,7 +86,7 @@ fn energy(motion: &PlottedMotion<'_>) -> Vec<Curve> {
     if !motion.driven.at_all() {
         let moments = motion.principal.moments();
         let into = motion.principal.rotation().inverse();
-        // The energy along an axis is ½ iₖ ωₖ².
+        // The energy along axis k is ½ iₖ ωₖ².
         let part = |s: &Sample| {
             let [w1, w2, w3] = (into * s.state.omega).to_array();
             let [i1, i2, i3] = moments;
@@ -121,7 +120,7 @@ fn one(motion: &PlottedMotion<'_>, pen: Pen, name: &str, value: impl Fn(&Sample)
     Curve { pen, name: name.to_owned(), symbol: name.to_owned(), pieces: vec![points] }
 }
 
-/// Returns curves along three axes, each with its name and its symbol.
+/// Returns the curves of three components, each with its name and symbol.
 fn components(
     motion: &PlottedMotion<'_>,
     names: [[String; 2]; 3],
@@ -139,7 +138,7 @@ fn components(
         .collect()
 }
 
-/// Returns the names of the components of a vector along x, y and z.
+/// Returns the names and symbols of the components along x, y and z.
 fn along_xyz(letter: &str) -> [[String; 2]; 3] {
     ["x", "y", "z"].map(|axis| format!("{letter}{axis}")).map(|name| [name.clone(), name])
 }

@@ -1,10 +1,9 @@
-//! The momentum sphere: the path of L in the body.
+//! Momentum sphere: the path of L in the body.
 //!
-//! The size |L| is constant, so L moves on a sphere fixed in the body. T is constant too, so L
-//! moves along a curve Σ l²/I = constant on the sphere.
+//! The norm of L is constant, so L moves on a sphere fixed in the body. T is constant too, so its
+//! path is a curve Σ l²/I = constant.
 //!
-//! The sphere is seen from far away, axis 2 upward, from the side where L is; what is behind it is
-//! faint.
+//! The sphere is seen from far away, from the side of L, with axis 2 upward. The far side is faint.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -19,12 +18,12 @@ use polhode_document::figure::sheet::{Anchor, Colour, Mark, Pen, Point, Sheet, T
 use super::chart::Heading;
 use super::view::View;
 
-/// Number of parts into which the curves about an axis divide the way to the separatrix.
+/// Number of equal steps from an axis to the separatrix; the curves are drawn between them.
 const RINGS: u32 = 5;
 
 pub(crate) const TRACE: Pen = Pen::solid(Colour::BLACK, 2.0);
 const SEPARATRIX: Pen = Pen::solid(Colour::ORANGE, 4.0);
-/// Opacity of what is behind.
+/// Relative opacity of the far side.
 pub(crate) const FAR: f64 = 0.22;
 
 pub(crate) fn draw(motion: &FreeMotion, sheet: &mut Sheet, heading: Heading<'_>) -> Result<(), CurveError> {
@@ -59,7 +58,7 @@ pub(crate) fn draw(motion: &FreeMotion, sheet: &mut Sheet, heading: Heading<'_>)
         }
     }
     if !asymmetric && !about.is_empty() {
-        // All directions across the axis of a symmetric body stay, between its two sides.
+        // Every axis in the equatorial plane of a symmetric body is a permanent axis.
         curves
             .extend(about.iter().flat_map(|&k| rings(moments, k, 1.0)).take(1).map(|ring| (equator(), ring)));
     }
@@ -94,7 +93,7 @@ fn equator() -> Pen {
     Pen::solid(Colour::FRAME, 1.1).dashed(&[2.0, 2.5])
 }
 
-/// Returns L/|L| along the principal axes, over one period.
+/// Returns L/|L| over one period, principal axes.
 fn trace(motion: &FreeMotion) -> Result<Vec<Direction<Principal>>, CurveError> {
     let into = motion.principal().rotation().inverse();
     let curve = MomentumTrace::of(motion, 1e-4)?.curve;
@@ -103,13 +102,13 @@ fn trace(motion: &FreeMotion) -> Result<Vec<Direction<Principal>>, CurveError> {
 
 /// Returns the two curves of constant energy on the unit sphere about axis k = 0 or 2.
 ///
-/// `part` is 0 on the axis, 1 on the separatrix.
+/// `part` is 0 for the axis itself and 1 for the separatrix.
 ///
-/// Σ l²/I is constant on the curves, so they are seen as ellipses along the axis. Those of a body
-/// with two equal moments are circles.
+/// Seen along the axis the curves are ellipses, because Σ l²/I is constant; circles for two equal
+/// moments.
 fn rings([i1, i2, i3]: [f64; 3], k: usize, part: f64) -> [Vec<Direction<Principal>>; 2] {
     let (a, c) = if k == 2 { (i1, i3) } else { (i3, i1) };
-    // The ratio is ((1/i2 − 1/c)/(1/a − 1/c))^½.
+    // The ratio of the axes of the ellipse is ((1/i2 − 1/c)/(1/a − 1/c))^½.
     let narrow = ((c - i2) / (c - a) * (a / i2)).sqrt();
     let long = (part * FRAC_PI_2).sin();
     [1.0, -1.0].map(|side| {
@@ -123,13 +122,13 @@ fn rings([i1, i2, i3]: [f64; 3], k: usize, part: f64) -> [Vec<Direction<Principa
     })
 }
 
-/// Distance that the ends of the axes reach, in radii.
+/// Length of the axes from the centre, in radii.
 const REACH: f64 = 1.2;
-/// Distance of the names of the axes, in radii.
+/// Distance of the axis names from the centre, in radii.
 const NAME: f64 = 1.33;
 
-/// Returns the view from the side on which the trace is: near the axis that L circles, a little
-/// from above.
+/// Returns the view from the side of the path: close to the axis that L circles, slightly from
+/// above.
 fn view(area: Area, trace: &[Direction<Principal>], about_least: bool) -> View<Principal> {
     const ALONG: f64 = 0.82;
     const ASIDE: f64 = 0.46;
@@ -140,13 +139,13 @@ fn view(area: Area, trace: &[Direction<Principal>], about_least: bool) -> View<P
     } else {
         Direction::new(ASIDE * side(z), 0.34, ALONG * side(z))
     };
-    // Axis 2 rises above the sphere; nothing hangs below it.
+    // Axis 2 extends above the sphere; below it there is only a margin.
     let radius = (area.height() / (1.0 + NAME)).min(area.width() / (2.0 * NAME));
     let center = [0.5 * (area.left + area.right), area.bottom - radius - 3.0];
     View::new(center, radius - 3.0, viewer, Direction::new(0.0, 1.0, 0.0))
 }
 
-/// Draws the visible ends of the axes, with their numbers.
+/// Draws the visible ends of the axes with their numbers.
 fn ends_of_axes(view: &View<Principal>, sheet: &mut Sheet) {
     for (k, name) in ["1", "2", "3"].into_iter().enumerate() {
         let mut axis = [0.0; 3];
@@ -163,7 +162,7 @@ fn ends_of_axes(view: &View<Principal>, sheet: &mut Sheet) {
     }
 }
 
-/// Draws the head of an arrow between two points.
+/// Draws an arrowhead between two points.
 pub(crate) fn arrow([x0, y0]: Point, [x1, y1]: Point, sheet: &mut Sheet) {
     let length = (x1 - x0).hypot(y1 - y0);
     if length > 0.0 {

@@ -38,7 +38,7 @@ fn heavy() -> Scenario {
     scenario([0.7, -1.1, 2.3]).held_at(Position::ZERO).unwrap().under(torques).unwrap()
 }
 
-/// Returns a symmetric top with its tip at the origin, leaning by an angle.
+/// Returns a symmetric top with its tip at the origin, at an inclination `tilt`, rad.
 fn top(tilt: f64, omega: [f64; 3]) -> Scenario {
     let inertia = InertiaTensor::diagonal([0.021, 0.021, 0.034]).unwrap();
     let body = MassProperties::new(1.3, Position::new(0.0, 0.0, 0.13), inertia).unwrap();
@@ -49,7 +49,7 @@ fn top(tilt: f64, omega: [f64; 3]) -> Scenario {
     top.under(torques).unwrap().sampled(Run::evenly(2.0, 801, Method::Auto, 1e-12))
 }
 
-/// Returns two wheels in a body at rest, one of them turned by its motor: L is zero throughout.
+/// Returns a body at rest with two wheels, one of them driven by a motor; L is zero.
 fn gyrostat() -> Scenario {
     let motor = Motor::Torque { inertia: 0.21, torque: 0.35, schedule: None };
     let turned = Wheel::new(Direction::new(0.6, -0.3, 0.8), 0.0, motor).unwrap();
@@ -57,11 +57,11 @@ fn gyrostat() -> Scenario {
     scenario([0.0; 3]).with_wheels(&[held, turned]).unwrap()
 }
 
-/// Returns a motion whose ω grows as 1/(t* − t), until the computation gives up.
+/// Returns a diverging motion, ω = 1/(t* − t), whose computation fails.
 fn run_away() -> Scenario {
     let inertia = InertiaTensor::diagonal([2.0, 3.0, 4.0]).unwrap();
     let body = MassProperties::new(1.0, Position::ZERO, inertia).unwrap();
-    // N = 4 ω_z² along z gives ω̇ = ω²: t* = 2 s from 0.5 rad/s.
+    // The torque N = 4 ω_z² along z gives ω̇ = ω², so that t* = 2 s for 0.5 rad/s.
     let place = StateVariables::NAMES.iter().position(|name| *name == "wz").unwrap();
     let square = [Instruction::Variable(place), Instruction::Unary(Unary::Power(2))];
     let times = [Instruction::Constant(4.0), Instruction::Binary(Binary::Multiply)];
@@ -86,7 +86,7 @@ fn moments(moments: [f64; 3], omega: [f64; 3], span: f64) -> (FreeMotion, Trajec
     (motion, Trajectory::of_motion(motion, &times).unwrap())
 }
 
-/// Returns every text of an SVG with the box that it fills: x from, x to, y from, y to.
+/// Returns every text of a picture with its bounding box: least x, greatest x, least y, greatest y.
 fn boxes(picture: &Picture) -> Vec<(String, [f64; 4])> {
     let texts = picture.sheet.marks.iter().filter_map(|mark| match mark {
         Mark::Text(text) => Some(text),
@@ -102,8 +102,8 @@ fn boxes(picture: &Picture) -> Vec<(String, [f64; 4])> {
         .collect()
 }
 
-/// Asserts that a picture can be read: as XML, with every text and point on the sheet and no two
-/// texts in one place.
+/// Asserts that a picture is valid XML, with all texts and points on the sheet, and no overlapping
+/// texts.
 fn readable(picture: &Picture, name: &str) {
     let svg = picture.to_svg();
     assert!(svg.len() < 400_000, "{name}: {} bytes", svg.len());
@@ -132,7 +132,7 @@ fn readable(picture: &Picture, name: &str) {
     }
 }
 
-/// Returns every curve and its pen.
+/// Returns all curves with their pens.
 fn lines(picture: &Picture) -> impl Iterator<Item = (&Vec<Vec<Point>>, &sheet::Pen)> {
     picture.sheet.marks.iter().filter_map(|mark| match mark {
         Mark::Lines { lines, pen } => Some((lines, pen)),
@@ -140,7 +140,7 @@ fn lines(picture: &Picture) -> impl Iterator<Item = (&Vec<Vec<Point>>, &sheet::P
     })
 }
 
-/// Returns the corners of the first frame: the only closed line of five points.
+/// Returns the corners of the first frame, the only closed line of five points.
 fn frame(picture: &Picture) -> &[Point] {
     lines(picture).map(|(lines, _)| &lines[0]).find(|line| line.len() == 5).unwrap()
 }
@@ -211,7 +211,8 @@ fn a_curve_is_its_data() {
     let scenario = scenario([0.7, -1.1, 0.3]);
     let trajectory = scenario.simulate().unwrap().unwrap();
     let picture = MotionFigures::of_scenario(&scenario, &trajectory).draw(Figure::Omega).unwrap();
-    // The values of the frame's ends are the first and last time, and where the marks say.
+    // The left and right edges of the frame are the first and last time; the tick labels give the
+    // vertical scale.
     let frame = frame(&picture);
     let ([left, top], [right, bottom]) = (frame[0], frame[2]);
     let marks: Vec<(f64, f64)> = boxes(&picture)
@@ -235,7 +236,7 @@ fn a_curve_is_its_data() {
             let place = [across(sample.state.time), up(value)];
             assert!((top..bottom).contains(&place[1]));
             let off = curve.windows(2).map(|w| distance(place, w[0], w[1])).fold(f64::INFINITY, f64::min);
-            // The middle of the labels is known to some tenths of a pixel only.
+            // The vertical positions of the labels are known to some tenths of a pixel only.
             assert!(off < SEEN + 0.5, "ω{} at {}: {off} px", k + 1, sample.state.time);
         }
     }
@@ -286,7 +287,7 @@ fn the_drift_that_is_drawn_is_the_drift_that_is_reported() {
     }
 }
 
-/// θ and φ of a top's axis, read back from the unrolled path, are those of its attitude.
+/// The angles θ and φ read back from the diagram agree with the attitudes.
 #[test]
 fn the_path_of_an_axis_is_where_it_points() {
     let scenario = top(0.7, [0.0, 0.0, 38.0]);
@@ -296,8 +297,8 @@ fn the_path_of_an_axis_is_where_it_points() {
     let (svg, texts) = (picture.to_svg(), boxes(&picture));
     assert!(svg.contains("radialGradient"));
     assert!(texts.iter().any(|(text, _)| text.starts_with("θ from 40.107° to ")), "{texts:?}");
-    // The bounds are straight dashed lines over the width of the frame. The path touches both, and
-    // begins with a cusp at the upper.
+    // The bounds are dashed horizontal lines. The path touches both, and starts with a cusp at the
+    // upper one.
     let lines: Vec<_> = picture
         .sheet
         .marks
@@ -320,7 +321,7 @@ fn the_path_of_an_axis_is_where_it_points() {
     let (top, bottom) = path.iter().fold((f64::MAX, f64::MIN), |(a, b), p| (a.min(p[1]), b.max(p[1])));
     assert!((top - upper).abs() < 0.3 && (bottom - lower).abs() < 0.3, "{top} {upper} {bottom} {lower}");
     assert!((path[0][1] - upper).abs() < 0.3);
-    // Upright and hanging tops are seen from above and from below.
+    // Upright tops are viewed from above, hanging ones from below.
     for (tilt, words) in [(0.0, "from above, a circle every "), (3.1, "from below, a circle every ")] {
         let scenario = self::top(tilt, [0.3, -0.2, 38.0]);
         let trajectory = scenario.simulate().unwrap().unwrap();
@@ -357,8 +358,7 @@ fn fewer_than_two_samples_are_refused() {
     let figures = MotionFigures::of_scenario(&scenario, &trajectory);
     assert_eq!(figures.draw(Figure::Euler), Err(PlotError::TooFewSamples { count: 1 }));
     readable(&figures.draw(Figure::Polhodes).unwrap(), "one sample");
-    // The body turns by 2 rad and more from sample to sample: slower turns would be drawn than
-    // there are.
+    // The body turns by about 2 rad between samples, so its rotation would be drawn too slow.
     scenario = scenario.sampled(Run::evenly(30.0, 21, Method::Auto, 1e-12));
     let trajectory = scenario.simulate().unwrap().unwrap();
     let figures = MotionFigures::of_scenario(&scenario, &trajectory);
@@ -388,7 +388,7 @@ fn a_png_shows_what_the_svg_says() {
         let count = pixels.chunks(3).filter(|p| **p == colour.rgb()).count();
         assert!(count > 2000, "{count} pixels of {colour:?}");
     }
-    // Letters are there on a machine without fonts too: dark pixels where the title stands.
+    // The letters of the title are drawn as dark pixels, even on a machine without fonts.
     let (title, [x0, x1, y0, y1]) = boxes(&picture).swap_remove(0);
     assert!(title.starts_with("Angular velocity"));
     let grid = |a: f64, b: f64| (0..200).map(move |k| a + (b - a) * f64::from(k) / 200.0);

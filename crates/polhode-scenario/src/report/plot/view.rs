@@ -3,7 +3,7 @@
 use polhode::math::{Direction, Frame};
 use polhode_document::figure::sheet::Point;
 
-/// Direction from which a sphere is seen, and place of its picture.
+/// View of a unit sphere: viewing direction, and position of the picture.
 pub(crate) struct View<F: Frame> {
     pub center: Point,
     /// Radius of the picture, px.
@@ -14,9 +14,8 @@ pub(crate) struct View<F: Frame> {
 }
 
 impl<F: Frame> View<F> {
-    /// Returns the view from the side of `viewer`, with `up` upward.
-    ///
-    /// Neither is zero, and they are not along one line.
+    /// Returns the view from the direction `viewer`, with `up` upward; these must be nonzero and
+    /// not parallel.
     pub(crate) fn new(center: Point, radius: f64, viewer: Direction<F>, up: Direction<F>) -> Self {
         let toward = viewer.direction().unwrap_or(viewer);
         let right = up.cross(toward).direction().unwrap_or(up);
@@ -32,7 +31,7 @@ impl<F: Frame> View<F> {
         v.dot(self.toward) >= 0.0
     }
 
-    /// Returns the parts of a curve on the near or the far side.
+    /// Returns the parts of a curve on the near side or on the far side.
     pub(crate) fn side(&self, near: bool, curve: &[Direction<F>]) -> Vec<Vec<Point>> {
         let parts = curve.chunk_by(|a, b| self.is_near(*a) == self.is_near(*b));
         let wanted = parts.filter(|part| part.first().is_some_and(|v| self.is_near(*v) == near));

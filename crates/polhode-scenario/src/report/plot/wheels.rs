@@ -1,4 +1,4 @@
-//! Wheels inside a body: their momenta, and the speeds of those that a motor turns.
+//! Wheels of a body: angular momenta, and speeds of the driven ones.
 
 use polhode::motion::{Sample, Wheel};
 use polhode_document::figure::sheet::Pen;
@@ -19,7 +19,7 @@ pub(crate) fn quantities(motion: &PlottedMotion<'_>) -> Vec<Quantity> {
     quantities
 }
 
-/// Returns a curve for each wheel that has the value.
+/// Returns a curve for each wheel that has this value.
 fn curves(
     motion: &PlottedMotion<'_>,
     [letter, what]: [&str; 2],

@@ -1,5 +1,7 @@
-//! Step 5 of a ball on a plane: it slides until its slip is gone. Then it rolls straight, down a
-//! slope or in a circle.
+//! Step 5 of a ball on a plane.
+//!
+//! It slides until it no longer slips. Then it rolls straight, down a slope, or in a circle on a
+//! turntable.
 
 use polhode::math::{Acceleration, Position, Space, Velocity};
 use polhode::motion::contact::{ContactChange, Friction, Grip};
@@ -21,12 +23,12 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -
     if g.is_rolling() { rolls(g, ball, s) } else { slips(g, ball, s) }
 }
 
-/// Solves the motion of a ball that slips at the start, or that no friction holds.
+/// Solves the motion of a ball that slips at the start, or is on frictionless ground.
 pub(crate) fn slips(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     if g.is_frictionless() { frictionless(ball, s) } else { slides(g, ball, s) }
 }
 
-/// Writes k and σ in numbers, and as fractions for bodies with known ones, such as 2/5 and 2/7.
+/// Writes k and σ as numbers; for known bodies also as fractions, such as 2/5 and 2/7.
 pub(crate) fn ratio(ball: &BallOnPlane, moment: &str, s: &mut Section) {
     let square = ball.mass * ball.radius * ball.radius;
     let known = match ball.moment / square {
@@ -54,7 +56,7 @@ fn frictionless(ball: &BallOnPlane, s: &mut Section) -> String {
     format!("It slides without friction, with v\u{307} = {} m/s² and constant ω.", acceleration(downhill))
 }
 
-/// Solves the sliding until the slip has gone.
+/// Solves the sliding phase, until the slip vanishes.
 fn slides(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     let (friction, slip, velocity) = (g.friction(), g.start.slip, g.start.velocity);
     s.say("It slips, so F is known, and both v and the slip u = v − a ω × n change by it; ω changes as −a n × F turns it:");
@@ -95,7 +97,7 @@ fn slides(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     }
 }
 
-/// Writes the equation of the slip, and κ.
+/// Writes the differential equation of the slip, and κ.
 fn law(ball: &BallOnPlane, friction: &Friction, steep: f64, s: &mut Section) {
     let kappa = ball.slip_deceleration(friction);
     match (friction.viscous > 0.0, steep > 0.0) {
@@ -133,7 +135,7 @@ fn law(ball: &BallOnPlane, friction: &Friction, steep: f64, s: &mut Section) {
     }
 }
 
-/// Writes the motion that is left when the slip has gone after a time.
+/// Writes the motion after the slip vanishes at `time`, s.
 fn ends(g: &OnGround<'_, '_>, ball: &BallOnPlane, time: f64, s: &mut Section) -> String {
     let (friction, slip, velocity) = (g.friction(), g.start.slip, g.start.velocity);
     let (steep, share) = (ball.downhill().norm(), ball.share());
@@ -204,13 +206,13 @@ fn ends(g: &OnGround<'_, '_>, ball: &BallOnPlane, time: f64, s: &mut Section) ->
     )
 }
 
-/// Returns the time at which the slip of the run first ends.
+/// Returns the time at which the slip of the run first vanishes.
 fn gripped(g: &OnGround<'_, '_>) -> Option<f64> {
     let changes = g.motion()?.changes();
     changes.first().filter(|event| event.change == ContactChange::Grips).map(|event| event.time)
 }
 
-/// Solves the motion of a ball that rolls from the start on.
+/// Solves the motion of a ball that rolls from the start.
 pub(crate) fn rolls(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     if ball.turning != 0.0 {
         return turntable(g, ball, s);
@@ -224,7 +226,7 @@ pub(crate) fn rolls(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -
     }
 }
 
-/// Writes the equation of a ball that rolls on a plane at rest.
+/// Writes the equation of motion of a ball that rolls on a plane at rest.
 fn rolling_on(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> String {
     let resistance = g.contact.law.resistance();
     let gained = ball.rolling_acceleration();
@@ -234,7 +236,7 @@ fn rolling_on(g: &OnGround<'_, '_>, ball: &BallOnPlane, s: &mut Section) -> Stri
         r"\dot{\mathbf v} = (1 - \sigma) \mathbf g_t, \qquad \mathbf F = -\sigma m \mathbf g_t",
     );
     if resistance.rolling > 0.0 {
-        // The deceleration µᵣ g_n/(a (1 + k)).
+        // Deceleration µᵣ g_n/(a (1 + k)).
         let slowed = resistance.rolling * ball.pressing() / ball.radius * (1.0 - ball.share());
         s.say("Rolling friction, of the torque µr N against the rolling, takes (1 − σ) µr g_n/a from that, along v:");
         s.line(format!("(1 − σ) µr g_n/a = {} m/s²", n(slowed)));
@@ -323,12 +325,12 @@ fn point(x: Position<Space>) -> String {
     v(x.to_array())
 }
 
-/// Writes a velocity, without what is rounding compared with another one.
+/// Formats a velocity; components that are rounding errors relative to `beside` are 0.
 fn vector(x: Velocity<Space>, beside: Velocity<Space>) -> String {
     exactly(tidy_beside(x.to_array(), x.norm().max(beside.norm())))
 }
 
-/// True if two velocities are not along one line.
+/// Returns true if two velocities are not parallel.
 fn cross(a: Velocity<Space>, b: Velocity<Space>) -> bool {
     let [a, b] = [a, b].map(|v| super::direction(v.to_array()));
     a.cross(b).norm() > 1e-9 * a.norm() * b.norm()

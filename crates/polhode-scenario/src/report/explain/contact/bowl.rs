@@ -11,7 +11,7 @@ use super::super::free::once_in;
 use super::super::working::{n, v};
 use super::OnGround;
 
-/// True if the surface is a sphere about the centre of mass of a body with three equal moments.
+/// Returns true if the surface is a sphere centred at the centre of mass, with three equal moments.
 pub(crate) fn is_even_ball(g: &OnGround<'_, '_>) -> bool {
     let body = g.w.body();
     let is_centred = matches!(g.contact.surface.shape(), SurfaceShape::Sphere { radius }
@@ -53,7 +53,7 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     Some(goes(&ball, &top, s))
 }
 
-/// Writes where the ball goes, by the cubic of the top whose axis moves alike.
+/// Writes the path of the ball, from the cubic of the equivalent top.
 fn goes(ball: &BallInBowl, top: &HeavyTop, s: &mut Section) -> String {
     if ball.side == GroundSide::Outside {
         s.say("So it rolls down, or stays near the top as a sleeping top does if it spins fast. It leaves the sphere where N = 0, unless it slips before: the centre of mass needs m v²/l towards the middle, and gravity has no more than that:");
@@ -61,7 +61,7 @@ fn goes(ball: &BallInBowl, top: &HeavyTop, s: &mut Section) -> String {
         return "It rolls as the axis of a heavy top moves, as long as N > 0 and friction holds it."
             .to_owned();
     }
-    // θ of a top is measured from upright, the ball's angle from the lowest point.
+    // A top's θ is measured from the upward vertical, the ball's angle from the lowest point.
     let from_below = top.nutation_bounds().map(|angle| std::f64::consts::PI - angle);
     let [high, low] = from_below.map(|angle| n(angle.to_degrees()));
     s.say("Its axis nods between two turning points (the cubic of Lagrange's top), and goes round meanwhile; the angles are seen from the middle of the bowl, from the lowest point:");

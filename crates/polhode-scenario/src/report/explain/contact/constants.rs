@@ -9,7 +9,7 @@ use polhode_document::number::tidy_beside;
 use super::super::working::{exactly, n};
 use super::{OnGround, bowl};
 
-/// Constant of the motion: its formula, its value and unit, and why it stays.
+/// Constant of the motion: formula, value with unit, and the reason why it is constant.
 struct Constant {
     formula: &'static str,
     value: String,
@@ -53,7 +53,7 @@ fn constants(g: &OnGround<'_, '_>) -> Vec<Constant> {
     all
 }
 
-/// Returns ω · n of a ball with three equal moments.
+/// Returns ω · n of a ball with three equal moments, if it is constant.
 fn about_normal(g: &OnGround<'_, '_>, is_plane: bool) -> Option<Constant> {
     let resistance = g.contact.law.resistance();
     let in_bowl = matches!(g.contact.ground.shape(), GroundShape::Sphere { .. })
@@ -87,8 +87,8 @@ fn frictionless(g: &OnGround<'_, '_>, is_level: bool) -> Vec<Constant> {
     all
 }
 
-/// Returns Jellett's and Routh's constants of a tippe top, and Chaplygin's of a ball with its
-/// centre of mass in its middle.
+/// Returns Jellett's and Routh's constants of a tippe top, and Chaplygin's constants of a ball with
+/// its centre of mass at its geometric centre.
 fn of_spheres(g: &OnGround<'_, '_>, is_level: bool) -> Vec<Constant> {
     let (contact, body) = (g.contact, g.w.body());
     let mut all = Vec::new();
@@ -117,7 +117,7 @@ fn of_spheres(g: &OnGround<'_, '_>, is_level: bool) -> Vec<Constant> {
     all
 }
 
-/// Returns L about the point of contact, body axes.
+/// Returns L about the point of contact, kg·m²/s, body axes.
 pub(crate) fn about_contact(g: &OnGround<'_, '_>) -> Direction<Body> {
     let own = Direction::<Body>::from_array(g.w.rotor.angular_momentum(g.start.state.omega).to_array());
     let velocity = g.start.state.attitude.inverse() * Direction::from_array(g.start.velocity.to_array());

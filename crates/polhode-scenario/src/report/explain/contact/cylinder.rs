@@ -1,4 +1,4 @@
-//! Step 5 of a cylinder that lies, on a plane or in a pipe.
+//! Step 5 of a cylinder lying on a plane or in a pipe.
 
 use polhode::math::{Body, Direction, Space};
 use polhode::motion::contact::{GroundShape, GroundSide};
@@ -57,7 +57,7 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     Some(ball::slips(g, &roller, s))
 }
 
-/// Solves a cylinder in a pipe: a pendulum, slower than a simple one of its length.
+/// Solves a cylinder in a pipe: a pendulum, slower than a simple pendulum of the same length.
 fn pipe(g: &OnGround<'_, '_>, roller: &BallOnPlane, radius: f64, s: &mut Section) -> String {
     let length = radius - roller.radius;
     let gravity = g.contact.gravity;

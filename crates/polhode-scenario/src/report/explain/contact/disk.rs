@@ -15,7 +15,7 @@ use super::super::tensor::along_body_axis;
 use super::super::working::{cells, factor, n, v};
 use super::{OnGround, about};
 
-/// Tilt, and rates along e, along q and of the precession, at t0.
+/// Tilt, rad, and rates about e, about q and of the precession, rad/s, at t0.
 struct Motion {
     tilt: f64,
     spin: f64,
@@ -84,7 +84,7 @@ pub(crate) fn solve(
     settled.or(answer)
 }
 
-/// True if θ stays, except for what rounding of the start leaves.
+/// Returns true if θ is constant up to rounding of the start.
 fn is_steady(disk: &CirclingDisk, at: &Motion) -> bool {
     let near = |rate: f64| (rate - at.precession).abs() <= 1e-3 * at.precession.abs().max(1e-300);
     at.nodding.abs() <= 1e-3 * at.precession.abs().max(at.spin.abs())
@@ -92,7 +92,7 @@ fn is_steady(disk: &CirclingDisk, at: &Motion) -> bool {
             || at.tilt == FRAC_PI_2 && at.precession == 0.0)
 }
 
-/// Writes the steady circles of this tilt and this rate about the axis.
+/// Writes the steady circular motions with this tilt and this spin rate.
 fn circles(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Section) -> Option<String> {
     s.say("Where θ stays, the picture turns about the vertical as a whole, so that L\u{307} = Ω n × L and v\u{307} = Ω n × v. Of L\u{307} = r × m (v\u{307} − g) the component along q is all that is left:");
     s.formula(
@@ -167,7 +167,7 @@ fn circles(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Secti
     ))
 }
 
-/// Writes the linear equations of small departures from a steady motion, by their eigenvalues.
+/// Writes the eigenvalues of the linearized motion about a steady motion.
 pub(crate) fn departures(g: &OnGround<'_, '_>, steady: &SteadyOnGround, s: &mut Section) {
     let without = if g.is_resisted() { ", without what resists it," } else { "" };
     s.say(format!(
@@ -192,7 +192,7 @@ pub(crate) fn departures(g: &OnGround<'_, '_>, steady: &SteadyOnGround, s: &mut 
     });
 }
 
-/// Writes which rates keep a wheel upright.
+/// Writes the rolling and spinning rates above which an upright wheel is stable.
 fn upright(disk: &CirclingDisk, tilt: f64, footing: Footing, s: &mut Section) {
     let Some(wheel) = disk.upright(footing) else {
         s.say("Upright, with θ = 90°, it would stand on both of its rims, or its centre of mass is beside the plane of the rim: what holds a thin wheel upright is not known of it here.");
@@ -231,11 +231,11 @@ fn upright(disk: &CirclingDisk, tilt: f64, footing: Footing, s: &mut Section) {
     }
 }
 
-/// Solves Euler's disk.
+/// Solves Euler's disk: the whirling motion at small tilt.
 fn euler(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Section) -> Option<String> {
     let lever = g.contact.law.resistance().rolling;
-    // Close to upright, or faster than a whirl, it is another motion. Rolling friction is the
-    // exception: it brings the disk down in the end.
+    // Close to vertical or faster than a whirl, it is another motion. With rolling friction,
+    // however, it becomes Euler's disk in the end.
     if lever == 0.0 && at.tilt > 1.0 {
         return None;
     }
@@ -280,7 +280,7 @@ fn euler(g: &OnGround<'_, '_>, disk: &CirclingDisk, at: &Motion, s: &mut Section
     answer.filter(|_| moves < 0.05)
 }
 
-/// Returns some tilts, from that of the start downward.
+/// Returns some tilts for a table, from that of the start downward, rad.
 fn tilts(from: f64) -> Vec<f64> {
     let first = from.min(std::f64::consts::FRAC_PI_4);
     [1.0, 0.5, 0.2, 0.1, 0.04, 0.01].map(|part| part * first).to_vec()

@@ -35,7 +35,7 @@ pub(crate) fn solve(
     rises
 }
 
-/// Writes Moffatt and Shimomura's balance of an egg that slides.
+/// Writes the balance of Moffatt and Shimomura for a sliding egg.
 fn sliding(
     g: &OnGround<'_, '_>,
     egg: &SpinningEgg,
@@ -94,7 +94,7 @@ fn sliding(
     })
 }
 
-/// Writes the steady motion that is near, and whether it lasts.
+/// Writes the steady motion nearest to the start, and its stability.
 fn steady(g: &OnGround<'_, '_>, s: &mut Section) {
     let Some(steady) = g.steady(&g.rolling_start()) else { return };
     let what = match steady.path {
@@ -115,7 +115,7 @@ fn steady(g: &OnGround<'_, '_>, s: &mut Section) {
     }
 }
 
-/// Writes whether the egg stays on its end, at the spin that J gives it.
+/// Writes the stability of the egg on its end, at the spin that follows from J.
 fn standing(g: &OnGround<'_, '_>, egg: &SpinningEgg, e: Direction<Body>, jellett: f64, s: &mut Section) {
     let spin = egg.spin_on_end(jellett);
     let axis = Direction::<Body>::from_array(e.to_array());
@@ -136,7 +136,7 @@ fn standing(g: &OnGround<'_, '_>, egg: &SpinningEgg, e: Direction<Body>, jellett
     ));
 }
 
-/// Returns an attitude with an axis upright.
+/// Returns an attitude with this body axis upright.
 fn upright(axis: Direction<Body>) -> Option<Attitude> {
     let up = Direction::<Body>::new(0.0, 0.0, 1.0);
     let (across, cosine) = (axis.cross(up), axis.dot(up));

@@ -1,5 +1,5 @@
-//! Steps 3 and 4 on the ground: {I} about the point of contact too, and the equations of motion
-//! with the constraint put in.
+//! Steps 3 and 4 on the ground: {I}, also about the point of contact, and the equations of motion
+//! with the constraint.
 
 use polhode::math::{Body, Direction};
 use polhode_document::Section;

@@ -1,9 +1,9 @@
-//! The worked solution of a body on the ground, in the same six steps.
+//! Worked solution of a body on the ground, in the same six steps.
 //!
-//! They are: the contact, what holds it, {I}, the equations with the constraint, what can be solved
-//! of them, and what the run shows.
+//! They are: contact, constraint and forces, {I}, equations of motion, their solutions, and the
+//! computed run.
 //!
-//! Each kind of body whose motion has a closed form, or a law of where it goes, has its file.
+//! Each kind of body with a closed form or another known law has its own module.
 
 mod ball;
 mod bowl;
@@ -33,15 +33,15 @@ use polhode_document::{Document, Section};
 use super::working::Working;
 use super::{answer, body};
 
-/// Facts that all steps need: the working, the contact and the state at the start.
+/// Scenario on the ground: its solution, contact and initial state.
 struct OnGround<'a, 'b> {
     w: &'a Working<'b>,
     ground: &'a GroundContact,
     contact: &'a Contact,
     start: ContactState,
-    /// Direction of n along body axes.
+    /// Ground normal n, body axes.
     up: Direction<Body>,
-    /// Arm from the centre of mass to the point of contact.
+    /// Vector from the centre of mass to the point of contact, m.
     arm: Position<Body>,
 }
 
@@ -92,7 +92,7 @@ fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     }
 }
 
-/// Writes what can be said where no formula is known here.
+/// Writes general statements for a motion without a known formula.
 fn unsolved(g: &OnGround<'_, '_>, s: &mut Section) {
     s.say(
         "No closed form is known here for such a body on such a ground: the equations of step 4 are integrated (step 6). What can be said without that are the constants of \
@@ -123,7 +123,7 @@ impl<'a, 'b> OnGround<'a, 'b> {
         self.motion()?.channel(CONTACT)?.last()
     }
 
-    /// Returns the friction of a contact that slips; none if it never does.
+    /// Returns the friction law; the default, without friction, if the contact never slips.
     fn friction(&self) -> Friction {
         match *self.contact.law.grip() {
             Grip::Friction(friction) => friction,
@@ -149,7 +149,7 @@ impl<'a, 'b> OnGround<'a, 'b> {
         self.contact.symmetry_axis(self.w.body())
     }
 
-    /// Returns the same contact without torques that resist.
+    /// Returns the contact without rolling and pivoting resistance.
     fn unresisted(&self) -> Contact {
         let law = match *self.contact.law.grip() {
             Grip::Friction(friction) => ContactLaw::with_friction(friction).unwrap_or(ContactLaw::ROLLING),
@@ -158,24 +158,24 @@ impl<'a, 'b> OnGround<'a, 'b> {
         Contact { law, ..*self.contact }
     }
 
-    /// Returns the steady motion that a start is near to, if nothing resisted it.
+    /// Returns the steady motion near a start, ignoring resistance.
     fn steady(&self, start: &ContactStart) -> Option<SteadyOnGround> {
         SteadyOnGround::near(self.w.body(), &self.unresisted(), start).ok()
     }
 
-    /// Returns the start as one that rolls: the steady motion near it is one that the body may come
-    /// to.
+    /// Returns the start with the velocity of rolling, for the steady motion that the body may
+    /// approach.
     fn rolling_start(&self) -> ContactStart {
         ContactStart { state: self.start.state, at: self.ground.at, velocity: StartVelocity::Rolling }
     }
 }
 
-/// Returns a vector along other axes, or of another quantity, by its components.
+/// Returns a vector with these components, for a change of frame or quantity.
 fn direction(components: [f64; 3]) -> Direction<Space> {
     Direction::from_array(components)
 }
 
-/// Returns the rate about an axis.
+/// Returns the component of ω along an axis, rad/s.
 fn about(omega: AngularVelocity<Body>, axis: Direction<Body>) -> f64 {
     axis.dot(omega)
 }

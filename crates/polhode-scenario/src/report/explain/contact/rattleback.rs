@@ -1,4 +1,4 @@
-//! Step 5 of a rattleback: the two swings, and which of them the spin feeds.
+//! Step 5 of a rattleback: its two oscillations, and which one grows in each direction of spin.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Step 6 on the ground: what the run shows, and how good it is.
+//! Step 6 on the ground: the computed motion, and its accuracy.
 
 use polhode::math::{Body, Direction};
 use polhode::motion::channel::CONTACT;
@@ -12,7 +12,7 @@ use super::super::working::{cells, n};
 use super::OnGround;
 use crate::report::facts::ending_in_words;
 
-/// Largest number of changes that are listed.
+/// Largest number of listed changes of contact.
 const MOST: usize = 12;
 
 /// Number of rows of the table.
@@ -69,8 +69,8 @@ fn changes(g: &OnGround<'_, '_>, all: &[ContactEvent], s: &mut Section) {
     }
 }
 
-/// Writes the table: how the axis stands, the rates about it and about the normal, the forces and
-/// the energy, at a few times.
+/// Writes a table of a few times: inclination of the axis, rates about the axis and the normal,
+/// forces, and energy.
 fn table(g: &OnGround<'_, '_>, samples: &[ContactState], s: &mut Section) {
     let few: Vec<ContactState> = if samples.len() <= ROWS {
         samples.to_vec()
@@ -110,7 +110,7 @@ fn table(g: &OnGround<'_, '_>, samples: &[ContactState], s: &mut Section) {
     s.table(&headers, cells(&rows));
 }
 
-/// Returns a row of numbers of everyday things, with 0 for those that are rounding of zero.
+/// Returns the row with rounding errors set to 0.
 fn tidied(row: Vec<f64>) -> Vec<f64> {
     row.into_iter().map(|x| if x.abs() < 1e-13 { 0.0 } else { x }).collect()
 }

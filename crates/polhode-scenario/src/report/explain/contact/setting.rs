@@ -1,4 +1,4 @@
-//! Steps 1 and 2 on the ground: the contact, what holds it, and the forces at t0.
+//! Steps 1 and 2 on the ground: the contact, its constraint, and the forces at t0.
 
 use polhode::math::{Attitude, Direction, Space, Velocity};
 use polhode::motion::contact::{Grip, SurfaceShape};
@@ -139,7 +139,7 @@ fn velocities(g: &OnGround<'_, '_>, s: &mut Section) {
     }
 }
 
-/// Writes how near friction is to its limit.
+/// Writes the friction force relative to its limit.
 fn holding(g: &OnGround<'_, '_>, s: &mut Section) {
     let (friction, normal, force) = (g.friction(), g.start.normal_force, g.start.friction.norm());
     if g.is_frictionless() || !matches!(g.contact.law.grip(), Grip::Friction(_)) {

@@ -1,4 +1,4 @@
-//! Step 5 of a tippe top: Jellett's constant, the energy over the tilt, and why friction raises it.
+//! Step 5 of a tippe top: Jellett's constant, energy over tilt, and the reason for its rise.
 
 use std::f64::consts::PI;
 
@@ -53,7 +53,7 @@ fn constant(g: &OnGround<'_, '_>, jellett: f64, s: &mut Section) {
     }
 }
 
-/// Writes the torque of friction, and what it does to L.
+/// Writes the torque of friction, and the change of L that it causes.
 fn reason(g: &OnGround<'_, '_>, e: Direction<Body>, s: &mut Section) {
     s.say(
         "Why it rises. Spun about the vertical at Ω with its axis off by θ, P slips at u ≈ Ω n × r, as it is beside the axis of the spin; friction is against that, level and across the plane of n and e, and its torque about the centre of mass lies in that plane:",
@@ -127,7 +127,7 @@ fn groups(g: &OnGround<'_, '_>, top: &TippeTop, jellett: f64, s: &mut Section) {
         2 => "C (1 − α) < A < C (1 + α): the bottom is a minimum up to |J| = J1, the inverted position from J2 on: it turns over if it is spun fast enough (group II).",
         _ => "A > C (1 + α): the bottom is a minimum up to |J| = J1, the inverted position never: it rises to a tilt (group III).",
     });
-    // Jellett's constant of a spin of 1 rad/s about the vertical, at the bottom.
+    // Jellett's constant at a spin of 1 rad/s about the vertical, with the centre of mass lowest.
     let of_spin = top.jellett_of_bottom(1.0);
     for (name, limit, what) in [
         ("J1", top.bottom_up_to(), "leaves the bottom if it is spun there at more than"),

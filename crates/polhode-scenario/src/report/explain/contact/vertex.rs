@@ -9,7 +9,7 @@ use polhode_document::unit::rate;
 use super::super::working::n;
 use super::{OnGround, disk};
 
-/// Writes its height, its radii, and at which spins it stays.
+/// Writes the height of the centre of mass, the radii of curvature, and the stable spins.
 pub(crate) fn stands(
     g: &OnGround<'_, '_>,
     steady: &SteadyOnGround,
@@ -55,7 +55,7 @@ pub(crate) fn numbers(vertex: &VertexSpin, s: &mut Section) {
     s.line(format!("M = {} kg·m²", matrix(vertex.inertia())));
 }
 
-/// Writes the law of the stable spins, and where it puts its bounds.
+/// Writes the stability condition of the spin, and its bounds, rad/s.
 pub(crate) fn law(spins: &StableSpins, s: &mut Section) {
     let one = |[from, to]: &[f64; 2]| match (from.is_finite(), to.is_finite()) {
         (true, true) => format!("{} to {} rad/s", n(*from), n(*to)),

@@ -7,7 +7,8 @@ use polhode_document::Section;
 
 use super::{OnGround, ball};
 
-/// Solves a rim that stands upright on a slope, its axis across it.
+/// Solves a wheel that stands upright on a slope with its axis horizontal; `None` for other
+/// motions.
 pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     let contact = g.contact;
     if !matches!(contact.surface.shape(), SurfaceShape::Rim { thickness: 0.0, .. })
@@ -26,7 +27,7 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
             omega.norm().max(1.0),
         );
     let along_slope = is_small(axis.dot(contact.gravity), contact.gravity.norm());
-    // Level ground has its own formulas.
+    // Motion on level ground has its own module.
     if !(upright && along_slope && g.is_rolling() && roller.downhill().norm() > 0.0) {
         return None;
     }
@@ -36,9 +37,9 @@ pub(crate) fn solve(g: &OnGround<'_, '_>, s: &mut Section) -> Option<String> {
     Some(ball::rolls(g, &roller, s))
 }
 
-/// Returns a roller about an axis that keeps its direction, as a ball that moves in the same way.
+/// Returns the equivalent ball of a body that rolls with a fixed direction of its axis.
 ///
-/// Only the part of gravity across the axis counts.
+/// Its gravity is the component normal to the axis.
 pub(crate) fn straight(g: &OnGround<'_, '_>, e: Direction<Body>) -> Option<BallOnPlane> {
     let contact = g.contact;
     let rows = g.w.body().inertia().matrix();

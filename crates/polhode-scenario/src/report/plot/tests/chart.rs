@@ -1,4 +1,4 @@
-//! Tests of charts: which curves are stated, which are drawn, and on which scale.
+//! Tests of charts: constants in words, curves, and scales.
 
 use super::*;
 
@@ -7,20 +7,20 @@ fn what_is_rounding_is_drawn_as_nothing() {
     let scenario = gyrostat();
     let trajectory = scenario.simulate().unwrap().unwrap();
     let figures = MotionFigures::of_scenario(&scenario, &trajectory);
-    // L is not exactly zero, and departs from it by all that it is.
+    // L is not exactly zero; its relative deviation from zero is 1.
     assert!(trajectory.samples().iter().any(|s| s.momentum.norm() > 0.0));
     let picture = figures.draw(Figure::Momentum).unwrap();
     let texts: Vec<String> = boxes(&picture).into_iter().map(|(text, _)| text).collect();
     for name in ["Lx = 0, to ", "Ly = 0, to ", "Lz = 0, to ", "|L| = 0, to "] {
         assert!(texts.iter().any(|text| text.starts_with(name)), "{name}: {texts:?}");
     }
-    // Nothing is drawn, and no room is taken for it.
+    // Nothing is drawn, and the sheet is small.
     assert!(lines(&picture).next().is_none() && picture.sheet.height < 120.0, "{}", picture.sheet.height);
     let largest = balances(&trajectory, figures.motion.driven)
         .into_iter()
         .map(|d| d.values.into_iter().fold(0.0, f64::max));
     assert!(largest.into_iter().all(|d| d < 1e-12));
-    // A constant is stated with its value.
+    // Constants are stated with their values.
     let steady = thrust().starting(State { omega: AngularVelocity::ZERO, ..scenario.start() }).unwrap();
     let trajectory = steady.simulate().unwrap().unwrap();
     let picture = MotionFigures::of_scenario(&steady, &trajectory).draw(Figure::Torque).unwrap();
@@ -58,7 +58,7 @@ fn a_run_away_leaves_the_plot_where_it_says_so() {
         assert!(texts.iter().any(|(text, _)| text.starts_with("beyond the frame: to ")), "{texts:?}");
         assert!(picture.sheet.marks.iter().any(|mark| matches!(mark, Mark::Polygon { .. })));
     }
-    // The plot is as high as ω(t) = 1/(2 s − t) at its last regular sample, 20 rad/s, needs.
+    // The scale of ω(t) = 1/(2 s − t) ends at its last regular sample, 20 rad/s.
     let texts = boxes(&figures.draw(Figure::Omega).unwrap());
     assert!(texts.iter().any(|(text, _)| text == "20") && !texts.iter().any(|(text, _)| text == "50"));
     readable(&figures.overview().unwrap(), "run away");
@@ -75,8 +75,8 @@ fn events_are_named_where_they_happen() {
     let trajectory = scenario.simulate().unwrap().unwrap();
     let picture = MotionFigures::of_scenario(&scenario, &trajectory).draw(Figure::Omega).unwrap();
     readable(&picture, "events");
-    // Each has a letter and its number of crossings in the legend; an event that never happens has
-    // none.
+    // The legend has the letter and the number of crossings of each event, except events without
+    // crossings.
     let texts = boxes(&picture);
     let count = |event: usize| trajectory.events().iter().filter(|crossing| crossing.event == event).count();
     for (k, key) in
@@ -85,7 +85,7 @@ fn events_are_named_where_they_happen() {
         assert!(count(k) > 1 && texts.iter().any(|(text, _)| text == key), "{key}: {texts:?}");
     }
     assert!(!texts.iter().any(|(text, _)| text.contains("never")));
-    // A dotted line goes from the top of the frame to its bottom at each crossing; letters stand
+    // Each crossing has a dotted vertical line over the full height of the frame, with letters
     // above. Crossings at one place share a line.
     let frame = frame(&picture);
     let upright = |line: &&Vec<Point>| line.len() == 2 && line[0][0] == line[1][0];
@@ -107,7 +107,7 @@ fn events_are_named_where_they_happen() {
     );
 }
 
-/// A fast top: ω₁ is constant, ω₂ and ω₃ turn with the nutation, the torque with the spin.
+/// Fast top: ω₁ is constant, ω₂ and ω₃ vary with the nutation, the torque with the spin.
 #[test]
 fn what_oscillates_fast_has_an_envelope_and_a_beginning_in_full() {
     let scenario = top(0.7, [0.3, -0.2, 240.0]).sampled(Run::evenly(3.0, 6001, Method::Auto, 1e-12));
@@ -121,10 +121,10 @@ fn what_oscillates_fast_has_an_envelope_and_a_beginning_in_full() {
     assert!(has(&texts, "whole run: envelope") && has(&texts, "0 to ") && !has(&texts, "dots"), "{texts:?}");
     let bands = picture.sheet.marks.iter().filter(|mark| matches!(mark, Mark::Polygon { .. })).count();
     assert_eq!(bands, 2);
-    // The second frame shows some four periods of the spin.
+    // The second frame shows about four periods of the spin.
     let frames = lines(&picture).filter(|(lines, _)| lines[0].len() == 5).count();
     assert_eq!(frames, 2);
-    // The same motion has samples that are too far apart here.
+    // These samples of the same motion are too far apart.
     let coarse = scenario.sampled(Run::evenly(3.0, 401, Method::Auto, 1e-12));
     let trajectory = coarse.simulate().unwrap().unwrap();
     let figures = MotionFigures::of_scenario(&coarse, &trajectory);
@@ -134,7 +134,8 @@ fn what_oscillates_fast_has_an_envelope_and_a_beginning_in_full() {
 
 #[test]
 fn what_samples_miss_is_not_said_to_be_constant() {
-    // ω₁ is 0.3 cos(Ω t), with Ω = (1.5 − 1) 4π rad/s = 2π rad/s: it is the same every second.
+    // ω₁ = 0.3 cos(Ω t) with Ω = (1.5 − 1) 4π rad/s = 2π rad/s, which has the same value every
+    // second.
     let (motion, _) = moments([1.0, 1.0, 1.5], [0.3, 0.0, 4.0 * std::f64::consts::PI], 1.0);
     let seconds: Vec<f64> = (0..12).map(f64::from).collect();
     let trajectory = Trajectory::of_motion(motion, &seconds).unwrap();
@@ -152,7 +153,7 @@ fn what_samples_miss_is_not_said_to_be_constant() {
 
 #[test]
 fn what_would_be_squashed_has_a_panel_of_its_own() {
-    // ω_z grows from 0.3 to 30 rad/s, while the others stay small.
+    // ω_z grows from 0.3 to 30 rad/s, while the other components remain small.
     let torque = ConstantTorque::Body(Torque::new(0.0, 0.0, 12.0));
     let start = State { omega: AngularVelocity::new(0.02, -0.01, 0.3), ..scenario([0.0; 3]).start() };
     let inertia = InertiaTensor::diagonal([3.1, 4.2, 5.3]).unwrap();

@@ -47,7 +47,8 @@ fn permanent(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
     }
 }
 
-/// Writes the notes' η(t) = A exp(iΩt), about the symmetry axis e.
+/// Writes the solution of a symmetric top as in the notes: η(t) = A exp(iΩt), about the symmetry
+/// axis e.
 fn symmetric(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut Section) {
     let [axial, transverse] = top.moments();
     let e = top.axis();
@@ -93,9 +94,9 @@ fn symmetric(w: &Working<'_>, motion: &FreeMotion, top: &SymmetricTop, s: &mut S
     cones(w, motion, top, s);
 }
 
-/// Writes the rotation about the symmetry axis: ω lies along it except for rounding.
+/// Writes the rotation about the symmetry axis, with ω along it up to rounding.
 ///
-/// Both cones have closed to a line.
+/// Both cones are lines.
 fn along_axis(w: &Working<'_>, top: &SymmetricTop, s: &mut Section) {
     s.say(
         "Two moments are equal: a symmetric top, and ω lies along its symmetry axis e (but for rounding), so \
@@ -204,7 +205,7 @@ fn growth_rate(growth: f64, s: &mut Section) {
     s.line(format!("σ = {} /s", n(growth)));
 }
 
-/// Writes the period of a rate: `, once in 3 s`.
+/// Formats the period of a rate: `, once in 3 s`; empty for a rate of 0.
 pub(crate) fn once_in(rate: f64) -> String {
     if rate == 0.0 { String::new() } else { format!(", once in {} s", n(TAU / rate.abs())) }
 }

@@ -1,6 +1,6 @@
-//! Steps 4 and 5 of a body with wheels or friction inside.
+//! Steps 4 and 5 of a body with wheels or internal friction.
 //!
-//! L is then not {I} ω alone, or axes turn at more than ω.
+//! L then has terms other than {I} ω, or the body axes rotate at a rate other than ω.
 
 use polhode::math::{AngularMomentum, AngularVelocity, Body, Torque};
 use polhode::motion::torque::{EnergySink, TorqueModel};
@@ -12,24 +12,24 @@ use polhode_document::number::tidy_beside;
 use super::driven;
 use super::working::{Working, exactly, factor, n, v};
 
-/// Numbers at the start of a body with wheels or friction inside.
+/// Initial values of a body with wheels or internal friction.
 pub(crate) struct Inside<'a, 'w> {
     w: &'a Working<'w>,
-    /// Sum of the sinks' coefficients, Σ α.
+    /// Sum of the coefficients of the energy sinks, Σ α.
     alpha: f64,
     omega: AngularVelocity<Body>,
     h: AngularMomentum<Body>,
     momentum: AngularMomentum<Body>,
-    /// Torque that bends L, L × ω.
+    /// Cross product L × ω, N·m.
     bending: Torque<Body>,
-    /// Rate Ω at which the body axes turn.
+    /// Angular velocity Ω of the body axes.
     turning: AngularVelocity<Body>,
-    /// Rate of change of h by the motors, dh/dt.
+    /// Rate of change dh/dt of the wheels' momentum by the motors, N·m.
     motor: Torque<Body>,
 }
 
 impl<'a, 'w> Inside<'a, 'w> {
-    /// Returns the numbers of a body; `None` if nothing moves inside it.
+    /// Returns the initial values; `None` for a body without wheels and internal friction.
     pub(crate) fn of(w: &'a Working<'w>) -> Option<Self> {
         let coefficient = |torque: &TorqueModel| match torque {
             TorqueModel::EnergySink(sink) => sink.coefficient(),
@@ -51,7 +51,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         self.alpha > 0.0
     }
 
-    /// True if no torque acts from outside.
+    /// Returns true if no external torque acts.
     fn is_free(&self) -> bool {
         self.w.scenario.torques().iter().all(|torque| matches!(torque, TorqueModel::EnergySink(_)))
     }
@@ -69,12 +69,12 @@ impl<'a, 'w> Inside<'a, 'w> {
         !self.w.rotor.wheels().is_empty()
     }
 
-    /// Returns the name of the rate at which body axes turn: ω, or Ω with friction.
+    /// Returns the symbol of the body axes' angular velocity: ω, or Ω with internal friction.
     const fn turning_name(&self) -> [&'static str; 2] {
         if self.alpha > 0.0 { ["Ω", r"\boldsymbol\Omega"] } else { ["ω", r"\boldsymbol\omega"] }
     }
 
-    /// Returns L × Ω + N − dh/dt with the terms that there are, in Unicode and in LaTeX.
+    /// Returns L × Ω + N − dh/dt as Unicode and LaTeX, without the terms that are zero.
     fn right_side(&self) -> [String; 2] {
         let [text, latex] = self.turning_name();
         let (mut text, mut latex) = (format!("L × {text}"), format!(r"\mathbf L \times {latex}"));
@@ -89,7 +89,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         [text, latex]
     }
 
-    /// Writes h and L, after {I} ω, for step 3.
+    /// Writes h and L for step 3.
     pub(crate) fn momentum(&self, s: &mut Section) {
         let w = self.w;
         if self.has_wheels() {
@@ -172,7 +172,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         }
         let change = self.change();
         s.line(format!("{{I}} dω/dt = {text} = {} N·m", shown(change)));
-        // I⁻¹ is a division along the principal axes.
+        // Multiplication by I⁻¹ is a division along the principal axes.
         let into = w.rotor.principal().rotation().inverse();
         let along_axes = (into * change).to_array();
         let moments = w.rotor.principal().moments();
@@ -201,7 +201,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         s
     }
 
-    /// Writes for step 6 at which rate R turns.
+    /// Writes the equation of the attitude for step 6.
     pub(crate) fn attitude_formula(&self, s: &mut Section) {
         let [name, latex] = self.turning_name();
         s.formula(
@@ -210,7 +210,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         );
     }
 
-    /// Writes the energy, and what is kept.
+    /// Writes the energy balance and the constants of the motion.
     fn balances(&self, s: &mut Section) {
         let w = self.w;
         let energy = w.rotor.kinetic_energy(self.omega);
@@ -265,7 +265,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         });
     }
 
-    /// Writes to what the motion tends.
+    /// Writes the limit of the motion for large times.
     fn end(&self, s: &mut Section) {
         if !self.is_free() {
             s.say(
@@ -315,11 +315,11 @@ impl<'a, 'w> Inside<'a, 'w> {
         self.decay(&all, s);
     }
 
-    /// Writes the linear rates next to the spins with this |L|.
+    /// Writes the linear decay rates near the steady spins with this |L|.
     fn decay(&self, all: &[PermanentRotation], s: &mut Section) {
         let Ok(sink) = EnergySink::new(self.alpha) else { return };
         s.say("How fast, by the linear equations next to the spins that have this |L| (polhode stability has them all):");
-        // Two opposite spins have the same energy: the one on this side counts.
+        // Opposite spins have equal energy; the one closer to ω is taken.
         let energy = |one: &PermanentRotation| self.w.rotor.kinetic_energy(one.omega);
         let nearest = |extreme: Option<&PermanentRotation>| {
             let level = energy(extreme?);
@@ -341,7 +341,7 @@ impl<'a, 'w> Inside<'a, 'w> {
         }
     }
 
-    /// Writes what the wheels have in the end.
+    /// Writes the momentum of the wheels after the last motor has stopped.
     fn after_the_motors(&self, time: f64, s: &mut Section) {
         let h = self.w.rotor.wheel_momentum(time);
         s.line(format!("h after the last motor, at t = {} s: {} kg·m²/s", n(time), v(h.to_array())));
@@ -372,7 +372,7 @@ impl<'a, 'w> Inside<'a, 'w> {
     }
 }
 
-/// Writes the angular momentum of a wheel: `0.3·(0, 0, 1)`.
+/// Formats the angular momentum of a wheel: `0.3·(0, 0, 1)`.
 fn along(wheel: &Wheel, size: f64) -> String {
     let held = if wheel.motor() == Motor::HeldSpeed { " (held)" } else { "" };
     format!("{}·{}{held}", factor(size), v(wheel.axis().to_array()))

@@ -17,7 +17,7 @@ pub(crate) fn solve(w: &Working<'_>, s: &mut Section) {
     if let [TorqueModel::Drag(drag)] = &torques[..] {
         resisted(w, drag, s);
     }
-    // Near rest, drag alone only damps: there is no restoring torque.
+    // Near rest, drag alone only damps and does not restore.
     if torques.iter().all(|torque| matches!(torque, TorqueModel::Drag(_) | TorqueModel::Constant(_))) {
         return;
     }

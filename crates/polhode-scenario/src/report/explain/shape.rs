@@ -1,4 +1,4 @@
-//! Tensors of shapes, derived: the integral of each kind, and its result in numbers.
+//! Derivations of the tensors of shapes: the integral of each kind of shape, and its value.
 
 use polhode::body::mesh::TriangleMesh;
 use polhode::body::shape::Extent;
@@ -9,13 +9,13 @@ use polhode_document::Section;
 use super::shape_formula::{Derived, of};
 use super::working::n;
 
-/// Largest relative difference of a part's tensor from the formula's that is rounding.
+/// Rounding threshold for the difference between a part's tensor and its formula, relative.
 ///
-/// A part whose density varies differs by more.
+/// A part of variable density differs by more.
 const AGREES: f64 = 1e-9;
 
-/// Derives the tensors of parts: the integral of each kind of shape once, and how the others are
-/// found.
+/// Writes the derivations of the tensors of parts: the integral of each kind of shape once, and the
+/// method for the other parts.
 pub(crate) fn derive(parts: &[BodyPart], s: &mut Section) {
     let derived = |part: &BodyPart| of(part).filter(|derived| agrees(part, derived));
     let (shapes, others): (Vec<_>, Vec<_>) =
@@ -41,14 +41,14 @@ fn formulas(shapes: &[(&BodyPart, Derived)], s: &mut Section) {
     let mut told: Vec<&str> = Vec::new();
     for (part, Derived { formula: [text, latex], measures, moments }) in shapes {
         if !told.contains(text) {
-            // The text is such as `cylinder of radius r …:   Izz = …`.
+            // The text has the form `cylinder of radius r …:   Izz = …`.
             let (what, formula) = text.split_once(":   ").unwrap_or_default();
             s.say(format!("{what}:"));
             s.formula(formula, latex);
             told.push(text);
         }
         s.line(format!("{}: m = {} kg,  {measures}", part.name, n(part.properties.mass())));
-        // Equal formulas stand together.
+        // Moments with the same formula are written together.
         let mut k = 0;
         while let Some((formula, value)) = moments.get(k) {
             let same = moments[k..].iter().take_while(|(other, _)| other == formula).count();
@@ -61,7 +61,7 @@ fn formulas(shapes: &[(&BodyPart, Derived)], s: &mut Section) {
     }
 }
 
-/// Writes how the tensor of a part without such a formula is found.
+/// Writes the method for a part without such a formula.
 fn otherwise(part: &BodyPart, s: &mut Section) {
     let name = &part.name;
     match (part.kind, part.form.as_ref().map(|placed| &placed.form)) {
@@ -95,7 +95,8 @@ fn otherwise(part: &BodyPart, s: &mut Section) {
     }
 }
 
-/// Writes the formula and the numbers of a triangular plate or prism, which has products.
+/// Writes the formula and values for a triangular plate or prism, whose products of inertia are
+/// nonzero.
 fn triangle(part: &BodyPart, vertices: &[[f64; 2]; 3], length: f64, s: &mut Section) {
     let kind = if length > 0.0 { "prism of length l along z" } else { "thin plate" };
     let sum = "Sij = ∫ xi xj dm = (m/12) Σ (pi − ci)(pj − cj) over its corners p,   c = Σ p/3,";
@@ -120,7 +121,7 @@ fn triangle(part: &BodyPart, vertices: &[[f64; 2]; 3], length: f64, s: &mut Sect
     s.line(format!("Ixx, Iyy, Izz, Ixy = {}, {}, {}, {} kg·m²", n(xx), n(yy), n(zz), n(xy)));
 }
 
-/// Returns Ixx, Iyy, Izz and Ixy of a prism or, without length, of a plate, from its centroid.
+/// Returns Ixx, Iyy, Izz and Ixy about the centroid of a prism; for a length of 0, of a plate.
 fn prism(m: f64, vertices: &[[f64; 2]; 3], length: f64) -> [f64; 4] {
     let center = [0, 1].map(|k| vertices.iter().map(|p| p[k]).sum::<f64>() / 3.0);
     let second = |i: usize, j: usize| {
@@ -130,20 +131,19 @@ fn prism(m: f64, vertices: &[[f64; 2]; 3], length: f64) -> [f64; 4] {
     [second(1, 1) + along, second(0, 0) + along, second(0, 0) + second(1, 1), -second(0, 1)]
 }
 
-/// True if the part's tensor is that of the prism at one density.
+/// Returns true if the part's tensor is that of the prism with uniform density.
 fn is_prism(part: &BodyPart, vertices: &[[f64; 2]; 3], length: f64) -> bool {
     let [xx, yy, zz, xy] = prism(part.properties.mass(), vertices, length);
     let rows = [[xx, xy, 0.0], [xy, yy, 0.0], [0.0, 0.0, zz]];
     is_own(part, |i, j| rows[i][j])
 }
 
-/// True if the formulas give the part's tensor: they are those of a density that is the same
-/// everywhere.
+/// Returns true if the formulas give the part's tensor, which requires a uniform density.
 fn agrees(part: &BodyPart, derived: &Derived) -> bool {
     is_own(part, |i, j| if i == j { derived.moments[i].1 } else { 0.0 })
 }
 
-/// True if the part's tensor, along its own axes from its centroid, has these elements.
+/// Returns true if the part's tensor about its centroid, along its own axes, has these elements.
 fn is_own(part: &BodyPart, element: impl Fn(usize, usize) -> f64) -> bool {
     let Some(placed) = &part.form else { return false };
     let own = part.properties.inertia().in_frame(placed.rotation.inverse()).matrix();
@@ -151,7 +151,8 @@ fn is_own(part: &BodyPart, element: impl Fn(usize, usize) -> f64) -> bool {
     (0..3).all(|i| (0..3).all(|j| (own[i][j] - element(i, j)).abs() <= AGREES * size))
 }
 
-/// True if the part's tensor is that of the mesh at one density, by the sum that the text states.
+/// Returns true if the part's tensor is that of the mesh with uniform density, by the sum in the
+/// text.
 fn is_uniform_mesh(part: &BodyPart, mesh: &TriangleMesh) -> bool {
     let vertices: Vec<Position<Part>> = mesh.vertices().collect();
     let Some(origin) = vertices.first() else { return false };
@@ -159,7 +160,7 @@ fn is_uniform_mesh(part: &BodyPart, mesh: &TriangleMesh) -> bool {
     for triangle in mesh.triangles() {
         let corners = triangle.map(|k| (vertices[k as usize] - *origin).to_array());
         let [p, q, r] = corners;
-        // Six volumes of a tetrahedron: p · (q × r).
+        // Six times the volume of a tetrahedron: p · (q × r).
         let six = p[0] * (q[1] * r[2] - q[2] * r[1])
             + p[1] * (q[2] * r[0] - q[0] * r[2])
             + p[2] * (q[0] * r[1] - q[1] * r[0]);
@@ -173,7 +174,7 @@ fn is_uniform_mesh(part: &BodyPart, mesh: &TriangleMesh) -> bool {
             }
         }
     }
-    // The sum is ∫ (x − c)i (x − c)j dm.
+    // Second moments about the centroid: ∫ (x − c)i (x − c)j dm.
     let density = part.properties.mass() / volume;
     let spread = |i: usize, j: usize| density * (second[i][j] - first[i] * first[j] / volume);
     let trace: f64 = (0..3).map(|k| spread(k, k)).sum();

@@ -1,4 +1,4 @@
-//! Formulas of the tensors of shapes, with their integrals.
+//! Formulas for the tensors of shapes, with their integrals.
 
 use std::f64::consts::PI;
 
@@ -6,18 +6,19 @@ use polhode::body::{BodyPart, Form};
 
 use super::working::n;
 
-/// Tensor of a shape as its formulas have it, along its own axes from its centroid.
+/// Tensor of a shape about its centroid, along its own axes, as formulas and values.
 pub(crate) struct Derived {
-    /// Kind of shape, `:   `, and the integral with its result; the same in LaTeX.
+    /// Kind of shape, `:   `, and the integral with its result; as Unicode and as LaTeX.
     pub formula: [&'static str; 2],
-    /// Measures in words: `a, b, c = 1, 2, 3 m`.
+    /// Dimensions in words, such as `a, b, c = 1, 2, 3 m`.
     pub measures: String,
-    /// Moments Ixx, Iyy and Izz: each as a formula, and its value.
+    /// Moments Ixx, Iyy and Izz: formula and value, kg·m².
     pub moments: [(&'static str, f64); 3],
 }
 
-/// Returns the formulas of a part's tensor, if its shape has them and no products along its own
-/// axes.
+/// Returns the formulas for a part's tensor; `None` for other shapes.
+///
+/// Shapes with products of inertia along their own axes have no formulas here.
 pub(crate) fn of(part: &BodyPart) -> Option<Derived> {
     let m = part.properties.mass();
     let sq = |x: f64| x * x;
@@ -35,7 +36,7 @@ pub(crate) fn of(part: &BodyPart) -> Option<Derived> {
             ],
         },
         (Form::Box { size: [a, b, c] }, "box_shell") => {
-            // The faces are pairs of plates across each edge, their masses by their areas.
+            // Two opposite plates per edge; masses are proportional to areas.
             let area = a * b + b * c + c * a;
             let pair = |x: f64, y: f64| m * x * y / area;
             let along = |edge: f64, x: f64, y: f64| {
@@ -107,7 +108,7 @@ pub(crate) fn of(part: &BodyPart) -> Option<Derived> {
             }
         }
         (Form::Cylinder { radius: r, length: l, .. }, "cylinder_shell") => {
-            // The shell is the tube and its ends, their masses by their areas.
+            // Tube and two end plates; masses are proportional to areas.
             let (tube, ends) = (m * l / (l + r), m * r / (l + r));
             let across = tube * (6.0 * r * r + l * l) / 12.0 + ends * (r * r + l * l) / 4.0;
             Derived {
@@ -229,7 +230,7 @@ fn hollow_cylinder(m: f64, outer: f64, inner: f64, l: f64) -> Derived {
 }
 
 fn hollow_sphere(m: f64, outer: f64, inner: f64) -> Derived {
-    // This is (R⁵ − r⁵)/(R³ − r³) without its cancellation.
+    // Value of (R⁵ − r⁵)/(R³ − r³) without cancellation.
     let k = inner / outer;
     let ratio = outer * outer * (1.0 + k + k * k + k.powi(3) + k.powi(4)) / (1.0 + k + k * k);
     Derived {
@@ -242,7 +243,7 @@ fn hollow_sphere(m: f64, outer: f64, inner: f64) -> Derived {
     }
 }
 
-/// Returns ∫ x² dm, ∫ (z − z̄)² dm and z̄ of the wall of a frustum, at a mass of 1.
+/// Returns ∫ x² dm, ∫ (z − z̄)² dm and z̄ of the lateral surface of a frustum with mass 1.
 fn wall(a: f64, b: f64, h: f64) -> [f64; 3] {
     let sum = a + b;
     let along = h * h * (a * a + 4.0 * a * b + b * b) / (18.0 * sum * sum);
@@ -266,7 +267,7 @@ fn cone_shell(m: f64, a: f64, b: f64, h: f64) -> Derived {
 }
 
 fn closed_cone_shell(m: f64, a: f64, b: f64, h: f64) -> Derived {
-    // The shell is the wall and its ends, their masses by their areas.
+    // Lateral surface and two end plates; masses are proportional to areas.
     let areas = [(a + b) * h.hypot(a - b), a * a, b * b];
     let total: f64 = areas.iter().sum();
     let [side, base, top] = areas.map(|area| m * area / total);

@@ -1,4 +1,4 @@
-//! Step 2: ω and N at t0, and which parts move how fast.
+//! Step 2: ω and N at t0, and the velocities.
 
 use polhode::math::{Space, Velocity};
 use polhode::motion::torque::{ConstantTorque, TorqueModel};
@@ -143,7 +143,7 @@ fn kinematics(w: &Working<'_>, s: &mut Section) {
     }
 }
 
-/// Writes T = T_trans + T_rot, with the cross term by its numbers.
+/// Writes the kinetic energy T = T_trans + T_rot, with the value of the cross term.
 fn energy(w: &Working<'_>, moving: &[MovingParticle<Space>], velocity: Velocity<Space>, s: &mut Section) {
     s.say(
         "The kinetic energy, with the centre of mass as the origin and V its velocity, is that of the centre and that \
@@ -155,8 +155,7 @@ fn energy(w: &Working<'_>, moving: &[MovingParticle<Space>], velocity: Velocity<
     );
     let split = KineticEnergySplit::of(moving, velocity);
     let exact = w.scenario.is_all_particles() && !moving.is_empty();
-    // Particles at the parts' centres have the body's T_trans and cross term, but not all of its
-    // T_rot.
+    // Particles at the centres of the parts give T_trans and the cross term, but not all of T_rot.
     let about_center = Rotor::free(w.body()).kinetic_energy(w.start.omega);
     let rotation = if exact { split.rotation } else { about_center };
     let translation = 0.5 * w.body().mass() * velocity.dot(velocity);

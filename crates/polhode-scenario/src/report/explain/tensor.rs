@@ -10,13 +10,13 @@ use polhode_document::unit::angle;
 use super::inside::Inside;
 use super::working::{Working, cells, exactly, factor, n, v};
 
-/// Names of the body axes; 1, 2, 3 are the principal ones.
+/// Names of the body axes; the principal axes are 1, 2 and 3.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Largest number of particles whose sums are written out.
+/// Largest number of particles in a written sum.
 const MOST_TERMS: usize = 6;
 
-/// Largest number of parts that are listed one by one.
+/// Largest number of parts in the table.
 const MOST_PARTS: usize = 20;
 
 pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Section {
@@ -47,7 +47,7 @@ pub(crate) fn section(w: &Working<'_>, inside: Option<&Inside<'_, '_>>) -> Secti
     s
 }
 
-/// Writes the six sums, term by term.
+/// Writes the sums for the six elements, term by term.
 fn terms(w: &Working<'_>, particles: &[Particle<Body>], s: &mut Section) {
     s.say(format!("With xα measured from {}:", w.point_name()));
     let places: Vec<(f64, [f64; 3])> =
@@ -73,7 +73,7 @@ fn terms(w: &Working<'_>, particles: &[Particle<Body>], s: &mut Section) {
     }
 }
 
-/// Writes each part's own tensor and its shift to the common point.
+/// Writes each part's own tensor, and its shift to the common reference point.
 fn parts(w: &Working<'_>, s: &mut Section) {
     let shown = w.scenario.parts().len().min(MOST_PARTS);
     super::shape::derive(&w.scenario.parts()[..shown], s);
@@ -108,7 +108,7 @@ fn parts(w: &Working<'_>, s: &mut Section) {
     s.table(&["kg·m²", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"], rows.collect());
 }
 
-/// Writes |{I} − λ 1| = 0 and its roots.
+/// Writes the characteristic equation |{I} − λ 1| = 0 and its roots.
 fn characteristic(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
     let [i1, i2, i3] = w.rotor.principal().moments();
     s.say(
@@ -132,8 +132,7 @@ fn characteristic(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
     s.line(format!("gyration radii √(i/M):  {k1},  {k2},  {k3} m"));
 }
 
-/// Writes the cubic by its coefficients, in kg·m² unless the powers would leave the range of
-/// numbers.
+/// Writes the cubic with its coefficients in powers of kg·m², scaled if these would overflow.
 fn cubic(m: [[f64; 3]; 3], s: &mut Section) {
     let trace = m[0][0] + m[1][1] + m[2][2];
     let (scale, name) = if (1e-90..1e90).contains(&trace) { (1.0, "λ") } else { (trace, "λ*") };
@@ -142,7 +141,7 @@ fn cubic(m: [[f64; 3]; 3], s: &mut Section) {
     let determinant = m[0][0] * minor(1, 2) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0])
         + m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
     let trace_of = trace / scale;
-    // A root at zero keeps only its rounding.
+    // A determinant of rounding size is 0: one root is zero.
     let determinant = if determinant.abs() <= 1e-15 * trace_of.powi(3) { 0.0 } else { determinant };
     if scale != 1.0 {
         s.line(format!("with λ = λ* · {} kg·m² (the trace):", n(scale)));
@@ -159,13 +158,15 @@ fn is_diagonal(m: [[f64; 3]; 3]) -> bool {
     m[0][1] == 0.0 && m[0][2] == 0.0 && m[1][2] == 0.0
 }
 
-/// Writes the axes, by putting each different root in; equal roots leave a plane or everything.
+/// Writes the principal axes, by substitution of each distinct root.
+///
+/// Equal roots allow any axes in a plane, or in space.
 fn axes(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
     let principal = w.rotor.principal();
     let symmetry = principal.symmetry();
     let moments = principal.moments();
     if !is_diagonal(m) {
-        // Roots that stand alone: each of them determines an axis.
+        // Simple roots, each of which determines an axis.
         let alone: &[usize] = match symmetry {
             Symmetry::Asymmetric => &[0, 1, 2],
             Symmetry::Prolate | Symmetry::Rod => &[0],
@@ -205,7 +206,7 @@ fn axes(w: &Working<'_>, m: [[f64; 3]; 3], s: &mut Section) {
     }
 }
 
-/// Writes a direction along a body axis: `x̂`, `−x̂` ….
+/// Formats a direction along a body axis, `x̂` or `−x̂`; `None` for other directions.
 pub(crate) fn along_body_axis(direction: Direction<Body>) -> Option<String> {
     const UNITS: [&str; 3] = ["x̂", "ŷ", "ẑ"];
     let exact = |(k, c): (usize, f64)| {
@@ -266,13 +267,13 @@ fn momentum(w: &Working<'_>, m: [[f64; 3]; 3], inside: Option<&Inside<'_, '_>>, 
     by_particles(w, s);
 }
 
-/// Writes Σ m r × v, which does not use the tensor.
+/// Writes L as Σ m r × v, which is independent of the tensor.
 fn by_particles(w: &Working<'_>, s: &mut Section) {
     let moving = w.moving_particles();
     if !w.scenario.is_all_particles() || moving.is_empty() {
         return;
     }
-    // Places are seen from the centre of mass, so the pivot stands at −l.
+    // Positions are relative to the centre of mass, so that the pivot is at −l.
     let attitude = w.start.attitude;
     let (point, velocity) = match w.scenario.pivot() {
         Some(_) => (attitude * -w.rotor.lever(), polhode::math::Velocity::ZERO),

@@ -14,20 +14,20 @@ use super::tensor::along_body_axis;
 use super::working::{Working, factor, n, v};
 use crate::report::facts::heavy_top_of;
 
-/// Returns the top that the scenario's body is.
+/// Returns the scenario's body as a heavy symmetric top, if it is one.
 pub(crate) fn of(w: &Working<'_>) -> Option<HeavyTop> {
     heavy_top_of(w.scenario, w.start)
 }
 
-/// Constants that Lagrange's equations keep.
+/// Conserved quantities of Lagrange's equations.
 struct Constants {
-    /// Moments A and C.
+    /// Moments of inertia A and C, kg·m².
     moments: [f64; 2],
-    /// Product M g l.
+    /// Product M g l, N·m.
     weight: f64,
-    /// Momenta p_φ and p_ψ.
+    /// Momenta p_φ and p_ψ, kg·m²/s.
     momenta: [f64; 2],
-    /// Energy E′ = E − p_ψ²/2C.
+    /// Energy E′ = E − p_ψ²/2C, J.
     energy: f64,
 }
 
@@ -50,7 +50,7 @@ impl Constants {
         })
     }
 
-    /// Returns U_eff(θ) = (p_φ − p_ψ cos θ)² / (2 A sin²θ) + M g l cos θ.
+    /// Returns the potential U_eff(θ) = (p_φ − p_ψ cos θ)² / (2 A sin²θ) + M g l cos θ, J.
     fn potential(&self, theta: f64) -> f64 {
         let (sin, cos) = theta.sin_cos();
         let [along_vertical, along_axis] = self.momenta;
@@ -111,7 +111,7 @@ fn potential(constants: &Constants, top: &HeavyTop, s: &mut Section) {
     if top.roots().is_none() {
         return;
     }
-    // The graph goes as far beyond the turning points as they are apart, and at least a degree.
+    // The graph extends beyond the turning points by their distance, at least one degree.
     let margin = (lowest - highest).max(PI / 180.0);
     let (from, to) = ((highest - margin).max(1e-3), (lowest + margin).min(PI - 1e-3));
     const POINTS: u32 = 161;
@@ -119,7 +119,7 @@ fn potential(constants: &Constants, top: &HeavyTop, s: &mut Section) {
     let floor =
         (0..POINTS).map(|k| constants.potential(from + (to - from) * f64::from(k) / f64::from(POINTS - 1)));
     let least = floor.fold(f64::INFINITY, f64::min);
-    // Points far above the level would flatten the rest.
+    // Points far above the level line would compress the curve.
     let depth = (span[0].max(span[1]).max(constants.energy) - least).max(1e-9 * constants.weight);
     let points: Vec<[f64; 2]> = (0..POINTS)
         .map(|k| from + (to - from) * f64::from(k) / f64::from(POINTS - 1))
@@ -183,7 +183,7 @@ const fn is_steady(top: &HeavyTop) -> bool {
     matches!(top.path(), TopPath::SteadySlow | TopPath::SteadyFast | TopPath::Conical)
 }
 
-/// Writes the fast top's formulas and the steady precessions, with the exact numbers.
+/// Writes the approximations for a fast top and the steady precessions, with the exact values.
 fn limits(constants: &Constants, top: &HeavyTop, s: &mut Section) {
     let [a, c] = constants.moments;
     let spin = (c * top.spin()).abs();

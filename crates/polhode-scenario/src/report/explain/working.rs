@@ -1,4 +1,4 @@
-//! Facts that the steps of a solution share, asked of the core once.
+//! Common data of the steps, computed once.
 
 use std::borrow::Cow;
 use std::f64::consts::TAU;
@@ -20,25 +20,25 @@ use super::rows::Rows;
 use crate::report::free_facts::FreeFacts;
 use crate::report::motion;
 
-/// State of the solution at t0, and the motion after it where there is one.
+/// Initial state, and the computed motion if there is one.
 pub(crate) struct Working<'a> {
     pub scenario: &'a Scenario,
     pub rotor: &'a Rotor,
     pub start: State,
-    /// Torque at t0, body axes: given, or needed for a prescribed motion.
+    /// Torque at t0, N·m, body axes; for a prescribed motion the required torque.
     pub torque: Torque<Body>,
     /// Angular acceleration dω/dt at t0, body axes.
     pub acceleration: AngularAcceleration<Body>,
-    /// Torque that a prescribed motion needs; `None` for any other.
+    /// Torque required for a prescribed motion; `None` for other motions.
     pub needed: Option<Required>,
     pub pendulum: Option<Pendulum>,
-    /// Free motion that the start would have without torque.
+    /// Free motion from the same initial state.
     pub at_start: Option<FreeFacts>,
     /// Contact at t0 of a body on the ground.
     pub contact: Option<ContactState>,
-    /// Motion of the run; `None` without a run.
+    /// Computed motion; `None` without a run.
     pub trajectory: Option<Cow<'a, Trajectory>>,
-    /// Rows of the table of step 5: none without a run, or on the ground.
+    /// Rows of the table in step 5; empty without a run, or on the ground.
     pub rows: Rows,
 }
 
@@ -56,12 +56,12 @@ impl<'a> Working<'a> {
             return Self::with(scenario, None);
         }
         let trajectory = match scenario.simulate_with_error(ErrorEffort::Auto, &mut |_| true) {
-            // A point has no rotation to compute; all else about it can be told.
+            // A point mass has no rotation to compute, but the other steps apply.
             None | Some(Err(MotionError::NotSpinnable)) => None,
             Some(result) => Some(Cow::Owned(result?)),
         };
-        // Half a solution is none: `explain_motion` is for those who have it already. A body on the
-        // ground has its formulas at any rate.
+        // A motion that fails gives no solution here; callers that have its trajectory use
+        // `explain_motion`. For a body on the ground the formulas are shown anyway.
         if scenario.ground().is_none()
             && let Some(Ending::Failed { cause, .. }) = trajectory.as_deref().map(Trajectory::ending)
         {
@@ -131,7 +131,7 @@ impl<'a> Working<'a> {
         self.scenario.body()
     }
 
-    /// Returns the point that the body turns about.
+    /// Returns the reference point: the pivot, or the centre of mass.
     pub(crate) fn point(&self) -> Position<Body> {
         self.scenario.pivot().unwrap_or(self.body().center_of_mass())
     }
@@ -140,12 +140,12 @@ impl<'a> Working<'a> {
         if self.scenario.pivot().is_some() { "the pivot" } else { "the centre of mass" }
     }
 
-    /// True if no torque acts, no wheel spins, and the motion is not given.
+    /// Returns true if no torque acts, no wheel spins, and the motion is not prescribed.
     pub(crate) fn is_free(&self) -> bool {
         self.scenario.is_free()
     }
 
-    /// True if friction inside makes the axes turn at Ω and not at ω.
+    /// Returns true if there is internal friction, so that the axes rotate at Ω instead of ω.
     pub(crate) fn has_sink(&self) -> bool {
         self.scenario.torques().iter().any(|torque| matches!(torque, TorqueModel::EnergySink(_)))
     }
@@ -154,7 +154,7 @@ impl<'a> Working<'a> {
         self.start.omega.norm() > 0.0
     }
 
-    /// Returns the velocity of the centre of mass at t0.
+    /// Returns the velocity of the centre of mass at t0, m/s.
     pub(crate) fn center_velocity(&self) -> Velocity<Space> {
         if self.scenario.pivot().is_some() {
             self.start.attitude * self.start.omega.cross(self.rotor.lever())
@@ -163,11 +163,11 @@ impl<'a> Working<'a> {
         }
     }
 
-    /// Returns particles that stand for the body, moving in space as it does at t0, their places
-    /// seen from its centre of mass.
+    /// Returns particles with the body's motion at t0; positions are relative to its centre of
+    /// mass, space axes.
     ///
-    /// They are its own particles where it is made of them, else one for each part, at the part's
-    /// centre of mass.
+    /// These are the body's own particles if it consists of particles. Otherwise there is one for
+    /// each part, at the part's centre of mass.
     pub(crate) fn moving_particles(&self) -> Vec<MovingParticle<Space>> {
         let at_parts =
             || self.scenario.parts().iter().map(|p| (p.properties.mass(), p.properties.center_of_mass()));
@@ -187,24 +187,22 @@ impl<'a> Working<'a> {
         places.into_iter().filter_map(moving).collect()
     }
 
-    /// Returns the estimated error at the end of the run: relative of ω, rad of the attitude.
-    ///
-    /// It is zero without an estimate.
+    /// Returns the estimated error at the end of the run: ω relative, attitude in rad; zero without
+    /// an estimate.
     pub(crate) fn error(&self) -> StateError {
         let end = self.trajectory.as_deref().and_then(Trajectory::error).map(GlobalError::end);
         end.unwrap_or(StateError { attitude: 0.0, omega: 0.0 })
     }
 }
 
-/// True if a run that holds only the pivot leaves the axis.
+/// Returns true if the body leaves the axis in a run, which holds the pivot only.
 pub(crate) fn leaves(scenario: &Scenario, axis: Direction<Body>) -> bool {
     let axial = scenario.rotor().angular_momentum(AngularVelocity::from_array(axis.to_array()));
     let omega = scenario.start().omega;
     axial.angle_to(axis) > 1e-9 || omega.cross(axis).norm() > 1e-9 * omega.norm()
 }
 
-/// Returns the period of ω in the body, s, of a free motion or of a pendulum that gravity alone
-/// swings.
+/// Returns the period of ω in the body, s, for a free motion or a pendulum under gravity alone.
 fn period(scenario: &Scenario, pendulum: Option<&Pendulum>, at_start: Option<&FreeFacts>) -> Option<f64> {
     if scenario.is_free() {
         let free = at_start?;
@@ -222,7 +220,7 @@ fn period(scenario: &Scenario, pendulum: Option<&Pendulum>, at_start: Option<&Fr
     }
 }
 
-/// Returns the contact at t0 of a body on the ground.
+/// Returns the contact of a body on the ground at t0.
 fn touching(
     scenario: &Scenario,
     trajectory: Option<&Trajectory>,
@@ -236,31 +234,31 @@ fn touching(
     Ok(motion.channel(CONTACT).map(|contact| contact.start()))
 }
 
-/// Number of significant digits of a worked solution.
+/// Significant digits of a worked solution.
 pub(crate) const DIGITS: usize = 6;
 
-/// Writes a number as a worked solution shows it.
+/// Formats a number with [`DIGITS`] significant digits.
 pub(crate) fn n(x: f64) -> String {
     number(x, DIGITS)
 }
 
-/// Writes a number as a factor: negative ones in brackets.
+/// Formats a number as a factor, with parentheses if it is negative.
 pub(crate) fn factor(x: f64) -> String {
     if x < 0.0 { format!("({})", n(x)) } else { n(x) }
 }
 
-/// Writes `(x, y, z)` without what rounding left of its zeros.
+/// Formats a vector; components that are rounding errors are 0.
 pub(crate) fn v(values: [f64; 3]) -> String {
     let scale = values.iter().fold(0.0, |max, x| f64::max(max, x.abs()));
     polhode_document::number::vector(tidy_beside(values, scale), DIGITS)
 }
 
-/// Writes `(x, y, z)` as it is: for numbers whose smallness matters.
+/// Formats a vector without rounding small components to 0.
 pub(crate) fn exactly(values: [f64; 3]) -> String {
     polhode_document::number::vector(values, DIGITS)
 }
 
-/// Writes rows of numbers as cells; each column alike.
+/// Formats rows of numbers; the numbers of a column have the same format.
 pub(crate) fn cells(rows: &[Vec<f64>]) -> Vec<Vec<String>> {
     let count = rows.first().map_or(0, Vec::len);
     let columns: Vec<Vec<String>> =
@@ -268,7 +266,7 @@ pub(crate) fn cells(rows: &[Vec<f64>]) -> Vec<Vec<String>> {
     (0..rows.len()).map(|r| columns.iter().map(|column| column[r].clone()).collect()).collect()
 }
 
-/// Returns the torques that are not switched off at the start.
+/// Returns the torques that are switched on at the start.
 pub(crate) fn acting(scenario: &Scenario) -> impl Iterator<Item = &TorqueModel> {
     let all = scenario.torques().iter().enumerate();
     all.filter(|(k, _)| !scenario.switched_off().contains(k)).map(|(_, torque)| torque)

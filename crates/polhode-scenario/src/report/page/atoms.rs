@@ -1,4 +1,4 @@
-//! Atoms as balls in the colours that chemists know, bonds as sticks.
+//! Atoms as balls in conventional colours, bonds as sticks.
 
 use polhode::body::BodyPart;
 use polhode::math::{Body, Position};
@@ -7,16 +7,16 @@ use serde_json::{Value, json};
 use super::packed::f32s;
 use super::placed::at;
 
-/// Fraction of its covalent radius that a ball shows: sticks are seen between them.
+/// Drawn radius of an atom relative to its covalent radius, such that sticks remain visible.
 const SHOWN: f64 = 0.45;
 
-/// Largest distance of two bound atoms, relative to the sum of their radii.
+/// Largest distance between bonded atoms, relative to the sum of their covalent radii.
 const BOUND: f64 = 1.25;
 
-/// Largest number of atoms of a page; more would be a cloud, and its bonds a search.
+/// Largest number of atoms on a page; more would be illegible, and the search for bonds slow.
 const MOST: usize = 2000;
 
-/// Returns the balls and sticks of a molecule; `None` if a number does not fit.
+/// Returns the balls and sticks of a molecule; `None` if a number is too large for the page.
 pub(crate) fn balls(part: &BodyPart, symbols: &[&str], point: Position<Body>) -> Option<Value> {
     let atoms: Vec<([f64; 3], &str)> = part
         .particles
@@ -50,7 +50,7 @@ pub(crate) fn balls(part: &BodyPart, symbols: &[&str], point: Position<Body>) ->
     Some(at(own, &part.name, [0.0; 3], [1.0, 0.0, 0.0, 0.0]))
 }
 
-/// Radius and colour of an atom.
+/// Drawing parameters of an atom.
 #[derive(Clone, Copy)]
 struct Look {
     /// Covalent radius, m.
@@ -58,10 +58,10 @@ struct Look {
     color: &'static str,
 }
 
-/// Returns the look of an atom of an element.
+/// Returns the drawing parameters of an element.
 ///
-/// The covalent radii are after Cordero and others, Dalton Trans. (2008) 2832. The colours are in
-/// the manner of Corey, Pauling and Koltun.
+/// Covalent radii are those of Cordero et al., Dalton Trans. (2008) 2832. Colours follow Corey,
+/// Pauling and Koltun.
 fn look(symbol: &str) -> Look {
     let (picometres, color) = match symbol {
         "H" => (31.0, "#d9d9d9"),

@@ -1,4 +1,4 @@
-//! The body: its mass, its inertia about the point that it turns about, and its shape for display.
+//! Body: mass, inertia about the reference point, and shape for display.
 
 use polhode_document::json::{finite, numbers};
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! A line on each picture: its content, and the reason for it, with its numbers.
+//! Captions of the pictures: the content, with its numbers.
 
 use polhode::motion::{FreeMotion, Regime};
 use polhode_document::number::{number, typeset};
@@ -13,7 +13,7 @@ use crate::report::free_facts::FreeFacts;
 /// Number of significant digits in a caption.
 const DIGITS: usize = 4;
 
-/// Captions of the pictures; those of the last three are of free motions.
+/// Captions of the pictures; the last three pictures exist for free motions only.
 #[derive(Clone, Debug)]
 pub(crate) struct Captions {
     body: String,
@@ -112,7 +112,7 @@ fn sphere(free: &FreeFacts) -> String {
     }
 }
 
-/// True if a moment is zero: 2T = I (ω₂² + ω₃²), whatever ω₁ is.
+/// Returns true if a moment is zero, so that 2T = I (ω₂² + ω₃²) does not depend on ω₁.
 fn is_rod(motion: &FreeMotion) -> bool {
     motion.labelled_moments().contains(&0.0)
 }

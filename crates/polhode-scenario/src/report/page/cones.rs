@@ -1,4 +1,4 @@
-//! Angles of the two cones that ω sweeps in a free motion, in the body and in space.
+//! Angles of the two cones that ω describes in a free motion, in the body and in space.
 
 use polhode::motion::{FreeMotion, Regime};
 use polhode::observe::SymmetricTopKind;
@@ -9,32 +9,33 @@ use crate::report::free_facts::FreeFacts;
 /// Angles of ω from the axis that L circles, and from L.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ConeAngles {
-    /// Least and greatest angle between ω and ± the axis that L circles, rad; equal if the cone is
-    /// circular.
+    /// Least and greatest angle between ω and the line of the axis that L circles, rad; equal for a
+    /// circular cone.
     pub body: [f64; 2],
     /// Least and greatest angle between ω and L, rad.
     pub space: [f64; 2],
-    /// Sense of the precession of a symmetric top; `None` for any other body, whose cones are not
+    /// Direction of the precession of a symmetric top; `None` for other bodies, whose cones are not
     /// circular.
     pub precession: Option<Precession>,
 }
 
-/// Sense in which a free symmetric top turns about its axis e, relative to its precession about L.
+/// Direction of rotation of a free symmetric top about its axis e, relative to its precession about
+/// L.
 ///
-/// It is prograde if ψ̇ and φ̇ cos θ have one sign, and retrograde otherwise.
+/// It is prograde if ψ̇ and φ̇ cos θ have the same sign, else retrograde.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Precession {
-    /// Prolate top, I_e < I_t: the body cone rolls outside on the space cone.
+    /// Prolate top, I_e < I_t: the body cone rolls on the outside of the space cone.
     Prograde,
-    /// Oblate top, I_e > I_t: ψ̇ = −(I_e − I_t) ω_e / I_t is against ω_e. The space cone is inside
-    /// the body cone, which rolls around it.
+    /// Oblate top, I_e > I_t: ψ̇ = −(I_e − I_t) ω_e / I_t is opposite to ω_e. The space cone is
+    /// inside the body cone, which rolls around it.
     Retrograde,
 }
 
 impl ConeAngles {
     /// Returns the angles of a free motion.
     ///
-    /// ω is (a1 cn, a2 sn, a3 dn) along the labelled axes. Its angles are extreme where sn = 0, at
+    /// Along the labelled axes ω = (a1 cn, a2 sn, a3 dn). Its angles have extrema where sn = 0, at
     /// (a1, 0, a3), and where |sn| = 1, at (0, a2, k₁ a3).
     pub(crate) fn of(free: &FreeFacts) -> Self {
         let motion = &free.motion;
@@ -42,7 +43,8 @@ impl ConeAngles {
         let [i1, i2, i3] = motion.labelled_moments();
         let ends = [(a1, a3, i1), (a2, motion.complementary_modulus() * a3, i2)];
         let body = ends.map(|(across, along, _)| across.atan2(along));
-        // tan ∠(ω, L) = |ω × L| / ω·L of ω = (a, b) and L = (i a, i3 b), in units of the largest.
+        // tan ∠(ω, L) = |ω × L| / (ω · L) for ω = (a, b) and L = (i a, i3 b), scaled against
+        // overflow.
         let space = ends.map(|(across, along, moment)| {
             let (rate, largest) = (across.max(along), moment.max(i3));
             let ([a, b], [i, k]) = ([across / rate, along / rate], [moment / largest, i3 / largest]);
@@ -73,7 +75,7 @@ impl Precession {
     }
 }
 
-/// True unless ω keeps its place in the body.
+/// Returns true unless ω is constant in the body.
 pub(crate) const fn is_moving(motion: &FreeMotion) -> bool {
     !matches!(motion.regime(), Regime::Permanent(_) | Regime::AtRest)
 }
@@ -129,8 +131,7 @@ mod tests {
         }
     }
 
-    /// Returns ψ̇ from the motion itself: the rate of the body about e, in the axes of the plane of
-    /// e and L.
+    /// Returns ψ̇ from attitudes: the rate of the body about e, relative to the plane of e and L.
     fn spin(free: &FreeFacts, axis: [f64; 3], across: [f64; 3]) -> f64 {
         let (top, _) = free.top.unwrap();
         let l = top.momentum_direction().to_array();
@@ -165,11 +166,12 @@ mod tests {
             }
             assert!((found.body[0] - cones.body_half_angle).abs() < 1e-15);
             assert!((found.space[0] - cones.space_half_angle).abs() < 1e-15);
-            // φ̇ > 0 about L, and its part along e has the sign of L·e, which is that of ω·e.
+            // φ̇ > 0 about L; its component along e has the sign of L · e, which equals that of ω ·
+            // e.
             let spin = spin(&free, axis, across);
             assert!((spin + top.body_rate()).abs() < 1e-6, "{spin}");
             assert_eq!(spin * top.spin() > 0.0, wanted == Precession::Prograde);
-            // The order of an axis inside the body cone is e, L, ω.
+            // If e, L and ω are in this order, L is inside the body cone.
             let inside = cones.nutation < cones.body_half_angle;
             assert_eq!(inside, wanted == Precession::Retrograde);
         }

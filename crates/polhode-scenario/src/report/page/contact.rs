@@ -1,4 +1,4 @@
-//! A body on the ground: the ground, the point of contact, the forces there, and the phases of the
+//! Body on the ground: the ground, the point of contact, the contact forces, and the phases of the
 //! motion.
 
 use polhode::math::{Direction, Space};
@@ -13,7 +13,7 @@ use super::motion::Shown;
 use super::rows::Rows;
 use super::surface;
 
-/// Returns the JSON of a body on the ground; null of any other motion.
+/// Returns the JSON of a body on the ground; null for other bodies.
 pub(crate) fn json(
     trajectory: &Trajectory,
     subject: &PageSubject<'_>,
@@ -59,7 +59,7 @@ fn of_ground(ground: &Ground) -> Value {
     })
 }
 
-/// Returns the surface of the body, unless its parts show it.
+/// Returns the surface of the body, unless its parts already show it.
 fn surface_beside(scenario: &Scenario) -> Option<Value> {
     let ground = scenario.ground()?;
     let is_shown =
@@ -67,7 +67,7 @@ fn surface_beside(scenario: &Scenario) -> Option<Value> {
     if is_shown { None } else { surface::shape(&ground.contact.surface, scenario.body().center_of_mass()) }
 }
 
-/// Returns the phases one after the other, each with its start and its end.
+/// Returns the phases in order, each with its start and end times.
 fn phases(start: &ContactState, trajectory: &Trajectory) -> Value {
     let end = trajectory.samples().last().unwrap_or(trajectory.start()).state.time;
     let mut all: Vec<(&str, f64)> = vec![(start.phase.name(), start.state.time)];

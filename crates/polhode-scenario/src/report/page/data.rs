@@ -1,4 +1,4 @@
-//! Data of a page, as `viewer/src/data.ts` defines them.
+//! Data of a page, in the format of `viewer/src/data.ts`.
 
 use serde_json::{Value, json};
 
@@ -10,18 +10,18 @@ use super::{PageInput, PageSubject, body, contact, explanation, facts, free, mot
 use crate::report::facts::Known;
 use crate::report::motion::findings as motion_findings;
 
-/// Largest size of a page with many triangles, bytes.
+/// Target size of a page with a large mesh, bytes.
 const PAGE: usize = 2_000_000;
 
-/// Least size that triangles get in a page, bytes.
+/// Size that a mesh may have on any page, bytes.
 const LEAST_MESH: usize = 240_000;
 
-/// Size that triangles may have in a page, bytes.
+/// Limit on the size of meshes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Room {
-    /// The rest of a page whose frame has this many bytes without its data.
+    /// Remainder of [`PAGE`]; the argument is the size of the page without data, bytes.
     Beside(usize),
-    /// This many bytes.
+    /// Fixed size, bytes.
     Of(usize),
 }
 

@@ -1,7 +1,7 @@
-//! Meshes with fewer triangles for the eye: the vertices in one cell of a grid become one.
+//! Mesh simplification for display: all vertices in one cell of a grid become one.
 //!
-//! The outside look stays to within a cell; areas and volumes do not, and nothing is computed from
-//! it.
+//! The shape is accurate to the size of a cell. Areas and volumes are not accurate; nothing is
+//! computed from the simplified mesh.
 //!
 //! Source: Rossignac & Borrel, Multi-resolution 3D approximations for rendering complex scenes
 //! (1993).
@@ -10,10 +10,11 @@ use std::collections::{HashMap, HashSet};
 
 use polhode::body::mesh::TriangleMesh;
 
-/// Returns a mesh of at most `most` triangles, or of none; the same for the same mesh.
+/// Returns a simplified mesh of at most `most` triangles, possibly empty; the result is
+/// deterministic.
 pub fn decimated(mesh: &TriangleMesh, most: usize) -> TriangleMesh {
     let Some(grid) = Bounds::of(mesh) else { return TriangleMesh::default() };
-    // A surface meets some 6 n² of n³ cells, and has two triangles in each.
+    // A surface has two triangles in each cell that it crosses, and crosses about 6 n² of n³ cells.
     let mut cells = (most as f64 / 2.0).sqrt().max(1.0);
     loop {
         let coarse = clustered(mesh, &grid, cells);
@@ -21,20 +22,21 @@ pub fn decimated(mesh: &TriangleMesh, most: usize) -> TriangleMesh {
         if found <= most || cells <= 1.0 {
             return if found <= most { coarse } else { TriangleMesh::default() };
         }
-        // The number of triangles goes as the square of the cells along a side.
+        // The number of triangles is proportional to the square of the number of cells along an
+        // edge.
         cells = (cells * 0.97 * (most as f64 / found as f64).sqrt()).max(1.0);
     }
 }
 
-/// Box around a mesh.
+/// Bounding cube of a mesh.
 struct Bounds {
     low: [f64; 3],
-    /// Length of its longest edge.
+    /// Longest edge of the bounding box, m.
     size: f64,
 }
 
 impl Bounds {
-    /// Returns the box; `None` for a mesh without triangles or without size.
+    /// Returns the bounds; `None` for a mesh without triangles or of size zero.
     fn of(mesh: &TriangleMesh) -> Option<Self> {
         let start = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
         let [low, high] = mesh.corners().flatten().fold(start, |[low, high], p| {
@@ -44,19 +46,19 @@ impl Bounds {
         (size > 0.0 && size.is_finite()).then_some(Self { low, size })
     }
 
-    /// Returns the cell of a point, with `cells` cells along the longest edge.
+    /// Returns the cell of a point, for `cells` cells along an edge.
     fn cell(&self, point: [f64; 3], cells: f64) -> [u32; 3] {
         std::array::from_fn(|k| ((point[k] - self.low[k]) / self.size * cells) as u32)
     }
 }
 
-/// Returns the mesh with all vertices of a cell at their mean.
+/// Returns the mesh with the vertices of each cell replaced by their mean.
 ///
-/// It lacks the triangles that this makes flat or double.
+/// Triangles that become degenerate or duplicate are removed.
 fn clustered(mesh: &TriangleMesh, bounds: &Bounds, cells: f64) -> TriangleMesh {
     let mut places: HashMap<[u32; 3], u32> = HashMap::new();
     let mut sums: Vec<([f64; 3], f64)> = Vec::new();
-    // Cells are numbered as they come, so that no order of a hash is seen.
+    // Cells are numbered in the order of the vertices, so that the result is deterministic.
     let new_index: Vec<u32> = mesh
         .coordinates()
         .iter()
@@ -84,7 +86,7 @@ fn clustered(mesh: &TriangleMesh, bounds: &Bounds, cells: f64) -> TriangleMesh {
             (a != b && b != c && c != a && seen.insert(key)).then_some([a, b, c])
         })
         .collect();
-    // Every index is that of a vertex, and a mean of finite numbers is finite.
+    // All indices are valid, and means of finite numbers are finite.
     TriangleMesh::new(vertices, triangles).unwrap_or_default()
 }
 
@@ -92,7 +94,7 @@ fn clustered(mesh: &TriangleMesh, bounds: &Bounds, cells: f64) -> TriangleMesh {
 mod tests {
     use super::*;
 
-    /// Returns a ball of n × 2n quadrilaterals, each of two triangles.
+    /// Returns a sphere of n × 2n quadrilaterals, each of two triangles.
     fn ball(n: u32, center: [f64; 3]) -> TriangleMesh {
         let (pi, m) = (std::f64::consts::PI, 2 * n);
         let mut vertices = Vec::new();
@@ -127,7 +129,7 @@ mod tests {
                 let r = (0..3).map(|k| (corner[k] - center[k]).powi(2)).sum::<f64>().sqrt();
                 assert!((r - 0.7).abs() < 2.0 * cell, "{r} beside {cell}");
             }
-            // Outward triangles stay outward: the volume is positive and near the ball's.
+            // Triangles still face outward: the volume is positive and close to that of the sphere.
             let volume: f64 = coarse
                 .corners()
                 .map(|[a, b, c]| {

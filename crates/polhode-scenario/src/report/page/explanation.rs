@@ -1,4 +1,4 @@
-//! The worked solution, its formulas as MathML.
+//! Worked solution, with formulas as MathML.
 
 use polhode_document::Picture;
 use polhode_document::layout::plain_spaces;
@@ -7,7 +7,7 @@ use polhode_document::number::{alike, tidy_matrix};
 use polhode_document::{Block, Document, Section};
 use serde_json::{Value, json};
 
-/// Number of significant digits of a matrix element.
+/// Significant digits of a matrix element.
 const DIGITS: usize = 6;
 
 pub(crate) fn json(document: &Document) -> Value {

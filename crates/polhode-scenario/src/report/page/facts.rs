@@ -1,4 +1,4 @@
-//! Facts on the page next to the picture: those of the motion, of the body, and of the page itself.
+//! Facts next to the picture: about the motion, the body, and the page itself.
 
 use polhode::motion::Scenario;
 use polhode_document::fact::{Fact, Facts, Quantity};
@@ -12,7 +12,7 @@ use super::turning::Turning;
 use crate::report::facts::{self, Known};
 use crate::report::sampling::largest_turn;
 
-/// Largest turn between two samples that the picture shows as it was, rad.
+/// Largest rotation between samples that a picture can show correctly, rad.
 const LARGEST_TURN: f64 = 1.0;
 
 pub(crate) fn json(known: &Known<'_>, turning: &Turning<'_>, shown: &Shown<'_>, notes: &[String]) -> Value {
@@ -39,7 +39,7 @@ fn body(scenario: &Scenario, turning: &Turning<'_>) -> Vec<Fact> {
     ]
 }
 
-/// Returns the note of a body that changes.
+/// Returns the remark for values of a body that changes with time.
 const fn at_start(turning: &Turning<'_>) -> &'static str {
     if turning.is_changing { "at the start" } else { "" }
 }
@@ -62,7 +62,7 @@ fn inertia(turning: &Turning<'_>) -> Vec<Fact> {
     ]
 }
 
-/// Returns what the page shows, if that is not all.
+/// Returns facts about the page: number of samples, omitted details.
 fn this_page(shown: &Shown<'_>, notes: &[String]) -> Vec<Fact> {
     let [here, all] = [shown.samples.len(), shown.of].map(|n| n as u64);
     let note = if here == all { String::new() } else { format!("of {}, evenly chosen", count(all)) };

@@ -1,4 +1,4 @@
-//! The geometry of a free motion: the curves that ω and L draw.
+//! Geometry of a free motion: the curves of ω and L.
 
 use polhode::math::Vector;
 use polhode::motion::{ClosedForm, FreeMotion, Regime, Solution};
@@ -11,21 +11,21 @@ use super::rows::Rows;
 use super::{PageInput, PageSubject};
 use crate::report::free_facts::FreeFacts;
 
-/// Largest distance of chords from their curves, relative to the largest vector: no eye sees more.
+/// Largest deviation of chords from their curves, relative to the largest vector; invisible.
 const CHORD: f64 = 1e-3;
 
-/// Number of other motions of the body around each end of its axes.
+/// Number of other motions shown around each end of an axis.
 const SISTERS: usize = 5;
 
-/// Largest number of periods of ω that the herpolhode has.
+/// Largest number of periods of ω in the herpolhode.
 const MOST_PERIODS: f64 = 12.0;
 
-/// Largest number of points of the herpolhode; a longer one is cut off.
+/// Largest number of points of the herpolhode; a longer curve is truncated.
 const MOST_POINTS: usize = 4_000;
 
-/// Returns the free motion that is shown.
+/// Returns the free motion of a page.
 ///
-/// `None` if a torque acts or wheels spin, if the motion is given, or at rest.
+/// `None` if a torque acts, wheels spin, the motion is prescribed, or the body is at rest.
 pub(crate) fn facts(input: &PageInput<'_>) -> Option<FreeFacts> {
     let motion = match (input.trajectory.solution(), input.subject) {
         (Solution::ClosedForm(ClosedForm::Free(motion)), _) => **motion,
@@ -39,9 +39,7 @@ pub(crate) fn facts(input: &PageInput<'_>) -> Option<FreeFacts> {
     (motion.regime() != Regime::AtRest).then(|| FreeFacts::of(motion))
 }
 
-/// Returns the curves; null if one of them cannot be drawn.
-///
-/// Other motions of the body are among them only if the page is `whole`.
+/// Returns the curves; null if one cannot be computed. Other motions are included only if `whole`.
 pub(crate) fn json(free: &FreeFacts, shown: &Shown<'_>, whole: bool, rows: &mut Rows) -> Value {
     curves(free, shown, whole, rows).unwrap_or(Value::Null)
 }
@@ -67,12 +65,12 @@ fn curves(free: &FreeFacts, shown: &Shown<'_>, whole: bool, rows: &mut Rows) -> 
     }))
 }
 
-/// Returns ω in space over the time that is shown, from one period to [`MOST_PERIODS`].
+/// Returns ω in space over the duration of the page, from one period to [`MOST_PERIODS`].
 fn herpolhode(motion: &FreeMotion, shown: &Shown<'_>) -> Result<Vec<[f64; 3]>, CurveError> {
     let time = |sample: Option<&&polhode::motion::Sample>| sample.map_or(0.0, |s| s.state.time);
     let duration = time(shown.samples.last()) - time(shown.samples.first());
     let wanted = motion.period().map_or(1.0, |period| (duration / period).clamp(1.0, MOST_PERIODS));
-    // ω may go around L far oftener than in the body: then even a period is too much to draw.
+    // If ω circles L much faster than it moves in the body, even one period has too many points.
     let fits = |periods: f64| Herpolhode::of(motion, periods, CHORD);
     let curve = match fits(wanted) {
         Err(CurveError::TooManyPoints { .. }) => fits(1e-3)?,
@@ -86,7 +84,7 @@ fn herpolhode(motion: &FreeMotion, shown: &Shown<'_>) -> Result<Vec<[f64; 3]>, C
     Ok(curve.curve.points().iter().take(MOST_POINTS).map(point).collect())
 }
 
-/// Lines on the momentum sphere: the other paths of L. They depend on the principal moments alone.
+/// Other curves on the momentum sphere; they depend on the principal moments only.
 #[derive(Default)]
 struct Family {
     sisters: Vec<Vec<[f64; 3]>>,
@@ -101,8 +99,8 @@ impl Family {
                 sister.curve.points().iter().map(|omega| direction(motion, *omega)).collect();
             if sister.regime == Regime::Separatrix { halves.push(line) } else { sisters.push(line) }
         }
-        // The halves come as (+, +), (+, −), (−, +), (−, −): the first and the last are one circle,
-        // as are the others.
+        // The halves have the signs (+, +), (+, −), (−, +), (−, −). The first and last form one
+        // circle, the others another.
         let separatrices = match halves.as_slice() {
             [first, second, third, fourth] => vec![circle(first, fourth), circle(second, third)],
             _ => Vec::new(),
@@ -111,12 +109,12 @@ impl Family {
     }
 }
 
-/// Returns two halves with the same ends as one closed line.
+/// Returns two halves with common ends as one closed line.
 fn circle(there: &[[f64; 3]], back: &[[f64; 3]]) -> Vec<[f64; 3]> {
     there.iter().chain(back.iter().rev()).chain(there.first()).copied().collect()
 }
 
-/// Returns L/|L| of an angular velocity in the body, principal axes: (i1 ω1, i2 ω2, i3 ω3) / |…|.
+/// Returns L/|L| for an angular velocity in the body: (i1 ω1, i2 ω2, i3 ω3) / |…|, principal axes.
 fn direction(motion: &FreeMotion, omega: polhode::math::AngularVelocity<polhode::math::Body>) -> [f64; 3] {
     let principal = motion.principal();
     let omega = (principal.rotation().inverse() * omega).to_array();
@@ -129,7 +127,7 @@ fn in_principal_axes<Q>(motion: &FreeMotion, l: Vector<Q, polhode::math::Body>) 
     unit((to_principal * l).to_array())
 }
 
-/// Returns the vector divided by its length; zero stays.
+/// Returns the unit vector; zero remains zero.
 fn unit(v: [f64; 3]) -> [f64; 3] {
     let largest = v.iter().fold(0.0, |max, x| f64::max(max, x.abs()));
     if !(largest > 0.0 && largest.is_finite()) {

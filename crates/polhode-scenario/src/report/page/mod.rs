@@ -1,8 +1,8 @@
-//! A page that shows a motion: a file of its own that a browser opens from disk.
+//! Interactive page of a motion: one file that a browser opens without a server.
 //!
-//! The page is the viewer (`viewer/`, whose build is `assets/viewer.html`) with the motion in it as
-//! JSON, as `viewer/src/data.ts` defines it. Numbers are the trajectory's own, bit for bit; text
-//! from outside is inert.
+//! The page is the viewer (`viewer/`, built to `assets/viewer.html`) with the motion as JSON, in
+//! the format of `viewer/src/data.ts`. Numbers are bit-identical to the trajectory. Text from
+//! outside cannot become markup.
 
 mod atoms;
 mod body;
@@ -66,41 +66,41 @@ pub struct PageInput<'a> {
     pub title: &'a str,
     /// Command that made the page: `polhode 0.1.0 simulate examples/t-handle.toml`.
     pub source: &'a str,
-    /// Text of the scenario file as it was read.
+    /// Text of the scenario file.
     pub scenario_text: Option<&'a str>,
-    /// Body that moves.
+    /// Body of the motion.
     pub subject: PageSubject<'a>,
-    /// Motion of the body.
+    /// Motion to be shown.
     pub trajectory: &'a Trajectory,
     /// Worked solution of the motion.
     pub explanation: Option<&'a Document>,
-    /// True if the page has what follows from the body alone: its shapes, and the other motions on
-    /// its momentum sphere.
+    /// True to include the data that depend on the body alone: shapes, and other motions on the
+    /// momentum sphere.
     ///
-    /// A caller that shows one motion after another of the same body has them already.
+    /// A caller that shows several motions of one body needs them only once.
     pub whole: bool,
 }
 
 impl PageInput<'_> {
-    /// True if the page shows the curves of a free motion.
+    /// Returns true if the page shows the curves of a free motion.
     pub fn is_free(&self) -> bool {
         free::facts(self).is_some()
     }
 }
 
-/// Body that a page shows.
+/// Body of a page.
 #[derive(Clone, Copy, Debug)]
 pub enum PageSubject<'a> {
     /// Body of a scenario.
     Scenario(&'a Scenario),
-    /// Free body of which only the moments about its centre of mass are known.
+    /// Free body known by its moments about the centre of mass only.
     Moments(&'a PrincipalFrame<Body>),
 }
 
-/// HTML of the viewer, with a place for the data.
+/// Viewer as HTML, with a placeholder for the data.
 const TEMPLATE: &str = include_str!("../../../assets/viewer.html");
 
-/// Mark in the template at which the data stand.
+/// Placeholder for the data in the template.
 const DATA: &str = "<!--polhode-data-->";
 
 /// Returns the page as HTML.
@@ -108,39 +108,36 @@ pub fn page(input: &PageInput<'_>) -> String {
     page_of(input.title, &page_data(input))
 }
 
-/// Returns the content of a page besides the viewer, as JSON.
-///
-/// [`page_of`] makes the page of it, here or elsewhere.
+/// Returns the data of a page as JSON; [`page_of`] builds the page from it.
 pub fn page_data(input: &PageInput<'_>) -> String {
     inert(&data::json(input, Room::Beside(TEMPLATE.len()), &mut Rows::Inside).to_string())
 }
 
-/// Returns the same as [`page_data`], with triangles of at most `triangles` bytes.
+/// Returns the data of a page with meshes of at most `triangles` bytes, for callers with limited
+/// space.
 ///
-/// It serves callers that have less room than a page of its own; [`has_triangles`] says whether it
-/// may differ.
+/// [`has_triangles`] returns whether the result may differ from that of [`page_data`].
 pub fn page_data_within(input: &PageInput<'_>, triangles: usize) -> String {
     inert(&data::json(input, Room::Of(triangles), &mut Rows::Inside).to_string())
 }
 
-/// Returns true if the body has triangles, which a page may have to show coarser than they are.
+/// Returns true if the body has a mesh, which a page may have to simplify.
 pub fn has_triangles(subject: &PageSubject<'_>) -> bool {
     shapes::has_triangles(&Turning::of(subject))
 }
 
-/// Returns the content of a page besides the viewer, for callers that do not write it into a page.
+/// Returns the data of a page as JSON, with the long rows of numbers separate as little-endian f64.
 ///
-/// It is JSON, and its rows of numbers as little-endian f64, one after the other. The JSON has
-/// `{"f64": [at, count]}` in their places, counted in numbers.
+/// The JSON contains `{"f64": [start, count]}` for each such row, in units of numbers.
 pub fn page_rows(input: &PageInput<'_>) -> (Value, Vec<u8>) {
     let mut rows = Rows::Beside(Vec::new());
     let value = data::json(input, Room::Beside(TEMPLATE.len()), &mut rows);
     (value, rows.bytes())
 }
 
-/// Returns the page of a title and of the data that [`page_data`] returned.
+/// Returns the page for a title and the result of [`page_data`].
 pub fn page_of(title: &str, data: &str) -> String {
-    // Only the template is searched: the data may contain any text.
+    // Only the template is searched, because the data may contain any text.
     let (before, after) = TEMPLATE.split_once(DATA).unwrap_or((TEMPLATE, ""));
     let (head, tail) = before.split_once("<title>").unwrap_or((before, "</title>"));
     let tail = tail.split_once("</title>").map_or(tail, |(_, rest)| rest);
@@ -150,7 +147,7 @@ pub fn page_of(title: &str, data: &str) -> String {
     )
 }
 
-/// Returns JSON that no markup can hide in: these characters are in its strings only.
+/// Escapes characters of JSON that could start markup; they occur in strings only.
 fn inert(json: &str) -> String {
     let escaped = |text: String, c: char| text.replace(c, &format!("\\u{:04x}", u32::from(c)));
     ['<', '>', '&', '\u{2028}', '\u{2029}'].into_iter().fold(json.to_owned(), escaped)

@@ -1,4 +1,4 @@
-//! Motion of a page as rows of numbers.
+//! Motion as rows of numbers.
 
 use polhode::motion::channel::CONTACT;
 use polhode::motion::contact::ContactState;
@@ -13,16 +13,16 @@ use crate::report::balance::{Balance, Driven, balances, has_potential};
 use crate::report::plot::series;
 use crate::report::torque::named_wheels;
 
-/// Largest number of samples of a page; more would make it large and show no more.
+/// Largest number of samples on a page; more would not be visible.
 const MOST: usize = 2_001;
 
-/// Samples that a page shows.
+/// Samples of a page, with the data for its plots.
 #[derive(Debug)]
 pub(crate) struct Shown<'a> {
     pub samples: Vec<&'a Sample>,
-    /// Samples of the contact on the ground; empty for any other body.
+    /// Contact at each sample, for a body on the ground; else empty.
     pub contact: Vec<ContactState>,
-    /// Number of samples of the whole motion.
+    /// Number of samples of the trajectory.
     pub of: usize,
     driven: Driven,
     drift: Vec<Balance>,
@@ -34,8 +34,9 @@ pub(crate) struct Shown<'a> {
 }
 
 impl<'a> Shown<'a> {
-    /// Returns all samples, or [`MOST`] evenly chosen with the first and the last; the start if
-    /// there are none.
+    /// Returns all samples, or [`MOST`] equally spaced ones with the first and the last.
+    ///
+    /// A trajectory without samples is represented by its start.
     pub(crate) fn of(trajectory: &'a Trajectory, subject: &PageSubject<'a>) -> Self {
         let all = trajectory.samples();
         let (driven, wheels, pointings) = match *subject {
@@ -74,13 +75,13 @@ impl<'a> Shown<'a> {
         rows.put(self.samples.iter().flat_map(|sample| of(sample)))
     }
 
-    /// Returns the lines of the drift plot: the balances that should stay the same.
+    /// Returns the lines of the drift plot, one for each conserved quantity.
     fn drift(&self, rows: &mut Rows) -> Value {
         let line = |balance: &Balance| json!({ "name": balance.name, "values": rows.put(balance.values.iter().map(|&d| finite(d))) });
         self.drift.iter().map(line).collect()
     }
 
-    /// Returns the rows of each wheel; `null` for a speed that is held.
+    /// Returns the speed and motor torque of each wheel; `null` for a speed that is held.
     fn wheels(&self, rows: &mut Rows) -> Value {
         let one = |(name, wheel): &(String, Wheel)| {
             let speeds: Option<Vec<f64>> =
@@ -96,8 +97,8 @@ impl<'a> Shown<'a> {
         self.wheels.iter().map(one).collect()
     }
 
-    /// Returns the angles of directions of the body to nadir, velocity or another direction of
-    /// interest.
+    /// Returns the pointing angles between body directions and nadir, velocity or other references,
+    /// rad.
     fn pointings(&self, rows: &mut Rows) -> Value {
         let one = |pointing: &Pointing| {
             let angle = |s: &Sample| [finite(pointing.angle(&s.state))];
@@ -106,9 +107,9 @@ impl<'a> Shown<'a> {
         self.pointings.iter().map(one).collect()
     }
 
-    /// Returns the work of the torques or the motors since the start.
+    /// Returns the work of the torques or motors since the start, J.
     ///
-    /// Null if there is a potential to tell instead, or nothing acts.
+    /// Null if there is a potential energy instead, or if nothing acts.
     fn work(&self, has_potential: bool, rows: &mut Rows) -> Value {
         if has_potential || !self.driven.at_all() || !self.contact.is_empty() {
             return Value::Null;
@@ -116,7 +117,7 @@ impl<'a> Shown<'a> {
         json!({ "name": self.driven.work(), "values": self.row(rows, |s| [finite(s.work)]) })
     }
 
-    /// Returns T; for a body on the ground with that of its centre of mass.
+    /// Returns T, J; on the ground including that of the centre of mass.
     fn kinetic(&self, rows: &mut Rows) -> Value {
         if self.contact.is_empty() {
             return self.row(rows, |s| [s.kinetic_energy]);
@@ -124,7 +125,7 @@ impl<'a> Shown<'a> {
         rows.put(self.contact.iter().map(|s| s.kinetic_energy))
     }
 
-    /// Returns U of the torques, or of the weight of a body on the ground.
+    /// Returns the potential energy of the torques, J; on the ground that of the weight.
     fn potential(&self, has_potential: bool, rows: &mut Rows) -> Value {
         match has_potential {
             _ if !self.contact.is_empty() => rows.put(self.contact.iter().map(|s| s.potential_energy)),
@@ -133,20 +134,20 @@ impl<'a> Shown<'a> {
         }
     }
 
-    /// Returns the first of the events that happened: more would hide the curves.
+    /// Returns the first events; more would hide the curves.
     fn events(&self) -> Value {
         const MOST: usize = 40;
         let one = |(time, name): &(f64, String)| json!({ "time": time, "name": name });
         self.events.iter().take(MOST).map(one).collect()
     }
 
-    /// True if some torque acts.
+    /// Returns true if any torque acts.
     fn is_turned(&self) -> bool {
         self.samples.iter().any(|s| s.torque.norm() > 0.0)
     }
 }
 
-/// Returns the events and the changes of a contact, each with its time, in the order of time.
+/// Returns the times and names of events and contact changes, in the order of time.
 fn events(trajectory: &Trajectory) -> Vec<(f64, String)> {
     let one = |crossing: &Crossing| (crossing.state.time, printable(&crossing.name));
     let mut all: Vec<_> = trajectory.events().iter().map(one).collect();
@@ -155,7 +156,7 @@ fn events(trajectory: &Trajectory) -> Vec<(f64, String)> {
     all
 }
 
-/// Returns the indices of the samples that are shown, out of `count`.
+/// Returns the indices of the samples to be shown, out of `count`.
 fn chosen(count: usize) -> Vec<usize> {
     if count <= MOST {
         return (0..count).collect();
@@ -163,7 +164,7 @@ fn chosen(count: usize) -> Vec<usize> {
     (0..MOST).map(|k| k * (count - 1) / (MOST - 1)).collect()
 }
 
-/// Returns the JSON of a motion; `contact` is what else there is to show of a body on the ground.
+/// Returns the JSON of a motion; `contact` has the data of a body on the ground.
 pub(crate) fn json(shown: &Shown<'_>, contact: &Value, rows: &mut Rows) -> Value {
     let has_potential = has_potential(shown.samples.iter().copied());
     json!({

@@ -1,4 +1,4 @@
-//! Forms that the page has no name for, as triangles.
+//! Meshes for forms that the page does not draw by name.
 
 use std::f64::consts::TAU;
 
@@ -6,14 +6,13 @@ use polhode::body::mesh::TriangleMesh;
 
 use super::placed::THIN;
 
-/// Number of steps of a circle, as the page's round solids have them.
+/// Number of segments of a circle, as in the page's own round solids.
 const ROUND: u32 = 64;
 
-/// Returns the wall of a frustum without ends, of a thickness that can be seen; one radius may be
-/// zero.
+/// Returns the wall of a frustum without ends, with a visible thickness; one radius may be zero.
 pub(crate) fn cone_wall(base: f64, top: f64, height: f64) -> TriangleMesh {
     let wall = THIN * base.max(top);
-    // The inner side is the outer one, a wall nearer the axis; it ends where it meets the axis.
+    // The inner side is the outer side shifted by the thickness; it ends where it reaches the axis.
     let inner = |z: f64, own: f64, other: f64| {
         let meets = z + (height - 2.0 * z) * (wall - own) / (other - own);
         if own < wall { [0.0, meets] } else { [own - wall, z] }
@@ -21,11 +20,11 @@ pub(crate) fn cone_wall(base: f64, top: f64, height: f64) -> TriangleMesh {
     revolved(&[[base, 0.0], [top, height], inner(height, top, base), inner(0.0, base, top), [base, 0.0]])
 }
 
-/// Returns the surface swept by a profile of (r, z) with its outer side on the right.
+/// Returns the surface of revolution of a profile in (r, z), with its outer side on the right.
 fn revolved(profile: &[[f64; 2]]) -> TriangleMesh {
     let point = |[r, z]: [f64; 2], k: u32| {
         let (sin, cos) = (f64::from(k % ROUND) * TAU / f64::from(ROUND)).sin_cos();
-        // The axis has one point for all angles: −0 is another bit pattern.
+        // Points on the axis must be bit-identical for all angles; −0 would differ from 0.
         if r == 0.0 { [0.0, 0.0, z] } else { [r * cos, r * sin, z] }
     };
     let mut triangles: Vec<[[f64; 3]; 3]> = Vec::new();
@@ -40,7 +39,7 @@ fn revolved(profile: &[[f64; 2]]) -> TriangleMesh {
     TriangleMesh::of_triangles(&triangles).unwrap_or_default()
 }
 
-/// Returns a prism about z = 0; one without length is shown as a plate.
+/// Returns a prism centred at z = 0; for a length of 0, a thin plate.
 pub(crate) fn prism(vertices: [[f64; 2]; 3], length: f64) -> TriangleMesh {
     let [o, p, q] = vertices;
     let edges = [[o, p], [p, q], [q, o]].map(|[a, b]| (b[0] - a[0]).hypot(b[1] - a[1]));
@@ -68,7 +67,7 @@ mod tests {
         for (base, top) in [(0.9, 0.35), (0.35, 0.9), (0.9, 0.0), (0.0, 0.9), (0.9, 0.01), (0.6, 0.6)] {
             let wall = ClosedMesh::of(&cone_wall(base, top, 1.3)).unwrap();
             assert!(!wall.inverted(), "{base} {top}");
-            // The two sides of the wall have nearly π (a + b) √(h² + (a − b)²) each.
+            // Each side of the wall has an area of nearly π (a + b) √(h² + (a − b)²).
             let side = 0.5 * TAU * (base + top) * 1.3_f64.hypot(base - top);
             assert!((wall.surface_area() / side - 2.0).abs() < 0.1, "{} {side}", wall.surface_area());
         }

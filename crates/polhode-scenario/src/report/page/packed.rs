@@ -2,17 +2,17 @@
 
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 
-/// Returns each number as an f64.
+/// Encodes numbers as f64.
 pub(crate) fn f64s(numbers: impl IntoIterator<Item = f64>) -> String {
     arrays(numbers.into_iter().map(f64::to_le_bytes))
 }
 
-/// Returns each number as an f32.
+/// Encodes numbers as f32.
 pub(crate) fn f32s(numbers: impl IntoIterator<Item = f32>) -> String {
     arrays(numbers.into_iter().map(f32::to_le_bytes))
 }
 
-/// Returns each number as a u32.
+/// Encodes numbers as u32.
 pub(crate) fn u32s(numbers: impl IntoIterator<Item = u32>) -> String {
     arrays(numbers.into_iter().map(u32::to_le_bytes))
 }

@@ -1,20 +1,20 @@
-//! Place of the long rows of numbers of a page: in its JSON, or outside it.
+//! Storage of long rows of numbers: in the JSON of a page, or outside it.
 
 use serde_json::{Value, json};
 
 use super::packed::f64s;
-/// Rows of f64: in the JSON as base64, or outside it as bytes.
+/// Rows of f64: as base64 in the JSON, or as bytes outside it.
 #[derive(Debug)]
 pub(crate) enum Rows {
-    /// Base64 in the JSON, as a page that is one file has them.
+    /// Base64 in the JSON, for a page that is a single file.
     Inside,
-    /// Little-endian numbers, one row after the other; the JSON has `{"f64": [at, count]}`, counted
-    /// in numbers.
+    /// Little-endian bytes of all rows. The JSON has `{"f64": [start, count]}`, in units of
+    /// numbers.
     Beside(Vec<u8>),
 }
 
 impl Rows {
-    /// Adds a row; returns what the JSON has for it.
+    /// Stores a row; returns its value in the JSON.
     pub(crate) fn put(&mut self, numbers: impl IntoIterator<Item = f64>) -> Value {
         match self {
             Self::Inside => f64s(numbers).into(),

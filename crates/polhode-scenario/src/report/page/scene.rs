@@ -1,5 +1,4 @@
-//! Content of the 3-D view besides the body: its speed of play, gravity, and a line on each
-//! picture.
+//! Content of the 3-D view other than the body: playback speed, gravity, and captions.
 
 use polhode::motion::torque::TorqueModel;
 use polhode::motion::{HeavyTop, Scenario};
@@ -10,7 +9,7 @@ use super::caption::Captions;
 use crate::report::facts::{Known, time_round};
 use crate::report::free_facts::FreeFacts;
 
-/// Largest number of nutations in a precession that the eye follows.
+/// Largest number of nutations per precession for which the playback follows the precession.
 const MOST_NUTATIONS: f64 = 100.0;
 
 pub(crate) fn json(known: &Known<'_>, free: Option<&FreeFacts>) -> Value {
@@ -21,19 +20,20 @@ pub(crate) fn json(known: &Known<'_>, free: Option<&FreeFacts>) -> Value {
     })
 }
 
-/// Returns the time of a precession about the vertical, s; of a nutation if there is no precession.
+/// Returns the period of precession about the vertical, s, or that of nutation if precession is
+/// absent or too slow.
 fn precession_period(top: &HeavyTop) -> Option<f64> {
     let nutation = top.nutation_period()?;
     Some(time_round(top).filter(|period| *period <= MOST_NUTATIONS * nutation).unwrap_or(nutation))
 }
 
-/// Returns the longest of a free motion's periods, s.
+/// Returns the longest period of a free motion, s.
 fn slow_period(free: &FreeFacts) -> Option<f64> {
     let periods = [free.periods.precession, free.periods.rotation, free.regime.period];
     periods.into_iter().flatten().reduce(f64::max).filter(|period| period.is_finite())
 }
 
-/// Returns the acceleration of gravity, space axes, m/s², if it turns the body.
+/// Returns the acceleration of gravity, m/s², space axes, if it exerts a torque.
 fn gravity(scenario: &Scenario) -> Option<[f64; 3]> {
     let model = |torque: &TorqueModel| match torque {
         TorqueModel::Gravity(gravity) => Some(gravity.acceleration.to_array()),

@@ -1,4 +1,4 @@
-//! Look of the body: its parts at their places, seen from the point that it turns about.
+//! Shapes of the body for display: its parts at their places, relative to the reference point.
 
 use polhode::body::mesh::TriangleMesh;
 use polhode::body::{BodyPart, Form, Particle, PlacedForm, PrincipalFrame};
@@ -15,15 +15,16 @@ use super::placed::{THIN, at};
 use super::surface;
 use super::turning::{Turning, ellipsoid};
 
-/// Largest number of particles of a part that are shown; more would be a cloud.
+/// Largest number of displayed particles of a part; more would be illegible.
 const MOST_BALLS: usize = 2_000;
 
-/// Radius of the ball of the heaviest particle, relative to the distance of the nearest two.
+/// Radius of the ball of the heaviest particle, relative to the smallest distance between
+/// particles.
 const BALL: f64 = 0.2;
 
 const BALL_COLOR: &str = "#4477aa";
 
-/// Bytes that are left for triangles, and what had to be left out.
+/// Remaining bytes for meshes, and notes on simplifications.
 #[derive(Debug)]
 pub(crate) struct Budget {
     bytes: usize,
@@ -35,14 +36,15 @@ impl Budget {
         Self { bytes, notes: Vec::new() }
     }
 
-    /// Returns notes on what the page shows of the body, if that is not all.
+    /// Returns the notes on simplified or omitted parts.
     pub(crate) fn notes(&self) -> &[String] {
         &self.notes
     }
 
-    /// Returns how many of a part's triangles are shown, if the body has `all`.
+    /// Returns the number of triangles of a part that are displayed, for `of` in the part and `all`
+    /// in the body.
     fn share(&self, of: usize, all: usize) -> usize {
-        /// Size of a triangle, and the half of a vertex that goes with it, as base64.
+        /// Size of a triangle with its share of vertices, half a vertex, in base64.
         const TRIANGLE: usize = 24;
         let most = self.bytes / TRIANGLE;
         if all <= most { of } else { (most as f64 * (of as f64 / all as f64)) as usize }
@@ -51,7 +53,7 @@ impl Budget {
 
 /// Returns the shapes of all parts.
 ///
-/// If nothing is known of them, they are the surface that touches the ground, if there is one.
+/// If no shape is known, the result is the contact surface, if there is one.
 pub(crate) fn json(turning: &Turning<'_>, budget: &mut Budget) -> Value {
     let triangles = turning.parts.iter().map(triangles).sum();
     if !surface::has_forms(turning.parts) {
@@ -60,7 +62,7 @@ pub(crate) fn json(turning: &Turning<'_>, budget: &mut Budget) -> Value {
     turning.parts.iter().filter_map(|part| shape(part, turning, triangles, budget)).collect()
 }
 
-/// True if a page may have to show the body coarser than it is.
+/// Returns true if the body has a mesh, which a page may have to simplify.
 pub(crate) fn has_triangles(turning: &Turning<'_>) -> bool {
     turning.parts.iter().any(|part| triangles(part) > 0)
 }
@@ -72,8 +74,7 @@ fn triangles(part: &BodyPart) -> usize {
     }
 }
 
-/// Returns the shape of a part; `None` for one that numbers of the page cannot hold, and for a
-/// point.
+/// Returns the shape of a part; `None` for a point, or if a number is too large.
 fn shape(part: &BodyPart, turning: &Turning<'_>, triangles: usize, budget: &mut Budget) -> Option<Value> {
     held(match &part.form {
         Some(PlacedForm { form: Form::Molecule(symbols), .. }) => atoms::balls(part, symbols, turning.point)?,
@@ -91,23 +92,22 @@ fn shape(part: &BodyPart, turning: &Turning<'_>, triangles: usize, budget: &mut 
     })
 }
 
-/// Returns a shape, if numbers hold it.
+/// Returns the shape if all its numbers are finite.
 fn held(shape: Value) -> Option<Value> {
     let numbers_hold = |value: &Value| value.as_f64().is_none_or(f64::is_finite);
     shape.as_object()?.values().all(numbers_hold).then_some(shape)
 }
 
-/// Returns a form at its place as a page shows it, a `Shape` of `viewer/src/data.ts`.
+/// Returns a form at its place as a `Shape` of `viewer/src/data.ts`, with at most `most` triangles.
 ///
-/// It has at most `most` triangles. `None` for a molecule, and for a form that numbers of the page
-/// cannot hold.
+/// `None` for a molecule, or if a number is too large.
 pub fn shape_of(placed: &PlacedForm, name: &str, most: usize) -> Option<Value> {
     held(of_form(placed, name, Position::ZERO, most)?.0)
 }
 
-/// Returns the shape of a form from a point.
+/// Returns the shape of a form, relative to a point.
 ///
-/// The number is that of the triangles shown, for a mesh that was made coarser.
+/// The second value is the number of displayed triangles of a simplified mesh; else `None`.
 fn of_form(
     placed: &PlacedForm,
     name: &str,
@@ -122,7 +122,7 @@ fn of_form(
             json!({ "kind": "box", "size": numbers(&[*a, *b, THIN * a.min(*b)]) })
         }
         Form::Ellipsoid { semi_axes } => json!({ "kind": "ellipsoid", "half": numbers(semi_axes) }),
-        // Its cavity is not seen from outside.
+        // The cavity is invisible from outside.
         Form::HollowSphere { radius, .. } => json!({ "kind": "ellipsoid", "half": numbers(&[*radius; 3]) }),
         Form::Cylinder { radius, inner_radius, length } => cylinder(*radius, *inner_radius, *length),
         Form::Rod { length } => cylinder(0.5 * THIN * length, 0.0, *length),
@@ -162,8 +162,8 @@ fn cylinder(radius: f64, inner: f64, height: f64) -> Value {
     json!({ "kind": "cylinder", "radius": radius, "inner": inner, "height": height })
 }
 
-/// Returns the triangles from a middle, so that f32 holds them wherever they are; `of` is the
-/// number of all.
+/// Returns a mesh relative to its middle, for the accuracy of f32; `of` is its full number of
+/// triangles.
 fn triangles_json(shown: &TriangleMesh, middle: Position<Part>, of: usize) -> Option<Value> {
     let vertices: Vec<f32> = shown
         .coordinates()
@@ -182,7 +182,7 @@ fn triangles_json(shown: &TriangleMesh, middle: Position<Part>, of: usize) -> Op
     })
 }
 
-/// Returns the middle of the box around a mesh.
+/// Returns the centre of the bounding box of a mesh.
 fn middle_of(mesh: &TriangleMesh) -> Option<[f64; 3]> {
     let mut corners = mesh.corners().flatten();
     let first = corners.next()?;
@@ -192,7 +192,7 @@ fn middle_of(mesh: &TriangleMesh) -> Option<[f64; 3]> {
     Some(std::array::from_fn(|k| low[k] + 0.5 * (high[k] - low[k])))
 }
 
-/// Returns the uniform ellipsoid of the same mass and tensor.
+/// Returns the uniform ellipsoid with the same mass and tensor.
 fn of_moments(part: &BodyPart, turning: &Turning<'_>) -> Value {
     let principal = PrincipalFrame::of(part.properties.inertia());
     let half = ellipsoid(principal.moments(), part.properties.mass());
@@ -201,8 +201,8 @@ fn of_moments(part: &BodyPart, turning: &Turning<'_>) -> Value {
     at(own, &part.name, place.to_array(), principal.rotation().canonical_quaternion())
 }
 
-/// Returns particles as balls whose volumes go as their masses, joined by the shortest sticks that
-/// hold them together.
+/// Returns particles as balls with volumes proportional to their masses, connected by sticks of
+/// minimal total length.
 fn balls(part: &BodyPart, turning: &Turning<'_>, budget: &mut Budget) -> Option<Value> {
     let all = part.particles.len();
     let stride = all.div_ceil(MOST_BALLS).max(1);
@@ -236,15 +236,15 @@ fn balls(part: &BodyPart, turning: &Turning<'_>, budget: &mut Budget) -> Option<
     Some(at(own, &part.name, [0.0; 3], [1.0, 0.0, 0.0, 0.0]))
 }
 
-/// Stick that joins two places.
+/// Stick between two places.
 struct Stick {
     ends: [usize; 2],
     length: f64,
 }
 
-/// Returns the shortest sticks that join all places: Prim's algorithm.
+/// Returns the minimum spanning tree of all places, by Prim's algorithm.
 fn sticks(places: &[[f64; 3]]) -> Vec<Stick> {
-    // Each place that is not yet joined has the nearest joined one.
+    // Places not yet in the tree, each with the shortest stick to it.
     let mut open: Vec<(usize, Stick)> = match places {
         [first, others @ ..] => others
             .iter()

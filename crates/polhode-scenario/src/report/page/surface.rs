@@ -1,4 +1,4 @@
-//! Surface with which a body touches the ground, as a shape of the page.
+//! Contact surface of a body, as a shape of the page.
 
 use polhode::body::{BodyPart, Form, PlacedForm};
 use polhode::math::{Body, Direction, Part, Position};
@@ -8,13 +8,13 @@ use serde_json::{Value, json};
 
 use super::placed::{THIN, at};
 
-/// Largest relative difference of lengths that are the same for the eye.
+/// Relative tolerance for lengths that look equal.
 const ALIKE: f64 = 1e-3;
 
-/// Length in radii with which a cylinder without an end is shown.
+/// Display length of an infinite cylinder, in radii.
 const ENDLESS: f64 = 4.0;
 
-/// Returns the surface at its place, seen from a point of the body.
+/// Returns the surface at its place, relative to a point of the body.
 pub(crate) fn shape(surface: &BodySurface, point: Position<Body>) -> Option<Value> {
     let own = match *surface.shape() {
         SurfaceShape::Sphere { radius } => json!({ "kind": "ellipsoid", "half": numbers(&[radius; 3]) }),
@@ -34,12 +34,12 @@ fn cylinder(radius: f64, height: f64) -> Value {
     json!({ "kind": "cylinder", "radius": radius, "inner": 0.0, "height": height })
 }
 
-/// True if the page knows the form of some part.
+/// Returns true if the shape of some part is known.
 pub(crate) fn has_forms(parts: &[BodyPart]) -> bool {
     parts.iter().any(|part| part.form.is_some() || !part.particles.is_empty())
 }
 
-/// True if the surface is that of some part.
+/// Returns true if the surface is that of some part.
 pub(crate) fn is_shown(surface: &BodySurface, parts: &[BodyPart]) -> bool {
     parts.iter().filter_map(|part| part.form.as_ref()).any(|form| is_like(surface, form))
 }

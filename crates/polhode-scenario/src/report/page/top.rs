@@ -1,5 +1,4 @@
-//! Axis of a body that gravity turns about a pivot, with the directions that its path is measured
-//! from.
+//! Axis of a body that gravity turns about a pivot, with the reference directions of its path.
 
 use polhode_document::json::{finite, numbers};
 use serde_json::{Value, json};
@@ -7,7 +6,7 @@ use serde_json::{Value, json};
 use super::PageSubject;
 use crate::report::plot::axis_path::TopAxis;
 
-/// Returns the JSON of the axis; null if the motion has no `--plot axis`.
+/// Returns the JSON of the axis; null if the figure `axis` does not apply.
 pub(crate) fn json(subject: &PageSubject<'_>) -> Value {
     let PageSubject::Scenario(scenario) = subject else { return Value::Null };
     let Some(top) = TopAxis::of(scenario, scenario.rotor()) else { return Value::Null };

@@ -1,4 +1,4 @@
-//! The body that turns, and the point that it turns about.
+//! Rotating body with its reference point.
 
 use polhode::body::{BodyPart, PrincipalFrame};
 use polhode::math::{Body, Direction, Position};
@@ -7,25 +7,25 @@ use polhode_document::json::finite;
 
 use super::PageSubject;
 
-/// Body and the point that it turns about.
+/// Rotating body, with its pivot or centre of mass as the reference point.
 #[derive(Debug)]
 pub(crate) struct Turning<'a> {
     /// Mass, kg; `None` if only the moments are known.
     pub mass: Option<f64>,
-    /// Principal moments and axes about the point.
+    /// Principal moments and axes about the reference point.
     pub principal: PrincipalFrame<Body>,
     pub tensor: [[f64; 3]; 3],
     pub is_pivoted: bool,
-    /// Lever from the point to the centre of mass.
+    /// Vector from the reference point to the centre of mass, m.
     pub lever: Position<Body>,
-    /// Point that the body turns about.
+    /// Reference point, m.
     pub point: Position<Body>,
-    /// Surface with which it touches the ground, if it does.
+    /// Contact surface, if the body is on the ground.
     pub surface: Option<&'a BodySurface>,
     pub parts: &'a [BodyPart],
     /// Principal moments and axes about the centre of mass.
     pub central: PrincipalFrame<Body>,
-    /// True if the numbers hold at the start only.
+    /// True if the body changes with time, so that the values are those at the start.
     pub is_changing: bool,
 }
 
@@ -67,20 +67,20 @@ impl<'a> Turning<'a> {
     }
 }
 
-/// Returns the semi-axes of the uniform ellipsoid of this mass and these moments: i1 = m (b² + c²)
-/// / 5, …
+/// Returns the semi-axes of the uniform ellipsoid with this mass and these moments, i1 = m (b² +
+/// c²) / 5, …
 ///
-/// Unphysical moments leave a semi-axis without length.
+/// Unphysical moments give a semi-axis of 0.
 pub(crate) fn ellipsoid([i1, i2, i3]: [f64; 3], mass: f64) -> [f64; 3] {
     let semi_axis = |others: f64, own: f64| finite((2.5 / mass * (others - own).max(0.0)).sqrt());
     [semi_axis(i2 + i3, i1), semi_axis(i1 + i3, i2), semi_axis(i1 + i2, i3)]
 }
 
-/// Returns the edges of the uniform box of this mass and these moments: i1 = m (b² + c²) / 12, …
+/// Returns the edges of the uniform box with this mass and these moments, i1 = m (b² + c²) / 12, …
 ///
-/// `None` if no box has them, or f64 does not hold it.
+/// `None` if no box has these moments, or an edge is outside the range of f64.
 pub fn equivalent_box([i1, i2, i3]: [f64; 3], mass: f64) -> Option<[f64; 3]> {
-    // A plate's thickness is zero except for rounding.
+    // Rounding error; the thickness of a plate may be slightly negative.
     let rounding = 1e-12 * i3;
     let square = |others: f64, own: f64| {
         let excess = others - own;
@@ -91,7 +91,7 @@ pub fn equivalent_box([i1, i2, i3]: [f64; 3], mass: f64) -> Option<[f64; 3]> {
     squares.iter().all(|square| *square >= 0.0 && square.is_finite()).then(|| squares.map(f64::sqrt))
 }
 
-/// Returns the inertia tensor by its moments i and axes e, Σ i e eᵀ.
+/// Returns the inertia tensor Σ i e eᵀ from its moments i and axes e.
 fn tensor(principal: &PrincipalFrame<Body>) -> [[f64; 3]; 3] {
     let axes = principal.axes().map(Direction::to_array);
     let moments = principal.moments();
@@ -106,8 +106,8 @@ mod tests {
 
     #[test]
     fn the_box_has_the_moments() {
-        // Gauss's rule of two points on each axis, ±½a/√3, is exact for ∫ (x² + y²) dm over a
-        // uniform box.
+        // The two-point Gauss rule, ±½a/√3 on each axis, integrates x² + y² exactly over a uniform
+        // box.
         let ([a, b, c], mass) = ([0.31, 0.53, 0.74_f64], 2.3);
         let signs = |k: u32| [k & 1, k >> 1 & 1, k >> 2 & 1].map(|bit| 2.0 * f64::from(bit) - 1.0);
         let point = |k: u32| -> [f64; 3] {

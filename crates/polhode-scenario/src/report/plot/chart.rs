@@ -265,7 +265,7 @@ impl<'a> Chart<'a> {
 
 /// Describes the largest value, with its time, of curves that leave their panel after `until`.
 ///
-/// `None` if there is no finite value.
+/// `None` without a finite value.
 fn beyond(curves: &[Curve], unit: &str, until: f64) -> Option<String> {
     let points = curves.iter().flat_map(|curve| curve.pieces.iter().flatten()).filter(|p| p[0] > until);
     let finite = points.map(|[time, x]| [*time, x.abs()]).filter(|[_, x]| x.is_finite());

@@ -38,7 +38,7 @@ pub(crate) fn smooth(pieces: &[Vec<Point>], interval: f64, most: usize) -> Vec<B
 /// Returns the envelope over intervals of about `interval`, s; it has gaps at intervals without
 /// samples.
 ///
-/// At a boundary between intervals each edge takes the outer of both bounds. All samples are
+/// Each edge takes the outer of both bounds at a boundary between intervals. All samples are
 /// therefore inside the straight lines between these points.
 fn envelope(pieces: &[Vec<Point>], interval: f64) -> Vec<Band> {
     let points = || pieces.iter().flatten().filter(|p| p[0].is_finite() && p[1].is_finite());

@@ -12,7 +12,7 @@ use super::figure::Figure;
 pub enum PlotError {
     /// A figure that does not apply to this motion.
     NotThere {
-        /// Requested figure.
+        /// Figure that was requested.
         figure: Figure,
         /// Reason, a fact about the motion: `a torque acts on the body: it has no polhode`.
         why: &'static str,
@@ -24,14 +24,14 @@ pub enum PlotError {
     },
     /// Samples too far apart to follow the angles.
     TooCoarse {
-        /// Requested figure.
+        /// Figure that was requested.
         figure: Figure,
         /// Largest rotation between consecutive samples, rad.
         turn: f64,
     },
     /// A curve that cannot be computed, such as one with too many points.
     Curve {
-        /// Requested figure.
+        /// Figure that was requested.
         figure: Figure,
         /// Error of the curve.
         error: CurveError,

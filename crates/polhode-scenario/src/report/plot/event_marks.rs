@@ -1,4 +1,4 @@
-//! Marks of events: dotted lines over the curves, letters above the frame, and names in the legend.
+//! Event marks: dotted lines over the curves, letters above the frame, and names in the legend.
 
 use polhode::motion::Trajectory;
 use polhode_document::figure::axes::Axes;
@@ -7,8 +7,8 @@ use polhode_document::figure::legend::Key;
 use polhode_document::figure::sheet::{Anchor, Colour, Mark, Pen, SMALL, Sheet, Text};
 use polhode_document::layout::printable;
 
-/// Largest number of lines; more would hide the curves, and short marks at the upper edge replace
-/// them.
+/// Largest number of lines. More would hide the curves; they are replaced by short marks at the
+/// upper edge.
 const MOST_LINES: usize = 40;
 
 /// Length of a short mark, px.
@@ -16,7 +16,7 @@ const SHORT: f64 = 7.0;
 
 const PEN: Pen = Pen::solid(Colour::FAINT, 1.0).dashed(&[2.0, 3.0]);
 
-/// Events of a motion, each with all its times.
+/// Events of a motion, each with its times.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct EventMarks {
     events: Vec<Marked>,
@@ -26,7 +26,7 @@ pub(crate) struct EventMarks {
 struct Marked {
     number: usize,
     name: String,
-    /// Times at which it happens, s.
+    /// Times of the event, s.
     times: Vec<f64>,
 }
 
@@ -47,12 +47,12 @@ impl EventMarks {
         Self { events }
     }
 
-    /// True if letters tell events apart, since there are several.
+    /// Returns true if the events have letters, which distinguish several events.
     pub(crate) fn has_letters(&self) -> bool {
         self.events.len() > 1
     }
 
-    /// Returns the letter of an event, from 0; behind z they are numbers.
+    /// Returns the letter of event `k`, from 0; after `z` its number.
     fn letter(k: usize) -> String {
         match u8::try_from(k) {
             Ok(k) if k < 26 => char::from(b'a' + k).to_string(),
@@ -60,7 +60,7 @@ impl EventMarks {
         }
     }
 
-    /// Returns the keys of the events: `a: 7 × camera 12° off`.
+    /// Returns the legend entries: `a: 7 × camera 12° off`.
     pub(crate) fn keys(&self) -> impl Iterator<Item = Key> {
         self.events.iter().enumerate().map(|(k, Marked { name, times, .. })| {
             let letter = if self.has_letters() { format!("{}: ", Self::letter(k)) } else { String::new() };
@@ -69,8 +69,8 @@ impl EventMarks {
         })
     }
 
-    /// Draws the marks over axes whose unit of time is `scale` seconds; the letters stand above
-    /// their frame.
+    /// Draws the marks over axes whose unit of time is `scale` seconds; letters are above the
+    /// frame.
     pub(crate) fn draw(&self, axes: &Axes, scale: f64, lettered: bool, sheet: &mut Sheet) {
         let across = |time: f64| axes.at([time / scale, 0.0])[0];
         let mut places: Vec<(f64, usize)> = Vec::new();
@@ -90,7 +90,7 @@ impl EventMarks {
         if !(lettered && self.has_letters()) {
             return;
         }
-        // Letters that would touch stand together, each once.
+        // Overlapping letters are joined into one label, each letter once.
         let mut groups: Vec<(f64, Vec<usize>)> = Vec::new();
         for (x, k) in places {
             let width = |letters: &[usize]| font::width(&joined(letters), SMALL) + 4.0;
@@ -104,7 +104,7 @@ impl EventMarks {
             }
         }
         for (x, letters) in groups {
-            // The first stands over its mark.
+            // The first letter is centred above its mark.
             let shift = 0.5 * letters.first().map_or(0.0, |&k| font::width(&Self::letter(k), SMALL));
             let at = [x - shift, axes.area.top - 4.0];
             sheet.marks.push(Mark::Text(Text::small(at, Anchor::Start, Colour::FAINT, &joined(&letters))));
@@ -112,7 +112,7 @@ impl EventMarks {
     }
 }
 
-/// Joins letters: `a,b`.
+/// Joins letters to a label: `a,b`.
 fn joined(letters: &[usize]) -> String {
     letters.iter().map(|&k| EventMarks::letter(k)).collect::<Vec<_>>().join(",")
 }

@@ -1,37 +1,36 @@
 //! Standard figures, by name.
 
-/// Figure that `polhode` draws.
+/// Standard figure of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Figure {
-    /// ω along the principal axes, against time.
+    /// Angular velocity ω along the principal axes, against time.
     Omega,
-    /// Euler angles of the body, 3-1-3, against time.
+    /// Euler angles 3-1-3 of the body, against time.
     Euler,
-    /// Angles of the body's directions to nadir, velocity or another direction of interest, against
+    /// Pointing angles between body directions and nadir, velocity or other references, against
     /// time.
     Pointing,
-    /// T, against time: its shares along the principal axes, or U and T + U.
+    /// Energy against time: terms of T along the principal axes, or T, U and T + U.
     Energy,
-    /// L, against time: in the body if it is free, else in space.
+    /// Angular momentum L against time, along body axes if the body is free, else along space axes.
     Momentum,
-    /// Momenta and speeds of the wheels, against time.
+    /// Angular momenta and speeds of the wheels, against time.
     Wheels,
-    /// N along body axes, against time.
+    /// Torque N along body axes, against time.
     Torque,
-    /// Departures of T and L from their balances, against time, on a logarithmic scale.
+    /// Drift of T and L relative to their balances, against time, on a logarithmic scale.
     Drift,
-    /// L in the body on its sphere: this motion, others of the same |L|, and the separatrix between
-    /// them.
+    /// Momentum sphere in the body: this motion, others with the same |L|, and the separatrix.
     Polhodes,
     /// Path of ω on the invariable plane.
     Herpolhode,
-    /// Path of the axis of a body that gravity turns about a pivot, on a sphere and unrolled.
+    /// Path of the axis of a body that gravity turns about a pivot: on a sphere, and as θ over φ.
     Axis,
 }
 
 impl Figure {
-    /// All figures, in the order in which a sheet of them is read.
+    /// All figures, in the order of an overview.
     pub const ALL: [Self; 11] = [
         Self::Omega,
         Self::Euler,
@@ -63,7 +62,7 @@ impl Figure {
         }
     }
 
-    /// Returns the figure of a name.
+    /// Returns the figure with this name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|figure| figure.name() == name)
     }

@@ -1,4 +1,4 @@
-//! Figures of a motion: which there are, and each on a sheet.
+//! Figures of a motion: the list of those that apply, and their drawings.
 
 use polhode::motion::{FreeMotion, MethodReason, Regime, Scenario, Trajectory};
 use polhode_document::Picture;
@@ -15,7 +15,7 @@ use super::plotted::PlottedMotion;
 use super::{axis_path, drift, euler, plane, series, sphere, wheels};
 use crate::report::balance::Driven;
 
-/// Motion, ready to be drawn.
+/// Figures of a motion.
 ///
 /// ```
 /// use polhode::math::{AngularVelocity, Attitude};
@@ -33,13 +33,13 @@ use crate::report::balance::Driven;
 #[derive(Clone, Debug)]
 pub struct MotionFigures<'a> {
     pub(crate) motion: PlottedMotion<'a>,
-    /// Axis of a body that gravity turns about a pivot.
+    /// Axis of a body that gravity turns about a pivot; `None` for other bodies.
     axis: Option<TopAxis>,
 }
 
 impl<'a> MotionFigures<'a> {
-    /// Returns the figures of a scenario's motion; `trajectory` is what [`Scenario::simulate`]
-    /// found.
+    /// Creates the figures of a scenario's motion; `trajectory` is the result of
+    /// [`Scenario::simulate`].
     pub fn of_scenario(scenario: &Scenario, trajectory: &'a Trajectory) -> Self {
         let rotor = scenario.rotor();
         let driven = Driven::of(scenario);
@@ -55,7 +55,7 @@ impl<'a> MotionFigures<'a> {
         Self { motion, axis: TopAxis::of(scenario, rotor) }
     }
 
-    /// Returns the figures of a free motion; `trajectory` is the same motion at some times.
+    /// Creates the figures of a free motion; `trajectory` has samples of it.
     pub fn of_motion(title: &str, motion: &FreeMotion, trajectory: &'a Trajectory) -> Self {
         let motion = PlottedMotion {
             title: printable(title),
@@ -69,16 +69,16 @@ impl<'a> MotionFigures<'a> {
         Self { motion, axis: None }
     }
 
-    /// Returns the figures that this motion has, in the order in which they are read.
+    /// Returns the figures that apply to this motion, in the order of [`Figure::ALL`].
     pub fn figures(&self) -> Vec<Figure> {
         Figure::ALL.into_iter().filter(|figure| self.why_not(*figure).is_none()).collect()
     }
 
-    /// Draws one figure, 7 in wide.
+    /// Draws one figure, 672 px (7 in) wide.
     ///
     /// # Errors
-    /// [`PlotError`] for a figure that this motion does not have, for fewer than two samples, and
-    /// for a curve with too many points.
+    /// [`PlotError`] for a figure that does not apply to this motion, for fewer than two samples,
+    /// and for a curve with too many points.
     pub fn draw(&self, figure: Figure) -> Result<Picture, PlotError> {
         const MARGIN: f64 = 14.0;
         const WIDTH: f64 = 672.0;
@@ -97,11 +97,12 @@ impl<'a> MotionFigures<'a> {
         Ok(Picture { sheet })
     }
 
-    /// Draws all figures that this motion has, two in a row, except a torque that is always zero.
+    /// Draws all figures that apply to this motion, in two columns; a torque that is always zero is
+    /// omitted.
     ///
     /// # Errors
-    /// As [`MotionFigures::draw`], except for a curve with too many points, and angles that cannot
-    /// be followed. The sheet says in their place why they are not drawn.
+    /// Same as [`MotionFigures::draw`], except for curves with too many points and angles that
+    /// cannot be followed. For these the sheet contains the reason instead of the figure.
     pub fn overview(&self) -> Result<Picture, PlotError> {
         let mut cells = Vec::new();
         for figure in self.figures() {
@@ -120,10 +121,10 @@ impl<'a> MotionFigures<'a> {
         self.beside_each_other(cells)
     }
 
-    /// Draws some figures, two in a row, on one sheet; those that are words alone come last.
+    /// Draws these figures in two columns; those with words alone come last.
     ///
     /// # Errors
-    /// As [`MotionFigures::draw`].
+    /// Same as [`MotionFigures::draw`].
     pub fn side_by_side(&self, figures: &[Figure]) -> Result<Picture, PlotError> {
         let cells = figures.iter().map(|&figure| Ok((figure, self.content(figure)?)));
         self.beside_each_other(cells.collect::<Result<_, PlotError>>()?)
@@ -153,7 +154,7 @@ impl<'a> MotionFigures<'a> {
         }
         for row in drawn.chunks(2).chain(words.chunks(2)) {
             let top = sheet.height + MARGIN;
-            // A figure alone in its row has the whole width.
+            // A single figure in a row has the full width.
             let width = if row.len() == 1 { 2.0 * WIDTH } else { WIDTH };
             let heights = row
                 .iter()
@@ -188,7 +189,7 @@ impl<'a> MotionFigures<'a> {
         })
     }
 
-    /// Returns the height that a figure needs at a width; most have `usual`.
+    /// Returns the height of a figure of this width, px; `usual` for most figures.
     fn height(&self, figure: Figure, content: &Content<'_>, width: f64, usual: f64) -> f64 {
         /// Height of a heading of two lines.
         const HEADING: f64 = 44.0;
@@ -202,7 +203,7 @@ impl<'a> MotionFigures<'a> {
         }
     }
 
-    /// Draws a figure into a part of a sheet.
+    /// Draws a figure into an area of a sheet.
     fn panel(
         &self,
         figure: Figure,
@@ -236,7 +237,7 @@ impl<'a> MotionFigures<'a> {
         Ok(())
     }
 
-    /// Returns why this motion has no such figure, if it has none.
+    /// Returns the reason why a figure does not apply to this motion; `None` if it applies.
     fn why_not(&self, figure: Figure) -> Option<&'static str> {
         match (figure, &self.motion.free) {
             (Figure::Torque, _) if !self.motion.driven.by_torques => Some("no torque acts on the body"),
@@ -282,9 +283,9 @@ impl<'a> MotionFigures<'a> {
 enum Content<'a> {
     /// Curves against time.
     Chart(Chart<'a>),
-    /// Marks that only this figure has.
+    /// Marks of another kind of figure.
     Own,
-    /// Reason for which it cannot be drawn.
+    /// Reason why it cannot be drawn.
     Refused(String),
 }
 
@@ -299,7 +300,7 @@ impl Content<'_> {
 }
 
 impl Figure {
-    /// Returns its heading.
+    /// Returns the title above the figure.
     fn title(self, motion: &PlottedMotion<'_>) -> &'static str {
         match self {
             Self::Omega => "Angular velocity along the principal axes",

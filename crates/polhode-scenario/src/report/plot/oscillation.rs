@@ -8,7 +8,7 @@ const RIPPLE: f64 = 0.01;
 
 /// Smallest number of samples between turning points that resolve an oscillation.
 ///
-/// With fewer samples the extrema are missed by more than a tenth of the amplitude.
+/// Fewer samples miss the extrema by more than a tenth of the amplitude.
 const RESOLVED: f64 = 4.0;
 
 /// Number of turning points from which on a curve is an oscillation.

@@ -26,7 +26,7 @@ pub use sampling::Sampling;
 /// JSON schema of a [`Request`].
 pub const REQUEST_SCHEMA: &str = include_str!("../../../schema/spin/request.json");
 
-/// JSON schema of the JSON of a [`Answer`].
+/// JSON schema of the JSON of an [`Answer`].
 pub static REPORT_SCHEMA: LazyLock<String> =
     LazyLock::new(|| complete(include_str!("../../../schema/spin/report.json")));
 

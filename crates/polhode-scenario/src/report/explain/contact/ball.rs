@@ -325,7 +325,7 @@ fn point(x: Position<Space>) -> String {
     v(x.to_array())
 }
 
-/// Formats a velocity; components that are rounding errors relative to `beside` are 0.
+/// Formats a velocity; components that are rounding errors relative to the other one are 0.
 fn vector(x: Velocity<Space>, beside: Velocity<Space>) -> String {
     exactly(tidy_beside(x.to_array(), x.norm().max(beside.norm())))
 }

@@ -1,18 +1,17 @@
-//! Public names of the core crate, as its documentation has them.
-//!
-//! A change of one shows as a difference from `crates/polhode/api.txt`.
+//! Public API of the core crate, extracted from its documentation and compared with
+//! `crates/polhode/api.txt`.
 
 use std::path::{Path, PathBuf};
 
 use crate::process::{FEATURES, cargo, empty_folder, run};
 use crate::{Outcome, files, read, root, short};
 
-/// Compares the names in the documentation with the file.
+/// Compares the public API with the file.
 pub(crate) fn check() -> Outcome {
     check_in(&document()?)
 }
 
-/// Compares the names in documentation that was made already with the file.
+/// Compares the public API in existing documentation with the file.
 pub(crate) fn check_in(documentation: &Path) -> Outcome {
     let (path, now) = (root().join(FILE), api(documentation)?);
     let then = read(&path)?.replace("\r\n", "\n");
@@ -37,8 +36,8 @@ pub(crate) fn write() -> Outcome {
 
 const FILE: &str = "crates/polhode/api.txt";
 
-/// Makes the documentation of the core crate, in a folder of its own: pages of removed items would
-/// stay elsewhere.
+/// Builds the documentation of the core crate in an empty folder, because rustdoc keeps pages of
+/// removed items.
 fn document() -> Result<PathBuf, String> {
     let target = empty_folder("api")?;
     let doc = ["doc", "--quiet", "--package", "polhode", "--lib", "--no-deps", "--locked", "--features"];
@@ -46,7 +45,7 @@ fn document() -> Result<PathBuf, String> {
     Ok(target.join("doc"))
 }
 
-/// Returns each item with its declaration, methods and traits.
+/// Returns each public item with its declaration, methods and traits.
 fn api(documentation: &Path) -> Result<String, String> {
     let folder = documentation.join("polhode");
     let mut items = Vec::new();
@@ -60,8 +59,10 @@ fn api(documentation: &Path) -> Result<String, String> {
     Ok(items.iter().map(|(name, lines)| format!("{name}\n{lines}\n")).collect())
 }
 
-/// Returns `motion::State` for `motion/struct.State.html`; `None` for a module's own page and the
-/// prelude.
+/// Returns the path of an item from that of its page: `motion::State` for
+/// `motion/struct.State.html`.
+///
+/// `None` for pages of modules and of the prelude.
 fn name_of(page: &Path) -> Option<String> {
     let folders = page.parent()?.iter().map(|name| name.to_string_lossy().into_owned());
     let (_, name) = page.file_stem()?.to_str()?.split_once('.')?;
@@ -75,7 +76,7 @@ fn item(page: &str) -> String {
     let declared = between(page, "<pre class=\"rust item-decl\"><code>", "</code></pre>").unwrap_or_default();
     let declared = without(declared, "<summary class=\"hideme\">", "</summary>");
     let mut lines: Vec<String> = text_of(&declared).lines().map(|line| format!("    {line}")).collect();
-    // Methods and traits that every type has are left out.
+    // Implementations that every type has are omitted.
     let own = page.split("id=\"synthetic-implementations\"").next().unwrap_or_default();
     let own = own.split("id=\"implementors\"").next().unwrap_or_default();
     let (methods, traits) = own.split_once("id=\"trait-implementations\"").unwrap_or((own, ""));
@@ -94,7 +95,7 @@ fn between<'a>(text: &'a str, start: &str, end: &str) -> Option<&'a str> {
     Some(text.split_once(start)?.1.split_once(end)?.0)
 }
 
-/// Returns the text without the parts from `start` to `end`.
+/// Returns the text without all parts from `start` to `end`, inclusive.
 fn without(text: &str, start: &str, end: &str) -> String {
     let mut parts = text.split(start);
     let first = parts.next().unwrap_or_default();

@@ -1,6 +1,6 @@
-//! Archives whose bytes follow from their files alone.
+//! Reproducible archives: their bytes depend on the packed files only.
 //!
-//! The files are in order, of one time and owner, and nothing depends on the machine.
+//! Files are sorted, have one time and one owner, and contain nothing from this machine.
 
 use std::io::{Cursor, Write as _};
 
@@ -23,7 +23,8 @@ impl Packed {
     }
 }
 
-/// Returns a `.tar.gz`, of ustar; every file has the time `seconds` since 1970 and belongs to root.
+/// Returns a `.tar.gz` in ustar format; every file has the time `seconds` after 1970, and belongs
+/// to root.
 pub(crate) fn tar_gz(files: &[Packed], seconds: u64) -> Result<Vec<u8>, String> {
     let mut out = GzBuilder::new().write(Vec::new(), Compression::best());
     let failed = |error: std::io::Error| error.to_string();
@@ -39,7 +40,8 @@ pub(crate) fn tar_gz(files: &[Packed], seconds: u64) -> Result<Vec<u8>, String> 
 
 /// Returns a `.zip`.
 ///
-/// Its files have the first time that the format knows, 1980-01-01, as it knows no time zones.
+/// Its files have the earliest time of the format, 1980-01-01, because the format has no time
+/// zones.
 pub(crate) fn zip(files: &[Packed]) -> Result<Vec<u8>, String> {
     let mut out = ZipWriter::new(Cursor::new(Vec::new()));
     for file in in_order(files) {
@@ -52,16 +54,16 @@ pub(crate) fn zip(files: &[Packed]) -> Result<Vec<u8>, String> {
     out.finish().map(Cursor::into_inner).map_err(|error| error.to_string())
 }
 
-/// Returns a line as `sha256sum` writes and checks it.
+/// Returns a line in the format of `sha256sum`.
 pub(crate) fn sha256_line(name: &str, bytes: &[u8]) -> String {
     let hash: String = Sha256::hash(bytes).iter().map(|byte| format!("{byte:02x}")).collect();
     format!("{hash}  {name}\n")
 }
 
-/// Size of a tar's block, bytes.
+/// Block size of a tar file, bytes.
 const BLOCK: usize = 512;
 
-/// Returns the header of a file, as POSIX.1-1988 defines it for ustar.
+/// Returns the header of a file, ustar of POSIX.1-1988.
 fn header(file: &Packed, seconds: u64) -> Result<[u8; BLOCK], String> {
     let mut header = [0; BLOCK];
     let mut set = |at: usize, most: usize, text: &str| {
@@ -122,7 +124,7 @@ mod tests {
         let packed = tar_gz(&files(), 0o14_524_573_400).unwrap();
         assert_eq!(packed[4..8], [0; 4], "no time in the gzip header");
         flate2::read::GzDecoder::new(&packed[..]).read_to_end(&mut tar).unwrap();
-        // The tar has a program of one block, a text of two, an empty file, and the end.
+        // The archive has a program of one block, a text of two, an empty file, and the end marker.
         assert_eq!(tar.len(), BLOCK * (2 + 3 + 1 + 2));
         assert_eq!(&tar[..6], b"a-1/b\0");
         assert_eq!(

@@ -4,7 +4,7 @@
 
 use crate::{Outcome, read, root};
 
-/// Crates, each with those that it may use.
+/// Crates, each with the crates that it may use.
 const MAY_USE: [(&str, &[&str]); 14] = [
     ("polhode", &[]),
     ("polhode-source", &["polhode"]),
@@ -43,7 +43,7 @@ const FRONT: [&str; 13] = [
     "polhode-cli",
 ];
 
-/// Checks the manifest of every crate.
+/// Checks the manifests of all crates.
 pub(crate) fn check() -> Outcome {
     let mut found = Vec::new();
     let folder = root().join("crates");
@@ -55,7 +55,8 @@ pub(crate) fn check() -> Outcome {
     if found.is_empty() { Ok(()) } else { Err(format!("crates use what they may not:{}", found.concat())) }
 }
 
-/// Returns the arrows of a crate's manifest that are not allowed; dependencies of tests are free.
+/// Returns the forbidden dependencies in a crate's manifest; dependencies of tests are not
+/// restricted.
 fn wrong(name: &str, manifest: &str) -> Vec<String> {
     let Some((_, allowed)) = MAY_USE.iter().find(|(known, _)| *known == name) else {
         return vec![format!("\n  {name} has no line in the list of crates")];

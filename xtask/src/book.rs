@@ -1,7 +1,7 @@
-//! The book as a site: the pages of `book/` by Sphinx, with the documentation of the crates, and
-//! its links checked.
+//! Site of the book: pages of `book/` built by Sphinx, documentation of the crates, and a check of
+//! all links.
 //!
-//! This needs Python and its package index; building the command does not.
+//! This requires Python and its package index, unlike a build of the command.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -9,11 +9,11 @@ use std::process::Command;
 use crate::process::{FEATURES, build_folder, cargo, copy, empty_folder, run, run_beside};
 use crate::{Outcome, python, read, root};
 
-/// Path of the Python that has Sphinx.
+/// Python executable of an environment with Sphinx.
 #[derive(Debug)]
 pub(crate) struct Environment(PathBuf);
 
-/// Builds the site in `target/book`, and opens it in a browser if that is wanted.
+/// Builds the site in `target/book`; opens it in a browser if `open`.
 pub(crate) fn build(open: bool) -> Outcome {
     let environment = environment()?;
     document_crates()?;
@@ -21,9 +21,9 @@ pub(crate) fn build(open: bool) -> Outcome {
     if open { open_in_browser(&site()?.join("index.html")) } else { Ok(()) }
 }
 
-/// Installs the packages of `book/site/requirements.txt`, by their hashes.
+/// Installs the packages of `book/site/requirements.txt`, checked by their hashes.
 ///
-/// The packages of the last time are taken if the list is the same.
+/// An existing environment for the same list is reused.
 pub(crate) fn environment() -> Result<Environment, String> {
     let list = root().join("book/site/requirements.txt");
     let wanted = read(&list)?;
@@ -52,8 +52,8 @@ pub(crate) fn environment() -> Result<Environment, String> {
     Ok(Environment(python))
 }
 
-/// Documents the crates, without a warning, in an empty folder: pages of items that were removed
-/// would stay.
+/// Documents the crates in an empty folder, because rustdoc keeps pages of removed items; warnings
+/// are errors.
 pub(crate) fn document_crates() -> Outcome {
     let folder = documentation()?;
     if folder.exists() {
@@ -67,9 +67,9 @@ pub(crate) fn documentation() -> Result<PathBuf, String> {
     Ok(build_folder()?.with_file_name("doc"))
 }
 
-/// Builds from the documentation as it is there.
+/// Builds the site with existing documentation of the crates.
 ///
-/// A warning is an error: a link that leads nowhere, a page outside the navigation.
+/// Warnings are errors, such as a broken link or a page outside the navigation.
 pub(crate) fn build_in(Environment(python): &Environment) -> Outcome {
     let (root, site) = (root(), site()?);
     if site.exists() {

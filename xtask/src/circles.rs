@@ -1,32 +1,32 @@
-//! Files and folders that use each other in a circle.
+//! Check for circular uses between files and folders.
 //!
-//! The files and folders of one folder are nodes. A folder stands for everything inside it, so that
-//! a circle through its files counts as one through the folder.
+//! The files and subfolders of one folder are nodes. A subfolder represents everything inside it: a
+//! circle through its files is a circle through the subfolder.
 //!
-//! The uses in Rust are the paths in `use` lines, in expressions and in types. A name that a module
-//! takes from another leads there. A module and those inside it are one place: neither using the
-//! other counts.
+//! Uses in Rust are paths in `use` lines, expressions and types. A name that a module imports
+//! leads to its origin. A module and its submodules are one place, so uses between them do not
+//! count.
 //!
-//! The uses in Python and TypeScript are the relative imports.
+//! Uses in Python and TypeScript are relative imports.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use crate::{Outcome, files, read, root, short};
 
-/// Path of a module from the root of its crate or package: `motion`, `model`, `rotor`.
+/// Path of a module from the root of its crate or package, such as `motion`, `model`, `rotor`.
 type Module = Vec<String>;
 
-/// Modules and their texts.
+/// Modules with their texts.
 type Texts = [(Module, String)];
 
-/// Nodes of each folder, the nodes that each uses, and a file that does so.
+/// Uses by folder: for each node the nodes that it uses, each with a file that does so.
 type Uses = BTreeMap<Module, BTreeMap<String, BTreeMap<String, Module>>>;
 
-/// Names that modules take from others, with the paths from the root of the crate.
+/// Names imported by each module, with their paths from the root of the crate.
 type Taken = BTreeMap<Module, BTreeMap<String, Module>>;
 
-/// Looks for circles in every crate, in the Python package and in the viewer.
+/// Checks all crates, the Python package and the viewer.
 pub(crate) fn check() -> Outcome {
     let mut found = Vec::new();
     let crates = root().join("crates");
@@ -44,7 +44,7 @@ pub(crate) fn check() -> Outcome {
     }
 }
 
-/// Describes the circles of the files below a folder.
+/// Describes all circles of the files below a folder.
 fn circles_of(sources: &Path, extension: &str, uses: impl Fn(&Texts) -> Uses) -> Result<Vec<String>, String> {
     let mut texts = Vec::new();
     for path in files(sources, extension)? {
@@ -54,13 +54,13 @@ fn circles_of(sources: &Path, extension: &str, uses: impl Fn(&Texts) -> Uses) ->
     Ok(circles.map(|circle| format!("\n  {}: {circle}", short(sources))).collect())
 }
 
-/// Returns the path of a file, without its extension.
+/// Returns the path of a file without its extension.
 fn place(file: &Path) -> Module {
     let text = file.with_extension("").to_string_lossy().replace('\\', "/");
     text.split('/').map(str::to_owned).collect()
 }
 
-/// Returns the modules of Rust files and their code, without tests.
+/// Returns the modules of Rust files with their code, without tests.
 fn rust(texts: &Texts) -> Vec<(Module, String)> {
     let is_module = |name: &String| !["mod", "lib", "main"].contains(&name.as_str());
     let of_program = texts.iter().filter(|(place, _)| !place.iter().any(|name| name == "tests"));
@@ -69,7 +69,7 @@ fn rust(texts: &Texts) -> Vec<(Module, String)> {
         .collect()
 }
 
-/// Returns the uses of files that name what they import.
+/// Returns the uses of files with relative imports.
 fn imports(texts: &Texts, imported: impl Fn(&[String], &str) -> Vec<Module>) -> Uses {
     let modules: BTreeSet<&Module> = texts.iter().map(|(module, _)| module).collect();
     let mut uses = Uses::new();
@@ -82,7 +82,7 @@ fn imports(texts: &Texts, imported: impl Fn(&[String], &str) -> Vec<Module>) -> 
     uses
 }
 
-/// Returns the modules that a Python file of this folder imports by `from .`.
+/// Returns the modules imported by `from .` in a Python file of this folder.
 fn python(folder: &[String], text: &str) -> Vec<Module> {
     let mut paths = Vec::new();
     for (at, start) in text.match_indices("from .") {
@@ -105,7 +105,7 @@ fn python(folder: &[String], text: &str) -> Vec<Module> {
     paths
 }
 
-/// Returns the files that a TypeScript file of this folder imports.
+/// Returns the files imported by a TypeScript file of this folder.
 fn typescript(folder: &[String], text: &str) -> Vec<Module> {
     let path = |name: &str| {
         let mut path = folder.to_vec();
@@ -123,7 +123,7 @@ fn typescript(folder: &[String], text: &str) -> Vec<Module> {
     names.filter_map(|(at, _)| text[at + 1..].split('"').next()).map(path).collect()
 }
 
-/// Returns the text of a file in one line, without comments and its module of tests.
+/// Returns the code of a file on one line, without comments and tests.
 fn code(text: &str) -> String {
     let code = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
     let lines = code.split('\n').map(|line| line.split("//").next().unwrap_or_default().trim());
@@ -150,7 +150,7 @@ fn uses(texts: &Texts) -> Uses {
     uses
 }
 
-/// Adds a use, of the nodes of the innermost folder that has both in it.
+/// Adds a use between two nodes of the innermost folder that contains both modules.
 fn add(uses: &mut Uses, here: &Module, there: &Module) {
     let shared = here.iter().zip(there).take_while(|(a, b)| a == b).count();
     if let (Some(from), Some(to)) = (here.get(shared), there.get(shared)) {
@@ -159,9 +159,9 @@ fn add(uses: &mut Uses, here: &Module, there: &Module) {
     }
 }
 
-/// Returns the file that a path leads to, through the names that modules take from others.
+/// Returns the module that defines the item at a path, following imported names.
 fn target(mut path: Module, modules: &BTreeSet<&Module>, taken: &Taken) -> Option<Module> {
-    /// Largest number of steps from module to module that a name is followed.
+    /// Largest number of imports in a chain.
     const MOST: usize = 16;
     for _ in 0..MOST {
         let end = (0..=path.len()).rev().find(|end| modules.contains(&path[..*end].to_vec()))?;
@@ -175,7 +175,7 @@ fn target(mut path: Module, modules: &BTreeSet<&Module>, taken: &Taken) -> Optio
     None
 }
 
-/// Returns the names that a module takes from others of its crate.
+/// Returns the names that a module imports from its crate.
 fn taken(here: &Module, code: &str, modules: &BTreeSet<&Module>) -> BTreeMap<String, Module> {
     let one = |(path, name): (Vec<String>, String)| {
         let inner: Module = here.iter().chain(path.first()).cloned().collect();
@@ -190,7 +190,7 @@ fn taken(here: &Module, code: &str, modules: &BTreeSet<&Module>) -> BTreeMap<Str
     used(code).into_iter().filter_map(one).collect()
 }
 
-/// Returns the paths of all `use` lines, groups taken apart, each with the name that it gives.
+/// Returns the paths of all `use` lines, one for each name of a group, with the imported name.
 fn used(code: &str) -> Vec<(Vec<String>, String)> {
     let mut paths = Vec::new();
     for start in code
@@ -204,7 +204,7 @@ fn used(code: &str) -> Vec<(Vec<String>, String)> {
     paths
 }
 
-/// Adds the paths of a tree of `use`, after these names.
+/// Adds the paths of a tree of `use`, after the path `before`.
 fn expand(before: &[String], tree: &str, paths: &mut Vec<(Vec<String>, String)>) {
     let (head, group) =
         tree.split_once('{').map_or((tree, None), |(head, group)| (head, group.strip_suffix('}')));
@@ -242,7 +242,7 @@ fn named(code: &str) -> Vec<Vec<String>> {
     paths.map(|path| path.split("::").filter(|name| !name.is_empty()).map(str::to_owned).collect()).collect()
 }
 
-/// Returns a path from the root of the crate; `None` if it leads to another crate.
+/// Returns the path from the root of the crate; `None` for a path into another crate.
 fn absolute(here: &Module, path: &[String]) -> Option<Module> {
     let ups = path.iter().take_while(|name| *name == "super").count();
     match path.first()?.as_str() {
@@ -253,7 +253,8 @@ fn absolute(here: &Module, path: &[String]) -> Option<Module> {
     }
 }
 
-/// Returns a circle of each folder that has one: its nodes, each with the file that uses the next.
+/// Describes one circle for each folder that has any: its nodes, each with the file that uses the
+/// next.
 fn circles(uses: &Uses) -> Vec<String> {
     let one = |(folder, nodes): (&Module, &BTreeMap<String, BTreeMap<String, Module>>)| {
         let way = circle(nodes)?;
@@ -265,13 +266,13 @@ fn circles(uses: &Uses) -> Vec<String> {
     uses.iter().filter_map(one).collect()
 }
 
-/// Returns the nodes along a circle, the first again at the end, if there is one.
+/// Returns the nodes of a circle, with the first repeated at the end; `None` without a circle.
 fn circle(nodes: &BTreeMap<String, BTreeMap<String, Module>>) -> Option<Vec<String>> {
     let mut left: BTreeSet<&String> = nodes.keys().collect();
     let next = |node: &String, left: &BTreeSet<&String>| {
         nodes.get(node)?.keys().find(|other| left.contains(other)).cloned()
     };
-    // A node that uses none of those left is in no circle.
+    // A node that uses no remaining node is not part of a circle.
     while let Some(done) = left.iter().copied().find(|node| next(node, &left).is_none()) {
         left.remove(done);
     }
@@ -305,7 +306,7 @@ mod tests {
         let c = ("c.rs", "use crate::a::One;\n");
         assert_eq!(found(&[a, b, c, ("d.rs", "")]), ["a → b → c → a"]);
         assert!(found(&[a, b, ("c.rs", "use std::fmt;\n"), ("d.rs", "")]).is_empty());
-        // A module and what is inside it are one place; tests are free.
+        // A module and its submodules are one place, and tests do not count.
         let e = ("a/mod.rs", "use one::One;\nuse self::two::Two;\n");
         let tests = "#[cfg(test)]\nmod tests {\n    use crate::a::one::One;\n}\n";
         assert!(

@@ -1,5 +1,5 @@
-//! Page of what `polhode check` finds in public models: work trees in, numbers out. No model is
-//! kept.
+//! Page on the findings of `polhode check` in public models, generated from work trees. No model is
+//! stored.
 
 mod count;
 mod page;
@@ -17,7 +17,7 @@ use crate::{Outcome, read, root};
 use count::{Counts, Seen};
 use repository::Repository;
 
-/// Repository with what was found in it.
+/// Repository with its results.
 #[derive(Debug)]
 struct Audited {
     repository: Repository,
@@ -25,18 +25,18 @@ struct Audited {
     cost: Cost,
 }
 
-/// Cost of a run of the command, if the machine reports it.
+/// Cost of running the command, if the system reports it.
 #[derive(Clone, Copy, Debug, Default)]
 struct Cost {
     /// Processor time, s.
     seconds: f64,
-    /// Largest memory at any time, MiB.
+    /// Peak memory, MiB.
     memory: u64,
 }
 
 /// Checks every work tree and writes `book/corpus.md`.
 ///
-/// A file with the same bytes in several is counted in the first.
+/// A file that occurs in several repositories is counted in the first.
 pub(crate) fn audit(folders: &[&str]) -> Outcome {
     run(&mut cargo(&["build", "--release", "--quiet", "--locked", "--package", "polhode-cli"]))?;
     let built = build_folder()?.with_file_name("release");
@@ -56,7 +56,7 @@ pub(crate) fn audit(folders: &[&str]) -> Outcome {
     std::fs::write(&page, page::text(&audited)).map_err(|error| format!("{}: {error}", page.display()))
 }
 
-/// Returns the command's results for all models in a work tree, and its cost.
+/// Returns the results of the command for all models of a work tree, and its cost.
 fn check(polhode: &Path, repository: &Repository) -> Result<(Vec<Value>, Cost), String> {
     let out = empty_folder("corpus")?.join("results.json");
     let file = File::create(&out).map_err(|error| format!("{}: {error}", out.display()))?;
@@ -87,16 +87,16 @@ fn check(polhode: &Path, repository: &Repository) -> Result<(Vec<Value>, Cost), 
 }
 
 impl Cost {
-    /// Returns the cost of a running program so far, on Linux.
+    /// Returns the cost of a running process so far; Linux only.
     fn of(process: u32) -> Option<Self> {
-        /// Number of ticks in a second in which Linux counts processor time.
+        /// Clock ticks per second in `/proc` on Linux.
         const TICKS: f64 = 100.0;
         let of = |file: &str| std::fs::read_to_string(format!("/proc/{process}/{file}")).ok();
         let (status, stat) = (of("status")?, of("stat")?);
         let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
         let memory = line.split_whitespace().next()?.parse::<u64>().ok()? / 1024;
-        // The fields behind the name, which may have blanks, begin with the state. The 12th and
-        // 13th are the ticks of the program and of its calls.
+        // The process name may contain spaces. The fields after it start with the state. Fields 12
+        // and 13 are the ticks in user mode and in kernel mode.
         let mut fields = stat.rsplit_once(')')?.1.split_whitespace().skip(11);
         let mut ticks = || fields.next()?.parse::<f64>().ok();
         Some(Self { seconds: (ticks()? + ticks()?) / TICKS, memory })

@@ -1,4 +1,4 @@
-//! Linked crates: how many, and under which licences.
+//! Limits on the number of linked crates, and on their licences.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,17 +6,15 @@ use crate::Outcome;
 use crate::licence::is_satisfied;
 use crate::process::{cargo, output};
 
-/// Largest number of external crates that each package may bring along on this platform, with these
-/// features.
+/// Largest number of external crates of each package on this platform, with these features.
 const MOST: [(&str, &[&str], usize); 3] = [
     ("polhode", &[], 10),
     ("polhode-cli", &["--no-default-features"], 82), // shapes and scenarios
     ("polhode-cli", &[], 115), // with the server of `polhode live` and nalgebra for `polhode identify`
 ];
 
-/// Checks the number of crates, and the licences on every platform.
-///
-/// Tests and build scripts are included.
+/// Checks the number of crates, and their licences on every platform, including tests and build
+/// scripts.
 pub(crate) fn check() -> Outcome {
     let ours: BTreeSet<String> = tree(&["--workspace", "--depth", "0"])?.into_keys().collect();
     for (package, features, most) in MOST {

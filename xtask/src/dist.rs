@@ -1,8 +1,7 @@
-//! Archives of a release for users who have no Rust: the program for one platform, packed with all
-//! that belongs to it.
+//! Release archives: the program for one platform, with its documentation, for users without Rust.
 //!
-//! The workflow of releases calls this and adds nothing to it, so what it makes can be made here.
-//! The same sources, compiler and `SOURCE_DATE_EPOCH` give the same bytes.
+//! The release workflow only calls this task, so its output can be reproduced locally. Equal
+//! sources, compiler and `SOURCE_DATE_EPOCH` give equal bytes.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -12,7 +11,7 @@ use crate::notices::notices;
 use crate::process::{cargo, empty_folder, output, polhode, run};
 use crate::{Outcome, root};
 
-/// Shells that have completions, and the file that each looks for.
+/// Shells with completions, and the file name that each expects.
 const SHELLS: [(&str, &str); 5] = [
     ("bash", "polhode.bash"),
     ("zsh", "_polhode"),
@@ -21,10 +20,10 @@ const SHELLS: [(&str, &str); 5] = [
     ("elvish", "polhode.elv"),
 ];
 
-/// Files that are packed as they are.
+/// Files included unchanged.
 const TEXTS: [&str; 4] = ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
 
-/// Commands that succeed in an unpacked archive, in bash.
+/// Commands that must succeed in an unpacked archive, in bash.
 const TRIED: [&str; 3] = [
     "! command -v sha256sum > tools.txt || sha256sum --quiet --check SHA256SUMS",
     "tar xzf polhode.tar.gz && test -x polhode && test ! -x README.md",
@@ -34,14 +33,12 @@ const TRIED: [&str; 3] = [
      test \"${COMPREPLY[*]}\" = spin",
 ];
 
-/// Builds the program and packs it, into `target/dist/`, which has a SHA256SUMS of all that is
-/// there.
+/// Builds the program and packs it into `target/dist/`, with a SHA256SUMS of all archives there.
 ///
-/// `target` is one that this machine can run, as the program makes its completions and man
-/// pages. Any other would be packed without ever having been run.
-///
-/// A version of glibc, as in `x86_64-unknown-linux-gnu.2.17`, is the oldest that the program runs
-/// with; cargo-zigbuild builds it.
+/// This machine must be able to run programs for `target`, because the program generates its
+/// completions and man pages. A `target` with a glibc version, such as
+/// `x86_64-unknown-linux-gnu.2.17`, gives a program for that version and later; it is built by
+/// cargo-zigbuild.
 pub(crate) fn make(target: Option<&str>) -> Outcome {
     let host = host()?;
     let target = target.unwrap_or(&host);
@@ -73,9 +70,7 @@ pub(crate) fn make(target: Option<&str>) -> Outcome {
     Ok(())
 }
 
-/// Packs what `make` packs, except the program itself, which would have to be built for it.
-///
-/// It then checks the content of the archive.
+/// Checks an archive like that of [`make`], but with a dummy program, to avoid a release build.
 pub(crate) fn check() -> Outcome {
     let program = polhode()?;
     let files = contents(&program, b"no program".to_vec(), cfg!(windows))?;
@@ -101,7 +96,7 @@ pub(crate) fn check() -> Outcome {
     notices(&host()?).map(drop)
 }
 
-/// Returns the files of an archive; a program of this platform makes completions and man pages.
+/// Returns the files of an archive; `program` generates its completions and man pages.
 fn contents(program: &Path, bytes: Vec<u8>, is_windows: bool) -> Result<Vec<Packed>, String> {
     let name = if is_windows { "polhode.exe" } else { "polhode" };
     let mut found = vec![Packed { path: name.to_owned(), is_program: true, bytes }];
@@ -116,7 +111,7 @@ fn contents(program: &Path, bytes: Vec<u8>, is_windows: bool) -> Result<Vec<Pack
         found.push(text(&format!("man/polhode-{subcommand}.1"), ask(program, &["man", &subcommand])?));
     }
     found.push(text("man/polhode.1", page));
-    // The examples are those of git: files that somebody has written next to them stay here.
+    // Only files tracked by git are included.
     let examples = output(Command::new("git").args(["ls-files", "examples"]).current_dir(root()))?;
     for path in examples.lines() {
         found.push(stored(path)?);
@@ -124,13 +119,13 @@ fn contents(program: &Path, bytes: Vec<u8>, is_windows: bool) -> Result<Vec<Pack
     Ok(found)
 }
 
-/// Returns the pages that the man page names: lines `polhode\-spin(1)`.
+/// Returns the subcommands listed in the man page, in lines `polhode\-spin(1)`.
 fn subcommands(page: &str) -> Vec<String> {
     let named = page.lines().filter_map(|line| line.strip_prefix("polhode\\-")?.strip_suffix("(1)"));
     named.map(|name| name.replace("\\-", "-")).collect()
 }
 
-/// Builds the program, with no paths of this machine in it.
+/// Builds the program without paths of this machine in it.
 fn build(target: &str, triple: &str) -> Result<PathBuf, String> {
     let mut flags: Vec<String> = std::env::var("RUSTFLAGS")
         .map(|flags| flags.split_whitespace().map(str::to_owned).collect())
@@ -141,7 +136,7 @@ fn build(target: &str, triple: &str) -> Result<PathBuf, String> {
         flags.extend(from.map(|from| format!("--remap-path-prefix={}={to}", from.display())));
     }
     if triple.ends_with("-msvc") {
-        // A dynamic runtime is not on every Windows.
+        // The dynamic runtime is missing on some Windows systems.
         flags.push("-Ctarget-feature=+crt-static".to_owned());
     }
     let verb = if target == triple { "build" } else { "zigbuild" };
@@ -153,19 +148,19 @@ fn build(target: &str, triple: &str) -> Result<PathBuf, String> {
     Ok(build_folder().join(triple).join("release").join(name))
 }
 
-/// Returns the folder in which cargo builds.
+/// Returns the build folder of cargo.
 fn build_folder() -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), |folder| root().join(folder))
 }
 
-/// Returns the platform that the compiler is for.
+/// Returns the compiler's host platform.
 fn host() -> Result<String, String> {
     let said = output(Command::new("rustc").arg("-vV"))?;
     let host = said.lines().find_map(|line| line.strip_prefix("host: "));
     host.map(str::to_owned).ok_or_else(|| "rustc does not say what its host is".to_owned())
 }
 
-/// Returns the time of the files: `SOURCE_DATE_EPOCH`, or that of the last commit.
+/// Returns the time for all files, s after 1970: `SOURCE_DATE_EPOCH`, or that of the last commit.
 fn seconds() -> Result<u64, String> {
     let said = match std::env::var("SOURCE_DATE_EPOCH") {
         Ok(said) => said,
@@ -184,13 +179,13 @@ fn text(path: &str, text: String) -> Packed {
     Packed { path: path.to_owned(), is_program: false, bytes: text.into_bytes() }
 }
 
-/// Returns a file of this tree, at the same place.
+/// Returns a file of the source tree, packed at the same path.
 fn stored(path: &str) -> Result<Packed, String> {
     let bytes = std::fs::read(root().join(path)).map_err(|error| format!("{path}: {error}"))?;
     Ok(Packed { path: path.to_owned(), is_program: false, bytes })
 }
 
-/// Returns the sums of all archives of a folder.
+/// Returns the SHA256SUMS of all archives in a folder.
 fn sums(folder: &Path) -> Result<String, String> {
     let mut lines = Vec::new();
     for extension in ["gz", "zip"] {

@@ -1,4 +1,4 @@
-//! Page of how physics engines compute the suite: folders of their runs in, numbers out.
+//! Page that compares physics engines by the test suite, generated from folders of their runs.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -40,7 +40,7 @@ fn card(polhode: &Path, folder: &Path) -> Result<Graded, String> {
     Ok(Graded { setting, card })
 }
 
-/// End of the names of folders of runs with several steps.
+/// Suffix of folders with runs at several step sizes.
 const STEPS: &str = "-steps";
 
 fn text(all: &[Graded], notes: &str) -> String {
@@ -110,7 +110,7 @@ fn cases(graded: &Graded) -> &[Value] {
     graded.card["cases"].as_array().map_or(&[], Vec::as_slice)
 }
 
-/// Writes an error: `2.1e-9`, **`0.83`** for a failure, `—` if there is none.
+/// Formats an error: `2.1e-9`, **`0.83`** for a failed case, `—` without a run.
 fn shown(case: &Value) -> String {
     let error = case["attitude_largest_rad"].as_f64();
     match (error, case["grade"].as_str()) {
@@ -121,7 +121,8 @@ fn shown(case: &Value) -> String {
     }
 }
 
-/// Returns the order of each case with several steps, between the two smallest; ascending.
+/// Returns the orders of accuracy between the two smallest steps, ascending, of cases with several
+/// steps.
 fn orders(graded: &Graded) -> Vec<f64> {
     let last = |case: &Value| case["order_of_accuracy"].as_array()?.last()?.as_f64();
     let mut orders: Vec<f64> = cases(graded).iter().filter_map(last).collect();
@@ -129,7 +130,7 @@ fn orders(graded: &Graded) -> Vec<f64> {
     orders
 }
 
-/// Returns the least and the greatest step of all runs.
+/// Returns the smallest and the largest step of all runs, as text.
 fn steps(card: &Value) -> String {
     let cases = card["cases"].as_array().into_iter().flatten();
     let runs = cases.flat_map(|case| case["runs"].as_array().into_iter().flatten());
@@ -143,19 +144,19 @@ fn steps(card: &Value) -> String {
     }
 }
 
-/// Returns a step to six digits.
+/// Formats a step with six digits.
 fn rounded(step: f64) -> String {
     format!("{step:.5e}").parse::<f64>().unwrap_or(step).to_string()
 }
 
-/// Returns the first causes named in cases that were not passed, most often first.
+/// Returns the most likely causes in failed cases with their number, the most frequent first.
 fn causes(graded: &Graded) -> Vec<(String, usize)> {
     let mut counts: Vec<(String, usize)> = Vec::new();
     for case in cases(graded).iter().filter(|case| case["grade"] == "failed") {
         let tried =
             case["runs"].as_array().into_iter().flatten().flat_map(|run| run["causes"]["tried"].as_array());
         let named = tried.flatten().find(|cause| cause["named"] == true);
-        // The step is left out: it differs from case to case.
+        // The step size is omitted, because it differs between cases.
         let text = named.map_or("none that was tried", |cause| cause["cause"].as_str().unwrap_or_default());
         let name = text.split(", h = ").next().unwrap_or(text).replace('|', "\\|");
         match counts.iter_mut().find(|(other, _)| *other == name) {

@@ -6,11 +6,11 @@ use std::process::Command;
 use crate::process::{cargo, empty_folder, output, polhode, program};
 use crate::{Outcome, files, read, root, short};
 
-/// Runs the subcommands on the files in examples/.
+/// Runs the command on all files in examples/.
 ///
-/// It runs `budget` on every parts list and `identify` on every plan of measurements. It runs
-/// `inertia` on every scenario, and `explain` if the scenario has a worked solution. It runs
-/// `simulate` on each that has a `[run]`, and `sweep` on each that is a plan.
+/// These are `budget` for parts lists, and `identify` for measurement plans. Scenarios get
+/// `inertia`, `explain` if they have a worked solution, and `simulate` if they have a `[run]`.
+/// Plans get `sweep`.
 pub(crate) fn check() -> Outcome {
     let polhode = polhode()?;
     let results = empty_folder("examples")?;
@@ -57,9 +57,7 @@ pub(crate) fn check() -> Outcome {
     outside()
 }
 
-/// Returns true if a scenario has a body whose mass changes, or that is in gimbals.
-///
-/// It has no worked solution then, and says so.
+/// Returns true if a scenario has no worked solution: its mass changes, or the body is in gimbals.
 pub(crate) fn has_no_solution(scenario: &Path) -> Result<bool, String> {
     let is_section = |line: &str| {
         let name = line.trim_start_matches('[');
@@ -68,9 +66,11 @@ pub(crate) fn has_no_solution(scenario: &Path) -> Result<bool, String> {
     Ok(read(scenario)?.lines().any(is_section))
 }
 
-/// Checks the program of `outside/`, which is outside the workspace as a user's is.
+/// Checks the program in `outside/`, which uses the crate from outside the workspace like a user's
+/// program.
 ///
-/// It has few lines, and its event happens. It runs with what the tests have compiled.
+/// It must be short, and its event must happen. It is run with the libraries compiled for the
+/// tests.
 fn outside() -> Outcome {
     output(&mut cargo(&[
         "metadata",
@@ -100,11 +100,10 @@ const PROGRAM: &str = "crates/polhode-scenario/examples/eddy_brake.rs";
 /// Largest number of lines of the program outside the workspace.
 const MOST_LINES: usize = 40;
 
-/// Number of members of a plan that are tried here: enough for statistics and pictures.
+/// Number of members of a plan here, enough for statistics and pictures.
 const TRIED: &str = "members = 32";
 
-/// Runs `sweep` on a copy of a plan with fewer members; a grid, whose members are its values, as it
-/// is.
+/// Runs `sweep` on a copy of a plan with fewer members; a grid is not changed.
 fn sweep(polhode: &Path, plan: &Path, folder: &Path) -> Outcome {
     let fewer = |line: &str| if line.starts_with("members = ") { TRIED.to_owned() } else { line.to_owned() };
     let text: Vec<String> = read(plan)?.lines().map(fewer).collect();

@@ -1,4 +1,4 @@
-//! Everything that has to pass before a change lands.
+//! Gate: all checks that must pass before a change is merged.
 
 use std::sync::atomic::Ordering;
 use std::time::Instant;
@@ -26,7 +26,7 @@ const FIRST: [Step; 7] = [
     ("tests", tests),
 ];
 
-/// Steps that come after, while the Python package's run.
+/// Later steps, in parallel with those of the Python package.
 const THEN: [Step; 4] = [
     ("public names", || api::check_in(&book::documentation()?)),
     ("examples", examples::check),
@@ -34,10 +34,10 @@ const THEN: [Step; 4] = [
     ("archive of a release", dist::check),
 ];
 
-/// Runs every step, up to the first that fails.
+/// Runs all steps, up to the first failure.
 ///
-/// Steps that wait for other programs much of their time run in parallel with the rest. They are
-/// the viewer's tests, and the steps that need Python.
+/// Steps that mostly wait for other programs run in parallel with the others: those of the viewer
+/// and of Python.
 pub(crate) fn run() -> Outcome {
     let start = Instant::now();
     std::thread::scope(|scope| {
@@ -50,7 +50,7 @@ pub(crate) fn run() -> Outcome {
         timed("workflows", || workflows::check(&environment))?;
         joined(viewer)?;
         let live = scope.spawn(|| timed("live page", viewer::check_live));
-        // The wheel comes before other steps that call cargo, which does one thing at a time.
+        // The wheel is built before other steps call cargo, which runs one build at a time.
         let wheel = timed("wheel", || python::install_wheel(&environment))?;
         let python = scope.spawn(move || timed("Python", || python::check_in(environment, &wheel)));
         THEN.iter().try_for_each(run_step)?;
@@ -63,9 +63,9 @@ pub(crate) fn run() -> Outcome {
     Ok(())
 }
 
-/// Runs every step with all random draws, then the tests that are too long for the gate.
+/// Runs all steps with all random draws, then the tests that are too long for the gate.
 ///
-/// These are lists of 100,000 rows, and random changes of each target's stored inputs.
+/// These are lists of 100,000 rows, and random mutations of each target's stored inputs.
 pub(crate) fn run_nightly() -> Outcome {
     process::NIGHTLY.store(true, Ordering::Relaxed);
     run()?;
@@ -75,9 +75,10 @@ pub(crate) fn run_nightly() -> Outcome {
     process::run(cargo(&all).env("POLHODE_FUZZ", targets.join(" ")))
 }
 
-/// Runs two programs of tests at a time: at the end of each the last test is alone.
+/// Runs the test programs in two parallel groups, because each program ends with a single long
+/// test.
 ///
-/// Then it makes the documentation; the lints have checked the dependencies that it needs.
+/// It then builds the documentation, whose dependencies have been checked by the lints.
 fn tests() -> Outcome {
     let of =
         |what: &[&str]| cargo(&[&["test", "--workspace", "--locked", "--features", FEATURES], what].concat());

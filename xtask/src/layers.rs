@@ -1,14 +1,14 @@
-//! Order of the modules: which may import which, what each may do, and how long a file may be.
+//! Rules for modules: allowed imports, forbidden words, and the length of files.
 //!
-//! This is a scanner of lines, not a compiler. It reads code as this project formats it; tests are
-//! at the end of the file and left out.
+//! The check scans lines and does not parse Rust. It relies on the formatting of this project;
+//! tests at the end of a file are skipped.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
 
 use crate::{Outcome, files, read, root, short};
 
-/// Modules of the core crate, in order: each may import itself and those before it.
+/// Modules of the core crate in order; each may import itself and earlier ones.
 const MODULES: [&str; 13] = [
     "math",
     "body",
@@ -25,7 +25,7 @@ const MODULES: [&str; 13] = [
     "interop",
 ];
 
-/// Words that files below a path may not use, with the reason.
+/// Paths, with the words that files below them must not use, and the reason.
 const FORBIDDEN: [(&str, &[&str], &str); 12] = [
     (
         "crates/polhode/src/",
@@ -79,10 +79,10 @@ const OUTSIDE: [&str; 10] = [
 
 const FILES: &str = "a slice meets no terminal and no clock, and files through `Files` alone";
 
-/// Path of the one file that may open files.
+/// The only file that may open files.
 const DISK: &str = "crates/polhode-source/src/files/disk.rs";
 
-/// Type that may be named everywhere: it only reports.
+/// Type that every module may name, because it only reports.
 const EXCUSED: &str = "propagate::step_statistics::StepStatistics";
 
 /// Largest number of lines of a file without a note.
@@ -112,7 +112,7 @@ pub(crate) fn check() -> Outcome {
     for folder in ["crates", "xtask"] {
         for path in files(&root().join(folder), "rs")? {
             let (file, text) = (short(&path), read(&path)?);
-            // A file of tests is not part of a module.
+            // Test files are not part of a module.
             if !file.ends_with("/tests.rs") && !file.contains("/tests/") {
                 violations.extend(scan(&file, &text));
             }
@@ -131,7 +131,7 @@ pub(crate) fn check() -> Outcome {
     Err(format!("{} lines break the modules' order:{}", violations.len(), lines.collect::<String>()))
 }
 
-/// Returns the list of modules that names a file of `tests/all/`, and its name there.
+/// Returns the file with the module list for a file of `tests/all/`, and the module's name.
 fn test_module(path: &Path) -> Option<(PathBuf, String)> {
     let of_all = |folder: &Path| folder.ends_with("tests/all").then(|| folder.join("main.rs"));
     let (folder, name) = (path.parent()?, path.file_stem()?.to_str()?);
@@ -143,9 +143,8 @@ fn test_module(path: &Path) -> Option<(PathBuf, String)> {
     }
 }
 
-/// Returns a violation if no list of modules names a file of tests.
-///
-/// Such a file is never compiled, and no compiler reports it.
+/// Returns a violation if a test file is missing from its module list, because it is then never
+/// compiled.
 fn left_out(file: &str, module: &str, list: &str) -> Option<Violation> {
     let is_listed = list.lines().any(|line| line == format!("mod {module};"));
     let rule = "tests are listed in tests/all/main.rs".to_owned();
@@ -163,7 +162,7 @@ fn too_long(file: &str, lines: usize) -> Option<Violation> {
     None
 }
 
-/// Returns the violations in the text of a file, known by its path from the root.
+/// Returns the violations in the text of a file; `file` is its path from the root.
 fn scan(file: &str, text: &str) -> Vec<Violation> {
     let mut violations = Vec::new();
     for (k, line) in text.lines().enumerate().take_while(|(_, line)| line.trim() != "#[cfg(test)]") {
@@ -185,7 +184,7 @@ fn scan(file: &str, text: &str) -> Vec<Violation> {
     violations
 }
 
-/// Returns the module of a path inside the core crate, as its place in the order.
+/// Returns the index in [`MODULES`] of the module that contains a path inside the core crate.
 fn module_of(path: &[String]) -> Option<usize> {
     MODULES.iter().position(|module| {
         let names: Vec<&str> = module.split('/').collect();
@@ -193,13 +192,13 @@ fn module_of(path: &[String]) -> Option<usize> {
     })
 }
 
-/// Returns a file's path inside the core crate: `motion`, `model`, `rotor`.
+/// Returns the path of a file inside the core crate, such as `motion`, `model`, `rotor`.
 fn inside(file: &str) -> Option<Vec<String>> {
     let inside = file.strip_prefix("crates/polhode/src/")?.trim_end_matches(".rs").trim_end_matches("/mod");
     Some(inside.split('/').map(str::to_owned).collect())
 }
 
-/// Returns why a line's paths are wrong in a file, if one is.
+/// Returns the reason why an import on a line is forbidden; `None` if all are allowed.
 fn wrong_import(file: &str, code: &str) -> Option<String> {
     let here = inside(file)?;
     let module = module_of(&here)?;
@@ -210,12 +209,12 @@ fn wrong_import(file: &str, code: &str) -> Option<String> {
     })
 }
 
-/// Returns the first two names after the root of the crate in each path of a line of a module.
+/// Returns the first two names, after the root of the crate, of each path on a line.
 ///
-/// Paths begin with `crate::…` or `super::…`.
+/// Paths start with `crate::` or `super::`.
 fn targets(module: &[String], code: &str) -> Vec<Vec<String>> {
     let mut found = Vec::new();
-    // A visibility imports nothing.
+    // A visibility is not an import.
     let code = code.replace("pub(in crate::", "pub(in ");
     let mut rest = code.as_str();
     while let Some(start) = rest.find("crate::").into_iter().chain(rest.find("super::")).min() {

@@ -1,6 +1,6 @@
-//! SPDX licence expressions, and whether this project may link code under them.
+//! SPDX licence expressions, and whether they permit linking.
 
-/// Licences that we may take, each without a condition beyond attribution.
+/// Accepted licences, without conditions other than attribution.
 const ACCEPTED: [&str; 11] = [
     "MIT",
     "Apache-2.0",
@@ -15,13 +15,10 @@ const ACCEPTED: [&str; 11] = [
     "MIT-0",
 ];
 
-/// True if a choice that the expression leaves open, or its whole demand, is among the accepted
-/// licences.
+/// Returns true if the expression can be satisfied with accepted licences only.
 ///
-/// `AND` binds more tightly than `OR`; the `/` of old manifests is an `OR`. `WITH` adds a
-/// permission, so the licence before it decides.
-///
-/// An expression that cannot be read is not satisfied.
+/// `AND` binds more tightly than `OR`; the `/` of old manifests means `OR`. `WITH` adds a
+/// permission, so only the licence before it counts. An invalid expression is not satisfied.
 pub(crate) fn is_satisfied(expression: &str) -> bool {
     let spaced = expression.replace('(', " ( ").replace(')', " ) ").replace('/', " OR ");
     let mut words = Words { words: spaced.split_whitespace().collect(), next: 0 };
@@ -29,16 +26,14 @@ pub(crate) fn is_satisfied(expression: &str) -> bool {
     satisfied == Some(true) && words.next == words.words.len()
 }
 
-/// Words of an expression, read from left to right.
-///
-/// Each reader returns `None` if the grammar is broken.
+/// Words of an expression, from left to right; parsers return `None` for invalid syntax.
 struct Words<'a> {
     words: Vec<&'a str>,
     next: usize,
 }
 
 impl Words<'_> {
-    /// Reads `all (OR all)*`.
+    /// Parses `all (OR all)*`.
     fn any(&mut self) -> Option<bool> {
         let mut satisfied = self.all()?;
         while self.skip("OR") {
@@ -47,7 +42,7 @@ impl Words<'_> {
         Some(satisfied)
     }
 
-    /// Reads `one (AND one)*`.
+    /// Parses `one (AND one)*`.
     fn all(&mut self) -> Option<bool> {
         let mut satisfied = self.one()?;
         while self.skip("AND") {
@@ -56,7 +51,7 @@ impl Words<'_> {
         Some(satisfied)
     }
 
-    /// Reads `( any )`, or a licence, with `WITH` and an exception after it or without.
+    /// Parses `( any )`, or a licence, optionally with `WITH` and an exception.
     fn one(&mut self) -> Option<bool> {
         if self.skip("(") {
             let satisfied = self.any();

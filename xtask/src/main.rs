@@ -1,5 +1,4 @@
-//! Tasks of this workspace: `cargo xtask test` is everything that has to pass before a change
-//! lands.
+//! Tasks of this workspace; `cargo xtask test` runs all checks before a change is merged.
 
 mod api;
 mod archive;
@@ -28,7 +27,7 @@ mod workflows;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Result of a task: nothing, or why it failed.
+/// Result of a task; an error is a message.
 type Outcome = Result<(), String>;
 
 const USAGE: &str = "\
@@ -100,14 +99,14 @@ fn main() -> ExitCode {
     }
 }
 
-/// Returns the root of the workspace as cargo gives it now, since folders of built programs can be
+/// Returns the root of the workspace, as given by cargo at run time, because build folders can be
 /// shared.
 fn root() -> PathBuf {
     let xtask = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
     Path::new(&xtask).parent().unwrap_or(Path::new(".")).to_owned()
 }
 
-/// Returns all files below `directory` whose names end in `.extension`, in order.
+/// Returns all files below `directory` with the extension `extension`, in order.
 fn files(directory: &Path, extension: &str) -> Result<Vec<PathBuf>, String> {
     let unreadable = |error| format!("{}: {error}", short(directory));
     let mut found = Vec::new();
@@ -128,7 +127,7 @@ fn read(path: &Path) -> Result<String, String> {
     std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", short(path)))
 }
 
-/// Returns a path as messages have it: from the root, with slashes.
+/// Returns a path for messages: relative to the root, with slashes.
 fn short(path: &Path) -> String {
     path.strip_prefix(root()).unwrap_or(path).display().to_string().replace('\\', "/")
 }

@@ -1,5 +1,4 @@
-//! Licences of the crates that are linked into the program: their texts have to go where the
-//! program goes.
+//! Licence texts of all linked crates, which must accompany the program.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -11,10 +10,10 @@ const INTRODUCTION: &str = "\
 What is linked into polhode, beside its own code, and under which licences. Where a licence is one of several, any of them may be chosen.
 ";
 
-/// Beginnings of the names of files with licences.
+/// Prefixes of the names of licence files.
 const NAMES: [&str; 6] = ["LICENSE", "LICENCE", "COPYING", "COPYRIGHT", "NOTICE", "UNLICENSE"];
 
-/// Returns each text once, below the names of all that have it.
+/// Returns each distinct licence text once, after the names of the crates with this text.
 pub(crate) fn notices(target: &str) -> Result<String, String> {
     let packages = tree(&["--package", "polhode-cli", "--edges", "normal", "--target", target])?;
     let sources = sources()?;
@@ -46,7 +45,7 @@ pub(crate) fn notices(target: &str) -> Result<String, String> {
     Ok(std::iter::once(INTRODUCTION.to_owned()).chain(sections).collect())
 }
 
-/// Returns the folders of registries in which cargo has sources.
+/// Returns cargo's folders of registry sources.
 fn sources() -> Result<Vec<PathBuf>, String> {
     let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| std::env::home_dir().map(|home| home.join(".cargo")));
@@ -55,7 +54,7 @@ fn sources() -> Result<Vec<PathBuf>, String> {
     entries.map(|entry| entry.map(|entry| entry.path()).map_err(|error| error.to_string())).collect()
 }
 
-/// Returns the texts of the licences of a package, line ends as Unix has them.
+/// Returns the licence texts of a package, with Unix line ends.
 fn licences(package: &Path) -> Result<Vec<String>, String> {
     let entries = std::fs::read_dir(package).map_err(|error| format!("{}: {error}", package.display()))?;
     let mut found = Vec::new();

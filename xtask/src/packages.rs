@@ -1,11 +1,11 @@
-//! The crates as packages: each with its licences and its page, and with nothing that lies outside.
+//! Checks of the crates as packages: licences, README, and no paths to files outside.
 
 use std::path::{Component, Path};
 
 use crate::process::{cargo, run};
 use crate::{Outcome, files, read, root, short};
 
-/// Packages every crate, and looks for paths that leave one.
+/// Packages every crate, and looks for paths that lead outside of it.
 pub(crate) fn check() -> Outcome {
     let crates = root().join("crates");
     let mut leaving = Vec::new();
@@ -40,7 +40,7 @@ pub(crate) fn check() -> Outcome {
     Ok(())
 }
 
-/// Returns the paths of `include!`, `include_str!` and `include_bytes!`.
+/// Returns the paths in `include!`, `include_str!` and `include_bytes!`.
 fn included(text: &str) -> impl Iterator<Item = String> {
     ["include!(\"", "include_str!(\"", "include_bytes!(\""].into_iter().flat_map(|name| {
         let paths = text.split(name).skip(1).filter_map(|rest| rest.split('"').next());
@@ -48,7 +48,7 @@ fn included(text: &str) -> impl Iterator<Item = String> {
     })
 }
 
-/// Returns true if a path, from a file of a package, is outside.
+/// Returns true if a path in a file of a package leads outside the package.
 fn leaves(file: &Path, path: &str) -> bool {
     let mut depth = file.parent().map_or(0, |folder| folder.components().count());
     for part in Path::new(path).components() {

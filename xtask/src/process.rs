@@ -1,4 +1,4 @@
-//! Other programs: cargo, and the command that this workspace builds.
+//! Other programs: cargo, and the command of this workspace.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -7,10 +7,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::{Outcome, root, short};
 
-/// True if tests take all their random draws, and those that are long run too.
+/// True for nightly runs, with all random draws and with the long tests.
 pub(crate) static NIGHTLY: AtomicBool = AtomicBool::new(false);
 
-/// Returns cargo with arguments, at the root.
+/// Returns a cargo command to be run at the root.
 pub(crate) fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(arguments).current_dir(root());
@@ -20,13 +20,13 @@ pub(crate) fn cargo(arguments: &[&str]) -> Command {
     command
 }
 
-/// Runs a command with the terminal as it is.
+/// Runs a command with its output on the terminal.
 pub(crate) fn run(command: &mut Command) -> Outcome {
     let status = command.status().map_err(|error| format!("{}: {error}", line(command)))?;
     if status.success() { Ok(()) } else { Err(format!("`{}` ended with {status}", line(command))) }
 }
 
-/// Runs a command and returns what it printed; its diagnostics are the error.
+/// Runs a command and returns its standard output; its standard error becomes the error message.
 pub(crate) fn output(command: &mut Command) -> Result<String, String> {
     let output = command.output().map_err(|error| format!("{}: {error}", line(command)))?;
     if output.status.success() {
@@ -36,7 +36,7 @@ pub(crate) fn output(command: &mut Command) -> Result<String, String> {
     Err(format!("`{}` ended with {}\n{}", line(command), output.status, diagnostics.trim_end()))
 }
 
-/// Runs a command in parallel with others: what it printed comes at once when it has ended.
+/// Runs a command in parallel with others; its output is printed when it has ended.
 pub(crate) fn run_beside(command: &mut Command) -> Outcome {
     let output = command.output().map_err(|error| format!("{}: {error}", line(command)))?;
     let [printed, diagnostics] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes));
@@ -48,24 +48,18 @@ pub(crate) fn run_beside(command: &mut Command) -> Outcome {
     }
 }
 
-/// Features for the conversions of the core crate, which no other crate here uses.
-///
-/// It is tested and documented with them.
+/// Features for conversions of the core crate, tested and documented but not used by other crates.
 pub(crate) const FEATURES: &str = "polhode/serde,polhode/mint,polhode/nalgebra,polhode/glam";
 
-/// Builds `polhode` and returns where it is.
+/// Builds `polhode` and returns its path.
 pub(crate) fn polhode() -> Result<PathBuf, String> {
     program("polhode")
 }
 
-/// Returns a program of the workspace, by its place among the built ones, as the tests have
-/// compiled it.
+/// Returns the path of a program of the workspace, compiled for the tests.
 ///
-/// A build of its own would have other features of its dependencies, and compile all of them once
-/// more.
-///
-/// The programs are built once: cargo would wait for all that it does in parallel, such as the
-/// documentation.
+/// A separate build would have other features, and compile all dependencies again. The programs are
+/// built once, because cargo would wait for parallel tasks, such as the documentation.
 pub(crate) fn program(name: &str) -> Result<PathBuf, String> {
     static BUILT: Mutex<bool> = Mutex::new(false);
     let mut built = BUILT.lock().map_err(|_| "a build panicked".to_owned())?;
@@ -76,7 +70,7 @@ pub(crate) fn program(name: &str) -> Result<PathBuf, String> {
     Ok(build_folder()?.join(format!("{name}{}", std::env::consts::EXE_SUFFIX)))
 }
 
-/// Returns an empty folder in the build folder.
+/// Returns an empty folder inside the build folder.
 pub(crate) fn empty_folder(name: &str) -> Result<PathBuf, String> {
     let folder = build_folder()?.join("xtask-tmp").join(name);
     let failed = |error| format!("{}: {error}", folder.display());
@@ -87,13 +81,13 @@ pub(crate) fn empty_folder(name: &str) -> Result<PathBuf, String> {
     Ok(folder)
 }
 
-/// Returns the folder of built programs, wherever cargo was told to put it: this one is there too.
+/// Returns the folder of built programs, which also contains this one.
 pub(crate) fn build_folder() -> Result<PathBuf, String> {
     let this = std::env::current_exe().map_err(|error| format!("where is this program? {error}"))?;
     Ok(this.parent().unwrap_or(Path::new(".")).to_owned())
 }
 
-/// Copies a folder with all that is in it.
+/// Copies a folder with its contents.
 pub(crate) fn copy(from: &Path, to: &Path) -> Outcome {
     let failed = |error| format!("{}: {error}", short(from));
     std::fs::create_dir_all(to).map_err(failed)?;
@@ -109,7 +103,7 @@ pub(crate) fn copy(from: &Path, to: &Path) -> Outcome {
     Ok(())
 }
 
-/// Returns a command as one would type it.
+/// Returns a command as typed in a shell.
 fn line(command: &Command) -> String {
     let program = Path::new(command.get_program());
     let name = program.file_stem().unwrap_or(program.as_os_str());
@@ -117,7 +111,7 @@ fn line(command: &Command) -> String {
     words.map(|word| word.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" ")
 }
 
-/// Returns the result of a thread of the gate.
+/// Returns the result of a parallel step.
 pub(crate) fn joined<T>(thread: std::thread::ScopedJoinHandle<'_, Result<T, String>>) -> Result<T, String> {
     thread.join().unwrap_or_else(|_| Err("a step panicked".to_owned()))
 }

@@ -1,7 +1,6 @@
-//! Checks of the Python package: its wheel is built and installed as a user would, and tested from
-//! there.
+//! Checks of the Python package: build the wheel, install it as a user would, and test it.
 //!
-//! This needs Python and its package index; building the command does not.
+//! This requires Python and its package index, unlike a build of the command.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -9,16 +8,16 @@ use std::process::Command;
 use crate::process::{FEATURES, empty_folder, joined, output, polhode, run, run_beside};
 use crate::{Outcome, files, read, root, viewer};
 
-/// Version of the oldest Python that the tests run with; the package is for 3.10 too.
+/// Oldest Python version for the tests; the package itself also supports 3.10.
 const PYTHON: (u32, u32) = (3, 11);
 
-/// Path of the Python in a virtual environment.
+/// Path of Python inside a virtual environment.
 pub(crate) const EXECUTABLE: &str = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
 
-/// Packages that the tests need besides the package.
+/// Packages required by the tests.
 ///
-/// They are optional dependencies of the package, Dask for the cluster, and pandoc for worked
-/// solutions. Others run notebooks and show them in a browser, or read the workflows.
+/// These are optional dependencies of polhode, Dask for clusters, and pandoc for worked solutions.
+/// Others run notebooks, show them in a browser, or check workflows.
 const NEEDED: [&str; 23] = [
     "pytest",
     "pytest-xdist",
@@ -45,22 +44,21 @@ const NEEDED: [&str; 23] = [
     "zizmor==1.32.0",
 ];
 
-/// Packages that the tests on Ray need besides the package.
+/// Packages required by the tests with Ray.
 const NEEDED_WITH_RAY: [&str; 5] = ["pytest", "pyarrow", "pandas", "distributed", "ray[data,client]==2.60.0"];
 
-/// Number of members of the sweep whose workers are killed there: enough for several kills.
+/// Number of members of the sweep whose workers are killed; the run lasts for several kills.
 const MEMBERS_WITH_RAY: &str = "20000";
 
-/// Makes an environment of its own, and runs all checks in it.
+/// Runs all checks in a new environment.
 pub(crate) fn check() -> Outcome {
     let environment = environment()?;
     let wheel = install_wheel(&environment)?;
     check_in(environment, &wheel)
 }
 
-/// Runs the tests on Ray, and a sweep on Dask and on Ray whose workers are killed at random.
-///
-/// They use the wheel in an environment of its own, on Linux alone.
+/// Runs the tests with Ray, and sweeps on Dask and Ray while workers are killed at random; Linux
+/// only.
 pub(crate) fn check_with_ray() -> Outcome {
     let environment = environment_of("ray", &NEEDED_WITH_RAY)?;
     install_wheel(&environment)?;
@@ -70,13 +68,13 @@ pub(crate) fn check_with_ray() -> Outcome {
     std::fs::create_dir(&empty).map_err(|error| format!("{}: {error}", empty.display()))?;
     let here = |arguments: &[&str]| {
         let mut command = Command::new(&python);
-        // Ray would take a third of the machine's memory for what its processes share.
+        // By default Ray uses a third of the memory for its object store.
         command
             .args(arguments)
             .current_dir(&empty)
             .env("RAY_DEFAULT_OBJECT_STORE_MAX_MEMORY_BYTES", "500000000")
-            // A head would otherwise want a token if one is in the home directory. Its clients know
-            // the token only after a cluster of their own.
+            // With a token in the home directory, Ray would require it, and clients would not find
+            // it.
             .env("RAY_AUTH_MODE", "disabled");
         command
     };
@@ -95,8 +93,8 @@ pub(crate) fn check_with_ray() -> Outcome {
 pub(crate) fn install_wheel(Environment { folder, python }: &Environment) -> Result<PathBuf, String> {
     let package = root().join("crates/polhode-py");
     let wheels = folder.join("wheels");
-    // The wheel is compiled as the tests are, from the same libraries. A release build would
-    // compile all of them once more.
+    // The wheel uses the libraries compiled for the tests, because a release build would compile
+    // them again.
     let mut wheel = Command::new(python);
     wheel.args(["-m", "pip", "wheel", "--quiet", "--no-deps", "--wheel-dir"]).args([&wheels, &package]);
     let optimised = optimised(&read(&root().join("Cargo.toml"))?);
@@ -109,9 +107,8 @@ pub(crate) fn install_wheel(Environment { folder, python }: &Environment) -> Res
     Ok(wheel)
 }
 
-/// Runs the tests and [what is documented](check_documented) from an empty folder.
-///
-/// An import there takes the wheel's modules, not the tree's.
+/// Runs the tests and [what is documented](check_documented) in an empty folder, to import the
+/// installed wheel.
 pub(crate) fn check_in(environment: Environment, wheel: &Path) -> Outcome {
     let Environment { folder, python } = environment;
     let package = root().join("crates/polhode-py");
@@ -128,36 +125,35 @@ pub(crate) fn check_in(environment: Environment, wheel: &Path) -> Outcome {
         return Err(format!("{} is imported, not the wheel", where_from.trim()));
     }
     println!("   {}", wheel.file_name().unwrap_or_default().to_string_lossy());
-    // The checks outside pytest run in parallel with it: each waits for other programs much of its
-    // time.
+    // The other checks run in parallel with pytest, because both often wait for other programs.
     std::thread::scope(|scope| {
         let beside = scope.spawn(|| check_documented(&here, &python, Path::new(where_from.trim())));
-        // Ray is large: its tests are `cargo xtask test --ray`.
+        // Ray is large, so its tests are run by `cargo xtask test --ray` only.
         let tests = package.join("tests");
         let ray = format!("--ignore={}", tests.join("test_ray.py").display());
-        // Each waits for programs of its own much of the time.
+        // Two processes, because tests often wait for other programs.
         let mut tested = here(&["-m", "pytest", "-q", "-n", "2", "--dist", "loadfile", &ray, "-c"]);
-        // JupyterLab is looked at in the browser of the page's tests.
+        // JupyterLab is tested in the same browser as the page.
         let tested = tested.args([&settings, &tests]).env("POLHODE", polhode()?);
         let tested = run_beside(tested.env("CHROMIUM", viewer::chromium()?));
         tested.and(joined(beside))
     })
 }
 
-/// Checks the examples of the documentation, the book and `examples/python/`, the notebooks, and
+/// Checks the examples in the documentation, the book and `examples/python/`, the notebooks, and
 /// the types.
 ///
-/// `installed` is the package's `__init__.py`.
+/// `installed` is the `__init__.py` of the installed package.
 fn check_documented(here: &dyn Fn(&[&str]) -> Command, python: &Path, installed: &Path) -> Outcome {
     let package = root().join("crates/polhode-py");
     let settings = package.join("pyproject.toml");
-    // The modules that need Ray and PyTorch cannot be imported here: the tests of the latter run
-    // its examples.
+    // Modules that need Ray or PyTorch cannot be imported here. The examples of the latter run in
+    // their own tests.
     let without =
         ["_ray.py", "torch.py"].map(|name| format!("--ignore={}", installed.with_file_name(name).display()));
     let documented = ["--doctest-modules", &without[0], &without[1], "--pyargs", "polhode"];
     run_beside(here(&["-m", "pytest", "-q", "-c"]).arg(&settings).args(documented))?;
-    // The tables of these pages are measured results of the programs as they are.
+    // Checks that the tables on these pages belong to the current programs.
     run(here(&[]).arg(root().join("benches/python/measure.py")).arg("--check"))?;
     run(here(&[]).arg(root().join("benches/clusters/measure.py")).arg("--check"))?;
     let book = root().join("book");
@@ -182,7 +178,7 @@ fn check_documented(here: &dyn Fn(&[&str]) -> Command, python: &Path, installed:
     Ok(())
 }
 
-/// Folder, and the Python of an environment in it that has what the tests need.
+/// Virtual environment for tests: its folder, and its Python.
 #[derive(Debug)]
 pub(crate) struct Environment {
     folder: PathBuf,
@@ -190,33 +186,33 @@ pub(crate) struct Environment {
 }
 
 impl Environment {
-    /// Returns a program that one of its packages has.
+    /// Returns the path of a program installed in the environment.
     pub(crate) fn program(&self, name: &str) -> PathBuf {
         self.python.with_file_name(format!("{name}{}", std::env::consts::EXE_SUFFIX))
     }
 
-    /// Returns the pandoc that one of its packages has.
+    /// Returns the path of the pandoc installed in the environment.
     pub(crate) fn pandoc(&self) -> Result<PathBuf, String> {
         let ask = "import pypandoc; print(pypandoc.get_pandoc_path())";
         output(Command::new(&self.python).args(["-c", ask])).map(|path| PathBuf::from(path.trim()))
     }
 }
 
-/// Makes the environment of the package's tests.
+/// Creates the environment for the tests of the package.
 pub(crate) fn environment() -> Result<Environment, String> {
     environment_of("python", &NEEDED)
 }
 
-/// Makes an environment with packages.
+/// Creates an environment with these packages.
 fn environment_of(name: &str, packages: &[&str]) -> Result<Environment, String> {
     let folder = empty_folder(name)?;
     let python = make(&folder.join("venv"))?;
-    // Modules are compiled when they are imported, and no others.
+    // Modules are compiled on import instead of during installation.
     run(Command::new(&python).args(["-m", "pip", "install", "--quiet", "--no-compile"]).args(packages))?;
     Ok(Environment { folder, python })
 }
 
-/// Makes a virtual environment, and returns its Python.
+/// Creates a virtual environment and returns its Python.
 pub(crate) fn make(environment: &Path) -> Result<PathBuf, String> {
     let hint = "Python 3.11 or later with venv is needed, https://python.org";
     let system = if cfg!(windows) { "python" } else { "python3" };
@@ -225,14 +221,14 @@ pub(crate) fn make(environment: &Path) -> Result<PathBuf, String> {
         return Err(format!("{}: {hint}", version.trim()));
     }
     let make = || output(Command::new(system).args(["-m", "venv"]).arg(environment));
-    // Debian's Python has no venv until its package is installed.
+    // On Debian, venv is a separate package.
     make().or_else(|_| install_venv().and_then(|()| make())).map_err(|why| format!("{why}\n{hint}"))?;
     Ok(environment.join(EXECUTABLE))
 }
 
-/// Returns the packages that the tests optimise, as arguments of a build for development.
+/// Returns build arguments that optimise the same packages in the `dev` profile as in the tests.
 ///
-/// They are those in `[profile.test.package.…]` of the workspace's manifest.
+/// The manifest lists them in `[profile.test.package.…]`.
 fn optimised(manifest: &str) -> String {
     let packages = manifest.split("[profile.test.package.").skip(1);
     let package = |section: &str| {
@@ -252,7 +248,7 @@ fn install_venv() -> Outcome {
     apt(&["install", "-qq", "-y", "--no-install-recommends", "python3-venv"])
 }
 
-/// Returns (3, 11) for `Python 3.11.7`.
+/// Parses `Python 3.11.7` to (3, 11).
 fn version_of(said: &str) -> Option<(u32, u32)> {
     let mut numbers = said.trim().strip_prefix("Python ")?.split('.').map(str::parse);
     Some((numbers.next()?.ok()?, numbers.next()?.ok()?))

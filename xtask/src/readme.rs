@@ -1,4 +1,4 @@
-//! Runs the commands of the README and of the first steps in the book.
+//! Runs the commands of the README and of the book's first steps.
 
 use std::path::Path;
 use std::process::Command;
@@ -32,9 +32,9 @@ pub(crate) fn check() -> Outcome {
     Ok(())
 }
 
-/// Returns a shell command that succeeds, or ends with the status in its comment.
+/// Returns a shell command that fails unless the exit status is as stated.
 ///
-/// An example is `polhode check arm.urdf # exit status 1`.
+/// The default is 0; `polhode check arm.urdf # exit status 1` states another one.
 fn shell(command: &str) -> String {
     match command.split_once("# exit status ") {
         Some((run, status)) => {

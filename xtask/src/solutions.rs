@@ -1,7 +1,7 @@
-//! Worked solutions of all examples, as other programs set them.
+//! Rendering of all worked solutions by other programs.
 //!
-//! pandoc reads the Markdown and the LaTeX without a warning. MathJax, which GitHub and Jupyter
-//! use, sets each formula.
+//! pandoc must read the Markdown and the LaTeX without warnings. MathJax, used by GitHub and
+//! Jupyter, must typeset each formula.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -10,7 +10,7 @@ use crate::examples::has_no_solution;
 use crate::process::{empty_folder, output, polhode, run_beside};
 use crate::{Outcome, files, root, short};
 
-/// Checks the solutions; it needs the packages that the viewer's tests have installed.
+/// Checks the solutions; requires the packages installed for the viewer's tests.
 pub(crate) fn check(pandoc: &Path) -> Outcome {
     let folder = empty_folder("solutions")?;
     write(&folder)?;
@@ -20,7 +20,7 @@ pub(crate) fn check(pandoc: &Path) -> Outcome {
         command.args(["--fail-if-warnings", "--from", from]).args(to).args(inputs);
         output(&mut command).map(drop)
     };
-    // The Markdown is read as GitHub reads it, and as pandoc does on its way to LaTeX.
+    // The first dialect is that of GitHub, the second that of pandoc.
     quiet("gfm+tex_math_dollars", &["--to", "html", "--mathml"], &markdown)?;
     quiet("markdown", &["--to", "latex"], &markdown)?;
     for article in &latex {
@@ -30,7 +30,7 @@ pub(crate) fn check(pandoc: &Path) -> Outcome {
     run_beside(Command::new("node").arg(root().join("viewer/test/mathjax.mjs")).args(&markdown))
 }
 
-/// Writes the solution of each example, in both forms.
+/// Writes the solution of each example as Markdown and as LaTeX.
 fn write(folder: &Path) -> Outcome {
     let polhode = polhode()?;
     let is_scenario = |path: &PathBuf| !short(path).starts_with("examples/identify");

@@ -1,15 +1,15 @@
-//! Pages of measured times and errors, which need Python and the programs that are compared.
+//! Pages of measured run times and errors; they require Python and the compared programs.
 
 use std::process::Command;
 
 use crate::process::run;
 use crate::{Outcome, root};
 
-/// Script that measures and writes a page of the book.
+/// Script that writes a page of the book with measurements.
 struct Script {
     path: &'static str,
     page: &'static str,
-    /// Modules that it imports, each with the name that pip knows it by.
+    /// Modules that it imports, each with its package name for pip.
     packages: &'static [(&'static str, &'static str)],
 }
 
@@ -64,7 +64,7 @@ const SCRIPTS: [Script; 6] = [
     },
 ];
 
-/// Runs the scripts, if everything that they need is there: a page is not written by halves.
+/// Runs all scripts, if all required modules are installed.
 pub(crate) fn measure() -> Outcome {
     let missing: Vec<&str> = SCRIPTS
         .iter()
@@ -85,7 +85,7 @@ pub(crate) fn measure() -> Outcome {
     Ok(())
 }
 
-/// Returns true if Python finds a module; it is not loaded.
+/// Returns true if Python finds a module, without loading it.
 fn imports(module: &str) -> Result<bool, String> {
     const FIND: &str =
         "import importlib.util, sys; sys.exit(0 if importlib.util.find_spec(sys.argv[1]) else 3)";

@@ -1,7 +1,6 @@
-//! Checks of the viewer of the page: its tests, and the proof that the committed bundle is the
-//! build of its source.
+//! Checks of the viewer: its tests, and whether the committed bundle is the build of its source.
 //!
-//! This needs Node, npm and Chromium; building the command does not.
+//! This requires Node, npm and Chromium, unlike a build of the command.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -9,27 +8,25 @@ use std::process::Command;
 use crate::process::{output, run, run_beside};
 use crate::{Outcome, root};
 
-/// Major version of the oldest Node that the viewer is built and tested with.
+/// Oldest major version of Node for the build and the tests.
 const NODE: u32 = 20;
 
-/// Names under which Chromium is installed.
+/// Names of the Chromium executable.
 const CHROMIUM: [&str; 4] = ["chromium", "chromium-browser", "google-chrome-stable", "google-chrome"];
 
-/// Installs the viewer's packages, builds it in memory, and runs its tests in a browser.
-///
-/// The build equals the committed bundle, byte by byte.
+/// Installs the viewer's packages, compares a build with the committed bundle, and runs the tests
+/// in a browser.
 pub(crate) fn check() -> Outcome {
     node()?;
     let chromium = chromium()?;
     run_beside(&mut npm(&["ci", "--no-audit", "--no-fund"]))?;
-    // It begins with the types. It also checks that crates/polhode-scenario/assets/viewer.html and
-    // crates/polhode-live/assets are the builds.
+    // The script `test` first checks the types, then the bundles. These are
+    // crates/polhode-scenario/assets/viewer.html and the files in crates/polhode-live/assets.
     run_beside(npm(&["test"]).env("CHROMIUM", chromium))
 }
 
-/// Runs the tests of the live page in a browser, after [`check`].
-///
-/// They use the command that the tests have built.
+/// Runs the tests of the live page in a browser, with the command built by the tests, after
+/// [`check`].
 pub(crate) fn check_live() -> Outcome {
     let name = format!("polhode{}", std::env::consts::EXE_SUFFIX);
     let command = root().join("target/debug").join(name);
@@ -51,12 +48,12 @@ fn node() -> Outcome {
     }
 }
 
-/// Returns 20 for `v20.11.1`.
+/// Parses `v20.11.1` to 20.
 fn major(version: &str) -> Option<u32> {
     version.trim().strip_prefix('v')?.split('.').next()?.parse().ok()
 }
 
-/// Returns the path of Chromium, installed if it is not there and this machine lets us.
+/// Returns the path of Chromium; installs it if it is missing and the system permits that.
 pub(crate) fn chromium() -> Result<PathBuf, String> {
     if let Some(found) = std::env::var_os("CHROMIUM").map(PathBuf::from).or_else(on_path) {
         return Ok(found);

@@ -1,7 +1,6 @@
-//! Checks of the workflows of GitHub, and of the action for those of others, which cannot be run
-//! here.
+//! Checks of the GitHub workflows and of the published action, which cannot be run here.
 //!
-//! They follow their schemas, and do nothing that is known to be unsafe.
+//! They must conform to their schemas, and be free of known security problems.
 
 use std::process::Command;
 
@@ -9,7 +8,7 @@ use crate::process::output;
 use crate::python::Environment;
 use crate::{Outcome, files, root};
 
-/// Checks the workflows; it needs no network, since the schema comes with its tool.
+/// Checks the workflows; the schemas come with the tool, so no network is needed.
 pub(crate) fn check(environment: &Environment) -> Outcome {
     let workflows = files(&root().join(".github/workflows"), "yml")?;
     let actions = files(&root().join("integrations"), "yml")?;

@@ -1,4 +1,4 @@
-//! Counts of the results of a repository's models.
+//! Statistics of the results for a repository.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -6,35 +6,35 @@ use std::path::{Path, PathBuf};
 use hmac_sha256::Hash as Sha256;
 use serde_json::Value;
 
-/// Hashes of all models so far: a copy does not count.
+/// Hashes of all models counted so far, to skip copies.
 pub(super) type Seen = BTreeSet<[u8; 32]>;
 
-/// Severities of findings, the worst first.
+/// Severities of findings, from the worst.
 pub(super) const SEVERITIES: [&str; 3] = ["impossible", "suspect", "note"];
 
-/// Rules that a tensor or a mass breaks by its numbers, where no body has them.
+/// Rules broken by values that no physical body has.
 ///
-/// Rules on values that are missing, or not numbers, are left out.
+/// Rules about missing or invalid numbers are not included.
 pub(super) const NO_BODY: [&str; 4] =
     ["inertia.triangle", "inertia.negative", "inertia.zero", "mass.not_positive"];
 
-/// Counts of a repository, or of several.
+/// Statistics of one or several repositories.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Counts {
-    /// Number of files of each language that were read.
+    /// Number of models read, by language.
     pub(super) read: BTreeMap<String, usize>,
-    /// Number of files that were refused, by the reason.
+    /// Number of refused files, by reason.
     pub(super) refused: BTreeMap<String, usize>,
-    /// Number of files that repeat the bytes of one before.
+    /// Number of files with the same bytes as an earlier one.
     pub(super) copies: usize,
-    /// Number of files in folders of tests.
+    /// Number of files in test folders.
     pub(super) tests: usize,
     pub(super) links: usize,
-    /// Number of files that others include and that are not models by themselves.
+    /// Number of files that are included by others, and are not models by themselves.
     pub(super) parts: usize,
-    /// Number of inertials.
+    /// Number of inertial elements.
     pub(super) inertials: usize,
-    /// Number of files with inertials.
+    /// Number of files with inertial elements.
     pub(super) weighed: usize,
     /// Number of files with a finding of each severity.
     pub(super) files: [usize; 3],
@@ -43,25 +43,25 @@ pub(super) struct Counts {
     pub(super) rules: BTreeMap<String, RuleCounts>,
 }
 
-/// Counts of how often a rule is broken.
+/// Statistics of one rule.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct RuleCounts {
-    /// Number of findings of each severity.
+    /// Number of findings, by severity.
     pub(super) findings: [usize; 3],
     pub(super) files: usize,
     pub(super) repositories: usize,
 }
 
-/// Results of a file, by itself or by the models that include it.
+/// Results for a file, from itself and from models that include it.
 #[derive(Debug, Default)]
 struct Holder {
-    /// Language of the file, if it was read by itself.
+    /// Language of the file, if it is a model by itself.
     format: Option<String>,
-    /// Reason for which it was refused, if it was.
+    /// Reason of the refusal, if it was refused.
     refused: Option<String>,
     links: usize,
     inertials: usize,
-    /// Rank of each finding's severity, the worst that a model has of it.
+    /// Rank of each finding's severity; the worst of all models.
     findings: BTreeMap<Key, usize>,
 }
 
@@ -76,7 +76,7 @@ impl Holder {
 }
 
 impl Counts {
-    /// Returns the counts of a work tree with these results.
+    /// Computes the statistics of a work tree from the results.
     pub(super) fn of(tree: &Path, results: &[Value], seen: &mut Seen) -> Result<Self, String> {
         let mut counts = Self::default();
         let mut holders: BTreeMap<PathBuf, Holder> = BTreeMap::new();
@@ -89,7 +89,7 @@ impl Counts {
         Ok(counts)
     }
 
-    /// Adds the results of one model to the files that hold it.
+    /// Assigns the results of one model to the files that contain the elements.
     fn hold(
         &mut self,
         tree: &Path,
@@ -152,7 +152,7 @@ impl Counts {
         Ok(())
     }
 
-    /// Adds a file.
+    /// Adds the results of a file.
     fn add(&mut self, tree: &Path, file: &Path, holder: &Holder, seen: &mut Seen) {
         if file.strip_prefix(tree).is_ok_and(|within| is_test(&within.to_string_lossy())) {
             return; // Models that are none include the file.
@@ -191,7 +191,7 @@ impl Counts {
         }
     }
 
-    /// Adds the counts of another repository.
+    /// Adds the statistics of another repository.
     pub(super) fn join(&mut self, other: &Self) {
         for (own, others) in [(&mut self.read, &other.read), (&mut self.refused, &other.refused)] {
             others.iter().for_each(|(key, count)| *own.entry(key.clone()).or_default() += count);
@@ -213,12 +213,12 @@ impl Counts {
         }
     }
 
-    /// Returns the number of files that were read.
+    /// Returns the number of models read.
     pub(super) fn files_read(&self) -> usize {
         self.read.values().sum()
     }
 
-    /// Returns the number of findings of a severity.
+    /// Returns the number of findings of a severity, given by its rank.
     pub(super) fn findings(&self, rank: usize) -> usize {
         self.rules.values().map(|rule| rule.findings[rank]).sum()
     }
@@ -232,7 +232,7 @@ impl RuleCounts {
     }
 }
 
-/// Returns true if a file is in a folder of tests, where models are wrong on purpose.
+/// Returns true if a file is in a test folder, where models are wrong on purpose.
 fn is_test(file: &str) -> bool {
     let folders = file.rsplit_once('/').map_or("", |(folders, _)| folders);
     folders.split('/').any(|folder| {
@@ -243,7 +243,7 @@ fn is_test(file: &str) -> bool {
     })
 }
 
-/// Returns the class of a reason for which a file was refused.
+/// Returns the category of a refusal message.
 fn reason(message: &str) -> &str {
     for (part, class) in [
         ("xacro", "xacro, which makes a model and is none"),
@@ -271,7 +271,7 @@ mod tests {
         json!({ "code": code, "severity": severity, "line": line, "column": 1, "message": "it is" })
     }
 
-    /// Makes a work tree of these files.
+    /// Creates a work tree with these files.
     fn tree(name: &str, files: &[(&str, &str)]) -> PathBuf {
         let tree = std::env::temp_dir().join(format!("polhode-corpus-{name}-{}", std::process::id()));
         std::fs::create_dir_all(tree.join("test")).unwrap();
@@ -324,8 +324,8 @@ mod tests {
 
     #[test]
     fn what_stands_in_an_included_file_counts_once_and_for_that_file() {
-        // Two models have the same arm, which is a model itself, and a hand, which is none; a test
-        // includes another.
+        // Two models include the same arm, which is a model itself, and a hand, which is not; a
+        // test includes another.
         let tree = tree(
             "includes",
             &[

@@ -9,7 +9,7 @@ use super::count::{Counts, NO_BODY};
 const LANGUAGES: [(&str, &str); 5] =
     [("urdf", "URDF"), ("sdf", "SDF"), ("mjcf", "MJCF"), ("usd", "USD"), ("osim", "OpenSim")];
 
-/// Returns the whole page, the same for the same results except for its time and memory.
+/// Returns the page; it is reproducible except for run time and memory.
 pub(super) fn text(audited: &[Audited]) -> String {
     let mut all = Counts::default();
     audited.iter().for_each(|one| all.join(&one.counts));
@@ -168,7 +168,7 @@ fn how(text: &mut String, audited: &[Audited]) {
     );
 }
 
-/// Returns a number with its digits grouped: `12,345`.
+/// Formats a number with digit groups: `12,345`.
 fn count(number: usize) -> String {
     let digits = number.to_string();
     let mut grouped = String::new();
@@ -181,7 +181,7 @@ fn count(number: usize) -> String {
     grouped
 }
 
-/// Returns a share in percent with two digits.
+/// Formats a fraction as a percentage with two digits.
 fn percent(part: usize, whole: usize) -> String {
     let percent = 100.0 * part as f64 / whole.max(1) as f64;
     if percent < 10.0 { format!("{percent:.1} %") } else { format!("{percent:.0} %") }

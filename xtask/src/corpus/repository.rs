@@ -1,4 +1,4 @@
-//! Work tree of a repository: its name, and its state.
+//! Work tree of a repository, with its name and commit.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -12,19 +12,19 @@ pub(super) struct Repository {
     /// Name of the repository, `OWNER/NAME`.
     pub(super) name: String,
     pub(super) commit: String,
-    /// Day of the commit.
+    /// Date of the commit.
     pub(super) date: String,
     pub(super) folder: PathBuf,
-    /// Folders around packages, relative to the work tree.
+    /// Parent folders of packages, relative to the work tree.
     pub(super) roots: BTreeSet<PathBuf>,
-    /// Number of files of the commit that are not in the work tree.
+    /// Number of files of the commit that are missing from the work tree.
     pub(super) absent: usize,
 }
 
 impl Repository {
     /// Reads the work tree in a folder.
     ///
-    /// Its name is that of its `origin`, or of the last two folders of its path.
+    /// Its name is that of the remote `origin`, or the last two folders of the path.
     pub(super) fn at(folder: &Path) -> Result<Self, String> {
         let folder =
             std::fs::canonicalize(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
@@ -48,7 +48,7 @@ impl Repository {
     }
 }
 
-/// Adds the folder around each package.
+/// Adds the parent folder of each package.
 fn packages(tree: &Path, within: &Path, roots: &mut BTreeSet<PathBuf>) -> Result<(), String> {
     let folder = tree.join(within);
     if ["package.xml", "model.config"].iter().any(|file| folder.join(file).is_file())

@@ -1,9 +1,7 @@
-//! Properties that hold for every input of every reader.
+//! Fuzz targets: one function for each reader, which panics if a required property does not hold.
 //!
-//! There is one function for each reader, which panics if a property does not hold.
-//!
-//! libFuzzer runs them (`fuzz_targets/all.rs`), and so does an ordinary test on the stored corpora
-//! (`crates/polhode-cli/tests/all/corpus.rs`). A refusal is always right here; only accepted inputs
+//! The functions are run by libFuzzer (`fuzz_targets/all.rs`), and by a test on the stored inputs
+//! (`crates/polhode-cli/tests/all/corpus.rs`). A reader may refuse any input; only accepted inputs
 //! are checked.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a broken property ends the run")]
@@ -20,7 +18,7 @@ pub mod text;
 /// Function that takes any input, and panics if a property does not hold.
 pub type Target = fn(&[u8]);
 
-/// All targets, by the names that the folders of the corpora have.
+/// All targets by name; the name is also that of the corpus folder.
 pub const TARGETS: [(&str, Target); 35] = [
     ("stl", mesh::stl),
     ("obj", mesh::obj),

@@ -1,15 +1,14 @@
-//! Requests of the page of `polhode live`.
+//! Requests from the page of `polhode live`.
 
 use std::sync::OnceLock;
 
 use polhode_live::{Live, LiveOptions};
 
-/// Largest size of a request's body; a longer one computes for longer than an input should.
+/// Largest request body, bytes; a longer one would take too long.
 const LONGEST: usize = 4000;
 
-/// Checks that every request is answered, or refused with a status of the page's fault.
-///
-/// The same request again has the same answer.
+/// Checks that every request gets an answer or a client error (status 4xx), and the same one when
+/// repeated.
 pub fn live(data: &[u8]) {
     static LIVE: OnceLock<Option<Live>> = OnceLock::new();
     let live = LIVE.get_or_init(|| Live::bind(&LiveOptions::default()).ok());

@@ -1,5 +1,7 @@
-//! Meshes: an accepted mesh is finite, is the same when it is read again or from another format,
-//! and bounds a possible body.
+//! Fuzz targets for meshes.
+//!
+//! An accepted mesh is finite, reads back the same in this and in another format, and bounds a
+//! physical body.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -12,9 +14,8 @@ use polhode_source::files::Disk;
 
 use super::physical::{assert_physical, assert_written_is_read};
 
-/// Largest number of triangles that are diagnosed, and of corners that have a hull.
-///
-/// More would take longer than an input should.
+/// Largest number of triangles for diagnostics, and of corners for a hull; more would take too
+/// long.
 const MOST: usize = 2000;
 
 pub fn stl(data: &[u8]) {
@@ -66,7 +67,7 @@ fn mesh(data: &[u8], format: MeshFormat) {
     }
 }
 
-/// Checks the triangles of a file that has been read.
+/// Checks the meshes of a file that was read.
 fn accepted(contents: MeshContents, format: MeshFormat) {
     for part in &contents.parts {
         assert!(part.mesh.coordinates().as_flattened().iter().all(|c| c.is_finite()));
@@ -109,7 +110,7 @@ fn accepted(contents: MeshContents, format: MeshFormat) {
     }
 }
 
-/// Writes the mesh in the simplest of formats, every number with all of its digits.
+/// Writes a mesh in the OFF format, with all digits of every number.
 fn as_off(mesh: &TriangleMesh) -> String {
     let mut text = format!("OFF\n{} {} 0\n", mesh.coordinates().len(), mesh.triangles().len());
     for [x, y, z] in mesh.coordinates() {

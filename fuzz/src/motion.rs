@@ -1,5 +1,6 @@
-//! Scenarios, their tables, and plans: an accepted scenario is simulated a little, and every number
-//! of its table is finite. Logs of motions.
+//! Scenarios with their tables, sweep plans, and logs of motions.
+//!
+//! An accepted scenario is simulated for a few steps, and all numbers of its table must be finite.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -16,9 +17,9 @@ use polhode_table::output::Table;
 
 use super::physical::assert_physical;
 
-/// Largest number of samples; more would take longer than an input should.
+/// Largest number of samples; more would take too long.
 const MOST_SAMPLES: usize = 5;
-/// Largest number of steps between them.
+/// Largest number of integration steps.
 const MOST_STEPS: usize = 300;
 
 pub fn scenario(data: &[u8]) {
@@ -46,7 +47,7 @@ pub fn motion_table(data: &[u8]) {
     });
 }
 
-/// Checks a table that a scenario names.
+/// Checks a table named by a scenario.
 fn named_table(data: &[u8], text: impl Fn(&Path) -> String) {
     let table = table_file();
     let read =
@@ -82,7 +83,8 @@ pub fn mass_table(data: &[u8]) {
 
 /// Checks a log of a motion in Parquet.
 ///
-/// A panic of the parquet crate on broken pages is caught, which libFuzzer does not see.
+/// The library catches panics of the parquet crate on broken pages, but libFuzzer would report
+/// them.
 pub fn parquet(data: &[u8]) {
     let read = || run_log::from_bytes(data, None);
     if !data.starts_with(b"PAR1") {
@@ -97,14 +99,13 @@ pub fn parquet(data: &[u8]) {
     }
 }
 
-/// Largest number of rows of a run that are judged; more would take longer than an input should.
+/// Largest number of judged rows; more would take too long.
 const MOST_ROWS: usize = 200;
-/// Largest duration of a run that is judged, s.
+/// Largest duration of a judged run, s.
 const LONGEST: f64 = 1e3;
 
-/// Checks a run of a case of the suite, as the suite grades it and as `polhode judge` reads it.
-///
-/// Its errors are numbers.
+/// Checks a run of a suite case, as graded by the suite and as read by `polhode judge`: errors are
+/// finite.
 pub fn judge(data: &[u8]) {
     if data.starts_with(b"PAR1") {
         return;
@@ -137,7 +138,8 @@ pub fn judge(data: &[u8]) {
 }
 
 pub fn run_log(data: &[u8]) {
-    // The parquet crate panics on some broken pages; that is caught, but not by libFuzzer.
+    // The library catches panics of the parquet crate on broken pages, but libFuzzer would report
+    // them.
     if data.starts_with(b"PAR1") {
         return;
     }
@@ -172,14 +174,14 @@ pub fn plan(data: &[u8]) {
     }
 }
 
-/// Checks a scenario's body, and the first part of its motion.
+/// Checks the body of a scenario, and the start of its motion.
 fn accepted(scenario: Scenario) {
     assert_physical(scenario.body());
     let Some(mut run) = scenario.run().cloned() else { return };
     assert!(run.times.iter().all(|time| time.is_finite()));
     run.times.truncate(MOST_SAMPLES);
     let scenario = scenario.sampled(run);
-    // A scenario that takes more steps than it should is left.
+    // A scenario that needs too many steps is not checked further.
     let mut steps = 0;
     let mut few = |_| {
         steps += 1;
@@ -190,7 +192,7 @@ fn accepted(scenario: Scenario) {
     }
 }
 
-/// Checks that every number of the table is finite.
+/// Checks that all numbers of the table are finite.
 fn finite(motion: &Trajectory, scenario: &Scenario) {
     let mut csv = Vec::new();
     Table::of(motion, &scenario.into()).write_csv(&mut csv).unwrap();
@@ -200,7 +202,7 @@ fn finite(motion: &Trajectory, scenario: &Scenario) {
     }
 }
 
-/// Returns the path of a file of this thread, in memory if the system has a folder for that.
+/// Returns the path of a file for this thread, in memory if possible.
 fn table_file() -> PathBuf {
     let memory = Path::new("/dev/shm");
     let parent = if memory.is_dir() { memory.to_owned() } else { std::env::temp_dir() };

@@ -1,4 +1,4 @@
-//! Properties that every accepted body has.
+//! Properties of every accepted body.
 
 use std::path::Path;
 
@@ -11,10 +11,11 @@ use polhode_shape::cad::CadOptions;
 use polhode_shape::export;
 use polhode_shape::{ExportBody, ExportFormat};
 
-/// Largest amount that rounding takes from i1 + i2 − i3, relative to i3.
+/// Rounding error of i1 + i2 − i3, relative to i3.
 const ROUNDING: f64 = 1e-12;
 
-/// Checks that the mass is positive, every number finite, the tensor symmetric, and i1 + i2 ≥ i3.
+/// Checks that the mass is positive, all numbers are finite, the tensor is symmetric, and i1 + i2 ≥
+/// i3.
 #[track_caller]
 pub(crate) fn assert_physical<F: Frame>(body: &MassProperties<F>) {
     let inertia = body.inertia().matrix();
@@ -30,7 +31,7 @@ pub(crate) fn assert_physical<F: Frame>(body: &MassProperties<F>) {
     assert!(i1 + (i2 - i3) >= -ROUNDING * i3, "{i1:e} + {i2:e} < {i3:e}");
 }
 
-/// Checks that a body written as URDF is the same to the bit when it is read.
+/// Checks that a body exported as URDF reads back bit-identical.
 #[track_caller]
 pub(crate) fn assert_written_is_read(body: &MassProperties<Body>) {
     let Ok(text) = export(ExportFormat::Urdf, &[ExportBody::new("a", *body)]) else { return };
@@ -41,7 +42,7 @@ pub(crate) fn assert_written_is_read(body: &MassProperties<Body>) {
     assert!(lump.rounding > 0.0 || lump.properties == *body, "{:?}\n{text}", lump.properties);
 }
 
-/// Checks that a body written as a report of a CAD program is the same to rounding when it is read.
+/// Checks that a body exported as a CAD report reads back equal up to rounding.
 #[track_caller]
 pub(crate) fn assert_reported_is_read(body: &MassProperties<Body>) {
     let Ok(text) = export(ExportFormat::SolidWorks, &[ExportBody::new("a", *body)]) else { return };

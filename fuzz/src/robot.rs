@@ -1,5 +1,7 @@
-//! Robot models: every place lies in the text, a repaired model is read, repairs end, and links are
-//! possible bodies.
+//! Fuzz targets for robot models.
+//!
+//! Every place is inside the text, a repaired model can be read, repairs end, and links are
+//! physical bodies.
 
 use std::path::Path;
 
@@ -17,7 +19,7 @@ use polhode_robot::report::CheckReport;
 
 use super::physical::{assert_physical, assert_written_is_read};
 
-/// Largest number of times that a model is repaired again.
+/// Largest number of successive repairs.
 const MOST_REPAIRS: usize = 10;
 
 pub fn urdf(data: &[u8]) {
@@ -40,7 +42,7 @@ pub fn osim(data: &[u8]) {
     model(data, ModelFormat::Osim);
 }
 
-/// Checks `polhode.toml`: read twice it is the same, and an error has words.
+/// Checks `polhode.toml`: reading is deterministic, and errors have a message.
 pub fn config(data: &[u8]) {
     let Ok(text) = str::from_utf8(data) else { return };
     let read = || Config::read(Path::new("polhode.toml"), text);
@@ -50,7 +52,7 @@ pub fn config(data: &[u8]) {
     }
 }
 
-/// Checks baselines: read twice they are the same, and every finding has an id.
+/// Checks baselines: reading is deterministic, and every finding has an id.
 pub fn baseline(data: &[u8]) {
     let Ok(text) = str::from_utf8(data) else { return };
     let read = || Baseline::read(Path::new("baseline.json"), text);
@@ -64,7 +66,7 @@ fn read(text: &str) -> Option<RobotModel> {
     read_text(text, Path::new("/nowhere/model.xml"), &ReadOptions::default()).ok()
 }
 
-/// Returns the content of a model as text, in which NaN equals NaN.
+/// Returns the content of a model as text, so that NaN equals NaN.
 fn contents(model: &RobotModel) -> String {
     format!("{:?}", (&model.links, &model.joints, &model.notes))
 }
@@ -87,16 +89,16 @@ fn model(data: &[u8], format: ModelFormat) {
         }
     }
     repairs_end(&model);
-    // Comments of the model may allow some of it.
+    // The model may contain comments that allow some findings.
     let judged = Policy::default().judge(|path| path.to_string_lossy().into_owned(), &model, findings);
     let report = CheckReport::new(model, geometry, judged);
     assert!(!report.to_text().contains('\u{1b}') && !report.to_table().contains('\u{1b}'));
     assert!(report.to_json().is_object());
 }
 
-/// Checks that a repaired model is read, and that repairing it again comes to an end.
+/// Checks that a repaired model can be read, and that successive repairs end.
 ///
-/// A number that can be read now may show a problem that could not be judged before.
+/// A repair may make a number readable, and thus reveal another finding.
 fn repairs_end(model: &RobotModel) {
     let found = |model: &RobotModel| inspect(model, &Shapes::default()).findings;
     let check = |text: &str| -> Result<Vec<Finding>, ()> { Ok(found(&read(text).ok_or(())?)) };

@@ -14,7 +14,7 @@ use polhode_source::files::Memory;
 
 use super::physical::{assert_physical, assert_written_is_read};
 
-/// Largest number of voxels that are summed.
+/// Largest number of voxels to be summed.
 const MOST_VOXELS: usize = 20_000;
 
 pub fn xyz(data: &[u8]) {
@@ -90,9 +90,9 @@ pub fn times(data: &[u8]) {
     }
 }
 
-/// Checks a list, a workbook, or a sheet that a workbook is made of here.
+/// Checks a parts list, a workbook, or a sheet from which a workbook is built here.
 ///
-/// A packed workbook alone would not do: a change of any of its bits is found before it is read.
+/// Mutations of a compressed workbook would only fail its checksum, so sheets are mutated instead.
 pub fn budget(data: &[u8]) {
     let workbook;
     let (path, data) = if data.starts_with(b"<") {
@@ -133,7 +133,7 @@ pub fn budget(data: &[u8]) {
     }
 }
 
-/// Returns a workbook with this sheet, as an archive of entries that are not packed.
+/// Returns a workbook with this sheet, as an archive of uncompressed entries.
 fn packed(sheet: &[u8]) -> Vec<u8> {
     let entries: [(&str, &[u8]); 5] = [
         ("_rels/.rels", b"<R><Relationship Type=\"x/officeDocument\" Target=\"w.xml\"/></R>"),
@@ -166,7 +166,7 @@ fn packed(sheet: &[u8]) -> Vec<u8> {
     archive
 }
 
-/// Returns the CRC-32, computed bit by bit.
+/// Returns the CRC-32 checksum.
 fn checksum(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(!0, |sum, byte| {
         (0..8).fold(

@@ -1,4 +1,4 @@
-//! Texts: reports of CAD programs, plans of measurements, numbers with units, formulas.
+//! Text: CAD reports, measurement plans, numbers with units, formulas.
 
 use std::path::Path;
 
@@ -13,14 +13,13 @@ use polhode_source::unit::Dimension;
 
 use super::physical::{assert_physical, assert_reported_is_read};
 
-/// Checks plans of measurements, with the logs of the examples in their folder: read twice they are
-/// the same.
+/// Checks measurement plans, with the logs in the folder of examples: reading is deterministic.
 pub fn identify(data: &[u8]) {
     let Ok(text) = str::from_utf8(data) else { return };
     let folders = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors();
     let examples = folders.map(|folder| folder.join("examples/identify")).find(|folder| folder.is_dir());
     let path = examples.unwrap_or_default().join("plan.toml");
-    // Plans are compared as text: a limit that is not given may be NaN.
+    // Plans are compared as text, because a missing limit may be NaN.
     let read = || identify::from_text(&Disk, &path, text).map(|plan| format!("{plan:?}"));
     match read() {
         Ok(plan) => assert_eq!(Ok(plan), read()),
@@ -53,7 +52,7 @@ pub fn cad(data: &[u8]) {
         assert!(scalars.iter().flatten().all(|scalar| scalar.is_finite()), "{scalars:?}");
         if std::mem::take(&mut first) {
             assert_reported_is_read(&report.properties);
-            // Reports are compared as text: a residual that is not known is NaN.
+            // Reports are compared as text, because an unknown residual is NaN.
             let again = cad::read(text, &options).map_err(|_| ());
             assert_eq!(format!("{:?}", Ok::<_, ()>(&report)), format!("{again:?}"));
         }
@@ -65,7 +64,7 @@ pub fn unit(data: &[u8]) {
     if let Ok((value, dimension)) = unit::measured(text) {
         assert!(value.is_finite());
         assert_eq!(unit::parse(text, dimension).map(f64::to_bits), Ok(value.to_bits()));
-        // The value is read as it is printed, and as polhode groups digits.
+        // The value as printed by Rust can be read back.
         assert_eq!(unit::parse(&format!("{value:?}"), dimension), Ok(value));
         assert_eq!(unit::parse(&format!("{value:e}"), dimension), Ok(value));
         let (scale, turned) = (value * 0.5, unit::measured(&format!("-{text}")));

@@ -50,7 +50,7 @@ impl Failure {
         Self::Usage { message: message.into(), file: None, place: None, hint }
     }
 
-    /// Same as [`Failure::usage`], at a line and column of a file.
+    /// Creates a failure for an invalid request, as [`Failure::usage`] does, at a place in a file.
     pub fn located(
         message: impl Into<String>,
         file: &Path,

@@ -236,7 +236,7 @@ fn each(text: &str, dimension: Dimension) -> Result<Vec<f64>, String> {
     }
 }
 
-/// Same as [`list`], for exactly `N` numbers.
+/// Parses exactly `N` numbers, otherwise as [`list`] does.
 pub fn numbers<const N: usize>(text: &str, form: &str, dimension: Dimension) -> Result<[f64; N], String> {
     let found = if text.trim().is_empty() { 0 } else { text.split(',').count() };
     if found != N {

@@ -209,7 +209,7 @@ pub fn measured(text: &str) -> Result<(f64, Dimension), UnitError> {
     read(text, |_, _| Ok(()))
 }
 
-/// Same as [`measured`], for a number and a unit given separately.
+/// Reads a number and a unit given separately, otherwise as [`measured`] does.
 pub fn measured_apart(number: &str, unit: &str) -> Result<(f64, Dimension), UnitError> {
     value(number, unit.trim(), &format!("{number} {unit}"), |_, _| Ok(()))
 }

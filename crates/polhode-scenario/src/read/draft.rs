@@ -100,8 +100,10 @@ impl Draft {
         self.read_watched(files, text, &|| true)
     }
 
-    /// Same as [`Draft::read`], with a cancellation check that is called often while a mesh is
-    /// examined. After cancellation it remains undecided if the mesh bounds a solid.
+    /// Reads a new text as [`Draft::read`] does, with a cancellation check.
+    ///
+    /// The check is called often while a mesh is examined. After cancellation it remains undecided
+    /// if the mesh bounds a solid.
     ///
     /// # Errors
     /// Same as [`Draft::read`].

@@ -3,7 +3,9 @@
 //! SI, prefixes, and the units accepted with it: BIPM, *The International System of Units* (SI
 //! Brochure, 9th ed. 2019), tables 2, 4, 7 and 8. Pound, foot, ounce, slug, standard gravity: NIST
 //! SP 811 (2008), appendix B.8, with the pound of 0.453 592 37 kg and the foot of 0.3048 m, both
-//! exact, and lbf = lb × 9.806 65 m/s² exactly, so slug = lbf s²/ft; gauss, 1e-4 T. Names are case-sensitive.
+//! exact, and lbf = lb × 9.806 65 m/s² exactly, so slug = lbf s²/ft; gauss, 1e-4 T.
+//!
+//! Names are case-sensitive.
 
 use super::Dimension;
 

@@ -20,14 +20,14 @@ use crate::stderr::tell;
 use crate::stdout::print;
 use progress::SweepProgress;
 
-/// Compute many motions, and what they come to.
+/// Run a parameter sweep and summarize the results.
 ///
-/// A plan is a scenario with a [sweep] section that says what differs from member to member. The folder holds members/, tables with
-/// one row for each member (its inputs, and what becomes of it), summary.json and two plots. A member that cannot be computed is a
-/// row that says why.
+/// A plan is a scenario with a [sweep] section, which lists the inputs that vary from member to member. The output folder contains
+/// members/ (tables with one row per member: inputs and outcomes), summary.json and figures. The row of a failed member states the
+/// cause.
 ///
-/// Ctrl-C, or whatever else ends the program, loses only the parts in hand: --resume continues, and the files are the same to the
-/// last byte. They do not depend on the number of threads either.
+/// An interrupted sweep loses only the parts in progress. --resume continues it, and the resulting files are identical, byte by
+/// byte. They do not depend on the number of threads.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -39,19 +39,20 @@ Examples:
 pub(crate) struct Sweep {
     #[command(flatten)]
     request: Request,
-    /// The folder to write [default: the plan's name, here].
+    /// Output folder [default: the plan's name, in the working directory].
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Continue an interrupted sweep; begin it if there is none.
+    /// Continue an interrupted sweep, or start one if there is none.
     #[arg(long)]
     resume: bool,
-    /// Throw away the results of an earlier sweep.
+    /// Delete the results of an earlier sweep.
     #[arg(long, conflicts_with = "resume")]
     force: bool,
     /// Print the summary as JSON.
     #[arg(long)]
     json: bool,
-    /// Compute on a cluster: ray://HOST:PORT or dask://HOST:PORT, or local for processes here. Needs the Python package polhode.
+    /// Compute on a cluster: ray://HOST:PORT or dask://HOST:PORT; ray://local or dask://local for processes on this machine. Needs the
+    /// Python package polhode.
     #[arg(long, value_name = "URL", value_parser = cluster::url)]
     on: Option<String>,
 }
@@ -75,8 +76,8 @@ impl Sweep {
         let reached = dataset.compute(&plan, threads, &stop, &|reached| progress.reached(reached))?;
         drop(progress);
         if reached.remade > 0 {
-            let parts = if reached.remade == 1 { "part was" } else { "parts were" };
-            tell(&format!("note: {} {parts} damaged, and computed anew\n", reached.remade));
+            let parts = if reached.remade == 1 { "damaged part was" } else { "damaged parts were" };
+            tell(&format!("note: {} {parts} computed again\n", reached.remade));
         }
         if reached.done < reached.members {
             let status = status.load(Ordering::Relaxed) as u8;
@@ -97,7 +98,7 @@ impl Sweep {
         Failure::Stopped {
             done: format!("{done} of {members} members are in {}", shown(target)),
             hint: format!(
-                "polhode sweep {} -o {} --resume goes on from here",
+                "continue with polhode sweep {} -o {} --resume",
                 shown(&self.request.plan),
                 shown(target)
             ),

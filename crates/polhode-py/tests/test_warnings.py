@@ -96,4 +96,4 @@ def test_a_copy_does_not_say_it_again(examples: Path, tmp_path: Path) -> None:
 def test_members_that_are_not_possible_are_said() -> None:
     impossible = PLAN.format(members=40).replace('sd = "0.8 kg"', 'sd = "8 kg"')
     said = warned(lambda: batch.Plan(impossible))
-    assert len(said) == 1 and "members tried are not possible" in said[0] and said[0].endswith("[sweep.members]")
+    assert len(said) == 1 and "tested members are invalid" in said[0] and said[0].endswith("[sweep.members]")

@@ -78,7 +78,7 @@ impl Column {
 
     /// Creates the column of member numbers.
     pub(crate) fn of_members(numbers: Vec<u64>) -> Self {
-        Self::new([MEMBER, "", "the member's number, from 0"], Values::Whole(numbers))
+        Self::new([MEMBER, "", "number of the member, from 0"], Values::Whole(numbers))
     }
 }
 
@@ -151,11 +151,11 @@ impl fmt::Display for BatchError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Length { column, rows, expected } => {
-                write!(f, "column {column} has {rows} rows where the first has {expected}")
+                write!(f, "column {column} has {rows} rows, but the first column has {expected}")
             }
-            Self::Twice { column } => write!(f, "there are two columns {column}"),
-            Self::Missing { column } => write!(f, "there is no column {column}"),
-            Self::Kind { column, expected } => write!(f, "column {column} should hold {expected}"),
+            Self::Twice { column } => write!(f, "duplicate column {column}"),
+            Self::Missing { column } => write!(f, "missing column {column}"),
+            Self::Kind { column, expected } => write!(f, "column {column} must contain {expected}"),
         }
     }
 }

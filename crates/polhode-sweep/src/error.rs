@@ -86,19 +86,19 @@ impl SweepError {
             Self::Exists { .. } => Some(
                 "continue it with --resume, choose another folder with -o DIR, or replace it with --force",
             ),
-            Self::InUse { .. } => Some("wait for it, or choose another folder with -o DIR"),
+            Self::InUse { .. } => Some("wait until it ends, or choose another folder with -o DIR"),
             Self::Changed { .. } => {
-                Some("choose another folder with -o DIR, or throw the old results away with --force")
+                Some("choose another folder with -o DIR, or delete the old results with --force")
             }
             Self::Damaged { .. } => {
-                Some("put the file back as it was, or throw the results away and begin anew with --force")
+                Some("restore the file, or delete the results and start again with --force")
             }
-            Self::NotASweep { .. } => Some("remove it by hand, or choose another folder with -o DIR"),
+            Self::NotASweep { .. } => Some("delete it yourself, or choose another folder with -o DIR"),
             Self::Write { error, .. } if FULL.contains(&error.kind()) => {
-                Some("the parts that are written are good: make room, and continue with --resume")
+                Some("the parts written so far are valid: free some space and continue with --resume")
             }
             Self::Incomplete { .. } => Some("continue with --resume"),
-            Self::NoRun => Some("write [run] with duration = \"10 s\" and samples = 101"),
+            Self::NoRun => Some("add [run] with duration = \"10 s\" and samples = 101"),
             Self::Read { .. } | Self::Write { .. } | Self::Rows { .. } | Self::Batch(_) => None,
         }
     }
@@ -117,20 +117,20 @@ impl SweepError {
 impl fmt::Display for SweepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Exists { folder } => write!(f, "{} is there already", shown(folder)),
-            Self::InUse { folder } => write!(f, "{} is in use: another sweep writes to it", shown(folder)),
+            Self::Exists { folder } => write!(f, "{} already exists", shown(folder)),
+            Self::InUse { folder } => write!(f, "{} is in use by another sweep", shown(folder)),
             Self::Changed { folder, what } => {
-                write!(f, "{} holds the results of another plan: {what}", shown(folder))
+                write!(f, "{} contains the results of another plan: {what}", shown(folder))
             }
             Self::NotASweep { folder, why } => {
-                write!(f, "{} is not a folder of a sweep: {why}", shown(folder))
+                write!(f, "{} is not the folder of a sweep: {why}", shown(folder))
             }
             Self::Damaged { path, why } => write!(f, "{} is damaged: {why}", shown(path)),
             Self::Read { path, error } => write!(f, "cannot read {}: {error}", shown(path)),
             Self::Write { path, error } => write!(f, "cannot write {}: {error}", shown(path)),
             Self::Incomplete { part } => write!(f, "part {part} is missing or damaged"),
-            Self::Rows { part, why } => write!(f, "these rows are not those of part {part}: {why}"),
-            Self::NoRun => write!(f, "the plan has no [run] section, so there is no time to simulate"),
+            Self::Rows { part, why } => write!(f, "the rows do not belong to part {part}: {why}"),
+            Self::NoRun => write!(f, "the plan has no [run] section, which sets the simulated time"),
             Self::Batch(error) => error.fmt(f),
         }
     }

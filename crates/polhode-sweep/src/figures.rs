@@ -94,7 +94,7 @@ impl<'a> SweepFigures<'a> {
                 shown.push((&pair.input, &pair.outcome, pair.value));
             }
         }
-        let note = format!("{} of the members; r: rank correlation", self.sample.rows());
+        let note = format!("{} sampled members; r: rank correlation", self.sample.rows());
         self.panels("Outcomes and inputs", &note, [shown.len(), COLUMNS], |sheet, area, k| {
             if let Some((input, outcome, value)) = shown.get(k) {
                 self.dots(sheet, area, input, outcome, *value);
@@ -120,7 +120,7 @@ impl<'a> SweepFigures<'a> {
         sheet.marks.push(Mark::Text(Text { size: LARGE, ..head }));
         if count == 0 {
             let middle = [0.5 * width, HEAD + 0.5 * PANEL[1]];
-            sheet.text(middle, Anchor::Middle, Colour::FAINT, "nothing varies");
+            sheet.text(middle, Anchor::Middle, Colour::FAINT, "nothing to plot");
             return Picture { sheet };
         }
         sheet.text([width - MARGIN, 24.0], Anchor::End, Colour::FAINT, note);

@@ -29,7 +29,7 @@ pub const REQUEST_SCHEMA: &str = include_str!("../schema/request.json");
 pub struct Request {
     /// Plan: a TOML file with a [sweep] and a [run] section.
     pub plan: PathBuf,
-    /// Number of threads [default: all].
+    /// Number of threads [default: all processors].
     #[cfg_attr(feature = "arguments", arg(long, value_name = "N"))]
     pub threads: Option<NonZeroUsize>,
 }

@@ -73,13 +73,13 @@ impl Members {
     fn of(plan: &Plan, inputs: &Batch) -> Result<Self, BatchError> {
         let wrong = |column: &Column, expected| BatchError::Kind { column: column.name.clone(), expected };
         let member = inputs.column(MEMBER)?;
-        let Values::Whole(numbers) = &member.values else { return Err(wrong(member, "whole numbers")) };
+        let Values::Whole(numbers) = &member.values else { return Err(wrong(member, "integers")) };
         let mut columns = vec![member.clone()];
         let mut values = vec![Vec::with_capacity(plan.variables().len()); numbers.len()];
         for variable in plan.variables() {
             let column = inputs.column(&variable.name)?;
             let Values::Numbers(numbers) = &column.values else {
-                return Err(wrong(column, "numbers, one in each row"));
+                return Err(wrong(column, "one number in each row"));
             };
             for (row, &number) in values.iter_mut().zip(numbers) {
                 row.push(number);

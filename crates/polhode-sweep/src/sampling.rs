@@ -20,14 +20,13 @@ pub(crate) const fn intervals(sampling: Sampling, replicates: u64, confidence: f
     }
     let why = match sampling {
         Sampling::MonteCarlo => return SweepIntervals::Given { confidence },
-        Sampling::Grid => "a grid is no sample: its members stand for themselves",
+        Sampling::Grid => "members of a grid are not a random sample",
         Sampling::LatinHypercube => {
-            "members of a Latin hypercube are not independent, so that one of them does not show its error: with replicates = 16 \
-             it is made of sixteen, which do"
+            "members of a Latin hypercube are not independent; replicates = 16 draws 16 independent hypercubes, \
+             which give intervals"
         }
         Sampling::Sobol => {
-            "Sobol points are not independent, so that one set of them does not show its error: with replicates = 16 there are \
-             sixteen, which do"
+            "Sobol points are not independent; replicates = 16 draws 16 independent sets, which give intervals"
         }
     };
     SweepIntervals::None { why }

@@ -16,9 +16,7 @@ pub(super) fn url(text: &str) -> Result<String, String> {
     };
     match place {
         Some(place) if is_place(place) => Ok(text.to_owned()),
-        _ => {
-            Err("a cluster is ray://HOST:PORT or dask://HOST:PORT, or local instead of HOST:PORT".to_owned())
-        }
+        _ => Err("expected ray://HOST:PORT or dask://HOST:PORT, or local instead of HOST:PORT".to_owned()),
     }
 }
 
@@ -39,7 +37,7 @@ pub(super) fn hand_over(sweep: &Sweep, url: &str, target: &Path) -> Result<(), F
         format!("in a checkout of polhode: python3 -m pip install {}", packages.join(" "))
     };
     let cannot = |error: &io::Error| {
-        let hint = "polhode sweep --on runs `python3 -m polhode.sweep`: look what python3 is in the PATH";
+        let hint = "polhode sweep --on runs `python3 -m polhode.sweep`: check which python3 is in the PATH";
         Failure::usage(format!("python3 cannot be run: {error}"), hint)
     };
     // Modules are searched, not imported: a module that fails to import reports the reason itself.
@@ -51,9 +49,9 @@ pub(super) fn hand_over(sweep: &Sweep, url: &str, target: &Path) -> Result<(), F
     let found = match found {
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
             return Err(Failure::usage(
-                "a sweep on a cluster needs Python, and there is no python3 in the PATH",
+                "a sweep on a cluster needs Python, but python3 is not in the PATH",
                 format!(
-                    "install Python 3.10 or later, and then {}",
+                    "install Python 3.10 or later; then, {}",
                     install(&needed.map(|(_, package)| package))
                 ),
             ));
@@ -67,7 +65,7 @@ pub(super) fn hand_over(sweep: &Sweep, url: &str, target: &Path) -> Result<(), F
         let modules: Vec<_> = missing.iter().map(|(module, _)| *module).collect();
         let packages: Vec<_> = missing.iter().map(|(_, package)| *package).collect();
         let message = format!(
-            "a sweep on {engine} needs the Python packages that this python3 does not have: {}",
+            "a sweep on {engine} needs Python packages that are not installed for this python3: {}",
             modules.join(", ")
         );
         return Err(Failure::usage(message, install(&packages)));

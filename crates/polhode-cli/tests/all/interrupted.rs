@@ -167,7 +167,7 @@ fn a_signal_stops_a_sweep_that_goes_on_later() {
         let output = child.wait_with_output().unwrap();
         assert_eq!(output.status.code(), Some(128 + number));
         let text = String::from_utf8(output.stderr).unwrap();
-        assert!(text.contains("stopped: ") && text.contains("--resume goes on"), "{text}");
+        assert!(text.contains("stopped: ") && text.contains("continue with polhode sweep"), "{text}");
         assert!(output.stdout.is_empty());
         let parts = crate::common::entries(&scratch.0.join("out/members"));
         assert!(parts.iter().all(|part| part.ends_with(".parquet")), "{parts:?}");
@@ -219,7 +219,7 @@ fn of_two_sweeps_one_wins_and_the_other_says_so() {
     assert_eq!(outputs.iter().filter(|output| output.status.success()).count(), 1);
     for output in outputs.iter().filter(|output| !output.status.success()) {
         let text = refused(output, 2);
-        assert!(text.contains("is there already") || text.contains("in use"), "{text}");
+        assert!(text.contains("already exists") || text.contains("in use"), "{text}");
     }
     assert!(scratch.0.join("out/summary.json").exists());
 }

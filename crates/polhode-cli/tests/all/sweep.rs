@@ -54,8 +54,8 @@ fn a_sweep_is_one_command() {
 
     let again = scratch.run(&["sweep", "bricks.toml"]);
     let error = refused(&again, 2);
-    assert!(error.contains("bricks is there already") && error.contains("--resume"), "{error}");
-    // Resuming a complete sweep does nothing, and prints the same.
+    assert!(error.contains("bricks already exists") && error.contains("--resume"), "{error}");
+    // What is complete has nothing to go on with, and says the same.
     assert_eq!(stdout(&scratch.run(&["sweep", "bricks.toml", "--resume"])), text);
     let summary = json(&scratch.run(&["sweep", "bricks.toml", "--force", "--threads", "1", "--json"]));
     let written = fs::read_to_string(scratch.0.join("bricks/summary.json")).unwrap();
@@ -101,7 +101,7 @@ fn what_is_wrong_is_said_and_writes_nothing() {
     said(&["sweep", "brick.toml"], "[sweep]");
     said(&["sweep", "no-run.toml"], "no [run] section");
     said(&["sweep", "none.toml"], "none.toml");
-    said(&["sweep", "plan.toml", "-o", "brick.toml", "--force"], "it is no folder");
+    said(&["sweep", "plan.toml", "-o", "brick.toml", "--force"], "it is not a folder");
     fs::create_dir(scratch.0.join("photos")).unwrap();
     scratch.write("photos/cat.jpg", "a cat");
     said(&["sweep", "plan.toml", "-o", "photos", "--force"], "cat.jpg");
@@ -121,7 +121,10 @@ fn another_plan_does_not_go_on() {
     stdout(&scratch.run(&["sweep", "plan.toml", "-o", "out"]));
     scratch.write("plan.toml", &plan(30).replace("sd = 1.5", "sd = 1.6"));
     let error = refused(&scratch.run(&["sweep", "plan.toml", "-o", "out", "--resume"]), 2);
-    assert!(error.contains("out holds the results of another plan") && error.contains("--force"), "{error}");
+    assert!(
+        error.contains("out contains the results of another plan") && error.contains("--force"),
+        "{error}"
+    );
     stdout(&scratch.run(&["sweep", "plan.toml", "-o", "out", "--force"]));
 }
 
@@ -183,7 +186,7 @@ fn two_writers_lock_each_other_out() {
     first.signal("-STOP");
     for how in ["--resume", "--force"] {
         let error = refused(&scratch.run(&["sweep", "plan.toml", "-o", "out", how]), 2);
-        assert!(error.contains("out is in use: another sweep writes to it"), "{error}");
+        assert!(error.contains("out is in use by another sweep"), "{error}");
     }
     // The lock is released when the process ends in any way; then another one may write.
     first.0.kill().unwrap();
@@ -218,7 +221,8 @@ fn without_python_a_cluster_is_explained() {
     let mut command = scratch.command(&["sweep", "plan.toml", "--on", "ray://127.0.0.1:10001"]);
     let error = refused(&command.env("PATH", "").output().unwrap(), 2);
     assert!(
-        error.contains("no python3 in the PATH") && error.contains("'ray[data,client]' ./crates/polhode-py"),
+        error.contains("python3 is not in the PATH")
+            && error.contains("'ray[data,client]' ./crates/polhode-py"),
         "{error}"
     );
     assert_eq!(scratch.entries(), ["plan.toml"]);
@@ -250,7 +254,8 @@ fn a_cluster_is_handed_the_same_arguments() {
     python("[ \"$1\" = -c ] && echo pyarrow");
     let error = refused(&run(&[]), 2);
     assert!(
-        error.contains("this python3 does not have: pyarrow\n") && error.contains("pip install pyarrow\n"),
+        error.contains("not installed for this python3: pyarrow\n")
+            && error.contains("pip install pyarrow\n"),
         "{error}"
     );
     python("[ \"$1\" = -c ] && echo distributed polhode");
@@ -286,7 +291,7 @@ fn what_is_not_as_it_was_written_is_not_trusted() {
         stdout(&scratch.run(&resume));
     }
     fs::remove_file(scratch.0.join("out/plan.toml")).unwrap();
-    assert!(refused(&scratch.run(&resume), 2).contains("it is not there"));
+    assert!(refused(&scratch.run(&resume), 2).contains("the file is missing"));
     put("plan.toml", plan(1100).as_bytes());
     // Damaged parts are recomputed, and this is reported.
     let name = "members/part-00001.parquet";
@@ -295,7 +300,7 @@ fn what_is_not_as_it_was_written_is_not_trusted() {
         put(name, damaged);
         let output = scratch.run(&resume);
         stdout(&output);
-        assert_eq!(String::from_utf8_lossy(&output.stderr), "note: 1 part was damaged, and computed anew\n");
+        assert_eq!(String::from_utf8_lossy(&output.stderr), "note: 1 damaged part was computed again\n");
         assert_eq!(read(name), whole);
     }
     fs::remove_file(scratch.0.join("out").join(name)).unwrap();
@@ -310,7 +315,7 @@ fn the_seed_stands_in_all_that_is_written() {
     scratch.write("none.toml", &plan(40).replace("seed = 2", ""));
     for (name, seed) in [("seven", 9_007_199_254_740_993_u64), ("none", 0)] {
         let text = stdout(&scratch.run(&["sweep", &format!("{name}.toml")]));
-        assert!(text.contains(&format!("40 members drawn independently, seed {seed}\n")), "{text}");
+        assert!(text.contains(&format!("40 members, Monte Carlo sampling, seed {seed}\n")), "{text}");
         for file in ["summary.json", "sweep.json"] {
             let bytes = fs::read(scratch.0.join(name).join(file)).unwrap();
             assert_eq!(serde_json::from_slice::<serde_json::Value>(&bytes).unwrap()["seed"], seed, "{file}");

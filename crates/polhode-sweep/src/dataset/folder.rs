@@ -60,10 +60,10 @@ impl Folder {
     fn require_sweep(path: &Path) -> Result<(), SweepError> {
         let strange = |why: String| SweepError::NotASweep { folder: path.to_owned(), why };
         if !fs::symlink_metadata(path).map_err(SweepError::reading(path))?.is_dir() {
-            return Err(strange("it is no folder".to_owned()));
+            return Err(strange("it is not a folder".to_owned()));
         }
         match foreign_file(path).map_err(SweepError::reading(path))? {
-            Some(name) => Err(strange(format!("it holds {name:?}"))),
+            Some(name) => Err(strange(format!("it contains {name:?}"))),
             None => Ok(()),
         }
     }

@@ -59,13 +59,16 @@ impl Manifest {
         let value = written;
         let version = value.get("polhode").and_then(Value::as_str).unwrap_or("another version");
         if version != env!("CARGO_PKG_VERSION") {
-            return Some(format!("it was made by polhode {version}, this is {}", env!("CARGO_PKG_VERSION")));
+            return Some(format!(
+                "it was written by polhode {version}, but this is polhode {}",
+                env!("CARGO_PKG_VERSION")
+            ));
         }
         let members = value.get("members").and_then(Value::as_u64).unwrap_or_default();
         if members != self.members {
-            return Some(format!("it has {members} members, this plan has {}", self.members));
+            return Some(format!("it has {members} members, but this plan has {}", self.members));
         }
-        Some("its plan.toml, or a file that the plan names, is not the same".to_owned())
+        Some("its plan.toml, or a file named in the plan, is different".to_owned())
     }
 
     /// Returns the number of parts.

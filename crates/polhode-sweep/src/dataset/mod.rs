@@ -120,14 +120,14 @@ impl Dataset {
             Err(error) => return Err(SweepError::Read { path, error }),
         };
         let Ok(value) = serde_json::from_slice(&written) else {
-            return Err(SweepError::Damaged { path, why: "it is no JSON, as if cut short" });
+            return Err(SweepError::Damaged { path, why: "it is not valid JSON and may be truncated" });
         };
         if let Some(what) = manifest.difference(&value) {
             return Err(SweepError::Changed { folder: folder.path().to_owned(), what });
         }
         // It was written completely, before all other files.
         if written != manifest.to_text().as_bytes() {
-            return Err(SweepError::Damaged { path, why: "it is not as polhode wrote it" });
+            return Err(SweepError::Damaged { path, why: "its content has changed since polhode wrote it" });
         }
         require_copy(&folder, plan)?;
         folder.sweep_out()?;
@@ -182,10 +182,10 @@ impl Dataset {
     pub fn write(&self, part: u64, rows: &Batch) -> Result<(), SweepError> {
         let expected = self.rows(part);
         let Values::Whole(members) = &rows.column("member")?.values else {
-            return Err(SweepError::Rows { part, why: "their members are no whole numbers".to_owned() });
+            return Err(SweepError::Rows { part, why: "the member numbers are not integers".to_owned() });
         };
         if expected.is_empty() || !members.iter().copied().eq(expected.clone()) {
-            let why = format!("it has members {} … {}", expected.start, expected.end.saturating_sub(1));
+            let why = format!("the part has members {} … {}", expected.start, expected.end.saturating_sub(1));
             return Err(SweepError::Rows { part, why });
         }
         self.keep(MEMBERS, part, rows)
@@ -303,9 +303,9 @@ fn require_copy(folder: &Folder, plan: &Plan) -> Result<(), SweepError> {
     let path = folder.join(PLAN);
     match fs::read(&path) {
         Ok(copy) if copy == plan.text().as_bytes() => Ok(()),
-        Ok(_) => Err(SweepError::Damaged { path, why: "it is not the plan that the results are of" }),
+        Ok(_) => Err(SweepError::Damaged { path, why: "it is not the plan of these results" }),
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            Err(SweepError::Damaged { path, why: "it is not there" })
+            Err(SweepError::Damaged { path, why: "the file is missing" })
         }
         Err(error) => Err(SweepError::Read { path, error }),
     }

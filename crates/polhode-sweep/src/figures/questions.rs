@@ -25,7 +25,7 @@ impl SweepFigures<'_> {
         if questions.is_empty() {
             return None;
         }
-        let note = format!("dots: {} of the members; band: 95 % interval", self.sample.rows());
+        let note = format!("dots: {} sampled members; band: 95 % confidence interval", self.sample.rows());
         Some(self.panels("Questions", &note, [2 * questions.len(), 2], |sheet, area, k| {
             let Some(question) = questions.get(k / 2) else { return };
             if k.is_multiple_of(2) {
@@ -48,7 +48,7 @@ impl SweepFigures<'_> {
                 [area.left, area.top + 20.0],
                 polhode_document::figure::sheet::Anchor::Start,
                 Colour::FAINT,
-                "no outcome in it is a number that varies",
+                "no outcome in the condition varies",
             );
             return;
         };

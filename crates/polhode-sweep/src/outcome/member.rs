@@ -98,7 +98,7 @@ impl Outcome {
         match scenario.simulate_with_error(ErrorEffort::Cheap, &mut |_| true) {
             Some(Ok(trajectory)) => self.with(scenario, rotor, &trajectory),
             Some(Err(error)) => self.failed(&error),
-            None => Self { cause: Some("it has no [run] section".to_owned()), ..self },
+            None => Self { cause: Some("the plan has no [run] section".to_owned()), ..self },
         }
     }
 

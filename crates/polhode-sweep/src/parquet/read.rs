@@ -71,14 +71,13 @@ fn empty(kind: Physical, optional: bool) -> Result<Values, ParquetError> {
         (Physical::DOUBLE, false) => Ok(Values::Numbers(Vec::new())),
         (Physical::DOUBLE, true) => Ok(Values::Perhaps(Vec::new())),
         (Physical::BYTE_ARRAY, true) => Ok(Values::Text(Vec::new())),
-        _ => Err(ParquetError::General(format!("a column of {kind}, which no sweep has"))),
+        _ => Err(ParquetError::General(format!("a sweep has no columns of type {kind}"))),
     }
 }
 
 /// Reads all rows of a column in a row group.
 fn append(values: &mut Values, reader: ColumnReader, rows: usize) -> Result<(), ParquetError> {
-    let wrong =
-        || Err(ParquetError::General("a column holds something else than its schema says".to_owned()));
+    let wrong = || Err(ParquetError::General("the content of a column does not match its schema".to_owned()));
     match (values, reader) {
         (Values::Whole(values), ColumnReader::Int64ColumnReader(reader)) => {
             for value in all(reader, rows)?.0 {

@@ -26,7 +26,7 @@ use crate::batch::{Batch, Column, Values};
 /// If the rows cannot be written as Parquet: a member number of 2⁶³ or more.
 pub(crate) fn write(batch: &Batch, metadata: &Pairs) -> io::Result<Vec<u8>> {
     let mut bytes = encode(batch, metadata).map_err(io_error)?;
-    if seal::close(&mut bytes) { Ok(bytes) } else { Err(io::Error::other("a file without its checksum")) }
+    if seal::close(&mut bytes) { Ok(bytes) } else { Err(io::Error::other("the file has no checksum")) }
 }
 
 fn encode(batch: &Batch, metadata: &Pairs) -> Result<Vec<u8>, ParquetError> {
@@ -47,7 +47,7 @@ fn values(writer: &mut SerializedColumnWriter<'_>, values: &Values) -> Result<()
         Values::Whole(values) => {
             let whole = values.iter().map(|&value| i64::try_from(value));
             let whole: Vec<i64> = whole.collect::<Result<_, _>>().map_err(|error| {
-                ParquetError::General(format!("a whole number does not fit into 63 bits: {error}"))
+                ParquetError::General(format!("an integer does not fit into 63 bits: {error}"))
             })?;
             writer.typed::<Int64Type>().write_batch(&whole, None, None)?;
         }

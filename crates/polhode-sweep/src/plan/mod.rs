@@ -262,12 +262,12 @@ impl Plan {
         if failed.len() as u64 == self.members {
             return Err(error.clone());
         }
-        let all = if failed.len() as u64 == count { ", all of them" } else { "" };
+        let all = if failed.len() as u64 == count { " (all)" } else { "" };
         Ok(Some(Finding {
             code: "sweep.members",
             severity: Severity::Warning,
             message: format!(
-                "{} of {count} members tried are not possible{all}; member {member}: {}",
+                "{} of {count} tested members are invalid{all}; member {member}: {}",
                 failed.len(),
                 error.message()
             ),

@@ -57,7 +57,9 @@ impl MeanAttitude {
             .collect();
         let stem = &self.stem;
         let angle = format!("angle between {stem} and its mean");
-        let turn = format!("turn of {stem} from its mean, component along a body axis in the mean attitude");
+        let turn = format!(
+            "rotation vector of {stem} from its mean, component along a body axis in the mean attitude"
+        );
         let columns = self.columns().into_iter().enumerate().map(|(k, name)| {
             let values = turns.iter().map(|turn| turn.and_then(|turn| turn.get(k).copied())).collect();
             Column::new([&name, "rad", if k == 0 { &angle } else { &turn }], Values::Perhaps(values))

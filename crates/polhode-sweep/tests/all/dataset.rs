@@ -179,7 +179,7 @@ fn a_folder_is_one_sweeps_and_one_writers() {
     let error = Dataset::create(&folder, &plan_a).unwrap_err();
     assert!(matches!(error, SweepError::Exists { .. }), "{error}");
     let error = Dataset::resume(&folder, &plan_b).unwrap_err();
-    assert!(error.to_string().contains("600 members, this plan has 601"), "{error}");
+    assert!(error.to_string().contains("600 members, but this plan has 601"), "{error}");
     // The same text with other whitespace is another plan, because the copies differ.
     let text = format!("{}\n", plan_a.text());
     let spaced = Plan::parse(&Disk, text, "plan.toml".as_ref()).unwrap();
@@ -290,7 +290,7 @@ fn statistics_are_those_of_the_rows() {
     assert_eq!(summary.statuses.len(), 1);
     assert_eq!(summary.regimes.iter().map(|share| share.count).sum::<u64>(), 3_001);
     let text = summary.to_text();
-    assert!(text.contains("3,001 members drawn independently") && text.contains("period_s"), "{text}");
+    assert!(text.contains("3,001 members, Monte Carlo sampling") && text.contains("period_s"), "{text}");
 }
 
 #[test]

@@ -122,15 +122,15 @@ fn text_fits_its_screen_and_says_what_matters() {
         assert!(line.chars().count() <= 110 && !line.contains(['\u{1b}', '\u{202e}']), "{line}");
     }
     for says in [
-        "Debris <script> & \\u{202e}co.   1,000 members drawn independently, seed 7\n",
+        "Debris <script> & \\u{202e}co.   1,000 members, Monte Carlo sampling, seed 7\n",
         "complete 998 (99.8 %, 89.82 … 100 %); failed 2 (0.2 %, 0.18 … 0.22 %)",
         "member 17: its \\u{1b}[31mmoments",
-        "at the end       long_axis 998",
+        "regime at end    long_axis 998",
         "period_s (998)",
-        "the same for all mass_kg 3.2",
+        "constant         mass_kg 3.2",
         "-0.75  period_s with start_spin_body_x_rad_s",
-        "95 %: means by Student's t",
-        "slow             24.95 % (22 … 28 %) have period_s > 20 h: 249 of 998; 2 without an answer",
+        "95 % confidence: Student's t for means",
+        "slow             24.95 % (22 … 28 %) have period_s > 20 h: 249 of 998; 2 members lack a value",
     ] {
         assert!(text.contains(says), "{says}\n{text}");
     }
@@ -173,7 +173,7 @@ fn pictures_are_svg_whatever_names_say() {
     let empty = SweepSummary { outcomes: Vec::new(), correlations: Vec::new(), ..summary.clone() };
     let figures = SweepFigures::new(&empty, &sample);
     assert!(
-        figures.histograms().to_svg().contains("nothing varies")
+        figures.histograms().to_svg().contains("nothing to plot")
             && figures.pairs().to_svg().contains("nothing")
     );
 }
@@ -192,10 +192,10 @@ fn questions_have_their_answers_their_figure_and_why_they_have_none() {
     }
     assert!(!svg.contains("NaN"));
     summary.intervals = SweepIntervals::OfSets { confidence: 0.95, sets: 16 };
-    assert!(summary.to_text().contains("by how far 16 sets differ"));
+    assert!(summary.to_text().contains("between 16 independent sets"));
     assert_eq!(summary.to_json()["intervals"]["sets"], 16);
     summary.questions[0] = SweepQuestion { share: None, of: 0, count: 0, ..summary.questions[0].clone() };
-    assert!(summary.to_text().contains("no member has all columns of period_s > 20 h"));
+    assert!(summary.to_text().contains("no member has a value in every column of period_s > 20 h"));
     summary.questions.clear();
     assert!(SweepFigures::new(&summary, &sample).questions().is_none());
 }

@@ -399,7 +399,7 @@ fn members_that_are_no_bodies_are_a_finding_unless_all_are() {
     let finding = plan.findings().pop().unwrap();
     assert_eq!((finding.code, finding.severity), ("sweep.members", polhode::body::Severity::Warning));
     assert!(
-        finding.message.starts_with("20 of 40 members tried are not possible; member "),
+        finding.message.starts_with("20 of 40 tested members are invalid; member "),
         "{}",
         finding.message
     );

@@ -287,7 +287,7 @@ fn check_row(
         require("the position", value, value.is_finite(), "finite")?;
     }
     let count = rows.quantity(k).count;
-    require("the quantity", f64::from(count), count > 0, "1 at least")?;
+    require("the quantity", f64::from(count), count > 0, "at least 1")?;
     let growth = rows
         .allowance(k, table)
         .map_err(|code| BudgetError::MaturityCode { row: name(), code: code.to_owned() })?;

@@ -43,22 +43,22 @@ errors! {
     TwoRoots {
         first: RowName,
         second: RowName,
-    } => ("{first} and {second} both stand in no other row: there can be one such row"),
-        hint: "put one into the other, or both into a row that is the frame of all";
+    } => ("{first} and {second} both have no parent: only one row can be the root"),
+        hint: "make one the parent of the other, or give both the same parent";
     /// The parents of rows form a cycle.
     Cycle {
         /// Rows of the cycle. Each is in the next, and the last is in the first.
         rows: Vec<RowName>,
-    } => ("rows stand in each other: {}", way_around(rows)),
-        hint: "one of them has to stand in another row, or in none";
+    } => ("parents form a cycle: {}", way_around(rows)),
+        hint: "give one of them another parent, or none";
     /// A row refers to a frame that is not a row.
     MissingFrame {
         /// Row that refers to the frame.
         row: RowName,
         /// Name of the missing frame.
         frame: String,
-    } => ("{row} names the frame \"{frame}\", which is no row"),
-        hint: "a frame is a row: add one with this name, without mass if it has none";
+    } => ("{row} refers to the frame \"{frame}\", which is not a row"),
+        hint: "add a row with this name; a frame needs no mass";
     /// A part is not physically possible.
     Part {
         row: RowName,
@@ -73,15 +73,15 @@ errors! {
         value: f64,
         /// Condition that the value has to meet.
         rule: &'static str,
-    } => ("{what} of {row} is {value}, and has to be {rule}"), hint: NUMBER;
+    } => ("{what} of {row} is {value}, but must be {rule}"), hint: NUMBER;
     /// A standard deviation is negative or not finite.
     Deviation {
         row: RowName,
         /// Name of the quantity.
         what: &'static str,
         value: f64,
-    } => ("the standard deviation of {what} of {row} is {value}, and has to be zero or positive, and finite"),
-        hint: "write how far the number may be off, without a sign";
+    } => ("the standard deviation of {what} of {row} is {value}, but must be zero or positive, and finite"),
+        hint: "write the standard deviation without a sign";
     /// A matrix is not a covariance: some combination of the numbers would have a negative
     /// variance.
     Covariance {
@@ -90,8 +90,8 @@ errors! {
         what: &'static str,
         /// Row and column of the invalid element, from 1.
         element: [usize; 2],
-    } => ("the covariance of {what} of {row} is none, by its element {}, {}", element[0], element[1]),
-        hint: "a covariance is symmetric, and its correlations are such that they can all hold";
+    } => ("the covariance of {what} of {row} is not a covariance matrix: check element {}, {}", element[0], element[1]),
+        hint: "a covariance matrix is symmetric and positive semidefinite";
     /// A correlation or an allowance in a table is out of range.
     Table {
         /// Name of the group, or the maturity code.
@@ -101,12 +101,12 @@ errors! {
         value: f64,
         /// Condition that the value has to meet.
         rule: &'static str,
-    } => ("{what} of \"{name}\" is {value}, and has to be {rule}"), hint: NUMBER;
+    } => ("{what} of \"{name}\" is {value}, but must be {rule}"), hint: NUMBER;
     /// A maturity code is not in the table of growth allowances.
     MaturityCode {
         row: RowName,
         code: String,
-    } => ("{row} has the maturity code \"{code}\", for which there is no growth allowance"),
+    } => ("{row} has the maturity code \"{code}\", which has no growth allowance"),
         hint: "add the code to the table of growth allowances";
     /// A row refers to a group that is not declared.
     MissingGroup {
@@ -117,20 +117,20 @@ errors! {
     /// Two groups have the same name.
     DuplicateGroup {
         group: String,
-    } => ("there are two groups \"{group}\""), hint: "give one of them another name";
+    } => ("duplicate group \"{group}\""), hint: "give one of them another name";
     /// A part has the errors of a liquid, but not the mass properties of this mass of liquid in its
     /// tank.
     NotTheLiquid {
         row: RowName,
-    } => ("{row} has the errors of a liquid, but is not what so much of it is in its tank"),
-        hint: "make the row of the tank";
+    } => ("{row} has the errors of a liquid, but is not the contents of a tank"),
+        hint: "create the row from the tank";
     /// Copies of a row with children have independent errors.
     IndependentAssembly {
         row: RowName,
         /// Child of that row.
         inside: RowName,
-    } => ("copies of {row} are to have independent errors, but {inside} stands in it"),
-        hint: "give each copy a row of its own, or say that the copies are alike";
+    } => ("copies of {row} have independent errors, but {inside} is inside it"),
+        hint: "give each copy its own row, or set copies to alike";
     /// A row has more copies with independent errors than can be drawn one by one.
     Copies {
         row: RowName,
@@ -138,8 +138,8 @@ errors! {
         given: u32,
         /// Largest allowed number of copies.
         most: u32,
-    } => ("{given} copies of {row} are to have independent errors, where {most} at most can be drawn"),
-        hint: "say that the copies are alike, or give their sum as one part with the error of the sum";
+    } => ("{given} copies of {row} have independent errors, but at most {most} can be drawn"),
+        hint: "set copies to alike, or enter their sum as one part with the error of the sum";
     /// A stated subtotal differs from the sum of its rows.
     Subtotal {
         /// Row that states the subtotal.
@@ -150,29 +150,29 @@ errors! {
         sum: f64,
         /// Largest allowed difference, kg.
         tolerance: f64,
-    } => ("{row} states {stated} kg, but its rows come to {sum} kg, which differs by more than {tolerance} kg"),
-        hint: "look for a row that is missing, counted twice, or has another quantity or unit";
+    } => ("{row} states {stated} kg, but its rows add up to {sum} kg, which differs by more than {tolerance} kg"),
+        hint: "check for a missing row, a row counted twice, or a wrong quantity or unit";
+    Sum(error: BodyError) => ("the sum of all parts is not a physical body: {error}"),
     /// The sum of all parts is not a body: a number overflows.
-    Sum(error: BodyError) => ("the sum of all parts is no body: {error}"),
         hint: error.hint().unwrap_or(SIZES);
     /// A variance of the whole overflows.
     Variance {
         /// Name of the quantity.
         of: &'static str,
-    } => ("the variance of {of} of the whole is no number"), hint: SIZES;
+    } => ("the variance of {of} of the total overflows"), hint: SIZES;
     /// The list has too many rows.
     Rows {
         /// Largest number of rows.
         most: u32,
-    } => ("more than {most} rows"), hint: "give each assembly a list of its own";
+    } => ("more than {most} rows"), hint: "write a separate list for each assembly";
     /// Too few draws are requested.
     Draws {
         /// Requested number of draws.
         given: usize,
         /// Least useful number of draws.
         needed: usize,
-    } => ("{given} draws, where {needed} at least are needed"),
-        hint: "ask for more: 10000 say what a standard deviation is to 1 %";
+    } => ("{given} draws, but at least {needed} are needed"),
+        hint: "request more: 10000 draws determine a standard deviation to 1 %";
     /// More draws are requested than the number of uncertain rows allows.
     TooManyDraws {
         /// Requested number of draws.
@@ -185,7 +185,7 @@ errors! {
         hint: "request fewer draws: 10000 determine a standard deviation to 1 %";
 }
 
-const SIZES: &str = "check the units and the exponents of masses, places and errors: a number has to be possible, and of a size that a double holds";
+const SIZES: &str = "check the units and exponents of masses, positions and errors: values must be physical and within the range of double precision";
 const NUMBER: &str = "check its sign, its unit and its exponent";
 
 /// Formats a cycle: each row is in the next, and the last is in the first.

@@ -71,7 +71,7 @@ impl GrowthTable {
                 return Err(BudgetError::Table { name, what, value, rule: RULE });
             }
             if allowances.get(&name).is_some_and(|before| *before != value) {
-                return Err(BudgetError::Table { name, what, value, rule: "the same wherever it is given" });
+                return Err(BudgetError::Table { name, what, value, rule: "the same everywhere" });
             }
             allowances.insert(name, value);
         }

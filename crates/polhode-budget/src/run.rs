@@ -46,7 +46,7 @@ pub fn run_watched(
     let file = open(list)?;
     let questions = request.questions(&file.questions);
     if matches!(request.output, Some(Output::Plan(_))) && questions.draws == Some(0) {
-        return Err(Failure::usage("a plan has members, and --draws is 0", "leave --draws out"));
+        return Err(Failure::usage("a plan needs members, but --draws is 0", "leave --draws out"));
     }
     let (answer, made) = match &request.diff {
         Some(other) => {
@@ -86,7 +86,7 @@ fn answered(
     reached: &mut dyn FnMut(usize, usize),
 ) -> Result<(BudgetReport, Vec<MadeFile>), Failure> {
     if request.draws == Some(0) && !file.limits.is_empty() {
-        let message = "the file has limits, which are tried by draws, and --draws is 0";
+        let message = "the limits of the file need draws, but --draws is 0";
         return Err(Failure::usage(message, "leave --draws out"));
     }
     let configuration = request.configuration.as_deref();
@@ -111,8 +111,8 @@ fn answered(
         Some(Output::Plan(target)) => {
             let plan = report.to_plan(configuration, questions, begun)?;
             if changes {
-                let message = "the list has [[burn]], [[drop]] or [[deploy]], and the members of a plan have bodies that do not change";
-                let hint = "--scenario writes what happens to the body as it is listed; without these sections the plan is of the body at first";
+                let message = "the list has [[burn]], [[drop]] or [[deploy]], but the bodies of a plan do not change over time";
+                let hint = "--scenario writes the changes over time; without these sections the plan uses the initial body";
                 return Err(Failure::usage(message, hint));
             }
             Some((target.as_path(), plan))
@@ -126,7 +126,7 @@ fn answered(
             Some((Path::new("over-time.csv"), table?))
         }
         Some(Output::Fill) => {
-            let none = || Failure::usage("there is no tank in it", "add [[tank]] with what is in it");
+            let none = || Failure::usage("the list has no tank", "add [[tank]] with its contents");
             Some((Path::new("by-fill.csv"), report.to_fill_csv().ok_or_else(none)?))
         }
         None | Some(Output::Parts | Output::Workbook(_) | Output::Scenario(_)) => None,
@@ -136,13 +136,13 @@ fn answered(
 }
 
 /// First line of a body file, if the list changes over time.
-const AT_FIRST: &str = "# As it is at first: polhode budget --scenario writes what happens to it\n";
+const AT_FIRST: &str = "# Initial body: polhode budget --scenario writes its changes over time\n";
 
 fn nothing_happens(over_time: Option<&OverTime>) -> Failure {
     match over_time.and_then(|all| all.configuration.as_ref()) {
         None => history::nothing(),
         Some(name) => Failure::usage(
-            format!("nothing happens in this configuration: the sequence begins as \"{}\"", printable(name)),
+            format!("this configuration has no sequence: the sequence begins in \"{}\"", printable(name)),
             "leave --configuration out",
         ),
     }

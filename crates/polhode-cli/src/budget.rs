@@ -29,15 +29,14 @@ const DRAWN: [&str; 3] = ["about", "along", "diff"];
 /// Options that have no effect on a scenario of the sequence over time.
 const AT_FIRST: [&str; 7] = ["about", "along", "draws", "seed", "diff", "configuration", "strict"];
 
-/// What a parts list comes to: mass, centre of mass and inertia with their uncertainties.
+/// Sum a parts list: mass, centre of mass and inertia with uncertainties.
 ///
-/// A row a part, as CSV or XLSX, or a plan in TOML that names the table: the reference of the format is in the book. Basic, predicted and allowable mass of everything in the tree;
-/// mass properties about any point and along any axes; the covariance of all ten numbers to first order, beside draws of bodies that can exist; principal axes and their tilt;
-/// whose errors matter.
+/// The list has one row per part, as CSV or XLSX; a TOML plan can name the table. The book describes the format. The report contains
+/// basic, predicted and allowable masses of all rows; mass properties about any point and along any axes; the first-order covariance
+/// of all ten numbers, compared with random draws of physical bodies; principal axes and their tilt; and the error breakdown.
 ///
-/// The default is 10,000 draws. Lists of more than 2,000 rows get fewer: rows times draws is 20
-/// million, and 200 draws are the least. A number of draws that the file or --draws states is never
-/// changed. --draws 0 draws none.
+/// The default is 10,000 draws. Lists of more than 2,000 rows get fewer, at least 200: rows times draws is at most 20 million.
+/// A number of draws in the file or in --draws is never changed. --draws 0 turns draws off.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -53,31 +52,31 @@ Examples:
 pub(crate) struct BudgetCommand {
     #[command(flatten)]
     request: Request,
-    /// Print JSON: all numbers, with the covariance.
+    /// Print JSON: all results, with the covariance.
     #[arg(long, group = "form")]
     json: bool,
     /// Print Markdown.
     #[arg(long, group = "form")]
     markdown: bool,
-    /// Print one HTML page with pictures, which needs nothing else.
+    /// Print a self-contained HTML page with figures.
     #[arg(long, group = "form")]
     html: bool,
-    /// Print CSV: a row for each row of the list, with the masses and mass properties of all in it; or the whole over time, or by how full its tanks are.
+    /// Print CSV: masses and mass properties of each row of the list, or of the total over time or by fill level of the tanks.
     #[arg(long, group = "form", value_enum, value_name = "TABLE", num_args = 0..=1, require_equals = true, default_missing_value = "parts", conflicts_with_all = GIVEN)]
     csv: Option<Table>,
-    /// Write all these as a workbook, with sheets of the whole and its covariance.
+    /// Write all these tables to an XLSX workbook, with sheets for the total and its covariance.
     #[arg(long, groups = ["form", "written"], value_name = "OUT", conflicts_with_all = GIVEN)]
     xlsx: Option<PathBuf>,
-    /// Print the whole as a part of a scenario file, for simulate, stability and sweep.
+    /// Print the total as a part of a scenario file, for simulate, stability and sweep.
     #[arg(long, group = "form", conflicts_with_all = GIVEN)]
     body: bool,
-    /// Write a plan that sweep runs: members whose mass, centre of mass and tensor have the list's errors, with their correlations.
+    /// Write a plan for sweep: mass, centre of mass and tensor of its members vary with the list's errors and their correlations.
     #[arg(long, groups = ["form", "written"], value_name = "OUT.toml", conflicts_with_all = DRAWN)]
     sweep: Option<PathBuf>,
-    /// Write what happens over time as a scenario that simulate runs, with the table of the mass properties beside it.
+    /// Write the sequence over time as a scenario for simulate, and the table of mass properties as a CSV file next to it.
     #[arg(long, groups = ["form", "written"], value_name = "OUT.toml", conflicts_with_all = AT_FIRST)]
     scenario: Option<PathBuf>,
-    /// Replace the files of --xlsx, --sweep and --scenario.
+    /// Overwrite existing files of --xlsx, --sweep and --scenario.
     #[arg(long, requires = "written", conflicts_with_all = PRINTED)]
     force: bool,
 }
@@ -85,11 +84,11 @@ pub(crate) struct BudgetCommand {
 /// Table printed by `--csv`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Table {
-    /// The rows of the list.
+    /// Rows of the list.
     Parts,
-    /// The whole over time, with its rates.
+    /// Total over time, with its rates.
     Time,
-    /// The whole by what is in each tank.
+    /// Total by the fill level of each tank.
     Fill,
 }
 
@@ -150,8 +149,8 @@ fn require_not_read<'a>(
 ) -> Result<(), Failure> {
     match outputs.find(|out| found.read().iter().any(|file| is_same(out, file))) {
         Some(out) => {
-            let message = format!("{} is read, and would be overwritten", shown(out));
-            Err(Failure::usage(message, "choose another name for what is written"))
+            let message = format!("{} is an input file and would be overwritten", shown(out));
+            Err(Failure::usage(message, "choose another name for the output file"))
         }
         None => Ok(()),
     }

@@ -125,13 +125,13 @@ def test_configurations_have_names() -> None:
         found["long"]
     only = polhode.budget(columns, plan=PLAN, configuration="tall")
     assert only.mass == found["tall"].mass
-    with pytest.raises(polhode.PolhodeError, match='no configuration "long"'):
+    with pytest.raises(polhode.PolhodeError, match='unknown configuration "long"'):
         polhode.budget(columns, plan=PLAN, configuration="long")
 
 
 def test_what_is_too_heavy_is_a_warning() -> None:
     heavy = {**COLUMNS, "allowable [kg]": [3.4, None, None, None]}
-    with pytest.warns(polhode.PolhodeWarning, match="heavier with growth than allowed"):
+    with pytest.warns(polhode.PolhodeWarning, match="heavier than allowed, including the growth allowance"):
         assert polhode.budget(heavy, plan=PLAN).is_beyond
 
 

@@ -9,7 +9,7 @@ errors! {
     BallastError;
 
     /// The list of sites is empty.
-    NoSites => ("there is no site for ballast");
+    NoSites => ("the list has no site for ballast");
     /// A number is not allowed.
     Value {
         /// Name of the site, or `None` for a number of the search itself.
@@ -19,13 +19,13 @@ errors! {
         value: f64,
         /// Condition that it has to meet.
         rule: &'static str,
-    } => ("{what}{} is {value}, and has to be {rule}", of_site(site.as_deref()));
+    } => ("{what}{} is {value}, but must be {rule}", of_site(site.as_deref()));
     /// A limit is of a kind that the search cannot treat.
     Limit {
         limit: String,
         /// Reason for the refusal.
         why: &'static str,
-    } => ("no ballast can be sought for the limit \"{limit}\": {why}");
+    } => ("the ballast search does not support the limit \"{limit}\": {why}");
     /// A number that was computed from the list and its limits is NaN or infinite.
     NotFinite {
         /// Name of the number.

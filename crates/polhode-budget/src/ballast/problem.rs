@@ -75,7 +75,7 @@ impl Problem {
         problem.cap = problem.cap.min(problem.most.iter().sum());
         if let Some(most) = ballast.most {
             if !(most >= 0.0 && most.is_finite()) {
-                return Err(question("the most ballast", most, "zero or positive, and finite"));
+                return Err(question("the maximum ballast", most, "zero or positive, and finite"));
             }
             let of = Functional::ZERO.plus(most, &ONE).plus(-1.0, &Functional::MASS);
             problem.rules.push(Rule::Linear(Row::new(of, false)));
@@ -225,7 +225,7 @@ fn capacity(site: &Site, chart: &Chart) -> Result<(f64, Vec<f64>), BallastError>
     let wrong = |what, value, rule| BallastError::Value { site: Some(site.name.clone()), what, value, rule };
     let most = site.most.unwrap_or(f64::INFINITY);
     if !(most >= 0.0) {
-        return Err(wrong("the most mass", most, "zero or positive"));
+        return Err(wrong("the maximum mass", most, "zero or positive"));
     }
     if let Some(size) = site.sizes.iter().find(|size| !(**size > 0.0 && size.is_finite())) {
         return Err(wrong("a size", *size, "positive and finite"));

@@ -242,7 +242,7 @@ pub(super) fn rules(
         Measure::Product { axes, sign, about: About::CenterOfMass } => {
             if deviations > 0.0 {
                 return Err(refused(
-                    "a margin for errors can be kept of products about a point that is fixed in the body only",
+                    "a margin for errors is supported only for products about a body-fixed point",
                 ));
             }
             let is_zero = limit.least.is_some() && limit.least == limit.most;
@@ -255,9 +255,7 @@ pub(super) fn rules(
             return Ok(sides.into_iter().filter_map(side).collect());
         }
         Measure::Moment { about: About::CenterOfMass, .. } => {
-            return Err(refused(
-                "ballast can be found for moments about a point that is fixed in the body only",
-            ));
+            return Err(refused("only moments about a body-fixed point are supported"));
         }
         Measure::PrincipalMoment(_)
         | Measure::PrincipalRatio(_)
@@ -265,19 +263,19 @@ pub(super) fn rules(
         | Measure::SpinRatio(_)
         | Measure::SpinStability(_) => {
             return Err(refused(
-                "ballast can be found for masses, centres, products and unbalance: an axis is principal where its two products about the centre of mass are zero",
+                "only masses, centres, products and unbalance are supported; an axis is principal if its two products about the centre of mass are zero",
             ));
         }
     };
     if is_norm && limit.least.is_some_and(|least| least > 0.0) {
-        return Err(refused("ballast can keep a distance or an unbalance below a value, not above one"));
+        return Err(refused("a distance or an unbalance can have only an upper bound"));
     }
     let least = limit.least.filter(|_| !is_norm);
     let equal = limit.most.filter(|most| if is_norm { *most == 0.0 } else { least == Some(*most) });
     if let Some(value) = equal {
         let rows: Vec<Functional> = rows.iter().map(|row| row.plus(-value, &by)).collect();
         if rows.iter().any(|row| margin(row) > 0.0) {
-            return Err(refused("an equality cannot be kept with a margin for errors"));
+            return Err(refused("an equality leaves no room for a margin"));
         }
         return Ok(rows.into_iter().map(|row| linear(row, true)).collect());
     }

@@ -156,7 +156,7 @@ impl LimitAnswers {
                 if let Ok(value) = value
                     && !value.is_finite()
                 {
-                    let rule = "finite: a point or an error is too far";
+                    let rule = "finite: a point or an error is too large";
                     return Err(LimitError::Value { limit: limit.name.clone(), what, value, rule });
                 }
             }

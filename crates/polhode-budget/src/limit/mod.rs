@@ -44,13 +44,13 @@ impl Limit {
         else {
             return Err(LimitError::Open { limit: self.name.clone() });
         };
-        for (what, value) in [("the least value", least), ("the greatest value", most)] {
+        for (what, value) in [("the lower bound", least), ("the upper bound", most)] {
             if !value.is_finite() {
                 return Err(wrong(what, value, "finite"));
             }
         }
         if least > most {
-            return Err(wrong("the least value", least, "no more than the greatest"));
+            return Err(wrong("the lower bound", least, "at most the upper bound"));
         }
         self.of.check().map_err(|(what, value, rule)| wrong(what, value, rule))
     }

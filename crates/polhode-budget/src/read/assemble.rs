@@ -72,8 +72,8 @@ fn without_effect(origins: &[u32], is_used: &[bool], reader: &Rows<'_, '_>) -> R
     let unused = origins.iter().find(|origin| is_used.get(**origin as usize) == Some(&false));
     let row = unused.and_then(|origin| reader.sheet.rows.get(*origin as usize));
     let Some(cell) = row.and_then(|row| reader.sheet.row(row).into_iter().next()) else { return Ok(()) };
-    let error = reader.invalid(&cell, "a row with mass, or one in which others stand");
-    Err(error.with_hint("a frame in which nothing stands has no effect: give it a mass, or leave it out"))
+    let error = reader.invalid(&cell, "a row with mass, or the parent of other rows");
+    Err(error.with_hint("an empty frame has no effect: give it a mass, or delete it"))
 }
 
 fn one(
@@ -89,7 +89,7 @@ fn one(
     let is_flat = rows.len() > 1 && (0..rows.len()).all(|k| rows.frame_of(k).is_none());
     if is_flat {
         let name = whole(&rows, plan.title.as_deref());
-        lines.push(format!("all rows stand in one frame, \"{name}\", as none names another"));
+        lines.push(format!("all rows are in one frame, \"{name}\", because no row has a parent"));
         rows.enclose(Row::frame(name));
     }
     let names = rows.iter().take(MOST_SUGGESTED).map(|row| row.name).collect();
@@ -168,7 +168,8 @@ fn double_counting(budget: &Budget, blame: &Blame<'_, '_, '_>) -> Result<(), For
 }
 
 fn total(blame: &Blame<'_, '_, '_>, cell: &Cell<'_>) -> FormatError {
-    let rule = "the mass of the part itself, but it is the sum of the rows that stand in it: these would count twice";
-    let hint = "write a sum into the column subtotal; if the part itself has that mass, give it a row of its own, which stands in this one";
+    let rule =
+        "the mass of the part itself, but it is the sum of the rows inside it, which would be counted twice";
+    let hint = "write a sum in the column subtotal; if the part itself has this mass, give it its own row inside this one";
     blame.reader.reader.invalid(cell, rule).with_hint(hint)
 }

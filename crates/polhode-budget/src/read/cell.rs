@@ -55,12 +55,12 @@ impl Broken {
     pub(crate) const fn rule(self) -> &'static str {
         match self {
             Self::NoResult => {
-                "a value: it is a formula without its result; open the workbook in a spreadsheet program and save it"
+                "a value: the formula has no stored result; open the workbook in a spreadsheet program and save it"
             }
-            Self::Error => "a value, where the spreadsheet has an error",
-            Self::Thousands => "a number that is shown as it is: its format shows it in thousands",
-            Self::Date => "a number or a text: it is shown as a date",
-            Self::Merged => "in a cell of its own: it is merged with others",
+            Self::Error => "a value, but the cell has an error",
+            Self::Thousands => "a number whose format does not scale it by thousands",
+            Self::Date => "a number or a text, not a date",
+            Self::Merged => "in a separate cell: it is merged with others",
         }
     }
 }

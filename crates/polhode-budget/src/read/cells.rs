@@ -68,8 +68,8 @@ impl<'c, 'a> Cells<'c, 'a> {
                 Some(Some(_)) => first = first.or(Some(cell)),
                 Some(None) if columns.is_ignored(cell.column) => {}
                 _ => {
-                    let error = sheet.invalid(cell, "a cell beside the columns", "under a heading");
-                    return Err(error.with_hint("a cell that holds a separator is in quotes"));
+                    let error = sheet.invalid(cell, "a cell outside the columns", "under a heading");
+                    return Err(error.with_hint("put a cell that contains a separator in quotes"));
                 }
             }
         }
@@ -137,7 +137,7 @@ impl<'s, 'a> Reader<'s, 'a> {
     pub(crate) fn label_of(&self, cell: &Cell<'a>) -> Result<String, FormatError> {
         let text = self.whole(cell)?;
         if text.chars().any(|c| is_unseen(c) && !c.is_whitespace()) {
-            return Err(self.invalid(cell, "a name of characters that can be seen"));
+            return Err(self.invalid(cell, "a name of visible characters"));
         }
         Ok(text.split_whitespace().collect::<Vec<_>>().join(" "))
     }
@@ -149,7 +149,7 @@ impl<'s, 'a> Reader<'s, 'a> {
             return Ok(Cow::Borrowed(&cell.text));
         }
         if cell.text.contains('.') {
-            let rule = "a number with a decimal comma, and nothing between its thousands";
+            let rule = "a number with a decimal comma and no thousands separator";
             return Err(self.invalid(cell, rule));
         }
         Ok(Cow::Owned(cell.text.replace(',', ".")))
@@ -205,7 +205,7 @@ impl<'s, 'a> Reader<'s, 'a> {
         let own = given.and_then(|given| Some(Deviation { amount: given.error?, cell: given.cell }));
         let Some(cell) = cells.spread(key) else { return Ok(own) };
         if own.is_some() {
-            return Err(self.invalid(cell, "left out where the number has its error in its own cell"));
+            return Err(self.invalid(cell, "left out, because the number already has an error"));
         }
         let Some(column) = self.columns.get(cell.column) else { return Ok(None) };
         let dimension = KEYS.get(key).and_then(|key| key.holds.dimension()).unwrap_or(Dimension::NONE);
@@ -214,8 +214,8 @@ impl<'s, 'a> Reader<'s, 'a> {
         let Measured { value: number, has_unit, .. } = read;
         let is_relative = column.is_percent() || text.ends_with('%');
         if !has_unit && number != 0.0 && self.columns.of_key(key).is_some_and(Column::has_unit) {
-            let error = self.invalid(cell, "given with its unit, as the number that it is the error of is");
-            return Err(error.with_hint(format!("write the unit into the heading, or {text} %")));
+            let error = self.invalid(cell, "given with a unit, like its number");
+            return Err(error.with_hint(format!("write the unit in the heading, or {text} %")));
         }
         self.used(key, cell, has_unit || number == 0.0)?;
         let amount = if is_relative { Amount::Relative(number) } else { Amount::Absolute(number) };
@@ -264,7 +264,7 @@ impl<'s, 'a> Reader<'s, 'a> {
         let (Some(bare), Some(united)) = (&used.bare, &used.united) else { return Ok(()) };
         let rule = format!("given with its unit, as \"{}\" in row {} is", cut(&united.text), united.row);
         let bare = bare.clone();
-        Err(self.invalid(&bare, rule).with_hint("write the unit into the heading, for all"))
+        Err(self.invalid(&bare, rule).with_hint("write the unit in the heading, for all rows"))
     }
 
     /// Returns the headings under which numbers have no unit.
@@ -280,7 +280,7 @@ impl Deviation<'_, '_> {
     /// Returns the standard deviation for this value of the number.
     pub(crate) fn of(&self, value: f64, reader: &Reader<'_, '_>) -> Result<f64, FormatError> {
         let sd = self.amount.of(value).ok_or_else(|| {
-            let error = reader.invalid(self.cell, "an amount, as a fraction of zero is none");
+            let error = reader.invalid(self.cell, "an absolute value: a percentage of zero is zero");
             error.with_hint("write it with a unit")
         })?;
         self.within(sd, MOST_DEVIATION, reader)?;
@@ -302,6 +302,6 @@ impl Deviation<'_, '_> {
 pub(crate) fn too_uncertain(error: FormatError, coverage_factor: f64) -> FormatError {
     match coverage_factor {
         1.0 => error.with_hint("check its exponent"),
-        k => error.with_hint(format!("what stands after ± is divided by the coverage_factor, {k:e}")),
+        k => error.with_hint(format!("the value after ± is divided by coverage_factor, {k:e}")),
     }
 }

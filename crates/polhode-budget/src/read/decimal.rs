@@ -54,8 +54,8 @@ pub(crate) fn comma(
         (None, Some(_), _) => Ok(true),
         (Some(_), None, _) | (None, None, None) => Ok(false),
         (None, None, Some(open)) => {
-            let question = "is this a decimal mark, or does it part thousands?".to_owned();
-            let hint = "write decimal = \"comma\" or decimal = \"point\" into the head";
+            let question = "is this a decimal mark or a thousands separator?".to_owned();
+            let hint = "write decimal = \"comma\" or decimal = \"point\" in the head";
             Err(unclear(sheet, &open, question).with_hint(hint))
         }
     }

@@ -51,7 +51,7 @@ impl<'a> Fields<'a> {
                 (Some(b'"'), _) => break,
                 (Some(_), _) => at += 1,
                 (None, _) => {
-                    let (what, found) = ("a quote that ends the cell".to_owned(), String::new());
+                    let (what, found) = ("a closing quote".to_owned(), String::new());
                     let place = ContentPlace::Text(start..start + 1);
                     return Err(ContentError::new(ContentErrorKind::Expected { what, found }, place));
                 }
@@ -72,7 +72,7 @@ impl<'a> Fields<'a> {
                 let what = "a comma or the end of the line after the quote".to_owned();
                 let place = ContentPlace::Text(at..at + 1);
                 let error = ContentError::new(ContentErrorKind::Expected { what, found }, place);
-                return Err(error.hint("a quote inside a cell that is in quotes is written twice"));
+                return Err(error.hint("inside a quoted cell, write a quote twice"));
             }
         };
         self.at = at + 1;

@@ -5,8 +5,7 @@ use polhode_source::toml::source::Source;
 use polhode_source::{ContentError, ContentErrorKind, ContentPlace};
 
 /// Hint for a head that is not valid TOML.
-pub(crate) const SYNTAX: &str =
-    "lines in front of the table are TOML behind their #: a remark begins with ##";
+pub(crate) const SYNTAX: &str = "lines above the table are TOML after their #; a remark begins with ##";
 
 /// Returns the TOML of a head and the start of the table. Each byte keeps its position in the file.
 pub(crate) fn toml(source: Source<'_>) -> Result<(String, usize), FormatError> {
@@ -38,7 +37,7 @@ pub(crate) fn toml(source: Source<'_>) -> Result<(String, usize), FormatError> {
             let at = end + mark;
             let error =
                 ContentError::new(ContentErrorKind::Expected { what, found }, ContentPlace::Text(at..at + 2));
-            let error = error.hint("a spreadsheet has put the head in quotes: put it into a plan, a TOML file that has parts = \"FILE.csv\"");
+            let error = error.hint("a spreadsheet program has quoted the head: move it to a plan, a TOML file with parts = \"FILE.csv\"");
             return Err(FormatError::of_content(source.path, source.text.as_bytes(), error));
         } else {
             end += mark;

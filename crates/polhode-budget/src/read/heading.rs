@@ -137,7 +137,13 @@ impl Columns {
                 });
                 ColumnUnit::Unit(unit.map_err(|error| no_unit(error, |kind| sheet.error(cell, kind)))?)
             }
-            _ => return Err(sheet.invalid(cell, "the heading", "without a unit: it has no quantities")),
+            _ => {
+                return Err(sheet.invalid(
+                    cell,
+                    "the heading",
+                    "without a unit: its values are not quantities",
+                ));
+            }
         };
         let is_alike = |other: &&Column| {
             let names = [NAME, PATH];
@@ -145,7 +151,7 @@ impl Columns {
                 && (other.key == key || names.contains(&other.key) && names.contains(&key))
         };
         if let Some(other) = self.all.iter().flatten().find(is_alike) {
-            let rule = format!("another column than that with the heading \"{}\"", other.heading);
+            let rule = format!("a column that is not given twice: it equals \"{}\"", other.heading);
             return Err(sheet.invalid(cell, "the heading", rule));
         }
         let places = if spread.is_none() { &mut self.places } else { &mut self.spreads };
@@ -250,19 +256,17 @@ fn unknown(sheet: &Sheet<'_>, cell: &Cell<'_>, name: &str) -> FormatError {
     let suggestion = nearest(name, known.iter().copied());
     let (key, table) = (cell.text.to_string(), "the headings".to_owned());
     let error = sheet.error(cell, FormatErrorKind::UnknownKey { key, table, suggestion, known });
-    let hint = format!(
-        "or write ignore = [\"{}\"] into the head, if it is for people",
-        shown(cell).replace('"', "'")
-    );
+    let hint =
+        format!("or add ignore = [\"{}\"] to the head if it is a remark", shown(cell).replace('"', "'"));
     // Keys that share a word with the heading: all radii for an unknown radius.
     let has_word = |key: &&str| key.split(' ').any(|word| name.split(' ').any(|own| own == word));
     let alike: Vec<&str> = KEYS.iter().map(|key| key.name).filter(has_word).collect();
     match suggestion {
         Some(near) => error.with_hint(format!("did you mean {near}? {hint}")),
         None if alike.is_empty() => {
-            error.with_hint(format!("columns are {COMMON}; all are in the book, \"Parts lists\"; {hint}"))
+            error.with_hint(format!("columns are {COMMON}; the book lists all of them; {hint}"))
         }
-        None => error.with_hint(format!("keys like it are {}; {hint}", alike.join(", "))),
+        None => error.with_hint(format!("similar keys are {}; {hint}", alike.join(", "))),
     }
 }
 
@@ -274,7 +278,7 @@ fn nameless(sheet: &Sheet<'_>) -> FormatError {
     if let Some(cell) = slip {
         return unknown(sheet, cell, &plain(&cell.text));
     }
-    let what = "column with the heading \"name\", or \"path\", by which its headings are known";
+    let what = "column with the heading \"name\", or \"path\", which marks the row of headings";
     sheet
         .row_error(sheet.rows.first().map(|_| 0), ContentError::missing(what).into())
         .with_hint("write name,mass [kg] above the first part")

@@ -66,11 +66,10 @@ impl Naming<'_> {
         let twice = entries.iter().filter(|(key, _)| self.entries.contains_key(*key));
         let Some((key, entry)) = twice.min_by_key(|(_, entry)| entry.key.start) else { return Ok(()) };
         let value = cut(beside.text.get(entry.node.span.clone()).unwrap_or_default());
-        let rule = "given in one place: the plan has it too".to_owned();
+        let rule = "given only once: the plan has it too".to_owned();
         let kind = FormatErrorKind::Value { key: key.to_string(), value, rule };
         let error = beside.error(entry.key.clone(), kind);
-        let error =
-            error.with_hint("a key or a section stands in the plan or in the file of its parts, not in both");
+        let error = error.with_hint("write a key or a section in the plan or in the parts file, not in both");
         Err(match self.entries.get(key) {
             Some(entry) => error.named_in(self.source.path, self.source.place(entry.key.clone())),
             None => error,

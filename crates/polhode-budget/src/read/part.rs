@@ -36,7 +36,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         let mut forms = FORMS.iter().filter_map(|key| cells.cell(*key));
         let form = forms.next();
         if let Some(second) = forms.next() {
-            return Err(self.reader.invalid(second, "left out where another column says what the part is"));
+            return Err(self.reader.invalid(second, "left out, because another column defines the part"));
         }
         let mass = self.reader.number(cells, MASS)?;
         let part = match (form, mass) {
@@ -44,7 +44,7 @@ impl<'s, 'a> Rows<'s, 'a> {
                 self.without(
                     cells,
                     MOMENTS.into_iter().chain(PRODUCTS),
-                    "left out where the part's form says it",
+                    "left out, because the shape of the part gives it",
                 )?;
                 GivenPart::of(&self.formed(cells, mass)?)
             }
@@ -103,7 +103,9 @@ impl<'s, 'a> Rows<'s, 'a> {
         if let Some(deviation) = self.reader.deviation(cells, DENSITY, density)? {
             let density = density.map_or(0.0, |given| given.value);
             if sd > 0.0 {
-                return Err(self.reader.invalid(deviation.cell, "left out where the mass has an error"));
+                return Err(self
+                    .reader
+                    .invalid(deviation.cell, "left out, because the mass already has an error"));
             }
             let sd_of_density = deviation.of(density, &self.reader)?;
             if !(density > 0.0) && sd_of_density > 0.0 {

@@ -91,7 +91,7 @@ pub(crate) fn with_liquid(
         if !inside.is_empty() {
             let of = name.as_ref().map_or_else(String::new, |name| format!(" in the configuration {name}"));
             let each = inside.iter().map(|(tank, _)| tank.in_words()).collect::<Vec<_>>().join(", ");
-            lines.push(format!("what is in tanks counts, and does not grow{of}: {each}"));
+            lines.push(format!("tank contents are included, without growth allowance{of}: {each}"));
         }
         stages.push((dry, inside.into_iter().map(|(_, placed)| placed).collect()));
     }
@@ -125,7 +125,7 @@ fn begins_with(
     let names = names.filter(|name| prescribed.has(Some(name), &burn.tank));
     let names: Vec<String> = names.map(|name| format!("\"{name}\"")).collect();
     let begin = begin.unwrap_or_default();
-    let rule = format!("in the configuration \"{begin}\", as which the body begins");
+    let rule = format!("in the configuration \"{begin}\", in which the body begins");
     let there = if names.is_empty() { "none".to_owned() } else { names.join(", ") };
     Err(invalid(place, "tank", &burn.tank, rule).with_hint(format!("it is in {there}")))
 }
@@ -212,9 +212,14 @@ fn check(tank: &PlannedTank, configurations: &[NamedBudget], names: &[&str]) -> 
         }
     }
     if configurations.iter().any(|one| has_row(&one.budget, &tank.name)) {
-        let error = invalid(&tank.places[0], "the tank", &tank.name, "called as no row is".to_owned());
+        let error = invalid(
+            &tank.places[0],
+            "the tank",
+            &tank.name,
+            "different from the names of all rows".to_owned(),
+        );
         return Err(
-            error.with_hint("what is in a tank becomes a row of its name: call the tank itself otherwise")
+            error.with_hint("the contents of a tank become a row with its name: give the tank another name")
         );
     }
     let Some(frame) = &tank.frame else { return Ok(()) };
@@ -258,7 +263,8 @@ fn over_time(sequence: &PlannedSequence, names: &[&str]) -> Result<OverTime, For
         if names.contains(&name) {
             return Ok(());
         }
-        let rule = if names.is_empty() { "left out: the file has none" } else { "a configuration" };
+        let rule =
+            if names.is_empty() { "left out: the file has no configurations" } else { "a configuration" };
         let error = invalid(place, "configuration", name, rule.to_owned());
         Err(error.suggesting(name, names.iter().copied()))
     };

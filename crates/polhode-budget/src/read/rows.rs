@@ -104,10 +104,8 @@ impl<'s, 'a> Rows<'s, 'a> {
             (&parent, cells.cell(PARENT), name.rsplit_once('/'))
             && parent != path
         {
-            let error = self.reader.invalid(cell, format!("\"{path}\", as the path says, or left out"));
-            return Err(
-                error.with_hint("a name with / is a path: in front of it is the row that this one stands in")
-            );
+            let error = self.reader.invalid(cell, format!("\"{path}\", as in the path, or left out"));
+            return Err(error.with_hint("a name with / is a path: the parent row comes before /"));
         }
         let (place, position, rotation) = self.reader.place(cells)?;
         let quantity = self.quantity(cells)?;
@@ -142,7 +140,7 @@ impl<'s, 'a> Rows<'s, 'a> {
     }
 
     fn name(&self, cells: &Cells<'_, 'a>) -> Result<String, FormatError> {
-        const TOTAL: &str = "write a sum into the column subtotal of the row that all its parts stand in";
+        const TOTAL: &str = "write a sum in the column subtotal of the parent row";
         let name = [NAME, PATH].iter().find_map(|key| cells.cell(*key));
         let Some(cell) = name else {
             let missing = ContentError::missing(format!("name in row {}", cells.first.row));
@@ -153,20 +151,17 @@ impl<'s, 'a> Rows<'s, 'a> {
         if self.reader.sheet.is_remark(cells.first) {
             let error = self.reader.invalid(cells.first, "without # in front, below the headings");
             return Err(error.with_hint(
-                "remarks, ##, stand above the headings: delete the line; or put a name that begins with # in quotes",
+                "remarks (##) belong above the headings: delete the line, or put a name that begins with # in quotes",
             ));
         }
         let name = self.reader.label_of(cell)?;
         if name.split('/').any(|name| name.trim().is_empty()) {
-            return Err(self.reader.invalid(cell, "a name, or names with a / between each two"));
+            return Err(self.reader.invalid(cell, "a name, or names separated by /"));
         }
         // In `Total (all)`, the text in brackets is a remark.
         let plain = name.split(['(', '[', ':']).next().unwrap_or_default().trim().to_lowercase();
         if TOTALS.contains(&plain.as_str()) && cells.cell(MASS).is_some() {
-            return Err(self
-                .reader
-                .invalid(cell, "the name of a part, and no sum of others")
-                .with_hint(TOTAL));
+            return Err(self.reader.invalid(cell, "the name of a part, not of a sum").with_hint(TOTAL));
         }
         Ok(name)
     }
@@ -175,15 +170,16 @@ impl<'s, 'a> Rows<'s, 'a> {
         let mut quantity = Quantity::ONE;
         if let Some(given) = self.reader.number(cells, QUANTITY)? {
             if !(given.value >= 1.0 && given.value <= f64::from(u32::MAX) && given.value.fract() == 0.0) {
-                let error = self.reader.invalid(given.cell, "a whole number, 1 at least");
-                return Err(error.with_hint("leave out the row of what is not there"));
+                let error = self.reader.invalid(given.cell, "an integer, at least 1");
+                return Err(error.with_hint("delete the row of a part that is absent"));
             }
             quantity.count = given.value as u32;
         }
         if let (Some(text), Some(cell)) = (self.reader.text(cells, COPIES)?, cells.cell(COPIES)) {
             let named = CopyErrors::NAMED.into_iter().find(|(name, _)| *name == text);
             let (_, errors) = named.ok_or_else(|| {
-                let hint = "alike: one estimate stands for all; independent: each was weighed by itself";
+                let hint =
+                    "alike: one estimate for all copies; independent: each copy was weighed separately";
                 self.reader.invalid(cell, "alike or independent").with_hint(hint)
             })?;
             quantity.errors = errors;
@@ -200,7 +196,7 @@ impl<'s, 'a> Rows<'s, 'a> {
         {
             let error = self.reader.invalid(cell, "a code of the table of growth allowances, or left out");
             return Err(
-                error.with_hint("add the code to growth, or leave it out where the row has its growth")
+                error.with_hint("add the code to growth, or leave it out if the row states its growth")
             );
         }
         if let Some(given) = fraction.filter(|given| !(given.value >= 0.0)) {
@@ -244,7 +240,7 @@ impl<'s, 'a> Rows<'s, 'a> {
             if name.is_empty() || names.iter().any(|other| other == name) {
                 return Err(self
                     .reader
-                    .invalid(cell, "names of configurations, each once, with commas between"));
+                    .invalid(cell, "names of configurations, each once, separated by commas"));
             }
             if let Some(known) = &self.plan.configurations
                 && !known.iter().any(|other| other == name)
@@ -253,7 +249,7 @@ impl<'s, 'a> Rows<'s, 'a> {
                 let near = polhode_source::nearest(name, known.iter().map(String::as_str));
                 return Err(match near {
                     Some(near) => error.with_hint(format!("did you mean {near}?")),
-                    None => error.with_hint("configurations = [...] in the head has all of them"),
+                    None => error.with_hint("the head lists them all: configurations = [...]"),
                 });
             }
             names.push(name.to_owned());

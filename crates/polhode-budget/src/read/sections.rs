@@ -65,7 +65,7 @@ impl<'s, 'a> Sections<'s, 'a> {
             self.cells.extend(cells.first().map(|cell| (start..self.toml.len(), sheet, cell.clone())));
             for cell in &cells {
                 let Some(key) = keys.iter().find(|key| key.column == cell.column) else {
-                    return Err(sheet.invalid(cell, "a cell beside the columns", "under a heading"));
+                    return Err(sheet.invalid(cell, "a cell outside the columns", "under a heading"));
                 };
                 self.put(&key_of(&key.text), sheet, key, cell)?;
             }

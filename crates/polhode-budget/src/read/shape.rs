@@ -66,8 +66,8 @@ impl<'s, 'a> Rows<'s, 'a> {
         let text = self.reader.whole(cell)?;
         let is_shape = matches!(form, Form::Shape);
         if !is_shape && let Some(center) = [X, Y, Z].iter().find_map(|key| cells.cell(*key)) {
-            let error = self.reader.invalid(center, "left out where a file says where the centre of mass is");
-            return Err(error.with_hint("at x, at y and at z say where the file's axes are"));
+            let error = self.reader.invalid(center, "left out, because the file gives the centre of mass");
+            return Err(error.with_hint("at x, at y and at z give the position of the file's axes"));
         }
         let properties = match form {
             Form::Shape | Form::Mesh => self.shaped(cells, cell, mass)?,
@@ -75,7 +75,7 @@ impl<'s, 'a> Rows<'s, 'a> {
                 let others = [DENSITY, MATERIAL, ENDS, UNIT, WELD, FILL, UNION].into_iter().chain(SIZES);
                 let others = others.filter_map(|key| cells.cell(key));
                 if let Some(other) = mass.map(|mass| mass.cell).into_iter().chain(others).next() {
-                    return Err(self.reader.invalid(other, "left out where a file says it"));
+                    return Err(self.reader.invalid(other, "left out, because the file gives it"));
                 }
                 let path = self.beside(text);
                 self.require_within(cell)?;

@@ -35,20 +35,20 @@ impl Taken {
             (count > 0).then(|| format!("{} {rest}", counted(count, noun)))
         };
         [
-            line(self.points, "part", "with neither tensor nor form: all mass at one point"),
+            line(self.points, "part", "without tensor or shape: all mass at one point"),
             line(self.without_products, "tensor", "without products of inertia: zero"),
             line(
                 self.proved_elements,
                 "tensor",
-                "of which the products are elements, −∫xy dm, as no body is possible with the other sign",
+                "with products taken as tensor elements, −∫xy dm: the other sign is unphysical",
             ),
             line(
                 self.proved_integrals,
                 "tensor",
-                "of which the products are positive integrals, +∫xy dm, as no body is possible with the other sign",
+                "with products taken as positive integrals, +∫xy dm: the other sign is unphysical",
             ),
-            line(self.following, "tensor", "without an error of its own: in proportion to the mass"),
-            line(self.alike_copies, "row", "of several copies that have the same error each"),
+            line(self.following, "tensor", "without a stated error: in proportion to the mass"),
+            line(self.alike_copies, "row", "with several copies, which share the same error"),
         ]
         .into_iter()
         .flatten()
@@ -78,28 +78,28 @@ pub(crate) fn of_sheet(
 ) -> Vec<String> {
     let mut lines = Vec::new();
     if let Some(row) = sheet.rows.get(columns.row).filter(|_| columns.row > 0) {
-        lines.push(format!("what stands above the headings in row {} was not read", row.number));
+        lines.push(format!("rows above the headings in row {} were ignored", row.number));
     }
     if !columns.ignored.is_empty() {
         let headings: Vec<&str> = columns.ignored.values().map(String::as_str).collect();
-        lines.push(format!("not read: {}", headings.join(", ")));
+        lines.push(format!("ignored columns: {}", headings.join(", ")));
     }
     let hidden: Vec<String> =
         sheet.rows.iter().filter(|row| row.is_hidden).map(|row| row.number.to_string()).collect();
     if !hidden.is_empty() {
-        lines.push(format!("read although hidden: rows {}", hidden.join(", ")));
+        lines.push(format!("hidden rows that were read: {}", hidden.join(", ")));
     }
     if sheet.decimal_comma && plan.decimal_comma.is_none() {
-        lines.push("numbers have a decimal comma, as their digits prove".to_owned());
+        lines.push("numbers have a decimal comma, inferred from their digits".to_owned());
     }
     let bare = reader.bare();
     if !bare.is_empty() {
-        lines.push(format!("without a unit, so in SI (kg, m, rad): {}", bare.join(", ")));
+        lines.push(format!("no unit given, SI assumed (kg, m, rad): {}", bare.join(", ")));
     }
     if reader.plus_minus || plan.tanks.iter().any(|tank| tank.has_mark) {
         lines.push(match plan.coverage_factor {
-            None => "± is one standard deviation, as no coverage_factor is given".to_owned(),
-            Some(k) => format!("± is {k} standard deviations, as coverage_factor says"),
+            None => "± is one standard deviation: no coverage_factor is given".to_owned(),
+            Some(k) => format!("± is {k} standard deviations (coverage_factor)"),
         });
     }
     lines

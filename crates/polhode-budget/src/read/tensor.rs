@@ -57,9 +57,9 @@ impl<'s, 'a> Rows<'s, 'a> {
             // Both choices are the same point.
             (None, None) if center == [0.0; 3] => Ok(TensorPoint::CenterOfMass),
             (None, None) => {
-                let question = "is the tensor about the part's centre of mass, or about which other point?";
+                let question = "is the tensor about the part's centre of mass or about another point?";
                 Err(self.unclear(tensor, question).with_hint(
-                    "write about = \"center\" or about = \"origin\" into the head, or add a column about",
+                    "write about = \"center\" or about = \"origin\" in the head, or add a column about",
                 ))
             }
         }
@@ -139,12 +139,12 @@ impl<'s, 'a> Rows<'s, 'a> {
             }
             ((Some(Err(_)), Some(Err(error))), _) => {
                 let error = self.reader.sheet.error(cell, FormatErrorKind::Body(error));
-                Err(error.with_hint("with either sign of the products there is no such body: check the point that the tensor is about, and its unit"))
+                Err(error.with_hint("the tensor is unphysical with either sign of the products: check its reference point and its unit"))
             }
             _ => {
                 let question = "are the products of inertia elements of the tensor, −∫xy dm, or positive integrals, +∫xy dm?";
                 Err(self.unclear(cell, question).with_hint(
-                    "write products = \"tensor elements\" or products = \"positive integrals\" into the head, or add a column products: a body is possible with either",
+                    "write products = \"tensor elements\" or products = \"positive integrals\" in the head, or add a column products: both give a physical body",
                 ))
             }
         }

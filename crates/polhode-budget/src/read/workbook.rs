@@ -45,10 +45,10 @@ pub(crate) fn read(
         [] => return Err(fail(ContentError::missing(format!("sheet \"{PARTS}\"")))),
         _ => {
             let others: Vec<&str> = wanted.iter().copied().filter(|name| *name != PARTS).collect();
-            let question = format!("which of the sheets {} are the parts?", wanted.join(", "));
+            let question = format!("which of the sheets {} has the parts?", wanted.join(", "));
             let kind = ContentErrorKind::Unclear { question, found: String::new() };
             let hint = format!(
-                "call it \"{PARTS}\", and write ignore = {:?} into the sheet \"plan\", for those that are for people",
+                "name it \"{PARTS}\", and list the others as ignore = {:?} in the sheet \"plan\"",
                 others
             );
             return Err(fail(ContentError::of_file(kind).hint(hint)));
@@ -60,7 +60,7 @@ pub(crate) fn read(
     let not_read: Vec<&str> =
         names.into_iter().filter(|name| plan.ignore.iter().any(|other| other == name)).collect();
     if !not_read.is_empty() {
-        lines.push(format!("sheets that were not read: {}", not_read.join(", ")));
+        lines.push(format!("ignored sheets: {}", not_read.join(", ")));
     }
     let columns = Columns::of(&parts, &plan.ignore)?;
     unused::ignored(&columns, &plan, &not_read)?;

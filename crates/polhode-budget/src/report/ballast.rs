@@ -30,7 +30,10 @@ impl<'a> OfCase<'a> {
         reasons.dedup();
         for reason in reasons {
             let names = left_out.iter().filter(|(_, why)| *why == reason).map(|(name, _)| printable(name));
-            section.say(format!("Not sought for {}: {reason}.", names.collect::<Vec<_>>().join(", ")));
+            section.say(format!(
+                "The search does not include {}: {reason}.",
+                names.collect::<Vec<_>>().join(", ")
+            ));
         }
         let sought = self.sought();
         match &self.found.answer {
@@ -42,13 +45,13 @@ impl<'a> OfCase<'a> {
                     )
                 } else {
                     format!(
-                        "No ballast was found at these sites, up to {up_to} kg, that meets {sought}. That none exists is not proved: the lower bound is {} kg.",
+                        "No ballast was found at these sites, up to {up_to} kg, that meets {sought}. It is not proved that none exists: the lower bound is {} kg.",
                         number(none.bound, 9)
                     )
                 });
             }
             BallastAnswer::Found(found) if found.pieces.is_empty() => {
-                let others = self.others(found, "without");
+                let others = self.others(found, "without ballast");
                 section.say(format!("Without ballast the list meets {sought}{others}."));
             }
             BallastAnswer::Found(found) => {
@@ -58,13 +61,13 @@ impl<'a> OfCase<'a> {
                 let bound =
                     format!("no ballast below {least} kg meets {sought} (gap {})", number(found.gap(), 2));
                 section.say(if found.is_least() {
-                    format!("{mass} kg is the least: {bound}{others}.")
+                    format!("{mass} kg is the minimum: {bound}{others}.")
                 } else {
-                    format!("{mass} kg is the lightest that was found, not proved least: {bound}{others}.")
+                    format!("{mass} kg is the lightest ballast found, not proved to be the minimum: {bound}{others}.")
                 });
                 if ballast.deviations > 0.0 {
                     section.say(format!(
-                        "The whole is kept {} standard deviations inside the limits.",
+                        "The values stay {} standard deviations inside the limits.",
                         number(ballast.deviations, 3)
                     ));
                 }
@@ -97,15 +100,17 @@ impl<'a> OfCase<'a> {
                 return format!("No ballast at these sites meets {sought}");
             }
             BallastAnswer::NotFound(_) => {
-                return format!("No ballast was found that meets {sought}; that none exists is not proved");
+                return format!(
+                    "No ballast was found that meets {sought}; it is not proved that none exists"
+                );
             }
             BallastAnswer::Found(found) => found,
         };
         if found.pieces.is_empty() {
             let is_one = !is_for_all && self.limits.len() == self.found.left_out.len() + 1;
             let is = if is_one { "is" } else { "are" };
-            let others = self.others(found, "without");
-            return format!("No ballast is needed: {sought} {is} met without{others}");
+            let others = self.others(found, "without ballast");
+            return format!("No ballast is needed: {sought} {is} met without ballast{others}");
         }
         let of = if is_for_all { String::new() } else { format!(" for {sought}") };
         let others = self.others(found, "with it");
@@ -113,9 +118,9 @@ impl<'a> OfCase<'a> {
         let pieces = format!("{} piece{}", count(pieces), if pieces == 1 { "" } else { "s" });
         let [mass, bound] = [found.mass, found.bound].map(|mass| number(mass, 4));
         if found.is_least() {
-            format!("Least ballast {mass} kg, in {pieces}{of}: proved{others}")
+            format!("Minimum ballast {mass} kg, in {pieces}{of} (proved){others}")
         } else {
-            format!("Ballast of {mass} kg, in {pieces}{of}: not proved least, lower bound {bound} kg{others}")
+            format!("Ballast {mass} kg, in {pieces}{of} (minimum not proved, lower bound {bound} kg){others}")
         }
     }
 
@@ -132,7 +137,7 @@ impl<'a> OfCase<'a> {
     fn others(self, found: &FoundBallast, ballast: &str) -> String {
         let one = |limit: &Limit| {
             let is = if self.is_met(found, limit) { "is" } else { "is not" };
-            format!("; {}, left out, {is} met {ballast}", printable(&limit.name))
+            format!("; {} (not in the search) {is} met {ballast}", printable(&limit.name))
         };
         self.limits.iter().filter(|limit| self.found.is_left_out(limit)).map(one).collect()
     }

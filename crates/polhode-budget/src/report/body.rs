@@ -38,7 +38,8 @@ impl BudgetReport {
         let mut part = self.part(case, estimate);
         if is_uncertain(estimate) {
             part.comments.push(
-                "Its numbers have errors that are correlated: polhode budget --sweep writes a plan that draws them".to_owned(),
+                "These values have correlated errors: polhode budget --sweep writes a plan that draws them"
+                    .to_owned(),
             );
         }
         Ok(part.to_toml())
@@ -65,14 +66,14 @@ impl BudgetReport {
         if !is_uncertain(estimate) {
             return Err(Failure::usage(
                 "no part has an uncertainty: there is nothing to draw",
-                "write errors into the list, such as 1.2 ± 0.1 kg; --body has the body as it is",
+                "add errors to the list, such as 1.2 ± 0.1 kg; --body prints the body without errors",
             ));
         }
         let has_extent = estimate.properties.inertia().matrix() != [[0.0; 3]; 3];
         if !has_extent && (4..10).all(|k| estimate.sd(k) == 0.0) {
             return Err(Failure::usage(
-                "all mass is at one point, which has no attitude: no member could turn",
-                "give a part its extent, or its place beside another",
+                "all mass is at one point: a point mass has no attitude",
+                "give a part a size, or another position",
             ));
         }
         let mut toml = self.part(case, estimate).to_toml();
@@ -80,8 +81,8 @@ impl BudgetReport {
         let spin = begun.and_then(|all| all.spin);
         let duration = begun.map_or(DURATION, |all| all.until);
         toml += match spin {
-            Some(_) => "\n# As its sequence begins\n",
-            None => "\n# At rest: write how it turns, and for how long\n",
+            Some(_) => "\n# Start of the sequence\n",
+            None => "\n# At rest: enter the angular velocity and the duration\n",
         };
         let [x, y, z] = spin.unwrap_or(AngularVelocity::ZERO).to_array();
         let _ = write!(
@@ -100,7 +101,7 @@ impl BudgetReport {
              [[sweep.vary]]\nkey = \"body\"\ncorrelated.impossible = \"nearest\"\ncorrelated.covariance = [\n",
             if moved > 0 {
                 format!(
-                    "# By it {moved} of {TRIED} draws have a tensor that is no body's, and become the nearest that is\n"
+                    "# {moved} of {TRIED} test draws have an unphysical tensor, which is replaced with the nearest physical one\n"
                 )
             } else {
                 String::new()
@@ -117,7 +118,7 @@ impl BudgetReport {
     fn part(&self, case: &Case, estimate: &Estimate<Body>) -> BodyPart<'static> {
         let title = case.name.as_ref().map_or_else(String::new, |name| format!(", {name}"));
         let basis = self.options.basis.name();
-        let meaning = "in kg, m, kg m^2, along the axes of the body, from their origin";
+        let meaning = "in kg, m, kg m^2, in body axes, from their origin";
         let comment = format!("{}{title}, {basis} masses: {meaning}", self.title);
         BodyPart::of_body(comment, "whole", &estimate.properties)
     }
@@ -145,12 +146,12 @@ fn is_uncertain(estimate: &Estimate<Body>) -> bool {
 pub(super) fn no_configuration(asked: Option<&str>, names: &[&str]) -> Failure {
     let there_are: Vec<String> = names.iter().map(|name| format!("\"{}\"", printable(name))).collect();
     let message = match asked {
-        Some(name) => format!("there is no configuration \"{}\"", printable(name)),
-        None => "there are several configurations, and a body is one of them".to_owned(),
+        Some(name) => format!("unknown configuration \"{}\"", printable(name)),
+        None => "the file has several configurations, but only one can be used".to_owned(),
     };
     let hint = match (names.is_empty(), asked) {
         (true, _) => "leave it out: the file has no configurations".to_owned(),
-        (false, Some(_)) => format!("there are {}", there_are.join(", ")),
+        (false, Some(_)) => format!("the file has {}", there_are.join(", ")),
         (false, None) => format!("name one of {}", there_are.join(", ")),
     };
     Failure::usage(message, hint)

@@ -70,9 +70,9 @@ impl Changing {
             sections.push(over_time.section());
         }
         if !self.tanks.is_empty() {
-            let mut section = Section::new(0, "By how full the tanks are");
+            let mut section = Section::new(0, "Mass properties by fill level");
             section.say(
-                "The whole at first, with what is in one tank changed. Liquids are at rest in the tanks, with a plane surface, and turn with the body.",
+                "Initial mass properties, with the contents of one tank varied. Liquids are at rest in the tanks, with a plane surface, and rotate with the body.",
             );
             self.tanks.iter().for_each(|tank| tank.add_to(&mut section));
             sections.push(section);
@@ -98,7 +98,7 @@ impl Changing {
         let over_time = self.over_time.as_ref()?;
         let [first, last] = [over_time.all.first()?, over_time.all.last()?].map(|row| row.properties.mass());
         let [first, last] = [first, last].map(|mass| number(mass, DIGITS));
-        Some(format!("In {} s {first} kg become {last} kg", number(over_time.until, DIGITS)))
+        Some(format!("Mass over {} s: {first} kg to {last} kg", number(over_time.until, DIGITS)))
     }
 
     pub(crate) fn to_json(&self) -> Value {
@@ -192,7 +192,7 @@ impl FilledTank {
             number(self.at_first, DIGITS),
             number(self.capacity, DIGITS)
         ));
-        let mut headers = vec!["full (%)", "in it (kg)"];
+        let mut headers = vec!["fill (%)", "mass (kg)"];
         let has_level = shown().all(|(_, level, _)| level.is_some());
         headers.extend(has_level.then_some("level (mm)"));
         headers.extend(PLACE);
@@ -204,7 +204,7 @@ impl FilledTank {
             line
         };
         section.table(&headers, shown().map(row).collect());
-        let headers: Vec<&str> = ["full (%)"].into_iter().chain(TENSOR).collect();
+        let headers: Vec<&str> = ["fill (%)"].into_iter().chain(TENSOR).collect();
         let row = |(fill, _, row): &(f64, Option<f64>, SequenceRow)| {
             let [_, tensor] = cells(ten(&row.properties));
             [number(100.0 * fill, 3)].into_iter().chain(tensor).collect()
@@ -213,8 +213,8 @@ impl FilledTank {
         let across = |(fill, _, row): &(f64, Option<f64>, SequenceRow)| (100.0 * fill, ten(&row.properties));
         let points: Vec<(f64, [f64; 10])> = self.rows.iter().map(across).collect();
         let k = greatest(&points, 1..4, |_| 1.0);
-        let title = format!("Centre of mass by what is in {}", printable(&self.name));
-        section.graph(curve(title, ["full", "%"], ["x", "y", "z"][k - 1], "mm", &points, k, 1e3));
+        let title = format!("Centre of mass by contents of {}", printable(&self.name));
+        section.graph(curve(title, ["fill", "%"], ["x", "y", "z"][k - 1], "mm", &points, k, 1e3));
     }
 }
 
@@ -252,7 +252,7 @@ fn curve(
 ) -> Graph {
     let points: Vec<[f64; 2]> = points.iter().map(|(x, all)| [*x, scale * all[k]]).collect();
     let [first, last] = [points.first(), points.last()].map(|point| point.copied().unwrap_or_default());
-    let level = ([first[0], last[0], last[1]], "as it is at the end");
+    let level = ([first[0], last[0], last[1]], "final value");
     Graph { title, across, up: [name, unit], points, level }
 }
 
@@ -262,8 +262,10 @@ impl OverTime {
         let mut happenings: Vec<(f64, String)> = Vec::new();
         for burn in &sequence.burns {
             let flow = number(burn.flow, DIGITS);
-            happenings.push((burn.from, format!("{flow} kg/s begin to leave {}", printable(&burn.tank))));
-            happenings.push((burn.until, format!("{flow} kg/s cease to leave {}", printable(&burn.tank))));
+            happenings
+                .push((burn.from, format!("outflow of {flow} kg/s from {} begins", printable(&burn.tank))));
+            happenings
+                .push((burn.until, format!("outflow of {flow} kg/s from {} ends", printable(&burn.tank))));
         }
         for change in &sequence.changes {
             let what = match change {
@@ -301,7 +303,7 @@ impl OverTime {
         let mut section = Section::new(0, "Over time");
         let seconds = |time: f64| number(time, DIGITS);
         section.table(
-            &["t (s)", "what happens"],
+            &["t (s)", "event"],
             self.happenings.iter().map(|(time, what)| vec![seconds(*time), what.clone()]).collect(),
         );
         let mut shown: Vec<&SequenceRow> = Vec::new();
@@ -328,7 +330,7 @@ impl OverTime {
         table(&TENSOR, &|[_, tensor], _| tensor);
         table(&TENSOR_RATES, &|_, [_, rates]| rates);
         section.say(
-            "Two rows of one time are just before and just after. The tensor is about the centre of mass, along the axes of the body; rates are exact at each time, as what leaves a tank next is the surface of its liquid.",
+            "Two rows with the same time are just before and just after an event. The tensor is about the centre of mass, in body axes. Rates are exact at each time: the surface layer of a liquid leaves its tank first.",
         );
         let points: Vec<(f64, [f64; 10])> =
             self.all.iter().map(|row| (row.time, ten(&row.properties))).collect();

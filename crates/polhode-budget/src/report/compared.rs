@@ -9,10 +9,10 @@ use crate::{ComparedNumber, NUMBERS};
 
 pub(crate) fn section(case: &Case) -> Option<Section> {
     let Drawn { comparison, .. } = case.drawn.as_ref()?;
-    let mut section = Section::new(5, "First order and draws");
+    let mut section = Section::new(5, "First-order errors compared with draws");
     let draws = count(comparison.draws as u64);
     section.say(format!(
-        "{draws} bodies, each made of possible parts, have errors as the list states them: masses are drawn log-normal, centres, places and tensors normal. What first order leaves out shows beside them."
+        "Monte Carlo check with {draws} draws of physically possible bodies: masses are log-normal; centres, positions and tensors are normal. A difference shows what the linear (first-order) estimate neglects."
     ));
     let row = |(k, n): (usize, &ComparedNumber)| {
         let (unit, scale) = shown_unit(n.unit);
@@ -26,16 +26,12 @@ pub(crate) fn section(case: &Case) -> Option<Section> {
             if is_comparable(case, k) && n.differs() { "differs" } else { "" }.to_owned(),
         ]
     };
-    let headers = ["number", "sd to first order", "sd of draws", "mean of draws − value", "unit", ""];
+    let headers = ["quantity", "sd to first order", "sd of draws", "mean of draws − value", "unit", ""];
     section.table(&headers, comparison.numbers.iter().enumerate().map(row).collect());
     if comparison.moved > 0 {
-        let tanks = if has_liquid(case) {
-            ", or some tank would have had more in it than it holds, and is full"
-        } else {
-            ""
-        };
+        let tanks = if has_liquid(case) { ", or a tank was overfull and was set to full" } else { "" };
         section.say(format!(
-            "In {} of {draws} draws the tensor of some part had to be moved to the nearest that a body can have{tanks}.",
+            "In {} of {draws} draws, the tensor of a part was unphysical and was replaced with the nearest physical one{tanks}.",
             count(comparison.moved as u64)
         ));
     }
@@ -51,9 +47,9 @@ pub(crate) fn difference_in_words(case: &Case) -> Option<String> {
     (!names.is_empty()).then(|| {
         // The mass is a sum. Its mean and standard deviation are exact to first order, even if
         // draws miss its long tail. Liquids are an exception, because a tank cannot overflow.
-        let of_mass = if names.contains(&"mass") && !has_liquid(case) { "; of the mass first order is exact" } else { "" };
+        let of_mass = if names.contains(&"mass") && !has_liquid(case) { "; first order is exact for the mass" } else { "" };
         format!(
-            "draws differ from first order by more than chance in {}: there numbers are not linear in the errors, or draws are too few for the tail of a distribution{of_mass}",
+            "draws and first-order errors differ significantly in {}: the quantity is not linear in the errors, or there are too few draws for the tail of a distribution{of_mass}",
             names.join(", ")
         )
     })

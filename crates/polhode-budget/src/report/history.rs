@@ -22,8 +22,8 @@ const SAMPLES: f64 = 600.0;
 /// Returns the failure of a list without a sequence.
 pub(crate) fn nothing() -> Failure {
     Failure::usage(
-        "nothing happens in it over time",
-        "add [sequence] with until, and [[burn]], [[drop]] or [[deploy]]; --body has the body as it is",
+        "the list has no sequence",
+        "add [sequence] with until, and [[burn]], [[drop]] or [[deploy]]; --body prints the body without a sequence",
     )
 }
 
@@ -32,11 +32,11 @@ pub(crate) fn files(file: &BudgetFile, basis: Basis, target: &Path) -> Result<[M
     let over_time = file.prescribed.as_ref().and_then(|all| Some((all, all.over_time.as_ref()?)));
     let (prescribed, over_time) = over_time.ok_or_else(nothing)?;
     if target.extension().is_none_or(|extension| extension != "toml") {
-        let hint = "name a file that ends in .toml: the table beside it ends in .csv";
+        let hint = "use a file name that ends in .toml; the table gets the same name with .csv";
         return Err(Failure::usage("a scenario is a TOML file", hint).about(target));
     }
     let sequence = prescribed.sequence(over_time.configuration.as_deref(), basis);
-    let sequence = sequence.ok_or_else(|| Failure::usage("the configuration is not there", ""))?;
+    let sequence = sequence.ok_or_else(|| Failure::usage("unknown configuration", ""))?;
     let beside = target.with_extension("csv");
     let table = beside.file_name().unwrap_or_default().to_string_lossy();
     let title = file.title.as_deref().unwrap_or("a parts list");
@@ -50,10 +50,10 @@ pub(crate) fn files(file: &BudgetFile, basis: Basis, target: &Path) -> Result<[M
 fn no_history(error: &SequenceError, over_time: &OverTime) -> Failure {
     let hint = match (error, &over_time.outflow) {
         (SequenceError::Motion(_), Outflow::None) if !over_time.burns.is_empty() => {
-            "say where what leaves goes: [[exit]] with position, or in_place = true under [sequence]"
+            "define where mass leaves the body: [[exit]] with position, or in_place = true in [sequence]"
         }
         (SequenceError::Motion(_), Outflow::InPlace) => {
-            "say where what leaves goes: [[exit]] with position, and no in_place"
+            "define where mass leaves the body: [[exit]] with position, without in_place"
         }
         _ => error.hint().unwrap_or_default(),
     };
@@ -71,7 +71,7 @@ fn texts(
     sequence.history(span, PIECES, over_time.outflow.clone())?;
     let rows = sequence.rows(span, PIECES)?;
     let first = rows.first().ok_or(SequenceError::Nothing { time: 0.0 })?;
-    let comment = format!("{title}: the whole at t = 0, with what is in its tanks");
+    let comment = format!("{title}: mass properties at t = 0, including tank contents");
     let mut toml = BodyPart::of_body(comment, "whole", &first.properties).to_toml();
     let _ = write!(toml, "\n[mass_history]\ntable = {}\n", quoted(table));
     match &over_time.outflow {

@@ -18,9 +18,10 @@ pub(crate) fn section(case: &Case) -> Option<Section> {
     if results.is_empty() {
         return None;
     }
-    let mut section = Section::new(4, "Whose errors matter");
-    section
-        .say("To first order, each error's part of the variance of a number; all parts together are 100 %.");
+    let mut section = Section::new(4, "Error breakdown");
+    section.say(
+        "Share of each error in the variance of a quantity, to first order; all shares add up to 100 %.",
+    );
     let row = |result: &&SpreadResult| {
         let (unit, scale) = shown_unit(result.unit);
         let mut cells = vec![printable(&result.name), format!("{} {unit}", number(scale * result.sd, 2))];
@@ -30,13 +31,13 @@ pub(crate) fn section(case: &Case) -> Option<Section> {
         cells.resize(2 + CELLS, String::new());
         cells
     };
-    let headers = ["number", "sd", "most of it by", "then by"];
+    let headers = ["quantity", "sd", "largest share", "second"];
     section.table(&headers, results.iter().map(row).collect());
     for (title, of) in [
         ("Errors of mass and centre of mass", ResultKind::Place),
         ("Errors of the inertia tensor", ResultKind::Tensor),
         ("Errors of principal moments and axes", ResultKind::Principal),
-        ("Errors of what is limited", ResultKind::Limit),
+        ("Errors of limited quantities", ResultKind::Limit),
     ] {
         let results: Vec<&SpreadResult> = results.iter().copied().filter(|result| result.of == of).collect();
         if !results.is_empty() {
@@ -79,7 +80,7 @@ fn tornado(case: &Case, title: &str, caption: &'static str, results: &[&SpreadRe
     }
 }
 
-const CAPTION: &str = "Each bar is as long as what one standard deviation of an error makes of the number, to both sides; beside it is its part of the variance.";
+const CAPTION: &str = "Each bar shows the change of the quantity for plus and minus one standard deviation of an error, with the error's share of the variance.";
 
 /// Names of the kinds of errors, in their order.
 const KINDS: [&str; 6] = ["mass", "centre", "tensor", "position", "rotation", "density"];

@@ -31,21 +31,21 @@ pub(crate) fn section(case: &Case, limits: &[Limit]) -> Option<Section> {
     let headers = ["limit", "allowed", "value ± sd", "margin", "", "probability"];
     section.table(&headers, limits.iter().zip(&answers.answers).map(row).collect());
     section.say(format!(
-        "A probability is the share of {} draws in which the limit is met, with the interval that has it with {} % (Clopper and Pearson). A limit is met or not by the list as it is given.",
+        "Probability: share of the {} draws that meet the limit, with its {} % confidence interval (Clopper–Pearson). Met or not met: for the nominal values of the list.",
         count(answers.all.share.of as u64),
         number(100.0 * LEVEL, 3)
     ));
     for (limit, answer) in limits.iter().zip(&answers.answers) {
         if let (Some(true), Ok(first_order)) = (answer.differs, answer.first_order) {
             section.say(format!(
-                "{}: first order, in which its value is normal, has {}.",
+                "{}: the first-order probability (normal distribution) is {}.",
                 printable(&limit.name),
                 percent(first_order)
             ));
         }
     }
     if limits.len() > 1 {
-        section.line(format!("all limits at once: {}", probability(&answers.all.share)));
+        section.line(format!("all limits together: {}", probability(&answers.all.share)));
     }
     Some(section)
 }
@@ -54,13 +54,18 @@ pub(crate) fn section(case: &Case, limits: &[Limit]) -> Option<Section> {
 pub(crate) fn answer_in_words(case: &Case) -> Option<String> {
     let answers = case.limits.as_ref().filter(|answers| !answers.answers.is_empty())?;
     let (met, all) = (answers.answers.iter().filter(|answer| answer.met).count(), answers.answers.len());
-    let share = format!("{} of possible bodies", probability(&answers.all.share));
+    let of = match (met == all, all) {
+        (true, _) => "",
+        (false, 1) => " that it is met:",
+        (false, _) => " that all are met:",
+    };
+    let share = format!("probability{of} {}", probability(&answers.all.share));
     Some(match (met == all, all) {
-        (true, 1) => format!("The limit is met; in {share}"),
-        (false, 1) => format!("The limit is not met; in {share} it is"),
-        (true, _) => format!("All {} limits are met; in {share}", count(all as u64)),
+        (true, 1) => format!("The limit is met; {share}"),
+        (false, 1) => format!("The limit is not met; {share}"),
+        (true, _) => format!("All {} limits are met; {share}", count(all as u64)),
         (false, _) => {
-            format!("{} of {} limits are met; all in {share}", count(met as u64), count(all as u64))
+            format!("{} of {} limits are met; {share}", count(met as u64), count(all as u64))
         }
     })
 }

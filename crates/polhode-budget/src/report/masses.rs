@@ -16,8 +16,8 @@ const BARS: usize = 14;
 const DIGITS: usize = 6;
 
 pub(crate) fn section(case: &Case) -> Section {
-    let mut section = Section::new(1, "Masses");
-    section.say("In kg, of each row with all that stands in it.");
+    let mut section = Section::new(1, "Mass breakdown");
+    section.say("Mass of each row in kg, including the rows inside it.");
     let tree = Tree::of(case);
     let shown = tree.shown(case);
     table(&mut section, case, &tree, &shown);
@@ -27,7 +27,7 @@ pub(crate) fn section(case: &Case) -> Section {
     }
     let (budget, rows) = (&case.budget, case.budget.rows());
     if (0..rows.len()).any(|k| budget.has_rows_in(k) && rows.quantity(k).count > 1) {
-        section.say("Each mass is of all copies of a row in one of the row in which it stands.");
+        section.say("Each mass is the sum over all copies of the row, in one copy of its parent.");
     }
     section.draw(Drawing::Bars(waterfall(case, &tree)));
     section
@@ -182,9 +182,9 @@ fn waterfall(case: &Case, tree: &Tree) -> Bars {
         add("margin".to_owned(), margin, if margin < 0.0 { 5 } else { 2 });
     }
     Bars {
-        title: "What the mass is made of".to_owned(),
-        caption: "Each bar begins where the one above ends: the basic masses, the growth allowance up to the predicted mass, the margin up to the allowable one.",
+        title: "Mass breakdown".to_owned(),
+        caption: "Each bar starts where the previous one ends: basic masses, growth allowance up to the predicted mass, margin up to the allowable mass.",
         kinds: vec!["basic mass", "growth allowance", "margin", "", "", "negative margin"],
-        panels: vec![BarPanel { title: "What the mass is made of".to_owned(), across: ["mass", "kg"], bars }],
+        panels: vec![BarPanel { title: "Mass breakdown".to_owned(), across: ["mass", "kg"], bars }],
     }
 }

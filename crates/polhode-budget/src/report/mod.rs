@@ -219,7 +219,7 @@ impl BudgetReport {
             sections.extend(of_case);
         }
         if !self.sources.is_empty() {
-            let mut read = Section::new(0, "What was read, and taken as given");
+            let mut read = Section::new(0, "Input and assumptions");
             self.sources.iter().for_each(|line| read.line(line));
             sections.push(read);
         }
@@ -266,7 +266,8 @@ impl BudgetReport {
                     n => format!(" and {} more", count(n as u64 - 1)),
                 };
                 let verb = if exceeded.len() == 1 { "is" } else { "are" };
-                let message = format!("{names}{others} {verb} heavier with growth than allowed");
+                let message =
+                    format!("{names}{others} {verb} heavier than allowed, including the growth allowance");
                 say("budget.margin", Severity::Warning, message);
             }
             let broken: Vec<String> = limits::broken(case, &self.limits).map(printable).collect();
@@ -276,11 +277,11 @@ impl BudgetReport {
             }
             let (exact, parts) = case.exact_parts();
             if exact == parts {
-                let message = "no part has an uncertainty: all numbers are taken as exact".to_owned();
+                let message = "no part has an uncertainty: all values are assumed exact".to_owned();
                 say("budget.exact", Severity::Info, message);
             } else if exact > 0 {
                 let of = format!("{} of {}", count(exact as u64), count(parts as u64));
-                let message = format!("{of} parts have no uncertainty, and are taken as exact");
+                let message = format!("{of} parts have no uncertainty and are assumed exact");
                 say("budget.exact", Severity::Info, message);
             }
             if let Some(message) = principal::not_known(&case.principal(self.options.basis)) {
@@ -306,8 +307,8 @@ fn about_in_range(case: &Case, options: &Questions) -> Result<(), BudgetError> {
     }
     let row = case.budget.root();
     let name = case.budget.rows().name(row).to_owned();
-    let what = "the greatest coordinate of the point that the tensor is wanted about";
-    let rule = "so small that mass times its square, and the variance of that, are numbers";
+    let what = "the largest coordinate of the requested reference point";
+    let rule = "so small that mass times its square, and the variance of this product, do not overflow";
     Err(BudgetError::Value { row: RowName { row, name }, what, value: point.max_abs(), rule })
 }
 
@@ -324,7 +325,7 @@ fn mass_in_words(case: &Case) -> String {
     let whole = case.whole_statement();
     let allowance = whole.growth_allowance();
     format!(
-        "Predicted mass {}: basic {basic}, and a growth allowance of {} kg ({}{NO_BREAK}%)",
+        "Predicted mass {}: basic {basic}, plus a growth allowance of {} kg ({}{NO_BREAK}%)",
         of(Basis::Predicted),
         number(allowance, 4),
         number(100.0 * allowance / whole.basic, 3)

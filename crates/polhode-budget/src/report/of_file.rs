@@ -71,7 +71,7 @@ impl BudgetReport {
         match ballast.filter(|_| scope == Scope::Full) {
             None => Ok(report),
             Some(ballast) => report.with_ballast(ballast).map_err(|error| {
-                let hint = "leave [[site]] out to see what the limits come to without ballast";
+                let hint = "delete [[site]] to see the limits without ballast";
                 Failure::usage(error.to_string(), hint)
             }),
         }

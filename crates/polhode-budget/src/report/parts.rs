@@ -20,12 +20,12 @@ const SHORT: f64 = 10.0;
 const GROUPS: usize = 7;
 
 pub(crate) fn section(case: &Case, basis: Basis) -> Section {
-    let mut section = Section::new(6, "Where the parts are");
+    let mut section = Section::new(6, "Part positions");
     let drawn = solids(case, basis);
     let extent =
         drawn.solids.iter().flat_map(|solid| solid.center).fold(0.0_f64, |most, x| most.max(x.abs()));
     let (unit, scale) = if extent < SHORT { ("mm", 1e3) } else { ("m", 1.0) };
-    section.say(format!("The heaviest parts, with their centres of mass and the boxes that have their inertia tensors, along the box's own axes, in {unit}."));
+    section.say(format!("Heaviest parts: centre of mass, and sides of the box with the same inertia tensor (along its own axes), in {unit}."));
     let row = |solid: &Solid| {
         let [x, y, z] = tidy(solid.center).map(|x| number(scale * x, 4));
         let sides = solid.halves.map(|half| half.iter().map(|x| x * x).sum::<f64>().sqrt());
@@ -63,12 +63,12 @@ pub(crate) fn solids(case: &Case, basis: Basis) -> Solids {
     let frame = whole.principal();
     let of_many = match left_out {
         0 => String::new(),
-        n => format!(" Of all parts the {MOST} heaviest are drawn, and {} are not.", count(n as u64)),
+        n => format!(" Only the {MOST} heaviest parts are drawn; {} are not.", count(n as u64)),
     };
     Solids {
         title: "Parts, centre of mass and principal axes".to_owned(),
         caption: format!(
-            "Each part is drawn as the box that has its mass, centre of mass and inertia tensor; a point is a small cube. All views but the last have one scale.{of_many}"
+            "Each part is drawn as the box with the same mass, centre of mass and inertia tensor; a point mass is a small cube. All views except the last have the same scale.{of_many}"
         ),
         solids: all.iter().zip(&heads).map(solid).collect(),
         groups: groups.iter().map(|&k| case.short(k).to_owned()).collect(),

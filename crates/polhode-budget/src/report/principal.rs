@@ -70,7 +70,7 @@ pub(crate) fn section(case: &Case, options: &Questions) -> Section {
     section.table(&headers, (0..3).map(row).collect());
     if options.axes.is_some() {
         section.say(
-            "Tilts are from the axes that were asked for; x, y and z of an axis are along those of the body.",
+            "Tilts are measured from the requested axes; x, y and z are components along the body axes.",
         );
     }
     section.draw(Drawing::Triangle(triangle(case, &principal)));
@@ -89,13 +89,13 @@ pub(crate) fn not_known(principal: &PrincipalUncertainty<Body>) -> Option<String
     let [i, j] = [(k + 1) % 3, (k + 2) % 3].map(|k| k + 1);
     let [i, j] = [i.min(j), i.max(j)];
     Some(format!(
-        "the axes {i} and {j} are not known: i{i} and i{j} are too near for their errors, and the body may be turned by any angle about axis {}",
+        "axes {i} and {j} are undetermined: i{i} and i{j} are equal within their errors, so any rotation about axis {} is possible",
         k + 1
     ))
 }
 
 /// Words for the error of a moment that has none to first order, without draws.
-const UNKNOWN: &str = "its error not to first order";
+const UNKNOWN: &str = "no first-order error";
 
 /// Returns words such as `1.234 ± 0.012`. The error is that of the draws if two moments are equal
 /// within their errors.
@@ -117,8 +117,8 @@ pub(crate) fn moment_sd(principal: &PrincipalUncertainty<Body>, k: usize) -> Opt
 pub(crate) const fn freedom(symmetry: Symmetry, k: usize) -> Option<&'static str> {
     match (symmetry, k) {
         (Symmetry::Point | Symmetry::Spherical, _) => Some("any direction"),
-        (Symmetry::Rod | Symmetry::Prolate, 1 | 2) => Some("any direction across axis 1"),
-        (Symmetry::Oblate, 0 | 1) => Some("any direction across axis 3"),
+        (Symmetry::Rod | Symmetry::Prolate, 1 | 2) => Some("any direction perpendicular to axis 1"),
+        (Symmetry::Oblate, 0 | 1) => Some("any direction perpendicular to axis 3"),
         _ => None,
     }
 }

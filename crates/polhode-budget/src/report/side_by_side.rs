@@ -11,10 +11,10 @@ use super::whole::unit_of_length;
 use crate::Basis;
 
 pub(crate) fn section(cases: &[Case], basis: Basis) -> Section {
-    let mut section = Section::new(1, "The configurations beside each other");
+    let mut section = Section::new(1, "Configurations");
     let names: Vec<String> =
         cases.iter().map(|case| case.name.as_deref().map_or_else(String::new, printable)).collect();
-    let mut headers = vec!["number"];
+    let mut headers = vec!["quantity"];
     headers.extend(names.iter().map(String::as_str));
     headers.push("unit");
     // All lengths have one unit: that of the configuration with the longest.

@@ -15,12 +15,12 @@ use crate::{Basis, Estimate, EstimateAbout, NUMBERS};
 const SHORT: f64 = 10.0;
 
 pub(crate) fn section(case: &Case, options: &Questions) -> Section {
-    let mut section = Section::new(2, "Mass properties of the whole");
+    let mut section = Section::new(2, "Mass properties");
     let estimate = case.estimate(options.basis);
     if case.grows() {
-        section.say(format!("Of {} masses.", options.basis.name()));
+        section.say(format!("Based on {} masses.", options.basis.name()));
     }
-    section.say("The tensor is about the centre of mass, along the axes of the body; Ixy = −∫ x y dm. After ± is the standard deviation.");
+    section.say("Inertia tensor about the centre of mass, in body axes, with Ixy = −∫ x y dm; ± is one standard deviation.");
     let values = ten(&estimate.properties);
     numbers(&mut section, &values, &estimate.covariance);
     if let Some(about) = asked(estimate, options) {
@@ -74,7 +74,7 @@ fn asked_in_words(options: &Questions) -> String {
         },
     );
     let axes = match options.axes {
-        Some(_) => "along the axes that were asked for, from the same origin",
+        Some(_) => "along the requested axes, from the same origin",
         None => "along the axes of the body",
     };
     format!("About {point}, {axes}:")
@@ -88,7 +88,7 @@ fn numbers(section: &mut Section, values: &[f64; 10], covariance: &[[f64; 10]; 1
         let sd = covariance[k][k].max(0.0).sqrt();
         vec![name.to_owned(), with_error(scale * values[k], scale * sd), unit.to_owned()]
     };
-    section.table(&["number", "value ± sd", "unit"], (0..10).map(row).collect());
+    section.table(&["quantity", "value ± sd", "unit"], (0..10).map(row).collect());
 }
 
 /// Returns the correlation of two numbers, if both have an error.

@@ -219,10 +219,10 @@ impl Sequence<'_> {
             if !names.contains(burn.tank.as_str()) {
                 return Err(SequenceError::MissingTank { tank: burn.tank.clone() });
             }
-            let rule = "finite and not negative: nothing is known of what comes into a tank";
+            let rule = "finite and not negative: inflow is not supported";
             require("the flow out of a tank", burn.flow, burn.flow >= 0.0 && burn.flow.is_finite(), rule)?;
             let holds = burn.from < burn.until && burn.from.is_finite() && burn.until.is_finite();
-            require("the end of a burn", burn.until, holds, "finite, and after its beginning")?;
+            require("the end of a burn", burn.until, holds, "finite, and after its start")?;
         }
         let mut times = self.changes.iter().map(Change::time);
         times.try_for_each(|time| require("the time of a change", time, time.is_finite(), "finite"))

@@ -27,7 +27,7 @@ impl LiquidTable {
     /// [`SequenceError::Value`] if masses or levels do not ascend; [`SequenceError::EmptyTable`]
     /// without rows, or if the number of levels differs from that of rows.
     pub fn new(rows: Vec<MassProperties<Part>>, levels: Option<Vec<f64>>) -> Result<Self, SequenceError> {
-        let rule = "more than that of the row before";
+        let rule = "greater than in the row before";
         let ascends = |what, values: &[f64]| {
             let wrong = values.windows(2).find(|pair| !(pair[1] > pair[0])).map(|pair| pair[1]);
             wrong.map_or(Ok(()), |value| Err(SequenceError::Value { what, value, rule }))

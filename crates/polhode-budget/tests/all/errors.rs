@@ -32,10 +32,10 @@ fn trees_that_are_none() {
         (vec![point("a"), point("a/b"), point("a")], "rows 1 and 3 have the same name, \"a\""),
         (
             vec![point("a"), point("a/b"), point("c")],
-            "\"a\" and \"c\" both stand in no other row: there can be one such row",
+            "\"a\" and \"c\" both have no parent: only one row can be the root",
         ),
-        (vec![point("a"), point("b/c")], "\"b/c\" names the frame \"b\", which is no row"),
-        (vec![point("a"), within("d", point("c"))], "\"c\" names the frame \"d\", which is no row"),
+        (vec![point("a"), point("b/c")], "\"b/c\" refers to the frame \"b\", which is not a row"),
+        (vec![point("a"), within("d", point("c"))], "\"c\" refers to the frame \"d\", which is not a row"),
         (
             vec![
                 point("r"),
@@ -44,9 +44,9 @@ fn trees_that_are_none() {
                 within("a", point("b")),
                 within("b", point("c")),
             ],
-            "rows stand in each other: \"a\" in \"c\" in \"b\" in \"a\"",
+            "parents form a cycle: \"a\" in \"c\" in \"b\" in \"a\"",
         ),
-        (vec![within("a", point("a"))], "rows stand in each other: \"a\" in \"a\""),
+        (vec![within("a", point("a"))], "parents form a cycle: \"a\" in \"a\""),
     ];
     for (rows, text) in cases {
         assert_eq!(error(rows).to_string(), text);
@@ -90,7 +90,10 @@ fn parts_that_cannot_exist() {
             .is_err()
     );
     let elsewhere = GivenTensor { about: TensorPoint::OriginOf("c".to_owned()), ..thin };
-    assert_eq!(error(row(1.0, elsewhere)).to_string(), "\"a/b\" names the frame \"c\", which is no row");
+    assert_eq!(
+        error(row(1.0, elsewhere)).to_string(),
+        "\"a/b\" refers to the frame \"c\", which is not a row"
+    );
 }
 
 #[test]
@@ -123,14 +126,14 @@ fn uncertainties_that_are_none() {
         let said = error(vec![row]).to_string();
         assert_eq!(
             said,
-            format!("the standard deviation of {text}, and has to be zero or positive, and finite")
+            format!("the standard deviation of {text}, but must be zero or positive, and finite")
         );
     }
     let bent = Spread::Covariance(Box::new([[1.0, 0.9, -0.9], [0.9, 1.0, 0.9], [-0.9, 0.9, 1.0]]));
     let row = Row { uncertainty: Uncertainty { position: bent, ..Uncertainty::default() }, ..point("a") };
     assert_eq!(
         error(vec![row]).to_string(),
-        "the covariance of the position of \"a\" is none, by its element 3, 3"
+        "the covariance of the position of \"a\" is not a covariance matrix: check element 3, 3"
     );
 }
 
@@ -158,7 +161,7 @@ fn variances_that_are_none() {
     for budget in [of(2.0, 1e90, 0.1), of(1e200, 0.1, 1e160)] {
         let error = budget.estimate(Basis::Basic).unwrap_err();
         assert!(matches!(error, BudgetError::Variance { .. }), "{error}");
-        assert!(error.to_string().ends_with("of the whole is no number") && error.hint().is_some());
+        assert!(error.to_string().ends_with("of the total overflows") && error.hint().is_some());
     }
 }
 
@@ -166,18 +169,18 @@ fn variances_that_are_none() {
 fn numbers_and_names_that_are_none() {
     let none = Quantity { count: 0, errors: CopyErrors::Alike };
     let cases = [
-        (Row { quantity: none, ..point("a") }, "the quantity of \"a\" is 0, and has to be 1 at least"),
+        (Row { quantity: none, ..point("a") }, "the quantity of \"a\" is 0, but must be at least 1"),
         (
             Row { growth: Growth::Fraction(-0.1), ..point("a") },
-            "the growth allowance of \"a\" is -0.1, and has to be a fraction, zero or positive",
+            "the growth allowance of \"a\" is -0.1, but must be a fraction, zero or positive",
         ),
         (
             Row { growth: Growth::Code("X".to_owned()), ..point("a") },
-            "\"a\" has the maturity code \"X\", for which there is no growth allowance",
+            "\"a\" has the maturity code \"X\", which has no growth allowance",
         ),
         (
             Row { allowable: Some(0.0), ..point("a") },
-            "the allowable mass of \"a\" is 0, and has to be positive and finite",
+            "the allowable mass of \"a\" is 0, but must be positive and finite",
         ),
         (
             Row { group: Some("g".to_owned()), ..point("a") },
@@ -185,11 +188,11 @@ fn numbers_and_names_that_are_none() {
         ),
         (
             Row { subtotal: Some(Subtotal { mass: 1.4, tolerance: 0.05 }), ..point("a") },
-            "\"a\" states 1.4 kg, but its rows come to 1.5 kg, which differs by more than 0.05 kg",
+            "\"a\" states 1.4 kg, but its rows add up to 1.5 kg, which differs by more than 0.05 kg",
         ),
         (
             Row { subtotal: Some(Subtotal { mass: f64::NAN, tolerance: 0.05 }), ..point("a") },
-            "\"a\" states NaN kg, but its rows come to 1.5 kg, which differs by more than 0.05 kg",
+            "\"a\" states NaN kg, but its rows add up to 1.5 kg, which differs by more than 0.05 kg",
         ),
     ];
     for (row, text) in cases {
@@ -198,23 +201,23 @@ fn numbers_and_names_that_are_none() {
     let copies = Quantity { count: 3, errors: CopyErrors::Independent };
     assert_eq!(
         error(vec![Row { quantity: copies, ..point("a") }, point("a/b")]).to_string(),
-        "copies of \"a\" are to have independent errors, but \"a/b\" stands in it"
+        "copies of \"a\" have independent errors, but \"a/b\" is inside it"
     );
     let groups =
         |groups| PartsList { rows: vec![point("a")], groups, ..PartsList::default() }.budget().unwrap_err();
     assert_eq!(
         groups(vec![Group::of_masses("g", 1.2)]).to_string(),
-        "the correlation of masses of \"g\" is 1.2, and has to be from 0 to 1"
+        "the correlation of masses of \"g\" is 1.2, but must be from 0 to 1"
     );
     assert_eq!(
         groups(vec![Group::of_masses("g", 1.0), Group::of_masses("g", 0.5)]).to_string(),
-        "there are two groups \"g\""
+        "duplicate group \"g\""
     );
     let table = |codes: [(&str, f64); 2]| GrowthTable::new(codes.map(|(code, x)| (code.to_owned(), x)));
     assert!(table([("A", 0.1), ("A", 0.1)]).is_ok());
     assert_eq!(
         table([("A", 0.1), ("A", 0.2)]).unwrap_err().to_string(),
-        "the growth allowance of \"A\" is 0.2, and has to be the same wherever it is given"
+        "the growth allowance of \"A\" is 0.2, but must be the same everywhere"
     );
     assert!(table([("A", 0.1), ("B", -0.2)]).is_err());
     let budget = PartsList { rows: vec![point("a")], ..PartsList::default() }.budget().unwrap();

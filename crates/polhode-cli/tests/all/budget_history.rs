@@ -13,7 +13,8 @@ fn the_rocket_burns_and_drops_its_motor() {
     let scratch = Scratch::new("budget-over-time");
     let rocket = example("budget/sounding-rocket.xlsx");
     let text = stdout(&scratch.run(&["budget", &rocket, "--configuration", "lift-off", "--draws", "200"]));
-    for said in ["Over time", "By how full the tanks are", "motor, fins dropped", "28.6 kg in \"propellant\""]
+    for said in
+        ["Over time", "Mass properties by fill level", "motor, fins dropped", "28.6 kg in \"propellant\""]
     {
         assert!(text.contains(said), "{said}: {text}");
     }
@@ -82,7 +83,7 @@ fn the_scenario_moves_as_the_sequence_does() {
     let error = refused(&scratch.run(&["budget", &rocket, "--scenario", "rocket.csv"]), 2);
     assert!(error.contains("a scenario is a TOML file"), "{error}");
     let error = refused(&scratch.run(&["budget", &example("budget/cubesat.csv"), "--scenario", "a.toml"]), 2);
-    assert!(error.contains("nothing happens in it over time"), "{error}");
+    assert!(error.contains("the list has no sequence"), "{error}");
     let list = "# [[tank]]\n# name = \"water\"\n# shape = \"sphere\"\n# radius = 0.2\n# density = 1000\n# settles = \"-z\"\n# fill = 0.5\n\
                 # [sequence]\n# until = 9\n# [[burn]]\n# tank = \"water\"\n# until = 5\n# flow = 1\nname,mass,x,y,z\na,4,1,0,0\nb,4,-1,1,0\nc,4,0,-1,1\n";
     scratch.write("list.csv", list);
@@ -90,9 +91,9 @@ fn the_scenario_moves_as_the_sequence_does() {
     assert!(error.contains("[[exit]] with position") && !scratch.0.join("a.csv").exists(), "{error}");
     scratch.write("list.csv", &list.replace("# until = 9", "# until = 9\n# in_place = true"));
     let error = refused(&scratch.run(&["budget", "list.csv", "--scenario", "list.toml", "--force"]), 2);
-    assert!(error.contains("list.csv is read, and would be overwritten"), "{error}");
+    assert!(error.contains("list.csv is an input file and would be overwritten"), "{error}");
     let error = refused(&scratch.run(&["budget", "list.csv", "--xlsx", "./list.csv", "--force"]), 2);
-    assert!(error.contains("is read, and would be overwritten"), "{error}");
+    assert!(error.contains("is an input file and would be overwritten"), "{error}");
     stdout(&scratch.run(&["budget", "list.csv", "--scenario", "a.toml"]));
     stdout(&scratch.run(&["simulate", "a.toml", "--output", "run-a"]));
 }
@@ -192,7 +193,7 @@ fn states_are_tables() {
     assert!(error.contains("parts, whole, covariance are"), "{error}");
     let list = example("budget/cubesat.csv");
     for (form, expected) in
-        [("--csv=time", "nothing happens in it over time"), ("--csv=fill", "there is no tank in it")]
+        [("--csv=time", "the list has no sequence"), ("--csv=fill", "the list has no tank")]
     {
         let error = refused(&scratch.run(&["budget", &list, form]), 2);
         assert!(error.contains(expected), "{error}");
@@ -265,7 +266,7 @@ fn a_history_that_is_none_has_a_hint_that_helps() {
     let rows = "name,mass [kg],x [mm],y [mm]\na,2,100,7\nb,1,-50,20\nd,1,5,120\n";
     for (place, parts, expected) in [
         ("", format!("{tank}{burn}{rows}"), "[[exit]] with position, or in_place = true"),
-        ("# in_place = true\n", format!("{tank}{burn}{rows}"), "[[exit]] with position, and no in_place"),
+        ("# in_place = true\n", format!("{tank}{burn}{rows}"), "[[exit]] with position, without in_place"),
         ("", format!("{drop}{rows}"), "without inertia about some axis"),
     ] {
         scratch.write("list.csv", &format!("# [sequence]\n# until = 20\n{place}{parts}"));
@@ -312,5 +313,5 @@ fn rows_have_their_own_configurations() {
     assert_eq!(changing["rows"].as_array().unwrap().last().unwrap()["configuration"], "b", "{report}");
     // A configuration that is not the initial one has no rows; the error names the initial one.
     let error = refused(&scratch.run(&["budget", "list.csv", "--csv=time", "--configuration", "b"]), 2);
-    assert!(error.contains("the sequence begins as \"a\""), "{error}");
+    assert!(error.contains("the sequence begins in \"a\""), "{error}");
 }

@@ -77,8 +77,8 @@ fn options_without_effect_are_refused_in_requests() {
         (json!({ "seed": 1, "output": { "workbook": "a.xlsx" } }), "seed has no effect on output"),
         (json!({ "strict": true, "output": { "scenario": "a.toml" } }), "strict has no effect on a scenario"),
         (json!({ "along": "1,0,0,0", "output": { "plan": "a.toml" } }), "along has no effect on a plan"),
-        (json!({ "output": "time" }), "nothing happens in it over time"),
-        (json!({ "configuration": "b" }), "there is no configuration \"b\""),
+        (json!({ "output": "time" }), "the list has no sequence"),
+        (json!({ "configuration": "b" }), "unknown configuration \"b\""),
     ] {
         assert_eq!(refused(more), message);
     }

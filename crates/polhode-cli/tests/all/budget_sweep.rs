@@ -55,7 +55,7 @@ fn the_plan_is_run() {
     assert!(refused(&scratch.run(&written), 2).contains("plan.toml"));
     stdout(&scratch.run(&[&written[..], &["--force", "--draws", "60"]].concat()));
     let error = refused(&scratch.run(&["budget", "list.csv", "--sweep", "list.csv", "--force"]), 2);
-    assert!(error.contains("is read, and would be overwritten"), "{error}");
+    assert!(error.contains("is an input file and would be overwritten"), "{error}");
     let summary = json(&scratch.run(&["sweep", "plan.toml", "-o", "out", "--json"]));
     assert_eq!(summary["status"]["complete"]["count"], 60);
     let plan = Plan::read(&Disk, &scratch.0.join("plan.toml")).unwrap();
@@ -65,7 +65,7 @@ fn the_plan_is_run() {
     scratch.write("exact.csv", "name,mass [kg],x [mm]\na,2,100\n");
     let error = refused(&scratch.run(&["budget", "exact.csv", "--sweep", "out.toml"]), 2);
     assert!(
-        error.contains("no part has an uncertainty") && error.contains("write errors into the list"),
+        error.contains("no part has an uncertainty") && error.contains("add errors to the list"),
         "{error}"
     );
     scratch.write("point.csv", "name,mass [kg],x [mm]\na,2 ± 0.1,100 ± 1\n");
@@ -97,7 +97,7 @@ fn members_of_a_flat_body_are_possible() {
         stdout(&scratch.run(&["budget", "list.csv", "--sweep", "plan.toml", "--draws", "500", "--force"]));
         let plan = Plan::read(&Disk, &scratch.0.join("plan.toml")).unwrap();
         let said =
-            plan.text().lines().any(|line| line.starts_with("# By it ") && line.contains(" of 1000 draws"));
+            plan.text().lines().any(|line| line.starts_with("# ") && line.contains(" of 1000 test draws"));
         assert_eq!(said, is_flat, "{name}: {}", plan.text());
         let bodies = (0..MEMBERS).map(|member| *plan.scenario(&plan.values(member)).unwrap().body());
         let bodies: Vec<_> = bodies.collect();
@@ -142,13 +142,13 @@ fn a_list_whose_body_changes_is_no_plan() {
     ] {
         scratch.write("list.csv", &format!("{begin}{tank}{what}{rows}"));
         let error = refused(&scratch.run(&[&written[..], &["a"]].concat()), 2);
-        assert!(error.contains("bodies that do not change") && error.contains("--scenario"), "{error}");
+        assert!(error.contains("bodies of a plan do not change") && error.contains("--scenario"), "{error}");
         assert!(!scratch.0.join("plan.toml").exists());
         let body = stdout(&scratch.run(&["budget", "list.csv", "--body", "--configuration", "a"]));
-        assert!(body.starts_with("# As it is at first"), "{body}");
+        assert!(body.starts_with("# Initial body"), "{body}");
         // A configuration that is not the initial one stays constant.
         let body = stdout(&scratch.run(&["budget", "list.csv", "--body", "--configuration", "b"]));
-        assert!(!body.contains("at first"), "{body}");
+        assert!(!body.contains("Initial body"), "{body}");
         stdout(&scratch.run(&[&written[..], &["b"]].concat()));
         std::fs::remove_file(scratch.0.join("plan.toml")).unwrap();
     }

@@ -33,21 +33,21 @@ pub(crate) fn contents<'a>(
     density: f64,
     coverage_factor: f64,
 ) -> Result<(f64, LiquidErrors, Known, Value<'a>), FormatError> {
-    let given =
-        table.at_most_one(&["mass", "fill"], "mass is what is in the tank, fill the same as a part")?;
+    let given = table.at_most_one(
+        &["mass", "fill"],
+        "mass is the mass of the contents, fill their share of the capacity",
+    )?;
     let given = given.ok_or_else(|| table.missing("mass", "mass = \"12 kg\", or fill = \"80 %\""))?;
     let (own, other) = if given.key() == "mass" { ("mass_sd", "fill_sd") } else { ("fill_sd", "mass_sd") };
     if let Some(value) = table.get(other) {
-        return Err(value.invalid(format!("left out beside {}", given.key())));
+        return Err(value.invalid(format!("left out, because {} is given", given.key())));
     }
     let beside = table.get(own);
     let (known, mass, amount, measured) = if given.key() == "mass" {
         let known = quantity(&given, beside.as_ref(), Dimension::MASS, coverage_factor)?;
         // A rounded mass may slightly exceed the computed capacity.
         if !(known.value >= 0.0 && known.value <= capacity * (1.0 + 1e-9)) {
-            return Err(
-                given.invalid(format!("not negative, and no more than the tank holds, {capacity} kg"))
-            );
+            return Err(given.invalid(format!("from 0 to the capacity of the tank, {capacity} kg")));
         }
         (known, known.value.min(capacity), known.sd, Measured::Mass)
     } else {
@@ -58,8 +58,8 @@ pub(crate) fn contents<'a>(
         (known, known.value * capacity, known.sd * capacity, Measured::Fill)
     };
     if mass == 0.0 && amount > 0.0 {
-        let error = beside.unwrap_or(given).invalid("without an error, as the tank is empty");
-        return Err(error.with_hint("no less than nothing can be in it: give it what it has on average"));
+        let error = beside.unwrap_or(given).invalid("without an error, because the tank is empty");
+        return Err(error.with_hint("the contents cannot be negative: enter their mean"));
     }
     Ok((mass, LiquidErrors { measured, amount, density }, known, given))
 }
@@ -79,8 +79,9 @@ pub(crate) fn quantity(
         None => (value.quantity(dimension)?, None),
     };
     let of = |at: &Value<'_>, amount: Amount| {
-        let none =
-            || at.invalid("an amount, as a fraction of zero is none").with_hint("write it with a unit");
+        let none = || {
+            at.invalid("an absolute value: a percentage of zero is zero").with_hint("write it with a unit")
+        };
         amount.of(number).ok_or_else(none)
     };
     let own = own.map(|amount| of(value, amount)).transpose()?;
@@ -101,9 +102,7 @@ pub(crate) fn quantity(
 /// Reads the relative error of a number that is not given, in percent.
 pub(crate) fn relative(value: &Value<'_>) -> Result<Known, FormatError> {
     let Some(fraction) = value.string().ok().and_then(percent) else {
-        return Err(value
-            .invalid("in percent beside a table, which has no density")
-            .with_hint("write \"1 %\""));
+        return Err(value.invalid("in percent: a table has no density").with_hint("write \"1 %\""));
     };
     let fraction = fraction.map_err(|w| wrong(value, w))?;
     known(value, 1.0, None, Some((value, fraction)), 1.0)
@@ -123,7 +122,7 @@ fn part(value: &Value<'_>, beside: Option<&Value<'_>>, coverage_factor: f64) -> 
     let (left, right) = MARKS.iter().find_map(|mark| text.split_once(mark)).unwrap_or((text, ""));
     let [left, right] = [left, right].map(|number| format!("{}{}", number.trim(), all.trim()));
     if left.ends_with('%') != right.ends_with('%') {
-        let error = value.invalid("in percent on both sides, or on neither: both are parts of a full tank");
+        let error = value.invalid("in percent on both sides of ±, or on neither");
         return Err(error.with_hint("write \"75 % ± 2 %\", or \"0.75 ± 0.02\""));
     }
     let read = |text: &str| match percent(text) {
@@ -143,7 +142,7 @@ fn known(
 ) -> Result<Known, FormatError> {
     let (at, sd) = match (own, beside) {
         (Some(_), Some((at, _))) => {
-            return Err(at.invalid(format!("left out, as {} has its error itself", value.key())));
+            return Err(at.invalid(format!("left out, because {} already has an error", value.key())));
         }
         (Some(amount), None) => (value, amount / coverage_factor),
         (None, Some((at, sd))) => (at, sd),

@@ -16,7 +16,7 @@ pub(crate) fn groups(value: &Value<'_>) -> Result<Vec<Group>, FormatError> {
         let name = table.require("name", "name = \"wheels\"")?;
         let text = name.string()?.to_owned();
         if groups.iter().any(|group| group.name == text) {
-            return Err(name.invalid("the name of no other group"));
+            return Err(name.invalid("unique among the groups"));
         }
         let all = table.get("correlation").map_or(Ok(0.0), |value| correlation(&value))?;
         let of = |key| table.get(key).map_or(Ok(all), |value| correlation(&value));

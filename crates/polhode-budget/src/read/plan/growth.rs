@@ -6,8 +6,8 @@ use polhode_source::{FormatError, FormatErrorKind};
 use crate::GrowthTable;
 
 /// Rule for a number above 1 without %, which may be a fraction or a percentage.
-pub(crate) const BARE_GROWTH: &str = "in percent, as it is above 1";
-pub(crate) const BARE_GROWTH_HINT: &str = "15 % is 0.15, and 15 is 1500 %";
+pub(crate) const BARE_GROWTH: &str = "in percent, because it is above 1";
+pub(crate) const BARE_GROWTH_HINT: &str = "15 % is 0.15; 15 would be 1500 %";
 
 /// Reads a table such as `E = "25 %"`, `C = 0.15`.
 pub(crate) fn table(value: &Value<'_>) -> Result<GrowthTable, FormatError> {
@@ -16,7 +16,9 @@ pub(crate) fn table(value: &Value<'_>) -> Result<GrowthTable, FormatError> {
         let fraction = super::fraction(&allowance)?;
         if !(fraction >= 0.0) {
             let error = allowance.invalid("zero or positive");
-            return Err(error.with_hint("it is by how much parts of this code become heavier until they fly"));
+            return Err(
+                error.with_hint("it is the expected mass growth of parts with this code until flight")
+            );
         }
         if fraction > 1.0 && !allowance.string().is_ok_and(|text| text.contains('%')) {
             return Err(allowance.invalid(BARE_GROWTH).with_hint(BARE_GROWTH_HINT));

@@ -46,7 +46,7 @@ pub(crate) fn limits(value: &Value<'_>, products: Option<ProductSign>) -> Result
         if limits.iter().any(|other| other.name == limit.name) {
             let place = table.get("name").or(table.get("of"));
             let place = place.ok_or_else(|| table.missing("name", "name = \"tilt\""))?;
-            return Err(place.invalid("the name of no other limit").with_hint("give it a name of its own"));
+            return Err(place.invalid("unique among the limits").with_hint("give it another name"));
         }
         limits.push(limit);
     }
@@ -61,8 +61,8 @@ fn limit(table: &Table<'_>, products: Option<ProductSign>) -> Result<Limit, Form
         if let Some(value) = table.get(key) {
             let rule = format!("left out of a limit on \"{name}\"");
             return Err(value.invalid(rule).with_hint(match details {
-                [] => "it needs no more than least or most".to_owned(),
-                details => format!("what says more of it: {}", details.join(", ")),
+                [] => "it needs only least or most".to_owned(),
+                details => format!("it takes {}", details.join(", ")),
             }));
         }
     }
@@ -81,13 +81,13 @@ fn limit(table: &Table<'_>, products: Option<ProductSign>) -> Result<Limit, Form
 }
 
 fn bounds(table: &Table<'_>, dimension: Dimension) -> Result<[Option<f64>; 2], FormatError> {
-    let rule = "within stands for both";
+    let rule = "within sets both";
     table.at_most_one(&["within", "least"], rule)?;
     table.at_most_one(&["within", "most"], rule)?;
     if let Some(value) = table.get("within") {
         let half = value.quantity(dimension)?;
         if !(half >= 0.0) {
-            return Err(value.invalid("zero or positive").with_hint("it stands to both sides of zero"));
+            return Err(value.invalid("zero or positive").with_hint("it applies to both sides of zero"));
         }
         return Ok([Some(-half), Some(half)]);
     }
@@ -97,7 +97,7 @@ fn bounds(table: &Table<'_>, dimension: Dimension) -> Result<[Option<f64>; 2], F
         (None, None) => Err(table.missing("most", "most = \"2 mm\", or least, or within")),
         (Some(least), Some(most)) if least > most => {
             let value = table.require("most", "")?;
-            Err(value.invalid("no less than least"))
+            Err(value.invalid("at least the value of least"))
         }
         both => Ok([both.0, both.1]),
     }
@@ -159,9 +159,9 @@ fn described(name: &str, table: &Table<'_>) -> String {
 fn number(value: &Value<'_>) -> Result<usize, FormatError> {
     match value.count()? {
         k @ 1..=3 => Ok(k as usize - 1),
-        _ => {
-            Err(value.invalid("1, 2 or 3").with_hint("1 is the axis of the least moment, 3 of the greatest"))
-        }
+        _ => Err(value
+            .invalid("1, 2 or 3")
+            .with_hint("1 is the axis of the smallest moment, 3 of the largest")),
     }
 }
 

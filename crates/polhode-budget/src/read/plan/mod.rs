@@ -146,11 +146,11 @@ pub(crate) fn plan(
     let asked = root.get("ballast");
     match (root.get("site"), &asked) {
         (Some(sites), _) => plan.ballast = Some(site::ballast(&sites, asked.as_ref())?),
-        (None, Some(_)) => return Err(root.missing("site", "[[site]] with name and at: where it may be")),
+        (None, Some(_)) => return Err(root.missing("site", "[[site]] with name and at, a place for ballast")),
         (None, None) => {}
     }
     if let Some(value) = root.get("site").filter(|_| plan.limits.is_empty()) {
-        return Err(value.invalid("with [[limit]], which the ballast is to meet"));
+        return Err(value.invalid("given with [[limit]], which the ballast must meet"));
     }
     Ok(plan)
 }
@@ -204,7 +204,7 @@ fn names(value: &Value<'_>) -> Result<Vec<String>, FormatError> {
     for element in value.elements("an array of strings")? {
         let name = element.string()?.trim();
         if name.is_empty() || names.iter().any(|other| other == name) {
-            return Err(element.invalid("a name that does not stand there already"));
+            return Err(element.invalid("listed only once"));
         }
         names.push(name.to_owned());
     }

@@ -113,7 +113,7 @@ fn outflow(root: &Table<'_>, table: &Table<'_>) -> Result<Outflow, FormatError> 
     let in_place = table.get("in_place");
     match (root.get("exit"), &in_place) {
         (Some(_), Some(value)) => {
-            Err(value.invalid("left out beside [[exit]]: what is left behind in place goes through none"))
+            Err(value.invalid("left out with [[exit]]: mass that stays in place leaves through no exit"))
         }
         (Some(value), None) => Ok(Outflow::Exits(mass_history::exits(&value, "exit")?)),
         (None, Some(value)) if value.boolean()? => Ok(Outflow::InPlace),
@@ -144,8 +144,8 @@ fn burns(
         if until > last {
             return Err(end.invalid(format!("within the sequence, which ends at {last} s")));
         }
-        let given = table
-            .at_most_one(&["flow", "mass"], "mass is what leaves in all, flow what leaves in a second")?;
+        let given =
+            table.at_most_one(&["flow", "mass"], "mass is the total outflow, flow the outflow per second")?;
         let given = given.ok_or_else(|| table.missing("flow", "flow = \"0.2 kg/s\", or mass = \"12 kg\""))?;
         let flow = match given.key() {
             "flow" => given.positive(FLOW)?,
@@ -161,8 +161,8 @@ fn changes(root: &Table<'_>, last: f64) -> Result<Vec<(PlannedChange, FormatErro
     let mut changes: Vec<(PlannedChange, FormatError)> = Vec::new();
     let mut add = |change: PlannedChange, at: &Value<'_>, place: &Value<'_>| {
         if changes.iter().any(|(other, _)| other.time() == change.time()) {
-            let hint = "what is dropped together stands in the rows of one [[drop]]";
-            return Err(at.invalid("the time of no other change").with_hint(hint));
+            let hint = "list all rows that are dropped together in one [[drop]]";
+            return Err(at.invalid("different from the times of the other changes").with_hint(hint));
         }
         changes.push((change, place.invalid("right")));
         Ok(())
@@ -174,7 +174,7 @@ fn changes(root: &Table<'_>, last: f64) -> Result<Vec<(PlannedChange, FormatErro
             let at = table.require("time", "time = \"70 s\"")?;
             let all = if rows.is_array() { names(&rows)? } else { vec![rows.string()?.trim().to_owned()] };
             if all.is_empty() {
-                return Err(rows.invalid("names of rows, one at least"));
+                return Err(rows.invalid("the names of one or more rows"));
             }
             add(PlannedChange::Drop { time: later(&at, last)?, rows: all }, &at, &rows)?;
         }

@@ -16,7 +16,7 @@ pub(crate) fn ballast(sites: &Value<'_>, asked: Option<&Value<'_>>) -> Result<Ba
         let all = of_table(&table)?;
         if let Some(site) = all.iter().find(|site| ballast.sites.iter().any(|other| other.name == site.name))
         {
-            let rule = format!("the name of no other site: \"{}\" is there", site.name);
+            let rule = format!("unique among the sites: \"{}\" exists already", site.name);
             return Err(table.require("name", "")?.invalid(rule));
         }
         ballast.sites.extend(all);
@@ -39,7 +39,7 @@ fn of_table(table: &Table<'_>) -> Result<Vec<Site>, FormatError> {
     table.allow(&KEYS)?;
     let name = table.require("name", "name = \"end plate\"")?.string()?.to_owned();
     let at = point(&table.require("at", "at = [\"40 mm\", 0, 0]")?)?;
-    table.at_most_one(&["to", "radius"], "a line has an end, a disc a radius")?;
+    table.at_most_one(&["to", "radius"], "a line has to, a disc has radius")?;
     let most = table.get("most").map(|value| value.positive(Dimension::MASS)).transpose()?;
     let round = || -> Result<Option<Round>, FormatError> {
         let Some(radius) = table.get("radius") else { return Ok(None) };

@@ -40,8 +40,8 @@ enum Wrong {
     Body(BodyError),
 }
 
-const RISES: &str = "more than that of the row before";
-const SIGN: &str = "say products = \"tensor elements\" or \"positive integrals\" in the tank or in the file";
+const RISES: &str = "greater than in the row before";
+const SIGN: &str = "set products = \"tensor elements\" or \"positive integrals\" in the tank or in the file";
 
 impl States {
     fn add(&mut self, state: &State, sign: Option<ProductSign>) -> Result<(), Wrong> {
@@ -57,7 +57,7 @@ impl States {
         let products = match sign {
             Some(ProductSign::PositiveIntegral) => state.products.map(|product| -product),
             None if state.products != [0.0; 3] => {
-                return Err(Wrong::Rule("products", "beside what their sign is", Some(SIGN)));
+                return Err(Wrong::Rule("products", "given with their sign convention", Some(SIGN)));
             }
             _ => state.products,
         };
@@ -149,7 +149,7 @@ pub(crate) fn of_sheet(sheet: &Sheet<'_>, sign: Option<ProductSign>) -> Result<L
     for (k, row) in rows.enumerate() {
         let cells = sheet.row(row);
         if let Some(cell) = cells.iter().find(|cell| !columns.iter().any(|one| one.place == cell.column)) {
-            return Err(sheet.invalid(cell, "a cell beside the columns", "under a heading"));
+            return Err(sheet.invalid(cell, "a cell outside the columns", "under a heading"));
         }
         let mut numbers = [0.0; NAMES.len()];
         for column in &mut columns {
@@ -204,7 +204,7 @@ fn columns(sheet: &Sheet<'_>, headings: &[Cell<'_>]) -> Result<Vec<Column>, Form
             return Err(sheet.error(cell, FormatErrorKind::UnknownKey { key, table, suggestion, known }));
         };
         if all.iter().any(|other| other.key == key) {
-            return Err(sheet.invalid(cell, "the heading", "another than that of the columns before"));
+            return Err(sheet.invalid(cell, "the heading", "different from the headings before"));
         }
         let unit = unit.map(|unit| Unit::new(unit, dimension(key))).transpose();
         let unit = unit.map_err(|error| no_unit(error, |kind| sheet.error(cell, kind)))?;
@@ -254,8 +254,8 @@ impl Column {
         // Zero is zero in every unit.
         let is_united = !unit_of(&text).is_empty();
         if self.unit.is_none() && read.value != 0.0 && *self.united.get_or_insert(is_united) != is_united {
-            let error = sheet.invalid(cell, name, "with a unit or without, as the numbers above");
-            return Err(error.with_hint("write the unit into the heading, for all"));
+            let error = sheet.invalid(cell, name, "with a unit or without, like the numbers above");
+            return Err(error.with_hint("write the unit in the heading, for all rows"));
         }
         Ok(read.value)
     }

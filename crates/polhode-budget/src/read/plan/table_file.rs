@@ -49,7 +49,7 @@ pub(crate) fn table_of(
             let (mut sheet, _) =
                 csv::sheet(Source::new(value.files(), &path, text(&path, &bytes)?), 0, is_of_mass)?;
             sheet.decimal_comma = decimal_comma.unwrap_or(false);
-            Ok((of_sheet(&sheet, sign)?, vec![format!("{} of what is in a tank", said(&sheet))]))
+            Ok((of_sheet(&sheet, sign)?, vec![format!("{} of tank contents", said(&sheet))]))
         };
         let named = |error: FormatError| error.named_in(value.source().path, value.place());
         let (table, lines) = read().map_err(named)?;
@@ -63,6 +63,6 @@ pub(crate) fn table_of(
     };
     sheet.decimal_comma = decimal_comma.unwrap_or(false);
     let table = of_sheet(&sheet, sign)?;
-    lines.push(format!("the sheet {name}: {} of what is in a tank", said(&sheet)));
+    lines.push(format!("the sheet {name}: {} of tank contents", said(&sheet)));
     Ok((table, Some(ReadTable { from: TableOrigin::Sheet(name.to_owned()), lines })))
 }

@@ -77,7 +77,7 @@ pub(crate) fn tanks(
         let table = table?;
         let tank = tank(&table, whole, plan, sheets)?;
         if tanks.iter().any(|other| other.name == tank.name) {
-            return Err(table.require("name", "")?.invalid("the name of no other tank"));
+            return Err(table.require("name", "")?.invalid("unique among the tanks"));
         }
         tanks.push(tank);
     }
@@ -98,12 +98,12 @@ fn tank(
     }
     let frame = table.get("frame");
     let configuration = table.get("configuration");
-    table.at_most_one(&["shape", "table"], "a tank is given by its shape, or by a table of what is in it")?;
+    table.at_most_one(&["shape", "table"], "a tank has either a shape or a table of its contents")?;
     let coverage_factor = plan.coverage_factor.unwrap_or(1.0);
     let (liquid, density, read) = match (table.get("shape"), table.get("table")) {
         (_, Some(states)) => {
             if let Some(value) = OF_SHAPES.into_iter().find_map(|key| table.get(key)) {
-                return Err(value.invalid("left out beside a table").with_hint("it goes with shape"));
+                return Err(value.invalid("left out, because a table is given").with_hint("it needs shape"));
             }
             let sign = table.get("products").map(|value| value.named(&ProductSign::NAMED)).transpose()?;
             let (states, read) = table_of(&states, sign.or(plan.products), plan.decimal_comma, sheets)?;
@@ -153,7 +153,7 @@ fn group(value: &Value<'_>, errors: &LiquidErrors, plan: &Plan) -> Result<String
         return Err(value.invalid("the name of a [[group]]").suggesting(name, names()));
     }
     if errors.amount == 0.0 && errors.density == 0.0 {
-        return Err(value.invalid("left out of a tank of which nothing has an error"));
+        return Err(value.invalid("left out: the tank has no errors"));
     }
     Ok(name.to_owned())
 }
@@ -167,7 +167,7 @@ fn vessel(
     for key in OF_SHAPES.into_iter().filter(|key| !["density", "settles"].contains(key)) {
         if let Some(value) = table.get(key).filter(|_| !sizes.contains(&key)) {
             let hint = format!("its sizes are {}", sizes.join(", "));
-            return Err(value.invalid(format!("left out of a tank that is a {name}")).with_hint(hint));
+            return Err(value.invalid(format!("left out: the tank is a {name}")).with_hint(hint));
         }
     }
     let positive = |key, example| {

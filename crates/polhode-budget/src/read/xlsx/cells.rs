@@ -234,7 +234,7 @@ impl RawSheet {
                 format!("{} to {}", name(*range.start()), name(*range.end()))
             })
             .collect();
-        (!names.is_empty()).then(|| format!("read although hidden: columns {}", names.join(", ")))
+        (!names.is_empty()).then(|| format!("hidden columns that were read: {}", names.join(", ")))
     }
 }
 

@@ -53,7 +53,7 @@ impl Workbook {
         let root = of_kind(&relations(&mut archive, "_rels/.rels")?, "officeDocument", "");
         let path = root.filter(|path| archive.has(path)).ok_or_else(|| {
             ContentError::missing("workbook")
-                .hint("it is an archive, but none of sheets: polhode budget reads CSV, XLSX and TOML")
+                .hint("it is a ZIP archive without sheets: polhode budget reads CSV, XLSX and TOML")
         })?;
         let (folder, file) = path.rsplit_once('/').unwrap_or(("", &path));
         let related = relations(&mut archive, &joined(folder, &format!("_rels/{file}.rels")))?;
@@ -90,7 +90,7 @@ impl Workbook {
         let named = self.sheets.iter().find(|sheet| sheet.name == name)?;
         let mut lines = Vec::new();
         if named.is_hidden {
-            lines.push(format!("read although hidden: the sheet {name}"));
+            lines.push(format!("hidden sheet that was read: {name}"));
         }
         lines.extend(named.raw.hidden_columns());
         Some((named.raw.rows(), Cells::of(&named.raw, &self.strings), lines))

@@ -86,7 +86,7 @@ impl<'a> BudgetDiff<'a> {
         };
         let mut answer = Vec::new();
         for (words, names) in ["Only before", "Only after"].iter().zip(&self.alone) {
-            answer.extend(names.iter().map(|name| format!("{words}: the configuration {}", printable(name))));
+            answer.extend(names.iter().map(|name| format!("{words}: configuration {}", printable(name))));
         }
         let mut sections = Vec::new();
         for pair in &self.pairs {
@@ -96,19 +96,19 @@ impl<'a> BudgetDiff<'a> {
                 None => words.to_owned(),
             };
             answer.push(of(&self.in_words(pair)));
-            let mut rows = Section::new(0, &of("part by part"));
+            let mut rows = Section::new(0, &of("parts"));
             pair.table(&mut rows);
-            let mut whole = Section::new(0, &of("the whole"));
+            let mut whole = Section::new(0, &of("total"));
             self.whole(pair, &mut whole);
             sections.extend([rows, whole]);
             if !pair.stated.is_empty() {
                 answer.push(of(&stated::in_words(&pair.stated)));
-                sections.push(stated::section(&pair.stated, &of("besides the rows")));
+                sections.push(stated::section(&pair.stated, &of("other changes")));
             }
         }
         if !self.stated.is_empty() {
             answer.push(stated::in_words(&self.stated));
-            sections.push(stated::section(&self.stated, "what is asked, and what is to happen"));
+            sections.push(stated::section(&self.stated, "requests and sequence"));
         }
         for (k, section) in sections.iter_mut().enumerate() {
             section.number = u8::try_from(k + 1).unwrap_or(u8::MAX);
@@ -126,7 +126,7 @@ impl<'a> BudgetDiff<'a> {
         rows.dedup();
         let [before, after] = pair.cases.map(|case| case.estimate(self.basis).properties.mass());
         let mass = if before == after {
-            "the mass is the same".to_owned()
+            "mass unchanged".to_owned()
         } else {
             format!("{} mass {}", self.basis.name(), from_to(before, after, "kg"))
         };
@@ -153,7 +153,7 @@ impl<'a> BudgetDiff<'a> {
             let [was, is] = [0, 1].map(|side| principal::moment(pair.cases[side], &moments[side], k));
             rows.push(vec![format!("i{}", k + 1), was, is, signed(by), "kg·m²".to_owned()]);
         }
-        section.table(&["number", "before", "after", "change", "unit"], rows);
+        section.table(&["quantity", "before", "after", "change", "unit"], rows);
         let margin = |case: &Case| {
             case.whole_statement()
                 .margin()
@@ -209,7 +209,7 @@ impl Pair<'_> {
             return;
         }
         let row = |change: &Change| vec![printable(&change.row), change.words.clone()];
-        section.table(&["part", "what became of it"], self.changes.iter().take(SHOWN).map(row).collect());
+        section.table(&["part", "change"], self.changes.iter().take(SHOWN).map(row).collect());
         if self.changes.len() > SHOWN {
             section
                 .say(format!("{} more changes are in --json.", count((self.changes.len() - SHOWN) as u64)));

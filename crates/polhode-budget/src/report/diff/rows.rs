@@ -57,11 +57,11 @@ fn differences(changes: &mut Changes<'_>, cases: [&Case; 2], rows: [usize; 2]) {
     if parents[0] != parents[1] {
         let [was, is] =
             parents.each_ref().map(|name| name.as_deref().map_or_else(|| "nothing".to_owned(), printable));
-        changes.pair("parent", parents, format!("stood in {was}, stands in {is}"));
+        changes.pair("parent", parents, format!("parent {was} to {is}"));
     }
     let [was, is] = [before, after].map(|row| row.quantity);
     if was.count != is.count {
-        changes.pair("quantity", [was.count, is.count], format!("{} to {} of it", was.count, is.count));
+        changes.pair("quantity", [was.count, is.count], format!("quantity {} to {}", was.count, is.count));
     }
     let copies = |errors: &CopyErrors| errors.name().to_owned();
     let in_json = |errors: &CopyErrors| errors.name().into();
@@ -95,7 +95,7 @@ fn differences(changes: &mut Changes<'_>, cases: [&Case; 2], rows: [usize; 2]) {
         let both = [0, 1].map(|side| Value::Object(all.iter().map(|one| of(one, side)).collect()));
         let words: Vec<String> = all.iter().map(Deviation::words).collect();
         let words = if words.is_empty() {
-            "its errors are correlated otherwise".to_owned()
+            "its error correlations changed".to_owned()
         } else {
             format!("sd of {}", words.join(", of "))
         };
@@ -126,7 +126,7 @@ fn part(changes: &mut Changes<'_>, cases: [&Case; 2], rows: [usize; 2], [before,
         // The tensor of a part that is only heavier changes in proportion to the mass.
         if let Some(by) = tensor_change([before, after], [&was, &is]) {
             let percent = number(100.0 * by, 3);
-            changes.by("tensor", by, format!("its inertia tensor changed by up to {percent} % of itself"));
+            changes.by("tensor", by, format!("its inertia tensor changed by up to {percent} %"));
         }
     }
     if is_moved {

@@ -180,7 +180,7 @@ pub(crate) fn section(all: &[Stated], title: &str) -> Section {
 /// Returns words such as `changed besides the rows: group wings, limit mass`.
 pub(crate) fn in_words(all: &[Stated]) -> String {
     let names: Vec<String> = all.iter().map(|one| printable(&one.what)).collect();
-    format!("changed besides the rows: {}", names.join(", "))
+    format!("other changes: {}", names.join(", "))
 }
 
 pub(crate) fn to_json(all: &[Stated]) -> Value {

@@ -45,8 +45,8 @@ fn of_tank(tank: &FilledTank, configurations: &[String], digits: usize) -> Vec<I
     // of the amount is 0.
     if tank.errors.density > 0.0 {
         words.push(match tank.errors.measured {
-            Measured::Mass => "its mass is known".to_owned(),
-            Measured::Fill => "its fill is known".to_owned(),
+            Measured::Mass => "measured by mass".to_owned(),
+            Measured::Fill => "measured by fill".to_owned(),
         });
     }
     // An empty tank has no row.

@@ -273,13 +273,13 @@ fn what_is_taken_as_given_is_said() {
     let lines = file.sources();
     let expected = [
         "2 rows",
-        "all rows stand in one frame, \"whole\", as none names another",
-        "what stands above the headings in row 3 was not read",
-        "not read: notes, Part number",
-        "without a unit, so in SI (kg, m, rad): x, y, z",
-        "± is one standard deviation, as no coverage_factor is given",
-        "2 parts with neither tensor nor form: all mass at one point",
-        "1 row of several copies that have the same error each",
+        "all rows are in one frame, \"whole\", because no row has a parent",
+        "rows above the headings in row 3 were ignored",
+        "ignored columns: notes, Part number",
+        "no unit given, SI assumed (kg, m, rad): x, y, z",
+        "± is one standard deviation: no coverage_factor is given",
+        "2 parts without tensor or shape: all mass at one point",
+        "1 row with several copies, which share the same error",
     ];
     assert_eq!(lines, expected.map(|line| format!("list.csv: {line}")));
     assert!((estimate(&file.configurations[0].budget).sd(0) - 0.0004).abs() < 1e-18);

@@ -63,14 +63,14 @@ fn errors_of_a_plan_and_a_head_are_where_they_stand() {
         (
             "## a\n# title = \"other\"\n",
             PLAN,
-            "parts.csv:2:3: title = \"other\" must be given in one place: the plan has it too (named in plan.toml:1:1) | a key or a section stands in the plan",
+            "parts.csv:2:3: title = \"other\" must be given only once: the plan has it too (named in plan.toml:1:1) | write a key or a section in the plan",
         ),
         (
             "# [[limit]]\n# of = \"mass\"\n# least = 0\n",
             PLAN,
-            "parts.csv:1:5: limit = [[limit]] must be given in one place: the plan has it too (named in plan.toml:6:3)",
+            "parts.csv:1:5: limit = [[limit]] must be given only once: the plan has it too (named in plan.toml:6:3)",
         ),
-        ("# parts = \"more.csv\"\n", PLAN, "parts.csv:1:3: parts = \"more.csv\" must be given in one place"),
+        ("# parts = \"more.csv\"\n", PLAN, "parts.csv:1:3: parts = \"more.csv\" must be given only once"),
         (
             "# growth = { E = 0.25 }\n# [result]\n# draws = 0\n",
             PLAN,
@@ -89,7 +89,7 @@ fn errors_of_a_plan_and_a_head_are_where_they_stand() {
                 "[growth]\nE = 0.1\n[[group]]\nname = \"wheels\"\nmass = 1\n[ballast]",
                 1,
             ),
-            "parts.csv:1:5: group = [[group]] must be given in one place",
+            "parts.csv:1:5: group = [[group]] must be given only once",
         ),
         (
             HEAD,
@@ -144,13 +144,13 @@ fn a_plan_and_the_sheets_of_its_workbook_are_one_set_of_keys() {
             &[&["title", "A book"][..]][..],
             group,
             format!("title = \"x\"\n{plan}"),
-            "b.xlsx: plan!A1: title = \"A book\" must be given in one place: the plan has it too (named in plan.toml:1:1)",
+            "b.xlsx: plan!A1: title = \"A book\" must be given only once: the plan has it too (named in plan.toml:1:1)",
         ),
         (
             &[&["title", "A book"]],
             group,
             format!("{plan}[[group]]\nname = \"g\"\nmass = 1\n"),
-            "b.xlsx: group!A2: group = [[group]] must be given in one place",
+            "b.xlsx: group!A2: group = [[group]] must be given only once",
         ),
         (
             &[&["coverage_factor", "-1"]],
@@ -214,12 +214,12 @@ fn tables_of_tanks_are_of_the_file_that_names_them() {
         (
             "mass,z\n4,1\n3,2\n",
             plan,
-            "lists/grain.csv:3:1: mass = 3 must be more than that of the row before (named in lists/parts.csv:4:11)",
+            "lists/grain.csv:3:1: mass = 3 must be greater than in the row before (named in lists/parts.csv:4:11)",
         ),
         (
             &grain,
             &of_plan.replace("7 kg", "11 kg").replace("[[tank]]", "[[tank]]\ntable = \"grain\""),
-            "plan.toml:7:8: mass = \"11 kg\" must be not negative, and no more than the tank holds, 10 kg",
+            "plan.toml:7:8: mass = \"11 kg\" must be from 0 to the capacity of the tank, 10 kg",
         ),
         (
             &grain,
@@ -252,7 +252,7 @@ fn tables_of_tanks_are_of_the_file_that_names_them() {
     folder.write("lists/grain.csv", "mass,z\n4,1\n3,2\n");
     let error = folder.read("plan.toml", plan).unwrap_err();
     assert!(
-        error.starts_with("lists/grain.csv:3:1: mass = 3 must be more than that of the row before (named in lists/b.xlsx: tank!C2)"),
+        error.starts_with("lists/grain.csv:3:1: mass = 3 must be greater than in the row before (named in lists/b.xlsx: tank!C2)"),
         "{error}"
     );
 }

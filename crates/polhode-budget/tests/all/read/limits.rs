@@ -102,11 +102,11 @@ fn what_says_nothing_is_refused() {
         ("of = \"weight\"\nmost = 2", "mass"),
         ("of = \"tilt\"\nmost = 2", "along"),
         ("of = \"tilt\"\nalong = [0, 0, 0]\nmost = 2", "not zero"),
-        ("of = \"center\"\nalong = \"z\"\nleast = 2\nmost = 1", "no less than least"),
-        ("of = \"center\"\nalong = \"z\"\nwithin = 2\nmost = 1", "within stands for both"),
+        ("of = \"center\"\nalong = \"z\"\nleast = 2\nmost = 1", "at least the value of least"),
+        ("of = \"center\"\nalong = \"z\"\nwithin = 2\nmost = 1", "within sets both"),
         ("of = \"principal moment\"\nnumber = 4\nmost = 1", "1, 2 or 3"),
         ("of = \"product\"\naxes = [\"x\", [1, 1, 0]]\nwithin = 1", "perpendicular"),
-        ("of = \"mass\"\nmost = 1\n[[limit]]\nof = \"mass\"\nleast = 1", "the name of no other limit"),
+        ("of = \"mass\"\nmost = 1\n[[limit]]\nof = \"mass\"\nleast = 1", "unique among the limits"),
     ] {
         let error = limits(&format!("[[limit]]\n{lines}")).unwrap_err();
         assert!(error.contains(says) && error.starts_with("list.csv:"), "{lines}: {error}");
@@ -144,8 +144,11 @@ fn sites_have_their_forms() {
         ("[ballast]\nmost = 1", "[[site]]"),
         ("[[site]]\nname = \"a\"\nat = [0, 0, 0]\nrim = true", "without a radius"),
         ("[[site]]\nname = \"a\"\nat = [0, 0, 0]\nto = [1, 0, 0]\nsizes = [0]", "positive"),
-        ("[[site]]\nname = \"a\"\nat = [0, 0, 0]\nto = [1, 0, 0]\nradius = 1", "a line has an end"),
-        ("[[site]]\nname = \"a\"\nat = [0, 0, 0]\n[[site]]\nname = \"a\"\nat = [1, 0, 0]", "no other site"),
+        ("[[site]]\nname = \"a\"\nat = [0, 0, 0]\nto = [1, 0, 0]\nradius = 1", "a line has to"),
+        (
+            "[[site]]\nname = \"a\"\nat = [0, 0, 0]\n[[site]]\nname = \"a\"\nat = [1, 0, 0]",
+            "unique among the sites",
+        ),
         (
             "[[site]]\nname = \"a\"\nat = [0, 0, 0]\nradius = 1\nnormal = \"z\"\nholes = 3\nfirst = \"z\"",
             "not along the normal",

@@ -98,27 +98,27 @@ fn errors_that_are_none_are_refused_where_they_are() {
         (
             known,
             "# mass = \"12 ± 1 kg\"\n# mass_sd = 1",
-            "mass_sd = 1 must be left out, as mass has its error itself",
+            "mass_sd = 1 must be left out, because mass already has an error",
         ),
         (known, "# mass = 12\n# mass_sd = -1", "mass_sd = -1 must be with an error that is zero or positive"),
-        (known, "# mass = 12\n# fill_sd = 0.1", "fill_sd = 0.1 must be left out beside mass"),
-        (known, "# fill = 0.5\n# mass_sd = 0.1", "mass_sd = 0.1 must be left out beside fill"),
+        (known, "# mass = 12\n# fill_sd = 0.1", "fill_sd = 0.1 must be left out, because mass is given"),
+        (known, "# fill = 0.5\n# mass_sd = 0.1", "mass_sd = 0.1 must be left out, because fill is given"),
         (
             known,
             "# fill = \"75 ± 2 %\"",
-            "fill = \"75 ± 2 %\" must be in percent on both sides, or on neither",
+            "fill = \"75 ± 2 %\" must be in percent on both sides of ±, or on neither",
         ),
         (known, "# fill = \"1.2 ± 0.1\"", "fill = \"1.2 ± 0.1\" must be from 0 to 100 %"),
         (known, "# fill = \"x % ± 2 %\"", "\"x"),
         (
             known,
             "# mass = \"0 ± 1 kg\"",
-            "mass = \"0 ± 1 kg\" must be without an error, as the tank is empty",
+            "mass = \"0 ± 1 kg\" must be without an error, because the tank is empty",
         ),
         (
             known,
             "# mass = 0\n# mass_sd = \"5 %\"",
-            "mass_sd = \"5 %\" must be an amount, as a fraction of zero is none",
+            "mass_sd = \"5 %\" must be an absolute value: a percentage of zero is zero",
         ),
         (
             known,
@@ -128,12 +128,12 @@ fn errors_that_are_none_are_refused_where_they_are() {
         (
             known,
             "# mass = 12\n# group = \"fuels\"",
-            "group = \"fuels\" must be left out of a tank of which nothing has an error",
+            "group = \"fuels\" must be left out: the tank has no errors",
         ),
         (
             known,
             "# mass = \"12 ± 1e101 kg\"",
-            "mass = \"12 ± 1e101 kg\" must be with a standard deviation of 1e100 at most, in SI: it is 5e100 | what stands after ± is divided by the coverage_factor, 2e0",
+            "mass = \"12 ± 1e101 kg\" must be with a standard deviation of 1e100 at most, in SI: it is 5e100 | the value after ± is divided by coverage_factor, 2e0",
         ),
         (
             known,
@@ -190,7 +190,10 @@ fn a_table_may_be_a_file_or_a_sheet() {
     let estimate = read("a.toml", &dense).configurations[0].budget.estimate(Basis::Basic).unwrap();
     assert!((estimate.sd(0) - 0.2).abs() < 1e-12 && (estimate.properties.mass() - 21.0).abs() < 1e-12);
     let found = folder.read("a.toml", dense.replace("2 %", "2 kg/m^3")).unwrap_err();
-    assert!(found.contains("density_sd = \"2 kg/m^3\" must be in percent beside a table"), "{found}");
+    assert!(
+        found.contains("density_sd = \"2 kg/m^3\" must be in percent: a table has no density"),
+        "{found}"
+    );
     let of_file = read("a.toml", &plan("table = \"grain.csv\""));
     assert_eq!(inline.configurations, of_file.configurations);
     let estimate = inline.configurations[0].budget.estimate(Basis::Basic).unwrap();
@@ -198,14 +201,14 @@ fn a_table_may_be_a_file_or_a_sheet() {
     // The table is among the files that were read, so it is never overwritten.
     assert!(of_file.read.iter().any(|read| read.path.ends_with("grain.csv")));
     let lines = of_file.sources();
-    let said = "grain.csv: 2 rows of what is in a tank";
+    let said = "grain.csv: 2 rows of tank contents";
     assert!(lines.iter().any(|line| line.ends_with(said)), "{lines:?}");
     // Columns in any order, without levels, with or without units in the cells, in another form.
     let other = "z [m];mass;izz;iyy;ixx;y;x [m];ixy;iyz;ixz\n0.1;4;0.05;0.12;0.1;0.001;0;0.01;-0.02;0\n0.12;10 kg;0.2;0.31;0.3;0;0.002;0.01;0;0.02\n";
     folder.write("grain.csv", other);
     let found = folder.read("a.toml", plan("table = \"grain.csv\"")).unwrap_err();
     assert!(
-        found.contains("grain.csv:3:6: mass = 10 kg must be with a unit or without, as the numbers above"),
+        found.contains("grain.csv:3:6: mass = 10 kg must be with a unit or without, like the numbers above"),
         "{found}"
     );
     folder.write("grain.csv", other.replace("10 kg", "10"));
@@ -232,7 +235,7 @@ fn a_table_may_be_a_file_or_a_sheet() {
     };
     let of_sheet = folder.read("a.xlsx", book("grain", &rows)).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(of_sheet.configurations, inline.configurations);
-    assert!(of_sheet.read[0].lines.contains(&"the sheet grain: 2 rows of what is in a tank".to_owned()));
+    assert!(of_sheet.read[0].lines.contains(&"the sheet grain: 2 rows of tank contents".to_owned()));
     for (sheet, expected) in [
         (
             "gravel",
@@ -252,7 +255,7 @@ fn a_table_may_be_a_file_or_a_sheet() {
     }
     let falls: Vec<&[&str]> = vec![rows[0], rows[2], rows[1]];
     let found = folder.read("a.xlsx", book("grain", &falls)).unwrap_err();
-    assert!(found.contains("grain!A3: mass = 4 must be more than that of the row before"), "{found}");
+    assert!(found.contains("grain!A3: mass = 4 must be greater than in the row before"), "{found}");
 }
 
 #[test]
@@ -268,10 +271,10 @@ fn a_table_that_is_none_is_refused_where_it_is() {
         ("level [mm]", "lvel [mm]", ":1:11: unknown key \"lvel [mm]\" in the table of a tank"),
         ("mass [kg]", "masses [kg]", ":1:1: unknown key \"masses [kg]\""),
         ("mass [kg]", "mass [mm]", ":1:1: \"mm\" is a length where a mass belongs"),
-        ("y [mm]", "x [mm]", ":1:29: the heading = x [mm] must be another than that of the columns before"),
+        ("y [mm]", "x [mm]", ":1:29: the heading = x [mm] must be different from the headings before"),
         ("ixx,iyy,izz", "ixx,iyy,mass", ":1:"),
-        ("10,25", "4,25", ":3:1: mass = 4 must be more than that of the row before"),
-        ("10,25", "10,10", ":3:4: level = 10 must be more than that of the row before"),
+        ("10,25", "4,25", ":3:1: mass = 4 must be greater than in the row before"),
+        ("10,25", "10,10", ":3:4: level = 10 must be greater than in the row before"),
         ("4,10,", "-4,10,", ":2:1: mass = -4 must be positive"),
         ("4,10,", "4,-10,", ":2:3: level = -10 must be zero or positive"),
         ("4,10,", "4,,", ":2:1: the file has no level in this row"),
@@ -287,17 +290,17 @@ fn a_table_that_is_none_is_refused_where_it_is() {
     let unsigned = plan("table = \"grain.csv\"").replace("products = \"positive integrals\"\n", "");
     let found = folder.read("a.toml", unsigned).unwrap_err();
     assert!(
-        found.starts_with("grain.csv:2:27: products = 0.01 must be beside what their sign is"),
+        found.starts_with("grain.csv:2:27: products = 0.01 must be given with their sign convention"),
         "{found}"
     );
-    assert!(found.contains("| say products = "), "{found}");
+    assert!(found.contains("| set products = "), "{found}");
     for (text, missing) in [
         ("", "column with the heading mass"),
         ("x,y,z\n1,2,3\n", "column with the heading mass"),
         ("mass,level\n1,2\n", "column x, y or z"),
         ("mass,z,ixx\n1,2,3\n", "column of three, ixx, iyy and izz"),
         ("mass,z,ixy\n1,2,3\n", "column of three, ixx, iyy and izz"),
-        ("mass,z\n", "a table of a liquid has no rows"),
+        ("mass,z\n", "the table of a liquid has no rows"),
     ] {
         folder.write("grain.csv", text);
         let found = folder.read("a.toml", plan("table = \"grain.csv\"")).unwrap_err();
@@ -328,7 +331,7 @@ fn a_tank_of_a_later_configuration_is_said_to_be_that() {
     let error = csv(text).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "list.csv:15:10: tank = \"gas\" must be in the configuration \"stowed\", as which the body begins"
+        "list.csv:15:10: tank = \"gas\" must be in the configuration \"stowed\", in which the body begins"
     );
     assert_eq!(error.hint().as_deref(), Some("it is in \"open\", \"far\""));
     csv(&text.replace("# configuration = \"stowed\"", "# configuration = \"far\"")).unwrap();

@@ -19,10 +19,13 @@ fn a_sign_is_proved_where_the_other_makes_no_body() {
     };
     let (elements, lines) = sign("-0.06,-0.03,-0.02");
     assert_eq!(elements, ProductSign::NegativeIntegral);
-    assert!(lines.contains("1 tensor of which the products are elements, −∫xy dm, as no body"), "{lines}");
+    assert!(
+        lines.contains("1 tensor with products taken as tensor elements, −∫xy dm: the other sign"),
+        "{lines}"
+    );
     let (integrals, lines) = sign("0.06,0.03,0.02");
     assert_eq!(integrals, ProductSign::PositiveIntegral);
-    assert!(lines.contains("1 tensor of which the products are positive integrals, +∫xy dm"), "{lines}");
+    assert!(lines.contains("1 tensor with products taken as positive integrals, +∫xy dm"), "{lines}");
 }
 
 #[test]

@@ -60,7 +60,10 @@ fn liquids_count_and_go() {
     assert!(matches!(&over_time.outflow, Outflow::Exits(exits) if exits[0].position.z == -1.0));
     assert!(prescribed.sequence(Some("deployed"), Basis::Basic).unwrap().burns.is_empty());
     let said = file.sources().join("\n");
-    assert!(said.contains("8 kg in \"grain\", exactly") && said.contains("does not grow"), "{said}");
+    assert!(
+        said.contains("8 kg in \"grain\", exactly") && said.contains("without growth allowance"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -87,7 +90,11 @@ fn a_workbook_has_sheets_of_them() {
     assert!(masses.iter().zip([14.0, 13.0, 7.0]).all(|(a, b)| (a - b).abs() < 1e-12), "{masses:?}");
     for (flow, row, expected) in [
         ("0.3 kg/s", "case", "a.xlsx: burn!C2: at t = 10 s there would be -1 kg in the tank \"water\""),
-        ("0.1 kg/s", "cases", "a.xlsx: drop!B2: a change names the row \"cases\", which is not in the list"),
+        (
+            "0.1 kg/s",
+            "cases",
+            "a.xlsx: drop!B2: a change refers to the row \"cases\", which is not in the list",
+        ),
         ("0.1 m/s", "case", "a.xlsx: burn!C2: \"m/s\" is a velocity where a quantity in kg s^-1 belongs"),
     ] {
         let found = folder.read("a.xlsx", book(flow, row).bytes()).unwrap_err();
@@ -119,7 +126,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     (
         "# fill = \"75 %\"",
         "# mass = \"900 kg\"",
-        "mass = \"900 kg\" must be not negative, and no more than the tank holds, ",
+        "mass = \"900 kg\" must be from 0 to the capacity of the tank, ",
     ),
     ("# fill = \"75 %\"\n", "", "the key mass is missing in [[tank]]"),
     ("# fill = \"75 %\"", "# fill = 0.5\n# mass = 2", "fill and mass are both given"),
@@ -134,8 +141,8 @@ const REFUSED: &[(&str, &str, &str)] = &[
         "configuration = \"stwed\" must be a configuration | did you mean \"stowed\"?",
     ),
     ("# frame = \"tank\"", "# frmae = \"tank\"", "unknown key \"frmae\" in [[tank]] | did you mean frame?"),
-    ("# name = \"fuel\"", "# name = \"grain\"", "name = \"grain\" must be the name of no other tank"),
-    ("# mass = \"10 kg\"", "# mass = \"4 kg\"", "mass = \"4 kg\" must be more than that of the row before"),
+    ("# name = \"fuel\"", "# name = \"grain\"", "name = \"grain\" must be unique among the tanks"),
+    ("# mass = \"10 kg\"", "# mass = \"4 kg\"", "mass = \"4 kg\" must be greater than in the row before"),
     (
         "# moments = [0.3, 0.3, 0.2]",
         "# moments = [0.3, 0.3, 0.9]",
@@ -146,7 +153,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     (
         "# products = \"positive integrals\"\n",
         "",
-        "products = [0.01, 0, -0.02] must be beside what their sign is",
+        "products = [0.01, 0, -0.02] must be given with their sign convention",
     ),
     (
         "# [sequence]\n# configuration = \"stowed\"\n# until = \"60 s\"\n# spin = [0, 0, \"30 rpm\"]\n",
@@ -190,12 +197,16 @@ const REFUSED: &[(&str, &str, &str)] = &[
     (
         "# rows = [\"booster\"]",
         "# rows = [\"boster\"]",
-        "a change names the row \"boster\", which is not in the list",
+        "a change refers to the row \"boster\", which is not in the list",
     ),
-    ("# rows = [\"booster\"]", "# rows = [\"craft\"]", "after t = 6 s nothing is left of the body"),
-    ("# rows = [\"booster\"]", "# rows = [\"tank\"]", "at t = 10 s \"fuel\" is not there any more"),
-    ("# time = \"6 s\"", "# time = \"3 s\"", "at t = 3 s \"grain\" is not there any more"),
-    ("# time = \"8 s\"", "# time = \"6 s\"", "time = \"6 s\" must be the time of no other change"),
+    ("# rows = [\"booster\"]", "# rows = [\"craft\"]", "after t = 6 s the body has no mass left"),
+    ("# rows = [\"booster\"]", "# rows = [\"tank\"]", "at t = 10 s \"fuel\" has already been removed"),
+    ("# time = \"6 s\"", "# time = \"3 s\"", "at t = 3 s \"grain\" has already been removed"),
+    (
+        "# time = \"8 s\"",
+        "# time = \"6 s\"",
+        "time = \"6 s\" must be different from the times of the other changes",
+    ),
     (
         "# time = \"8 s\"\n# configuration = \"deployed\"",
         "# time = \"8 s\"\n# configuration = \"open\"",
@@ -204,7 +215,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     (
         "arm,craft,deployed,2",
         "arm,craft,deployed,2.5",
-        "at t = 8 s the body takes another form, but its mass changes from 23 kg to 23.5 kg",
+        "the deployment at t = 8 s changes the mass from 23 kg to 23.5 kg",
     ),
     ("# position = [0, 0, \"-1 m\"]\n", "", "the key position is missing in [[exit]]"),
 ];
@@ -232,6 +243,9 @@ fn what_is_wrong_is_refused_where_it_is() {
     let several = "# [[tank]]\n# name = \"t\"\n# frame = \"a\"\n# shape = \"sphere\"\n# radius = 1\n# density = 1\n# settles = \"z\"\n# fill = 1\nname,mass,quantity\na,1,2\nb,1,1\n";
     let error = csv(several).unwrap_err();
     let named = csv(&several.replace("name = \"t\"", "name = \"b\"")).unwrap_err();
-    assert!(named.to_string().contains("the tank = \"b\" must be called as no row is"), "{named}");
-    assert_eq!(error.to_string(), "list.csv:3:11: the tank \"t\" is in \"a\", of which there are several");
+    assert!(
+        named.to_string().contains("the tank = \"b\" must be different from the names of all rows"),
+        "{named}"
+    );
+    assert_eq!(error.to_string(), "list.csv:3:11: the tank \"t\" is in \"a\", which has several copies");
 }

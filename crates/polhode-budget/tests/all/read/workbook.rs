@@ -91,10 +91,10 @@ fn what_is_hidden_is_read_and_said() {
     let file = folder.read("hidden.xlsx", book.bytes()).unwrap();
     let lines = file.sources().join("\n");
     for said in [
-        "hidden: the sheet _list",
-        "hidden: columns B to C",
-        "hidden: rows 3",
-        "sheets that were not read: remarks",
+        "hidden sheet that was read: _list",
+        "hidden columns that were read: B to C",
+        "hidden rows that were read: 3",
+        "ignored sheets: remarks",
     ] {
         assert!(lines.contains(said), "{said}: {lines}");
     }
@@ -133,16 +133,10 @@ fn each_mistake_in_a_workbook_is_named_with_its_cell() {
     let books: Vec<(Book, &str)> = vec![
         (
             one("=B1*2"),
-            "b.xlsx: parts!B2: mass [g] = =B1*2 must be a value: it is a formula without its result",
+            "b.xlsx: parts!B2: mass [g] = =B1*2 must be a value: the formula has no stored result",
         ),
-        (
-            one("#REF!"),
-            "b.xlsx: parts!B2: mass [g] = #REF! must be a value, where the spreadsheet has an error",
-        ),
-        (
-            one("date:45000"),
-            "b.xlsx: parts!B2: mass [g] = 45000 must be a number or a text: it is shown as a date",
-        ),
+        (one("#REF!"), "b.xlsx: parts!B2: mass [g] = #REF! must be a value, but the cell has an error"),
+        (one("date:45000"), "b.xlsx: parts!B2: mass [g] = 45000 must be a number or a text, not a date"),
         (one("percent:0.5"), "b.xlsx: parts!B2: "),
         (one("1,234.5"), "b.xlsx: parts!B2: \"1,234.5\" is not a number"),
         (one("3 mm"), "b.xlsx: parts!B2: \"mm\" is a length where a mass belongs"),
@@ -153,15 +147,15 @@ fn each_mistake_in_a_workbook_is_named_with_its_cell() {
         ),
         (
             Book::new().sheet("parts", &[&["name", "date:45000"], &["a", "1"]]),
-            "b.xlsx: parts!B1: the heading = 45000 must be a number or a text: it is shown as a date",
+            "b.xlsx: parts!B1: the heading = 45000 must be a number or a text, not a date",
         ),
         (
             Book::new().sheet("parts", &[&["name", "mass"], &["a", "1", "", "2"]]),
-            "b.xlsx: parts!D2: a cell beside the columns = 2 must be under a heading",
+            "b.xlsx: parts!D2: a cell outside the columns = 2 must be under a heading",
         ),
         (
             Book::new().sheet_with("parts", &[&["name", "mass"], &["a", "1"], &["b"]], "", merged, &[]),
-            "b.xlsx: parts!B2: mass = 1 must be in a cell of its own: it is merged with others",
+            "b.xlsx: parts!B2: mass = 1 must be in a separate cell: it is merged with others",
         ),
         (
             Book::new().sheet("parts", &[&["name", "mass", "shape", "radius"], &["a", "1", "sphere", "-2"]]),
@@ -183,14 +177,14 @@ fn each_mistake_in_a_workbook_is_named_with_its_cell() {
         ),
         (
             two("plan", &[&["coverage_factor", "=1+1"]]),
-            "b.xlsx: plan!B1: coverage_factor = =1+1 must be a value: it is a formula",
+            "b.xlsx: plan!B1: coverage_factor = =1+1 must be a value: the formula has no stored result",
         ),
         (two("plan", &[&["title", "a"], &["title", "b"]]), "b.xlsx: plan!A2: duplicate key"),
         (two("group", &[&["name", "mass"], &["g", "2"]]), "b.xlsx: group!B2: mass = 2 must be from 0 to 1"),
         (two("group", &[&["mass"], &["1"]]), "b.xlsx: group!A2: the key name is missing in [[group]]"),
         (
             two("remarks", &[&["x"]]),
-            "b.xlsx: which of the sheets parts, remarks are the parts? The file does not say | call it \"parts\", and write ignore = [\"remarks\"]",
+            "b.xlsx: which of the sheets parts, remarks has the parts? The file does not say | name it \"parts\", and list the others as ignore = [\"remarks\"]",
         ),
         (Book::new().sheet("plan", &[&["title", "x"]]), "b.xlsx: the file has no sheet \"parts\""),
     ];
@@ -214,7 +208,7 @@ fn archives_that_are_no_workbooks_are_refused() {
     let read = |bytes: &[u8]| folder.read("a.xlsx", bytes).unwrap_err();
     let other = zipped(&[("word/document.xml".to_owned(), "<document/>".to_owned())]);
     assert!(
-        read(&other).starts_with("a.xlsx: the file has no workbook | it is an archive, but none of sheets")
+        read(&other).starts_with("a.xlsx: the file has no workbook | it is a ZIP archive without sheets")
     );
     let book = Book::new().sheet("parts", &[&["name", "mass"], &["a", "1"]]).bytes();
     assert!(

@@ -12,16 +12,16 @@ fn configurations_stand_side_by_side_and_a_body_is_one_of_them() {
     let both =
         BudgetReport::new(Some("A CubeSat"), Vec::new(), both.to_vec(), limits(), options(100)).unwrap();
     let text = text(&both);
-    assert!(text.contains("number  stowed  ") && text.contains("3. stowed: Masses"), "{text}");
+    assert!(text.contains("quantity  stowed  ") && text.contains("3. stowed: Masses"), "{text}");
     let none = both.body(None).unwrap_err();
     assert_eq!(
         (none.message(), none.hint()),
         (
-            "there are several configurations, and a body is one of them".to_owned(),
+            "the file has several configurations, but only one can be used".to_owned(),
             Some("name one of \"stowed\", \"deployed\"".to_owned()),
         )
     );
-    assert_eq!(both.body(Some("flying")).unwrap_err().message(), "there is no configuration \"flying\"");
+    assert_eq!(both.body(Some("flying")).unwrap_err().message(), "unknown configuration \"flying\"");
     let body = both.body(Some("stowed")).unwrap();
     assert_eq!(body, satellite(false).mass_properties(Basis::Predicted).unwrap());
     let toml = both.to_scenario(Some("stowed")).unwrap();

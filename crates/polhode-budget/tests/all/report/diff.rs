@@ -48,7 +48,7 @@ fn a_difference_is_told_row_by_row() {
     let text = diff.to_document().to_text(100);
     for line in [
         "heavier: 0.78 to 0.8 kg, by +0.02 kg",
-        "4 to 5 of it",
+        "quantity 4 to 5",
         "moved by 5 mm",
         "growth allowance 25 % to 20 %",
         "maturity C to none",
@@ -93,7 +93,7 @@ fn a_difference_has_what_is_stated_besides_the_rows() {
     assert_eq!(stated[2]["what"], format!("limit {gone}"));
     assert_eq!(stated[2]["after"], Value::Null);
     let text = diff.to_document().to_text(100);
-    assert!(text.contains("changed besides the rows: group wings"), "{text}");
+    assert!(text.contains("other changes: group wings"), "{text}");
 }
 
 /// A part keeps its mass if its frame is removed.

@@ -60,7 +60,7 @@ fn tanks_and_what_happens_are_those_of_the_sequence() {
     assert!((half["level"].as_f64().unwrap() - 0.25).abs() < 1e-12);
     let document = report.to_document();
     let text = document.to_text(100);
-    for said in ["70     c dropped", "In 90 s 70 kg become 35 kg", "water: 40 kg of 65.45 kg"] {
+    for said in ["70     c dropped", "Mass over 90 s: 70 kg to 35 kg", "water: 40 kg of 65.45 kg"] {
         assert!(text.contains(said), "{said}: {text}");
     }
     assert!(text.lines().all(|line| line.chars().count() <= 100), "{text}");

@@ -174,7 +174,7 @@ pub(super) const CASES: &[Case] = &[
         "[[tank]]",
         "fill",
         &[("mass = \"0.75 kg\"", "fill = 0.25")],
-        &["by a table; its mass is known", "by a table; its fill is known"],
+        &["by a table; measured by mass", "by a table; measured by fill"],
     ),
     ("[[tank]]", "fill_sd", &[("fill_sd = \"2 %\"", "fill_sd = \"3 %\"")], &["fuel sd of fill 2 to 3 %"]),
     (
@@ -314,12 +314,12 @@ pub(super) const CASES: &[Case] = &[
     ),
     // Columns.
     ("row", "name", &[("boom,bus", "beam,bus")], &["beam added, with 0.8 kg", "boom removed, with 0.8 kg"]),
-    ("row", "parent", &[("boom,bus", "boom,tank")], &["boom stood in bus, stands in tank"]),
+    ("row", "parent", &[("boom,bus", "boom,tank")], &["boom parent bus to tank"]),
     (
         "row",
         "quantity",
         &[("cells,bus,4", "cells,bus,5"), (",2.4,", ",3.0,"), (",3.5,", ",3.6,")],
-        &["cells 4 to 5 of it"],
+        &["cells quantity 4 to 5"],
     ),
     ("row", "copies", &[("4,independent", "4,alike")], &["cells copies independent to alike"]),
     ("row", "configuration", &[("stowed; stored", "stowed")], &["stored: 1 change"]),

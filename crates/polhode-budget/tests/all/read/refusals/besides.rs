@@ -34,12 +34,15 @@ pub(super) const BESIDES: &[(&str, &str)] = &[
     ),
     (
         "name,mass,quantity,copies\na,1 ± 0.1,10001,independent\n",
-        "list.csv:2:11: 10001 copies of \"a\" are to have independent errors, where 10000 at most can be drawn | say that",
+        "list.csv:2:11: 10001 copies of \"a\" have independent errors, but at most 10000 can be drawn | set copies to alike",
     ),
     ("name,mass,quantity,copies\na,1,10001,independent\n", ""),
     ("name,mass,quantity,copies\na,1 ± 0.1,10000,independent\n", ""),
-    ("name,mass\na,1e308\nb,1.5e308\n", "list.csv:3:3: the sum of all parts is no body: "),
-    ("name,mass,x,y,z\na,1,1e200,0,0\nb,1,0,-2e200,0\n", "list.csv:3:7: the sum of all parts is no body: "),
+    ("name,mass\na,1e308\nb,1.5e308\n", "list.csv:3:3: the sum of all parts is not a physical body: "),
+    (
+        "name,mass,x,y,z\na,1,1e200,0,0\nb,1,0,-2e200,0\n",
+        "list.csv:3:7: the sum of all parts is not a physical body: ",
+    ),
     ("name,mass,growth\na,1,-0.1\n", "list.csv:2:5: growth = -0.1 must be zero or positive"),
     (
         "# growth = { C = 0.1 }\nname,mass,maturity,growth\na,1,C,0.2\n",
@@ -47,11 +50,11 @@ pub(super) const BESIDES: &[(&str, &str)] = &[
     ),
     (
         "# growth = { C1 = 0.1 }\nname,mass,maturity\na,1,C2\n",
-        "list.csv:3:5: \"a\" has the maturity code \"C2\", for which there is no growth allowance | add the code",
+        "list.csv:3:5: \"a\" has the maturity code \"C2\", which has no growth allowance | add the code",
     ),
     (
         "name,mass,growth\na,1,15\n",
-        "list.csv:2:5: growth = 15 must be in percent, as it is above 1 | 15 % is 0.15",
+        "list.csv:2:5: growth = 15 must be in percent, because it is above 1 | 15 % is 0.15",
     ),
     ("name,mass,growth\na,1,150 %\n", ""),
     ("name,mass,growth [%]\na,1,150\n", ""),
@@ -80,7 +83,7 @@ pub(super) const BESIDES: &[(&str, &str)] = &[
     ("# [[group]]\n# mass = 1\nname,mass\na,1\n", "list.csv:1:3: the key name is missing in [[group]]"),
     (
         "# configurations = [\"stowed\"]\nname,mass,configuration\na,1,stowd\n",
-        "list.csv:3:5: configuration = stowd must be of stowed | did you mean stowed?",
+        "list.csv:3:5: configuration = stowd must be one of stowed | did you mean stowed?",
     ),
     (
         "name,mass,configuration\na,1,\"a,,b\"\n",
@@ -109,7 +112,7 @@ pub(super) const BESIDES: &[(&str, &str)] = &[
     ),
     (
         "# coverage_factor = 1e-300\nname,mass\na,1 ± 0.1\n",
-        "list.csv:3:3: mass = 1 ± 0.1 must be with a standard deviation of 1e100 at most, in SI: it is 1e299 | what stands after ± is divided by the coverage_factor, 1e-300",
+        "list.csv:3:3: mass = 1 ± 0.1 must be with a standard deviation of 1e100 at most, in SI: it is 1e299 | the value after ± is divided by coverage_factor, 1e-300",
     ),
     (
         "name,mass,x,y,z\na,1,2 ± 1e101,0,0\n",
@@ -120,10 +123,7 @@ pub(super) const BESIDES: &[(&str, &str)] = &[
         "list.csv:2:9: mass sd = 1e20 must be with a standard deviation of 1e10 at most, in SI: it is 1e20",
     ),
     ("# [limts]\nname,mass\na,1\n", "list.csv:1:4: unknown key \"limts\" in the file"),
-    (
-        "# ignore = [\"a\", \"a\"]\nname,mass\na,1\n",
-        "list.csv:1:18: ignore = \"a\" must be a name that does not stand there already",
-    ),
+    ("# ignore = [\"a\", \"a\"]\nname,mass\na,1\n", "list.csv:1:18: ignore = \"a\" must be listed only once"),
     // Forms
     ("name,mass,shape,radius\na,1,spere,1\n", "list.csv:2:5: shape = \"spere\" must be one of"),
     (
@@ -142,11 +142,11 @@ pub(super) const BESIDES: &[(&str, &str)] = &[
     ("name,mass,radius\na,1,2\n", "list.csv:2:5: radius = 2 must be left out of a part without a shape"),
     (
         "name,mass,shape,radius,Ixx,Iyy,Izz\na,1,sphere,1,1,1,1\n",
-        "list.csv:2:14: Ixx = 1 must be left out where the part's form says it",
+        "list.csv:2:14: Ixx = 1 must be left out, because the shape of the part gives it",
     ),
     (
         "name,mass,shape,radius,mesh\na,1,sphere,1,b.stl\n",
-        "list.csv:2:14: mesh = b.stl must be left out where another column says what the part is",
+        "list.csv:2:14: mesh = b.stl must be left out, because another column defines the part",
     ),
     (
         "name,mass,mesh\na,1,lost.stl\n",
@@ -154,10 +154,10 @@ pub(super) const BESIDES: &[(&str, &str)] = &[
     ),
     ("name,file\na,lost.toml\n", "list.csv:2:3: cannot read \"lost.toml\": there is no such file"),
     ("name,file\na,lost.txt\n", "list.csv:2:3: cannot read"),
-    ("name,file,mass\na,open.txt,1\n", "list.csv:2:12: mass = 1 must be left out where a file says it"),
+    ("name,file,mass\na,open.txt,1\n", "list.csv:2:12: mass = 1 must be left out, because the file gives it"),
     (
         "name,file,x\na,open.txt,1\n",
-        "list.csv:2:12: x = 1 must be left out where a file says where the centre of mass is",
+        "list.csv:2:12: x = 1 must be left out, because the file gives the centre of mass",
     ),
     ("name,file\na,open.txt\n", "open.txt:"),
     ("name,mesh,mass\na,open.txt,1\n", "list.csv:2:3: file = \"open.txt\" must be a mesh file"),

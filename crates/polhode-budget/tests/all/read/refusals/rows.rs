@@ -8,7 +8,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("nmae,mass\na,1\n", "list.csv:1:1: unknown key \"nmae\" in the headings | did you mean name?"),
     (
         "name,maas [g]\na,1\n",
-        "list.csv:1:6: unknown key \"maas [g]\" in the headings | did you mean mass? or write ignore = [\"maas [g]\"]",
+        "list.csv:1:6: unknown key \"maas [g]\" in the headings | did you mean mass? or add ignore = [\"maas [g]\"]",
     ),
     (
         "name,mass,colour\na,1,red\n",
@@ -21,15 +21,15 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("name,mass [gg]\na,1\n", "list.csv:1:6: there is no unit \"gg\""),
     (
         "name,mass,Mass [g]\na,1,1\n",
-        "list.csv:1:11: the heading = Mass [g] must be another column than that with the heading \"mass\"",
+        "list.csv:1:11: the heading = Mass [g] must be a column that is not given twice: it equals \"mass\"",
     ),
-    ("name,path,mass\na,a,1\n", "list.csv:1:6: the heading = path must be another column"),
+    ("name,path,mass\na,a,1\n", "list.csv:1:6: the heading = path must be a column that is not given twice"),
     ("name,mass,parent [kg]\na,1,\n", "list.csv:1:11: the heading = parent [kg] must be without a unit"),
     ("name,mass,quantity sd\na,1,1\n", "list.csv:1:11: unknown key \"quantity sd\""),
     ("name,mass,rotate x\na,1,1\n", "list.csv:1:11: unknown key \"rotate x\""),
     // Cells
-    ("name,mass\na,1,2\n", "list.csv:2:5: a cell beside the columns = 2 must be under a heading"),
-    ("name,mass\n\"a,1\n", "list.csv:2:1: expected a quote that ends the cell, found the end of the file"),
+    ("name,mass\na,1,2\n", "list.csv:2:5: a cell outside the columns = 2 must be under a heading"),
+    ("name,mass\n\"a,1\n", "list.csv:2:1: expected a closing quote, found the end of the file"),
     (
         "name,mass\n\"a\"b,1\n",
         "list.csv:2:4: expected a comma or the end of the line after the quote, found \"b\"",
@@ -53,34 +53,34 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ),
     (
         "name;mass\na;1,250\n",
-        "list.csv:2:3: is this a decimal mark, or does it part thousands? The file has only 1,250 | write decimal",
+        "list.csv:2:3: is this a decimal mark or a thousands separator? The file has only 1,250 | write decimal",
     ),
     (
         "# decimal = \"comma\"\nname;mass\na;1.250,5\n",
         "list.csv:3:3: mass = 1.250,5 must be a number with a decimal comma",
     ),
     // Names and trees
-    ("name,mass\n,1\n", "list.csv:2:2: the file has no name in row 2 | write a sum into the column subtotal"),
+    ("name,mass\n,1\n", "list.csv:2:2: the file has no name in row 2 | write a sum in the column subtotal"),
     (
         "name,mass\na,1\nb,2\nTotal:,3\n",
-        "list.csv:4:1: name = Total: must be the name of a part, and no sum of others | write a sum",
+        "list.csv:4:1: name = Total: must be the name of a part, not of a sum | write a sum",
     ),
     ("name,mass\na,1\na,2\n", "list.csv:3:1: rows 1 and 2 have the same name, \"a\""),
     (
         "name,parent,mass\na,,1\nb,,2\nc,b,3\n",
-        "list.csv:3:1: \"a\" and \"b\" both stand in no other row: there can be one such row | put one into the other",
+        "list.csv:3:1: \"a\" and \"b\" both have no parent: only one row can be the root | make one the parent",
     ),
     (
         "name,parent,mass\na,,1\nb,c,2\nc,d,2\nd,b,2\n",
-        "list.csv:5:3: rows stand in each other: \"b\" in \"c\" in \"d\" in \"b\"",
+        "list.csv:5:3: parents form a cycle: \"b\" in \"c\" in \"d\" in \"b\"",
     ),
     (
         "name,parent,mass\nbus,,1\nb,buss,2\n",
-        "list.csv:3:3: \"b\" names the frame \"buss\", which is no row | did you mean \"bus\"?",
+        "list.csv:3:3: \"b\" refers to the frame \"buss\", which is not a row | did you mean \"bus\"?",
     ),
     (
         "path,mass\nbus,\npod/cell,2\n",
-        "list.csv:3:1: \"pod/cell\" names the frame \"pod\", which is no row | a frame is a row",
+        "list.csv:3:1: \"pod/cell\" refers to the frame \"pod\", which is not a row | add a row with this name",
     ),
     (
         "name,parent,mass\na,,7\nb,a,1.00\nc,b,0.25\nd,b,0.7500\n",
@@ -92,27 +92,27 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ),
     (
         "name,parent,mass\nf,,3.2\na,f,3.20\n",
-        "list.csv:2:4: mass = 3.2 must be the mass of the part itself, but it is the sum of the rows that stand in it: these would count twice | write a sum into the column subtotal",
+        "list.csv:2:4: mass = 3.2 must be the mass of the part itself, but it is the sum of the rows inside it, which would be counted twice | write a sum in the column subtotal",
     ),
     ("name,parent,mass\nf,,3\na,f,3.2\n", ""),
     (
         "name,mass\na,1\nTotal (all),3\n",
-        "list.csv:3:1: name = Total (all) must be the name of a part, and no sum of others",
+        "list.csv:3:1: name = Total (all) must be the name of a part, not of a sum",
     ),
     (
         "name,mass\n# a,1\nb,2\n",
-        "list.csv:2:1: name = # a must be without # in front, below the headings | remarks, ##, stand above",
+        "list.csv:2:1: name = # a must be without # in front, below the headings | remarks (##) belong above",
     ),
     ("name,mass\n#a,1\nb,2\n", "list.csv:2:1: name = #a must be without # in front"),
     ("name,mass\n\"#8 screw\",1\nb,2\n", ""),
     (
         "path,parent,mass\na,,1\nc,a,2\na/b,c,5\n",
-        "list.csv:4:5: parent = c must be \"a\", as the path says, or left out | a name with / is a path",
+        "list.csv:4:5: parent = c must be \"a\", as in the path, or left out | a name with / is a path",
     ),
     ("path,parent,mass\na,,1\na/b,a,5\n", ""),
     (
         "name,mass,quantity\na,1,\nb,,5\nc,2,\n",
-        "list.csv:3:1: name = b must be a row with mass, or one in which others stand | a frame in which nothing stands",
+        "list.csv:3:1: name = b must be a row with mass, or the parent of other rows | an empty frame has no effect",
     ),
     ("name,mass\na,1\n---,\n", "list.csv:3:1: name = --- must be a row with mass"),
     ("name,mass,configuration\na,1,\nb,,late\nc,2,early\n", "list.csv:3:1: name = b must be a row with mass"),
@@ -122,13 +122,10 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("name,mass\na,1\u{a0}250.5 kg\n", "list.csv:2:3: "),
     ("name,mass,growth [%]\na,1,1 5\n", "list.csv:2:5: \"1 5\" is not a number"),
     ("name,mass\nframe,\n", "list.csv: no row has a mass"),
-    (
-        "name,mass\nb\u{200b}olt,1\n",
-        "list.csv:2:1: name = b\u{fffd}olt must be a name of characters that can be seen",
-    ),
+    ("name,mass\nb\u{200b}olt,1\n", "list.csv:2:1: name = b\u{fffd}olt must be a name of visible characters"),
     (
         "name,mass\n\"a\u{1b}[31mb\",1\n",
-        "list.csv:2:1: name = a\u{fffd}[31mb must be a name of characters that can be seen",
+        "list.csv:2:1: name = a\u{fffd}[31mb must be a name of visible characters",
     ),
     ("name,mass,\u{1b}[31m\na,1,\n", "list.csv:1:11: unknown key \"\\u{1b}[31m\" in the headings"),
     // Numbers out of range
@@ -136,13 +133,13 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("name,mass\na,0\n", "list.csv:2:3: \"a\" cannot exist: the mass = 0 must be positive"),
     (
         "name,mass,quantity\na,1,0\n",
-        "list.csv:2:5: quantity = 0 must be a whole number, 1 at least | leave out the row",
+        "list.csv:2:5: quantity = 0 must be an integer, at least 1 | delete the row",
     ),
-    ("name,mass,quantity\na,1,1.5\n", "list.csv:2:5: quantity = 1.5 must be a whole number"),
+    ("name,mass,quantity\na,1,1.5\n", "list.csv:2:5: quantity = 1.5 must be an integer"),
     ("name,mass,quantity,copies\na,1,2,same\n", "list.csv:2:7: copies = same must be alike or independent"),
     (
         "name,parent,quantity,copies,mass\na,,,,1\nb,a,2,independent,1\nc,b,1,,1.5\n",
-        "list.csv:3:7: copies of \"b\" are to have independent errors, but \"c\" stands in it",
+        "list.csv:3:7: copies of \"b\" have independent errors, but \"c\" is inside it",
     ),
     ("name,mass,x\na,1,2\n", ""),
     (
@@ -154,10 +151,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
         "list.csv:2:4: at y = 2 must be given with at x, which is empty in this row",
     ),
     ("name,mass,x\na,,2\n", "list.csv:2:4: x = 2 must be left out of a row without mass, or given with it"),
-    (
-        "name,mass\nbus,1\nbus/,2\n",
-        "list.csv:3:1: name = bus/ must be a name, or names with a / between each two",
-    ),
+    ("name,mass\nbus,1\nbus/,2\n", "list.csv:3:1: name = bus/ must be a name, or names separated by /"),
     ("name,mass\nbus,1\nbus//a,2\n", "list.csv:3:1: name = bus//a must be a name, or names"),
     ("name,mass\n/bus,1\n", "list.csv:2:1: name = /bus must be a name, or names"),
     (
@@ -181,11 +175,11 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ),
     (
         "name,mass,mass sd\na,1 ± 0.1,0.1\n",
-        "list.csv:2:11: mass sd = 0.1 must be left out where the number has its error in its own cell",
+        "list.csv:2:11: mass sd = 0.1 must be left out, because the number already has an error",
     ),
     (
         "name,mass [g],mass sd\na,1,0.1\n",
-        "list.csv:2:5: mass sd = 0.1 must be given with its unit, as the number that it is the error of is | write the unit into the heading, or 0.1 %",
+        "list.csv:2:5: mass sd = 0.1 must be given with a unit, like its number | write the unit in the heading, or 0.1 %",
     ),
     (
         "name,mass\na,1 kg ± 0.1\n",
@@ -193,7 +187,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ),
     (
         "name,mass,x\na,1,0 ± 5 %\n",
-        "list.csv:2:5: x = 0 ± 5 % must be an amount, as a fraction of zero is none",
+        "list.csv:2:5: x = 0 ± 5 % must be an absolute value: a percentage of zero is zero",
     ),
     ("name,mass,mass sd\na,,1\n", "list.csv:2:4: mass sd = 1 must be left out of a row without mass"),
     // Tensors
@@ -206,11 +200,11 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("name,mass,Ixx,Iyy,Izz\na,1,1,1,3\n", "list.csv:2:5: \"a\" cannot exist:"),
     (
         "name,mass,x,y,z,Ixx,Iyy,Izz\na,1,1,0,0,1,1,1\n",
-        "list.csv:2:11: is the tensor about the part's centre of mass, or about which other point?",
+        "list.csv:2:11: is the tensor about the part's centre of mass or about another point?",
     ),
     (
         "name,mass,Ixx,Iyy,Izz,about\na,1,1,1,1,datum\n",
-        "list.csv:2:11: \"a\" names the frame \"datum\", which is no row",
+        "list.csv:2:11: \"a\" refers to the frame \"datum\", which is not a row",
     ),
     (
         "name,mass,Ixx,Iyy,Izz,about\na,1,1,1,1,\"1 mm, 2, 3\"\n",

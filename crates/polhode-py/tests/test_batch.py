@@ -122,7 +122,7 @@ def test_a_sweep_is_a_folder_of_parts(plan: batch.Plan, tmp_path: Path) -> None:
 
 def test_folders_are_guarded(plan: batch.Plan, tmp_path: Path) -> None:
     sweep.run(plan, tmp_path / "one")
-    with pytest.raises(polhode.PolhodeError, match="is there already"):
+    with pytest.raises(polhode.PolhodeError, match="already exists"):
         sweep.run(plan, tmp_path / "one")
     with pytest.raises(polhode.PolhodeError, match="another plan"):
         sweep.run(batch.Plan(PLAN.format(members=2001)), tmp_path / "one", resume=True)
@@ -152,7 +152,7 @@ def test_the_command(plan: batch.Plan, tmp_path: Path, capsys: pytest.CaptureFix
     assert sweep.main(arguments) == 0
     assert json.loads(capsys.readouterr().out) == json.loads((tmp_path / "out" / "summary.json").read_text())
     assert sweep.main(arguments) == 2
-    assert "is there already" in capsys.readouterr().err
+    assert "already exists" in capsys.readouterr().err
     assert sweep.main([*arguments, "--resume"]) == 0
 
 

@@ -12,7 +12,7 @@ fn configurations_stand_side_by_side_and_a_body_is_one_of_them() {
     let both =
         BudgetReport::new(Some("A CubeSat"), Vec::new(), both.to_vec(), limits(), options(100)).unwrap();
     let text = text(&both);
-    assert!(text.contains("quantity  stowed  ") && text.contains("3. stowed: Masses"), "{text}");
+    assert!(text.contains("quantity  stowed  ") && text.contains("3. stowed: Mass breakdown"), "{text}");
     let none = both.body(None).unwrap_err();
     assert_eq!(
         (none.message(), none.hint()),

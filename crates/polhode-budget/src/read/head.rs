@@ -37,7 +37,7 @@ pub(crate) fn toml(source: Source<'_>) -> Result<(String, usize), FormatError> {
             let at = end + mark;
             let error =
                 ContentError::new(ContentErrorKind::Expected { what, found }, ContentPlace::Text(at..at + 2));
-            let error = error.hint("a spreadsheet program has quoted the head: move it to a plan, a TOML file with parts = \"FILE.csv\"");
+            let error = error.hint("a spreadsheet program has quoted the header: move it to a plan, a TOML file with parts = \"FILE.csv\"");
             return Err(FormatError::of_content(source.path, source.text.as_bytes(), error));
         } else {
             end += mark;

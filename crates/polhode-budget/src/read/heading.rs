@@ -257,7 +257,7 @@ fn unknown(sheet: &Sheet<'_>, cell: &Cell<'_>, name: &str) -> FormatError {
     let (key, table) = (cell.text.to_string(), "the headings".to_owned());
     let error = sheet.error(cell, FormatErrorKind::UnknownKey { key, table, suggestion, known });
     let hint =
-        format!("or add ignore = [\"{}\"] to the head if it is a remark", shown(cell).replace('"', "'"));
+        format!("or add ignore = [\"{}\"] to the header if it is a remark", shown(cell).replace('"', "'"));
     // Keys that share a word with the heading: all radii for an unknown radius.
     let has_word = |key: &&str| key.split(' ').any(|word| name.split(' ').any(|own| own == word));
     let alike: Vec<&str> = KEYS.iter().map(|key| key.name).filter(has_word).collect();

@@ -249,7 +249,7 @@ impl<'s, 'a> Rows<'s, 'a> {
                 let near = polhode_source::nearest(name, known.iter().map(String::as_str));
                 return Err(match near {
                     Some(near) => error.with_hint(format!("did you mean {near}?")),
-                    None => error.with_hint("the head lists them all: configurations = [...]"),
+                    None => error.with_hint("the header lists them all: configurations = [...]"),
                 });
             }
             names.push(name.to_owned());

@@ -59,7 +59,7 @@ impl<'s, 'a> Rows<'s, 'a> {
             (None, None) => {
                 let question = "is the tensor about the part's centre of mass or about another point?";
                 Err(self.unclear(tensor, question).with_hint(
-                    "write about = \"center\" or about = \"origin\" in the head, or add a column about",
+                    "write about = \"center\" or about = \"origin\" in the header, or add a column about",
                 ))
             }
         }
@@ -144,7 +144,7 @@ impl<'s, 'a> Rows<'s, 'a> {
             _ => {
                 let question = "are the products of inertia elements of the tensor, −∫xy dm, or positive integrals, +∫xy dm?";
                 Err(self.unclear(cell, question).with_hint(
-                    "write products = \"tensor elements\" or products = \"positive integrals\" in the head, or add a column products: both give a physical body",
+                    "write products = \"tensor elements\" or products = \"positive integrals\" in the header, or add a column products: both give a physical body",
                 ))
             }
         }

@@ -39,7 +39,7 @@ fn of_table(table: &Table<'_>) -> Result<Vec<Site>, FormatError> {
     table.allow(&KEYS)?;
     let name = table.require("name", "name = \"end plate\"")?.string()?.to_owned();
     let at = point(&table.require("at", "at = [\"40 mm\", 0, 0]")?)?;
-    table.at_most_one(&["to", "radius"], "a line has to, a disc has radius")?;
+    table.at_most_one(&["to", "radius"], "to is for a line, radius for a disc")?;
     let most = table.get("most").map(|value| value.positive(Dimension::MASS)).transpose()?;
     let round = || -> Result<Option<Round>, FormatError> {
         let Some(radius) = table.get("radius") else { return Ok(None) };

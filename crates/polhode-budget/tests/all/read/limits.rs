@@ -144,7 +144,7 @@ fn sites_have_their_forms() {
         ("[ballast]\nmost = 1", "[[site]]"),
         ("[[site]]\nname = \"a\"\nat = [0, 0, 0]\nrim = true", "without a radius"),
         ("[[site]]\nname = \"a\"\nat = [0, 0, 0]\nto = [1, 0, 0]\nsizes = [0]", "positive"),
-        ("[[site]]\nname = \"a\"\nat = [0, 0, 0]\nto = [1, 0, 0]\nradius = 1", "a line has to"),
+        ("[[site]]\nname = \"a\"\nat = [0, 0, 0]\nto = [1, 0, 0]\nradius = 1", "to is for a line"),
         (
             "[[site]]\nname = \"a\"\nat = [0, 0, 0]\n[[site]]\nname = \"a\"\nat = [1, 0, 0]",
             "unique among the sites",

@@ -8,7 +8,7 @@ use std::{fs, iter};
 use polhode_scenario::read as scenario;
 use serde_json::Value;
 
-use super::common::page::{blocks, names, root, rows, section};
+use super::common::page::{blocks, names, root, rows, scenario_pages, scenario_reference, section};
 use super::fit::fits;
 
 static SCHEMA: LazyLock<Value> = LazyLock::new(scenario::schema);
@@ -40,8 +40,8 @@ fn files() -> Vec<(PathBuf, String)> {
         .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
         .map(|path| (path.clone(), fs::read_to_string(&path).unwrap()))
         .collect();
-    for name in ["scenario.md", "sweep.md"] {
-        let page = fs::read_to_string(root().join("book").join(name)).unwrap();
+    for name in scenario_pages().into_iter().chain(["sweep.md".to_owned()]) {
+        let page = fs::read_to_string(root().join("book").join(&name)).unwrap();
         let complete = blocks(&page).into_iter().filter(|(_, is_fragment, _)| !is_fragment);
         files.extend(complete.map(|(line, _, text)| (root().join(format!("examples/{name}:{line}")), text)));
     }
@@ -163,7 +163,7 @@ fn walk(schema: &'static Value, path: &str, found: &mut Vec<Place>) {
     forms.chain(schema.get("items")).for_each(|form| walk(form, path, found));
 }
 
-/// The headings of the page that have the keys of a table, and the place of the table.
+/// The headings of the reference that have the keys of a table, and the place of the table.
 const PAGE: [(&str, &[&str]); 32] = [
     ("## The file", &[""]),
     ("## Body", &["body"]),
@@ -202,8 +202,7 @@ const PAGE: [(&str, &[&str]); 32] = [
 ];
 
 fn page() -> &'static str {
-    static PAGE: LazyLock<String> =
-        LazyLock::new(|| fs::read_to_string(root().join("book/scenario.md")).unwrap());
+    static PAGE: LazyLock<String> = LazyLock::new(scenario_reference);
     &PAGE
 }
 

@@ -1,9 +1,27 @@
-//! Tables and blocks of a page of the book.
+//! Tables and blocks of the pages of the book.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// Returns the names in `book/` of `scenario.md` and of the pages `scenario-….md`, in order.
+pub fn scenario_pages() -> Vec<String> {
+    let entries = fs::read_dir(root().join("book")).unwrap();
+    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let mut pages: Vec<_> = names
+        .filter(|name| name == "scenario.md" || name.starts_with("scenario-") && name.ends_with(".md"))
+        .collect();
+    pages.sort();
+    pages
+}
+
+/// Returns the text of all [`scenario_pages`]. Their headings of tables are unique.
+pub fn scenario_reference() -> String {
+    let pages = scenario_pages();
+    pages.iter().map(|name| fs::read_to_string(root().join("book").join(name)).unwrap() + "\n").collect()
 }
 
 /// The ```toml blocks of a page: the number of the first line, whether it is a fragment, the text.

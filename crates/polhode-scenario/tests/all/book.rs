@@ -108,7 +108,7 @@ fn the_book_has_every_column_of_a_rotor_in_gimbals() {
 /// The columns that a section of a scenario adds are those that the book has under a heading.
 #[track_caller]
 fn assert_further_columns(heading: &str, section_of_file: &str) {
-    let page = read("book/results.md");
+    let page = read("book/results-tables.md");
     let text = format!("{BALL}{section_of_file}[run]\nduration = 1\nsamples = 2");
     let scenario = scenario::parse(&text, Path::new("probe.toml")).unwrap();
     let motion = scenario.simulate().unwrap().unwrap();
@@ -123,7 +123,7 @@ fn assert_further_columns(heading: &str, section_of_file: &str) {
 
 #[test]
 fn the_book_has_every_column_with_its_unit() {
-    let page = read("book/results.md");
+    let page = read("book/results-tables.md");
     let top: Scenario = scenario::parse(
         &format!(
             "[orbit]\naltitude = 5e5\n[[pointing]]\nname = 'camera'\nbody = [0, 0, 1]\nto = 'nadir'\n{BALL}position = [1, 0, 0]\n[[torque]]\nmodel = 'gravity'\npivot = [0, 0, 0]\n\
@@ -143,7 +143,7 @@ fn the_book_has_every_column_with_its_unit() {
 
 #[test]
 fn the_book_has_every_column_of_what_a_motion_needs() {
-    let page = read("book/results.md");
+    let page = read("book/results-tables.md");
     let rotor: Scenario = scenario::parse(
         "[[body.part]]\nshape = 'particles'\nparticles = [{ mass = 1, position = [0, 0, 1] }]\n\
          [shaft]\naxis = [1, 0, 1]\nbearings = [0, 1]\nrate = 1",

@@ -157,7 +157,16 @@ fn check_documented(here: &dyn Fn(&[&str]) -> Command, python: &Path, installed:
     run(here(&[]).arg(root().join("benches/python/measure.py")).arg("--check"))?;
     run(here(&[]).arg(root().join("benches/clusters/measure.py")).arg("--check"))?;
     let book = root().join("book");
-    let pages = ["python.md", "differentiable.md", "clusters.md"].map(|page| book.join(page));
+    let pages = [
+        "python.md",
+        "python-scenarios.md",
+        "python-data.md",
+        "python-ensembles.md",
+        "python-notebooks.md",
+        "differentiable.md",
+        "clusters.md",
+    ];
+    let pages = pages.map(|page| book.join(page));
     let followed = [files(&book.join("cookbook"), "md")?, files(&book.join("tutorials"), "md")?];
     let pages = pages.into_iter().chain(followed.concat());
     run_beside(here(&["-m", "pytest", "-q", "--doctest-glob=*.md", "-c"]).arg(&settings).args(pages))?;

@@ -1,5 +1,5 @@
-//! The page about parts lists: its examples are read, and it has exactly the columns and keys that
-//! the reader knows.
+//! The pages about parts lists: their examples are read, and they have exactly the columns and keys
+//! that the reader knows.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -10,8 +10,8 @@ use polhode_source::FormatErrorKind;
 
 use super::{Folder, csv};
 
-fn page() -> String {
-    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/budget-file.md")).unwrap()
+fn page(name: &str) -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book").join(name)).unwrap()
 }
 
 /// Returns the code blocks of a language.
@@ -37,8 +37,8 @@ fn known(text: &str) -> BTreeSet<String> {
 }
 
 #[test]
-fn lists_of_the_page_are_read() {
-    let page = page();
+fn lists_of_the_pages_are_read() {
+    let page = ["budget-file.md", "budget-keys.md", "budget-tanks.md"].map(page).concat();
     let lists = blocks(&page, "csv");
     assert_eq!(lists.len(), 4);
     for list in &lists {
@@ -71,14 +71,14 @@ fn lists_of_the_page_are_read() {
 }
 
 #[test]
-fn the_page_has_every_column_and_key() {
-    let page = page();
-    let mut columns = named(&page, "## Columns", "## Errors");
+fn the_pages_have_every_column_and_key() {
+    let mut columns = named(&page("budget-file.md"), "## Columns", "## Errors");
     columns.extend(["rotate x", "rotate y", "rotate z"].map(str::to_owned));
     assert_eq!(columns, known("name,zzz\na,1\n"));
     let mut keys = known("# zzz = 1\nname,mass\na,1\n");
     keys.insert("parts".to_owned());
-    assert_eq!(named(&page, "## Keys", "## CSV"), keys);
+    let page = page("budget-keys.md");
+    assert_eq!(named(&page, "## Keys", "## Limits"), keys);
     for (table, head) in [
         ("group", "# [[group]]\n# zzz = 1\nname\na\n"),
         ("cad", "# [cad]\n# zzz = 1\nname\na\n"),
@@ -99,13 +99,7 @@ fn the_page_has_every_column_and_key() {
 
 #[test]
 fn the_page_has_every_key_of_tanks_and_sequences() {
-    let page = page();
-    let section = |from: &str, to: &str| {
-        let text = page.split(&format!("\n{from}\n")).nth(1).unwrap();
-        text.split(&format!("\n{to}\n")).next().unwrap().to_owned()
-    };
-    let keys = section("## Keys", "## CSV");
-    let tanks = section("## Tanks", "## What is refused besides");
+    let (keys, tanks) = (page("budget-keys.md"), page("budget-tanks.md"));
     for (text, head) in [
         (&tanks, "# [[tank]]\n# zzz = 1\nname\na\n"),
         (&tanks, "# [[tank]]\n# name = \"a\"\n# [[tank.table]]\n# zzz = 1\nname\na\n"),

@@ -69,7 +69,7 @@ pub use regime::{PermanentAxis, Regime};
 /// # Accuracy
 /// Errors measured against 40-digit references, for moments, ω and attitude exactly as given:
 /// 4·10⁻¹⁵ (ω relative, attitude in rad). This holds for |t| up to 10⁹ periods and down to 1 − m =
-/// 5·10⁻²⁴. `book/free-motion.md` and `book/accuracy.md` give the error laws beyond and the
+/// 5·10⁻²⁴. `book/free-motion-accuracy.md` gives the error laws beyond, and `book/accuracy.md` the
 /// measured errors.
 ///
 /// If the tensor has products of inertia, its principal axes are first computed to 46 digits.

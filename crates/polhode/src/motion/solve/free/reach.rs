@@ -8,8 +8,8 @@ use crate::motion::solve::reach::Drift;
 use super::elements::Elements;
 use super::labelled::Labelled;
 
-/// Returns the reach, s, by the laws (31) and (32) of `book/free-motion.md`, section 8. They bound
-/// the drift of the computed phases from the true phases.
+/// Returns the reach, s, by the laws (31) and (32) of `book/free-motion-accuracy.md`. They bound the
+/// drift of the computed phases from the true phases.
 ///
 /// `rad_s`: unit of the elements' rates. `given`: true if the moments and ω along their axes are
 /// exact inputs.

@@ -1,5 +1,5 @@
 //! Derivatives of free motion with respect to its start and the inertia tensor, in closed form:
-//! `book/free-motion.md`, section 10.
+//! `book/free-motion-derivatives.md`, section 10.
 
 mod columns;
 mod elliptic;

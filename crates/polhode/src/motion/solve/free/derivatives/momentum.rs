@@ -9,8 +9,8 @@ use super::functions::TimeFunctions;
 
 /// Constants of a motion along its labelled axes, in units of the elements.
 ///
-/// δ1 = 1/i1 − 1/i3, δ2 = 1/i2 − 1/i3 and ρ = δ2/δ1 as in `book/free-motion.md`; its section 10
-/// defines the other symbols.
+/// δ1 = 1/i1 − 1/i3, δ2 = 1/i2 − 1/i3 and ρ = δ2/δ1 as in `book/free-motion.md`.
+/// `book/free-motion-derivatives.md` defines the other symbols.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct MomentumFlow {
     /// L(0), labelled axes.

@@ -7,7 +7,7 @@ use std::process::Command;
 use serde_json::Value;
 
 use crate::process::{build_folder, cargo, run};
-use crate::{Outcome, read, root};
+use crate::{Outcome, root};
 
 /// Graded runs of one engine with one setting.
 struct Graded {
@@ -23,9 +23,8 @@ pub(crate) fn grade(folders: &[&str]) -> Outcome {
     let polhode = built.join(format!("polhode{}", std::env::consts::EXE_SUFFIX));
     let graded =
         folders.iter().map(|folder| card(&polhode, Path::new(folder))).collect::<Result<Vec<_>, _>>()?;
-    let notes = read(&root().join("judge/engines/NOTES.md"))?;
     let page = root().join("book/judge-engines.md");
-    std::fs::write(&page, text(&graded, &notes)).map_err(|error| format!("{}: {error}", page.display()))
+    std::fs::write(&page, text(&graded)).map_err(|error| format!("{}: {error}", page.display()))
 }
 
 fn card(polhode: &Path, folder: &Path) -> Result<Graded, String> {
@@ -43,12 +42,12 @@ fn card(polhode: &Path, folder: &Path) -> Result<Graded, String> {
 /// Suffix of folders with runs at several step sizes.
 const STEPS: &str = "-steps";
 
-fn text(all: &[Graded], notes: &str) -> String {
+fn text(all: &[Graded]) -> String {
     let (stepped, graded): (Vec<&Graded>, Vec<&Graded>) =
         all.iter().partition(|graded| graded.setting.ends_with(STEPS));
-    let mut page = "# Physics engines compared by the suite\n\n<!-- Written by `cargo xtask engines`; the last part is judge/engines/NOTES.md. -->\n\n\
+    let mut page = "# Physics engines compared by the suite\n\n<!-- Written by `cargo xtask engines`. -->\n\n\
         The cases of the [suite](judge.md#the-suite) as physics engines compute them: each with the setting that it comes with, and with the one that its documentation \
-        recommends for accuracy. The programs that ran them are in `judge/engines`.\n\n\
+        recommends for accuracy. The programs that ran them are in `judge/engines`. [Notes](judge-engines-notes.md) has what the documentation of each engine says of accuracy, and what was found.\n\n\
         The error is the largest angle between the attitude of a row and the exact one, rad. A case is passed up to 0.01 rad.\n\n\
         ## The settings\n\n| setting | engine | step (s) | passed | failed | not run |\n|---|---|---|---|---|---|\n"
         .to_owned();
@@ -103,7 +102,7 @@ fn text(all: &[Graded], notes: &str) -> String {
             );
         }
     }
-    page + "\n" + notes
+    page
 }
 
 fn cases(graded: &Graded) -> &[Value] {

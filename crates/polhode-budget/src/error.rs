@@ -152,8 +152,8 @@ errors! {
         tolerance: f64,
     } => ("{row} states {stated} kg, but its rows add up to {sum} kg, which differs by more than {tolerance} kg"),
         hint: "check for a missing row, a row counted twice, or a wrong quantity or unit";
-    Sum(error: BodyError) => ("the sum of all parts is not a physical body: {error}"),
     /// The sum of all parts is not a body: a number overflows.
+    Sum(error: BodyError) => ("the sum of all parts is not a physical body: {error}"),
         hint: error.hint().unwrap_or(SIZES);
     /// A variance of the whole overflows.
     Variance {

@@ -17,8 +17,8 @@ errors! {
         /// Condition that the value has to meet.
         rule: &'static str,
     } => ("{what} is {value}, but must be {rule}");
-    EmptyTable => ("the table of a liquid has no rows, or the number of levels differs from the number of rows");
     /// A table of a liquid has no rows, or its number of levels differs from its number of rows.
+    EmptyTable => ("the table of a liquid has no rows, or the number of levels differs from the number of rows");
     /// A tank or a change refers to a row that the list does not have.
     MissingRow {
         /// Name of the item that refers to the row.

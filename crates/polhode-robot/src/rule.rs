@@ -96,7 +96,7 @@ impl Rule {
     /// Returns the rule as text for the terminal.
     pub fn to_text(&self) -> String {
         let mut text = format!("{}   {}\n", self.code, self.severity.name());
-        for (label, sentence) in [("", self.title), ("why: ", self.why), ("mend: ", self.mend)] {
+        for (label, sentence) in [("", self.title), ("why: ", self.why), ("fix: ", self.mend)] {
             text.push('\n');
             let hang = format!("  {}", " ".repeat(label.len()));
             for (k, line) in wrap(sentence, &hang, WIDTH).iter().enumerate() {
@@ -162,9 +162,9 @@ pub fn list() -> String {
 
 /// Returns the whole of `book/rules.md`.
 pub fn page() -> String {
-    let mut page = "# The rules of `polhode check`\n\n\
-         Every finding has a code; here is what each asks, why, and how to mend it. `polhode check --explain CODE` prints the same. The \
-         severity is that of most findings of the rule; [robot models](check.md) says what severities do.\n"
+    let mut page = "# Rules of `polhode check`\n\n\
+         Every finding has a code. This page states the rule for each code, the reason and the fix; `polhode check --explain CODE` \
+         prints the same. The severity is that of most findings of the rule. [Robot models](check.md) explains the severities.\n"
         .to_owned();
     for rule in rules() {
         page.push('\n');

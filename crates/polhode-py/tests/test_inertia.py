@@ -154,7 +154,7 @@ def test_scenarios_and_robots(examples: Path) -> None:
     forearm = polhode.inertia(arm, link="forearm")
     assert 0.0 < forearm.mass < straight.mass
     assert np.isclose(polhode.inertia(examples / "robots" / "arm.sdf").mass, straight.mass)
-    with pytest.raises(polhode.PolhodeError, match='there is no link "claw"\nhint: its links are'):
+    with pytest.raises(polhode.PolhodeError, match='unknown link "claw"\nhint: its links are'):
         polhode.inertia(arm, link="claw")
 
 
@@ -218,7 +218,7 @@ def test_where_a_body_came_from_is_told_as_the_command_tells_it(examples: Path, 
     ):
         assert body.to_dict()["source"] == {"path": str(path)} | wanted
     assert "all 5 links of arm, elbow = 0.3 rad and other joints at zero, in the frame of base" in str(polhode.inertia(robot, joints={"elbow": 0.3}))
-    with pytest.raises(polhode.PolhodeError, match='the link "tool" has no mass\nhint: name another, or join it to others'):
+    with pytest.raises(polhode.PolhodeError, match='the link "tool" has no mass\nhint: choose another link, or lump it with others by --subtree or --lump'):
         polhode.inertia(robot, link="tool")
 
 
@@ -230,7 +230,7 @@ def test_digits_too_few_for_a_tensor_are_said(tmp_path: Path) -> None:
         <inertia ixx="0.0833" iyy="0.0833" izz="0.1667" ixy="0" ixz="0" iyz="0"/></inertial></link></robot>'''
     )
     for body in (polhode.inertia(path), polhode.inertia(path, link="rod")):
-        assert body.to_dict()["source"]["rounding"] > 0.0 and "brought to the edge of the possible" in str(body)
+        assert body.to_dict()["source"]["rounding"] > 0.0 and "to satisfy the triangle inequality" in str(body)
 
 
 #: ``pin.crba`` of Pinocchio 4.1 at left_knuckle = 0.41: the composite below the joint turn, in its frame.

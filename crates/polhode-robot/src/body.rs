@@ -19,7 +19,7 @@ use crate::placement::Placement;
 use crate::pose::transposed;
 
 /// Hint for links without an inertial whose language assumes one.
-const WRITE: &str = "write its inertial";
+const WRITE: &str = "add an <inertial> to the link";
 
 /// Upper bounds on the violation attributed to rounding, relative to i3: for typed digits, and for
 /// single precision whatever the number of digits. The checks ([`mod@crate::check`]) use the same
@@ -77,8 +77,8 @@ fn of_computed(computed: &ComputedMass, link: &Link) -> Result<LinkMass, LinkErr
 /// Treats a link without mass properties as a frame, unless the language assumes some.
 fn assumed(format: ModelFormat, link: &Link) -> Result<LinkMass, LinkError> {
     let rule = match format {
-        _ if link.from_geometry => "its mass is to be computed from its geometry and densities",
-        ModelFormat::Sdf => "SDFormat then gives it 1 kg and 1 kg·m² about each axis",
+        _ if link.from_geometry => "its mass has to be computed from its geometry and densities",
+        ModelFormat::Sdf => "SDFormat then assumes 1 kg and 1 kg·m² about each axis",
         ModelFormat::Urdf | ModelFormat::Mjcf | ModelFormat::Usd | ModelFormat::Osim => {
             return Ok(LinkMass::None);
         }
@@ -90,7 +90,7 @@ fn of_inertial(format: ModelFormat, inertial: &Inertial) -> Result<LinkMass, Lin
     let impossible = |error| LinkError::impossible(&error, &inertial.span);
     let mass = number("mass", &inertial.mass)?;
     if let Some(Number { text, span, .. }) = inertial.pose.unreadable.first() {
-        let message = format!("its inertial frame is {text:?}, no finite number");
+        let message = format!("its inertial frame has {text:?}, which is not a finite number");
         return Err(LinkError::of_number(message, span));
     }
     let (moments, products, printed) = elements(format, &inertial.tensor)?;
@@ -133,7 +133,7 @@ fn number(what: &str, slot: &Slot) -> Result<f64, LinkError> {
     slot.finite().ok_or_else(|| {
         let message = match slot {
             Slot::Missing { name, .. } => format!("it has no {name}"),
-            Slot::Given(number) => format!("its {what} is {:?}, no finite number", number.text),
+            Slot::Given(number) => format!("its {what} is {:?}, which is not a finite number", number.text),
         };
         LinkError::of_number(message, &slot.span())
     })

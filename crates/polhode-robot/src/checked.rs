@@ -155,7 +155,7 @@ impl Checked {
     pub fn about_policy(&self) -> String {
         let excluded = counted(self.excluded, "file");
         let excluded =
-            (self.excluded > 0).then(|| format!("left out: {excluded}, by exclude of the configuration\n"));
+            (self.excluded > 0).then(|| format!("excluded: {excluded}, by `exclude` in the configuration\n"));
         let remark = |Remark { file, place: (line, column), code, severity, message }: &Remark| {
             Some(format!("{}: {file}:{line}:{column} [{code}]: {message}\n", (*severity)?.name()))
         };
@@ -179,7 +179,7 @@ impl Report for Checked {
     }
 
     fn to_document(&self) -> Document {
-        Document::of_text("Inertias of robot models", &self.to_text(None))
+        Document::of_text("Check of robot models", &self.to_text(None))
     }
 
     fn to_text(&self, _columns: Option<usize>) -> String {

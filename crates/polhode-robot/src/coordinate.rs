@@ -15,12 +15,12 @@ impl Follows {
         let coefficients = self.coefficients.as_ref().map_err(String::as_str)?;
         let x = leader - self.reference;
         let value = coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c);
-        if value.is_finite() { Ok(value) } else { Err("its value is beyond the largest double") }
+        if value.is_finite() { Ok(value) } else { Err("its value is too large for a double") }
     }
 }
 
 /// Reason for an unknown value: one of its numbers cannot be read or is not finite.
-pub(crate) const NO_NUMBER: &str = "a number of it is none, or not finite";
+pub(crate) const NO_NUMBER: &str = "one of its numbers is invalid or not finite";
 
 /// Returns lower and upper limit, infinite if the file states none. Returns `None` if both are
 /// infinite or one is NaN.

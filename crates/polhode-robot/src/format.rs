@@ -143,12 +143,12 @@ impl Checked {
         let mut lines = Vec::new();
         if self.excluded > 0 {
             lines.push(format!(
-                "left out: {}, by exclude of the configuration",
+                "excluded: {}, by `exclude` in the configuration",
                 counted(self.excluded, "file")
             ));
         }
         if off > 0 {
-            lines.push(format!("off: {} of rules that are off", counted(off, "finding")));
+            lines.push(format!("off: {} of disabled rules", counted(off, "finding")));
         }
         lines
     }

@@ -30,8 +30,8 @@ pub(crate) fn models(files: &dyn Files, named: &[PathBuf]) -> (Vec<Found>, Vec<[
         let before = models.len();
         search(files, path, &mut models);
         if models.len() == before {
-            let hint = "a model ends in .urdf, .sdf, .world, .xml, .usda or .osim; name a file with another ending by itself";
-            models.push(unread(path, format!("{} holds no model", shown(path)), hint));
+            let hint = "model files have the extension .urdf, .sdf, .world, .xml, .usda or .osim; name a file with another extension directly";
+            models.push(unread(path, format!("{} contains no model", shown(path)), hint));
         }
     }
     let (mut names, mut repeated): (BTreeMap<PathBuf, PathBuf>, _) = (BTreeMap::new(), Vec::new());

@@ -106,7 +106,7 @@ pub struct Shapes<'a> {
 }
 
 /// Reason given for meshes that are not measured after cancellation.
-const ENDED: &str = "it was not looked at: that would take too long";
+const ENDED: &str = "it was not measured, because that would take too long";
 
 /// Volume and moments of a solid in its own frame.
 #[derive(Clone, Copy, Debug)]
@@ -235,7 +235,7 @@ impl<'a> Shapes<'a> {
         if numbers.chain(&volume.centroid).all(|x| x.is_finite()) && volume.volume.is_finite() {
             Ok(volume)
         } else {
-            Err("its moments are beyond the largest double".to_owned())
+            Err("its moments are too large for a double".to_owned())
         }
     }
 
@@ -306,7 +306,7 @@ impl Solid {
     fn scaled(self, scale: [f64; 3]) -> Result<Self, String> {
         let factor = (scale[0] * scale[1] * scale[2]).abs();
         if !(factor > 0.0 && factor.is_finite()) {
-            return Err(format!("its scale {scale:?} leaves no volume"));
+            return Err(format!("its scale {scale:?} makes its volume zero"));
         }
         if scale == [1.0; 3] {
             return Ok(self);

@@ -30,7 +30,11 @@ pub fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, LinkErro
         Ok(LinkMass::Body(body)) => body,
         Ok(LinkMass::None) => {
             let message = format!("the link {name:?} has no mass");
-            return Err(LinkError::new(message, "name another, or join it to others").at(&link.span));
+            return Err(LinkError::new(
+                message,
+                "choose another link, or lump it with others by --subtree or --lump",
+            )
+            .at(&link.span));
         }
         Err(error) => return Err(error.of_link(name)),
     };
@@ -73,11 +77,11 @@ fn armature(model: &RobotModel, drive: &Drive) -> Option<Finding> {
     let Drive { joint, span, slides, inertia, armature } = drive;
     let (unit, of) = if *slides { ("kg", "along") } else { ("kg·m²", "about") };
     let message = if armature.is_nan() {
-        format!("the armature of the joint {joint} is not a number of at least 0: it is not added")
+        format!("the armature of joint {joint} is negative or not finite: it is not added")
     } else if *armature > 0.0 {
         let [own, rotor, total] = [*inertia, *armature, inertia + armature].map(|x| number(x, 6));
         format!(
-            "the joint {joint} moves {own} {unit} {of} its axis, {total} {unit} with its armature of {rotor} {unit}"
+            "joint {joint} moves {own} {unit} {of} its axis; with its armature of {rotor} {unit}, {total} {unit}"
         )
     } else {
         return None;
@@ -99,10 +103,10 @@ fn of_lump(model: &RobotModel, lumping: Lumping<'_>, lump: Lump) -> InertiaRepor
     let many = if count == 1 { "1 link".to_owned() } else { format!("{count} links") };
     let pose = position_words(&positions, &held);
     let words = match lumping {
-        Lumping::Fixed => format!("{many} {of_model} held together by fixed joints, {frame_words}"),
+        Lumping::Fixed => format!("{many} {of_model}, fixed together, {frame_words}"),
         Lumping::All => format!("all {many} {of_model}{pose}, {frame_words}"),
         Lumping::Subtree(link) => {
-            format!("{link} and what hangs from it, {many} {of_model}{pose}, {frame_words}")
+            format!("{link} and its descendants, {many} {of_model}{pose}, {frame_words}")
         }
     };
     let values = |by: fn(&PositionBy) -> bool| -> Map<String, Value> {
@@ -151,13 +155,13 @@ pub(crate) fn position_words(positions: &[JointPosition], held: &[String]) -> St
     words + &held_words(held)
 }
 
-/// Returns the held joints in words: `, root as drawn (takes no value)`
+/// Returns the held joints in words: `, root as in the file (takes no value)`
 fn held_words(held: &[String]) -> String {
     match held {
         [] => String::new(),
-        [one] => format!(", {one} as drawn (takes no value)"),
-        [one, two] => format!(", {one} and {two} as drawn (take no value)"),
-        _ => format!(", {} joints as drawn (take no value)", held.len()),
+        [one] => format!(", {one} as in the file (takes no value)"),
+        [one, two] => format!(", {one} and {two} as in the file (take no value)"),
+        _ => format!(", {} joints as in the file (take no value)", held.len()),
     }
 }
 
@@ -183,13 +187,13 @@ pub(crate) fn beyond_limits(model: &RobotModel, positions: &[JointPosition]) -> 
         let unit = unit(position);
         let limits = match (lower.is_finite(), upper.is_finite()) {
             (true, true) => format!("from {} to {} {unit}", number(lower, 6), number(upper, 6)),
-            (true, false) => format!("no less than {} {unit}", number(lower, 6)),
-            _ => format!("no more than {} {unit}", number(upper, 6)),
+            (true, false) => format!("at least {} {unit}", number(lower, 6)),
+            _ => format!("at most {} {unit}", number(upper, 6)),
         };
         Some(Finding {
             code: "position.limits",
             severity,
-            message: format!("the joint {} is beyond its limits, {limits}", in_words(position)),
+            message: format!("the joint {} is outside its limits, {limits}", in_words(position)),
             place: Some(format!("{}:{line}:{column}", file.display())),
         })
     };
@@ -202,7 +206,7 @@ fn rounded(source: SourceInfo, rounding: f64) -> SourceInfo {
         return source;
     }
     let words = format!(
-        "{}; tensor brought to the edge of the possible, {rounding:.1e} kg·m² away by its digits",
+        "{}; tensor changed by {rounding:.1e} kg·m², within its printed digits, to satisfy the triangle inequality",
         source.description
     );
     source.described(words).with("rounding", rounding)

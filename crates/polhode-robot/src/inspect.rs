@@ -67,7 +67,7 @@ fn unmeasured(link: &Link, span: &Span, why: &str) -> Finding {
         &link.name.text,
         span,
         why,
-        "what cannot be measured is not compared with the inertia",
+        "a shape that cannot be measured is not compared with the inertia",
     )
 }
 
@@ -78,8 +78,8 @@ fn of_note(note: &Note) -> Finding {
     let own = rule(note.code).filter(|rule| STATED.contains(&rule.code));
     let rule = match (note.severity, own) {
         (_, Some(rule)) => rule.title,
-        (Severity::Note, None) => "what is not read is not checked",
-        _ => "a file says each thing once, and in the words that programs read",
+        (Severity::Note, None) => "content that is not read is not checked",
+        _ => "a file states each value once, in elements and attributes that programs read",
     };
     let found = self::note(note.code, &note.subject, &note.span, &note.message, rule);
     Finding { severity: note.severity, ..found }

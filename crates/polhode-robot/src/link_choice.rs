@@ -89,7 +89,7 @@ impl FromStr for JointValue {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let (name, value) = text.rsplit_once('=').ok_or("NAME=VALUE belongs here, such as elbow=0.5")?;
+        let (name, value) = text.rsplit_once('=').ok_or("expected NAME=VALUE, such as elbow=0.5")?;
         Ok(Self { name: name.trim().to_owned(), value: value.trim().to_owned() })
     }
 }
@@ -120,7 +120,7 @@ impl LinkChoice {
             }
             (_, Some(Which::Fixed), _) if !self.joints.is_empty() => {
                 return Err(Failure::usage(
-                    "--joint is for --lump all: what fixed joints hold together has the same inertia in every position",
+                    "--joint has no effect with --lump fixed: links fixed together have the same inertia in every position",
                     "leave it out",
                 ));
             }
@@ -136,7 +136,7 @@ impl LinkChoice {
                 return Err(Failure::usage(
                     format!("{} is a robot of {} links", shown(file), model.links.len()),
                     format!(
-                        "name one by --link, join them by --lump fixed, --lump all or --subtree, or list them by --table; its links are {}",
+                        "choose one by --link, lump them by --lump fixed, --lump all or --subtree, or list them by --table; its links are {}",
                         names.join(", ")
                     ),
                 ));
@@ -165,7 +165,7 @@ impl LinkChoice {
             .find(|(k, joint)| joints.iter().take(*k).any(|other| other.name == joint.name));
         if let Some((_, JointValue { name, .. })) = twice {
             let message = format!("--joint {name} is given twice");
-            return Err(Failure::usage(message, "a joint has one value: leave one of them out"));
+            return Err(Failure::usage(message, "a joint has one value: delete one of the two"));
         }
         joints.into_iter().map(|JointValue { name, value }| position(model, name, value)).collect()
     }
@@ -180,9 +180,9 @@ fn position(model: &RobotModel, name: &str, value: &str) -> Result<(String, f64)
         Err(why) => Err(Failure::usage(
             format!("--joint {name}: {why}"),
             if slides {
-                "it slides: a length, such as 0.02 or \"20 mm\""
+                "the joint slides: write a length, such as 0.02 or \"20 mm\""
             } else {
-                "it turns: an angle, such as 0.5 or \"30 deg\""
+                "the joint rotates: write an angle, such as 0.5 or \"30 deg\""
             },
         )),
     }

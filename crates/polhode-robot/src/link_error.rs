@@ -30,7 +30,7 @@ impl LinkError {
 
     /// Creates the error of a link's own numbers.
     pub(crate) fn of_number(message: impl Into<String>, span: &Span) -> Self {
-        Self::new(message, "polhode check says what is wrong, and what would repair it").at(span)
+        Self::new(message, "`polhode check` reports the error and the fix").at(span)
     }
 
     /// Creates the error of unphysical numbers.
@@ -42,14 +42,14 @@ impl LinkError {
     pub(crate) fn massless(subtree: Option<&str>) -> Self {
         let message = match subtree {
             None => "no link has mass".to_owned(),
-            Some(link) => format!("neither the link {link:?} nor what hangs from it has mass"),
+            Some(link) => format!("neither the link {link:?} nor its descendants have mass"),
         };
-        Self::new(message, "give a link an inertial")
+        Self::new(message, "add an <inertial> to a link")
     }
 
     /// Adds the name of the link.
     pub(crate) fn of_link(self, link: &str) -> Self {
-        Self { message: format!("the link {link:?} is no body: {}", self.message), ..self }
+        Self { message: format!("the link {link:?} cannot be used: {}", self.message), ..self }
     }
 
     /// Returns the position in the model's text, if there is one.

@@ -104,7 +104,7 @@ impl LinkTable {
         let mut text = format!(
             "{}   {} links {}\n\
              x y z: centre of mass   ixx … izz: tensor about it, kg·m², off-diagonal = -∫xy dm   i1 ≤ i2 ≤ i3: its principal moments\n\
-             each link in its own frame and axes; the last row: {}\n\n",
+             each link: in its own frame and axes; last row: {}\n\n",
             printable(path),
             self.rows.len(),
             printable(&self.name),
@@ -120,7 +120,7 @@ impl LinkTable {
             let (link, rounding) = (printable(&row.link), row.rounding);
             let _ = writeln!(
                 text,
-                "\n{link}: tensor brought to the edge of the possible, {rounding:.1e} kg·m² away by its digits"
+                "\n{link}: tensor changed by {rounding:.1e} kg·m², within its printed digits, to satisfy the triangle inequality"
             );
         }
         for finding in self.findings() {

@@ -167,8 +167,8 @@ fn require_bodies(model: &RobotModel, links: Option<&HashSet<&str>>) -> Result<(
     };
     match model.unread_bodies.iter().find(is_in) {
         Some(UnreadBodies { element, span, .. }) => {
-            let message = format!("the bodies of <{element}> are not read, and their mass would be missing");
-            let hint = "save the model as MuJoCo has compiled it (mj_saveLastXML), and use that";
+            let message = format!("the bodies of <{element}> are not read, so their mass would be missing");
+            let hint = "save the compiled model (MuJoCo: mj_saveLastXML), and use that file";
             Err(LinkError::new(message, hint).at(span))
         }
         None => Ok(()),
@@ -190,7 +190,7 @@ pub(crate) fn link_named(model: &RobotModel, name: &str) -> Result<usize, LinkEr
     names().position(|link| link == name).ok_or_else(|| {
         let meant = polhode_source::nearest(name, names());
         let hint = suggested(meant, "its links are", &links_by_use(model));
-        LinkError::new(format!("there is no link {name:?}"), hint)
+        LinkError::new(format!("unknown link {name:?}"), hint)
     })
 }
 
@@ -252,7 +252,7 @@ impl Group {
 
 /// Returns the error for a link that is physical but cannot be joined to the others.
 fn not_joined(link: &str, error: &BodyError) -> LinkError {
-    let message = format!("the link {link:?} cannot be joined to the others: {error}");
+    let message = format!("the link {link:?} cannot be lumped with the others: {error}");
     LinkError::new(message, "check the units of its mass and of the poses above it")
 }
 
@@ -268,8 +268,8 @@ fn common_frame(model: &RobotModel, tree: &Tree) -> Result<Option<String>, LinkE
         (Some(first), Some(second)) => {
             let [a, b] = [first, second].map(|link| &link.name.text);
             let message =
-                format!("{a:?} and {b:?} both hang on nothing: where one stands from the other is not said");
-            let hint = "join them; --lump fixed needs no common frame";
+                format!("{a:?} and {b:?} both have no parent, so their relative position is unknown");
+            let hint = "connect them by a joint, or use --lump fixed, which needs no common frame";
             Err(LinkError::new(message, hint).at(&second.name.span))
         }
         (first, _) => Ok(first.map(|link| link.name.text.clone())),
@@ -304,8 +304,8 @@ fn moved(
         let Some(joint) = model.joints.get(k) else { return Ok(place) };
         if let Some(why) = &joint.coordinate.unread {
             let Name { text, span } = &joint.name;
-            let message = format!("where the joint {text:?} holds its child is not known: {why}");
-            let hint = "ask for what hangs on it, or for links one by one";
+            let message = format!("the position of the child of joint {text:?} is unknown: {why}");
+            let hint = "use --subtree with its child, or --link for single links";
             return Err(LinkError::new(message, hint).at(span));
         }
         let q = positions.displacement(k)?;
@@ -324,6 +324,6 @@ fn pose(pose: &Pose, subject: &str, link: &Link) -> Result<Place, LinkError> {
 }
 
 fn no_pose(subject: &str, span: &Span) -> LinkError {
-    let message = format!("the pose or axis of {subject:?} is none");
-    LinkError::new(message, "give it numbers that are finite, and an axis a length").at(span)
+    let message = format!("the pose or axis of {subject:?} is invalid");
+    LinkError::new(message, "write finite numbers, and an axis of nonzero length").at(span)
 }

@@ -256,8 +256,8 @@ impl Policy {
                 ("allow.expired", format!("{} in {}: expired on {day}", allowance.rule, allowance.file))
             } else if asked && !used.contains(&k) {
                 let lacking = judged.values().filter_map(|judged| judged.lacking.get(&k)).flatten();
-                let why =
-                    not_enough(&lacking.cloned().collect()).unwrap_or_else(|| "nothing to allow".to_owned());
+                let why = not_enough(&lacking.cloned().collect())
+                    .unwrap_or_else(|| "it matches no finding".to_owned());
                 ("allow.unused", format!("{} in {}: {why}", allowance.rule, allowance.file))
             } else {
                 continue;
@@ -274,7 +274,7 @@ impl Policy {
             let is_asked = judged.contains_key(file.as_str()) || !is_there(file);
             if is_asked && !there.contains(id.as_str()) {
                 let about = if link.is_empty() { String::new() } else { format!(" of {link}") };
-                let message = format!("{rule}{about} in {file}: it is not there any more");
+                let message = format!("{rule}{about} in {file}: this finding no longer exists");
                 remarks.push(self.remark(&baseline.file, (1, 1), "baseline.gone", message));
             }
         }

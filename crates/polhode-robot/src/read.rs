@@ -96,9 +96,9 @@ fn binary_usd(files: &dyn Files, path: &Path) -> Option<FormatError> {
     if !matches!(ending.as_str(), "usd" | "usdc" | "usdz") || !files.is_file(path) {
         return None;
     }
-    let error = ContentErrorKind::unsupported("USD that is not text").of_whole();
+    let error = ContentErrorKind::unsupported("binary USD").of_whole();
     let file = path.file_name()?.to_string_lossy().into_owned();
-    let error = error.hint(format!("write it as text: usdcat --flatten {file} --out robot.usda"));
+    let error = error.hint(format!("convert it to text: usdcat --flatten {file} --out robot.usda"));
     Some(FormatError::of_content(path, b"", error))
 }
 
@@ -195,7 +195,7 @@ fn keep_finite(model: &mut RobotModel) {
     for (name, span, pose) in links.chain(joints) {
         if !pose.position.iter().all(|c| c.is_finite()) {
             pose.position = [0.0; 3];
-            let message = "its place is beyond the largest double: it is taken at the origin".to_owned();
+            let message = "its position is too large for a double; it is taken as the origin".to_owned();
             model.notes.push(Note::new("read.pose", &name.text, span.clone(), message));
         }
     }

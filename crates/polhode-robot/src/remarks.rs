@@ -51,6 +51,6 @@ pub fn remarks(model: &RobotModel, link: Option<&str>) -> Result<Vec<Finding>, L
 
 /// Returns the error of a model that states a body's numbers twice with different values.
 fn contradiction(link: &str, message: &str, span: &Span) -> LinkError {
-    let message = format!("the file contradicts itself about {link:?}: {message}");
-    LinkError::new(message, "write each number once; polhode check lists all that is wrong").at(span)
+    let message = format!("the file has contradictory values for {link:?}: {message}");
+    LinkError::new(message, "write each number once; `polhode check` lists all errors").at(span)
 }

@@ -44,9 +44,9 @@ impl LeftReason {
     /// Returns the reason in words, to follow "left:".
     pub const fn in_words(self) -> &'static str {
         match self {
-            Self::Overlaps => "it changes what another repair changes: repair again after this one",
-            Self::Misplaced => "its edits do not fit the text",
-            Self::Included => "it stands in a file that the model includes: repair that file",
+            Self::Overlaps => "it overlaps another fix; run --fix again on the result",
+            Self::Misplaced => "its edits do not match the text",
+            Self::Included => "it is in an included file; fix that file",
             Self::Fails => "it does not remove the finding",
         }
     }

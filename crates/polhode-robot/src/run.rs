@@ -205,8 +205,8 @@ impl<'a> Inputs<'a> {
 
 fn unreadable(error: &FormatError) -> Failure {
     Failure::usage(
-        format!("the repaired model could not be read again, so it was not written: {}", error.message()),
-        "this is a mistake of polhode's: please report it, with the model",
+        format!("the fixed model could not be read again, so it was not written: {}", error.message()),
+        "this is a bug in polhode: please report it, with the model",
     )
 }
 

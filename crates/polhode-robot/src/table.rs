@@ -35,8 +35,8 @@ impl CheckReport {
         let heading = format!(
             "{}   {}, {} links\n\
              x y z: centre of mass in the link's frame   i1 ≤ i2 ≤ i3: principal moments about it\n\
-             a ≥ b ≥ c: edges of the uniform box with this mass and these moments\n\
-             kg/m³: mass over the volume of the link's own geometry\n\n",
+             a ≥ b ≥ c: edges of the uniform box with the same mass and moments\n\
+             kg/m³: mass divided by the volume of the link's geometry\n\n",
             printable(&self.model.path.to_string_lossy()),
             format_name(self.model.format),
             self.model.links.len(),

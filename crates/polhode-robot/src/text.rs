@@ -1,5 +1,5 @@
-//! Text report of a checked model: the counts, each finding with its place, rule and repair, then
-//! the next steps.
+//! Text report of a checked model: the verdict and the effect of `--fix`, the counts, then each
+//! finding with its place, rule and fix.
 //!
 //! The marks are ✗ impossible, ! suspect, · note. No information depends on colour.
 
@@ -38,13 +38,12 @@ impl CheckReport {
             paragraph(&mut text, "", &finding.message);
             paragraph(&mut text, "rule: ", &finding.rule);
             if let Some(repair) = &finding.repair {
-                paragraph(&mut text, "repair: ", &repair.description);
+                paragraph(&mut text, "fix: ", &repair.description);
             }
         }
         self.write_settled(&mut text, &places);
-        match &self.fixed {
-            Some(fixed) => self.write_fixed(&mut text, fixed),
-            None => self.write_advice(&mut text),
+        if let Some(fixed) = &self.fixed {
+            self.write_fixed(&mut text, fixed);
         }
         plain_spaces(&text)
     }
@@ -57,12 +56,15 @@ impl CheckReport {
         let by_link = self.link_counts();
         format!(
             "{}   {}, {}, {}\n\
-             tensors about the centre of mass, along the inertial frame's axes, off-diagonal = -∫xy dm\n\
+             {}\n\
+             {}tensors about the centre of mass, along the inertial frame's axes, off-diagonal = -∫xy dm\n\
              {}\n{}   OK {} of {links}\n",
             printable(&self.model.path.to_string_lossy()),
             format_name(self.model.format),
             counted(links, "link"),
             counted(inertials, "inertial"),
+            self.verdict(),
+            self.advice(),
             row("findings", self.counts()),
             row("links", by_link),
             links.saturating_sub(by_link.sum()),
@@ -87,27 +89,71 @@ impl CheckReport {
         }
         let known = settled.iter().filter(|settled| settled.why == Reason::Known).count();
         if known > 0 {
-            let _ = writeln!(text, "known: {}, in the baseline", counted(known, "finding"));
+            let _ = writeln!(text, "known: {}, listed in the baseline", counted(known, "finding"));
         }
         if *off > 0 {
-            let _ = writeln!(text, "off: {} of rules that are off", counted(*off, "finding"));
+            let _ = writeln!(text, "off: {} of disabled rules", counted(*off, "finding"));
         }
     }
 
-    /// Writes the effect of `--fix`, if there are findings above note.
-    fn write_advice(&self, text: &mut String) {
-        let Prospect { changes, remaining } = self.prospect();
-        let places = counted(changes, "place");
-        let advice = match (changes, remaining) {
-            (0, 0) => return,
-            (0, _) => format!("{} a manual fix: no fix is certain.", needs(remaining)),
-            (_, 0) => format!("--fix OUT would change {places} of the text; then no finding remains."),
+    /// Returns the answer to "Is the model right?", one line.
+    fn verdict(&self) -> String {
+        let Counts { impossible, suspect, note } = self.counts();
+        let links = counted(self.model.links.len(), "link");
+        let settled = self.judged.settled.len() + self.judged.off;
+        match (impossible, suspect) {
+            (0, 0) if settled > 0 => {
+                format!(
+                    "No open finding: {} allowed, known or of disabled rules.",
+                    counted(settled, "finding")
+                )
+            }
+            (0, 0) if note > 0 => format!("No error: {}; {}.", self.soundness(), counted(note, "note")),
+            (0, 0) => format!("No finding: {}.", self.soundness()),
+            (_, 0) => format!("Not right: {} in {links}.", counted(impossible, "impossible finding")),
+            (0, _) => format!("Not right: {} in {links}.", counted(suspect, "suspect finding")),
             _ => format!(
-                "--fix OUT would change {places} of the text; then {} a manual fix.",
-                needs(remaining)
+                "Not right: {impossible} impossible and {} in {links}.",
+                counted(suspect, "suspect finding")
             ),
-        };
-        let _ = writeln!(text, "\n{advice}");
+        }
+    }
+
+    /// Returns the meaning of a check without findings.
+    fn soundness(&self) -> String {
+        let inertials = self.inertials();
+        if inertials == 0 {
+            return "the model has no inertial".to_owned();
+        }
+        let measured = self.model.links.iter().zip(&self.geometry);
+        let compared = measured
+            .filter(|(link, geometry)| link.inertial.is_some() && !geometry.volumes.is_empty())
+            .count();
+        let are = if inertials == 1 { "is" } else { "are" };
+        let possible = format!("{} {are} physically possible", counted(inertials, "inertial"));
+        match (compared, inertials) {
+            (0, _) => format!("{possible}; there is no geometry to compare"),
+            (1, 1) => format!("{possible} and agrees with its geometry"),
+            (1, _) => format!("{possible}; 1 has geometry and agrees with it"),
+            _ if compared == inertials => format!("{possible} and agree with their geometry"),
+            _ => format!("{possible}; {compared} have geometry and agree with it"),
+        }
+    }
+
+    /// Returns the effect of `--fix` as a line, if there are findings above note and no fix was
+    /// requested; empty otherwise.
+    fn advice(&self) -> String {
+        if self.fixed.is_some() {
+            return String::new();
+        }
+        let Prospect { changes, remaining } = self.prospect();
+        let values = counted(changes, "value");
+        match (changes, remaining) {
+            (0, 0) => String::new(),
+            (0, _) => format!("No automatic fix is certain: {} a manual fix.\n", needs(remaining)),
+            (_, 0) => format!("--fix OUT corrects {values}; then no finding remains.\n"),
+            _ => format!("--fix OUT corrects {values}; then {} a manual fix.\n", needs(remaining)),
+        }
     }
 
     /// Returns the known repairs that were not applied, one line each.
@@ -116,7 +162,7 @@ impl CheckReport {
         for Left { finding, why } in self.fixed.iter().flat_map(|fixed| &fixed.repaired.left) {
             if let Some(finding) = self.findings().get(*finding) {
                 let words = format!("{} [{}]: {}", subject(finding), finding.code, why.in_words());
-                paragraph(&mut text, "not repaired: ", &words);
+                paragraph(&mut text, "not fixed: ", &words);
             }
         }
         text
@@ -128,11 +174,11 @@ impl CheckReport {
         text.push_str(&self.not_repaired());
         let Some(out) = out else { return };
         let rest = remaining.iter().filter(|f| f.severity > Severity::Note).count();
-        let (out, changes) = (printable(out), counted(repaired.changes, "place"));
+        let (out, changes) = (printable(out), counted(repaired.changes, "value"));
         let _ = match rest {
-            0 if repaired.changes == 0 => writeln!(text, "wrote {out}: there was nothing to repair"),
-            0 => writeln!(text, "wrote {out}: {changes} changed; no finding remains"),
-            _ => writeln!(text, "wrote {out}: {changes} changed; {} a manual fix", needs(rest)),
+            0 if repaired.changes == 0 => writeln!(text, "wrote {out}: nothing to fix"),
+            0 => writeln!(text, "wrote {out}: {changes} corrected; no finding remains"),
+            _ => writeln!(text, "wrote {out}: {changes} corrected; {} a manual fix", needs(rest)),
         };
     }
 }

@@ -105,7 +105,7 @@ fn what_a_configuration_allows_is_listed_with_its_reason() {
         text.contains("allowed: a|r%m src/a.urdf:5:") && text.contains("measured on the bench"),
         "{text}"
     );
-    assert!(text.contains("left out: 1 file") && !text.contains("b.urdf"), "{text}");
+    assert!(text.contains("excluded: 1 file") && !text.contains("b.urdf"), "{text}");
     assert!(text.contains("IMPOSSIBLE 0") && text.contains("OK 1 of 1"), "{text}");
     // Absolute names are relative to the working directory.
     let absolute = scratch.0.canonicalize().unwrap().join("src");
@@ -229,7 +229,7 @@ fn every_rule_is_explained() {
     assert!(codes.len() > 40 && codes.contains(&"inertia.triangle"), "{all}");
     for code in &codes {
         let text = stdout(&scratch.run(&["check", "--explain", code]));
-        assert!(text.starts_with(code) && text.contains("why: ") && text.contains("mend: "), "{text}");
+        assert!(text.starts_with(code) && text.contains("why: ") && text.contains("fix: "), "{text}");
     }
     let text = stdout(&scratch.run(&["check", "--explain", "inertia.triangle"]));
     assert!(text.contains("wrong:   0.53") && text.contains("right:   0.053"), "{text}");

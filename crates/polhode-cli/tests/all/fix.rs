@@ -145,7 +145,7 @@ fn the_diff_comes_before_the_model_is_written() {
     let text = String::from_utf8(scratch.run(&["check", "r.urdf", "--fix", "out.urdf"]).stdout).unwrap();
     let at = |words: &str| text.find(words).unwrap_or_else(|| panic!("no {words:?} in\n{text}"));
     assert!(at("# r.urdf:4:") < at("--- a/r.urdf") && at("--- a/r.urdf") < at("findings"), "{text}");
-    assert!(at("findings") < at("wrote out.urdf: 3 places changed"), "{text}");
+    assert!(at("findings") < at("wrote out.urdf: 3 values corrected"), "{text}");
     // A results file contains the same, written completely or not at all.
     scratch.run(&["check", "r.urdf", "--fix", "out.urdf", "--force", "--output", "said.txt"]);
     let said = fs::read_to_string(scratch.0.join("said.txt")).unwrap();
@@ -177,7 +177,7 @@ fn what_a_diff_leaves_out_is_said() {
     let output = scratch.run(&["check", "m.xml", "--fix"]);
     let said = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.stdout, b"");
-    assert!(said.contains("m.xml") && said.contains("it stands in a file that the model includes"), "{said}");
+    assert!(said.contains("m.xml") && said.contains("it is in an included file"), "{said}");
     // The included file itself can be fixed.
     assert!(diff(&scratch, &["part.xml"]).contains("+++ b/part.xml"));
 }

@@ -249,7 +249,7 @@ fn a_dropped_robot_reads_no_file_outside_its_set() {
         format!("../../../../../../../../..{secret}"),
     ] {
         let why = robot(&uri).unwrap_or_else(|| panic!("{uri} was read"));
-        let is_refused = ["outside the roots", "no root holds it", "no such file", "is not looked up"];
+        let is_refused = ["outside the roots", "no root contains it", "does not exist", "are not opened"];
         assert!(is_refused.iter().any(|words| why.contains(words)), "{uri}: {why}");
     }
     // A name that looks like a link to elsewhere is a name or none, and never a link.

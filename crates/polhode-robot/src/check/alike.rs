@@ -54,9 +54,9 @@ fn one(group: Vec<Finding>) -> Option<Finding> {
     }
     if !found.others.is_empty() {
         let count = found.others.len();
-        found.message = format!("{}; so {}", found.message, named(&found.others));
+        found.message = format!("{}; same in {}", found.message, named(&found.others));
         if let Some(repair) = &mut found.repair {
-            repair.description = format!("{}; so in {count} more", repair.description);
+            repair.description = format!("{}; same change in {count} more", repair.description);
         }
     }
     Some(found)

@@ -9,8 +9,8 @@ pub(super) fn check(model: &RobotModel, findings: &mut Vec<Finding>) {
         if armature >= 0.0 && armature.is_finite() {
             continue;
         }
-        let message = "the inertia of its rotor is negative or not a finite number".to_owned();
-        let rule = "a rotor adds inertia to its joint: kg·m², or kg if it slides";
+        let message = "its rotor inertia is negative or not finite".to_owned();
+        let rule = "the rotor inertia of a joint is at least 0, in kg·m², or in kg for a sliding joint";
         let (name, span) = (&joint.name.text, joint.span.clone());
         findings.push(Finding::new("joint.armature", Severity::Suspect, name, span, message, rule));
     }

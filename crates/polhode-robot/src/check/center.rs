@@ -42,7 +42,7 @@ pub(super) fn check(model: &RobotModel, body: &Body, held: Held, findings: &mut 
     let is_frame = body.mass <= FRAME || held == Held::Dummy;
     let severity = if is_frame { Severity::Note } else { Severity::Suspect };
     let span = body.inertial.pose.span.clone().unwrap_or(body.inertial.span.clone());
-    let rule = "the centre of mass lies in the convex hull of the body";
+    let rule = "the centre of mass lies in the convex hull of the link's geometry";
     let mut found = finding("mass.center_outside", severity, body.link, span, message, rule);
     found.numbers = vec![("distance", distance), ("allowed", allowed)];
     found.repair = repair;

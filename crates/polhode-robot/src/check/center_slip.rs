@@ -56,7 +56,7 @@ pub(super) fn repair(model: &RobotModel, body: &Body, diagonal: f64) -> Option<(
     let edits: Vec<_> = changed.map(|(number, text)| (number.span.clone(), text.clone())).collect();
     let old = numbers.each_ref().map(|number| number.text.as_str()).join(" ");
     let description =
-        format!("centre of mass {old} → {}: {what}; then it is the geometry's centroid", texts.join(" "));
+        format!("centre of mass {old} → {}: {what}; it then equals the geometry's centroid", texts.join(" "));
     Some((what.clone(), Repair { description, edits }))
 }
 
@@ -78,7 +78,7 @@ fn slips(numbers: &[Number; 3]) -> Vec<(String, [String; 3])> {
         let changed = [0, 1, 2].map(|k| if flipped(k) { negated(&texts[k]) } else { texts[k].clone() });
         let names: Vec<&str> =
             (0..3).filter(|k| flipped(*k)).filter_map(|k| ["x", "y", "z"].get(k).copied()).collect();
-        slips.push((format!("{} with the other sign", names.join(" and ")), changed));
+        slips.push((format!("{} with the wrong sign", names.join(" and ")), changed));
     }
     // Units of all coordinates, or of one.
     for (factor, unit) in UNITS {
@@ -95,7 +95,7 @@ fn slips(numbers: &[Number; 3]) -> Vec<(String, [String; 3])> {
         let mut changed = texts.clone();
         changed.swap(i, j);
         let names = ["x", "y", "z"];
-        slips.push((format!("{} and {} exchanged", names[i], names[j]), changed));
+        slips.push((format!("{} and {} swapped", names[i], names[j]), changed));
     }
     slips
 }

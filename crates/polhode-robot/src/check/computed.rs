@@ -16,8 +16,9 @@ pub(super) fn check(format: ModelFormat, link: &Link, geometry: &LinkGeometry, f
         return;
     }
     let Some((_, density)) = densities().next_back() else { return };
-    let message = format!("{} kg, computed, at {} kg/m³", short(computed.mass, 4), short(density, 3));
-    let rule = "solids have 10 to 25,000 kg/m³: a density is in kg/m³, a mass in kg, a size in m";
+    let message =
+        format!("computed mass {} kg, density {} kg/m³", short(computed.mass, 4), short(density, 3));
+    let rule = "solids have a density of 10 to 25000 kg/m³; densities are in kg/m³, masses in kg, sizes in m";
     let span = link.name.span.clone();
     let mut found = finding("density.implausible", Severity::Suspect, link, span, message, rule);
     found.numbers = vec![("mass", computed.mass), ("density", density)];

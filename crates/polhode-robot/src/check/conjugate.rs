@@ -16,19 +16,19 @@ pub(super) fn explain(candidates: &mut Candidates) {
         return;
     }
     let mistakes = [
-        ("attitude of the inertial's frame conjugated", transposed(&body.rotation)),
+        ("attitude of the inertial frame inverted", transposed(&body.rotation)),
         (
-            "tensor along the link's axes, though the inertial's frame is turned",
+            "tensor along the link's axes, although the inertial frame is rotated",
             rotation_matrix([1.0, 0.0, 0.0, 0.0]),
         ),
-        ("quaternion x y z w in the place of w x y z", rotation_matrix([z, w, x, y])),
+        ("quaternion in the order x y z w instead of w x y z", rotation_matrix([z, w, x, y])),
     ];
     for (mistake, rotation) in mistakes {
         let right = body.in_inertial_axes(&rotated(&body.written, &rotation));
         candidates.offer(right.map(Change::Value), LOOSE, || Slip {
             code: "inertia.conjugate",
             mistake: mistake.to_owned(),
-            rule: "the attitude of an inertial takes its components to the link's: I_link = R I Rᵀ",
+            rule: "the attitude of an inertial rotates its components into the link's frame: I_link = R I Rᵀ",
             span: body.inertial.pose.span.clone().unwrap_or(body.inertial.span.clone()),
             is_sure: false,
         });

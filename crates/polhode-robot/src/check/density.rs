@@ -30,14 +30,15 @@ pub(super) fn check(
     let severity = if is_frame { Severity::Note } else { Severity::Suspect };
     let what = if solid.kind == VolumeKind::Closed { "its mesh" } else { "its shapes" };
     let mut message = format!(
-        "{} kg in the {} m³ of {what}: {} kg/m³",
+        "{} kg in the {} m³ of {what}: density {} kg/m³",
         short(body.mass, 4),
         short(solid.volume, 4),
         short(density, 3)
     );
     let (why, repair) = cause.unwrap_or_default();
     message.push_str(&why);
-    let rule = "solids have 10 to 25,000 kg/m³; lighter: is a mesh in mm? heavier: is a mass in g?";
+    let rule =
+        "solids have a density of 10 to 25000 kg/m³; too low: is a mesh in mm? too high: is the mass in g?";
     let mut found =
         finding("density.implausible", severity, body.link, body.inertial.mass.span(), message, rule);
     found.numbers = vec![("mass", body.mass), ("volume", solid.volume), ("density", density)];

@@ -194,7 +194,7 @@ impl<'f> Choice<'f> {
         }
         if let Some(slip) = &best.slip {
             let message = format!(
-                "{}: as written {}, corrected {} from it{or}",
+                "{}: as written {}; corrected {} off{or}",
                 words(best),
                 compared(best.as_written, best.ratio),
                 percent(best.misfit),
@@ -214,7 +214,7 @@ impl<'f> Choice<'f> {
             cause.density = Some((why, repair));
         } else if best.supposition.mass != 1.0 {
             let why = format!(
-                "{}: as written the inertia is {}, corrected {} from it{or}",
+                "{}: as written {}; corrected {} off{or}",
                 words_of(&best.supposition),
                 compared(best.as_written_mass(body), best.supposition.mass),
                 percent(best.misfit),
@@ -288,9 +288,9 @@ fn supposed_repair(model: &RobotModel, body: &Body, fit: &Fit) -> Option<Repair>
 fn evidence(body: &Body, fit: &Fit) -> String {
     let solid = supposed(body, fit.supposition).into_iter().next();
     let density = solid.map_or(f64::NAN, |s| fit.supposition.mass * body.mass / s.volume);
-    let slip = if fit.slip.is_some() { " (its own slip undone)" } else { "" };
+    let slip = if fit.slip.is_some() { " (with its own error corrected)" } else { "" };
     format!(
-        "{} kg/m³, and the tensor{slip} is {} from that of its geometry",
+        "{} kg/m³, and the tensor{slip} is {} off the geometry's tensor",
         short(density, 3),
         percent(fit.misfit)
     )
@@ -323,14 +323,18 @@ fn hint(body: &Body) -> String {
     if let Some(solid) = body.solids().find(|solid| is_of(body, solid, LOOSE)) {
         let in_grams = is_solid(1000.0 * body.mass / solid.volume);
         let density = if in_grams { "density in g/cm³" } else { "wrong density" };
-        return format!("; the tensor agrees with this mass, so both may follow from a {density}");
+        return format!(
+            "; the tensor agrees with this mass, so both may have been computed with a {density}"
+        );
     }
     for rescaled in body.geometry.rescaled.iter().filter(|rescaled| rescaled.factor < 1.0) {
         let supposition = Supposition { scale: rescaled.factor, mass: 1.0 };
         if let Some(solid) = supposed(body, supposition).into_iter().next() {
             let density = short(body.mass / solid.volume, 3);
             let what = words_of(&supposition);
-            return format!("; if {what}, {density} kg/m³; the tensor does not confirm it");
+            return format!(
+                "; if {what}, the density is {density} kg/m³, but the tensor does not confirm it"
+            );
         }
     }
     String::new()

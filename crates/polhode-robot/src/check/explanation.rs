@@ -303,8 +303,8 @@ pub(super) fn times_too(power: i32) -> String {
 /// the tensor of its geometry"`.
 pub(super) fn compared(misfit: f64, ratio: f64) -> String {
     let is_far = ratio > 0.0 && !(0.5..=2.0).contains(&ratio);
-    let off = if is_far { format!("{} times", short(ratio, 3)) } else { format!("{} from", percent(misfit)) };
-    format!("{off} the tensor of its geometry")
+    let off = if is_far { format!("{} times", short(ratio, 3)) } else { format!("{} off", percent(misfit)) };
+    format!("{off} the geometry's tensor")
 }
 
 /// Formats a misfit in per cent; values at rounding level become 0.

@@ -23,11 +23,11 @@ pub(super) fn named(candidates: &Candidates) -> impl Iterator<Item = (f64, &'sta
     let equal = |x: f64, y: f64| (x - y).abs() <= ROUND_SECTION * x.max(y);
     let may_be_a_tube = equal(a, b) || equal(b, c) || equal(a, c);
     [
-        (mass, "the mass is left out"),
+        (mass, "the factor m (mass) is missing"),
         (1.0 / mass, "multiplied by the mass twice"),
-        (0.25, "4 times too large: full lengths in the place of half ones, or a diameter of a radius"),
-        (4.0, "4 times too small: half lengths in the place of full ones, or a radius of a diameter"),
-        (0.5, "2 times too large: H²/2 in the place of (H/2)²"),
+        (0.25, "4 times too large: full lengths instead of half lengths, or a diameter instead of a radius"),
+        (4.0, "4 times too small: half lengths instead of full lengths, or a radius instead of a diameter"),
+        (0.5, "2 times too large: H²/2 instead of (H/2)²"),
     ]
     .into_iter()
     .filter(move |(factor, _)| *factor != 0.5 || !may_be_a_tube)

@@ -44,7 +44,7 @@ fn each_by_itself(candidates: &mut Candidates, seconds: [f64; 3]) {
         nearest(k, [seconds[i], seconds[j]])
     };
     let pair = "the formula of another axis (a wrong pair of lengths)";
-    let rod = "the formula of a slender rod: one of two squared lengths is left out";
+    let rod = "the formula of a slender rod: one of two squared lengths is missing";
     for (values, why) in [([0, 1, 2].map(pairs), pair), ([0, 1, 2].map(rods), rod)] {
         let changes =
             std::array::from_fn(
@@ -61,9 +61,9 @@ fn lengths(candidates: &mut Candidates, seconds: [f64; 3]) {
     let body = candidates.body;
     for axes in [&[0][..], &[1], &[2], &[0, 1], &[0, 2], &[1, 2]] {
         for (factor, why) in [
-            (4.0, "a diameter in the place of a radius, or a full length of a half one"),
-            (0.25, "a radius in the place of a diameter, or a half length of a full one"),
-            (2.0, "H²/2 in the place of (H/2)²"),
+            (4.0, "a diameter instead of a radius, or a full length instead of a half length"),
+            (0.25, "a radius instead of a diameter, or a half length instead of a full length"),
+            (2.0, "H²/2 instead of (H/2)²"),
         ] {
             // A factor of 2 on two equal second moments is a thin tube, which is right.
             if let (true, &[i, j]) = (factor == 2.0, axes)

@@ -55,7 +55,7 @@ pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
             let bound = f64::max(1.0, LONGEST * (body.mass / SPARSEST).cbrt());
             // A cube of water.
             let edge = (body.mass / 1000.0).cbrt();
-            let seen = format!("a body of this mass is hardly {} m long", short(bound, 2));
+            let seen = format!("a body of this mass is rarely {} m long", short(bound, 2));
             (bound, seen, body.mass * edge * edge / 6.0, 30.0)
         }
     };
@@ -75,15 +75,15 @@ pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
     };
     let guess = match unit {
         Some(unit) => {
-            format!("; some {} kg·m² would be expected: {} written as kg·m²?", size, unit.name)
+            format!("; expected about {} kg·m²: {} written as kg·m²?", size, unit.name)
         }
         None if typed && !padded => {
-            format!("; some {} kg·m² would be expected: a placeholder?", size)
+            format!("; expected about {} kg·m²: a placeholder?", size)
         }
         None => String::new(),
     };
-    let message = format!("{moment} kg·m² on {mass} kg: gyration radius {radius} m, {seen}{guess}");
-    let rule = "the radius of gyration √(i3/m) is no longer than the body";
+    let message = format!("{moment} kg·m² for {mass} kg: radius of gyration {radius} m, but {seen}{guess}");
+    let rule = "the radius of gyration √(i3/m) is not larger than the body";
     let mut found = finding(code, severity, body.link, body.tensor_place(), message, rule);
     found.numbers = vec![("i3", i3), ("mass", body.mass), ("gyration_radius", k), ("bound", bound)];
     findings.push(found);

@@ -13,7 +13,7 @@ use super::written::short;
 use crate::finding::{Finding, Severity};
 use crate::model::{Inertial, Link, ModelFormat, RobotModel, Role, Slot};
 
-const NEEDED: &str = "a link that moves has a positive mass, or carries one";
+const NEEDED: &str = "a moving link or one of its descendants has positive mass";
 
 pub(super) fn check(model: &RobotModel, tree: &Tree, k: usize, findings: &mut Vec<Finding>) {
     let Some(link) = model.links.get(k).filter(|link| !link.is_static) else { return };
@@ -39,17 +39,17 @@ fn given(
     };
     if mass < 0.0 {
         let message = format!("mass {} kg is negative", short(mass, 6));
-        return tell("mass.not_positive", Severity::Impossible, message, "a mass is positive");
+        return tell("mass.not_positive", Severity::Impossible, message, "mass is positive");
     }
     let tensor = inertial.tensor.slots().into_iter().flatten().filter_map(Slot::finite).find(|x| *x != 0.0);
     if let Some(moment) = tensor {
-        let message = format!("0 kg with a moment of inertia: {} kg·m²", short(moment, 6));
+        let message = format!("mass 0 kg, but a moment of inertia of {} kg·m²", short(moment, 6));
         // A link fixed to another one, a base, and a single link at rest need neither mass nor
         // tensor.
         let still = tree.is_carried(k) || tree.is_base(k) || tree.len() == 1;
         let severity =
             if still && model.format == ModelFormat::Urdf { Severity::Suspect } else { Severity::Impossible };
-        return tell("mass.not_positive", severity, message, "what has no mass has no inertia");
+        return tell("mass.not_positive", severity, message, "a link without mass has no inertia");
     }
     if model.format == ModelFormat::Sdf {
         let message = "mass 0 kg on a link that is not static".to_owned();
@@ -57,12 +57,12 @@ fn given(
             "mass.not_positive",
             Severity::Impossible,
             message,
-            "SDF wants a positive mass of every link that can move",
+            "SDF requires a positive mass for every link that can move",
         );
     }
     if tree.moves_itself(k) && !tree.has_mass_below(k) {
         let message =
-            "mass 0 kg on a link that a joint moves, and nothing that hangs on it has mass".to_owned();
+            "mass 0 kg on a link that a joint moves, and none of its descendants has mass".to_owned();
         // A model without any mass is a drawing: it can be posed, but not simulated.
         let severity = if tree.has_mass() { Severity::Impossible } else { Severity::Suspect };
         return tell("mass.not_positive", severity, message, NEEDED);
@@ -83,14 +83,14 @@ fn nothing(model: &RobotModel, tree: &Tree, k: usize, link: &Link, findings: &mu
                     "mass.missing",
                     Severity::Impossible,
                     message,
-                    "a body with a joint has mass, or a fixed child has",
+                    "a body with a joint, or a child fixed to it, has mass",
                 );
             }
         }
         ModelFormat::Sdf => {
             if has_collision(link) && !link.from_geometry {
-                let message = "no inertial: SDF takes 1 kg and 1 kg·m² about each axis";
-                tell("mass.missing", Severity::Suspect, message, "a link that can move says its mass");
+                let message = "no inertial: SDF assumes 1 kg and 1 kg·m² about each axis";
+                tell("mass.missing", Severity::Suspect, message, "a link that can move states its mass");
             }
         }
         // A USD body without mass takes it from its shapes.
@@ -115,17 +115,17 @@ fn touched(tree: &Tree, k: usize, link: &Link, findings: &mut Vec<Finding>) {
         return;
     }
     let (severity, more, rule) = if tree.is_carried(k) && tree.is_held_by_mass(k) {
-        let rule = "programs lump what fixed joints hold together: the mass is that of the others";
-        (Severity::Note, ": it is fixed to what has mass", rule)
+        let rule = "programs lump links that are fixed together, so the mass is that of the other links";
+        (Severity::Note, ": it is fixed to a link with mass", rule)
     } else if tree.is_base(tree.group(k)) && !tree.is_held_by_mass(k) {
         // In URDF, a massless base link fixes the robot to the world.
-        let rule = "a base without mass cannot move: right for a robot that is fixed to its place";
+        let rule = "a base without mass cannot move; this is right for a robot fixed to the world";
         (Severity::Note, "", rule)
     } else if !tree.is_weighed() && tree.len() > 1 {
         // A model without any mass is a drawing.
-        (Severity::Note, "", "what can be touched has mass")
+        (Severity::Note, "", "a link with collision geometry has mass")
     } else {
-        (Severity::Suspect, "", "what can be touched has mass")
+        (Severity::Suspect, "", "a link with collision geometry has mass")
     };
     let message = format!("collision geometry, but no mass{more}");
     findings.push(finding("mass.massless_collision", severity, link, link.name.span.clone(), message, rule));

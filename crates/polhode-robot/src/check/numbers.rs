@@ -21,7 +21,7 @@ pub(super) fn check(model: &RobotModel, link: &Link, tree: &Tree, k: usize, find
         }
     }
     for unreadable in &inertial.pose.unreadable {
-        number(&link.name.text, unreadable, "the inertial's place or attitude", findings);
+        number(&link.name.text, unreadable, "the inertial's position or attitude", findings);
     }
     // A frame without mass needs no tensor. SDF has defaults for missing numbers.
     let weighs = inertial.mass.finite().is_some_and(|m| m != 0.0);
@@ -29,16 +29,16 @@ pub(super) fn check(model: &RobotModel, link: &Link, tree: &Tree, k: usize, find
         let moves = tree.moves(k) || model.format == ModelFormat::Urdf;
         let (severity, rule) = match model.format {
             ModelFormat::Sdf => {
-                (Severity::Suspect, "what is left out is the identity in SDF: 1 kg·m² about each axis")
+                (Severity::Suspect, "in SDF a missing tensor is the identity: 1 kg·m² about each axis")
             }
-            ModelFormat::Usd => {
-                (Severity::Note, "what USD leaves out the physics engine computes from the collision shapes")
-            }
-            _ if moves => (Severity::Impossible, "a link with mass needs its tensor"),
-            _ => (Severity::Note, "a link that moves needs its tensor"),
+            ModelFormat::Usd => (
+                Severity::Note,
+                "in USD the physics engine computes a missing tensor from the collision shapes",
+            ),
+            _ if moves => (Severity::Impossible, "a link with mass needs an inertia tensor"),
+            _ => (Severity::Note, "a moving link needs an inertia tensor"),
         };
-        let message =
-            format!("no inertia tensor beside a mass of {} kg", inertial.mass.finite().unwrap_or(0.0));
+        let message = format!("mass {} kg, but no inertia tensor", inertial.mass.finite().unwrap_or(0.0));
         findings.push(finding("inertia.missing", severity, link, span.clone(), message, rule));
     }
 }
@@ -55,13 +55,13 @@ pub(super) fn elsewhere(model: &RobotModel, findings: &mut Vec<Finding>) {
         }
     };
     for link in &model.links {
-        tell(&link.name, &link.pose, "the link's place or attitude");
+        tell(&link.name, &link.pose, "the link's position or attitude");
         for geometry in &link.geometry {
-            tell(&link.name, &geometry.pose, "a shape's place or attitude");
+            tell(&link.name, &geometry.pose, "a shape's position or attitude");
         }
     }
     for joint in &model.joints {
-        tell(&joint.name, &joint.pose, "the joint's place or attitude");
+        tell(&joint.name, &joint.pose, "the joint's position or attitude");
     }
     for joint in &model.joints {
         let has_axis = matches!(joint.kind, JointKind::Revolute | JointKind::Prismatic);
@@ -69,10 +69,10 @@ pub(super) fn elsewhere(model: &RobotModel, findings: &mut Vec<Finding>) {
             let zero = joint.axis == [0.0; 3];
             let (severity, what) = match zero {
                 true => (Severity::Suspect, "zero"),
-                false => (Severity::Impossible, "no three finite numbers"),
+                false => (Severity::Impossible, "not three finite numbers"),
             };
             let message = format!("its axis is {what}");
-            let rule = "a joint turns about, or slides along, an axis that has a direction";
+            let rule = "the axis of a joint is a vector of nonzero length";
             let (subject, span) = (&joint.name.text, joint.span.clone());
             findings.push(Finding::new("joint.axis", severity, subject, span, message, rule));
         }
@@ -81,7 +81,7 @@ pub(super) fn elsewhere(model: &RobotModel, findings: &mut Vec<Finding>) {
     let links = model.links.iter().filter(|_| model.format != ModelFormat::Mjcf);
     for link in links {
         for geometry in link.geometry.iter().filter(|g| !has_size(&g.shape)) {
-            let message = "a size of a shape is missing, no number, or negative".to_owned();
+            let message = "a size of a shape is missing, is not a number, or is negative".to_owned();
             let rule = "sizes are positive numbers, in metres";
             let severity = Severity::Suspect;
             findings.push(finding("geometry.size", severity, link, geometry.span.clone(), message, rule));
@@ -111,8 +111,8 @@ fn slot(model: &RobotModel, link: &Link, slot: &Slot, what: &str, findings: &mut
             // SDF has defaults: 1 kg, 1 kg·m² about each axis, products zero.
             let (severity, rule) = match (model.format, what) {
                 (ModelFormat::Sdf, "ixy" | "ixz" | "iyz") => return,
-                (ModelFormat::Sdf, _) => (Severity::Suspect, "what is left out is 1 in SDF"),
-                _ => (Severity::Impossible, "all numbers of an inertial must be given"),
+                (ModelFormat::Sdf, _) => (Severity::Suspect, "in SDF a missing number is 1"),
+                _ => (Severity::Impossible, "an inertial has all its numbers"),
             };
             let message = format!("{name} is missing");
             let code = if what == "mass" { "mass.missing" } else { "number.missing" };
@@ -126,7 +126,7 @@ fn number(subject: &str, number: &Number, what: &str, findings: &mut Vec<Finding
     let (code, message, repaired) = match number.value {
         Some(value) if value.is_finite() => return,
         Some(value) => {
-            let why = if value.is_nan() { "not a number" } else { "beyond what a number can hold" };
+            let why = if value.is_nan() { "not a number" } else { "too large for a double" };
             ("number.not_finite", format!("{what} = {text:?} is {why}"), None)
         }
         None => {
@@ -136,7 +136,7 @@ fn number(subject: &str, number: &Number, what: &str, findings: &mut Vec<Finding
             ("number.malformed", format!("{what} = {text:?} {why}"), meant)
         }
     };
-    let rule = "numbers are finite decimals with a point, without units";
+    let rule = "numbers are finite decimals with a decimal point and without units";
     let repair = repaired.map(|meant| Repair {
         description: format!("{what} {text} → {meant}"),
         edits: vec![(number.span.clone(), meant)],

@@ -44,45 +44,39 @@ const fn turn(mistake: &'static str, from: [usize; 6], negated: [usize; 2]) -> O
 }
 
 const LISTS: [Order; 4] = [
-    order("xx yy zz xy xz yz written in the places of xx xy xz yy yz zz", [0, 3, 4, 1, 5, 2]),
-    order("row-major xx xy xz yy yz zz written in the places of xx yy zz xy xz yz", [0, 3, 5, 1, 2, 4]),
-    order(
-        "the lower triangle xx xy yy xz yz zz written in the places of xx xy xz yy yz zz",
-        [0, 4, 2, 3, 1, 5],
-    ),
-    order(
-        "the lower triangle xx xy yy xz yz zz written in the places of xx yy zz xy xz yz",
-        [0, 2, 5, 1, 3, 4],
-    ),
+    order("xx yy zz xy xz yz written as xx xy xz yy yz zz", [0, 3, 4, 1, 5, 2]),
+    order("row-major xx xy xz yy yz zz written as xx yy zz xy xz yz", [0, 3, 5, 1, 2, 4]),
+    order("the lower triangle xx xy yy xz yz zz written as xx xy xz yy yz zz", [0, 4, 2, 3, 1, 5]),
+    order("the lower triangle xx xy yy xz yz zz written as xx yy zz xy xz yz", [0, 2, 5, 1, 3, 4]),
 ];
 
 const PRODUCTS: [Order; 5] = [
-    order("iyz and ixz exchanged", [0, 1, 2, 3, 5, 4]),
-    order("ixy and iyz exchanged", [0, 1, 2, 5, 4, 3]),
-    order("ixy and ixz exchanged", [0, 1, 2, 4, 3, 5]),
+    order("iyz and ixz swapped", [0, 1, 2, 3, 5, 4]),
+    order("ixy and iyz swapped", [0, 1, 2, 5, 4, 3]),
+    order("ixy and ixz swapped", [0, 1, 2, 4, 3, 5]),
     order("products in the order xz yz xy", [0, 1, 2, 5, 3, 4]),
     order("products in the order yz xy xz", [0, 1, 2, 4, 5, 3]),
 ];
 
 const MOMENTS: [Order; 5] = [
-    order("ixx and iyy exchanged", [1, 0, 2, 3, 4, 5]),
-    order("ixx and izz exchanged", [2, 1, 0, 3, 4, 5]),
-    order("iyy and izz exchanged", [0, 2, 1, 3, 4, 5]),
+    order("ixx and iyy swapped", [1, 0, 2, 3, 4, 5]),
+    order("ixx and izz swapped", [2, 1, 0, 3, 4, 5]),
+    order("iyy and izz swapped", [0, 2, 1, 3, 4, 5]),
     order("moments in the order zz xx yy", [1, 2, 0, 3, 4, 5]),
     order("moments in the order yy zz xx", [2, 0, 1, 3, 4, 5]),
 ];
 
 /// Exchanged axes. A change of handedness exchanges two axes; a rotation by 90° also changes signs.
 const AXES: [Order; 9] = [
-    order("axes x and y exchanged", [1, 0, 2, 3, 5, 4]),
-    order("axes x and z exchanged", [2, 1, 0, 5, 4, 3]),
-    order("axes y and z exchanged", [0, 2, 1, 4, 3, 5]),
-    turn("axes turned by a quarter about x", [0, 2, 1, 4, 3, 5], [3, 5]),
-    turn("axes turned by a quarter about x", [0, 2, 1, 4, 3, 5], [4, 5]),
-    turn("axes turned by a quarter about y", [2, 1, 0, 5, 4, 3], [3, 4]),
-    turn("axes turned by a quarter about y", [2, 1, 0, 5, 4, 3], [4, 5]),
-    turn("axes turned by a quarter about z", [1, 0, 2, 3, 5, 4], [3, 4]),
-    turn("axes turned by a quarter about z", [1, 0, 2, 3, 5, 4], [3, 5]),
+    order("axes x and y swapped", [1, 0, 2, 3, 5, 4]),
+    order("axes x and z swapped", [2, 1, 0, 5, 4, 3]),
+    order("axes y and z swapped", [0, 2, 1, 4, 3, 5]),
+    turn("axes rotated by 90° about x", [0, 2, 1, 4, 3, 5], [3, 5]),
+    turn("axes rotated by 90° about x", [0, 2, 1, 4, 3, 5], [4, 5]),
+    turn("axes rotated by 90° about y", [2, 1, 0, 5, 4, 3], [3, 4]),
+    turn("axes rotated by 90° about y", [2, 1, 0, 5, 4, 3], [4, 5]),
+    turn("axes rotated by 90° about z", [1, 0, 2, 3, 5, 4], [3, 4]),
+    turn("axes rotated by 90° about z", [1, 0, 2, 3, 5, 4], [3, 5]),
 ];
 
 const RULE: &str = "URDF and SDF name each element; MJCF's fullinertia is xx yy zz xy xz yz";
@@ -119,9 +113,9 @@ pub(super) fn check_alone(body: &Body, findings: &mut Vec<Finding>) {
     let bare = [iyy, ixy, ixz] == [0.0; 3] && ixx > 0.0 && iyz > 0.0;
     if iyy == ixy && (iyy != 0.0 || bare) {
         let message = format!(
-            "iyy = ixy = {iyy} kg·m²: xx xy xz yx yy yz, the first six of nine, in the places of six"
+            "iyy = ixy = {iyy} kg·m²: the first six of nine elements, xx xy xz yx yy yz, written as the six of a symmetric tensor"
         );
-        let rule = "a symmetric tensor has six numbers; zz is not among these";
+        let rule = "a symmetric tensor has six different elements; zz is missing here";
         findings.push(finding("inertia.order", Severity::Suspect, body.link, body.place(1), message, rule));
         return;
     }
@@ -130,7 +124,7 @@ pub(super) fn check_alone(body: &Body, findings: &mut Vec<Finding>) {
     let Some(order) = possible.first() else { return };
     let [a, b, c] = Moments::of(&right(body, order)).values.map(|x| super::written::short(x, 4));
     let message = format!(
-        "{}: that would make the tensor possible ({a}, {b}, {c} kg·m²), and no geometry confirms it",
+        "{}? This would make the tensor possible ({a}, {b}, {c} kg·m²), but no geometry confirms it",
         order.mistake
     );
     findings.push(finding("inertia.order", Severity::Suspect, body.link, body.tensor_place(), message, RULE));

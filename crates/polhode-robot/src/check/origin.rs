@@ -24,7 +24,7 @@ pub(super) fn explain(candidates: &mut Candidates) {
         format!("tensor about the link's origin, {away} m from the centre of mass")
     } else {
         format!(
-            "tensor about the link's origin, and no centre of mass given; the geometry's is {away} m from there"
+            "tensor about the link's origin, and no centre of mass is given; the geometry's centroid is {away} m from the origin"
         )
     };
     // A small difference of large numbers has few digits. If these do not distinguish it from the
@@ -46,7 +46,7 @@ pub(super) fn explain(candidates: &mut Candidates) {
     candidates.offer(std::array::from_fn(change), LOOSE, || Slip {
         code: "inertia.about_origin",
         mistake,
-        rule: "an inertial's tensor is about its own origin, the centre of mass",
+        rule: "the tensor of an inertial is about the centre of mass, the origin of the inertial frame",
         span: body.tensor_place(),
         is_sure,
     });

@@ -175,14 +175,15 @@ fn pair(left: &Body, right: &Body, joints: [Option<&Joint>; 2], findings: &mut V
         .map(|k| format!("{} {} and {}", NAMES[*k], short(left.tensor[*k], 4), short(right.tensor[*k], 4)))
         .collect();
     let copied = there.iter().all(|k| left.tensor[*k] * right.tensor[*k] > 0.0);
-    let how = if copied { "the same products" } else { "products of the wrong sign" };
+    let how = if copied { "the same products" } else { "products with the wrong sign" };
     let message = format!(
-        "{} / {}: mirror images with {how}: {} kg·m²",
+        "{} / {}: mirrored links with {how}: {} kg·m²",
         left.link.name.text,
         right.link.name.text,
         shown.join(", ")
     );
-    let rule = "of a body mirrored along x, ixy and ixz change their signs; along y, ixy and iyz; along z, ixz and iyz";
+    let rule =
+        "for a body mirrored along x, ixy and ixz change sign; along y, ixy and iyz; along z, ixz and iyz";
     let span = wrong.first().map_or(right.tensor_place(), |k| right.place(*k));
     let mut found = finding("inertia.mirrored_pair", Severity::Suspect, right.link, span, message, rule);
     found.numbers = vec![("ixy", right.tensor[3]), ("ixz", right.tensor[4]), ("iyz", right.tensor[5])];

@@ -60,13 +60,14 @@ pub(super) fn check(body: &Body, _: Held, findings: &mut Vec<Finding>) {
     let [mass, k] = [body.mass, body.gyration()].map(|x| short(x, 4));
     let (severity, why) = match (implied.iter().copied().reduce(f64::max), body.reach()) {
         (Some(_), _) if !implied.iter().all(|i| far(*i)) => return,
-        (Some(i), _) => (Severity::Suspect, format!("its geometry implies some {} kg·m²", short(i, 2))),
-        (None, Some(reach)) if body.gyration() > reach => {
-            (Severity::Suspect, format!("gyration radius {k} m, its geometry reaches {} m", short(reach, 4)))
-        }
-        _ => (Severity::Note, format!("gyration radius {k} m")),
+        (Some(i), _) => (Severity::Suspect, format!("its geometry implies about {} kg·m²", short(i, 2))),
+        (None, Some(reach)) if body.gyration() > reach => (
+            Severity::Suspect,
+            format!("radius of gyration {k} m, but its geometry reaches only {} m", short(reach, 4)),
+        ),
+        _ => (Severity::Note, format!("radius of gyration {k} m")),
     };
-    let message = format!("1 kg·m² about each axis on {mass} kg: {why}");
+    let message = format!("1 kg·m² about each axis for {mass} kg: {why}");
     let mut found = finding("inertia.placeholder", severity, body.link, body.tensor_place(), message, RULE);
     found.numbers = vec![("moment", 1.0), ("mass", body.mass), ("gyration_radius", body.gyration())];
     findings.push(found);
@@ -127,13 +128,13 @@ fn of_group(group: &[&Body], findings: &[Finding]) -> Option<Finding> {
     let moment = first.written[0];
     let felt = if moment >= FELT && (masses || reaches) { Severity::Suspect } else { Severity::Note };
     let severity = worst.unwrap_or(felt).max(felt);
-    let that_differ = if masses || reaches { " that differ" } else { "" };
+    let that_differ = if masses || reaches { " of different mass or size" } else { "" };
     let too_large = match off {
         0 => String::new(),
-        off => format!("; of {off} of them no body of that mass and size has it"),
+        off => format!("; impossible for the mass and size of {off} of them"),
     };
     let message = format!(
-        "{} kg·m² about each axis on {} links{that_differ}: {}{too_large}",
+        "the same {} kg·m² about each axis on {} links{that_differ}: {}{too_large}",
         short(moment, 4),
         group.len(),
         named(&names)

@@ -59,7 +59,7 @@ pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> 
     if i1 < -negative {
         let [a, b, c] = [i1, i2, i3].map(|x| short(x, 5));
         let message = format!("principal moments {a}, {b}, {c} kg·m²: one is negative{}", beyond(body));
-        let rule = "no principal moment of a body is negative";
+        let rule = "no principal moment is negative";
         let place = (0..3).find(|k| body.written[*k] < 0.0).map_or(body.tensor_place(), |k| body.place(k));
         let mut found = finding("inertia.negative", Severity::Impossible, body.link, place, message, rule);
         found.numbers = vec![("i1", i1), ("i2", i2), ("i3", i3), ("rounding", negative)];
@@ -78,7 +78,7 @@ pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> 
             beyond(body),
         );
         let largest = (1..3).fold(0, |best, k| if body.written[k] > body.written[best] { k } else { best });
-        let rule = "two principal moments of a body are together no less than the third";
+        let rule = "the sum of any two principal moments is at least the third";
         let mut found =
             finding("inertia.triangle", Severity::Impossible, body.link, body.place(largest), message, rule);
         found.numbers = vec![("i1", i1), ("i2", i2), ("i3", i3), ("excess", -gap), ("rounding", triangle)];
@@ -89,11 +89,11 @@ pub(super) fn check(body: &Body, carried: bool, findings: &mut Vec<Finding>) -> 
     let floor = SINGLE_PRECISION * i3;
     if gap < -floor || i1 < -floor {
         let message = format!(
-            "i1 + i2 = {} < i3 = {} kg·m², by no more than rounding of the printed digits explains",
+            "i1 + i2 = {} < i3 = {} kg·m², within the rounding of the printed digits",
             short(i1 + i2, 6),
             short(i3, 6),
         );
-        let rule = "more digits would tell whether a body can have this tensor";
+        let rule = "more digits would show whether this tensor is possible";
         let mut found =
             finding("inertia.rounding", Severity::Note, body.link, body.tensor_place(), message, rule);
         found.numbers = vec![("i1", i1), ("i2", i2), ("i3", i3), ("excess", -gap), ("rounding", triangle)];
@@ -109,7 +109,7 @@ pub(super) fn of_moments(link: &Link, inertial: &Inertial) -> Option<Finding> {
     let negative = slots.iter().find_map(|slot| slot.finite().filter(|x| *x < 0.0).map(|x| (slot.span(), x)));
     if let Some((span, moment)) = negative {
         let message = format!("a moment of {} kg·m²", short(moment, 5));
-        let rule = "no moment of inertia of a body is negative";
+        let rule = "no moment of inertia is negative";
         let mut found = finding("inertia.negative", Severity::Impossible, link, span, message, rule);
         found.numbers = vec![("moment", moment)];
         return Some(found);
@@ -120,9 +120,12 @@ pub(super) fn of_moments(link: &Link, inertial: &Inertial) -> Option<Finding> {
     if moments.len() < 3 || greatest - others <= TYPED * greatest {
         return None;
     }
-    let message =
-        format!("two moments are together {} < {} kg·m², the third", short(others, 6), short(greatest, 6));
-    let rule = "two moments of a body about any axes are together no less than the third";
+    let message = format!(
+        "the sum of two moments, {} kg·m², is less than the third, {} kg·m²",
+        short(others, 6),
+        short(greatest, 6)
+    );
+    let rule = "the sum of any two moments about perpendicular axes is at least the third";
     let span = slots.iter().find(|slot| slot.finite() == Some(greatest)).map(|slot| slot.span())?;
     let mut found = finding("inertia.triangle", Severity::Impossible, link, span, message, rule);
     found.numbers = vec![("excess", greatest - others)];
@@ -158,19 +161,22 @@ fn beyond(body: &Body) -> String {
         return String::new();
     }
     let [k, m, reach] = [k, body.mass, reach].map(|x| short(x, 4));
-    format!("; gyration radius {k} m at {m} kg, its geometry reaches {reach} m")
+    format!("; radius of gyration {k} m for {m} kg, but its geometry reaches only {reach} m")
 }
 
 /// Reports a point mass. Fixed to another body it is acceptable; alone it cannot rotate.
 fn zero(body: &Body, carried: bool, findings: &mut Vec<Finding>) {
     let (severity, rule) = if carried || body.link.is_static {
-        (Severity::Suspect, "only a point has no moment of inertia; fixed to another link it may be meant")
+        (
+            Severity::Suspect,
+            "only a point mass has no moment of inertia; a link fixed to another one may be a point mass",
+        )
     } else {
         (Severity::Impossible, "a link with mass and a size has moments of inertia")
     };
     let exact = body.written.iter().all(|x| *x == 0.0);
-    let zero = if exact { "zero" } else { "zero but for rounding" };
-    let message = format!("all moments are {zero}, with {} kg", short(body.mass, 6));
+    let zero = if exact { "zero" } else { "zero within rounding" };
+    let message = format!("all moments are {zero}, but the mass is {} kg", short(body.mass, 6));
     let mut found = finding("inertia.zero", severity, body.link, body.tensor_place(), message, rule);
     found.numbers = vec![("mass", body.mass)];
     findings.push(found);

@@ -31,7 +31,7 @@ pub(super) fn suggestion(body: &Body) -> Option<String> {
             }
             let [a, b, c] = moments.values.map(|x| short(x, 4));
             only = Some(format!(
-                "{} {} → {text} would make it possible ({a}, {b}, {c} kg·m²); no geometry confirms it",
+                "{} {} → {text} would make the tensor possible ({a}, {b}, {c} kg·m²), but no geometry confirms it",
                 NAMES[k], number.text
             ));
         }

@@ -92,7 +92,7 @@ pub(super) fn check(body: &Body, held: Held, findings: &mut Vec<Finding>) {
     };
     let [xx, yy, zz, ..] = target;
     let message = format!(
-        "{}: times the geometry's with {} kg ({} kg·m²)",
+        "ixx, iyy, izz are {} times those of the geometry with {} kg ({} kg·m²)",
         list(ratios, 3),
         short(body.mass, 4),
         list([xx, yy, zz], 4),

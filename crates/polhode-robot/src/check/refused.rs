@@ -30,7 +30,7 @@ use crate::program::Program;
 /// Lower limit of mass and moments in MuJoCo (`mjMINVAL`), kg and kg·m².
 const LEAST: f64 = 1e-15;
 
-const RULE: &str = "a link that moves has mass and moments of inertia";
+const RULE: &str = "a moving link has mass and moments of inertia";
 
 /// Adds the rejections by programs: as errors for `programs`, otherwise as notes.
 pub(super) fn check(model: &RobotModel, tree: &Tree, programs: &[Program], findings: &mut Vec<Finding>) {
@@ -80,9 +80,9 @@ fn message(refusals: &[Refusal]) -> String {
     };
     let does = |refusal: &Refusal| match refusal.program {
         Program::Mujoco => "MuJoCo refuses the model",
-        Program::Gazebo => "Gazebo drops the link and all that hangs from it",
+        Program::Gazebo => "Gazebo drops the link and all its descendants",
         Program::Drake => "Drake refuses the model",
-        Program::Isaac => "Isaac Sim takes the inertia of a small sphere",
+        Program::Isaac => "Isaac Sim assumes the inertia of a small sphere",
     };
     format!("{what}: {}", refusals.iter().map(does).collect::<Vec<_>>().join(", "))
 }

@@ -39,9 +39,9 @@ pub(super) fn explain(candidates: &mut Candidates) {
     candidates.offer(changes, LOOSE, || Slip {
         code: "inertia.sign",
         mistake: if flipped == present {
-            "the products have the other sign (+∫xy dm for −∫xy dm)".to_owned()
+            "the products have the wrong sign (+∫xy dm instead of −∫xy dm)".to_owned()
         } else {
-            format!("{} with the other sign", named(&flipped))
+            format!("{} with the wrong sign", named(&flipped))
         },
         rule: "ixy = −∫xy dm, ixz = −∫xz dm, iyz = −∫yz dm",
         span: flipped.first().map_or(body.tensor_place(), |k| body.place(*k)),

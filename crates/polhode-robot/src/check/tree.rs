@@ -210,7 +210,7 @@ fn has_mass(format: ModelFormat, link: &Link) -> bool {
     }
 }
 
-const CLOSED_LOOPS: &str = "SDF and USD may close loops; not every engine can";
+const CLOSED_LOOPS: &str = "SDF and USD allow closed loops; not every engine does";
 
 /// Returns true if the format allows joints between any two links.
 fn closes_loops(format: ModelFormat) -> bool {
@@ -230,7 +230,7 @@ pub(super) fn check(model: &RobotModel, tree: &Tree) -> Vec<Finding> {
                 "",
                 0..0,
                 message,
-                "a robot has a link",
+                "a robot has at least one link",
             ));
         }
         return findings;
@@ -279,9 +279,9 @@ fn duplicates(model: &RobotModel, findings: &mut Vec<Finding>) {
 fn shared(model: &RobotModel, findings: &mut Vec<Finding>) {
     let (severity, rule) = match model.format {
         ModelFormat::Sdf => {
-            (Severity::Suspect, "libsdformat refuses this since SDF 1.7: names in a model are unique")
+            (Severity::Suspect, "names in a model are unique: libsdformat refuses duplicates since SDF 1.7")
         }
-        ModelFormat::Urdf => (Severity::Note, "URDF allows it; as SDF the model is refused"),
+        ModelFormat::Urdf => (Severity::Note, "URDF allows a shared name, but SDF does not"),
         ModelFormat::Mjcf | ModelFormat::Usd | ModelFormat::Osim => return,
     };
     let links = index(&model.links);
@@ -309,8 +309,8 @@ fn unknown(model: &RobotModel, findings: &mut Vec<Finding>) {
             let elsewhere = is_part || model.format == ModelFormat::Sdf && name.text.contains("::");
             let severity = if elsewhere { Severity::Note } else { Severity::Impossible };
             let message =
-                format!("joint {:?}: its {what} {:?} is no link of the model", joint.name.text, name.text);
-            let rule = "a joint joins two links";
+                format!("joint {:?}: its {what} {:?} is not a link of the model", joint.name.text, name.text);
+            let rule = "a joint connects two links";
             findings.push(Finding::new(
                 "tree.unknown_link",
                 severity,
@@ -342,10 +342,10 @@ fn round(model: &RobotModel, tree: &Tree, cycle: &[usize]) -> Option<Finding> {
             .chain(cycle.iter().skip(cycle.len() - 5).map(name))
             .collect()
     };
-    let message = format!("joints go round: {} → {}", shown.join(" → "), name(&first));
+    let message = format!("the joints form a cycle: {} → {}", shown.join(" → "), name(&first));
     let (severity, rule) = match model.format {
         format if closes_loops(format) => (Severity::Note, CLOSED_LOOPS),
-        _ => (Severity::Impossible, "the links of a robot make a tree"),
+        _ => (Severity::Impossible, "the links of a robot form a tree"),
     };
     let mut found = Finding::new("tree.cycle", severity, &link.name.text, joint.span.clone(), message, rule);
     found.numbers = vec![("links", cycle.len() as f64)];
@@ -365,9 +365,9 @@ fn two_parents(model: &RobotModel, tree: &Tree, k: usize, link: &Link, findings:
     let other = joint.parent.as_ref().map_or("the world", |p| p.text.as_str());
     let (severity, rule) = match model.format {
         format if closes_loops(format) => (Severity::Note, CLOSED_LOOPS),
-        _ => (Severity::Impossible, "a link hangs on one other: loops are not a tree"),
+        _ => (Severity::Impossible, "a link has at most one parent: the links form a tree without loops"),
     };
-    let message = format!("{:?} hangs on {first:?} and on {other:?}", link.name.text);
+    let message = format!("{:?} has two parents, {first:?} and {other:?}", link.name.text);
     findings.push(Finding::new(
         "tree.two_parents",
         severity,
@@ -389,10 +389,10 @@ fn roots(model: &RobotModel, tree: &Tree, findings: &mut Vec<Finding>) {
         })
         .map(|(link, _)| link)
         .collect();
-    let rule = "one link, the root, hangs on no other";
+    let rule = "exactly one link, the root, has no parent";
     match roots.as_slice() {
         [] => {
-            let message = "every link hangs on another".to_owned();
+            let message = "no root: every link has a parent".to_owned();
             findings.push(Finding::new("tree.no_root", Severity::Impossible, "", 0..0, message, rule));
         }
         [_] => {}

@@ -55,7 +55,7 @@ pub(super) fn withdraw(model: &RobotModel, bodies: &[Option<Body>], findings: &m
         if let Some(twin) = twin {
             finding.repair = None;
             finding.message = format!(
-                "{}; no fix is written, as its counterpart {twin} has other numbers",
+                "{}; no fix is offered, because its counterpart {twin} has different numbers",
                 finding.message
             );
         }

@@ -49,7 +49,7 @@ pub(super) fn explain(candidates: &mut Candidates) {
     }
     let loose = candidates.loose();
     let slip = |code, mistake, rule| Slip { code, mistake, rule, span: body.tensor_place(), is_sure: true };
-    let size = || format!("{} kg·m² on {} kg", short(body.moments.values[2], 4), short(body.mass, 4));
+    let size = || format!("{} kg·m² for {} kg", short(body.moments.values[2], 4), short(body.mass, 4));
     let right = trace(&candidates.target) / trace(&body.written);
     let power = right.log10().round();
     if power != 0.0 && power.abs() <= 12.0 {
@@ -59,10 +59,10 @@ pub(super) fn explain(candidates: &mut Candidates) {
             let unit_rule = "moments of inertia are in kg·m²";
             match unit {
                 Some(unit) => {
-                    slip("inertia.unit", format!("{}, {} written as kg·m²", size(), unit.name), unit_rule)
+                    slip("inertia.unit", format!("{}; {} written as kg·m²", size(), unit.name), unit_rule)
                 }
                 None if TOO_SMALL.contains(&power) => {
-                    let mistake = format!("{}, {}", size(), times_too(power));
+                    let mistake = format!("{}; {}", size(), times_too(power));
                     slip("inertia.unit", mistake, unit_rule)
                 }
                 None => slip("inertia.geometry", format!("all elements are {}", times_too(power)), RULE),
@@ -71,7 +71,7 @@ pub(super) fn explain(candidates: &mut Candidates) {
     }
     for unit in UNITS.iter().filter(|unit| unit.power.is_none()) {
         candidates.offer([Change::Scale(unit.factor); 6], loose, || {
-            let mistake = format!("{}, {} written as kg·m²", size(), unit.name);
+            let mistake = format!("{}; {} written as kg·m²", size(), unit.name);
             slip("inertia.unit", mistake, "moments of inertia are in kg·m²")
         });
     }

@@ -104,7 +104,7 @@ pub(super) fn complaint(text: &str) -> (String, Option<String>) {
         return ("is empty".to_owned(), None);
     }
     if text.contains("${") || text.contains("$(") {
-        return ("is an expression of xacro: expand the file first".to_owned(), None);
+        return ("is a xacro expression: expand the file first".to_owned(), None);
     }
     let pointed = text.replace(',', ".");
     if text.matches(',').count() == 1
@@ -117,7 +117,7 @@ pub(super) fn complaint(text: &str) -> (String, Option<String>) {
         let whole = whole.trim_start_matches(['+', '-']);
         let thousands = rest.len() == 3 && !whole.is_empty() && !whole.starts_with('0') && whole.len() <= 3;
         let sure = (!thousands).then_some(pointed);
-        return ("has a decimal comma: numbers have a point".to_owned(), sure);
+        return ("has a decimal comma; use a decimal point".to_owned(), sure);
     }
     let unit = text.trim_start_matches(|c: char| c.is_ascii_digit() || "+-.".contains(c));
     let unit = if unit.starts_with(['e', 'E'])
@@ -135,13 +135,13 @@ pub(super) fn complaint(text: &str) -> (String, Option<String>) {
     {
         let si = unit == "kg";
         return (
-            format!("has the unit {unit:?}: numbers stand alone, in kg, m and kg·m²"),
+            format!("has the unit {unit:?}; write numbers without units, in kg, m and kg·m²"),
             si.then(|| head.to_owned()),
         );
     }
     let count = text.split_whitespace().count();
     if count > 1 && text.split_whitespace().all(is_number) {
-        return (format!("has {count} numbers, which is not how many it needs"), None);
+        return (format!("has the wrong count of numbers: {count}"), None);
     }
     ("is not a number".to_owned(), None)
 }
@@ -229,7 +229,7 @@ mod tests {
         assert!(complaint("1.5e-3 g").0.contains("unit \"g\""));
         assert!(complaint("${m}").0.contains("xacro"));
         assert_eq!(complaint("1.2.3"), ("is not a number".to_owned(), None));
-        assert_eq!(complaint("0 1.5708 0 0").0, "has 4 numbers, which is not how many it needs");
+        assert_eq!(complaint("0 1.5708 0 0").0, "has the wrong count of numbers: 4");
         assert_eq!(complaint("é").1, None);
         assert_eq!(complaint("eé").1, None);
     }

@@ -82,7 +82,7 @@ impl Checked {
                 suite.skipped += 1;
                 let why = match why {
                     Reason::Allowed(reason) => format!("allowed: {reason}"),
-                    Reason::Known => "known: the baseline has it".to_owned(),
+                    Reason::Known => "known: listed in the baseline".to_owned(),
                 };
                 format!("<skipped message=\"{}\"/>", escaped(&why))
             }

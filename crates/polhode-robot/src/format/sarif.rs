@@ -79,7 +79,7 @@ fn result(item: &Item<'_>) -> Value {
     if let Some(why) = item.settled {
         let justification = match why {
             Reason::Allowed(reason) => reason.as_str(),
-            Reason::Known => "known: the baseline has it",
+            Reason::Known => "known: listed in the baseline",
         };
         result["suppressions"] = json!([{ "kind": "external", "justification": justification }]);
     }

@@ -54,7 +54,7 @@ impl Mesh {
             }
             None => {
                 let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-                return Err(format!("polhode reads no .{ending} meshes"));
+                return Err(format!("polhode does not read .{ending} meshes"));
             }
         };
         let words = |error: polhode_source::FormatError| match error.hint() {

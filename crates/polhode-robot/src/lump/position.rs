@@ -77,8 +77,8 @@ impl<'a> Positions<'a> {
                 return Err(unknown(model, name));
             }
             if let Some(other) = names.insert(k, name).filter(|other| other != name) {
-                let message = format!("{other:?} and {name:?} are one joint, and each is given a value");
-                return Err(LinkError::new(message, "leave one of them out"));
+                let message = format!("{other:?} and {name:?} are the same joint, but both have a value");
+                return Err(LinkError::new(message, "delete one of the two"));
             }
             if let Some(Joint { coordinate, name, .. }) = model.joints.get(k)
                 && let Some(follows) = &coordinate.follows
@@ -107,13 +107,13 @@ impl<'a> Positions<'a> {
             };
             if chain.len() > self.model.joints.len() {
                 let leader = follows.leader.as_ref().map_or("", |leader| &leader.text);
-                let message = format!(
-                    "the joint {:?} follows {leader:?}, and joints follow each other in a circle there",
-                    own.name.text
-                );
-                return Err(
-                    LinkError::new(message, "let one of them lead, and follow none").at(&follows.span)
-                );
+                let message =
+                    format!("the joint {:?} follows {leader:?} in a cycle of coupled joints", own.name.text);
+                return Err(LinkError::new(
+                    message,
+                    "remove the coupling of one of them, which then leads the others",
+                )
+                .at(&follows.span));
             }
             chain.push((at, follows));
             match &follows.leader {
@@ -137,7 +137,7 @@ impl<'a> Positions<'a> {
         match (takes_value(joint), &joint.coordinate.follows) {
             (true, _) => Ok(self.value(k)? - joint.coordinate.at_rest),
             (false, Some(follows)) if joint.kind != JointKind::Fixed => {
-                Err(lawless(&joint.name.text, follows, "it neither turns nor slides"))
+                Err(lawless(&joint.name.text, follows, "it neither rotates nor slides"))
             }
             (false, _) => Ok(0.0),
         }
@@ -152,13 +152,13 @@ impl<'a> Positions<'a> {
             Some(k) => Ok(k),
             None => {
                 let why = match found {
-                    None => "and there is no such joint",
-                    Some(_) => "which is not one joint that turns or slides",
+                    None => "which does not exist",
+                    Some(_) => "which is not a single rotating or sliding joint",
                 };
                 let message = format!("the joint {:?} follows {:?}, {why}", follower.name.text, name.text);
                 let hint = match meant(self.model, &name.text) {
                     Some(meant) => format!("did you mean {}?", printable(meant)),
-                    None => "name a joint that turns or slides".to_owned(),
+                    None => "name a joint that rotates or slides".to_owned(),
                 };
                 Err(LinkError::new(message, hint).at(&follows.span))
             }
@@ -195,8 +195,8 @@ impl<'a> Positions<'a> {
                 Some(true) => positions.extend(self.position(k)?),
                 _ if is_given => {
                     let what = match subtree {
-                        Some(link) => format!("that hangs from the link {link:?}"),
-                        None => "within what fixed joints hold together".to_owned(),
+                        Some(link) => format!("below the link {link:?}"),
+                        None => "within a group of links fixed together".to_owned(),
                     };
                     let message = format!("the joint {:?} moves nothing {what}", joint.name.text);
                     return Err(LinkError::new(message, "leave it out"));
@@ -232,23 +232,22 @@ impl<'a> Positions<'a> {
 fn unknown(model: &RobotModel, name: &str) -> LinkError {
     let movable: Vec<&str> = movable(model).collect();
     let hint = match movable.as_slice() {
-        [] => "no joint of this model takes a value".to_owned(),
-        movable => suggested(meant(model, name), "those that take a value are", movable),
+        [] => "this model has no joint that takes a value".to_owned(),
+        movable => suggested(meant(model, name), "the joints that take a value are", movable),
     };
-    LinkError::new(format!("there is no joint {name:?} that takes a value"), hint)
+    LinkError::new(format!("unknown joint {name:?}, or it takes no value"), hint)
 }
 
 /// Returns the error for a given value of a joint that is coupled or constant.
 fn follower(joint: &str, follows: &Follows) -> LinkError {
     let (message, hint) = match &follows.leader {
         Some(Name { text: leader, .. }) => (
-            format!("the joint {joint:?} follows {leader:?}, and takes no value of its own"),
-            format!("leave it out, and give a value to {}", printable(leader)),
+            format!("the joint {joint:?} follows {leader:?} and takes no value of its own"),
+            format!("set a value for {} instead", printable(leader)),
         ),
-        None => (
-            format!("the joint {joint:?} is held at a constant, and takes no value"),
-            "leave it out".to_owned(),
-        ),
+        None => {
+            (format!("the joint {joint:?} is constrained to a constant value"), "leave it out".to_owned())
+        }
     };
     LinkError::new(message, hint).at(&follows.span)
 }
@@ -257,11 +256,11 @@ fn follower(joint: &str, follows: &Follows) -> LinkError {
 fn lawless(joint: &str, follows: &Follows, why: &str) -> LinkError {
     let message = match &follows.leader {
         Some(Name { text: leader, .. }) => {
-            format!("the joint {joint:?} follows {leader:?}, but not in a way that is known: {why}")
+            format!("the joint {joint:?} follows {leader:?}, but the relation cannot be read: {why}")
         }
-        None => format!("the joint {joint:?} is held at a value that is not known: {why}"),
+        None => format!("the joint {joint:?} is constrained to a value that cannot be read: {why}"),
     };
-    LinkError::new(message, "write numbers, or take the coupling out of the file").at(&follows.span)
+    LinkError::new(message, "write numbers, or delete the coupling from the file").at(&follows.span)
 }
 
 /// Returns the joint name nearest to a misspelled one.
@@ -278,8 +277,8 @@ fn movable(model: &RobotModel) -> impl Iterator<Item = &str> {
 /// Returns the joint that takes a value under its own name or its coordinate's name.
 fn named(model: &RobotModel, name: &str) -> Result<usize, LinkError> {
     if let Some(twice) = model.joints.iter().filter(|joint| joint.name.text == name).nth(1) {
-        let message = format!("two joints are called {name:?}");
-        return Err(LinkError::new(message, "give each a name of its own").at(&twice.name.span));
+        let message = format!("two joints have the name {name:?}");
+        return Err(LinkError::new(message, "rename one of them").at(&twice.name.span));
     }
     let is_it = |joint: &Joint| {
         let coordinate = joint.coordinate.name.as_ref().is_some_and(|own| own.text == name);
@@ -292,11 +291,11 @@ fn named(model: &RobotModel, name: &str) -> Result<usize, LinkError> {
             let [a, b] = joints;
             let hint = match joints.into_iter().find(|joint| *joint != name) {
                 Some(other) => {
-                    format!("{} has that coordinate: name joints that have a name alone", printable(other))
+                    format!("{} has that coordinate: use names that only one joint has", printable(other))
                 }
-                None => "give each a name of its own".to_owned(),
+                None => "rename one of them".to_owned(),
             };
-            let message = format!("the joints {a:?} and {b:?} both take a value as {name:?}");
+            let message = format!("the joints {a:?} and {b:?} both take a value by the name {name:?}");
             Err(LinkError::new(message, hint).at(&second.name.span))
         }
         (Some((k, _)), None) => Ok(k),

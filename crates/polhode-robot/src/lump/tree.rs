@@ -34,11 +34,12 @@ impl Tree {
     /// Builds the tree of a model. It does not recurse, so the length of a chain is not limited.
     pub(super) fn of(model: &RobotModel) -> Result<Self, LinkError> {
         const SPELLING: &str = "check the spelling of the names";
-        const ONE_PLACE: &str = "only a tree has a place for each link: leave out the joint that closes it";
+        const ONE_PLACE: &str =
+            "the position of each link is defined only in a tree: delete the joint that closes the loop";
         let mut links = BTreeMap::new();
         for (k, link) in model.links.iter().enumerate() {
             if links.insert(link.name.text.as_str(), k).is_some() {
-                let message = format!("two links are called {:?}", link.name.text);
+                let message = format!("two links have the name {:?}", link.name.text);
                 return Err(LinkError::new(message, SPELLING).at(&link.name.span));
             }
         }
@@ -47,7 +48,8 @@ impl Tree {
             let find = |name: &Name| {
                 links.get(name.text.as_str()).copied().ok_or_else(|| {
                     let (joint, link) = (&joint.name.text, &name.text);
-                    let message = format!("the joint {joint:?} names {link:?}, and there is no such link");
+                    let message =
+                        format!("the joint {joint:?} names the link {link:?}, which does not exist");
                     LinkError::new(message, SPELLING).at(&name.span)
                 })
             };
@@ -58,7 +60,7 @@ impl Tree {
             if own.parent != parent {
                 let Joint { name, child, .. } = joint;
                 let message = format!(
-                    "the link {:?} hangs on two others: the second time by the joint {:?}",
+                    "the link {:?} has two parents: the second by the joint {:?}",
                     child.text, name.text
                 );
                 return Err(LinkError::new(message, ONE_PLACE).at(&child.span));
@@ -71,7 +73,7 @@ impl Tree {
         order.iter().for_each(|&k| reached.get_mut(k).into_iter().for_each(|reached| *reached = true));
         match model.links.iter().zip(&reached).find(|(_, reached)| !**reached) {
             Some((link, _)) => {
-                let message = format!("the joints above the link {:?} run in a circle", link.name.text);
+                let message = format!("the joints above the link {:?} form a cycle", link.name.text);
                 Err(LinkError::new(message, ONE_PLACE).at(&link.name.span))
             }
             None => Ok(Self { above, order }),

@@ -57,7 +57,7 @@ impl Baseline {
         let whole = |what: &str, found: &Value| {
             let found = if found.is_null() { "none".to_owned() } else { found.to_string() };
             let kind = ContentErrorKind::expected(what, found);
-            refused(kind.of_whole().hint("write it again: --write-baseline FILE"))
+            refused(kind.of_whole().hint("write the baseline again: --write-baseline FILE"))
         };
         if value[KEY] != VERSION {
             return Err(whole(&format!("{KEY:?}: {VERSION}"), &value[KEY]));

@@ -68,13 +68,11 @@ impl Comment {
                 }
                 let place = match &self.scope {
                     Scope::File => "in the file".to_owned(),
-                    Scope::Model => {
-                        "of the model as a whole; the comment is at no link and no joint".to_owned()
-                    }
+                    Scope::Model => "of the whole model; the comment is not at a link or joint".to_owned(),
                     Scope::Elements(names) => format!("of {}", names.join(", ")),
                 };
                 let why = not_enough(&others).map_or(String::new(), |why| format!(" alone: {why}"));
-                ("allow.unused", Severity::Note, format!("no {} {place}{why}", unused.join(", ")))
+                ("allow.unused", Severity::Note, format!("no finding {} {place}{why}", unused.join(", ")))
             }
         };
         let title = rule(code).map_or("", |rule| rule.title);
@@ -162,7 +160,7 @@ fn scope(model: &RobotModel, comment: &Span, comments: &[Span]) -> Scope {
 fn understood(said: &str) -> Result<(Vec<&'static str>, String), String> {
     const FORM: &str = "write polhode: allow RULE: REASON";
     let Some(rest) = said.strip_prefix("allow").filter(|rest| rest.starts_with(char::is_whitespace)) else {
-        return Err(format!("{said:?} is not understood: {FORM}"));
+        return Err(format!("{said:?} cannot be read: {FORM}"));
     };
     let (codes, reason) = rest.split_once(':').unwrap_or((rest, ""));
     let mut known = Vec::new();
@@ -170,15 +168,15 @@ fn understood(said: &str) -> Result<(Vec<&'static str>, String), String> {
         let Some(rule) = rule(code) else {
             let meant = polhode_source::nearest(code, rules().map(|rule| rule.code));
             let meant = meant.map_or(String::new(), |meant| format!(": did you mean {meant}?"));
-            return Err(format!("there is no rule {code}{meant}"));
+            return Err(format!("unknown rule {code}{meant}"));
         };
         known.push(rule.code);
     }
     let reason = reason.split_whitespace().collect::<Vec<_>>().join(" ");
     if known.is_empty() {
-        Err(format!("no rule is named: {FORM}"))
+        Err(format!("the rule is missing: {FORM}"))
     } else if reason.is_empty() {
-        Err(format!("no reason is given: {FORM}"))
+        Err(format!("the reason is missing: {FORM}"))
     } else {
         Ok((known, reason))
     }

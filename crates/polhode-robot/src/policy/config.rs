@@ -92,7 +92,7 @@ fn read(text: &str) -> Result<Config, ContentError> {
             text.get(span.clone()).unwrap_or(""),
             span,
         )
-        .hint("a line is key = value, [table] or [[table]]; text is in quotes")
+        .hint("write key = value, [table] or [[table]], with text in quotes")
     })?;
     let mut config = Config::default();
     let top = Table { entries: document.get_ref(), name: "polhode.toml", span: 0..0 };
@@ -124,7 +124,7 @@ fn read(text: &str) -> Result<Config, ContentError> {
 fn allowance(table: &Table<'_>, place: (usize, usize)) -> Result<Allowance, ContentError> {
     table.allow(&["rule", "file", "link", "reason", "expires"])?;
     let code = table.require("rule", "rule = \"inertia.triangle\"")?;
-    let reason = table.require("reason", "reason = \"why it is right as it is\"")?;
+    let reason = table.require("reason", "reason = \"why this finding is accepted\"")?;
     if reason.text("a reason in words")?.trim().is_empty() {
         return Err(expected("a reason in words", "an empty text", reason.span()));
     }
@@ -173,7 +173,7 @@ impl<'a> Table<'a> {
         let meant = nearest(key.get_ref(), known.iter().copied());
         let meant = meant.map_or(String::new(), |meant| format!("did you mean {meant}? "));
         let error = expected(&format!("a key of {}", self.name), key.get_ref(), key.span());
-        Err(error.hint(format!("{meant}the keys here are {}", known.join(", "))))
+        Err(error.hint(format!("{meant}known keys: {}", known.join(", "))))
     }
 
     fn get(&self, key: &str) -> Option<Value<'a>> {
@@ -234,7 +234,7 @@ impl<'a> Value<'a> {
     fn glob(&self) -> Result<Glob, ContentError> {
         let what = "a glob of files";
         Glob::new(self.text(what)?).ok_or_else(|| {
-            self.wrong(what).hint("globs have * and ?, and ** between slashes: robots/**/*.urdf")
+            self.wrong(what).hint("globs contain *, ?, and ** between slashes: robots/**/*.urdf")
         })
     }
 
@@ -243,8 +243,8 @@ impl<'a> Value<'a> {
             DeValue::Datetime(given) if given.time.is_none() => given
                 .date
                 .map(|date| Date::new(date.year, date.month, date.day))
-                .ok_or_else(|| self.wrong("a day")),
-            _ => Err(self.wrong("a day").hint("write expires = 2027-01-31, without quotes")),
+                .ok_or_else(|| self.wrong("a date")),
+            _ => Err(self.wrong("a date").hint("write expires = 2027-01-31, without quotes")),
         }
     }
 

@@ -58,7 +58,7 @@ impl TryFrom<String> for Date {
             Ok(toml::value::Datetime { date: Some(day), time: None, .. }) => {
                 Ok(Self::new(day.year, day.month, day.day))
             }
-            _ => Err("a day belongs here, such as 2027-01-31"),
+            _ => Err("expected a date, such as 2027-01-31"),
         }
     }
 }

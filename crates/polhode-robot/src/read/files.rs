@@ -91,9 +91,8 @@ impl ModelFiles {
                 let found = match found {
                     Ok(found) => found,
                     Err(why) => {
-                        let message = format!(
-                            "<include> of {file:?} is not read, and what is in it is not known here: {why}"
-                        );
+                        let message =
+                            format!("<include> of {file:?} is not read, so its content is unknown: {why}");
                         let is_asset = is_model && naming == Naming::Mjcf;
                         let code = if is_asset { "read.left_out" } else { "read.include" };
                         files.notes.push(Note::new(code, "", span, message));
@@ -165,7 +164,7 @@ impl ModelFiles {
         {
             let rest = copy.split_off(second);
             let span = source.start + second..source.start + second + 1;
-            let message = "a second root element: MuJoCo reads the first alone".to_owned();
+            let message = "a second root element: MuJoCo reads only the first".to_owned();
             self.notes.push(Note::new("read.left_out", "", span, message));
             copy.extend(rest.bytes().map(|byte| if byte == b'\n' { '\n' } else { ' ' }));
         }
@@ -265,9 +264,9 @@ fn same(files: &dyn Files, path: &Path, canonical: &Path) -> bool {
 /// recurse without end.
 fn refused(files: &[Waiting], number: usize, span: Span, file: &str, is_known: bool) -> FormatError {
     let what = if is_known {
-        format!("{file:?} for the second time, as MuJoCo refuses it")
+        format!("{file:?} included a second time, which MuJoCo refuses")
     } else {
-        format!("a model of more than {MOST_FILES} files")
+        format!("a model with more than {MOST_FILES} files")
     };
     let error = ContentErrorKind::unsupported(what).at(span);
     match files.get(number) {

@@ -33,10 +33,12 @@ pub(super) fn read(root: Element<'_>, model: &mut RobotModel) -> Result<(), Cont
     if version < FIRST_VERSION {
         let what = format!("OpenSim files before version {FIRST_VERSION}");
         let error = ContentError::new(ContentErrorKind::unsupported(what), place());
-        return Err(error.hint("open it in OpenSim and save it: it becomes one of its version"));
+        return Err(
+            error.hint("open the file in OpenSim and save it, which converts it to the current version")
+        );
     }
     let Some(own) = root.child("Model") else {
-        let what = "<Model>: this is another document of OpenSim";
+        let what = "<Model>: this is another kind of OpenSim document";
         return Err(ContentError::new(ContentErrorKind::missing(what), place()));
     };
     model.name = own.word("name").map(str::to_owned);

@@ -248,7 +248,7 @@ const KINDS: [&str; 9] =
 fn coordinates(joint: Element<'_>, prefix: &str) -> Coordinate {
     let mut own = joint.child("axis").map_or_else(Coordinate::default, |axis| coordinate(axis, prefix));
     if let Some(follows) = joint.child("axis2").and_then(|axis| coordinate(axis, prefix).follows) {
-        let coefficients = Err("its second axis does, which is not read".to_owned());
+        let coefficients = Err("its second axis is coupled, which is not read".to_owned());
         own.follows = Some(Follows { coefficients, ..follows });
     }
     // Extension of Drake: gear² I.
@@ -256,7 +256,7 @@ fn coordinates(joint: Element<'_>, prefix: &str) -> Coordinate {
     let gear = number("drake_gear_ratio").unwrap_or(1.0);
     own.armature = number("drake_rotor_inertia").map_or(0.0, |inertia| gear * gear * inertia);
     let kind = joint.word("type").unwrap_or_default();
-    own.unread = (!KINDS.contains(&kind)).then(|| format!("type {kind:?} is no kind of joint"));
+    own.unread = (!KINDS.contains(&kind)).then(|| format!("type {kind:?} is not a joint type"));
     own
 }
 

@@ -82,8 +82,10 @@ pub(super) fn sdf(link: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     if let Some(frame) = inertial.child("pose").and_then(|pose| pose.attribute("relative_to"))
         && !frame.value.is_empty()
     {
-        let message =
-            format!("an inertial's pose is in its link's frame: relative_to={:?} is not read", frame.value);
+        let message = format!(
+            "the pose of an inertial is relative to its link; relative_to={:?} is not read",
+            frame.value
+        );
         reader.suspect("read.unknown", frame.span, message);
     }
     let Some(inertia) = inertial.child("inertia") else { return };
@@ -106,7 +108,7 @@ pub(super) fn mjcf(body: Element<'_>, subject: &str, notes: &mut Vec<Note>) {
     let others = ["diaginertia"].into_iter().chain(ATTITUDES);
     for other in others.filter(|name| inertial.attribute(name).is_some()) {
         let message =
-            format!("fullinertia beside {other}: MuJoCo refuses both together; fullinertia is read");
+            format!("fullinertia together with {other}: MuJoCo refuses both together; fullinertia is read");
         reader.suspect("inertia.two_forms", full.span.clone(), message);
     }
 }
@@ -178,8 +180,9 @@ impl Unread<'_> {
         });
         let words = |angles: [f64; 3]| angles.map(|angle| (angle + 0.0).to_string()).join(" ");
         let (written, meant) = (words(angles), words(meant));
-        let message =
-            format!("roll, pitch and yaw of {written} are radians here; in degrees they would be {meant}");
+        let message = format!(
+            "roll, pitch and yaw of {written} are read as radians; if they are degrees, write {meant}"
+        );
         self.suspect("pose.degrees", span, message);
     }
 
@@ -235,7 +238,7 @@ impl Unread<'_> {
             _ => String::new(),
         };
         let message = format!(
-            "a tensor of {} numbers is not read; programs read ixx, ixy, ixz, iyy, iyz, izz, each by its name{meant}",
+            "a tensor of {} numbers is not read; programs read the six attributes ixx, ixy, ixz, iyy, iyz, izz{meant}",
             values.len()
         );
         self.suspect("read.unknown", text.span, message);
@@ -252,7 +255,7 @@ impl Unread<'_> {
         };
         for child in link.children().filter(|child| is_astray(child.name())) {
             let message =
-                format!("<{}> in <link> is not read: mass and tensor stand in <inertial>", child.name());
+                format!("<{}> in <link> is not read: mass and tensor are in <inertial>", child.name());
             self.suspect("read.unknown", child.span(), message);
         }
     }
@@ -264,7 +267,7 @@ impl Unread<'_> {
         }
         for child in parent.children().filter(|child| !known.contains(&child.name())) {
             let message = format!(
-                "<{}> in <{}> is not read; what is, is {}",
+                "<{}> in <{}> is not read; the elements read are {}",
                 child.name(),
                 parent.name(),
                 known.join(", ")
@@ -287,7 +290,11 @@ impl Unread<'_> {
             let message = match known {
                 [] => format!("{name}=… of <{}> is not read", element.name()),
                 _ => {
-                    format!("{name}=… of <{}> is not read; what is, is {}", element.name(), known.join(", "))
+                    format!(
+                        "{name}=… of <{}> is not read; the attributes read are {}",
+                        element.name(),
+                        known.join(", ")
+                    )
                 }
             };
             self.unknown(name, span, message);
@@ -321,9 +328,9 @@ impl Unread<'_> {
             let (a, b) = (above.as_ref().map_or(Some(0.0), value), value(&below));
             let equal = a.zip(b).is_some_and(|(a, b)| (a - b).abs() <= EQUAL * a.abs().max(b.abs()));
             if !equal {
-                let written = above.map_or("left out".to_owned(), |above| above.value.to_owned());
+                let written = above.map_or("missing".to_owned(), |above| above.value.to_owned());
                 let message = format!(
-                    "{upper} is {written} and {lower} is {}: a tensor is symmetric, and programs read {upper} alone",
+                    "{upper} is {written} and {lower} is {}: a tensor is symmetric, and programs read only {upper}",
                     below.value
                 );
                 self.suspect("inertia.asymmetric", below.span, message);

@@ -26,9 +26,9 @@ pub(super) fn read(root: Element<'_>, roots: &Roots<'_>, model: &mut RobotModel)
         return Err(xacro(&model.path, span));
     }
     if let Some(span) = semantics(root) {
-        let what = "SRDF: what is said of a URDF's groups and poses, without its links";
+        let what = "SRDF: groups and poses of a URDF, without its links";
         let error = ContentErrorKind::unsupported(what).at(span);
-        return Err(error.hint("check the URDF that it is about"));
+        return Err(error.hint("check the URDF to which it belongs"));
     }
     model.name = root.word("name").map(str::to_owned);
     for child in root.children() {
@@ -88,7 +88,7 @@ fn hang_on_world(model: &mut RobotModel) {
     }
     for joint in &mut model.joints {
         if let Some(parent) = joint.parent.take_if(|parent| parent.text == WORLD) {
-            let message = "hangs on \"world\", which is no link: Drake takes the world, other programs want \
+            let message = "its parent is \"world\", which is not a link: Drake takes it as the world, other programs need \
                            <link name=\"world\"/>"
                 .to_owned();
             model.notes.push(Note::new("read.world", &joint.name.text, parent.span, message));
@@ -124,7 +124,7 @@ fn macros(root: Element<'_>) -> Option<Span> {
 
 /// Returns the error for a xacro file, with the command that expands it.
 fn xacro(path: &Path, span: Span) -> ContentError {
-    let what = "xacro: this file is a macro that makes a model, not the model";
+    let what = "xacro: this file generates a model and is not itself a model";
     let file = path.file_name().map_or_else(|| "robot.urdf.xacro".into(), |name| name.to_string_lossy());
     let stem = file.split('.').next().unwrap_or("robot");
     let out = if *file == *format!("{stem}.urdf") {
@@ -252,7 +252,7 @@ fn unknown_kind(element: Element<'_>) -> Option<String> {
         return None;
     }
     let kinds = KINDS.join(", ");
-    Some(format!("type {written:?} is no kind of joint; those that are, are {kinds}"))
+    Some(format!("type {written:?} is not a joint type; the joint types are {kinds}"))
 }
 
 /// Returns limits and coupling: `<limit lower="…" upper="…"/>` and `<mimic joint="…" multiplier="…"

@@ -117,7 +117,7 @@ impl<'a> Roots<'a> {
             Some(("file", rest)) if rest.starts_with('/') => vec![PathBuf::from(rest)],
             // Incorrect but common: file://meshes/arm.stl.
             Some(("file", rest)) => self.beside(Path::new(rest), within),
-            Some((scheme, _)) => return Err(format!("{scheme}:// is not looked up")),
+            Some((scheme, _)) => return Err(format!("{scheme}:// addresses are not opened")),
             None => self.beside(Path::new(uri), within),
         };
         let mut outside = false;
@@ -135,11 +135,12 @@ impl<'a> Roots<'a> {
             return Ok(file);
         }
         Err(match (outside, uri.starts_with("package://") || uri.starts_with("model://")) {
-            (true, _) => "it lies outside the roots; --root DIR adds one".to_owned(),
+            (true, _) => "it is outside the roots; --root DIR adds a root".to_owned(),
             (false, true) => {
-                "no root holds it; --root DIR adds one, a package or the folder around it".to_owned()
+                "no root contains it; --root DIR adds a root: a package, or the folder that contains it"
+                    .to_owned()
             }
-            (false, false) => "there is no such file".to_owned(),
+            (false, false) => "the file does not exist".to_owned(),
         })
     }
 
@@ -239,12 +240,12 @@ impl<'a> Roots<'a> {
         match files.as_slice() {
             [] => Ok(None),
             [(folder, file)] => {
-                let of_name = "the only folder of that name in the checked one with this file";
+                let of_name = "the only folder of that name below the checked folder that contains this file";
                 self.found(start, format!("was found at {}, {of_name}", self.shown(folder)));
                 Ok(Some(file.clone()))
             }
             [(first, _), (second, _), ..] => Err(format!(
-                "{} folders named {package} hold it, {} and {}{}; --root DIR says which",
+                "{} folders named {package} contain it, {} and {}{}; choose one with --root DIR",
                 files.len(),
                 self.shown(first),
                 self.shown(second),

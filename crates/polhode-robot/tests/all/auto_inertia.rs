@@ -84,7 +84,7 @@ fn densities_are_the_collisions_then_the_inertials_then_that_of_water() {
         let model = of(own, inertial);
         let moments = [0.34, 0.29, 0.13].map(|sum| mass * sum / 12.0);
         assert_body(&body(&model, "a"), mass, [0.0; 3], moments);
-        assert_eq!(computed(&model)[0].1.contains("at 1000 kg/m³ where none is stated"), is_assumed);
+        assert_eq!(computed(&model)[0].1.contains("with the default density 1000 kg/m³"), is_assumed);
     }
 }
 
@@ -164,7 +164,7 @@ fn meshes_are_integrated_if_they_are_closed() {
     let mass = 500.0 * 0.1 * 0.2 * 0.6;
     let moments = [[0.2_f64, 0.6], [0.1, 0.6], [0.1, 0.2]].map(|[a, b]| mass * (a * a + b * b) / 12.0);
     assert_body(&body(&of("closed.sdf"), "a"), mass, [1.05, 0.1, 0.3], moments);
-    for (name, why) in [("open.sdf", "not closed"), ("none.sdf", "no such file")] {
+    for (name, why) in [("open.sdf", "not closed"), ("none.sdf", "does not exist")] {
         let model = of(name);
         let error = link_mass(model.format, &model.links[0]).unwrap_err();
         require_says(&error, "its mass cannot be computed: ");

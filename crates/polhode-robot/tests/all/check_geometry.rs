@@ -74,7 +74,7 @@ fn orders() {
     let [xx, yy, zz, xy, xz, yz] = SLAB.tensor();
     // The elements have the order xx yy zz xy xz yz; the places of URDF are xx xy xz yy yz zz.
     for (tensor, what) in [
-        ([xx, xy, yz, yy, zz, xz], "xx yy zz xy xz yz written in the places of xx xy xz yy yz zz"),
+        ([xx, xy, yz, yy, zz, xz], "xx yy zz xy xz yz written as xx xy xz yy yz zz"),
         ([xx, xy, xz, yy, yz, zz], "row-major"),
         ([xx, xz, zz, xy, yy, yz], "lower triangle"),
     ] {
@@ -88,7 +88,7 @@ fn orders() {
         assert!(findings(&document).iter().any(|f| f.code == "inertia.order"), "{what}");
     }
     let (document, found) = one(&SLAB, [xx, yy, zz, xy, yz, xz], "inertia.order");
-    assert!(found.message.contains("iyz and ixz exchanged"), "{}", found.message);
+    assert!(found.message.contains("iyz and ixz swapped"), "{}", found.message);
     repairs(&document, &found);
 }
 
@@ -115,7 +115,7 @@ fn moments_of_another_axis() {
     let wrong = robot(&link("bar", "0.9", [&z, &y, &x, "0", "0", "0"]));
     let all = findings_with(&wrong, geometry.clone());
     let found = only(&all, "inertia.order");
-    assert!(found.message.contains("ixx and izz exchanged"), "{}", found.message);
+    assert!(found.message.contains("ixx and izz swapped"), "{}", found.message);
     assert_eq!(repaired(&wrong, found), right);
 }
 
@@ -182,7 +182,7 @@ fn a_conjugated_frame_and_one_left_over() {
     // The rotation Rᵀ would take this tensor to the link's axes.
     let conjugate = six(&conjugated(&link_axes, &turn(SLAB.frame)));
     let (_, found) = one(&SLAB, conjugate, "inertia.conjugate");
-    assert!(found.message.contains("conjugated"), "{}", found.message);
+    assert!(found.message.contains("frame inverted"), "{}", found.message);
     let (_, found) = one(&SLAB, six(&link_axes), "inertia.conjugate");
     assert!(found.message.contains("along the link's axes"), "{}", found.message);
 }

@@ -85,7 +85,7 @@ fn a_child_with_two_parents() {
     let all = findings(&model(&["a", "b", "c"], &[("a", "b"), ("a", "c"), ("b", "c")]));
     let found = only(&all, "tree.two_parents");
     assert_eq!((found.severity, all.len()), (Severity::Impossible, 1));
-    assert!(found.message.contains("\"c\" hangs on \"a\" and on \"b\""), "{}", found.message);
+    assert!(found.message.contains("\"c\" has two parents, \"a\" and \"b\""), "{}", found.message);
 }
 
 #[test]

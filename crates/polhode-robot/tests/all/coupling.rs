@@ -37,7 +37,7 @@ fn sdf_follows_from_a_reference() {
         mimic.replace("0.15", "0,15"),
         mimic.replace("<multiplier>-0.7</multiplier>", ""),
     ] {
-        require_says(&error(&read(&text(&wrong)), Lumping::All, &[]), "not in a way that is known");
+        require_says(&error(&read(&text(&wrong)), Lumping::All, &[]), "the relation cannot be read");
     }
     // A joint with two axes does not have a single value.
     let second = text(
@@ -46,7 +46,7 @@ fn sdf_follows_from_a_reference() {
     let second =
         second.replace("<axis></axis>", "").replace("name='r' type='revolute'", "name='r' type='universal'");
     let refused = error(&read(&second), Lumping::All, &[("hand::l", 0.41)]);
-    require_says(&refused, "the joint \"hand::r\" follows \"hand::l\", but not in a way that is known");
+    require_says(&refused, "the joint \"hand::r\" follows \"hand::l\", but the relation cannot be read");
 }
 
 #[test]
@@ -99,7 +99,7 @@ fn opensim_couples_coordinates() {
     ));
     let refused = error(&several, Lumping::All, &[]);
     require_says(&refused, "the joint \"knee\" follows ");
-    require_says(&refused, "but not in a way that is known");
+    require_says(&refused, "but the relation cannot be read");
     let off = read(&line.replace("<isEnforced>true", "<isEnforced>false"));
     assert_eq!(value(&one(&off, Lumping::All, &[]), "knee"), 0.0);
 }
@@ -135,10 +135,10 @@ fn usd_gears_joints() {
         (limits[0] + 20_f64.to_radians()).abs() < 1e-15 && (limits[1] - 50_f64.to_radians()).abs() < 1e-15
     );
     let mixed = read(&text("PhysicsPrismaticJoint"));
-    require_says(&error(&mixed, Lumping::All, &[]), "but not in a way that is known");
+    require_says(&error(&mixed, Lumping::All, &[]), "but the relation cannot be read");
     // A joint with six axes does not have a single value, and a fixed joint has none.
     let six = error(&read(&text("PhysicsJoint")), Lumping::All, &[("/r/l", 0.41)]);
-    require_says(&six, "the joint \"/r/r\" follows \"/r/l\", but not in a way that is known");
+    require_says(&six, "the joint \"/r/r\" follows \"/r/l\", but the relation cannot be read");
     one(&read(&text("PhysicsFixedJoint")), Lumping::All, &[("/r/l", 0.41)]);
 }
 
@@ -166,14 +166,14 @@ fn a_name_means_one_joint() {
     // The name of a joint, and the same name for a coordinate of another joint.
     let crossed = model([("SliderJoint", "j", "x"), ("PinJoint", "x", "y")], "");
     let refused = error(&crossed, Lumping::All, &[("x", 0.05)]);
-    require_says(&refused, "both take a value as \"x\"");
+    require_says(&refused, "both take a value by the name \"x\"");
     assert!(refused.hint().starts_with("j has"), "{refused}");
     assert_eq!(slides(&crossed, "x"), Err(refused));
     assert_eq!((slides(&crossed, "j"), slides(&crossed, "y")), (Ok(true), Ok(false)));
-    require_says(&slides(&crossed, "z").unwrap_err(), "there is no joint \"z\" that takes a value");
+    require_says(&slides(&crossed, "z").unwrap_err(), "unknown joint \"z\", or it takes no value");
     // Two coordinates with the same name, also if a constraint names them.
     let joints = [("SliderJoint", "j", "q"), ("PinJoint", "k", "q")];
-    require_says(&error(&model(joints, ""), Lumping::All, &[("q", 0.05)]), "both take a value as \"q\"");
+    require_says(&error(&model(joints, ""), Lumping::All, &[("q", 0.05)]), "both take a value by the name \"q\"");
     let coupler = |leader: &str, follower: &str| {
         format!("<ConstraintSet><objects><CoordinateCouplerConstraint name='c'>
             <coupled_coordinates_function><Constant><value>0.3</value></Constant></coupled_coordinates_function>
@@ -182,12 +182,12 @@ fn a_name_means_one_joint() {
     };
     for names in [("", "q"), ("q", "q")] {
         let coupled = model(joints, &coupler(names.0, names.1));
-        require_says(&error(&coupled, Lumping::All, &[]), " not known: ");
+        require_says(&error(&coupled, Lumping::All, &[]), " cannot be read: ");
     }
     // A joint and its own coordinate.
     let straight = model([("SliderJoint", "j", "x"), ("PinJoint", "k", "y")], "");
     let refused = error(&straight, Lumping::All, &[("k", 0.1), ("y", 0.2)]);
-    require_says(&refused, "\"k\" and \"y\" are one joint, and each is given a value");
+    require_says(&refused, "\"k\" and \"y\" are the same joint, but both have a value");
     // A coordinate with the name of a joint that takes no value.
     let held = model([("WeldJoint", "x", "w"), ("PinJoint", "k", "x")], "");
     assert_eq!(value(&one(&held, Lumping::All, &[("x", 0.2)]), "k"), 0.2);

@@ -204,7 +204,7 @@ fn a_mass_left_out() {
         of_one("6", ["0.0149333333", "0.0149333333", "0.0192"], "<cylinder radius=\"0.08\" length=\"0.4\"/>");
     assert_eq!(suspects(&findings), [("a", "inertia.geometry")]);
     let message = &only(&findings, "inertia.geometry").message;
-    assert!(message.contains("ixx and iyy: the mass is left out"), "{message}");
+    assert!(message.contains("ixx and iyy: the factor m (mass) is missing"), "{message}");
     assert_moments(&text, [0.0896, 0.0896, 0.0192]);
     assert_eq!(suspects(&remaining), []);
 }

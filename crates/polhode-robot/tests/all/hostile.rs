@@ -207,7 +207,7 @@ fn meshes_are_found_under_the_roots_only() {
         assert!(found(&model, uri, &[]).unwrap_err().contains("outside"), "{uri}");
     }
     assert!(found(&model, "https://example.org/a.stl", &[]).unwrap_err().contains("https://"));
-    assert!(found(&model, "meshes", &[]).unwrap_err().contains("no such file"));
+    assert!(found(&model, "meshes", &[]).unwrap_err().contains("does not exist"));
     assert!(found(&model, "", &[]).is_err());
 
     #[cfg(unix)]

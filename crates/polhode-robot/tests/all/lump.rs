@@ -291,7 +291,7 @@ fn what_has_no_position_is_refused() {
         HAND.0,
         [0.0; 3],
     ));
-    require_says(&error(&circle, &[]), "run in a circle");
+    require_says(&error(&circle, &[]), "form a cycle");
     let mut twice = arm();
     twice.joints.push(joint(
         "brace",
@@ -301,31 +301,31 @@ fn what_has_no_position_is_refused() {
         HAND.0,
         [0.0; 3],
     ));
-    require_says(&error(&twice, &[]), "hangs on two others: the second time by the joint \"brace\"");
+    require_says(&error(&twice, &[]), "has two parents: the second by the joint \"brace\"");
     let mut apart = arm();
     apart.joints.retain(|joint| joint.name.text != "shoulder");
-    require_says(&error(&apart, &[]), "both hang on nothing");
+    require_says(&error(&apart, &[]), "both have no parent");
     assert_eq!(lump(&apart, Lumping::Fixed, &[]).unwrap().len(), 3);
     let mut lost = arm();
     lost.links.remove(0);
-    require_says(&error(&lost, &[]), "names \"tool\", and there is no such link");
+    require_says(&error(&lost, &[]), "names the link \"tool\", which does not exist");
     let mut bent = arm();
     bent.joints[3].axis = [0.0; 3];
     require_says(&error(&bent, &[("shoulder".to_owned(), 0.1)]), "the pose or axis of ");
     for wrong in [("wrist", 0.1), ("elbow", 0.1), ("slide", f64::NAN)] {
         let refused = error(&arm(), &[(wrong.0.to_owned(), wrong.1)]);
-        assert!(refused.hint().ends_with("those that take a value are slide, shoulder"), "{wrong:?}");
+        assert!(refused.hint().ends_with("the joints that take a value are slide, shoulder"), "{wrong:?}");
     }
     // The error names a link that is too far away to be added.
     let mut far = arm();
     far.joints[3].pose.position = [1e200, 0.0, 0.0];
     let named = far.joints[3].child.text.clone();
-    require_says(&error(&far, &[]), &format!("the link {named:?} cannot be joined to the others"));
+    require_says(&error(&far, &[]), &format!("the link {named:?} cannot be lumped with the others"));
     let empty = model(vec![frame("base")], Vec::new());
     require_says(&error(&empty, &[]), "no link has mass");
     let mut given = arm();
     given.links[0].from_geometry = true;
-    require_says(&error(&given, &[]), "is no body: it has no inertial: ");
+    require_says(&error(&given, &[]), "cannot be used: it has no inertial: ");
 }
 
 #[test]
@@ -345,5 +345,5 @@ fn a_tensor_is_as_sure_as_its_digits() {
     assert!((i1 + i2 - i3).abs() < 1e-16);
     assert!((i3 - (0.0358024 - 1e-7 / 3.0)).abs() < 1e-15);
     let error = lump(&written("0.0358026"), Lumping::Fixed, &[]).unwrap_err();
-    require_says(&error, "the link \"plate\" is no body: ");
+    require_says(&error, "the link \"plate\" cannot be used: ");
 }

@@ -219,7 +219,7 @@ fn mjcf_couples_what_is_on() {
     let held = read(&HAND.replace("joint2=\"left_knuckle\" ", ""));
     assert_eq!(value(&one(&held, Lumping::All, &[]), "right_knuckle"), rest + 0.2);
     let text = error(&held, Lumping::All, &[("right_knuckle", 0.1)]).to_string();
-    assert!(text.contains("\"right_knuckle\" is held at a constant"), "{text}");
+    assert!(text.contains("\"right_knuckle\" is constrained to a constant value"), "{text}");
     // Two constraints on one joint.
     let twice = HAND.replace("joint1=\"tip_slide\" joint2=\"right", "joint1=\"right_knuckle\" joint2=\"wri");
     let twice = read(&twice.replace("joint2=\"wri_knuckle\"", "joint2=\"wrist\""));
@@ -282,7 +282,7 @@ fn copies_follow_what_is_copied_along() {
     assert_eq!(followers(&nested, "joint1='j-0-1'"), "j-0-1 ");
     // An unknown joint is reported only if the constraint matters. MuJoCo rejects the file.
     let lost = read_with(&copies(&b), "joint1='z' joint2='q'");
-    require_says(&error(&lost, Lumping::All, &[]), "and there is no such joint");
+    require_says(&error(&lost, Lumping::All, &[]), "which does not exist");
 }
 
 /// This test took a hundred seconds with a quadratic algorithm.
@@ -312,24 +312,24 @@ fn what_cannot_follow_is_refused_with_both_names() {
 
     let lost = GRIPPER.replace("<mimic joint=\"left_knuckle\"", "<mimic joint=\"left_knukle\"");
     let refused = error(&read(&lost), Lumping::All, &[]);
-    require_says(&refused, "and there is no such joint");
+    require_says(&refused, "which does not exist");
     assert!(refused.hint().contains("left_knuckle") && place(&refused, &lost) == mimic + 1);
     // An irrelevant coupling is not evaluated.
     assert_eq!(one(&read(&lost), Lumping::Subtree("left"), &[]).properties.mass(), 0.083);
     assert!(lump(&read(&lost), Lumping::Fixed, &[]).is_ok());
 
     let fixed = read(&GRIPPER.replace("<mimic joint=\"left_knuckle\"", "<mimic joint=\"flange\""));
-    require_says(&error(&fixed, Lumping::All, &[]), "which is not one joint that turns or slides");
+    require_says(&error(&fixed, Lumping::All, &[]), "which is not a single rotating or sliding joint");
     for circle in ["tip_slide", "right_knuckle"] {
         let circle =
             read(&GRIPPER.replace("<mimic joint=\"left_knuckle\"", &format!("<mimic joint=\"{circle}\"")));
-        require_says(&error(&circle, Lumping::All, &[]), "in a circle");
-        require_says(&error(&circle, Lumping::Subtree("right"), &[]), "in a circle");
+        require_says(&error(&circle, Lumping::All, &[]), "in a cycle");
+        require_says(&error(&circle, Lumping::Subtree("right"), &[]), "in a cycle");
     }
     let word = read(&GRIPPER.replace("multiplier=\"-0.7\"", "multiplier=\"-0,7\""));
-    require_says(&error(&word, Lumping::All, &[]), "but not in a way that is known");
+    require_says(&error(&word, Lumping::All, &[]), "but the relation cannot be read");
     let twice = read(&GRIPPER.replace("name=\"flange\" type=\"fixed\"", "name=\"turn\" type=\"fixed\""));
-    require_says(&error(&twice, Lumping::All, &[("turn", 0.1)]), "two joints are called \"turn\"");
+    require_says(&error(&twice, Lumping::All, &[("turn", 0.1)]), "two joints have the name \"turn\"");
 }
 
 #[test]

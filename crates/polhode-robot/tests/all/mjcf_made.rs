@@ -106,12 +106,12 @@ s_a: 48 0 0 0 2.08 1.6 0.8 0 0 0";
 fn what_is_attached_stands_before_it() {
     let body = "<body name='a'><geom size='1'/></body>";
     let cases = [
-        (format!("<attach body='a' prefix='x'/>{body}"), "has not ended"),
-        ("<body name='a'><geom size='1'/><attach body='a' prefix='x'/></body>".to_owned(), "has not ended"),
+        (format!("<attach body='a' prefix='x'/>{body}"), "has to be complete"),
+        ("<body name='a'><geom size='1'/><attach body='a' prefix='x'/></body>".to_owned(), "has to be complete"),
         (format!("{body}<attach body='a' frame='a' prefix='x'/>"), "a body and a frame"),
         (format!("{body}<attach frame='a' prefix='x'/>"), "no such frame"),
         (format!("{body}<attach prefix='x'/>"), "names no body"),
-        (format!("{body}<attach model='m' prefix='x'/>"), "not among the assets"),
+        (format!("{body}<attach model='m' prefix='x'/>"), "is not in <asset>"),
     ];
     for (bodies, said) in cases {
         let model = read(&format!("<mujoco><worldbody>{bodies}</worldbody></mujoco>"));
@@ -129,7 +129,7 @@ fn models_that_attach_each_other_are_refused() {
     };
     let folder = Folder::of("models_in_a_circle", &[("a.xml", &attach("b")), ("b.xml", &attach("a"))]);
     let error = read_model(&folder.path("a.xml"), &ReadOptions::default()).unwrap_err().to_string();
-    assert!(error.contains("300000 elements") || error.contains("names that grow"), "{error}");
+    assert!(error.contains("300000 elements") || error.contains("names that are too long"), "{error}");
 }
 
 #[test]
@@ -164,9 +164,9 @@ fn meshes_that_mujoco_refuses_or_others_make_have_no_mass() {
         ("><plugin instance='t'/></mesh>", "radius1=\"0,3\""),
         (
             "><plugin plugin='mujoco.sdf.nut'><config key='thread' value='1'/></plugin></mesh>",
-            "\"thread\" is no key",
+            "\"thread\" is not a key",
         ),
-        ("><plugin plugin='mujoco.sdf.torus'><config key='radius2' value='-1'/></plugin></mesh>", "no box"),
+        ("><plugin plugin='mujoco.sdf.torus'><config key='radius2' value='-1'/></plugin></mesh>", "no bounding box"),
         ("scale='1 1 2'><plugin plugin='mujoco.sdf.torus'/></mesh>", "has a scale"),
     ] {
         let why = mass(mesh).unwrap_err();

@@ -165,7 +165,7 @@ fn a_custom_joint_stands_where_its_functions_are_at_zero() {
     assert_eq!(custom_pin.held, ["root", "knee"]);
     let heading =
         |model: &RobotModel| of_lumps(model, Lumping::All, &[]).unwrap().remove(0).source.description;
-    assert!(heading(&read(NEW)).contains("joints at zero, root as drawn (takes no value)"));
+    assert!(heading(&read(NEW)).contains("joints at zero, root as in the file (takes no value)"));
     assert!(heading(&custom("")).contains("leg, root and knee as drawn"));
 
     let unit = "<Constant name='function'><value>0.1</value></Constant>";
@@ -179,11 +179,11 @@ fn a_custom_joint_stands_where_its_functions_are_at_zero() {
         (axis("rotation1", "0 0 1", "<Constant name='function'><value>0,1</value></Constant>"), "Constant"),
         (axis("translation3", "0 0 2", unit), "length 1"),
         (axis("translation4", "0 0 1", unit), "translation4"),
-        (axis("translation3", "0 0 1", unit).repeat(2), "two of"),
+        (axis("translation3", "0 0 1", unit).repeat(2), "occurs twice"),
     ] {
         let model = custom(&all(&[wrong]));
         let refused = error(&model, Lumping::All, &[]);
-        require_says(&refused, "where the joint \"knee\" holds its child is not known");
+        require_says(&refused, "the position of the child of joint \"knee\" is unknown");
         assert!(refused.to_string().contains(why), "{refused}");
         // A descendant of the joint has a known pose.
         assert_eq!(one(&model, Lumping::Subtree("shank"), &[]).properties.mass(), 3.7);
@@ -192,6 +192,6 @@ fn a_custom_joint_stands_where_its_functions_are_at_zero() {
         NEW.replace("PinJoint", "EllipsoidJoint"),
         NEW.replace("</frames></PinJoint>", "</frames><reverse>true</reverse></PinJoint>"),
     ] {
-        require_says(&error(&read(&text), Lumping::All, &[]), "holds its child is not known");
+        require_says(&error(&read(&text), Lumping::All, &[]), "is unknown: ");
     }
 }

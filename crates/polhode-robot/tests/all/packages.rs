@@ -70,7 +70,7 @@ fn an_ancestor_folder_with_the_packages_name_is_the_package() {
     let roots = vec![folder.path("thing_description/urdf")];
     let confined = ReadOptions { roots, confined: true, ..ReadOptions::default() };
     let model = read_model(&folder.path("thing_description/urdf/deep/thing.urdf"), &confined).unwrap();
-    assert!(mesh(&model).unwrap_err().contains("no root holds it"));
+    assert!(mesh(&model).unwrap_err().contains("no root contains it"));
 }
 
 #[test]

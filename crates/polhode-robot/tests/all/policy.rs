@@ -76,12 +76,12 @@ fn a_comment_allows_what_it_is_at() {
 #[test]
 fn a_comment_of_no_use_is_a_finding() {
     for (comment, code, said) in [
-        ("<!-- polhode: allow inertia.triangle -->", "allow.malformed", "no reason"),
-        ("<!-- polhode: allow inertia.triangle:   -->", "allow.malformed", "no reason"),
+        ("<!-- polhode: allow inertia.triangle -->", "allow.malformed", "the reason is missing"),
+        ("<!-- polhode: allow inertia.triangle:   -->", "allow.malformed", "the reason is missing"),
         ("<!-- polhode: allow inertia.triangel: why -->", "allow.malformed", "did you mean inertia.triangle"),
         ("<!-- polhode: allow: why -->", "allow.malformed", "write polhode: allow RULE"),
-        ("<!-- polhode: allow : why -->", "allow.malformed", "no rule"),
-        ("<!-- polhode: ignore -->", "allow.malformed", "not understood"),
+        ("<!-- polhode: allow : why -->", "allow.malformed", "the rule is missing"),
+        ("<!-- polhode: ignore -->", "allow.malformed", "cannot be read"),
         ("<!-- polhode: allow inertia.zero: why -->", "allow.unused", "no inertia.zero of left"),
     ] {
         let judged = judged(&Policy::default(), "r.urdf", &robot(comment, ""));

@@ -35,8 +35,8 @@ const ZERO: &str =
 fn a_massless_link_between_joints_is_a_note_that_names_programs() {
     for massless in [ZERO, ""] {
         let text = chain(&["", massless, MASS], "revolute");
-        let told = "moves without mass: MuJoCo refuses the model, Gazebo drops the link and all that hangs from it, \
-                    Isaac Sim takes the inertia of a small sphere";
+        let told = "moves without mass: MuJoCo refuses the model, Gazebo drops the link and all its descendants, \
+                    Isaac Sim assumes the inertia of a small sphere";
         assert_eq!(refused(&text, &[]), [(Severity::Note, "l1".to_owned(), told.to_owned())]);
     }
     // A mass fixed to the link is sufficient.
@@ -60,8 +60,8 @@ fn for_a_program_it_is_an_error() {
     };
     assert_eq!(of(Program::Mujoco, "l1", "moves without mass: MuJoCo refuses the model"), 1);
     // The root is also rejected: all its descendants are lost.
-    assert_eq!(of(Program::Gazebo, "l1", "Gazebo drops the link and all that hangs from it"), 2);
-    assert_eq!(of(Program::Isaac, "l1", "Isaac Sim takes the inertia of a small sphere"), 1);
+    assert_eq!(of(Program::Gazebo, "l1", "Gazebo drops the link and all its descendants"), 2);
+    assert_eq!(of(Program::Isaac, "l1", "Isaac Sim assumes the inertia of a small sphere"), 1);
     // Drake rejects only massless ends of chains.
     assert!(refused(&text, &[Program::Drake]).iter().all(|(severity, ..)| *severity == Severity::Note));
     let tip = chain(&[MASS, MASS, ZERO], "prismatic");
@@ -124,7 +124,7 @@ fn a_body_of_usd_without_mass_and_colliders_is_refused() {
     let cube = "def Cube \"c\" (prepend apiSchemas = [\"PhysicsCollisionAPI\"]) { double size = 0.2 }";
     for mass in ["", "float physics:mass = 0"] {
         let found = refused(&body(mass, ""), &[Program::Isaac]);
-        let told = "moves without mass: Isaac Sim takes the inertia of a small sphere";
+        let told = "moves without mass: Isaac Sim assumes the inertia of a small sphere";
         assert_eq!(found, [(Severity::Impossible, "/arm".to_owned(), told.to_owned())], "{mass}");
         assert_eq!(refused(&body(mass, cube), &[Program::Isaac]), []);
     }

@@ -65,7 +65,7 @@ fn a_counterpart_with_other_numbers_withdraws_the_fix() {
         let slip = only(&both, "inertia.geometry");
         assert_eq!((slip.subject.as_str(), &slip.repair), (name, &None));
         assert!(
-            slip.message.ends_with(&format!("its counterpart {twin} has other numbers")),
+            slip.message.ends_with(&format!("its counterpart {twin} has different numbers")),
             "{}",
             slip.message
         );

@@ -192,8 +192,8 @@ fn what_is_left_out_the_engine_computes_and_is_no_body_here() {
     let whole = "float physics:mass = 2\nfloat3 physics:diagonalInertia = (1, 2, 2.5)\npoint3f physics:centerOfMass = (0, 0, 1)";
     assert!(body(whole).is_ok());
     for (right, wrong, said) in [
-        ("mass = 2", "mass = 0", "it is not given"),
-        ("(0, 0, 1)", "(-inf, -inf, -inf)", "its centre is not given"),
+        ("mass = 2", "mass = 0", "it is missing"),
+        ("(0, 0, 1)", "(-inf, -inf, -inf)", "its centre of mass is missing"),
         ("(1, 2, 2.5)", "(0, 0, 0)", "no inertia tensor"),
         ("(1, 2, 2.5)", "(1, 2)", "diagonalInertia 3"),
         ("(1, 2, 2.5)", "(1, 2kg, 2.5)", "2kg"),
@@ -215,7 +215,7 @@ fn what_is_left_out_the_engine_computes_and_is_no_body_here() {
 fn what_is_no_usd_is_refused_where_it_stands() {
     for (text, said) in [
         ("#usda 1.0\ndef Xform \"a\"\n{\n", "ends the prim"),
-        ("#usda 1.0\ndef Xform \"a\" { float x = (1, 2 }", "opened before"),
+        ("#usda 1.0\ndef Xform \"a\" { float x = (1, 2 }", "the closing bracket"),
         ("#usda 1.0\ndef Xform a { }", "name of the prim"),
         ("#usda 1.0\ndef Xform \"a", "closing"),
         ("#usda 1.0\n}", "a prim or a property"),

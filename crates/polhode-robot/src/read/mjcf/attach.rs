@@ -28,12 +28,12 @@ impl<'a> Reader<'_, 'a, '_> {
         }
         let found = context.and_then(|context| Some((context, self.contexts.get(context)?.root)));
         let (kind, name) = match (element.word("body"), element.word("frame")) {
-            (Some(_), Some(_)) => return self.not_made(branch, "it names a body and a frame"),
+            (Some(_), Some(_)) => return self.not_made(branch, "it names both a body and a frame"),
             (Some(name), None) => ("body", Some(name)),
             (None, name) => ("frame", name),
         };
         let Some((context, root)) = found else {
-            return self.not_made(branch, "its model is not among the assets, or could not be read");
+            return self.not_made(branch, "its model is not in <asset>, or could not be read");
         };
         let attached = |element, class| Branch {
             element,
@@ -56,7 +56,7 @@ impl<'a> Reader<'_, 'a, '_> {
         // MuJoCo copies only what precedes the element.
         let is_later = found.tree() == element.tree() && found.span().start > element.span().start;
         if model.is_none() && (is_later || holds(found, element)) {
-            return self.not_made(branch, &format!("its {kind} has not ended before it"));
+            return self.not_made(branch, &format!("its {kind} has to be complete before the <attach>"));
         }
         branches.push(attached(found, class));
     }

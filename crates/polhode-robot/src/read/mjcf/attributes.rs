@@ -54,9 +54,11 @@ fn note(element: Element<'_>, attribute: &str, known: &str, body: &str) -> Optio
     let lower = attribute.to_ascii_lowercase();
     let same = known.split_ascii_whitespace().find(|name| **name == lower);
     let meant = same.or_else(|| polhode_source::nearest(&lower, known.split_ascii_whitespace()));
-    let question = meant.map_or_else(String::new, |meant| format!("; {meant} is one"));
-    let message =
-        format!("{attribute}=… is no attribute of <{}>: MuJoCo refuses the file{question}", element.name());
+    let question = meant.map_or_else(String::new, |meant| format!("; did you mean {meant}?"));
+    let message = format!(
+        "{attribute}=… is not an attribute of <{}>: MuJoCo refuses the file{question}",
+        element.name()
+    );
     let span = element.attribute(attribute).map_or_else(|| element.span(), |written| written.span);
     let severity = if meant.is_some() { Severity::Suspect } else { Severity::Note };
     Some(Note { severity, ..Note::new("read.unknown", body, span, message) })

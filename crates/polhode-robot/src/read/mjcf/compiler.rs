@@ -119,12 +119,12 @@ impl<'a> Settings<'a> {
     fn refused(&mut self, compiler: Element<'a>, notes: &mut Vec<Note>) {
         let mut refuse = |written: Written<'a>, name: &str, expected: &str| {
             let says = if is_hexadecimal(written.value) {
-                "is hexadecimal, and is not read".to_owned()
+                "is hexadecimal, which is not read".to_owned()
             } else {
                 format!("is not {expected}: MuJoCo refuses the file")
             };
             let message = format!("{name}={:?} {says}", written.value);
-            self.unreadable.get_or_insert(format!("<compiler> says {name}={:?}", written.value));
+            self.unreadable.get_or_insert(format!("<compiler> has {name}={:?}", written.value));
             let note = Note::new("read.compiler", "", written.span, message);
             notes.push(Note { severity: Severity::Suspect, ..note });
         };
@@ -157,10 +157,13 @@ impl<'a> Settings<'a> {
         let global = compiler.attribute("coordinate").filter(|written| written.value == "global");
         let fused = compiler.attribute("fusestatic").filter(|written| is_true(written.value));
         let global = global.map(|written| {
-            (written, "global coordinates are read as local ones: MuJoCo reads no such file since 2.3.4")
+            (written, "global coordinates are read as local ones: MuJoCo does not support them since 2.3.4")
         });
         let fused = fused.map(|written| {
-            (written, "fusestatic joins bodies without joints to their parents; here each stands alone")
+            (
+                written,
+                "fusestatic merges bodies without joints into their parents; `check` treats each separately",
+            )
         });
         let note = |(written, message): (Written<'a>, &str)| {
             Note::new("read.compiler", "", written.span, message.to_owned())

@@ -99,7 +99,7 @@ pub(super) fn couple(
     }
 }
 
-const TWICE: &str = "another constraint says where it is, too";
+const TWICE: &str = "another constraint also defines its position";
 
 /// Returns an origin and its enclosing origins.
 pub(super) fn chain(origins: &[Origin], first: usize) -> impl Iterator<Item = &Origin> {

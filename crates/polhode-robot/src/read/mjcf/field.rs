@@ -38,7 +38,8 @@ impl Field {
                 None => (plugin.word("plugin").unwrap_or(""), plugin),
             };
             let shape = Shape::of(name, element)?;
-            Self::around(shape).ok_or_else(|| format!("its mesh is of {name} with sizes that give it no box"))
+            Self::around(shape)
+                .ok_or_else(|| format!("its mesh is a {name} whose sizes define no bounding box"))
         };
         Some(read())
     }

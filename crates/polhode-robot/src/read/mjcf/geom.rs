@@ -113,7 +113,7 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
                         (shape, Some(inner).filter(|_| asset.is_file()))
                     }
                     None => (
-                        GeometryShape::Other(format!("the mesh {name:?}, which this file does not have")),
+                        GeometryShape::Other(format!("the mesh {name:?}, which does not exist in this file")),
                         None,
                     ),
                 };
@@ -148,10 +148,10 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
             return Ok(None);
         }
         if !given.unwrap_or(density).is_finite() {
-            return Err("the mass or density of a geom is no number".to_owned());
+            return Err("the mass or density of a geom is not a number".to_owned());
         }
         if !form.pose.unreadable.is_empty() || !frame.unreadable.is_empty() {
-            return Err("the frame of a geom has a number that is none".to_owned());
+            return Err("the frame of a geom has an invalid number".to_owned());
         }
         let (amount, center, per_kilogram) = match form.kind {
             "plane" => return Ok(None),
@@ -168,7 +168,7 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
                     "hfield" => {
                         let name = source.word("hfield").unwrap_or("");
                         let size = of.height_fields.get(name).copied();
-                        size.ok_or_else(|| format!("this file has no height field {name:?}"))?
+                        size.ok_or_else(|| format!("the height field {name:?} does not exist in this file"))?
                     }
                     _ => form.size,
                 };
@@ -181,7 +181,7 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
         };
         let positive = per_kilogram.iter().all(|element| element.is_finite()) && amount >= 0.0;
         if !positive || !matches!(form.kind, "mesh" | "sdf") && form.size.iter().any(|c| *c < 0.0) {
-            return Err("the size of a geom is no positive number".to_owned());
+            return Err("the size of a geom is not a positive number".to_owned());
         }
         let mass = match given {
             Some(mass) if amount > LEAST => mass,
@@ -217,10 +217,10 @@ impl<'c, 'a> Reader<'c, 'a, '_> {
         const MOST_POINTS: usize = 5_000_000;
         let contexts = self.contexts;
         let asset = contexts.get(context).and_then(|context| context.meshes.get(name));
-        let asset = asset.ok_or_else(|| format!("this file has no mesh {name:?}"))?;
+        let asset = asset.ok_or_else(|| format!("the mesh {name:?} does not exist in this file"))?;
         self.made_points += asset.made_points();
         if self.made_points > MOST_POINTS {
-            return Err(format!("its mesh and others are made from more than {MOST_POINTS} points"));
+            return Err(format!("its mesh and other generated meshes have more than {MOST_POINTS} points"));
         }
         Ok(asset)
     }

@@ -69,7 +69,7 @@ impl<'a> Reader<'_, 'a, '_> {
         if let Some(Number { span, .. }) = numbers.next() {
             let span = span.start..written.span.end.max(span.end);
             let order = if N == 6 { "; the six are xx yy zz xy xz yz, not rows of a matrix" } else { "" };
-            let message = format!("more than {N} numbers: MuJoCo refuses them{order}");
+            let message = format!("more than {N} numbers: MuJoCo refuses the file{order}");
             self.suspect("read.numbers", link, span, message);
         }
         slots

@@ -30,7 +30,7 @@ impl<'a> Reader<'_, 'a, '_> {
             |name| branch.name(name.name()),
         );
         let unread = source.word("type").filter(|word| kind == JointKind::Other && *word != "ball");
-        let unread = unread.map(|word| format!("type {word:?} is no kind of joint"));
+        let unread = unread.map(|word| format!("type {word:?} is not a joint type"));
         let coordinate = Coordinate { unread, ..coordinate(&source, kind, &context.settings) };
         if let Some((_, jointed)) = self.jointed.get_mut(index) {
             *jointed = true;

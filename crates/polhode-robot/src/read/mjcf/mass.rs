@@ -97,7 +97,7 @@ fn changed(
     let [i1, i2, i3] = moments;
     if settings.balance && i3 > 0.0 {
         if !is_diagonal && (i1 + i2 - i3).abs() <= EDGE * i3 {
-            return Err("its moments are on the edge where balanceinertia evens them".to_owned());
+            return Err("whether balanceinertia changes its moments depends on rounding".to_owned());
         }
         if i1 + i2 < i3 && (i1 + i2 - i3).abs() > 1e-15 * i3 {
             moments = [(i1 + i2 + i3) / 3.0; 3];
@@ -133,10 +133,9 @@ fn set_total(links: &mut [Link], total: f64, incomplete: Option<String>) {
             }
         }
         (_, why) => {
-            let why =
-                why.unwrap_or_else(|| "the mass of another body, which it needs, is not known".to_owned());
+            let why = why.unwrap_or_else(|| "it needs the mass of another body, which is unknown".to_owned());
             for link in links {
-                link.computed = Some(Err(format!("settotalmass cannot be kept: {why}")));
+                link.computed = Some(Err(format!("settotalmass cannot be applied: {why}")));
             }
         }
     }

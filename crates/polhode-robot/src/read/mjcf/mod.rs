@@ -198,9 +198,10 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
             return;
         };
         let subject = self.name_of(branch.link).to_owned();
-        let message = format!("there is no class of defaults {:?}: MuJoCo refuses the file", written.value);
+        let message =
+            format!("the default class {:?} does not exist: MuJoCo refuses the file", written.value);
         if let Some(body) = branch.link.and_then(|link| self.masses.get_mut(link)) {
-            body.unknown.get_or_insert(format!("there is no class of defaults {:?}", written.value));
+            body.unknown.get_or_insert(format!("the default class {:?} does not exist", written.value));
         }
         self.suspect("read.unknown", &subject, written.span, message);
     }
@@ -311,7 +312,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
 
     /// Reports an element from which MuJoCo generates bodies, none of which is read.
     fn generator(&mut self, branch: &Branch<'a>) {
-        self.not_made(branch, "save the model as MuJoCo has compiled it (mj_saveLastXML), and check that");
+        self.not_made(branch, "save the compiled model (MuJoCo: mj_saveLastXML), and check that file");
         let (element, span) = (branch.element.name().to_owned(), branch.element.span());
         let link = branch.link.map(|link| self.name_of(Some(link)).to_owned());
         self.model.unread_bodies.push(UnreadBodies { element, link, span });
@@ -322,7 +323,7 @@ impl<'c, 'a, 'm> Reader<'c, 'a, 'm> {
         let what = branch.element.name();
         self.incomplete = Some(format!("<{what}> is not read"));
         let subject = self.name_of(branch.link).to_owned();
-        let message = format!("<{what}> is not read, and what it makes is not checked: {why}");
+        let message = format!("<{what}> is not read, and its result is not checked: {why}");
         self.note("read.left_out", &subject, branch.element.span(), message);
     }
 

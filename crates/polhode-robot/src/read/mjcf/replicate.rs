@@ -69,9 +69,9 @@ impl<'a> Reader<'_, 'a, '_> {
     /// Returns an error if the model grows beyond the limits.
     pub(super) fn require_few(&self, element: Element<'a>) -> Result<(), ContentError> {
         let what = if self.elements > MOST_ELEMENTS {
-            format!("a model of more than {MOST_ELEMENTS} elements with its copies")
+            format!("a model with more than {MOST_ELEMENTS} elements, copies included")
         } else if self.name_bytes > MOST_NAME_BYTES {
-            "names that grow longer together than any model's".to_owned()
+            "names that are too long in total".to_owned()
         } else {
             return Ok(());
         };

@@ -53,7 +53,7 @@ impl Surface {
                 let read = read_file(files, path, |bytes| Ok(Self::of_msh(bytes)));
                 read.map_err(|error| error.message())?
             }
-            _ => Err(format!("MuJoCo reads no .{ending} meshes")),
+            _ => Err(format!("MuJoCo does not read .{ending} meshes")),
         }
     }
 
@@ -84,7 +84,7 @@ impl Surface {
                         u32::try_from(index).ok().filter(|&index| i64::from(index) < count)
                     };
                     let corners: Option<Vec<u32>> = words.map(index).collect();
-                    let corners = corners.ok_or("a face of it has a vertex that is not there")?;
+                    let corners = corners.ok_or("one of its faces refers to a vertex that does not exist")?;
                     surface.face(&corners)?;
                 }
                 _ => {}
@@ -109,7 +109,7 @@ impl Surface {
                 };
                 self.triangles.extend(split);
             }
-            _ => return Err(format!("a face of it has {} corners", corners.len())),
+            _ => return Err(format!("one of its faces has {} corners", corners.len())),
         }
         Ok(())
     }
@@ -126,7 +126,7 @@ impl Surface {
             let all = first_face.checked_add(faces.checked_mul(3)?)?;
             (all.checked_mul(4)? == bytes.len()).then_some((vertices, first_face))
         };
-        let (vertices, first_face) = sizes().ok_or("its counts do not fit its length")?;
+        let (vertices, first_face) = sizes().ok_or("its counts do not match its length")?;
         let (vertices, faces) = (words.get(4..4 + 3 * vertices), words.get(first_face..));
         let vertices = vertices.unwrap_or_default().as_chunks().0;
         let faces = faces.unwrap_or_default().as_chunks().0;

@@ -53,8 +53,8 @@ pub(super) fn couple<'a>(
         for &follower in followers {
             let Some(joint) = joints.get_mut(follower) else { continue };
             let coefficients = match (&joint.coordinate.follows, more) {
-                _ if is_double => Err("two joints have a coordinate of one name".to_owned()),
-                (Some(_), _) => Err("another constraint says where it is, too".to_owned()),
+                _ if is_double => Err("two joints have a coordinate of the same name".to_owned()),
+                (Some(_), _) => Err("another constraint also defines its position".to_owned()),
                 (None, Some(_)) => Err("it is a function of several coordinates".to_owned()),
                 (None, None) => coefficients(element),
             };
@@ -93,7 +93,7 @@ fn coefficients(constraint: Element<'_>) -> Result<Vec<f64>, String> {
             .and_then(|text| text.array())
             .map(|[slope, constant]| vec![constant, slope]),
         "Constant" => function.child_text("value").and_then(|text| text.array()).map(|[value]| vec![value]),
-        other => return Err(format!("{other} is not read: LinearFunction is")),
+        other => return Err(format!("{other} is not read; only LinearFunction is")),
     };
     let scale = match constraint.child_text("scale_factor") {
         Some(written) => written.number().value,

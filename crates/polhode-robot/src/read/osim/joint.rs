@@ -14,7 +14,7 @@ pub(super) fn new<'a>(element: Element<'a>, frames: &Frames<'a>, notes: &mut Vec
     let placed = (frames.placed(&own, &parent), frames.placed(&own, &child));
     let (Some((parent, in_parent)), Some((child, in_child))) = placed else {
         let name = element.word("name").unwrap_or("");
-        let message = "the joint is not read: a frame of it is no PhysicalOffsetFrame".to_owned();
+        let message = "the joint is not read: one of its frames is not a PhysicalOffsetFrame".to_owned();
         notes.push(Note::new("read.left_out", name, parent.span, message));
         return None;
     };
@@ -44,11 +44,13 @@ fn joint(element: Element<'_>, parent: Name, child: Name, in_parent: &Pose, in_c
     let is_reversed = element.child_text("reverse").is_some_and(|reverse| is_true(reverse.value));
     let moved = match element.name() {
         "WeldJoint" => Ok(Pose::IDENTITY),
-        _ if is_reversed => Err("it moves its parent in its child, and that is not read".to_owned()),
+        _ if is_reversed => {
+            Err("it is reversed (it moves the parent relative to the child), which is not read".to_owned())
+        }
         "PinJoint" | "SliderJoint" | "FreeJoint" | "BallJoint" | "UniversalJoint" | "PlanarJoint"
         | "GimbalJoint" => Ok(Pose::IDENTITY),
         "CustomJoint" => transform::at_zero(element),
-        other => Err(format!("what {other} does with its coordinates at zero is not read")),
+        other => Err(format!("the position of {other} with its coordinates at zero is not read")),
     };
     let (moved, unread) = match moved {
         Ok(pose) => (pose, None),

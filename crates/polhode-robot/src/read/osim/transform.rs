@@ -20,13 +20,16 @@ pub(super) fn at_zero(joint: Element<'_>) -> Result<Pose, String> {
     if let Some(other) = axes().find(|axis| {
         !axis.word("name").is_some_and(|name| TURNS.into_iter().chain(WAYS).any(|known| known == name))
     }) {
-        return Err(format!("{:?} is no axis of a SpatialTransform", other.word("name").unwrap_or_default()));
+        return Err(format!(
+            "{:?} is not an axis of a SpatialTransform",
+            other.word("name").unwrap_or_default()
+        ));
     }
     for name in TURNS.into_iter().chain(WAYS) {
         let mut own = axes().filter(|axis| axis.word("name") == Some(name));
         let (Some(axis), None) = (own.next(), own.next()) else {
             if axes().any(|axis| axis.word("name") == Some(name)) {
-                return Err(format!("there are two of {name}"));
+                return Err(format!("{name} occurs twice"));
             }
             continue;
         };
@@ -83,7 +86,7 @@ fn of_function(function: Element<'_>) -> Result<f64, String> {
                 return spline(function).map(|y| scale * y);
             }
             "MultiplierFunction" => {
-                let factor = last(function.child_text("scale"), 1.0).ok_or("its scale is no number")?;
+                let factor = last(function.child_text("scale"), 1.0).ok_or("its scale is not a number")?;
                 let inner = function.child("function").and_then(|own| own.children().next());
                 let named = function.children().find(|child| child.word("name") == Some("function"));
                 function = inner.or(named).ok_or("MultiplierFunction without a function")?;
@@ -95,9 +98,9 @@ fn of_function(function: Element<'_>) -> Result<f64, String> {
         return value
             .map(|value| scale * value)
             .filter(|value| value.is_finite())
-            .ok_or_else(|| format!("{} has numbers that are none", function.name()));
+            .ok_or_else(|| format!("{} has an invalid number", function.name()));
     }
-    Err("functions in functions without end".to_owned())
+    Err("functions nested too deeply".to_owned())
 }
 
 /// Returns the value of a spline at zero, if this is one of its points.
@@ -107,11 +110,11 @@ fn spline(function: Element<'_>) -> Result<f64, String> {
         return Err(format!("{} without points", function.name()));
     };
     if x.len() != y.len() || !x.iter().chain(&y).all(|value| value.is_finite()) {
-        return Err(format!("{} has numbers that are none", function.name()));
+        return Err(format!("{} has an invalid number", function.name()));
     }
     let mut at_zero = x.iter().zip(&y).filter(|(x, _)| **x == 0.0);
     match (at_zero.next(), at_zero.next()) {
         (Some((_, y)), None) => Ok(*y),
-        _ => Err(format!("{} is read at its points alone", function.name())),
+        _ => Err(format!("{} is read only at its points", function.name())),
     }
 }

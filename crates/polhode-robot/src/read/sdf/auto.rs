@@ -47,7 +47,7 @@ pub(super) fn compute(
         notes.push(Note { severity, ..Note::new("inertia.computed", &name, inertial.span(), message) });
     };
     for overwritten in ["pose", "inertia"].into_iter().filter(|own| inertial.child(own).is_some()) {
-        note(Severity::Suspect, format!("<{overwritten}> is overwritten by SDFormat, as auto=\"true\""));
+        note(Severity::Suspect, format!("SDFormat overwrites <{overwritten}>, because auto=\"true\""));
     }
     let collisions: Vec<_> = element.named("collision").collect();
     let computed = parts(link, &collisions, inertial, shapes).and_then(|parts| together(&parts, inertial));
@@ -62,7 +62,7 @@ pub(super) fn compute(
             let is_stated = |element: &Element<'_>| element.child("density").is_some();
             let is_assumed = ["mass", "density"].iter().all(|own| inertial.child(own).is_none())
                 && !collisions.iter().all(is_stated);
-            let assumed = if is_assumed { ", at 1000 kg/m³ where none is stated" } else { "" };
+            let assumed = if is_assumed { " with the default density 1000 kg/m³" } else { "" };
             let (mass, center) = (number(mass, 6), [x, y, z].map(|c| short(c, [x, y, z, 1e-3])).join(", "));
             let message = format!(
                 "computed from {count}{assumed}: {mass} kg at ({center}) m, ixx {xx} iyy {yy} izz {zz} ixy {xy} ixz {xz} iyz {yz} kg·m²"
@@ -71,11 +71,11 @@ pub(super) fn compute(
             Ok(computed)
         }
         Err(Fault::Refused(why)) => {
-            note(Severity::Impossible, format!("auto=\"true\" is refused by SDFormat: {why}"));
+            note(Severity::Impossible, format!("SDFormat refuses auto=\"true\": {why}"));
             Err(why)
         }
         Err(Fault::Unknown(why)) => {
-            note(Severity::Note, format!("auto=\"true\" is not computed here: {why}"));
+            note(Severity::Note, format!("auto=\"true\" is not computed by `check`: {why}"));
             Err(why)
         }
     });
@@ -98,7 +98,7 @@ fn parts(
         return Err(Fault::Refused("the link has no collision".to_owned()));
     }
     if shapes.is_turned_by_some(link, Role::Collision) {
-        return Err(Fault::Unknown("programs disagree on how a mesh of it is turned".to_owned()));
+        return Err(Fault::Unknown("programs disagree on the attitude of one of its meshes".to_owned()));
     }
     let geometry = link.geometry.iter().filter(|geometry| geometry.role == Role::Collision);
     let part = |(geometry, collision): (&crate::model::Geometry, &Element<'_>)| {
@@ -117,7 +117,7 @@ fn parts(
             _ => Fault::Refused(why),
         })?;
         if volume.kind == VolumeKind::Hull {
-            return Err(Fault::Unknown("a mesh of it is not closed".to_owned()));
+            return Err(Fault::Unknown("one of its meshes is not closed".to_owned()));
         }
         body(&volume, density)
     };
@@ -152,7 +152,7 @@ fn positive(parent: Element<'_>, name: &str) -> Result<Option<f64>, Fault> {
         Some(value) => Ok(Some(value)),
         None => {
             let text = written.map_or("", |written| written.value);
-            Err(Fault::Refused(format!("its {name} is {text:?}, where a positive number is expected")))
+            Err(Fault::Refused(format!("its {name} is {text:?}; expected a positive number")))
         }
     }
 }

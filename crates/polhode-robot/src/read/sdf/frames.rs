@@ -196,7 +196,7 @@ impl<'a> Frames<'a> {
                 }
                 if std::mem::replace(&mut walk[at], first) == first {
                     let frame = &self.frames[at];
-                    let message = "frames name each other in a circle: it is taken in the root's".to_owned();
+                    let message = "the frames refer to each other in a cycle; the pose is taken as relative to the root frame".to_owned();
                     notes.push(Note::new("read.frame_circle", frame.name, frame.span.clone(), message));
                     break Pose::IDENTITY;
                 }
@@ -259,8 +259,7 @@ impl<'a> Frames<'a> {
                     Pose { unreadable: std::mem::take(&mut own.unreadable), span: own.span.take(), ..moved };
             } else {
                 let Frame { name: model, span, .. } = &self.frames[model];
-                let message =
-                    format!("its placement frame {name:?} does not stand in it: its own frame is placed");
+                let message = format!("it has no placement frame {name:?}; its own frame is placed instead");
                 notes.push(Note::new("read.frame_circle", model, span.clone(), message));
             }
         }
@@ -317,6 +316,6 @@ impl<'a> Frames<'a> {
 
 /// Returns the note for an unknown frame.
 pub(super) fn unknown(frame: &str, subject: &str, span: Span) -> Note {
-    let message = format!("there is no frame {frame:?}: the pose is taken in the frame around it");
+    let message = format!("unknown frame {frame:?}; the pose is taken as relative to the enclosing frame");
     Note::new("read.frame", subject, span, message)
 }

@@ -165,7 +165,7 @@ pub(super) fn require_few(count: usize, element: Element<'_>) -> Result<(), Cont
     if count <= MOST_ELEMENTS {
         return Ok(());
     }
-    let what = format!("more than {MOST_ELEMENTS} elements with all that is included");
+    let what = format!("more than {MOST_ELEMENTS} elements, included models counted");
     Err(ContentErrorKind::unsupported(what).at(element.span()))
 }
 
@@ -178,7 +178,7 @@ pub(super) fn require_short(
     if name_bytes <= most {
         return Ok(());
     }
-    let what = "models nested so deep that their joined names are longer than the file many times over";
+    let what = "models nested so deeply that their joined names are many times longer than the file";
     let kind = ContentErrorKind::unsupported(what);
     let start = element.span().start;
     Err(kind.at(start..start + 1))

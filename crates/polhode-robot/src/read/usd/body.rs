@@ -48,20 +48,21 @@ pub(super) fn link(stage: &Stage<'_>, k: usize, prim: &Prim, notes: &mut Vec<Not
     let changing = changing::of_mass(prim, &ATTRIBUTES, notes);
     let too_many = too_many(prim, notes);
     let Some(mass) = prim.properties.get(MASS).filter(|mass| mass.is_given()) else {
-        let why = || "it is not given: the physics engine computes it from the collision shapes".to_owned();
+        let why = || "it is missing: the physics engine computes it from the collision shapes".to_owned();
         link.from_geometry = true;
         link.computed = Some(Err(changing.or(too_many).unwrap_or_else(why)));
         return link;
     };
     if prim.properties.contains_key("physics:density") {
-        let message = "a density beside a mass: the mass counts".to_owned();
+        let message = "both a mass and a density: the mass is used".to_owned();
         notes.push(Note::new("read.left_out", &prim.path, mass.span.clone(), message));
     }
     let (inertial, has_center) = inertial(stage, prim, mass);
     if is_scaled {
-        link.computed = Some(Err("its prim is scaled, which engines apply to it in several ways".to_owned()));
+        link.computed =
+            Some(Err("its prim is scaled, and physics engines apply the scale differently".to_owned()));
     } else if !has_center {
-        let why = "its centre is not given: the physics engine computes it from the collision shapes";
+        let why = "its centre of mass is missing: the physics engine computes it from the collision shapes";
         link.computed = Some(Err(why.to_owned()));
     }
     if let Some(why) = changing.or(too_many) {
@@ -79,7 +80,7 @@ fn too_many(prim: &Prim, notes: &mut Vec<Note>) -> Option<String> {
         let Some(value) = prim.properties.get(name).filter(|value| value.numbers.len() > count) else {
             continue;
         };
-        let message = format!("{name} has {} numbers for {count}", value.numbers.len());
+        let message = format!("{name} has {} numbers instead of {count}", value.numbers.len());
         let note = Note::new("read.numbers", &prim.path, value.span.clone(), message.clone());
         notes.push(Note { severity: Severity::Suspect, ..note });
         first.get_or_insert(message);

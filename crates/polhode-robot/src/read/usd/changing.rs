@@ -12,7 +12,8 @@ const SUFFIXES: [&str; 3] = ["timeSamples", "connect", "spline"];
 /// body has none.
 pub(super) fn of_mass(prim: &Prim, attributes: &[&str], notes: &mut Vec<Note>) -> Option<String> {
     let (name, span) = first(prim, |name| attributes.contains(&name))?;
-    let message = format!("{name} is not read: an inertia that changes over time is not one body");
+    let message =
+        format!("{name} is not read: an inertia that changes over time is not that of one rigid body");
     notes.push(Note { severity: Severity::Suspect, ..Note::new("read.animated", &prim.path, span, message) });
     Some(format!("{name} is not read"))
 }
@@ -22,7 +23,7 @@ pub(super) fn of_shape(prim: &Prim, link: &str, notes: &mut Vec<Note>) {
     let is_shape =
         |name: &str| matches!(name, "size" | "radius" | "height" | "axis") || name.starts_with("xformOp:");
     if let Some((name, span)) = first(prim, is_shape) {
-        let message = format!("{name} of {} is not read: the shape is taken as it is without", prim.path);
+        let message = format!("{name} of {} is not read; the shape is used without it", prim.path);
         notes.push(Note::new("read.animated", link, span, message));
     }
 }

@@ -53,7 +53,7 @@ fn follows(stage: &Stage<'_>, prim: &Prim, unit: f64, name: &str, value: &Value)
     let line = [-term("gearing", 1.0), -unit * term("offset", 0.0)];
     let same = leader.is_none_or(|leader| leader.kind == prim.kind);
     let coefficients = match line {
-        _ if !same => Err("a gearing between a turn and a way is not read".to_owned()),
+        _ if !same => Err("a gearing between a rotation and a translation is not read".to_owned()),
         [slope, offset] if slope.is_finite() && offset.is_finite() => Ok(vec![offset, slope]),
         _ => Err(NO_NUMBER.to_owned()),
     };

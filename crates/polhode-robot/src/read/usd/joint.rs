@@ -33,7 +33,7 @@ pub(super) fn joint(stage: &Stage<'_>, prim: &Prim) -> Option<Joint> {
         Some("Y") => [0.0, 1.0, 0.0],
         Some("Z") => [0.0, 0.0, 1.0],
         Some(other) => {
-            coordinate.unread = Some(format!("physics:axis {other:?} is none of X, Y, Z"));
+            coordinate.unread = Some(format!("physics:axis {other:?} is not X, Y or Z"));
             [1.0, 0.0, 0.0]
         }
     };

@@ -86,7 +86,7 @@ pub(super) fn require_short(bytes: usize, text: usize, span: Span) -> Result<(),
     if bytes <= FOR_EACH_BYTE * text + ANYHOW {
         return Ok(());
     }
-    let what = "paths that are longer together than the file many times over";
+    let what = "paths that are many times longer in total than the file";
     Err(ContentErrorKind::unsupported(what).at(span))
 }
 
@@ -280,7 +280,7 @@ impl<'t, 's> Reader<'t, 's> {
                         self.twice.extend(property.put_into(&mut metadata));
                     }
                 }
-                _ => return Err(self.expected("a key of metadata, or the ) after them")),
+                _ => return Err(self.expected("a key of metadata, or the closing )")),
             }
         }
     }
@@ -334,7 +334,7 @@ impl<'t, 's> Reader<'t, 's> {
                 TokenKind::Mark(mark @ (')' | ']' | '}')) => {
                     if closing.pop() != Some(*mark) {
                         self.at -= 1;
-                        return Err(self.expected("the end of what was opened before"));
+                        return Err(self.expected("the closing bracket"));
                     }
                 }
                 TokenKind::Mark(_) if closing.is_empty() => {

@@ -57,7 +57,7 @@ pub(super) fn read(text: &str, model: &mut RobotModel) -> Result<(), ContentErro
         link.geometry.extend(shape::geometry(&stage, k, prim, &frame));
         if !stage.is_body(k) && body::has_mass(prim) && link.inertial.is_none() {
             link.from_geometry = true;
-            link.computed = Some(Err("the masses of its shapes are not added up here".to_owned()));
+            link.computed = Some(Err("the masses of its shapes are not added".to_owned()));
         }
     }
     let mut path_bytes = 0;
@@ -84,7 +84,7 @@ fn twice(layer: &Layer, notes: &mut Vec<Note>) {
         NAMES.contains(&name) || ["physics:", "physx", "xformOp:"].iter().any(|start| name.starts_with(start))
     };
     for (prim, name, span) in layer.twice.iter().filter(|(_, name, _)| matters(name)) {
-        let message = format!("a second {name}: only the last is read");
+        let message = format!("a second {name}: only the last one is read");
         let note = Note::new("read.twice", prim, span.clone(), message);
         notes.push(Note { severity: Severity::Suspect, ..note });
     }
@@ -102,14 +102,14 @@ fn elsewhere(layer: &Layer, notes: &mut Vec<Note>) {
         .filter(|(_, key, value)| ELSEWHERE.contains(&key.as_str()) && !value.words.is_empty())
         .map(|(subject, key, value)| {
             let named = value.words.join("");
-            let message = format!("{key} = {named} is not read, and what is in it is not known here");
+            let message = format!("{key} = {named} is not read, so its content is unknown");
             Note::new("read.include", subject, value.span.clone(), message)
         })
         .collect();
     found.sort_by_key(|note| note.span.start);
     notes.extend(found);
     for span in &layer.variants {
-        let message = "sets of variants are not read: choose one and flatten the stage".to_owned();
+        let message = "variant sets are not read: select a variant and flatten the stage".to_owned();
         notes.push(Note::new("read.left_out", "", span.clone(), message));
     }
 }

@@ -21,7 +21,7 @@ pub(super) fn geometry(stage: &Stage<'_>, k: usize, prim: &Prim, body: &Pose) ->
         "Sphere" => GeometryShape::Sphere(radius(1.0)),
         "Cylinder" => GeometryShape::Cylinder { radius: radius(1.0), length: height(2.0) },
         "Capsule" => GeometryShape::Capsule { radius: radius(0.5), length: height(1.0) },
-        "Mesh" => GeometryShape::Other("a mesh in USD, which is not read,".to_owned()),
+        "Mesh" => GeometryShape::Other("a USD mesh, which is not read,".to_owned()),
         "Cone" => GeometryShape::Cone { radius: radius(1.0), length: height(2.0) },
         "Plane" | "Points" | "BasisCurves" | "NurbsPatch" => GeometryShape::Other(prim.kind.to_lowercase()),
         _ => return None,
@@ -29,13 +29,13 @@ pub(super) fn geometry(stage: &Stage<'_>, k: usize, prim: &Prim, body: &Pose) ->
     let shape = if matches!(axis, "X" | "Y" | "Z") {
         shape
     } else {
-        GeometryShape::Other(format!("a shape along the axis {axis:?}, which is none of X, Y, Z,"))
+        GeometryShape::Other(format!("a shape along the axis {axis:?}, which is not X, Y or Z,"))
     };
     let role = if applies(prim, "PhysicsCollisionAPI") { Role::Collision } else { Role::Visual };
     let span = prim.span.clone();
     let unreadable = stage.place(k).unreadable.clone();
     let Some((scale, pose)) = stage.place(k).scaled_pose() else {
-        let shape = GeometryShape::Other("a shape whose axes are askew".to_owned());
+        let shape = GeometryShape::Other("a shape with non-perpendicular axes".to_owned());
         return Some(Geometry { span, role, pose: Pose { unreadable, ..Pose::IDENTITY }, shape });
     };
     let mut pose = body.inverse().then(&pose);
@@ -79,7 +79,7 @@ fn scaled(shape: GeometryShape, [x, y, z]: [f64; 3]) -> GeometryShape {
             GeometryShape::Cone { radius: radius * x, length: length * z }
         }
         GeometryShape::Cylinder { .. } | GeometryShape::Capsule { .. } | GeometryShape::Cone { .. } => {
-            GeometryShape::Other("a round shape that is scaled unevenly".to_owned())
+            GeometryShape::Other("a round shape with different scales along its axes".to_owned())
         }
         other => other,
     }

@@ -24,7 +24,7 @@ impl Units {
         let stated = |key: &str| layer.metadata.get(key).map(|value| positive(key, value)).transpose();
         let metres = stated("metersPerUnit")?;
         if metres.is_none() && !layer.prims.is_empty() {
-            let message = "metersPerUnit is not given: by USD's rule a unit is 0.01 m".to_owned();
+            let message = "metersPerUnit is missing: the USD default is 0.01 m".to_owned();
             notes.push(Note::new("read.unit", "", 0..0, message));
         }
         let kilograms = stated("kilogramsPerUnit")?.unwrap_or(1.0);
@@ -45,7 +45,7 @@ fn positive(key: &str, value: &Value) -> Result<f64, ContentError> {
         return Ok(unit);
     }
     let kind = ContentErrorKind::value(key, value.text(), "a positive finite number");
-    let hint = format!("write {key} = 1 for SI, or leave it out for USD's default");
+    let hint = format!("write {key} = 1 for SI, or delete it for the USD default");
     Err(kind.at(value.span.clone()).hint(hint))
 }
 

@@ -282,12 +282,12 @@ fn of_text(language: Language) -> Vec<(&'static str, &'static str, String)> {
             ),
             (
                 "inertia.two_forms",
-                "fullinertia beside a quaternion",
+                "fullinertia with a quaternion",
                 edited(" fullinertia=", " quat=\"1 2 3 4\" fullinertia="),
             ),
             (
                 "inertia.two_forms",
-                "fullinertia beside diaginertia",
+                "fullinertia with diaginertia",
                 edited(" fullinertia=", " diaginertia=\"1 1 1\" fullinertia="),
             ),
             (
@@ -311,12 +311,12 @@ fn of_text(language: Language) -> Vec<(&'static str, &'static str, String)> {
         Language::Usd => vec![
             (
                 "density.implausible",
-                "metres that are said to be centimetres",
+                "metres declared as centimetres",
                 edited("metersPerUnit = 1\n", "metersPerUnit = 0.01\n"),
             ),
             (
                 "density.implausible",
-                "kilograms that are said to be grams",
+                "kilograms declared as grams",
                 edited("metersPerUnit = 1\n", "metersPerUnit = 1\n    kilogramsPerUnit = 0.001\n"),
             ),
             ("number.missing", "two moments", one_less("diagonalInertia = (", ')')),

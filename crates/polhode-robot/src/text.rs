@@ -132,7 +132,7 @@ impl CheckReport {
         let are = if inertials == 1 { "is" } else { "are" };
         let possible = format!("{} {are} physically possible", counted(inertials, "inertial"));
         match (compared, inertials) {
-            (0, _) => format!("{possible}; there is no geometry to compare"),
+            (0, _) => format!("{possible}; without geometry, nothing was compared"),
             (1, 1) => format!("{possible} and agrees with its geometry"),
             (1, _) => format!("{possible}; 1 has geometry and agrees with it"),
             _ if compared == inertials => format!("{possible} and agree with their geometry"),

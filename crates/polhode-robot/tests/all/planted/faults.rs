@@ -59,7 +59,7 @@ fn of_numbers(language: Language) -> Vec<(&'static str, &'static str, Spec)> {
         |six: [&str; 3]| with(&|spec| spec.six = [six[0], six[1], six[2], "0", "0", "0"].map(str::to_owned));
     let comma = if is_usd { "1.37kg" } else { "1,37" };
     let mut faults = vec![
-        ("number.malformed", "a mass that is no number", with(&|spec| spec.mass = comma.to_owned())),
+        ("number.malformed", "a mass that is not a number", with(&|spec| spec.mass = comma.to_owned())),
         ("number.malformed", "a moment with a unit", with(&|spec| spec.six[1] = "0.0171kg".to_owned())),
         ("number.not_finite", "a moment that is nan", with(&|spec| spec.six[2] = "nan".to_owned())),
         ("number.not_finite", "a mass beyond any", with(&|spec| spec.mass = "1e999".to_owned())),

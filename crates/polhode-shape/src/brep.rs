@@ -82,7 +82,7 @@ impl BrepFormat {
     /// Returns the reason why a file of this format is not read.
     pub fn refusal(self) -> String {
         let article = if matches!(self, Self::Iges) { "an" } else { "a" };
-        format!("polhode reads meshes, and {article} {} file has exact shapes", self.title())
+        format!("polhode reads meshes, but {article} {} file contains exact shapes", self.title())
     }
 
     /// Returns a hint: the commands that convert the file to a mesh, which is in millimetres
@@ -94,20 +94,20 @@ impl BrepFormat {
             Some(_) => (String::new(), shell_word(path)),
             None => {
                 let file = shell_word(&path.with_extension(self.ending()));
-                (format!("call it {file}, and "), file)
+                (format!("rename it to {file}, "), file)
             }
         };
-        let made = format!("{renamed}make a mesh of it, in mm: gmsh {file} -2 -o {mesh}");
+        let made = format!("{renamed}convert it to a mesh in mm: gmsh {file} -2 -o {mesh}");
         match self {
             Self::Step => {
                 let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
                 let kind = if ending == "step" || ending == "stp" { "" } else { " with kind=\"step\"" };
                 format!(
                     "{made}, or python -c \"import sys, cadquery as cq; cq.exporters.export(cq.importers.importStep(sys.argv[1]), sys.argv[2])\" \
-                     {file} {mesh}; or have it measured exactly, by polhode.inertia in Python{kind}, after pip install cadquery-ocp"
+                     {file} {mesh}; or measure it exactly with polhode.inertia in Python{kind}, after pip install cadquery-ocp"
                 )
             }
-            Self::Iges => format!("{made}, and read that with --unit mm"),
+            Self::Iges => format!("{made}, and read the result with --unit mm"),
         }
     }
 }
@@ -155,10 +155,13 @@ mod tests {
         );
         assert!(!says.contains("kind="), "{says}");
         let says = hint(BrepFormat::Step, "-a.dat");
-        assert!(says.contains("call it ./-a.step, and make") && says.contains("kind=\"step\""), "{says}");
+        assert!(says.contains("rename it to ./-a.step, convert") && says.contains("kind=\"step\""), "{says}");
         assert!(hint(BrepFormat::Step, "a.P21").contains("gmsh a.P21 -2 -o a.stl"));
         assert!(hint(BrepFormat::Step, "a.P21").contains("kind=\"step\""));
         assert!(hint(BrepFormat::Iges, "ä/b.igs").contains("gmsh ä/b.igs -2 -o ä/b.stl"));
-        assert_eq!(BrepFormat::Iges.refusal(), "polhode reads meshes, and an IGES file has exact shapes");
+        assert_eq!(
+            BrepFormat::Iges.refusal(),
+            "polhode reads meshes, but an IGES file contains exact shapes"
+        );
     }
 }

@@ -126,15 +126,13 @@ pub fn read(bytes: &[u8], options: &ParticleOptions) -> Result<ParticleFile, Con
     let (table, data) = Table::of(bytes, start, options)?;
     let has_masses = table.header.has(MASS);
     if has_masses && let Some(total) = options.total_mass {
-        let rule = "left out, as the file has a column of masses".to_owned();
+        let rule = "absent, because the file has a column of masses".to_owned();
         return Err(value("the total mass", total.to_string(), rule, ContentPlace::Whole));
     }
     if !has_masses && (options.total_mass.is_none() || table.header.has_tensors()) {
         let hint = match table.header.has_tensors() {
-            true => "a part with a tensor has a mass of its own: add a column mass_kg",
-            false => {
-                "add a column mass_kg, or give the mass of the whole, which the points then share equally"
-            }
+            true => "a part with a tensor needs its own mass: add a column mass_kg",
+            false => "add a column mass_kg, or give the total mass, which the points then share equally",
         };
         return Err(missing("column of masses", hint));
     }
@@ -152,7 +150,7 @@ pub fn read(bytes: &[u8], options: &ParticleOptions) -> Result<ParticleFile, Con
         Ok(())
     })?;
     if points.is_empty() {
-        return Err(missing("lines of numbers", "a line is a mass and a place, such as 1.5,0,0.2,-3"));
+        return Err(missing("lines of numbers", "a line is a mass and a position, such as 1.5,0,0.2,-3"));
     }
     let mut findings = table.header.findings;
     findings.extend(names.finding());

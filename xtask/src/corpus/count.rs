@@ -302,7 +302,7 @@ mod tests {
             read("test/d.urdf", "urdf", json!([finding("inertia.zero", "impossible", 1)])),
             json!({ "file": "e.urdf", "error": { "message": "polhode does not read xacro: …" } }),
             json!({ "file": "gone.urdf", "error": { "message": "there is no such file" } }),
-            json!({ "file": ".", "error": { "message": ". holds no model" } }),
+            json!({ "file": ".", "error": { "message": ". contains no model" } }),
         ];
         let counts = Counts::of(&tree, &results, &mut Seen::default()).unwrap();
         std::fs::remove_dir_all(&tree).unwrap();

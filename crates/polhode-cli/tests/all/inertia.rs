@@ -195,7 +195,7 @@ fn a_mesh_of_no_unit_is_asked_for_it_where_metres_are_absurd() {
     let bracket = example("bracket.stl");
     let of = |more: &[&str]| scratch.run(&[&["inertia", &bracket], more].concat());
     let text = stdout(&of(&["--material", "aluminium"]));
-    assert!(text.contains("in m as no unit is given") && text.contains("[mesh.unit]"), "{text}");
+    assert!(text.contains("in m because no unit is given") && text.contains("[mesh.unit]"), "{text}");
     let body = json(&of(&["--material", "aluminium", "--json"]));
     assert_eq!(body["source"]["unit_assumed"], true);
     assert_eq!(body["findings"][0]["code"], "mesh.unit");
@@ -210,7 +210,7 @@ fn a_mesh_of_no_unit_is_asked_for_it_where_metres_are_absurd() {
     for form in [&["--csv"][..], &["--as", "urdf"]] {
         let output = of(&[&["--material", "aluminium"], form].concat());
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(said.contains("[mesh.unit]") && said.contains("in m as no unit is given"), "{said}");
+        assert!(said.contains("[mesh.unit]") && said.contains("in m because no unit is given"), "{said}");
         let lumped =
             scratch.run(&[&["inertia", &example("robots/arm.urdf"), "--lump", "all"], form].concat());
         assert!(String::from_utf8_lossy(&lumped.stderr).contains("joints at zero"), "{form:?}");

@@ -36,7 +36,7 @@ fn measures_without_a_mass_need_a_substance() {
     assert!((number(&weighed["inertia"]["tensor"][2][2]) / want - 1.0).abs() < 1e-13);
     // Without a unit, metres are assumed, and the first line reports this, as for a mesh.
     let metres = stdout(&scratch.run(&["inertia", "meshlab.txt", "--density", "1240 kg/m^3"]));
-    assert!(metres.contains("in m as no unit is given") && metres.contains("mesh.unit"), "{metres}");
+    assert!(metres.contains("in m because no unit is given") && metres.contains("mesh.unit"), "{metres}");
     for flags in [["--products", "negative"], ["--decimal", "point"], ["--mass-unit", "g"]] {
         let run = [["inertia", "meshlab.txt", "--mass", "85 g"].as_slice(), &flags].concat();
         let text = refused(&scratch.run(&run), 2);

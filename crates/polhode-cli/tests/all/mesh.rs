@@ -15,7 +15,9 @@ fn a_torn_mesh_names_the_weld_that_closes_it_and_is_not_welded_unasked() {
     scratch.write("torn.obj", TORN);
     let text = refused(&scratch.run(&["inertia", "torn.obj", "--mass", "4 kg"]), 2);
     assert!(
-        text.contains("it closes if welded at 6.6e-7 of its size: --weld 7e-7 (3 vertices become 1)"),
+        text.contains(
+            "it closes if vertices are welded within 6.6e-7 of its size: --weld 7e-7 (3 vertices become 1)"
+        ),
         "{text}"
     );
     let mesh = ["inertia", "torn.obj", "--density", "4 kg/m^3", "--json"];
@@ -31,7 +33,7 @@ fn a_torn_mesh_names_the_weld_that_closes_it_and_is_not_welded_unasked() {
         assert_eq!((&finding["code"], &finding["severity"]), (&"mesh.welded".into(), &"warning".into()));
         let message = finding["message"].as_str().unwrap();
         assert!(
-            message.contains("3 vertices were welded to 1 point, as was asked, at most 2.47e-6 m apart"),
+            message.contains("--weld: 3 vertices were welded to 1 point, at most 2.47e-6 m apart"),
             "{message}"
         );
         assert!(message.contains("no triangle vanished; the volume may be off by"), "{message}");
@@ -119,7 +121,7 @@ fn a_hole_is_filled_if_asked_and_what_that_may_change_is_said() {
         assert_eq!(finding["code"], "mesh.filled");
         let message = finding["message"].as_str().unwrap();
         assert!(
-            message.contains("1 hole of up to 3.61e0 m across was filled with 1 triangle, as was asked; if what is missing lies"),
+            message.contains("--fill: 1 hole of up to 3.61e0 m across was filled with 1 triangle; if the missing surface lies"),
             "{message}"
         );
     }
@@ -149,7 +151,7 @@ fn the_pieces_of_one_surface_are_filled_together() {
         json(&scratch.run(&["inertia", "open.obj", "--density", "4 kg/m^3", "--json", "--fill", "4 m"]));
     near(&filled["mass"], 4.0);
     assert_eq!(filled["source"]["fill"]["holes"], 1);
-    assert!(filled["findings"].to_string().contains("2 open parts of the file are pieces of one surface"));
+    assert!(filled["findings"].to_string().contains("2 open parts of the file form one surface"));
     // A closed part wound inward is turned outward as usual, and is not a cavity of them.
     let inner = "v 0.2 0.2 0.2\nv 0.4 0.2 0.2\nv 0.2 0.5 0.2\nv 0.2 0.2 0.3\ng c\nf 5 6 7\nf 5 8 6\nf 5 7 8\nf 6 8 7\n";
     scratch.write("open.obj", &format!("{text}{inner}"));
@@ -236,10 +238,10 @@ fn exact_shapes_are_refused_with_what_makes_a_mesh_of_them() {
     scratch.write("part.igs", &format!("{:<72}S{:>7}\n", "a part", 1));
     for (file, says) in [
         ("part.step", "gmsh part.step -2 -o part.stl, or python -c"),
-        ("part.dat", "call it part.step, and make a mesh of it, in mm: gmsh part.step"),
+        ("part.dat", "rename it to part.step, convert it to a mesh in mm: gmsh part.step"),
         ("part.step", "polhode.inertia in Python, after pip install cadquery-ocp"),
-        ("part.stl", "a STEP file has exact shapes"),
-        ("part.igs", "gmsh part.igs -2 -o part.stl, and read that with --unit mm"),
+        ("part.stl", "a STEP file contains exact shapes"),
+        ("part.igs", "gmsh part.igs -2 -o part.stl, and read the result with --unit mm"),
     ] {
         let text = refused(&scratch.run(&["inertia", file, "--density", "2 kg/m^3"]), 2);
         assert!(text.contains(says), "{file}: {text}");
@@ -256,7 +258,7 @@ fn exact_shapes_are_refused_with_what_makes_a_mesh_of_them() {
     assert!(answer.status.success());
     let text =
         refused(&scratch.run(&["inertia", "part.step", "--format", "dae", "--density", "2 kg/m^3"]), 2);
-    assert!(text.contains("a STEP file has exact shapes"), "{text}");
+    assert!(text.contains("a STEP file contains exact shapes"), "{text}");
     let part = "shape = \"mesh\"\nfile = \"part.stl\"\nmass = \"4 kg\"";
     scratch.write("stl.toml", &format!("[[body.part]]\n{part}\n[start]\nspin = {{ body = [0, 0, \"1 rad/s\"] }}\n[run]\nduration = \"1 s\"\n"));
     let text = refused(&scratch.run(&["inertia", "stl.toml"]), 2);
@@ -285,7 +287,7 @@ fn a_mesh_that_rounding_would_break_is_not_written() {
     let near = json(&of("near.obj", &["--write-mesh", "near.stl"]));
     assert!(near["findings"].to_string().contains("mesh.rounded"), "{}", near["findings"]);
     let refusal = refused(&text("far.obj", &["--write-mesh", "far.stl"]), 2);
-    assert!(refusal.contains("so it would be written; OBJ keeps every digit"), "{refusal}");
+    assert!(refusal.contains("this is the mesh as it would be written; OBJ keeps all digits"), "{refusal}");
     json(&of("far.obj", &["--write-mesh", "far.ply"]));
     // A result that is not finite writes no mesh either.
     let refusal = refused(&text("near.obj", &["--about", "1e160 m, 0, 0", "--write-mesh", "none.obj"]), 2);
@@ -372,7 +374,7 @@ fn parts_that_overlap_are_united_where_that_is_asked() {
     };
     let refusal = |arguments: &[&str]| refused(&scratch.run(&[&["inertia"], arguments].concat()), 2);
     let error = refusal(&["one.obj"]);
-    assert!(error.contains("hint: --union takes what lies in several parts once"), "{error}");
+    assert!(error.contains("hint: use --union what lies in several parts once"), "{error}");
     let warned = json(&run(&["three.obj"]));
     near(&warned["mass"], 24.0);
     let overlap =
@@ -392,7 +394,7 @@ fn parts_that_overlap_are_united_where_that_is_asked() {
         assert_eq!((&finding["code"], &finding["severity"]), (&"mesh.united".into(), &"warning".into()));
         let message = finding["message"].as_str().unwrap();
         assert!(
-            message.contains("as was asked: 2.0000e0 m³ (6.7e-1 of the volume) lay in more than one place"),
+            message.contains("2.0000e0 m³ (6.7e-1 of the volume) were covered more than once"),
             "{message}"
         );
     }
@@ -414,7 +416,7 @@ fn parts_that_overlap_are_united_where_that_is_asked() {
     scratch.write("open.obj", &three_bricks(false).replacen("f 1 3 4\n", "", 1));
     for arguments in [&["open.obj"] as &[&str], &["open.obj", "--union"]] {
         let error = refusal(arguments);
-        assert!(!error.contains("--union takes"), "{error}");
+        assert!(!error.contains("use --union"), "{error}");
     }
     assert!(refusal(&["open.obj", "--union"]).contains("the mesh is open"));
     let both = refusal(&["one.obj", "--union", "--write-mesh", "whole.stl"]);
@@ -424,9 +426,7 @@ fn parts_that_overlap_are_united_where_that_is_asked() {
         .write("sound.obj", three_bricks(false).split_inclusive('\n').take(20).collect::<String>().as_str());
     let (plain, united) = (json(&run(&["sound.obj"])), json(&run(&["sound.obj", "--union"])));
     assert_eq!((&plain["inertia"], &plain["mass"]), (&united["inertia"], &united["mass"]));
-    assert!(
-        united["findings"][0]["message"].as_str().unwrap().starts_with("nothing was united, as was asked")
-    );
+    assert!(united["findings"][0]["message"].as_str().unwrap().starts_with("--union had no effect"));
 }
 
 #[test]

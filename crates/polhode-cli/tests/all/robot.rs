@@ -27,7 +27,7 @@ fn what_hangs_from_a_link_is_a_body_in_its_frame() {
     assert_eq!(lifted["source"]["joints"], json!({ "lift": -0.03 }));
     let text = stdout(&scratch.run(&["inertia", &example("robots/gripper.urdf"), "--subtree", "palm"]));
     for words in
-        ["palm and what hangs from it, 4 links of gripper", "right_knuckle = 0.2 rad (follows left_knuckle)"]
+        ["palm and its descendants, 4 links of gripper", "right_knuckle = 0.2 rad (follows left_knuckle)"]
     {
         assert!(text.replace('\n', " ").contains(words), "{text}");
     }
@@ -51,7 +51,7 @@ fn what_joints_cannot_be_told_is_refused_with_a_place() {
     let text = run(&["--subtree", "plam"]);
     assert!(text.contains("did you mean palm?"), "{text}");
     let text = run(&["--subtree", "palm", "--joint", "lift=0.1"]);
-    assert!(text.contains("moves nothing that hangs from the link \"palm\""), "{text}");
+    assert!(text.contains("moves nothing below the link \"palm\""), "{text}");
     let text = run(&["--lump", "--joint", "lift=5 deg"]);
     assert!(text.contains("the joint slides: write a length"), "{text}");
     for pair in [["--link", "base", "--subtree", "base"], ["--lump", "all", "--subtree", "base"]] {
@@ -73,7 +73,7 @@ fn a_position_beyond_the_limits_is_said_and_not_refused() {
     let [limits] = findings.as_slice() else { panic!("{findings:?}") };
     assert_eq!((&limits["code"], &limits["severity"]), (&"position.limits".into(), &"warning".into()));
     let message = limits["message"].as_str().unwrap();
-    assert!(message.contains("lift = 0.5 m is beyond its limits, from -0.1 to 0.4 m"), "{message}");
+    assert!(message.contains("lift = 0.5 m is outside its limits, from -0.1 to 0.4 m"), "{message}");
     assert_eq!(gripper(&scratch, &["--lump", "--joint", "lift=0.4"])["findings"], json!([]));
 }
 

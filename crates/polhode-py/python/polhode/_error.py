@@ -22,10 +22,10 @@ _FLAG = re.compile(rf"(?<![\w-])--([a-z]+(?:-[a-z]+)*)( {_VALUE}(?: or {_VALUE})
 def in_python(text: str) -> str:
     """What the library says to users of the command, who have flags, to those of Python, who have keywords.
 
-    >>> in_python("paste the line with the unit, or answer with --unit, such as --unit mm")
-    'paste the line with the unit, or answer with unit, such as unit="mm"'
-    >>> in_python("take its convex hull by --hull")
-    'take its convex hull by hull=True'
+    >>> in_python("paste the line with the unit, or give it by --unit, such as --unit mm")
+    'paste the line with the unit, or give it by unit, such as unit="mm"'
+    >>> in_python("use its convex hull by --hull")
+    'use its convex hull by hull=True'
     >>> in_python("say it: --omega body or --omega space, and --sense body-to-space or space-to-body")
     'say it: omega_axes="body" or omega_axes="space", and sense="body_to_space" or "space_to_body"'
     """

@@ -284,7 +284,7 @@ fn supposed_repair(model: &RobotModel, body: &Body, fit: &Fit) -> Option<Repair>
     (!edits.is_empty()).then_some(Repair { description, edits })
 }
 
-/// Returns the evidence in words: `"2000 kg/m³, and the tensor is 0.1 % from that of its geometry"`
+/// Returns the evidence in words: `"2000 kg/m³, and the tensor is 0.1 % off the geometry's tensor"`
 fn evidence(body: &Body, fit: &Fit) -> String {
     let solid = supposed(body, fit.supposition).into_iter().next();
     let density = solid.map_or(f64::NAN, |s| fit.supposition.mass * body.mass / s.volume);

@@ -299,8 +299,8 @@ pub(super) fn times_too(power: i32) -> String {
     format!("{times} times too {}", if power < 0 { "large" } else { "small" })
 }
 
-/// Describes a misfit: `"29 % from the tensor of its geometry"`, or for large ratios `"711 times
-/// the tensor of its geometry"`.
+/// Describes a misfit: `"29 % off the geometry's tensor"`, or for large ratios `"711 times the
+/// geometry's tensor"`.
 pub(super) fn compared(misfit: f64, ratio: f64) -> String {
     let is_far = ratio > 0.0 && !(0.5..=2.0).contains(&ratio);
     let off = if is_far { format!("{} times", short(ratio, 3)) } else { format!("{} off", percent(misfit)) };

@@ -240,7 +240,7 @@ fn placeholders() {
     let all = findings_with(&document, block([0.1, 0.1, 0.12], VolumeKind::Closed));
     let found = only(&all, "inertia.placeholder");
     assert_eq!((found.severity, all.len()), (Severity::Suspect, 1));
-    assert!(found.message.contains("1 kg·m² about each axis on 0.4 kg"), "{}", found.message);
+    assert!(found.message.contains("1 kg·m² about each axis for 0.4 kg"), "{}", found.message);
     // Without evidence against it, it is a note; if the geometry agrees, it is not reported.
     let all = findings(&robot(&link("cup", "4", identity)));
     assert_eq!(only(&all, "inertia.placeholder").severity, Severity::Note);

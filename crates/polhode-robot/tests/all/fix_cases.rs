@@ -292,7 +292,10 @@ fn of_box(mass: f64, [a, b, c]: [f64; 3]) -> [f64; 3] {
 fn a_mass_and_a_tensor_that_agree_have_no_slip_each() {
     let edges = [0.1, 0.2, 0.3];
     for (mass, hint) in [
-        ("0.0066", "the tensor agrees with this mass, so both may follow from a density in g/cm³"),
+        (
+            "0.0066",
+            "the tensor agrees with this mass, so both may have been computed with a density in g/cm³",
+        ),
         ("48000", "both may follow from a wrong density"),
     ] {
         let moments = of_box(mass.parse().unwrap(), edges).map(|x| format!("{x:.9e}"));

@@ -337,10 +337,7 @@ fn a_value_moves_something_or_is_refused() {
     let model = read(GRIPPER);
     for joint in ["turn", "lift"] {
         let refused = error(&model, Lumping::Subtree("palm"), &[(joint, 0.1)]);
-        require_says(
-            &refused,
-            &format!("the joint {joint:?} moves nothing that hangs from the link \"palm\""),
-        );
+        require_says(&refused, &format!("the joint {joint:?} moves nothing below the link \"palm\""));
     }
     // A leader outside the subtree is used; a leader in a sibling subtree is not.
     one(&model, Lumping::Subtree("right"), &[("left_knuckle", 0.1)]);

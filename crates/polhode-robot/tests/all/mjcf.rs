@@ -215,7 +215,7 @@ fn bodies_that_mujoco_makes_are_refused_by_name() {
         assert_eq!(error.span().unwrap().start, places[0], "{lumping:?}");
         assert_eq!(
             error.to_string(),
-            "the bodies of <composite> are not read, and their mass would be missing"
+            "the bodies of <composite> are not read, so their mass would be missing"
         );
         assert!(error.hint().contains("mj_saveLastXML"));
     }

@@ -129,7 +129,7 @@ fn a_package_below_the_checked_folder_is_found_if_it_is_the_only_one() {
     let why = mesh(&read_model(&path, &in_folder(&folder, "ws")).unwrap()).unwrap_err();
     assert_eq!(
         why,
-        "2 folders named arm_description hold it, ../../new/description and ../../vendor/arm_description; --root DIR says which"
+        "2 folders named arm_description contain it, ../../new/description and ../../vendor/arm_description; choose one with --root DIR"
     );
     let options = ReadOptions { roots: vec![folder.path("ws/vendor")], ..in_folder(&folder, "ws") };
     let model = read_model(&path, &options).unwrap();

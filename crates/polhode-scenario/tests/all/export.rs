@@ -431,7 +431,7 @@ fn several_bodies_are_several_links() {
     assert_eq!(masses, bodies.each_ref().map(|body| body.properties.mass()));
     let several = export(ExportFormat::Urdf, &bodies).unwrap_err();
     assert_eq!(several, ExportError::Several { format: ExportFormat::Urdf, bodies: 2 });
-    assert_eq!(several.to_string(), "2 bodies for one file of urdf: its links would need joints");
+    assert_eq!(several.to_string(), "2 bodies in one urdf file: its links would need joints");
 }
 
 #[test]
@@ -449,7 +449,7 @@ fn names_that_a_format_keeps_for_itself_are_refused() {
     }
     for format in [ExportFormat::Sdf, ExportFormat::Mjcf, ExportFormat::MjcfPrincipal] {
         let error = export(format, &[named("a"), named("b"), named("a")]).unwrap_err();
-        assert!(error.to_string().contains("another body has it too"), "{error}");
+        assert!(error.to_string().contains("another body has the same name"), "{error}");
     }
     for &format in ExportFormat::ALL {
         assert_eq!(export(format, &[]), Err(ExportError::Empty));

@@ -160,7 +160,7 @@ fn files_that_cannot_be_read_say_so() {
     let record = "binary.stl: triangle 0 (counted from 0), byte 96: the coordinate inf is not finite";
     assert_eq!(message, format!("{record} (named in x.toml:3:8)"));
     fs::write(folder.join("cut.stl"), &binary[..100]).unwrap();
-    assert!(mesh("cut.stl").0.contains("declares 1 triangle, but 0 whole ones and 16 bytes follow"));
+    assert!(mesh("cut.stl").0.contains("declares 1 triangle, but 0 complete ones and 16 bytes follow"));
 
     let read = |name: &str| scenario::read(&folder.join(name)).unwrap_err();
     let missing = read("missing\n.toml");

@@ -187,11 +187,10 @@ fn inward(measures: &Measures, findings: &mut Vec<Finding>) -> Result<f64, Conte
         return Ok(1.0);
     }
     if *value == 0.0 {
-        let rule =
-            "not zero: the shape is not a solid, or too small for the digits that are printed".to_owned();
+        let rule = "not zero: the shape is not a solid, or too small for the printed digits".to_owned();
         return Err(bad("the volume", value.to_string(), rule, span.clone()));
     }
-    let message = "the volume is negative: the mesh is wound inward as a whole, and was turned";
+    let message = "the volume is negative: the whole mesh is wound inward, and was reversed";
     findings.push(info("cad.inward", message));
     Ok(-1.0)
 }
@@ -248,7 +247,7 @@ fn compact(text: &str, measures: &Measures) -> Result<(), ContentError> {
     }
     let most = (half_trace / factor).powf(0.6);
     let rule = format!(
-        "at most {}: of all shapes of one volume the ball has the least moments, and those of this tensor are less",
+        "at most {}: for a given volume the ball has the smallest moments, and those of this tensor are smaller",
         super::six(most)
     );
     let error = bad("the volume", text[volume.span.clone()].to_owned(), rule, volume.span.clone());
@@ -264,17 +263,17 @@ fn rounded(
 ) -> Result<(), ContentError> {
     let relative = |number: &Number| number.half / number.value.abs().max(f64::MIN_POSITIVE);
     let moments = [0, 4, 8].map(|k| &measures.tensor[k]);
-    let remedy = format!("scale the shape up in {}, to mm say, and print again", program.name());
+    let remedy = format!("scale the shape up in {}, for example to mm, and print again", program.name());
     if let Some(lost) = moments.into_iter().chain([&measures.volume]).find(|number| relative(number) > LOST) {
         let what = if lost.span == measures.volume.span { "the volume" } else { "the moment of inertia" };
-        let rule = "printed with more digits: rounding leaves none of it".to_owned();
+        let rule = "printed with more digits: rounding removes all of them".to_owned();
         let error = bad(what, text[lost.span.clone()].to_owned(), rule, lost.span.clone());
         return Err(error.hint(remedy));
     }
     let rounding = moments.into_iter().map(relative).fold(0.0, f64::max) + relative(&measures.volume);
     if rounding > ROUGH {
         let message = format!(
-            "the printed digits leave the moments of inertia open by up to {:.2} %: {remedy}",
+            "the printed digits determine the moments of inertia only to {:.2} %: {remedy}",
             100.0 * rounding
         );
         findings.push(warning("cad.rounding", message));
@@ -290,8 +289,8 @@ impl<T> Once<T> {
     /// Stores the value; an error if there is one already.
     fn put(&mut self, what: &str, value: T, place: Range<usize>) -> Result<(), ContentError> {
         if self.0.is_some() {
-            let rule = "given once: the text has the measures of more than one shape".to_owned();
-            return Err(bad(what, "two values".to_owned(), rule, place).hint("paste one at a time"));
+            let rule = "given once: the text contains the measures of more than one shape".to_owned();
+            return Err(bad(what, "two values".to_owned(), rule, place).hint("paste one shape at a time"));
         }
         self.0 = Some(value);
         Ok(())

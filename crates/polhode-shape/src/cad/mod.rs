@@ -232,14 +232,14 @@ pub fn read(text: &str, options: &CadOptions) -> Result<CadReport, ContentError>
     let properties = body(&evidence, proof.convention).map_err(impossible)?;
     let mut findings = findings(&evidence, &proof);
     if nowhere {
-        let message = "the report has no centre of mass: it is taken as the origin, and only the tensor about it is known";
+        let message = "the report has no centre of mass: the origin is assumed, because only the tensor about the centre of mass is known";
         findings.push(warning("cad.no-center", message.to_owned()));
     }
     let mut scalar = |k: usize| -> Result<Option<Printed>, ContentError> {
         let (group, (_, name, dimension)) = (&scan.scalars[k], SCALARS[k]);
         let value: Option<[Printed; 1]> = reader.if_whole(group, dimension)?;
         if group.is_some() && value.is_none() {
-            let message = format!("{name} has no unit and was not read");
+            let message = format!("{name} has no unit and was ignored");
             findings.push(info("cad.no-unit", message));
         }
         Ok(value.map(|[p]| p).filter(|p| p.value > 0.0))
@@ -293,9 +293,8 @@ fn contradictory(text: &str, mass: &Group<1>, [density, volume]: [f64; 2], produ
             six(product)
         ),
     );
-    kind.at(span).hint(
-        "paste the numbers of one body, with their units; leave out a density or volume that is not its own",
-    )
+    kind.at(span)
+        .hint("paste the numbers of one body, with their units; delete a density or volume of another body")
 }
 
 /// Formats a number with six significant digits.
@@ -337,7 +336,7 @@ fn impossible(error: BodyError) -> ContentError {
         BodyError::NegativeMoment { .. }
         | BodyError::TriangleInequality { .. }
         | BodyError::ImpossibleAtCenter { .. } => Some(
-            "if the body is a rod or a plate, print more digits: rounding alone can make its tensor impossible",
+            "if the body is a rod or a plate, print more digits: rounding can make its tensor impossible",
         ),
         _ => error.hint(),
     };
@@ -349,7 +348,7 @@ fn findings(evidence: &Evidence, proof: &SignProof) -> Vec<Finding> {
     let mut findings = Vec::new();
     if evidence.central.is_none() {
         let message =
-            "the tensor was moved from the origin to the centre of mass, which costs digits".to_owned();
+            "the tensor was moved from the origin to the centre of mass, which loses digits".to_owned();
         findings.push(info("cad.moved", message));
     }
     if let Some(stated) = evidence.stated
@@ -357,7 +356,7 @@ fn findings(evidence: &Evidence, proof: &SignProof) -> Vec<Finding> {
         && proof.by != SignSource::NoProducts
     {
         let message = format!(
-            "the report says {} products of inertia, but by {} they are {}",
+            "the report states {} products of inertia, but according to {} they are {}",
             stated.name(),
             proof.by.name(),
             proof.convention.name()
@@ -369,7 +368,7 @@ fn findings(evidence: &Evidence, proof: &SignProof) -> Vec<Finding> {
         && !matches!(proof.by, SignSource::Told | SignSource::Stated | SignSource::NoProducts)
     {
         let message = format!(
-            "the sign of the products is decided by rounding: with {} products the report is off by {:.1} times its rounding, with the other \
+            "the sign of the products is close to the rounding limit: with {} products the residual is {:.1} times the rounding error, with the other \
              sign by {worst:.1}",
             proof.convention.name(),
             proof.residual_negative.min(proof.residual_positive),
@@ -380,7 +379,7 @@ fn findings(evidence: &Evidence, proof: &SignProof) -> Vec<Finding> {
     let least = proof.residual_negative.min(proof.residual_positive);
     if least > proof::FITS {
         let message = format!(
-            "the report contradicts itself: with either sign it is off by {least:.2e} times its rounding"
+            "the report contradicts itself: with either sign the residual is at least {least:.2e} times the rounding error"
         );
         findings.push(warning("cad.contradiction", message));
     }
@@ -508,7 +507,7 @@ impl Reader<'_> {
 /// substance.
 fn without_mass(program: GeometryProgram) -> ContentError {
     ContentErrorKind::missing("mass").of_whole().hint(format!(
-        "{} prints volume, centre and a tensor of density 1: say what the shape is made of, as by polhode inertia FILE --density \"2700 kg/m^3\"",
+        "{} prints volume, centre and tensor for density 1: give the density, such as polhode inertia FILE --density \"2700 kg/m^3\"",
         program.name()
     ))
 }
@@ -519,14 +518,14 @@ fn in_its_language(text: &str, error: ContentError) -> ContentError {
     let Some((language, heading)) = foreign else { return error };
     let what = format!("{language} headings such as {heading:?}");
     ContentErrorKind::unsupported(what).of_whole().hint(format!(
-        "let the program print in English, or translate; headings that are read: {}",
+        "set the program to English, or translate the headings; polhode reads: {}",
         language::KNOWN
     ))
 }
 
 fn missing(name: &str) -> ContentError {
     ContentErrorKind::missing(name.strip_prefix("the ").unwrap_or(name).to_owned()).of_whole().hint(format!(
-        "paste the whole report, from the mass to the last moment of inertia, in English; headings that are read: {}",
+        "paste the whole report, from the mass to the last moment of inertia, in English; polhode reads the headings: {}",
         language::KNOWN
     ))
 }
@@ -554,10 +553,10 @@ fn unknown_unit(text: &str, name: &str, dimension: Dimension, number: &Range<usi
 fn no_unit(name: &str, dimension: Dimension, place: ContentPlace) -> ContentError {
     let question = format!("in which unit is {name}?");
     let example = match dimension {
-        Dimension::MASS => "paste the line with the unit, or answer with --mass-unit, such as --mass-unit g",
-        Dimension::LENGTH => "paste the line with the unit, or answer with --unit, such as --unit mm",
+        Dimension::MASS => "paste the line with the unit, or give it by --mass-unit, such as --mass-unit g",
+        Dimension::LENGTH => "paste the line with the unit, or give it by --unit, such as --unit mm",
         _ => {
-            "paste the line with the unit, or answer with --unit and --mass-unit, such as --unit mm --mass-unit g"
+            "paste the line with the unit, or give it by --unit and --mass-unit, such as --unit mm --mass-unit g"
         }
     };
     ContentError::new(ContentErrorKind::unclear(question, ""), place).hint(example)

@@ -89,9 +89,9 @@ pub(crate) fn decimal_mark(
     match (settled, open, told) {
         (Some((mark, span)), _, Some(told)) if mark != told => {
             let value = text[span.clone()].to_owned();
-            let rule = format!("written with a decimal {}, as told", told.name());
+            let rule = format!("written with a decimal {}, as given by --decimal", told.name());
             let kind = ContentErrorKind::value("the number", value, rule);
-            Err(kind.at(span.clone()).hint("leave out --decimal"))
+            Err(kind.at(span.clone()).hint("delete --decimal"))
         }
         (Some((mark, _)), ..) | (None, _, Some(mark)) => Ok(mark),
         (None, None, None) => Ok(DecimalMark::Point),
@@ -102,7 +102,7 @@ pub(crate) fn decimal_mark(
 fn question(found: String, span: &Range<usize>) -> ContentError {
     ContentErrorKind::unclear("is the decimal mark a point or a comma?", found)
         .at(span.clone())
-        .hint("answer with --decimal point or --decimal comma, or print more digits")
+        .hint("give --decimal point or --decimal comma, or print more digits")
 }
 
 fn not_a_number(text: &str, span: &Range<usize>) -> ContentError {

@@ -183,33 +183,33 @@ fn refused(trial: &SignProof) -> ContentError {
     let SignProof { by, residual_negative: negative, residual_positive: positive, .. } = *trial;
     let hint = if negative > FITS && positive > FITS {
         "the report contradicts itself: check mass, centre and units, and that all of it is about one part in one \
-         frame; --products negative or --products positive reads it all the same"
+         frame; --products negative or --products positive overrides this check"
     } else {
-        "answer with --products negative or --products positive, or print more digits, or measure from an origin away \
-         from the body's planes of symmetry"
+        "give --products negative or --products positive, or print more digits, or use an origin outside \
+         the planes of symmetry of the body"
     };
     ContentErrorKind::ProductSign { by: by.name(), negative, positive }.of_whole().hint(hint)
 }
 
 fn unproved() -> ContentError {
     let question = "are the products of inertia −∫xy dm or +∫xy dm?";
-    ContentErrorKind::unclear(question, "one tensor, and no principal moments").of_whole().hint(
-        "answer with --products negative or --products positive, or paste the tensor about the origin too",
-    )
+    ContentErrorKind::unclear(question, "one tensor, and no principal moments")
+        .of_whole()
+        .hint("give --products negative or --products positive, or also paste the tensor about the origin")
 }
 
 fn contradicted(trial: &SignProof, told: ProductConvention) -> ContentError {
     let kind = ContentErrorKind::value(
-        "the told sign of the products of inertia",
+        "the sign of the products of inertia given by --products",
         told.name().to_owned(),
         format!(
-            "what {} prove: residuals {:.2e} (negative) and {:.2e} (positive)",
+            "the sign proved by {}: residuals {:.2e} (negative) and {:.2e} (positive)",
             trial.by.name(),
             trial.residual_negative,
             trial.residual_positive
         ),
     );
-    kind.of_whole().hint("leave out --products")
+    kind.of_whole().hint("delete --products")
 }
 
 /// Error of an equation, with its rounding bound.

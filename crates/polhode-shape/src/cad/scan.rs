@@ -251,7 +251,7 @@ impl Scanner<'_> {
         };
         if slot.is_some() {
             let value = self.text[span.clone()].to_owned();
-            let rule = "given once: the text has more than one report, or one twice";
+            let rule = "given once: the text contains more than one report, or one report twice";
             let kind = ContentErrorKind::value(name(target), value, rule);
             return Err(kind.at(span).hint("paste one report at a time"));
         }
@@ -370,5 +370,5 @@ pub(crate) fn element_name(which: usize, k: usize) -> String {
 fn nowhere(word: &str, at: usize) -> ContentError {
     ContentErrorKind::unclear("is this tensor about the centre of mass or about the origin?", "")
         .at(at..at + word.len())
-        .hint("paste the heading too, or write \"Moments of inertia at center of mass\" above the numbers")
+        .hint("also paste the heading, or write \"Moments of inertia at center of mass\" above the numbers")
 }

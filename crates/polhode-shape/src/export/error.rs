@@ -48,11 +48,11 @@ impl ExportError {
     /// Returns a hint.
     pub const fn hint(&self) -> &'static str {
         match self {
-            Self::Empty => "give a body",
-            Self::Several { .. } => "write a file for each, or use sdf, mjcf, usd or csv",
-            Self::Name { .. } => "give the body another name",
+            Self::Empty => "give at least one body",
+            Self::Several { .. } => "write one file per body, or use sdf, mjcf, usd or csv",
+            Self::Name { .. } => "rename the body",
             Self::Range { .. } => {
-                "use a format that keeps double precision and the tensor alone: csv, sdf or urdf"
+                "use a format with double precision that stores only the tensor: csv, sdf or urdf"
             }
         }
     }
@@ -63,14 +63,14 @@ impl fmt::Display for ExportError {
         match self {
             Self::Empty => write!(f, "no body to write"),
             Self::Several { format, bodies } => {
-                write!(f, "{bodies} bodies for one file of {}: its links would need joints", format.name())
+                write!(f, "{bodies} bodies in one {} file: its links would need joints", format.name())
             }
             Self::Name { format, name, rule } => {
-                write!(f, "the name '{}' cannot stand in {}: {rule}", printable(name), format.name())
+                write!(f, "the name '{}' is not allowed in {}: {rule}", printable(name), format.name())
             }
             Self::Range { format, body, what, value, rule } => {
                 let (body, value) = (printable(body), exact(*value));
-                write!(f, "{what} of '{body}', {value}, cannot stand in {}: {rule}", format.name())
+                write!(f, "{what} of '{body}', {value}, is not allowed in {}: {rule}", format.name())
             }
         }
     }

@@ -13,7 +13,7 @@ use super::{ExportBody, ExportError, ExportFormat, elements, number, numbers};
 pub(crate) fn write(format: ExportFormat, bodies: &[ExportBody]) -> Result<String, ExportError> {
     check_names(format, bodies)?;
     if let Some(ExportBody { name, .. }) = bodies.iter().find(|body| body.name == "world") {
-        let rule = "MuJoCo's own first body has it";
+        let rule = "it is the name of MuJoCo's own first body";
         return Err(ExportError::Name { format, name: name.clone(), rule });
     }
     let model = model(bodies);

@@ -14,7 +14,7 @@ pub(crate) fn write(bodies: &[ExportBody]) -> Result<String, ExportError> {
     check_names(format, bodies)?;
     for ExportBody { name, .. } in bodies {
         if name == "world" || name.contains("::") || (name.starts_with("__") && name.ends_with("__")) {
-            let rule = "SDFormat keeps world, __names__ like this and :: for itself";
+            let rule = "SDFormat reserves world, __names__ like this and ::";
             return Err(ExportError::Name { format, name: name.clone(), rule });
         }
     }

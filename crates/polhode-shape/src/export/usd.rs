@@ -84,7 +84,7 @@ fn check(body: &ExportBody) -> Result<(), ExportError> {
         return refused("a principal moment", x, "USD's single precision holds 1.2e-38 to 3.4e38");
     }
     if moments == [0.0; 3] {
-        return refused("the greatest principal moment", 0.0, "USD reads moments of 0 as not given");
+        return refused("the greatest principal moment", 0.0, "USD treats moments of 0 as missing");
     }
     Ok(())
 }

@@ -43,10 +43,10 @@ pub(crate) fn check_names(format: ExportFormat, bodies: &[ExportBody]) -> Result
     let mut seen = BTreeSet::new();
     for body in bodies {
         if body.name.is_empty() {
-            return Err(refused(body, "it has to have a letter at least"));
+            return Err(refused(body, "it needs at least one letter"));
         }
         if !seen.insert(&body.name) {
-            return Err(refused(body, "another body has it too, and each needs its own"));
+            return Err(refused(body, "another body has the same name"));
         }
     }
     Ok(())
@@ -55,10 +55,10 @@ pub(crate) fn check_names(format: ExportFormat, bodies: &[ExportBody]) -> Result
 /// Returns warnings as comments on separate lines: numbers that are not those of a solid, and
 /// bodies that simulators reject. Most bodies have none.
 pub(crate) fn warning(indent: &str, body: &ExportBody) -> String {
-    let refused = |what| format!("{what}, and many simulators refuse that");
+    let refused = |what| format!("{what}, which many simulators refuse");
     let stumbles = match body.properties.principal().symmetry() {
-        Symmetry::Point => Some(refused("a point: it has no moments of inertia")),
-        Symmetry::Rod => Some(refused("a rod: it has no moment of inertia about its own line")),
+        Symmetry::Point => Some(refused("a point mass without moments of inertia")),
+        Symmetry::Rod => Some(refused("a rod without moment of inertia about its axis")),
         _ => None,
     };
     body.remark().into_iter().chain(stumbles).map(|text| format!("{indent}<!-- {text} -->\n")).collect()

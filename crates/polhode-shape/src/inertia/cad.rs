@@ -35,7 +35,7 @@ pub(super) fn report(files: &dyn Files, file: &Path, request: &Request) -> Resul
         (Read::Report(_), Some(_)) => {
             return Err(Failure::usage(
                 format!(
-                    "--density, --mass or --material is for shapes, and the report in {} has a mass",
+                    "--density, --mass or --material is only for shapes, but the report in {} has a mass",
                     file.display()
                 ),
                 "leave it out",
@@ -45,7 +45,7 @@ pub(super) fn report(files: &dyn Files, file: &Path, request: &Request) -> Resul
             let flag = flags.given().unwrap_or("--mass-unit");
             return Err(Failure::usage(
                 format!(
-                    "{flag} is for a report with a mass, and {} has the measures of a shape",
+                    "{flag} is only for a report with a mass, but {} has the measures of a shape",
                     file.display()
                 ),
                 "leave it out",
@@ -80,11 +80,12 @@ impl CadReport {
 /// Returns the report of a shape with geometric properties and a substance.
 fn measured(file: &Path, shape: GeometryReport, substance: Substance) -> Result<InertiaReport, Failure> {
     let properties = shape.mass_properties(substance).map_err(|error| {
-        let hint = "if the shape is a rod or a plate, print more digits: rounding alone can make its tensor impossible";
+        let hint =
+            "if the shape is a rod or a plate, print more digits: rounding can make its tensor impossible";
         Failure::usage(format!("{}: {error}", file.display()), hint)
     })?;
     let name = shape.program.name();
-    let words = if shape.unit_assumed { ", in m as no unit is given" } else { "" };
+    let words = if shape.unit_assumed { ", in m because no unit is given" } else { "" };
     let source = SourceInfo::new(file.display().to_string(), "cad")
         .described(format!("volume, centre and tensor of a shape by {name}{words}"))
         .with("product", name)
@@ -97,7 +98,7 @@ fn measured(file: &Path, shape: GeometryReport, substance: Substance) -> Result<
             extent: Some(Extent::Volume(shape.volume)),
             mass_given: matches!(substance, Substance::Mass(_)),
             others: None,
-            remedy: "--unit mm, or --unit m if it is so",
+            remedy: "--unit mm, or --unit m if metres are right",
         };
         findings.extend(assumed.finding(Some(file.display().to_string())));
     }

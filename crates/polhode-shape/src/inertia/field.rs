@@ -44,7 +44,7 @@ pub(super) fn found(
         let properties = in_body(body.properties).map_err(MeshBodyError::Density)?;
         rows.push(PartRow { name: part.name.clone(), properties, volume: Some(body.volume) });
     }
-    Ok(Found { rows, error: error_estimate(&total, "by cubature of the formula") })
+    Ok(Found { rows, error: error_estimate(&total, "from the cubature of the formula") })
 }
 
 /// Density formula that reports its evaluations to the host.

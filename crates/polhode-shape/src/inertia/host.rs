@@ -25,7 +25,7 @@ pub trait Host {
     /// # Errors
     /// [`Failure`] if it cannot be read.
     fn reports(&self, file: &Path, kind: Kind) -> Result<Vec<InertiaReport>, Failure> {
-        let message = format!("{} is {}, which is not read here", file.display(), kind.in_words());
+        let message = format!("{} is {}, which cannot be read here", file.display(), kind.in_words());
         Err(Failure::usage(message, ""))
     }
 

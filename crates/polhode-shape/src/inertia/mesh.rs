@@ -38,7 +38,7 @@ pub(super) fn report(
         tolerance: choice.tolerance.as_ref().map(|tolerance| tolerance.value.0.0),
         goes_on: &|| true,
         words: MeshWords {
-            unit: "--unit mm, or --unit m if it is so",
+            unit: "--unit mm, or --unit m if metres are right",
             file: Some(&name),
             substance: Some("--density, --mass or --material"),
         },

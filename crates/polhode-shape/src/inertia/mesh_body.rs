@@ -55,7 +55,7 @@ pub struct MeshUse<'a> {
 /// Texts in findings that depend on the user interface.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshWords<'a> {
-    /// Hint to state the unit: `--unit mm, or --unit m if it is so`.
+    /// Hint to state the unit: `--unit mm, or --unit m if metres are right`.
     pub unit: &'a str,
     /// Place of the finding that metres are assumed.
     pub file: Option<&'a str>,
@@ -243,7 +243,7 @@ impl<'a> MeshUse<'a> {
         let what = match (self.hull, turned) {
             (true, _) if given == 0 => format!("taken as the convex hull of {points} points"),
             (true, _) => "taken as its convex hull".to_owned(),
-            (false, true) => "closed, wound inward (turned)".to_owned(),
+            (false, true) => "closed, wound inward (reversed)".to_owned(),
             (false, false) => "closed, consistently wound".to_owned(),
         };
         let vertices: usize = solid.parts.iter().map(|part| part.mesh.vertices()).sum();
@@ -314,7 +314,7 @@ impl MeshBody<'_> {
         let MeshUse { substance, words, .. } = self.how;
         let mut source = self.source;
         if self.metres_assumed {
-            let description = format!("{}, in m as no unit is given", source.description);
+            let description = format!("{}, in m because no unit is given", source.description);
             source = source.described(description).with("unit_assumed", true);
         }
         let mut report = InertiaReport::of_parts(source, &self.rows)?;
@@ -350,7 +350,7 @@ pub fn mass_assumed(place: Option<&str>) -> Finding {
     Finding {
         code: "mass.assumed",
         severity: Severity::Warning,
-        message: "neither density, mass nor material is given: 1 kg/m³ is assumed".to_owned(),
+        message: "no density, mass or material is given: 1 kg/m³ is assumed".to_owned(),
         place: place.map(str::to_owned),
     }
 }

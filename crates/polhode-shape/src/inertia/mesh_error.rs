@@ -54,12 +54,12 @@ impl MeshBodyError {
                 let known: Vec<_> = known.iter().map(|name| format!("{name:?}")).collect();
                 format!("its parts are {}", known.join(", "))
             }
-            Self::PartTwice { .. } => "a part is made of one thing: leave one of them out".to_owned(),
+            Self::PartTwice { .. } => "a part has one substance: delete one of the two".to_owned(),
             Self::SharedMass { .. } => {
-                "give a density or a material, which counts for each, or name the parts apart in the file"
+                "give a density or a material, which applies to each, or give the parts different names in the file"
                     .to_owned()
             }
-            Self::AllNamed => "leave it out, or leave out a --part".to_owned(),
+            Self::AllNamed => "delete it, or delete a --part".to_owned(),
             Self::Interrupted => String::new(),
         }
     }
@@ -73,12 +73,12 @@ impl fmt::Display for MeshBodyError {
             Self::UnknownPart { name, .. } => write!(f, "the mesh has no part named {name:?}"),
             Self::PartTwice { name } => write!(f, "--part {name} is given twice"),
             Self::SharedMass { name, count } => {
-                write!(f, "{count} parts of the mesh are named {name:?}: is the mass that of each?")
+                write!(f, "{count} parts of the mesh are named {name:?}: the mass is ambiguous")
             }
             Self::AllNamed => f.write_str(
-                "--density, --mass or --material is for the parts without a --part of their own, and every part has one",
+                "--density, --mass or --material applies to parts without --part, but every part has one",
             ),
-            Self::Interrupted => f.write_str("the computation is interrupted"),
+            Self::Interrupted => f.write_str("the computation was interrupted"),
         }
     }
 }

@@ -20,6 +20,6 @@ pub(super) fn reports(
 ) -> Result<Vec<InertiaReport>, Failure> {
     let isotopes = request.molecule.isotopes.unwrap_or_default();
     let molecules = molecule::read(files, file, format)?;
-    let unfit = |error: BodyError| Failure::usage(error.to_string(), "check the atoms' places");
+    let unfit = |error: BodyError| Failure::usage(error.to_string(), "check the positions of the atoms");
     molecule::reports(&molecules, isotopes, file, format).map_err(unfit)
 }

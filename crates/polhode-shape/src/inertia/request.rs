@@ -93,7 +93,7 @@ impl FromStr for LengthUnit {
 
     fn from_str(text: &str) -> Result<Self, String> {
         if !text.starts_with(char::is_alphabetic) {
-            return Err("the name of a unit of length belongs here, such as mm".to_owned());
+            return Err("expected a unit of length, such as mm".to_owned());
         }
         positive(unit_named(text, Dimension::LENGTH)?).map(Self)
     }
@@ -108,7 +108,7 @@ impl FromStr for MassUnit {
 
     fn from_str(text: &str) -> Result<Self, String> {
         if !text.starts_with(char::is_alphabetic) {
-            return Err("the name of a unit of mass belongs here, such as g".to_owned());
+            return Err("expected a unit of mass, such as g".to_owned());
         }
         positive(unit_named(text, Dimension::MASS)?).map(Self)
     }

@@ -35,7 +35,7 @@ pub fn run(request: &Request, files: &dyn Files) -> Result<Bodies, Failure> {
 pub fn run_in(request: &Request, files: &dyn Files, host: &mut dyn Host) -> Result<Bodies, Failure> {
     if let Some(target) = &request.mesh.write_mesh {
         if request.files.len() > 1 {
-            let message = "--write-mesh is for one mesh, and several files are given";
+            let message = "--write-mesh writes one mesh, but several files are given";
             return Err(Failure::usage(message, "name one"));
         }
         written_format(target)?;
@@ -80,7 +80,7 @@ impl Request {
         let Some(kind) = self.format.or_else(of_path) else {
             return Err(Failure::usage(
                 format!("{} has an unknown file extension", shown(file)),
-                format!("say what it is by --format; scenarios are .toml, meshes {}", mesh_extensions()),
+                format!("give its format by --format; scenarios are .toml, meshes {}", mesh_extensions()),
             ));
         };
         self.refuse_options_for(kind, file, host)?;
@@ -126,7 +126,7 @@ impl Request {
             && report.properties.inertia_about(point).matrix().iter().flatten().any(|e| !e.is_finite())
         {
             return Err(Failure::usage(
-                "the tensor about that point is too large for a number",
+                "the tensor about that point is too large for a double",
                 "check --about",
             ));
         }
@@ -162,10 +162,10 @@ impl Request {
         match refused {
             None => Ok(()),
             Some((option, owner)) => Err(Failure::usage(
-                format!("{option} is for {owner}, and {} is {}", shown(file), kind.in_words()),
+                format!("{option} is only for {owner}, but {} is {}", shown(file), kind.in_words()),
                 match kind {
-                    Kind::Scenario => "a scenario says what each of its parts is made of, and in which units",
-                    _ => "leave it out, or say by --format what the file is",
+                    Kind::Scenario => "a scenario states the substance and the units of each part",
+                    _ => "delete it, or give the kind of the file by --format",
                 },
             )),
         }
@@ -188,7 +188,7 @@ impl Request {
         };
         let path = file.display();
         Err(Failure::usage(
-            format!("{idle} is for a file that does not name its unit, and {path} does, or needs none"),
+            format!("{idle} is only for a file that states no unit, but {path} states one or needs none"),
             "leave it out",
         ))
     }

@@ -59,7 +59,7 @@ pub fn voxel_report(
             .with("voxels", counts.to_vec())
             .with("type", kind)
             .with("filled", body.filled);
-        let error = error_estimate(&body.error_estimate, "what a voxel's value leaves open within it");
+        let error = error_estimate(&body.error_estimate, "from the unknown distribution within each voxel");
         let report = InertiaReport::new(source, in_body(body.properties)?).with_volume(Some(body.volume));
         Ok(InertiaReport { extras: vec![error], ..report })
     };

@@ -69,8 +69,8 @@ fn rounded(used: &MassProperties<Body>, written: &MassProperties<Body>, target: 
         code: "mesh.rounded",
         severity: Severity::Warning,
         message: format!(
-            "rounded to seven digits, the written mesh encloses {volume:+.1e} of the volume more; its centre of mass is {center:.1e} m away, and \
-             its tensor differs by {inertia:.1e} of the largest element"
+            "rounding to seven digits changes the volume of the written mesh by {volume:+.1e} (relative), its centre of mass by {center:.1e} m, and \
+             its tensor by {inertia:.1e} of the largest element"
         ),
         place: Some(target.display().to_string()),
     })

@@ -72,7 +72,7 @@ impl<F: Frame> AssumedMetres<'_, F> {
         let density = volume.map(|volume| mass / volume).filter(|density| *density < THINNEST);
         let mut absurd = Vec::new();
         if side > LONGEST {
-            absurd.push(format!("it is some {} m long", rounded(side)));
+            absurd.push(format!("it is about {} m long", rounded(side)));
         }
         if mass > HEAVIEST && !self.mass_given {
             absurd.push(format!("its mass is {} t", rounded(1e-3 * mass)));
@@ -87,7 +87,7 @@ impl<F: Frame> AssumedMetres<'_, F> {
             code: "mesh.unit",
             severity: Severity::Warning,
             message: format!(
-                "nobody says the unit of the mesh, so it is in metres, and then {}: is it in mm? ({})",
+                "the unit of the mesh is unknown and metres are assumed, but then {}: is it in mm? ({})",
                 absurd.join(", "),
                 self.remedy
             ),
@@ -141,8 +141,8 @@ mod tests {
         assert_eq!(message([0.12, 0.08, 0.02], 7850.0, false, None), None);
         assert_eq!(message([1.9, 0.9, 0.7], 7850.0, false, Some(0.03)), None);
         for (sides, density, mass_given, others, says) in [
-            ([120.0, 80.0, 9.6], 2700.0, false, None, "some 120 m long, its mass is 249000 t"),
-            ([5.5, 0.2, 0.1], 1.0, false, None, "some 5.5 m long: is it in mm? (--unit mm)"),
+            ([120.0, 80.0, 9.6], 2700.0, false, None, "about 120 m long, its mass is 249000 t"),
+            ([5.5, 0.2, 0.1], 1.0, false, None, "about 5.5 m long: is it in mm? (--unit mm)"),
             ([1.7, 1.5, 1.4], 7850.0, false, None, "then its mass is 28 t"),
             ([4.0, 3.0, 2.0], 0.085 / 24.0, true, None, "then its density is 0.00354 kg/m³"),
             ([2.0, 1.0, 0.5], 700.0, false, Some(0.013), "then it is 154 times as long as the other parts"),

@@ -37,8 +37,9 @@ impl MeshContents {
             let (name, filled) = match pieces().count() {
                 1 => (name.clone(), mesh.filled(size)),
                 count => {
-                    let message =
-                        format!("{count} open parts of the file are pieces of one surface, and one part now");
+                    let message = format!(
+                        "{count} open parts of the file form one surface, and were merged into one part"
+                    );
                     self.findings.push(info("mesh.joined", message));
                     (String::new(), solid::joined(pieces()).and_then(|all| all.filled(size)))
                 }

@@ -11,14 +11,14 @@ pub(crate) fn why(left: HolesLeft) -> Option<String> {
         (
             left.sheets,
             "loop",
-            "is the rim of a sheet, not of a hole: what closes it would be no smaller than the sheet",
-            "are rims of sheets, not of holes: what closes them would be no smaller than the sheets",
+            "is the boundary of a sheet, not of a hole: the patch would be as large as the sheet",
+            "are boundaries of sheets, not of holes: the patches would be as large as the sheets",
         ),
         (
             left.loose_edges,
             "open edge",
-            "is part of no loop by itself",
-            "are part of no loop by itself, as where holes meet in a vertex",
+            "belongs to no single loop",
+            "belong to no single loop, for example because holes share a vertex",
         ),
     ];
     let said = reasons.into_iter().filter(|reason| reason.0 > 0);

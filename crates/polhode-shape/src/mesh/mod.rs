@@ -214,7 +214,7 @@ impl MeshContents {
         format: MeshFormat,
     ) -> Result<Self, FormatError> {
         if let Some(shapes) = BrepFormat::of_bytes(bytes) {
-            let what = format!("{}, whatever the file is called: its shapes are exact", shapes.title());
+            let what = format!("{}, whatever its file extension: it contains exact shapes", shapes.title());
             let error = ContentErrorKind::unsupported(what).of_whole().hint(shapes.hint(path));
             return Err(FormatError::of_content(path, bytes, error));
         }
@@ -255,7 +255,8 @@ impl MeshContents {
     pub fn in_metres(mut self, given: Option<f64>) -> Self {
         let unit = given.or(self.unit).unwrap_or(1.0);
         if let Some(own) = self.unit.filter(|own| *own != unit) {
-            let message = format!("the file's own unit is {own} m, and {unit} m was used as you said");
+            let message =
+                format!("the file states a unit of {own} m, but the given unit of {unit} m was used");
             self.findings.push(warning("mesh.unit", message));
         }
         for part in &mut self.parts {

@@ -195,8 +195,10 @@ impl<'a> Reader<'a> {
         }
         let mut findings = Vec::new();
         if self.lines + self.points > 0 {
-            let message =
-                format!("{} lines and {} points bound no solid and were left out", self.lines, self.points);
+            let message = format!(
+                "lines ({}) and points ({}) enclose no volume and were ignored",
+                self.lines, self.points
+            );
             findings.push(info("mesh.not_a_surface", message));
         }
         findings.extend(self.polygons.finding());
@@ -240,8 +242,8 @@ fn no_vertex(at: Scan, written: i64, count: usize) -> ContentError {
     let error = at.error(ContentErrorKind::index("vertex", written, count));
     match written {
         0 => error.hint("indices start at 1"),
-        1.. => error.hint("a face comes behind its vertices"),
-        _ => error.hint("-1 is the vertex before the face, and so on back to the first"),
+        1.. => error.hint("a face must come after its vertices"),
+        _ => error.hint("-1 is the last vertex before the face, -2 the one before it"),
     }
 }
 

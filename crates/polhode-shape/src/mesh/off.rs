@@ -82,7 +82,7 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     if triangles.is_empty() {
         return Err(ContentErrorKind::missing("faces")
             .of_whole()
-            .hint("a cloud of points bounds no solid: export a mesh"));
+            .hint("a point cloud encloses no volume: export a mesh"));
     }
     let findings = polygons.finding().into_iter().collect();
     let parts = parts::of_shared(vertices, vec![(String::new(), triangles)])?;
@@ -127,7 +127,7 @@ fn row(scan: &mut Scan, what: &str, declared: u64, present: u64) -> Result<(), C
     scan.skip_empty_lines();
     if scan.is_done() {
         let error = ContentErrorKind::count(what, declared, present).at(scan.bytes.len()..scan.bytes.len());
-        return Err(error.hint("the file is cut short, or its counts are wrong"));
+        return Err(error.hint("the file is truncated, or its counts are wrong"));
     }
     Ok(())
 }

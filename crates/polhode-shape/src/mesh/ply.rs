@@ -92,7 +92,7 @@ fn elements(header: &Header, mut values: impl Values) -> Result<MeshContents, Co
                 if matches!(name, "face" | "tristrips") {
                     waiting.push((element, values));
                 } else if name == "edge" && element.count > 0 {
-                    let message = format!("{} edges bound no solid and were left out", element.count);
+                    let message = format!("edges ({}) enclose no volume and were ignored", element.count);
                     findings.push(info("mesh.not_a_surface", message));
                 }
                 pass_over(element, &mut values)?;
@@ -104,12 +104,12 @@ fn elements(header: &Header, mut values: impl Values) -> Result<MeshContents, Co
         return Err(missing("element vertex"));
     }
     if values.rest() > 0 {
-        let (what, declared) = ("bytes behind the last element", 0);
+        let (what, declared) = ("bytes after the last element", 0);
         let kind = ContentErrorKind::count(what, declared, values.rest() as u64);
         // Place of the first unexpected value.
         let _ = values.skip(Scalar::U8, 1);
         return Err(ContentError::new(kind, values.last(String::new()).1)
-            .hint("a count in the header is too small, or the file has been damaged"));
+            .hint("a count in the header is too small, or the file is damaged"));
     }
     let encoding = header.encoding.name();
     if surface.triangles.is_empty() {

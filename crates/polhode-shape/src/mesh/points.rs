@@ -19,7 +19,7 @@ use crate::finding::info;
 pub fn cloud(points: Vec<[f64; 3]>) -> Result<MeshContents, ContentError> {
     if points.is_empty() {
         let kind = ContentErrorKind::missing("points");
-        return Err(kind.of_whole().hint("export the cloud again: it is empty"));
+        return Err(kind.of_whole().hint("export the point cloud again: the file is empty"));
     }
     let mesh = TriangleMesh::new(points, Vec::new())
         .map_err(|error| ContentErrorKind::Body(Box::new(error)).of_whole())?;
@@ -36,7 +36,7 @@ pub fn with_faces(contents: MeshContents) -> Result<MeshContents, ContentError> 
         return Ok(contents);
     }
     let kind = ContentErrorKind::missing("faces");
-    let hint = "a cloud of points bounds no solid: export a mesh, or take the convex hull by --hull";
+    let hint = "a point cloud encloses no volume: export a mesh, or use the convex hull by --hull";
     Err(kind.of_whole().hint(hint))
 }
 
@@ -112,7 +112,7 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
             let own = Separator::of(content).ok_or_else(|| mixed(content, place()))?;
             let first = *separator.get_or_insert(own);
             if own != first {
-                let what = format!("{} between the numbers, as in the first line", first.name());
+                let what = format!("{} between the numbers, as on the first line", first.name());
                 let kind = ContentErrorKind::expected(what, content);
                 return Err(ContentError::new(kind, place()).hint(ONE_KIND));
             }
@@ -135,14 +135,14 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     let mut contents = cloud(points)?;
     if more > 0 {
         let message =
-            format!("columns behind the third, of {more} lines, are not coordinates and were not read");
+            format!("columns after the third, on {more} lines, are not coordinates and were not read");
         contents.findings.push(info("mesh.unread_columns", message));
     }
     Ok(contents)
 }
 
 const ONE_KIND: &str =
-    "write decimal points, and between the numbers only blanks, or only commas, or only semicolons";
+    "write decimal points, and separate the numbers only by blanks, only by commas, or only by semicolons";
 
 /// Returns the error for a line with several separators.
 fn mixed(line: &str, place: ContentPlace) -> ContentError {
@@ -161,11 +161,11 @@ fn require_coordinates(points: &[[f64; 3]]) -> Result<(), ContentError> {
     if points.len() < 2 || !counts_from(0.0) && !counts_from(1.0) {
         return Ok(());
     }
-    let question = "is the first column a number of the point, or x?";
+    let question = "is the first column the index of the point, or x?";
     let found = format!("{}, {}, … in the first of four columns or more", points[0][0], points[1][0]);
     Err(ContentErrorKind::unclear(question, found)
         .of_whole()
-        .hint("delete the column that counts the points; if it is x, delete the columns behind the third"))
+        .hint("delete the index column; if the first column is x, delete the columns after the third"))
 }
 
 /// Parses a finite number.

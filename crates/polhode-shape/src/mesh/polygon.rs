@@ -62,7 +62,7 @@ impl Polygons {
             return None;
         }
         let message = format!(
-            "{} faces were split into triangles that overlap: they cross themselves, have no area, or have thousands of dents",
+            "{} faces were split into overlapping triangles: they intersect themselves, have no area, or have thousands of concave corners",
             self.crossed
         );
         Some(warning("mesh.crossed_polygons", message))

@@ -91,7 +91,7 @@ impl MeshRepair {
             None => error,
             Some(left) => {
                 let hint = error.hint().map_or(String::new(), |hint| format!("; {hint}"));
-                error.with_hint(format!("not all of it was filled: {left}{hint}"))
+                error.with_hint(format!("not all holes were filled: {left}{hint}"))
             }
         }
     }
@@ -105,7 +105,7 @@ impl MeshRepair {
     const fn proviso(&self) -> &'static str {
         match self {
             Self::Welded { .. } => "",
-            Self::Filled { .. } => "if what is missing lies within the balls about the holes, ",
+            Self::Filled { .. } => "if the missing surface lies within the bounding balls of the holes, ",
         }
     }
 
@@ -150,10 +150,10 @@ impl MeshRepair {
     fn in_words(&self) -> String {
         match *self {
             Self::Welded { points: 0, .. } => {
-                "nothing was welded: no vertices of open edges are so near each other".to_owned()
+                "nothing was welded: no vertices of open edges are within this distance".to_owned()
             }
             Self::Welded { vertices, points, largest_distance, vanished, .. } => format!(
-                "{} welded to {}, as was asked, at most {largest_distance:.2e} m apart; {} vanished",
+                "--weld: {} welded to {}, at most {largest_distance:.2e} m apart; {} vanished",
                 if vertices == 1 { "1 vertex was".to_owned() } else { format!("{vertices} vertices were") },
                 counted(points, "point"),
                 if vanished == 0 { "no triangle".to_owned() } else { counted(vanished, "triangle") }
@@ -163,7 +163,7 @@ impl MeshRepair {
                 format!("nothing was filled: {why}")
             }
             Self::Filled { holes, triangles, largest, .. } => format!(
-                "{} of up to {largest:.2e} m across {} filled with {}, as was asked",
+                "--fill: {} of up to {largest:.2e} m across {} filled with {}",
                 counted(holes, "hole"),
                 if holes == 1 { "was" } else { "were" },
                 counted(triangles, "triangle")
@@ -211,16 +211,14 @@ impl RepairBound {
 /// Returns the bound in words: "the volume may be off by …, at most", with "all together" if there
 /// are several repairs.
 fn at_most(volume: f64, whole: f64, effect: Option<MeshEffect>, together: &str) -> String {
-    let off = format!("the volume may be off by {volume:.1e} m³ ({:.1e} of it)", volume / whole);
+    let off = format!("the volume may be off by {volume:.1e} m³ ({:.1e} relative)", volume / whole);
     match effect {
         None => format!("{off}, at most{together}"),
         Some(effect) if effect.center.is_finite() => format!(
-            "{off}, the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of its largest moment, at most{together}",
+            "{off}, the centre of mass by {:.1e} m, the tensor at fixed density by {:.1e} of its largest moment, at most{together}",
             effect.center, effect.inertia
         ),
-        Some(_) => format!(
-            "{off}, at most{together}: so much that nothing is known of the centre of mass and of the tensor"
-        ),
+        Some(_) => format!("{off}, at most{together}: the centre of mass and the tensor are undetermined"),
     }
 }
 

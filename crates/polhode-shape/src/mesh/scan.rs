@@ -176,10 +176,10 @@ impl<'a> Scan<'a> {
         if found.parse::<f64>().is_ok() {
             return self
                 .error(ContentErrorKind::not_finite(format!("the {what}"), found))
-                .hint("the tool that made the mesh wrote no number here: repair it there");
+                .hint("the program that created the mesh wrote an invalid number: fix it there");
         }
         let error = self.expected("a number");
-        if found.contains(',') { error.hint("the decimal sign is a point") } else { error }
+        if found.contains(',') { error.hint("use a decimal point") } else { error }
     }
 
     /// Returns the error for an unexpected word.
@@ -190,7 +190,7 @@ impl<'a> Scan<'a> {
         let is_cut = found.is_empty() && self.bytes[self.at..].iter().all(|b| b" \t".contains(b));
         let found = if found.is_empty() && !is_cut { "the end of the line".to_owned() } else { found };
         let error = self.error(ContentErrorKind::expected(what, found));
-        if is_cut { error.hint("the file is cut short") } else { error }
+        if is_cut { error.hint("the file is truncated") } else { error }
     }
 
     /// Returns an error at the next word.

@@ -184,10 +184,10 @@ fn open_or_unsound(
         return error.with_hint(union);
     }
     let Some(all) = all.filter(|_| is_open) else { return error };
-    const ELSE: &str = "or take its convex hull by --hull, or a sheet along it by --shell";
+    const ELSE: &str = "or use its convex hull by --hull, or a shell along it by --shell";
     if let Some(weld) = all.closing_weld(goes_on) {
         return error.with_hint(format!(
-            "it closes if welded at {:.1e} of its size: --weld {:e} ({} vertices become {}), or weld = {:e} in a scenario; {ELSE}",
+            "it closes if vertices are welded within {:.1e} of its size: --weld {:e} ({} vertices become {}), or weld = {:e} in a scenario; {ELSE}",
             weld.least, weld.tolerance, weld.joined, weld.points, weld.tolerance
         ));
     }
@@ -232,7 +232,7 @@ fn solids(
                     None
                 };
                 let Some(mesh) = one else { return Err(Unsound { part, flaws }) };
-                let message = format!("the {} parts of the file bound one solid together", parts.len());
+                let message = format!("the {} parts of the file together enclose one solid", parts.len());
                 let part = SolidPart { name: String::new(), mesh };
                 return Ok((vec![part], Some(info("mesh.joined", message))));
             }
@@ -264,7 +264,7 @@ fn overlap(parts: &[MeshPart], solids: &[SolidPart]) -> Option<Finding> {
     );
     twice.then(|| {
         say(format!(
-            "what parts share counts for each of them, if not united by --union: {error} (triangles numbered through all parts)"
+            "regions shared by several parts count once per part, unless united by --union: {error} (triangles are numbered through all parts)"
         ))
     })
 }

@@ -69,7 +69,7 @@ pub enum StlKind {
 ///
 /// let error = read(b"solid\nfacet normal 0 0 1\nouter loop\nvertex 0,5 2 1").unwrap_err();
 /// assert_eq!(error.to_string(), "line 4, column 8: expected a number, found \"0,5\"");
-/// assert_eq!(error.hint(), Some("the decimal sign is a point"));
+/// assert_eq!(error.hint(), Some("use a decimal point"));
 /// ```
 ///
 /// # Errors

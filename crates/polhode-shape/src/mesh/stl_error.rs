@@ -81,7 +81,7 @@ impl StlError {
         match self {
             Self::Unrecognized { length } => format!("{} that are not an STL file", counted(*length, "byte")),
             Self::WrongCount { declared, length } => format!(
-                "the header of the binary STL file declares {}, but {} whole ones and {} \
+                "the header of the binary STL file declares {}, but {} complete ones and {} \
                  follow ({} in the file)",
                 counted(*declared as usize, "triangle"),
                 whole_records(*length),
@@ -104,23 +104,23 @@ impl StlError {
                 Some("an STL file starts with \"solid\" (ASCII) or has at least 84 bytes (binary)")
             }
             Self::WrongCount { declared, length } if whole_records(*length) < *declared as usize => {
-                Some("the file is cut short, or it is not an STL file")
+                Some("the file is truncated, or it is not an STL file")
             }
-            Self::WrongCount { .. } => Some("the file has bytes that belong to no triangle; export it again"),
+            Self::WrongCount { .. } => Some("the file has bytes after the last triangle; export it again"),
             Self::Syntax { expected: "a number", found, .. } if found.contains(',') => {
-                Some("the decimal sign is a point")
+                Some("use a decimal point")
             }
             Self::Syntax { expected: "endloop", found, .. } if found.eq_ignore_ascii_case("vertex") => {
                 Some("a facet has three vertices; triangulate the faces before exporting")
             }
-            Self::Syntax { found, .. } if found.is_empty() => Some("the file is cut short"),
+            Self::Syntax { found, .. } if found.is_empty() => Some("the file is truncated"),
             Self::NoTriangles => Some("export the solid body, not the empty document"),
             Self::Syntax { .. } => {
-                Some("a facet is facet normal, outer loop, three times vertex x y z, endloop, endfacet")
+                Some("a facet is: facet normal, outer loop, three times vertex x y z, endloop, endfacet")
             }
-            Self::NotFinite { .. } => {
-                Some("the tool that made the mesh wrote no number here: repair it there, and export it again")
-            }
+            Self::NotFinite { .. } => Some(
+                "the program that created the mesh wrote an invalid number: fix it there, and export it again",
+            ),
         }
     }
 }

@@ -88,19 +88,19 @@ impl UnitedMesh {
     fn united(&self) -> Finding {
         let (union, code) = (&self.union, "mesh.united");
         if union.solid().is_some() {
-            return info(code, "nothing was united, as was asked: no parts of the mesh overlap");
+            return info(code, "--union had no effect: no parts of the mesh overlap");
         }
         let (volume, effect) = (union.volume(), union.effect(union.error(), 0.0));
         let what = match union.parts() {
-            1 => "what overlaps was united".to_owned(),
+            1 => "overlapping regions were united".to_owned(),
             parts => format!("{parts} parts were united"),
         };
         let left_out = match union.left_out() {
-            0.0 => "as measured on the surface, ".to_owned(),
-            folds => format!("{folds:.1e} m³ in folds that are inside out were left out; with these, "),
+            0.0 => "measured on the surface, ".to_owned(),
+            folds => format!("{folds:.1e} m³ in inverted folds were omitted; with these, "),
         };
         let message = format!(
-            "{what}, as was asked: {:.4e} m³ ({:.1e} of the volume) lay in more than one place of the mesh and counted once; {left_out}the volume may be off by {:.1e} m³ ({:.1e} of it), the centre of mass by {:.1e} m, the tensor at one density by {:.1e} of \
+            "--union: {what}: {:.4e} m³ ({:.1e} of the volume) were covered more than once and count once; {left_out}the volume may be off by {:.1e} m³ ({:.1e} relative), the centre of mass by {:.1e} m, the tensor at fixed density by {:.1e} of \
              its largest moment",
             union.shared(),
             union.shared() / volume,

@@ -18,7 +18,7 @@ pub(crate) fn hint(
             | BodyError::OverlapsUndecided { .. }
     ) && MeshUnion::is_possible(&flaws.diagnosis);
     (may_be && MeshUnion::watched(all, goes_on).is_ok()).then_some(
-        "--union takes what lies in several parts once, or union = true in a scenario; or unite the solids in the tool that made the mesh; \
-         or take the convex hull of all of it by --hull",
+        "use --union, or union = true in a scenario, so that overlapping regions count once; or unite the solids in the program that created the mesh; \
+         or use the convex hull of all parts by --hull",
     )
 }

@@ -47,8 +47,9 @@ impl MeshFormat {
     /// solids. Coordinates rounded to seven digits may open a mesh or make it intersect itself, and
     /// parts without names become one.
     pub fn checked_bytes(self, parts: &[MeshPart], path: &Path) -> Result<(Vec<u8>, MeshSolid), FormatError> {
-        let refused =
-            |error: FormatError| error.with_hint(format!("so it would be written; {}", self.alternative()));
+        let refused = |error: FormatError| {
+            error.with_hint(format!("this is the mesh as it would be written; {}", self.alternative()))
+        };
         let bytes = self.bytes(parts).unwrap_or_default();
         let contents = MeshContents::parse(&Memory::default(), &bytes, path, self).map_err(refused)?;
         let solid = MeshSolid::of(contents, path, self, None).map_err(refused)?;
@@ -57,8 +58,8 @@ impl MeshFormat {
 
     const fn alternative(self) -> &'static str {
         match self {
-            Self::Stl => "OBJ keeps every digit, and parts apart",
-            Self::Ply => "OBJ keeps parts apart",
+            Self::Stl => "OBJ keeps all digits and separate parts",
+            Self::Ply => "OBJ keeps separate parts",
             _ => "write it in another format",
         }
     }

@@ -22,7 +22,7 @@ impl<'a> Lines<'a> {
     pub(crate) fn ended(&self, what: impl Into<String>) -> ContentError {
         let kind = ContentErrorKind::expected(what.into(), "");
         let end = self.bytes.len();
-        kind.at(end..end).hint("the file is cut short")
+        kind.at(end..end).hint("the file is truncated")
     }
 }
 
@@ -117,9 +117,9 @@ impl<'a> Field<'a> {
     pub(crate) fn expected(&self, what: &str) -> ContentError {
         let found = self.text().into_owned();
         let hint = if found.contains(',') {
-            Some("the decimal sign is a point")
+            Some("use a decimal point")
         } else if found.contains("**") {
-            Some("the program that wrote the number had no room for it")
+            Some("the number did not fit into its columns")
         } else {
             None
         };

@@ -152,7 +152,7 @@ impl Molecule {
                 Isotopes::Average => "standard atomic weight",
             };
             let message = format!(
-                "{element} has no {instead}: the mass is that of {first}, the longest-lived that NUBASE2020 has"
+                "{element} has no {instead}: the mass of {first} is used, the longest-lived isotope in NUBASE2020"
             );
             findings.push(info("molecule.longest_lived", message));
         }
@@ -214,7 +214,7 @@ pub fn read(files: &dyn Files, path: &Path, format: MoleculeFormat) -> Result<Ve
 /// let text = b"2\ncarbon monoxide\nC 0,0 0,0 0,0\nO 0,0 0,0 1,128\n";
 /// let error = parse(text, MoleculeFormat::Xyz, "co.xyz".as_ref()).unwrap_err();
 /// assert_eq!(error.to_string(), "co.xyz:3:3: expected the coordinate x, found \"0,0\"");
-/// assert_eq!(error.hint().as_deref(), Some("the decimal sign is a point"));
+/// assert_eq!(error.hint().as_deref(), Some("use a decimal point"));
 /// ```
 ///
 /// # Errors
@@ -287,13 +287,13 @@ impl Builder {
     fn finish(mut self, name: &str, unit: f64) -> Option<Molecule> {
         if self.numbered > 0 {
             let message = format!(
-                "{} labels such as C13 were read as an element and a number of the atom; an isotope is written 13C",
+                "{} labels such as C13 were read as an element and an atom number; write an isotope as 13C",
                 self.numbered
             );
             self.notice("molecule.numbered_atoms", Severity::Warning, message);
         }
         if self.massless > 0 {
-            let message = format!("{} points without mass (ghost atoms) were left out", self.massless);
+            let message = format!("{} points without mass (ghost atoms) were ignored", self.massless);
             self.notice("molecule.massless_points", Severity::Warning, message);
         }
         let step_m = 10_f64.powi(-self.decimals.unwrap_or(0).clamp(-300, 300)) * unit;
@@ -308,10 +308,10 @@ impl Builder {
 }
 
 fn unknown_element(field: &Field<'_>) -> ContentError {
-    field.wrong("the element", "a chemical symbol").hint("such as C, Cl or D; an isotope is written 13C")
+    field.wrong("the element", "a chemical symbol").hint("such as C, Cl or D; write an isotope as 13C")
 }
 
 fn unknown_isotope(field: &Field<'_>, element: Element) -> ContentError {
     let known: Vec<String> = Isotope::all(element).map(|isotope| isotope.to_string()).collect();
-    field.wrong("the isotope", "one whose mass is known").hint(format!("these are: {}", known.join(", ")))
+    field.wrong("the isotope", "one with a known mass").hint(format!("known isotopes: {}", known.join(", ")))
 }

@@ -52,7 +52,7 @@ fn table(lines: &mut Lines<'_>) -> Result<Molecule, ContentError> {
     let name = next("the line of the name")?;
     let unsupported = |what: &str| Err(ContentErrorKind::unsupported(what).at(name.trimmed().span()));
     match name.bytes {
-        [b'<', ..] => return unsupported("XML as a connection table (a robot's SDF is another format)"),
+        [b'<', ..] => return unsupported("XML as a connection table (the SDF of a robot is another format)"),
         [b'$', b'R', b'X', b'N' | b'D', ..] => return unsupported("reactions"),
         [b'$', b'M', b'D', b'L', ..] => return unsupported("RG files"),
         _ => {}
@@ -63,7 +63,7 @@ fn table(lines: &mut Lines<'_>) -> Result<Molecule, ContentError> {
     let mut builder = Builder::default();
     if program.columns(20..22).bytes == b"2D" {
         let message =
-            "the file says 2D: the coordinates are those of a drawing, not of the molecule".to_owned();
+            "the file is marked 2D: the coordinates are those of a drawing, not of the molecule".to_owned();
         builder.notice("molecule.drawing", Severity::Warning, message);
     }
     match counts.columns(33..39).bytes {
@@ -75,7 +75,7 @@ fn table(lines: &mut Lines<'_>) -> Result<Molecule, ContentError> {
                 counts.columns(33..39).text().into_owned(),
             );
             let error = kind.at(counts.columns(33..39).span());
-            return Err(error.hint("the counts are line 4: three lines are in front of it, blank or not"));
+            return Err(error.hint("the counts are on line 4, after three lines that may be blank"));
         }
     }
     let place = ContentPlace::Text(counts.span());
@@ -90,7 +90,7 @@ fn v2000(
     old: bool,
     builder: &mut Builder,
 ) -> Result<(), ContentError> {
-    const LINE_4: &str = "the counts are line 4: three lines are in front of it, blank or not";
+    const LINE_4: &str = "the counts are on line 4, after three lines that may be blank";
     let atom_count = counts.columns(0..3);
     let bond_count = counts.columns(3..6);
     let n: usize = atom_count.integer("the number of atoms").map_err(|e| e.hint(LINE_4))?;
@@ -116,7 +116,7 @@ fn v2000(
             slot.into_iter().for_each(|sum| *sum += order);
             if index.is_none_or(|k| k == 0 || k > n) {
                 let hint = if atom_line(&line).is_ok() {
-                    "this is one more atom than the number in columns 1 to 3 of the counts"
+                    "this is one atom more than the number in columns 1 to 3 of the counts"
                 } else {
                     "a bond has the numbers of two atoms in columns 1 to 3 and 4 to 6"
                 };
@@ -127,7 +127,7 @@ fn v2000(
     let Properties { isotopes, abbreviations } = properties(lines, n, old)?;
     if abbreviations > 0 {
         let message = format!(
-            "{abbreviations} atoms have an abbreviation, such as Ph, beside their symbol: they count as one atom each"
+            "{abbreviations} atoms have an abbreviation, such as Ph, next to their symbol: each counts as one atom"
         );
         builder.notice("molecule.abbreviations", Severity::Warning, message);
     }
@@ -157,7 +157,7 @@ fn no_hydrogen(atoms: &[AtomLine<'_>], valence: &[u32], builder: &mut Builder) {
     let any = atoms.iter().zip(valence).any(open);
     if any && atoms.len() > 2 && !builder.atoms.iter().any(|atom| number(atom) == 1) {
         let message =
-            "the file has no hydrogen atoms, and carbon with free valences: the body is without them";
+            "the file has no hydrogen atoms, but carbon with free valences: the body lacks the hydrogen";
         builder.notice("molecule.no_hydrogen", Severity::Warning, message.to_owned());
     }
 }
@@ -175,7 +175,7 @@ fn atom_line<'a>(line: &Field<'a>) -> Result<AtomLine<'a>, ContentError> {
     };
     numbers.map_err(|error| match error.hint {
         None => {
-            error.hint("x, y and z stand in columns 1 to 10, 11 to 20 and 21 to 30, the symbol in 32 to 34")
+            error.hint("x, y and z are in columns 1 to 10, 11 to 20 and 21 to 30, the symbol in 32 to 34")
         }
         Some(_) => error,
     })?;
@@ -196,7 +196,7 @@ fn shifted(species: Species, difference: &Field<'_>, builder: &mut Builder) -> R
     let base = element.weight().map_or(first, |weight| weight.round() as u16);
     if base != first {
         let message = format!(
-            "the mass difference {shift} of {element} is counted from {base}, the rounded atomic weight; \
+            "the mass difference {shift} of {element} is relative to {base}, the rounded atomic weight; \
              the most abundant isotope is {first}{element}"
         );
         builder.notice("molecule.mass_difference", Severity::Warning, message);
@@ -344,7 +344,7 @@ fn v3000_words<'a>(line: &Field<'a>, lines: &mut Lines<'a>) -> Result<Option<Vec
         }
         let next = lines.next().ok_or_else(|| lines.ended("the continuation of the line"))?;
         let Some(more) = next.bytes.strip_prefix(PREFIX) else {
-            return Err(next.expected("M  V30, as the line before ends in -"));
+            return Err(next.expected("M  V30, because the previous line ends in -"));
         };
         (rest, start) = (more, next.start + PREFIX.len());
     }
@@ -353,5 +353,5 @@ fn v3000_words<'a>(line: &Field<'a>, lines: &mut Lines<'a>) -> Result<Option<Vec
 fn count_error(place: &Field<'_>, what: &str, declared: usize, present: usize) -> ContentError {
     let (declared, present) = (declared as u64, present as u64);
     let error = ContentErrorKind::count(what, declared, present).at(place.span());
-    if declared > present { error.hint("correct the number, or the file is cut short") } else { error }
+    if declared > present { error.hint("correct the number, or the file is truncated") } else { error }
 }

@@ -52,14 +52,14 @@ pub fn read(bytes: &[u8]) -> Result<Molecule, ContentError> {
     }
     let mut builder = Builder::default();
     if models > 1 {
-        let message = format!("the file has {models} models; the first one is read");
+        let message = format!("the file has {models} models; only the first one is read");
         builder.notice("molecule.models", Severity::Warning, message);
     }
     let all = atoms.len();
     let atoms = one_location(atoms);
     if atoms.len() < all {
         let message = format!(
-            "{} atoms at alternate locations were left out: of each residue the location with the highest occupancy is kept",
+            "{} atoms at alternate locations were ignored: in each residue, the location with the highest occupancy is used",
             all - atoms.len()
         );
         builder.notice("molecule.alternate_locations", Severity::Warning, message);
@@ -72,12 +72,12 @@ pub fn read(bytes: &[u8]) -> Result<Molecule, ContentError> {
     }
     if deduced > 0 {
         let atoms = counted(deduced, "atom");
-        let message = format!("the element of {atoms} was deduced from the atom's name");
+        let message = format!("the element of {atoms} was inferred from the atom name");
         builder.notice("molecule.elements_deduced", Severity::Warning, message);
     }
     let has = |number: u8| builder.atoms.iter().any(|atom| atom.species.element().number() == number);
     if has(6) && !has(1) && atoms.iter().any(|atom| is_polymer(atom.residue)) {
-        let message = "the file has no hydrogen atoms: the body is without them".to_owned();
+        let message = "the file has no hydrogen atoms: the body lacks them".to_owned();
         builder.notice("molecule.no_hydrogen", Severity::Warning, message);
     }
     let missing = ContentErrorKind::missing("atoms (ATOM or HETATM)");
@@ -101,7 +101,7 @@ struct AtomLine<'a> {
 
 impl<'a> AtomLine<'a> {
     fn of(line: &Field<'a>) -> Result<Self, ContentError> {
-        const HINT: &str = "x, y and z stand in columns 31 to 38, 39 to 46 and 47 to 54";
+        const HINT: &str = "x, y and z are in columns 31 to 38, 39 to 46 and 47 to 54";
         let place = [30..38, 38..46, 46..54].map(|columns| line.columns(columns));
         let hinted = |error: ContentError| if error.hint.is_none() { error.hint(HINT) } else { error };
         let gap = line.columns(27..30);
@@ -147,7 +147,7 @@ impl<'a> AtomLine<'a> {
             }
         }
         let element = self.element_of_name().ok_or_else(|| {
-            let error = self.name.trimmed().wrong("the atom's name", "one that begins with its element");
+            let error = self.name.trimmed().wrong("the atom's name", "a name that begins with the element");
             error.hint("write the element in columns 77 and 78")
         })?;
         Ok((Some(element), true))

@@ -39,7 +39,8 @@ pub fn read(bytes: &[u8]) -> Result<Molecule, ContentError> {
     let comment = lines.next().ok_or_else(|| lines.ended("the line of the comment"))?;
     let columns = Columns::of(&comment)?;
     if comment.text().contains("Lattice=") {
-        let message = "the file has a lattice: the atoms of one cell are taken where they stand".to_owned();
+        let message =
+            "the file has a lattice: the atoms of one cell are used at the given positions".to_owned();
         molecule.notice("molecule.lattice", Severity::Info, message);
     }
     for done in 0..count {
@@ -49,7 +50,7 @@ pub fn read(bytes: &[u8]) -> Result<Molecule, ContentError> {
     }
     let frames = 1 + more_frames(lines, &first, count, &columns)?;
     if frames > 1 {
-        let message = format!("the file has {frames} frames; the first one is read");
+        let message = format!("the file has {frames} frames; only the first one is read");
         molecule.notice("molecule.frames", Severity::Warning, message);
     }
     let name = if columns.extended { String::new() } else { comment.text().into_owned() };
@@ -61,18 +62,18 @@ fn heading(line: &Field<'_>, molecule: &mut Builder) -> Result<(u64, f64), Conte
     let mut words = line.words();
     let count = words.next().unwrap_or(line.trimmed());
     let count: u64 = count.integer("the number of atoms").map_err(|error| {
-        error.hint("line 1 is the number of atoms, line 2 a comment, and the atoms follow")
+        error.hint("line 1 is the number of atoms, line 2 a comment; then the atoms follow")
     })?;
     let Some(word) = words.next() else { return Ok((count, ANGSTROM)) };
     match word.text().to_ascii_lowercase().as_str() {
         "au" | "a.u." | "bohr" => {
-            let message = "the coordinates are in bohr, as line 1 says".to_owned();
+            let message = "the coordinates are in bohr, as stated on line 1".to_owned();
             molecule.notice("molecule.bohr", Severity::Info, message);
             Ok((count, BOHR))
         }
         "angstrom" | "ang" | "å" => Ok((count, ANGSTROM)),
         _ => {
-            let message = "what follows the number of atoms on line 1 was not read".to_owned();
+            let message = "text after the number of atoms on line 1 was not read".to_owned();
             molecule.notice("molecule.heading", Severity::Info, message);
             Ok((count, ANGSTROM))
         }
@@ -110,10 +111,10 @@ impl Columns {
                 ("species" | "pos", _) => return Err(wrong()),
                 // Such columns would replace the masses of the species.
                 ("masses" | "mass" | "isotopes" | "isotope", _) => {
-                    let what = format!("the masses of single atoms, in the column {name}");
+                    let what = format!("masses of individual atoms in the column {name}");
                     let place = ContentPlace::Text(word.span());
                     return Err(ContentError::new(ContentErrorKind::unsupported(what), place)
-                        .hint("name isotopes by their symbols, such as 13C or D, and leave the column out"));
+                        .hint("name isotopes by their symbols, such as 13C or D, and delete the column"));
                 }
                 _ => {}
             }
@@ -144,9 +145,9 @@ fn atom(line: &Field<'_>, columns: &Columns, unit: f64, molecule: &mut Builder) 
     molecule.push(species, place, unit).map_err(|error| {
         let numbered = symbol.bytes.iter().all(u8::is_ascii_digit);
         match super::label(&place[0].text()) {
-            Some(_) if numbered && error.hint.is_none() => error.hint(
-                "a line is symbol, x, y, z; with numbers in front of the symbols it is Tinker's format",
-            ),
+            Some(_) if numbered && error.hint.is_none() => {
+                error.hint("a line is: symbol x y z; a number before the symbol indicates Tinker's format")
+            }
             _ => error,
         }
     })
@@ -188,7 +189,7 @@ fn count_error(first: &Field<'_>, declared: u64, present: u64) -> ContentError {
     let kind = ContentErrorKind::count("atoms", declared, present);
     let place = first.words().next().unwrap_or(*first).span();
     kind.at(place).hint(if declared > present {
-        "correct the number, or the file is cut short (no blank lines between atoms)"
+        "correct the number, or the file is truncated (no blank lines between atoms)"
     } else {
         "correct the number"
     })

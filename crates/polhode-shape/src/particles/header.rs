@@ -94,7 +94,7 @@ impl Header {
             match column.role {
                 Role::Label => {
                     if let Some(hint) = column.physics(tensors) {
-                        let rule = format!("one that polhode reads: {}, quantity, name", NAMES.join(", "));
+                        let rule = format!("one of {}, quantity, name", NAMES.join(", "));
                         let error = super::value("the column", column.name.clone(), rule, place());
                         return Err(error.hint(hint));
                     }
@@ -104,7 +104,7 @@ impl Header {
                 Role::Number(number) => {
                     let factor = column.factor(number, options, field)?;
                     if scales[number].replace(Scale::by(factor)).is_some() {
-                        let rule = "named once".to_owned();
+                        let rule = "used once".to_owned();
                         return Err(super::value("the column", NAMES[number].to_owned(), rule, place()));
                     }
                 }
@@ -112,7 +112,7 @@ impl Header {
         }
         let lacking = |numbers: Range<usize>| numbers.into_iter().find(|k| scales[*k].is_none());
         if let Some(number) = lacking(1..4) {
-            let hint = "the header has to name x, y and z with their units, such as x_m,y_m,z_m";
+            let hint = "the header must name x, y and z with their units, such as x_m,y_m,z_m";
             return Err(missing(&format!("column {}", NAMES[number]), hint));
         }
         if let Some(number) = lacking(TENSOR).filter(|_| tensors) {
@@ -122,7 +122,7 @@ impl Header {
         let roles: Vec<Role> = columns.iter().map(|column| column.role).collect();
         if let Some(second) = (0..roles.len()).filter(|k| roles[*k] == Role::Count).nth(1) {
             let place = ContentPlace::Text(header[second].clone());
-            let rule = "the only one that counts pieces".to_owned();
+            let rule = "the only quantity column".to_owned();
             return Err(super::value("the column", columns[second].name.clone(), rule, place));
         }
         let mut findings = Vec::new();
@@ -152,16 +152,17 @@ impl Header {
             }
         };
         let unclear = |what: &str, flag: &str| {
-            let question = format!("in which unit is the {what}? There is no header.");
+            let question = format!("the file has no header: in which unit is the {what}?");
             error(ContentErrorKind::unclear(question, ""))
-                .hint(format!("add a header, such as mass_kg,x_m,y_m,z_m, or answer with {flag}"))
+                .hint(format!("add a header, such as mass_kg,x_m,y_m,z_m, or give the unit by {flag}"))
         };
         let length = Scale::by(options.length_unit.ok_or_else(|| unclear("length", "--unit"))?);
         let mass = match (first, options.mass_unit) {
             (MASS, None) => return Err(unclear("mass", "--mass-unit")),
             (_, unit) => Scale::by(unit.unwrap_or(1.0)),
         };
-        let message = format!("there is no header: the columns were read as {}", NAMES[first..4].join(", "));
+        let message =
+            format!("the file has no header: the columns were read as {}", NAMES[first..4].join(", "));
         let mut scales = [Scale::Times(1.0); 10];
         scales[..4].copy_from_slice(&[mass, length, length, length]);
         Ok(Self {
@@ -207,7 +208,7 @@ const PART_NAMES: &str = "name part component";
 const PHYSICS: [(&str, &str); 5] = [
     (
         "mass masse masa massa weight gewicht peso poids density dichte rho volume volumen kg 质量 質量 重量 密度",
-        "polhode takes the mass of each line: name its column mass, with its unit, such as mass_kg, and delete this one",
+        "polhode needs the mass of each line: name its column mass with its unit, such as mass_kg, and delete this column",
     ),
     (
         "inertia moment moments trägheit inertie inercia inerzia tensor gyration i j ixx iyy izz ixy ixz iyz iyx izx izy i1 \
@@ -216,15 +217,15 @@ const PHYSICS: [(&str, &str); 5] = [
     ),
     (
         "radius radii diameter com cog cg centroid",
-        "a line is a point, or a part with its tensor, at x, y, z: delete this column if that is meant",
+        "a line is a point, or a part with its tensor, at x, y, z: delete this column if this is right",
     ),
     (
         "unit units einheit factor multiplier scale",
-        "units stand in the header, such as mass_g,x_mm,y_mm,z_mm: convert, and delete this column",
+        "units belong in the header, such as mass_g,x_mm,y_mm,z_mm: convert the values, and delete this column",
     ),
     (
         "frame time timestep csys",
-        "a table is one body, in one frame and at one time: cut it apart, and delete this column",
+        "a table is one body, in one frame and at one time: split the table, and delete this column",
     ),
 ];
 /// Words for the attitude of a part, which is relevant for a tensor but not for a point.
@@ -287,13 +288,13 @@ impl Column {
                 let question = format!("in which unit is {}?", NAMES[number]);
                 let hint = EXAMPLES[number];
                 error(ContentErrorKind::unclear(question, ""))
-                    .hint(format!("name the unit in the header, such as {hint}, or answer with {flags}"))
+                    .hint(format!("name the unit in the header, such as {hint}, or give the unit by {flags}"))
             });
         };
         let spelt = if dimension == Dimension::INERTIA { spelt_out(unit) } else { unit.clone() };
         unit::factor(&spelt, dimension).map_err(|wrong| {
             let what = format!("the unit of {}", NAMES[number]);
-            let rule = format!("a unit that polhode knows: {wrong}");
+            let rule = format!("a known unit: {wrong}");
             let hinted = error(ContentErrorKind::value(what, unit.clone(), rule));
             match wrong.hint_for_name() {
                 Some(hint) => hinted.hint(hint),
@@ -320,7 +321,7 @@ impl Column {
         }
         let known = PHYSICS.iter().find(|(list, _)| says(list)).map(|(_, hint)| *hint);
         let turned = (tensors && says(TURNS)).then_some(
-            "the tensor of each part is along the axes of the table: turn it there, and delete this column",
+            "the tensor of each part is along the axes of the table: rotate it accordingly, and delete this column",
         );
         known.or(turned)
     }

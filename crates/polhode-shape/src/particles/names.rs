@@ -31,9 +31,9 @@ impl Names {
         let places = self.places.entry(text_of(bytes, name)).or_default();
         // Adding 0 turns −0 into 0.
         if !places.insert(place.map(|c| (c + 0.0).to_bits())) {
-            let rule = "in one line only: another part of this name is at the same place".to_owned();
+            let rule = "on one line only: another part of this name is at the same position".to_owned();
             let error = value("the part", text_of(bytes, name), rule, ContentPlace::Text(name.clone()));
-            return Err(error.hint("delete one of the two lines, or give the parts names of their own"));
+            return Err(error.hint("delete one of the two lines, or give the parts different names"));
         }
         Ok(())
     }
@@ -46,11 +46,11 @@ impl Names {
         let (name, lines) = repeated.first()?;
         let others = match repeated.len() - 1 {
             0 => String::new(),
-            1 => ", and another name does so too".to_owned(),
-            more => format!(", and {more} other names do so too"),
+            1 => ", and so does 1 other name".to_owned(),
+            more => format!(", and so do {more} other names"),
         };
         let message = format!(
-            "{:?} stands in {lines} lines{others}: every line counts as a part of its own",
+            "{:?} is on {lines} lines{others}: each line counts as a separate part",
             cut(&escaped(name))
         );
         Some(info("particles.repeated-names", message))

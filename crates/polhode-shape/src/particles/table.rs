@@ -58,7 +58,7 @@ impl Table {
             }
             at = next;
         }
-        Err(missing("lines", "write a header such as mass_kg,x_m,y_m,z_m and a line for each particle"))
+        Err(missing("lines", "write a header such as mass_kg,x_m,y_m,z_m and one line per particle"))
     }
 
     /// Calls `visit` with every line from byte `at` on, and its values.
@@ -90,7 +90,7 @@ impl Table {
                 Some(_) if count == 0 => {}
                 Some(line) if count == roles.len() => visit(line, &row)?,
                 Some(line) => {
-                    let rule = format!("{} fields long, as the first line is; it has {count}", roles.len());
+                    let rule = format!("{} fields long, like the first line; it has {count}", roles.len());
                     return Err(value("the line", text_of(bytes, &line), rule, ContentPlace::Text(line)));
                 }
             }
@@ -103,9 +103,9 @@ impl Table {
         if count == 1.0 {
             return Ok(());
         }
-        let rule = "1: a line is one piece, at one place".to_owned();
+        let rule = "1: a line is one piece, at one position".to_owned();
         let error = value("the quantity", text_of(bytes, field), rule, ContentPlace::Text(field.clone()));
-        Err(error.hint("write a line for each piece, with its own place"))
+        Err(error.hint("write one line per piece, with its own position"))
     }
 
     /// Parses a finite number with the same decimal mark as before.
@@ -119,7 +119,7 @@ impl Table {
         let (number, found) =
             number(&bytes[field.clone()], self.separator).ok_or_else(|| not_a_number(bytes, field))?;
         if found.is_some() && mark.is_some() && *mark != found {
-            let hint = "the file has decimal points and decimal commas; it needs one of them throughout";
+            let hint = "the file mixes decimal points and decimal commas; use one of them throughout";
             return Err(not_a_number(bytes, field).hint(hint));
         }
         *mark = mark.or(found);

@@ -11,7 +11,7 @@ use serde_json::json;
 pub fn error_estimate(estimate: &FieldError, by: &str) -> Extra {
     let FieldError { mass, center_of_mass, inertia } = *estimate;
     let [x, y, z] = [mass, center_of_mass, inertia].map(error);
-    let text = format!("mass {x} kg, centre of mass {y} m, inertia {z} of half its trace: {by}",);
+    let text = format!("mass {x} kg, centre of mass {y} m, inertia {z} of half its trace, {by}",);
     let json = json!({ "mass": mass, "center_of_mass": center_of_mass, "inertia": inertia });
     Extra { key: "error_estimate", json, text: labelled("error estimate", &text) }
 }

@@ -226,7 +226,7 @@ impl InertiaReport {
             .map_or([0.0, 0.0, 1.0], polhode::math::Vector::to_array);
         let axis = alike(&tidy(axis), 6).join(",\u{a0}");
         text.push_str(&heading(&format!(
-            "inertia about the centre of mass, along axes turned from the body's by {}° about ({axis}), in kg·m²",
+            "inertia about the centre of mass, along axes rotated from the body axes by {}° about ({axis}), in kg·m²",
             number(turn.angle().to_degrees(), 6),
         )));
         text.push_str(&tensor(self.properties.inertia().in_frame(turn.inverse()).matrix()));

@@ -62,8 +62,8 @@ impl MoleculeReport {
     pub fn to_text(&self) -> String {
         let atoms = if self.atoms == 1 { "1 atom".to_owned() } else { format!("{} atoms", self.atoms) };
         let masses = match self.isotopes {
-            "abundant" => "abundant: of the most abundant isotope, where the file names none",
-            "average" => "average: the standard atomic weight, where the file names no isotope",
+            "abundant" => "abundant: most abundant isotope, where the file names none",
+            "average" => "average: standard atomic weight, where the file names no isotope",
             other => other,
         };
         let mut text = labelled("formula", &format!("{}, {atoms}", printable(&self.formula)));
@@ -80,7 +80,7 @@ impl MoleculeReport {
         let (top, tolerance) = (constants.top(), number(constants.tolerance(), 2));
         let rule = match top {
             Top::Linear => {
-                format!("linear: i1 is less than {} of i3", number(constants.tolerance().powi(2), 2))
+                format!("linear: i1/i3 is less than {}", number(constants.tolerance().powi(2), 2))
             }
             Top::Spherical => format!("spherical: A, B and C are equal within {tolerance}"),
             Top::Prolate => format!("prolate: B and C are equal within {tolerance}"),

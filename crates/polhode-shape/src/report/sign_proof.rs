@@ -17,7 +17,7 @@ pub fn sign_proof(proof: &SignProof) -> Extra {
     let mut text = labelled("products given", &format!("{sign}, by {by}"));
     if negative.is_finite() && positive.is_finite() {
         let residuals = format!(
-            "off by {} as -∫xy dm, by {} as +∫xy dm, in units of the report's rounding",
+            "residual {} as -∫xy dm, {} as +∫xy dm (in units of the rounding error)",
             error(negative),
             error(positive)
         );

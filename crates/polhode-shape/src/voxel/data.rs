@@ -127,14 +127,14 @@ impl<'v> Stream<'v> {
         let present = before + self.block.len() as u64;
         read.map_err(|error| layout.broken(&error, present))?;
         if (self.block.len() as u64) < length {
-            return Err(layout.wrong_count(present, "the file is cut short"));
+            return Err(layout.wrong_count(present, "the file is truncated"));
         }
         (self.at, self.left) = (0, self.left - length);
         if self.left == 0 {
             // Read to the end, so that the checksum is verified.
             let more = self.input.read(&mut [0]).map_err(|error| layout.broken(&error, present))?;
             if more > 0 {
-                let hint = "the compressed data hold more bytes than the sizes say";
+                let hint = "the compressed data contain more bytes than the sizes state";
                 return Err(layout.wrong_count(present + 1, hint));
             }
             if let Source::File { files, path, before } = source {
@@ -161,10 +161,10 @@ impl Layout {
     fn broken(&self, error: &io::Error, present: u64) -> ContentError {
         match (error.kind(), self.compressed) {
             (ErrorKind::UnexpectedEof, Some(_)) => {
-                self.wrong_count(present, "the compressed data are cut short")
+                self.wrong_count(present, "the compressed data are truncated")
             }
             (_, Some(_)) => {
-                let (what, found) = ("data that gzip has compressed", error.to_string());
+                let (what, found) = ("data compressed by gzip", error.to_string());
                 ContentError::new(ContentErrorKind::expected(what, found), self.place())
                     .hint("the file is damaged: save it again, or with the encoding raw")
             }

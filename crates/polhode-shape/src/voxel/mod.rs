@@ -190,22 +190,20 @@ impl Voxels<'_> {
         let whole = ContentErrorKind::of_whole;
         let missing = |what: &str| whole(ContentErrorKind::missing(what));
         let twice = |what: &str, value: String| {
-            whole(ContentErrorKind::value(what, value, "left out, since the file says it itself"))
+            whole(ContentErrorKind::value(what, value, "absent, because the file states it"))
         };
         let Layout { placement: Placement { steps, origin, unit }, order, counts, .. } = &self.layout;
         if let (None, None, Some(given)) = (steps, origin, options.unit) {
-            let (what, rule) = ("the unit", "left out, since no length of the file is without one");
+            let (what, rule) = ("the unit", "absent, because every length in the file has a unit");
             let refused = whole(ContentErrorKind::value(what, given.to_string(), rule));
-            return Err(refused.hint("the spacing and the origin that are given have units of their own"));
+            return Err(refused.hint("the given spacing and origin have their own units"));
         }
         let unit = match (unit, options.unit) {
             (Some(_), Some(given)) => return Err(twice("the unit", given.to_string())),
             (unit, given) => unit.as_ref().map(|(_, metres)| *metres).or(given),
         };
         let needed = || {
-            unit.ok_or_else(|| {
-                missing("unit of length").hint("in which unit is the spacing of the voxels? give it")
-            })
+            unit.ok_or_else(|| missing("unit of length").hint("give the unit of the spacing of the voxels"))
         };
         let steps = match (steps, options.spacing) {
             (Some(_), Some(given)) => return Err(twice("the spacing", format!("{given:?}"))),
@@ -215,7 +213,7 @@ impl Voxels<'_> {
             }
             (None, Some([a, b, c])) => [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]],
             (None, None) => {
-                let hint = "how far is it from one voxel to the next, along each axis? give the spacing";
+                let hint = "give the spacing, the distance between adjacent voxels along each axis";
                 return Err(missing("spacing of its voxels").hint(hint));
             }
         };
@@ -324,11 +322,8 @@ fn require_length(declared: u64, present: Option<u64>, start: u64) -> Result<(),
     }
     let Some(present) = present.filter(|&present| present != declared) else { return Ok(()) };
     let kind = ContentErrorKind::count("bytes of voxels", declared, present);
-    let hint = if present < declared {
-        "the file is cut short"
-    } else {
-        "the file has bytes that belong to no voxel"
-    };
+    let hint =
+        if present < declared { "the file is truncated" } else { "the file has bytes after the last voxel" };
     let place = ContentPlace::Byte { offset: start, what: "the first voxel".to_owned() };
     Err(ContentError::new(kind, place).hint(hint))
 }

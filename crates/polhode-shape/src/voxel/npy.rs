@@ -49,7 +49,7 @@ pub(crate) fn read(bytes: &[u8], file_length: u64) -> Result<Layout, ContentErro
 fn cut(what: &str, length: usize) -> ContentError {
     let kind = ContentErrorKind::expected(what, "");
     let place = ContentPlace::Byte { offset: length as u64, what: String::new() };
-    ContentError::new(kind, place).hint("the file is cut short")
+    ContentError::new(kind, place).hint("the file is truncated")
 }
 
 struct Header {

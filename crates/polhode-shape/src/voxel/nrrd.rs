@@ -89,7 +89,9 @@ impl<'a> Header<'a> {
             let Some(length) = rest.iter().position(|&b| b == b'\n') else {
                 return Err(ContentErrorKind::expected("an empty line at the end of the header", "")
                     .at(bytes.len()..bytes.len())
-                    .hint("the file is cut short, or its data are in another file, which is not read"));
+                    .hint(
+                        "the file is truncated, or its data are in another file; only attached data are read",
+                    ));
             };
             let line = rest[..length].strip_suffix(b"\r").unwrap_or(&rest[..length]);
             let start = at;
@@ -118,7 +120,7 @@ impl<'a> Header<'a> {
         match found.next() {
             None => Ok(first),
             Some(again) => {
-                let rule = "there once";
+                let rule = "given once";
                 let (what, value) = (format!("the field {}", again.name), again.value.to_owned());
                 Err(again.error(ContentErrorKind::value(what, value, rule)))
             }
@@ -143,9 +145,11 @@ impl<'a> Header<'a> {
         let unit = field.value.trim_matches('"').trim();
         match unit::factor(unit, Dimension::DENSITY) {
             Ok(factor) if factor != 1.0 && !unit.is_empty() => {
-                let error =
-                    field.unsupported(&format!("values in {unit}: they are kg/m³, or times --per-value"));
-                Err(error.hint(format!("take the field out, and say what a value is worth: {factor} kg/m³")))
+                let error = field.unsupported(&format!(
+                    "values in {unit}: values must be densities in kg/m³, or need --per-value"
+                ));
+                Err(error
+                    .hint(format!("delete the field, and give the density for a value of 1: {factor} kg/m³")))
             }
             _ => Ok(()),
         }
@@ -190,7 +194,7 @@ impl<'a> Header<'a> {
     fn big_endian(&self, scalar: Scalar) -> Result<bool, ContentError> {
         match self.find(&["endian"])? {
             _ if scalar.size() == 1 => Ok(false),
-            None => Err(missing("field endian").hint("are the numbers little or big endian? add the line")),
+            None => Err(missing("field endian").hint("add the line: endian: little, or endian: big")),
             Some(field) if field.value.eq_ignore_ascii_case("little") => Ok(false),
             Some(field) if field.value.eq_ignore_ascii_case("big") => Ok(true),
             Some(field) => Err(field.expected("little or big")),
@@ -201,7 +205,7 @@ impl<'a> Header<'a> {
     fn encoding(&self) -> Result<Encoding, ContentError> {
         if let Some(field) = self.find(&["data file", "datafile"])? {
             let error = field.unsupported("data in another file than the header");
-            return Err(error.hint("save the grid as one .nrrd file"));
+            return Err(error.hint("save the grid as a single .nrrd file"));
         }
         let field = self.need("encoding")?;
         match field.value.to_ascii_lowercase().as_str() {
@@ -221,7 +225,7 @@ impl<'a> Header<'a> {
             for _ in 0..lines {
                 let end = bytes.get(at..).and_then(|rest| rest.iter().position(|&b| b == b'\n'));
                 at +=
-                    1 + end.ok_or_else(|| field.expected("no more lines than there are at the beginning"))?;
+                    1 + end.ok_or_else(|| field.expected("at most the number of lines at the beginning"))?;
             }
         }
         Ok(at as u64)
@@ -245,7 +249,9 @@ impl<'a> Header<'a> {
             Some(skip) => from.checked_add(skip),
             None => length.checked_sub(declared).filter(|&start| start >= from),
         };
-        start.filter(|&start| start <= length).ok_or_else(|| field.expected("no more bytes than there are"))
+        start
+            .filter(|&start| start <= length)
+            .ok_or_else(|| field.expected("at most the number of bytes in the file"))
     }
 
     /// Returns the number of bytes to skip after decompression.
@@ -255,7 +261,7 @@ impl<'a> Header<'a> {
             Some((_, Some(skip))) => Ok(skip),
             Some((field, None)) => Err(field
                 .unsupported("a byte skip of -1 in compressed data")
-                .hint("write how many bytes, after decompression, are to be skipped")),
+                .hint("write the number of bytes to skip after decompression")),
         }
     }
 
@@ -263,12 +269,12 @@ impl<'a> Header<'a> {
         let directions = self.find(&["space directions"])?;
         let spacings = self.find(&["spacings"])?;
         if let (Some(_), Some(field)) = (directions, spacings) {
-            return Err(field.unsupported("spacings beside space directions, which say the same"));
+            return Err(field.unsupported("spacings together with space directions, which state the same"));
         }
         let (steps, units) = match (directions, spacings) {
             (Some(field), _) => {
                 if field.value.contains("none") {
-                    return Err(field.unsupported("an axis that is none of space"));
+                    return Err(field.unsupported("an axis that is not a spatial axis"));
                 }
                 let vectors: Vec<_> = field.value.split_inclusive(')').map(vector).collect();
                 let steps = <[_; 3]>::try_from(vectors).ok().and_then(all);

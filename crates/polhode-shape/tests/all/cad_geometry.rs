@@ -374,7 +374,7 @@ fn a_volume_that_is_too_large_for_the_tensor_is_refused() {
         assert!(freecad(volume, moment).is_ok() && freecad(volume, 3.0 * moment).is_ok());
         let error = freecad(volume, 0.999 * moment).unwrap_err();
         assert!(
-            error.to_string().contains("of all shapes of one volume the ball has the least moments"),
+            error.to_string().contains("for a given volume the ball has the smallest moments"),
             "{error}"
         );
         assert!(freecad(10.0 * volume, moment).is_err());

@@ -303,7 +303,7 @@ fn what_is_wrong_is_refused_where_it_stands() {
             &text,
             "<scene>",
             "<library_visual_scenes><visual_scene id='other'/></library_visual_scenes><extra>",
-            "no <scene>, which says which visual scene is shown",
+            "no <scene>, which selects the visual scene",
             "<visual_scene id='other'",
         ),
         (
@@ -343,44 +343,50 @@ fn what_is_wrong_is_refused_where_it_stands() {
             &text,
             "name='inch' meter='0.0254'",
             "name='Millimeter' meter='1'",
-            "0.001, as the name says",
+            "0.001, as its name implies",
             "1'/><up_axis>",
         ),
-        (&text, "name='inch' meter='0.0254'", "name='meter' meter='0.01'", "1, as the name says", "0.01"),
-        (&text, "name='inch' meter='0.0254'", "name='yard' meter='0.5'", "0.9144, as the name says", "0.5"),
+        (&text, "name='inch' meter='0.0254'", "name='meter' meter='0.01'", "1, as its name implies", "0.01"),
+        (
+            &text,
+            "name='inch' meter='0.0254'",
+            "name='yard' meter='0.5'",
+            "0.9144, as its name implies",
+            "0.5",
+        ),
         (
             &text,
             "name='inch' meter='0.0254'",
             "name='MM' meter='1'",
-            "0.001, as the name says",
+            "0.001, as its name implies",
             "1'/><up_axis>",
         ),
         (
             &text,
             "name='inch' meter='0.0254'",
             "name='1mm' meter='1'",
-            "0.001, as the name says",
+            "0.001, as its name implies",
             "1'/><up_axis>",
         ),
         (
             &text,
             "name='inch' meter='0.0254'",
             "name='mile' meter='1'",
-            "1609.344, as the name says",
+            "1609.344, as its name implies",
             "1'/><up_axis>",
         ),
         (
             &text,
             "name='inch' meter='0.0254'",
             "name='micrometer' meter='1'",
-            "0.000001, as the name says",
+            "0.000001, as its name implies",
             "1'/><up_axis>",
         ),
         (
             &text,
             "name='inch' meter='0.0254'",
             "name='inch' meter='0.0256'",
-            "0.0254, as the name says",
+            "0.0254, as its name implies",
             "0.0256",
         ),
         (&text, "Z_UP", "UP", "X_UP, Y_UP or Z_UP", "UP"),
@@ -407,7 +413,7 @@ fn what_is_wrong_is_refused_where_it_stands() {
             &text,
             "url='#g'/>",
             "url='#g'/><translate>1 2 3</translate>",
-            "after what it would place",
+            "after the geometry that it would place",
             "<translate",
         ),
         (
@@ -490,7 +496,7 @@ fn a_few_bytes_do_not_fill_the_memory() {
     };
     let root = "<node><instance_node url='#n0'/></node>";
     let circle = library("<node id='n0'><node><instance_node url='#n0'/></node></node>", root);
-    assert!(refused(&circle).kind.to_string().contains("the node = n0 must be no part of itself"));
+    assert!(refused(&circle).kind.to_string().contains("the node = n0 must be acyclic: it contains itself"));
     // Each node contains the next one ten times.
     let deep = |last: &str| -> String {
         let node = |k: usize| {

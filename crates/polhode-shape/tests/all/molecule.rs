@@ -157,7 +157,7 @@ fn an_xyz_file_may_be_extended_numbered_labelled_or_in_bohr() {
     );
     let frames = read("1\na\nHe 0 0 0\n2\nb\nHe 0 0 0\nHe 0 0 1\n\n1\nc\nHe 0 0 9\n\n");
     assert_eq!((frames.atoms.len(), frames.name.as_str()), (1, "a"));
-    assert_eq!(frames.findings[0].message, "the file has 3 frames; the first one is read");
+    assert_eq!(frames.findings[0].message, "the file has 3 frames; only the first one is read");
     assert_eq!(frames.rotational_constants(Isotopes::Abundant).unwrap(), None);
 }
 
@@ -181,8 +181,8 @@ fn isotopes_are_read_from_every_connection_table() {
     let index = v2000(atoms, "M  ISO  1   4  13\n").unwrap_err();
     assert_eq!(index.kind.to_string(), "atom 4 does not exist: there are 3");
     let unknown = v2000(atoms, "M  ISO  1   1  99\n").unwrap_err();
-    assert_eq!(unknown.kind.to_string(), "the isotope = 99 must be one whose mass is known");
-    assert_eq!(unknown.hint.unwrap(), "these are: 14O, 15O, 16O, 17O, 18O");
+    assert_eq!(unknown.kind.to_string(), "the isotope = 99 must be one with a known mass");
+    assert_eq!(unknown.hint.unwrap(), "known isotopes: 14O, 15O, 16O, 17O, 18O");
     // The rounded atomic weight of bromine is 80, its most abundant isotope 79.
     let hbr = mol::read(
         b"\n\n\n  1  0  0     0  0            999 V2000\n    0.0000    0.0000    0.0000 Br  1  0\nM  END\n",
@@ -255,7 +255,7 @@ fn a_pdb_file_has_columns_locations_and_models() {
     );
     let codes: Vec<_> = molecule.findings.iter().map(|f| f.code).collect();
     assert_eq!(codes, ["molecule.models", "molecule.alternate_locations", "molecule.elements_deduced"]);
-    assert_eq!(molecule.findings[2].message, "the element of 4 atoms was deduced from the atom's name");
+    assert_eq!(molecule.findings[2].message, "the element of 4 atoms was inferred from the atom name");
     assert_eq!(molecule.step_m, 1e-3 * ANGSTROM);
     let bare = line("ATOM", "1", " CA", ' ', "ALA", "A   1 ", &at(1.0, 1.0, " C"));
     assert_eq!(pdb::read(bare.as_bytes()).unwrap().findings[0].code, "molecule.no_hydrogen");
@@ -277,7 +277,7 @@ fn formulas_are_in_hills_order_and_masses_are_a_choice() {
     let technetium = read("Tc O 99Tc");
     let findings = technetium.findings_with(Isotopes::Average);
     assert_eq!(findings.len(), 1);
-    assert!(findings[0].message.starts_with("Tc has no standard atomic weight: the mass is that of 97Tc"));
+    assert!(findings[0].message.starts_with("Tc has no standard atomic weight: the mass of 97Tc is used"));
 }
 
 #[test]
@@ -318,8 +318,8 @@ fn malformed_xyz_files_say_where() {
         ("", "f: the file has no atoms", ""),
         ("0\n\n", "f: the file has no atoms with a mass", ""),
         ("C 0 0 0\n", "f:1:1: expected the number of atoms, found \"C\"", "line 1 is the number of atoms"),
-        ("2\n\nC 0 0 0\n", "f:1:1: 2 atoms are declared, and 1 are there", "cut short"),
-        ("99999999999\n\nC 0 0 0\n", "f:1:1: 99999999999 atoms are declared, and 1 are there", "cut short"),
+        ("2\n\nC 0 0 0\n", "f:1:1: 2 atoms are declared, and 1 are there", "truncated"),
+        ("99999999999\n\nC 0 0 0\n", "f:1:1: 99999999999 atoms are declared, and 1 are there", "truncated"),
         (
             "1\n\nC 0 0 0\nO 0 0 1\nO 0 0 2\n",
             "f:1:1: 1 atoms are declared, and 3 are there",
@@ -327,20 +327,12 @@ fn malformed_xyz_files_say_where() {
         ),
         ("1\n\n8 0 0 0\n8 0 0 1\n", "f:1:1: 1 atoms are declared, and 2 are there", "correct the number"),
         ("1\n\nC 0 0 0\nbonds\n", "f:4:1: expected the number of atoms of another frame", ""),
-        (
-            "1\n\nC 0 0,5 0\n",
-            "f:3:5: expected the coordinate y, found \"0,5\"",
-            "the decimal sign is a point",
-        ),
+        ("1\n\nC 0 0,5 0\n", "f:3:5: expected the coordinate y, found \"0,5\"", "use a decimal point"),
         ("1\n\nC 0 nan 0\n", "f:3:5: the coordinate y nan is not finite", ""),
         ("1\n\nC 0 1e999 0\n", "f:3:5: the coordinate y 1e999 is not finite", ""),
-        ("1\n\nC 0 ******* 0\n", "f:3:5: expected the coordinate y, found \"*******\"", "no room"),
+        ("1\n\nC 0 ******* 0\n", "f:3:5: expected the coordinate y, found \"*******\"", "did not fit"),
         ("1\n\nQq 0 0 0\n", "f:3:1: the element = Qq must be a chemical symbol", "13C"),
-        (
-            "1\n\n25C 0 0 0\n",
-            "f:3:1: the isotope = 25C must be one whose mass is known",
-            "11C, 12C, 13C, 14C",
-        ),
+        ("1\n\n25C 0 0 0\n", "f:3:1: the isotope = 25C must be one with a known mass", "11C, 12C, 13C, 14C"),
         ("1\n\n119 0 0 0\n", "f:3:1: the atomic number = 119 must be from 1 to 118", ""),
         ("1\n\n1 O 0 0 0 5\n", "f:3:3: expected the coordinate x, found \"O\"", "Tinker"),
         ("1\n\nX 0 0 0\n", "f: the file has no atoms with a mass", ""),
@@ -367,7 +359,7 @@ fn malformed_tables_and_columns_say_where() {
         (
             "water".to_owned(),
             "f:1:6: expected the line of the program, found the end of the file",
-            "cut short",
+            "truncated",
         ),
         (format!("{head}O 0 0 0\n"), "f:4:1: expected the number of atoms, found \"O 0\"", "line 4"),
         (one.replace("V2000", "V4000"), "f:4:35: expected V2000 or V3000 in columns 35 to 39", "line 4"),
@@ -377,7 +369,7 @@ fn malformed_tables_and_columns_say_where() {
             "cut",
         ),
         (one.clone() + &shifted, "f:5:", "columns 1 to 10"),
-        (one.clone() + atom, "f:6:1: expected M  END, found the end of the file", "cut short"),
+        (one.clone() + atom, "f:6:1: expected M  END, found the end of the file", "truncated"),
         (one.clone() + atom + "$$$$\n", "f:6:1: expected M  END, found \"$$$$\"", ""),
         (one.clone() + &atom.replace('O', "R#") + "M  END\n", "f:5:32: the element = R# must be", "13C"),
         (
@@ -388,7 +380,7 @@ fn malformed_tables_and_columns_say_where() {
         (
             counts("  1  1  0     0  0            999") + atom + atom + "  1  2  1\nM  END\n",
             "f:6:5: expected a bond",
-            "one more atom",
+            "one atom more",
         ),
         (one.clone() + atom + "M  ISO999   1  13\nM  END\n", "f:6:", ""),
         ("<?xml version=\"1.0\"?>\n<sdf/>\n".to_owned(), "f:1:1: polhode does not read XML", ""),
@@ -397,7 +389,7 @@ fn malformed_tables_and_columns_say_where() {
         (
             v3000_text(&[("C", [0.0; 3])]).replace("COUNTS 1", "COUNTS 4000000000"),
             "f:6:15: 4000000000 atoms are declared, and 1 are there",
-            "cut short",
+            "truncated",
         ),
         (v3000_text(&[("C", [0.0; 3])]).replace("CHG=0", "MASS=12.5"), "f:9:30: the isotope = 12.5", "11C"),
         (v3000_text(&[("[C,N]", [0.0; 3])]), "f:8:10: the element = [C,N]", ""),
@@ -467,7 +459,7 @@ fn no_bytes_make_a_reader_panic() {
 fn what_would_change_the_mass_is_not_passed_over() {
     let masses = "1\nProperties=species:S:1:pos:R:3:masses:R:1\nC 0 0 0 13.0\n";
     let (error, hint) = refused(MoleculeFormat::Xyz, masses);
-    assert!(error.contains("the masses of single atoms") && hint.contains("13C"), "{error}");
+    assert!(error.contains("masses of individual atoms") && hint.contains("13C"), "{error}");
 
     // Ethanol as drawn by programs, without and with its hydrogen atoms.
     let atoms: [Place; 3] = [("C", [0.0, 0.1, 0.2]), ("C", [1.5, 0.0, 0.1]), ("O", [2.0, 1.3, -0.1])];

@@ -119,7 +119,7 @@ fn lines_and_points_are_counted() {
     let contents = text(&format!("{PRISM}l 1 2 3\np 1\nl 2 \\\n 4\n")).unwrap();
     let [finding] = contents.findings.as_slice() else { panic!("{:?}", contents.findings) };
     assert_eq!(finding.code, "mesh.not_a_surface");
-    assert_eq!(finding.message, "2 lines and 1 points bound no solid and were left out");
+    assert_eq!(finding.message, "lines (2) and points (1) enclose no volume and were ignored");
 }
 
 #[test]
@@ -192,8 +192,8 @@ fn every_mistake_has_a_place_and_words() {
         assert_eq!(error(&format!("v 1 {written} 3\nf 1 1 1")).0, kind);
     }
     let hint = |text: &str| read(text.as_bytes()).unwrap_err().hint.unwrap();
-    assert_eq!(hint("v 1,5 2 3"), "the decimal sign is a point");
-    assert_eq!(hint("v 1 2 3\nf 1 2 3"), "a face comes behind its vertices");
+    assert_eq!(hint("v 1,5 2 3"), "use a decimal point");
+    assert_eq!(hint("v 1 2 3\nf 1 2 3"), "a face must come after its vertices");
 }
 
 #[test]

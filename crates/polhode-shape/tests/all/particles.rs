@@ -300,10 +300,10 @@ fn parts_of_one_name_count_each_unless_they_are_at_one_place() {
     let file = plain(bolts).unwrap();
     assert_eq!(file.mass_properties().unwrap().mass(), 6.0);
     assert_eq!(file.findings[0].code, "particles.repeated-names");
-    assert!(file.findings[0].message.starts_with("\"bolt\" stands in 2 lines"), "{:?}", file.findings);
+    assert!(file.findings[0].message.starts_with("\"bolt\" is on 2 lines"), "{:?}", file.findings);
     let twice = format!("{bolts}bolt,3,2,3,-0\n");
     let (kind, marked, _) = refused(&twice, &ParticleOptions::default());
-    assert!(marked == "bolt" && kind.to_string().contains("same place"), "{kind}");
+    assert!(marked == "bolt" && kind.to_string().contains("same position"), "{kind}");
 }
 
 #[test]

@@ -220,7 +220,7 @@ fn elements_come_in_any_order_and_most_are_passed_over() {
         let strips = [[0, 1, 2], [2, 1, 3], [4, 2, 1]];
         assert_eq!(mesh.triangles(), [faces, strips].concat());
         assert_eq!(contents.findings[0].code, "mesh.not_a_surface");
-        assert_eq!(contents.findings[0].message, "1 edges bound no solid and were left out");
+        assert_eq!(contents.findings[0].message, "edges (1) enclose no volume and were ignored");
     }
 }
 
@@ -237,9 +237,9 @@ fn headers_are_checked() {
             "text",
         ),
         ("ascii 1.0", "ascii 2.0", expected("the version 1.0", "2.0"), "2.0"),
-        ("vertex 6", "vertex six", expected("how many there are of the element", "six"), "six"),
-        ("vertex 6", "vertex -6", expected("how many there are of the element", "-6"), "-6"),
-        ("vertex 6", "vertex", expected("how many there are of the element", ""), ""),
+        ("vertex 6", "vertex six", expected("the count of the element", "six"), "six"),
+        ("vertex 6", "vertex -6", expected("the count of the element", "-6"), "-6"),
+        ("vertex 6", "vertex", expected("the count of the element", ""), ""),
         (
             "float x",
             "real x",
@@ -330,7 +330,7 @@ fn counts_are_not_believed() {
     let (what, value, rule) = ("the number of a face's corners".into(), "2".into(), "3 or more".into());
     assert_eq!(error(&text), (Kind::Value { what, value, rule }, "2"));
     let text = ASCII.replace("face 5", "face 4");
-    assert_eq!(error(&text), (count("bytes behind the last element", 0, 9), "4"));
+    assert_eq!(error(&text), (count("bytes after the last element", 0, 9), "4"));
 
     for is_big in [false, true] {
         let mut bytes = binary(is_big, "uint", "uint");
@@ -345,7 +345,7 @@ fn counts_are_not_believed() {
     }
     let mut bytes = binary(false, "uchar", "int");
     bytes.extend([1, 2, 3]);
-    assert_eq!(read(&bytes).unwrap_err().kind, count("bytes behind the last element", 0, 3));
+    assert_eq!(read(&bytes).unwrap_err().kind, count("bytes after the last element", 0, 3));
     // An unused list of 2^31 − 1 doubles.
     let header = "ply\nformat FORMAT 1.0\nelement vertex 9\nproperty double x\nproperty double y\n\
                   property list int double w\nproperty double z\nend_header\n";

@@ -52,7 +52,7 @@ fn a_column_that_counts_the_points_is_no_coordinate() {
         for more in ["", ",9,9"] {
             let error = refused(&numbered(4, more));
             assert!(
-                error.to_string().contains("is the first column a number of the point, or x?"),
+                error.to_string().contains("is the first column the index of the point, or x?"),
                 "{error}"
             );
         }

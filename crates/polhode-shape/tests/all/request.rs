@@ -71,9 +71,9 @@ fn bodies_of_every_kind_fit_the_schema() {
 fn what_another_crate_reads_is_refused() {
     let bodies = answer(json!({ "files": ["a.toml"] })).unwrap();
     let failure = bodies.files[0].reports.as_ref().unwrap_err();
-    assert_eq!(failure.message(), "a.toml is a scenario, which is not read here");
+    assert_eq!(failure.message(), "a.toml is a scenario, which cannot be read here");
     let several = answer(json!({ "files": ["two.obj", "two.obj"], "write-mesh": "a.stl" }));
-    assert!(several.unwrap_err().message().starts_with("--write-mesh is for one mesh"));
+    assert!(several.unwrap_err().message().starts_with("--write-mesh writes one mesh"));
 }
 
 #[test]

@@ -112,13 +112,13 @@ fn a_binary_count_must_fit_the_bytes() {
     for (length, present, left) in [(84, 0, 0), (133, 0, 49), (184, 2, 0), (233, 2, 49)] {
         let error = read(&whole[..length]).unwrap_err();
         assert_eq!(error, StlError::WrongCount { declared: 3, length });
-        let told = format!("declares 3 triangles, but {present} whole ones and {left} bytes follow");
+        let told = format!("declares 3 triangles, but {present} complete ones and {left} bytes follow");
         assert!(error.to_string().contains(&told), "{error}");
-        assert!(error.hint().unwrap().contains("cut short"));
+        assert!(error.hint().unwrap().contains("truncated"));
     }
     let error = read(&[&whole[..], b"x"].concat()).unwrap_err();
     assert_eq!(error, StlError::WrongCount { declared: 3, length: 235 });
-    assert!(error.hint().unwrap().contains("belong to no triangle"));
+    assert!(error.hint().unwrap().contains("after the last triangle"));
 
     let mut huge = whole.clone();
     huge[80..84].fill(0xff);
@@ -167,7 +167,7 @@ fn a_syntax_error_tells_its_place() {
     assert!(hint("1.75", "1,75").contains("point"));
     assert!(hint("endloop", "VERTEX 1 2 3").contains("triangulate"));
     let cut = &TEXT[..TEXT.find(" -3.25").unwrap()];
-    assert!(read_text(cut).unwrap_err().hint().unwrap().contains("cut short"));
+    assert!(read_text(cut).unwrap_err().hint().unwrap().contains("truncated"));
     assert_eq!(
         read_text(&TEXT.replacen("outer", "other", 1)).unwrap_err().to_string(),
         "line 3, column 5: expected outer, found \"other\""

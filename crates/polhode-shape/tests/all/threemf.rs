@@ -205,7 +205,10 @@ fn objects_in_other_files_of_the_package() {
         "",
     );
     let error = read(&package(&[entries[0], entries[1], (entries[2].0, &back)])).unwrap_err().to_string();
-    assert_eq!(error, "3D/Objects/stone.model, line 5: the component = object 3 must be no part of itself");
+    assert_eq!(
+        error,
+        "3D/Objects/stone.model, line 5: the component = object 3 must be acyclic: it contains itself"
+    );
     assert_eq!(
         read(&package(&entries[..1])).unwrap_err().to_string(),
         "the file has no part Main/root.model"
@@ -224,7 +227,7 @@ fn what_is_no_solid_is_left_out() {
         (contents.findings[0].code, contents.findings[0].severity),
         ("mesh.not_a_solid", Severity::Info)
     );
-    assert!(contents.findings[0].message.starts_with("3 objects are no part of the solid"));
+    assert!(contents.findings[0].message.starts_with("3 objects are not part of the solid"));
     let error = read_model(&model("", &object(1, "other"), "<item objectid=\"1\"/>")).unwrap_err();
     assert_eq!(error.to_string(), "the file has no triangles in its build");
 }
@@ -245,7 +248,7 @@ fn a_model_that_contradicts_itself() {
         (
             "</resources>",
             "<object id=\"3\"/></resources>",
-            "25: id = 3 must be unique: the object of line 5 has it too",
+            "25: id = 3 must be unique: the object on line 5 has the same id",
         ),
         ("id=\"3\" name", "name", "5: the file has no id of the object"),
         ("v3=\"3\"", "v3=\"6\"", "17: vertex 6 does not exist: there are 6"),

@@ -173,13 +173,13 @@ fn compressed_nrrd_is_the_same_body() {
     for length in 0..compressed.len() {
         let error = refused(&nrrd(&fields, &compressed[..length]));
         let ContentErrorKind::Count { declared: 24, present, .. } = error.kind else { panic!("{error}") };
-        assert!(present <= 24 && error.hint.unwrap().contains("cut short"));
+        assert!(present <= 24 && error.hint.unwrap().contains("truncated"));
     }
     // A wrong checksum, and too few or too many numbers.
     let mut damaged = compressed.clone();
     let at = damaged.len() - 6;
     damaged[at] ^= 1;
-    assert!(refused(&nrrd(&fields, &damaged)).to_string().contains("data that gzip has compressed"));
+    assert!(refused(&nrrd(&fields, &damaged)).to_string().contains("data compressed by gzip"));
     let few = refused(&nrrd(&fields, &gzip(&numbers(true)[1..]))).kind;
     assert!(matches!(few, ContentErrorKind::Count { declared: 24, present: 23, .. }), "{few:?}");
     let many = refused(&nrrd(&fields, &gzip(&[0; 10_000_000]))).kind; // stops at the first excess
@@ -331,22 +331,22 @@ fn every_wrong_nrrd_header_is_named_in_its_line() {
         ("2 3 4", "4294967296 4294967296 4294967296", "must be addressable"),
         ("2 3 4", "2 3 400000000000", "2400000000000 bytes of voxels are declared"),
         ("encoding: raw", "encoding: bzip2", "the encoding bzip2"),
-        ("encoding: raw", "encoding: gzip", "data that gzip has compressed"),
+        ("encoding: raw", "encoding: gzip", "data compressed by gzip"),
         ("encoding: raw", "encoding: gz\nbyte skip: -1", "a byte skip of -1 in compressed data"),
-        ("2 3 4\nencoding: raw", "2 3 400000000000\nencoding: gzip", "data that gzip has compressed"),
+        ("2 3 4\nencoding: raw", "2 3 400000000000\nencoding: gzip", "data compressed by gzip"),
         ("encoding: raw\n", "", "has no field encoding"),
         ("encoding: raw", "encoding: raw\ndata file: ../../secret.raw", "data in another file"),
         ("encoding: raw", "encoding: raw\ndatafile: LIST", "data in another file"),
-        ("encoding: raw", "encoding: raw\nbyte skip: 25", "no more bytes"),
-        ("encoding: raw", "encoding: raw\nline skip: 1000000", "no more lines"),
+        ("encoding: raw", "encoding: raw\nbyte skip: 25", "at most the number of bytes"),
+        ("encoding: raw", "encoding: raw\nline skip: 1000000", "at most the number of lines"),
         ("encoding: raw", "encoding: raw\nbyte skip: -2", "a whole number, or -1"),
         ("encoding: raw", "encoding: raw\nencoding: raw", "must be there once"),
         ("encoding: raw", "encoding: raw\naxis mins: 1 2 3", "the field axis mins"),
         ("encoding: raw", "encoding: raw\nkinds: domain domain 3-color", "an axis of the kind 3-color"),
         ("encoding: raw", "encoding: raw\nsample units: \"g/cm^3\"", "values in g/cm^3"),
-        ("encoding: raw", "encoding: raw\nspacings: 1 2 3", "spacings beside space directions"),
+        ("encoding: raw", "encoding: raw\nspacings: 1 2 3", "spacings together with space directions"),
         ("encoding: raw", "encoding: raw\nnonsense", "field: value, or an empty line"),
-        ("(2,0,0) (0", "none (0", "an axis that is none of space"),
+        ("(2,0,0) (0", "none (0", "an axis that is not a spatial axis"),
         ("(2,0,0) (0", "(2,0) (0", "three vectors"),
         ("(2,0,0) (0", "(2,0,nan) (0", "three vectors"),
         ("(1,-2,0.5)", "(1,-2)", "a vector"),

@@ -127,7 +127,7 @@ fn a_mesh_in_metres_that_nobody_gave_is_asked_beside_the_other_parts() {
     let found = asked("plate.obj", "");
     assert_eq!(found.len(), 1);
     let (message, place) = &found[0];
-    assert!(message.contains("some 120 m long, its mass is 64500 t"), "{message}");
+    assert!(message.contains("about 120 m long, its mass is 64500 t"), "{message}");
     assert!(message.contains("unit = \"mm\""), "{message}");
     assert_eq!(place.as_deref(), Some("part \"it\""));
     for declared in ["mm", "m", "in"] {

@@ -10,7 +10,7 @@ use super::super::units;
 use super::{Measures, Number, Once, bad, exactly, shortest};
 
 const HINT: &str =
-    "paste what FreeCAD's console shows of Shape.Volume, Shape.CenterOfMass and Shape.MatrixOfInertia";
+    "paste the output of the FreeCAD console for Shape.Volume, Shape.CenterOfMass and Shape.MatrixOfInertia";
 
 /// FreeCAD's internal unit, the millimetre, independent of the display unit, m.
 const MILLIMETRE: f64 = 1e-3;
@@ -133,10 +133,9 @@ impl Found {
         if let Some(mass) = self.mass.0
             && (mass.value - volume.value).abs() > 1e-6 * volume.value.abs()
         {
-            let rule =
-                "that of density 1, the volume: FreeCAD's matrix of inertia is of density 1".to_owned();
+            let rule = "equal to the volume: FreeCAD's matrix of inertia is for density 1".to_owned();
             let error = bad("the mass", text[mass.span.clone()].to_owned(), rule, mass.span);
-            return Err(error.hint("leave the line out, and give --mass or --density"));
+            return Err(error.hint("delete the line, and give --mass or --density"));
         }
         Ok(Measures {
             volume,
@@ -154,7 +153,8 @@ fn upper(text: &str, all: &[Number; 16]) -> Result<[Number; 9], ContentError> {
     for (k, number) in all.iter().enumerate().filter(|(k, _)| k % 4 == 3 || k / 4 == 3) {
         let unit = if k == 15 { 1.0 } else { 0.0 };
         if number.value != unit {
-            let rule = format!("{unit}: the fourth row and column of a matrix of inertia are those of 1");
+            let rule =
+                format!("{unit}: the fourth row and column of a matrix of inertia are those of the identity");
             let value = text[number.span.clone()].to_owned();
             return Err(bad("the element of the matrix", value, rule, number.span.clone()));
         }

@@ -49,9 +49,11 @@ pub(crate) fn read(text: &str) -> Result<Measures, ContentError> {
         start += line.len();
         let lower = words(line);
         if lower.starts_with("mesh is not 'watertight'") {
-            let rule = "closed: MeshLab has no volume and no tensor of it".to_owned();
+            let rule = "closed: MeshLab computes no volume and no tensor of an open mesh".to_owned();
             let error = bad("the mesh", "not 'watertight'".to_owned(), rule, place);
-            return Err(error.hint("polhode inertia MESH names its open edges; --fill closes holes, --hull takes the convex hull"));
+            return Err(error.hint(
+                "polhode inertia MESH lists its open edges; --fill closes holes, --hull uses the convex hull",
+            ));
         }
         if inner.starts_with('|') {
             rows = row(text, place, rows, &mut tensor, &mut moments)?;

@@ -79,7 +79,7 @@ impl FromStr for PartSubstance {
         let substance = density()
             .or_else(|_: String| mass())
             .or_else(|_: String| material())
-            .map_err(|_: String| format!("{what:?} is no density, mass or material: expected {form}"))?;
+            .map_err(|_: String| format!("{what:?} is not a density, mass or material: expected {form}"))?;
         // A number without a unit is ambiguous.
         if what.trim().parse::<f64>().is_ok() {
             return Err(format!("{what:?} has no unit: it could be a density or a mass"));

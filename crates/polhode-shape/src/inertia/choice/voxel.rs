@@ -47,7 +47,7 @@ impl FromStr for Spacing {
         let steps = match list(text, Dimension::LENGTH)?.as_slice() {
             [all] => [*all; 3],
             [a, b, c] => [*a, *b, *c],
-            other => return Err(format!("one length or three belong here, not {}", other.len())),
+            other => return Err(format!("expected one length or three, not {}", other.len())),
         };
         steps.into_iter().try_for_each(|step| positive(step).map(|_| ()))?;
         Ok(Self(steps))

@@ -80,7 +80,7 @@ pub(crate) fn meter(asset: Element<'_>) -> Result<Option<f64>, ContentError> {
                 Some(metres) if (meter / metres - 1.0).abs() > EQUAL => {
                     let name = name.unwrap_or_default();
                     let what = format!("meter of the unit {name:?}");
-                    let rule = format!("{metres}, as the name says");
+                    let rule = format!("{metres}, as its name implies");
                     let kind = ContentErrorKind::value(what, written.value.to_owned(), rule);
                     let hint =
                         format!("write meter=\"{metres}\", or name the unit whose length is {meter} m");

@@ -135,10 +135,9 @@ fn remarks(unit: Option<f64>, up: Option<UpAxis>) -> Vec<Finding> {
         Some(UpAxis::Y) => Some("y"),
         Some(UpAxis::Z) | None => None,
     };
-    let turned =
-        axis.map(|axis| format!("in the file {axis} is up; its axes are kept, and nothing was turned"));
+    let turned = axis.map(|axis| format!("the file has {axis} up; its axes are kept, without a rotation"));
     let turned = turned.map(|message| info("mesh.up_axis", &message));
-    let metres = "the file says no unit of length, which is the metre in COLLADA then";
+    let metres = "the file states no unit of length; the COLLADA default is the metre";
     let metres = unit.is_none().then(|| info("mesh.unit_default", metres));
     turned.into_iter().chain(metres).collect()
 }
@@ -185,7 +184,7 @@ impl<'a> Reader<'a> {
         match (scenes.next(), scenes.next()) {
             (Some(scene), None) => Ok(scene),
             (None, _) => Err(missing("visual_scene", root)),
-            (Some(_), Some(other)) => Err(missing("<scene>, which says which visual scene is shown", other)),
+            (Some(_), Some(other)) => Err(missing("<scene>, which selects the visual scene", other)),
         }
     }
 
@@ -203,7 +202,7 @@ impl<'a> Reader<'a> {
                     let number = node.span().start;
                     if !above.insert(number) {
                         let (what, value) = ("the node", node.word("id").unwrap_or("").to_owned());
-                        let kind = ContentErrorKind::value(what, value, "no part of itself");
+                        let kind = ContentErrorKind::value(what, value, "acyclic: it contains itself");
                         return Err(ContentError::new(kind, start(asked)));
                     }
                     steps.push(Step::Leave(number));
@@ -233,7 +232,7 @@ impl<'a> Reader<'a> {
                 _ => {
                     let Some(own) = placement::of(child)? else { continue };
                     if has_placed {
-                        return Err(unsupported(child, " after what it would place"));
+                        return Err(unsupported(child, " after the geometry that it would place"));
                     }
                     map = map.after(&own);
                     continue;
@@ -269,7 +268,7 @@ impl<'a> Reader<'a> {
         let Some(surface) = self.surfaces.get(&number) else { return Ok(()) };
         if surface.triangles.is_empty() {
             const SENTENCE: [&str; 2] =
-                ["a geometry has no faces and was left out", "geometries have no faces and were left out"];
+                ["a geometry has no faces and was ignored", "geometries have no faces and were ignored"];
             self.notes.add("mesh.not_a_surface", Severity::Info, SENTENCE, || format!("geometry {name:?}"));
             return Ok(());
         }

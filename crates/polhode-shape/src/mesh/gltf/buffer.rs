@@ -96,7 +96,7 @@ impl<'a> Buffers<'a> {
             return Ok(bytes);
         }
         let kind = ContentErrorKind::count("bytes", declared, present as u64);
-        Err(buffer.error(kind).hint("the buffer is cut short"))
+        Err(buffer.error(kind).hint("the buffer is truncated"))
     }
 
     fn load(&mut self, k: usize, buffer: &Json<'a>) -> Result<Bytes<'a>, ContentError> {
@@ -119,7 +119,7 @@ impl<'a> Buffers<'a> {
     fn file(&mut self, uri: &Json<'a>) -> Result<Rc<Vec<u8>>, ContentError> {
         let outside = || {
             uri.refused("uri", "a file in the folder of the document, or below it").hint(
-            "polhode opens no other files and no addresses: put the buffer beside the .gltf, or export a .glb",
+            "polhode opens no other files and no addresses: put the buffer next to the .gltf, or export a .glb",
         )
         };
         let failed = |e: &std::io::Error| uri.refused("uri", &format!("a file that can be read ({e})"));
@@ -182,7 +182,7 @@ static BASE64: GeneralPurpose =
 fn decoded(data: &str, uri: &Json<'_>) -> Result<Vec<u8>, ContentError> {
     let text = match data.split_once(',') {
         Some((kind, text)) if kind.ends_with(";base64") => text,
-        _ => return Err(uri.refused("uri", "data:…;base64,… if it is data")),
+        _ => return Err(uri.refused("uri", "data:…;base64,… for embedded data")),
     };
     let digits = text.trim_end_matches('=').as_bytes();
     BASE64.decode(digits).map_err(|_| {
@@ -192,7 +192,7 @@ fn decoded(data: &str, uri: &Json<'_>) -> Result<Vec<u8>, ContentError> {
                 let what = format!("a base64 digit at {at} of the data");
                 uri.error(ContentErrorKind::expected(what, char::from(byte).to_string()))
             }
-            None => uri.refused("uri", "base64 of whole bytes: one digit is left over"),
+            None => uri.refused("uri", "base64 of whole bytes: there is one digit too many"),
         }
     })
 }
@@ -219,9 +219,9 @@ mod tests {
             (";base64,Zg=g", "a base64 digit at 2 of the data"),
             (";base64,Zm 9v?", "a base64 digit at 2 of the data"),
             (";base64,Zm9v-_", "a base64 digit at 4 of the data"),
-            (";base64,Z", "one digit is left over"),
-            (",Zg==", "if it is data"),
-            ("Zg==", "if it is data"),
+            (";base64,Z", "one digit too many"),
+            (",Zg==", "for embedded data"),
+            ("Zg==", "for embedded data"),
         ] {
             assert!(read(bad).unwrap_err().contains(message), "{bad}");
         }

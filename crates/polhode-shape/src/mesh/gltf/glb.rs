@@ -41,7 +41,7 @@ fn binary(bytes: &[u8]) -> Result<Container<'_>, ContentError> {
     let json = match chunk(bytes, 12)? {
         Some((JSON, json)) => json,
         _ => {
-            let what = "chunk of JSON behind the header";
+            let what = "JSON chunk after the header";
             return Err(ContentError::new(ContentErrorKind::missing(what), at(12, "")));
         }
     };
@@ -79,11 +79,8 @@ fn chunk(bytes: &[u8], offset: usize) -> Result<Option<Chunk<'_>>, ContentError>
 fn short(what: &str, declared: u64, present: usize, offset: usize) -> ContentError {
     let present = present as u64;
     let kind = ContentErrorKind::count(what, declared, present);
-    let hint = if declared > present {
-        "the file is cut short"
-    } else {
-        "the file has bytes that belong to no chunk"
-    };
+    let hint =
+        if declared > present { "the file is truncated" } else { "the file has bytes after the last chunk" };
     ContentError::new(kind, at(offset, "")).hint(hint)
 }
 

@@ -125,10 +125,8 @@ impl<'a> Scene<'a> {
             stack.extend(node.children.iter().rev().map(|&child| (child, map)));
         }
         for node in forest.nodes.iter().filter(|node| node.json.get("mesh").is_some()).skip(placed) {
-            const SENTENCE: [&str; 2] = [
-                "a mesh is placed in another scene than the one that was read",
-                "meshes are placed in other scenes than the one that was read",
-            ];
+            const SENTENCE: [&str; 2] =
+                ["a mesh in another scene was not read", "meshes in other scenes were not read"];
             self.notes.add("mesh.other_scene", Severity::Info, SENTENCE, || node.json.place().to_owned());
         }
         Ok(name)
@@ -152,8 +150,8 @@ impl<'a> Scene<'a> {
         let maps = match node.get("skin") {
             Some(_) => {
                 const SENTENCE: [&str; 2] = [
-                    "a mesh hangs on a skeleton and is taken as it was bound, without the place of its node",
-                    "meshes hang on skeletons and are taken as they were bound, without the places of their nodes",
+                    "a mesh is attached to a skeleton and was used in its bind pose, without the transform of its node",
+                    "meshes are attached to skeletons and were used in their bind poses, without the transforms of their nodes",
                 ];
                 self.notes.add("mesh.skinned", Severity::Warning, SENTENCE, || node.place().to_owned());
                 vec![Affine::IDENTITY]

@@ -30,7 +30,7 @@ impl<'a> Forest<'a> {
             for child in nodes[k].json.clone().list("children")? {
                 let (index, _) = child.referred(root, "nodes", "node")?;
                 if let Some(other) = nodes[index].parent.replace(k) {
-                    let rule = format!("the child of one node only: nodes[{other}] has it too");
+                    let rule = format!("the child of only one node: it is also a child of nodes[{other}]");
                     return Err(child.refused("the child", &rule));
                 }
                 nodes[k].children.push(index);
@@ -54,7 +54,7 @@ impl<'a> Forest<'a> {
             None => Ok(()),
             Some(k) => {
                 let (what, value) = ("the node", k.to_string());
-                let rule = "a tree: it is, or hangs under, a node that is its own ancestor";
+                let rule = "part of a tree: it is its own ancestor, or below such a node";
                 Err(self.nodes[k].json.error(ContentErrorKind::value(what, value, rule)))
             }
         }
@@ -100,7 +100,7 @@ pub(crate) fn transform(node: &Json<'_>, notes: &mut Notes) -> Result<Affine, Co
         return Ok(Affine::of_parts(translation, rotation, scale));
     };
     if let Some(part) = parts.iter().flatten().next() {
-        return Err(part.refused("this", "left out where there is a matrix"));
+        return Err(part.refused("this", "absent if there is a matrix"));
     }
     // Sixteen numbers, column by column; the last row is (0, 0, 0, 1).
     let m: [f64; 16] = matrix.numbers()?;
@@ -163,8 +163,8 @@ pub(crate) fn instances<'a>(
 /// Normalizes a quaternion that the file has rounded. Returns `None` if it is far from unit length.
 fn unit(q: [f64; 4], place: impl FnOnce() -> String, notes: Option<&mut Notes>) -> Option<[f64; 4]> {
     const SENTENCE: [&str; 2] = [
-        "a rotation was not of unit length and was normalised",
-        "rotations were not of unit length and were normalised",
+        "a rotation was not of unit length and was normalized",
+        "rotations were not of unit length and were normalized",
     ];
     let square: f64 = q.iter().map(|x| x * x).sum();
     let off = (square - 1.0).abs();

@@ -23,10 +23,10 @@ pub(crate) fn is_unmorphed(holder: &Json<'_>) -> Result<(), ContentError> {
     let weights = holder.list("weights")?;
     for weight in weights {
         if weight.number()? != 0.0 {
-            let what = "morph targets with a weight: the shape is another than its vertices";
+            let what = "morph targets with a weight: the shape differs from its vertices";
             return Err(weight
                 .error(ContentErrorKind::unsupported(what))
-                .hint("apply the shape keys in the tool that made the file, and export again"));
+                .hint("apply the shape keys in the program that created the file, and export again"));
         }
     }
     Ok(())
@@ -46,8 +46,8 @@ impl Surface {
         for primitive in mesh.list("primitives")? {
             let Some(corners) = Corners::of(&primitive)? else {
                 const SENTENCE: [&str; 2] = [
-                    "a primitive is made of points or lines, or has no positions, and was left out",
-                    "primitives are made of points or lines, or have no positions, and were left out",
+                    "a primitive consists of points or lines, or has no positions, and was ignored",
+                    "primitives consist of points or lines, or have no positions, and were ignored",
                 ];
                 notes.add("mesh.not_a_surface", Severity::Info, SENTENCE, || primitive.place().to_owned());
                 continue;

@@ -204,7 +204,7 @@ impl<'a> Line<'a> {
         let name = self.name("the name of an element")?;
         let word = self.next();
         let count = str::from_utf8(word).ok().and_then(|word| word.parse().ok());
-        let count = count.ok_or_else(|| self.back("how many there are of the element"))?;
+        let count = count.ok_or_else(|| self.back("the count of the element"))?;
         Ok(Element { name, count, properties: Vec::new(), span: self.scan.at - word.len()..self.scan.at })
     }
 

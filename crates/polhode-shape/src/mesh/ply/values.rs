@@ -191,5 +191,5 @@ impl Stop {
 
 /// Returns the error for a count that exceeds the file.
 pub(crate) fn short(what: String, declared: u64, present: u64, place: ContentPlace) -> ContentError {
-    ContentError::new(ContentErrorKind::count(what, declared, present), place).hint("the file is cut short")
+    ContentError::new(ContentErrorKind::count(what, declared, present), place).hint("the file is truncated")
 }

@@ -74,7 +74,7 @@ pub fn read(bytes: &[u8]) -> Result<MeshContents, ContentError> {
     package.build()?;
     if package.parts.is_empty() {
         let kind = ContentErrorKind::missing("triangles in its build");
-        return Err(kind.of_whole().hint("export the solid, not the empty plate"));
+        return Err(kind.of_whole().hint("export the solid, not an empty build plate"));
     }
     let Model { unit: (_, unit), title, .. } = package.models.swap_remove(0).1;
     let (parts, findings) = (package.parts, package.notes.findings());
@@ -153,7 +153,7 @@ impl Package<'_> {
                         }
                         if !above.insert(id) {
                             let (what, value) = ("the component", format!("object {}", id.1));
-                            let rule = "no part of itself";
+                            let rule = "acyclic: it contains itself";
                             return Err(self.error(asked, ContentErrorKind::value(what, value, rule)));
                         }
                         steps.push(Step::Leave(id));
@@ -195,8 +195,8 @@ impl Package<'_> {
         };
         if object.kind != "model" {
             const SENTENCE: [&str; 2] = [
-                "an object is no part of the solid (its type is not model) and was left out",
-                "objects are no part of the solid (their type is not model) and were left out",
+                "an object is not part of the solid (its type is not model) and was ignored",
+                "objects are not part of the solid (their type is not model) and were ignored",
             ];
             self.notes.add("mesh.not_a_solid", Severity::Info, SENTENCE, place);
             return Ok(Rc::default());

@@ -149,7 +149,7 @@ impl Model {
                 Token::Start(child) if is_core(xml, &child, "object") => {
                     let (id, object) = Object::read(xml, &child, notes)?;
                     if let Some(other) = self.objects.get(&id) {
-                        let rule = format!("unique: the object of line {} has it too", other.line);
+                        let rule = format!("unique: the object on line {} has the same id", other.line);
                         return Err(xml.refused("id", &id.to_string(), &rule));
                     }
                     self.objects.insert(id, object);
@@ -343,8 +343,8 @@ fn affine(xml: &Xml<'_, '_>, text: &str) -> Result<Affine, ContentError> {
 /// finding.
 fn unread(xml: &mut Xml<'_, '_>, element: &BytesStart<'_>, notes: &mut Notes) -> Result<(), ContentError> {
     const SENTENCE: [&str; 2] = [
-        "an element of an extension that polhode does not read was left out; it may change the shape",
-        "elements of extensions that polhode does not read were left out; they may change the shape",
+        "an element of an unsupported extension was ignored; it may change the shape",
+        "elements of unsupported extensions were ignored; they may change the shape",
     ];
     let namespace = xml.namespace(element);
     if namespace != CORE && namespace != PRODUCTION && !LOOKS.contains(&namespace) {

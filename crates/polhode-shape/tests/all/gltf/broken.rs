@@ -29,13 +29,13 @@ fn a_document_that_contradicts_itself() {
         (
             "/nodes/0/children",
             json!([1, 1]),
-            "nodes[0].children[1]: the child = 1 must be the child of one node only: nodes[0] has it too"
+            "nodes[0].children[1]: the child = 1 must be the child of only one node: it is also a child of nodes[0]"
                 .into(),
         ),
         (
             "/nodes/1/children",
             json!([0]),
-            "nodes[0]: the node = 0 must be a tree: it is, or hangs under, a node that is its own ancestor"
+            "nodes[0]: the node = 0 must be part of a tree: it is its own ancestor, or below such a node"
                 .into(),
         ),
         ("/nodes/1/mesh", json!(1), "nodes[1].mesh: mesh 1 does not exist: there are 1".into()),
@@ -49,7 +49,7 @@ fn a_document_that_contradicts_itself() {
         (
             "/nodes/1/matrix",
             json!([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]),
-            "nodes[1].rotation: this = [0.5,0.5,0.5,0.5] must be left out where there is a matrix".into(),
+            "nodes[1].rotation: this = [0.5,0.5,0.5,0.5] must be absent if there is a matrix".into(),
         ),
         (
             "/nodes/1/scale",
@@ -280,7 +280,7 @@ fn containers_that_are_broken() {
         patched(12, &u32::MAX.to_le_bytes())
             .starts_with("byte 12: 4294967295 bytes of the chunk are declared")
     );
-    assert_eq!(patched(16, b"BIN\0"), "byte 12: the file has no chunk of JSON behind the header");
+    assert_eq!(patched(16, b"BIN\0"), "byte 12: the file has no JSON chunk after the header");
     assert_eq!(
         patched(20, b"!"),
         "the chunk of JSON, line 1, column 1: expected JSON, found \"expected value\""

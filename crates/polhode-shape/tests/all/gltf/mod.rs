@@ -239,7 +239,7 @@ fn what_is_left_out_is_found() {
             ("mesh.skinned", Severity::Warning, "nodes[0]"),
         ]
     );
-    assert!(contents.findings[1].message.starts_with("2 primitives are made of points or lines"));
+    assert!(contents.findings[1].message.starts_with("2 primitives consist of points or lines"));
     // The bind pose, without the transformation of its node.
     assert_eq!(contents.parts[0].mesh.coordinates()[0], POINTS[0].map(f64::from));
 

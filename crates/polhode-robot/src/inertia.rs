@@ -81,7 +81,7 @@ fn armature(model: &RobotModel, drive: &Drive) -> Option<Finding> {
     } else if *armature > 0.0 {
         let [own, rotor, total] = [*inertia, *armature, inertia + armature].map(|x| number(x, 6));
         format!(
-            "joint {joint} moves {own} {unit} {of} its axis; with its armature of {rotor} {unit}, {total} {unit}"
+            "joint {joint} moves {own} {unit} {of} its axis, or {total} {unit} including its armature of {rotor} {unit}"
         )
     } else {
         return None;

@@ -154,7 +154,8 @@ fn a_power_of_ten_is_a_fix_if_the_geometry_confirms_it() {
     assert_eq!(&document[found.span.clone()], "1676359E-6");
     // Without geometry it is a suggestion: a possible tensor is not necessarily right.
     assert_eq!(found.repair, None);
-    for part in ["izz 1676359E-6 → 1676.359E-6 would make the tensor possible", "0.001641", "0.002335", "0.002665"]
+    for part in
+        ["izz 1676359E-6 → 1676.359E-6 would make the tensor possible", "0.001641", "0.002335", "0.002665"]
     {
         assert!(found.message.contains(part), "{}", found.message);
     }

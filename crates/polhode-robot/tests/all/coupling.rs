@@ -173,7 +173,10 @@ fn a_name_means_one_joint() {
     require_says(&slides(&crossed, "z").unwrap_err(), "unknown joint \"z\", or it takes no value");
     // Two coordinates with the same name, also if a constraint names them.
     let joints = [("SliderJoint", "j", "q"), ("PinJoint", "k", "q")];
-    require_says(&error(&model(joints, ""), Lumping::All, &[("q", 0.05)]), "both take a value by the name \"q\"");
+    require_says(
+        &error(&model(joints, ""), Lumping::All, &[("q", 0.05)]),
+        "both take a value by the name \"q\"",
+    );
     let coupler = |leader: &str, follower: &str| {
         format!("<ConstraintSet><objects><CoordinateCouplerConstraint name='c'>
             <coupled_coordinates_function><Constant><value>0.3</value></Constant></coupled_coordinates_function>

@@ -107,7 +107,10 @@ fn what_is_attached_stands_before_it() {
     let body = "<body name='a'><geom size='1'/></body>";
     let cases = [
         (format!("<attach body='a' prefix='x'/>{body}"), "has to be complete"),
-        ("<body name='a'><geom size='1'/><attach body='a' prefix='x'/></body>".to_owned(), "has to be complete"),
+        (
+            "<body name='a'><geom size='1'/><attach body='a' prefix='x'/></body>".to_owned(),
+            "has to be complete",
+        ),
         (format!("{body}<attach body='a' frame='a' prefix='x'/>"), "a body and a frame"),
         (format!("{body}<attach frame='a' prefix='x'/>"), "no such frame"),
         (format!("{body}<attach prefix='x'/>"), "names no body"),
@@ -166,7 +169,10 @@ fn meshes_that_mujoco_refuses_or_others_make_have_no_mass() {
             "><plugin plugin='mujoco.sdf.nut'><config key='thread' value='1'/></plugin></mesh>",
             "\"thread\" is not a key",
         ),
-        ("><plugin plugin='mujoco.sdf.torus'><config key='radius2' value='-1'/></plugin></mesh>", "no bounding box"),
+        (
+            "><plugin plugin='mujoco.sdf.torus'><config key='radius2' value='-1'/></plugin></mesh>",
+            "no bounding box",
+        ),
         ("scale='1 1 2'><plugin plugin='mujoco.sdf.torus'/></mesh>", "has a scale"),
     ] {
         let why = mass(mesh).unwrap_err();

@@ -72,7 +72,7 @@ def test_warnings_point_at_the_line_of_the_user(examples: Path, tmp_path: Path) 
         "cannot go on": lambda: runaway.at([2.0]),
         "[orbit.underground]": lambda: polhode.Ensemble(**bodies, torques=UNDERGROUND),
         "is it in mm?": lambda: batch.Plan(path),
-        "some 68.8 m long": lambda: sweep.run(path, tmp_path / "out"),
+        "about 68.8 m long": lambda: sweep.run(path, tmp_path / "out"),
     }
     for words, call in calls.items():
         said = warned(call)

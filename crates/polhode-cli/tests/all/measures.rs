@@ -51,7 +51,7 @@ fn measures_without_a_mass_need_a_substance() {
     near(&brick["inertia"]["tensor"][0][0], 0.012 * 1300e-6 / 12.0);
     near(&brick["center_of_mass"][1], 0.01);
     let text = refused(&scratch.run(&["inertia", "freecad.txt", "--mass", "12 g", "--unit", "mm"]), 2);
-    assert!(text.contains("--unit is for a file that does not name its unit"), "{text}");
+    assert!(text.contains("--unit is only for a file that states no unit"), "{text}");
     // A report with a mass accepts no other mass.
     scratch.write(
         "creo.txt",

@@ -31,7 +31,7 @@ fn sheets_that_a_weld_presses_onto_each_other_are_no_body() {
     assert!(!refusal.contains("--weld"), "{refusal}");
     let welded = json(&scratch.run(&[flags.as_slice(), &["--json", "--weld", "4e-4"]].concat()));
     let said = welded["findings"][0]["message"].as_str().unwrap();
-    assert!(said.contains("at most: so much that nothing is known of the centre of mass"), "{said}");
+    assert!(said.contains("at most: the centre of mass"), "{said}");
     assert!(!said.contains("inf"), "{said}");
 }
 
@@ -43,7 +43,7 @@ fn a_fill_says_what_it_left_open() {
     let refusal = refused(&scratch.run(&["inertia", "stray.obj"]), 2);
     assert!(!refusal.contains("--fill"), "{refusal}");
     let refusal = refused(&scratch.run(&["inertia", "stray.obj", "--fill", "0.1"]), 2);
-    assert!(refusal.contains("1 loop is the rim of a sheet, not of a hole"), "{refusal}");
+    assert!(refusal.contains("1 loop is the boundary of a sheet, not of a hole"), "{refusal}");
     scratch.write("open.obj", &tetrahedron("a", 0.0, 0, 1));
     let refusal = refused(&scratch.run(&["inertia", "open.obj", "--fill", "3 m"]), 2);
     assert!(refusal.contains("not all holes were filled: 1 hole is larger"), "{refusal}");

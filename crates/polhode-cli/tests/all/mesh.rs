@@ -33,7 +33,7 @@ fn a_torn_mesh_names_the_weld_that_closes_it_and_is_not_welded_unasked() {
         assert_eq!((&finding["code"], &finding["severity"]), (&"mesh.welded".into(), &"warning".into()));
         let message = finding["message"].as_str().unwrap();
         assert!(
-            message.contains("--weld: 3 vertices were welded to 1 point, at most 2.47e-6 m apart"),
+            message.contains("weld: 3 vertices were welded to 1 point, at most 2.47e-6 m apart"),
             "{message}"
         );
         assert!(message.contains("no triangle vanished; the volume may be off by"), "{message}");
@@ -121,7 +121,7 @@ fn a_hole_is_filled_if_asked_and_what_that_may_change_is_said() {
         assert_eq!(finding["code"], "mesh.filled");
         let message = finding["message"].as_str().unwrap();
         assert!(
-            message.contains("--fill: 1 hole of up to 3.61e0 m across was filled with 1 triangle; if the missing surface lies"),
+            message.contains("fill: 1 hole of up to 3.61e0 m across was filled with 1 triangle; if the missing surface lies"),
             "{message}"
         );
     }
@@ -374,7 +374,7 @@ fn parts_that_overlap_are_united_where_that_is_asked() {
     };
     let refusal = |arguments: &[&str]| refused(&scratch.run(&[&["inertia"], arguments].concat()), 2);
     let error = refusal(&["one.obj"]);
-    assert!(error.contains("hint: use --union what lies in several parts once"), "{error}");
+    assert!(error.contains("hint: use --union, or union = true in a scenario"), "{error}");
     let warned = json(&run(&["three.obj"]));
     near(&warned["mass"], 24.0);
     let overlap =
@@ -426,7 +426,7 @@ fn parts_that_overlap_are_united_where_that_is_asked() {
         .write("sound.obj", three_bricks(false).split_inclusive('\n').take(20).collect::<String>().as_str());
     let (plain, united) = (json(&run(&["sound.obj"])), json(&run(&["sound.obj", "--union"])));
     assert_eq!((&plain["inertia"], &plain["mass"]), (&united["inertia"], &united["mass"]));
-    assert!(united["findings"][0]["message"].as_str().unwrap().starts_with("--union had no effect"));
+    assert!(united["findings"][0]["message"].as_str().unwrap().starts_with("union had no effect"));
 }
 
 #[test]

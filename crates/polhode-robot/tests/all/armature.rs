@@ -35,7 +35,8 @@ fn the_armature_of_a_joint_is_added_to_what_hangs_from_it() {
     let [drive] = &drives(&model, "a")[..] else { panic!("a drive") };
     assert_drive(drive, "j", 0.044, 0.05);
     let report = of_lumps(&model, Lumping::Subtree("a"), &[]).unwrap().remove(0);
-    let told = "joint j moves 0.044 kg·m² about its axis, or 0.094 kg·m² including its armature of 0.05 kg·m²";
+    let told =
+        "joint j moves 0.044 kg·m² about its axis, or 0.094 kg·m² including its armature of 0.05 kg·m²";
     assert_eq!(
         report.findings.iter().map(|f| (f.code, f.message.as_str())).collect::<Vec<_>>(),
         [("joint.armature", told)]

@@ -35,7 +35,7 @@ fn the_same_part_is_one_finding_with_the_repairs_of_all() {
         (units[0].subject.as_str(), units[0].others.as_slice()),
         ("a", ["b".to_owned(), "c".to_owned()].as_slice())
     );
-    assert!(units[0].message.ends_with("; so b, c"), "{}", units[0].message);
+    assert!(units[0].message.ends_with("; same in b, c"), "{}", units[0].message);
     let mended = check(&read(&repaired(&text, units[0])), &geometry);
     assert!(!mended.iter().any(|f| f.code == "inertia.unit" && f.subject != "d"), "{mended:#?}");
 }

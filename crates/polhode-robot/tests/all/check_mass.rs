@@ -157,7 +157,7 @@ fn pads_on_a_link_with_mass_are_one_note() {
     let found = only(&all, "mass.massless_collision");
     assert_eq!((found.severity, all.len(), found.subject.as_str()), (Severity::Note, 1, "a"));
     assert_eq!(found.others, ["b", "c"]);
-    assert!(found.message.ends_with("fixed to what has mass; so b, c"), "{}", found.message);
+    assert!(found.message.ends_with("fixed to a link with mass; same in b, c"), "{}", found.message);
     // A pad that a joint moves is reported separately, and so is a pad fixed to it.
     let moved = pad("a", "fixed", "base") + &pad("b", "revolute", "base") + &pad("c", "fixed", "b");
     let all = findings(&robot(&(base + &moved)));

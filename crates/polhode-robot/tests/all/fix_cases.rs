@@ -296,7 +296,7 @@ fn a_mass_and_a_tensor_that_agree_have_no_slip_each() {
             "0.0066",
             "the tensor agrees with this mass, so both may have been computed with a density in g/cm³",
         ),
-        ("48000", "both may follow from a wrong density"),
+        ("48000", "both may have been computed with a wrong density"),
     ] {
         let moments = of_box(mass.parse().unwrap(), edges).map(|x| format!("{x:.9e}"));
         let (findings, text, _) =

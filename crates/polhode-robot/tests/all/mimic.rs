@@ -342,12 +342,15 @@ fn a_value_moves_something_or_is_refused() {
     // A leader outside the subtree is used; a leader in a sibling subtree is not.
     one(&model, Lumping::Subtree("right"), &[("left_knuckle", 0.1)]);
     require_says(&error(&model, Lumping::Subtree("tip"), &[("left_knuckle", 0.1)]), "moves nothing");
-    require_says(&error(&model, Lumping::Fixed, &[("turn", 0.1)]), "moves nothing within what fixed joints");
+    require_says(&error(&model, Lumping::Fixed, &[("turn", 0.1)]), "moves nothing within a group of links");
     let refused = error(&model, Lumping::Subtree("plam"), &[]);
     assert!(refused.hint().contains("did you mean palm?"), "{}", refused.hint());
     let refused = error(&model, Lumping::All, &[("trun", 0.1)]);
     assert!(refused.hint().contains("did you mean turn?"), "{}", refused.hint());
-    require_says(&error(&model, Lumping::Subtree("tcp"), &[]), "neither the link \"tcp\" nor what hangs");
+    require_says(
+        &error(&model, Lumping::Subtree("tcp"), &[]),
+        "neither the link \"tcp\" nor its descendants",
+    );
 }
 
 /// The subtree of the root is the whole model, unless the root is attached to the world.

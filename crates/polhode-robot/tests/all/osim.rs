@@ -166,7 +166,7 @@ fn a_custom_joint_stands_where_its_functions_are_at_zero() {
     let heading =
         |model: &RobotModel| of_lumps(model, Lumping::All, &[]).unwrap().remove(0).source.description;
     assert!(heading(&read(NEW)).contains("joints at zero, root as in the file (takes no value)"));
-    assert!(heading(&custom("")).contains("leg, root and knee as drawn"));
+    assert!(heading(&custom("")).contains("leg, root and knee as in the file"));
 
     let unit = "<Constant name='function'><value>0.1</value></Constant>";
     for (wrong, why) in [

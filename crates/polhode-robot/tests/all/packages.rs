@@ -115,8 +115,8 @@ fn a_package_below_the_checked_folder_is_found_if_it_is_the_only_one() {
     assert!(mesh(&read_model(&path, &ReadOptions::default()).unwrap()).is_err());
     let model = read_model(&path, &in_folder(&folder, "ws")).unwrap();
     assert_eq!(mesh(&model), Ok(folder.path("ws/vendor/arm_description/meshes/block.stl")));
-    let told = "package://arm_description/… was found at ../../vendor/arm_description, the only folder of that name in the checked \
-                one with this file";
+    let told = "package://arm_description/… was found at ../../vendor/arm_description, the only folder of that name below the checked folder \
+                that contains this file";
     assert_eq!(notes(&model), [("read.package", told)]);
 
     std::fs::create_dir_all(folder.path("ws/new/description/meshes")).unwrap();

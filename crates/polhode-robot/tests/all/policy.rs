@@ -240,12 +240,12 @@ fn what_a_configuration_cannot_mean_is_refused_at_its_place() {
         (
             "[[check.allow]]\nrule = \"inertia.zero\"\nfile = \"*\"\nreason = \"a\"\nexpires = \"2027\"\n",
             (5, 11),
-            "a day",
+            "a date",
         ),
         (
             "[[check.allow]]\nrule = \"inertia.zero\"\nfile = \"*\"\nreason = \"a\"\nexpires = 2027-01-01T00:00:00\n",
             (5, 11),
-            "a day",
+            "a date",
         ),
         (
             "[[check.allow]]\nrule = \"inertia.zero\"\nfile = \"*\"\nreason = \"a\"\nlinks = \"b\"\n",

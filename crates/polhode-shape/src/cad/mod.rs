@@ -232,7 +232,7 @@ pub fn read(text: &str, options: &CadOptions) -> Result<CadReport, ContentError>
     let properties = body(&evidence, proof.convention).map_err(impossible)?;
     let mut findings = findings(&evidence, &proof);
     if nowhere {
-        let message = "the report has no centre of mass: the origin is assumed, because only the tensor about the centre of mass is known";
+        let message = "the report has no centre of mass: it is taken as the origin; only the tensor about the centre of mass is known";
         findings.push(warning("cad.no-center", message.to_owned()));
     }
     let mut scalar = |k: usize| -> Result<Option<Printed>, ContentError> {

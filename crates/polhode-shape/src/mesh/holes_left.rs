@@ -11,8 +11,8 @@ pub(crate) fn why(left: HolesLeft) -> Option<String> {
         (
             left.sheets,
             "loop",
-            "is the boundary of a sheet, not of a hole: the patch would be as large as the sheet",
-            "are boundaries of sheets, not of holes: the patches would be as large as the sheets",
+            "is the boundary of a sheet, not of a hole: the patch would be at least as large as the sheet",
+            "are boundaries of sheets, not of holes: the patches would be at least as large as the sheets",
         ),
         (
             left.loose_edges,

@@ -153,7 +153,7 @@ impl MeshRepair {
                 "nothing was welded: no vertices of open edges are within this distance".to_owned()
             }
             Self::Welded { vertices, points, largest_distance, vanished, .. } => format!(
-                "--weld: {} welded to {}, at most {largest_distance:.2e} m apart; {} vanished",
+                "weld: {} welded to {}, at most {largest_distance:.2e} m apart; {} vanished",
                 if vertices == 1 { "1 vertex was".to_owned() } else { format!("{vertices} vertices were") },
                 counted(points, "point"),
                 if vanished == 0 { "no triangle".to_owned() } else { counted(vanished, "triangle") }
@@ -163,7 +163,7 @@ impl MeshRepair {
                 format!("nothing was filled: {why}")
             }
             Self::Filled { holes, triangles, largest, .. } => format!(
-                "--fill: {} of up to {largest:.2e} m across {} filled with {}",
+                "fill: {} of up to {largest:.2e} m across {} filled with {}",
                 counted(holes, "hole"),
                 if holes == 1 { "was" } else { "were" },
                 counted(triangles, "triangle")

@@ -88,7 +88,7 @@ impl UnitedMesh {
     fn united(&self) -> Finding {
         let (union, code) = (&self.union, "mesh.united");
         if union.solid().is_some() {
-            return info(code, "--union had no effect: no parts of the mesh overlap");
+            return info(code, "union had no effect: no parts of the mesh overlap");
         }
         let (volume, effect) = (union.volume(), union.effect(union.error(), 0.0));
         let what = match union.parts() {
@@ -100,7 +100,7 @@ impl UnitedMesh {
             folds => format!("{folds:.1e} m³ in inverted folds were omitted; with these, "),
         };
         let message = format!(
-            "--union: {what}: {:.4e} m³ ({:.1e} of the volume) were covered more than once and count once; {left_out}the volume may be off by {:.1e} m³ ({:.1e} relative), the centre of mass by {:.1e} m, the tensor at fixed density by {:.1e} of \
+            "union: {what}: {:.4e} m³ ({:.1e} of the volume) were covered more than once and count once; {left_out}the volume may be off by {:.1e} m³ ({:.1e} relative), the centre of mass by {:.1e} m, the tensor at fixed density by {:.1e} of \
              its largest moment",
             union.shared(),
             union.shared() / volume,

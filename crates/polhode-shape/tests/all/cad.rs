@@ -450,7 +450,7 @@ fn headings_of_other_languages_are_named() {
     let error = read(hungarian, &CadOptions::default()).unwrap_err();
     assert_eq!(error.to_string(), "the file has no mass");
     assert!(
-        error.hint.as_deref().unwrap().contains("in English; headings that are read: Mass, Volume"),
+        error.hint.as_deref().unwrap().contains("in English; polhode reads the headings: Mass, Volume"),
         "{error}"
     );
 }

@@ -211,8 +211,8 @@ fn instances_are_parts_with_names() {
 #[test]
 fn axes_are_kept_and_said() {
     for (said, up, note) in [
-        ("<up_axis>X_UP</up_axis>", Some(UpAxis::X), Some("x is up")),
-        ("<up_axis> Y_UP\n</up_axis>", Some(UpAxis::Y), Some("y is up")),
+        ("<up_axis>X_UP</up_axis>", Some(UpAxis::X), Some("has x up")),
+        ("<up_axis> Y_UP\n</up_axis>", Some(UpAxis::Y), Some("has y up")),
         ("<up_axis>Z_UP</up_axis>", Some(UpAxis::Z), None),
         ("<!-- <up_axis>Y_UP</up_axis> -->", None, None),
     ] {

@@ -340,7 +340,7 @@ fn every_wrong_nrrd_header_is_named_in_its_line() {
         ("encoding: raw", "encoding: raw\nbyte skip: 25", "at most the number of bytes"),
         ("encoding: raw", "encoding: raw\nline skip: 1000000", "at most the number of lines"),
         ("encoding: raw", "encoding: raw\nbyte skip: -2", "a whole number, or -1"),
-        ("encoding: raw", "encoding: raw\nencoding: raw", "must be there once"),
+        ("encoding: raw", "encoding: raw\nencoding: raw", "must be given once"),
         ("encoding: raw", "encoding: raw\naxis mins: 1 2 3", "the field axis mins"),
         ("encoding: raw", "encoding: raw\nkinds: domain domain 3-color", "an axis of the kind 3-color"),
         ("encoding: raw", "encoding: raw\nsample units: \"g/cm^3\"", "values in g/cm^3"),

@@ -252,7 +252,7 @@ fn reason(message: &str) -> &str {
         ("the end of the root element", "XML that is not well-formed"),
         ("OpenSim files before", "OpenSim before version 2.3.2"),
         ("UTF-8", "text that is not UTF-8"),
-        ("for the second time", "MJCF that includes a file twice, which MuJoCo refuses"),
+        ("included a second time", "MJCF that includes a file twice, which MuJoCo refuses"),
     ] {
         if message.contains(part) {
             return class;

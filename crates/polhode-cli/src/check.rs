@@ -25,13 +25,13 @@ use outputs::Outputs;
 
 /// Are the inertias of a robot or simulation model right? URDF, SDF, MJCF, USD, OpenSim.
 ///
-/// Impossible: these numbers are unphysical. Suspect: a body may, but hardly this link, by its own
-/// geometry. Each finding says where, by which rule, and the fix, if exactly one is consistent with
-/// all evidence. Folders are searched for .urdf, .sdf, .world, .usda and .osim files, and for .xml
-/// files that are models. What is allowed is in polhode.toml, in a baseline, or in the model:
-/// <!-- polhode: allow RULE: REASON -->.
+/// Impossible: no body has these numbers. Suspect: physically possible, but in conflict with the
+/// link's own geometry. Each finding states its place, the rule and the fix, if exactly one fix is
+/// consistent with all evidence. Folders are searched for .urdf, .sdf, .world, .usda and .osim
+/// files, and for .xml files that are models. To allow findings, use polhode.toml, a baseline, or a
+/// comment in the model: <!-- polhode: allow RULE: REASON -->.
 ///
-/// Exit status: 0 nothing impossible or suspect, 1 something is, 2 a file cannot be read.
+/// Exit status: 0 no impossible or suspect finding, 1 at least one, 2 a file cannot be read.
 #[derive(Debug, Args)]
 #[command(
     group = ArgGroup::new("written").args(["out", "output", "write_baseline"]).multiple(true),
@@ -54,21 +54,21 @@ pub(crate) struct Check {
     request: Request,
     #[command(flatten)]
     form: Form,
-    /// Write the results to FILE, whole or not at all, and print nothing.
+    /// Write the results to FILE, completely or not at all, and print nothing.
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Write what is found as a baseline; findings do not fail then.
+    /// Write all findings to a baseline; the findings then do not fail.
     #[arg(long, value_name = "FILE")]
     write_baseline: Option<PathBuf>,
-    /// Print the diff of all fixes that are the only consistent ones, the evidence of each above
-    /// it, and write nothing; with OUT also write the fixed model there, after the diff. Every
-    /// other byte stays as it is.
+    /// Print the diff of all fixes that are the only consistent ones, with the evidence above each,
+    /// and write nothing. With OUT, also write the fixed model to OUT. All other bytes stay
+    /// unchanged.
     #[arg(long = "fix", value_name = "OUT", num_args = 0..=1, conflicts_with_all = ["baseline", "write_baseline"])]
     out: Option<Option<PathBuf>>,
-    /// Replace what --fix, --output or --write-baseline writes if it is there; never the model itself.
+    /// Replace existing output files of --fix, --output and --write-baseline; never the model itself.
     #[arg(long, requires = "written")]
     force: bool,
-    /// Print what a rule asks, why, how to mend what breaks it, and an example; without CODE all rules, a line each.
+    /// Print a rule with its reason, fix and example; without CODE, list all rules, one per line.
     #[arg(long, value_name = "CODE", num_args = 0..=1, conflicts_with_all = [
         "files", "roots", "programs", "json", "table", "format", "output", "fail_on", "strict", "config", "baseline", "write_baseline", "out", "force",
     ])]
@@ -78,13 +78,13 @@ pub(crate) struct Check {
 /// Options for the output format.
 #[derive(Debug, Args)]
 struct Form {
-    /// The form: text, or what a program reads.
+    /// Output format.
     #[arg(long, value_enum, value_name = "FORM", conflicts_with_all = ["json", "table"])]
     format: Option<Format>,
     /// Print JSON: one object for one file, an array for several or for a folder.
     #[arg(long)]
     json: bool,
-    /// Print a table, a line a link: mass, centre, principal moments, equivalent box, density, verdict.
+    /// Print a table with one line per link: mass, centre, principal moments, equivalent box, density, verdict.
     #[arg(long, conflicts_with = "json")]
     table: bool,
 }
@@ -110,7 +110,7 @@ impl Check {
         self.request.fix = self.out.is_some();
         let inputs = Inputs::find(&self.request, &Disk)?;
         for [again, first] in inputs.repeated() {
-            tell(&format!("{} is {}, which is checked once\n", shown(again), shown(first)));
+            tell(&format!("{} is the same file as {}; it is checked once\n", shown(again), shown(first)));
         }
         self.require_fix_fits(inputs.models().count())?;
         let outputs = self.outputs();
@@ -204,7 +204,7 @@ impl Check {
     fn require_models(&self) -> Result<(), Failure> {
         match self.fixed() {
             Some(out) if self.request.files.is_empty() => Err(Failure::usage(
-                format!("no model is named: {} is the file that --fix is to write", shown(out)),
+                format!("no model is named: {} is the output file of --fix", shown(out)),
                 format!("name the model first: polhode check {} --fix", shown(out)),
             )),
             _ => Ok(()),
@@ -217,22 +217,24 @@ impl Check {
         let (message, hint) = match (&self.out, self.form.format()) {
             (None, _) => return Ok(()),
             (Some(None), _) if self.force => (
-                "--fix without a file writes nothing, and --force replaces a file".to_owned(),
-                "name the file, or leave --force out",
+                "--fix without a file writes nothing, so --force has no effect".to_owned(),
+                "name the output file, or delete --force",
             ),
             (Some(Some(_)), _) if models != 1 => {
-                (format!("--fix writes one model, and {models} are named"), "repair them one by one")
+                (format!("--fix writes one model, but {models} are named"), "fix them one by one")
             }
             (Some(None), Format::Table) => (
-                "--fix without a file prints a diff, and --table asks for a table".to_owned(),
-                "leave one of them out, or name the file after --fix",
+                "--fix without a file prints a diff, but --table prints a table".to_owned(),
+                "delete one of the two, or name the output file after --fix",
             ),
             (Some(_), Format::Text | Format::Json | Format::Table) => return Ok(()),
-            (Some(_), Format::Sarif | Format::Junit | Format::Github | Format::Gitlab | Format::Markdown) => (
-                "--fix says what it did as text, as a table or as JSON, and --format asks for another form"
-                    .to_owned(),
-                "check the repaired model then",
-            ),
+            (Some(_), Format::Sarif | Format::Junit | Format::Github | Format::Gitlab | Format::Markdown) => {
+                (
+                    "--fix reports as text, as a table or as JSON, but --format requests another format"
+                        .to_owned(),
+                    "write the fixed model first, then check it with --format",
+                )
+            }
         };
         Err(Failure::usage(message, hint))
     }
@@ -257,7 +259,7 @@ fn explain(code: Option<&str>) -> Result<(), Failure> {
             let meant = polhode_source::nearest(code, rules().map(|rule| rule.code));
             let meant = meant.map_or(String::new(), |meant| format!("did you mean {meant}? "));
             Err(Failure::usage(
-                format!("there is no rule {code}"),
+                format!("unknown rule {code}"),
                 format!("{meant}--explain alone lists all rules"),
             ))
         }

@@ -28,8 +28,8 @@ use crate::stdout::print;
 
 /// Mass, centre of mass, inertia tensor, principal moments and axes.
 ///
-/// Of a scenario's body (TOML) or of a mesh (STL). The tensor is about the centre of mass, along body axes; its
-/// off-diagonals are minus the integrals, I_xy = -∫xy dm.
+/// Input: scenarios (TOML), meshes, molecules, particles, voxel grids, CAD reports, robot models. The tensor is about
+/// the centre of mass, along body axes; its off-diagonal elements are minus the integrals, I_xy = -∫xy dm.
 #[derive(Debug, Args)]
 #[command(after_help = ["\
 Examples:
@@ -43,7 +43,7 @@ Examples:
 pub(crate) struct Inertia {
     #[command(flatten)]
     request: Request,
-    /// Replace what --write-mesh names, if it is there.
+    /// Replace an existing output file of --write-mesh.
     #[arg(long, requires = "write_mesh", conflicts_with = "shell")]
     force: bool,
     #[command(flatten)]

@@ -35,7 +35,7 @@ impl<'a> Outputs<'a> {
             if let Some((other, _)) = self.files.iter().take(k).find(|(_, other)| is_same(out, other)) {
                 return Err(Failure::usage(
                     format!("{other} and {option} would both write {}", shown(out)),
-                    "name a file for each",
+                    "name a different file for each",
                 ));
             }
         }
@@ -55,7 +55,7 @@ impl<'a> Outputs<'a> {
         match overwritten {
             Some((option, out)) => Err(Failure::usage(
                 format!("{option} would overwrite {what}, {}", shown(out)),
-                "write beside it, look at the difference, then move it there",
+                "write to another file, compare, then replace the original",
             )),
             None => Ok(()),
         }

@@ -14,10 +14,10 @@ pub(super) struct OutputFlags {
     /// Print JSON: one object for one file, an array for several; a file that fails has an object with its error.
     #[arg(long)]
     json: bool,
-    /// Print a table, one line a file.
+    /// Print a CSV table.
     #[arg(long)]
     pub(super) csv: bool,
-    /// Print it as another program reads it; frame, point and sign are stated beside the numbers.
+    /// Print in the format of another program; comments state the frame, reference point and sign.
     #[arg(long = "as", visible_alias = "write", value_name = "FORMAT", value_parser = formats())]
     as_format: Option<ExportFormat>,
 }

@@ -209,13 +209,16 @@ fn a_file_of_two_names_is_checked_once() {
     assert!(!one.contains("once"), "{one}");
     once(
         &["src/robot.urdf", "./src/robot.urdf"],
-        "./src/robot.urdf is src/robot.urdf, which is checked once",
+        "./src/robot.urdf is the same file as src/robot.urdf; it is checked once",
     );
-    once(&["src", "src/../src/robot.urdf"], "is src/robot.urdf, which is checked once");
+    once(&["src", "src/../src/robot.urdf"], "is the same file as src/robot.urdf; it is checked once");
     #[cfg(unix)]
     {
         std::os::unix::fs::symlink("robot.urdf", scratch.0.join("src/same.urdf")).unwrap();
-        once(&["src"], "src/same.urdf is src/robot.urdf, which is checked once");
-        once(&["src/same.urdf", "src/robot.urdf"], "src/robot.urdf is src/same.urdf, which is checked once");
+        once(&["src"], "src/same.urdf is the same file as src/robot.urdf; it is checked once");
+        once(
+            &["src/same.urdf", "src/robot.urdf"],
+            "src/robot.urdf is the same file as src/same.urdf; it is checked once",
+        );
     }
 }

@@ -218,7 +218,7 @@ def test_where_a_body_came_from_is_told_as_the_command_tells_it(examples: Path, 
     ):
         assert body.to_dict()["source"] == {"path": str(path)} | wanted
     assert "all 5 links of arm, elbow = 0.3 rad and other joints at zero, in the frame of base" in str(polhode.inertia(robot, joints={"elbow": 0.3}))
-    with pytest.raises(polhode.PolhodeError, match='the link "tool" has no mass\nhint: choose another link, or lump it with others by --subtree or --lump'):
+    with pytest.raises(polhode.PolhodeError, match='the link "tool" has no mass\nhint: choose another link, or lump it with other links'):
         polhode.inertia(robot, link="tool")
 
 

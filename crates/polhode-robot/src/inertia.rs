@@ -30,11 +30,9 @@ pub fn of_link(model: &RobotModel, name: &str) -> Result<InertiaReport, LinkErro
         Ok(LinkMass::Body(body)) => body,
         Ok(LinkMass::None) => {
             let message = format!("the link {name:?} has no mass");
-            return Err(LinkError::new(
-                message,
-                "choose another link, or lump it with others by --subtree or --lump",
-            )
-            .at(&link.span));
+            return Err(
+                LinkError::new(message, "choose another link, or lump it with other links").at(&link.span)
+            );
         }
         Err(error) => return Err(error.of_link(name)),
     };

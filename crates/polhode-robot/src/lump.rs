@@ -305,7 +305,7 @@ fn moved(
         if let Some(why) = &joint.coordinate.unread {
             let Name { text, span } = &joint.name;
             let message = format!("the position of the child of joint {text:?} is unknown: {why}");
-            let hint = "use --subtree with its child, or --link for single links";
+            let hint = "choose the subtree of its child, or single links";
             return Err(LinkError::new(message, hint).at(span));
         }
         let q = positions.displacement(k)?;

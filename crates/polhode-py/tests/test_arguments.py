@@ -220,7 +220,7 @@ def test_hints_name_keywords(tmp_path: Path) -> None:
     assert "--" not in str(error.value)
     table = tmp_path / "points.csv"
     table.write_text("mass,x,y,z\n1,0,0,0\n2,1,0,0\n3,0,1,2\n")
-    with pytest.raises(polhode.PolhodeError, match="answer with (unit|mass_unit)") as error:
+    with pytest.raises(polhode.PolhodeError, match="give the unit by (unit|mass_unit)") as error:
         polhode.inertia(table)
     assert "--" not in str(error.value)
 

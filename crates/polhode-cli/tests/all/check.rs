@@ -300,7 +300,7 @@ fn robots_are_asked_for_a_link() {
     let text = run(&[]);
     assert!(text.contains("--link") && text.contains("forearm"), "{text}");
     let text = run(&["--link", "elbow"]);
-    assert!(text.contains("no link \"elbow\"") && text.contains("upper_arm"), "{text}");
+    assert!(text.contains("unknown link \"elbow\"") && text.contains("upper_arm"), "{text}");
     let text = run(&["--link", "tool"]);
     assert!(text.contains("has no mass") && text.contains("arm.urdf:47:"), "{text}");
     let text = run(&["--lump", "--joint", "knee=1"]);

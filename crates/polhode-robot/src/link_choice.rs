@@ -8,6 +8,7 @@ use polhode_document::layout::printable;
 use polhode_shape::report::InertiaReport;
 use polhode_source::files::Files;
 use polhode_source::given::{Given, quantity};
+use polhode_source::text::counted;
 use polhode_source::unit::Dimension;
 use polhode_source::{Failure, shown};
 use serde::{Deserialize, Serialize};
@@ -134,7 +135,7 @@ impl LinkChoice {
                     names.push("…".to_owned());
                 }
                 return Err(Failure::usage(
-                    format!("{} is a robot of {} links", shown(file), model.links.len()),
+                    format!("{} is a robot of {}", shown(file), counted(model.links.len(), "link")),
                     format!(
                         "choose one by --link, lump them by --lump fixed, --lump all or --subtree, or list them by --table; its links are {}",
                         names.join(", ")

@@ -10,6 +10,7 @@ use polhode_document::layout::{columns, plain_spaces, printable};
 use polhode_document::number::exact as decimal;
 use polhode_document::number::number;
 use polhode_shape::report::InertiaReport;
+use polhode_source::text::counted;
 use serde_json::{Map, Value, json};
 
 use crate::body::{LinkMass, link_mass};
@@ -102,11 +103,11 @@ impl LinkTable {
     pub fn to_text(&self) -> String {
         let SourceInfo { path, description, .. } = &self.whole.source;
         let mut text = format!(
-            "{}   {} links {}\n\
+            "{}   {} {}\n\
              x y z: centre of mass   ixx … izz: tensor about it, kg·m², off-diagonal = -∫xy dm   i1 ≤ i2 ≤ i3: its principal moments\n\
              each link: in its own frame and axes; last row: {}\n\n",
             printable(path),
-            self.rows.len(),
+            counted(self.rows.len(), "link"),
             printable(&self.name),
             printable(description),
         );

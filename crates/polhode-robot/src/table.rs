@@ -2,6 +2,7 @@
 
 use polhode_document::layout::{columns, plain_spaces, printable};
 use polhode_document::number::number;
+use polhode_source::text::counted;
 
 use crate::check::LinkGeometry;
 use crate::model::{Inertial, Link, Slot, Tensor};
@@ -33,13 +34,13 @@ impl CheckReport {
     /// values are shown as a dash.
     pub fn to_table(&self) -> String {
         let heading = format!(
-            "{}   {}, {} links\n\
+            "{}   {}, {}\n\
              x y z: centre of mass in the link's frame   i1 ≤ i2 ≤ i3: principal moments about it\n\
              a ≥ b ≥ c: edges of the uniform box with the same mass and moments\n\
              kg/m³: mass divided by the volume of the link's geometry\n\n",
             printable(&self.model.path.to_string_lossy()),
             format_name(self.model.format),
-            self.model.links.len(),
+            counted(self.model.links.len(), "link"),
         );
         let verdicts = self.verdicts();
         let nothing = LinkGeometry::default();

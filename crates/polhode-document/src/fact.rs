@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::layout::{labelled_from, plain_spaces};
 use crate::number::{
-    count, error, has_digits, number, quaternion, tidy, typeset, vector, vector_within, within,
+    count, error, has_digits, number, quaternion, tidy, tidy_beside, typeset, vector, vector_within, within,
 };
 use crate::si_prefix::fitting;
 use crate::unit::{self, DIGITS};
@@ -47,6 +47,8 @@ pub struct Fact {
     value: Quantity,
     /// Estimated error of the value, in its SI unit; text ends at the first uncertain digit.
     error: f64,
+    /// Size of the terms that the value is computed from: parts that are rounding of it are shown as 0.
+    scale: f64,
     digits: usize,
     note: String,
     is_detail: bool,
@@ -111,7 +113,7 @@ impl Fact {
         let (key, label, value) = (key.into(), label.into(), value.into());
         // Quaternion components are below 1, so one digit fewer is enough.
         let digits = if matches!(value, Quantity::Attitude(_)) { DIGITS - 1 } else { DIGITS };
-        Self { key, label, value, error: 0.0, digits, note: String::new(), is_detail: false }
+        Self { key, label, value, error: 0.0, scale: 0.0, digits, note: String::new(), is_detail: false }
     }
 
     /// Creates a fact for the JSON only.
@@ -142,6 +144,13 @@ impl Fact {
         self.within(f64::INFINITY)
     }
 
+    /// Sets the size of the terms that the value is computed from, in its SI unit; text shows rounding
+    /// of this size as 0.
+    #[must_use]
+    pub fn beside(self, scale: f64) -> Self {
+        Self { scale, ..self }
+    }
+
     /// Sets the largest number of significant digits in text.
     #[must_use]
     pub fn digits(self, digits: usize) -> Self {
@@ -160,19 +169,24 @@ impl Fact {
         Self { label: if condition { self.label } else { String::new() }, ..self }
     }
 
+    /// Leaves the fact out of the JSON.
+    #[must_use]
+    pub fn without_key(self) -> Self {
+        Self { key: String::new(), ..self }
+    }
+
     fn is_shown(&self) -> bool {
         !self.label.is_empty() && !matches!(self.value, Quantity::None)
     }
 
     /// Returns the row of a page: `label`, `value`, `unit` and `note`.
     fn row(&self) -> Value {
-        let (value, unit) = self.value.in_unit(self.error, self.digits);
+        let (value, unit) = self.value.in_unit(self.error, self.scale, self.digits);
         json!({ "label": self.label, "value": typeset(&value), "unit": unit, "note": typeset(&self.note) })
     }
 
-    /// Returns the line of a text.
     fn line(&self) -> String {
-        let (value, unit) = self.value.in_unit(self.error, self.digits);
+        let (value, unit) = self.value.in_unit(self.error, self.scale, self.digits);
         let unit = if unit.is_empty() || unit == "°" { unit } else { format!("\u{a0}{unit}") };
         let note = if self.note.is_empty() { String::new() } else { format!(", {}", self.note) };
         labelled_from(COLUMN, &format!("  {}", self.label), &format!("{value}{unit}{note}"))
@@ -263,17 +277,17 @@ impl Quantity {
         }
     }
 
-    /// Returns the value as text, and its unit.
-    fn in_unit(&self, sigma: f64, digits: usize) -> (String, String) {
+    fn in_unit(&self, sigma: f64, scale: f64, digits: usize) -> (String, String) {
+        let exact = |x: f64| tidy_beside([x, 0.0, 0.0], 10.0 * scale)[0];
         match self {
             _ if !has_digits(self.size(), sigma) => (NO_RIGHT_DIGIT.to_owned(), String::new()),
             Self::None => (String::new(), String::new()),
             Self::Number(x, "kg") => split(&unit::mass(*x)),
             Self::Number(x, "m") => split(&unit::length(*x)),
             Self::Number(x, "m³") => split(&unit::volume(*x)),
-            Self::Number(x, unit) => (within(*x, sigma, digits), (*unit).to_owned()),
+            Self::Number(x, unit) => (within(exact(*x), sigma, digits), (*unit).to_owned()),
             Self::Vector(m, "m") => split(&unit::place_within(tidy(*m), sigma)),
-            Self::Vector(v, unit) => vector_in(tidy(*v), sigma, digits, unit),
+            Self::Vector(v, unit) => vector_in(tidy_beside(tidy(*v), scale), sigma, digits, unit),
             Self::Attitude(q) => (quaternion(*q, sigma, digits), String::new()),
             Self::Range(ends, unit) => {
                 let (prefix, size) = prefix(ends[1], unit);
@@ -289,14 +303,13 @@ impl Quantity {
             }
             Self::Angle(rad) => (within(rad.to_degrees(), sigma.to_degrees(), digits), "°".to_owned()),
             Self::Angles(ends) => (range(ends.map(f64::to_degrees)), "°".to_owned()),
-            Self::Energy(x) => prefixed(*x, sigma, digits, "J"),
+            Self::Energy(x) => prefixed(exact(*x), sigma, digits, "J"),
             Self::Count(n) => (count(*n), String::new()),
             Self::Word(_, text) | Self::Text(text) | Self::Data(_, text) => (text.clone(), String::new()),
         }
     }
 }
 
-/// Splits a number from its unit.
 fn split(shown: &str) -> (String, String) {
     let (value, unit) = shown.rsplit_once(' ').unwrap_or((shown, ""));
     (value.to_owned(), unit.to_owned())
@@ -378,6 +391,14 @@ mod tests {
         assert_eq!(text(Quantity::Vector([0.012_345_6, 0.0, -0.02], "m"), 1e-5), "(12.35, 0, -20) mm");
         let place = Fact::shown("x", Quantity::Text("30° → 31°".to_owned())).without_digits();
         assert!(Facts::new("", vec![place]).to_text(false).contains(NO_RIGHT_DIGIT));
+    }
+
+    #[test]
+    fn rounding_is_zero() {
+        let torque = Fact::new("n", "N", Quantity::Vector([1e-15, 0.0, -1e-14], "N·m")).beside(2.0);
+        let facts = [Facts::new("", vec![torque])];
+        assert_eq!(facts[0].to_text(false), "\n  N                   (0, 0, 0) N·m\n");
+        assert_eq!(object(&[], &facts)["n"], json!([1e-15, 0.0, -1e-14]));
     }
 
     #[test]

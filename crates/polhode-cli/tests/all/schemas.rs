@@ -108,9 +108,11 @@ fn requests_fit() {
     let full = json!({
         "file": "body.toml", "moments": "1, 2, 3", "inertia": "1, 2, 2.5, 0.1, 0, 0", "omega": "(0, 0, 30) deg/s",
         "attitude": "1, 0, 0, 0", "allow-unphysical": true, "at": ["1 h"], "periods": "7.4 d, 5.4 d", "convention": "long",
+        "verbose": true,
     });
     check_request::<spin::Request>(spin::REQUEST_SCHEMA, &full);
-    let full = json!({ "file": "slew.toml", "at": ["30 s"], "point": ["0.5 kg, 0, 10 cm, 0"] });
+    let full =
+        json!({ "file": "slew.toml", "at": ["30 s"], "point": ["0.5 kg, 0, 10 cm, 0"], "verbose": true });
     check_request::<torque::Request>(torque::REQUEST_SCHEMA, &full);
     let full = json!({ "file": "top.toml" });
     check_request::<stability::Request>(stability::REQUEST_SCHEMA, &full);

@@ -7,16 +7,19 @@ use polhode::motion::{GroundContact, HeavyTop, Mechanism, Motor, Regime, Sample,
 use polhode::observe::FreeRegime;
 use polhode_document::fact::LARGEST_ATTITUDE_ERROR;
 use polhode_document::layout::printable;
-use polhode_document::number::{has_digits, number, within};
+use polhode_document::number::{has_digits, number, tidy_beside, within};
 use polhode_document::unit::{amplitude, length, time};
 
-use crate::report::facts::{Angles, Known, ending_in_words, in_gimbals, on_ground, target, time_round};
+use crate::report::facts::{
+    Angles, Known, ending_in_words, in_gimbals, is_larger, on_ground, target, time_round,
+};
 use crate::report::free_facts::FreeFacts;
+use crate::report::global_error;
+use crate::report::periods::Periods;
 use crate::report::torque::{Description, wheel_name};
-use crate::report::{global_error, intermediate};
 
 /// Digits of a number in an answer.
-const DIGITS: usize = 4;
+pub(crate) const DIGITS: usize = 4;
 
 /// More angles than these are among the facts only.
 const MOST_ANGLES: usize = 2;
@@ -26,7 +29,7 @@ pub(crate) fn lines(known: &Known<'_>) -> Vec<String> {
     let mut lines = match (&known.heavy_top, known.free(), known.scenario) {
         (Some(top), _, _) => vec![heavy_top(top)],
         (None, Some(free), _) => {
-            vec![free_motion(known, free), "No torque: L is constant in space.".to_owned()]
+            vec![free_motion(free), "No torque: L is constant in space.".to_owned()]
         }
         (None, None, Some(scenario)) => driven(known, scenario),
         (None, None, None) => Vec::new(),
@@ -56,35 +59,57 @@ fn heavy_top(top: &HeavyTop) -> String {
     }
 }
 
-fn free_motion(known: &Known<'_>, free: &FreeFacts) -> String {
+/// The flips of a body that starts near its intermediate axis, else the kind of motion with its periods.
+pub(crate) fn free_motion(free: &FreeFacts) -> String {
     let FreeRegime { regime, period, flip_interval, growth_rate } = free.regime;
     let kind = capitalised(regime.description());
-    let in_body =
-        period.map_or_else(String::new, |t| format!("; period of ω in the body {}", time(t, DIGITS)));
-    match (regime, flip_interval, free.periods.precession, free.periods.rotation) {
-        (_, Some(flip), _, _) if growth_rate.is_some() => {
-            let off = intermediate::degrees_off(&known.principal, &known.start);
-            let flip = time(flip, DIGITS);
-            format!("Flips every {flip}: ω starts {off}° from the unstable intermediate axis{in_body}.")
+    let Periods { precession, rotation } = free.periods;
+    let shown = |seconds: f64| time(seconds, DIGITS);
+    let in_body = period.map_or_else(String::new, |t| format!("; period of ω in the body {}", shown(t)));
+    match (regime, precession, rotation) {
+        (Regime::LongAxis | Regime::ShortAxis, Some(precession), Some(rotation)) => {
+            if let (Some(flip), Some(_)) = (flip_interval, growth_rate) {
+                let (flip, off) = (shown(flip), free.degrees_off());
+                return format!(
+                    "Flips every {flip}: ω starts {off}° from the unstable intermediate axis{in_body}."
+                );
+            }
+            let (mode, axis) = if free.motion.circles_least() { ("Long", 1) } else { ("Short", 3) };
+            let [precession, rotation] = [precession, rotation].map(shown);
+            format!(
+                "{mode}-axis mode: axis {axis} precesses about L once in {precession} on average, and the body turns \
+                 about it once in {rotation}."
+            )
         }
-        (Regime::Permanent(_), _, _, Some(rotation)) => {
-            format!("{kind}, one turn in {}.", time(rotation, DIGITS))
-        }
-        (_, _, Some(precession), _) => format!("{kind} once in {}{in_body}.", time(precession, DIGITS)),
+        (Regime::Permanent(_), _, Some(rotation)) => format!("{kind}, one turn in {}.", shown(rotation)),
+        (Regime::Separatrix, ..) => format!("{kind}; the motion has no period."),
+        (_, Some(precession), _) => format!("{kind} once in {}{in_body}.", shown(precession)),
         _ => format!("{kind}."),
+    }
+}
+
+/// The torque at the start, N·m, and the largest of a run with its time, s, if that is larger; `scale`: size of their terms.
+pub(crate) fn torque_needed(at_start: f64, largest: Option<[f64; 2]>, scale: f64) -> String {
+    let exact = |x: f64| tidy_beside([x, 0.0, 0.0], 10.0 * scale)[0];
+    let start = exact(at_start);
+    let larger = largest.map(|[n, t]| [exact(n), t]).filter(|[most, _]| is_larger(*most, start));
+    let shown = number(start, DIGITS);
+    match larger.map(|numbers| numbers.map(|x| number(x, DIGITS))) {
+        Some([most, when]) => {
+            format!(
+                "The motion needs a torque of at most {most} N·m (t = {when} s), {shown} N·m at the start."
+            )
+        }
+        None if start == 0.0 => "The motion needs no torque.".to_owned(),
+        None => format!("The motion needs a torque of {shown} N·m at the start."),
     }
 }
 
 fn driven(known: &Known<'_>, scenario: &Scenario) -> Vec<String> {
     if let Some(needed) = &known.needed {
-        let at_start = number(needed.at_start.torque.norm(), DIGITS);
-        let largest = needed.largest.filter(|_| needed.is_larger_later());
-        let most = largest.map_or_else(String::new, |largest| {
-            let [most, when] = [largest.torque.norm(), largest.state.time].map(|x| number(x, DIGITS));
-            format!("at most {most} N·m (t = {when} s), ")
-        });
+        let largest = needed.largest.map(|largest| [largest.torque.norm(), largest.state.time]);
         return vec![
-            format!("The motion needs a torque of {most}{at_start} N·m at the start."),
+            torque_needed(needed.at_start.torque.norm(), largest, needed.scale()),
             "The motion is prescribed; N is the torque that it needs: dL/dt = N.".to_owned(),
         ];
     }
@@ -240,7 +265,7 @@ fn degrees(rad: f64) -> String {
     format!("{}°", number(rad.to_degrees(), DIGITS))
 }
 
-fn capitalised(text: &str) -> String {
+pub(crate) fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

@@ -1,7 +1,10 @@
-//! What a free motion is: asked of the core once, said in many places.
+//! Kind, periods and constants of a free motion, computed once for every report.
+
+use std::f64::consts::PI;
 
 use polhode::motion::{FreeMotion, Rotor, State};
 use polhode::observe::{Cones, FreeRegime, SymmetricTop};
+use polhode_document::number::number;
 
 use crate::report::periods::Periods;
 
@@ -24,5 +27,11 @@ impl FreeFacts {
     /// Of the free motion that a start would have without torque; `None` if it has none.
     pub(crate) fn from_start(rotor: &Rotor, start: State) -> Option<Self> {
         FreeMotion::of(rotor, start).ok().map(Self::of)
+    }
+
+    /// Returns the angle between ω at the start and the line of axis 2, in degrees.
+    pub(crate) fn degrees_off(&self) -> String {
+        let angle = self.motion.start().omega.angle_to(self.motion.principal().axis(1));
+        number(angle.min(PI - angle).to_degrees(), 3)
     }
 }

@@ -4,8 +4,6 @@ use std::f64::consts::TAU;
 
 use polhode::motion::{FreeMotion, Regime};
 use polhode::observe::{AxisConvention, Cones, SymmetricTop, TumblingPeriods};
-use polhode_document::layout::labelled;
-use polhode_document::unit::duration;
 
 /// How long the axis that L circles takes about L, on average, and how long the body takes about that axis, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,23 +35,4 @@ impl Periods {
 fn tumbling(motion: &FreeMotion, convention: AxisConvention) -> (Option<f64>, Option<f64>) {
     let periods = TumblingPeriods::of(motion, convention);
     (periods.map(|p| p.precession), periods.map(|p| p.rotation))
-}
-
-/// P_φ and P_ψ as lines of text, to so many digits, in both conventions of a body with two extreme axes; nothing of others.
-pub(crate) fn in_both_conventions(motion: &FreeMotion, digits: usize) -> String {
-    let of = |convention| TumblingPeriods::of(motion, convention);
-    let (Some(long), Some(short)) = (of(AxisConvention::LongAxis), of(AxisConvention::ShortAxis)) else {
-        return String::new();
-    };
-    let round = |axis: u8, periods: TumblingPeriods, convention: &str| {
-        let period = duration(periods.precession, digits);
-        format!("axis {axis} goes round L in {period} on average ({convention}-axis\u{a0}P_φ)")
-    };
-    let (circled, other) = if motion.circles_least() { (1, 3) } else { (3, 1) };
-    let rotation = format!(
-        "about axis {circled} the body turns once in a period of ω (P_ψ), about axis {other} it rocks"
-    );
-    labelled("precession", &round(1, long, "long"))
-        + &labelled("", &round(3, short, "short"))
-        + &labelled("rotation", &rotation)
 }

@@ -51,6 +51,9 @@ pub struct Request {
     /// Print the force on a mass fixed to the body here too: mass, x, y, z in body axes, in SI or each with its unit.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "M,X,Y,Z", allow_hyphen_values = true))]
     pub point: Vec<Given<PointMass>>,
+    /// Print the details too: ω, L and T at the largest torque, means in space axes, the rate of a shaft.
+    #[cfg_attr(feature = "arguments", arg(short, long))]
+    pub verbose: bool,
 }
 
 /// Mass fixed to a body at a point.
@@ -68,6 +71,7 @@ pub fn run(request: &Request, files: &dyn Files) -> Result<RequiredReport, Failu
     let at: Vec<f64> = request.at.iter().flat_map(|at| at.value.0.iter().copied()).collect();
     let points: Vec<_> = request.point.iter().map(|point| point.value.0).collect();
     RequiredReport::new(source(&path, &scenario), &scenario, &at, &points)
+        .map(|report| report.verbose(request.verbose))
         .map_err(|error| Failure::of_motion(&path, error))
 }
 

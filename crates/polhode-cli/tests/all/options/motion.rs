@@ -77,6 +77,7 @@ static SPIN: Subcommand = Subcommand {
         choice("--at-file", &["--at-file", "times.txt"], SPINS, &[]),
         choice("--periods", &["--periods", "7.40 d, 5.38 d"], &["moments", "bare"], &["--convention"]),
         choice("--convention", &["--convention", "long"], &["moments", "bare"], &["--periods"]),
+        choice("--verbose", &["--verbose"], SPINS, &[]),
         choice("--json", &["--json"], SPINS, &[]),
         choice("--duration", &["--duration", "2 s"], SPINS, &[]),
         choice("--samples", &["--samples", "21"], SPINS, &["--duration"]),
@@ -96,6 +97,7 @@ static SPIN: Subcommand = Subcommand {
         ("--force", "--inertia", OLD_FOLDER),
         ("--force", "--allow-unphysical", OLD_FOLDER),
         ("--moments", "--allow-unphysical", "moments that a body has need no leave"),
+        ("--json", "--verbose", "JSON has the details with and without it"),
     ],
 };
 
@@ -110,9 +112,13 @@ static TORQUE: Subcommand = Subcommand {
         choice("--table", &["--table", "parquet"], GIVEN, &[]),
         choice("--output", &["--output", "other.csv"], GIVEN, &[]),
         choice("--force", &["--force"], &["table there"], &["--table"]),
+        choice("--verbose", &["--verbose"], GIVEN, &[]),
         choice("--json", &["--json"], GIVEN, &[]),
     ],
-    independent: &[("--force", "--output", OLD_FOLDER)],
+    independent: &[
+        ("--force", "--output", OLD_FOLDER),
+        ("--json", "--verbose", "JSON has the details with and without it"),
+    ],
 };
 
 static EXPLAIN: Subcommand = Subcommand {

@@ -10,7 +10,7 @@ use polhode_document::unit::{CLOSED, cone, rate};
 
 use super::working::{Working, factor, n, v};
 use super::{driven, elliptic, tensor};
-use crate::report::intermediate;
+use crate::report::free_facts::FreeFacts;
 
 pub(crate) fn solve(w: &Working<'_>, s: &mut Section) {
     if w.rotor.principal().symmetry() == Symmetry::Point {
@@ -181,8 +181,8 @@ fn asymmetric(w: &Working<'_>, free: &FreeRegime, s: &mut Section) {
         let flips = if free.growth_rate.is_some() { ": the body flips" } else { "" };
         s.line(format!("ω2 changes sign every {} s{flips}", n(flip)));
     }
-    if let Some(growth) = free.growth_rate {
-        let off = intermediate::degrees_off(w.rotor.principal(), &w.start);
+    let off = w.at_start.as_ref().map(FreeFacts::degrees_off);
+    if let (Some(growth), Some(off)) = (free.growth_rate, off) {
         s.say(format!(
             "ω starts {off}° from the intermediate axis, and near it a departure grows as exp(σ t):"
         ));

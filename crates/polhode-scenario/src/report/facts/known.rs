@@ -146,7 +146,14 @@ impl Needed {
     /// Returns true if some later torque is larger than that at the start.
     pub(crate) fn is_larger_later(&self) -> bool {
         let at_start = self.at_start.torque.norm();
-        self.largest.is_some_and(|largest| largest.torque.norm() > at_start * (1.0 + 1e-9))
+        self.largest.is_some_and(|largest| is_larger(largest.torque.norm(), at_start))
+    }
+
+    /// Returns the size of the terms of N = I ω̇ + ω × L, N·m.
+    pub(crate) fn scale(&self) -> f64 {
+        let largest =
+            self.largest.map_or(0.0, |s| f64::max(s.torque.norm(), s.momentum.norm() * s.state.omega.norm()));
+        largest.max(torque_scale(&self.at_start))
     }
 
     fn by(scenario: &Scenario, motion: &Prescribed, trajectory: &Trajectory) -> Option<Self> {
@@ -161,6 +168,16 @@ impl Needed {
             forces: crate::report::forces::on_particles(scenario, &at_start),
         })
     }
+}
+
+/// Returns the size of the terms of N = I ω̇ + ω × L at a time, N·m.
+pub(crate) fn torque_scale(needed: &Required) -> f64 {
+    f64::max(needed.torque.norm(), needed.momentum.norm() * needed.state.omega.norm())
+}
+
+/// True if a value of a run is larger than that at the start by more than rounding.
+pub(crate) fn is_larger(later: f64, at_start: f64) -> bool {
+    later > at_start * (1.0 + 1e-9)
 }
 
 /// The swing of the amplitude that the scenario asks for, else of its start.

@@ -19,15 +19,18 @@ mod required;
 
 pub(crate) use contact::{form, how as on_ground, surface};
 pub(crate) use event::ending_in_words;
-pub(crate) use free::symmetric_top;
+pub(crate) use free::{constants, dissipation, nutation, periods, picture as picture_of, symmetric_top};
 pub(crate) use gimbals::how as in_gimbals;
 pub(crate) use heavy_top::{of as heavy_top_of, time_round};
-pub(crate) use known::Known;
+pub(crate) use known::{Known, is_larger, torque_scale};
 pub(crate) use motion::{how as solved_by, state_at};
 pub(crate) use orbit::{Angles, to as target};
+pub(crate) use required::{force_json, forces, power, torque};
 
 use polhode::motion::channel::{CONTACT, GIMBALS};
 use polhode_document::fact::{Fact, Facts};
+
+use crate::report::free_facts::FreeFacts;
 
 /// Facts about a motion in sections, in the order of the screen.
 pub(crate) fn of(known: &Known<'_>) -> Vec<Facts> {
@@ -35,7 +38,7 @@ pub(crate) fn of(known: &Known<'_>) -> Vec<Facts> {
     let mut sections = vec![
         section("Motion", motion::facts(known)),
         section("Cones", free::cones(known)),
-        section("Poinsot's picture", known.free().map_or_else(Vec::new, |free| free::picture(&free.motion))),
+        section("Poinsot's picture", known.free().map_or_else(Vec::new, picture)),
         section("Pendulum", known.hanging.as_ref().map_or_else(Vec::new, pendulum::facts)),
         section("Heavy top", known.heavy_top.as_ref().map_or_else(Vec::new, heavy_top::facts)),
         section("Torque needed", known.needed.as_ref().map_or_else(Vec::new, required::facts)),
@@ -54,4 +57,10 @@ pub(crate) fn of(known: &Known<'_>) -> Vec<Facts> {
     sections.push(section("Evidence", evidence::facts(known)));
     sections.push(section("Solver", evidence::solver(known)));
     sections
+}
+
+/// Details for people; the JSON of a scenario's motion is without them.
+fn picture(free: &FreeFacts) -> Vec<Fact> {
+    let facts = free::picture(&free.motion).into_iter().chain(free::dissipation(&free.motion));
+    facts.map(|fact| fact.without_key().detail()).collect()
 }

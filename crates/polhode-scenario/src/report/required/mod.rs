@@ -1,16 +1,21 @@
 //! The report of `polhode torque`: what a prescribed motion needs, from motion to torque.
 
+mod answer;
+mod facts;
 mod shaft;
-mod summary;
 mod text;
 
 use polhode::body::Particle;
-use polhode::math::{Body, Torque};
+use polhode::math::Body;
 use polhode::motion::{MotionError, Required, Rotor, Scenario};
-use polhode_document::SourceInfo;
+use polhode_document::{SourceInfo, fact};
 use serde_json::Value;
 
+use crate::report::facts::torque_scale;
 use shaft::ShaftReport;
+
+/// Significant digits of a number in the text.
+const DIGITS: usize = 6;
 
 /// The torque, the power, the work and the forces that a prescribed motion needs.
 ///
@@ -31,7 +36,7 @@ use shaft::ShaftReport;
 /// use polhode_scenario::report::RequiredReport;
 /// let report = RequiredReport::new(SourceInfo::new("body.toml", "scenario"), &scenario, &[], &[])?;
 /// // N = ω × I ω = 4 (3/5) (4/5) (2.5 − 2)
-/// assert!(report.to_text().contains("N = (0.96, 0, 0) N·m"));
+/// assert!(report.to_text().contains("needs a torque of 0.96 N·m at the start"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -46,6 +51,7 @@ pub struct RequiredReport {
     /// The particles whose forces are asked for.
     points: Vec<Particle<Body>>,
     shaft: Option<ShaftReport>,
+    is_verbose: bool,
 }
 
 impl RequiredReport {
@@ -84,7 +90,13 @@ impl RequiredReport {
         let points = [own.as_slice(), points].concat();
         let shaft = scenario.shaft().map(|mounted| ShaftReport::new(mounted, &samples)).transpose()?;
         let scenario = scenario.clone();
-        Ok(Self { source, scenario, start, samples, at, points, shaft })
+        Ok(Self { source, scenario, start, samples, at, points, shaft, is_verbose: false })
+    }
+
+    /// Adds to the text the means in space axes and the details of a shaft.
+    #[must_use]
+    pub fn verbose(self, is_verbose: bool) -> Self {
+        Self { is_verbose, ..self }
     }
 
     /// What the motion needs at the times of the run; at the start only without a run.
@@ -114,7 +126,7 @@ impl RequiredReport {
 
     /// One object with the same keys for every motion.
     pub fn to_json(&self) -> Value {
-        summary::of(self)
+        Value::Object(fact::object(&facts::KEYS, &facts::of(self)))
     }
 
     /// The sample with the largest torque; of several the first.
@@ -153,11 +165,24 @@ impl RequiredReport {
         }
     }
 
-    /// Sizes below a rounding of this are nothing, N·m.
+    /// Size of the terms of N along the run, N·m.
     fn scale(&self) -> f64 {
-        let inertial =
-            |s: &Required| self.rotor().angular_momentum(s.state.omega).norm() * s.state.omega.norm();
-        self.samples.iter().map(|s| inertial(s).max(s.torque.norm())).fold(0.0, f64::max)
+        self.samples.iter().map(torque_scale).fold(0.0, f64::max)
+    }
+
+    /// Size of the terms of N · ω along the run, W.
+    fn power_scale(&self) -> f64 {
+        self.scale() * self.samples.iter().map(|s| s.state.omega.norm()).fold(0.0, f64::max)
+    }
+
+    /// Largest kinetic energy along the run, J.
+    fn energy(&self) -> f64 {
+        self.samples.iter().map(|s| s.kinetic_energy).fold(0.0, f64::max)
+    }
+
+    /// True if there is more than the start.
+    fn is_run(&self) -> bool {
+        self.samples.len() > 1
     }
 
     fn last(&self) -> &Required {
@@ -167,9 +192,4 @@ impl RequiredReport {
     fn first(&self) -> &Required {
         self.samples.first().unwrap_or(&self.start)
     }
-}
-
-/// The components of a torque without what rounding left of zeros.
-fn tidy<F>(torque: Torque<F>, scale: f64) -> [f64; 3] {
-    polhode_document::number::tidy_beside(torque.to_array(), scale)
 }

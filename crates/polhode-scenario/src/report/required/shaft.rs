@@ -1,12 +1,18 @@
-//! What holds and drives a shaft.
+//! Bearings, drive and balance of a shaft.
 
-use polhode::math::{Acceleration, Attitude, Force, Space};
-use polhode::motion::{CorrectionMass, MotionError, MountedShaft, Reactions, Required, Shaft};
+use polhode::math::{Acceleration, Attitude, Body, Force, Space};
+use polhode::motion::{CorrectionMass, MotionError, MountedShaft, Reactions, Required, Shaft, Unbalance};
+use polhode_document::fact::{Fact, Quantity};
 use polhode_document::json::vector;
-use polhode_document::layout::labelled;
-use polhode_document::number::{number, tidy_beside, vector as shown};
+use polhode_document::number::{number, tidy_beside};
 use polhode_document::unit;
 use serde_json::{Value, json};
+
+use super::DIGITS;
+use crate::report::answer::{self, capitalised};
+
+/// A thrust below this part of the force on a bearing is rounding.
+const NOISE: f64 = 1e-13;
 
 /// The bearings and the balance of a shaft.
 #[derive(Clone, Debug)]
@@ -25,9 +31,6 @@ pub(crate) struct ShaftReport {
     /// With the masses: the shaft, and what its unbalance leaves at the start.
     balanced: Option<(Shaft, Reactions)>,
 }
-
-/// The moment of inertia, the torque and the forces are printed to this many digits.
-const DIGITS: usize = 7;
 
 impl ShaftReport {
     pub(crate) fn new(mounted: &MountedShaft, samples: &[Required]) -> Result<Self, MotionError> {
@@ -58,104 +61,101 @@ impl ShaftReport {
         })
     }
 
-    pub(crate) fn to_text(&self) -> String {
-        let shaft = &self.mounted.shaft;
-        let [z1, z2] = shaft.bearings().map(unit::length);
-        let line = format!(
-            "about {} through {} in body axes, I = {} kg·m²; bearings at {} and {} along it",
-            shown(shaft.axis().to_array(), DIGITS),
-            unit::place(shaft.point().to_array()),
-            number(shaft.moment(), DIGITS),
-            z1,
-            z2
-        );
-        let mut text = labelled("shaft", &line);
-        let center = shaft.axis().dot(shaft.body().center_of_mass() - shaft.point());
-        let (force, couple) = (shaft.static_unbalance(), shaft.couple_unbalance(center));
-        let unbalance = format!(
-            "{}: M e = {} kg·m, and about the centre of mass a couple of {} kg·m²",
-            shaft.unbalance().name(),
-            shown(force.to_array(), DIGITS),
-            shown(couple.to_array(), DIGITS)
-        );
-        text.push_str(&labelled("unbalance", &unbalance));
-        let has_weight = self.mounted.gravity.norm() > 0.0;
-        let scale = self.turning.bearings.iter().map(|f| f.norm()).fold(0.0, f64::max);
-        for (k, label) in ["bearing 1", "bearing 2"].into_iter().enumerate() {
-            let turning = self.turning.bearings[k];
-            let mut line = format!(
-                "F = {} N in body axes, turning with the shaft, |F| = {} N",
-                shown(tidy_beside(turning.to_array(), scale), DIGITS),
-                number(turning.norm(), DIGITS)
-            );
-            if has_weight {
-                let all = self.attitude * self.together.bearings[k];
-                let (most, when) = self.greatest[k];
-                line.push_str(&format!(
-                    "; with the weight {} N in space axes at the start, at most {} N (t = {} s)",
-                    shown(tidy_beside(all.to_array(), all.norm()), DIGITS),
-                    number(most, DIGITS),
-                    number(when, DIGITS)
-                ));
-            } else if self.mounted.acceleration != 0.0 {
-                let (most, when) = self.greatest[k];
-                line.push_str(&format!(
-                    "; at most {} N (t = {} s)",
-                    number(most, DIGITS),
-                    number(when, DIGITS)
-                ));
-            }
-            text.push_str(&labelled(label, &line));
-        }
-        let mut drive = format!("N = {} N·m about the shaft", number(self.together.torque, DIGITS));
-        if has_weight {
-            let [turning, weight] = [self.turning.torque, self.hanging.torque].map(|n| number(n, DIGITS));
-            drive = format!("{drive} at the start: {turning} for I α, {weight} against the weight");
-        }
-        if self.together.thrust.abs() > 1e-13 * self.together.bearings[0].norm() {
-            drive.push_str(&format!("; {} N along it", number(self.together.thrust, DIGITS)));
-        }
-        text.push_str(&labelled("drive", &drive));
-        for (k, mass) in self.masses.iter().enumerate() {
-            let label = if k == 0 { "balance" } else { "" };
-            let line = format!(
-                "{} in the plane at {}, at radius {} and angle {}°: at {} in body axes",
-                unit::mass(mass.mass),
-                unit::length(mass.plane),
-                unit::length(mass.radius),
-                number(mass.angle.to_degrees(), DIGITS),
-                unit::place(mass.position.to_array())
-            );
-            text.push_str(&labelled(label, &line));
-        }
-        if let Some((balanced, left)) = &self.balanced {
-            let [a, b] = left.bearings.map(|f| number(tidy_beside([f.norm(), 0.0, 0.0], 10.0 * scale)[0], 3));
-            let mark = shown(shaft.zero_mark().to_array(), DIGITS);
-            let line = format!(
-                "angles count about the shaft from {mark}; with {} the bearings hold {a} N and {b} N of unbalance (left: {})",
-                if self.masses.len() == 1 { "the mass" } else { "the masses" },
-                balanced.unbalance().name()
-            );
-            text.push_str(&labelled("", &line));
-        }
-        text
+    /// The unbalance, the largest forces of the bearings, and how it is balanced.
+    pub(crate) fn answer(&self) -> String {
+        let [a, b] = self.greatest.map(|(most, _)| number(most, answer::DIGITS));
+        let masses = match self.masses.len() {
+            0 => String::new(),
+            n => format!("; {} it", if n == 1 { "one mass balances" } else { "two masses balance" }),
+        };
+        let unbalance = match self.mounted.shaft.unbalance() {
+            Unbalance::None => "No".to_owned(),
+            unbalance => capitalised(unbalance.name()),
+        };
+        format!("{unbalance} unbalance: the bearings carry at most {a} N and {b} N{masses}.")
     }
 
-    pub(crate) fn to_json(&self) -> Value {
-        let shaft = &self.mounted.shaft;
+    /// The keys of `shaft`.
+    pub(crate) fn facts(&self) -> Vec<Fact> {
+        let MountedShaft { shaft, rate, acceleration, .. } = &self.mounted;
+        let fact =
+            |name: &str, label: &str, value: Quantity| Fact::new(format!("shaft.{name}"), label, value);
         let center = shaft.axis().dot(shaft.body().center_of_mass() - shaft.point());
-        let space = |f: Force<polhode::math::Body>| -> Force<Space> { self.attitude * f };
-        let bearing = |k: usize| {
-            json!({
-                "place_m": shaft.bearings()[k],
-                "turning_body_n": vector(self.turning.bearings[k]),
-                "weight_space_n": vector(space(self.hanging.bearings[k])),
-                "force_body_n": vector(self.together.bearings[k]),
-                "force_space_n": vector(space(self.together.bearings[k])),
-                "largest_n": self.greatest[k].0,
-                "largest_time_s": self.greatest[k].1,
-            })
-        };
+        let (force, couple) = (shaft.static_unbalance(), shaft.couple_unbalance(center));
+        let unbalance = shaft.unbalance().name();
+        let through = format!("in body axes, through {}", unit::place(shaft.point().to_array()));
+        let mut facts = vec![
+            fact("axis", "axis", Quantity::Vector(shaft.axis().to_array(), "")).note(through),
+            fact("point_m", "", Quantity::Vector(shaft.point().to_array(), "m")),
+            fact("moment", "moment of inertia", Quantity::Number(shaft.moment(), "kg·m²"))
+                .note("about the axis"),
+            fact("rate_rad_s", "rate", Quantity::Rate(*rate)).note("at t = 0").detail(),
+            fact("acceleration_rad_s2", "acceleration", Quantity::Number(*acceleration, "rad/s²")).detail(),
+            fact("unbalance", "unbalance", Quantity::Word(unbalance, unbalance.to_owned())),
+            fact("static_unbalance_kg_m", "M e", Quantity::Vector(force.to_array(), "kg·m"))
+                .note("static unbalance, in body axes"),
+            fact("couple_unbalance_kg_m2", "couple", Quantity::Vector(couple.to_array(), "kg·m²"))
+                .note("couple unbalance about the centre of mass"),
+            fact("bearings", "", json!([self.bearing(0), self.bearing(1)]).into()),
+        ];
+        facts.extend([0, 1].into_iter().flat_map(|k| self.forces(k)));
+        facts.extend(self.drive());
+        facts.extend(self.balance());
+        facts
+    }
+
+    fn bearing(&self, k: usize) -> Value {
+        let space = |f: Force<Body>| -> Force<Space> { self.attitude * f };
+        json!({
+            "place_m": self.mounted.shaft.bearings()[k],
+            "turning_body_n": vector(self.turning.bearings[k]),
+            "weight_space_n": vector(space(self.hanging.bearings[k])),
+            "force_body_n": vector(self.together.bearings[k]),
+            "force_space_n": vector(space(self.together.bearings[k])),
+            "largest_n": self.greatest[k].0,
+            "largest_time_s": self.greatest[k].1,
+        })
+    }
+
+    /// Forces of a bearing on the shaft: of the unbalance, with the weight, and the largest.
+    fn forces(&self, k: usize) -> [Fact; 3] {
+        let (turning, (most, when)) = (self.turning.bearings[k], self.greatest[k]);
+        let all = self.attitude * self.together.bearings[k];
+        let [size, when] = [turning.norm(), when].map(|x| number(x, DIGITS));
+        let place = unit::length(self.mounted.shaft.bearings()[k]);
+        let has_weight = self.mounted.gravity.norm() > 0.0;
+        [
+            Fact::shown(format!("bearing {}", k + 1), Quantity::Vector(turning.to_array(), "N"))
+                .beside(self.scale())
+                .note(format!(
+                    "in body axes, turning with the shaft, |F| = {size} N; at {place} along the axis"
+                )),
+            Fact::shown("  with the weight", Quantity::Vector(all.to_array(), "N"))
+                .note("in space axes, at the start")
+                .shown_if(has_weight),
+            Fact::shown("  largest", Quantity::Number(most, "N"))
+                .note(format!("at t = {when} s"))
+                .shown_if(has_weight || self.mounted.acceleration != 0.0),
+        ]
+    }
+
+    /// Torque and force along the axis, at the start.
+    fn drive(&self) -> [Fact; 2] {
+        let Reactions { torque, thrust, bearings } = &self.together;
+        let [turning, weight] = [&self.turning, &self.hanging].map(|held| number(held.torque, DIGITS));
+        let parts = format!("about the axis at the start: {turning} for I α, {weight} against the weight");
+        let held = bearings[0].norm();
+        [
+            Fact::new("shaft.thrust_n", "thrust", Quantity::Number(*thrust, "N"))
+                .note("along the axis")
+                .shown_if(thrust.abs() > NOISE * held),
+            Fact::new("shaft.drive_torque_n_m", "drive torque", Quantity::Number(*torque, "N·m")).note(parts),
+        ]
+    }
+
+    /// Correction masses, and the residual unbalance with them.
+    fn balance(&self) -> Vec<Fact> {
+        let shaft = &self.mounted.shaft;
         let mass = |m: &CorrectionMass| {
             json!({
                 "plane_m": m.plane,
@@ -165,27 +165,38 @@ impl ShaftReport {
                 "position_m": vector(m.position),
             })
         };
-        let after = self.balanced.as_ref().map(|(balanced, left)| {
-            json!({
-                "unbalance": balanced.unbalance().name(),
-                "bearings_body_n": left.bearings.iter().map(|f| vector(*f)).collect::<Value>(),
-            })
+        let mut facts = vec![
+            Fact::new(
+                "shaft.zero_mark",
+                "zero of angles",
+                Quantity::Vector(shaft.zero_mark().to_array(), ""),
+            )
+            .note("in body axes, about the axis")
+            .shown_if(!self.masses.is_empty()),
+            Fact::data("shaft.correction_masses", self.masses.iter().map(mass).collect::<Value>()),
+        ];
+        facts.extend(self.masses.iter().enumerate().map(|(k, m)| {
+            let [plane, radius] = [m.plane, m.radius].map(unit::length);
+            let (angle, place) = (number(m.angle.to_degrees(), DIGITS), unit::place(m.position.to_array()));
+            Fact::shown(format!("correction mass {}", k + 1), Quantity::Number(m.mass, "kg")).note(format!(
+                "at {plane} along the axis, radius {radius}, angle {angle}°: {place} in body axes"
+            ))
+        }));
+        let after = self.balanced.as_ref().map(|(balanced, rest)| {
+            let unbalance = balanced.unbalance().name();
+            let [a, b] =
+                rest.bearings.map(|f| number(tidy_beside([f.norm(), 0.0, 0.0], 10.0 * self.scale())[0], 3));
+            let forces = rest.bearings.iter().map(|f| vector(*f)).collect::<Value>();
+            let text =
+                format!("residual unbalance: {unbalance}; its forces on the bearings: {a} N and {b} N");
+            Quantity::Data(json!({ "unbalance": unbalance, "bearings_body_n": forces }), text)
         });
-        json!({
-            "axis": vector(shaft.axis()),
-            "point_m": vector(shaft.point()),
-            "moment": shaft.moment(),
-            "rate_rad_s": self.mounted.rate,
-            "acceleration_rad_s2": self.mounted.acceleration,
-            "unbalance": shaft.unbalance().name(),
-            "static_unbalance_kg_m": vector(shaft.static_unbalance()),
-            "couple_unbalance_kg_m2": vector(shaft.couple_unbalance(center)),
-            "bearings": [bearing(0), bearing(1)],
-            "thrust_n": self.together.thrust,
-            "drive_torque_n_m": self.together.torque,
-            "zero_mark": vector(shaft.zero_mark()),
-            "correction_masses": self.masses.iter().map(mass).collect::<Value>(),
-            "balanced": after,
-        })
+        facts.push(Fact::new("shaft.balanced", "with the masses", after));
+        facts
+    }
+
+    /// Size of the forces of the unbalance, N.
+    fn scale(&self) -> f64 {
+        self.turning.bearings.iter().map(|f| f.norm()).fold(0.0, f64::max)
     }
 }

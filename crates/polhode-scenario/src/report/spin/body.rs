@@ -1,19 +1,21 @@
-//! The body: its principal moments, along which axes, and whether a body can have them.
+//! Principal moments of the body, their axes, and whether they are physical.
 
 use polhode::body::{InertiaTensor, PrincipalFrame, Symmetry};
 use polhode::math::{Body, Direction};
 use polhode_document::number::{NO_BREAK, number};
-use polhode_document::unit::DIGITS;
+
+/// Significant digits of a moment.
+const DIGITS: usize = 6;
 
 /// True if some distribution of mass has these moments.
 pub(crate) fn is_possible(principal: &PrincipalFrame<Body>) -> bool {
     InertiaTensor::<Body>::diagonal(principal.moments()).is_ok()
 }
 
-/// `1, 2, 3 kg·m²: possible (1 + 2 = 3: a flat plate)`
+/// `1, 2, 3 kg·m²: physical (1 + 2 = 3: a flat plate)`
 pub(crate) fn in_words(principal: &PrincipalFrame<Body>) -> String {
-    let possibility = possibility(principal).replace(' ', &NO_BREAK.to_string());
-    format!("{}: {possibility}", moments(principal))
+    let verdict = verdict(principal).replace(' ', &NO_BREAK.to_string());
+    format!("{}: {verdict}", moments(principal))
 }
 
 /// The moments in ascending order, each with its axis if that is not the body axis of the same number.
@@ -34,7 +36,7 @@ fn name(axis: Direction<Body>) -> Option<&'static str> {
     ["x", "y", "z"].get(along).copied()
 }
 
-fn possibility(principal: &PrincipalFrame<Body>) -> String {
+fn verdict(principal: &PrincipalFrame<Body>) -> String {
     /// A body whose moments miss equality by less of the greatest is shown as a plate, nearly.
     const NEARLY: f64 = 1e-6;
     /// The rounding of a plate's moments.
@@ -43,13 +45,13 @@ fn possibility(principal: &PrincipalFrame<Body>) -> String {
     let [n1, n2, n3] = principal.moments().map(|i| number(i, DIGITS));
     let spare = ((i1 + i2) - i3) / i3;
     match principal.symmetry() {
-        Symmetry::Rod => "possible (a rod)".to_owned(),
+        Symmetry::Rod => "physical (a rod)".to_owned(),
         _ if !is_possible(principal) => {
             let sum = number(i1 + i2, DIGITS);
             format!("unphysical ({n1} + {n2} = {sum} < {n3}: violates the triangle inequality)")
         }
-        _ if spare.abs() <= ROUNDING => format!("possible ({n1} + {n2} = {n3}: a flat plate)"),
-        _ if spare < NEARLY => "possible (very nearly a flat plate)".to_owned(),
-        _ => format!("possible ({n1} + {n2} > {n3})"),
+        _ if spare.abs() <= ROUNDING => format!("physical ({n1} + {n2} = {n3}: a flat plate)"),
+        _ if spare < NEARLY => "physical (very nearly a flat plate)".to_owned(),
+        _ => format!("physical ({n1} + {n2} > {n3})"),
     }
 }

@@ -1,18 +1,17 @@
 //! The report of `polhode spin`: a free motion at once, and at any time.
 
 mod body;
+mod facts;
 mod states;
-mod summary;
 mod text;
 mod tumbler;
 
 use polhode::body::Finding;
 use polhode::motion::{FreeMotion, MotionError};
-use polhode::observe::Herpolhode;
-use polhode_document::SourceInfo;
-use polhode_document::sparkline;
+use polhode_document::{SourceInfo, fact, sparkline};
 use serde_json::Value;
 
+use crate::report::free_facts::FreeFacts;
 use states::Printed;
 
 pub use tumbler::TumblerReport;
@@ -26,7 +25,7 @@ pub use tumbler::TumblerReport;
 /// let start = State { time: 0.0, attitude: Attitude::identity(), omega: AngularVelocity::new(0.01, 1.0, 0.01) };
 /// let motion = FreeMotion::of_moments([1.0, 2.0, 3.0], start)?;
 /// let report = SpinReport::new(None, motion).at(&[10.0, -3.5e9])?;
-/// assert!(report.to_text().contains("flips every 19.55286709863436 s"));
+/// assert!(report.to_text().contains("Flips every 19.55 s: ω starts 0.81° from"));
 /// assert_eq!(report.to_json()["motion"]["states"][0]["omega_body"][1], motion.at(10.0).omega.y);
 /// # Ok::<(), polhode::motion::MotionError>(())
 /// ```
@@ -38,12 +37,13 @@ pub struct SpinReport {
     pub findings: Vec<Finding>,
     motion: FreeMotion,
     states: Vec<Printed>,
+    is_verbose: bool,
 }
 
 impl SpinReport {
     /// The report of a free motion.
     pub const fn new(source: Option<SourceInfo>, motion: FreeMotion) -> Self {
-        Self { source, findings: Vec::new(), motion, states: Vec::new() }
+        Self { source, findings: Vec::new(), motion, states: Vec::new(), is_verbose: false }
     }
 
     /// The same with what was noticed on the way.
@@ -72,7 +72,13 @@ impl SpinReport {
         Ok(self)
     }
 
-    /// One screen for people, and a line for each time that was asked for.
+    /// Adds to the text the other convention of the periods and Poinsot's picture.
+    #[must_use]
+    pub fn verbose(self, is_verbose: bool) -> Self {
+        Self { is_verbose, ..self }
+    }
+
+    /// One screen for people, and a line for each requested time.
     pub fn to_text(&self) -> String {
         text::write(self, None)
     }
@@ -84,14 +90,6 @@ impl SpinReport {
 
     /// One object with the same keys for every motion, `null` where a motion does not have one.
     pub fn to_json(&self) -> Value {
-        summary::of(self)
+        Value::Object(fact::object(&facts::KEYS, &facts::of(self, &FreeFacts::of(self.motion))))
     }
-}
-
-/// The radii of the herpolhode and the height of its plane, without the curve; `None` at rest.
-fn invariable_plane(motion: &FreeMotion) -> Option<Herpolhode> {
-    /// A piece too short to have many points, even where ω goes round L far oftener than in the body.
-    const PIECE: f64 = 1e-9;
-    const COARSE: f64 = 0.1;
-    Herpolhode::of(motion, PIECE, COARSE).ok().filter(|herpolhode| herpolhode.height > 0.0)
 }

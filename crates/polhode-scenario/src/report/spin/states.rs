@@ -1,4 +1,4 @@
-//! The motion at the times that were asked for.
+//! States at the requested times.
 
 use polhode::math::{AngularVelocity, Body};
 use polhode::motion::{State, StateError};
@@ -15,7 +15,7 @@ pub(crate) struct Printed {
     time: f64,
     omega: AngularVelocity<Body>,
     wxyz: [f64; 4],
-    /// Of the computation, and of the last bit of the inputs.
+    /// Errors of the computation, and of input rounding.
     errors: [StateError; 2],
 }
 
@@ -57,6 +57,6 @@ pub(crate) fn to_text(states: &[Printed]) -> String {
     let errors: String = columns(&rows).into_iter().map(|line| format!("    {line}\n")).collect();
     format!(
         "\nt in s, ω in body axes in rad/s: t, x, y, z\n{omega}\nt in s, attitude R_space_body: t, w, x, y, z\n{attitude}\n\
-         t in s, estimated error of the attitude in rad: t, of the computation, worth of the last bit of the inputs\n{errors}"
+         t in s, estimated error of the attitude in rad: t, of the computation, of input rounding\n{errors}"
     )
 }

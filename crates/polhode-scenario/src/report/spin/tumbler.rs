@@ -4,18 +4,15 @@ use polhode::body::PrincipalFrame;
 use polhode::math::{AngularVelocity, Body};
 use polhode::observe::{AxisConvention, TumblerError, TumblingPeriods, TumblingSolution};
 use polhode_document::SourceInfo;
-use polhode_document::json::vector;
-use polhode_document::layout::{labelled, plain_spaces};
+use polhode_document::fact::{Fact, Facts, Quantity, object};
+use polhode_document::layout::plain_spaces;
 use polhode_document::number::number;
-use polhode_document::unit::DIGITS;
-use polhode_document::unit::duration;
 use polhode_shape::report::block;
-use serde_json::{Value, json};
+use serde_json::Value;
 
-use super::summary::tumbling;
-use super::text::heading;
-use super::{body, summary};
-use crate::report::{VERSION, omega};
+use super::{body, facts, text};
+use crate::report::VERSION;
+use crate::report::answer::DIGITS;
 
 /// All spins of a body that have two periods, ready to be read.
 ///
@@ -56,54 +53,76 @@ impl TumblerReport {
 
     /// One screen for people.
     pub fn to_text(&self) -> String {
-        let axis = match self.convention {
-            AxisConvention::LongAxis => "the long axis, that of least moment",
-            AxisConvention::ShortAxis => "the short axis, that of greatest moment",
-        };
-        let [precession, rotation] =
-            [self.periods.precession, self.periods.rotation].map(|period| duration(period, 16));
-        let given = format!("P_φ = {precession}, P_ψ = {rotation}, of {axis}");
-        let found = match self.spins.len() {
-            1 => "one spin has these periods, with its mirror images".to_owned(),
-            n => format!("{n} spins have these periods, each with its mirror images"),
-        };
-        let mut text = heading(self.source.as_ref());
-        text.push_str(&labelled("answer", &found));
-        for (k, spin) in self.spins.iter().enumerate() {
-            text.push_str(&labelled(&format!("spin {}", k + 1), spin.regime.description()));
-            text.push_str(&labelled("", &omega::in_words(self.omega(spin))));
-            let [ratio, momentum] = [spin.energy_ratio, spin.momentum].map(|x| number(x, DIGITS));
-            let line = format!("T/T_min = E/E0 = {ratio}, |L| = {momentum} kg·m²/s");
-            text.push_str(&labelled("", &line));
-        }
-        text.push_str(&labelled("periods", &given));
-        text.push_str(&labelled("moments", &body::in_words(&self.principal)));
-        plain_spaces(&text)
+        let head = text::head(self.source.as_ref(), "Spins with two given periods", &self.answer());
+        let facts: String = self.facts().iter().map(|facts| facts.to_text(false)).collect();
+        plain_spaces(&(head + &facts))
     }
 
-    /// One object: what was given, and a list of spins.
+    /// One object: the given periods, and a list of spins.
     pub fn to_json(&self) -> Value {
-        let convention = match self.convention {
-            AxisConvention::LongAxis => "long_axis",
-            AxisConvention::ShortAxis => "short_axis",
+        let keys = ["polhode", "source", "principal", "convention", "periods", "spins"];
+        Value::Object(object(&keys, &self.facts()))
+    }
+
+    /// Kind and |ω| of each spin.
+    fn answer(&self) -> String {
+        let kinds = self.spins.iter().map(|spin| {
+            let kind = spin.regime.description().split(':').next().unwrap_or_default();
+            format!("{kind} with |ω| = {} rad/s", number(self.omega(spin).norm(), DIGITS))
+        });
+        let kinds = kinds.collect::<Vec<_>>().join(", or ");
+        match self.spins.len() {
+            1 => format!("One spin has these periods, with its mirror images: {kinds}."),
+            n => format!("{n} spins have these periods, each with its mirror images: {kinds}."),
+        }
+    }
+
+    /// Each spin, then the input.
+    fn facts(&self) -> Vec<Facts> {
+        let spins: Vec<Vec<Fact>> = self.spins.iter().map(|spin| self.spin(spin)).collect();
+        let json = |facts: &Vec<Fact>| object(&[], &[Facts::new("", facts.clone())]).remove("spin");
+        let json = spins.iter().map(json).collect::<Option<Value>>().unwrap_or_default();
+        let (convention, axis) = match self.convention {
+            AxisConvention::LongAxis => ("long_axis", "the long axis, that of least moment"),
+            AxisConvention::ShortAxis => ("short_axis", "the short axis, that of greatest moment"),
         };
-        let spin = |spin: &TumblingSolution| {
-            json!({
-                "regime": spin.regime.name(),
-                "energy_ratio": spin.energy_ratio,
-                "momentum_kg_m2_s": spin.momentum,
-                "omega_body": vector(self.omega(spin)),
-                "periods": spin.periods.map(summary::tumbling),
-            })
+        let TumblingPeriods { precession, rotation } = self.periods;
+        let period = |key: &str, label, seconds| {
+            Fact::new(format!("periods.{key}"), label, Quantity::Duration(seconds)).digits(facts::DIGITS)
         };
-        json!({
-            "polhode": VERSION,
-            "source": self.source.as_ref().map(SourceInfo::to_json),
-            "principal": block::principal(&self.principal),
-            "convention": convention,
-            "periods": tumbling(self.periods),
-            "spins": self.spins.iter().map(spin).collect::<Value>(),
-        })
+        let given = vec![
+            Fact::data("polhode", VERSION.to_owned()),
+            Fact::data("source", self.source.as_ref().map(|source| source.to_json().into())),
+            Fact::data("principal", block::principal(&self.principal)),
+            Fact::data("convention", Quantity::Word(convention, String::new())),
+            period("precession_period_s", "P_φ", precession).note(format!("precession of {axis}")),
+            period("rotation_period_s", "P_ψ", rotation).note("rotation about this axis"),
+            Fact::shown("moments", body::in_words(&self.principal)),
+            Fact::data("spins", json),
+        ];
+        let titles = (1..).map(|k| format!("Spin {k}"));
+        let shown = spins.into_iter().map(|facts| facts.into_iter().map(Fact::without_key).collect());
+        let spins = titles.zip(shown).map(|(title, facts)| Facts::new(title, facts));
+        spins.chain([Facts::new("Given", given)]).collect()
+    }
+
+    fn spin(&self, spin: &TumblingSolution) -> Vec<Fact> {
+        let omega = self.omega(spin);
+        let regime = Quantity::Word(spin.regime.name(), spin.regime.description().to_owned());
+        let periods = spin.periods.map(|periods| facts::tumbling(periods).into());
+        let fact = |key: &str, label, value| Fact::new(format!("spin.{key}"), label, value);
+        vec![
+            fact("regime", "free motion", regime),
+            fact("energy_ratio", "T / least T", Quantity::Number(spin.energy_ratio, "")).note("E/E0"),
+            fact("momentum_kg_m2_s", "|L|", Quantity::Number(spin.momentum, "kg·m²/s")),
+            fact("omega_body", "ω", Quantity::Vector(omega.to_array(), "rad/s"))
+                .note("in body axes, where ω along axis 2 is 0"),
+            Fact::shown("|ω|", Quantity::Rate(omega.norm())),
+            Fact::data("spin.periods", periods),
+        ]
+        .into_iter()
+        .map(|fact| fact.digits(facts::DIGITS))
+        .collect()
     }
 
     /// ω along body axes.

@@ -87,13 +87,16 @@ pub struct Request {
     /// The axis that --periods speak of.
     #[cfg_attr(feature = "arguments", arg(long, value_enum, value_name = "AXIS", requires = "periods", conflicts_with_all = FORWARD))]
     pub convention: Option<Convention>,
+    /// Print the details too: the other convention of the periods, Poinsot's picture, the parameter m.
+    #[cfg_attr(feature = "arguments", arg(short, long))]
+    pub verbose: bool,
 }
 
 /// Options that require a known start, in conflict with `--periods`. If an option conflicts with a
 /// given one, clap does not check its `requires`. Options that go with `--duration` or `--curves`
 /// are therefore listed too.
 #[cfg(feature = "arguments")]
-const FORWARD: [&str; 15] = [
+const FORWARD: [&str; 16] = [
     "allow_unphysical",
     "omega",
     "attitude",
@@ -109,6 +112,7 @@ const FORWARD: [&str; 15] = [
     "output",
     "plot",
     "force",
+    "verbose",
 ];
 
 /// Axis to which two observed periods refer.
@@ -212,7 +216,7 @@ impl Spin {
         let times: Vec<f64> = request.at.iter().flat_map(|at| at.value.0.iter().copied()).collect();
         let report = SpinReport::new(subject.source(), motion).found(subject.findings()).at(&times);
         let report = report.map_err(|error| Failure::Motion { path: "--at".to_owned(), error })?;
-        Ok(Self { subject, motion, times, report })
+        Ok(Self { subject, motion, times, report: report.verbose(request.verbose) })
     }
 
     /// Returns the scenario with the start of the motion, its text and its path; `None` for moments

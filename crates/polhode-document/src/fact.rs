@@ -47,7 +47,7 @@ pub struct Fact {
     value: Quantity,
     /// Estimated error of the value, in its SI unit; text ends at the first uncertain digit.
     error: f64,
-    /// Size of the terms that the value is computed from: parts that are rounding of it are shown as 0.
+    /// Size of the terms of the value: parts that are rounding of it are shown as 0.
     scale: f64,
     digits: usize,
     note: String,

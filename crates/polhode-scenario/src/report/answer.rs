@@ -88,7 +88,8 @@ pub(crate) fn free_motion(free: &FreeFacts) -> String {
     }
 }
 
-/// The torque at the start, N·m, and the largest of a run with its time, s, if that is larger; `scale`: size of their terms.
+/// Returns the torque at the start, N·m, and the largest of a run with its time, s, in a sentence.
+/// Rounding of `scale`, N·m, is 0.
 pub(crate) fn torque_needed(at_start: f64, largest: Option<[f64; 2]>, scale: f64) -> String {
     let exact = |x: f64| tidy_beside([x, 0.0, 0.0], 10.0 * scale)[0];
     let start = exact(at_start);

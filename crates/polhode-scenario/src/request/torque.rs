@@ -51,7 +51,7 @@ pub struct Request {
     /// Print the force on a mass fixed to the body here too: mass, x, y, z in body axes, in SI or each with its unit.
     #[cfg_attr(feature = "arguments", arg(long, value_name = "M,X,Y,Z", allow_hyphen_values = true))]
     pub point: Vec<Given<PointMass>>,
-    /// Print the details too: ω, L and T at the largest torque, means in space axes, the rate of a shaft.
+    /// Print the details too: ω, L and T at the largest torque, means in space axes, a shaft's rate.
     #[cfg_attr(feature = "arguments", arg(short, long))]
     pub verbose: bool,
 }

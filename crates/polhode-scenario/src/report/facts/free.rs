@@ -84,8 +84,8 @@ pub(crate) fn constants(
     ]
 }
 
-/// Angle between L and the axis that it circles, and the precession of the other extreme axis; a symmetric top has its
-/// angle with its cones.
+/// Angle between L and the axis that it circles, and the precession of the other extreme axis.
+/// A symmetric top has its angle with its cones.
 pub(crate) fn nutation(free: &FreeFacts) -> Vec<Fact> {
     let nutates = !matches!(free.regime.regime, Regime::Permanent(_) | Regime::AtRest) && free.top.is_none();
     let range = Quantity::Angles(free.motion.nutation_range());
@@ -207,9 +207,10 @@ pub(crate) fn dissipation(motion: &FreeMotion) -> Vec<Fact> {
         Symmetry::Point | Symmetry::Spherical | Symmetry::Oblate | Symmetry::Asymmetric => "axis 3",
     };
     let lost = number(100.0 * end.energy_lost / motion.kinetic_energy(), 4);
-    let (loses, fact) = (end.energy_lost != 0.0, |key: &str, label: &str, value: Quantity| {
+    let loses = end.energy_lost != 0.0;
+    let fact = |key: &str, label: &str, value: Quantity| {
         Fact::new(format!("motion.least_energy_spin.{key}"), label, value)
-    });
+    };
     let ratio = if loses { "least at the same |L|" } else { "no spin with the same |L| has less energy" };
     vec![
         fact("axis", "", Quantity::Vector(end.axis.to_array(), "")),

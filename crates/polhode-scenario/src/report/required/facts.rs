@@ -138,7 +138,7 @@ fn run(report: &RequiredReport) -> Vec<Fact> {
             .beside(report.energy())
             .note(format!("∫ N · ω dt {to_the_end}")),
         Fact::new("impulse_space_n_m_s", "impulse", Quantity::Vector(impulse.to_array(), "N·m·s"))
-            .beside(report.first().momentum.norm().max(last.momentum.norm()))
+            .beside(report.momentum())
             .note(format!("∫ N dt {to_the_end}, in space axes")),
     ];
     facts.into_iter().map(|fact| fact.shown_if(report.is_run())).collect()
@@ -153,7 +153,7 @@ fn forces_at_start(report: &RequiredReport) -> Vec<Fact> {
     forces(report.points.iter().map(force))
 }
 
-/// What the report is of, and the states at the requested times.
+/// Version, source, findings, and states at the requested times.
 fn origin(report: &RequiredReport) -> Vec<Fact> {
     let at = |s| object(&[], &[Facts::new("", state("at", s, report))]).remove("at");
     vec![

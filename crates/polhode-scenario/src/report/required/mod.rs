@@ -180,6 +180,11 @@ impl RequiredReport {
         self.samples.iter().map(|s| s.kinetic_energy).fold(0.0, f64::max)
     }
 
+    /// Largest |L| along the run, kg·m²/s.
+    fn momentum(&self) -> f64 {
+        self.samples.iter().map(|s| s.momentum.norm()).fold(0.0, f64::max)
+    }
+
     /// True if there is more than the start.
     fn is_run(&self) -> bool {
         self.samples.len() > 1

@@ -1,7 +1,7 @@
 //! Bearings, drive and balance of a shaft.
 
 use polhode::math::{Acceleration, Attitude, Body, Force, Space};
-use polhode::motion::{CorrectionMass, MotionError, MountedShaft, Reactions, Required, Shaft, Unbalance};
+use polhode::motion::{CorrectionMass, MotionError, MountedShaft, Reactions, Required, Shaft};
 use polhode_document::fact::{Fact, Quantity};
 use polhode_document::json::vector;
 use polhode_document::number::{number, tidy_beside};
@@ -68,10 +68,11 @@ impl ShaftReport {
             0 => String::new(),
             n => format!("; {} it", if n == 1 { "one mass balances" } else { "two masses balance" }),
         };
-        let unbalance = match self.mounted.shaft.unbalance() {
-            Unbalance::None => "No".to_owned(),
-            unbalance => capitalised(unbalance.name()),
+        let kind = match self.mounted.shaft.unbalance().name() {
+            "none" => "no",
+            name => name,
         };
+        let unbalance = capitalised(kind);
         format!("{unbalance} unbalance: the bearings carry at most {a} N and {b} N{masses}.")
     }
 

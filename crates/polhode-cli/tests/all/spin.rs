@@ -55,7 +55,7 @@ fn the_published_figures_of_the_flipping_plate() {
         ("1e-6,1,1e-6", 102.920_061_678_615_2),
     ] {
         let all = json(&spin(&scratch, &["--moments", "1,2,3", "--omega", omega, "--json"]));
-        assert_eq!(number(&all["motion"]["period_s"]), period);
+        assert!((number(&all["motion"]["period_s"]) / period - 1.0).abs() < 1e-15);
     }
     assert!(scratch.entries().is_empty(), "nothing is written");
 }

@@ -1,20 +1,29 @@
 """Rigid-body dynamics: from mass to motion, exact wherever an exact answer exists.
 
-- :func:`inertia`, :class:`MassProperties`, :class:`Body`, :mod:`shapes`, :func:`particles`: how much mass, where
-- :func:`mesh_derivatives`, :func:`particle_derivatives`, :meth:`Body.derivatives`: and what that depends on
-- :func:`budget`: what a parts list comes to, and how well that is known
-- :class:`FreeMotion`: a free motion at any time, in closed form
-- :func:`identify`, :func:`identify_tumbles`, :func:`identify_swings`, :func:`identify_payload`: from measured motion to mass properties
-- :class:`Scenario`, :mod:`scenario`: one body and one motion, with torques of your own; :func:`simulate`: its motion; :func:`judge`: is the one that another program computed right?
-- :func:`stability`: which steady motions last; :func:`torque`: what a given motion needs; :func:`spin`: what two periods say; :func:`explain`: the
-  worked solution
-- :class:`Ensemble`: many bodies at once; :mod:`polhode.batch` and :mod:`polhode.sweep`: plans of many motions, here and on clusters
-- :func:`check`: are the inertias of a robot right? :func:`link_table`, :func:`fixed_groups`: its links as bodies
-- :mod:`plot`: figures, for those who have Matplotlib; :func:`widget`: a motion in a notebook with knobs
+- :func:`inertia`, :class:`MassProperties`, :class:`Body`, :mod:`shapes`, :func:`particles`: mass,
+  centre of mass and inertia tensor
+- :func:`mesh_derivatives`, :func:`particle_derivatives`, :meth:`Body.derivatives`: derivatives of
+  mass properties
+- :func:`budget`: mass properties of a parts list, with their uncertainty
+- :class:`FreeMotion`: torque-free motion at any time, in closed form
+- :func:`identify`, :func:`identify_tumbles`, :func:`identify_swings`, :func:`identify_payload`:
+  mass properties estimated from measured motion
+- :class:`Scenario`, :mod:`scenario`: one body, its start and its torques; :func:`simulate`: its
+  motion; :func:`judge`: accuracy of a motion that another program computed
+- :func:`stability`: steady motions and their stability; :func:`torque`: torque that a prescribed
+  motion requires; :func:`spin`: free motion from two measured periods; :func:`explain`: the worked
+  solution
+- :class:`Ensemble`: many bodies at once; :mod:`polhode.batch` and :mod:`polhode.sweep`: parameter
+  sweeps, on one machine or on clusters
+- :func:`check`: checks of the inertias of a robot model; :func:`link_table`, :func:`fixed_groups`:
+  its links as bodies
+- :mod:`plot`: figures (requires Matplotlib); :func:`widget`: an interactive motion with sliders in
+  a notebook
 
-SI units: m, kg, s, rad, N·m, J. Quaternions are scalar first (w, x, y, z), Hamilton, and take body components to space components. ω is
-along body axes. Off-diagonal elements of an inertia tensor are minus the integrals, so that L = I ω. Arguments are by keyword, and arrays of
-any kind that has an exact float64.
+SI units: m, kg, s, rad, N·m, J. Quaternions are scalar first (w, x, y, z), Hamilton convention, and
+take body components to space components. ω is given in body axes. Off-diagonal elements of an
+inertia tensor are minus the integrals, so that L = I ω. Most arguments are keyword-only. Arrays of
+any type are accepted if their values are exact in float64.
 """
 
 from __future__ import annotations
@@ -171,7 +180,8 @@ __all__ = [
 
 
 def _named(public: type) -> None:
-    """Messages and copies in other processes name it as users do, and doctest finds the examples of its methods."""
+    """Sets the public module name of a class and its methods, for error messages, pickling and
+    doctest."""
     public.__module__ = __name__
     for name, member in vars(public).items():
         if isinstance(member, _Function) and not name.startswith("_"):

@@ -1,4 +1,4 @@
-"""What acts on the members of an ensemble: torques, wheels and events, and the orbit of the former, for all of them or for each."""
+"""Torques, wheels, events and orbits of an ensemble: shared by all members, or one set for each."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from ._error import PolhodeError
 from ._section import Section
 from .scenario import Event, FunctionTorque, Orbit, Torque, Wheel
 
-#: Torques as users give them: for all members, or a list for each.
+#: Torques as users pass them: one set for all members, or a list with one set for each member.
 Torques = str | Sequence[Torque] | Sequence[str | Sequence[Torque]]
 
-#: The tables that act, by the argument that has them: what files call them, and their classes.
+#: Name of the table in scenario files and class of its elements, by the name of the argument.
 _TABLES: dict[str, tuple[str, type[Section]]] = {
     "torques": ("torque", Torque),
     "wheels": ("wheel", Wheel),
@@ -23,28 +23,32 @@ _TABLES: dict[str, tuple[str, type[Section]]] = {
     "orbit": ("orbit", Orbit),
 }
 
-#: A torque that Python computes: whether it is along space axes, how, and whether for many members at once.
+#: Torque computed by a Python function: whether it is in space axes, the function, and whether the
+#: function takes many members at once.
 Function = tuple[bool, Callable[..., Any], bool]
 
-#: What an event measures that Python computes: whether it depends on the body, and how.
+#: Event measure computed by a Python function: whether it depends on the body, and the function.
 Measure = tuple[bool, Callable[..., float]]
 
-#: Which torques, and which events, functions take the place of: the place of each, and the number of the function.
+#: Torques and events that Python functions compute: for each, its position in the list and the
+#: index of the function.
 Placed = tuple[list[tuple[int, int]], list[tuple[int, int]]]
 
-#: What acts on some members, as Rust takes it: what messages call it, the texts of the torques and of all else, and what functions take the place of.
+#: Actions on some members as Rust takes them: name for messages, text of the torques, text of the
+#: other tables, and the torques and events that functions replace.
 Text = tuple[str, str, str, Placed]
 
 
 class Functions:
-    """The torques that Python computes, and what events measure that it computes, each once, whichever members have it."""
+    """Python functions of torques and event measures. Each is kept once, however many members use
+    it."""
 
     def __init__(self) -> None:
         self.native: tuple[list[Function], list[Measure]] = ([], [])
         self._known: dict[tuple[Any, ...], int] = {}
 
     def placed(self, torques: Iterable[Torque], events: Iterable[Event]) -> Placed:
-        """Where they are among some torques and events."""
+        """Returns the positions of Python functions among some torques and events."""
         of_torques = [(k, self._torque(torque)) for k, torque in enumerate(torques) if isinstance(torque, FunctionTorque)]
         measures = ((k, event.measure) for k, event in enumerate(events))
         return of_torques, [(k, self._measure(measure)) for k, measure in measures if callable(measure)]
@@ -69,7 +73,8 @@ class Functions:
 
 @dataclass(frozen=True)
 class Actions:
-    """What is given of them, by the names of the arguments: a tuple for all members, or a list of these with one for each; torques may be texts."""
+    """Torques, wheels, events and orbit as given: a tuple for all members, or a list of tuples with
+    one for each member. Torques may be text."""
 
     torques: Any
     wheels: Any
@@ -78,15 +83,16 @@ class Actions:
 
     @classmethod
     def of(cls, **given: object) -> Actions:
-        """Looks at what users give."""
+        """Checks the arguments of the user."""
         return cls(**{name: _checked(name, value, kind) for name, value in given.items() for _, kind in [_TABLES[name]]})
 
     def counts(self) -> dict[str, int]:
-        """How many there are of what each member has its own."""
+        """Number of entries of each argument that is given for each member separately."""
         return {name: len(value) for name, value in vars(self).items() if isinstance(value, list) and len(value) != 1}
 
     def texts(self, functions: Functions) -> tuple[list[Text], list[int] | None]:
-        """The different ones as texts, and which of these each member has; all have the first if that is not said."""
+        """Returns the distinct texts, and the index of the text of each member; ``None`` instead of
+        indices if all members have the first."""
         count = next(iter(self.counts().values()), None)
         if count is None:
             return [self._text("torques", 0, functions)], None
@@ -102,7 +108,7 @@ class Actions:
         return found, which
 
     def placed(self, error: PolhodeError) -> PolhodeError:
-        """An error of such a text, at the argument that has it."""
+        """Returns an error in such a text as an error of the argument that the text came from."""
         called = re.fullmatch(r"torques(?:\[(\d+)\])?", error.path or "")
         if called is None or error.line is None:
             return error
@@ -126,14 +132,16 @@ class Actions:
         return [line for name in ("wheels", "events", "orbit") for line in _rows(name, _of(getattr(self, name), member))]
 
     def _lines(self, member: int) -> list[str | None]:
-        """The place in Python that each line of a member's text comes from; ``None`` of the user's own text."""
+        """Returns the argument that each line of a member's text comes from; ``None`` for lines of
+        the user's own text."""
         torques = _of(self.torques, member)
         own: list[str | None] = [None] * _ended(torques).count("\n") if isinstance(torques, str) else [place for place, _ in _rows("torques", torques)]
         return own + [place for place, _ in self._others(member)]
 
 
 def _checked(name: str, value: Any, kind: type[Section]) -> Any:
-    """Tables for all members: a tuple, or a text of torques; a list of these with one for each."""
+    """Returns the tables for all members as a tuple (torques possibly as text), or a list of these
+    with one for each member."""
     if name == "orbit":
         return _orbits(value)
     several = (list, tuple, str) if name == "torques" else (list, tuple)
@@ -148,23 +156,24 @@ def _checked(name: str, value: Any, kind: type[Section]) -> Any:
 
 
 def _orbits(value: Any) -> Any:
-    """The orbit of all members, if there is one, as a tuple; a list of these with one for each."""
+    """Returns the orbit of all members as a tuple, empty if there is none, or a list of tuples with
+    one for each member."""
     if value is None or isinstance(value, Orbit):
         return () if value is None else (value,)
     return [(one,) for one in _section.sections("orbit", value, Orbit)]
 
 
 def _of(value: Any, member: int) -> Any:
-    """What a member has."""
+    """Returns the entry of a member."""
     return value[member if len(value) > 1 else 0] if isinstance(value, list) else value
 
 
 def _rows(name: str, tables: Sequence[Section]) -> Iterable[tuple[str, str]]:
-    """The lines of a file with these tables, each with its place."""
+    """Returns the lines of a file with these tables, each with its place."""
     given = [table.to_dict() for table in tables]
     return _section.lines({_TABLES[name][0]: given[0] if name == "orbit" else given}) if given else ()
 
 
 def _ended(text: str) -> str:
-    """A text whose last line ends."""
+    """Returns the text with a newline at its end."""
     return text if not text or text.endswith("\n") else f"{text}\n"

@@ -1,7 +1,9 @@
-"""What users give, as arrays that the library takes: contiguous, aligned float64, of a known shape, finite.
+"""Conversion of arguments to arrays that the library takes: contiguous, aligned float64 of a known
+shape, finite.
 
-An array that is so already is not copied. Everything that has an exact float64 is converted: integers up to 2**53, float16 and float32,
-either byte order, any strides, lists of lists. Everything else is refused, with the name of the argument, the element and the rule.
+An array that already has this form is not copied. Values that are exact in float64 are converted:
+integers up to 2**53, float16 and float32, either byte order, any strides, lists of lists. All other
+values are refused. The message names the argument, the element and the rule.
 """
 
 from __future__ import annotations
@@ -18,18 +20,19 @@ from ._error import PolhodeError, warn
 
 Floats = npt.NDArray[np.float64]
 
-#: Integers beyond it are not all float64.
+#: Greatest integer up to which all integers are exact in float64.
 EXACT = 2**53
 
-#: What needs no look.
+#: Data type that needs no conversion.
 FLOAT64 = np.dtype(np.float64)
 
-#: The rule for them.
+#: Rule for values that are not exact in float64, for messages.
 INEXACT = "a float64 exactly: give a float, or an integer up to 2**53"
 
 
 def numbers(name: str, value: object, shape: tuple[int | str, ...]) -> Floats:
-    """The numbers of an argument; ``shape`` has a number where a length is given, and a letter where it is free.
+    """Converts an argument to an array of numbers. In ``shape``, a number is a required length and
+    a letter is any length.
 
     >>> numbers("omega", [[1, 2, 3]], ("n", 3))
     array([[1., 2., 3.]])
@@ -51,7 +54,7 @@ def _having(shape: tuple[int | str, ...]) -> str:
 
 
 def real(name: str, value: object, what: str = "real numbers") -> Floats:
-    """Any real numbers as float64, exactly."""
+    """Converts real numbers to float64, exactly."""
     if type(value) is np.ndarray and value.dtype is FLOAT64 and value.flags.carray:
         return value
     array = _array(name, value, what)
@@ -66,9 +69,9 @@ def real(name: str, value: object, what: str = "real numbers") -> Floats:
 
 
 def _array(name: str, value: object, what: str, rule: str = INEXACT) -> npt.NDArray[Any]:
-    """An array of what is given, which need not be numbers; nothing is rounded or dropped on the way."""
+    """Converts a value to an array of any type, without rounding or dropping anything."""
     value = _in_si(name, value)
-    # A table has a unit among its columns if it likes.
+    # A table may have a column that is named ``unit``.
     if not hasattr(value, "iloc") and any(getattr(value, word, None) is not None for word in ("unit", "units")):
         raise TypeError(f"{name} has a unit of its own, which is neither Pint's nor Astropy's and would be lost: give plain numbers in SI units")
     refuse_masked(name, value)
@@ -83,14 +86,15 @@ def _array(name: str, value: object, what: str, rule: str = INEXACT) -> npt.NDAr
 
 
 def refuse_masked(name: str, value: object) -> None:
-    """Refuses masked elements, NumPy's and Astropy's, which would lose their mask."""
+    """Refuses masked elements of NumPy and Astropy, because the mask would be lost."""
     mask = getattr(value, "mask", False)
     if not callable(mask) and np.any(mask):
         raise PolhodeError(f"{name} has masked elements: give all of them, or leave their rows out")
 
 
 def _look(name: str, value: Iterable[Any], place: tuple[int, ...], rule: str = INEXACT) -> None:
-    """Looks into lists for what NumPy would make numbers of in silence: truth values, whole numbers that it rounds, lost units."""
+    """Refuses elements of lists that NumPy would convert silently: truth values, integers that it
+    rounds, quantities that lose their unit."""
     if isinstance(value, (list, tuple)) and set(map(type, value)) <= {float, np.float64}:
         return
     for k, element in enumerate(value):
@@ -107,7 +111,8 @@ def _look(name: str, value: Iterable[Any], place: tuple[int, ...], rule: str = I
 
 
 def _in_si(name: str, value: Any) -> Any:
-    """A quantity as numbers in the SI unit that an argument has; what has no unit as it is.
+    """Converts a quantity to numbers in the SI unit of the argument; returns values without a unit
+    unchanged.
 
     >>> _in_si("omega", [1.0, 2.0, 3.0])
     [1.0, 2.0, 3.0]
@@ -123,7 +128,10 @@ def _in_si(name: str, value: Any) -> Any:
 
 
 def as_text(name: str, value: Any) -> Any:
-    """A quantity as texts of a number and its SI unit, which whoever reads them checks; lists and arrays as lists of these; what has no unit as it is."""
+    """Converts a quantity to texts of a number and its SI unit, for the reader to check.
+
+    Lists and arrays become lists of texts. Values without a unit are returned unchanged.
+    """
     if isinstance(value, (list, tuple)):
         return type(value)(as_text(f"{name}[{k}]", element) for k, element in enumerate(value)) if _units.has_units(value) else value
     if _units.library_of(value) is None:
@@ -155,27 +163,28 @@ def _numbers(name: str, value: Any, dimension: _units.Dimension) -> Any:
 
 
 def _si(name: str, value: Any) -> tuple[Any, dict[str, int]]:
-    """The numbers of a quantity in SI, and the powers of its base units."""
+    """Returns the numbers of a quantity in SI, and the powers of its base units."""
     refuse_masked(name, value)
     number, factor, bases = _units.taken_apart(name, value)
-    # What numbers are refused does not depend on units; in float64, whatever they were, so that the factor is not rounded to fewer bits.
+    # The rules for numbers do not depend on units. The product is computed in float64 whatever the
+    # type was, so that the factor keeps all its bits.
     return real(name, number) * factor, bases
 
 
 def kind_of(value: object) -> str:
-    """What something is, for a message."""
+    """Returns the type of a value, for a message."""
     return f"an array of {value.dtype}" if isinstance(value, np.ndarray) else type(value).__name__
 
 
 def shown(number: Any) -> str:
-    """A number as it is; an integer of hundreds of digits by how many these are."""
+    """Returns a number as text; for an integer of hundreds of digits, the count of its digits."""
     if isinstance(number, int) and number.bit_length() > 128:
         return f"an integer of some {round(0.30103 * number.bit_length())} digits"
     return str(number)
 
 
 def described(array: npt.NDArray[Any], wanted: str) -> str:
-    """What an array holds instead of numbers."""
+    """Returns a description of the elements of an array that are not numbers."""
     if array.dtype.kind == "O":
         odd = [type(element).__name__ for element in array.flat if not isinstance(element, (int, float, np.number))]
         if not array.ndim and odd:
@@ -187,7 +196,7 @@ def described(array: npt.NDArray[Any], wanted: str) -> str:
 
 
 def refuse(name: str, array: npt.NDArray[Any], wrong: npt.NDArray[np.bool_], rule: str) -> None:
-    """Refuses the first element that is wrong."""
+    """Refuses the first element that ``wrong`` marks."""
     if wrong.any():
         index = tuple(int(k) for k in np.argwhere(wrong)[0])
         place = f"[{', '.join(map(str, index))}]" if index else ""
@@ -195,10 +204,13 @@ def refuse(name: str, array: npt.NDArray[Any], wrong: npt.NDArray[np.bool_], rul
 
 
 def quaternions(name: str, value: Any, shape: tuple[int | str, ...]) -> Floats:
-    """Rotations as quaternions, scalar first; a ``scipy.spatial.transform.Rotation``, which is scalar-last, is turned round, and of matrices (…, 3, 3)
-    the quaternions are found."""
+    """Converts rotations to quaternions, scalar first.
+
+    A ``scipy.spatial.transform.Rotation``, which is scalar last, is reordered. Matrices (…, 3, 3)
+    are converted.
+    """
     if hasattr(value, "as_quat"):
-        # Before SciPy 1.14 there is no scalar_first: the last goes first by hand.
+        # SciPy before 1.14 has no ``scalar_first``: reorder the components here.
         value = np.asarray(value.as_quat())[..., [3, 0, 1, 2]]
     given = real(name, value)
     if given.ndim == len(shape) + 1 and given.shape[-2:] == (3, 3):
@@ -210,12 +222,12 @@ def quaternions(name: str, value: Any, shape: tuple[int | str, ...]) -> Floats:
 
 
 def triple(name: str, value: object) -> list[float]:
-    """A vector as a list."""
+    """Converts a vector to a list of three numbers."""
     return _few(value, 3) or numbers(name, value, (3,)).tolist()
 
 
 def quaternion(name: str, value: object) -> list[float]:
-    """A rotation as the list of its quaternion."""
+    """Converts a rotation to the list of its quaternion."""
     if (plain := _few(value, 4)) is not None and any(plain):
         return plain
     found: list[float] = quaternions(name, value, (4,)).tolist()
@@ -223,7 +235,8 @@ def quaternion(name: str, value: object) -> list[float]:
 
 
 def _few(value: Any, count: int) -> list[float] | None:
-    """Numbers of a short list, tuple or array as a list, if they are plainly right: what is not is looked at, and refused, with care."""
+    """Returns the numbers of a short list, tuple or array as a list if they are certainly valid,
+    otherwise ``None``: the caller then checks them in full."""
     if type(value) is np.ndarray and value.dtype is FLOAT64 and value.shape == (count,):
         value = value.tolist()
     if (type(value) is list or type(value) is tuple) and len(value) == count:
@@ -234,12 +247,14 @@ def _few(value: Any, count: int) -> list[float] | None:
     return None
 
 
-#: Asymmetry of a tensor, relative to its greatest moment, that is the rounding of float64; and that is the rounding of float32.
+#: Largest asymmetry of a tensor, relative to its greatest moment, that rounding to float64
+#: explains; and that rounding to float32 explains.
 _ROUNDING, _SINGLE = 1e-12, 1e-6
 
 
 def symmetric(name: str, tensors: Floats) -> Floats:
-    """Tensors (…, 3, 3) whose halves differ by no more than float32 rounds, averaged with a warning. Larger differences are left for the library to refuse."""
+    """Symmetrises tensors (…, 3, 3) whose halves differ by no more than float32 rounding, with a
+    warning. Larger asymmetry is kept, and the library refuses it."""
     mirrored = tensors.swapaxes(-1, -2)
     size = np.abs(tensors[..., [0, 1, 2], [0, 1, 2]]).max(axis=-1, initial=0.0)
     apart = np.abs(tensors - mirrored).max(axis=(-1, -2), initial=0.0)
@@ -252,7 +267,7 @@ def symmetric(name: str, tensors: Floats) -> Floats:
 
 
 def tensor(name: str, value: object) -> list[list[float]]:
-    """An inertia tensor: (3, 3), or three moments about the body's own axes."""
+    """Converts an inertia tensor (3, 3), or three moments about the body's own axes, to rows."""
     if (moments := _few(value, 3)) is not None:
         a, b, c = moments
         return [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]]
@@ -270,14 +285,14 @@ def tensor(name: str, value: object) -> list[list[float]]:
 
 
 def number(name: str, value: object) -> float:
-    """One number."""
+    """Converts a value to a number."""
     if type(value) is float and math.isfinite(value):
         return value
     return float(numbers(name, value, ()))
 
 
 def positive(name: str, value: object) -> float:
-    """One number above zero."""
+    """Converts a value to a positive number."""
     found = number(name, value)
     if not found > 0.0:
         raise PolhodeError(f"{name} = {found} must be positive")
@@ -285,7 +300,7 @@ def positive(name: str, value: object) -> float:
 
 
 def indices(name: str, value: object, shape: tuple[int | str, ...], below: int) -> npt.NDArray[np.uint32]:
-    """Whole numbers from 0 up to ``below``."""
+    """Converts whole numbers from 0 to ``below`` − 1."""
     rule = f"from 0 to {below - 1}"
     array = _array(name, value, "whole numbers", rule)
     if array.size and array.dtype.kind not in "iu":
@@ -299,7 +314,7 @@ def indices(name: str, value: object, shape: tuple[int | str, ...], below: int) 
 
 
 def mesh(vertices: object, triangles: object) -> tuple[Floats, npt.NDArray[np.uint32]]:
-    """Vertices (n, 3), and the numbers of three of them for each triangle (m, 3)."""
+    """Converts vertices (n, 3), and the indices (m, 3) of the three vertices of each triangle."""
     points = numbers("vertices", vertices, ("n", 3))
     if not len(points):
         raise PolhodeError("vertices has no rows")
@@ -307,7 +322,7 @@ def mesh(vertices: object, triangles: object) -> tuple[Floats, npt.NDArray[np.ui
 
 
 def count(name: str, value: object, least: int = 1) -> int:
-    """A whole number from ``least`` on."""
+    """Converts a whole number of at least ``least``."""
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer, float, np.floating)):
         raise TypeError(f"{name} must be a whole number, not {type(value).__name__}")
     if isinstance(value, (float, np.floating)) or not least <= value <= EXACT:
@@ -316,14 +331,14 @@ def count(name: str, value: object, least: int = 1) -> int:
 
 
 def truth(name: str, value: object) -> bool:
-    """True or False: a text that says no is no False."""
+    """Converts True or False. Text such as ``"no"`` is refused."""
     if not isinstance(value, (bool, np.bool_)):
         raise TypeError(f"{name} must be True or False, not {type(value).__name__}")
     return bool(value)
 
 
 def text(name: str, value: object) -> str:
-    """A text."""
+    """Checks that a value is text."""
     if not isinstance(value, str):
         raise TypeError(f"{name} must be text, not {type(value).__name__}")
     try:
@@ -334,14 +349,14 @@ def text(name: str, value: object) -> str:
 
 
 def choice(name: str, value: object, known: Sequence[str]) -> str:
-    """One of some words."""
+    """Checks that a value is one of the known words."""
     if text(name, value) not in known:
         raise PolhodeError(f"{name} = {value!r} must be one of {', '.join(known)}")
     return str(value)
 
 
 def path(name: str, value: object) -> str:
-    """A path of a file or of a folder."""
+    """Converts a path of a file or a folder to text."""
     found = os.fspath(value) if isinstance(value, (str, os.PathLike)) else None
     if not isinstance(found, str):
         raise TypeError(f"{name} must be a path, as a str or a pathlib.Path, not {type(value).__name__}")

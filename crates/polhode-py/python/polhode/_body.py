@@ -14,19 +14,19 @@ from ._table import NoArray
 
 
 class Body(NoArray, Mapping[str, MassProperties]):
-    """Parts with names, rigidly joined: a mapping from the names to the parts, where they are placed.
+    """Named parts, rigidly joined: a mapping from names to mass properties in the body's frame.
 
     Parameters
     ----------
     parts
-        Mass properties by name, placed where they belong.
+            Mass properties by name, each at its place in the body.
 
     Raises
     ------
     PolhodeError
-        Where there is no part.
+            If there are no parts.
     TypeError
-        Where a part is not :class:`MassProperties`, or a name no text.
+            If a part is not :class:`MassProperties`, or a name is not text.
 
     Examples
     --------
@@ -60,57 +60,61 @@ class Body(NoArray, Mapping[str, MassProperties]):
 
     @property
     def parts(self) -> dict[str, MassProperties]:
-        """The parts by name, where they are placed."""
+        """Parts by name, each at its place in the body."""
         return dict(self._parts)
 
     @property
     def mass_properties(self) -> MassProperties:
-        """All parts together."""
+        """Mass properties of all parts together."""
         return self._whole
 
     def placed(self, *, position: npt.ArrayLike = (0.0, 0.0, 0.0), rotation: object = IDENTITY) -> Body:
-        """The same with all parts moved: see :meth:`MassProperties.placed`.
+        """Returns the body with all parts moved; see :meth:`MassProperties.placed`.
 
         Parameters
         ----------
         position
-            Where the body's origin is (3,), m.
+                New position of the body's origin (3,), m.
         rotation
-            What takes present components to new ones: a quaternion (w, x, y, z), a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
+                Rotation from present components to new ones: a quaternion (w, x, y, z), a matrix
+                (3, 3), or a ``scipy.spatial.transform.Rotation``.
 
         Returns
         -------
         Body
-            The parts by the same names.
+                The moved parts, under the same names.
 
         Raises
         ------
         PolhodeError
-            Where an argument is refused: its name, the element and the rule are in the message.
+                If an argument is invalid; the message names the argument, the element and the rule.
         """
         return Body({name: part.placed(position=position, rotation=rotation) for name, part in self._parts.items()})
 
     def derivatives(self, *, about: Mapping[str, npt.ArrayLike] | None = None) -> BodyDerivatives:
-        """How the mass properties of all parts together depend on each of them, in closed form.
+        """Returns the derivatives of the body's mass properties by those of each part, in closed
+        form.
 
         Parameters
         ----------
         about
-            The point (3,), m, about which a part turns, by the part's name; without one a part turns about its own centre of mass.
+                Points (3,), m, about which parts rotate, by the names of the parts. The default is
+                the part's own centre of mass.
 
         Returns
         -------
         BodyDerivatives
-            Arrays (10, n, …) by masses, densities, positions, rotations, and by the parts' own mass properties.
+                Arrays (10, n, …): derivatives by masses, densities, positions and rotations, and by
+                the parts' own mass properties.
 
         Raises
         ------
         PolhodeError
-            Where an argument is refused: its name, the element and the rule are in the message.
+                If an argument is invalid; the message names the argument, the element and the rule.
 
         Examples
         --------
-        A head that is further out by 1 m takes the centre of mass with it by its share of the mass:
+        Moving the head outwards by 1 m moves the centre of mass by the head's share of the mass:
 
         >>> import polhode
         >>> from polhode import shapes
@@ -134,7 +138,7 @@ class Body(NoArray, Mapping[str, MassProperties]):
         return body_derivatives(self._parts, self._whole, points)
 
     def __getitem__(self, name: str) -> MassProperties:
-        """The part of a name."""
+        """Returns the part of this name."""
         return self._parts[name]
 
     def __iter__(self) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""From a parts list to mass properties, with their uncertainty."""
+"""Mass properties of a parts list, with their uncertainty."""
 
 from __future__ import annotations
 
@@ -23,24 +23,24 @@ from ._table import NoArray
 
 
 class BudgetLimit(NamedTuple):
-    """Whether a limit is met."""
+    """A limit and whether it is met."""
 
-    #: What it is called.
+    #: Name of the limit.
     name: str
-    #: The unit of its numbers; empty of ratios.
+    #: Unit of its numbers; empty for ratios.
     unit: str
-    #: The least and the most that is allowed; ``None`` without.
+    #: Lower and upper limit; ``None`` where there is none.
     least: float | None
     most: float | None
-    #: Of the list as it is given; ``None`` where it has no value.
+    #: Value for the list as given; ``None`` if it has no value.
     value: float | None
-    #: Its standard deviation to first order; ``None`` where it has none.
+    #: Standard deviation of the value, to first order; ``None`` if it has none.
     sd: float | None
-    #: Whether that is allowed.
+    #: True if the value is within the limits.
     met: bool
-    #: In which share of the draws it is.
+    #: Fraction of the draws within the limits.
     probability: float
-    #: Between which probabilities the truth is, with 95 %.
+    #: 95 % confidence interval of the probability.
     interval: tuple[float, float]
 
     def __str__(self) -> str:
@@ -49,62 +49,65 @@ class BudgetLimit(NamedTuple):
 
 
 class ErrorShare(NamedTuple):
-    """What an error contributes to the variance of a number."""
+    """Contribution of an error to the variance of a number."""
 
-    #: The row, or ``group NAME`` for what its rows have in common.
+    #: Row, or ``group NAME`` for the error that the rows of a group share.
     source: str
     #: ``mass``, ``center``, ``tensor``, ``position``, ``rotation`` or ``density``.
     of: str
-    #: Its part of the variance, 0 to 1.
+    #: Fraction of the variance, 0 to 1.
     share: float
 
 
 class BudgetRow(NamedTuple):
-    """The masses of a row with all in it, all copies counted, kg."""
+    """Masses of a row and everything it contains, all copies counted, kg."""
 
     name: str
-    #: The row in which it stands; ``None`` of that in which all stand.
+    #: Row that contains this row; ``None`` for the top row.
     parent: str | None
     quantity: int
     basic: float
     predicted: float
-    #: What it may become at most; ``None`` if that is not given.
+    #: Allowable mass, kg; ``None`` if not given.
     allowable: float | None
-    #: Allowable less predicted mass.
+    #: Allowable minus predicted mass, kg.
     margin: float | None
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class BudgetCase(Record):
-    """A configuration of a parts list: what all its parts come to."""
+    """Mass properties of a configuration of a parts list."""
 
-    #: ``None`` where the list has no configurations.
+    #: Name of the configuration; ``None`` if the list has no configurations.
     name: str | None
-    #: Mass, centre of mass x, y, z, Ixx, Iyy, Izz, Ixy, Ixz, Iyz about it, with their covariance to first order: kg, m, kg·m².
+    #: Mass, centre of mass x, y, z, and Ixx, Iyy, Izz, Ixy, Ixz, Iyz about it, with their
+    #: covariance to first order: kg, m, kg·m².
     estimate: Estimate
-    #: The same of the masses as they are known today.
+    #: The same ten numbers for the basic masses, as known today.
     basic: Estimate
-    #: And with their growth allowance.
+    #: The same ten numbers for the predicted masses: basic mass plus growth allowance.
     predicted: Estimate
     #: Principal moments (3,), ascending, kg·m².
     moments: Floats
-    #: Their standard deviations (3,).
+    #: Standard deviations of the moments (3,), kg·m².
     moment_sd: Floats
-    #: Principal axes (3, 3), a row each, along those of the body.
+    #: Principal axes (3, 3), one per row, in body components.
     axes: Floats
-    #: The tensor (3, 3) about the point and along the axes that were asked for; ``None`` if none were.
+    #: Inertia tensor (3, 3) about the requested point along the requested axes, kg·m²; ``None`` if
+    #: none were requested.
     asked_inertia: Floats | None
-    #: Mass, centre and six elements about the point and along the axes that were asked for: covariance (10, 10).
+    #: Covariance (10, 10) of mass, centre of mass and the six elements about the requested point
+    #: along the requested axes.
     asked_covariance: Floats | None
-    #: The ten numbers of each drawn body (n, 10), in the order of ``estimate``.
+    #: Ten numbers of each drawn body (n, 10), in the order of ``estimate``.
     draws: Floats
     #: Limits, in the order of the list.
     limits: tuple[BudgetLimit, ...]
-    #: Masses, row by row.
+    #: Masses of each row.
     rows: tuple[BudgetRow, ...]
-    #: What each number's variance comes from, the greatest first: ``errors["x"][0].source``.
+    #: Contributions to the variance of each number, the greatest first: ``errors["x"][0].source``.
     errors: Mapping[str, tuple[ErrorShare, ...]]
-    #: The whole as a part of a scenario file, for :func:`simulate`.
+    #: The whole body as a part of a scenario file, for :func:`simulate`.
     scenario: str
 
     @property
@@ -119,18 +122,19 @@ class BudgetCase(Record):
 
     @property
     def inertia(self) -> Floats:
-        """The tensor (3, 3) about the centre of mass along the axes of the body, kg·m²."""
+        """Inertia tensor (3, 3) about the centre of mass, body axes, kg·m²."""
         matrix: Floats = self.estimate.values[4:][np.array([[0, 3, 4], [3, 1, 5], [4, 5, 2]])]
         return matrix
 
     @property
     def covariance(self) -> Floats:
-        """Covariance (10, 10) of mass, centre and the six elements of the tensor, to first order."""
+        """Covariance (10, 10) of mass, centre of mass and the six elements of the tensor, to first
+        order."""
         return self.estimate.covariance
 
     @property
     def body(self) -> MassProperties:
-        """Mass, centre of mass and inertia."""
+        """Mass properties: mass, centre of mass and inertia."""
         return MassProperties(mass=self.mass, center_of_mass=self.center_of_mass, inertia=self.inertia)
 
     def __repr__(self) -> str:
@@ -140,23 +144,26 @@ class BudgetCase(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Budget(NoArray, Printed):
-    """What a parts list comes to. :func:`budget` makes one; of a list with one configuration it has all that :class:`BudgetCase` has."""
+    """Mass properties of a parts list, as :func:`budget` returns them.
+
+    For a list with one configuration it also has the attributes of :class:`BudgetCase`.
+    """
 
     _instead = "the rows of each configuration are its table: pandas.DataFrame(budget.only.rows)"
 
-    #: What it is called.
+    #: Title of the list.
     title: str
-    #: Which masses count: ``basic`` or ``predicted``.
+    #: Masses that count: ``basic`` or ``predicted``.
     basis: str
-    #: Each configuration; one without a name where the list has none.
+    #: Configurations; a single one without a name if the list has none.
     configurations: tuple[BudgetCase, ...]
-    #: True if a limit is not met, or something is heavier than allowed.
+    #: True if a limit is not met, or a row is heavier than allowed.
     is_beyond: bool
-    #: What was noticed.
+    #: Findings about the list.
     findings: tuple[Finding, ...]
 
     def __getitem__(self, name: str) -> BudgetCase:
-        """The configuration of this name."""
+        """Returns the configuration of this name."""
         for case in self.configurations:
             if case.name == name:
                 return case
@@ -170,7 +177,7 @@ class Budget(NoArray, Printed):
 
     @property
     def only(self) -> BudgetCase:
-        """The configuration of a list that has one."""
+        """The single configuration of a list that has exactly one."""
         if len(self.configurations) != 1:
             names = ", ".join(repr(case.name) for case in self.configurations)
             raise PolhodeError(f"there are several configurations: {names}", 'name one, as in result["NAME"]')
@@ -188,17 +195,18 @@ class Budget(NoArray, Printed):
 
     @property
     def inertia(self) -> Floats:
-        """The tensor (3, 3) about the centre of mass along the axes of the body, kg·m²."""
+        """Inertia tensor (3, 3) about the centre of mass, body axes, kg·m²."""
         return self.only.inertia
 
     @property
     def covariance(self) -> Floats:
-        """Covariance (10, 10) of mass, centre and the six elements of the tensor, to first order."""
+        """Covariance (10, 10) of mass, centre of mass and the six elements of the tensor, to first
+        order."""
         return self.only.covariance
 
     @property
     def draws(self) -> Floats:
-        """The ten numbers of each drawn body (n, 10)."""
+        """Ten numbers of each drawn body (n, 10)."""
         return self.only.draws
 
     @property
@@ -208,7 +216,7 @@ class Budget(NoArray, Printed):
 
     @property
     def body(self) -> MassProperties:
-        """Mass, centre of mass and inertia."""
+        """Mass properties: mass, centre of mass and inertia."""
         return self.only.body
 
     def __repr__(self) -> str:
@@ -226,43 +234,53 @@ def budget(
     seed: int | None = None,
     configuration: str | None = None,
 ) -> Budget:
-    """Says what a parts list comes to: what ``polhode budget`` does. What no argument says is as the list has it.
+    """Computes the mass properties of a parts list, with their uncertainty, as ``polhode budget``
+    does.
+
+    Arguments that are not given keep the values of the list.
 
     Parameters
     ----------
     parts
-        A path; or the text of a CSV, a ``str`` of more than one line; or a table: a dataframe of pandas or Polars, a table of PyArrow, or a
-        dictionary of columns, with the names and units that the headings of a CSV have: ``"mass [g]"``. ``None`` and NaN are empty cells. The
-        book's ``budget-file.md`` has all columns.
+            A path; the text of a CSV, a ``str`` of more than one line; or a table. A table is a
+            dataframe of pandas or Polars, a table of PyArrow, or a dictionary of columns. Its
+            columns have the names and units of the CSV headings: ``"mass [g]"``. ``None`` and NaN
+            are empty cells. The book's ``budget-file.md`` lists all columns.
     plan
-        What the list says besides its parts, with a table: title, growth, groups, limits, with the keys that the head of a CSV has.
+            Settings that go with a table: title, growth, groups and limits, with the keys of the
+            head of a CSV.
     basis
-        Which masses count: ``"basic"``, as they are known, or ``"predicted"``, with their growth allowance.
+            Masses that count: ``"basic"``, as known today, or ``"predicted"``, with their growth
+            allowance.
     about
-        A point (3,) that the tensor is wanted about too, m.
+            Additional reference point (3,) for the inertia tensor, m.
     axes
-        Axes that it is wanted along too, the columns of a rotation matrix (3, 3). Tilts are from them.
+            Additional axes for the inertia tensor, the columns of a rotation matrix (3, 3). Tilts
+            are measured from them.
     draws
-        How many possible bodies are drawn: 0, or 10 at least. Usually 10,000, of long lists fewer.
+            Number of random bodies to draw: 0, or at least 10. The default is 10,000, fewer for
+            long lists.
     seed
-        Other draws.
+            Seed of the random draws.
     configuration
-        Only this one.
+            Name of the only configuration to compute. The default is all configurations.
 
     Returns
     -------
     Budget
-        The mass properties with their covariance, limits, and whose errors matter, of each configuration.
+            Mass properties with covariance, limits, and contributions to the variance, for each
+            configuration.
 
     Raises
     ------
     PolhodeError
-        If the list cannot be read, with the place, or of a table the row; if a part cannot exist.
+            If the list cannot be read or a part is not physical. The message names the place in the
+            file, or the row of the table.
 
     Warns
     -----
     PolhodeWarning
-        Of findings: a limit is not met, something is too heavy, axes are not known.
+            For each finding: a limit that is not met, a row that is too heavy, undetermined axes.
 
     Examples
     --------
@@ -305,7 +323,7 @@ def budget(
 
 
 def _columns(table: Any) -> dict[str, list[object]]:
-    """The columns of a table by their names."""
+    """Returns the columns of a table by name."""
     if isinstance(table, Mapping):
         names = list(table)
     elif hasattr(table, "column_names"):
@@ -344,7 +362,7 @@ def _csv_of(columns: Mapping[str, list[object]]) -> str:
 
 
 def _cell(place: str, value: object) -> str:
-    """A value as the cell of a CSV: numbers with all their digits."""
+    """Returns a value as the cell of a CSV: numbers with all their digits."""
     if value is None or value != value or type(value).__name__ in ("NAType", "NaTType"):
         return ""
     if isinstance(value, np.generic):
@@ -354,7 +372,7 @@ def _cell(place: str, value: object) -> str:
     if isinstance(value, (int, float)):
         return repr(value)
     if isinstance(value, str):
-        # A cell is one line.
+        # A cell must be one line.
         return " ".join(value.split("\n"))
     if isinstance(value, os.PathLike):
         return _arrays.path(place, value)

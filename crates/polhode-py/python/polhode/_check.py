@@ -1,4 +1,4 @@
-"""Are the inertias of a robot or simulation model right?"""
+"""Checks of the inertias of robot and simulation models."""
 
 from __future__ import annotations
 
@@ -12,33 +12,35 @@ from ._error import in_python
 
 
 class ModelFinding(NamedTuple):
-    """Something wrong with a model."""
+    """An error or doubtful value in a model."""
 
-    #: A stable name for programs, such as ``"inertia.triangle"``.
+    #: Stable identifier for programs, such as ``"inertia.triangle"``.
     code: str
-    #: ``impossible`` (unphysical), ``suspect`` (hardly meant) or ``note``.
+    #: ``impossible`` (unphysical), ``suspect`` (unlikely to be intended) or ``note``.
     severity: str
-    #: The link or joint; empty if it is about the whole model.
+    #: Link or joint; empty if the finding concerns the whole model.
     link: str
-    #: More links or joints of which the same is to be said.
+    #: Further links or joints with the same finding.
     others: list[str]
-    #: Where in the file, from 1.
+    #: Line and column in the file, from 1.
     line: int
     column: int
-    #: What is wrong, with the numbers.
+    #: Description of the error, with the numbers.
     message: str
-    #: The rule that it breaks.
+    #: Rule that is violated.
     rule: str
-    #: The numbers by name, SI.
+    #: Numbers by name, SI units.
     numbers: dict[str, float]
-    #: The fix, if exactly one is consistent with all evidence of the link: a description, and edits of the text.
+    #: Fix, if exactly one is consistent with all data of the link: a description and edits of the
+    #: text.
     repair: dict[str, Any] | None
-    #: What it is known by, wherever it moves in its file.
+    #: Identifier that does not depend on the position in the file.
     id: str
 
 
 class CheckReport:
-    """What was found in a model, in the order of the file. It has the length and the elements of ``findings``."""
+    """Findings about a model, in the order of the file. The report is a sequence of
+    ``findings``."""
 
     def __init__(self, path: str, report: dict[str, Any], text: str, table: str) -> None:
         self.path = path
@@ -48,20 +50,22 @@ class CheckReport:
 
     @property
     def findings(self) -> list[ModelFinding]:
-        """All findings that count; what comments of the model allow is ``to_dict()["allowed"]``."""
+        """Findings that count. Findings that comments in the model allow are in
+        ``to_dict()["allowed"]``."""
         return [ModelFinding(**finding) for finding in self.to_dict()["findings"]]
 
     @property
     def ok(self) -> bool:
-        """True if nothing is impossible or suspect."""
+        """True if no finding is ``impossible`` or ``suspect``."""
         return all(finding.severity == "note" for finding in self.findings)
 
     def to_dict(self) -> dict[str, Any]:
-        """The object that ``polhode check --json`` prints: its keys are stable."""
+        """Returns the object that ``polhode check --json`` prints. Its keys are stable."""
         return copy.deepcopy(self._report)
 
     def table(self) -> str:
-        """A line for each link: mass, centre, principal moments, equivalent box, density, verdict."""
+        """Returns a text table with a line for each link: mass, centre, principal moments,
+        equivalent box, density, verdict."""
         return self._table
 
     def __eq__(self, other: object) -> bool:
@@ -69,11 +73,11 @@ class CheckReport:
             return NotImplemented
         return (self.path, self._report) == (other.path, other._report)
 
-    #: What may be changed in it is not hashed.
+    #: Not hashable, because ``path`` can be changed.
     __hash__ = None  # type: ignore[assignment]
 
     def __getitem__(self, which: Any) -> Any:
-        """A finding by its place, or several by a slice."""
+        """Returns the finding at an index, or several for a slice."""
         return self.findings[which]
 
     def __iter__(self) -> Iterator[ModelFinding]:
@@ -100,19 +104,19 @@ def check(path: str | os.PathLike[str], *, roots: Sequence[str | os.PathLike[str
     Parameters
     ----------
     path
-        The model's file.
+            Path of the model file.
     roots
-        Folders that hold the packages that it names.
+            Folders that contain the packages to which the model refers.
 
     Returns
     -------
     CheckReport
-        Its findings, each with its link, its rule and its place.
+            Findings, each with its link, its rule and its place in the file.
 
     Raises
     ------
     PolhodeError
-        Where the file is no robot model.
+            If the file is not a robot model.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""What a cluster may do wrong while a sweep waits for it, in words."""
+"""Errors of clusters during a sweep, reported in plain words."""
 
 from __future__ import annotations
 
@@ -7,20 +7,22 @@ from typing import Callable, Iterator, TypeVar
 
 from ._error import PolhodeError, warn
 
-#: Seconds between two looks at a cluster from which nothing comes.
+#: Seconds between two checks of a cluster that returns nothing.
 LOOK = 2.0
 
 #: Seconds between two warnings that there is still no worker.
 REMIND = 60.0
 
-#: Workers that may be lost with the same part before that is given up: it may be the part that ends them, by the memory that it takes.
+#: Number of workers that may be lost with the same part before the sweep gives up. The part itself
+#: may end them, for example by the memory that it needs.
 LOST_WORKERS = 16
 
 Part = TypeVar("Part")
 
 
 class Watch:
-    """Counts a cluster's workers while nothing comes from it: says that there are none, and gives up after ``timeout`` seconds of that."""
+    """Counts a cluster's workers while no results arrive. Warns if there are none, and gives up
+    after ``timeout`` seconds without any."""
 
     def __init__(self, on: str, timeout: float | None, workers: Callable[[], int]) -> None:
         self.on = on
@@ -31,7 +33,7 @@ class Watch:
         self._said = float("-inf")
 
     def look(self) -> None:
-        """To be called as often as may be while one waits."""
+        """Checks the workers. Call it often during a wait: it limits its own rate."""
         now = time.monotonic()
         if now - self._looked < LOOK:
             return
@@ -53,12 +55,12 @@ class Watch:
 
 
 def lost(on: str, why: str) -> ConnectionError:
-    """The cluster is gone."""
+    """Returns the error for a cluster whose connection is lost."""
     return ConnectionError(f"{on} was lost on the way: {why}; what is done is kept: go on with resume")
 
 
 def in_words(on: str, parts: Iterator[Part]) -> Iterator[Part]:
-    """The parts; what an engine raises in its own words becomes an error of ours."""
+    """Yields the parts. Exceptions of the cluster's engine are raised as :class:`PolhodeError`."""
     while True:
         try:
             part = next(parts)

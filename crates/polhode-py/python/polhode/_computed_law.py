@@ -1,4 +1,4 @@
-"""Torques and events that are Python functions, called with numbers: for one body, or for many at once."""
+"""Torques and event measures that are Python functions: for one body, or for many at once."""
 
 from __future__ import annotations
 
@@ -12,12 +12,14 @@ from ._arrays import Floats
 from ._error import PolhodeError
 from ._law import asked, called_with
 
-#: By how much of the greatest torque that of a member may differ when it is computed alone: sums of other lengths are rounded otherwise.
+#: Largest difference between the torque of a member alone and among others, relative to the
+#: greatest torque. Sums of different lengths round differently.
 ALONE = 1e-9
 
 
 def computed(law: Any) -> Callable[..., tuple[float, ...]]:
-    """A law of numbers: of time, ω, the attitude's quaternion and L, along body axes."""
+    """Returns a torque law as a function of plain numbers: time, ω, attitude quaternion and L, body
+    axes."""
     needed = asked(law)
 
     def of(t: float, omega: list[float], quaternion: list[float], momentum: list[float]) -> tuple[float, ...]:
@@ -31,7 +33,8 @@ def computed(law: Any) -> Callable[..., tuple[float, ...]]:
 
 
 def measured(law: Any) -> Callable[..., float]:
-    """What an event measures, of numbers: of time, ω, the attitude's quaternion and L along body axes."""
+    """Returns an event measure as a function of plain numbers: time, ω, attitude quaternion and L,
+    body axes."""
     needed = asked(law)
 
     def of(t: float, omega: list[float], quaternion: list[float], momentum: list[float]) -> float:
@@ -43,12 +46,13 @@ def measured(law: Any) -> Callable[..., float]:
 
 
 def needs_momentum(law: Any) -> bool:
-    """Whether it asks for L, which depends on the body."""
+    """Returns true if a law takes L, which depends on the body."""
     return any(name.startswith("momentum") for name in asked(law))
 
 
 def computed_of_many(law: Any) -> Callable[..., Floats]:
-    """A vectorised law of numbers: of times (n,), ω (n, 3), quaternions (n, 4), L (n, 3) and members (n,), along body axes."""
+    """Returns a vectorised law as a function of times (n,), ω (n, 3), quaternions (n, 4), L (n, 3)
+    and members (n,), body axes."""
     needed = asked(law, vectorized=True)
 
     def rows(state: State) -> Floats:
@@ -63,11 +67,12 @@ def computed_of_many(law: Any) -> Callable[..., Floats]:
     def of(*given: Any) -> Floats:
         nonlocal is_known
         state = State(*given)
-        # A law may write into what it is given.
+        # A law may modify the arrays that it receives.
         last = None if is_known or len(state.t) < 2 else State(*(array[-1:].copy() for array in given))
         found = rows(state)
         if last is not None:
-            # A law that was written for one body may take a row for a component, and give something of the right shape.
+            # A law written for one body may take a row for a component, and still return the right
+            # shape.
             alone = rows(last)
             if np.isfinite(found).all() and not np.abs(alone - found[-1:]).max() <= ALONE * np.abs(found).max():
                 rule = "members do not know of each other, so it is a function of each row"
@@ -79,7 +84,7 @@ def computed_of_many(law: Any) -> Callable[..., Floats]:
 
 
 def computed_of_one(law: Any) -> Callable[..., tuple[float, ...]]:
-    """A vectorised law, for a body that is alone."""
+    """Returns a vectorised law as a function for a single body."""
     many = computed_of_many(law)
 
     def of(t: float, omega: list[float], quaternion: list[float], momentum: list[float]) -> tuple[float, ...]:
@@ -90,7 +95,7 @@ def computed_of_one(law: Any) -> Callable[..., tuple[float, ...]]:
 
 
 class State(NamedTuple):
-    """A state, or a row for each of many, as laws ask for it."""
+    """State of one body, or rows of states of many, by the names that laws use."""
 
     t: Any
     omega: Floats
@@ -112,17 +117,18 @@ class State(NamedTuple):
 
 
 class Turned:
-    """The attitude as numbers, or a row for each of many: it takes body components to space components."""
+    """Attitude of one body, or rows of attitudes of many. It takes body components to space
+    components."""
 
     def __init__(self, quaternion: Floats) -> None:
         self._quaternion = quaternion
 
     def as_quat(self, *, scalar_first: bool = False) -> Floats:
-        """The quaternion (…, 4): x, y, z, w, as SciPy has it, or w first."""
+        """Returns the quaternion (…, 4): x, y, z, w as in SciPy, or w first."""
         return self._quaternion.copy() if scalar_first else np.roll(self._quaternion, -1, axis=-1)
 
     def as_matrix(self) -> Floats:
-        """R_space_body (…, 3, 3)."""
+        """Returns the rotation matrix R_space_body (…, 3, 3)."""
         w, x, y, z = np.moveaxis(self._quaternion, -1, 0)
         # R = (w² − q²) 1 + 2 q qᵀ + 2 w [q]×
         rows = (
@@ -133,7 +139,8 @@ class Turned:
         return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
     def apply(self, vector: npt.ArrayLike, inverse: bool = False) -> Floats:
-        """Space components of a vector of body components (3,), or of one for each of many (n, 3); ``inverse``: the other way."""
+        """Returns the space components of a vector (3,) in body components, or of one for each body
+        (n, 3); with ``inverse``, the reverse."""
         matrix = self.as_matrix()
         if inverse:
             matrix = np.swapaxes(matrix, -1, -2)

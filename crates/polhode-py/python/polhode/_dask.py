@@ -1,4 +1,4 @@
-"""Parts of a sweep on a Dask cluster."""
+"""Computation of the parts of a sweep on a Dask cluster."""
 
 from __future__ import annotations
 
@@ -17,27 +17,32 @@ from .batch import Plan, compute
 if TYPE_CHECKING:
     from ._parts import Done, Parts
 
-#: Seconds between two looks whether a part is done.
+#: Seconds between two checks whether a part is done.
 POLL = 0.05
 
-#: What a cluster on this machine is told.
+#: Settings of a cluster on this machine.
 LOCAL = {
-    # A worker that its nanny has not brought back within 15 s is dropped for good, unless Dask is told otherwise; a busy machine takes longer.
+    # By default, Dask drops a worker for good if its nanny has not restarted it within 15 s. A busy
+    # machine takes longer.
     "distributed.deploy.lost-worker-timeout": "10 minutes",
-    # Its processes look 100 times a second at what they do, and 50 times at whether they answer: 3 % of two processors, and nobody is shown it.
+    # The workers would profile themselves 100 times a second and check their event loop 50 times a
+    # second. That costs 3 % of two processors, and nobody sees the result.
     "distributed.worker.profile.enabled": False,
     "distributed.admin.tick.interval": "500 ms",
 }
 
 
 def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout: float | None) -> Iterator[Done]:
-    """The missing parts as they are done. A part that is lost with its worker is computed again: by Dask, which knows how."""
+    """Yields the missing parts as they are done. Dask computes a part again if its worker is
+    lost."""
     on = f"dask://{address}"
     with _client(address, workers) as client:
         watch = Watch(on, worker_timeout, lambda: _workers(client, on))
-        # Nothing but this iterator knows the futures, so that a part's memory is free once it has been written; the parts are known by their keys.
+        # Only this iterator holds the futures, so a part's memory is freed once it has been
+        # written. Parts are identified by the keys of their futures.
         sent: dict[Any, _Sent] = {}
-        # Results are asked for one by one: what `as_completed` asks for is never told if the worker that has it is lost just then.
+        # Results are fetched one by one. If `as_completed` fetched a result while its worker is
+        # lost, the result would never arrive.
         waiting = as_completed(_send(client, plan, [_Sent(part, 0) for part in missing.items()], sent))
         while not waiting.is_empty():
             while not waiting.has_ready():
@@ -48,7 +53,8 @@ def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout
             try:
                 done = _result(future, watch)
             except KilledWorker as error:
-                # Dask gives a part up after some workers, as few as four: where workers come and go, that may be chance.
+                # Dask gives up a part after a few lost workers, possibly only four. On clusters
+                # whose workers come and go, that may be chance.
                 workers_lost += error.allowed_failures + 1
                 if workers_lost > LOST_WORKERS:
                     raise
@@ -57,14 +63,15 @@ def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout
             except (CancelledError, OSError) as error:
                 if future.status == "error":
                     raise
-                # The futures of a scheduler that is lost are cancelled.
+                # The futures of a lost scheduler are cancelled.
                 raise lost(on, f"its scheduler gave up a part ({type(error).__name__})") from error
             del future
             yield done
 
 
 def _result(future: Future, watch: Watch) -> Done:
-    """The result of a future that is done; it is computed anew if the worker that has it is lost, and there may be no other."""
+    """Returns the result of a finished future. If its worker is lost, Dask computes it again, and
+    there may be no other worker."""
     while True:
         try:
             done: Done = future.result(timeout=LOOK)
@@ -74,16 +81,16 @@ def _result(future: Future, watch: Watch) -> Done:
 
 
 class _Sent(NamedTuple):
-    """A part that is with the cluster."""
+    """A part that the cluster computes."""
 
-    #: Its number, and its first member and the one after its last.
+    #: Index of the part, and its first member and the one after its last.
     part: tuple[int, tuple[int, int]]
-    #: How many workers have been lost while they had it, as far as Dask has said.
+    #: Number of workers lost with this part, as far as Dask has reported.
     workers_lost: int
 
 
 def _send(client: Client, plan: Plan, parts: list[_Sent], sent: dict[Any, _Sent]) -> list[Future]:
-    """Hands parts to the cluster, and remembers them by the keys of their futures."""
+    """Sends parts to the cluster and records them by the keys of their futures."""
     futures: list[Future] = client.map(partial(_part, plan), [each.part for each in parts], pure=False)
     sent.update(zip((future.key for future in futures), parts))
     return futures
@@ -104,8 +111,9 @@ def _workers(client: Client, on: str) -> int:
 
 @contextmanager
 def _client(address: str, workers: int) -> Iterator[Client]:
-    """A client of a cluster; one on this machine has so many processes of one thread."""
-    # What a lost connection means is said here; the client would log its own traceback of it.
+    """Opens a client of a cluster; ``local`` starts one on this machine, with ``workers``
+    single-threaded processes."""
+    # The caller reports a lost connection. The client would also log its own traceback.
     log = logging.getLogger("distributed.client")
     before = log.level
     log.setLevel(logging.CRITICAL)

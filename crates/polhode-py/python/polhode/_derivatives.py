@@ -1,4 +1,4 @@
-"""Derivatives of motions by what they start with, by the inertia tensor, and by numbers of torques."""
+"""Derivatives of motions by the start, by the inertia tensor, and by parameters of torques."""
 
 from __future__ import annotations
 
@@ -17,27 +17,31 @@ from ._record import Record
 
 @dataclass(frozen=True, eq=False, repr=False)
 class EventDerivatives(Record):
-    """An event, and how its time and the state then change. The state's derivatives are those with its time, not those at a fixed time."""
+    """An event, with the derivatives of its time and of the state.
 
-    #: The event's name in the scenario.
+    The derivatives of the state include the change of the event's time. They are not derivatives at
+    a fixed time.
+    """
+
+    #: Name of the event in the scenario.
     name: str
-    #: When, s.
+    #: Time of the event, s.
     time: float
-    #: ω along body axes (3,), rad/s.
+    #: Angular velocity (3,), body axes, rad/s.
     omega: Floats
-    #: The attitude as a unit quaternion (4,): w, x, y, z.
+    #: Attitude as a unit quaternion (4,): w, x, y, z.
     attitude: Floats
-    #: Of the state (6, 6), by the start: rows and columns as of :class:`Derivatives`.
+    #: Derivatives of the state by the start (6, 6): rows and columns as in :class:`Derivatives`.
     by_start: Floats
-    #: Of the state (6, 6), by the inertia tensor.
+    #: Derivatives of the state by the inertia tensor (6, 6).
     by_inertia: Floats
-    #: Of the state (6, p), by the parameters.
+    #: Derivatives of the state by the parameters (6, p).
     by_parameters: Floats
-    #: Of the time (6,), by the start: s/rad, s/(rad/s).
+    #: Derivatives of the time by the start (6,): s/rad, s/(rad/s).
     time_by_start: Floats
-    #: Of the time (6,), by the inertia tensor, s/(kg·m²).
+    #: Derivatives of the time by the inertia tensor (6,), s/(kg·m²).
     time_by_inertia: Floats
-    #: Of the time (p,), by the parameters.
+    #: Derivatives of the time by the parameters (p,).
     time_by_parameters: Floats
 
     def __repr__(self) -> str:
@@ -46,11 +50,15 @@ class EventDerivatives(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Derivatives(Record):
-    """States of a motion with their derivatives. :meth:`FreeMotion.derivatives` makes one, and :func:`simulate` with ``derivatives``.
+    """States of a motion with their derivatives.
 
-    The rows of all of them are :attr:`rows`: θ, a small rotation vector along body axes by which the attitude is turned, R exp(θ), rad; and ω
-    along body axes, rad/s. Columns are :attr:`start_columns`, the same of the start; :attr:`inertia_columns`, the elements of the inertia tensor
-    about the point that the body turns about, kg·m²; and :attr:`parameters`. Of a single time the first axis is left out.
+    :meth:`FreeMotion.derivatives` returns them, and :func:`simulate` with ``derivatives``.
+
+    The rows of all derivatives are :attr:`rows`: θ, a small rotation vector in body axes, rad, with
+    R exp(θ) as the rotated attitude; and ω in body axes, rad/s. The columns are
+    :attr:`start_columns`, the same six numbers at the start; :attr:`inertia_columns`, the elements
+    of the inertia tensor about the point that the body turns about, kg·m²; and :attr:`parameters`.
+    For a single time, the arrays lack the first axis.
 
     >>> import numpy as np, polhode
     >>> motion = polhode.FreeMotion(inertia=[[3.1, 0.4, -0.3], [0.4, 4.2, 0.2], [-0.3, 0.2, 5.3]], omega=[0.7, -1.1, 0.4])
@@ -63,44 +71,52 @@ class Derivatives(Record):
     True
     """
 
-    #: What the rows are of.
+    #: Names of the rows.
     rows: ClassVar[tuple[str, ...]] = ("theta_x", "theta_y", "theta_z", "omega_x", "omega_y", "omega_z")
-    #: What the columns of ``by_start`` are by.
+    #: Names of the columns of ``by_start``.
     start_columns: ClassVar[tuple[str, ...]] = rows
-    #: What the columns of ``by_inertia`` are by. I_xy = I_yx is one number, an element of the tensor: minus the integral of xy.
+    #: Names of the columns of ``by_inertia``. I_xy = I_yx is one number, an element of the tensor:
+    #: minus the integral of xy.
     inertia_columns: ClassVar[tuple[str, ...]] = ("I_xx", "I_yy", "I_zz", "I_xy", "I_xz", "I_yz")
 
-    #: What the columns of ``by_mass_properties`` are by, as rows of :class:`MeshDerivatives`, :class:`BodyDerivatives` and :class:`ParticleDerivatives` are of.
+    #: Names of the columns of ``by_mass_properties``: the rows of :class:`MeshDerivatives`,
+    #: :class:`BodyDerivatives` and :class:`ParticleDerivatives`.
     mass_properties_columns: ClassVar[tuple[str, ...]] = ROWS
 
     #: Times (n,), s.
     times: Floats
-    #: ω along body axes (n, 3), rad/s.
+    #: Angular velocity (n, 3), body axes, rad/s.
     omega: Floats
-    #: R_space_body as unit quaternions (n, 4): w, x, y, z, continuous.
+    #: Attitudes R_space_body as unit quaternions (n, 4): w, x, y, z, continuous in sign.
     attitude: Floats
-    #: (n, 6, 6): the state transition matrix.
+    #: State transition matrices (n, 6, 6).
     by_start: Floats
-    #: (n, 6, 6).
+    #: Derivatives of the state by the inertia tensor (n, 6, 6).
     by_inertia: Floats
-    #: (n, 6, p).
+    #: Derivatives of the state by the parameters (n, 6, p).
     by_parameters: Floats
-    #: (6, 10): how the elements of the tensor about the point that the body turns about depend on its mass, its centre of mass, and the tensor about that,
-    #: per kg, per m, and 1. Of a free body mass and centre do not matter.
+    #: Derivatives (6, 10) of the tensor about the point that the body turns about by the mass (per
+    #: kg), the centre of mass (per m) and the tensor about the centre of mass (dimensionless). Mass
+    #: and centre do not matter for a free body.
     inertia_by_mass_properties: Floats
-    #: The p numbers of torques: what the columns of ``by_parameters`` are by.
+    #: Names of the p torque parameters: the columns of ``by_parameters``.
     parameters: tuple[str, ...]
-    #: What happened on the way, in the order of time.
+    #: Events, in the order of time.
     events: tuple[EventDerivatives, ...]
 
     @property
     def by_mass_properties(self) -> Floats:
-        """By the body's mass properties (n, 6, 10), through the tensor about the point that it turns about: :attr:`by_inertia` times
-        :attr:`inertia_by_mass_properties`. Its columns are :attr:`mass_properties_columns`, so that a matrix product takes it on to what the body is
-        made of. An event's own derivatives, and those of its time, are multiplied by the same matrix.
+        """Derivatives by the body's mass properties (n, 6, 10), through the tensor.
 
-        Of a free body this is all. A torque that knows the mass or the centre of mass besides, as gravity about a pivot does, has them as
-        parameters of its own (``"torque[0].lever.x"``), by which there are :attr:`by_parameters`.
+        This is :attr:`by_inertia` times :attr:`inertia_by_mass_properties`. Its columns are
+        :attr:`mass_properties_columns`. A matrix product with :class:`MeshDerivatives`,
+        :class:`BodyDerivatives` or :class:`ParticleDerivatives` therefore gives the derivatives by
+        vertices, parts or particles. Multiply the derivatives of an event and of its time by the
+        same matrix.
+
+        For a free body these derivatives are complete. A torque that also depends on the mass or
+        the centre of mass, such as gravity about a pivot, has these as parameters of its own
+        (``"torque[0].lever.x"``). Their derivatives are in :attr:`by_parameters`.
 
         >>> import numpy as np, polhode
         >>> masses, positions = [1.2, 0.7, 0.9, 1.1], [[0.3, -0.1, 0.2], [-0.5, 0.4, 0.1], [0.2, 0.6, -0.7], [-0.1, -0.5, 0.4]]
@@ -122,32 +138,36 @@ class Derivatives(Record):
         parameters: npt.ArrayLike | None = None,
         joint: npt.ArrayLike | None = None,
     ) -> Floats:
-        """The covariance of the states (n, 6, 6), to first order: J C Jᵀ, in the order of :attr:`rows`.
+        """Returns the covariance of the states (n, 6, 6), to first order: J C Jᵀ, in the order of
+        :attr:`rows`.
 
         Parameters
         ----------
         start
-            The covariance (6, 6) of θ and ω at the start, in the order of :attr:`start_columns`; without it the start is exact.
+                Covariance (6, 6) of θ and ω at the start, in the order of :attr:`start_columns`.
+                The default is an exact start.
         inertia
-            The covariance (6, 6) of the elements of the tensor, in the order of :attr:`inertia_columns`; without it the body is exact.
+                Covariance (6, 6) of the elements of the tensor, in the order of
+                :attr:`inertia_columns`. The default is an exact tensor.
         parameters
-            The covariance (p, p) of the parameters; without it they are exact.
+                Covariance (p, p) of the parameters. The default is exact parameters.
         joint
-            Instead of these three, which do not depend on each other, the covariance (12 + p, 12 + p) of all: start, inertia, parameters.
+                Joint covariance (12 + p, 12 + p) of start, inertia and parameters, instead of the
+                three, which are treated as independent.
 
         Returns
         -------
         array (n, 6, 6)
-            The covariances of θ and ω; of a single time (6, 6).
+                Covariances of θ and ω; for a single time (6, 6).
 
         Raises
         ------
         PolhodeError
-            Where an argument is refused: its name, the element and the rule are in the message.
+                If an argument is invalid; the message names the argument, the element and the rule.
 
         Examples
         --------
-        A spin about an axis that is known to 0.01 rad/s turns by an angle that is known to 0.07 rad after 7 s:
+        A spin rate known to 0.01 rad/s gives an angle known to 0.07 rad after 7 s:
 
         >>> import numpy as np, polhode
         >>> derivatives = polhode.FreeMotion(moments=[1, 2, 3], omega=[0, 0, 0.5]).derivatives([0.0, 7.0])
@@ -180,7 +200,7 @@ class Derivatives(Record):
 
 
 def symmetric(name: str, value: npt.ArrayLike, size: int) -> Floats:
-    """A covariance: symmetric, nothing negative on its diagonal, no correlation beyond 1."""
+    """Checks a covariance: symmetric, no negative variances, no correlation beyond 1."""
     _units.without(name, value)
     matrix = _arrays.numbers(name, value, (size, size))
     diagonal = np.diag(matrix)
@@ -192,7 +212,7 @@ def symmetric(name: str, value: npt.ArrayLike, size: int) -> Floats:
 
 
 def derivatives_of(derived: _native.Derived, single: bool = False) -> Derivatives:
-    """What Rust derived; of a single time without the first axis."""
+    """Converts derivatives from Rust; for a single time without the first axis."""
     return Derivatives(
         times=_first(derived["times"], single),
         omega=_first(derived["omega"], single),

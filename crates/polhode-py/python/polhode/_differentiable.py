@@ -1,7 +1,10 @@
-"""Functions of arrays with their partial derivatives, as :mod:`polhode.jax` and :mod:`polhode.torch` wrap them.
+"""Functions of arrays with their partial derivatives, for :mod:`polhode.jax` and
+:mod:`polhode.torch`.
 
-Each takes and gives plain arrays, whose leading axes are a batch, and says by letters, as :func:`numpy.einsum` has them, which axes its arguments, its
-value and its partial derivatives have. What those libraries add is only the product of partial derivatives with tangents or cotangents, which is linear.
+Each function takes and returns plain arrays, whose leading axes are a batch. Letters, as in
+:func:`numpy.einsum`, name the axes of the arguments, of the value and of the partial derivatives.
+JAX and PyTorch only add the product of partial derivatives with tangents or cotangents, which is
+linear.
 """
 
 from __future__ import annotations
@@ -19,28 +22,30 @@ from ._free_motion import FreeMotion
 from ._mass_derivatives import body_derivatives, mesh_derivatives, particle_derivatives, ten
 from ._mass_properties import MassProperties, joined, particles
 
-#: Letters of axes that have a length of their own: components, and those of a quaternion.
+#: Lengths of axes that always have the same length: vector components, and components of a
+#: quaternion.
 _LENGTHS = {"i": 3, "j": 3, "k": 3, "q": 4}
 
-#: Where the elements of a tensor (3, 3) are among xx yy zz xy xz yz, and how much of a change of both elements that are one number is that of one of them.
+#: Index of each element of a tensor (3, 3) in the list xx yy zz xy xz yz, and the weight of its
+#: derivative: an off-diagonal number is two elements, each with half of the derivative.
 _ELEMENTS = np.array([[0, 3, 4], [3, 1, 5], [4, 5, 2]])
 _SHARES = np.where(np.eye(3, dtype=bool), 1.0, 0.5)
 
-#: Where the elements of the tensor (3, 3) are among the ten numbers of mass properties.
+#: Index of each element of the tensor (3, 3) among the ten numbers of mass properties.
 TENSOR = (4 + _ELEMENTS).tolist()
 
 
 class Motion(NamedTuple):
-    """States of a free motion, as arrays of the library that computes with them."""
+    """States of a free motion, as arrays of the calling library (JAX or PyTorch)."""
 
-    #: ω along body axes (…, n, 3), rad/s.
+    #: Angular velocity (…, n, 3), body axes, rad/s.
     omega: Any
-    #: R_space_body as unit quaternions (…, n, 4): w, x, y, z.
+    #: Attitudes R_space_body as unit quaternions (…, n, 4): w, x, y, z.
     attitude: Any
 
 
 class Properties(NamedTuple):
-    """Mass properties, as arrays of the library that computes with them."""
+    """Mass properties, as arrays of the calling library (JAX or PyTorch)."""
 
     #: Mass (…), kg.
     mass: Any
@@ -54,21 +59,23 @@ class Properties(NamedTuple):
 class Function:
     """A function of arrays, and its partial derivatives."""
 
-    #: What users call it.
+    #: Name of the function for users.
     name: str
-    #: The letters of the axes of each argument, but for those of the batch.
+    #: Letters of the axes of each argument, without those of the batch.
     arguments: Mapping[str, str]
-    #: Those of the value.
+    #: Letters of the axes of the value.
     output: str
-    #: The lengths of the axes of the value that no argument has.
+    #: Lengths of the axes of the value that no argument has.
     lengths: Mapping[str, int]
-    #: Those of the partial derivatives, by the arguments that it has them by.
+    #: Letters of the axes of the partial derivatives, by the argument with respect to which they
+    #: are taken.
     partials: Mapping[str, str]
     _value: Callable[..., Floats]
     _partials: Callable[..., tuple[Floats, Mapping[str, Callable[[], Floats]]]]
 
     def sizes(self, shapes: Sequence[tuple[int, ...]]) -> tuple[tuple[int, ...], dict[str, int]]:
-        """The shape of the batch, and the length of each axis, of arguments of these shapes."""
+        """Returns the shape of the batch and the length of each axis, for arguments of these
+        shapes."""
         lengths: dict[str, int] = {**_LENGTHS, **self.lengths}
         batches = []
         for (name, letters), shape in zip(self.arguments.items(), shapes):
@@ -87,29 +94,31 @@ class Function:
             raise PolhodeError(f"{said}: leading axes must be the same, or 1") from None
 
     def output_shape(self, shapes: Sequence[tuple[int, ...]]) -> tuple[int, ...]:
-        """The shape of the value."""
+        """Returns the shape of the value."""
         batch, lengths = self.sizes(shapes)
         return batch + tuple(lengths[letter] for letter in self.output)
 
     def partial_shape(self, by: str, shapes: Sequence[tuple[int, ...]]) -> tuple[int, ...]:
-        """The shape of the partial derivatives by an argument."""
+        """Returns the shape of the partial derivatives by an argument."""
         batch, lengths = self.sizes(shapes)
         return batch + tuple(lengths[letter] for letter in self.partials[by])
 
     def tangent(self, by: str) -> str:
-        """The product of the partial derivatives by an argument with its tangent, for ``einsum``."""
+        """Returns the ``einsum`` subscripts of partial derivatives by an argument times its
+        tangent."""
         return f"...{self.partials[by]},...{self.arguments[by]}->...{self.output}"
 
     def cotangent(self, by: str) -> str:
-        """The product of the partial derivatives by an argument with the cotangent of the value, for ``einsum``."""
+        """Returns the ``einsum`` subscripts of partial derivatives by an argument times the
+        cotangent of the value."""
         return f"...{self.partials[by]},...{self.output}->...{self.arguments[by]}"
 
     def value(self, *given: Any) -> Floats:
-        """The value, of each of a batch."""
+        """Computes the value for each element of the batch."""
         return self._each(given, ())[0]
 
     def with_partials(self, by: Sequence[str], *given: Any) -> tuple[Floats, ...]:
-        """The value, and its partial derivatives by some of its arguments."""
+        """Computes the value and its partial derivatives by some of the arguments."""
         return tuple(self._each(given, by))
 
     def _each(self, given: Sequence[Any], by: Sequence[str]) -> list[Floats]:
@@ -137,13 +146,14 @@ class Function:
 
 
 def no_second_derivatives(name: str) -> PolhodeError:
-    """What is said where derivatives of derivatives are wanted."""
+    """Returns the error for a request for second derivatives."""
     hint = "an optimiser that needs a Hessian may have J^T J of residuals (Gauss-Newton), or differences of gradients"
     return PolhodeError(f"{name} has first derivatives only: second ones are not known, and would not be zero", hint)
 
 
 def half_turn(quaternion: Floats) -> Floats:
-    """E (…, 4, 3) of quaternions q (…, 4), with q ⊗ (0, θ) = E θ: a small turn θ along body axes changes q by E θ/2."""
+    """Returns E (…, 4, 3) for quaternions q (…, 4), with q ⊗ (0, θ) = E θ: a small rotation θ in
+    body axes changes q by E θ/2."""
     w, x, y, z = np.moveaxis(quaternion, -1, 0)
     return np.stack([np.stack(row, -1) for row in ([-x, -y, -z], [w, -z, y], [z, w, -x], [-y, x, w])], -2)
 
@@ -154,7 +164,8 @@ def _states(motion: FreeMotion, times: Floats) -> Floats:
 
 
 def _motion(inertia: Floats, attitude: Floats, omega: Floats) -> FreeMotion:
-    # Checked here, as a matrix (3, 3) is an attitude elsewhere, and three moments a tensor.
+    # Both are checked here because elsewhere a matrix (3, 3) is also accepted as an attitude, and
+    # three moments as a tensor.
     return FreeMotion(inertia=_arrays.numbers("inertia", inertia, (3, 3)), attitude=_arrays.quaternions("attitude", attitude, (4,)), omega=omega)
 
 
@@ -165,7 +176,8 @@ def _motion_partials(
     value = _states(motion, times)
     derivatives = motion.derivatives(times)
     quaternions, rates = value[:, :4], value[:, 4:]
-    # From θ and ω to q and ω; and from q(0) to θ(0), of which a longer or shorter quaternion has none.
+    # Maps from θ and ω to q and ω, and from q(0) to θ(0). A change of the length of q(0) does not
+    # change θ(0).
     outward = np.zeros((len(value), 7, 6))
     outward[:, :4, :3] = 0.5 * half_turn(quaternions)
     outward[:, 4:, 3:] = np.eye(3)
@@ -174,7 +186,7 @@ def _motion_partials(
     by_start = outward @ derivatives.by_start
 
     def by_times() -> Floats:
-        # θ̇ = ω and I ω̇ = I ω × ω.
+        # The equations of motion: θ̇ = ω and I ω̇ = I ω × ω.
         tensor = np.asarray(inertia, np.float64)
         acceleration = np.linalg.solve(tensor, np.cross(rates @ tensor.T, rates).T).T
         return np.asarray(np.einsum("nos,ns->no", outward, np.hstack([rates, acceleration])))
@@ -228,7 +240,7 @@ def _body_partials(
     }
 
 
-#: Rows (n, 7) of w, x, y, z and ω.
+#: Free motion: rows (n, 7) of w, x, y, z and ω.
 FREE_MOTION = Function(
     name="free_motion",
     arguments={"inertia": "ij", "attitude": "q", "omega": "i", "times": "n"},
@@ -239,7 +251,7 @@ FREE_MOTION = Function(
     _partials=_motion_partials,
 )
 
-#: The ten numbers of mass properties.
+#: Mass properties of particles, as ten numbers.
 PARTICLES = Function(
     name="particles",
     arguments={"masses": "n", "positions": "ni"},
@@ -250,7 +262,7 @@ PARTICLES = Function(
     _partials=_particle_partials,
 )
 
-#: The same.
+#: Mass properties of a mesh, as ten numbers.
 MESH = Function(
     name="mesh",
     arguments={"vertices": "ni", "triangles": "mk", "density": ""},
@@ -261,7 +273,7 @@ MESH = Function(
     _partials=_mesh_partials,
 )
 
-#: The same.
+#: Mass properties of a body of parts, as ten numbers.
 BODY = Function(
     name="body",
     arguments={"masses": "p", "centers_of_mass": "pi", "inertias": "pij"},

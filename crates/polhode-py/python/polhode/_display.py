@@ -1,7 +1,9 @@
-"""How a notebook shows a motion: its data in each output, packed, and the viewer once.
+"""Display of a motion in a notebook: its packed data in each output, and the viewer once.
 
-The viewer goes into the first output of a kernel that shows a motion, and into that cell's again whenever it is run again. Outputs of the same document find it there, in a
-notebook without a kernel and in pages made of it too. Who is no kernel of Jupyter's, or shows each output in a document of its own, gets it every time.
+The viewer is part of a kernel's first output that shows a motion, and again of that cell's output
+whenever the cell is run again. Other outputs of the same document find it there, also in a notebook
+without a kernel and in pages made from it. Outside a Jupyter kernel, and in programs that show each
+output in a document of its own, every output contains the viewer.
 """
 
 from __future__ import annotations
@@ -22,13 +24,18 @@ _FALLBACK = "A motion in three dimensions. It is shown where this notebook is tr
 
 @cache
 def viewer() -> tuple[str, bytes]:
-    """What names the viewer, and the viewer: the page without data, deflated."""
+    """Returns a key that identifies the viewer, and the viewer: the page without data, deflated."""
     packed = zlib.compress(_native.motion_page("motion", "").encode(), 9)
     return hashlib.sha256(packed).hexdigest()[:16], packed
 
 
 def html(title: str, data: str, *, beside_widget: bool = False, brings_viewer: bool | None = None) -> str:
-    """An output that shows a motion, whose page has these data; one beside a widget is seen where the widget is not. Whether it brings the viewer is known of an output that is there already."""
+    """Returns the HTML of an output that shows a motion.
+
+    ``data`` is the JSON of the page. With ``beside_widget``, the output is visible only where the
+    widget is not. ``brings_viewer`` says whether the output contains the viewer; give it for an
+    output that exists already.
+    """
     key, packed = viewer()
     brought = ""
     if _outputs.brings_viewer() if brings_viewer is None else brings_viewer:
@@ -40,12 +47,12 @@ def html(title: str, data: str, *, beside_widget: bool = False, brings_viewer: b
 
 
 def pack(data: str) -> bytes:
-    """Returns what a page holds as JSON, deflated; ``viewer/src/packed.ts`` reads it."""
+    """Returns the JSON of a page, deflated; ``viewer/src/packed.ts`` reads it."""
     return zlib.compress(data.encode(), 9)
 
 
 def data_of(page: str) -> str:
-    """What a page holds."""
+    """Returns the JSON data of a page."""
     return page.partition('<script id="polhode-data" type="application/json">')[2].partition("</script>")[0]
 
 
@@ -55,17 +62,17 @@ def _script() -> str:
 
 
 def is_notebook() -> bool:
-    """Whether outputs are in one document of a kernel's."""
+    """Returns true if all outputs are in one document of a kernel."""
     return _shell() is not None
 
 
 def brings_viewer() -> bool:
-    """Whether the output that is made now is to bring the viewer."""
+    """Returns true if the next output must contain the viewer."""
     return _outputs.brings_viewer()
 
 
 class _Cell:
-    """The cell whose output has the viewer."""
+    """Tracks the cell whose output contains the viewer."""
 
     def __init__(self) -> None:
         self._kernel: object = None
@@ -73,7 +80,7 @@ class _Cell:
         self._count = 0
 
     def brings_viewer(self) -> bool:
-        """Whether the output that is made now is to bring the viewer."""
+        """Returns true if the next output must contain the viewer."""
         shell = _shell()
         if shell is None:
             return True
@@ -90,7 +97,8 @@ _outputs = _Cell()
 
 
 def _shell() -> Any:
-    """The shell of a kernel whose outputs are in one document; ``None`` of any other program."""
+    """Returns the shell of a kernel whose outputs are in one document; ``None`` in any other
+    program."""
     if "IPython" not in sys.modules or "google.colab" in sys.modules:
         return None
     shell = sys.modules["IPython"].get_ipython()

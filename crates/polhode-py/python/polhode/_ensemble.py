@@ -1,4 +1,4 @@
-"""Many bodies at once."""
+"""Ensembles of many bodies."""
 
 from __future__ import annotations
 
@@ -22,44 +22,54 @@ from .scenario import Orbit, Wheel
 
 
 class Ensemble:
-    """Many bodies that move independently of each other: free, or held at a pivot; with torques, wheels and events that all share, or of their own.
+    """Many bodies that move independently of each other, free or held at a pivot.
 
-    The bits do not depend on the number of threads, nor on which members there are beside one.
+    Torques, wheels and events are shared by all members, or given for each.
+
+    Results are bit-identical for any number of threads, and whichever other members there are.
 
     Parameters
     ----------
     body
-        :class:`MassProperties` or :class:`Body` of n members. What all members share, here and below, may be given once.
+            :class:`MassProperties` or :class:`Body` of the n members. In this and the following
+            arguments, a value that all members share may be given once.
     omega
-        Angular velocities at t = 0 (n, 3), along body axes, rad/s.
+            Angular velocities at t = 0 (n, 3), body axes, rad/s.
     moments
-        Instead of ``body``, where mass and centre of mass do not matter: moments (n, 3) about the axes x, y and z, kg·m².
+            Instead of ``body``, if mass and centre of mass do not matter: moments (n, 3) about the
+            axes x, y and z, kg·m².
     inertia
-        Instead of ``body``: tensors (n, 3, 3) about the centres of mass, kg·m²; mass properties are the same here as in ``body``.
+            Instead of ``body``: tensors (n, 3, 3) about the centres of mass, kg·m². Mass properties
+            are also accepted, as in ``body``.
     pivot
-        The points of the bodies that are held (n, 3), body axes, m; the bodies are free unless it is given, here or by
-        :class:`polhode.scenario.Gravity`.
+            Fixed points of the bodies (n, 3), body axes, m. Without a pivot here or in
+            :class:`polhode.scenario.Gravity`, the bodies are free.
     attitude
-        What takes body components to space components at t = 0: quaternions (n, 4), matrices (n, 3, 3), or a
-        ``scipy.spatial.transform.Rotation`` of n.
+            Attitudes at t = 0, which take body components to space components: quaternions (n, 4),
+            matrices (n, 3, 3), or a ``scipy.spatial.transform.Rotation`` of n.
     torques
-        Torques of :mod:`polhode.scenario`, all of which act on each member, or a text of ``[[torque]]`` tables, as scenarios have them; or a list of n such
-        lists, one for each member. A
-        :class:`polhode.scenario.FunctionTorque` is called for one member at a time, or, if it is ``vectorized``, once for all of them at each stage of their
-        steps. What it raises is raised here, as it is called once at the start, or by :meth:`at`.
+            Torques of :mod:`polhode.scenario`, all of which act on each member; or a text of
+            ``[[torque]]`` tables, as in scenario files; or a list of n such lists, one for each
+            member. A :class:`polhode.scenario.FunctionTorque` is called for one member at a time.
+            If it is ``vectorized``, it is called once for all members at each stage of their steps.
+            Its exceptions are raised here, because it is called once at the start, or by
+            :meth:`at`.
     wheels
-        A list of :class:`polhode.scenario.Wheel`, all of which spin in each member, or a list of n such lists.
+            A list of :class:`polhode.scenario.Wheel`, all of which spin in each member, or a list
+            of n such lists.
     events
-        A list of :class:`polhode.scenario.Event` that are looked for in each member, or a list of n such lists. One that stops a member stops no other. A
-        member with events is computed alone, as :func:`simulate` has it, and a ``vectorized`` function called for it alone. What an event measures may be a
-        function, whose exceptions are raised by :meth:`at`.
+            A list of :class:`polhode.scenario.Event` to detect in each member, or a list of n such
+            lists. An event that stops a member stops no other. A member with events is computed
+            alone, as in :func:`simulate`, and a ``vectorized`` function is called for it alone. The
+            measure of an event may be a function, whose exceptions :meth:`at` raises.
     orbit
-        The :class:`polhode.scenario.Orbit` on which torques depend, of all members, or a list of n.
+            The :class:`polhode.scenario.Orbit` on which torques depend: one for all members, or a
+            list of n.
 
     Raises
     ------
     PolhodeError
-        Where there is no such body; the message names the member.
+            If a body is not physical; the message names the member.
 
     Examples
     --------
@@ -73,7 +83,7 @@ class Ensemble:
     >>> bool((states.omega[417] == one.at([0.0, 10.0, 1e6]).omega).all())
     True
 
-    Tops of three radii, until they lean by 40°:
+    Tops of three radii, until their inclination reaches 40°:
 
     >>> from polhode import shapes
     >>> from polhode.scenario import Event, Gravity
@@ -128,7 +138,7 @@ class Ensemble:
         if len(set(counts.values())) > 1:
             said = ", ".join(f"{name} has {count}" for name, count in counts.items())
             raise PolhodeError(f"{said}: there must be as many of each as members, or one for all")
-        # For copies; of its own, as what was given may change.
+        # Copies for pickling, because the caller may change the originals.
         self._arguments = {name: rows.copy() for name, rows in given.items()}
         self._count = next(iter(counts.values()), 1)
         self._scenarios: tuple[Scenario, ...] | None = None
@@ -137,26 +147,28 @@ class Ensemble:
 
     @classmethod
     def of(cls, scenarios: Iterable[Scenario]) -> Ensemble:
-        """An ensemble of scenarios, each of them a member.
+        """Makes an ensemble of scenarios, one for each member.
 
-        A member starts, is held, turned and watched as its scenario says. What its ``run`` says is asked of :meth:`at`; its title, its pointings, the axis
-        of its pendulum and the velocity of its centre of mass are nothing that turns it.
+        A member has the start, the constraint, the torques and the events of its scenario. The
+        arguments of :meth:`at` replace the settings of ``run``. The title, the pointings, the axis
+        of a pendulum and the velocity of the centre of mass have no effect on the rotation.
 
         Parameters
         ----------
         scenarios
-            The members.
+                Scenarios of the members.
 
         Returns
         -------
         Ensemble
-            Of bodies that are free, or held at a pivot.
+                Ensemble of bodies that are free or held at a pivot.
 
         Raises
         ------
         PolhodeError
-            Where there is a body on the ground, in gimbals or on a shaft, one whose mass changes, or one whose motion is prescribed, and where a ``run`` has a
-            method or a tolerance of its own; the message names the member.
+                If a body is on the ground, in gimbals or on a shaft, if its mass changes, if its
+                motion is prescribed, or if a ``run`` has its own method or tolerance. The message
+                names the member.
 
         Examples
         --------
@@ -184,32 +196,34 @@ class Ensemble:
     def at(
         self, times: npt.ArrayLike, *, threads: int | None = None, tolerance: float = 1e-13
     ) -> EnsembleStates:
-        """All members at times (t,), ascending, s, none before the start.
+        """Computes the states of all members at times (t,), s.
 
-        Each member is computed by the best method there is: a closed form, else Taylor's method, else DOP853, within ``tolerance`` a step. Under functions of Python it is one thread. There is no estimate of the error: :func:`simulate`
-        has one for each of its motions.
+        Each member is computed by the best applicable method: a closed form, else Taylor's method,
+        else DOP853, with ``tolerance`` per step. If torques are Python functions, one thread is
+        used. The error is not estimated: :func:`simulate` estimates it for a single motion.
 
-        Events are found up to the last of the times. A member that one stops stays where it was then, as ``stops`` says. A member that cannot go on stays
-        where it was last good; it is among ``failures``, and there is a :class:`PolhodeWarning`.
+        Events are detected up to the last time. A member that an event stops keeps the state of the
+        event; see ``stops``. A member whose computation fails keeps its last good state. It is
+        listed in ``failures``, and a :class:`PolhodeWarning` is issued.
 
         Parameters
         ----------
         times
-            Times (t,), ascending, s, none before the start.
+                Times (t,), s, ascending, none before the start.
         threads
-            How many; all processors that this process may use unless given.
+                Number of threads; the default is all processors available to this process.
         tolerance
-            Relative error of a step, where a member is integrated.
+                Relative error tolerance per step, for members that are integrated.
 
         Returns
         -------
         EnsembleStates
-            ω (n, t, 3) and attitudes (n, t, 4), and the events.
+                Angular velocities (n, t, 3) and attitudes (n, t, 4), and the events.
 
         Raises
         ------
         PolhodeError
-            Where an argument is refused: its name, the element and the rule are in the message.
+                If an argument is invalid; the message names the argument, the element and the rule.
         """
         asked = _arrays.numbers("times", times, ("t",))
         rows, failures, stops, happened = self._native.at(
@@ -226,7 +240,7 @@ class Ensemble:
         return states
 
     def _made(self) -> _native.Ensemble:
-        """The same arguments are the same bodies, bit for bit."""
+        """Makes the native ensemble. The same arguments give the same bodies, bit for bit."""
         functions = Functions()
         if self._scenarios is not None:
             members = [(one._path, one._text(), functions.placed(one.torques, one.events)) for one in self._scenarios]
@@ -257,7 +271,8 @@ class Ensemble:
         return len(self._native)
 
     def __eq__(self, other: object) -> bool:
-        """Equal are ensembles of the same bodies, given alike, with the same starts, torques, wheels and events, or of equal scenarios."""
+        """Returns true if the bodies (given in the same way), starts, torques, wheels and events
+        are equal, or the scenarios."""
         if not isinstance(other, Ensemble):
             return NotImplemented
         one, two = self._arguments, other._arguments
@@ -272,11 +287,11 @@ class Ensemble:
 
 
 def _each(name: str, value: Any, shape: tuple[int, ...]) -> Floats:
-    """A row for each member, or one for all."""
+    """Returns a row for each member, or one row for all."""
     check, ndim = _arrays.numbers, len(shape)
     given = np.asarray(value.as_quat()) if hasattr(value, "as_quat") else _arrays.real(name, value)
     if name == "attitude":
-        # Of matrices (3, 3) there is an axis more.
+        # A matrix (3, 3) has one axis more than a quaternion.
         check, ndim = _arrays.quaternions, 2 if given.ndim > 1 and given.shape[-2:] == (3, 3) else 1
     if given.ndim == ndim:
         return check(name, value, shape)[None]
@@ -284,12 +299,12 @@ def _each(name: str, value: Any, shape: tuple[int, ...]) -> Floats:
 
 
 def _is_of_bodies(value: object) -> bool:
-    """Whether it is a body, or a list that begins with one."""
+    """Returns true if the value is a body, or a list that begins with one."""
     return isinstance(value, (MassProperties, Body)) or isinstance(value, (list, tuple)) and len(value) > 0 and isinstance(value[0], (MassProperties, Body))
 
 
 def _bodies(name: str, value: object) -> list[MassProperties]:
-    """The bodies of all members, or one for all."""
+    """Returns the bodies of all members, or one for all."""
     if isinstance(value, (MassProperties, Body)):
         value = [value]
     if isinstance(value, (str, bytes, Mapping, np.ndarray)) or not isinstance(value, Iterable):
@@ -306,7 +321,7 @@ def _bodies(name: str, value: object) -> list[MassProperties]:
 
 
 def _numbers_of(bodies: list[MassProperties]) -> dict[str, Floats]:
-    """Their numbers, a row each."""
+    """Returns the mass, centre of mass and tensor of each body, a row each."""
     return {
         "mass": np.array([body.mass for body in bodies]),
         "center_of_mass": np.array([body.center_of_mass for body in bodies]),

@@ -1,4 +1,4 @@
-"""Where the members of an ensemble were, and what happened to them."""
+"""States of the members of an ensemble, and their events, stops and failures."""
 
 from __future__ import annotations
 
@@ -17,49 +17,51 @@ if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
 
 
-#: The time of a state.
+#: Description of the time of a state.
 REACHED = "time, that of the event that stopped the member, or the last good one of a member that could go no further"
 
 
 class Failure(NamedTuple):
-    """A member that could go no further."""
+    """A member whose computation failed."""
 
-    #: The member, from 0.
+    #: Index of the member, from 0.
     member: int
-    #: Its last good time among those asked for, s; 0 if there is none.
+    #: Last of the requested times with a good state, s; 0 if there is none.
     time: float
-    #: Why.
+    #: Reason of the failure.
     cause: str
 
 
 class Stop(NamedTuple):
     """A member that an event stopped."""
 
-    #: The member, from 0.
+    #: Index of the member, from 0.
     member: int
-    #: The event's name.
+    #: Name of the event.
     event: str
-    #: When, s.
+    #: Time of the stop, s.
     time: float
 
 
 class EnsembleStates(Table):
-    """Where the members of an ensemble were: it unpacks as ``omega, attitude``.
+    """States of the members of an ensemble. It unpacks as ``omega, attitude``.
 
-    Its length is the number of members, and ``states[417]`` are the :class:`States` of one, at the times that it reached; ``states[400:420]`` are those of
-    some members, numbered anew. All arrays are views of one, in which each state lies together, and read-only. A member that an event stopped stays where
-    it was then, and one that could go no further where it was last good.
+    Its length is the number of members. ``states[417]`` is the :class:`States` of one member, at
+    the times that it reached; ``states[400:420]`` are those of some members, numbered from 0 again.
+    All arrays are read-only views of one array, in which the numbers of a state are contiguous. A
+    member that an event stopped keeps the state of the event, and one whose computation failed
+    keeps its last good state.
     """
 
-    #: Nothing with arrays in it is hashed.
+    #: Not hashable, because it contains arrays.
     __hash__ = None  # type: ignore[assignment]
 
     def __init__(self, times: Floats, rows: Floats, failures: list[Failure], stops: list[Stop], happened: list[tuple[int, Event]]) -> None:
-        #: The times that were asked for (t,), s.
+        #: Requested times (t,), s.
         self.times = times
-        #: The members that could go no further.
+        #: Members whose computation failed.
         self.failures = failures
-        #: The members that an event stopped.
+        #: Members that an event stopped.
         self.stops = stops
         self._happened = happened
         self._rows = rows
@@ -70,23 +72,26 @@ class EnsembleStates(Table):
 
     @property
     def omega(self) -> Floats:
-        """ω along body axes (n, t, 3), rad/s."""
+        """Angular velocities (n, t, 3), body axes, rad/s."""
         return self._rows[:, :, 5:]
 
     @property
     def attitude(self) -> Floats:
-        """R_space_body as unit quaternions (n, t, 4): w, x, y, z; each of the sign nearest to the one before it."""
+        """Attitudes R_space_body as unit quaternions (n, t, 4): w, x, y, z, continuous in sign."""
         return self._rows[:, :, 1:5]
 
     @property
     def reached(self) -> Floats:
-        """The time of each state (n, t), s: that asked for, that of the event that stopped the member, or the last good one of a member that could go no
-        further."""
+        """Times of the states (n, t), s.
+
+        Each is the requested time, the time of the event that stopped the member, or the last good
+        time of a member whose computation failed.
+        """
         return self._rows[:, :, 0]
 
     @property
     def events(self) -> list[list[Event]]:
-        """What happened to each member, in the order of time: for each member the :attr:`Motion.events` that it has alone."""
+        """Events of each member, in the order of time, as in :attr:`Motion.events`."""
         each: list[list[Event]] = [[] for _ in range(len(self))]
         for member, event in self._happened:
             each[member].append(event)
@@ -94,7 +99,8 @@ class EnsembleStates(Table):
 
     @property
     def endings(self) -> list[Ending]:
-        """How each member ended, as :attr:`Motion.ending` says it: ``complete``, ``stopped`` or ``failed``."""
+        """Ending of each member, as in :attr:`Motion.ending`: ``complete``, ``stopped`` or
+        ``failed``."""
         each = [Ending("complete", None, None)] * len(self)
         for stop in self.stops:
             each[stop.member] = Ending("stopped", stop.event, stop.time)
@@ -103,22 +109,22 @@ class EnsembleStates(Table):
         return each
 
     def event_times(self, name: str) -> Floats:
-        """When an event happened first to each member.
+        """Returns the time of the first occurrence of an event, for each member.
 
         Parameters
         ----------
         name
-            That of the event.
+                Name of the event.
 
         Returns
         -------
         array (n,)
-            s; NaN of a member to which it has not happened up to the last of the times.
+                Times, s; NaN for a member to which the event has not happened up to the last time.
 
         Raises
         ------
         TypeError
-            Where the name is no text.
+                If the name is not text.
 
         Examples
         --------
@@ -138,22 +144,22 @@ class EnsembleStates(Table):
         return found
 
     def rotations(self, member: int) -> Rotation:
-        """The attitudes of a member as a ``scipy.spatial.transform.Rotation``.
+        """Returns the attitudes of a member as a ``scipy.spatial.transform.Rotation``.
 
         Parameters
         ----------
         member
-            Which one, from 0.
+                Index of the member, from 0.
 
         Returns
         -------
         scipy.spatial.transform.Rotation
-            One for each time; it takes body components to space components.
+                One rotation for each time, from body components to space components.
 
         Raises
         ------
         ImportError
-            Without SciPy.
+                If SciPy is not installed.
         """
         return rotations(self.attitude[member])
 
@@ -189,7 +195,7 @@ class EnsembleStates(Table):
     def __getitem__(self, which: slice) -> EnsembleStates: ...
 
     def __getitem__(self, which: int | slice) -> States | EnsembleStates:
-        """The states of a member; or those of some members, which are numbered anew."""
+        """Returns the states of a member, or those of some members, numbered from 0 again."""
         if not isinstance(which, slice):
             return States(self.reached[which].copy(), self.omega[which].copy(), self.attitude[which].copy())
         new = {member: k for k, member in enumerate(range(len(self))[which])}

@@ -7,20 +7,22 @@ import re
 import sys
 import warnings
 
-#: Options of the command that are switches, those that have another name here, and those of the same name.
+#: Options of the command that are switches, those with another name in Python, and those with the
+#: same name.
 _SWITCHES = {"hull", "resume", "force"}
 _RENAMED = {"root": "roots", "joint": "joints", "part": "parts", "omega": "omega_axes"}
 _SAME = {"unit", "mass-unit", "products", "decimal", "shell", "density", "mass", "material", "isotopes", "molecule", "field", "tolerance"}
 _SAME |= {"spacing", "origin", "per-value", "link", "subtree", "threads", "workers", "worker-timeout"}
 _SAME |= {"quaternion", "sense", "axes", "time-origin", "step", "columns"}
 
-#: A flag, and a value that stands beside it as an example or a placeholder.
+#: A flag, with a value after it as an example or a placeholder.
 _VALUE = r"(?:negative|positive|point|comma|mm|cm|m|in|g|kg|lb|wxyz|xyzw|body-to-space|space-to-body|body|space)\b"
 _FLAG = re.compile(rf"(?<![\w-])--([a-z]+(?:-[a-z]+)*)( {_VALUE}(?: or {_VALUE})*| [A-Z]+\b| (?=\"))?")
 
 
 def in_python(text: str) -> str:
-    """What the library says to users of the command, who have flags, to those of Python, who have keywords.
+    """Rewrites a message for users of the command, with flags, into one for Python, with keyword
+    arguments.
 
     >>> in_python("paste the line with the unit, or give it by --unit, such as --unit mm")
     'paste the line with the unit, or give it by unit, such as unit="mm"'
@@ -46,10 +48,10 @@ def in_python(text: str) -> str:
 
 
 class PolhodeError(ValueError):
-    """What is wrong with an input, in the words of the library.
+    """An error in an input.
 
-    ``message`` says what, the value and the rule; ``hint`` what to do about it. An error in a file has its ``path``, and in a text file
-    its ``line`` and ``column``, from 1.
+    ``message`` states the error, the value and the rule; ``hint`` states how to fix it. An error in
+    a file has its ``path``, and in a text file also its ``line`` and ``column``, from 1.
 
     >>> import polhode
     >>> polhode.MassProperties(mass=1.0, inertia=[1.0, 1.0, 3.0])
@@ -66,7 +68,7 @@ class PolhodeError(ValueError):
         line: int | None = None,
         column: int | None = None,
     ) -> None:
-        # All of them, so that a copy in another process has them too.
+        # All arguments, so that a copy in another process has them too.
         super().__init__(message, hint, path, line, column)
         self.message = in_python(message)
         self.hint = None if hint is None else in_python(hint)
@@ -75,7 +77,7 @@ class PolhodeError(ValueError):
         self.column = column
 
     def _as_command(self) -> str:
-        """The same in the words of the command: options as its flags."""
+        """Returns the text for users of the command, with options as flags."""
         message, hint = self.args[:2]
         return f"{message}" if hint is None else f"{message}\nhint: {hint}"
 
@@ -84,15 +86,17 @@ class PolhodeError(ValueError):
 
 
 class PolhodeWarning(UserWarning):
-    """Something that was decided on the way, and that the user should know: a density that was assumed, normals that were turned."""
+    """An assumption or a correction that the user should know of, such as an assumed density or
+    reversed normals."""
 
 
-#: Where the package's own modules are.
+#: Folder of the package's own modules.
 _PACKAGE = os.path.dirname(__file__) + os.sep
 
 
 def warn(message: str) -> None:
-    """A :class:`PolhodeWarning` that points at the user's line, however many lines of the package are between."""
+    """Issues a :class:`PolhodeWarning` that points at the user's line, however many frames of the
+    package are between."""
     level, frame = 2, sys._getframe(1)
     while frame.f_back is not None and frame.f_code.co_filename.startswith(_PACKAGE):
         level, frame = level + 1, frame.f_back

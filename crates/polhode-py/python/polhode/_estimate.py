@@ -1,4 +1,4 @@
-"""Numbers that were found by measurements, with what is known of them."""
+"""Estimates from measurements, with their uncertainty."""
 
 from __future__ import annotations
 
@@ -13,17 +13,19 @@ from ._record import Record
 
 
 class Number(NamedTuple):
-    """A number that was found."""
+    """An estimated number with its standard deviation."""
 
-    #: What it is: ``Ixx``, ``gyro bias x``, ``radius`` …
+    #: Name, such as ``Ixx``, ``gyro bias x`` or ``radius``.
     name: str
-    #: Its unit: ``kg·m²``, ``rad/s``; ``1`` of a ratio.
+    #: Unit, such as ``kg·m²`` or ``rad/s``; ``1`` for a ratio.
     unit: str
-    #: In that unit; NaN of an angle or a ratio whose standard deviation exceeds its possible range.
+    #: Value in that unit; NaN for an angle or a ratio whose standard deviation exceeds its possible
+    #: range.
     value: float
-    #: Its standard deviation: zero of what was given as exact, ``None`` if the measurements do not say the number.
+    #: Standard deviation; zero for a number given as exact, ``None`` if the measurements do not
+    #: determine the number.
     sd: float | None
-    #: The reason why it is not determined; ``None`` if it is.
+    #: Reason why the number is not determined; ``None`` if it is.
     reason: str | None = None
 
     def __str__(self) -> str:
@@ -35,35 +37,38 @@ class Number(NamedTuple):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Estimate(Record):
-    """Numbers that were found, and their errors: ``estimate["Ixx"]`` is a :class:`Number`, and iteration gives all of them.
+    """Estimated numbers with their covariance.
 
-    What the measurements do not determine is a direction in :attr:`unknown`: along it the numbers could be moved, and the measurements would be
-    predicted as well. The covariance is that of the rest.
+    ``estimate["Ixx"]`` is a :class:`Number`, and iteration yields all numbers.
+
+    Each row of :attr:`unknown` is a direction that the measurements do not determine: a change of
+    the numbers along it leaves the predicted measurements unchanged. The covariance is that of the
+    determined part.
     """
 
-    #: The n numbers' names.
+    #: Names of the n numbers.
     names: tuple[str, ...]
-    #: Their units.
+    #: Units of the numbers.
     units: tuple[str, ...]
-    #: Their values (n,), in these units.
+    #: Values (n,), in these units.
     values: Floats
-    #: Standard deviations (n,); NaN of a number that changes along a direction that is unknown.
+    #: Standard deviations (n,); NaN for a number that changes along an unknown direction.
     sd: Floats
     #: Covariance (n, n).
     covariance: Floats
-    #: Directions in which nothing is known (k, n), each of length 1 in the numbers' units.
+    #: Undetermined directions (k, n), each a unit vector in the units of the numbers.
     unknown: Floats
-    #: Reasons why numbers are not determined; ``None`` of those that are.
+    #: Reasons why numbers are not determined; ``None`` for those that are.
     reasons: tuple[str | None, ...] = ()
 
     @property
     def correlation(self) -> Floats:
-        """Correlations (n, n); NaN of numbers that are not known, or exact."""
+        """Correlations (n, n); NaN for numbers that are not determined or exact."""
         with np.errstate(invalid="ignore", divide="ignore"):
             return self.covariance / np.outer(self.sd, self.sd)
 
     def __getitem__(self, name: str) -> Number:
-        """The number of this name."""
+        """Returns the number of this name."""
         if name not in self.names:
             raise KeyError(f"{name!r} is none of {', '.join(self.names)}")
         k = self.names.index(name)
@@ -93,39 +98,45 @@ class Estimate(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class PrincipalEstimate(Record):
-    """Principal moments and axes with their errors, to first order in those of the tensor. What is not known has an error of NaN or ``None``."""
+    """Principal moments and axes with their errors, to first order in those of the tensor.
 
-    #: Moments (3,), ascending, kg·m²; over the greatest where their size is not known.
+    Undetermined numbers have an error of NaN or ``None``.
+    """
+
+    #: Moments (3,), ascending, kg·m²; relative to the greatest if only ratios are known.
     moments: Floats
-    #: Their standard deviations (3,).
+    #: Standard deviations of the moments (3,).
     moment_sd: Floats
-    #: Their covariance (3, 3); ``None`` unless all three are known.
+    #: Covariance of the moments (3, 3); ``None`` unless all three are known.
     moment_covariance: Floats | None
-    #: i1/i3 and i2/i3 (2,); NaN where the standard deviation exceeds the possible range.
+    #: Ratios i1/i3 and i2/i3 (2,); NaN where the standard deviation exceeds the possible range.
     ratios: Floats
-    #: Their standard deviations (2,).
+    #: Standard deviations of the ratios (2,).
     ratio_sd: Floats
-    #: The correlation of the two.
+    #: Correlation of the two ratios.
     ratio_correlation: float | None
-    #: (i1 + i2 − i3)/i3: zero of a lamina, and never negative; ``None`` where it is not determined.
+    #: (i1 + i2 − i3)/i3: zero for a lamina, never negative; ``None`` if not determined.
     thickness: float | None
-    #: Its standard deviation.
+    #: Standard deviation of the thickness.
     thickness_sd: float | None
     #: Principal axes as rows (3, 3): ``axes[k]`` belongs to ``moments[k]``.
     axes: Floats
-    #: Standard deviation of the turn of all axes about each (3,), rad; NaN where the other two moments are equal, or the turn is not known.
+    #: Standard deviation of the rotation of all axes about each axis (3,), rad; NaN if the other
+    #: two moments are equal, or the rotation is not determined.
     turn_sd: Floats
 
-    #: Reasons of numbers that are not determined, by name: ``i1/i3``, ``i2/i3``, ``thickness``, ``turn about axis 1`` …
+    #: Reasons why numbers are not determined, by name: ``i1/i3``, ``i2/i3``, ``thickness``,
+    #: ``turn about axis 1`` …
     not_determined: dict[str, str]
 
     @property
     def principal_rotation(self) -> Floats:
-        """Rotation matrix R_body_principal (3, 3): takes principal components to body components; column ``k`` is the axis of ``moments[k]``."""
+        """Rotation matrix R_body_principal (3, 3): takes principal components to body components;
+        column ``k`` is the axis of ``moments[k]``."""
         return np.ascontiguousarray(self.axes.T)
 
     def ratios_in_words(self) -> str:
-        """The ratios with their errors, in a line."""
+        """Returns the ratios with their errors, as one line of text."""
         each = (f"{value:.5g} ± {sd:.2g}" if sd >= 0.0 else "not determined" for value, sd in zip(self.ratios, self.ratio_sd))
         return ", ".join(f"i{k}/i3 = {one}" for k, one in enumerate(each, 1))
 
@@ -134,40 +145,40 @@ class PrincipalEstimate(Record):
 
 
 class ResidualTest(NamedTuple):
-    """Whether what is left of one kind of measurement is noise."""
+    """Test whether the residuals of one kind of measurement are noise."""
 
-    #: What was measured: ``angular velocity``, ``force`` …
+    #: Measured quantity: ``angular velocity``, ``force`` …
     what: str
-    #: How many numbers were measured.
+    #: Number of measured values.
     count: int  # type: ignore[assignment]
-    #: ``count`` less the share of the numbers that were found from them.
+    #: ``count`` minus the share of the parameters estimated from these measurements.
     degrees_of_freedom: float
-    #: Standard deviation of the noise that they were weighed by.
+    #: Standard deviation of the noise used for the weights.
     noise: float
-    #: True if that was told; else it was found from how the readings jump.
+    #: True if the noise was given; false if it was estimated from the scatter of the readings.
     noise_is_told: bool
-    #: χ²/degrees of freedom: about 1 if the model is right, and the noise what it was taken for.
+    #: χ²/degrees of freedom: about 1 if the model and the assumed noise are right.
     reduced_chi_square: float
-    #: Correlation of residuals that follow each other; ``None`` where none do.
+    #: Correlation of successive residuals; ``None`` if there are none.
     lag_correlation: float | None
-    #: Residuals are larger than the noise, beyond chance.
+    #: True if the residuals are significantly larger than the noise.
     is_too_large: bool
-    #: Residuals follow each other, beyond chance.
+    #: True if successive residuals are significantly correlated.
     is_correlated: bool
 
 
 def counted(number: int, noun: str) -> str:
-    """How many there are."""
+    """Returns a count with its noun in the singular or plural."""
     return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
 def floats(values: Any) -> Floats:
-    """Numbers of a report, in which what is not known is ``null``, as NaN."""
+    """Converts numbers of a report to an array, with ``null`` as NaN."""
     return np.array(values, dtype=np.float64)
 
 
 def estimate_of(said: dict[str, Any]) -> Estimate:
-    """What a report has of an estimate."""
+    """Converts the estimate of a report."""
     numbers = said["numbers"]
     names, units = (tuple(number[key] for number in numbers) for key in ("name", "unit"))
     values, sd = (floats([number[key] for number in numbers]) for key in ("value", "sd"))
@@ -177,7 +188,7 @@ def estimate_of(said: dict[str, Any]) -> Estimate:
 
 
 def principal_of(said: dict[str, Any] | None) -> PrincipalEstimate | None:
-    """The same of principal moments; there are none where the tensor is not known."""
+    """Converts the principal moments of a report; ``None`` if the tensor is not known."""
     if said is None:
         return None
     values: dict[str, Any] = {field.name: said[field.name] for field in fields(PrincipalEstimate)}
@@ -186,5 +197,5 @@ def principal_of(said: dict[str, Any] | None) -> PrincipalEstimate | None:
 
 
 def residual_test_of(said: dict[str, Any]) -> ResidualTest:
-    """The same of a test of residuals."""
+    """Converts the residual test of a report."""
     return ResidualTest(**{key: said[key] for key in ResidualTest._fields})

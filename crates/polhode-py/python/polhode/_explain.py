@@ -17,21 +17,22 @@ from ._scenario import Scenario, formula_source
 class Explanation(Record):
     """A worked solution: the body, its axes, the inertia tensor, Euler's equations, ω and the attitude, with every formula and number."""
 
-    #: What it is about.
+    #: Title of the solution.
     title: str
-    #: Plain text for lines of 100 characters.
+    #: Plain text in lines of 100 characters.
     text: str
     #: Markdown with typeset formulas, for notebooks, GitHub and pandoc.
     markdown: str
-    #: A page of HTML with typeset formulas and graphs, which needs nothing else.
+    #: Self-contained HTML page with typeset formulas and graphs.
     html: str
-    #: An article of LaTeX.
+    #: LaTeX article.
     latex: str
     #: JSON, as the command prints it.
     _json: str
 
     def to_dict(self) -> dict[str, Any]:
-        """The object that ``polhode explain --json`` prints: sections, formulas and tables as data."""
+        """Returns the object that ``polhode explain --json`` prints: sections, formulas and tables
+        as data."""
         return dict(json.loads(self._json))
 
     def __repr__(self) -> str:
@@ -41,29 +42,31 @@ class Explanation(Record):
         return self.text
 
     def _repr_html_(self) -> None:
-        """None: Markdown has its formulas."""
+        """Returns ``None``, so that notebooks use the Markdown, which has the formulas."""
 
     def _repr_markdown_(self) -> str:
         return self.markdown
 
 
 def explain(scenario: str | os.PathLike[str] | Scenario) -> Explanation:
-    """Works a scenario through, step by step, with every formula and number: what ``polhode explain`` does.
+    """Makes the worked solution of a scenario, step by step, as ``polhode explain`` does.
 
     Parameters
     ----------
     scenario
-        A path, or a text of more than one line, as of :func:`simulate`, or a :class:`Scenario`.
+            A path, or a text of more than one line, as for :func:`simulate`, or a
+            :class:`Scenario`.
 
     Returns
     -------
     Explanation
-        Which a notebook shows with its formulas.
+            The solution. A notebook shows it with its formulas.
 
     Raises
     ------
     PolhodeError
-        If the scenario cannot be read or computed, or has torques that are functions of Python, of which no formula is known.
+            If the scenario cannot be read or computed, or has torques that are Python functions,
+            which have no known formula.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Figures that a notebook shows by themselves."""
+"""Figures that display themselves in a notebook."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ from matplotlib.figure import Figure
 
 
 class ShownFigure(Figure):
-    """A figure with a picture of its own, as IPython shows those of Matplotlib only once ``%matplotlib`` has been asked for."""
+    """A figure with its own PNG representation. IPython shows Matplotlib figures only after
+    ``%matplotlib``."""
 
     def _repr_png_(self) -> bytes:
         png = io.BytesIO()

@@ -1,4 +1,4 @@
-"""Readings of a body while it is free."""
+"""Readings of a body in free flight."""
 
 from __future__ import annotations
 
@@ -16,28 +16,33 @@ from ._record import Record
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Flight(Record):
-    """Readings of a body while nothing turned it but what is said here: a gyro's, or tracked attitudes, or both.
+    """Readings of a body in free flight: of a gyro, or tracked attitudes, or both.
+
+    No torques act on the body except those given here.
 
     >>> import numpy as np, polhode
     >>> polhode.Flight(times=[0, 0.01, 0.02, 0.03], gyro=np.ones((4, 3)))
     Flight('flight': 4 readings of a gyro)
     """
 
-    #: Times of the gyro's readings (n,), s, ascending.
+    #: Times of the gyro readings (n,), s, ascending.
     times: npt.ArrayLike = ()
-    #: ω along the sensor's axes as it was read (n, 3), rad/s.
+    #: Angular velocity as read by the gyro (n, 3), sensor axes, rad/s.
     gyro: npt.ArrayLike = ()
-    #: Times of the attitudes (m,), s, ascending; ``times`` unless it is said.
+    #: Times of the attitudes (m,), s, ascending; the default is ``times``.
     attitude_times: npt.ArrayLike | None = None
-    #: Attitudes of axes fixed in the body: quaternions (m, 4), w, x, y, z, or matrices (m, 3, 3), from the body to space, or a ``scipy.spatial.transform.Rotation``.
+    #: Attitudes of axes fixed in the body: quaternions (m, 4), w, x, y, z, or matrices (m, 3, 3),
+    #: from the body to space, or a ``scipy.spatial.transform.Rotation``.
     attitude: object = None
-    #: What reports call it.
+    #: Name of the flight in reports.
     name: str = "flight"
-    #: By how much the tensor about the common centre of mass is greater in this flight (3, 3), kg·m²: something known is on the body.
+    #: Increase of the tensor about the common centre of mass in this flight (3, 3), kg·m², due to a
+    #: known mass attached to the body.
     added: npt.ArrayLike | None = None
-    #: Wheels that are held at their speed in the body, each its axis (3,) and its momentum, kg·m²/s.
+    #: Wheels that keep their speed relative to the body: for each, its axis (3,) and its angular
+    #: momentum, kg·m²/s.
     wheels: Sequence[tuple[npt.ArrayLike, float]] = ()
-    #: Torques that are known: a text of ``[[torque]]`` tables, as scenarios have them.
+    #: Known torques: a text of ``[[torque]]`` tables, as in scenario files.
     torques: str = ""
 
     def __post_init__(self) -> None:

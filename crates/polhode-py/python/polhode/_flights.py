@@ -1,4 +1,4 @@
-"""Several flights, and how they are cut out of a log."""
+"""Lists of flights, and how to cut them out of a log."""
 
 from __future__ import annotations
 
@@ -12,25 +12,28 @@ from ._arrays import Floats
 from ._flight import Flight, as_long
 from ._table import Column, Table, Variable
 
-#: What the columns are.
+#: Descriptions of the columns.
 _FLIGHT, _TIME = "the flight's number, from 0", "time of the reading"
 _GYRO, _ATTITUDE = "angular velocity along the sensor's axes, as it was read", "attitude of axes fixed in the body, unit quaternion, as it was measured"
 
 
 class Flights(Table):
-    """Flights of a body, in their order: :func:`find_flights` gives them, :func:`identify_tumbles` takes them.
+    """Flights of a body, in order. :func:`find_flights` returns them; :func:`identify_tumbles`
+    takes them.
 
-    ``flights[k]`` is a :class:`Flight`, ``flights[2:5]`` are several. As a table they have a row for each time of each flight; what was not read then is NaN, and what none has is no column.
+    ``flights[k]`` is a :class:`Flight`, and ``flights[2:5]`` is a :class:`Flights`. As a table they
+    have a row for each time of each flight. Missing readings are NaN, and a quantity that no flight
+    has gets no column.
 
     Parameters
     ----------
     flights
-        Of :class:`Flight`.
+            The flights, each a :class:`Flight`.
 
     Raises
     ------
     TypeError
-        Where something else is among them.
+            If an element is not a :class:`Flight`.
 
     Examples
     --------
@@ -47,7 +50,7 @@ class Flights(Table):
 
     __slots__ = ("_flights",)
 
-    #: Nothing with arrays in it is hashed.
+    #: Not hashable, because it contains arrays.
     __hash__ = None  # type: ignore[assignment]
 
     def __init__(self, flights: Iterable[Flight] = ()) -> None:
@@ -129,11 +132,12 @@ class Flights(Table):
         return f"Flights({', '.join(shown)}: {count} {'reading' if count == 1 else 'readings'})"
 
     def _times(self) -> list[Floats]:
-        """The times of each flight, of its gyro and of its attitudes."""
+        """Returns the times of each flight: those of its gyro and of its attitudes."""
         return [np.union1d(_floats(flight.times), _floats(flight.attitude_times)) for flight in self._flights]
 
     def _rows(self, times: list[Floats], name: str, when: str, width: int) -> Floats | None:
-        """The readings of a kind, NaN where there is none; ``None`` if no flight has any."""
+        """Returns the readings of one kind, NaN where there is none; ``None`` if no flight has
+        any."""
         parts = []
         for flight, rows in zip(self._flights, times):
             part = np.full((len(rows), width), np.nan)
@@ -143,7 +147,7 @@ class Flights(Table):
         return None if np.isnan(found).all() else found
 
     def _parts(self) -> tuple[npt.NDArray[np.int64], Floats, Floats | None, Floats | None]:
-        """The flight's number, the time, the gyro's reading and the attitude of each row."""
+        """Returns the flight's index, the time, the gyro reading and the attitude of each row."""
         times = self._times()
         numbers = np.repeat(np.arange(len(times)), [len(rows) for rows in times])
         gyro, attitude = self._rows(times, "gyro", "times", 3), self._rows(times, "attitude", "attitude_times", 4)
@@ -169,7 +173,7 @@ class Flights(Table):
 
 
 def _floats(values: Any) -> Floats:
-    """An array of a flight, which is checked."""
+    """Returns an array of a flight, which has been checked already."""
     return np.asarray(values, np.float64)
 
 
@@ -181,32 +185,33 @@ def find_flights(
     shortest: float = 0.3,
     torque: float = 0.2,
 ) -> Flights:
-    """Cuts the flights out of a long log: where the body turns fast for a while, and nothing turns it.
+    """Cuts the flights out of a long log: intervals of fast rotation without applied torque.
 
     Parameters
     ----------
     times, gyro
-        Times (n,), s, and ω along the sensor's axes (n, 3), rad/s.
+            Times (n,), s, and angular velocities in sensor axes (n, 3), rad/s.
     slowest
-        In flight the body turns at least so fast, rad/s.
+            Least angular speed during a flight, rad/s.
     shortest
-        A flight lasts at least so long, s.
+            Least duration of a flight, s.
     torque
-        In flight the torque is at most this part of \\|I ω²\\|: a hand makes it as large as that.
+            Greatest torque during a flight, relative to \\|I ω²\\|. The torque of a hand is about
+            as large as \\|I ω²\\|.
 
     Returns
     -------
     Flights
-        In the order of time; they are called by their number and their first time.
+            The flights in the order of time. Their names are their number and their first time.
 
     Raises
     ------
     PolhodeError
-        Where an argument is refused: its name, the element and the rule are in the message.
+            If an argument is invalid; the message names the argument, the element and the rule.
 
     Examples
     --------
-    A log at rest has none:
+    A log at rest contains no flights:
 
     >>> import numpy as np, polhode
     >>> polhode.find_flights(times=np.arange(100) * 0.01, gyro=np.full((100, 3), 0.001))

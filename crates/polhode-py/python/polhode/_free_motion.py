@@ -21,31 +21,34 @@ from ._states import MotionError, States, rotations
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
 
-#: So many states lie in memory that the C library keeps.
+#: Number of states below which the C library keeps the memory for reuse.
 FEW = 2048
 
 
 class FreeMotion:
-    """The torque-free motion of a body: ω and attitude at any time, past or future, in constant time.
+    """The torque-free motion of a body: ω and attitude at any time, past or future, in constant
+    time.
 
     Parameters
     ----------
     omega
-        Angular velocity at t = 0 (3,), along body axes, rad/s.
+            Angular velocity at t = 0 (3,), body axes, rad/s.
     moments
-        Moments (3,) about the body's axes x, y and z, kg·m².
+            Moments (3,) about the body's axes x, y and z, kg·m².
     inertia
-        Instead of ``moments``: a tensor (3, 3) about the centre of mass, kg·m², :class:`MassProperties`, or a :class:`Body`.
+            Instead of ``moments``: a tensor (3, 3) about the centre of mass, kg·m²,
+            :class:`MassProperties`, or a :class:`Body`.
     attitude
-        What takes body components to space components at t = 0: a quaternion (w, x, y, z), a matrix (3, 3), or a
-        ``scipy.spatial.transform.Rotation``. Without it the axes of both coincide.
+            Rotation from body components to space components at t = 0: a quaternion (w, x, y, z), a
+            matrix (3, 3), or a ``scipy.spatial.transform.Rotation``. By default, body axes and
+            space axes coincide.
     allow_unphysical
-        Takes moments that are no body's, which Euler's equations do not mind.
+            If true, accepts unphysical moments, for which Euler's equations also have a solution.
 
     Raises
     ------
     PolhodeError
-        Where there is no such body, or the energy or L is beyond the range of numbers.
+            If the body is not physical, or the energy or L exceeds the range of float64.
 
     Examples
     --------
@@ -59,8 +62,9 @@ class FreeMotion:
     >>> omega[1].round(12)
     array([-0.01, -1.  ,  0.01])
 
-    Accuracy: 4e-15 (ω relative, attitude in rad) up to 1e9 periods from the start, either way; the measured errors are in the book's ``accuracy.md``.
-    Beyond some 1e25 turns, where the phase has no six digits left, :meth:`at` refuses a time.
+    Accuracy: 4e-15 (ω relative, attitude in rad) up to 1e9 periods before or after the start; the
+    measured errors are in the book's ``accuracy.md``. :meth:`at` refuses times beyond some 1e25
+    turns, at which the phase has fewer than six correct digits.
     """
 
     def __init__(
@@ -90,48 +94,51 @@ class FreeMotion:
 
     @property
     def regime(self) -> str:
-        """``long_axis``, ``short_axis``, ``separatrix``, ``symmetric``, ``permanent`` or ``at_rest``."""
+        """Kind of motion: ``long_axis``, ``short_axis``, ``separatrix``, ``symmetric``,
+        ``permanent`` or ``at_rest``."""
         return self._native.regime
 
     @property
     def period(self) -> float | None:
-        """The time after which ω repeats in the body, s; ``None`` where it never moves or never repeats."""
+        """Period of ω in the body, s; ``None`` if ω is constant or never repeats."""
         return self._native.period
 
     @property
     def flip_interval(self) -> float | None:
-        """The time between reversals of ω's component along the intermediate axis, s, for three different moments."""
+        """Interval between reversals of ω along the intermediate axis, s; ``None`` unless all
+        moments differ."""
         return self._native.flip_interval
 
     @property
     def precession_period(self) -> float | None:
-        """How long the axis that L circles takes to go about L, on average, s."""
+        """Mean period of precession about L of the body axis that L circles, s."""
         return self._optional("precession_period_s")
 
     @property
     def rotation_period(self) -> float | None:
-        """How long the body takes to turn about the axis that L circles, s."""
+        """Period of the body's rotation about the axis that L circles, s."""
         return self._optional("rotation_period_s")
 
     @property
     def growth_rate(self) -> float | None:
-        """The rate at which a departure from rotation about the intermediate axis grows, 1/s, where ω is near to it."""
+        """Growth rate of a deviation from rotation about the intermediate axis, 1/s, if ω is near
+        that axis."""
         return self._optional("growth_rate_per_s")
 
     @property
     def nutation_range(self) -> tuple[float, float]:
-        """The smallest and the largest angle between L and the axis that it circles, rad."""
+        """Least and greatest angle between L and the axis that it circles, rad."""
         least, greatest = self.summary["motion"]["nutation_range_rad"]
         return least, greatest
 
     @property
     def kinetic_energy(self) -> float:
-        """T, J: constant."""
+        """Kinetic energy T, J: constant."""
         return self._native.kinetic_energy
 
     @property
     def momentum(self) -> Floats:
-        """L along space axes (3,), kg·m²/s: constant."""
+        """Angular momentum L (3,), space axes, kg·m²/s: constant."""
         return self._native.momentum
 
     @property
@@ -146,7 +153,7 @@ class FreeMotion:
 
     @property
     def summary(self) -> dict[str, Any]:
-        """The object that ``polhode spin --json`` prints: its keys are stable."""
+        """The object that ``polhode spin --json`` prints. Its keys are stable."""
         return dict(json.loads(self._json))
 
     @cached_property
@@ -154,25 +161,28 @@ class FreeMotion:
         return self._native.json()
 
     def at(self, times: npt.ArrayLike, *, out: tuple[Floats, Floats] | None = None) -> States:
-        """ω and the attitude at times, s: any, in any order, before the start too.
+        """Computes ω and the attitude at times, s, in any order, also before the start.
 
         Parameters
         ----------
         times
             Times (n,), s, or a single one.
         out
-            Two arrays, (n, 3) and (n, 4), C-contiguous float64, that are filled and returned, so that their memory is used again. They share memory neither with
-            each other nor with the times.
+                Two C-contiguous float64 arrays, (n, 3) and (n, 4), to fill and return, so that
+                their memory is reused. They must not share memory with each other or with the
+                times.
 
         Returns
         -------
         States
-            ω (n, 3) and attitudes (n, 4), unit quaternions of which the first has w ≥ 0; of a single time (3,) and (4,).
+                Angular velocities (n, 3) and attitudes (n, 4), unit quaternions of which the first
+                has w ≥ 0. For a single time, (3,) and (4,).
 
         Raises
         ------
         PolhodeError
-            Where a time is too far away for the attitude to be known: the first such is named.
+                If the attitude at a time is too far away to be known; the message names the first
+                such time.
 
         Examples
         --------
@@ -208,27 +218,30 @@ class FreeMotion:
             raise
 
     def derivatives(self, times: npt.ArrayLike) -> Derivatives:
-        """The states at times with their derivatives by the start and by the inertia tensor, in closed form.
+        """Computes the states with their derivatives by the start and the inertia tensor, in closed
+        form.
 
         Parameters
         ----------
         times
-            Times (n,), s: any, in any order, before the start too; or a single one.
+                Times (n,), s, in any order, also before the start; or a single time.
 
         Returns
         -------
         Derivatives
-            Arrays (n, 6, 6), whose rows and columns it names, and what carries a covariance along.
+                Arrays (n, 6, 6) with the names of their rows and columns, and the propagation of
+                covariances.
 
         Raises
         ------
         PolhodeError
-            Where there are none: of moments that are no body's (``allow_unphysical``), of moments of which one is less than 1e-8 of the greatest, and
-            where they grow beyond the range of numbers, next to the intermediate axis.
+                If the derivatives do not exist: for unphysical moments (``allow_unphysical``), for
+                moments of which one is less than 1e-8 of the greatest, and where derivatives exceed
+                the range of float64, next to the intermediate axis.
 
         Examples
         --------
-        What 1 rad/s more about the axis of the spin does in 7 s, to θ about it and to ω:
+        Effect of 1 rad/s more about the axis of the spin after 7 s, on θ about it and on ω:
 
         >>> import polhode
         >>> motion = polhode.FreeMotion(moments=[1, 2, 3], omega=[0, 0, 0.5])
@@ -242,7 +255,8 @@ class FreeMotion:
         return derivatives_of(derived, single=given.ndim == 0)
 
     def error(self, times: npt.ArrayLike) -> MotionError:
-        """Estimates of the error of the states at times (n,), s: that of the formulas, and what the last bit of the inputs is worth.
+        """Estimates the errors of the states at times (n,), s: those of the formulas, and those due
+        to input rounding.
 
         Parameters
         ----------
@@ -252,12 +266,13 @@ class FreeMotion:
         Returns
         -------
         MotionError
-            Four arrays (n,): of attitude and ω, by the computation and by the inputs.
+                Four arrays (n,): errors of attitude and ω, due to the computation and due to input
+                rounding.
 
         Raises
         ------
         PolhodeError
-            Where an argument is refused: its name, the element and the rule are in the message.
+                If an argument is invalid; the message names the argument, the element and the rule.
 
         Examples
         --------
@@ -270,7 +285,7 @@ class FreeMotion:
         return MotionError(*computation, *inputs)
 
     def rotations(self, times: npt.ArrayLike) -> Rotation:
-        """The attitudes at times as a ``scipy.spatial.transform.Rotation``: it takes body components to space components.
+        """Computes the attitudes at times as a ``scipy.spatial.transform.Rotation``.
 
         Parameters
         ----------
@@ -280,14 +295,14 @@ class FreeMotion:
         Returns
         -------
         scipy.spatial.transform.Rotation
-            One for each time.
+                One rotation for each time, from body components to space components.
 
         Raises
         ------
         PolhodeError
-            As of :meth:`at`.
+                As for :meth:`at`.
         ImportError
-            Without SciPy.
+                If SciPy is not installed.
 
         Examples
         --------
@@ -301,27 +316,28 @@ class FreeMotion:
         return rotations(self.at(times).attitude)
 
     def page(self, duration: float | None = None) -> str:
-        """The page that shows the motion in three dimensions, for a browser.
+        """Returns an HTML page that shows the motion in 3-D in a browser.
 
         Parameters
         ----------
         duration
-            How long the motion is shown, s; some periods unless given.
+                Duration of the motion shown, s. The default is some periods.
 
         Returns
         -------
         str
-            HTML that loads nothing from elsewhere.
+                Self-contained HTML.
 
         Raises
         ------
         PolhodeError
-            Where an argument is refused: its name, the element and the rule are in the message.
+                If an argument is invalid; the message names the argument, the element and the rule.
         """
         return self._native.page(self._sensible() if duration is None else _arrays.positive("duration", duration))
 
     def _sensible(self) -> float:
-        """Some periods, or some turns, but no longer than samples can follow the body, s."""
+        """Returns a duration of some periods or turns, s, limited to what the samples can
+        resolve."""
         rate = float(np.linalg.norm(self._arguments["omega"]))
         if rate == 0.0:
             return 1.0
@@ -333,7 +349,7 @@ class FreeMotion:
         return value
 
     def __eq__(self, other: object) -> bool:
-        """Equal are motions of the same body, given alike, with the same start."""
+        """Returns true if the bodies (given in the same way) and the starts are equal."""
         return self._key == other._key if isinstance(other, FreeMotion) else NotImplemented
 
     def __hash__(self) -> int:
@@ -359,24 +375,25 @@ class FreeMotion:
         return {name: value for name, value in vars(self).items() if name != "_native"}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        # The same arguments are the same motion, bit for bit.
+        # The same arguments give the same motion, bit for bit.
         FreeMotion.__init__(self, **state["_arguments"])
         vars(self).update(state)
 
 
 def tensor_of(inertia: object) -> object:
-    """The tensor of a body, or what is given."""
+    """Returns the tensor of a body; other values are returned unchanged."""
     if isinstance(inertia, Body):
         inertia = inertia.mass_properties
     return inertia.inertia if isinstance(inertia, MassProperties) else inertia
 
 
 def _room(times: Floats) -> tuple[tuple[Floats, Floats], Floats]:
-    """Arrays for ω and the attitudes of many times, and a copy of these.
+    """Allocates arrays for ω and the attitudes of many times, and copies the times.
 
-    The copy lies behind the attitudes in one array. glibc gives memory back to the system where twice the largest piece that was ever
-    freed is free, and three arrays of 8, 24 and 32 bytes a state are just that: every call would get its memory anew, page by page, which takes longer
-    than the states.
+    The copy is at the end of the array of attitudes. glibc returns memory to the system once the
+    free memory at the end of the heap exceeds twice the largest freed block. Three arrays of 8, 24
+    and 32 bytes per state exceed that. Every call would get its memory from the system again, page
+    by page, which takes longer than the states.
     """
     count = times.size
     both = np.empty(5 * count)
@@ -385,7 +402,7 @@ def _room(times: Floats) -> tuple[tuple[Floats, Floats], Floats]:
 
 
 def _filled(out: object, times: Floats) -> None:
-    """Refuses what states cannot be put into."""
+    """Refuses output arrays that cannot hold the states."""
     if not isinstance(out, tuple) or len(out) != 2:
         raise TypeError("out must be a tuple of two arrays, for ω and the attitudes")
     for name, array, columns in (("out[0]", out[0], 3), ("out[1]", out[1], 4)):
@@ -395,7 +412,7 @@ def _filled(out: object, times: Floats) -> None:
             raise PolhodeError(f"{name} must have the shape ({times.size}, {columns}), not {array.shape}")
         if not (array.flags.c_contiguous and array.flags.aligned and array.flags.writeable):
             raise PolhodeError(f"{name} must be C-contiguous, aligned and writeable")
-        # Of contiguous arrays the bounds say it.
+        # For contiguous arrays, the bounds of the memory are sufficient.
         if np.may_share_memory(array, times):
             raise PolhodeError("out shares memory with times", "give arrays of their own: the times are read while these are filled")
     if np.may_share_memory(out[0], out[1]):

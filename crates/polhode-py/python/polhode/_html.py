@@ -1,4 +1,4 @@
-"""What notebooks show."""
+"""HTML for notebooks."""
 
 from __future__ import annotations
 
@@ -7,12 +7,13 @@ from typing import Iterable
 
 
 def number(value: float) -> str:
-    """Six digits."""
+    """Formats a number with six significant digits."""
     return f"{value:.6g}"
 
 
 def rows(head: Iterable[str], body: Iterable[tuple[str, Iterable[str]]]) -> str:
-    """A table: its column heads, and rows with a head each. All of it is text."""
+    """Returns an HTML table with column headings and a heading for each row. All cells are escaped
+    text."""
     heads = "".join(f"<th>{escape(cell)}</th>" for cell in head)
     lines = "".join(
         f"<tr><th>{escape(name)}</th>" + "".join(f"<td>{escape(cell)}</td>" for cell in cells) + "</tr>" for name, cells in body
@@ -21,12 +22,12 @@ def rows(head: Iterable[str], body: Iterable[tuple[str, Iterable[str]]]) -> str:
 
 
 def text(words: str) -> str:
-    """A text as it is printed."""
+    """Returns preformatted text."""
     return f"<pre>{escape(words)}</pre>"
 
 
 def frame(page: str, height: int = 640) -> str:
-    """A page in a frame of its own: its scripts reach nothing outside."""
+    """Returns a page in a sandboxed frame, whose scripts cannot access anything outside."""
     return (
         f'<iframe sandbox="allow-scripts" srcdoc="{escape(page)}" '
         f'style="width: 100%; height: {height}px; border: 0" title="motion"></iframe>'

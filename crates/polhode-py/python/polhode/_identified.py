@@ -1,4 +1,4 @@
-"""What is found of a body by measuring it."""
+"""Results of identification: mass properties estimated from measurements."""
 
 from __future__ import annotations
 
@@ -20,23 +20,25 @@ Of = TypeVar("Of")
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Identified(Printed):
-    """What is common to all answers: :class:`TumbleResult`, :class:`SwingResult`, :class:`PayloadResult`.
+    """Common part of :class:`TumbleResult`, :class:`SwingResult` and :class:`PayloadResult`.
 
-    Every answer is a possible body. What the measurements do not determine is not filled in: it has no error, and its directions are in
-    ``estimate.unknown``. If what is left is more than noise, ``has_model_error`` is true, and all errors are widened for it.
+    The estimate is always a physical body. Numbers that the measurements do not determine have no
+    error, and the undetermined directions are in ``estimate.unknown``. If the residuals are
+    significantly larger than the noise or correlated, ``has_model_error`` is true, and all errors
+    are widened accordingly.
     """
 
-    #: What it is called.
+    #: Title of the result.
     title: str
-    #: The numbers that were found.
+    #: Estimated numbers.
     estimate: Estimate
-    #: Principal moments and axes; ``None`` where the tensor is not known.
+    #: Principal moments and axes; ``None`` if the tensor is not known.
     principal: PrincipalEstimate | None
-    #: Whether what is left is noise, by kind of measurement.
+    #: Tests whether the residuals are noise, one for each kind of measurement.
     tests: tuple[ResidualTest, ...]
-    #: True if what is left is more than noise.
+    #: True if the residuals are more than noise.
     has_model_error: bool
-    #: What was noticed.
+    #: Findings about the data and the result.
     findings: tuple[Finding, ...]
 
     def _summary(self) -> str:
@@ -49,27 +51,28 @@ class Identified(Printed):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class FlightFit(Record):
-    """What was found of a flight."""
+    """Estimates and residuals of a flight."""
 
-    #: What it is called.
+    #: Name of the flight.
     name: str
-    #: The time of the state, s.
+    #: Time of the state, s.
     time: float
-    #: ω there, along the sensor's axes (3,), rad/s.
+    #: Angular velocity at that time (3,), sensor axes, rad/s.
     omega: Floats
-    #: Its standard deviations (3,); NaN where it is not known.
+    #: Standard deviations of ``omega`` (3,), rad/s; NaN where not known.
     omega_sd: Floats
-    #: The attitude there as a unit quaternion (4,), w, x, y, z; ``None`` if no attitudes were measured.
+    #: Attitude at that time as a unit quaternion (4,), w, x, y, z; ``None`` if no attitudes were
+    #: measured.
     attitude: Floats | None
-    #: χ²/degrees of freedom of its readings, without those that were left out.
+    #: χ²/degrees of freedom of the readings, without excluded ones.
     reduced_chi_square: float
-    #: How many readings were used.
+    #: Number of readings used.
     used: int
-    #: The times of readings that were left out (k,), s.
+    #: Times of excluded readings (k,), s.
     left_out: Floats
-    #: Measured less predicted at the gyro's times (n, 3), rad/s.
+    #: Measured minus predicted angular velocity at the gyro times (n, 3), rad/s.
     gyro_residuals: Floats
-    #: The same of attitudes (m, 3), as rotation vectors, rad.
+    #: Measured minus predicted attitudes (m, 3), as rotation vectors, rad.
     attitude_residuals: Floats
 
     def __repr__(self) -> str:
@@ -78,18 +81,23 @@ class FlightFit(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class TumbleResult(Identified):
-    """A body that was found by its tumbles. :func:`identify` and :func:`identify_tumbles` make one."""
+    """Mass properties of a body, identified from its tumbles.
 
-    #: True if the moments are in kg·m²; false if only their ratios are known, and tensor and drag are those over the greatest moment.
+    :func:`identify` and :func:`identify_tumbles` return it.
+    """
+
+    #: True if the moments are in kg·m². If false, only their ratios are known, and tensor and drag
+    #: are relative to the greatest moment.
     scale_is_known: bool
-    #: Flight by flight.
+    #: Results of each flight.
     flights: tuple[FlightFit, ...]
-    #: By what all errors were multiplied, as residuals show more than noise.
+    #: Factor by which all errors were multiplied because the residuals are more than noise.
     widening: float
 
     @property
     def inertia(self) -> Floats:
-        """The tensor (3, 3) about the centre of mass along the sensor's axes, kg·m², or over the greatest moment."""
+        """Inertia tensor (3, 3) about the centre of mass, sensor axes, kg·m², or relative to the
+        greatest moment."""
         return _tensor(self.estimate.values[:6])
 
     def _summary(self) -> str:
@@ -99,17 +107,20 @@ class TumbleResult(Identified):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SwingFit(Record):
-    """What became of a swing test."""
+    """Estimates and residuals of a swing test."""
 
-    #: What it is called.
+    #: Name of the test.
     name: str
-    #: The body's moment of inertia about the axis of the swing, through its centre of mass; ``None`` of a test without the body.
+    #: Moment of inertia of the body about the axis parallel to the swing axis through its centre of
+    #: mass; ``None`` for a test without the body.
     moment: Number | None
-    #: Amplitude, of a log phase and zero, and damping.
+    #: Amplitude and damping, and for a log also phase and zero.
     own: tuple[Number, ...]
-    #: Measured less predicted (n,), in standard deviations: times of counted swings and then amplitudes, or values of a log.
+    #: Measured minus predicted values (n,), in standard deviations: times of counted swings and
+    #: then amplitudes, or values of a log.
     residuals: Floats
-    #: Whether that is noise; of counted swings only all together are a test.
+    #: Test whether the residuals are noise; for counted swings, one test of all swing tests
+    #: together.
     test: ResidualTest
 
     def __repr__(self) -> str:
@@ -118,17 +129,20 @@ class SwingFit(Record):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SwingResult(Identified):
-    """A body that was found by its swings. :func:`identify` and :func:`identify_swings` make one."""
+    """Mass properties of a body, identified from its swings.
 
-    #: Test by test.
+    :func:`identify` and :func:`identify_swings` return it.
+    """
+
+    #: Results of each test.
     swings: tuple[SwingFit, ...]
-    #: By what all errors were multiplied, as residuals show more than noise.
+    #: Factor by which all errors were multiplied because the residuals are more than noise.
     widening: float
     _body: _native.MassNumbers | None
 
     @property
     def body(self) -> MassProperties | None:
-        """The body; ``None`` unless all of it is known."""
+        """Mass properties; ``None`` unless all ten numbers are known."""
         return _body(self._body)
 
     def _summary(self) -> str:
@@ -137,78 +151,84 @@ class SwingResult(Identified):
 
 
 class LeftOut(NamedTuple):
-    """A wrench that was left out."""
+    """A wrench excluded as an outlier."""
 
-    #: Its row, from 0.
+    #: Index of the row, from 0.
     row: int
-    #: When, s.
+    #: Time, s.
     time: float
-    #: How far off it is: root mean square of its six residuals, in standard deviations.
+    #: Root mean square of its six residuals, in standard deviations.
     size: float
 
 
 class Thin(NamedTuple):
-    """A direction in which the likeliest payload has no extent."""
+    """A direction in which the maximum-likelihood payload has no extent."""
 
-    #: Unit vector along the sensor's axes.
+    #: Unit vector, sensor axes.
     direction: tuple[float, ...]
-    #: ∫ x² dm along it as least squares without regard to what is possible has it: mostly negative, kg·m².
+    #: ∫ x² dm along the direction from unconstrained least squares, kg·m²: usually negative.
     unconstrained: float
-    #: Standard deviation of that.
+    #: Standard deviation of ``unconstrained``, kg·m².
     sd: float
-    #: ∫ x² dm is not more than this, with a confidence of 95 %.
+    #: Upper bound of ∫ x² dm at 95 % confidence, kg·m².
     at_most: float
-    #: That as the thickness of a plate, m.
+    #: Thickness of a plate with that second moment, m.
     thickness_at_most: float
 
 
 class Edge(NamedTuple):
-    """The likeliest payload is at the edge of what is possible."""
+    """Degenerate shape of a maximum-likelihood payload on the boundary of physical bodies."""
 
-    #: ``plate``, ``rod`` or ``point``.
+    #: Shape: ``plate``, ``rod`` or ``point``.
     kind: str
-    #: Where it has no extent.
+    #: Directions without extent.
     thin: tuple[Thin, ...]
-    #: The numbers about the centre, with their errors if the payload is on this very edge; ``None`` where these do not follow.
+    #: Numbers about the centre of mass, with their errors if the payload has exactly this shape;
+    #: ``None`` if they cannot be derived.
     along: Estimate | None
 
 
 class Unconstrained(NamedTuple):
-    """Least squares without regard to what is possible."""
+    """Result of least squares without the constraint that the body is physical."""
 
-    #: In the order of ``about_origin``.
+    #: Numbers in the order of ``about_origin``.
     numbers: tuple[float, ...]
-    #: Whether they are a possible body's.
+    #: True if the numbers are those of a physical body.
     is_possible: bool
-    #: The least eigenvalue of ∫ x xᵀ dm about the centre of mass, kg·m²; ``None`` if the mass is not positive.
+    #: Least eigenvalue of ∫ x xᵀ dm about the centre of mass, kg·m²; ``None`` if the mass is not
+    #: positive.
     least_second_moment: float | None
-    #: By how much χ² rises where the body has to be possible.
+    #: Increase of χ² due to the constraint that the body is physical.
     chi_square_rise: float
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class PayloadResult(Identified):
-    """What a wrist carries. :func:`identify` and :func:`identify_payload` make one. Its origin and its axes are the sensor's."""
+    """Mass properties of the payload of a wrist. Origin and axes are those of the sensor.
 
-    #: The numbers in which the wrench is linear: mass, mass times centre, the tensor about the sensor's origin, the bias.
+    :func:`identify` and :func:`identify_payload` return it.
+    """
+
+    #: Numbers in which the wrench is linear: mass, mass times centre, the tensor about the sensor's
+    #: origin, the bias.
     about_origin: Estimate
-    #: If it is at the edge of what is possible.
+    #: Degenerate shape, if the payload is on the boundary of physical bodies; else ``None``.
     edge: Edge | None
-    #: What least squares alone would say.
+    #: Result of least squares without the constraint that the body is physical.
     unconstrained: Unconstrained
     #: Times (n,), s.
     times: Floats
-    #: Measured less predicted force (n, 3), N, of all rows.
+    #: Measured minus predicted force (n, 3), N, for all rows.
     force_residuals: Floats
-    #: The same of the torque (n, 3), N·m.
+    #: Measured minus predicted torque (n, 3), N·m, for all rows.
     torque_residuals: Floats
-    #: Wrenches that were left out.
+    #: Wrenches that were excluded.
     left_out: tuple[LeftOut, ...]
     _body: _native.MassNumbers | None
 
     @property
     def body(self) -> MassProperties | None:
-        """The body; ``None`` unless all of it is known."""
+        """Mass properties; ``None`` unless all ten numbers are known."""
         return _body(self._body)
 
     def _summary(self) -> str:
@@ -216,7 +236,7 @@ class PayloadResult(Identified):
 
 
 def identified_of(answer: _native.Identified) -> TumbleResult | SwingResult | PayloadResult:
-    """What Rust found, as the classes of Python."""
+    """Converts the answer of Rust to the Python classes."""
     said: dict[str, Any] = json.loads(answer["json"])
     common: dict[str, Any] = {
         "title": said["title"],
@@ -256,7 +276,7 @@ def _body(numbers: _native.MassNumbers | None) -> MassProperties | None:
 
 
 def _tests(said: Any) -> tuple[ResidualTest, ...]:
-    """One, several or none."""
+    """Converts one residual test, several or none."""
     return tuple(map(residual_test_of, said if isinstance(said, list) else [] if said is None else [said]))
 
 
@@ -295,12 +315,12 @@ def _edge(said: dict[str, Any] | None) -> Edge | None:
 
 
 def _tuple(kind: type[Of], said: dict[str, Any]) -> Of:
-    """The fields of a named tuple, lists as tuples."""
+    """Makes a named tuple from a dictionary; lists become tuples."""
     values = ((key, said[key]) for key in kind.__annotations__)
     return kind(**{key: tuple(value) if isinstance(value, list) else value for key, value in values})
 
 
 def _tensor(elements: Floats) -> Floats:
-    """Of xx, yy, zz, xy, xz, yz."""
+    """Returns the tensor (3, 3) of the elements xx, yy, zz, xy, xz, yz."""
     matrix: Floats = elements[np.array([[0, 3, 4], [3, 1, 5], [4, 5, 2]])]
     return matrix

@@ -1,4 +1,4 @@
-"""From measured motion to mass properties."""
+"""Identification of mass properties from measured motion."""
 
 from __future__ import annotations
 
@@ -16,36 +16,40 @@ from ._mass_properties import warn_of
 
 
 def identify(plan: str | os.PathLike[str] | Mapping[str, object]) -> TumbleResult | SwingResult | PayloadResult:
-    """Finds a body's mass properties from measurements of its motion: what ``polhode identify`` does.
+    """Estimates a body's mass properties from measurements of its motion, as ``polhode identify``
+    does.
 
     Parameters
     ----------
     plan
-        A path; or the text of a plan, a ``str`` of more than one line; or the same as a dictionary, whose arrays may be NumPy's. Files that a
-        text or a dictionary names are found from the current folder. The book's ``identify.md`` has all keys.
+            A path; the text of a plan, a ``str`` of more than one line; or the plan as a
+            dictionary, whose arrays may be NumPy arrays. Paths in a text or a dictionary are
+            relative to the current folder. The book's ``identify.md`` lists all keys.
 
     Returns
     -------
     TumbleResult, SwingResult or PayloadResult
-        By the plan's table: ``[tumble]``, ``[swing]`` or ``[payload]``.
+            The type depends on the plan's table: ``[tumble]``, ``[swing]`` or ``[payload]``.
 
     Raises
     ------
     PolhodeError
-        If the plan or a log cannot be read, with the place; if there is too little to find what is asked for; if rates are in another unit.
+            If the plan or a log cannot be read (the message names the place), if there are too few
+            data for the requested numbers, or if rates are in a different unit.
 
     Warns
     -----
     PolhodeWarning
-        Of findings: what is left is no noise, readings were left out, not all is known.
+            For each finding: residuals that are more than noise, excluded readings, undetermined
+            numbers.
 
     See Also
     --------
-    identify_tumbles, identify_swings, identify_payload : the same of arrays.
+    identify_tumbles, identify_swings, identify_payload : The same from arrays.
 
     Examples
     --------
-    A body on a knife edge, 31.2 cm above its centre of mass, as a text:
+    A body on a knife edge 31.2 cm above its centre of mass, as a text:
 
     >>> import polhode, warnings
     >>> plan = '''
@@ -90,41 +94,46 @@ def identify_tumbles(
     outlier: float = 6.0,
     title: str | None = None,
 ) -> TumbleResult:
-    """Finds the tensor of a body from flights, in which nothing turns it but the air.
+    """Estimates the inertia tensor of a body from flights without torque other than air drag.
 
-    Its moments are those over the greatest; they are in kg·m² if something known is on it in one of the flights.
+    Moments are relative to the greatest one. They are in kg·m² if a known mass is attached to the
+    body in one of the flights.
 
     Parameters
     ----------
     flights
-        One or several of the same body, with the sensor fixed to it.
+            One or several flights of the same body, with the sensor fixed to it.
     bias, scale, skew, clock
-        What of the gyro is found with the body: reading = (1 + S) ω(t + τ) + b. ``bias`` is b, ``scale`` the diagonal of S, ``skew`` the rest
-        of S, ``clock`` τ on the clock of the attitudes.
+            Parameters of the gyro to estimate with the body: reading = (1 + S) ω(t + τ) + b.
+            ``bias`` is b, ``scale`` the diagonal of S, ``skew`` the other elements of S, ``clock``
+            τ relative to the clock of the attitudes.
     gyro_noise
-        Standard deviation of a component, rad/s; found in the readings unless it is said.
+            Standard deviation of a component, rad/s. By default it is estimated from the readings.
     attitude_noise
-        Standard deviation of a component of the attitudes, rad; has to be said if there are any.
+            Standard deviation of a component of the attitudes, rad. Required if there are
+            attitudes.
     drag
-        ``"linear"`` or ``"quadratic"``: a matrix of drag is found with the body.
+            ``"linear"`` or ``"quadratic"``: a drag matrix is estimated with the body.
     outlier
-        Beyond so many standard deviations a reading is left out, and counted.
+            Threshold in standard deviations beyond which a reading is excluded. Excluded readings
+            are counted.
     title
-        What reports call it.
+            Title of the reports.
 
     Returns
     -------
     TumbleResult
-        The body, what is known of it and how well, and the residuals.
+            Estimates with their uncertainty, and the residuals.
 
     Raises
     ------
     PolhodeError
-        Where an argument is refused, or there is no such body; the message says which and why.
+            If an argument is invalid, or no physical body fits. The message names the argument and
+            the reason.
 
     Examples
     --------
-    Two throws of a body, whose moments are 1 to 2 to 2.5, and which a gyro reads with noise:
+    Two throws of a body with moments in the ratios 1 : 2 : 2.5, read by a gyro with noise:
 
     >>> import numpy as np, polhode
     >>> times, noise = np.arange(150) * 0.01, np.random.default_rng(1)
@@ -168,35 +177,40 @@ def identify_swings(
     gravity: object = None,
     title: str | None = None,
 ) -> SwingResult:
-    """Finds the tensor of a body from the periods of its swings on wires, or about an axis.
+    """Estimates the inertia tensor of a body from the periods of its swings on wires or about an
+    axis.
 
     Parameters
     ----------
     mass, center
-        The body's mass, and its centre of mass along the body's axes (3). Here and in tests a quantity is a number in SI or a text with its
-        unit, which is exact; measured, ``{"value": "3.2 kg", "sd": "1 g"}``; or to be found, ``{"about": "3 kg"}``.
+            Mass of the body, and its centre of mass (3), body axes. Here and in tests, an exact
+            quantity is a number in SI units or a text with its unit. A measured quantity is
+            ``{"value": "3.2 kg", "sd": "1 g"}``, and an unknown one ``{"about": "3 kg"}``.
     tests
-        The tests, each a dictionary with the keys of a ``[[swing.test]]`` of a plan: the book's ``identify-swing.md`` has them.
+            Tests, each a dictionary with the keys of a ``[[swing.test]]`` of a plan. The book's
+            ``identify-swing.md`` lists the keys.
     numbers
-        Numbers that tests share, by the names by which these call them.
+            Quantities that tests share, by the names that the tests use.
     gravity
-        9.80665 m/s², exactly, unless it is said.
+            Gravitational acceleration. The default is exactly 9.80665 m/s².
     title
-        What reports call it.
+            Title of the reports.
 
     Returns
     -------
     SwingResult
-        The body, what is known of it and how well, and the residuals.
+            Estimates with their uncertainty, and the residuals.
 
     Raises
     ------
     PolhodeError
-        Where an argument is refused, or there is no such body; the message says which and why.
+            If an argument is invalid, or no physical body fits. The message names the argument and
+            the reason.
 
     Examples
     --------
-    A plate about one of its axes, on two wires: one axis says nothing of the others.
+    A plate on two wires, about one of its axes. The test does not determine the moments about other
+    axes.
 
     >>> import polhode, warnings
     >>> with warnings.catch_warnings():
@@ -254,9 +268,9 @@ def identify_payload(
     kind: str | None = None,
     title: str | None = None,
 ) -> PayloadResult:
-    """Finds mass, centre of mass and tensor of what a force–torque sensor carries, from its wrenches and its motion.
+    """Estimates mass, centre of mass and inertia tensor of the payload of a force–torque sensor.
 
-    All vectors are along the sensor's axes and about its origin.
+    All vectors are in sensor axes and about the sensor's origin.
 
     Parameters
     ----------
@@ -265,40 +279,45 @@ def identify_payload(
     omega, alpha
         Angular velocity of the sensor (n, 3), rad/s, and its derivative (n, 3), rad/s².
     acceleration
-        Of the sensor's origin (n, 3), m/s²: zero at rest.
+            Acceleration of the sensor's origin (n, 3), m/s²: zero at rest.
     gravity
-        Of free fall, pointing down (n, 3), m/s²; or with ``attitude`` (3,) along axes of space; or (3,) zeros.
+            Acceleration of free fall, pointing down, m/s²: (n, 3) in sensor axes; or, with
+            ``attitude``, (3,) in space axes; or (3,) zeros.
     attitude
-        With ``gravity`` (3,): the sensor's attitudes (n, 4), as quaternions w, x, y, z, or matrices (n, 3, 3), from the sensor to space, or a ``Rotation`` of n.
+            With ``gravity`` (3,): attitudes of the sensor as quaternions (n, 4), w, x, y, z, or
+            matrices (n, 3, 3), from the sensor to space, or a ``Rotation`` of n.
     force, torque
-        The wrench (n, 3), N and N·m.
+            Measured force and torque (n, 3), N and N·m.
     wrench
-        Whose it is: ``"on_sensor"``, whose force at rest points down, as a scale reads, or ``"on_payload"``.
+            Body on which the wrench acts: ``"on_sensor"``, whose force at rest points down, as for
+            a scale, or ``"on_payload"``.
     bias
-        Whether the sensor has a constant bias that is to be found.
+            If true, a constant bias of the sensor is estimated too.
     force_noise, torque_noise, wrench_covariance
-        Standard deviations of a component, both; or the covariance (6, 6) of fx, fy, fz, τx, τy, τz. Without them the noise is found in what is
-        left.
+            Standard deviations of a component, both; or the covariance (6, 6) of fx, fy, fz, τx,
+            τy, τz. By default, the noise is estimated from the residuals.
     omega_noise, alpha_noise, acceleration_noise
-        Standard deviations of a component of the motion, if it has noise.
+            Standard deviations of a component of the motion, if it is noisy.
     kind
-        What the payload is known to be: a ``"plate"`` or a ``"rod"``.
+            Known shape of the payload: ``"plate"`` or ``"rod"``.
     title
-        What reports call it.
+            Title of the reports.
 
     Returns
     -------
     PayloadResult
-        The body, what is known of it and how well, and the residuals.
+            Estimates with their uncertainty, and the residuals.
 
     Raises
     ------
     PolhodeError
-        Where an argument is refused, or there is no such body; the message says which and why.
+            If an argument is invalid, or no physical body fits. The message names the argument and
+            the reason.
 
     Examples
     --------
-    A tool of 1.7 kg, 0.1 m in front of a wrist that rests in four attitudes: mass and centre, and nothing of the tensor.
+    A tool of 1.7 kg, 0.1 m in front of a wrist at rest in four attitudes. Mass and centre are
+    determined, the tensor is not.
 
     >>> import numpy as np, polhode, warnings
     >>> down = np.repeat([[0, 0, -1], [0, -1, 0], [-1, 0, 0], [0.6, 0.8, 0]], 8, axis=0) * 9.81
@@ -368,7 +387,7 @@ def identify_payload(
 
 
 def _told(answer: _native.Identified) -> TumbleResult | SwingResult | PayloadResult:
-    """An answer, whose warnings are given."""
+    """Converts an answer and issues its warnings."""
     found = identified_of(answer)
     warn_of(found.findings)
     return found

@@ -1,4 +1,4 @@
-"""The mass properties of a file, or of triangles."""
+"""Mass properties of a file or of triangles."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ._robot import positions
 from ._substance import given, of_parts
 from ._units import has_units
 
-#: What files are, by how their names end.
+#: Kind of a file by its extension.
 _KINDS = {
     **dict.fromkeys(["stl", "obj", "ply", "off", "gltf", "glb", "3mf", "dae"], "mesh"),
     **dict.fromkeys(["xyz", "extxyz", "mol", "sdf", "sd", "pdb", "ent"], "molecule"),
@@ -30,7 +30,7 @@ _KINDS = {
     "osim": "robot",
 }
 
-#: What each kind may be told, and what it is called.
+#: Description of each kind, and the options that it accepts.
 _OPTIONS = {
     "scenario": ("a scenario", set[str]()),
     "mesh": (
@@ -75,62 +75,79 @@ def inertia(
     kind: str | None = None,
     format: str | None = None,
 ) -> MassProperties:
-    """Mass, centre of mass and inertia tensor of a file, or of a mesh in memory.
+    """Computes mass, centre of mass and inertia tensor of a file, or of a mesh in memory.
 
     Parameters
     ----------
     source
-        A path; an open file; ``(vertices, triangles)``; an object that has ``vertices`` and ``faces``, such as a ``trimesh.Trimesh`` (in its ``units``,
-        if it has some); or triangles (n, 3, 3) by their corners.
+            A path; an open file; ``(vertices, triangles)``; an object with ``vertices`` and
+            ``faces``, such as a ``trimesh.Trimesh`` (in its ``units``, if it has any); or triangles
+            (n, 3, 3) given by their corners.
     density, mass, material, parts, field, tolerance, unit, hull, shell, weld, fill, union
-        Of meshes; some of other files too.
+            Options for meshes; some also apply to other files.
     mass_unit, products, decimal, isotopes, molecule, spacing, origin, per_value, link, subtree, joints
-        Of other files. The notes say which mean something for what; one that means nothing is refused.
+            Options for other files. The notes list the options of each kind of file. Any other
+            option is refused.
     kind
-        What the file is, where its ending does not say it: a name in the notes.
+            Kind of the file, if its extension does not determine it: a name in the notes.
     format
-        How the name of an open file would end, where it has none.
+            Extension that the name of an open file would have, if it has no name.
 
     Returns
     -------
     MassProperties
-        About the centre of mass, along the axes of the file. What had to be assumed or turned is a :class:`PolhodeWarning`, and in its ``findings``.
+            Mass properties about the centre of mass, along the axes of the file. Assumptions and
+            corrections are reported as :class:`PolhodeWarning` and in ``findings``.
 
     Raises
     ------
     PolhodeError
-        Where a file cannot be read (it has ``path``, ``line`` and ``column``), a mesh bounds no solid, or an argument means nothing for it.
+            If a file cannot be read (the error has ``path``, ``line`` and ``column``), a mesh is
+            not closed, or an argument does not apply to the source.
     OSError
-        Where a file is not there, or may not be read.
+            If a file does not exist or cannot be opened.
 
     Notes
     -----
     ``mesh`` (.stl .obj .ply .off .gltf .glb .3mf .dae)
-        ``density`` (kg/m³), ``mass`` (kg) or ``material``, at most one; ``parts`` for parts that are made of something else, by their names:
-        ``{"wheel": "steel", "hub": {"mass": 0.25}}``; or ``field``, the density as a formula of x, y and z in m, in kg/m³, such as
-        ``"2700 - 300*hypot(x, y)"``, integrated until the estimated relative error is below ``tolerance`` (1e-10); ``unit`` of length, as ``"mm"`` or in m; ``hull=True`` for its
-        convex hull; ``shell`` for a sheet of that thickness, m. Arrays: vertices (n, 3), m unless ``unit`` says otherwise, and the
-        numbers of three of them for each triangle (m, 3), from 0, counter-clockwise as seen from outside. ``weld`` joins vertices of open
-        edges that are at most so far apart, and ``fill`` then closes holes that are at most so large across: lengths such as ``"0.01 mm"``, or
-        plain numbers, parts of the mesh's size, the diagonal of its box. What was mended, and what that may change, is a warning, and in
-        ``to_dict()["source"]``. ``union=True`` takes what lies in several parts, or more than once in one, once.
+            ``density`` (kg/m³), ``mass`` (kg) or ``material``, at most one. ``parts`` sets a
+            different material for parts by name: ``{"wheel": "steel", "hub": {"mass": 0.25}}``.
+            ``field`` is the density in kg/m³ as a formula of x, y and z in m, such as
+            ``"2700 - 300*hypot(x, y)"``, integrated until the estimated relative error is below
+            ``tolerance`` (1e-10). ``unit`` is the unit of length, as ``"mm"`` or in m.
+            ``hull=True`` replaces the mesh by its convex hull. ``shell`` makes it a sheet of that
+            thickness, m. Arrays: vertices (n, 3), m unless ``unit`` is given, and the indices from
+            0 of three vertices for each triangle (m, 3), counter-clockwise as seen from outside.
+            ``weld`` joins vertices of open edges up to that distance apart, and ``fill`` then
+            closes holes up to that width: lengths such as ``"0.01 mm"``, or plain numbers,
+            fractions of the diagonal of the mesh's bounding box. Repairs and their possible effect
+            are reported as a warning and in ``to_dict()["source"]``. ``union=True`` counts
+            overlapping volumes once, within a part and between parts.
     ``step`` (.step .stp, ISO 10303-21)
-        ``density``, ``mass`` or ``material``. Its solids are measured as the exact shapes that they are, each a part, by OpenCASCADE, which
-        ``pip install cadquery-ocp`` brings (the extra ``step``); lengths are in the file's unit. What solids share counts for each of them, and is not looked for.
+            ``density``, ``mass`` or ``material``. OpenCASCADE computes the exact solids, each of
+            them a part; install it with ``pip install cadquery-ocp`` (the extra ``step``). Lengths
+            are in the file's unit. Volumes that solids share count for each of them; overlap is not
+            detected.
     ``scenario`` (.toml)
-        Nothing: a scenario says it all.
+            No options: a scenario is complete.
     ``particles`` (.csv)
-        ``unit`` and ``mass_unit`` where the header names none; ``mass`` that points without masses share.
+            ``unit`` and ``mass_unit`` if the header has none; ``mass``, the total mass of points
+            without masses.
     ``molecule`` (.xyz .mol .sdf .pdb)
-        ``isotopes``: ``"abundant"`` (default) or ``"average"``; ``molecule``: which of several, from 0.
+            ``isotopes``: ``"abundant"`` (default) or ``"average"``; ``molecule``: index of one of
+            several molecules, from 0.
     ``voxels`` (.npy .nrrd)
-        ``spacing`` and ``origin`` (3,), m, and ``unit``, where the file does not say; ``per_value``, the density of a value of 1, kg/m³.
+            ``spacing`` and ``origin`` (3,), m, and ``unit``, if the file lacks them; ``per_value``,
+            the density for a value of 1, kg/m³.
     ``cad`` (.txt, a CAD program's report)
-        ``products`` ``"negative"`` or ``"positive"``, ``decimal`` ``"point"`` or ``"comma"``, ``unit``, ``mass_unit``, where it leaves that open.
+            ``products`` ``"negative"`` or ``"positive"``, ``decimal`` ``"point"`` or ``"comma"``,
+            ``unit``, ``mass_unit``, if the report is ambiguous.
     ``robot`` (.urdf, .usda, .osim, or .sdf and .xml of a model)
-        ``link`` by name, in its own frame; ``subtree``, a link with all that hangs from it, in the frame of that link; without either all links
-        as one body. ``joints`` are values by name, in rad or m or as ``"30 deg"``; what follows a joint follows it, and others are at zero.
-        :func:`fixed_groups` has what fixed joints hold together, :func:`link_table` all links.
+            ``link``, the name of a link, in its own frame; or ``subtree``, the name of a link whose
+            descendants are included, in the frame of that link. By default, all links as one body.
+            ``joints`` are joint values by name, in rad or m, or as text such as ``"30 deg"``. Mimic
+            joints follow their joint, and all other joints are at zero. :func:`fixed_groups`
+            returns the groups of links that fixed joints connect, and :func:`link_table` all links.
 
     Examples
     --------
@@ -141,14 +158,14 @@ def inertia(
     >>> round(1e3 * wedge.mass, 6)
     2.7
 
-    Its triangles by their corners are the same mesh:
+    The same mesh as triangles given by their corners:
 
     >>> import numpy as np
     >>> corners = np.array(vertices)[np.array(triangles)]
     >>> polhode.inertia(corners, unit="mm", material="aluminium").mass == wedge.mass
     True
 
-    A mesh with a hole is refused, and mended only if that is asked for:
+    A mesh with a hole is refused. It is repaired only on request:
 
     >>> import warnings
     >>> with warnings.catch_warnings(record=True) as said:
@@ -206,9 +223,10 @@ def inertia(
 
 
 def _kind(path: str, kind: str | None) -> str:
-    """What a file is: as the user says, as its ending says, or as its root element says."""
+    """Returns the kind of a file: as given by the user, or from its extension or its root
+    element."""
     if kind in ("mesh", "molecule"):
-        # There are many formats of these.
+        # These kinds have many formats, so the extension is needed.
         endings = [f".{ending}" for ending, known in _KINDS.items() if known == kind]
         if f".{_ending(path)}" not in endings:
             words, _ = _OPTIONS[kind]
@@ -319,7 +337,7 @@ def _molecule(path: str, isotopes: str | None, which: int | None) -> MassPropert
 
 
 def _beside_mesh(name: str, length: str | float | None) -> str | None:
-    """A length with its unit, or a part of a mesh's size, as text."""
+    """Returns a length with its unit, or a fraction of a mesh's size, as text."""
     if length is None or isinstance(length, str):
         return length
     of_size = not has_units(length)
@@ -328,7 +346,7 @@ def _beside_mesh(name: str, length: str | float | None) -> str | None:
 
 
 def _unit(unit: str | float | None, name: str, of_mass: bool) -> float | None:
-    """A unit in m or kg."""
+    """Returns a unit in m or kg."""
     if unit is None:
         return None
     if not isinstance(unit, str):

@@ -1,4 +1,4 @@
-"""Is the motion of another program right?"""
+"""Accuracy of a motion that another program computed."""
 
 from __future__ import annotations
 
@@ -32,44 +32,48 @@ def judge(
     step: float | None = None,
     engine: str | None = None,
 ) -> Judgement:
-    """Judges a motion that another program computed by the exact motion of a scenario.
+    """Compares a motion that another program computed with the exact motion of a scenario.
 
-    What
-    had to be assumed of the body is a :class:`PolhodeWarning`.
+    Assumptions about the body are reported as :class:`PolhodeWarning`.
 
     Parameters
     ----------
     scenario
-        A path, or a text of more than one line, as of :func:`simulate`, or a :class:`Scenario`; its ``[run]`` is not used.
+            A path, or a text of more than one line, as for :func:`simulate`, or a
+            :class:`Scenario`; its ``[run]`` is not used.
     run
-        The motion as a log: CSV, Parquet, JSON lines.
+            The motion as a log file: CSV, Parquet or JSON lines.
     times, attitude, omega
-        Or as arrays: times (n,), ascending, s; quaternions (n, 4), matrices (n, 3, 3) or a ``scipy.spatial.transform.Rotation`` of n; perhaps ω
-        (n, 3), rad/s.
+            The motion as arrays: times (n,), ascending, s; quaternions (n, 4), matrices (n, 3, 3)
+            or a ``scipy.spatial.transform.Rotation`` of n; optionally angular velocities (n, 3),
+            rad/s.
     columns
-        Which columns of a log are what, where their names do not say it.
+            Meaning of the columns of a log, if it does not follow from their names.
     quaternion
-        ``"wxyz"`` or ``"xyzw"``. What this and the following say is found unless given, by the motion that the run begins with.
+            ``"wxyz"`` or ``"xyzw"``. By default, this and the following four arguments are found
+            from the beginning of the run.
     sense
-        ``"body_to_space"`` or ``"space_to_body"``, what rotations take components of to which; of a ``Rotation`` the first.
+            ``"body_to_space"`` or ``"space_to_body"``: the components that rotations transform, and
+            the result. A ``Rotation`` has the first.
     omega_axes
-        ``"body"`` or ``"space"``.
+            Axes of the angular velocity: ``"body"`` or ``"space"``.
     axes
-        The run's x, y, z as axes of the scenario, such as ``"x,z,-y"``.
+            The run's x, y, z in terms of the scenario's axes, such as ``"x,z,-y"``.
     time_origin
-        The run's time at the scenario's time 0, s.
+            Time of the run at the scenario's time 0, s.
     step, engine
-        The program's own step, s, and its name.
+            Time step of the program, s, and its name.
 
     Returns
     -------
     Judgement
-        How large the errors are, what they look like, and the likeliest causes.
+            Errors, their pattern and the most likely causes.
 
     Raises
     ------
     PolhodeError
-        Where the run does not tell which of several readings is right, where arrays are no motion, and where a log is wrong.
+            If several readings of the run are equally good, if the arrays are not a motion, or if a
+            log is invalid.
 
     Examples
     --------
@@ -127,7 +131,8 @@ def judge(
 
 
 def _attitudes(attitude: Any, said: _native.Said) -> Floats:
-    """Quaternions (n, 4), or matrices as rows (n, 9); what they are without doubt is said."""
+    """Converts attitudes to quaternions (n, 4), or matrices to rows (n, 9), and records in ``said``
+    the conventions that are certain."""
     if hasattr(attitude, "as_quat"):
         if said["quaternion"] is not None:
             raise PolhodeError("quaternion means nothing for a Rotation, whose order is known")

@@ -1,4 +1,4 @@
-"""What there is to say of a motion that another program computed."""
+"""Comparison of a motion of another program with the exact one."""
 
 from __future__ import annotations
 
@@ -12,36 +12,40 @@ from ._record import same
 
 
 class TriedReading(NamedTuple):
-    """What the numbers of a run may mean, and how well it then begins as its scenario."""
+    """Possible conventions of a run, and the residual at its beginning with these."""
 
-    #: The order of its quaternions: ``wxyz`` or ``xyzw``.
+    #: Order of the quaternion components: ``wxyz`` or ``xyzw``.
     quaternion: str
-    #: Which way its rotations go: ``body_to_space``, as polhode has it, or ``space_to_body``.
+    #: Sense of the rotations: ``body_to_space``, as in polhode, or ``space_to_body``.
     sense: str
-    #: Its axes x, y, z, each an axis of the scenario or its opposite: ``(x, z, −y)`` has y upwards.
+    #: Axes x, y, z of the run, each an axis of the scenario or its opposite: ``(x, z, −y)`` has y
+    #: upwards.
     axes: str
-    #: The run's time at the scenario's time 0, s.
+    #: Time of the run at the scenario's time 0, s.
     time_origin: float
-    #: The angle between the attitudes that are read so and the exact ones, rad: root of the mean square over the beginning.
+    #: Angle between the attitudes with these conventions and the exact ones, rad: root mean square
+    #: over the beginning.
     residual: float
-    #: The same as a part of the angle that the exact motion turns through in the beginning.
+    #: ``residual`` relative to the angle of the exact rotation during the beginning.
     relative: float
 
 
 class Reading(NamedTuple):
-    """What the numbers of a run mean."""
+    """Conventions of a run."""
 
-    #: The order of its quaternions: ``wxyz`` or ``xyzw``; of matrices ``wxyz``.
+    #: Order of the quaternion components: ``wxyz`` or ``xyzw``; ``wxyz`` for matrices.
     quaternion: str
-    #: Which way its rotations go: ``body_to_space``, as polhode has it, or ``space_to_body``.
+    #: Sense of the rotations: ``body_to_space``, as in polhode, or ``space_to_body``.
     sense: str
-    #: Its axes x, y, z, each an axis of the scenario or its opposite: ``(x, z, −y)`` has y upwards.
+    #: Axes x, y, z of the run, each an axis of the scenario or its opposite: ``(x, z, −y)`` has y
+    #: upwards.
     axes: str
-    #: Along which axes its ω is, ``body`` or ``space``; ``None`` without ω.
+    #: Axes of ω: ``body`` or ``space``; ``None`` without ω.
     omega_axes: str | None
-    #: The run's time at the scenario's time 0, s.
+    #: Time of the run at the scenario's time 0, s.
     time_origin: float
-    #: True if no reading begins with the scenario's attitude, so that the turn since the first row was compared.
+    #: True if no reading begins with the scenario's attitude, so that the rotation since the first
+    #: row was compared.
     from_own_start: bool
     #: All readings that were tried, best first.
     tried: tuple[TriedReading, ...]
@@ -51,79 +55,85 @@ class Reading(NamedTuple):
     omega_components: str | None
     #: rad/s per stated rad/s of ω: 1 if its unit is the stated one; ``None`` without ω.
     omega_factor: float | None
-    #: Whether the reading contradicts the names of the run's columns.
+    #: True if the reading contradicts the names of the run's columns.
     against_names: bool
 
 
 class ErrorGrowth(NamedTuple):
-    """The law by which the largest error so far grows."""
+    """Growth law of the largest error so far."""
 
-    #: ``power`` (t to the power of ``exponent``) or ``exponential``.
+    #: Kind of law: ``power`` (t to the power of ``exponent``) or ``exponential``.
     law: str
-    #: 0 of a wrong start, ½ of rounding by chance, 1 of a wrong rate, 2 of a rate that drifts; ``None`` of an exponential.
+    #: Exponent: 0 for a wrong start, ½ for random rounding errors, 1 for a wrong rate, 2 for a
+    #: drifting rate; ``None`` for an exponential.
     exponent: float | None
-    #: Of an exponential, 1/s.
+    #: Growth rate of an exponential, 1/s; else ``None``.
     rate: float | None
 
 
 class ErrorPart(NamedTuple):
-    """One respect in which a run differs from the exact motion."""
+    """A component of the error of a run."""
 
-    #: ``start`` (turned, in space), ``body_axes`` (turned), ``clock`` (ahead), ``rate`` (too fast) or ``drift`` (in space).
+    #: Component: ``start`` (rotation in space), ``body_axes`` (rotation), ``clock`` (lead),
+    #: ``rate`` (excess) or ``drift`` (in space).
     name: str
-    #: Its one or three numbers; ``None`` where in this run it looks like the parts before it.
+    #: One or three numbers; ``None`` if the component cannot be distinguished from those before it
+    #: in this run.
     value: tuple[float, ...] | None
-    #: Their unit: ``rad``, ``s``, ``1`` or ``rad/s``.
+    #: Unit of the value: ``rad``, ``s``, ``1`` or ``rad/s``.
     unit: str
-    #: What it takes from the error that the parts before it leave, rad, root of the mean square.
+    #: Reduction of the error by this component, after those before it, rad, root mean square.
     attitude: float
 
 
 class ErrorSplit(NamedTuple):
-    """What an error is made of, as far as it is below 0.3 rad: angles are roots of mean squares, rad."""
+    """Components of an error, while it is below 0.3 rad: angles are root mean squares, rad."""
 
-    #: In the order in which they were fitted.
+    #: Components in the order in which they were fitted.
     parts: tuple[ErrorPart, ...]
-    #: What changes from row to row without rule.
+    #: Random error from row to row.
     noise: float
-    #: What no part has, the noise included.
+    #: Error that no component explains, including the noise.
     rest: float
-    #: All of it.
+    #: Total error.
     total: float
-    #: Until when it could be split, s.
+    #: End of the interval in which the error was split, s.
     until: float
 
 
 class Cause(NamedTuple):
-    """What a program may do that its run is not the exact motion: the motion that it then makes was computed and compared."""
+    """A possible cause of the error. The motion that it would produce was computed and compared
+    with the run."""
 
-    #: A stable name for programs, such as ``no_gyroscopic_term``.
+    #: Stable identifier for programs, such as ``no_gyroscopic_term``.
     id: str
-    #: What the program does.
+    #: Description of the cause.
     text: str
-    #: False of what is no mistake: a method of order 2 or more, single precision.
+    #: False for a cause that is not an error of the program, such as a method of order 2 or more,
+    #: or single precision.
     is_mistake: bool
-    #: Whether it explains the run: well enough, and no other one much better.
+    #: True if the cause explains the run well enough, and no other much better.
     named: bool
-    #: The angle between the run and what such a program computes, rad, root of the mean square.
+    #: Angle between the run and the motion computed with this cause, rad, root mean square.
     residual: float
-    #: The part of the error that it explains; 0 or less if none.
+    #: Fraction of the error that the cause explains; 0 or less if none.
     explained: float
-    #: What to write instead.
+    #: Suggested fix.
     hint: str
 
 
 class Judgement:
-    """How far a run is off the exact motion, in what respect, and what the likely cause is. :func:`judge` makes one.
+    """Deviation of a run from the exact motion, its pattern and its likely cause, from
+    :func:`judge`.
 
-    Arrays have a row for each time, and are read-only. Those of ω are ``None`` of a run without ω.
+    Arrays have a row for each time, and are read-only. Those of ω are ``None`` for a run without ω.
     """
 
     def __init__(self, judged: _native.Judged) -> None:
         self._judged = judged
         self._report: dict[str, Any] = json.loads(judged["json"])
 
-    #: Nothing with arrays in it is hashed.
+    #: Not hashable, because it contains arrays.
     __hash__ = None  # type: ignore[assignment]
 
     def __eq__(self, other: object) -> bool:
@@ -140,89 +150,93 @@ class Judgement:
 
     @property
     def attitude(self) -> Floats:
-        """The run's R_space_body in the scenario's axes, as quaternions (n, 4): w, x, y, z, of the length that they have in the run."""
+        """Attitudes R_space_body of the run, scenario's axes, as quaternions (n, 4): w, x, y, z,
+        with the norm that they have in the run."""
         return _shown(self._judged["attitude"])
 
     @property
     def omega(self) -> Floats | None:
-        """The run's ω along the scenario's body axes (n, 3), rad/s."""
+        """Angular velocity of the run (n, 3), scenario's body axes, rad/s."""
         return _shown_if(self._judged["omega"])
 
     @property
     def exact_attitude(self) -> Floats:
-        """The exact R_space_body as unit quaternions (n, 4): w, x, y, z, continuous."""
+        """Exact attitudes R_space_body as unit quaternions (n, 4): w, x, y, z, continuous in
+        sign."""
         return _shown(self._judged["exact_attitude"])
 
     @property
     def exact_omega(self) -> Floats:
-        """The exact ω along body axes (n, 3), rad/s."""
+        """Exact angular velocity (n, 3), body axes, rad/s."""
         return _shown(self._judged["exact_omega"])
 
     @property
     def attitude_error(self) -> Floats:
-        """The angle between the run's attitude and the exact one (n,), rad."""
+        """Angle between the run's attitude and the exact one (n,), rad."""
         return _shown(self._judged["attitude_error"])
 
     @property
     def attitude_error_vector(self) -> Floats:
-        """θ of R = R_exact exp(θ), along body axes (n, 3), rad."""
+        """Rotation vectors θ with R = R_exact exp(θ), body axes (n, 3), rad."""
         return _shown(self._judged["attitude_error_vector"])
 
     @property
     def omega_error(self) -> Floats | None:
-        """\\|δω\\| (n,), as a part of the largest exact \\|ω\\| of the run."""
+        """Error \\|δω\\| (n,), relative to the largest exact \\|ω\\| of the run."""
         return _shown_if(self._judged["omega_error"])
 
     @property
     def kinetic_energy_error(self) -> Floats | None:
-        """The error of ½ ω · I ω (n,), with its sign, as a part of the largest exact one."""
+        """Signed error of ½ ω · I ω (n,), relative to the largest exact kinetic energy."""
         return _shown_if(self._judged["kinetic_energy_error"])
 
     @property
     def momentum_error(self) -> Floats | None:
-        """The error of \\|L\\| (n,), with its sign, as a part of the largest exact one."""
+        """Signed error of \\|L\\| (n,), relative to the largest exact \\|L\\|."""
         return _shown_if(self._judged["momentum_error"])
 
     @property
     def momentum_direction_error(self) -> Floats | None:
-        """The angle between L in space and the exact one (n,), rad."""
+        """Angle between L in space and the exact L (n,), rad."""
         return _shown_if(self._judged["momentum_direction_error"])
 
     @property
     def largest_attitude_error(self) -> float:
-        """The largest of ``attitude_error``, rad."""
+        """Largest element of ``attitude_error``, rad."""
         return self._number("error", "attitude_largest_rad")
 
     @property
     def last_attitude_error(self) -> float:
-        """The last of ``attitude_error``, rad."""
+        """Last element of ``attitude_error``, rad."""
         return self._number("error", "attitude_last_rad")
 
     @property
     def exact_to(self) -> float:
-        """What the exact attitude may be wrong by itself at the last row, rad: nothing below it can be told."""
+        """Uncertainty of the exact attitude at the last row, rad. Smaller errors cannot be
+        detected."""
         return self._number("error", "exact_to_rad")
 
     @property
     def is_exact(self) -> bool:
-        """True if the run cannot be told from the exact motion."""
+        """True if the run cannot be distinguished from the exact motion."""
         return self._judged["is_exact"]
 
     @property
     def step(self) -> float | None:
-        """The program's time step, s: as it was said, else the distance of the rows; ``None`` where that is not even."""
+        """Time step of the program, s: as given, or else the interval between rows; ``None`` if
+        that is not constant."""
         step: float | None = self._run["step_s"]
         return step
 
     @property
     def engine(self) -> str | None:
-        """The program that made the run, if that was said."""
+        """Program that made the run, if given."""
         engine: str | None = self._run["engine"]
         return engine
 
     @property
     def reading(self) -> Reading:
-        """What the run's numbers mean, and all that they were tried as."""
+        """Conventions of the run, and all that were tried."""
         said = self._run["reading"]
         tried = tuple(
             TriedReading(*_read(one["reading"]), one["attitude_rad"], one["of_the_turn"]) for one in said["tried"]
@@ -244,13 +258,13 @@ class Judgement:
 
     @property
     def growth(self) -> ErrorGrowth | None:
-        """How the error grows; ``None`` where it is too small or too short to say."""
+        """Growth law of the error; ``None`` if the error is too small or the run too short."""
         said = self._run["growth"]
         return None if said is None else ErrorGrowth(said["law"], said.get("exponent"), said.get("rate_per_s"))
 
     @property
     def split(self) -> ErrorSplit:
-        """What the error is made of."""
+        """Components of the error."""
         said = self._run["split"]
         parts = (
             ErrorPart(part["part"], None if part["value"] is None else tuple(part["value"]), part["unit"], part["attitude_rad"])
@@ -260,7 +274,8 @@ class Judgement:
 
     @property
     def causes(self) -> list[Cause]:
-        """All causes that were tried, likeliest first; none where there is nothing to explain, or no cause can be tried."""
+        """All causes that were tried, most likely first; empty if there is no error to explain, or
+        no cause can be tried."""
         tried = self._run["causes"]["tried"]
         return [
             Cause(it["id"], it["cause"], it["is_mistake"], it["named"], it["residual_rad"], it["explained"], it["hint"]) for it in tried
@@ -268,19 +283,19 @@ class Judgement:
 
     @property
     def likeliest(self) -> Cause | None:
-        """The cause that explains the run best, if one does."""
+        """Cause that explains the run best; ``None`` if no cause does."""
         return next((cause for cause in self.causes if cause.named), None)
 
     def to_dict(self) -> dict[str, Any]:
-        """The object that ``polhode judge --json`` prints: its keys are stable."""
+        """Returns the object that ``polhode judge --json`` prints. Its keys are stable."""
         return dict(json.loads(self._judged["json"]))
 
     def report(self) -> str:
-        """The text that ``polhode judge`` prints."""
+        """Returns the text that ``polhode judge`` prints."""
         return in_python(self._judged["text"])
 
     def page(self) -> str:
-        """The report as a page with plots, for a browser."""
+        """Returns the report as an HTML page with plots."""
         return self._judged["page"]
 
     @property
@@ -311,7 +326,7 @@ class Judgement:
 
 
 def _shown(array: Floats) -> Floats:
-    """To be looked at only: a view, as copies from other processes can be written to."""
+    """Returns a read-only view. Arrays in copies from other processes would be writeable."""
     view = array.view()
     view.flags.writeable = False
     return view

@@ -1,4 +1,5 @@
-"""Numbers of a scenario by their keys: which can be turned, and the scenario with other values of them."""
+"""Numbers of a scenario by their keys: those that can be varied, and the scenario with other
+values."""
 
 from __future__ import annotations
 
@@ -15,10 +16,10 @@ from ._error import PolhodeError
 from ._scenario import _SEVERAL, Scenario
 from .scenario import Start
 
-#: As many knobs as there are unless it is said which.
+#: Number of knobs if the user names none.
 FEW = 4
 
-#: What arguments of :class:`polhode.Scenario` are called in files.
+#: Names of :class:`polhode.Scenario` arguments as patterns, and the keys of scenario files.
 _ALIASES = [
     *((rf"^start\.{name}(?=\[|$)", f"start.spin.{key}") for name, key in Start._SPIN.items()),
     *((rf"^{name}(?=\[)", key) for name, (key, _) in _SEVERAL.items()),
@@ -28,14 +29,16 @@ _ALIASES = [
 
 @dataclass(frozen=True, kw_only=True)
 class Knob:
-    """How far a number of a scenario can be turned, and what it is called.
+    """Range and label of a slider for a number of a scenario.
 
     Parameters
     ----------
     low, high
-        The ends of its slider, in the unit that the number has in the scenario; SI where it has none. Without them, ends that suit the number.
+            Ends of the slider, in the unit of the number in the scenario, or SI if it has none. The
+            default suits the number.
     label
-        What stands beside it; without one, its name in the scenario. The unit is added.
+            Label of the slider; the default is the number's name in the scenario. The unit is
+            added.
 
     Examples
     --------
@@ -60,7 +63,8 @@ Knobs = Sequence[str] | Mapping[str, Knob | tuple[float, float] | None]
 
 
 def knobs_of(scenario: Scenario, asked: Knobs | None) -> list[dict[str, Any]]:
-    """The knobs that are asked for, or the most telling ones: objects with key, label, unit, what, value, low, high and scale."""
+    """Returns the requested knobs, or the most informative ones: objects with key, label, unit,
+    what, value, low, high and scale."""
     there = {knob["key"]: knob for knob in json.loads(_native.scenario_knobs(scenario._path, scenario._text()))}
     own = tuple(f"{table}[{k}]." for table, k in scenario._own())
     there = {key: knob for key, knob in there.items() if not key.startswith(own)}
@@ -115,14 +119,15 @@ def _knob(knob: Mapping[str, Any], given: Knob) -> dict[str, Any]:
 
 
 def key_of_argument(name: str) -> str:
-    """A key as files have it: of an argument's name."""
+    """Converts the name of an argument to the key of scenario files."""
     for pattern, key in _ALIASES:
         name = re.sub(pattern, key, name)
     return name
 
 
 def _key(scenario: Scenario, name: str) -> str:
-    """The same, and of an element by its ``name``."""
+    """Converts the name of an argument to a key, with indices in place of the ``name`` of
+    elements."""
     name = key_of_argument(name)
     for table, rows in (("body.part", scenario.body), *((key, scenario._several[several]) for several, (key, _) in _SEVERAL.items())):
         for k, row in enumerate(rows):
@@ -139,7 +144,7 @@ def _near(key: str, there: list[str]) -> str:
 
 
 def with_values(scenario: Scenario, knobs: Sequence[Mapping[str, Any]], values: Mapping[str, float]) -> Scenario:
-    """The scenario with these numbers, in the units that they are written in."""
+    """Returns the scenario with these numbers, in the units in which they are written."""
     tables = copy.deepcopy(scenario._tables())
     for knob in knobs:
         value = values[knob["key"]]

@@ -1,4 +1,4 @@
-"""Torques that are Python functions, traced with symbols into formulas."""
+"""Torque laws that are Python functions, traced with symbols to obtain formulas."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from . import _arrays
 from ._arrays import Floats
 from ._error import PolhodeError
 
-#: How tightly an expression holds together: a choice and a comparison least, a name most.
+#: Precedence levels of expressions: lowest for a choice and a comparison, highest for a name.
 _COMPARISON, _SUM, _PRODUCT, _SIGN, _POWER, _NAME = range(6)
 
-#: The most characters of a formula, as the reader has it.
+#: Maximum length of a formula in characters, as in the reader.
 LONGEST = 65536
 
 
 class Symbol:
-    """An expression of symbols: operators and NumPy's functions make others of it."""
+    """A symbolic expression. Operators and NumPy functions of it return other expressions."""
 
     __slots__ = ("text", "_holds")
 
@@ -34,7 +34,7 @@ class Symbol:
         self._holds = holds
 
     def _as(self, holds: int) -> str:
-        """The text where something holds as tightly."""
+        """Returns the text, in parentheses if its precedence is lower than ``holds``."""
         return self.text if self._holds >= holds else f"({self.text})"
 
     def _join(self, other: object, sign: str, holds: int, *, turned: bool = False) -> Any:
@@ -45,7 +45,8 @@ class Symbol:
         simple = _simple(left.text, sign, right.text)
         if simple is not None:
             return (Symbol("0"), left, right, -right)[simple]
-        # From the left: what stands right of the sign holds more tightly, and begins with no sign of its own.
+        # The operators are left-associative: the right operand needs higher precedence, and
+        # parentheses if it has a sign.
         return Symbol(f"{left._as(holds)}{sign}{right._as(_POWER if right._holds == _SIGN else holds + 1)}", holds)
 
     def __add__(self, other: object) -> Any:
@@ -74,7 +75,8 @@ class Symbol:
 
     def __pow__(self, other: object) -> Any:
         one = _symbol(other)
-        # From the right, and below a sign: each side stands for itself.
+        # Powers are right-associative and bind tighter than a sign: put each operand in parentheses
+        # unless it is a name.
         return NotImplemented if one is None else Symbol(f"{self._as(_NAME)}^{one._as(_NAME)}", _POWER)
 
     def __rpow__(self, other: object) -> Any:
@@ -131,7 +133,7 @@ class Symbol:
 
 
 class Symbols(np.ndarray):
-    """An array of symbols, to which NumPy's functions apply element by element."""
+    """An array of symbols. NumPy functions apply to it element by element."""
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
         return _applied(ufunc, method, inputs, options)
@@ -143,12 +145,12 @@ class Symbols(np.ndarray):
 
 
 def array(values: Any) -> Symbols:
-    """An array of symbols of an array of objects."""
+    """Converts an array of objects to an array of symbols."""
     return np.asarray(values, dtype=object).view(Symbols)
 
 
 def _symbol(value: object) -> Symbol | None:
-    """A symbol or a number; ``None`` of anything else."""
+    """Converts a symbol or a number to a symbol; returns ``None`` for anything else."""
     if isinstance(value, Symbol):
         return value
     if isinstance(value, np.ndarray) and value.ndim == 0:
@@ -163,7 +165,11 @@ def _symbol(value: object) -> Symbol | None:
 
 
 def _simple(left: str, sign: str, right: str) -> int | None:
-    """What a sum or a product with 0 or 1 comes to, of which vectors and matrices have many: 0, the left, the right, or minus the right."""
+    """Simplifies a sum or a product with 0 or 1, which are frequent in vectors and matrices.
+
+    Returns 0 for the result 0, 1 for the left operand, 2 for the right, 3 for minus the right,
+    ``None`` if there is no simplification.
+    """
     if sign == "*":
         return 0 if "0" in (left, right) else 1 if right == "1" else 2 if left == "1" else None
     if sign in ("+", "-") and right == "0":
@@ -179,7 +185,7 @@ def _named(name: str) -> Callable[..., Symbol]:
     return lambda *given: _call(name, *given)
 
 
-#: What NumPy's functions make of symbols.
+#: Symbolic forms of NumPy functions.
 _FUNCTIONS: dict[np.ufunc, Callable[..., Any]] = {
     np.add: lambda a, b: a + b,
     np.subtract: lambda a, b: a - b,
@@ -225,7 +231,7 @@ _FUNCTIONS: dict[np.ufunc, Callable[..., Any]] = {
 
 
 def _applied(ufunc: np.ufunc, method: str, inputs: tuple[Any, ...], options: dict[str, Any]) -> Any:
-    """A function of NumPy's on symbols, or on arrays of them."""
+    """Applies a NumPy function to symbols, or to arrays of them."""
     if ufunc is np.matmul and method == "__call__" and not options:
         return _unwrapped(np.matmul(*(np.asarray(one, dtype=object) for one in inputs)))
     function = _FUNCTIONS.get(ufunc)
@@ -255,7 +261,8 @@ def _unwrapped(found: Any) -> Any:
 
 
 def where(condition: Any, then: Any, otherwise: Any) -> Any:
-    """``then`` where the condition holds, else ``otherwise``: as :func:`numpy.where`, of symbols too.
+    """Returns ``then`` where the condition holds, else ``otherwise``, as :func:`numpy.where`; also
+    for symbols.
 
     >>> from polhode.scenario import torque, where
     >>> torque(lambda t, omega: where(t < 2.0, 0.3, 0.0) * omega).torque[0]
@@ -272,23 +279,24 @@ def where(condition: Any, then: Any, otherwise: Any) -> Any:
 
 
 class Attitude:
-    """The attitude as symbols: it takes body components to space components."""
+    """Symbolic attitude. It takes body components to space components."""
 
     def as_matrix(self) -> Symbols:
-        """R_space_body (3, 3)."""
+        """Returns the rotation matrix R_space_body (3, 3)."""
         return array([[Symbol(f"r{row}{column}") for column in (1, 2, 3)] for row in (1, 2, 3)])
 
     def as_quat(self, *, scalar_first: bool = False) -> Symbols:
-        """The quaternion (4,): x, y, z, w, as SciPy has it, or w first."""
+        """Returns the quaternion (4,): x, y, z, w as in SciPy, or w first."""
         return array([Symbol(f"q{name}") for name in ("wxyz" if scalar_first else "xyzw")])
 
     def apply(self, vector: npt.ArrayLike, inverse: bool = False) -> Any:
-        """Space components of a vector of body components (3,); ``inverse``: the other way."""
+        """Returns the space components of a vector (3,) in body components; with ``inverse``, the
+        reverse."""
         matrix = self.as_matrix()
         return (matrix.T if inverse else matrix) @ np.asarray(vector)
 
 
-#: What a law may ask for, by the names of its parameters.
+#: Parts of the state that a law may take, by the names of its parameters.
 _STATE: dict[str, Callable[[], Any]] = {
     "t": lambda: Symbol("t"),
     "omega": lambda: array([Symbol(f"w{axis}") for axis in "xyz"]),
@@ -301,7 +309,8 @@ _STATE: dict[str, Callable[[], Any]] = {
 
 
 def asked(law: Any, *, vectorized: bool = False) -> list[str]:
-    """What of the state a law asks for: the names of its parameters that have no default."""
+    """Returns the parts of the state that a law takes: the names of its parameters without a
+    default."""
     if not callable(law):
         raise TypeError(f"law must be a function, not {type(law).__name__}")
     known = [*_STATE, "member"] if vectorized else [*_STATE]
@@ -318,7 +327,7 @@ def asked(law: Any, *, vectorized: bool = False) -> list[str]:
 
 
 def formula_torque(law: Any) -> tuple[str, ...]:
-    """The formulas of the three components of a law."""
+    """Returns the formulas of the three components of a law."""
     given = {name: _STATE[name]() for name in asked(law)}
     found = np.asarray(called_with(law, given), dtype=object)
     if found.shape != (3,):
@@ -331,7 +340,8 @@ def formula_torque(law: Any) -> tuple[str, ...]:
 
 
 def called_with(law: Any, given: dict[str, Any]) -> Any:
-    """Calls a law with what it asks for; parameters before a ``/`` have no names."""
+    """Calls a law with the parts of the state that it takes. Parameters before a ``/`` are
+    positional."""
     kinds = inspect.signature(law).parameters
     first = [value for name, value in given.items() if kinds[name].kind is inspect.Parameter.POSITIONAL_ONLY]
     return law(*first, **{name: value for name, value in given.items() if kinds[name].kind is not inspect.Parameter.POSITIONAL_ONLY})

@@ -1,4 +1,4 @@
-"""From a scenario to a motion with knobs."""
+"""Interactive motion of a scenario in a notebook."""
 
 from __future__ import annotations
 
@@ -14,31 +14,37 @@ if TYPE_CHECKING:
 
 
 def widget(scenario: Scenario | str | os.PathLike[str], knobs: Knobs | None = None, *, error: str = "auto") -> MotionWidget:
-    """The motion of a scenario in a notebook, with knobs for numbers of it: each turn computes the motion in the kernel. It needs anywidget.
+    """Shows the motion of a scenario in a notebook, with sliders for its numbers. Requires
+    anywidget.
 
-    While one motion is computed, only the last values that the knobs have meanwhile wait for the next. A value that is refused is shown with the reason, and the
-    motion stays. Knobs are sliders and numbers; all of it can be reached by keyboard.
+    Each change computes the motion in the kernel. During a computation, only the latest values wait
+    for the next one. A value that is refused is shown with the reason, and the motion remains as it
+    was. Each number has a slider and an input field, and everything can be used with the keyboard.
 
     Parameters
     ----------
     scenario
         A :class:`Scenario`, its file, or its text: a ``str`` of more than one line.
     knobs
-        Keys of its numbers as files have them, such as ``"start.spin.body[2]"``, ``"torque[0].coefficient"`` or ``'body.part["rotor"].mass'``, or as arguments of
-        :class:`Scenario` are called, ``"start.omega[2]"``; or a mapping from keys to a :class:`Knob` or to the ends ``(low, high)`` of its slider. Without them, the four
-        numbers that tell most.
+            Keys of its numbers as in scenario files, such as ``"start.spin.body[2]"``,
+            ``"torque[0].coefficient"`` or ``'body.part["rotor"].mass'``, or as the arguments of
+            :class:`Scenario`, ``"start.omega[2]"``. Also a mapping from keys to a :class:`Knob` or
+            to the ends ``(low, high)`` of its slider. The default is the four most informative
+            numbers.
     error
-        As :func:`simulate` has it.
+            Method of the error estimate, as for :func:`simulate`.
 
     Returns
     -------
     MotionWidget
-        Its ``motion`` is the :class:`Motion` that is shown, its ``scenario`` what that is of, and its ``values`` what the knobs are at, which may be set.
+            Widget with the current :class:`Motion` in ``motion``, its scenario in ``scenario``, and
+            the values of the knobs in ``values``, which can be set.
 
     Raises
     ------
     PolhodeError
-        Of a key that is no number of the scenario, with those that are near; and as :func:`simulate`.
+            If a key is not a number of the scenario (the message lists similar keys), and as for
+            :func:`simulate`.
 
     Examples
     --------

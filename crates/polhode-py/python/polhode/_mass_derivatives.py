@@ -1,4 +1,4 @@
-"""Derivatives of mass properties by what a body is made of: particles, parts, or the vertices of a mesh."""
+"""Derivatives of mass properties by particles, by parts, or by the vertices of a mesh."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from ._mass_properties import MassProperties, checked_particles
 from ._record import Record
 from ._substance import Given, given
 
-#: The ten numbers of mass properties.
+#: Names of the ten numbers of mass properties.
 ROWS = ("mass", "center_x", "center_y", "center_z", "I_xx", "I_yy", "I_zz", "I_xy", "I_xz", "I_yz")
 
 
 def ten(body: MassProperties) -> Floats:
-    """The ten numbers of a body."""
+    """Returns the ten numbers of a body (10,)."""
     inertia = body.inertia
     elements = inertia[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
     return np.concatenate([[body.mass], body.center_of_mass, elements])
@@ -29,20 +29,23 @@ def ten(body: MassProperties) -> Floats:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ParticleDerivatives(Record):
-    """Mass properties of particles with their derivatives by each particle. :func:`particle_derivatives` makes one.
+    """Mass properties of particles with their derivatives, as :func:`particle_derivatives` returns
+    them.
 
-    The first axis of all arrays is :attr:`rows`: the mass, kg; the centre of mass, m; and the elements of the inertia tensor about the centre of
-    mass, kg·m². All are along the axes of the positions. They are exact but for rounding, some 4e-16 of the largest term.
+    The first axis of all arrays is :attr:`rows`: the mass, kg; the centre of mass, m; and the
+    elements of the inertia tensor about the centre of mass, kg·m². All are along the axes of the
+    positions. They are exact except for rounding, about 4e-16 of the largest term.
     """
 
-    #: What the rows are of. I_xy = I_yx is one number, an element of the tensor: minus the integral of xy.
+    #: Names of the rows. I_xy = I_yx is one number, an element of the tensor: minus the integral of
+    #: xy.
     rows: ClassVar[tuple[str, ...]] = ROWS
 
-    #: The ten numbers themselves (10,).
+    #: Mass properties as ten numbers (10,).
     values: Floats
-    #: By the mass of each particle (10, n), per kg.
+    #: Derivatives by the mass of each particle (10, n), per kg.
     by_masses: Floats
-    #: By the coordinates of each particle (10, n, 3), per m.
+    #: Derivatives by the coordinates of each particle (10, n, 3), per m.
     by_positions: Floats
 
     def __repr__(self) -> str:
@@ -50,28 +53,29 @@ class ParticleDerivatives(Record):
 
 
 def particle_derivatives(*, masses: npt.ArrayLike, positions: npt.ArrayLike) -> ParticleDerivatives:
-    """The derivatives of what :func:`particles` computes, in closed form.
+    """Computes the derivatives of the mass properties of :func:`particles`, in closed form.
 
     Parameters
     ----------
     masses
         Masses (n,), kg, positive.
     positions
-        Where they are (n, 3), m.
+            Positions (n, 3), m.
 
     Returns
     -------
     ParticleDerivatives
-        Arrays (10, n) and (10, n, 3).
+            Derivatives by the masses (10, n) and by the positions (10, n, 3).
 
     Raises
     ------
     PolhodeError
-        Where an argument is refused: its name, the element and the rule are in the message.
+            If an argument is invalid; the message names the argument, the element and the rule.
 
     Examples
     --------
-    A dumbbell of 1 kg and 3 kg, 2 m apart: I_xx = μ l² with the reduced mass μ = 3/4 kg, so that it grows by 2 μ l for each metre.
+    A dumbbell of 1 kg and 3 kg, 2 m apart. I_xx = μ l² with the reduced mass μ = 3/4 kg, so its
+    derivative by l is 2 μ l.
 
     >>> import polhode
     >>> derivatives = polhode.particle_derivatives(masses=[1, 3], positions=[[0, 0, 0], [0, 0, 2]])
@@ -85,29 +89,37 @@ def particle_derivatives(*, masses: npt.ArrayLike, positions: npt.ArrayLike) -> 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class BodyDerivatives(Record):
-    """Mass properties of a body with their derivatives by each of its parts. :meth:`Body.derivatives` makes one.
+    """Mass properties of a body with their derivatives by its parts, as :meth:`Body.derivatives`
+    returns them.
 
-    The first axis of all arrays is :attr:`rows`: the mass, kg; the centre of mass, m; and the elements of the inertia tensor about the centre of
-    mass, kg·m². The second is :attr:`parts`. All are along body axes. They are exact but for rounding, some 4e-16 of the largest term.
+    The first axis of all arrays is :attr:`rows`: the mass, kg; the centre of mass, m; and the
+    elements of the inertia tensor about the centre of mass, kg·m². The second axis is
+    :attr:`parts`. All are in body axes. They are exact except for rounding, about 4e-16 of the
+    largest term.
     """
 
-    #: What the rows are of. I_xy = I_yx is one number, an element of the tensor: minus the integral of xy.
+    #: Names of the rows. I_xy = I_yx is one number, an element of the tensor: minus the integral of
+    #: xy.
     rows: ClassVar[tuple[str, ...]] = ROWS
 
-    #: The names of the n parts.
+    #: Names of the n parts.
     parts: tuple[str, ...]
-    #: The ten numbers themselves (10,).
+    #: Mass properties as ten numbers (10,).
     values: Floats
-    #: By the mass of each part (10, n), per kg; its form and the distribution of its mass stay.
+    #: Derivatives by the mass of each part (10, n), per kg, for a fixed shape and mass
+    #: distribution.
     by_masses: Floats
-    #: By the density of each part, its mass per volume (10, n), per kg/m³; NaN of a part whose volume is not known.
+    #: Derivatives by the density of each part, its mass per volume (10, n), per kg/m³; NaN for a
+    #: part whose volume is not known.
     by_densities: Floats
-    #: By the position of each part (10, n, 3), per m.
+    #: Derivatives by the position of each part (10, n, 3), per m.
     by_positions: Floats
-    #: By a small rotation vector θ of each part about its point (10, n, 3), per rad: R → exp(θ) R.
+    #: Derivatives by a small rotation vector θ of each part about its point (10, n, 3), per rad: R
+    #: → exp(θ) R.
     by_rotations: Floats
-    #: By the ten numbers of each part where it is placed (10, n, 10), which are about its own centre of mass, along body axes. It takes derivatives of a
-    #: part on to the whole: ``by_parts[:, k] @ …``.
+    #: Derivatives by the ten numbers of each part where it is placed (10, n, 10), which are about
+    #: its own centre of mass, body axes. Use them for the chain rule from a part to the whole:
+    #: ``by_parts[:, k] @ …``.
     by_parts: Floats
 
     def __repr__(self) -> str:
@@ -115,7 +127,8 @@ class BodyDerivatives(Record):
 
 
 def body_derivatives(parts: dict[str, MassProperties], whole: MassProperties, about: dict[str, list[float]]) -> BodyDerivatives:
-    """Of parts that each turn about a point; about their own centres of mass where none is given."""
+    """Computes the derivatives for parts that each rotate about a point, by default their own
+    centre of mass."""
     points = [about[name] if name in about else part.center_of_mass.tolist() for name, part in parts.items()]
     by = _native.body_derivatives([part._native for part in parts.values()], points)
     volumes = [np.nan if part.volume is None else part.volume for part in parts.values()]
@@ -132,21 +145,28 @@ def body_derivatives(parts: dict[str, MassProperties], whole: MassProperties, ab
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MeshDerivatives(Record):
-    """Mass properties of a solid that triangles bound, with their derivatives by its vertices. :func:`mesh_derivatives` makes one.
+    """Mass properties of a solid bounded by triangles, with their derivatives by its vertices.
 
-    The first axis of its arrays is :attr:`rows`: the mass, kg; the centre of mass, m; and the elements of the inertia tensor about the centre of
-    mass, kg·m². All are along the axes of the vertices. They are exact but for rounding, some 1e-15 of the largest term, wherever the solid is.
+    :func:`mesh_derivatives` returns it.
 
-    A solid that is made of a density keeps it where a vertex moves, one of a given mass keeps that. Vertices of equal coordinates are one vertex of the solid,
-    so they move together: each has an equal share of its derivatives, and a sum over all of them is right. What is in no triangle has zeros.
+    The first axis of its arrays is :attr:`rows`: the mass, kg; the centre of mass, m; and the
+    elements of the inertia tensor about the centre of mass, kg·m². All are along the axes of the
+    vertices. They are exact except for rounding, about 1e-15 of the largest term, wherever the
+    solid is.
+
+    If the solid was given by its density, the density is constant when a vertex moves; if it was
+    given by its mass, the mass is constant. Vertices with equal coordinates are one vertex of the
+    solid and move together. Each gets an equal share of the derivatives, so that the sum over them
+    is right. Vertices in no triangle have zeros.
     """
 
-    #: What the rows are of. I_xy = I_yx is one number, an element of the tensor: minus the integral of xy.
+    #: Names of the rows. I_xy = I_yx is one number, an element of the tensor: minus the integral of
+    #: xy.
     rows: ClassVar[tuple[str, ...]] = ROWS
 
-    #: The vertices (n, 3), m.
+    #: Vertices (n, 3), m.
     vertices: Floats
-    #: The numbers of three of them for each triangle (m, 3).
+    #: Indices of the three vertices of each triangle (m, 3).
     triangles: npt.NDArray[np.uint32]
     _given: Given
 
@@ -156,54 +176,57 @@ class MeshDerivatives(Record):
 
     @cached_property
     def mass_properties(self) -> MassProperties:
-        """The mass properties themselves."""
+        """Mass properties of the solid."""
         return MassProperties._of(self._solid.mass_properties)
 
     @property
     def values(self) -> Floats:
-        """The ten numbers themselves (10,)."""
+        """Mass properties as ten numbers (10,)."""
         return ten(self.mass_properties)
 
     @property
     def by_mass(self) -> Floats:
-        """By the mass (10,), per kg, of the same form."""
+        """Derivatives by the mass (10,), per kg, for a fixed shape."""
         return self._solid.by_mass
 
     @property
     def by_density(self) -> Floats:
-        """By the density (10,), per kg/m³."""
+        """Derivatives by the density (10,), per kg/m³."""
         return self._solid.by_density
 
     @cached_property
     def by_vertices(self) -> Floats:
-        """By the coordinates of each vertex (10, n, 3), per m: :meth:`gradient` of each of the ten numbers."""
+        """Derivatives by the coordinates of each vertex (10, n, 3), per m: :meth:`gradient` of each
+        of the ten numbers."""
         by_vertices = self.gradient(np.eye(10))
         by_vertices.flags.writeable = False
         return by_vertices
 
     def gradient(self, of_number: npt.ArrayLike) -> Floats:
-        """The derivatives by all vertices of numbers that depend on the mass properties.
+        """Computes the derivatives by all vertices of numbers that depend on the mass properties.
 
-        Each number takes one pass over the triangles, about as long as the integrals take: less than :attr:`by_vertices` for fewer than ten.
+        Each number needs one pass over the triangles, about as long as the integrals. For fewer
+        than ten numbers, this is faster than :attr:`by_vertices`.
 
         Parameters
         ----------
         of_number
-            The derivatives (10,) of a number by :attr:`rows`, or those of several (…, 10).
+                Derivatives (10,) of a number by :attr:`rows`, or those of several numbers (…, 10).
 
         Returns
         -------
         ndarray
-            (n, 3), or (…, n, 3), per m.
+                Derivatives (n, 3), or (…, n, 3), per m.
 
         Raises
         ------
         PolhodeError
-            Where an argument is refused: its name, the element and the rule are in the message.
+                If an argument is invalid; the message names the argument, the element and the rule.
 
         Examples
         --------
-        The largest moment of a wedge, whose derivative by the tensor is a aᵀ, a its axis; I_xy = I_yx is one number, so that it counts twice:
+        The largest moment of a wedge. Its derivative by the tensor is a aᵀ, where a is its axis.
+        I_xy = I_yx is one number, so it counts twice:
 
         >>> import numpy as np, polhode
         >>> vertices, triangles = [[0, 0, 0], [3, 0, 0], [0, 2, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
@@ -213,7 +236,7 @@ class MeshDerivatives(Record):
         >>> by_vertices.shape
         (4, 3)
 
-        A moment is of the fifth degree in lengths:
+        A moment is homogeneous of degree five in lengths:
 
         >>> bool(np.isclose(np.sum(by_vertices * vertices), 5 * wedge.mass_properties.moments[2], rtol=1e-13))
         True
@@ -238,29 +261,33 @@ def mesh_derivatives(
     mass: float | None = None,
     material: str | None = None,
 ) -> MeshDerivatives:
-    """The derivatives of a solid's mass properties by the vertices of its surface, in closed form.
+    """Computes the derivatives of a solid's mass properties by the vertices of its surface, in
+    closed form.
 
     Parameters
     ----------
     mesh
-        The tuple ``(vertices, triangles)`` as :func:`inertia` takes it: vertices (n, 3), m, and the numbers of three of them for each triangle (m, 3), from 0. It
-        has to bound a solid; normals that point inward are turned, with a :class:`PolhodeWarning`.
+            The tuple ``(vertices, triangles)`` as for :func:`inertia`: vertices (n, 3), m, and the
+            indices from 0 of three vertices for each triangle (m, 3). The mesh must be closed.
+            Normals that point inward are reversed, with a :class:`PolhodeWarning`.
     density, mass, material
-        Exactly one: kg/m³, kg, or a name such as ``"steel"``.
+            Exactly one of these: kg/m³, kg, or a name such as ``"steel"``.
 
     Returns
     -------
     MeshDerivatives
-        Arrays (10, n, 3), or the gradient (n, 3) of any number that depends on the mass properties.
+            Arrays (10, n, 3), or the gradient (n, 3) of any number that depends on the mass
+            properties.
 
     Raises
     ------
     PolhodeError
-        Where the mesh bounds no solid, or an argument is refused.
+            If the mesh is not closed, or an argument is invalid.
 
     Examples
     --------
-    The tip of a wedge higher by 1 m: the mass is larger by ρ A/3, the centre of mass higher by 1/4 m.
+    The tip of a wedge moves up by 1 m: the mass increases by ρ A/3, and the centre of mass rises by
+    1/4 m.
 
     >>> import polhode
     >>> vertices, triangles = [[0, 0, 0], [3, 0, 0], [0, 2, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
@@ -277,7 +304,7 @@ def mesh_derivatives(
         raise PolhodeError(f"mesh is a tuple of {len(mesh)}: it is (vertices, triangles)")
     substance = given(density=density, mass=mass, material=material)
     vertices, triangles = _arrays.mesh(*mesh)
-    # Copies, as what was given may change.
+    # Copies, because the caller may change the originals.
     made = MeshDerivatives(vertices.copy(), triangles.copy(), substance)
     made.mass_properties._heard()
     return made

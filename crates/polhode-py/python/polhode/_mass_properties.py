@@ -1,4 +1,4 @@
-"""Mass, centre of mass and inertia."""
+"""Mass properties: mass, centre of mass and inertia tensor."""
 
 from __future__ import annotations
 
@@ -13,54 +13,56 @@ from . import _arrays, _html, _native
 from ._arrays import Floats
 from ._error import PolhodeError, in_python, warn
 
-#: No turn, as a quaternion.
+#: Identity rotation, as a quaternion.
 IDENTITY = (1.0, 0.0, 0.0, 0.0)
 
 
 class Finding(NamedTuple):
-    """Something that was noticed on the way to a body's mass properties."""
+    """A remark about a body's mass properties: an assumption, a correction or an error."""
 
-    #: A stable name for programs, such as ``"mass.assumed"``.
+    #: Stable identifier for programs, such as ``"mass.assumed"``.
     code: str
     #: ``"info"``, ``"warning"`` or ``"error"``.
     severity: str
-    #: What it is, in a sentence.
+    #: Description in a sentence.
     message: str
-    #: Where, if it has a place.
+    #: Place, if the finding has one.
     place: str | None
 
 
 def findings_of(remarks: Iterable[_native.Remark]) -> list[Finding]:
-    """What Rust noticed, in the words of Python."""
+    """Converts the findings of Rust, with options written as in Python."""
     return [Finding(code, severity, in_python(message), place) for code, severity, message, place in remarks]
 
 
 def warn_of(findings: Iterable[Finding]) -> None:
-    """A :class:`PolhodeWarning` for each finding that is worth one."""
+    """Issues a :class:`PolhodeWarning` for each finding that is not only information."""
     for finding in findings:
         if finding.severity != "info":
             warn(f"{finding.message} [{finding.code}]")
 
 
 class MassProperties:
-    """A body's mass, centre of mass and inertia tensor.
+    """Mass, centre of mass and inertia tensor of a body.
 
     Parameters
     ----------
     mass
         Mass, kg.
     inertia
-        The tensor (3, 3), or three moments about the body's axes, kg·m²: about the centre of mass, or about the point ``about``. Its off-diagonal
-        elements are *minus* the integrals, I_xy = -∫xy dm, so that L = I ω.
+            Inertia tensor (3, 3), or three moments about the body's axes, kg·m²: about the centre
+            of mass, or about the point ``about``. Its off-diagonal elements are *minus* the
+            integrals, I_xy = -∫xy dm, so that L = I ω.
     center_of_mass
-        Body axes (3,), m.
+            Centre of mass (3,), body axes, m.
     about
-        The point that the tensor is about (3,), m; the centre of mass unless given.
+            Reference point of the tensor (3,), m. The default is the centre of mass.
 
     Raises
     ------
     PolhodeError
-        Where there is no such body: a tensor that violates the triangle inequality, a mass that is not positive.
+            If the body is not physical: a tensor that violates the triangle inequality, or a mass
+            that is not positive.
 
     Examples
     --------
@@ -75,7 +77,8 @@ class MassProperties:
     >>> body.about([0, 0, 0])[0, 1]
     np.float64(4.125)
 
-    Bodies add up: ``a + b`` is both rigidly joined, ``a.placed(position=…)`` moves one first.
+    Bodies can be added: ``a + b`` is both rigidly joined, and ``a.placed(position=…)`` moves one
+    first.
     """
 
     __slots__ = ("_native",)
@@ -97,13 +100,14 @@ class MassProperties:
 
     @classmethod
     def _of(cls, native: _native.MassProperties) -> MassProperties:
-        """What Rust made."""
+        """Wraps mass properties from Rust."""
         self = object.__new__(cls)
         self._native = native
         return self
 
     def _heard(self) -> MassProperties:
-        """The same, with a warning for each of its findings that is worth one."""
+        """Returns the object itself, after a warning for each finding that is not only
+        information."""
         warn_of(self.findings)
         return self
 
@@ -114,12 +118,12 @@ class MassProperties:
 
     @property
     def center_of_mass(self) -> Floats:
-        """Centre of mass from the origin, along body axes (3,), m."""
+        """Centre of mass from the origin (3,), body axes, m."""
         return self._native.center_of_mass
 
     @property
     def inertia(self) -> Floats:
-        """Inertia tensor about the centre of mass, along body axes (3, 3), kg·m²."""
+        """Inertia tensor about the centre of mass (3, 3), body axes, kg·m²."""
         return self._native.inertia
 
     @property
@@ -154,7 +158,8 @@ class MassProperties:
 
     @property
     def symmetry(self) -> str:
-        """``spherical``, ``oblate``, ``prolate``, ``asymmetric``, ``rod`` or ``point``."""
+        """Symmetry of the tensor: ``spherical``, ``oblate``, ``prolate``, ``asymmetric``, ``rod``
+        or ``point``."""
         return self._native.symmetry
 
     @property
@@ -164,41 +169,42 @@ class MassProperties:
 
     @property
     def volume(self) -> float | None:
-        """Volume, m³, where it is known."""
+        """Volume, m³; ``None`` if not known."""
         return self._native.volume
 
     @property
     def surface_area(self) -> float | None:
-        """Surface area, m², where it is known."""
+        """Surface area, m²; ``None`` if not known."""
         return self._native.surface_area
 
     @property
     def density(self) -> float | None:
-        """Mass per volume, kg/m³, where it is known and a number below 1.8e308."""
+        """Mass per volume, kg/m³; ``None`` if not known or above 1.8e308."""
         return self._native.density
 
     @property
     def findings(self) -> list[Finding]:
-        """What was noticed on the way: normals that were turned, a density that was assumed."""
+        """Assumptions and corrections, such as reversed normals or an assumed density."""
         return findings_of(self._native.findings)
 
     def about(self, point: npt.ArrayLike) -> Floats:
-        """The inertia tensor about a point, along body axes (3, 3), kg·m²: parallel axes.
+        """Returns the inertia tensor about a point (3, 3), body axes, kg·m² (parallel axis
+        theorem).
 
         Parameters
         ----------
         point
-            Body axes (3,), m.
+                Reference point (3,), body axes, m.
 
         Returns
         -------
         array (3, 3)
-            I + m (a² 1 − a aᵀ), where a leads from the centre of mass to the point.
+                I + m (a² 1 − a aᵀ), where a is the vector from the centre of mass to the point.
 
         Raises
         ------
         PolhodeError
-            Where an argument is refused: its name, the element and the rule are in the message.
+                If an argument is invalid; the message names the argument, the element and the rule.
 
         Examples
         --------
@@ -210,12 +216,13 @@ class MassProperties:
         return self._native.about(_arrays.triple("point", point))
 
     def along(self, rotation: object) -> Floats:
-        """The inertia tensor about the centre of mass along turned axes (3, 3), kg·m².
+        """Returns the inertia tensor about the centre of mass along rotated axes (3, 3), kg·m².
 
         Parameters
         ----------
         rotation
-            What takes components along those axes to body components: a quaternion (w, x, y, z), a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
+                Rotation from components along those axes to body components: a quaternion (w, x, y,
+                z), a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
 
         Returns
         -------
@@ -225,45 +232,48 @@ class MassProperties:
         Raises
         ------
         PolhodeError
-            Where an argument is refused: its name, the element and the rule are in the message.
+                If an argument is invalid; the message names the argument, the element and the rule.
         """
         return self._native.along(_arrays.quaternions("rotation", rotation, (4,)).tolist())
 
     def placed(self, *, position: npt.ArrayLike = (0.0, 0.0, 0.0), rotation: object = IDENTITY) -> MassProperties:
-        """The body described in a frame in which its origin is at ``position`` and its axes are turned by ``rotation``.
+        """Returns the body in a frame in which its origin is at ``position`` and its axes are
+        rotated.
 
         Parameters
         ----------
         position
-            Where the body's origin is in the new frame (3,), m.
+                Position of the body's origin in the new frame (3,), m.
         rotation
-            What takes the body's present components to the new ones: a quaternion (w, x, y, z), a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
+                Rotation from the body's present components to the new ones: a quaternion (w, x, y,
+                z), a matrix (3, 3), or a ``scipy.spatial.transform.Rotation``.
 
         Returns
         -------
         MassProperties
-            The same body, described there.
+                The same body in the new frame.
 
         Raises
         ------
         PolhodeError
-            Where an argument is refused: its name, the element and the rule are in the message.
+                If an argument is invalid; the message names the argument, the element and the rule.
         """
         turn = _arrays.quaternions("rotation", rotation, (4,)).tolist()
         return MassProperties._of(self._native.placed(_arrays.triple("position", position), turn))
 
     def __add__(self, other: object) -> MassProperties:
-        """Both rigidly joined."""
+        """Joins both bodies rigidly."""
         if not isinstance(other, MassProperties):
             return NotImplemented
         return joined([self, other])
 
     def __radd__(self, other: object) -> MassProperties:
-        """``sum(parts)`` begins with 0."""
+        """Accepts 0 on the left, because ``sum(parts)`` begins with 0."""
         return self if isinstance(other, int) and other == 0 else NotImplemented
 
     def __eq__(self, other: object) -> bool:
-        """Equal are bodies of the same mass, centre of mass and tensor, wherever they came from."""
+        """Returns true if mass, centre of mass and tensor are equal; the origin of the numbers does
+        not matter."""
         return self._key == other._key if isinstance(other, MassProperties) else NotImplemented
 
     def __hash__(self) -> int:
@@ -274,28 +284,28 @@ class MassProperties:
         return self.mass, *self.center_of_mass.tolist(), *self.inertia.ravel().tolist()
 
     def to_dict(self) -> dict[str, Any]:
-        """The object that ``polhode inertia --json`` prints: its keys are stable."""
+        """Returns the object that ``polhode inertia --json`` prints. Its keys are stable."""
         return dict(json.loads(self._native.json()))
 
     def export(self, format: str, *, name: str = "body") -> str:
-        """As another program reads it.
+        """Returns the body in the format of another program.
 
         Parameters
         ----------
         format
             ``urdf``, ``sdf``, ``mjcf``, ``mjcf-principal``, ``usd``, ``jsbsim``, ``rocketpy``, ``basilisk``, ``solidworks`` or ``csv``.
         name
-            What the body is called there.
+                Name of the body in the output.
 
         Returns
         -------
         str
-            The text, in that program's frames, points, signs and units.
+                The text, with that program's frames, reference points, signs and units.
 
         Raises
         ------
         PolhodeError
-            Where an argument is refused: its name, the element and the rule are in the message.
+                If an argument is invalid; the message names the argument, the element and the rule.
         """
         return self._native.export(_arrays.text("format", format), _arrays.text("name", name))
 
@@ -324,41 +334,42 @@ class MassProperties:
         )
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # By value, bit for bit, with all that is known of where the body came from; and what a subclass has added.
+        # By value, bit for bit, with the origin of the numbers and the attributes of a subclass.
         return rebuilt, (type(self), self._native.state()), getattr(self, "__dict__", None)
 
 
 def rebuilt(kind: type[MassProperties], state: _native.MassState) -> MassProperties:
-    """A body by value."""
+    """Makes a body from its pickled state."""
     made = object.__new__(kind)
     made._native = _native.MassProperties.of_state(state)
     return made
 
 
 def joined(parts: list[MassProperties]) -> MassProperties:
-    """Several bodies rigidly joined, all of them at once: the sums are about a local point, so that no place costs digits."""
+    """Joins several bodies rigidly. The sums are about a local point, so that large coordinates
+    cost no accuracy."""
     return MassProperties._of(_native.MassProperties.combined([part._native for part in parts]))
 
 
 def particles(*, masses: npt.ArrayLike, positions: npt.ArrayLike) -> MassProperties:
-    """The mass properties of points.
+    """Computes the mass properties of point masses.
 
     Parameters
     ----------
     masses
         Masses (n,), kg, positive.
     positions
-        Where they are (n, 3), m.
+            Positions (n, 3), m.
 
     Returns
     -------
     MassProperties
-        Of all of them.
+            Mass properties of all points together.
 
     Raises
     ------
     PolhodeError
-        Where an argument is refused: its name, the element and the rule are in the message.
+            If an argument is invalid; the message names the argument, the element and the rule.
 
     Examples
     --------
@@ -373,7 +384,7 @@ def particles(*, masses: npt.ArrayLike, positions: npt.ArrayLike) -> MassPropert
 
 
 def checked_particles(masses: npt.ArrayLike, positions: npt.ArrayLike) -> tuple[Floats, Floats]:
-    """A positive mass for each point."""
+    """Checks masses and positions: one positive mass for each point."""
     masses = _arrays.numbers("masses", masses, ("n",))
     positions = _arrays.numbers("positions", positions, ("n", 3))
     if len(masses) != len(positions):

@@ -1,4 +1,4 @@
-"""The motion of a scenario."""
+"""Computed motion of a scenario."""
 
 from __future__ import annotations
 
@@ -24,47 +24,50 @@ if TYPE_CHECKING:
 
 
 class Event(NamedTuple):
-    """Something that happened on the way."""
+    """An occurrence of an event."""
 
-    #: The event's name in the scenario.
+    #: Name of the event in the scenario.
     name: str
-    #: When, s.
+    #: Time, s.
     time: float
-    #: True if what it watches was rising.
+    #: True if the measure was rising.
     rising: bool
-    #: ω along body axes, rad/s.
+    #: Angular velocity, body axes, rad/s.
     omega: tuple[float, ...]
-    #: The attitude as a unit quaternion w, x, y, z.
+    #: Attitude as a unit quaternion w, x, y, z.
     attitude: tuple[float, ...]
 
 
 class Ending(NamedTuple):
-    """How a motion ended."""
+    """Ending of a motion."""
 
-    #: ``complete``, ``stopped`` (by an event) or ``failed``: what comes before is good.
+    #: Kind: ``complete``, ``stopped`` (by an event) or ``failed``. In all cases the states before
+    #: the ending are valid.
     kind: str
-    #: The event that stopped it, or the cause of the failure.
+    #: Event that stopped the motion, or cause of the failure.
     cause: str | None
-    #: When, s.
+    #: Time of the ending, s.
     time: float | None
 
 
 class Motion(Table):
-    """A computed motion: arrays with a row for each of ``times``. :func:`simulate` makes one.
+    """A computed motion: arrays with a row for each of ``times``, as :func:`simulate` returns it.
 
-    Each access gives an array of its own. Its length is the number of times, and ``motion[k]`` the :class:`States` at the kth, ``motion[2:5]`` those at
-    several. Copies, in other processes too, hold all of the motion by value.
+    Each access returns a new array. The length is the number of times. ``motion[k]`` is the
+    :class:`States` at the kth time, and ``motion[2:5]`` those at several. Copies, also in other
+    processes, hold the whole motion by value.
     """
 
     def __init__(
         self, native: _native.Motion, sampled: Floats | None = None, has_functions: bool = False, continued: tuple[Floats, ...] = ()
     ) -> None:
         self._native = native
-        #: Whether functions of Python are among its torques and events, which copies do not have.
+        #: True if torques or events are Python functions, which copies do not have.
         self._has_functions = has_functions
-        #: Times that took the place of those of the scenario.
+        #: Times that replaced those of the scenario.
         self._sampled = None if sampled is None else sampled.copy()
-        #: The times of each motion that went on from the one before, up to this one; none of a motion from the scenario's start.
+        #: Times of each motion in a chain of extensions, up to this one; empty for a motion from
+        #: the scenario's start.
         self._continued = continued
 
     @property
@@ -74,37 +77,38 @@ class Motion(Table):
 
     @property
     def attitude(self) -> Floats:
-        """R_space_body as unit quaternions (n, 4): w, x, y, z, continuous."""
+        """Attitudes R_space_body as unit quaternions (n, 4): w, x, y, z, continuous in sign."""
         return self._stacked("attitude_{}", "wxyz")
 
     @property
     def omega(self) -> Floats:
-        """ω relative to space, along body axes (n, 3), rad/s."""
+        """Angular velocity relative to space (n, 3), body axes, rad/s."""
         return self._stacked("omega_body_{}_rad_s", "xyz")
 
     @property
     def omega_space(self) -> Floats:
-        """ω relative to space, along space axes (n, 3), rad/s."""
+        """Angular velocity relative to space (n, 3), space axes, rad/s."""
         return self._stacked("omega_space_{}_rad_s", "xyz")
 
     @property
     def momentum(self) -> Floats:
-        """L about the point that the body turns about, along space axes (n, 3), kg·m²/s."""
+        """Angular momentum about the point that the body turns about (n, 3), space axes,
+        kg·m²/s."""
         return self._stacked("momentum_space_{}_kg_m2_s", "xyz")
 
     @property
     def torque(self) -> Floats:
-        """The torque about that point, along body axes (n, 3), N·m."""
+        """Torque about the point that the body turns about (n, 3), body axes, N·m."""
         return self._stacked("torque_body_{}_n_m", "xyz")
 
     @property
     def kinetic_energy(self) -> Floats:
-        """Kinetic energy of rotation about that point (n,), J."""
+        """Kinetic energy of rotation about the point that the body turns about (n,), J."""
         return self._column("kinetic_energy_j")
 
     @property
     def potential_energy(self) -> Floats | None:
-        """Potential energy of the torques (n,), J; ``None`` if one has no potential."""
+        """Potential energy of the torques (n,), J; ``None`` if a torque has no potential."""
         return self._column("potential_energy_j") if "potential_energy_j" in self._columns else None
 
     @property
@@ -114,51 +118,54 @@ class Motion(Table):
 
     @property
     def events(self) -> list[Event]:
-        """What happened, in the order of time."""
+        """Occurrences of events, in the order of time."""
         return list(self._events)
 
     @property
     def error(self) -> MotionError | None:
-        """Estimates of its error at each time; ``None`` of a prescribed motion."""
+        """Error estimates at each time; ``None`` for a prescribed motion."""
         return self._error
 
     @cached_property
     def derivatives(self) -> Derivatives | None:
-        """Its derivatives, and those of its events; ``None`` unless :func:`simulate` was asked for them."""
+        """Derivatives of the motion and of its events; ``None`` unless requested from
+        :func:`simulate`."""
         derived = self._native.derivatives()
         return None if derived is None else derivatives_of(derived)
 
     @cached_property
     def ending(self) -> Ending:
-        """How it ended."""
+        """Ending of the motion: complete, stopped or failed."""
         return Ending(*self._native.ending)
 
     @property
     def findings(self) -> list[Finding]:
-        """What was noticed on the way: what had to be assumed of the body, a torque that nothing switches on."""
+        """Findings, such as an assumption about the body, or a torque that is never switched on."""
         return list(self._findings)
 
     @cached_property
     def title(self) -> str | None:
-        """The scenario's title."""
+        """Title of the scenario."""
         return self._native.title
 
     @property
     def summary(self) -> dict[str, Any]:
-        """The object that is ``summary.json``: mass properties, the kind of motion, the error of the numbers; its keys are stable."""
+        """Contents of ``summary.json``: mass properties, kind of motion, numerical error. Its keys
+        are stable."""
         return dict(json.loads(self._json))
 
     @property
     def states(self) -> States:
-        """Its times, ω and attitudes."""
+        """Times, angular velocities and attitudes."""
         return States(self.times, self.omega, self.attitude)
 
     def at(self, times: npt.ArrayLike) -> States:
-        """ω and the attitude at further times, in any order, from the start up to the last of :attr:`times`: to full accuracy, as the motion is computed
-        once more.
+        """Computes ω and the attitude at further times, by integrating again, to full accuracy.
 
-        A copy, as in another process, reads the scenario again for that, with the files that it
-        names, and is refused if they are not what they were.
+        The times may be in any order, from the start up to the last of :attr:`times`.
+
+        A copy, such as one in another process, reads the scenario and its files again for this. It
+        is refused if these have changed.
 
         Parameters
         ----------
@@ -168,12 +175,12 @@ class Motion(Table):
         Returns
         -------
         States
-            ω (n, 3) and attitudes (n, 4); of a single time (3,) and (4,).
+                Angular velocities (n, 3) and attitudes (n, 4); for a single time (3,) and (4,).
 
         Raises
         ------
         PolhodeError
-            Where a time is not within the motion, or a copy's files are not what they were.
+                If a time is not within the motion, or the files of a copy have changed.
 
         Examples
         --------
@@ -211,31 +218,35 @@ class Motion(Table):
         return states[0] if given.ndim == 0 else states
 
     def extend(self, duration: float, *, samples: int = 1001, error: str = "auto") -> Motion:
-        """The motion that follows, from its end on: under the same torques at their times, with those on that are on at the end, and with the events that come next.
+        """Continues the motion from its end.
 
-        Both together are the motion that a longer run has, within the tolerance of its steps. Where an event stopped it, it goes on from there. ``work``,
-        ``error`` and ``findings`` are those of what follows, counted from its first time.
+        The torques, their switching states and the events continue. Together, both motions are that
+        of a longer run, within the tolerance of the steps. A motion that an event stopped continues
+        from there. ``work``, ``error`` and ``findings`` of the result count from its first time.
 
         Parameters
         ----------
         duration
-            How much longer, s.
+                Additional duration, s.
         samples
-            How many times, evenly from the end of this motion to the end of that one, both included.
+                Number of times, evenly spaced from the end of this motion to the end of the new
+                one, both included.
         error
-            As :func:`simulate` has it.
+                Method of the error estimate, as for :func:`simulate`.
 
         Returns
         -------
         Motion
-            Of the further times alone.
+                The continuation alone, without the times of this motion.
 
         Raises
         ------
         PolhodeError
-            Where it cannot go on: it has failed, or is that of a body on the ground or in gimbals, whose state is more than attitude and ω; simulate these for longer.
+                If the motion cannot be continued: it has failed, or the body is on the ground or in
+                gimbals, and its state is more than attitude and ω. Simulate these for longer
+                instead.
         KeyboardInterrupt
-            By Ctrl-C, which ends the computation.
+                On Ctrl-C, which ends the computation.
 
         Examples
         --------
@@ -269,16 +280,18 @@ class Motion(Table):
             warn(f"the motion ends at t = {self.ending.time} s: {self.ending.cause}")
 
     def rotations(self) -> Rotation:
-        """The attitudes as a ``scipy.spatial.transform.Rotation``: it takes body components to space components."""
+        """Returns the attitudes as a ``scipy.spatial.transform.Rotation``, from body components to
+        space components."""
         return rotations(self.attitude)
 
     def page(self) -> str:
-        """The page that shows the motion in three dimensions, with the worked solution, for a browser."""
+        """Returns an HTML page that shows the motion in 3-D, with the worked solution."""
         return _native.motion_page(self.title, self._page_data)
 
     @cached_property
     def _columns(self) -> dict[str, Column]:
-        # Nobody else has these: what is written into an array that was handed out changes no other answer.
+        # These arrays are private: writing into an array that was handed out changes no other
+        # result.
         return {column[0]: Column(*column) for column in self._native.columns()}
 
     def _column(self, name: str) -> Floats:
@@ -309,7 +322,7 @@ class Motion(Table):
         return os.path.abspath(path), text
 
     def _computed(self) -> _native.Motion:
-        """What Rust computed; of a copy once more."""
+        """Returns the computed motion of Rust; a copy computes it again."""
         if "_native" not in vars(self):
             if self._has_functions:
                 raise PolhodeError("this copy of a motion has no functions of Python, of which its torques or events were", "ask the motion itself")
@@ -317,7 +330,7 @@ class Motion(Table):
             for times in self._continued:
                 again = again.after(times, "none")
             there = {name: values for name, _, _, values in again.columns()}
-            # Errors of it are not estimated again.
+            # The errors are not estimated again.
             if not all(same(there.get(name), self._columns[name].values) for name in _STATE):
                 message = "the motion is another one when its scenario is read again: a file that it names has changed"
                 raise PolhodeError(message, "simulate it again")
@@ -352,7 +365,8 @@ class Motion(Table):
 
     @cached_property
     def _coarser_data(self) -> str | None:
-        """What is shown of a body that may have too many triangles for an output of a notebook."""
+        """Page data of a body with possibly too many triangles for a notebook output, simplified;
+        else ``None``."""
         return self._native.page_data(_TRIANGLES) if self._native.has_triangles else None
 
     @property
@@ -367,7 +381,7 @@ class Motion(Table):
         return (states[k] for k in range(len(states)))
 
     def __eq__(self, other: object) -> bool:
-        """Equal are motions with the same numbers at the same times, the same events, and the same ending."""
+        """Returns true if the numbers, times, events and the ending are equal."""
         if not isinstance(other, Motion):
             return NotImplemented
         if (self.ending, self._events, self._columns.keys()) != (other.ending, other._events, other._columns.keys()):
@@ -378,7 +392,7 @@ class Motion(Table):
         return hash((len(self), self.ending, self._events))
 
     def __getstate__(self) -> dict[str, Any]:
-        # By value: where it arrives, neither the scenario's files nor its computation are needed again.
+        # By value: the receiver needs neither the scenario's files nor the computation.
         for name in _VALUES:
             getattr(self, name)
         return {name: value for name, value in vars(self).items() if name != "_native"}
@@ -396,7 +410,8 @@ class Motion(Table):
         return _display.html(self.title or "motion", self._output_data)
 
 
-#: Vectors among the columns: what an array is called, its columns, their axes, and what these are called.
+#: Vectors among the columns: name of the array, pattern of its columns, components, and name of the
+#: dimension.
 _VECTORS = (
     ("attitude", "attitude_{}", "wxyz", "component"),
     ("omega", "omega_body_{}_rad_s", "xyz", "axis"),
@@ -405,11 +420,12 @@ _VECTORS = (
     ("torque", "torque_body_{}_n_m", "xyz", "axis"),
 )
 
-#: Bytes of the triangles in an output of a notebook, before they are packed: some ten thousand.
+#: Size of the triangles in a notebook output before compression, bytes: some ten thousand
+#: triangles.
 _TRIANGLES = 240_000
 
-#: What tells one motion from another.
+#: Columns that identify a motion.
 _STATE = ("time_s", *(columns.format(axis) for _, columns, axes, _ in _VECTORS[:2] for axis in axes))
 
-#: All that a motion is: what its copies have.
+#: Attributes that copies of a motion contain.
 _VALUES = tuple(name for name, value in vars(Motion).items() if isinstance(value, cached_property))

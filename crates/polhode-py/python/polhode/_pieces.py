@@ -1,4 +1,4 @@
-"""Rows piece by piece, on several threads, with a look for Ctrl-C between pieces."""
+"""Computation of rows in pieces, on several threads, with a check for Ctrl-C between pieces."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from collections.abc import Callable
 from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
 from typing import TypeVar
 
-#: Rows that are computed without a look for Ctrl-C, at most, and for how long that may be, s of the processor, where a row does not take longer: by
-#: the clock, pieces would shrink to single rows on a busy machine, and rows side by side take less.
+#: Maximum number of rows between two checks for Ctrl-C, and maximum processor time between them, s,
+#: unless a single row takes longer. Processor time is used because with wall-clock time the pieces
+#: would shrink to single rows on a busy machine, which is less efficient.
 PIECE = 256
 LOOK = 0.1
 
@@ -17,7 +18,7 @@ Of = TypeVar("Of")
 
 
 class _Rows:
-    """Rows that are not computed yet; threads take pieces of them."""
+    """Rows that are not computed yet. Threads take pieces of them."""
 
     def __init__(self, count: int) -> None:
         self._count = count
@@ -26,9 +27,9 @@ class _Rows:
         self.ends = False
 
     def take(self, size: int) -> tuple[int, int] | None:
-        """The next piece; ``None`` if there is no more to do."""
+        """Returns the next piece; ``None`` if nothing remains."""
         with self._lock:
-            # Of no rows there is one piece, which has the columns.
+            # Zero rows are one empty piece, which has the columns.
             if self.ends or self._next >= max(self._count, 1):
                 return None
             start, self._next = self._next, max(min(self._next + size, self._count), 1)
@@ -36,7 +37,11 @@ class _Rows:
 
 
 def of(function: Callable[[int, int], Of], count: int, threads: int) -> list[Of]:
-    """A function of the rows from one up to another, of pieces of ``count`` rows, in their order. Where these are cut is a matter of time, and nobody's result."""
+    """Applies a function to pieces of ``count`` rows and returns the results in order.
+
+    The function takes the first row and the one after the last. The sizes of the pieces depend on
+    timing, but the combined result does not.
+    """
     rows = _Rows(count)
     done: dict[int, Of] = {}
 
@@ -54,7 +59,8 @@ def of(function: Callable[[int, int], Of], count: int, threads: int) -> list[Of]
             working: list[Future[None]] = []
             try:
                 working += [pool.submit(work) for _ in range(min(threads, count))]
-                # The thread that hears of Ctrl-C waits, and is woken by it.
+                # The main thread receives Ctrl-C: it waits with a timeout, so that Ctrl-C can
+                # interrupt it.
                 while wait(working, LOOK, FIRST_EXCEPTION).not_done and not any(one.done() and one.exception() for one in working):
                     pass
             finally:

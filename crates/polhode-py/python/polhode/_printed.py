@@ -1,4 +1,4 @@
-"""Answers of the command, as it prints them."""
+"""Results of commands, as the command prints them."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from ._record import Record
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Printed(Record):
-    """What is common to answers of which the command prints text, Markdown, JSON and a page."""
+    """Common part of results that the command prints as text, Markdown, JSON and a page."""
 
     #: JSON, text, Markdown and page, as the command prints them.
     _printed: tuple[str, str, str, str]
 
     def to_dict(self) -> dict[str, Any]:
-        """The object that the command prints with ``--json``: its keys are stable."""
+        """Returns the object that the command prints with ``--json``. Its keys are stable."""
         return dict(json.loads(self._printed[0]))
 
     def report(self) -> str:
-        """The text that the command prints."""
-        # A drawing has dashes between letters that are no flags.
+        """Returns the text that the command prints."""
+        # Lines of a drawing may contain dashes between letters that are not flags.
         return "\n".join(line if "│" in line else in_python(line) for line in self._printed[1].split("\n"))
 
     def page(self) -> str:
-        """The report as a page with pictures, for a browser."""
+        """Returns the report as an HTML page with figures."""
         return self._printed[3]
 
     def __str__(self) -> str:

@@ -1,4 +1,4 @@
-"""Parts of a sweep on a Ray cluster."""
+"""Computation of the parts of a sweep on a Ray cluster."""
 
 from __future__ import annotations
 
@@ -14,29 +14,31 @@ from .batch import Plan, compute
 if TYPE_CHECKING:
     from ._parts import Done, Parts
 
-#: Parts that are with the cluster, for each of its processors: one that is computed, and one that is not waited for then.
+#: Number of parts on the cluster for each processor: one being computed, and one ready to start.
 AHEAD = 2
 
 
 def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout: float | None) -> Iterator[Done]:
-    """The missing parts as they are done. A part that is lost with its worker is computed again: by Ray, which knows how."""
+    """Yields the missing parts as they are done. Ray computes a part again if its worker is
+    lost."""
     on = f"ray://{address}"
-    # What goes wrong is said here.
+    # Errors are reported here instead.
     quiet: dict[str, Any] = {"log_to_driver": False, "logging_level": logging.ERROR}
     if address == "local":
-        # On a busy machine Ray's own processes take longer to start than it waits for them.
+        # On a busy machine Ray's own processes may start more slowly than its default timeout
+        # allows.
         patient = {"agent_register_timeout_ms": 120_000}
         ray.init(num_cpus=workers, include_dashboard=False, _node_ip_address="127.0.0.1", _system_config=patient, **quiet)
     else:
         try:
             ray.init(on, **quiet)
         except ConnectionAbortedError as error:
-            # The traceback of Ray's proxy, which starts a server for each client.
+            # The message is a traceback of Ray's proxy, which starts a server for each client.
             why = str(error).strip().splitlines()[-1]
             hint = "start its head with GRPC_ENABLE_FORK_SUPPORT=0 in the environment, and try again"
             raise ConnectionError(f"{on} starts no server for this client: {why}; {hint}") from error
         except ConnectionError as error:
-            # It says no more of a client without a token, whose calls the head refuses.
+            # Ray gives the same message if the client has no token and the head refuses its calls.
             hint = "is its port for clients open, and if it wants a token, is RAY_AUTH_MODE=token set here?"
             raise ConnectionError(f"{on} does not answer: {error}; {hint}") from error
     try:
@@ -46,7 +48,8 @@ def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout
         left = iter(missing.items())
         waiting: dict[Any, int] = {}
         while True:
-            # No more than the cluster computes, so that what is not written yet fits into its memory.
+            # Limit the parts in progress to what the cluster computes, so that unwritten results
+            # fit into its memory.
             for number, (start, stop) in _some(left, AHEAD * max(1, _processors()) - len(waiting)):
                 waiting[remote.remote(sent, start, stop)] = number
             if not waiting:
@@ -57,7 +60,7 @@ def parts(address: str, plan: Plan, missing: Parts, workers: int, worker_timeout
             for answer in done:
                 yield (waiting.pop(answer), *ray.get(answer))
     except ray.exceptions.RayTaskError as error:
-        # What was raised there, without Ray's words around it.
+        # Raise the original exception, without Ray's wrapper.
         raise getattr(error, "cause", None) or error from error
     except (ConnectionError, ray.exceptions.RaySystemError) as error:
         raise lost(on, f"it does not answer ({type(error).__name__})") from error
@@ -70,5 +73,5 @@ def _processors() -> int:
 
 
 def _some(items: Iterator[Any], count: int) -> Iterator[Any]:
-    """The next so many, if there are."""
+    """Yields up to ``count`` of the next items."""
     return (item for _, item in zip(range(count), items))

@@ -1,4 +1,4 @@
-"""Values that belong together, with arrays among them."""
+"""Base class of results with arrays."""
 
 from __future__ import annotations
 
@@ -9,14 +9,18 @@ import numpy as np
 
 from . import _html
 
-#: Numbers of an array that are shown one by one, at most.
+#: Greatest number of array elements that are displayed one by one.
 SHOWN = 6
 
 
 class Record:
-    """What frozen dataclasses with arrays have in common: equal are those whose numbers are equal, NaN to NaN; arrays are read-only, in copies too."""
+    """Base class of frozen dataclasses with arrays.
 
-    #: Nothing with arrays in it is hashed.
+    Objects are equal if their numbers are equal, where NaN equals NaN. Arrays are read-only, also
+    in copies.
+    """
+
+    #: Not hashable, because it contains arrays.
     __hash__ = None  # type: ignore[assignment]
 
     def __post_init__(self) -> None:
@@ -30,7 +34,7 @@ class Record:
         return all(same(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))  # type: ignore[arg-type]
 
     def _repr_html_(self) -> str | None:
-        """What is printed, or, of what is printed in a line, its fields."""
+        """Returns the printed text, or a table of the fields if that is a single line."""
         said = str(self)
         if "\n" in said:
             return _html.text(said)
@@ -43,7 +47,7 @@ class Record:
 
 
 def _brief(value: object) -> str:
-    """A value of a field in a few words."""
+    """Returns a short text for the value of a field."""
     if isinstance(value, np.ndarray):
         shape = f"array ({', '.join(map(str, value.shape))}{',' if value.ndim == 1 else ''})"
         return ", ".join(map(_html.number, value.ravel())) if value.size <= SHOWN and value.dtype.kind == "f" else shape
@@ -54,7 +58,7 @@ def _brief(value: object) -> str:
 
 
 def same(one: object, other: object) -> bool:
-    """Whether two values of fields are equal."""
+    """Returns true if two values of fields are equal."""
     if isinstance(one, np.ndarray) or isinstance(other, np.ndarray):
         return isinstance(one, np.ndarray) and isinstance(other, np.ndarray) and np.array_equal(one, other, equal_nan=True)
     if isinstance(one, tuple) and isinstance(other, tuple) and type(one) is type(other):

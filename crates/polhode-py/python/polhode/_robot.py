@@ -1,4 +1,4 @@
-"""The bodies of a robot model: what fixed joints hold together, and all links in a table."""
+"""Bodies of a robot model: groups that fixed joints connect, and a table of all links."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from ._table import NoArray
 
 
 def positions(joints: object) -> list[tuple[str, float | str]]:
-    """Values of joints by name: numbers in rad or m, or texts with their units."""
+    """Converts joint values by name: numbers in rad or m, or texts with units."""
     if not isinstance(joints, (Mapping, type(None))):
         raise TypeError(f"joints must be a dict of numbers by name, not {type(joints).__name__}")
 
     def value(name: str, given: object) -> float | str:
         place = f"joints[{name!r}]"
-        # The joint knows whether it turns or slides.
+        # The unit depends on whether the joint is revolute or prismatic.
         given = _arrays.as_text(place, given)
         return given if isinstance(given, str) else _arrays.number(place, given)
 
@@ -32,24 +32,27 @@ def positions(joints: object) -> list[tuple[str, float | str]]:
 
 
 def fixed_groups(path: str | os.PathLike[str]) -> dict[str, MassProperties]:
-    """What fixed joints hold together in a URDF, SDF, MJCF, USD or OpenSim file: a body for each group with mass.
+    """Computes the bodies of the groups of links that fixed joints connect, in a robot model.
 
-    Each is in the frame of its first link, the one nearest the root, and is found by the name of that.
+    The file may be URDF, SDF, MJCF, USD or OpenSim. Groups without mass are omitted.
+
+    Each body is in the frame of its first link, the one nearest the root, and has the name of that
+    link.
 
     Parameters
     ----------
     path
-        The model's file.
+            Path of the model file.
 
     Returns
     -------
     dict
-        A body for each group, by the name of the link whose frame it is in.
+            A body for each group, by the name of its first link.
 
     Raises
     ------
     PolhodeError
-        Where the file is no robot model, or a link has an impossible inertia.
+            If the file is not a robot model, or a link has an unphysical inertia.
 
     Examples
     --------
@@ -71,19 +74,19 @@ def fixed_groups(path: str | os.PathLike[str]) -> dict[str, MassProperties]:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class LinkRow(Record):
-    """A link in a table, in its own frame."""
+    """Mass properties of a link, in its own frame."""
 
-    #: Its name.
+    #: Name of the link.
     link: str
-    #: Its shapes by their kinds, such as ``"box"`` or ``"mesh"``.
+    #: Kinds of its shapes, such as ``"box"`` or ``"mesh"``.
     shapes: list[str]
-    #: kg; 0 if it has none, and then no tensor.
+    #: Mass, kg; 0 for a link without mass, which has no tensor either.
     mass: float
-    #: In the link's frame (3,), m; None without mass.
+    #: Centre of mass (3,), link frame, m; ``None`` without mass.
     center_of_mass: Floats | None
-    #: About the centre of mass, along the link's axes (3, 3), kg·m².
+    #: Inertia tensor about the centre of mass (3, 3), link axes, kg·m²; ``None`` without mass.
     inertia: Floats | None
-    #: Principal moments (3,), ascending, kg·m².
+    #: Principal moments (3,), ascending, kg·m²; ``None`` without mass.
     moments: Floats | None
 
     def __repr__(self) -> str:
@@ -91,7 +94,10 @@ class LinkRow(Record):
 
 
 class LinkTable(NoArray):
-    """All links of a robot, in the order of the file, and the whole robot. It has the length and the elements of ``rows``."""
+    """Mass properties of all links of a robot, in the order of the file, and of the whole robot.
+
+    It is a sequence of ``rows``.
+    """
 
     _instead = "to_csv() gives its table, which pandas.read_csv reads, and rows its links"
 
@@ -104,25 +110,27 @@ class LinkTable(NoArray):
 
     @property
     def rows(self) -> list[LinkRow]:
-        """The links."""
+        """Rows of the links."""
         return [_row(link) for link in self._table["links"]]
 
     @property
     def whole(self) -> LinkRow:
-        """All links together, in the frame of the model; without a name."""
+        """All links together, in the frame of the model; its name is empty."""
         return _row({"link": "", "shapes": [], "massless": False, **self._table["whole"]})
 
     @property
     def findings(self) -> list[Finding]:
-        """What was noticed: a joint beyond its limits, what was not read."""
+        """Findings, such as a joint beyond its limits, or elements that were not read."""
         return list(self._findings)
 
     def to_dict(self) -> dict[str, Any]:
-        """The object that ``polhode inertia --table --json`` prints: its keys are stable."""
+        """Returns the object that ``polhode inertia --table --json`` prints. Its keys are
+        stable."""
         return copy.deepcopy(self._table)
 
     def to_csv(self) -> str:
-        """The table that ``polhode inertia --table --csv`` prints, units in the heads of its columns."""
+        """Returns the table that ``polhode inertia --table --csv`` prints, with units in the column
+        headings."""
         return self._csv
 
     def __eq__(self, other: object) -> bool:
@@ -130,11 +138,11 @@ class LinkTable(NoArray):
             return NotImplemented
         return (self.path, self._table, self._findings) == (other.path, other._table, other._findings)
 
-    #: What may be changed in it is not hashed.
+    #: Not hashable, because ``path`` can be changed.
     __hash__ = None  # type: ignore[assignment]
 
     def __getitem__(self, which: Any) -> Any:
-        """A link by its place or its name, or several by a slice."""
+        """Returns a link by its index or name, or several by a slice."""
         if isinstance(which, str):
             for row in self:
                 if row.link == which:
@@ -165,14 +173,17 @@ class LinkTable(NoArray):
 
 
 def link_table(path: str | os.PathLike[str], *, joints: Mapping[str, float | str] | None = None) -> LinkTable:
-    """Mass, centre and inertia of every link of a robot model, and of the whole robot with its joints at these values.
+    """Computes mass, centre and inertia of each link of a robot model, and of the whole robot.
+
+    The whole robot has its joints at the given values.
 
     Parameters
     ----------
     path
-        The model's file.
+            Path of the model file.
     joints
-        Values of joints by name, rad or m, or as ``"30 deg"``; what follows a joint follows it, and others are at zero.
+            Joint values by name, in rad or m, or as ``"30 deg"``. Mimic joints follow their joint,
+            and all other joints are at zero.
 
     Returns
     -------
@@ -182,7 +193,7 @@ def link_table(path: str | os.PathLike[str], *, joints: Mapping[str, float | str
     Raises
     ------
     PolhodeError
-        Where the file is no robot model, or has no such joint.
+            If the file is not a robot model, or does not have such a joint.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""A scenario: one body and one motion, as an object."""
+"""Scenarios: one body, its start, its torques and its run, as an object."""
 
 from __future__ import annotations
 
@@ -36,7 +36,8 @@ from .scenario import (
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-#: The tables of which there is one, and those of which there may be several, by the keyword that they have here.
+#: Tables that may occur once, and tables that may occur several times: key in files and class, by
+#: the keyword in Python.
 _ONE: dict[str, tuple[str, type[Section]]] = {
     "start": ("start", Start),
     "orbit": ("orbit", Orbit),
@@ -57,27 +58,29 @@ _SEVERAL: dict[str, tuple[str, type[Section]]] = {
 
 
 class Scenario:
-    """One body and one motion: what exists can be computed, and what cannot be is refused when it is made.
+    """One body and its motion. It is checked when it is made, so that every scenario can be
+    computed.
 
     Parameters
     ----------
     body
-        Mass properties, a body of named parts, or parts of shapes: a :class:`polhode.scenario.Part`, or a list of these.
+            Mass properties, a body of named parts, or one :class:`polhode.scenario.Part` or a list
+            of these.
     pivot
-        The point of the body that is held (3,), body axes, m.
+            Fixed point of the body (3,), body axes, m.
     start, orbit, contact, gimbals, mass_history, prescribed, shaft, pendulum, run
         Tables of :mod:`polhode.scenario`.
     torques, wheels, events, pointings
-        Lists of such tables.
+            Lists of tables of :mod:`polhode.scenario`.
     title
-        What it is about.
+            Title of the scenario.
     folder
-        Where the files are that it names; the current folder unless said.
+            Folder of the files to which the scenario refers. The default is the current folder.
 
     Raises
     ------
     PolhodeError
-        Where there is no such body or no such motion; the message names the argument.
+            If the body or the motion is invalid; the message names the argument.
 
     Examples
     --------
@@ -140,26 +143,26 @@ class Scenario:
 
     @classmethod
     def from_toml(cls, scenario: str | os.PathLike[str], *, folder: str | os.PathLike[str] | None = None) -> Scenario:
-        """The scenario of a file, or of its text.
+        """Reads the scenario of a file, or of its text.
 
-        Its numbers and their units stay as they are written; its comments are lost.
+        Numbers and units are kept as written. Comments are lost.
 
         Parameters
         ----------
         scenario
             A path, or a text of more than one line.
         folder
-            Where the files of a text are; the current folder unless given.
+                Folder of the files to which a text refers. The default is the current folder.
 
         Returns
         -------
         Scenario
-            The same scenario.
+                Scenario with the contents of the file.
 
         Raises
         ------
         PolhodeError
-            Where the text is no scenario; it has ``line`` and ``column``.
+                If the text is not a valid scenario; the error has ``line`` and ``column``.
         """
         if isinstance(scenario, str) and "\n" in scenario:
             text, path = _arrays.text("scenario", scenario), None
@@ -174,7 +177,8 @@ class Scenario:
 
     @classmethod
     def _of(cls, tables: Mapping[str, Any], folder: str, functions: Mapping[tuple[str, int], Section] = MappingProxyType({})) -> Scenario:
-        """The scenario of a file's tables; of torques and events that no file can hold by their places."""
+        """Makes the scenario of a file's tables. ``functions`` are the torques and events that no
+        file can hold, by table and index."""
         known = {"title", "body", *(key for key, _ in (*_ONE.values(), *_SEVERAL.values()))}
         other = [key for key in tables if key not in known]
         if other:
@@ -191,24 +195,25 @@ class Scenario:
         return cls(parts, pivot=body.get("pivot"), title=tables.get("title"), folder=folder, **given)
 
     def to_toml(self, path: str | os.PathLike[str] | None = None) -> str:
-        """The text of the scenario's file.
+        """Returns the text of the scenario's file.
 
-        The files that it names are found from :attr:`folder`, so that is where a copy belongs.
+        Paths in the text are relative to :attr:`folder`, so save a copy there.
 
         Parameters
         ----------
         path
-            Where it is written, if anywhere.
+                Path of the file to write, if any.
 
         Returns
         -------
         str
-            The text.
+                The text of the file.
 
         Raises
         ------
         PolhodeError
-            Where a torque is a :class:`polhode.scenario.FunctionTorque`, or an event measures a function, which no file can hold.
+                If a torque is a :class:`polhode.scenario.FunctionTorque`, or the measure of an
+                event is a function, which no file can hold.
         """
         if self._functions():
             raise PolhodeError("a FunctionTorque is a function of this program, which no file can hold", "polhode.scenario.torque makes a formula of it")
@@ -222,96 +227,96 @@ class Scenario:
 
     @property
     def title(self) -> str | None:
-        """What it is about."""
+        """Title of the scenario."""
         return self._title
 
     @property
     def folder(self) -> str:
-        """Where the files are that it names."""
+        """Folder of the files to which the scenario refers."""
         return self._folder
 
     @property
     def body(self) -> tuple[Part, ...]:
-        """The parts of the body."""
+        """Parts of the body."""
         return self._parts
 
     @property
     def pivot(self) -> Any:
-        """The point of the body that is held, as it was given."""
+        """Fixed point of the body, as it was given."""
         return self._pivot
 
     @property
     def start(self) -> Start | None:
-        """What it starts with."""
+        """Initial attitude and angular velocity."""
         return self._one.get("start")  # type: ignore[return-value]
 
     @property
     def run(self) -> Run | None:
-        """For how long, at which times, and how."""
+        """Duration, samples and method of the computation."""
         return self._one.get("run")  # type: ignore[return-value]
 
     @property
     def torques(self) -> tuple[Torque, ...]:
-        """What turns the body."""
+        """Torques that act on the body."""
         return self._several["torques"]  # type: ignore[return-value]
 
     @property
     def wheels(self) -> tuple[Wheel, ...]:
-        """What spins inside it."""
+        """Wheels that spin inside the body."""
         return self._several["wheels"]  # type: ignore[return-value]
 
     @property
     def events(self) -> tuple[Event, ...]:
-        """What to look out for."""
+        """Events to detect."""
         return self._several["events"]  # type: ignore[return-value]
 
     @property
     def pointings(self) -> tuple[Pointing, ...]:
-        """Angles that are of interest."""
+        """Pointing angles to report."""
         return self._several["pointings"]  # type: ignore[return-value]
 
     @property
     def orbit(self) -> Orbit | None:
-        """The orbit of the centre of mass."""
+        """Orbit of the centre of mass."""
         return self._one.get("orbit")  # type: ignore[return-value]
 
     @property
     def contact(self) -> Contact | None:
-        """The ground."""
+        """Contact with the ground."""
         return self._one.get("contact")  # type: ignore[return-value]
 
     @property
     def gimbals(self) -> Gimbals | None:
-        """The gimbals in which it hangs."""
+        """Gimbals that hold the body."""
         return self._one.get("gimbals")  # type: ignore[return-value]
 
     @property
     def mass_history(self) -> MassHistory | None:
-        """How the mass properties change."""
+        """Change of the mass properties with time."""
         return self._one.get("mass_history")  # type: ignore[return-value]
 
     @property
     def prescribed(self) -> Prescribed | None:
-        """The motion that is given."""
+        """Prescribed motion."""
         return self._one.get("prescribed")  # type: ignore[return-value]
 
     @property
     def shaft(self) -> Shaft | None:
-        """Two bearings."""
+        """Shaft in two bearings."""
         return self._one.get("shaft")  # type: ignore[return-value]
 
     @property
     def pendulum(self) -> Pendulum | None:
-        """The axis from which the body hangs."""
+        """Axis of a pendulum."""
         return self._one.get("pendulum")  # type: ignore[return-value]
 
     @property
     def findings(self) -> list[Finding]:
-        """What was noticed: what had to be assumed of the body, a torque that nothing switches on."""
+        """Findings, such as an assumption about the body, or a torque that is never switched on."""
         return list(self._findings)
 
     def replace(self, **changes: Any) -> Scenario:
-        """The same with other arguments: ``scenario.replace(run=Run(duration=20))``.
+        """Returns a copy with other arguments: ``scenario.replace(run=Run(duration=20))``.
 
         Parameters
         ----------
@@ -321,18 +326,18 @@ class Scenario:
         Returns
         -------
         Scenario
-            Another one; this one stays.
+                The new scenario. This one is not changed.
 
         Raises
         ------
         PolhodeError
-            Where there is no such motion.
+                If the new motion is invalid.
         """
         given: dict[str, Any] = {**self._one, **self._several, "pivot": self._pivot, "title": self._title, "folder": self._folder}
         return Scenario(changes.pop("body", list(self._parts)), **{**given, **changes})
 
     def _tables(self) -> dict[str, Any]:
-        """What a file has, in its order."""
+        """Returns the tables of the file, in its order."""
         tables: dict[str, Any] = {}
         if self._title is not None:
             tables["title"] = self._title
@@ -350,44 +355,49 @@ class Scenario:
         return tables
 
     def _text(self) -> str:
-        """The text of its file, in which nothing stands for functions."""
+        """Returns the text of the file, with a zero torque or measure in place of each Python
+        function."""
         return self._written
 
     @cached_property
     def _written(self) -> str:
-        # Nothing of it changes once it is made.
+        # The scenario is immutable, so the text never changes.
         return "".join(f"{line}\n" for _, line in _section.lines(self._tables())).lstrip("\n")
 
     def _functions(self) -> list[tuple[int, bool, Callable[..., tuple[float, ...]]]]:
-        """Which torques Python computes: their places, whether they are along space axes, and how."""
+        """Returns the torques that Python computes: their indices, whether they are in space axes,
+        and the functions."""
         torques = enumerate(self.torques)
         functions = [(k, one) for k, one in torques if isinstance(one, FunctionTorque)]
         return [(k, one.axes == "space", computed_of_one(one.law) if one.vectorized else computed(one.law)) for k, one in functions]
 
     def _measures(self) -> list[tuple[int, bool, Callable[..., float]]]:
-        """Which events measure what Python computes: their places, whether it depends on the body, and how."""
+        """Returns the event measures that Python computes: their indices, whether they depend on
+        the body, and the functions."""
         events = ((k, event.measure) for k, event in enumerate(self.events))
         return [(k, needs_momentum(measure), measured(measure)) for k, measure in events if callable(measure)]
 
     def _own(self) -> dict[tuple[str, int], Section]:
-        """The torques and events that no file can hold, by their tables and places."""
+        """Returns the torques and events that no file can hold, by table and index."""
         torques = {("torque", k): one for k, one in enumerate(self.torques) if isinstance(one, FunctionTorque)}
         return {**torques, **{("event", k): one for k, one in enumerate(self.events) if callable(one.measure)}}
 
     @property
     def _path(self) -> str:
-        """Where its text would stand."""
+        """Path that the file of the scenario would have."""
         return os.path.join(self._folder, "scenario.toml")
 
     def _checked(self) -> tuple[Finding, ...]:
-        """Asks the reader of files, and says what it refuses in the words of the arguments."""
+        """Checks the scenario with the reader of files, and reports errors in terms of the
+        arguments."""
         try:
             return tuple(findings_of(_native.check_scenario(self._path, self._text())))
         except PolhodeError as error:
             raise self._placed(error) from None
 
     def _placed(self, error: PolhodeError) -> PolhodeError:
-        """An error of the scenario's text, at the argument that has it."""
+        """Returns an error in the scenario's text as an error of the argument that the text came
+        from."""
         if error.path != self._path or error.line is None:
             return error
         lines = list(_section.lines(self._tables()))
@@ -417,7 +427,8 @@ class Scenario:
         return f"Scenario({'; '.join(words)})"
 
     def __str__(self) -> str:
-        """The text of a file; what no file can hold is named first, as there is zero in its place."""
+        """Returns the text of the file. Functions, which no file can hold, are listed first and
+        replaced by zero."""
         own = "".join(f"# {table}[{k}] is a function of Python, which no file can hold: zero stands in its place.\n" for table, k in self._own())
         return own + self._text()
 
@@ -426,7 +437,7 @@ class Scenario:
 
 
 def _parts_of(body: object) -> tuple[Part, ...]:
-    """A body as parts of a file."""
+    """Converts a body to parts of a file."""
     if isinstance(body, MassProperties):
         return (_tensor(None, body),)
     if isinstance(body, Body):
@@ -444,7 +455,10 @@ def _tensor(name: str | None, body: MassProperties) -> Part:
 
 
 def formula_source(scenario: str | os.PathLike[str] | Scenario) -> tuple[str, str | None]:
-    """The path and the text, if there is one, of a scenario whose torques have formulas; a ``str`` of more than one line is a text."""
+    """Returns the path of a scenario whose torques have formulas, and its text if there is one.
+
+    A ``str`` of more than one line is a text.
+    """
     if isinstance(scenario, Scenario):
         return scenario._path, scenario.to_toml()
     if isinstance(scenario, str) and "\n" in scenario:

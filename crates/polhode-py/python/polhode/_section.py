@@ -1,4 +1,4 @@
-"""What the tables of a scenario have in common: values as they are written, and the text of a file."""
+"""Base class of the tables of a scenario, and conversion to the text of a file."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from . import _arrays
 from ._toml import pair
 from ._units import has_units
 
-#: A number in SI, or a text of a number and a unit, such as ``"12 mm"``.
+#: A number in SI units, or a text of a number and a unit, such as ``"12 mm"``.
 Quantity = float | str
 
 _Section = TypeVar("_Section", bound="Section")
@@ -20,9 +20,12 @@ _Section = TypeVar("_Section", bound="Section")
 
 @dataclass(frozen=True, kw_only=True)
 class Section:
-    """A table of a scenario. Fields that are ``None`` are not written; a field whose name is a word of Python's ends in ``_``."""
+    """A table of a scenario.
 
-    #: What reports and errors call it.
+    Fields that are ``None`` are not written. A field whose name is a Python keyword ends in ``_``.
+    """
+
+    #: Name of the table in reports and errors.
     table: ClassVar[str]
 
     def __post_init__(self) -> None:
@@ -30,12 +33,12 @@ class Section:
             object.__setattr__(self, field.name, plain(f"{self.table}.{field.name}", getattr(self, field.name)))
 
     def to_dict(self) -> dict[str, Any]:
-        """The keys of the table and their values, as files have them."""
+        """Returns the keys of the table and their values, as in files."""
         return {key_of(field): written(value) for field in fields(self) if (value := getattr(self, field.name)) is not None}
 
     @classmethod
     def from_dict(cls: type[_Section], table: Mapping[str, Any]) -> _Section:
-        """A table of these keys and values."""
+        """Makes a table of these keys and values."""
         names = {key_of(field): field.name for field in fields(cls)}
         return cls(**{names[key]: value for key, value in table.items()})
 
@@ -45,12 +48,16 @@ class Section:
 
 
 def key_of(field: Field[Any]) -> str:
-    """What files call a field."""
+    """Returns the key of a field in files."""
     return field.name.rstrip("_")
 
 
 def plain(name: str, value: object) -> Any:
-    """A value as it is kept: numbers, text, truth values, tuples, dictionaries and tables; arrays are tuples, rotations dictionaries."""
+    """Converts a value to its stored form.
+
+    Stored forms are numbers, text, truth values, tuples, dictionaries and tables. Arrays become
+    tuples, and rotations become dictionaries.
+    """
     if value is None or isinstance(value, (bool, str, Section)):
         return value
     if hasattr(value, "as_quat"):
@@ -79,7 +86,7 @@ def _tuples(value: Any) -> Any:
 
 
 def written(value: Any) -> Any:
-    """A value that is kept, as a file has it."""
+    """Converts a stored value to its form in files."""
     if isinstance(value, Section):
         return value.to_dict()
     if isinstance(value, tuple):
@@ -90,7 +97,7 @@ def written(value: Any) -> Any:
 
 
 def sections(name: str, value: object, kind: type[_Section]) -> tuple[_Section, ...]:
-    """Tables of a kind, of which there may be several."""
+    """Checks a list of tables of a kind."""
     given = (value,) if isinstance(value, kind) else value
     if isinstance(given, (str, Mapping)) or not isinstance(given, Iterable):
         raise TypeError(f"{name} must be a list of {kind.__name__}, not {type(value).__name__}")
@@ -101,14 +108,14 @@ def sections(name: str, value: object, kind: type[_Section]) -> tuple[_Section, 
 
 
 def section(name: str, value: object, kind: type[_Section]) -> _Section:
-    """A table of a kind."""
+    """Checks a table of a kind."""
     if not isinstance(value, kind):
         raise TypeError(f"{name} must be a polhode.scenario.{kind.__name__}, not {type(value).__name__}")
     return value
 
 
 def lines(tables: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """The lines of a file, each with the place in Python that it comes from."""
+    """Yields the lines of a file, each with the place in Python that it comes from."""
     simple = {key: value for key, value in tables.items() if not isinstance(value, dict) and not _is_tables(value)}
     for key, value in simple.items():
         yield key, pair(key, key, value)

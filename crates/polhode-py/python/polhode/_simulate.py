@@ -1,4 +1,4 @@
-"""From a scenario to its motion."""
+"""Simulation of scenarios."""
 
 from __future__ import annotations
 
@@ -26,28 +26,32 @@ def simulate(
     Parameters
     ----------
     scenario
-        A :class:`Scenario`, a path, or a text: a ``str`` of more than one line, whose files are found from the current folder.
+            A :class:`Scenario`, a path, or a text. A text is a ``str`` of more than one line, and
+            its paths are relative to the current folder.
     times
-        Times (n,), ascending, s, in the place of those of its ``[run]``.
+            Times (n,), s, ascending, which replace those of ``[run]``.
     error
-        How much work :attr:`Motion.error` is worth: ``"thorough"`` costs 12 to 20 times the motion, ``"cheap"``
-        three to seven times, ``"auto"`` is thorough where that takes a moment.
+            Method of the estimate :attr:`Motion.error`: ``"thorough"`` costs 12 to 20 times as much
+            as the motion, ``"cheap"`` three to seven times; ``"auto"`` is thorough if that is fast.
     derivatives
-        Asks for :attr:`Motion.derivatives`, by the start, by the inertia tensor, and by these numbers of torques: ``"torque[0].factor"`` is
-        what the first torque is multiplied by, which is 1; ``"torque[0].stiffness"`` a number of its own. An empty list has start and tensor alone.
+            Parameters of torques for :attr:`Motion.derivatives`, in addition to the start and the
+            inertia tensor. ``"torque[0].factor"`` is a factor of the first torque, equal to 1;
+            ``"torque[0].stiffness"`` is one of its own numbers. An empty list gives the derivatives
+            by start and tensor alone.
 
     Returns
     -------
     Motion
-        As far as it is good: a motion that cannot be computed to its end has an :attr:`Motion.ending` that says why, and there is a
-        :class:`PolhodeWarning`. What had to be assumed, and a ``[sweep]``, which is not simulated, are warned of too.
+            The motion. If it cannot be computed to its end, it is valid up to its
+            :attr:`Motion.ending`, which has the cause, and a :class:`PolhodeWarning` is issued.
+            Further warnings report assumptions, and a ``[sweep]``, which is not simulated.
 
     Raises
     ------
     PolhodeError
-        Where there is no such motion; of a file or a text it has ``line`` and ``column``.
+            If the motion is invalid; for a file or a text, the error has ``line`` and ``column``.
     KeyboardInterrupt
-        By Ctrl-C, which ends the computation.
+            On Ctrl-C, which ends the computation.
 
     Examples
     --------
@@ -70,7 +74,8 @@ def simulate(
     >>> bool(abs(motion.momentum - motion.momentum[0]).max() < 1e-16)
     True
 
-    Spun up by a torque about a principal axis, with its derivatives by the torque and when a rate is reached:
+    A torque about a principal axis spins the body up from rest. Derivatives by the torque are those
+    of the final rate, and of the time of an event:
 
     >>> motion = polhode.simulate('''
     ... [[body.part]]
@@ -123,7 +128,7 @@ def simulate(
 
 
 def _keys(derivatives: Sequence[str] | None) -> list[str] | None:
-    """Names of numbers."""
+    """Checks names of parameters."""
     if derivatives is None:
         return None
     if isinstance(derivatives, (str, Mapping)) or not isinstance(derivatives, Iterable):
@@ -132,7 +137,7 @@ def _keys(derivatives: Sequence[str] | None) -> list[str] | None:
 
 
 def warn_of_scenario(findings: list[Finding]) -> None:
-    """What is worth a warning, and that a ``[sweep]`` is not simulated."""
+    """Issues warnings for findings, also for a ``[sweep]``, which is not simulated."""
     warn_of(findings)
     for finding in findings:
         if finding.code == "sweep.nominal":
